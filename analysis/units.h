@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace fourpost {
+
+/// Exponents of the SI base units; angles are dimensionless.
+struct Dimension {
+  int kilogram = 0;
+  int metre = 0;
+  int second = 0;
+  bool operator==(const Dimension&) const = default;
+};
+
+inline constexpr Dimension kDimensionless{};
+inline constexpr Dimension kMass{1, 0, 0};
+inline constexpr Dimension kLength{0, 1, 0};
+inline constexpr Dimension kTime{0, 0, 1};
+inline constexpr Dimension kVelocity{0, 1, -1};
+inline constexpr Dimension kAcceleration{0, 1, -2};
+inline constexpr Dimension kForce{1, 1, -2};
+inline constexpr Dimension kStiffness{1, 0, -2};
+inline constexpr Dimension kDamping{1, 0, -1};
+inline constexpr Dimension kInertia{1, 2, 0};
+inline constexpr Dimension kFrequency{0, 0, -1};
+
+/// A unit such as "kN*s/m": its size in SI and its dimension.
+struct Unit {
+  double si = 1;
+  Dimension dimension;
+};
+
+/// Reads a product of units with powers: "N/mm", "kN*s/m", "kg*m^2", "m/s^2", "deg", "Hz", "%".
+/// Names: m mm cm kg g t s ms N kN MN Pa kPa MPa bar rad deg Hz %, and 1. Nothing for an unknown name.
+std::optional<Unit> ParseUnit(std::string_view text);
+
+/// A number with a unit, as a user writes it.
+struct Quantity {
+  double si = 0;
+  Unit unit;
+  /// The unit as written; empty when there was none.
+  std::string unit_text;
+};
+
+/// Reads "32 N/mm" or "0.3"; the number must be finite. Nothing when the text is not a number with a known unit.
+std::optional<Quantity> ParseQuantity(std::string_view text);
+
+/// The usual SI unit of a dimension: "N/m" for a stiffness, "kg*m^2" for an inertia.
+std::string SiUnit(const Dimension& dimension);
+
+/// What a dimension is called: "stiffness"; the SI unit where it has no name.
+std::string DimensionName(const Dimension& dimension);
+
+/// The number in this unit, at the fewest digits that read back to the same double: "31.42 N/mm".
+std::string FormatQuantity(double si, const std::string& unit_text);
+
+}  // namespace fourpost
