@@ -1,0 +1,108 @@
+#include "identify/covariance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <stdexcept>
+
+#include <Eigen/SVD>
+
+#include "identify/fit_variables.h"
+#include "identify/option_check.h"
+
+namespace fourpost {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void CheckInput(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, double cost) {
+  if (jacobian.size() == 0 || slopes.size() != jacobian.cols()) {
+    throw std::invalid_argument("the Jacobian is " + std::to_string(jacobian.rows()) + " x " +
+                                std::to_string(jacobian.cols()) + ", the slopes are " + std::to_string(slopes.size()));
+  }
+  if (!jacobian.allFinite()) throw std::invalid_argument("the Jacobian has an entry that is not finite");
+  if (!slopes.allFinite()) throw std::invalid_argument("a slope is not finite");
+  RequireOption(cost >= 0, "cost", cost, "0 or more");
+}
+
+// Signs of singular vectors are arbitrary; this one does not depend on the platform.
+void PointAlongLargest(Eigen::Ref<Eigen::VectorXd> direction) {
+  Eigen::Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  if (direction[largest] < 0) direction = -direction;
+}
+
+void Decompose(const Eigen::MatrixXd& jacobian, double rank_threshold, Covariance& covariance) {
+  const Eigen::Index n = jacobian.cols();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
+  covariance.singular_values = Eigen::VectorXd::Zero(n);
+  covariance.singular_values.head(svd.singularValues().size()) = svd.singularValues();
+  covariance.directions = svd.matrixV();
+  for (Eigen::Index i = 0; i < n; ++i) PointAlongLargest(covariance.directions.col(i));
+
+  const Eigen::VectorXd& values = covariance.singular_values;
+  const double smallest = rank_threshold * values[0];
+  covariance.rank = static_cast<int>((values.array() > smallest).count());
+  covariance.determined_condition = covariance.rank > 0 ? values[0] / values[covariance.rank - 1] : kInfinity;
+  covariance.condition = covariance.rank == n ? covariance.determined_condition : kInfinity;
+}
+
+double Inflation(double cost, Eigen::Index residuals, int rank) {
+  if (residuals <= rank) return 1;
+  return std::max(1.0, std::sqrt(cost / static_cast<double>(residuals - rank)));
+}
+
+double VariableSd(const Covariance& covariance, Eigen::Index j, double share_threshold) {
+  const Eigen::VectorXd shares = covariance.directions.row(j);
+  const int rank = covariance.rank;
+  if (shares.tail(shares.size() - rank).norm() > share_threshold) return kInfinity;
+  return (shares.head(rank).array() / covariance.singular_values.head(rank).array()).matrix().norm();
+}
+
+}  // namespace
+
+void CovarianceOptions::Validate() const {
+  RequireOption(rank_threshold > 0 && rank_threshold < 1, "rank_threshold", rank_threshold, "in (0, 1)");
+  RequireOption(share_threshold > 0 && share_threshold < 1, "share_threshold", share_threshold, "in (0, 1)");
+}
+
+Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, double cost,
+                              const CovarianceOptions& options) {
+  options.Validate();
+  CheckInput(jacobian, slopes, cost);
+  Covariance covariance;
+  Decompose(jacobian, options.rank_threshold, covariance);
+  if (options.inflate) covariance.inflation = Inflation(cost, jacobian.rows(), covariance.rank);
+  covariance.variable_sd.resize(jacobian.cols());
+  for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
+    covariance.variable_sd[j] = covariance.inflation * VariableSd(covariance, j, options.share_threshold);
+  }
+  covariance.sd = covariance.variable_sd.cwiseProduct(slopes.cwiseAbs());
+  return covariance;
+}
+
+std::string DescribeDirection(const Lattice& lattice, const Eigen::VectorXd& direction) {
+  constexpr double kLeastShare = 0.05;
+  const FitVariables variables(lattice);
+  RequireOption(direction.size() == variables.size(), "size of the direction", direction.size(),
+                std::to_string(variables.size()));
+  std::vector<Eigen::Index> order(lattice.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Eigen::Index a, Eigen::Index b) { return std::abs(direction[a]) > std::abs(direction[b]); });
+
+  std::ostringstream text;
+  text.precision(2);
+  const double strongest = direction[order.front()];
+  for (const Eigen::Index j : order) {
+    const double change = direction[j] / strongest;
+    if (!(std::abs(change) >= kLeastShare)) break;
+    text << (j == order.front() ? "" : ", ") << lattice.axes()[static_cast<std::size_t>(j)].name << " "
+         << std::showpos << change << std::noshowpos << (variables.is_logarithmic(j) ? " %" : " % of range");
+  }
+  return text.str();
+}
+
+}  // namespace fourpost

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/lattice.h"
+
+namespace fourpost {
+
+/// Settings of the covariance.
+struct CovarianceOptions {
+  /// Singular values below this share of the largest count as zero: a model with kinks leaves differences of about
+  /// 2e-4 where the exact value is zero. In (0, 1).
+  double rank_threshold = 1e-3;
+  /// A parameter is undetermined when its share of the undetermined directions (0..1) exceeds this; less is what noise
+  /// of the differences leaves. In (0, 1).
+  double share_threshold = 1e-2;
+  /// Multiply standard deviations by sqrt(cost / (N - rank)) when that exceeds 1: the model misses the data by more than
+  /// their noise.
+  bool inflate = true;
+
+  /// Throws std::invalid_argument naming the field, its value and its bound.
+  void Validate() const;
+};
+
+/// What the data say about the parameters, to first order around a point.
+struct Covariance {
+  /// Of the whitened Jacobian, n of them, largest first.
+  Eigen::VectorXd singular_values;
+  /// Column i: the unit vector of FitVariables that belongs to singular value i; its largest component is positive.
+  Eigen::MatrixXd directions;
+  /// How many directions the data determine; columns rank..n-1 of `directions` they do not.
+  int rank = 0;
+  /// Largest singular value over the smallest; infinite when the rank is below n.
+  double condition = 0;
+  /// Largest singular value over the smallest that counts; infinite for rank 0.
+  double determined_condition = 0;
+  /// What the standard deviations were multiplied by; at least 1.
+  double inflation = 1;
+  /// Standard deviations in FitVariables (relative for logarithmic ones, else share of the range) and in the
+  /// parameters' units. Infinite for what the data do not determine.
+  Eigen::VectorXd variable_sd;
+  Eigen::VectorXd sd;
+};
+
+/// From the Jacobian of the whitened residuals with respect to FitVariables (N x n), dp/dx (n; FitVariables::Slopes)
+/// and the cost there: (J^T J)^-1 by singular values. Throws std::invalid_argument when the sizes do not match or an
+/// entry is not finite.
+Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, double cost,
+                              const CovarianceOptions& options = {});
+
+/// A direction in words: "m_body +1 %, k_front +0.98 %", what each parameter changes by when the strongest changes by
+/// 1 % ("1 % of range" where FitVariables are not logarithmic); strongest first, below a twentieth of it left out.
+std::string DescribeDirection(const Lattice& lattice, const Eigen::VectorXd& direction);
+
+}  // namespace fourpost

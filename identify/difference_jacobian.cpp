@@ -1,0 +1,67 @@
+#include "identify/difference_jacobian.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace fourpost {
+namespace {
+
+// Where a column's two further points are, relative to x.
+struct Offsets {
+  double a = 0;
+  double b = 0;
+};
+
+Offsets OffsetsInside(double x, double lower, double upper, double step) {
+  const double h = std::min(step, (upper - lower) / 4);
+  if (x + h > upper) return {-h, -2 * h};
+  if (x - h < lower) return {h, 2 * h};
+  return {h, -h};
+}
+
+Eigen::VectorXd Shifted(const Eigen::VectorXd& x, Eigen::Index j, double offset) {
+  Eigen::VectorXd shifted = x;
+  shifted[j] += offset;
+  return shifted;
+}
+
+bool IsUsable(const Evaluation& evaluation, const Eigen::VectorXd& residuals) {
+  return evaluation.ok() && evaluation.residuals.size() == residuals.size();
+}
+
+std::optional<Eigen::VectorXd> Slope(const Eigen::VectorXd& residuals, const Evaluation& at_a, const Evaluation& at_b,
+                                     const Offsets& offsets) {
+  const auto [a, b] = offsets;
+  const bool has_a = IsUsable(at_a, residuals);
+  const bool has_b = IsUsable(at_b, residuals);
+  if (!has_a && !has_b) return std::nullopt;
+  if (!has_b) return (at_a.residuals - residuals) / a;
+  if (!has_a) return (at_b.residuals - residuals) / b;
+  return ((at_a.residuals - residuals) * (b / a) - (at_b.residuals - residuals) * (a / b)) / (b - a);
+}
+
+}  // namespace
+
+std::optional<Eigen::MatrixXd> DifferenceJacobian(Archive& archive, const FitVariables& variables,
+                                                  const Eigen::VectorXd& x, const Eigen::VectorXd& residuals,
+                                                  double step) {
+  std::vector<Offsets> offsets;
+  std::vector<Eigen::VectorXd> points;
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    offsets.push_back(OffsetsInside(x[j], variables.lower()[j], variables.upper()[j], step));
+    points.push_back(variables.ToValues(Shifted(x, j, offsets.back().a)));
+    points.push_back(variables.ToValues(Shifted(x, j, offsets.back().b)));
+  }
+  const std::vector<Evaluation> evaluations = archive.EvaluateValues(points);
+
+  Eigen::MatrixXd jacobian(residuals.size(), x.size());
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    const auto column = Slope(residuals, evaluations[2 * k], evaluations[2 * k + 1], offsets[k]);
+    if (!column) return std::nullopt;
+    jacobian.col(j) = *column;
+  }
+  return jacobian;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fourpost {
+
+/// Mixes 64 bits one-to-one: output function of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014, "mix64variant13").
+std::uint64_t MixBits(std::uint64_t bits);
+
+/// What a stream of random draws is for; streams of different purpose are independent.
+enum class DrawPurpose : std::uint64_t { kInitial = 1, kFactor = 2, kTrial = 3, kMigration = 4 };
+
+/// Random draws that are a pure function of (seed, purpose, generation, individual, number of the draw), whoever draws
+/// first: results do not depend on threads. SplitMix64 from a state that is the hash of the first four.
+class Draws {
+ public:
+  Draws(std::uint64_t seed, DrawPurpose purpose, std::int64_t generation, std::size_t individual);
+
+  /// 64 random bits.
+  std::uint64_t Bits();
+  /// Uniform in [0, 1), multiples of 2^-53.
+  double Uniform();
+  /// Uniform in first..last, both included; exact, by rejection. Needs first <= last.
+  std::int64_t Integer(std::int64_t first, std::int64_t last);
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace fourpost

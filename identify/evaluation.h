@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include <Eigen/Core>
+
+#include "identify/lattice.h"
+
+namespace fourpost {
+
+/// Why an evaluation has no cost.
+enum class Failure {
+  kNone,
+  /// A residual, or the sum of their squares, is NaN or infinite.
+  kNotFinite,
+  /// The model threw; `detail` is what it said.
+  kException,
+  /// An equilibrium, an integration or a periodic response was not reached.
+  kNotConverged,
+  /// The parameters make no vehicle, or violate a constraint.
+  kInfeasible,
+  /// There are no residuals, or not as many as elsewhere.
+  kWrongSize,
+};
+
+/// "not finite", "exception", ... for tables and logs.
+std::string_view FailureName(Failure failure);
+
+/// What evaluating a model at one set of parameter values gives: residuals or a failure, never a number for a failure.
+struct Evaluation {
+  /// Whitened residuals: difference over standard deviation, so that each is worth one unit.
+  Eigen::VectorXd residuals;
+  Failure failure = Failure::kNone;
+  /// Failure in words.
+  std::string detail;
+
+  bool ok() const { return failure == Failure::kNone; }
+
+  /// Sum of the squared residuals, without a factor 1/2. Throws std::logic_error for a failure.
+  double cost() const;
+};
+
+/// A failed evaluation.
+Evaluation Failed(Failure failure, std::string detail);
+
+/// What a search method or a refinement solves: find the values with the least sum of squared residuals.
+struct Problem {
+  Lattice lattice;
+  /// Residuals for values in the order of the lattice's axes. Called from several threads at once.
+  std::function<Evaluation(const Eigen::VectorXd& values)> evaluate;
+};
+
+/// Evaluates under guard: exceptions and residuals that are not finite or not there become failures.
+Evaluation EvaluateGuarded(const Problem& problem, const Eigen::VectorXd& values);
+
+}  // namespace fourpost

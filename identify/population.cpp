@@ -1,0 +1,40 @@
+#include "identify/population.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fourpost {
+namespace {
+
+bool GeneDiffers(std::int64_t gene, std::int64_t best, std::int64_t count, DiversityMeasure measure, double tolerance) {
+  const double difference = static_cast<double>(std::abs(gene - best));
+  const double reference = static_cast<double>(measure == DiversityMeasure::kRange ? count - 1 : best);
+  return difference > tolerance * reference;
+}
+
+}  // namespace
+
+std::size_t BestIndex(const Population& population) {
+  const auto better = [](const Individual& a, const Individual& b) { return IsBetter(a.score, b.score); };
+  return static_cast<std::size_t>(std::min_element(population.begin(), population.end(), better) - population.begin());
+}
+
+std::size_t WorstIndex(const Population& population) {
+  const auto worse = [](const Individual& a, const Individual& b) { return IsBetter(b.score, a.score); };
+  return static_cast<std::size_t>(std::min_element(population.begin(), population.end(), worse) - population.begin());
+}
+
+double Diversity(const Population& population, const Lattice& lattice, DiversityMeasure measure, double tolerance) {
+  const std::size_t best = BestIndex(population);
+  const LatticePoint& best_point = population[best].point;
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < population.size(); ++i) {
+    if (i == best) continue;
+    for (std::size_t j = 0; j < lattice.size(); ++j) {
+      different += GeneDiffers(population[i].point[j], best_point[j], lattice.count(j), measure, tolerance);
+    }
+  }
+  return static_cast<double>(different) / static_cast<double>(lattice.size() * (population.size() - 1));
+}
+
+}  // namespace fourpost

@@ -1,0 +1,228 @@
+#include "identify/refine.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <ceres/ceres.h>
+#include <glog/logging.h>
+
+#include "identify/difference_jacobian.h"
+#include "identify/fit_variables.h"
+#include "identify/option_check.h"
+
+namespace fourpost {
+namespace {
+
+// Residuals, and where they hold.
+struct Residuals {
+  Eigen::VectorXd x;
+  Eigen::VectorXd residuals;
+};
+
+// The residuals as Ceres wants them; remembers the latest ones and the latest Jacobian, for which Ceres asks apart.
+class ResidualFunction : public ceres::CostFunction {
+ public:
+  ResidualFunction(Archive& archive, const FitVariables& variables, double step, const Eigen::VectorXd& x,
+                   const Eigen::VectorXd& residuals)
+      : archive_(archive), variables_(variables), step_(step), here_{x, residuals} {
+    set_num_residuals(static_cast<int>(residuals.size()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(x.size()));
+  }
+
+  // False for a failed evaluation: Ceres then refuses the step.
+  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], parameter_block_sizes()[0]);
+    if (!MoveTo(x)) return false;
+    Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = here_.residuals;
+    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+    if (!Linearise()) return false;
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<RowMajor>(jacobians[0], num_residuals(), x.size()) = jacobian_;
+    return true;
+  }
+
+  bool MoveTo(const Eigen::VectorXd& x) const {
+    if (x == here_.x) return true;
+    if (linearised_ && x == linearised_->x) {
+      here_ = *linearised_;
+      return true;
+    }
+    const Evaluation evaluation = archive_.EvaluateValues({variables_.ToValues(x)}).front();
+    if (!evaluation.ok() || evaluation.residuals.size() != num_residuals()) return false;
+    here_ = {x, evaluation.residuals};
+    return true;
+  }
+
+  // The Jacobian where MoveTo() went.
+  bool Linearise() const {
+    if (linearised_ && here_.x == linearised_->x) return true;
+    std::optional<Eigen::MatrixXd> jacobian =
+        DifferenceJacobian(archive_, variables_, here_.x, here_.residuals, step_);
+    if (!jacobian) return false;
+    linearised_ = here_;
+    jacobian_ = *std::move(jacobian);
+    return true;
+  }
+
+  const Eigen::VectorXd& residuals() const { return here_.residuals; }
+  const Eigen::MatrixXd& jacobian() const { return jacobian_; }
+
+ private:
+  Archive& archive_;
+  const FitVariables& variables_;
+  double step_;
+  // Ceres evaluates through const.
+  mutable Residuals here_;
+  mutable std::optional<Residuals> linearised_;
+  mutable Eigen::MatrixXd jacobian_;
+};
+
+class StopCallback : public ceres::IterationCallback {
+ public:
+  explicit StopCallback(const std::function<bool()>& stop) : stop_(stop) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return stop_() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const std::function<bool()>& stop_;
+};
+
+// Ceres reports refused steps as warnings on stderr, where they would break up a progress line.
+void QuietGlog() { FLAGS_minloglevel = google::GLOG_FATAL; }
+
+ceres::Solver::Options SolverOptions(const RefineOptions& options) {
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::DENSE_QR;
+  solver.max_num_iterations = options.max_iterations;
+  solver.function_tolerance = options.cost_tolerance;
+  solver.parameter_tolerance = options.step_tolerance;
+  // Absolute, so it would mean something else for every problem: the other two decide.
+  solver.gradient_tolerance = 0;
+  // Each refused step costs one evaluation; a border of failures may need several.
+  solver.max_num_consecutive_invalid_steps = 20;
+  solver.logging_type = ceres::SILENT;
+  return solver;
+}
+
+RefineEnd EndOf(ceres::TerminationType type) {
+  switch (type) {
+    case ceres::CONVERGENCE:
+      return RefineEnd::kConverged;
+    case ceres::NO_CONVERGENCE:
+      return RefineEnd::kIterations;
+    case ceres::USER_SUCCESS:
+      return RefineEnd::kStopped;
+    default:
+      return RefineEnd::kFailed;
+  }
+}
+
+// Moves x to the optimum.
+ceres::Solver::Summary Solve(ResidualFunction& function, const FitVariables& variables, const RefineOptions& options,
+                             const std::function<bool()>& stop, Eigen::VectorXd& x) {
+  QuietGlog();
+  ceres::Problem::Options ownership;
+  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(ownership);
+  problem.AddResidualBlock(&function, nullptr, x.data());
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    problem.SetParameterLowerBound(x.data(), static_cast<int>(j), variables.lower()[j]);
+    problem.SetParameterUpperBound(x.data(), static_cast<int>(j), variables.upper()[j]);
+  }
+  ceres::Solver::Options solver = SolverOptions(options);
+  StopCallback callback(stop);
+  if (stop) solver.callbacks.push_back(&callback);
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver, &problem, &summary);
+  return summary;
+}
+
+bool Agrees(double cost, double best, double zero, double agreement) {
+  return cost <= zero || cost - best <= agreement * best;
+}
+
+}  // namespace
+
+void RefineOptions::Validate() const {
+  RequireOption(max_iterations >= 0, "max_iterations", max_iterations, "0 or more");
+  RequireOption(step > 0 && step <= 0.1, "step", step, "in (0, 0.1]");
+  RequireOption(cost_tolerance > 0 && cost_tolerance < 1, "cost_tolerance", cost_tolerance, "in (0, 1)");
+  RequireOption(step_tolerance > 0 && step_tolerance < 1, "step_tolerance", step_tolerance, "in (0, 1)");
+  RequireOption(agreement > 0 && agreement < 1, "agreement", agreement, "in (0, 1)");
+}
+
+std::string_view RefineEndName(RefineEnd end) {
+  switch (end) {
+    case RefineEnd::kNotRun:
+      return "not run";
+    case RefineEnd::kConverged:
+      return "converged";
+    case RefineEnd::kIterations:
+      return "iterations used up";
+    case RefineEnd::kStartFailed:
+      return "start could not be evaluated";
+    case RefineEnd::kFailed:
+      return "no step could be evaluated";
+    case RefineEnd::kStopped:
+      return "stopped by the user";
+  }
+  return "unknown";
+}
+
+RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options,
+                    const std::function<bool()>& stop) {
+  options.Validate();
+  const FitVariables variables(archive.lattice());
+  Eigen::VectorXd x = variables.FromValues(start);
+  const std::int64_t paid_before = archive.counts().paid;
+
+  RefineResult result;
+  result.values = start;
+  const Evaluation first = archive.EvaluateValues({variables.ToValues(x)}).front();
+  result.evaluations = archive.counts().paid - paid_before;
+  if (!first.ok()) {
+    result.end = RefineEnd::kStartFailed;
+    result.message = first.detail;
+    return result;
+  }
+
+  ResidualFunction function(archive, variables, options.step, x, first.residuals);
+  const ceres::Solver::Summary summary = Solve(function, variables, options, stop, x);
+  result.end = EndOf(summary.termination_type);
+  result.message = summary.message;
+  result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);
+  function.MoveTo(x);
+  if (function.Linearise()) result.jacobian = function.jacobian();
+  result.values = variables.ToValues(x);
+  result.residuals = function.residuals();
+  result.start_cost = first.cost();
+  result.cost = result.residuals.squaredNorm();
+  result.evaluations = archive.counts().paid - paid_before;
+  return result;
+}
+
+MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>& starts, const RefineOptions& options,
+                            const std::function<bool()>& stop) {
+  MultiStartResult result;
+  double highest_start = 0;
+  for (const Eigen::VectorXd& start : starts) {
+    if (stop && stop()) break;
+    result.runs.push_back(Refine(archive, start, options, stop));
+    const RefineResult& run = result.runs.back();
+    if (!run.has_cost()) continue;
+    highest_start = std::max(highest_start, run.start_cost);
+    const bool wins = result.best < 0 || run.cost < result.runs[static_cast<std::size_t>(result.best)].cost;
+    if (wins) result.best = static_cast<int>(result.runs.size()) - 1;
+  }
+  if (result.best < 0) return result;
+  const double best = result.runs[static_cast<std::size_t>(result.best)].cost;
+  result.agreeing = static_cast<int>(std::count_if(result.runs.begin(), result.runs.end(), [&](const auto& run) {
+    return run.has_cost() && Agrees(run.cost, best, 1e-12 * highest_start, options.agreement);
+  }));
+  return result;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/archive.h"
+
+namespace fourpost {
+
+/// Settings of the refinement.
+struct RefineOptions {
+  int max_iterations = 100;
+  /// Step of the differences in the fit variables: relative for logarithmic ones, else a share of the range; in (0, 0.1].
+  double step = 1e-4;
+  /// Converged when the cost falls by less than this share in an iteration; in (0, 1).
+  double cost_tolerance = 1e-10;
+  /// Converged when the variables move by less than this share of their norm; in (0, 1).
+  double step_tolerance = 1e-10;
+  /// Two runs agree when the excess of the worse cost over the better is below this share of it; in (0, 1). A cost below
+  /// 1e-12 of the highest starting cost counts as zero, since all that is left of it is rounding.
+  double agreement = 1e-6;
+
+  /// Throws std::invalid_argument naming the field, its value and its bound.
+  void Validate() const;
+};
+
+enum class RefineEnd {
+  kNotRun,
+  kConverged,
+  kIterations,
+  /// The model could not be evaluated at the start.
+  kStartFailed,
+  /// No further step or no Jacobian could be evaluated.
+  kFailed,
+  kStopped,
+};
+
+/// "converged", ...
+std::string_view RefineEndName(RefineEnd end);
+
+/// The outcome of a refinement from one start.
+struct RefineResult {
+  RefineEnd end = RefineEnd::kNotRun;
+  /// Why it ended, in the optimiser's words.
+  std::string message;
+  /// Parameters at the end, within their bounds; the start when that failed.
+  Eigen::VectorXd values;
+  /// Sums of squared residuals; meaningful unless `end` is kNotRun or kStartFailed.
+  double start_cost = 0;
+  double cost = 0;
+  Eigen::VectorXd residuals;
+  /// d residuals / d FitVariables at `values`; empty when it could not be evaluated.
+  Eigen::MatrixXd jacobian;
+  int iterations = 0;
+  /// Evaluations paid for, those for differences included.
+  std::int64_t evaluations = 0;
+
+  bool has_cost() const { return end != RefineEnd::kNotRun && end != RefineEnd::kStartFailed; }
+};
+
+/// Levenberg-Marquardt (Ceres) within the bounds of the lattice, in FitVariables, with differences evaluated in parallel;
+/// the precision of the lattice plays no part. A step whose evaluation fails is refused and a shorter one tried.
+/// `stop` is asked after each iteration. Throws std::invalid_argument for a start out of bounds.
+RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options = {},
+                    const std::function<bool()>& stop = {});
+
+/// The outcome of refinements from several starts.
+struct MultiStartResult {
+  /// In the order of the starts.
+  std::vector<RefineResult> runs;
+  /// Run with the lowest cost; -1 when no start could be evaluated.
+  int best = -1;
+  /// Runs that agree with the best in cost, itself included. Their values may still differ where the data do not
+  /// determine them.
+  int agreeing = 0;
+};
+
+/// Refines from each start in turn; the best wins. After `stop` the rest of the starts is left out.
+MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>& starts,
+                            const RefineOptions& options = {}, const std::function<bool()>& stop = {});
+
+}  // namespace fourpost

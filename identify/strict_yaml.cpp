@@ -1,0 +1,103 @@
+#include "identify/strict_yaml.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "analysis/nearest.h"
+
+namespace fourpost {
+
+int LineOf(const YAML::Node& node) { return node.Mark().is_null() ? 0 : node.Mark().line + 1; }
+
+StrictMap::StrictMap(const YAML::Node& node, std::string where, const std::vector<std::string_view>& keys,
+                     std::string file, Diagnostics& diagnostics)
+    : node_(node), where_(std::move(where)), file_(std::move(file)), diagnostics_(diagnostics), line_(LineOf(node)) {
+  if (!node_.IsMap()) {
+    Fault(node_, where_ + " must be a mapping of keys to values");
+    return;
+  }
+  std::set<std::string> seen;
+  for (const auto& entry : node_) {
+    const std::string key = entry.first.as<std::string>();
+    if (!seen.insert(key).second) Fault(entry.first, "key '" + key + "' of " + where_ + " stands twice");
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      Fault(entry.first, "unknown key '" + key + "' in " + where_ + DidYouMean(key, keys));
+  }
+}
+
+bool StrictMap::Has(std::string_view key) const { return Get(key).IsDefined(); }
+
+YAML::Node StrictMap::Get(std::string_view key) const {
+  if (!node_.IsMap()) return YAML::Node(YAML::NodeType::Undefined);
+  return node_[std::string(key)];
+}
+
+YAML::Node StrictMap::Require(std::string_view key) const {
+  const YAML::Node value = Get(key);
+  if (!value.IsDefined() && node_.IsMap()) Fault(node_, where_ + " needs the key '" + std::string(key) + "'");
+  return value;
+}
+
+std::optional<std::string> StrictMap::Text(std::string_view key) const {
+  const YAML::Node value = Get(key);
+  if (!value.IsDefined()) return std::nullopt;
+  if (value.IsScalar() && !value.Scalar().empty()) return value.Scalar();
+  Fault(value, "'" + std::string(key) + "' of " + where_ + " must be a text");
+  return std::nullopt;
+}
+
+std::optional<double> StrictMap::Number(std::string_view key, double lower, double upper) const {
+  const YAML::Node value = Get(key);
+  if (!value.IsDefined()) return std::nullopt;
+  double number = 0;
+  if (value.IsScalar()) {
+    const std::string& text = value.Scalar();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc() && end == text.data() + text.size() && number >= lower && number <= upper) return number;
+  }
+  Fault(value, "'" + std::string(key) + "' of " + where_ + " must be a number from " + FormatQuantity(lower, "") +
+                   " to " + FormatQuantity(upper, "") + ", without a unit");
+  return std::nullopt;
+}
+
+std::optional<long> StrictMap::Integer(std::string_view key, long lower, long upper) const {
+  const YAML::Node value = Get(key);
+  if (!value.IsDefined()) return std::nullopt;
+  long number = 0;
+  if (value.IsScalar()) {
+    const std::string& text = value.Scalar();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc() && end == text.data() + text.size() && number >= lower && number <= upper) return number;
+  }
+  Fault(value, "'" + std::string(key) + "' of " + where_ + " must be a whole number from " + std::to_string(lower) +
+                   " to " + std::to_string(upper));
+  return std::nullopt;
+}
+
+std::optional<double> StrictMap::Quantity(std::string_view key, const Dimension& dimension, double lower) const {
+  const YAML::Node value = Get(key);
+  if (!value.IsDefined()) return std::nullopt;
+  const std::string what = "'" + std::string(key) + "' of " + where_;
+  const std::optional<double> number = ReadQuantity(value, dimension, what, file_, diagnostics_);
+  if (!number || *number >= lower) return number;
+  Fault(value, what + " must be at least " + FormatQuantity(lower, SiUnit(dimension)));
+  return std::nullopt;
+}
+
+void StrictMap::Fault(const YAML::Node& node, std::string message) const {
+  diagnostics_.Error(file_, node.IsDefined() ? LineOf(node) : line_, std::move(message));
+}
+
+std::optional<double> ReadQuantity(const YAML::Node& node, const Dimension& dimension, const std::string& what,
+                                   const std::string& file, Diagnostics& diagnostics) {
+  const std::optional<Quantity> quantity = node.IsScalar() ? ParseQuantity(node.Scalar()) : std::nullopt;
+  if (quantity && quantity->unit.dimension == dimension) return quantity->si;
+  diagnostics.Error(file, LineOf(node),
+                    what + " must be a number with a unit of " + DimensionName(dimension) + " such as " +
+                        SiUnit(dimension) + (node.IsScalar() ? ", got '" + node.Scalar() + "'" : ""));
+  return std::nullopt;
+}
+
+}  // namespace fourpost

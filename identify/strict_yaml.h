@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+#include "analysis/diagnostics.h"
+#include "analysis/units.h"
+
+namespace fourpost {
+
+/// A YAML mapping in which every key must be expected and may stand once; yaml-cpp itself accepts any key any number of
+/// times. Faults go to the diagnostics with file and line.
+class StrictMap {
+ public:
+  /// Reports a fault when `node` is not a mapping, when a key stands twice, or when it is not among `keys`.
+  StrictMap(const YAML::Node& node, std::string where, const std::vector<std::string_view>& keys, std::string file,
+            Diagnostics& diagnostics);
+
+  bool Has(std::string_view key) const;
+  /// Undefined node when the key is missing.
+  YAML::Node Get(std::string_view key) const;
+  /// As Get, with a fault when the key is missing.
+  YAML::Node Require(std::string_view key) const;
+
+  std::optional<std::string> Text(std::string_view key) const;
+  /// A finite number without unit within [lower, upper].
+  std::optional<double> Number(std::string_view key, double lower, double upper) const;
+  std::optional<long> Integer(std::string_view key, long lower, long upper) const;
+  /// A number with a unit of this dimension, in SI, at least `lower`.
+  std::optional<double> Quantity(std::string_view key, const Dimension& dimension, double lower) const;
+
+  void Fault(const YAML::Node& node, std::string message) const;
+  const std::string& where() const { return where_; }
+  /// Line of the mapping itself.
+  int line() const { return line_; }
+
+ private:
+  YAML::Node node_;
+  std::string where_;
+  std::string file_;
+  Diagnostics& diagnostics_;
+  int line_ = 0;
+};
+
+/// 1-based line of a node.
+int LineOf(const YAML::Node& node);
+
+/// A quantity with its dimension checked; a fault and nothing when it is not one.
+std::optional<double> ReadQuantity(const YAML::Node& node, const Dimension& dimension, const std::string& what,
+                                   const std::string& file, Diagnostics& diagnostics);
+
+}  // namespace fourpost

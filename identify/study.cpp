@@ -1,0 +1,203 @@
+#include "identify/study.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "identify/strict_yaml.h"
+
+namespace fourpost {
+namespace {
+
+class StudyReader {
+ public:
+  StudyReader(const std::filesystem::path& file, Diagnostics& diagnostics)
+      : file_(file.string()), diagnostics_(diagnostics) {
+    study_.file = file;
+  }
+
+  Study Read(const YAML::Node& root) {
+    const StrictMap top = Map(root, "the study",
+                              {"vehicle", "recordings", "channels", "static_loads", "free", "band", "model_error",
+                               "search"});
+    ReadVehicle(top);
+    ReadRecordings(top);
+    if (const YAML::Node channels = top.Require("channels"); channels.IsDefined())
+      study_.channels = Sources(channels, "'channels'");
+    if (top.Has("static_loads")) ReadStaticLoads(top.Get("static_loads"));
+    if (top.Has("free")) ReadFree(top.Get("free"));
+    ReadBand(top);
+    if (top.Has("model_error")) ReadModelError(top.Get("model_error"));
+    if (top.Has("search")) ReadSearch(top.Get("search"));
+    return study_;
+  }
+
+ private:
+  StrictMap Map(const YAML::Node& node, const std::string& where, const std::vector<std::string_view>& keys) {
+    return {node, where, keys, file_, diagnostics_};
+  }
+
+  void Fault(const YAML::Node& node, std::string message) {
+    diagnostics_.Error(file_, LineOf(node), std::move(message));
+  }
+
+  std::filesystem::path Resolve(const std::string& path) const {
+    return (std::filesystem::path(file_).parent_path() / path).lexically_normal();
+  }
+
+  void ReadVehicle(const StrictMap& top) {
+    const YAML::Node node = top.Require("vehicle");
+    if (const std::optional<std::string> vehicle = top.Text("vehicle")) {
+      study_.vehicle = Resolve(*vehicle);
+      study_.vehicle_line = LineOf(node);
+    }
+  }
+
+  void ReadRecordings(const StrictMap& top) {
+    const YAML::Node list = top.Require("recordings");
+    if (!list.IsDefined()) return;
+    if (!list.IsSequence() || list.size() == 0) {
+      Fault(list, "'recordings' must be a list with at least one entry");
+      return;
+    }
+    for (const YAML::Node& entry : list) {
+      const StrictMap map = Map(entry, "the recording", {"name", "file", "posts"});
+      StudyRecording recording;
+      recording.line = map.line();
+      map.Require("file");
+      if (const auto file = map.Text("file")) recording.file = Resolve(*file);
+      recording.name = map.Text("name").value_or(recording.file.stem().string());
+      if (const YAML::Node posts = map.Require("posts"); posts.IsDefined()) recording.posts = Shape(posts);
+      for (const StudyRecording& other : study_.recordings)
+        if (other.name == recording.name) Fault(entry, "two recordings are called '" + recording.name + "'");
+      study_.recordings.push_back(recording);
+    }
+  }
+
+  std::vector<std::pair<std::string, double>> Shape(const YAML::Node& node) {
+    std::vector<std::pair<std::string, double>> shape;
+    if (!node.IsMap() || node.size() == 0) {
+      Fault(node, "'posts' must map each moving post to its share of the motion, such as {front: 1, rear: -1}");
+      return shape;
+    }
+    std::vector<std::string> names;
+    for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
+    const StrictMap map = Map(node, "'posts'", {names.begin(), names.end()});
+    for (const std::string& name : names)
+      if (const auto share = map.Number(name, -1e3, 1e3)) shape.emplace_back(name, *share);
+    return shape;
+  }
+
+  /// Sensor or tyre -> channel, {mean: [..]} or {sum: [..]}.
+  std::vector<std::pair<std::string, ChannelSource>> Sources(const YAML::Node& node, const std::string& where) {
+    std::vector<std::pair<std::string, ChannelSource>> sources;
+    if (!node.IsMap() || node.size() == 0) {
+      Fault(node, where + " must map names of the vehicle to measured channels");
+      return sources;
+    }
+    std::vector<std::string> names;
+    for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
+    const StrictMap unique = Map(node, where, {names.begin(), names.end()});
+    for (const auto& entry : node)
+      sources.emplace_back(entry.first.as<std::string>(), Source(entry.second, entry.first.as<std::string>()));
+    return sources;
+  }
+
+  ChannelSource Source(const YAML::Node& node, const std::string& name) {
+    ChannelSource source;
+    source.line = LineOf(node);
+    if (node.IsScalar() && !node.Scalar().empty()) {
+      source.channels.push_back(node.Scalar());
+      return source;
+    }
+    if (!node.IsMap() || node.size() != 1) {
+      Fault(node, "'" + name + "' must be a measured channel, {mean: [a, b]} or {sum: [a, b]}");
+      return source;
+    }
+    const StrictMap map = Map(node, "'" + name + "'", {"mean", "sum"});
+    source.combine = map.Has("sum") ? ChannelSource::Combine::kSum : ChannelSource::Combine::kMean;
+    source.channels = Names(node.begin()->second, "'" + name + "'");
+    return source;
+  }
+
+  std::vector<std::string> Names(const YAML::Node& node, const std::string& where) {
+    std::vector<std::string> names;
+    if (node.IsSequence())
+      for (const YAML::Node& entry : node)
+        if (entry.IsScalar()) names.push_back(entry.Scalar());
+    if (names.empty() || names.size() != node.size()) Fault(node, where + " must be a list of names");
+    return names;
+  }
+
+  void ReadStaticLoads(const YAML::Node& node) {
+    const StrictMap map = Map(node, "'static_loads'", {"file", "tyres"});
+    map.Require("file");
+    study_.static_loads_line = LineOf(map.Get("file"));
+    if (const auto file = map.Text("file")) study_.static_loads_file = Resolve(*file);
+    if (const YAML::Node tyres = map.Require("tyres"); tyres.IsDefined())
+      study_.static_loads = Sources(tyres, "'tyres'");
+  }
+
+  void ReadFree(const YAML::Node& node) {
+    study_.free = Names(node, "'free'");
+    study_.free_line = LineOf(node);
+  }
+
+  void ReadBand(const StrictMap& top) {
+    const YAML::Node node = top.Require("band");
+    if (!node.IsDefined()) return;
+    study_.band_line = LineOf(node);
+    if (!node.IsSequence() || node.size() != 2) {
+      Fault(node, "'band' must be a list of two frequencies such as [0.5 Hz, 12 Hz]");
+      return;
+    }
+    const auto lower = ReadQuantity(node[0], kFrequency, "the lower end of 'band'", file_, diagnostics_);
+    const auto upper = ReadQuantity(node[1], kFrequency, "the upper end of 'band'", file_, diagnostics_);
+    if (!lower || !upper) return;
+    if (!(*lower >= 0 && *lower < *upper)) Fault(node, "'band' is empty: its lower end must be below its upper end");
+    study_.band_lower_Hz = *lower;
+    study_.band_upper_Hz = *upper;
+  }
+
+  void ReadModelError(const YAML::Node& node) {
+    const StrictMap map = Map(node, "'model_error'", {"gain_dB", "phase", "mean"});
+    ModelError& error = study_.model_error;
+    error.gain_dB = map.Number("gain_dB", 0, 100).value_or(error.gain_dB);
+    error.phase_rad = map.Quantity("phase", kDimensionless, 0).value_or(error.phase_rad);
+    error.mean_m = map.Quantity("mean", kLength, 0).value_or(error.mean_m);
+  }
+
+  void ReadSearch(const YAML::Node& node) {
+    const StrictMap map = Map(node, "'search'", {"seed", "evaluations", "population", "starts"});
+    StudySearch& search = study_.search;
+    search.seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 1L << 62).value_or(static_cast<long>(search.seed)));
+    search.evaluations = map.Integer("evaluations", 1, 1L << 40).value_or(search.evaluations);
+    search.population = static_cast<int>(map.Integer("population", 4, 100000).value_or(search.population));
+    search.starts = static_cast<int>(map.Integer("starts", 1, 1000).value_or(search.starts));
+  }
+
+  std::string file_;
+  Diagnostics& diagnostics_;
+  Study study_;
+};
+
+}  // namespace
+
+std::optional<Study> ReadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  std::ifstream stream(file);
+  std::stringstream text;
+  if (!stream || !(text << stream.rdbuf())) {
+    diagnostics.Error(file.string(), 0, "cannot read the study; give the path of its YAML file");
+    return std::nullopt;
+  }
+  Diagnostics faults;
+  std::optional<Study> study;
+  try {
+    study = StudyReader(file, diagnostics).Read(YAML::Load(text.str()));
+  } catch (const YAML::Exception& error) {
+    diagnostics.Error(file.string(), error.mark.is_null() ? 0 : error.mark.line + 1, "not YAML: " + error.msg);
+  }
+  if (diagnostics.HasErrors()) return std::nullopt;
+  return study;
+}
+
+}  // namespace fourpost

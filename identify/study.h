@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/diagnostics.h"
+
+namespace fourpost {
+
+/// Which measured channels a quantity of the model stands for. A planar vehicle stands for both sides: it is compared
+/// with the mean of left and right accelerations, or with the sum of left and right tyre forces.
+struct ChannelSource {
+  enum class Combine { kMean, kSum };
+  Combine combine = Combine::kMean;
+  std::vector<std::string> channels;
+  int line = 0;
+};
+
+/// A recording and the motion of the posts that made it.
+struct StudyRecording {
+  std::string name;
+  std::filesystem::path file;
+  /// Post of the vehicle, and how far it moves relative to the reference: -1 for opposite phase.
+  std::vector<std::pair<std::string, double>> posts;
+  int line = 0;
+};
+
+/// Parts of the misfit that are the model's fault, not the rig's: added to the measured standard deviations, so that a
+/// model too simple for the data is not pulled by noise-free detail it cannot show.
+struct ModelError {
+  double gain_dB = 1;
+  double phase_rad = 0.087266462599716474;  // 5 degrees
+  double mean_m = 0.3e-3;
+};
+
+/// Settings of the search and the refinement that a study may change.
+struct StudySearch {
+  std::uint64_t seed = 1;
+  std::int64_t evaluations = 300;
+  int population = 20;
+  int starts = 4;
+};
+
+/// A study as its YAML file tells it; paths are resolved against the file's folder.
+struct Study {
+  std::filesystem::path file;
+  std::filesystem::path vehicle;
+  int vehicle_line = 0;
+  std::vector<StudyRecording> recordings;
+  /// Sensor of the vehicle, and what was measured for it.
+  std::vector<std::pair<std::string, ChannelSource>> channels;
+  std::optional<std::filesystem::path> static_loads_file;
+  int static_loads_line = 0;
+  /// Tyre of the vehicle, and the measured loads under it.
+  std::vector<std::pair<std::string, ChannelSource>> static_loads;
+  /// Parameters of the vehicle to fit; empty: every one that has a range.
+  std::vector<std::string> free;
+  int free_line = 0;
+  double band_lower_Hz = 0;
+  double band_upper_Hz = 0;
+  int band_line = 0;
+  ModelError model_error;
+  StudySearch search;
+};
+
+/// Reads a study. Adds every fault to `diagnostics` with file and line; nothing when there was an error.
+std::optional<Study> ReadStudy(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+}  // namespace fourpost

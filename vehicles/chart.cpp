@@ -1,0 +1,62 @@
+#include "vehicles/chart.h"
+
+#include <stdexcept>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+namespace fourpost {
+namespace {
+
+/// Singular values below this share of the largest count as zero; exact redundancy leaves about 1e-16.
+constexpr double kRankTolerance = 1e-9;
+
+Eigen::MatrixXd NullSpace(const Eigen::MatrixXd& jacobian) {
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
+  svd.setThreshold(kRankTolerance);
+  return svd.matrixV().rightCols(jacobian.cols() - svd.rank());
+}
+
+Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& lower) {
+  Eigen::MatrixXd stacked(upper.rows() + lower.rows(), upper.cols());
+  stacked << upper, lower;
+  return stacked;
+}
+
+}  // namespace
+
+Chart::Chart(Multibody& multibody) : multibody_(multibody) {
+  multibody_.SetPose(multibody_.design_pose());
+  const Eigen::MatrixXd loops = multibody_.LoopJacobian();
+  const int n = multibody_.coordinate_count();
+  basis_ = loops.rows() == 0 ? Eigen::MatrixXd::Identity(n, n) : NullSpace(loops);
+}
+
+Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
+  constexpr double kClosed = 1e-13;
+  constexpr int kIterations = 30;
+  Eigen::VectorXd q = multibody_.design_pose() + basis_ * s;
+  multibody_.SetPose(q);
+  if (basis_.cols() == q.size()) return q;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    const Eigen::VectorXd loop_error = multibody_.LoopError();
+    Eigen::VectorXd error(loop_error.size() + s.size());
+    error << loop_error, basis_.transpose() * (q - multibody_.design_pose()) - s;
+    if (error.lpNorm<Eigen::Infinity>() < kClosed) return q;
+    const Eigen::MatrixXd jacobian = Stacked(multibody_.LoopJacobian(), basis_.transpose());
+    q -= jacobian.completeOrthogonalDecomposition().solve(error);
+    multibody_.SetPose(q);
+  }
+  throw std::runtime_error("the loops cannot follow a small motion of the vehicle: check the rods and balls");
+}
+
+Eigen::MatrixXd Chart::MoveTo(const Eigen::VectorXd& s) {
+  Close(s);
+  if (basis_.cols() == multibody_.coordinate_count()) return basis_;
+  const Eigen::MatrixXd loops = multibody_.LoopJacobian();
+  Eigen::MatrixXd target = Eigen::MatrixXd::Zero(loops.rows() + size(), size());
+  target.bottomRows(size()).setIdentity();
+  return Stacked(loops, basis_.transpose()).completeOrthogonalDecomposition().solve(target);
+}
+
+}  // namespace fourpost

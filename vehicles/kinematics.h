@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "vehicles/multibody.h"
+
+namespace fourpost {
+
+/// A scalar of the geometry (a length, a height) in one pose and its derivative by the chosen coordinates.
+struct Coordinate {
+  double value = 0;
+  Eigen::VectorXd gradient;
+};
+
+/// The geometry of a vehicle in one pose, differentiated by coordinates s with dq = tangent ds.
+class Kinematics {
+ public:
+  /// `tangent`: joint coordinates x coordinates s. The multibody must be in the pose that is meant.
+  Kinematics(const Multibody& multibody, const Eigen::MatrixXd& tangent);
+
+  Coordinate LineLength(const ForceLine& line) const;
+  /// Component along `direction` (ground axes) of the point's position.
+  Coordinate Position(const Point& point, const Eigen::Vector3d& direction) const;
+
+  /// In ground axes.
+  Eigen::Vector3d Location(const Point& point) const;
+  Eigen::Matrix3d Rotation(int link) const;
+  /// 3 x coordinates, ground axes: velocity of the point, and angular velocity of the link, per unit ds/dt.
+  Eigen::MatrixXd PointJacobian(const Point& point) const;
+  Eigen::MatrixXd AngularJacobian(int link) const;
+
+ private:
+  std::vector<Eigen::Isometry3d> pose_;
+  /// Per link, 6 x coordinates.
+  std::vector<Eigen::MatrixXd> jacobian_;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,411 @@
+#include "vehicles/multibody.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include <Eigen/QR>
+
+#include "vehicles/force_elements.h"
+#include "vehicles/gravity.h"
+
+namespace fourpost {
+namespace {
+
+using SimTK::MobilizedBody;
+using SimTK::Transform;
+using SimTK::Vec3;
+
+Vec3 ToSimbody(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Eigen::Vector3d ToEigen(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+Transform ToSimbody(const Eigen::Isometry3d& pose) {
+  SimTK::Mat33 rotation;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) rotation(i, j) = pose.linear()(i, j);
+  return {SimTK::Rotation(rotation), ToSimbody(Eigen::Vector3d(pose.translation()))};
+}
+
+Eigen::Isometry3d ToEigen(const Transform& transform) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) pose.linear()(i, j) = transform.R().asMat33()(i, j);
+  pose.translation() = ToEigen(transform.p());
+  return pose;
+}
+
+Eigen::VectorXd ToEigen(const SimTK::Vector& v) {
+  Eigen::VectorXd out(v.size());
+  for (int i = 0; i < v.size(); ++i) out[i] = v[i];
+  return out;
+}
+
+SimTK::MassProperties MassPropertiesAt(const Link& link, std::span<const double> parameters) {
+  const double mass = link.mass.At(parameters);
+  const Vec3 com = ToSimbody(link.com);
+  std::array<double, 6> i{};
+  for (std::size_t k = 0; k < i.size(); ++k) i[k] = link.inertia[k].At(parameters);
+  const SimTK::Inertia central(i[0], i[1], i[2], i[3], i[4], i[5]);
+  return {mass, com, mass > 0 ? central.shiftFromMassCenter(com, mass) : central};
+}
+
+/// A frame whose given axis points along `direction`.
+Transform Aligned(const Eigen::Vector3d& direction, const SimTK::CoordinateAxis& axis) {
+  return {SimTK::Rotation(SimTK::UnitVec3(ToSimbody(direction)), axis), Vec3(0)};
+}
+
+MobilizedBody AddMobilizer(const Joint& joint, MobilizedBody& parent, const SimTK::Body& body) {
+  const Transform pose = ToSimbody(joint.pose);
+  switch (joint.type) {
+    case Joint::Type::kFixed: return MobilizedBody::Weld(parent, pose, body, Transform());
+    case Joint::Type::kRevolute: {
+      const Transform axis = Aligned(joint.axis, SimTK::ZAxis);
+      return MobilizedBody::Pin(parent, pose * axis, body, axis);
+    }
+    case Joint::Type::kPrismatic: {
+      const Transform axis = Aligned(joint.axis, SimTK::XAxis);
+      return MobilizedBody::Slider(parent, pose * axis, body, axis);
+    }
+    case Joint::Type::kPlanar: {
+      const Transform normal = Aligned(joint.axis, SimTK::ZAxis);
+      return MobilizedBody::Planar(parent, pose * normal, body, normal);
+    }
+    case Joint::Type::kFloating: return MobilizedBody::Bushing(parent, pose, body, Transform());
+  }
+  throw std::logic_error("joint type without a mobilizer");
+}
+
+struct SensorData {
+  Sensor::Type type = Sensor::Type::kAccelerometer;
+  MobilizedBody body;
+  Vec3 station;
+  Vec3 axis;
+  BodyLine line;
+  int tyre = -1;
+  /// Reading in the design pose, taken off.
+  double rest = 0;
+};
+
+}  // namespace
+
+struct Multibody::Impl {
+  explicit Impl(const Vehicle& v);
+
+  void AddBodies();
+  void AddForces();
+  void AddLoops();
+  void AddSensors();
+  BodyLine MakeLine(const ForceLine& line);
+  void AssembleDesignPose();
+  void MeasureDesign();
+  void CreateState();
+  void SetState(double t, const Eigen::VectorXd& y);
+  MobilizedBody& Body(int link) { return bodies[static_cast<std::size_t>(link)]; }
+  double Reading(const SensorData& sensor, const SimTK::State& at);
+  void Report(const SimTK::State& at, const MarchSink& sink);
+  const PlatformState& PlatformsAt(double t);
+
+  Vehicle vehicle;
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter{system};
+  SimTK::GeneralForceSubsystem forces{system};
+  std::vector<MobilizedBody> bodies;
+  std::vector<SpringData> springs;
+  std::vector<DamperData> dampers;
+  std::vector<TyreData> tyres;
+  std::vector<SensorData> sensors;
+  PlatformState platform_state;
+  double platform_time = -1;
+  PostMotion post_motion;
+  std::function<const PlatformState&(double)> platforms;
+  SimTK::State state;
+  Eigen::VectorXd design_pose;
+};
+
+Multibody::Impl::Impl(const Vehicle& v) : vehicle(v) {
+  platforms = [this](double t) -> const PlatformState& { return PlatformsAt(t); };
+  platform_state.height.assign(vehicle.posts.size(), 0.0);
+  platform_state.velocity.assign(vehicle.posts.size(), 0.0);
+  AddBodies();
+  AddForces();
+  AddLoops();
+  AddSensors();
+  CreateState();
+  design_pose = Eigen::VectorXd::Zero(state.getNQ());
+  AssembleDesignPose();
+  MeasureDesign();
+}
+
+void Multibody::Impl::AddBodies() {
+  const std::vector<double> parameters = vehicle.ParameterValues();
+  bodies.resize(vehicle.links.size());
+  bodies[0] = matter.Ground();
+  for (const Joint& joint : vehicle.joints) {
+    const SimTK::Body::Rigid body(MassPropertiesAt(vehicle.links[static_cast<std::size_t>(joint.child)], parameters));
+    Body(joint.child) = AddMobilizer(joint, Body(joint.parent), body);
+  }
+}
+
+BodyLine Multibody::Impl::MakeLine(const ForceLine& line) {
+  BodyLine out;
+  out.parent = Body(line.parent.link);
+  out.child = Body(line.child.link);
+  out.parent_station = ToSimbody(line.parent.xyz);
+  out.child_station = ToSimbody(line.child.xyz);
+  out.guided = line.axis.has_value();
+  if (line.axis) out.axis = ToSimbody(*line.axis);
+  return out;
+}
+
+void Multibody::Impl::AddForces() {
+  SimTK::Force::Gravity(forces, matter, -SimTK::ZAxis, kGravity);
+  // The elements keep references into these vectors: they must have their final size first.
+  for (const Spring& spring : vehicle.springs) springs.push_back({.line = MakeLine(spring.line)});
+  for (const Damper& damper : vehicle.dampers)
+    dampers.push_back({.line = MakeLine(damper.line), .dashpot = {}, .in_series = damper.series_stiffness.has_value()});
+  for (const Tyre& tyre : vehicle.tyres)
+    tyres.push_back({.body = Body(tyre.point.link), .station = ToSimbody(tyre.point.xyz)});
+  for (std::size_t i = 0; i < vehicle.posts.size(); ++i)
+    tyres[static_cast<std::size_t>(vehicle.posts[i].tyre)].post = static_cast<int>(i);
+  for (const SpringData& spring : springs) SimTK::Force::Custom(forces, new SpringForce(spring));
+  for (const DamperData& damper : dampers) SimTK::Force::Custom(forces, new DamperForce(damper, forces));
+  for (const TyreData& tyre : tyres) SimTK::Force::Custom(forces, new TyreForce(tyre, platforms));
+}
+
+void Multibody::Impl::AddLoops() {
+  for (const Ball& ball : vehicle.balls)
+    SimTK::Constraint::Ball(Body(ball.parent.link), ToSimbody(ball.parent.xyz), Body(ball.child.link),
+                            ToSimbody(ball.child.xyz));
+  if (vehicle.rods.empty()) return;
+  // A rod's length is that of the design pose, which tree coordinates of zero define.
+  CreateState();
+  system.realize(state, SimTK::Stage::Position);
+  std::vector<double> lengths;
+  for (const Rod& rod : vehicle.rods)
+    lengths.push_back((Body(rod.parent.link).findStationLocationInGround(state, ToSimbody(rod.parent.xyz)) -
+                       Body(rod.child.link).findStationLocationInGround(state, ToSimbody(rod.child.xyz)))
+                          .norm());
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const Rod& rod = vehicle.rods[i];
+    SimTK::Constraint::Rod(Body(rod.parent.link), ToSimbody(rod.parent.xyz), Body(rod.child.link),
+                           ToSimbody(rod.child.xyz), lengths[i]);
+  }
+}
+
+void Multibody::Impl::AddSensors() {
+  for (const Sensor& sensor : vehicle.sensors) {
+    SensorData data;
+    data.type = sensor.type;
+    data.tyre = sensor.tyre;
+    data.axis = ToSimbody(sensor.axis);
+    if (sensor.type == Sensor::Type::kStrut) data.line = MakeLine(sensor.line);
+    if (sensor.point.link >= 0) {
+      data.body = Body(sensor.point.link);
+      data.station = ToSimbody(sensor.point.xyz);
+    }
+    sensors.push_back(data);
+  }
+}
+
+void Multibody::Impl::CreateState() { state = system.realizeTopology(); }
+
+void Multibody::Impl::AssembleDesignPose() {
+  constexpr double kClosed_m = 1e-12;
+  constexpr int kIterations = 50;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    for (int i = 0; i < design_pose.size(); ++i) state.updQ()[i] = design_pose[i];
+    system.realize(state, SimTK::Stage::Velocity);
+    const Eigen::VectorXd error = ToEigen(state.getQErr());
+    if (error.size() == 0 || error.lpNorm<Eigen::Infinity>() < kClosed_m) return;
+    SimTK::Matrix g;
+    matter.calcG(state, g);
+    Eigen::MatrixXd jacobian(g.nrow(), g.ncol());
+    for (int i = 0; i < g.nrow(); ++i)
+      for (int j = 0; j < g.ncol(); ++j) jacobian(i, j) = g(i, j);
+    design_pose -= jacobian.completeOrthogonalDecomposition().solve(error);
+    if (!design_pose.allFinite() || design_pose.lpNorm<Eigen::Infinity>() > 1e3) break;
+  }
+  std::ostringstream message;
+  message << "the loops cannot be closed;";
+  for (const Ball& ball : vehicle.balls) {
+    const double gap = (Body(ball.parent.link).findStationLocationInGround(state, ToSimbody(ball.parent.xyz)) -
+                        Body(ball.child.link).findStationLocationInGround(state, ToSimbody(ball.child.xyz)))
+                           .norm();
+    message << " fp:ball '" << ball.name << "' keeps a gap of " << gap * 1e3 << " mm;";
+  }
+  throw std::runtime_error(message.str() + " check the positions of its two points");
+}
+
+void Multibody::Impl::MeasureDesign() {
+  for (int i = 0; i < design_pose.size(); ++i) state.updQ()[i] = design_pose[i];
+  state.updU() = 0;
+  system.realize(state, SimTK::Stage::Velocity);
+  for (SpringData& spring : springs) spring.line.design_length = Length(spring.line, state);
+  for (DamperData& damper : dampers) damper.line.design_length = Length(damper.line, state);
+  for (TyreData& tyre : tyres)
+    tyre.design_height = tyre.body.findStationLocationInGround(state, tyre.station)[2];
+  for (SensorData& sensor : sensors) {
+    if (sensor.type == Sensor::Type::kStrut) sensor.line.design_length = Length(sensor.line, state);
+    if (sensor.type == Sensor::Type::kDisplacement) {
+      // A displacement is measured from the ground, along the axis as it points in the design pose.
+      sensor.axis = sensor.body.getBodyRotation(state) * sensor.axis;
+      sensor.rest = Reading(sensor, state);
+    }
+    // At rest an accelerometer shows gravity along its axis.
+    if (sensor.type == Sensor::Type::kAccelerometer)
+      sensor.rest = kGravity * (sensor.body.getBodyRotation(state) * sensor.axis)[2];
+  }
+}
+
+void Multibody::Impl::SetState(double t, const Eigen::VectorXd& y) {
+  state.setTime(t);
+  SimTK::Vector& target = state.updY();
+  for (int i = 0; i < y.size(); ++i) target[i] = y[i];
+}
+
+const PlatformState& Multibody::Impl::PlatformsAt(double t) {
+  if (post_motion && t != platform_time) {
+    post_motion(t, platform_state.height, platform_state.velocity);
+    platform_time = t;
+  }
+  return platform_state;
+}
+
+double Multibody::Impl::Reading(const SensorData& sensor, const SimTK::State& at) {
+  switch (sensor.type) {
+    case Sensor::Type::kAccelerometer: {
+      const Vec3 specific_force = sensor.body.findStationAccelerationInGround(at, sensor.station) +
+                                  Vec3(0, 0, kGravity);
+      return SimTK::dot(sensor.body.getBodyRotation(at) * sensor.axis, specific_force) - sensor.rest;
+    }
+    case Sensor::Type::kDisplacement:
+      return SimTK::dot(sensor.axis, sensor.body.findStationLocationInGround(at, sensor.station)) - sensor.rest;
+    case Sensor::Type::kStrut: return Extension(sensor.line, at);
+    case Sensor::Type::kLoadCell:
+      return TyreForce::DynamicCompression(tyres[static_cast<std::size_t>(sensor.tyre)], PlatformsAt(at.getTime()), at);
+  }
+  throw std::logic_error("sensor type without a reading");
+}
+
+void Multibody::Impl::Report(const SimTK::State& at, const MarchSink& sink) {
+  system.realize(at, SimTK::Stage::Acceleration);
+  Eigen::VectorXd readings(sensors.size());
+  for (std::size_t i = 0; i < sensors.size(); ++i) readings[static_cast<Eigen::Index>(i)] = Reading(sensors[i], at);
+  sink(at.getTime(), ToEigen(at.getY()), readings);
+}
+
+Multibody::Multibody(const Vehicle& vehicle) : impl_(std::make_unique<Impl>(vehicle)) {}
+Multibody::~Multibody() = default;
+Multibody::Multibody(Multibody&&) noexcept = default;
+Multibody& Multibody::operator=(Multibody&&) noexcept = default;
+
+const Vehicle& Multibody::vehicle() const { return impl_->vehicle; }
+
+int Multibody::coordinate_count() const { return impl_->state.getNQ(); }
+
+int Multibody::state_size() const { return impl_->state.getNY(); }
+
+const Eigen::VectorXd& Multibody::design_pose() const { return impl_->design_pose; }
+
+void Multibody::SetParameters(std::span<const double> parameters, const Preloads& preloads) {
+  Impl& m = *impl_;
+  for (std::size_t i = 0; i < m.springs.size(); ++i) {
+    m.springs[i].stiffness = m.vehicle.springs[i].stiffness.At(parameters);
+    m.springs[i].preload = preloads.spring[i];
+  }
+  for (std::size_t i = 0; i < m.dampers.size(); ++i) {
+    const Damper& damper = m.vehicle.dampers[i];
+    m.dampers[i].dashpot = {damper.compression.At(parameters), damper.rebound.At(parameters)};
+    if (damper.series_stiffness) m.dampers[i].series_stiffness = damper.series_stiffness->At(parameters);
+  }
+  for (std::size_t i = 0; i < m.tyres.size(); ++i) {
+    m.tyres[i].stiffness = m.vehicle.tyres[i].stiffness.At(parameters);
+    m.tyres[i].damping = m.vehicle.tyres[i].damping.At(parameters);
+    m.tyres[i].preload = preloads.tyre[i];
+  }
+  for (const Joint& joint : m.vehicle.joints)
+    m.Body(joint.child)
+        .setDefaultMassProperties(
+            MassPropertiesAt(m.vehicle.links[static_cast<std::size_t>(joint.child)], parameters));
+  // Simbody keeps mass properties with the topology; realizing it again reuses every body and element (~50 us).
+  m.CreateState();
+}
+
+void Multibody::SetPostMotion(PostMotion motion) {
+  impl_->post_motion = std::move(motion);
+  impl_->platform_time = -1;
+  std::fill(impl_->platform_state.height.begin(), impl_->platform_state.height.end(), 0.0);
+  std::fill(impl_->platform_state.velocity.begin(), impl_->platform_state.velocity.end(), 0.0);
+  impl_->state.invalidateAllCacheAtOrAbove(SimTK::Stage::Dynamics);
+}
+
+void Multibody::SetPose(const Eigen::VectorXd& q) {
+  for (int i = 0; i < q.size(); ++i) impl_->state.updQ()[i] = q[i];
+  impl_->state.updU() = 0;
+  impl_->system.realize(impl_->state, SimTK::Stage::Velocity);
+}
+
+Eigen::Isometry3d Multibody::LinkPose(int link) const {
+  return ToEigen(impl_->Body(link).getBodyTransform(impl_->state));
+}
+
+Eigen::MatrixXd Multibody::LinkJacobian(int link) const {
+  const int n = coordinate_count();
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, n);
+  if (link == 0) return jacobian;
+  SimTK::RowVector_<SimTK::SpatialVec> frame;
+  impl_->matter.calcFrameJacobian(impl_->state, impl_->Body(link).getMobilizedBodyIndex(), Vec3(0), frame);
+  for (int j = 0; j < n; ++j) {
+    jacobian.block<3, 1>(0, j) = ToEigen(frame[j][0]);
+    jacobian.block<3, 1>(3, j) = ToEigen(frame[j][1]);
+  }
+  return jacobian;
+}
+
+Eigen::VectorXd Multibody::LoopError() const { return ToEigen(impl_->state.getQErr()); }
+
+Eigen::MatrixXd Multibody::LoopJacobian() const {
+  SimTK::Matrix g;
+  impl_->matter.calcG(impl_->state, g);
+  Eigen::MatrixXd jacobian(g.nrow(), coordinate_count());
+  for (int i = 0; i < g.nrow(); ++i)
+    for (int j = 0; j < g.ncol(); ++j) jacobian(i, j) = g(i, j);
+  return jacobian;
+}
+
+Eigen::VectorXd Multibody::StateDerivative(double t, const Eigen::VectorXd& state) {
+  impl_->SetState(t, state);
+  impl_->system.realize(impl_->state, SimTK::Stage::Acceleration);
+  return ToEigen(impl_->state.getYDot());
+}
+
+Eigen::VectorXd Multibody::RestState() const {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(state_size());
+  y.head(design_pose().size()) = design_pose();
+  return y;
+}
+
+void Multibody::Integrate(const Eigen::VectorXd& state, double start, double step, double accuracy,
+                          const MarchSink& sink, const std::function<bool()>& done) {
+  Impl& m = *impl_;
+  m.SetState(start, state);
+  SimTK::RungeKuttaMersonIntegrator integrator(m.system);
+  integrator.setAccuracy(accuracy);
+  try {
+    SimTK::State initial = m.state;
+    integrator.initialize(initial);
+    for (long k = 0;; ++k) {
+      const double until = start + static_cast<double>(k) * step;
+      // The first call returns at once, at the start of the first interval.
+      while (integrator.getTime() < until) integrator.stepTo(until);
+      m.Report(integrator.getState(), sink);
+      if (done()) return;
+    }
+  } catch (const SimTK::Exception::Base& failure) {
+    throw std::runtime_error("the simulation failed at t = " + std::to_string(integrator.getTime()) +
+                             " s: " + failure.getMessage());
+  }
+}
+
+}  // namespace fourpost

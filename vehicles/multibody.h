@@ -1,0 +1,77 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "vehicles/vehicle.h"
+
+namespace fourpost {
+
+/// Heights and vertical velocities of the post platforms at time t [s], from rest [m, m/s]; one entry per post.
+using PostMotion = std::function<void(double t, std::span<double> height, std::span<double> velocity)>;
+
+/// Forces in the design pose: tension of each spring, compression of each tyre [N].
+struct Preloads {
+  std::vector<double> spring;
+  std::vector<double> tyre;
+};
+
+/// What an integration step reports: time, state [q u z] and the sensors' readings in their file order.
+using MarchSink = std::function<void(double t, const Eigen::VectorXd& state, const Eigen::VectorXd& sensors)>;
+
+/// The vehicle as a nonlinear multibody system in Simbody: bodies, joints, loop closures and force elements.
+/// Joint coordinates q: revolute angle; prismatic travel; planar angle, x, y; floating body-fixed x-y-z angles, x, y, z;
+/// dq/dt = u for all of them. z: extension of the spring of each series damper.
+/// Not thread-safe: one per thread.
+class Multibody {
+ public:
+  /// Throws std::runtime_error, naming the loops and their gaps, when the loop closures cannot be assembled.
+  explicit Multibody(const Vehicle& vehicle);
+  ~Multibody();
+  Multibody(Multibody&&) noexcept;
+  Multibody& operator=(Multibody&&) noexcept;
+
+  const Vehicle& vehicle() const;
+
+  /// Number of joint coordinates, before loop closures take some away.
+  int coordinate_count() const;
+  int state_size() const;
+  /// Joint coordinates that close all loops, nearest to zero.
+  const Eigen::VectorXd& design_pose() const;
+
+  /// Changes masses, inertias, rates and laws of the existing system; the topology stays.
+  void SetParameters(std::span<const double> parameters, const Preloads& preloads);
+  void SetPostMotion(PostMotion motion);
+
+  // Geometry in the pose set last.
+  void SetPose(const Eigen::VectorXd& q);
+  Eigen::Isometry3d LinkPose(int link) const;
+  /// 6 x coordinates: angular velocity and velocity of the link's origin, in ground axes, per unit u.
+  Eigen::MatrixXd LinkJacobian(int link) const;
+  /// Loop closure errors [m] and their derivatives by q.
+  Eigen::VectorXd LoopError() const;
+  Eigen::MatrixXd LoopJacobian() const;
+
+  /// d[q u z]/dt at time t.
+  Eigen::VectorXd StateDerivative(double t, const Eigen::VectorXd& state);
+
+  /// State at rest in the design pose.
+  Eigen::VectorXd RestState() const;
+
+  /// Integrates from `state` at `start`, reporting at start + k step for k = 0 .. until `sink_done` returns true.
+  /// Error control of Simbody's Runge-Kutta-Merson integrator at this relative accuracy.
+  /// Throws std::runtime_error when the integration fails.
+  void Integrate(const Eigen::VectorXd& state, double start, double step, double accuracy, const MarchSink& sink,
+                 const std::function<bool()>& done);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fourpost
