@@ -28,7 +28,8 @@ class Diagnostics {
   bool HasErrors() const;
   const std::vector<Diagnostic>& items() const { return items_; }
 
-  /// One line each, sorted by file and line.
+  /// One line each, sorted by file and line, without a newline at the end. Of more than 100 about one file the rest is
+  /// only counted.
   std::string Format() const;
 
  private:

@@ -32,8 +32,9 @@ struct Unit {
   Dimension dimension;
 };
 
-/// Reads a product of units with powers: "N/mm", "kN*s/m", "kg*m^2", "m/s^2", "deg", "Hz", "%".
-/// Names: m mm cm kg g t s ms N kN MN Pa kPa MPa bar rad deg Hz %, and 1. Nothing for an unknown name.
+/// Reads a product of units with powers, from left to right: "N/mm", "kN*s/m", "kg*m^2", "1/s", "s^-2", "deg", "%".
+/// Names: m mm cm kg g t s ms N kN MN Pa kPa MPa bar rad deg Hz %, and 1. Powers: -9..9 but not 0. No blanks.
+/// Nothing for an unknown name. Hz is 1/s as rad/s is: a frequency in rad/s is not converted to cycles.
 std::optional<Unit> ParseUnit(std::string_view text);
 
 /// A number with a unit, as a user writes it.
@@ -45,15 +46,18 @@ struct Quantity {
 };
 
 /// Reads "32 N/mm" or "0.3"; the number must be finite. Nothing when the text is not a number with a known unit.
+/// Powers of ten are exact: "1.1 mm" is the double 0.0011.
 std::optional<Quantity> ParseQuantity(std::string_view text);
 
-/// The usual SI unit of a dimension: "N/m" for a stiffness, "kg*m^2" for an inertia.
+/// The usual SI unit of a dimension: "N/m" for a stiffness, "kg*m^2" for an inertia, "1" for a pure number.
 std::string SiUnit(const Dimension& dimension);
 
 /// What a dimension is called: "stiffness"; the SI unit where it has no name.
 std::string DimensionName(const Dimension& dimension);
 
-/// The number in this unit, at the fewest digits that read back to the same double: "31.42 N/mm".
+/// The number in this unit, at the fewest digits that ParseQuantity reads back to the same double: "31.42 N/mm".
+/// Only in degrees some doubles cannot be reached; the nearest is given then, one rounding away.
+/// No unit is shown for "" and "1". Throws std::invalid_argument for an unknown unit.
 std::string FormatQuantity(double si, const std::string& unit_text);
 
 }  // namespace fourpost

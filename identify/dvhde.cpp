@@ -200,6 +200,7 @@ void DvhdeOptions::Validate() const {
 DvhdeOptions ThesisDvhde() {
   DvhdeOptions options;
   options.population = 20;
+  options.base = MutationBase::kBest;
   options.factor = 0.7;
   options.crossover = 0.8;
   options.forced_gene = false;

@@ -18,16 +18,17 @@ enum class MutationBase { kRandom, kBest };
 /// every member (the thesis's random matrix).
 enum class MutationFactor { kConstant, kPerGeneration, kPerGene };
 
-/// Settings of dvHDE. The defaults suit least-squares fits of vehicles, where a refinement follows.
+/// Settings of dvHDE. The defaults are the most reliable of those tried on integer, mixed and smooth problems; on smooth
+/// ones MutationBase::kBest with a factor of 0.7 needs half the evaluations, and misses more often on the others.
 struct DvhdeOptions {
   /// Equal seeds give equal results, for any number of threads.
   std::uint64_t seed = 1;
 
   int population = 40;
-  MutationBase base = MutationBase::kBest;
+  MutationBase base = MutationBase::kRandom;
   MutationFactor factor_rule = MutationFactor::kConstant;
   /// For MutationFactor::kConstant; in (0, 2].
-  double factor = 0.7;
+  double factor = 0.5;
   /// Probability of a gene from the mutant; in [0, 1].
   double crossover = 0.9;
   /// At least one gene comes from the mutant.

@@ -103,6 +103,8 @@ ceres::Solver::Options SolverOptions(const RefineOptions& options) {
   solver.gradient_tolerance = 0;
   // Each refused step costs one evaluation; a border of failures may need several.
   solver.max_num_consecutive_invalid_steps = 20;
+  // Cubic interpolation would ask for a Jacobian at every step tried at a bound.
+  solver.line_search_interpolation_type = ceres::QUADRATIC;
   solver.logging_type = ceres::SILENT;
   return solver;
 }

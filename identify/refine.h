@@ -18,9 +18,9 @@ struct RefineOptions {
   /// Step of the differences in the fit variables: relative for logarithmic ones, else a share of the range; in (0, 0.1].
   double step = 1e-4;
   /// Converged when the cost falls by less than this share in an iteration; in (0, 1).
-  double cost_tolerance = 1e-10;
+  double cost_tolerance = 1e-8;
   /// Converged when the variables move by less than this share of their norm; in (0, 1).
-  double step_tolerance = 1e-10;
+  double step_tolerance = 1e-8;
   /// Two runs agree when the excess of the worse cost over the better is below this share of it; in (0, 1). A cost below
   /// 1e-12 of the highest starting cost counts as zero, since all that is left of it is rounding.
   double agreement = 1e-6;

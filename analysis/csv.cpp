@@ -1,0 +1,166 @@
+#include "analysis/csv.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "analysis/csv_scanner.h"
+#include "analysis/nearest.h"
+#include "analysis/number.h"
+
+namespace fourpost {
+namespace {
+
+std::string Quote(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+std::string Count(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+/// Names of the header that are not among the legal ones: one of them may be a misspelt legal one.
+std::vector<std::string> UnknownNames(const std::vector<std::string>& names, std::span<const std::string_view> legal) {
+  std::vector<std::string> unknown;
+  for (const std::string& name : names)
+    if (std::find(legal.begin(), legal.end(), name) == legal.end()) unknown.push_back(name);
+  return unknown;
+}
+
+std::optional<std::string> ReadText(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+  // Reading a folder opens well and fails here.
+  if (errno == 0 && stream.is_open() && !stream.bad() && text) return std::move(text).str();
+  diagnostics.Error(file.string(), 0, "cannot be read: " + std::generic_category().message(errno));
+  return std::nullopt;
+}
+
+}  // namespace
+
+/// Makes a table of records, and reports all that are faulty.
+class CsvParser {
+ public:
+  CsvParser(std::string_view text, std::string file, Diagnostics& diagnostics)
+      : scanner_(text), diagnostics_(diagnostics) {
+    table_.file_ = std::move(file);
+  }
+
+  std::optional<CsvTable> Parse(CsvHeader header) {
+    ReadNames();
+    if (good_ && header == CsvHeader::kNamesAndUnits) ReadUnits();
+    // Without a header no row can be right.
+    if (!good_) return std::nullopt;
+    while (scanner_.Next(record_)) AddRow();
+    if (good_ && table_.rows() == 0) Fault(0, "has no rows below its header");
+    if (!good_) return std::nullopt;
+    return std::move(table_);
+  }
+
+ private:
+  void Fault(int line, std::string message) {
+    diagnostics_.Error(table_.file_, line, std::move(message));
+    good_ = false;
+  }
+
+  void ReadNames() {
+    if (!scanner_.Next(record_)) return Fault(0, "is empty; it needs a header line and rows of numbers");
+    if (!record_.fault.empty()) return Fault(record_.line, record_.fault);
+    table_.names_ = record_.fields;
+    const std::vector<std::string>& names = table_.names_;
+    if (names.size() == 1 && names[0].find_first_of(";\t") != std::string::npos)
+      return Fault(record_.line, "the columns must be separated by commas");
+    for (auto name = names.begin(); name != names.end(); ++name) {
+      const std::string column = "column " + std::to_string(name - names.begin() + 1);
+      if (name->empty()) Fault(record_.line, column + " has no name");
+      if (!name->empty() && std::find(names.begin(), name, *name) != name)
+        Fault(record_.line, column + " has the name " + Quote(*name) + " of an earlier one");
+    }
+  }
+
+  void ReadUnits() {
+    if (!scanner_.Next(record_)) return Fault(0, "has no row of units below its header");
+    if (IsRowGood()) table_.units_ = record_.fields;
+  }
+
+  void AddRow() {
+    if (!IsRowGood()) return;
+    table_.lines_.push_back(record_.line);
+    std::move(record_.fields.begin(), record_.fields.end(), std::back_inserter(table_.fields_));
+  }
+
+  bool IsRowGood() {
+    const std::size_t fields = record_.fields.size();
+    const std::size_t columns = table_.columns();
+    if (!record_.fault.empty()) Fault(record_.line, record_.fault);
+    else if (fields != columns)
+      Fault(record_.line, "the row has " + Count(fields, "field") + ", the header " + std::to_string(columns));
+    return record_.fault.empty() && fields == columns;
+  }
+
+  CsvScanner scanner_;
+  Diagnostics& diagnostics_;
+  CsvTable table_;
+  CsvRecord record_;
+  bool good_ = true;
+};
+
+std::optional<std::size_t> CsvTable::FindColumn(std::string_view name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names_.begin());
+}
+
+std::optional<std::vector<std::size_t>> CsvTable::FindColumns(std::span<const std::string_view> names,
+                                                              Diagnostics& diagnostics) const {
+  const std::vector<std::string> unknown = UnknownNames(names_, names);
+  std::vector<std::size_t> columns;
+  for (const std::string_view name : names) {
+    const std::optional<std::size_t> column = FindColumn(name);
+    if (column) {
+      columns.push_back(*column);
+      continue;
+    }
+    const std::optional<std::string_view> misspelt = NearestName(name, unknown);
+    diagnostics.Error(file_, 1,
+                      "column " + Quote(name) + " is missing" +
+                          (misspelt ? ", did you mean it by " + Quote(*misspelt) + "?" : std::string()));
+  }
+  if (columns.size() != names.size()) return std::nullopt;
+  return columns;
+}
+
+std::optional<double> CsvTable::Number(std::size_t row, std::size_t column) const {
+  const std::string& text = Text(row, column);
+  return text.empty() ? std::numeric_limits<double>::quiet_NaN() : ParseNumber(text);
+}
+
+std::vector<double> CsvTable::Numbers(std::size_t column, Diagnostics& diagnostics) const {
+  std::vector<double> numbers;
+  numbers.reserve(rows());
+  for (std::size_t row = 0; row < rows(); ++row) {
+    const std::optional<double> number = Number(row, column);
+    if (!number)
+      diagnostics.Error(file_, line(row),
+                        names_[column] + " " + Quote(Text(row, column)) +
+                            " is not a finite number; correct it, or leave it empty where nothing was measured");
+    numbers.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return numbers;
+}
+
+std::optional<CsvTable> ParseCsv(std::string_view text, std::string file, Diagnostics& diagnostics, CsvHeader header) {
+  return CsvParser(text, std::move(file), diagnostics).Parse(header);
+}
+
+std::optional<CsvTable> ReadCsv(const std::filesystem::path& file, Diagnostics& diagnostics, CsvHeader header) {
+  const std::optional<std::string> text = ReadText(file, diagnostics);
+  if (!text) return std::nullopt;
+  return ParseCsv(*text, file.string(), diagnostics, header);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/diagnostics.h"
+
+namespace fourpost {
+
+/// What stands above the data: names of the columns, or names and below them units.
+enum class CsvHeader { kNames, kNamesAndUnits };
+
+/// A comma-separated table as it stands in its file; every row has one field per column.
+class CsvTable {
+ public:
+  const std::string& file() const { return file_; }
+  const std::vector<std::string>& names() const { return names_; }
+  /// One per column, as written; empty without a row of units.
+  const std::vector<std::string>& units() const { return units_; }
+  std::size_t columns() const { return names_.size(); }
+  std::size_t rows() const { return lines_.size(); }
+  /// 1-based line of the file at which a row begins.
+  int line(std::size_t row) const { return lines_[row]; }
+
+  std::optional<std::size_t> FindColumn(std::string_view name) const;
+  /// Where these columns are, in this order. Reports every missing one, and gives nothing then.
+  std::optional<std::vector<std::size_t>> FindColumns(std::span<const std::string_view> names,
+                                                      Diagnostics& diagnostics) const;
+
+  /// A field without its quotes and without blanks around it.
+  const std::string& Text(std::size_t row, std::size_t column) const { return fields_[row * columns() + column]; }
+  /// NaN for an empty field; nothing when the field is anything but a finite number.
+  std::optional<double> Number(std::size_t row, std::size_t column) const;
+  /// The whole column, NaN for empty fields. Reports every field that is not a finite number (NaN there, too).
+  std::vector<double> Numbers(std::size_t column, Diagnostics& diagnostics) const;
+
+ private:
+  friend class CsvParser;
+
+  std::string file_;
+  std::vector<std::string> names_;
+  std::vector<std::string> units_;
+  std::vector<int> lines_;
+  /// Row by row.
+  std::vector<std::string> fields_;
+};
+
+/// Reads comma-separated text (RFC 4180): quoted fields, LF or CRLF, with or without byte order mark; blank lines do
+/// not count. Reports all of: an unreadable or empty file, a column without or with another one's name, rows of another
+/// length than the header, faulty quotes. Nothing when there was one.
+std::optional<CsvTable> ReadCsv(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                CsvHeader header = CsvHeader::kNames);
+
+/// The same for text that is in memory already; `file` is its name in messages.
+std::optional<CsvTable> ParseCsv(std::string_view text, std::string file, Diagnostics& diagnostics,
+                                 CsvHeader header = CsvHeader::kNames);
+
+}  // namespace fourpost

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fourpost {
+
+/// One line of a comma-separated table; more than one when a quoted field holds a line break.
+struct CsvRecord {
+  /// 1-based line at which it begins.
+  int line = 0;
+  std::vector<std::string> fields;
+  /// What is wrong with its quotes; empty when nothing is.
+  std::string fault;
+};
+
+/// Splits comma-separated text (RFC 4180) into records. Blanks around a field do not belong to it.
+class CsvScanner {
+ public:
+  /// The text must outlive the scanner.
+  explicit CsvScanner(std::string_view text);
+
+  /// Overwrites `record` with the next line that is not blank; false at the end.
+  bool Next(CsvRecord& record);
+
+ private:
+  void ReadRecord(CsvRecord& record);
+  std::string ReadField(CsvRecord& record);
+  std::string ReadQuoted(CsvRecord& record);
+  std::string_view Take(std::string_view until);
+
+  std::string_view rest_;
+  int line_ = 1;
+};
+
+}  // namespace fourpost

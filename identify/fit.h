@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "identify/archive.h"
+#include "identify/covariance.h"
+#include "identify/dvhde.h"
+#include "identify/four_post_objective.h"
+#include "identify/refine.h"
+
+namespace fourpost {
+
+struct FitOptions {
+  DvhdeOptions search;
+  RefineOptions refine;
+  /// Distinct good points of the search that are refined, beside the vehicle's own values.
+  int starts = 4;
+  /// Evaluations at once; 0: one per processor. No influence on the result.
+  int threads = 1;
+};
+
+enum class FitEnd { kNotRun, kConverged, kNotConverged, kInterrupted, kAllFailed };
+
+/// "converged", "interrupted", ... as in result.json.
+std::string_view FitEndName(FitEnd end);
+
+/// A fitted parameter; SI.
+struct FittedParameter {
+  std::string name;
+  double start = 0;
+  double value = 0;
+  double lower = 0;
+  double upper = 0;
+  /// Standard deviation; infinite when the data do not determine the parameter.
+  double sd = 0;
+  bool at_bound = false;
+  Dimension dimension;
+  /// As the vehicle file writes it.
+  std::string unit;
+};
+
+struct FitResult {
+  FitEnd end = FitEnd::kNotRun;
+  std::string message;
+  /// Sum of squared whitened residuals, and how many there are.
+  double cost = 0;
+  Eigen::Index residual_count = 0;
+  std::vector<FittedParameter> parameters;
+  /// All parameters of the vehicle, the free ones at their fitted values.
+  std::vector<double> values;
+  Covariance covariance;
+  EvaluationCounts evaluations;
+  SearchResult search;
+  /// Refinements run, and how many ended in the best optimum.
+  int starts = 0;
+  int agreeing = 0;
+};
+
+/// What a running fit tells.
+struct FitProgress {
+  std::string_view stage;
+  double best_cost = 0;
+  std::int64_t paid = 0;
+  std::int64_t reused = 0;
+  std::int64_t failed = 0;
+};
+
+struct FitHooks {
+  std::function<void(const FitProgress&)> progress;
+  /// True asks the fit to end with what it has.
+  std::function<bool()> stop;
+};
+
+/// dvHDE over the lattice of the free parameters, then Levenberg-Marquardt from its distinct best points.
+FitResult Fit(const FourPostObjective& objective, const FitOptions& options, const FitHooks& hooks = {});
+
+}  // namespace fourpost

@@ -1,0 +1,221 @@
+#include "identify/four_post_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "analysis/frequency_response_file.h"
+#include "analysis/nearest.h"
+#include "analysis/static_loads.h"
+
+namespace fourpost {
+namespace {
+
+template <typename Item>
+std::vector<std::string> NamesOf(const std::vector<Item>& items) {
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  return names;
+}
+
+std::optional<std::size_t> IndexOf(const std::string& name, const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+double RootMeanSquare(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// Standard deviations of one channel relative to its gain, pooled over its frequencies.
+struct PooledDeviation {
+  double gain = 0;
+  double phase_rad = 0;
+};
+
+PooledDeviation Pool(const ChannelResponse& channel) {
+  std::vector<double> relative;
+  for (std::size_t i = 0; i < channel.gain_sd.size(); ++i)
+    relative.push_back(channel.gain_sd[i] / std::abs(channel.response[i]));
+  return {RootMeanSquare(relative), RootMeanSquare(channel.phase_sd_rad)};
+}
+
+/// Sum of channels with their noise independent; a mean is the sum over their number.
+MeasuredChannel Combine(const std::vector<const ChannelResponse*>& sources, ChannelSource::Combine rule) {
+  const std::size_t points = sources.front()->response.size();
+  const double share = rule == ChannelSource::Combine::kMean ? 1.0 / static_cast<double>(sources.size()) : 1.0;
+  MeasuredChannel out;
+  out.unit = sources.front()->unit;
+  out.response.assign(points, 0);
+  out.radial_sd.assign(points, 0);
+  out.tangential_sd.assign(points, 0);
+  // Struts only: the mean force of a tyre is its static load, whatever the damper does.
+  const bool has_mean = out.unit == "m" && std::all_of(sources.begin(), sources.end(), [](const ChannelResponse* c) {
+                          return !c->mean.empty();
+                        });
+  if (has_mean) out.mean.assign(points, 0);
+  for (const ChannelResponse* source : sources) {
+    const PooledDeviation deviation = Pool(*source);
+    for (std::size_t i = 0; i < points; ++i) {
+      const double gain = std::abs(source->response[i]);
+      out.response[i] += share * source->response[i];
+      out.radial_sd[i] = std::hypot(out.radial_sd[i], share * gain * deviation.gain);
+      out.tangential_sd[i] = std::hypot(out.tangential_sd[i], share * gain * deviation.phase_rad);
+      if (has_mean) out.mean[i] += share * source->mean[i];
+    }
+  }
+  return out;
+}
+
+class DataLoader {
+ public:
+  DataLoader(const Study& study, const Vehicle& vehicle, Diagnostics& diagnostics)
+      : study_(study), vehicle_(vehicle), diagnostics_(diagnostics), file_(study.file.string()) {}
+
+  FourPostData Load() {
+    FourPostData data;
+    CheckChannelNames();
+    for (const StudyRecording& recording : study_.recordings) LoadRun(recording, data);
+    if (study_.static_loads_file) LoadStatic(data);
+    return data;
+  }
+
+ private:
+  void CheckChannelNames() {
+    const std::vector<std::string> sensors = NamesOf(vehicle_.sensors);
+    for (const auto& [name, source] : study_.channels)
+      if (!IndexOf(name, sensors))
+        diagnostics_.Error(file_, source.line,
+                           "the vehicle has no sensor '" + name + "'" + DidYouMean(name, sensors));
+  }
+
+  void LoadRun(const StudyRecording& recording, FourPostData& data) {
+    const std::optional<FrequencyResponse> measured = ReadFrequencyResponse(recording.file, diagnostics_);
+    MeasuredRun run;
+    run.name = recording.name;
+    run.excitation.shape = Shape(recording);
+    if (!measured) return;
+    run.excitation.frequency_Hz = measured->frequency_Hz;
+    run.excitation.amplitude_m = measured->amplitude_m;
+    const std::vector<std::string> sensors = NamesOf(vehicle_.sensors);
+    for (const auto& [name, source] : study_.channels) {
+      const std::vector<const ChannelResponse*> channels = FindChannels(recording, source, *measured);
+      const std::optional<std::size_t> sensor = IndexOf(name, sensors);
+      if (channels.size() != source.channels.size() || channels.empty() || !sensor) continue;
+      MeasuredChannel channel = Combine(channels, source.combine);
+      channel.name = name;
+      channel.sensor = *sensor;
+      run.channels.push_back(std::move(channel));
+    }
+    data.runs.push_back(std::move(run));
+  }
+
+  std::vector<double> Shape(const StudyRecording& recording) {
+    const std::vector<std::string> posts = NamesOf(vehicle_.posts);
+    std::vector<double> shape(posts.size(), 0.0);
+    for (const auto& [name, share] : recording.posts) {
+      if (const auto post = IndexOf(name, posts))
+        shape[*post] = share;
+      else
+        diagnostics_.Error(file_, recording.line,
+                           "the vehicle has no post '" + name + "'" + DidYouMean(name, posts));
+    }
+    return shape;
+  }
+
+  std::vector<const ChannelResponse*> FindChannels(const StudyRecording& recording, const ChannelSource& source,
+                                                   const FrequencyResponse& measured) {
+    std::vector<const ChannelResponse*> found;
+    for (const std::string& name : source.channels) {
+      if (const ChannelResponse* channel = measured.Find(name))
+        found.push_back(channel);
+      else
+        diagnostics_.Error(file_, source.line,
+                           recording.file.filename().string() + " has no channel '" + name + "'" +
+                               DidYouMean(name, NamesOf(measured.channels)));
+    }
+    return found;
+  }
+
+  void LoadStatic(FourPostData& data) {
+    const std::optional<std::vector<StaticMeasurement>> table = ReadStaticLoads(*study_.static_loads_file, diagnostics_);
+    const std::vector<std::string> tyres = NamesOf(vehicle_.tyres);
+    for (const auto& [name, source] : study_.static_loads) {
+      const std::optional<std::size_t> tyre = IndexOf(name, tyres);
+      if (!tyre)
+        diagnostics_.Error(file_, source.line, "the vehicle has no tyre '" + name + "'" + DidYouMean(name, tyres));
+      if (!table) continue;
+      MeasuredLoad load = SumLoads(source, *table);
+      load.tyre = tyre.value_or(0);
+      data.static_loads.push_back(load);
+    }
+  }
+
+  MeasuredLoad SumLoads(const ChannelSource& source, const std::vector<StaticMeasurement>& table) {
+    const std::vector<std::string> quantities = NamesOf(table);
+    MeasuredLoad load;
+    for (const std::string& name : source.channels) {
+      const std::optional<std::size_t> row = IndexOf(name, quantities);
+      if (!row || table[*row].dimension != kForce) {
+        diagnostics_.Error(file_, source.line,
+                           study_.static_loads_file->filename().string() + " has no force '" + name + "'" +
+                               DidYouMean(name, quantities));
+        continue;
+      }
+      load.load_N += table[*row].value;
+      load.sd_N = std::hypot(load.sd_N, table[*row].sd);
+    }
+    if (!(load.sd_N > 0))
+      diagnostics_.Error(file_, source.line, "a static load needs a standard deviation above zero to be weighed");
+    if (source.combine == ChannelSource::Combine::kMean) {
+      load.load_N /= static_cast<double>(source.channels.size());
+      load.sd_N /= static_cast<double>(source.channels.size());
+    }
+    return load;
+  }
+
+  const Study& study_;
+  const Vehicle& vehicle_;
+  Diagnostics& diagnostics_;
+  std::string file_;
+};
+
+template <typename Value>
+std::vector<Value> Kept(const std::vector<Value>& values, const std::vector<bool>& keep) {
+  std::vector<Value> kept;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (keep[i]) kept.push_back(values[i]);
+  return kept;
+}
+
+}  // namespace
+
+std::optional<FourPostData> LoadFourPostData(const Study& study, const Vehicle& vehicle, Diagnostics& diagnostics) {
+  FourPostData data = DataLoader(study, vehicle, diagnostics).Load();
+  if (diagnostics.HasErrors()) return std::nullopt;
+  return data;
+}
+
+std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double lower_Hz, double upper_Hz) {
+  std::vector<MeasuredRun> out;
+  for (const MeasuredRun& run : runs) {
+    std::vector<bool> keep;
+    for (const double f : run.excitation.frequency_Hz) keep.push_back(f >= lower_Hz && f <= upper_Hz);
+    MeasuredRun part = run;
+    part.excitation.frequency_Hz = Kept(run.excitation.frequency_Hz, keep);
+    part.excitation.amplitude_m = Kept(run.excitation.amplitude_m, keep);
+    for (MeasuredChannel& channel : part.channels) {
+      channel.response = Kept(channel.response, keep);
+      channel.radial_sd = Kept(channel.radial_sd, keep);
+      channel.tangential_sd = Kept(channel.tangential_sd, keep);
+      if (!channel.mean.empty()) channel.mean = Kept(channel.mean, keep);
+    }
+    out.push_back(std::move(part));
+  }
+  return out;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,71 @@
+#include "identify/four_post_objective.h"
+
+#include <cmath>
+
+#include "analysis/decibel.h"
+
+namespace fourpost {
+
+FourPostObjective::FourPostObjective(Vehicle vehicle, std::vector<MeasuredRun> runs,
+                                     std::vector<MeasuredLoad> static_loads, std::vector<std::size_t> free,
+                                     ModelError model_error)
+    : vehicle_(std::move(vehicle)),
+      condensed_(vehicle_),
+      runs_(std::move(runs)),
+      static_loads_(std::move(static_loads)),
+      free_(std::move(free)),
+      model_error_(model_error) {
+  for (const MeasuredRun& run : runs_)
+    for (const MeasuredChannel& channel : run.channels)
+      residual_count_ += static_cast<Eigen::Index>(2 * channel.response.size() + channel.mean.size());
+  residual_count_ += static_cast<Eigen::Index>(static_loads_.size());
+}
+
+Problem FourPostObjective::MakeProblem() const {
+  std::vector<LatticeAxis> axes;
+  for (const std::size_t index : free_) {
+    const Parameter& parameter = vehicle_.parameters[index];
+    axes.push_back({parameter.name, parameter.lower, parameter.upper, parameter.precision});
+  }
+  return {Lattice(std::move(axes)), [this](const Eigen::VectorXd& values) { return Evaluate(values); }};
+}
+
+std::vector<double> FourPostObjective::AllParameters(const Eigen::VectorXd& values) const {
+  std::vector<double> all = vehicle_.ParameterValues();
+  for (std::size_t i = 0; i < free_.size(); ++i) all[free_[i]] = values[static_cast<Eigen::Index>(i)];
+  return all;
+}
+
+Evaluation FourPostObjective::Evaluate(const Eigen::VectorXd& values) const {
+  const CondensedModel model = condensed_.At(AllParameters(values));
+  Evaluation evaluation;
+  evaluation.residuals.resize(residual_count_);
+  double* out = evaluation.residuals.data();
+  for (const MeasuredRun& run : runs_) {
+    const PeriodicResponse modelled = SolveHarmonicBalance(model, vehicle_.sensors, run.excitation);
+    if (!modelled.unconverged_Hz.empty())
+      return Failed(Failure::kNotConverged, "no periodic response at " + std::to_string(modelled.unconverged_Hz[0]) +
+                                                " Hz of '" + run.name + "'");
+    AddRun(run, modelled.response, out);
+  }
+  for (const MeasuredLoad& load : static_loads_) *out++ = (model.preloads.tyre[load.tyre] - load.load_N) / load.sd_N;
+  return evaluation;
+}
+
+void FourPostObjective::AddRun(const MeasuredRun& run, const FrequencyResponse& modelled, double*& out) const {
+  const double gain_error = GainFromDecibel(model_error_.gain_dB) - 1;
+  for (const MeasuredChannel& channel : run.channels) {
+    const ChannelResponse& model = modelled.channels[channel.sensor];
+    for (std::size_t i = 0; i < channel.response.size(); ++i) {
+      const double gain = std::abs(channel.response[i]);
+      const std::complex<double> error =
+          (model.response[i] - channel.response[i]) * std::conj(channel.response[i]) / gain;
+      *out++ = error.real() / std::hypot(channel.radial_sd[i], gain * gain_error);
+      *out++ = error.imag() / std::hypot(channel.tangential_sd[i], gain * model_error_.phase_rad);
+    }
+    for (std::size_t i = 0; i < channel.mean.size(); ++i)
+      *out++ = (model.mean[i] - channel.mean[i]) / model_error_.mean_m;
+  }
+}
+
+}  // namespace fourpost

@@ -1,0 +1,67 @@
+#include "identify/loaded_study.h"
+
+#include <algorithm>
+
+#include "analysis/nearest.h"
+#include "vehicles/vehicle_file.h"
+
+namespace fourpost {
+namespace {
+
+bool HasRange(const Parameter& parameter) { return parameter.upper > parameter.lower; }
+
+std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehicle, Diagnostics& diagnostics) {
+  std::vector<std::size_t> free;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
+    names.push_back(vehicle.parameters[i].name);
+    if (study.free.empty() && HasRange(vehicle.parameters[i])) free.push_back(i);
+  }
+  for (const std::string& name : study.free) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    const auto index = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end())
+      diagnostics.Error(study.file.string(), study.free_line,
+                        "the vehicle has no parameter '" + name + "'" + DidYouMean(name, names));
+    else if (!HasRange(vehicle.parameters[index]))
+      diagnostics.Error(vehicle.file, vehicle.parameters[index].line,
+                        "parameter '" + name + "' is to be fitted: give it lower, upper and precision");
+    else if (std::find(free.begin(), free.end(), index) != free.end())
+      diagnostics.Error(study.file.string(), study.free_line, "parameter '" + name + "' is freed twice");
+    else
+      free.push_back(index);
+  }
+  if (free.empty() && study.free.empty())
+    diagnostics.Error(vehicle.file, 0, "no parameter has a range, so there is nothing to fit: give at least one "
+                                       "fp:parameter lower, upper and precision");
+  return free;
+}
+
+void CheckBand(const Study& study, const FourPostData& data, Diagnostics& diagnostics) {
+  const std::vector<MeasuredRun> runs = InBand(data.runs, study.band_lower_Hz, study.band_upper_Hz);
+  for (const MeasuredRun& run : runs)
+    if (run.excitation.frequency_Hz.empty())
+      diagnostics.Error(study.file.string(), study.band_line,
+                        "the band holds no frequency of recording '" + run.name + "'");
+}
+
+}  // namespace
+
+FourPostObjective LoadedStudy::MakeObjective() const {
+  return {vehicle, InBand(data.runs, study.band_lower_Hz, study.band_upper_Hz), data.static_loads, free,
+          study.model_error};
+}
+
+std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  const std::optional<Study> study = ReadStudy(file, diagnostics);
+  if (!study) return std::nullopt;
+  const std::optional<Vehicle> vehicle = ReadVehicle(study->vehicle, diagnostics);
+  if (!vehicle) return std::nullopt;
+  std::vector<std::size_t> free = FreeParameters(*study, *vehicle, diagnostics);
+  std::optional<FourPostData> data = LoadFourPostData(*study, *vehicle, diagnostics);
+  if (data) CheckBand(*study, *data, diagnostics);
+  if (diagnostics.HasErrors()) return std::nullopt;
+  return LoadedStudy{*study, *vehicle, std::move(*data), std::move(free)};
+}
+
+}  // namespace fourpost

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "analysis/diagnostics.h"
+#include "identify/four_post_data.h"
+#include "identify/four_post_objective.h"
+#include "identify/study.h"
+#include "vehicles/vehicle.h"
+
+namespace fourpost {
+
+/// A study with everything it names: vehicle and recordings.
+struct LoadedStudy {
+  Study study;
+  Vehicle vehicle;
+  FourPostData data;
+  /// Parameters to fit, as indices into Vehicle::parameters.
+  std::vector<std::size_t> free;
+
+  /// The misfit over the study's band. Throws std::runtime_error when the vehicle cannot be assembled or held.
+  FourPostObjective MakeObjective() const;
+};
+
+/// Reads a study, its vehicle and its recordings. Adds every fault of all of them to `diagnostics`; nothing when there
+/// was an error.
+std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+}  // namespace fourpost

@@ -1,0 +1,63 @@
+#include "identify/misfit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/decibel.h"
+
+namespace fourpost {
+namespace {
+
+struct Sums {
+  double square_dB = 0;
+  double square_deg = 0;
+  double count = 0;
+};
+
+void Add(const MeasuredChannel& measured, const ChannelResponse& modelled, Sums& sums) {
+  for (std::size_t i = 0; i < measured.response.size(); ++i) {
+    const std::complex<double> ratio = modelled.response[i] / measured.response[i];
+    const double dB = DecibelFromGain(std::abs(ratio));
+    const double deg = DegreesFromRadians(std::arg(ratio));
+    sums.square_dB += dB * dB;
+    sums.square_deg += deg * deg;
+    sums.count += 1;
+  }
+}
+
+}  // namespace
+
+std::vector<ChannelMisfit> Misfits(const std::vector<MeasuredRun>& runs,
+                                   const std::vector<FrequencyResponse>& modelled) {
+  std::vector<ChannelMisfit> misfits;
+  std::vector<Sums> sums;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    for (const MeasuredChannel& channel : runs[r].channels) {
+      const auto known = std::find_if(misfits.begin(), misfits.end(),
+                                      [&](const ChannelMisfit& misfit) { return misfit.name == channel.name; });
+      const auto index = static_cast<std::size_t>(known - misfits.begin());
+      if (known == misfits.end()) {
+        misfits.push_back({channel.name});
+        sums.emplace_back();
+      }
+      Add(channel, modelled[r].channels[channel.sensor], sums[index]);
+    }
+  for (std::size_t i = 0; i < misfits.size(); ++i) {
+    misfits[i].rms_dB = std::sqrt(sums[i].square_dB / sums[i].count);
+    misfits[i].rms_deg = std::sqrt(sums[i].square_deg / sums[i].count);
+  }
+  return misfits;
+}
+
+ChannelMisfit GroupMisfit(const std::vector<ChannelMisfit>& channels, const std::string& prefix) {
+  Sums sums;
+  for (const ChannelMisfit& channel : channels) {
+    if (!channel.name.starts_with(prefix)) continue;
+    sums.square_dB += channel.rms_dB * channel.rms_dB;
+    sums.square_deg += channel.rms_deg * channel.rms_deg;
+    sums.count += 1;
+  }
+  return {prefix, std::sqrt(sums.square_dB / sums.count), std::sqrt(sums.square_deg / sums.count)};
+}
+
+}  // namespace fourpost
