@@ -21,14 +21,6 @@ std::string Count(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// Names of the header that are not among the legal ones: one of them may be a misspelt legal one.
-std::vector<std::string> UnknownNames(const std::vector<std::string>& names, std::span<const std::string_view> legal) {
-  std::vector<std::string> unknown;
-  for (const std::string& name : names)
-    if (std::find(legal.begin(), legal.end(), name) == legal.end()) unknown.push_back(name);
-  return unknown;
-}
-
 std::optional<std::string> ReadText(const std::filesystem::path& file, Diagnostics& diagnostics) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
@@ -115,23 +107,23 @@ std::optional<std::size_t> CsvTable::FindColumn(std::string_view name) const {
   return static_cast<std::size_t>(found - names_.begin());
 }
 
-std::optional<std::vector<std::size_t>> CsvTable::FindColumns(std::span<const std::string_view> names,
-                                                              Diagnostics& diagnostics) const {
-  const std::vector<std::string> unknown = UnknownNames(names_, names);
-  std::vector<std::size_t> columns;
-  for (const std::string_view name : names) {
-    const std::optional<std::size_t> column = FindColumn(name);
-    if (column) {
-      columns.push_back(*column);
-      continue;
-    }
-    const std::optional<std::string_view> misspelt = NearestName(name, unknown);
-    diagnostics.Error(file_, 1,
-                      "column " + Quote(name) + " is missing" +
-                          (misspelt ? ", did you mean it by " + Quote(*misspelt) + "?" : std::string()));
+bool CsvTable::CheckColumns(std::span<const std::string_view> required, std::span<const std::string_view> optional,
+                            Diagnostics& diagnostics) const {
+  bool good = true;
+  const auto fault = [&](const std::string& message) {
+    diagnostics.Error(file_, 1, message);
+    good = false;
+  };
+  for (const std::string_view name : required)
+    if (!FindColumn(name)) fault("column " + Quote(name) + " is missing; add it");
+  std::vector<std::string_view> legal(required.begin(), required.end());
+  legal.insert(legal.end(), optional.begin(), optional.end());
+  for (const std::string& name : names_) {
+    if (std::find(legal.begin(), legal.end(), name) != legal.end()) continue;
+    const std::string suggestion = DidYouMean(name, legal);
+    fault("unknown column " + Quote(name) + (suggestion.empty() ? "; remove it" : suggestion));
   }
-  if (columns.size() != names.size()) return std::nullopt;
-  return columns;
+  return good;
 }
 
 std::optional<double> CsvTable::Number(std::size_t row, std::size_t column) const {

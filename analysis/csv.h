@@ -27,9 +27,9 @@ class CsvTable {
   int line(std::size_t row) const { return lines_[row]; }
 
   std::optional<std::size_t> FindColumn(std::string_view name) const;
-  /// Where these columns are, in this order. Reports every missing one, and gives nothing then.
-  std::optional<std::vector<std::size_t>> FindColumns(std::span<const std::string_view> names,
-                                                      Diagnostics& diagnostics) const;
+  /// Reports every required column that is missing, and every column that is neither required nor optional; false then.
+  bool CheckColumns(std::span<const std::string_view> required, std::span<const std::string_view> optional,
+                    Diagnostics& diagnostics) const;
 
   /// A field without its quotes and without blanks around it.
   const std::string& Text(std::size_t row, std::size_t column) const { return fields_[row * columns() + column]; }

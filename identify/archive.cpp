@@ -84,7 +84,10 @@ std::vector<Score> Archive::Evaluate(const std::vector<LatticePoint>& batch) {
 std::vector<Evaluation> Archive::EvaluateValues(const std::vector<Eigen::VectorXd>& batch) {
   std::vector<Evaluation> evaluations(batch.size());
   ForEach(batch.size(), threads_, [&](std::size_t i) { evaluations[i] = EvaluateGuarded(problem_, batch[i]); });
-  for (const Evaluation& evaluation : evaluations) Count(evaluation);
+  for (Evaluation& evaluation : evaluations) {
+    CheckSize(evaluation);
+    Count(evaluation);
+  }
   return evaluations;
 }
 
@@ -122,6 +125,15 @@ std::vector<LatticePoint> Archive::NewPoints(const std::vector<LatticePoint>& ba
     if (!scores_.contains(point) && seen.insert(point).second) points.push_back(point);
   }
   return points;
+}
+
+void Archive::CheckSize(Evaluation& evaluation) {
+  if (!evaluation.ok()) return;
+  const Eigen::Index size = evaluation.residuals.size();
+  if (residual_count_ == 0) residual_count_ = size;
+  if (size == residual_count_) return;
+  evaluation = Failed(Failure::kWrongSize,
+                      std::to_string(size) + " residuals, elsewhere " + std::to_string(residual_count_));
 }
 
 void Archive::Count(const Evaluation& evaluation) {

@@ -86,12 +86,15 @@ class Archive {
   };
 
   std::vector<LatticePoint> NewPoints(const std::vector<LatticePoint>& batch) const;
+  // Sums over unlike numbers of residuals cannot be compared: the first evaluation decides how many there are.
+  void CheckSize(Evaluation& evaluation);
   void Count(const Evaluation& evaluation);
 
   Problem problem_;
   int threads_;
   std::unordered_map<LatticePoint, Score, PointHash> scores_;
   EvaluationCounts counts_;
+  Eigen::Index residual_count_ = 0;
 };
 
 }  // namespace fourpost

@@ -23,7 +23,7 @@ void CheckInput(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, 
                                 std::to_string(jacobian.cols()) + ", the slopes are " + std::to_string(slopes.size()));
   }
   if (!jacobian.allFinite()) throw std::invalid_argument("the Jacobian has an entry that is not finite");
-  if (!slopes.allFinite()) throw std::invalid_argument("a slope is not finite");
+  if (!(slopes.array() > 0).all()) throw std::invalid_argument("a slope is not a positive number");
   RequireOption(cost >= 0, "cost", cost, "0 or more");
 }
 
@@ -79,7 +79,7 @@ Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::Vect
   for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
     covariance.variable_sd[j] = covariance.inflation * VariableSd(covariance, j, options.share_threshold);
   }
-  covariance.sd = covariance.variable_sd.cwiseProduct(slopes.cwiseAbs());
+  covariance.sd = covariance.variable_sd.cwiseProduct(slopes);
   return covariance;
 }
 

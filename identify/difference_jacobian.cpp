@@ -25,18 +25,12 @@ Eigen::VectorXd Shifted(const Eigen::VectorXd& x, Eigen::Index j, double offset)
   return shifted;
 }
 
-bool IsUsable(const Evaluation& evaluation, const Eigen::VectorXd& residuals) {
-  return evaluation.ok() && evaluation.residuals.size() == residuals.size();
-}
-
 std::optional<Eigen::VectorXd> Slope(const Eigen::VectorXd& residuals, const Evaluation& at_a, const Evaluation& at_b,
                                      const Offsets& offsets) {
   const auto [a, b] = offsets;
-  const bool has_a = IsUsable(at_a, residuals);
-  const bool has_b = IsUsable(at_b, residuals);
-  if (!has_a && !has_b) return std::nullopt;
-  if (!has_b) return (at_a.residuals - residuals) / a;
-  if (!has_a) return (at_b.residuals - residuals) / b;
+  if (!at_a.ok() && !at_b.ok()) return std::nullopt;
+  if (!at_b.ok()) return (at_a.residuals - residuals) / a;
+  if (!at_a.ok()) return (at_b.residuals - residuals) / b;
   return ((at_a.residuals - residuals) * (b / a) - (at_b.residuals - residuals) * (a / b)) / (b - a);
 }
 

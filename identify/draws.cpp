@@ -31,8 +31,7 @@ std::uint64_t Draws::Bits() {
 double Draws::Uniform() { return static_cast<double>(Bits() >> 11) * 0x1.0p-53; }
 
 std::int64_t Draws::Integer(std::int64_t first, std::int64_t last) {
-  const std::uint64_t count = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first) + 1;
-  if (count == 0) return static_cast<std::int64_t>(Bits());
+  const auto count = static_cast<std::uint64_t>(last - first) + 1;
   const std::uint64_t excess = (0 - count) % count;
   std::uint64_t bits = Bits();
   while (bits < excess) bits = Bits();

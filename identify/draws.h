@@ -20,7 +20,7 @@ class Draws {
   std::uint64_t Bits();
   /// Uniform in [0, 1), multiples of 2^-53.
   double Uniform();
-  /// Uniform in first..last, both included; exact, by rejection. Needs first <= last.
+  /// Uniform in first..last, both included; exact, by rejection. Needs 0 <= last - first < 2^63.
   std::int64_t Integer(std::int64_t first, std::int64_t last);
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "identify/draws.h"
@@ -91,7 +92,7 @@ class Dvhde {
   bool IsSlow(const Score& previous) const {
     const Score now = Best().score;
     if (options_.simplex_iterations == 0 || !previous.ok()) return false;
-    return !(now.cost < (1 - options_.accelerate_below) * previous.cost);
+    return now.cost > (1 - options_.accelerate_below) * previous.cost;
   }
 
   void CountStagnation(const Score& previous) {
@@ -102,17 +103,23 @@ class Dvhde {
 
   bool IsUniform() const { return CurrentDiversity() < options_.migrate_below_diversity; }
 
-  // Answers fewer scores than asked when the budget is short or the search is stopped; that ends the search. Points known
-  // already might have fitted in, but counting the whole batch keeps the budget without a second look.
+  // Answers fewer scores than asked when the budget is short or the search is stopped; that ends the search.
   std::vector<Score> Evaluate(std::vector<LatticePoint> points) {
     if (hooks_.stop && hooks_.stop()) interrupted_ = SearchEnd::kStopped;
     if (interrupted_) return {};
-    const std::int64_t left = options_.max_evaluations - Paid();
-    if (static_cast<std::int64_t>(points.size()) > left) {
-      points.resize(static_cast<std::size_t>(left));
-      interrupted_ = SearchEnd::kEvaluations;
-    }
+    const auto first_unpaid = FirstBeyondBudget(points);
+    if (first_unpaid != points.end()) interrupted_ = SearchEnd::kEvaluations;
+    points.erase(first_unpaid, points.end());
     return archive_.Evaluate(points);
+  }
+
+  std::vector<LatticePoint>::const_iterator FirstBeyondBudget(const std::vector<LatticePoint>& points) const {
+    const std::int64_t left = options_.max_evaluations - Paid();
+    std::set<LatticePoint> fresh;
+    return std::find_if(points.begin(), points.end(), [&](const LatticePoint& point) {
+      if (!archive_.Find(point)) fresh.insert(point);
+      return static_cast<std::int64_t>(fresh.size()) > left;
+    });
   }
 
   bool Ended() {

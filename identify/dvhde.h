@@ -49,7 +49,8 @@ struct DvhdeOptions {
   /// A gene counts as different when it is this far from the best one's; in (0, 1).
   double gene_difference = 0.05;
 
-  /// Ends the search: paid evaluations (never exceeded), generations, a cost to reach.
+  /// Ends the search: paid evaluations (never exceeded; those of an earlier search with the archive do not count),
+  /// generations, a cost to reach.
   std::int64_t max_evaluations = 10000;
   int max_generations = 1000;
   std::optional<double> target_cost;
@@ -86,6 +87,8 @@ struct SearchGeneration {
   double diversity = 0;
   bool accelerated = false;
   bool migrated = false;
+
+  bool operator==(const SearchGeneration&) const = default;
 };
 
 struct SearchResult {

@@ -21,7 +21,7 @@ enum class Failure {
   kNotConverged,
   /// The parameters make no vehicle, or violate a constraint.
   kInfeasible,
-  /// There are no residuals, or not as many as elsewhere.
+  /// There are no residuals, or not as many as the first evaluation gave.
   kWrongSize,
 };
 

@@ -31,7 +31,7 @@ std::string AxisFault(const LatticeAxis& axis) {
     fault << "lower bound " << axis.lower << " is above upper bound " << axis.upper;
   } else if (!std::isfinite(axis.precision) || !(axis.precision > 0)) {
     fault << "precision " << axis.precision << " is not a positive number";
-  } else if (axis.precision > axis.upper - axis.lower) {
+  } else if (StepsInRange(axis) < 1) {
     fault << "precision " << axis.precision << " exceeds the range " << axis.upper - axis.lower;
   } else if (StepsInRange(axis) >= kLargestCount) {
     fault << "precision " << axis.precision << " splits the range into more than 2^53 steps";

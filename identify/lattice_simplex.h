@@ -12,7 +12,7 @@ namespace fourpost {
 using ScorePoints = std::function<std::vector<Score>(const std::vector<LatticePoint>& points)>;
 
 /// Vertices for a search around the best of a population: its best members, as many as there are parameters plus one
-/// and no point twice, missing ones made from the best by a twentieth of the range along one axis each.
+/// and none of them twice, missing ones made from the best by a twentieth of the range along one axis each.
 /// Fewer when `score` answers fewer.
 Population StartSimplex(const Population& population, const Lattice& lattice, const ScorePoints& score);
 

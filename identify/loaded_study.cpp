@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/frequency_response_file.h"
 #include "analysis/nearest.h"
 #include "vehicles/vehicle_file.h"
 
@@ -56,7 +57,11 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
   const std::optional<Study> study = ReadStudy(file, diagnostics);
   if (!study) return std::nullopt;
   const std::optional<Vehicle> vehicle = ReadVehicle(study->vehicle, diagnostics);
-  if (!vehicle) return std::nullopt;
+  if (!vehicle) {
+    // The recordings' own faults are told as well.
+    for (const StudyRecording& recording : study->recordings) ReadFrequencyResponse(recording.file, diagnostics);
+    return std::nullopt;
+  }
   std::vector<std::size_t> free = FreeParameters(*study, *vehicle, diagnostics);
   std::optional<FourPostData> data = LoadFourPostData(*study, *vehicle, diagnostics);
   if (data) CheckBand(*study, *data, diagnostics);

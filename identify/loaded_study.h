@@ -20,7 +20,7 @@ struct LoadedStudy {
   /// Parameters to fit, as indices into Vehicle::parameters.
   std::vector<std::size_t> free;
 
-  /// The misfit over the study's band. Throws std::runtime_error when the vehicle cannot be assembled or held.
+  /// The misfit over the study's band. Throws FaultyInput when the vehicle cannot be assembled or held.
   FourPostObjective MakeObjective() const;
 };
 

@@ -38,7 +38,11 @@ class ResidualFunction : public ceres::CostFunction {
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
     if (!Linearise()) return false;
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Eigen::Map<RowMajor>(jacobians[0], num_residuals(), x.size()) = jacobian_;
+    Eigen::Map<RowMajor> free(jacobians[0], num_residuals(), x.size());
+    free = jacobian_;
+    for (Eigen::Index j = 0; j < x.size(); ++j) {
+      if (IsHeld(j)) free.col(j).setZero();
+    }
     return true;
   }
 
@@ -49,9 +53,17 @@ class ResidualFunction : public ceres::CostFunction {
       return true;
     }
     const Evaluation evaluation = archive_.EvaluateValues({variables_.ToValues(x)}).front();
-    if (!evaluation.ok() || evaluation.residuals.size() != num_residuals()) return false;
+    if (!evaluation.ok()) {
+      failure_ = evaluation.detail.empty() ? FailureName(evaluation.failure) : evaluation.detail;
+      return false;
+    }
     here_ = {x, evaluation.residuals};
     return true;
+  }
+
+  // To the better of the two points remembered.
+  void MoveToBest() const {
+    if (linearised_ && linearised_->residuals.squaredNorm() < here_.residuals.squaredNorm()) here_ = *linearised_;
   }
 
   // The Jacobian where MoveTo() went.
@@ -62,13 +74,24 @@ class ResidualFunction : public ceres::CostFunction {
     if (!jacobian) return false;
     linearised_ = here_;
     jacobian_ = *std::move(jacobian);
+    failure_.clear();
     return true;
   }
 
   const Eigen::VectorXd& residuals() const { return here_.residuals; }
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
+  const Eigen::VectorXd& x() const { return here_.x; }
+  // Why a step from the point of the Jacobian was refused; empty when none was.
+  const std::string& failure() const { return failure_; }
 
  private:
+  // At a bound, and the cost falls beyond it. Ceres computes a step as if there were no bounds and cuts it off there, which
+  // leaves the other variables short of their optimum; without its column in the Jacobian, this one has no part in it.
+  bool IsHeld(Eigen::Index j) const {
+    const double gradient = jacobian_.col(j).dot(here_.residuals);
+    return gradient > 0 ? here_.x[j] <= variables_.lower()[j] : here_.x[j] >= variables_.upper()[j];
+  }
+
   Archive& archive_;
   const FitVariables& variables_;
   double step_;
@@ -76,6 +99,7 @@ class ResidualFunction : public ceres::CostFunction {
   mutable Residuals here_;
   mutable std::optional<Residuals> linearised_;
   mutable Eigen::MatrixXd jacobian_;
+  mutable std::string failure_;
 };
 
 class StopCallback : public ceres::IterationCallback {
@@ -101,18 +125,19 @@ ceres::Solver::Options SolverOptions(const RefineOptions& options) {
   solver.parameter_tolerance = options.step_tolerance;
   // Absolute, so it would mean something else for every problem: the other two decide.
   solver.gradient_tolerance = 0;
-  // Each refused step costs one evaluation; a border of failures may need several.
-  solver.max_num_consecutive_invalid_steps = 20;
+  // At a border of failures a step is halved as often, each time for one evaluation; then the trust region shrinks.
+  solver.max_num_line_search_step_size_iterations = 10;
   // Cubic interpolation would ask for a Jacobian at every step tried at a bound.
   solver.line_search_interpolation_type = ceres::QUADRATIC;
   solver.logging_type = ceres::SILENT;
   return solver;
 }
 
-RefineEnd EndOf(ceres::TerminationType type) {
+// Steps refused until they are too short to count are no convergence.
+RefineEnd EndOf(ceres::TerminationType type, bool refused) {
   switch (type) {
     case ceres::CONVERGENCE:
-      return RefineEnd::kConverged;
+      return refused ? RefineEnd::kFailed : RefineEnd::kConverged;
     case ceres::NO_CONVERGENCE:
       return RefineEnd::kIterations;
     case ceres::USER_SUCCESS:
@@ -167,7 +192,7 @@ std::string_view RefineEndName(RefineEnd end) {
     case RefineEnd::kStartFailed:
       return "start could not be evaluated";
     case RefineEnd::kFailed:
-      return "no step could be evaluated";
+      return "ended by failed evaluations";
     case RefineEnd::kStopped:
       return "stopped by the user";
   }
@@ -193,12 +218,18 @@ RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const Refine
 
   ResidualFunction function(archive, variables, options.step, x, first.residuals);
   const ceres::Solver::Summary summary = Solve(function, variables, options, stop, x);
-  result.end = EndOf(summary.termination_type);
-  result.message = summary.message;
+  result.end = EndOf(summary.termination_type, !function.failure().empty());
+  const bool refused = result.end == RefineEnd::kFailed && !function.failure().empty();
+  result.message = refused ? function.failure() : summary.message;
   result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);
-  function.MoveTo(x);
+  // Ceres takes a failure back to the start.
+  if (summary.IsSolutionUsable()) {
+    function.MoveTo(x);
+  } else {
+    function.MoveToBest();
+  }
   if (function.Linearise()) result.jacobian = function.jacobian();
-  result.values = variables.ToValues(x);
+  result.values = variables.ToValues(function.x());
   result.residuals = function.residuals();
   result.start_cost = first.cost();
   result.cost = result.residuals.squaredNorm();

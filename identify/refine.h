@@ -35,7 +35,7 @@ enum class RefineEnd {
   kIterations,
   /// The model could not be evaluated at the start.
   kStartFailed,
-  /// No further step or no Jacobian could be evaluated.
+  /// The last step tried, or the Jacobian after it, could not be evaluated; the optimum may be elsewhere.
   kFailed,
   kStopped,
 };
@@ -46,7 +46,7 @@ std::string_view RefineEndName(RefineEnd end);
 /// The outcome of a refinement from one start.
 struct RefineResult {
   RefineEnd end = RefineEnd::kNotRun;
-  /// Why it ended, in the optimiser's words.
+  /// Why it ended, in the words of the optimiser or of the evaluation that failed.
   std::string message;
   /// Parameters at the end, within their bounds; the start when that failed.
   Eigen::VectorXd values;
@@ -64,7 +64,8 @@ struct RefineResult {
 };
 
 /// Levenberg-Marquardt (Ceres) within the bounds of the lattice, in FitVariables, with differences evaluated in parallel;
-/// the precision of the lattice plays no part. A step whose evaluation fails is refused and a shorter one tried.
+/// the precision of the lattice plays no part. Variables held at a bound by the cost stay out of the steps of the others.
+/// A step whose evaluation fails is refused and a shorter one tried.
 /// `stop` is asked after each iteration. Throws std::invalid_argument for a start out of bounds.
 RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options = {},
                     const std::function<bool()>& stop = {});

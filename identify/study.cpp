@@ -189,7 +189,6 @@ std::optional<Study> ReadStudy(const std::filesystem::path& file, Diagnostics& d
     diagnostics.Error(file.string(), 0, "cannot read the study; give the path of its YAML file");
     return std::nullopt;
   }
-  Diagnostics faults;
   std::optional<Study> study;
   try {
     study = StudyReader(file, diagnostics).Read(YAML::Load(text.str()));

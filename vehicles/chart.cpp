@@ -1,9 +1,9 @@
 #include "vehicles/chart.h"
 
-#include <stdexcept>
-
 #include <Eigen/QR>
 #include <Eigen/SVD>
+
+#include "analysis/diagnostics.h"
 
 namespace fourpost {
 namespace {
@@ -47,7 +47,10 @@ Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
     q -= jacobian.completeOrthogonalDecomposition().solve(error);
     multibody_.SetPose(q);
   }
-  throw std::runtime_error("the loops cannot follow a small motion of the vehicle: check the rods and balls");
+  Diagnostics faults;
+  faults.Error(multibody_.vehicle().file, 0,
+               "the loops lock the vehicle: they cannot follow a small motion; check the positions of fp:rod and fp:ball");
+  throw FaultyInput(faults);
 }
 
 Eigen::MatrixXd Chart::MoveTo(const Eigen::VectorXd& s) {

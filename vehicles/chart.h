@@ -17,7 +17,7 @@ class Chart {
   int size() const { return static_cast<int>(basis_.cols()); }
 
   /// Moves the multibody to the pose q(s) and returns dq/ds there, coordinates x size().
-  /// Throws std::runtime_error when the loops cannot follow.
+  /// Throws FaultyInput when the loops cannot follow.
   Eigen::MatrixXd MoveTo(const Eigen::VectorXd& s);
 
  private:

@@ -1,10 +1,10 @@
 #include "vehicles/condensed_vehicle.h"
 
 #include <array>
-#include <stdexcept>
 
 #include <Eigen/QR>
 
+#include "analysis/diagnostics.h"
 #include "vehicles/chart.h"
 #include "vehicles/gravity.h"
 #include "vehicles/kinematics.h"
@@ -174,13 +174,16 @@ void CondensedVehicle::SolvePreloads(const Vehicle& vehicle) {
   preload_map_ = -holders.completeOrthogonalDecomposition().pseudoInverse();
 
   constexpr double kHeld = 1e-9;
+  Diagnostics faults;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Eigen::VectorXd& weight = bodies_[i].weight;
     if (vehicle.links[i].mass.value == 0 || weight.norm() == 0) continue;
     if ((weight + holders * (preload_map_ * weight)).norm() > kHeld * weight.norm())
-      throw std::runtime_error("no static equilibrium in the design pose: no spring or tyre with preload=\"equilibrium\""
-                               " can hold the weight of link '" + vehicle.links[i].name + "'");
+      faults.Error(vehicle.file, vehicle.links[i].line,
+                   "no static equilibrium: no spring or tyre with preload=\"equilibrium\" can hold the weight of link '" +
+                       vehicle.links[i].name + "'; add one under it or fix a joint");
   }
+  if (faults.HasErrors()) throw FaultyInput(faults);
 }
 
 Eigen::VectorXd CondensedVehicle::Weight(std::span<const double> parameters) const {

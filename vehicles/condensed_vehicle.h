@@ -24,7 +24,7 @@ namespace fourpost {
 /// Immutable after construction; one object serves any number of threads.
 class CondensedVehicle {
  public:
-  /// Throws std::runtime_error when the loops cannot be assembled, or when the springs and tyres that carry the
+  /// Throws FaultyInput when the loops cannot be assembled, or when the springs and tyres that carry the
   /// equilibrium cannot hold a link's weight in the design pose (names the link).
   explicit CondensedVehicle(const Vehicle& vehicle);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "analysis/frequency_response.h"
@@ -35,6 +37,8 @@ struct MarchedResponse {
 /// Steady response of the full nonlinear multibody system to a stepped sine, found as the rig finds it: run until the
 /// motion repeats, then Fourier coefficients over whole cycles. The reference for SolveHarmonicBalance.
 /// Throws std::runtime_error when the integration fails.
-MarchedResponse March(Multibody& multibody, const Excitation& excitation, const MarchOptions& options = {});
+/// `progress` hears how many frequencies are done.
+MarchedResponse March(Multibody& multibody, const Excitation& excitation, const MarchOptions& options = {},
+                      const std::function<void(std::size_t done)>& progress = {});
 
 }  // namespace fourpost

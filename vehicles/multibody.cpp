@@ -1,11 +1,12 @@
 #include "vehicles/multibody.h"
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include <Eigen/QR>
 
+#include "analysis/diagnostics.h"
+#include "analysis/units.h"
 #include "vehicles/force_elements.h"
 #include "vehicles/gravity.h"
 
@@ -98,6 +99,8 @@ struct Multibody::Impl {
   void AddSensors();
   BodyLine MakeLine(const ForceLine& line);
   void AssembleDesignPose();
+  Diagnostics GapFaults();
+  double Distance(const Point& a, const Point& b);
   void MeasureDesign();
   void CreateState();
   void SetState(double t, const Eigen::VectorXd& y);
@@ -182,10 +185,7 @@ void Multibody::Impl::AddLoops() {
   CreateState();
   system.realize(state, SimTK::Stage::Position);
   std::vector<double> lengths;
-  for (const Rod& rod : vehicle.rods)
-    lengths.push_back((Body(rod.parent.link).findStationLocationInGround(state, ToSimbody(rod.parent.xyz)) -
-                       Body(rod.child.link).findStationLocationInGround(state, ToSimbody(rod.child.xyz)))
-                          .norm());
+  for (const Rod& rod : vehicle.rods) lengths.push_back(Distance(rod.parent, rod.child));
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const Rod& rod = vehicle.rods[i];
     SimTK::Constraint::Rod(Body(rod.parent.link), ToSimbody(rod.parent.xyz), Body(rod.child.link),
@@ -226,15 +226,29 @@ void Multibody::Impl::AssembleDesignPose() {
     design_pose -= jacobian.completeOrthogonalDecomposition().solve(error);
     if (!design_pose.allFinite() || design_pose.lpNorm<Eigen::Infinity>() > 1e3) break;
   }
-  std::ostringstream message;
-  message << "the loops cannot be closed;";
+  throw FaultyInput(GapFaults());
+}
+
+/// Where the loops stay open, in the pose that came nearest.
+Diagnostics Multibody::Impl::GapFaults() {
+  constexpr double kGap_m = 1e-9;
+  Diagnostics faults;
   for (const Ball& ball : vehicle.balls) {
-    const double gap = (Body(ball.parent.link).findStationLocationInGround(state, ToSimbody(ball.parent.xyz)) -
-                        Body(ball.child.link).findStationLocationInGround(state, ToSimbody(ball.child.xyz)))
-                           .norm();
-    message << " fp:ball '" << ball.name << "' keeps a gap of " << gap * 1e3 << " mm;";
+    const double gap = Distance(ball.parent, ball.child);
+    if (gap < kGap_m) continue;
+    faults.Error(vehicle.file, ball.source_line,
+                 "the loop cannot be closed: the two points of fp:ball '" + ball.name + "' stay " +
+                     FormatQuantity(std::round(gap * 1e6) * 1e-6, "mm") +
+                     " apart in the nearest pose; correct their positions or the joints between them");
   }
-  throw std::runtime_error(message.str() + " check the positions of its two points");
+  if (!faults.HasErrors()) faults.Error(vehicle.file, 0, "the loops of fp:ball and fp:rod cannot be closed");
+  return faults;
+}
+
+double Multibody::Impl::Distance(const Point& a, const Point& b) {
+  return (Body(a.link).findStationLocationInGround(state, ToSimbody(a.xyz)) -
+          Body(b.link).findStationLocationInGround(state, ToSimbody(b.xyz)))
+      .norm();
 }
 
 void Multibody::Impl::MeasureDesign() {
@@ -406,6 +420,14 @@ void Multibody::Integrate(const Eigen::VectorXd& state, double start, double ste
     throw std::runtime_error("the simulation failed at t = " + std::to_string(integrator.getTime()) +
                              " s: " + failure.getMessage());
   }
+}
+
+std::string SimbodyVersion() {
+  int major = 0;
+  int minor = 0;
+  int build = 0;
+  SimTK_version_simbody(&major, &minor, &build);
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(build);
 }
 
 }  // namespace fourpost

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -30,7 +31,7 @@ using MarchSink = std::function<void(double t, const Eigen::VectorXd& state, con
 /// Not thread-safe: one per thread.
 class Multibody {
  public:
-  /// Throws std::runtime_error, naming the loops and their gaps, when the loop closures cannot be assembled.
+  /// Throws FaultyInput, naming the loops and their gaps, when the loop closures cannot be assembled.
   explicit Multibody(const Vehicle& vehicle);
   ~Multibody();
   Multibody(Multibody&&) noexcept;
@@ -73,5 +74,8 @@ class Multibody {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// "3.7.0", of the library that runs.
+std::string SimbodyVersion();
 
 }  // namespace fourpost

@@ -1,0 +1,177 @@
+#include "analysis/output_folder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace fourpost {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kMark = "result.json";
+
+[[noreturn]] void ThrowErrno(const fs::path& path) {
+  const std::error_code reason(errno, std::generic_category());
+  throw fs::filesystem_error("", path, reason);
+}
+
+/// "fit.csv: No space left on device".
+std::string Reason(const fs::filesystem_error& error) {
+  return error.path1().filename().string() + ": " + error.code().message();
+}
+
+[[noreturn]] void ThrowUnusable(const fs::path& folder, const std::string& reason, const std::string& remedy) {
+  throw OutputError(folder.string() + ": " + reason + "; " + remedy);
+}
+
+/// A file or folder that is open for as long as this lives.
+class Descriptor {
+ public:
+  Descriptor(fs::path path, int flags) : path_(std::move(path)), number_(open(path_.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (number_ < 0) ThrowErrno(path_);
+  }
+  ~Descriptor() { close(number_); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  void Write(std::string_view content) const {
+    while (!content.empty()) {
+      const ssize_t written = write(number_, content.data(), content.size());
+      if (written < 0 && errno != EINTR) ThrowErrno(path_);
+      if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  void Flush() const {
+    if (fsync(number_) != 0) ThrowErrno(path_);
+  }
+
+ private:
+  fs::path path_;
+  int number_;
+};
+
+/// The folders that must be created for this one to exist, the outermost first.
+std::vector<fs::path> MissingFolders(const fs::path& folder) {
+  std::vector<fs::path> missing;
+  for (fs::path path = folder; fs::symlink_status(path).type() == fs::file_type::not_found; path = path.parent_path())
+    missing.push_back(path);
+  std::reverse(missing.begin(), missing.end());
+  return missing;
+}
+
+void CheckContent(const fs::path& folder) {
+  if (fs::is_empty(folder) || fs::is_regular_file(folder / kMark)) return;
+  ThrowUnusable(folder, "holds files, but no " + std::string(kMark) + " of an earlier run",
+                "name a new or an empty folder");
+}
+
+void RemoveFolders(const std::vector<fs::path>& outermost_first) {
+  std::error_code ignored;
+  for (auto folder = outermost_first.rbegin(); folder != outermost_first.rend(); ++folder) fs::remove(*folder, ignored);
+}
+
+/// By trying: permissions do not tell of file systems that are read-only, full, or not real.
+void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing) {
+  const fs::path probe = folder / ".fourpost.partial";
+  std::error_code ignored;
+  try {
+    fs::create_directories(folder);
+    Descriptor(probe, O_WRONLY | O_CREAT | O_TRUNC).Write("probe");
+  } catch (const fs::filesystem_error&) {
+    fs::remove(probe, ignored);
+    RemoveFolders(missing);
+    throw;
+  }
+  fs::remove(probe, ignored);
+  RemoveFolders(missing);
+}
+
+void CheckUsable(const fs::path& folder) {
+  const std::vector<fs::path> missing = MissingFolders(folder);
+  const fs::path existing = missing.empty() ? folder : missing.front().parent_path();
+  if (!fs::is_directory(existing)) ThrowUnusable(existing, "is not a folder", "name another one for the results");
+  if (missing.empty()) CheckContent(folder);
+  CheckWritable(folder, missing);
+}
+
+fs::path WithoutTrailingSlash(const fs::path& folder) { return folder.has_filename() ? folder : folder.parent_path(); }
+
+}  // namespace
+
+OutputFolder::OutputFolder(fs::path folder) {
+  if (folder.empty()) throw OutputError("the folder for the results has no name; name one");
+  try {
+    // Whole, since a program may change its working directory.
+    folder_ = WithoutTrailingSlash(fs::weakly_canonical(fs::absolute(folder)));
+    CheckUsable(folder_);
+  } catch (const fs::filesystem_error& error) {
+    ThrowUnusable(folder, "cannot be written to (" + error.code().message() + ")", "allow it or name another folder");
+  }
+}
+
+void OutputFolder::Add(std::string name, std::string content) {
+  const fs::path path = name;
+  if (name.empty() || path.filename() != path || name == "." || name == "..")
+    throw std::invalid_argument("'" + name + "' is not the name of a file in a result folder");
+  if (!content_of_.emplace(std::move(name), std::move(content)).second)
+    throw std::invalid_argument("the result file '" + path.string() + "' has been added already");
+}
+
+void OutputFolder::Commit() {
+  if (!content_of_.contains(std::string(kMark))) throw std::logic_error("results without a " + std::string(kMark));
+  std::vector<fs::path> created;
+  try {
+    created = MissingFolders(folder_);
+    fs::create_directories(folder_);
+    CheckTargets();
+    WriteFiles();
+    RenameFiles();
+  } catch (const fs::filesystem_error& error) {
+    RemoveTraces(created);
+    ThrowUnusable(folder_, "the results cannot be written (" + Reason(error) + ")",
+                  "remove the obstacle or name another folder");
+  }
+}
+
+fs::path OutputFolder::Partial(const std::string& name) const { return folder_ / (name + ".partial"); }
+
+/// Renaming must not fail half-way.
+void OutputFolder::CheckTargets() const {
+  for (const auto& [name, content] : content_of_)
+    if (fs::is_directory(folder_ / name))
+      throw fs::filesystem_error("", name, std::make_error_code(std::errc::is_a_directory));
+}
+
+void OutputFolder::WriteFiles() const {
+  for (const auto& [name, content] : content_of_) {
+    const Descriptor file(Partial(name), O_WRONLY | O_CREAT | O_TRUNC);
+    file.Write(content);
+    file.Flush();
+  }
+}
+
+void OutputFolder::RenameFiles() const {
+  for (const auto& [name, content] : content_of_)
+    if (name != kMark) fs::rename(Partial(name), folder_ / name);
+  fs::rename(Partial(std::string(kMark)), folder_ / kMark);
+  Descriptor(folder_, O_RDONLY | O_DIRECTORY).Flush();
+}
+
+/// Leaves what is not ours; errors here would hide the one that is being told.
+void OutputFolder::RemoveTraces(const std::vector<fs::path>& created) const {
+  std::error_code ignored;
+  for (const auto& [name, content] : content_of_) {
+    fs::remove(Partial(name), ignored);
+    if (!created.empty()) fs::remove(folder_ / name, ignored);
+  }
+  RemoveFolders(created);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace fourpost {
+
+/// A place where results cannot be written; `what()` names it and says why and what to do.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A folder of results that is written completely or not at all. Its `result.json` marks it as ours, and is put there
+/// last. Nothing is on disk before Commit.
+class OutputFolder {
+ public:
+  /// Checks at once what hours of work would otherwise find out at their end. Throws OutputError unless the folder can
+  /// be created, or is empty, or holds the result.json of an earlier run, and may be written to.
+  explicit OutputFolder(std::filesystem::path folder);
+
+  /// Throws std::invalid_argument for a name that has been added already or is not that of a file in the folder.
+  void Add(std::string name, std::string content);
+
+  /// Writes the files, in the place of an earlier run's of the same names; its other files stay. When that fails the
+  /// folder is as it was before, and OutputError is thrown. Throws std::logic_error without a result.json.
+  void Commit();
+
+ private:
+  std::filesystem::path Partial(const std::string& name) const;
+  void CheckTargets() const;
+  void WriteFiles() const;
+  void RenameFiles() const;
+  void RemoveTraces(const std::vector<std::filesystem::path>& created) const;
+
+  std::filesystem::path folder_;
+  std::map<std::string, std::string> content_of_;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,74 @@
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "identify/command_line/commands.h"
+#include "identify/command_line/exit_code.h"
+#include "identify/command_line/text_table.h"
+#include "vehicles/vehicle_file.h"
+#include "vehicles/vehicle_summary.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string AsJson(const Vehicle& vehicle, const VehicleSummary& summary) {
+  Json loads = Json::array();
+  for (const auto& load : summary.corner_loads) loads.push_back({{"name", load.tyre}, {"load_N", load.load_N}});
+  Json modes = Json::array();
+  for (const Mode& mode : summary.modes)
+    modes.push_back(
+        {{"frequency_Hz", mode.frequency_Hz}, {"damping_ratio", mode.damping_ratio}, {"name", mode.name}});
+  Json parameters = Json::array();
+  for (const Parameter& parameter : vehicle.parameters)
+    parameters.push_back({{"name", parameter.name},
+                          {"value", parameter.value},
+                          {"unit", SiUnit(parameter.dimension)},
+                          {"lower", parameter.lower},
+                          {"upper", parameter.upper},
+                          {"source", parameter.source}});
+  const Json json = {{"name", vehicle.name},
+                     {"dof", summary.dof},
+                     {"mass", summary.mass_kg},
+                     {"com", {summary.com.x(), summary.com.y(), summary.com.z()}},
+                     {"corner_loads", loads},
+                     {"modes", modes},
+                     {"parameters", parameters}};
+  return json.dump(2) + '\n';
+}
+
+std::string Range(const Parameter& parameter) {
+  if (!(parameter.upper > parameter.lower)) return "fixed";
+  return FormatQuantity(parameter.lower, parameter.unit) + " .. " + FormatQuantity(parameter.upper, parameter.unit);
+}
+
+std::string AsText(const Vehicle& vehicle, const VehicleSummary& summary) {
+  std::string text = vehicle.name + ": " + std::to_string(summary.dof) + " degrees of freedom, " +
+                     Rounded(summary.mass_kg, 5) + " kg, centre of mass " + Rounded(summary.com.x(), 3) + " m ahead and " +
+                     Rounded(summary.com.z(), 3) + " m above the ground's origin\n\n";
+  TextTable loads({"tyre", "static load, N"});
+  for (const auto& load : summary.corner_loads) loads.Add({load.tyre, Rounded(load.load_N, 5)});
+  TextTable modes({"mode", "Hz", "damping ratio"});
+  for (const Mode& mode : summary.modes)
+    modes.Add({mode.name, Rounded(mode.frequency_Hz, 4), Rounded(mode.damping_ratio, 3)});
+  TextTable parameters({"parameter", "value", "range", "source"});
+  for (const Parameter& parameter : vehicle.parameters)
+    parameters.Add(
+        {parameter.name, FormatQuantity(parameter.value, parameter.unit), Range(parameter), parameter.source});
+  return text + loads.Format() + '\n' + modes.Format() + '\n' + parameters.Format();
+}
+
+}  // namespace
+
+int Run(const CheckCommand& command) {
+  Diagnostics diagnostics;
+  const std::optional<Vehicle> vehicle = ReadVehicle(command.model, diagnostics);
+  if (!vehicle) throw FaultyInput(diagnostics);
+  if (!diagnostics.items().empty()) std::fprintf(stderr, "%s\n", diagnostics.Format().c_str());
+  const VehicleSummary summary = Summarise(*vehicle, vehicle->ParameterValues());
+  std::fputs((command.json ? AsJson(*vehicle, summary) : AsText(*vehicle, summary)).c_str(), stdout);
+  return kGood;
+}
+
+}  // namespace fourpost

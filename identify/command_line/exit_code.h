@@ -1,0 +1,18 @@
+#pragma once
+
+namespace fourpost {
+
+/// What the program answers to the shell.
+enum ExitCode {
+  kGood = 0,
+  /// Done, but not as wished: a fit that did not converge.
+  kNotGood = 1,
+  kUsage = 2,
+  kUnreadableInput = 3,
+  kAllSimulationsFailed = 4,
+  kCannotWrite = 5,
+  /// 128 + SIGINT, as shells report it.
+  kInterrupted = 130,
+};
+
+}  // namespace fourpost

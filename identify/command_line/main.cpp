@@ -1,0 +1,71 @@
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "analysis/diagnostics.h"
+#include "analysis/output_folder.h"
+#include "identify/command_line/commands.h"
+#include "identify/command_line/exit_code.h"
+
+namespace {
+
+using namespace fourpost;
+
+int Guarded(const std::function<int()>& run) {
+  const auto tell = [](const std::exception& error, int code) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return code;
+  };
+  try {
+    return run();
+  } catch (const FaultyInput& error) {
+    return tell(error, kUnreadableInput);
+  } catch (const OutputError& error) {
+    return tell(error, kCannotWrite);
+  } catch (const std::exception& error) {
+    return tell(error, kAllSimulationsFailed);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("fourpost identifies vehicle suspension models from rig tests.", "fourpost");
+  app.set_version_flag("--version", FOURPOST_VERSION);
+  app.require_subcommand(1);
+  app.fallthrough();
+  std::function<int()> run;
+
+  CheckCommand check;
+  CLI::App* sub = app.add_subcommand("check", "Check a vehicle file; show loads, modes and parameters");
+  sub->add_option("MODEL", check.model, "Vehicle file (.urdf)")->required();
+  sub->add_flag("--json", check.json, "Print JSON");
+  sub->callback([&] { run = [&] { return Run(check); }; });
+
+  ResponseCommand response;
+  sub = app.add_subcommand("response", "Compare a study's vehicle, as its file has it, with the recordings");
+  sub->add_option("STUDY", response.study, "Study file (.yaml)")->required();
+  sub->add_flag("--march", response.march, "Integrate the full multibody system to steady state (slow, the reference)");
+  sub->add_flag("--json", response.json, "Print JSON");
+  sub->callback([&] { run = [&] { return Run(response); }; });
+
+  FitCommand fit;
+  sub = app.add_subcommand("fit", "Fit a study's vehicle to the recordings");
+  sub->add_option("STUDY", fit.study, "Study file (.yaml)")->required();
+  sub->add_option("-o,--output", fit.output, "Folder for result.json, vehicle.urdf and response.csv")->required();
+  sub->add_option("--seed", fit.seed, "Seed of the search, in place of the study's");
+  sub->add_option("--threads", fit.threads, "Evaluations at once, no influence on the result; 0: one per processor")
+      ->check(CLI::Range(0, 1024));
+  sub->add_flag("--json", fit.json, "Print result.json in place of tables");
+  sub->callback([&] { run = [&] { return Run(fit); }; });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kGood : kUsage;
+  }
+  return Guarded(run);
+}

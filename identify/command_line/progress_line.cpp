@@ -1,0 +1,35 @@
+#include "identify/command_line/progress_line.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace fourpost {
+namespace {
+
+constexpr double kTerminalInterval_s = 0.1;
+constexpr double kPlainInterval_s = 2;
+
+double Seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+}  // namespace
+
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()), shown_(start_) {}
+
+ProgressLine::~ProgressLine() {
+  if (line_open_) std::fputc('\n', stderr);
+}
+
+void ProgressLine::Show(const std::string& text) {
+  const Clock::time_point now = Clock::now();
+  if (Seconds(now - shown_) < (terminal_ ? kTerminalInterval_s : kPlainInterval_s)) return;
+  shown_ = now;
+  line_open_ = terminal_;
+  // Return to the line's start, and clear what a longer text left behind.
+  std::fprintf(stderr, terminal_ ? "\r%s\033[K" : "%s\n", text.c_str());
+  std::fflush(stderr);
+}
+
+double ProgressLine::seconds() const { return Seconds(Clock::now() - start_); }
+
+}  // namespace fourpost

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace fourpost {
+
+/// Tells on stderr how a long task gets on: one line that is rewritten on a terminal, now and then a plain line
+/// elsewhere. Short tasks stay silent elsewhere.
+class ProgressLine {
+ public:
+  ProgressLine();
+  /// Ends the line.
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// Shows the text, unless the last one is too fresh to be replaced.
+  void Show(const std::string& text);
+
+  /// Since construction.
+  double seconds() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool terminal_;
+  bool line_open_ = false;
+  Clock::time_point start_;
+  Clock::time_point shown_;
+};
+
+}  // namespace fourpost

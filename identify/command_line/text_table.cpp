@@ -1,0 +1,54 @@
+#include "identify/command_line/text_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace fourpost {
+namespace {
+
+/// Characters, not bytes, of UTF-8 text.
+std::size_t Width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+TextTable::TextTable(std::vector<std::string> head) { rows_.push_back(std::move(head)); }
+
+void TextTable::Add(std::vector<std::string> row) {
+  if (row.size() != rows_.front().size()) throw std::invalid_argument("a table row needs one cell per column");
+  rows_.push_back(std::move(row));
+}
+
+std::string TextTable::Format() const {
+  std::vector<std::size_t> widths(rows_.front().size(), 0);
+  for (const auto& row : rows_)
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], Width(row[c]));
+  std::string text;
+  for (const auto& row : rows_) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string padding(widths[c] - Width(row[c]), ' ');
+      line += c == 0 ? row[c] + padding : "  " + padding + row[c];
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + '\n';
+  }
+  return text;
+}
+
+std::string Rounded(double value, int digits) {
+  if (!std::isfinite(value)) return std::isnan(value) ? "-" : "inf";
+  char text[64];
+  const int decimals = value == 0 ? 0 : digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+  if (decimals > 9 || decimals < -9)
+    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+  else
+    std::snprintf(text, sizeof text, "%.*f", std::max(decimals, 0), value);
+  return text;
+}
+
+}  // namespace fourpost

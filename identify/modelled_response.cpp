@@ -1,0 +1,55 @@
+#include "identify/modelled_response.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "analysis/csv_writer.h"
+#include "analysis/decibel.h"
+#include "vehicles/harmonic_balance.h"
+
+namespace fourpost {
+namespace {
+
+double PhaseDeg(const std::complex<double>& response) { return DegreesFromRadians(std::arg(response)); }
+
+void AddRow(const MeasuredRun& run, const MeasuredChannel& measured, const ChannelResponse& modelled, std::size_t i,
+            bool in_band, CsvWriter& csv) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const bool has_mean = !measured.mean.empty();
+  csv.Add(run.name).Add(measured.name).Add(measured.unit).Add(run.excitation.frequency_Hz[i]);
+  csv.Add(run.excitation.amplitude_m[i]).Add(in_band ? 1 : 0);
+  csv.Add(std::abs(measured.response[i])).Add(std::abs(modelled.response[i]));
+  csv.Add(PhaseDeg(measured.response[i])).Add(PhaseDeg(modelled.response[i]));
+  csv.Add(has_mean ? measured.mean[i] : none).Add(has_mean ? modelled.mean[i] : none);
+}
+
+}  // namespace
+
+std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, const std::vector<Sensor>& sensors,
+                                                 const std::vector<MeasuredRun>& runs) {
+  std::vector<FrequencyResponse> responses;
+  for (const MeasuredRun& run : runs) {
+    PeriodicResponse periodic = SolveHarmonicBalance(model, sensors, run.excitation);
+    if (!periodic.unconverged_Hz.empty())
+      throw std::runtime_error("no periodic response at " + std::to_string(periodic.unconverged_Hz[0]) + " Hz of '" +
+                               run.name + "'");
+    responses.push_back(std::move(periodic.response));
+  }
+  return responses;
+}
+
+std::string ResponseCsv(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
+                        double lower_Hz, double upper_Hz) {
+  CsvWriter csv({"recording", "channel", "unit", "frequency_Hz", "post_amplitude_m", "in_band", "gain_measured",
+                 "gain_modelled", "phase_measured_deg", "phase_modelled_deg", "mean_measured", "mean_modelled"});
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    for (const MeasuredChannel& channel : runs[r].channels)
+      for (std::size_t i = 0; i < channel.response.size(); ++i) {
+        const double f = runs[r].excitation.frequency_Hz[i];
+        AddRow(runs[r], channel, modelled[r].channels[channel.sensor], i, f >= lower_Hz && f <= upper_Hz, csv);
+      }
+  return csv.text();
+}
+
+}  // namespace fourpost

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/frequency_response.h"
+#include "identify/four_post_data.h"
+#include "vehicles/condensed_model.h"
+#include "vehicles/vehicle.h"
+
+namespace fourpost {
+
+/// What the model answers to the excitation of each run, by harmonic balance: one channel per sensor.
+/// Throws std::runtime_error when a response is not periodic.
+std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, const std::vector<Sensor>& sensors,
+                                                 const std::vector<MeasuredRun>& runs);
+
+/// Measurement and model side by side as comma-separated text: one row per recording, channel and frequency, gains and
+/// phases relative to the reference post as in the recordings, mean offsets in the channel's unit. `in_band` is 1 where
+/// `lower_Hz <= f <= upper_Hz`.
+std::string ResponseCsv(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
+                        double lower_Hz, double upper_Hz);
+
+}  // namespace fourpost

@@ -1,0 +1,72 @@
+#include "identify/result_json.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "identify/versions.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json NumberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json Evaluations(const EvaluationCounts& counts) {
+  Json causes = Json::object();
+  for (const auto& [cause, tally] : counts.failures) causes[std::string(FailureName(cause))] = tally.count;
+  return {{"paid", counts.paid}, {"reused", counts.reused}, {"failed", counts.failed()}, {"failures", causes}};
+}
+
+Json Parameters(const std::vector<FittedParameter>& parameters) {
+  Json list = Json::array();
+  for (const FittedParameter& parameter : parameters)
+    list.push_back({{"name", parameter.name},
+                    {"value", parameter.value},
+                    {"unit", SiUnit(parameter.dimension)},
+                    {"lower", parameter.lower},
+                    {"upper", parameter.upper},
+                    {"sd", NumberOrNull(parameter.sd)},
+                    {"at_bound", parameter.at_bound}});
+  return list;
+}
+
+Json Channels(const std::vector<ChannelMisfit>& misfits) {
+  Json list = Json::array();
+  for (const ChannelMisfit& misfit : misfits)
+    list.push_back({{"name", misfit.name}, {"rms_dB", misfit.rms_dB}, {"rms_deg", misfit.rms_deg}});
+  return list;
+}
+
+Json Identifiability(const Covariance& covariance) {
+  return {{"rank", covariance.rank},
+          {"parameters", covariance.directions.cols()},
+          {"condition", NumberOrNull(covariance.condition)},
+          {"sd_inflation", covariance.inflation}};
+}
+
+}  // namespace
+
+std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit,
+                       const std::vector<ChannelMisfit>& misfits) {
+  Json versions = Json::object();
+  for (const auto& [name, version] : Versions()) versions[name] = version;
+  const Json json = {{"termination", FitEndName(fit.end)},
+                     {"message", fit.message},
+                     {"study", study.study.file.filename().string()},
+                     {"vehicle", study.vehicle.name},
+                     {"band_Hz", {study.study.band_lower_Hz, study.study.band_upper_Hz}},
+                     {"cost", NumberOrNull(fit.cost)},
+                     {"residuals", fit.residual_count},
+                     {"seed", seed},
+                     {"evaluations", Evaluations(fit.evaluations)},
+                     {"starts", {{"refined", fit.starts}, {"agreeing", fit.agreeing}}},
+                     {"identifiability", Identifiability(fit.covariance)},
+                     {"parameters", Parameters(fit.parameters)},
+                     {"channels", Channels(misfits)},
+                     {"versions", versions}};
+  return json.dump(2) + '\n';
+}
+
+}  // namespace fourpost

@@ -1,0 +1,55 @@
+#include "analysis/csv_writer.h"
+
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "analysis/csv.h"
+
+namespace fourpost {
+namespace {
+
+TEST(CsvWriter, EndsARowWhenItIsFull) {
+  CsvWriter csv({"channel", "gain"});
+  csv.Add("a_cg").Add(1.02).Add("a_sill").Add(-0.5);
+  EXPECT_EQ(csv.text(), "channel,gain\na_cg,1.02\na_sill,-0.5\n");
+}
+
+TEST(CsvWriter, LeavesAFieldEmptyForNaN) {
+  CsvWriter csv({"a", "b"});
+  csv.Add(std::numeric_limits<double>::quiet_NaN()).Add(1.0);
+  EXPECT_EQ(csv.text(), "a,b\n,1\n");
+}
+
+TEST(CsvWriter, QuotesOnlyWhatItMust) {
+  CsvWriter csv({"a"});
+  csv.Add("x y").Add("x,y").Add("\"x\"").Add(" x").Add("x\ny");
+  EXPECT_EQ(csv.text(), "a\nx y\n\"x,y\"\n\"\"\"x\"\"\"\n\" x\"\n\"x\ny\"\n");
+}
+
+TEST(CsvWriter, WritesWhatTheReaderReads) {
+  CsvWriter csv({"text", "number"});
+  csv.Add(" \"a\",\nb\t").Add(1.0 / 3);
+  Diagnostics diagnostics;
+  const std::optional<CsvTable> table = ParseCsv(csv.text(), "t.csv", diagnostics);
+  ASSERT_TRUE(table) << diagnostics.Format();
+  EXPECT_EQ(table->Text(0, 0), " \"a\",\nb\t");
+  EXPECT_EQ(table->Number(0, 1), 1.0 / 3);
+}
+
+TEST(CsvWriter, RefusesInfinity) {
+  CsvWriter csv({"a"});
+  EXPECT_THROW(csv.Add(std::numeric_limits<double>::infinity()), std::invalid_argument);
+}
+
+TEST(CsvWriter, RefusesATableWithoutColumns) { EXPECT_THROW(CsvWriter({}), std::invalid_argument); }
+
+TEST(CsvWriter, HasNoTextWithinARow) {
+  CsvWriter csv({"a", "b"});
+  csv.Add(1.0);
+  EXPECT_THROW(csv.text(), std::logic_error);
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,101 @@
+#include "vehicles/multibody.h"
+
+#include <gmock/gmock.h>
+
+#include "analysis/diagnostics.h"
+#include "tests/vehicles/shipped_vehicle.h"
+#include "vehicles/condensed_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+
+/// Mid-range values, all different from the file's.
+std::vector<double> OtherValues(const Vehicle& vehicle) {
+  std::vector<double> values;
+  for (const Parameter& parameter : vehicle.parameters) values.push_back(0.4 * parameter.lower + 0.6 * parameter.upper);
+  return values;
+}
+
+/// Any state that is not at rest.
+Eigen::VectorXd SomeState(const Multibody& multibody) {
+  Eigen::VectorXd state = multibody.RestState();
+  for (Eigen::Index i = 0; i < state.size(); ++i) state[i] += 0.01 * std::sin(1.0 + static_cast<double>(i));
+  return state;
+}
+
+void ExpectParametersEqualARebuild(const Vehicle& vehicle) {
+  const std::vector<double> values = OtherValues(vehicle);
+  const Preloads preloads = CondensedVehicle(vehicle).PreloadsAt(values);
+  Multibody changed(vehicle);
+  const std::vector<double> before = vehicle.ParameterValues();
+  changed.SetParameters(before, CondensedVehicle(vehicle).PreloadsAt(before));
+  const Eigen::VectorXd state = SomeState(changed);
+  const Eigen::VectorXd first = changed.StateDerivative(0, state);
+  changed.SetParameters(values, preloads);
+
+  Vehicle other = vehicle;
+  for (std::size_t i = 0; i < values.size(); ++i) other.parameters[i].value = values[i];
+  Multibody rebuilt(other);
+  rebuilt.SetParameters(values, preloads);
+
+  EXPECT_EQ(changed.StateDerivative(0, state), rebuilt.StateDerivative(0, state));
+  EXPECT_NE(changed.StateDerivative(0, state), first);
+}
+
+TEST(Multibody, ChangedParametersEqualARebuild) {
+  ExpectParametersEqualARebuild(ShippedVehicle("landrover110_linkage"));
+}
+
+TEST(Multibody, ChangedParametersOfASeriesDamperEqualARebuild) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.dampers[0].series_stiffness = Scalar{.parameter = 2, .factor = 10};
+  ExpectParametersEqualARebuild(vehicle);
+}
+
+TEST(Multibody, PostsMoveTheTyres) {
+  const Vehicle vehicle = ShippedVehicle("quarter_car");
+  const std::vector<double> values = vehicle.ParameterValues();
+  Multibody multibody(vehicle);
+  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
+  multibody.SetPostMotion([](double, std::span<double> height, std::span<double>) { height[0] = 0.01; });
+  const Eigen::VectorXd derivative = multibody.StateDerivative(0, multibody.RestState());
+  // kt z / m_u of the thesis's table: 230 kN/m, 10 mm, 22 kg.
+  EXPECT_NEAR(derivative.tail(2).maxCoeff(), 230e3 * 0.01 / 22, 1e-9);
+  multibody.SetPostMotion(nullptr);
+  EXPECT_LT(multibody.StateDerivative(0, multibody.RestState()).norm(), 1e-11);  // rounding of 2 kN on 22 kg
+}
+
+TEST(Multibody, NamesALoopThatCannotBeClosed) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  Ball ball;
+  ball.name = "too_far";
+  ball.parent = {0, {0.5, 0, 0}};
+  ball.child = {1, {0, 0, 0}};
+  ball.source_line = 17;
+  vehicle.balls.push_back(ball);
+  try {
+    const Multibody multibody(vehicle);
+    FAIL() << "the loop was closed";
+  } catch (const FaultyInput& fault) {
+    EXPECT_THAT(fault.what(), HasSubstr(":17: error: the loop cannot be closed"));
+    EXPECT_THAT(fault.what(), HasSubstr("fp:ball 'too_far'"));
+    // Half a metre to the side; up and down the slider can follow.
+    EXPECT_THAT(fault.what(), HasSubstr("stay 500 mm apart"));
+  }
+}
+
+TEST(Multibody, ClosesALoopFromAPoseThatIsOpen) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  Ball ball;
+  ball.parent = {0, {0, 0, 0.25}};
+  ball.child = {1, {0, 0, 0}};
+  vehicle.balls.push_back(ball);
+  Multibody multibody(vehicle);
+  multibody.SetPose(multibody.design_pose());
+  EXPECT_NEAR(multibody.LinkPose(1).translation().z(), 0.25, 1e-12);  // the assembly's own threshold
+}
+
+}  // namespace
+}  // namespace fourpost

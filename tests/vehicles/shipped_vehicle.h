@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "analysis/diagnostics.h"
+#include "vehicles/vehicle.h"
+#include "vehicles/vehicle_file.h"
+
+namespace fourpost {
+
+/// A vehicle of urdf/, which must read without a finding.
+inline Vehicle ShippedVehicle(const std::string& name) {
+  Diagnostics diagnostics;
+  const std::optional<Vehicle> vehicle =
+      ReadVehicle(std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / (name + ".urdf"), diagnostics);
+  EXPECT_EQ(diagnostics.Format(), "");
+  return vehicle.value();
+}
+
+/// Gives a parameter another value.
+inline void Set(Vehicle& vehicle, const std::string& parameter, double value) {
+  for (Parameter& candidate : vehicle.parameters)
+    if (candidate.name == parameter) {
+      candidate.value = value;
+      return;
+    }
+  ADD_FAILURE() << "no parameter " << parameter;
+}
+
+}  // namespace fourpost

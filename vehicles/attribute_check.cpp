@@ -1,0 +1,75 @@
+#include "vehicles/attribute_check.h"
+
+#include <algorithm>
+
+#include "analysis/nearest.h"
+#include "analysis/number.h"
+#include "vehicles/tag.h"
+
+namespace fourpost {
+namespace {
+
+bool IsNameCharacter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+}
+
+/// What is wrong with a plain number; empty: nothing.
+std::string NumberFault(std::string_view text, Sign sign) {
+  const std::optional<double> number = ParseNumber(Trimmed(text));
+  if (!number) return "is not a plain number";
+  return Obeys(*number, sign) ? "" : SignDemand(sign);
+}
+
+std::string VectorFault(std::string_view text, bool must_point) {
+  const std::optional<Eigen::Vector3d> vector = ParseVector(text);
+  if (!vector) return "must be three numbers, such as \"0 0 1\"";
+  return must_point && vector->isZero(0) ? "must not be zero: it is a direction" : "";
+}
+
+std::string ChoiceFault(const std::string& text, const std::vector<std::string_view>& choices) {
+  if (std::find(choices.begin(), choices.end(), text) != choices.end()) return "";
+  return "must be one of " + Joined(choices) + DidYouMean(text, choices);
+}
+
+std::string Fault(const AttributeRule& rule, const std::string& text) {
+  if (Trimmed(text).empty()) return "is empty";
+  switch (rule.kind) {
+    case AttributeKind::kName:
+      return std::all_of(text.begin(), text.end(), IsNameCharacter) ? "" : "may hold letters, digits, '_', '-' and '.' only";
+    case AttributeKind::kNumber: return NumberFault(text, rule.sign);
+    case AttributeKind::kVector: return VectorFault(text, false);
+    case AttributeKind::kDirection: return VectorFault(text, true);
+    case AttributeKind::kChoice: return ChoiceFault(text, rule.choices);
+    default: return "";
+  }
+}
+
+}  // namespace
+
+void CheckAttribute(const tinyxml2::XMLElement& element, const AttributeRule& rule, const std::string& text, int line,
+                    FileFaults& faults) {
+  const std::string fault = Fault(rule, text);
+  if (fault.empty()) return;
+  faults.Error(line, std::string(rule.name) + "=\"" + text + "\" of " + Describe(element) + " " + fault);
+}
+
+std::string Expectation(const AttributeRule& rule) {
+  if (rule.kind == AttributeKind::kScalar)
+    return ", a " + DimensionName(rule.dimension) + " such as \"1 " + SiUnit(rule.dimension) + "\"";
+  if (rule.kind == AttributeKind::kVector || rule.kind == AttributeKind::kDirection) return ", such as \"0 0 1\"";
+  return rule.doc.empty() ? "" : ": " + std::string(rule.doc);
+}
+
+std::string SignDemand(Sign sign) { return sign == Sign::kPositive ? "must be above zero" : "must not be negative"; }
+
+bool Obeys(double number, Sign sign) {
+  return sign == Sign::kAny || number > 0 || (sign == Sign::kNotNegative && number == 0);
+}
+
+std::string Joined(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+}  // namespace fourpost

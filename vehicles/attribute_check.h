@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tinyxml2.h>
+
+#include "vehicles/file_faults.h"
+#include "vehicles/tag_table.h"
+
+namespace fourpost {
+
+/// Checks a text against its rule as far as that can be done without the rest of the file: names, plain numbers,
+/// vectors and choices.
+void CheckAttribute(const tinyxml2::XMLElement& element, const AttributeRule& rule, const std::string& text, int line,
+                    FileFaults& faults);
+
+/// What belongs into an attribute that is missing, to end a message with: ", such as "1 N/m"".
+std::string Expectation(const AttributeRule& rule);
+
+/// "must not be negative", "must be above zero".
+std::string SignDemand(Sign sign);
+bool Obeys(double number, Sign sign);
+
+/// "a, b, c".
+std::string Joined(const std::vector<std::string_view>& names);
+
+}  // namespace fourpost

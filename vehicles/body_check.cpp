@@ -1,0 +1,87 @@
+#include "vehicles/body_check.h"
+
+#include <algorithm>
+#include <set>
+
+#include <Eigen/Eigenvalues>
+
+namespace fourpost {
+namespace {
+
+Eigen::Matrix3d InertiaAt(const Link& link, std::span<const double> parameters) {
+  std::array<double, 6> i{};
+  for (std::size_t k = 0; k < i.size(); ++k) i[k] = link.inertia[k].At(parameters);
+  Eigen::Matrix3d inertia;
+  inertia << i[0], i[3], i[4],  //
+      i[3], i[1], i[5],         //
+      i[4], i[5], i[2];
+  return inertia;
+}
+
+/// Principal moments obey the triangle inequality, since each is a sum of two of three non-negative second moments.
+bool IsPhysical(const Eigen::Matrix3d& inertia) {
+  // Rounding of the numbers of a file and of the eigenvalues.
+  constexpr double kSlack = 1e-9;
+  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  const double slack = kSlack * moments.cwiseAbs().maxCoeff();
+  return moments[0] >= -slack && moments[0] + moments[1] >= moments[2] - slack;
+}
+
+std::vector<std::size_t> ParametersOf(const Link& link) {
+  std::set<std::size_t> indices;
+  for (const Scalar& number : link.inertia)
+    if (number.parameter >= 0) indices.insert(static_cast<std::size_t>(number.parameter));
+  return {indices.begin(), indices.end()};
+}
+
+/// The set of physical inertias is convex: when the corners of the bounds are in it, everything between is.
+bool IsPhysicalWithinBounds(const Vehicle& vehicle, const Link& link) {
+  const std::vector<std::size_t> indices = ParametersOf(link);
+  std::vector<double> values = vehicle.ParameterValues();
+  for (unsigned corner = 0; corner < 1U << indices.size(); ++corner) {
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      const Parameter& parameter = vehicle.parameters[indices[i]];
+      values[indices[i]] = (corner >> i & 1U) != 0 ? parameter.upper : parameter.lower;
+    }
+    if (!IsPhysical(InertiaAt(link, values))) return false;
+  }
+  return true;
+}
+
+void CheckInertia(const Vehicle& vehicle, const Link& link, FileFaults& faults) {
+  const std::vector<double> values = vehicle.ParameterValues();
+  const Eigen::Matrix3d inertia = InertiaAt(link, values);
+  const std::string rule = ": of the principal moments, none may exceed the sum of the other two";
+  if (link.mass.At(values) <= 0 && !inertia.isZero(0))
+    faults.Error(link.line, "link '" + link.name + "' has inertia but no mass");
+  else if (!IsPhysical(inertia))
+    faults.Error(link.line, "link '" + link.name + "' has an inertia that no body has" + rule);
+  else if (!IsPhysicalWithinBounds(vehicle, link))
+    faults.Error(link.line, "link '" + link.name + "' has an inertia that no body has at some of its parameters' bounds" +
+                                rule + "; bind another of its moments as well, or narrow the bounds");
+}
+
+/// Mass of each link with all that it carries.
+std::vector<double> CarriedMasses(const Vehicle& vehicle) {
+  const std::vector<double> values = vehicle.ParameterValues();
+  std::vector<double> masses;
+  for (const Link& link : vehicle.links) masses.push_back(link.mass.At(values));
+  for (auto joint = vehicle.joints.rbegin(); joint != vehicle.joints.rend(); ++joint)
+    masses[static_cast<std::size_t>(joint->parent)] += masses[static_cast<std::size_t>(joint->child)];
+  return masses;
+}
+
+}  // namespace
+
+void CheckBodies(const Vehicle& vehicle, FileFaults& faults) {
+  for (const Link& link : vehicle.links) CheckInertia(vehicle, link, faults);
+  const std::vector<double> masses = CarriedMasses(vehicle);
+  for (const Joint& joint : vehicle.joints) {
+    const Link& link = vehicle.links[static_cast<std::size_t>(joint.child)];
+    if (joint.type != Joint::Type::kFixed && masses[static_cast<std::size_t>(joint.child)] <= 0)
+      faults.Error(link.line, "joint '" + joint.name + "' moves link '" + link.name +
+                                  "', but neither it nor what it carries has a mass");
+  }
+}
+
+}  // namespace fourpost

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vehicles/file_faults.h"
+#include "vehicles/tag.h"
+#include "vehicles/vehicle.h"
+
+namespace fourpost {
+
+/// Reads the parameters of a file and the numbers that refer to them.
+class ParameterReader {
+ public:
+  ParameterReader(const tinyxml2::XMLElement& robot, FileFaults& faults);
+
+  const std::vector<Parameter>& parameters() const { return parameters_; }
+
+  /// The number in an attribute of the kind kScalar: "32 N/mm" or "0.5*$k". Zero with a fault when it cannot be read.
+  Scalar ReadScalar(const Tag& tag, std::string_view attribute);
+
+  /// Ties a number of the tree, `literal` in the file, to the parameter of this `<fp:bind>`.
+  Scalar Bind(const Tag& bind, double literal, const Dimension& dimension);
+
+  /// The least value that a number takes within the bounds of its parameter.
+  double Least(const Scalar& scalar) const;
+
+  /// Reports parameters that nothing refers to.
+  void CheckUse() const;
+
+ private:
+  Parameter ReadParameter(const Tag& tag) const;
+  void ReadBounds(const Tag& tag, Parameter& parameter) const;
+  const Parameter& Use(int index);
+  Scalar ReadReference(const Tag& tag, const AttributeRule& rule, std::string_view text);
+  void CheckSign(const Tag& tag, const AttributeRule& rule, const std::string& text, const Scalar& scalar) const;
+  std::vector<std::string> Names() const;
+
+  FileFaults& faults_;
+  std::vector<Parameter> parameters_;
+  std::map<std::string, int, std::less<>> index_;
+  std::vector<bool> used_;
+  /// Read without a fault of its own, so that what refers to it can be judged.
+  std::vector<bool> sound_;
+};
+
+}  // namespace fourpost

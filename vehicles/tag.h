@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+#include <tinyxml2.h>
+
+#include "vehicles/tag_table.h"
+
+namespace fourpost {
+
+/// An element of a vehicle file with the rule for its form.
+struct Tag {
+  const tinyxml2::XMLElement* element = nullptr;
+  const TagRule* rule = nullptr;
+
+  int Line() const { return element->GetLineNum(); }
+  /// Line of the attribute; of the element when it is left out.
+  int Line(std::string_view attribute) const;
+  /// The attribute's text or its fallback; empty when there is neither.
+  std::string Text(std::string_view attribute) const;
+};
+
+/// The element's attribute; nothing when it is left out.
+std::optional<std::string> AttributeText(const tinyxml2::XMLElement& element, std::string_view attribute);
+
+/// The rule for an element with this path; nullptr for an unknown tag or form.
+const TagRule* FormOf(const tinyxml2::XMLElement& element, std::string_view path);
+
+/// Child elements, all or those with this name.
+std::vector<const tinyxml2::XMLElement*> Children(const tinyxml2::XMLElement& parent, const char* name = nullptr);
+
+/// The parent's tags of this path that have a legal form.
+std::vector<Tag> TagsOf(const tinyxml2::XMLElement& parent, std::string_view path);
+
+/// How messages call an element: "fp:spring 'coil'", "<mass> of link 'body'".
+std::string Describe(const tinyxml2::XMLElement& element);
+
+/// Three finite numbers separated by blanks, no more.
+std::optional<Eigen::Vector3d> ParseVector(std::string_view text);
+
+/// Without blanks at both ends.
+std::string_view Trimmed(std::string_view text);
+
+}  // namespace fourpost

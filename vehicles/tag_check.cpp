@@ -1,0 +1,173 @@
+#include "vehicles/tag_check.h"
+
+#include <map>
+#include <set>
+
+#include "analysis/nearest.h"
+#include "vehicles/attribute_check.h"
+#include "vehicles/tag.h"
+
+namespace fourpost {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// "fp" of "fp:spring"; empty without a prefix.
+std::string_view PrefixOf(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
+}
+
+bool IsForeign(std::string_view name) { return !PrefixOf(name).empty() && PrefixOf(name) != "fp"; }
+
+/// Walks through the file for what concerns prefixes.
+class PrefixCheck {
+ public:
+  explicit PrefixCheck(FileFaults& faults) : faults_(faults) {}
+
+  void Walk(const XMLElement& element) {
+    if (IsForeign(element.Name())) {
+      Warn(PrefixOf(element.Name()), element.GetLineNum());
+      return;
+    }
+    own_used_ = own_used_ || PrefixOf(element.Name()) == "fp";
+    for (const auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
+      const std::string_view prefix = PrefixOf(attribute->Name());
+      if (!prefix.empty() && prefix != "xmlns" && prefix != "xml" && prefix != "fp")
+        Warn(prefix, attribute->GetLineNum());
+    }
+    for (const XMLElement* child : Children(element)) Walk(*child);
+  }
+
+  void CheckDeclaration(const XMLElement& robot) {
+    const std::string wanted = std::string("xmlns:fp=\"") + kNamespace + "\"";
+    const std::optional<std::string> declared = AttributeText(robot, "xmlns:fp");
+    if (declared && *declared != kNamespace)
+      faults_.Error(robot.GetLineNum(), "xmlns:fp is \"" + *declared + "\", expected " + wanted);
+    if (!declared && own_used_)
+      faults_.Error(robot.GetLineNum(), "<robot> needs " + wanted + " since the file uses fp: tags");
+  }
+
+ private:
+  void Warn(std::string_view prefix, int line) {
+    if (!seen_.insert(std::string(prefix)).second) return;
+    faults_.Warning(line, "tags and attributes with the prefix '" + std::string(prefix) + ":' are ignored");
+  }
+
+  FileFaults& faults_;
+  std::set<std::string> seen_;
+  bool own_used_ = false;
+};
+
+std::vector<std::string_view> NamesOf(const std::vector<const TagRule*>& rules) {
+  std::vector<std::string_view> names;
+  for (const TagRule* rule : rules)
+    if (names.empty() || names.back() != rule->Name()) names.push_back(rule->Name());
+  return names;
+}
+
+/// The legal name that is near, or else all of them.
+std::string Suggestion(std::string_view name, const std::vector<std::string_view>& legal) {
+  for (std::string_view candidate : legal)
+    if (candidate == "fp:" + std::string(name) || "fp:" + std::string(candidate) == name)
+      return ", did you mean '" + std::string(candidate) + "'?";
+  const std::string near = DidYouMean(name, legal);
+  if (!near.empty()) return near;
+  return legal.empty() ? ": none is legal here" : "; legal: " + Joined(legal);
+}
+
+void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults& faults) {
+  std::vector<std::string_view> legal;
+  for (const AttributeRule& attribute : rule.attributes) legal.push_back(attribute.name);
+  std::set<std::string_view> seen;
+  for (const auto* given = element.FirstAttribute(); given; given = given->Next()) {
+    const std::string_view name = given->Name();
+    if (!PrefixOf(name).empty() && PrefixOf(name) != "fp") continue;
+    if (!seen.insert(name).second)
+      faults.Error(given->GetLineNum(), "attribute '" + std::string(name) + "' of " + Describe(element) + " is given twice");
+    if (const AttributeRule* attribute = FindAttribute(rule, name)) {
+      CheckAttribute(element, *attribute, given->Value(), given->GetLineNum(), faults);
+      continue;
+    }
+    faults.Error(given->GetLineNum(), "unknown attribute '" + std::string(name) + "' of " + Describe(element) +
+                                          Suggestion(name, legal));
+  }
+  for (const AttributeRule& attribute : rule.attributes)
+    if (attribute.required && !seen.contains(attribute.name))
+      faults.Error(element.GetLineNum(), Describe(element) + " needs the attribute '" + std::string(attribute.name) +
+                                             "'" + Expectation(attribute));
+}
+
+/// Children that stand too often or are missing.
+void CheckOccurrences(const XMLElement& element, std::string_view path, FileFaults& faults) {
+  std::vector<std::string_view> choices;
+  std::size_t chosen = 0;
+  for (const TagRule* rule : TagsBelow(path)) {
+    const std::string name(rule->Name());
+    const std::vector<const XMLElement*> found = Children(element, name.c_str());
+    if (rule->occurs == Occurs::kOneOfAll) {
+      choices.push_back(rule->Name());
+      chosen += found.size();
+    }
+    if (rule->occurs == Occurs::kOnce && found.empty())
+      faults.Error(element.GetLineNum(), Describe(element) + " needs a <" + name + ">");
+    if (rule->occurs != Occurs::kAny && rule->occurs != Occurs::kOneOfAll && found.size() > 1)
+      faults.Error(found[1]->GetLineNum(), Describe(element) + " has more than one <" + name + ">");
+  }
+  if (!choices.empty() && chosen != 1)
+    faults.Error(element.GetLineNum(), Describe(element) + " needs just one of " + Joined(choices));
+}
+
+void ReportForm(const XMLElement& element, std::string_view path, FileFaults& faults) {
+  std::vector<std::string_view> types;
+  for (const TagRule* rule : FindTags(path)) types.push_back(rule->type);
+  const std::optional<std::string> type = AttributeText(element, "type");
+  if (!type)
+    faults.Error(element.GetLineNum(), Describe(element) + " needs the attribute 'type': " + Joined(types));
+  else
+    faults.Error(element.GetLineNum(), "unknown type '" + *type + "' of " + Describe(element) + Suggestion(*type, types));
+}
+
+void CheckElement(const XMLElement& element, const std::string& above, FileFaults& faults) {
+  if (IsForeign(element.Name())) return;
+  const std::string path = above.empty() ? element.Name() : above + "/" + element.Name();
+  if (FindTags(path).empty()) {
+    const std::string place = above.empty() ? "" : " in " + Describe(*element.Parent()->ToElement());
+    faults.Error(element.GetLineNum(), "unknown tag <" + std::string(element.Name()) + ">" + place +
+                                           Suggestion(element.Name(), NamesOf(TagsBelow(above))));
+    return;
+  }
+  const TagRule* rule = FormOf(element, path);
+  if (!rule) return ReportForm(element, path, faults);
+  if (rule->opaque) return;
+  CheckAttributes(element, *rule, faults);
+  for (const XMLElement* child : Children(element)) CheckElement(*child, path, faults);
+  CheckOccurrences(element, path, faults);
+}
+
+void CheckNames(const XMLElement& robot, FileFaults& faults) {
+  std::map<std::pair<std::string, std::string>, int> lines;
+  for (const XMLElement* element : Children(robot)) {
+    const TagRule* rule = FormOf(*element, element->Name());
+    const std::optional<std::string> name = AttributeText(*element, "name");
+    if (!rule || rule->opaque || !name) continue;
+    const auto [first, is_new] = lines.try_emplace({element->Name(), *name}, element->GetLineNum());
+    if (is_new) continue;
+    faults.Error(element->GetLineNum(),
+                 Describe(*element) + " is already defined in line " + std::to_string(first->second));
+  }
+}
+
+}  // namespace
+
+void CheckTags(const XMLElement& robot, FileFaults& faults) {
+  PrefixCheck prefixes(faults);
+  prefixes.Walk(robot);
+  prefixes.CheckDeclaration(robot);
+  if (AttributeText(robot, "name").value_or("").empty())
+    faults.Error(robot.GetLineNum(), "<robot> needs the attribute 'name'");
+  for (const XMLElement* child : Children(robot)) CheckElement(*child, "", faults);
+  CheckNames(robot, faults);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "vehicles/file_faults.h"
+#include "vehicles/parameter_reader.h"
+#include "vehicles/urdf_tree.h"
+#include "vehicles/vehicle.h"
+
+namespace fourpost {
+
+/// A number of the tree that follows a parameter.
+struct TreeBinding {
+  /// Position in UrdfTree::links.
+  int link = -1;
+  /// 0 for the mass, 1 to 6 for Link::inertia.
+  int number = 0;
+  Scalar scalar;
+};
+
+/// Attributes of `<inertia>` in the order of Link::inertia.
+inline constexpr const char* kInertiaNames[] = {"ixx", "iyy", "izz", "ixy", "ixz", "iyz"};
+
+/// Reads every `<fp:bind>`; reports paths to nowhere and numbers bound twice.
+std::vector<TreeBinding> ReadTreeBindings(const tinyxml2::XMLElement& robot, const UrdfTree& tree,
+                                          ParameterReader& parameters, FileFaults& faults);
+
+/// Ties the numbers of the vehicle's links to their parameters.
+void Apply(const std::vector<TreeBinding>& bindings, Vehicle& vehicle);
+
+}  // namespace fourpost

@@ -1,0 +1,125 @@
+#include "vehicles/urdf_tree.h"
+
+#include <algorithm>
+#include <map>
+
+#include "analysis/nearest.h"
+#include "vehicles/tag.h"
+
+namespace fourpost {
+namespace {
+
+using tinyxml2::XMLElement;
+
+std::string NameOf(const XMLElement& element) { return AttributeText(element, "name").value_or(""); }
+
+/// The link at an end ("parent", "child") of a joint; empty when it is not given.
+std::string End(const XMLElement& joint, const char* end) {
+  const XMLElement* found = joint.FirstChildElement(end);
+  return found ? AttributeText(*found, "link").value_or("") : "";
+}
+
+class TreeReader {
+ public:
+  TreeReader(const XMLElement& robot, FileFaults& faults)
+      : faults_(faults), joints_(Children(robot, "joint")), tree_{.links = Children(robot, "link"), .joints = {}} {}
+
+  UrdfTree Read() {
+    for (const XMLElement* joint : joints_) {
+      CheckEnd(*joint, "parent");
+      CheckEnd(*joint, "child");
+      AddParent(*joint);
+    }
+    PutGroundFirst();
+    OrderJoints();
+    return tree_;
+  }
+
+ private:
+  void CheckEnd(const XMLElement& joint, const char* end) {
+    const std::string link = End(joint, end);
+    if (link.empty() || tree_.FindLink(link) >= 0) return;
+    faults_.Error(joint.FirstChildElement(end)->GetLineNum(), Describe(joint) + " has the unknown " + end + " link '" +
+                                                                  link + "'" + DidYouMean(link, tree_.LinkNames()));
+    sound_ = false;
+  }
+
+  void AddParent(const XMLElement& joint) {
+    const std::string child = End(joint, "child");
+    if (child.empty() || End(joint, "parent").empty()) {
+      sound_ = false;
+      return;
+    }
+    const auto [first, is_new] = parent_joint_.try_emplace(child, &joint);
+    if (is_new) return;
+    faults_.Error(joint.GetLineNum(), "link '" + child + "' has two parents: " + Describe(*first->second) + " and " +
+                                          Describe(joint) + "; close a loop with fp:rod or fp:ball");
+    sound_ = false;
+  }
+
+  void PutGroundFirst() {
+    const auto is_root = [&](const XMLElement* link) { return !parent_joint_.contains(NameOf(*link)); };
+    const auto ground = std::find_if(tree_.links.begin(), tree_.links.end(), is_root);
+    if (ground == tree_.links.end()) {
+      faults_.Error(0, tree_.links.empty() ? "there is no link" : "there is no ground: every link is the child of a joint");
+      sound_ = false;
+      return;
+    }
+    std::rotate(tree_.links.begin(), ground, ground + 1);
+    CheckGround(*tree_.links.front());
+    for (std::size_t i = 1; i < tree_.links.size(); ++i) {
+      if (!is_root(tree_.links[i])) continue;
+      // A joint with a fault of its own may be what is missing here.
+      if (sound_)
+        faults_.Error(tree_.links[i]->GetLineNum(), Describe(*tree_.links[i]) + " is the child of no joint: only the ground, '" +
+                                                        NameOf(*tree_.links.front()) + "', may be so");
+    }
+  }
+
+  void CheckGround(const XMLElement& ground) {
+    if (const XMLElement* inertial = ground.FirstChildElement("inertial"))
+      faults_.Error(inertial->GetLineNum(), Describe(ground) + " is the ground and must not have an <inertial>");
+  }
+
+  /// Goes on from the ground; what it never reaches is a loop.
+  void OrderJoints() {
+    if (!sound_) return;
+    std::vector<std::string> reached;
+    for (const XMLElement* link : tree_.links)
+      if (!parent_joint_.contains(NameOf(*link))) reached.push_back(NameOf(*link));
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      for (const XMLElement* joint : joints_) {
+        if (End(*joint, "parent") != reached[i]) continue;
+        tree_.joints.push_back(joint);
+        reached.push_back(End(*joint, "child"));
+      }
+    }
+    for (const XMLElement* joint : joints_)
+      if (std::find(tree_.joints.begin(), tree_.joints.end(), joint) == tree_.joints.end())
+        faults_.Error(joint->GetLineNum(), Describe(*joint) + " is part of a loop of joints that the ground does not carry");
+  }
+
+  FileFaults& faults_;
+  std::vector<const XMLElement*> joints_;
+  UrdfTree tree_;
+  std::map<std::string, const XMLElement*> parent_joint_;
+  bool sound_ = true;
+};
+
+}  // namespace
+
+std::vector<std::string> UrdfTree::LinkNames() const {
+  std::vector<std::string> names;
+  for (const XMLElement* link : links) names.push_back(NameOf(*link));
+  return names;
+}
+
+int UrdfTree::FindLink(std::string_view name) const {
+  for (std::size_t i = 0; i < links.size(); ++i)
+    if (NameOf(*links[i]) == name) return static_cast<int>(i);
+  return -1;
+}
+
+UrdfTree ReadUrdfTree(const XMLElement& robot, FileFaults& faults) { return TreeReader(robot, faults).Read(); }
+
+}  // namespace fourpost
