@@ -45,7 +45,8 @@ std::string Diagnostics::Format() const {
   });
   std::string text;
   for (auto first = sorted.begin(); first != sorted.end();) {
-    const auto last = std::find_if(first, sorted.end(), [&](const Diagnostic* item) { return item->file != (*first)->file; });
+    const auto last =
+        std::find_if(first, sorted.end(), [&](const Diagnostic* item) { return item->file != (*first)->file; });
     const auto shown = first + std::min<std::ptrdiff_t>(last - first, kMostPerFile);
     for (auto item = first; item != shown; ++item) AddLine(fourpost::Format(**item), text);
     if (shown != last) AddLine((*first)->file + ": " + std::to_string(last - shown) + " more", text);

@@ -36,19 +36,19 @@ void CheckLeastSquares(std::size_t size, double samples_per_cycle, int count) {
   if (!(samples_per_cycle > 2.0 * count))
     throw std::invalid_argument(std::to_string(count) + " harmonics need more than " + std::to_string(2LL * count) +
                                 " samples a cycle, not " + std::to_string(samples_per_cycle));
-  const double samples = static_cast<double>(size);
-  if (!(samples >= samples_per_cycle && samples >= 2.0 * count + 1))
+  // So many are enough for the 2 count + 1 unknowns, too.
+  if (!(static_cast<double>(size) >= samples_per_cycle))
     throw std::invalid_argument(std::to_string(size) + " samples are less than a cycle of " +
                                 std::to_string(samples_per_cycle));
 }
 
 /// Rows are samples; columns 1, cos wt, sin wt, cos 2wt, ...
-Eigen::MatrixXd HarmonicBasis(Eigen::Index size, double samples_per_cycle, int count) {
+Eigen::MatrixXd HarmonicBasis(Eigen::Index size, double samples_per_cycle, Eigen::Index count) {
   Eigen::MatrixXd basis(size, 2 * count + 1);
   for (Eigen::Index n = 0; n < size; ++n) {
     basis(n, 0) = 1;
-    for (int h = 1; h <= count; ++h) {
-      const double angle = 2 * pi * h * static_cast<double>(n) / samples_per_cycle;
+    for (Eigen::Index h = 1; h <= count; ++h) {
+      const double angle = 2 * pi * static_cast<double>(h) * static_cast<double>(n) / samples_per_cycle;
       basis(n, 2 * h - 1) = std::cos(angle);
       basis(n, 2 * h) = std::sin(angle);
     }
@@ -75,12 +75,11 @@ Eigen::VectorXcd Harmonics(std::span<const double> samples, int cycles, int coun
 Eigen::VectorXcd HarmonicsByLeastSquares(std::span<const double> samples, double samples_per_cycle, int count) {
   CheckLeastSquares(samples.size(), samples_per_cycle, count);
   const Eigen::Map<const Eigen::VectorXd> signal(samples.data(), static_cast<Eigen::Index>(samples.size()));
-  const Eigen::VectorXd fitted =
-      HarmonicBasis(signal.size(), samples_per_cycle, count).householderQr().solve(signal);
+  const Eigen::VectorXd fitted = HarmonicBasis(signal.size(), samples_per_cycle, count).householderQr().solve(signal);
   Eigen::VectorXcd harmonics(count + 1);
   harmonics(0) = fitted(0);
   // Re (a - i b) exp(i x) = a cos x + b sin x.
-  for (int h = 1; h <= count; ++h) harmonics(h) = {fitted(2 * h - 1), -fitted(2 * h)};
+  for (Eigen::Index h = 1; h <= count; ++h) harmonics(h) = {fitted(2 * h - 1), -fitted(2 * h)};
   return harmonics;
 }
 

@@ -18,8 +18,7 @@ Eigen::VectorXcd Harmonics(std::span<const double> samples, int cycles, int coun
 
 /// The same for any number of samples of at least one cycle, `samples_per_cycle` = F_s / f need not be whole: the
 /// least-squares fit (QR) of 1, cos h w t, sin h w t for h = 1..count. Exact for a signal without higher harmonics.
-/// Throws std::invalid_argument unless count >= 0, samples_per_cycle > 2 count, and there is a cycle of samples and
-/// one sample for each of the 2 count + 1 unknowns.
+/// Throws std::invalid_argument unless count >= 0, samples_per_cycle > 2 count, and there is a cycle of samples.
 Eigen::VectorXcd HarmonicsByLeastSquares(std::span<const double> samples, double samples_per_cycle, int count);
 
 }  // namespace fourpost

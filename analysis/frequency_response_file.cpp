@@ -103,15 +103,12 @@ class FrequencyResponseReader {
     const std::string& text = Text(row, column);
     const std::string field = Place(row) + std::string(column);
     const std::optional<double> number = ParseNumber(text);
-    if (IsMissing(text))
-      Fault(row, field + " is missing (NaN); remove the whole frequency or repeat the measurement");
-    else if (!number)
-      Fault(row, field + " '" + text + "' is not a finite number; correct it");
+    if (IsMissing(text)) Fault(row, field + " is missing (NaN); remove the whole frequency or repeat the measurement");
+    else if (!number) Fault(row, field + " '" + text + "' is not a finite number; correct it");
     else if (!HasSign(*number, sign))
       Fault(row, field + " " + text + " must " + (sign == Sign::kPositive ? "be above zero" : "not be negative") +
                      "; correct it");
-    else
-      return *number;
+    else return *number;
     return kNaN;
   }
 
@@ -187,8 +184,7 @@ class FrequencyResponseReader {
       if (is_blank(row))
         Fault(row, Place(row) + std::string(column) +
                        " is missing, but is there at other frequencies; fill it in for all of them or for none");
-      else
-        values.push_back(ReadNumber(row, column, sign));
+      else values.push_back(ReadNumber(row, column, sign));
     }
     return values;
   }

@@ -11,16 +11,16 @@ namespace fourpost {
 /// Reads a stepped sine: one row per frequency and channel, the frequencies of a channel increasing.
 ///
 /// Columns: frequency_Hz, post_amplitude_m, channel, gain, phase_deg; and, if wanted, gain_sd, phase_sd_deg, mean,
-/// second_harmonic, unit. The response is gain * exp(i phase) per metre of the reference post; of an accelerometer it is
-/// per acceleration of that post, a pure number. `unit` is that of the channel, so of its mean and second harmonic, and,
-/// but for accelerometers, of its gain times metres: a length, a force or an acceleration. Without that column it is
-/// m/s^2 for names that begin with "a_", m for "s_" and N for "F_". Everything is converted to SI.
+/// second_harmonic, unit. The response is gain * exp(i phase) per metre of the reference post; of an accelerometer it
+/// is per acceleration of that post, a pure number. `unit` is that of the channel, so of its mean and second harmonic,
+/// and, but for accelerometers, of its gain times metres: a length, a force or an acceleration. Without that column it
+/// is m/s^2 for names that begin with "a_", m for "s_" and N for "F_". Everything is converted to SI.
 ///
 /// A blank or NaN stands for what was not measured: sd, mean and second harmonic may be blank, each for all rows of a
-/// channel. Reports all of: what ReadCsv reports, missing or unknown columns, a gain, phase, frequency or amplitude that
-/// is missing or not a number, any of them but the phase not above zero, a negative sd or second harmonic, frequencies
-/// that do not increase, two amplitudes at one frequency, a channel missing or twice at one frequency, a unit that is
-/// unknown, changes, or is not to be told from the name. Nothing when there was one.
+/// channel. Reports all of: what ReadCsv reports, missing or unknown columns, a gain, phase, frequency or amplitude
+/// that is missing or not a number, any of them but the phase not above zero, a negative sd or second harmonic,
+/// frequencies that do not increase, two amplitudes at one frequency, a channel missing or twice at one frequency, a
+/// unit that is unknown, changes, or is not to be told from the name. Nothing when there was one.
 std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::path& file, Diagnostics& diagnostics);
 
 }  // namespace fourpost

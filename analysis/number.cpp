@@ -51,7 +51,8 @@ struct Decimal {
 /// The shortest decimal that reads back to the value, which must be positive.
 Decimal ShortestDecimal(double value) {
   std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific).ptr;
   const std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
   Decimal decimal;
   const std::size_t e = text.find('e');

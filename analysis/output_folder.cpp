@@ -105,7 +105,7 @@ fs::path WithoutTrailingSlash(const fs::path& folder) { return folder.has_filena
 
 }  // namespace
 
-OutputFolder::OutputFolder(fs::path folder) {
+OutputFolder::OutputFolder(const fs::path& folder) {
   if (folder.empty()) throw OutputError("the folder for the results has no name; name one");
   try {
     // Whole, since a program may change its working directory.

@@ -20,7 +20,7 @@ class OutputFolder {
  public:
   /// Checks at once what hours of work would otherwise find out at their end. Throws OutputError unless the folder can
   /// be created, or is empty, or holds the result.json of an earlier run, and may be written to.
-  explicit OutputFolder(std::filesystem::path folder);
+  explicit OutputFolder(const std::filesystem::path& folder);
 
   /// Throws std::invalid_argument for a name that has been added already or is not that of a file in the folder.
   void Add(std::string name, std::string content);

@@ -39,8 +39,7 @@ class StaticLoadsReader {
     const std::optional<Unit> unit = ParseUnit(Text("unit"));
     if (!unit)
       Fault(measurement.name + ": the unit '" + Text("unit") + "' is not known; write one like N, kg, mm, or 1");
-    else
-      measurement.dimension = unit->dimension;
+    else measurement.dimension = unit->dimension;
     measurement.value = ReadNumber("value", unit.has_value());
     measurement.sd = ReadNumber("sd", unit.has_value());
     if (measurement.sd < 0) Fault(measurement.name + ": sd must not be negative; correct it");

@@ -147,15 +147,15 @@ std::string FormatScaled(double si, double factor, int power_of_ten) {
   std::array<char, 32> buffer;
   for (int digits = 1; digits <= 17; ++digits) {
     const auto end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific, digits - 1).ptr;
-    const std::optional<double> rounded =
-        ParseNumber({buffer.data(), static_cast<std::size_t>(end - buffer.data())});
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific, digits - 1)
+            .ptr;
+    const std::optional<double> rounded = ParseNumber({buffer.data(), static_cast<std::size_t>(end - buffer.data())});
     if (!rounded) break;
-    const std::string text = FormatNumber(*rounded, -power_of_ten);
+    std::string text = FormatNumber(*rounded, -power_of_ten);
     if (reads_back(text)) return text;
   }
   for (const double end : {-HUGE_VAL, HUGE_VAL}) {
-    const std::string text = FormatNumber(std::nextafter(value, end), -power_of_ten);
+    std::string text = FormatNumber(std::nextafter(value, end), -power_of_ten);
     if (reads_back(text)) return text;
   }
   return FormatNumber(value, -power_of_ten);

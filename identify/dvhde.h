@@ -19,7 +19,7 @@ enum class MutationBase { kRandom, kBest };
 enum class MutationFactor { kConstant, kPerGeneration, kPerGene };
 
 /// Settings of dvHDE. The defaults are the most reliable of those tried on integer, mixed and smooth problems; on smooth
-/// ones MutationBase::kBest with a factor of 0.7 needs half the evaluations, and misses more often on the others.
+/// ones MutationBase::kBest with a factor of 0.7 needs fewer evaluations, and misses more often on the others.
 struct DvhdeOptions {
   /// Equal seeds give equal results, for any number of threads.
   std::uint64_t seed = 1;

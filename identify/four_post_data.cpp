@@ -24,23 +24,35 @@ std::optional<std::size_t> IndexOf(const std::string& name, const std::vector<st
   return static_cast<std::size_t>(found - names.begin());
 }
 
-double RootMeanSquare(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value * value;
-  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+/// Root mean square over each value and its neighbours: with three repeats a frequency's own deviation is known to a
+/// factor of two only, five frequencies give it to a quarter, and noise changes little from one to the next.
+std::vector<double> PooledOverNeighbours(const std::vector<double>& values) {
+  constexpr std::size_t kReach = 2;
+  std::vector<double> pooled;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t first = i < kReach ? 0 : i - kReach;
+    const std::size_t last = std::min(i + kReach, values.size() - 1);
+    double sum = 0;
+    for (std::size_t j = first; j <= last; ++j) sum += values[j] * values[j];
+    pooled.push_back(std::sqrt(sum / static_cast<double>(last - first + 1)));
+  }
+  return pooled;
 }
 
-/// Standard deviations of one channel relative to its gain, pooled over its frequencies.
-struct PooledDeviation {
-  double gain = 0;
-  double phase_rad = 0;
+/// Standard deviations along and across the phasors of a channel.
+struct PhasorDeviation {
+  std::vector<double> radial;
+  std::vector<double> tangential;
 };
 
-PooledDeviation Pool(const ChannelResponse& channel) {
-  std::vector<double> relative;
-  for (std::size_t i = 0; i < channel.gain_sd.size(); ++i)
-    relative.push_back(channel.gain_sd[i] / std::abs(channel.response[i]));
-  return {RootMeanSquare(relative), RootMeanSquare(channel.phase_sd_rad)};
+PhasorDeviation DeviationOf(const ChannelResponse& channel) {
+  PhasorDeviation deviation;
+  const std::size_t points = channel.response.size();
+  deviation.radial = channel.gain_sd.empty() ? std::vector<double>(points, 0.0) : channel.gain_sd;
+  for (std::size_t i = 0; i < points; ++i)
+    deviation.tangential.push_back(channel.phase_sd_rad.empty() ? 0
+                                                                : std::abs(channel.response[i]) * channel.phase_sd_rad[i]);
+  return {PooledOverNeighbours(deviation.radial), PooledOverNeighbours(deviation.tangential)};
 }
 
 /// Sum of channels with their noise independent; a mean is the sum over their number.
@@ -58,12 +70,11 @@ MeasuredChannel Combine(const std::vector<const ChannelResponse*>& sources, Chan
                         });
   if (has_mean) out.mean.assign(points, 0);
   for (const ChannelResponse* source : sources) {
-    const PooledDeviation deviation = Pool(*source);
+    const PhasorDeviation deviation = DeviationOf(*source);
     for (std::size_t i = 0; i < points; ++i) {
-      const double gain = std::abs(source->response[i]);
       out.response[i] += share * source->response[i];
-      out.radial_sd[i] = std::hypot(out.radial_sd[i], share * gain * deviation.gain);
-      out.tangential_sd[i] = std::hypot(out.tangential_sd[i], share * gain * deviation.phase_rad);
+      out.radial_sd[i] = std::hypot(out.radial_sd[i], share * deviation.radial[i]);
+      out.tangential_sd[i] = std::hypot(out.tangential_sd[i], share * deviation.tangential[i]);
       if (has_mean) out.mean[i] += share * source->mean[i];
     }
   }

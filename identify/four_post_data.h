@@ -18,8 +18,8 @@ struct MeasuredChannel {
   std::string name;
   std::string unit;
   std::vector<std::complex<double>> response;
-  /// Standard deviations of the repeats along and across the response's phasor, pooled over the frequencies: three
-  /// repeats alone tell a deviation only to a factor of two.
+  /// Standard deviations of the repeats along and across the response's phasor, pooled over neighbouring frequencies;
+  /// zero where there were no repeats.
   std::vector<double> radial_sd;
   std::vector<double> tangential_sd;
   /// Mean offset [unit]; empty where not measured.

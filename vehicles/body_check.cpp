@@ -71,7 +71,49 @@ std::vector<double> CarriedMasses(const Vehicle& vehicle) {
   return masses;
 }
 
+/// Poses of the links in the ground at zero joint coordinates.
+std::vector<Eigen::Isometry3d> DesignPoses(const Vehicle& vehicle) {
+  std::vector<Eigen::Isometry3d> poses(vehicle.links.size(), Eigen::Isometry3d::Identity());
+  for (const Joint& joint : vehicle.joints)
+    poses[static_cast<std::size_t>(joint.child)] = poses[static_cast<std::size_t>(joint.parent)] * joint.pose;
+  return poses;
+}
+
+/// Finds two-ended elements whose ends coincide.
+class LengthCheck {
+ public:
+  LengthCheck(const Vehicle& vehicle, FileFaults& faults) : poses_(DesignPoses(vehicle)), faults_(faults) {}
+
+  void Check(const std::string& element, int line, const Point& parent, const Point& child, const std::string& remedy) {
+    constexpr double kShortest_m = 1e-9;
+    if (parent.link < 0 || child.link < 0 || (Place(parent) - Place(child)).norm() > kShortest_m) return;
+    faults_.Error(line, element + " has no length, so it has no direction: " + remedy);
+  }
+  void Check(const std::string& element, int line, const ForceLine& points) {
+    if (!points.axis) Check(element, line, points.parent, points.child, "move an end, or give it an axis");
+  }
+
+ private:
+  Eigen::Vector3d Place(const Point& point) const { return poses_[static_cast<std::size_t>(point.link)] * point.xyz; }
+
+  std::vector<Eigen::Isometry3d> poses_;
+  FileFaults& faults_;
+};
+
 }  // namespace
+
+void CheckLengths(const Vehicle& vehicle, FileFaults& faults) {
+  LengthCheck check(vehicle, faults);
+  for (const Spring& spring : vehicle.springs)
+    check.Check("fp:spring '" + spring.name + "'", spring.source_line, spring.line);
+  for (const Damper& damper : vehicle.dampers)
+    check.Check("fp:damper '" + damper.name + "'", damper.source_line, damper.line);
+  for (const Sensor& sensor : vehicle.sensors)
+    if (sensor.type == Sensor::Type::kStrut)
+      check.Check("fp:sensor '" + sensor.name + "'", sensor.source_line, sensor.line);
+  for (const Rod& rod : vehicle.rods)
+    check.Check("fp:rod '" + rod.name + "'", rod.source_line, rod.parent, rod.child, "move an end, or use fp:ball");
+}
 
 void CheckBodies(const Vehicle& vehicle, FileFaults& faults) {
   for (const Link& link : vehicle.links) CheckInertia(vehicle, link, faults);

@@ -9,4 +9,7 @@ namespace fourpost {
 /// and joints that move no mass.
 void CheckBodies(const Vehicle& vehicle, FileFaults& faults);
 
+/// Reports elements that act along the line between their ends when the ends coincide in the design pose.
+void CheckLengths(const Vehicle& vehicle, FileFaults& faults);
+
 }  // namespace fourpost

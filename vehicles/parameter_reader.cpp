@@ -53,14 +53,21 @@ std::optional<double> ParseFactor(std::string_view text) {
 
 }  // namespace
 
+bool Agrees(double literal, double bound) {
+  // The digits of a rounded number in a file.
+  constexpr double kEqual = 1e-9;
+  return std::abs(bound - literal) <= kEqual * std::abs(bound);
+}
+
 ParameterReader::ParameterReader(const tinyxml2::XMLElement& robot, FileFaults& faults) : faults_(faults) {
   for (const Tag& tag : TagsOf(robot, "fp:parameter")) {
     const int errors = faults_.errors();
     parameters_.push_back(ReadParameter(tag));
     sound_.push_back(faults_.errors() == errors && AttributeText(*tag.element, "value"));
+    // Even if what it binds is wrong, which is told elsewhere.
+    used_.push_back(tag.element->FirstChildElement("fp:bind") != nullptr);
     index_.try_emplace(parameters_.back().name, static_cast<int>(parameters_.size()) - 1);
   }
-  used_.resize(parameters_.size());
 }
 
 Parameter ParameterReader::ReadParameter(const Tag& tag) const {
@@ -107,11 +114,6 @@ void ParameterReader::ReadBounds(const Tag& tag, Parameter& parameter) const {
                                          tag.Text("lower") + "\" and upper=\"" + tag.Text("upper") + "\"");
 }
 
-const Parameter& ParameterReader::Use(int index) {
-  used_[static_cast<std::size_t>(index)] = true;
-  return parameters_[static_cast<std::size_t>(index)];
-}
-
 Scalar ParameterReader::ReadScalar(const Tag& tag, std::string_view attribute) {
   const AttributeRule& rule = *FindAttribute(*tag.rule, attribute);
   const std::string text = tag.Text(attribute);
@@ -140,7 +142,8 @@ Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule,
   const auto found = index_.find(name);
   if (found == index_.end())
     return fault("refers to an unknown parameter '" + std::string(name) + "'" + DidYouMean(name, Names()));
-  const Parameter& parameter = Use(found->second);
+  const Parameter& parameter = parameters_[static_cast<std::size_t>(found->second)];
+  used_[static_cast<std::size_t>(found->second)] = true;
   if (!sound_[static_cast<std::size_t>(found->second)]) return {};
   if (parameter.dimension != rule.dimension)
     return fault("refers to a " + DimensionName(parameter.dimension) + ": " + WantedDimension(rule.dimension) +
@@ -157,26 +160,28 @@ void ParameterReader::CheckSign(const Tag& tag, const AttributeRule& rule, const
   faults_.Error(tag.Line(rule.name), Quoted(rule.name, text, tag) + " " + SignDemand(rule.sign) + within);
 }
 
-Scalar ParameterReader::Bind(const Tag& bind, double literal, const Dimension& dimension) {
-  constexpr double kEqual = 1e-9;
+std::optional<Scalar> ParameterReader::Bind(const Tag& bind, double literal, const Dimension& dimension) const {
   const std::string owner = AttributeText(*bind.element->Parent()->ToElement(), "name").value_or("");
   const auto found = index_.find(owner);
   const std::optional<double> factor = ParseNumber(Trimmed(bind.Text("factor")));
-  if (found == index_.end() || !factor) return {};
-  const Parameter& parameter = Use(found->second);
-  if (!sound_[static_cast<std::size_t>(found->second)]) return {};
-  const std::string label = Quoted("to", bind.Text("to"), bind);
-  if (parameter.dimension != dimension) {
-    faults_.Error(bind.Line(), label + " is " + WantedDimension(dimension) + ", but the parameter is " +
-                                   WantedDimension(parameter.dimension));
-    return {};
-  }
-  const double bound = *factor * parameter.value;
-  if (std::abs(bound - literal) > kEqual * std::abs(bound))
-    faults_.Error(bind.Line(), label + " is " + FormatNumber(literal) + " " + SiUnit(dimension) +
-                                   " in the tree, but factor times value is " + FormatNumber(bound) + " " +
-                                   SiUnit(dimension) + ": make them equal");
-  return {.value = bound, .parameter = found->second, .factor = *factor};
+  if (found == index_.end() || !factor || !sound_[static_cast<std::size_t>(found->second)]) return std::nullopt;
+  const Parameter& parameter = parameters_[static_cast<std::size_t>(found->second)];
+  const Scalar scalar{.value = *factor * parameter.value, .parameter = found->second, .factor = *factor};
+  const std::string fault = BindFault(scalar, parameter.dimension, literal, dimension);
+  if (fault.empty()) return scalar;
+  faults_.Error(bind.Line("to"), Quoted("to", bind.Text("to"), bind) + " " + fault);
+  return std::nullopt;
+}
+
+std::string ParameterReader::BindFault(const Scalar& scalar, const Dimension& given, double literal,
+                                       const Dimension& wanted) const {
+  if (given != wanted) return "is " + WantedDimension(wanted) + ", but the parameter is " + WantedDimension(given);
+  if (!Agrees(literal, scalar.value))
+    return "is " + FormatNumber(literal) + " " + SiUnit(wanted) + " in the tree, but factor times value is " +
+           FormatNumber(scalar.value) + " " + SiUnit(wanted) + ": make them equal";
+  if (wanted == kMass && !Obeys(Least(scalar), Sign::kNotNegative))
+    return SignDemand(Sign::kNotNegative) + " over the whole range of the parameter";
+  return "";
 }
 
 double ParameterReader::Least(const Scalar& scalar) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "vehicles/vehicle.h"
 
 namespace fourpost {
+
+/// Whether a number of the tree says what the parameter bound to it says.
+bool Agrees(double literal, double bound);
 
 /// Reads the parameters of a file and the numbers that refer to them.
 class ParameterReader {
@@ -21,8 +25,8 @@ class ParameterReader {
   /// The number in an attribute of the kind kScalar: "32 N/mm" or "0.5*$k". Zero with a fault when it cannot be read.
   Scalar ReadScalar(const Tag& tag, std::string_view attribute);
 
-  /// Ties a number of the tree, `literal` in the file, to the parameter of this `<fp:bind>`.
-  Scalar Bind(const Tag& bind, double literal, const Dimension& dimension);
+  /// Ties a number of the tree, `literal` in the file, to the parameter of this `<fp:bind>`. Nothing after a fault.
+  std::optional<Scalar> Bind(const Tag& bind, double literal, const Dimension& dimension) const;
 
   /// The least value that a number takes within the bounds of its parameter.
   double Least(const Scalar& scalar) const;
@@ -33,9 +37,9 @@ class ParameterReader {
  private:
   Parameter ReadParameter(const Tag& tag) const;
   void ReadBounds(const Tag& tag, Parameter& parameter) const;
-  const Parameter& Use(int index);
   Scalar ReadReference(const Tag& tag, const AttributeRule& rule, std::string_view text);
   void CheckSign(const Tag& tag, const AttributeRule& rule, const std::string& text, const Scalar& scalar) const;
+  std::string BindFault(const Scalar& scalar, const Dimension& given, double literal, const Dimension& wanted) const;
   std::vector<std::string> Names() const;
 
   FileFaults& faults_;

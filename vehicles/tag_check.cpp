@@ -83,8 +83,7 @@ void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults&
   for (const auto* given = element.FirstAttribute(); given; given = given->Next()) {
     const std::string_view name = given->Name();
     if (!PrefixOf(name).empty() && PrefixOf(name) != "fp") continue;
-    if (!seen.insert(name).second)
-      faults.Error(given->GetLineNum(), "attribute '" + std::string(name) + "' of " + Describe(element) + " is given twice");
+    seen.insert(name);
     if (const AttributeRule* attribute = FindAttribute(rule, name)) {
       CheckAttribute(element, *attribute, given->Value(), given->GetLineNum(), faults);
       continue;
@@ -115,7 +114,7 @@ void CheckOccurrences(const XMLElement& element, std::string_view path, FileFaul
       faults.Error(found[1]->GetLineNum(), Describe(element) + " has more than one <" + name + ">");
   }
   if (!choices.empty() && chosen != 1)
-    faults.Error(element.GetLineNum(), Describe(element) + " needs just one of " + Joined(choices));
+    faults.Error(element.GetLineNum(), Describe(element) + " needs one law or shape, and no more: " + Joined(choices));
 }
 
 void ReportForm(const XMLElement& element, std::string_view path, FileFaults& faults) {

@@ -60,7 +60,7 @@ bool HasTurnedInertia(const XMLElement& link) {
 
 class BindingReader {
  public:
-  BindingReader(const UrdfTree& tree, ParameterReader& parameters, FileFaults& faults)
+  BindingReader(const UrdfTree& tree, const ParameterReader& parameters, FileFaults& faults)
       : tree_(tree), parameters_(parameters), faults_(faults) {}
 
   void Read(const Tag& bind) {
@@ -73,7 +73,9 @@ class BindingReader {
     if (binding.number > 0 && HasTurnedInertia(link))
       return Fault(bind, "needs an <inertial> without rpy: a parameter cannot follow turned axes");
     if (!seen_.insert({binding.link, binding.number}).second) return Fault(bind, "is bound twice");
-    binding.scalar = parameters_.Bind(bind, *literal, binding.number == 0 ? kMass : kInertia);
+    const std::optional<Scalar> scalar = parameters_.Bind(bind, *literal, binding.number == 0 ? kMass : kInertia);
+    if (!scalar) return;
+    binding.scalar = *scalar;
     bindings_.push_back(binding);
   }
 
@@ -101,7 +103,7 @@ class BindingReader {
   }
 
   const UrdfTree& tree_;
-  ParameterReader& parameters_;
+  const ParameterReader& parameters_;
   FileFaults& faults_;
   std::set<std::pair<int, int>> seen_;
   std::vector<TreeBinding> bindings_;
@@ -109,7 +111,7 @@ class BindingReader {
 
 }  // namespace
 
-std::vector<TreeBinding> ReadTreeBindings(const XMLElement& robot, const UrdfTree& tree, ParameterReader& parameters,
+std::vector<TreeBinding> ReadTreeBindings(const XMLElement& robot, const UrdfTree& tree, const ParameterReader& parameters,
                                           FileFaults& faults) {
   BindingReader reader(tree, parameters, faults);
   for (const Tag& parameter : TagsOf(robot, "fp:parameter"))

@@ -23,7 +23,7 @@ inline constexpr const char* kInertiaNames[] = {"ixx", "iyy", "izz", "ixy", "ixz
 
 /// Reads every `<fp:bind>`; reports paths to nowhere and numbers bound twice.
 std::vector<TreeBinding> ReadTreeBindings(const tinyxml2::XMLElement& robot, const UrdfTree& tree,
-                                          ParameterReader& parameters, FileFaults& faults);
+                                          const ParameterReader& parameters, FileFaults& faults);
 
 /// Ties the numbers of the vehicle's links to their parameters.
 void Apply(const std::vector<TreeBinding>& bindings, Vehicle& vehicle);

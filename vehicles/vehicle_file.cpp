@@ -18,16 +18,27 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Nothing, with a fault, for a text that is no XML or does not describe a robot.
+/// What tinyxml2 means by its commonest errors.
+std::string XmlFault(const tinyxml2::XMLDocument& document) {
+  switch (document.ErrorID()) {
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT: return "the file is empty";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: return "the tag that begins here is not closed by its own end tag";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE: return "an attribute has no value in quotes or is given twice";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT: return "a comment has no end";
+    default: return document.ErrorName();
+  }
+}
+
+/// Nothing, with a fault, for a text that is no XML or does not describe one robot.
 const XMLElement* ParseRobot(const std::string& text, tinyxml2::XMLDocument& document, FileFaults& faults) {
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-    const std::string name = document.ErrorName();
-    faults.Error(document.ErrorLineNum(), "not XML: " + name);
+    faults.Error(document.ErrorLineNum(), "not XML: " + XmlFault(document));
     return nullptr;
   }
   const XMLElement* root = document.RootElement();
-  if (root && std::string_view(root->Name()) == "robot") return root;
-  faults.Error(root ? root->GetLineNum() : 0, "the file must hold one <robot>");
+  const XMLElement* second = root ? root->NextSiblingElement() : nullptr;
+  if (root && !second && std::string_view(root->Name()) == "robot") return root;
+  faults.Error(second ? second->GetLineNum() : root ? root->GetLineNum() : 0, "the file must hold one <robot> and no more");
   return nullptr;
 }
 
@@ -49,6 +60,7 @@ Vehicle ReadRobot(const XMLElement& robot, const std::string& text, FileFaults& 
   if (vehicle.links.empty()) return vehicle;
   Apply(bindings, vehicle);
   CheckBodies(vehicle, faults);
+  CheckLengths(vehicle, faults);
   return vehicle;
 }
 

@@ -51,7 +51,9 @@ TEST(Csv, MayHaveARowOfUnits) {
 }
 
 TEST(Csv, TakesTheLineBreaksAndTheMarkOfWindows) {
-  const CsvTable table = ParseGood("\xEF\xBB\xBF" "f,gain\r\n1,2\r\n");
+  const CsvTable table = ParseGood(
+      "\xEF\xBB\xBF"
+      "f,gain\r\n1,2\r\n");
   EXPECT_THAT(table.names(), ElementsAre("f", "gain"));
   EXPECT_EQ(table.Text(0, 1), "2");
 }

@@ -86,7 +86,8 @@ TEST(FrequencyResponseFile, IsEmptyWhereAChannelHasOnlyBlanks) {
 }
 
 TEST(FrequencyResponseFile, TakesNaNForABlank) {
-  const FrequencyResponse response = ReadGood(Replace(Replace(kGood, "5,0.5,,", "5,0.5,NaN,nan"), "6,0.6,,", "6,0.6,NaN,nan"));
+  const FrequencyResponse response =
+      ReadGood(Replace(Replace(kGood, "5,0.5,,", "5,0.5,NaN,nan"), "6,0.6,,", "6,0.6,NaN,nan"));
   EXPECT_THAT(response.channels[2].mean, IsEmpty());
   EXPECT_THAT(response.channels[2].second_harmonic, IsEmpty());
 }
@@ -246,7 +247,8 @@ TEST(FrequencyResponseFault, ChannelTwiceAtOneFrequency) {
 }
 
 TEST(FrequencyResponseFault, NameThatDoesNotTellTheUnit) {
-  const std::string file = "frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n1,0.01,engine,1,0\n2,0.01,engine,1,0\n";
+  const std::string file =
+      "frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n1,0.01,engine,1,0\n2,0.01,engine,1,0\n";
   EXPECT_EQ(Faults(file),
             "frf.csv:2: error: the unit of engine is not to be told from its name (a_ for m/s^2, s_ for m, F_ for N); "
             "add a column 'unit'");

@@ -86,9 +86,9 @@ TEST(OutputFolder, WritesAllBytesOfALargeFile) {
 TEST(OutputFolder, RefusesFilesThatAreNotOfAnEarlierRun) {
   const TemporaryFolder temporary;
   temporary.Write("thesis.doc", "years of work");
-  EXPECT_EQ(OutputErrorOf([&] { OutputFolder output(temporary.path()); }),
-            temporary.path().string() +
-                ": holds files, but no result.json of an earlier run; name a new or an empty folder");
+  EXPECT_EQ(
+      OutputErrorOf([&] { OutputFolder output(temporary.path()); }),
+      temporary.path().string() + ": holds files, but no result.json of an earlier run; name a new or an empty folder");
 }
 
 TEST(OutputFolder, RefusesTheNameOfAFile) {
@@ -136,9 +136,10 @@ TEST(OutputFolder, IsUntouchedWithAFolderInTheWayOfAFile) {
   fs::create_directory(temporary.path() / "zeta.csv");
   OutputFolder output = TwoFiles(temporary.path());
   output.Add("zeta.csv", "1\n");
-  EXPECT_EQ(OutputErrorOf([&] { output.Commit(); }),
-            temporary.path().string() +
-                ": the results cannot be written (zeta.csv: Is a directory); remove the obstacle or name another folder");
+  EXPECT_EQ(
+      OutputErrorOf([&] { output.Commit(); }),
+      temporary.path().string() +
+          ": the results cannot be written (zeta.csv: Is a directory); remove the obstacle or name another folder");
   EXPECT_THAT(Names(temporary.path()), UnorderedElementsAre("result.json", "zeta.csv"));
   EXPECT_EQ(ReadText(temporary.path() / "result.json"), "old");
 }
@@ -150,10 +151,11 @@ TEST(OutputFolder, IsUntouchedWhenTheDiskIsFull) {
   OutputFolder output = TwoFiles(temporary.path());
   // The file that is written goes to the device that is always full.
   fs::create_symlink("/dev/full", temporary.path() / "result.json.partial");
-  EXPECT_EQ(OutputErrorOf([&] { output.Commit(); }),
-            temporary.path().string() +
-                ": the results cannot be written (result.json.partial: No space left on device); remove the obstacle or "
-                "name another folder");
+  EXPECT_EQ(
+      OutputErrorOf([&] { output.Commit(); }),
+      temporary.path().string() +
+          ": the results cannot be written (result.json.partial: No space left on device); remove the obstacle or "
+          "name another folder");
   EXPECT_THAT(Names(temporary.path()), UnorderedElementsAre("result.json"));
   EXPECT_EQ(ReadText(temporary.path() / "result.json"), "old");
 }

@@ -53,7 +53,8 @@ TEST(StaticLoadsFault, MissingColumn) {
 }
 
 TEST(StaticLoadsFault, UnknownColumn) {
-  EXPECT_EQ(Faults("quantity,unit,value,sd,note\nload,N,1,0,x\n"), "static.csv:1: error: unknown column 'note'; remove it");
+  EXPECT_EQ(Faults("quantity,unit,value,sd,note\nload,N,1,0,x\n"),
+            "static.csv:1: error: unknown column 'note'; remove it");
 }
 
 TEST(StaticLoadsFault, QuantityTwice) {
@@ -91,7 +92,8 @@ TEST(StaticLoadsFault, ValueThatIsTooLargeInSi) {
 }
 
 TEST(StaticLoadsFault, NegativeDeviation) {
-  EXPECT_EQ(Faults(Replace(kGood, "1.3", "-1.3")), "static.csv:3: error: wheelbase: sd must not be negative; correct it");
+  EXPECT_EQ(Faults(Replace(kGood, "1.3", "-1.3")),
+            "static.csv:3: error: wheelbase: sd must not be negative; correct it");
 }
 
 TEST(StaticLoadsFault, AllAreReportedAtOnce) {

@@ -1,0 +1,251 @@
+// The program as a user meets it: arguments in, text, files and exit code out.
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace fourpost {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+std::string ReadText(const fs::path& file) {
+  std::ifstream stream(file);
+  EXPECT_TRUE(stream) << file;
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+/// A copy of the shipped data in a folder of its own, in which a test may break one thing.
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / ("fourpost_command_line_" + std::string(test.name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    for (const char* part : {"urdf", "meshes", "studies"})
+      fs::copy(fs::path(FOURPOST_SOURCE_DIR) / part, folder_ / part, fs::copy_options::recursive);
+  }
+
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Outcome Run(const std::string& arguments) const {
+    const fs::path out = folder_ / "stdout.txt";
+    const fs::path err = folder_ / "stderr.txt";
+    const std::string command = std::string("cd '") + folder_.string() + "' && '" + FOURPOST_PROGRAM + "' " +
+                                arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(out), ReadText(err)};
+  }
+
+  void Replace(const fs::path& file, const std::string& what, const std::string& with) const {
+    std::string text = ReadText(folder_ / file);
+    const std::size_t at = text.find(what);
+    ASSERT_NE(at, std::string::npos) << what << " is not in " << file;
+    text.replace(at, what.size(), with);
+    std::ofstream(folder_ / file) << text;
+  }
+
+  /// A fit that must fail for its input, with this message, and leave nothing behind.
+  void ExpectRefused(const std::string& message) const {
+    const Outcome outcome = Run("fit studies/landrover110/model2.yaml -o result");
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_FALSE(fs::exists(folder_ / "result"));
+  }
+
+  static constexpr const char* kVehicle = "urdf/landrover110_linkage.urdf";
+  static constexpr const char* kStudy = "studies/landrover110/model2.yaml";
+
+  fs::path folder_;
+};
+
+TEST_F(CommandLine, FitWritesItsResultAndCheckAcceptsTheFittedVehicle) {
+  const Outcome fit = Run("fit studies/landrover110/model2.yaml -o result --seed 3 --threads 2");
+  ASSERT_EQ(fit.code, 0) << fit.err;
+  EXPECT_THAT(fit.out, HasSubstr("m_sprung"));
+  EXPECT_THAT(fit.out, HasSubstr("rms dB"));
+
+  const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
+  EXPECT_EQ(result["termination"], "converged");
+  EXPECT_EQ(result["seed"], 3);
+  EXPECT_GT(result["cost"], 0);
+  EXPECT_GT(result["evaluations"]["paid"], 300);
+  EXPECT_EQ(result["evaluations"]["failed"], 0);
+  EXPECT_TRUE(result["evaluations"].contains("reused"));
+  EXPECT_EQ(result["parameters"].size(), 12u);
+  for (const Json& parameter : result["parameters"]) {
+    EXPECT_GE(parameter["value"], parameter["lower"]);
+    EXPECT_LE(parameter["value"], parameter["upper"]);
+    EXPECT_TRUE(parameter["sd"].is_number()) << parameter;
+    EXPECT_TRUE(parameter["at_bound"].is_boolean());
+  }
+  EXPECT_EQ(result["parameters"][0]["unit"], "kg");
+  EXPECT_EQ(result["channels"].size(), 11u);
+  EXPECT_TRUE(result["versions"].contains("simbody"));
+
+  const std::string table = ReadText(folder_ / "result/response.csv");
+  // Two recordings of 64 frequencies, 11 channels, and the header.
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2 * 64 * 11 + 1);
+
+  const Outcome check = Run("check result/vehicle.urdf --json");
+  ASSERT_EQ(check.code, 0) << check.err;
+  EXPECT_EQ(check.err, "");
+  for (const Json& parameter : Json::parse(check.out)["parameters"])
+    for (const Json& fitted : result["parameters"])
+      if (fitted["name"] == parameter["name"]) EXPECT_EQ(parameter["value"], fitted["value"]);
+}
+
+TEST_F(CommandLine, FitIsTheSameForOneAndTwoThreads) {
+  const Outcome one = Run("fit studies/landrover110/model2.yaml -o one --threads 1 --json");
+  const Outcome two = Run("fit studies/landrover110/model2.yaml -o two --threads 2 --json");
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(one.out, two.out);
+  EXPECT_EQ(one.out, ReadText(folder_ / "one/result.json"));
+  EXPECT_EQ(ReadText(folder_ / "one/vehicle.urdf"), ReadText(folder_ / "two/vehicle.urdf"));
+}
+
+TEST_F(CommandLine, CheckTellsLoadsAndModes) {
+  const Outcome outcome = Run("check urdf/quarter_car.urdf --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json check = Json::parse(outcome.out);
+  EXPECT_EQ(check["dof"], 2);
+  EXPECT_EQ(check["mass"], 222);
+  EXPECT_NEAR(check["corner_loads"][0]["load_N"].get<double>(), 222 * 9.80665, 1e-9);
+  EXPECT_NEAR(check["modes"][0]["frequency_Hz"].get<double>(), 1.3647, 0.5e-4);  // specification 1.1
+  EXPECT_NEAR(check["modes"][1]["damping_ratio"].get<double>(), 0.333, 0.5e-3);
+  EXPECT_EQ(check["modes"][1]["name"], "wheel hop");
+  EXPECT_THAT(Run("check urdf/quarter_car.urdf").out, HasSubstr("wheel hop"));
+}
+
+TEST_F(CommandLine, ResponseTellsTheMisfitOfTheVehicleAsItIs) {
+  const Outcome text = Run("response studies/landrover110/model2.yaml");
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("a_axle_rear"));
+  const Json response = Json::parse(Run("response studies/landrover110/model2.yaml --json").out);
+  EXPECT_EQ(response["recordings"].size(), 2u);
+  EXPECT_EQ(response["channels"].size(), 11u);
+  const Json& first = response["recordings"][0];
+  EXPECT_EQ(first["channels"][0]["gain"].size(), first["frequency_Hz"].size());
+}
+
+TEST_F(CommandLine, RefusesAMisspeltTag) {
+  Replace(kVehicle, "<fp:tyre name=\"front_tyre\"", "<fp:tire name=\"front_tyre\"");
+  ExpectRefused("unknown tag");
+}
+
+TEST_F(CommandLine, RefusesAMisspeltAttribute) {
+  Replace(kVehicle, "stiffness=\"2*$k_front\"", "stifness=\"2*$k_front\"");
+  ExpectRefused("did you mean 'stiffness'?");
+}
+
+TEST_F(CommandLine, RefusesAMissingUnit) {
+  Replace(kVehicle, "value=\"1725 kg\"", "value=\"1725\"");
+  ExpectRefused("unit");
+}
+
+TEST_F(CommandLine, RefusesAnUnknownLink) {
+  Replace(kVehicle, "link=\"front_axle\" xyz=\"0.870 0 -0.075\"/>", "link=\"frontaxle\" xyz=\"0.870 0 -0.075\"/>");
+  ExpectRefused("did you mean 'front_axle'?");
+}
+
+TEST_F(CommandLine, RefusesALoopThatCannotBeClosed) {
+  Replace(kVehicle, "</robot>",
+          "<fp:frame name=\"far\" link=\"ground\" xyz=\"0 0.5 0\"/><fp:ball name=\"b\" parent=\"far\" "
+          "child=\"front_centre\"/>\n</robot>");
+  ExpectRefused("the loop cannot be closed");
+}
+
+TEST_F(CommandLine, RefusesANegativeMass) {
+  Replace(kVehicle, "<mass value=\"220\"/>", "<mass value=\"-220\"/>");
+  ExpectRefused("mass");
+}
+
+TEST_F(CommandLine, RefusesAMissingChannel) {
+  Replace(kStudy, "a_cg: a_cg", "a_cg: a_gc");
+  ExpectRefused("has no channel 'a_gc', did you mean 'a_cg'?");
+}
+
+TEST_F(CommandLine, RefusesNaNInTheData) {
+  Replace("studies/landrover110/bounce_frf.csv", "a_body_FL,1.01946", "a_body_FL,nan");
+  ExpectRefused("bounce_frf.csv:2: error: ");
+}
+
+TEST_F(CommandLine, RefusesAnEmptyBand) {
+  Replace(kStudy, "[0.5 Hz, 12 Hz]", "[0.1 Hz, 0.2 Hz]");
+  ExpectRefused("the band holds no frequency of recording 'bounce'");
+}
+
+TEST_F(CommandLine, RefusesAnUnknownKey) {
+  Replace(kStudy, "\nsearch:", "\nsaerch:");
+  ExpectRefused("did you mean 'search'?");
+}
+
+TEST_F(CommandLine, RefusesAKeyThatStandsTwice) {
+  Replace(kStudy, "\nsearch:", "\nband: [1 Hz, 2 Hz]\nsearch:");
+  ExpectRefused("key 'band' of the study stands twice");
+}
+
+TEST_F(CommandLine, TellsTheFaultsOfAllFilesAtOnce) {
+  Replace(kVehicle, "value=\"1725 kg\"", "value=\"1725\"");
+  Replace("studies/landrover110/bounce_frf.csv", "a_body_FL,1.01946", "a_body_FL,nan");
+  ExpectRefused("bounce_frf.csv:2: error: ");
+  ExpectRefused("landrover110_linkage.urdf:");
+}
+
+TEST_F(CommandLine, CheckRefusesAFaultyVehicle) {
+  Replace(kVehicle, "value=\"1725 kg\"", "value=\"1725\"");
+  const Outcome outcome = Run("check urdf/landrover110_linkage.urdf --json");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST_F(CommandLine, RefusesUsageItDoesNotKnow) {
+  for (const char* arguments : {"", "fitt", "fit", "check", "fit studies/landrover110/model2.yaml",
+                                "fit studies/landrover110/model2.yaml -o r --threads many", "check a.urdf --jsn"})
+    EXPECT_EQ(Run(arguments).code, 2) << arguments;
+}
+
+TEST_F(CommandLine, RefusesAMissingFile) {
+  EXPECT_EQ(Run("check nowhere.urdf").code, 3);
+  EXPECT_EQ(Run("response nowhere.yaml").code, 3);
+}
+
+TEST_F(CommandLine, DoesNotOverwriteWhatIsNotItsOwn) {
+  fs::create_directories(folder_ / "thesis");
+  std::ofstream(folder_ / "thesis/chapter1.tex") << "years of work";
+  const Outcome outcome = Run("fit studies/landrover110/model2.yaml -o thesis");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("thesis"));
+  EXPECT_EQ(ReadText(folder_ / "thesis/chapter1.tex"), "years of work");
+}
+
+TEST_F(CommandLine, ReplacesAnEarlierResult) {
+  for (int run = 0; run < 2; ++run) EXPECT_EQ(Run("fit studies/landrover110/model2.yaml -o result").code, 0);
+}
+
+TEST_F(CommandLine, AnswersHelpAndVersion) {
+  EXPECT_THAT(Run("--help").out, HasSubstr("check"));
+  EXPECT_THAT(Run("--version").out, HasSubstr("0.1.0"));
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,135 @@
+#include "identify/fit.h"
+
+#include <cmath>
+#include <random>
+
+#include <gmock/gmock.h>
+
+#include "identify/modelled_response.h"
+#include "tests/identify/shipped_study.h"
+
+namespace fourpost {
+namespace {
+
+/// Parameters away from the file's starting values, inside their ranges.
+std::vector<double> Truth(const Vehicle& vehicle) {
+  std::vector<double> truth;
+  for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
+    const Parameter& p = vehicle.parameters[i];
+    const double share = 0.25 + 0.5 * std::fmod(0.37 * static_cast<double>(i + 1), 1.0);
+    truth.push_back(p.lower + share * (p.upper - p.lower));
+  }
+  return truth;
+}
+
+/// Relative standard deviation of the twin's recordings.
+constexpr double kDeviation = 0.01;
+
+/// Recordings that the study's vehicle makes at these parameters, with `noise` times their deviations.
+LoadedStudy Twin(const std::vector<double>& truth, double noise) {
+  LoadedStudy study = ShippedStudy();
+  // Fewer frequencies: the test has to be quick.
+  study.study.band_lower_Hz = 0.9;
+  // A twin has no model error; its struts drift by a tenth of a millimetre.
+  study.study.model_error = {.gain_dB = 0, .phase_rad = 0, .mean_m = 0.1e-3};
+  const CondensedModel model = CondensedVehicle(study.vehicle).At(truth);
+  const auto responses = ModelledResponses(model, study.vehicle.sensors, study.data.runs);
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> draw(0, noise);
+  for (std::size_t r = 0; r < study.data.runs.size(); ++r)
+    for (MeasuredChannel& channel : study.data.runs[r].channels) {
+      const ChannelResponse& truth_channel = responses[r].channels[channel.sensor];
+      for (std::size_t i = 0; i < channel.response.size(); ++i) {
+        const std::complex<double> relative(kDeviation * draw(engine), kDeviation * draw(engine));
+        channel.response[i] = truth_channel.response[i] * (1.0 + relative);
+        channel.radial_sd[i] = kDeviation * std::abs(channel.response[i]);
+        channel.tangential_sd[i] = channel.radial_sd[i];
+      }
+      for (std::size_t i = 0; i < channel.mean.size(); ++i)
+        channel.mean[i] = truth_channel.mean[i] + study.study.model_error.mean_m * draw(engine);
+    }
+  for (MeasuredLoad& load : study.data.static_loads)
+    load.load_N = model.preloads.tyre[load.tyre] + load.sd_N * draw(engine);
+  return study;
+}
+
+FitOptions Options(int threads = 2) {
+  FitOptions options;
+  options.search = ThesisDvhde();
+  options.search.max_evaluations = 120;
+  options.starts = 1;
+  options.threads = threads;
+  return options;
+}
+
+TEST(Fit, RecoversTheParametersOfATwinWithoutNoise) {
+  const std::vector<double> truth = Truth(ShippedStudy().vehicle);
+  const LoadedStudy twin = Twin(truth, 0);
+  const FourPostObjective objective = twin.MakeObjective();
+  const FitResult fit = Fit(objective, Options());
+  EXPECT_EQ(fit.end, FitEnd::kConverged) << fit.message;
+  ASSERT_EQ(fit.values.size(), truth.size());
+  // The refinement stops when the cost, which is zero at the truth, no longer falls: well below a hundredth of the
+  // standard deviations, which are some tenths of a percent.
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    EXPECT_NEAR(fit.values[i] / truth[i], 1, 1e-5) << fit.parameters[i].name;
+}
+
+TEST(Fit, RecoversTheParametersOfANoisyTwinWithinTheirDeviations) {
+  const std::vector<double> truth = Truth(ShippedStudy().vehicle);
+  const LoadedStudy twin = Twin(truth, 1);
+  const FourPostObjective objective = twin.MakeObjective();
+  const FitResult fit = Fit(objective, Options());
+  EXPECT_EQ(fit.covariance.rank, static_cast<int>(truth.size()));
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    // Four standard deviations: one normal draw in 16 000 lies outside.
+    EXPECT_LT(std::abs(fit.values[i] - truth[i]), 4 * fit.parameters[i].sd) << fit.parameters[i].name;
+    EXPECT_LT(fit.parameters[i].sd, 0.05 * truth[i]) << fit.parameters[i].name << " is not determined";
+  }
+}
+
+TEST(Fit, IsTheSameForOneAndTwoThreads) {
+  const LoadedStudy study = Twin(Truth(ShippedStudy().vehicle), 1);
+  const FourPostObjective objective = study.MakeObjective();
+  const FitResult one = Fit(objective, Options(1));
+  const FitResult two = Fit(objective, Options(2));
+  EXPECT_EQ(one.cost, two.cost);
+  EXPECT_EQ(one.values, two.values);
+  EXPECT_EQ(one.evaluations.paid, two.evaluations.paid);
+  EXPECT_EQ(one.evaluations.reused, two.evaluations.reused);
+}
+
+TEST(Fit, SaysWhichParametersLieAtTheirBounds) {
+  std::vector<double> truth = Truth(ShippedStudy().vehicle);
+  LoadedStudy twin = Twin(truth, 0);
+  // Bounds that exclude the answer.
+  Parameter& mass = twin.vehicle.parameters[twin.free[0]];
+  mass.upper = 0.5 * (mass.lower + truth[twin.free[0]]);
+  mass.value = mass.lower;
+  const FourPostObjective objective = twin.MakeObjective();
+  const FitResult fit = Fit(objective, Options());
+  EXPECT_TRUE(fit.parameters[0].at_bound);
+  EXPECT_EQ(fit.parameters[0].value, mass.upper);
+}
+
+TEST(Fit, EndsWithWhatItHasWhenAsked) {
+  const LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 0);
+  const FourPostObjective objective = twin.MakeObjective();
+  int asked = 0;
+  const FitResult fit = Fit(objective, Options(), {.stop = [&] { return ++asked > 3; }});
+  EXPECT_EQ(fit.end, FitEnd::kInterrupted);
+  EXPECT_EQ(fit.values.size(), twin.vehicle.parameters.size());
+  EXPECT_GT(fit.cost, 0);
+}
+
+TEST(Fit, TellsWhenEveryEvaluationFails) {
+  LoadedStudy study = ShippedStudy();
+  for (MeasuredRun& run : study.data.runs) run.excitation.amplitude_m.assign(run.excitation.amplitude_m.size(), 1e308);
+  const FourPostObjective objective = study.MakeObjective();
+  const FitResult fit = Fit(objective, Options());
+  EXPECT_EQ(fit.end, FitEnd::kAllFailed);
+  EXPECT_THAT(fit.message, testing::HasSubstr("every evaluation failed"));
+}
+
+}  // namespace
+}  // namespace fourpost

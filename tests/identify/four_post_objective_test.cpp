@@ -1,0 +1,88 @@
+#include "identify/four_post_objective.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "analysis/decibel.h"
+#include "identify/modelled_response.h"
+#include "tests/identify/shipped_study.h"
+
+namespace fourpost {
+namespace {
+
+/// The study's vehicle and channels, with recordings that the vehicle itself would make at these parameters.
+LoadedStudy Twin(const std::vector<double>& parameters) {
+  LoadedStudy study = ShippedStudy();
+  const CondensedModel model = CondensedVehicle(study.vehicle).At(parameters);
+  const auto responses = ModelledResponses(model, study.vehicle.sensors, study.data.runs);
+  for (std::size_t r = 0; r < study.data.runs.size(); ++r)
+    for (MeasuredChannel& channel : study.data.runs[r].channels) {
+      channel.response = responses[r].channels[channel.sensor].response;
+      if (!channel.mean.empty()) channel.mean = responses[r].channels[channel.sensor].mean;
+    }
+  for (MeasuredLoad& load : study.data.static_loads) load.load_N = model.preloads.tyre[load.tyre];
+  return study;
+}
+
+Eigen::VectorXd FreeValues(const FourPostObjective& objective) {
+  const std::vector<double> all = objective.vehicle().ParameterValues();
+  Eigen::VectorXd values(static_cast<Eigen::Index>(objective.free().size()));
+  for (std::size_t i = 0; i < objective.free().size(); ++i) values[static_cast<Eigen::Index>(i)] = all[objective.free()[i]];
+  return values;
+}
+
+TEST(FourPostObjective, IsZeroForTheVehicleThatMadeTheData) {
+  const LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  const FourPostObjective objective = study.MakeObjective();
+  const Evaluation evaluation = objective.Evaluate(FreeValues(objective));
+  ASSERT_TRUE(evaluation.ok()) << evaluation.detail;
+  EXPECT_GT(evaluation.residuals.size(), 1000);
+  EXPECT_LT(evaluation.residuals.cwiseAbs().maxCoeff(), 1e-9);  // rounding over standard deviations of 1e-2
+}
+
+// A model error of one decibel, or five degrees, is worth one unit.
+TEST(FourPostObjective, WeighsGainAndPhaseByTheModelError) {
+  LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  study.study.model_error = {.gain_dB = 1, .phase_rad = RadiansFromDegrees(5)};
+  const double high = GainFromDecibel(1);
+  for (MeasuredRun& run : study.data.runs)
+    for (MeasuredChannel& channel : run.channels) {
+      // The model lies one decibel above, and to first order five degrees ahead of, what is measured now.
+      for (std::complex<double>& value : channel.response) value /= std::complex<double>(high, RadiansFromDegrees(5));
+      channel.radial_sd.assign(channel.response.size(), 0);
+      channel.tangential_sd.assign(channel.response.size(), 0);
+      channel.mean.clear();
+    }
+  study.data.static_loads.clear();
+  const FourPostObjective objective = study.MakeObjective();
+  const Evaluation evaluation = objective.Evaluate(FreeValues(objective));
+  ASSERT_TRUE(evaluation.ok());
+  for (const double residual : evaluation.residuals) EXPECT_NEAR(residual, 1, 1e-9);  // rounding
+}
+
+TEST(FourPostObjective, WeighsStaticLoadsByTheirDeviation) {
+  LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  ASSERT_EQ(study.data.static_loads.size(), 2u);
+  for (MeasuredLoad& load : study.data.static_loads) load.load_N -= 2 * load.sd_N;
+  const FourPostObjective objective = study.MakeObjective();
+  const Evaluation evaluation = objective.Evaluate(FreeValues(objective));
+  EXPECT_NEAR(evaluation.residuals.tail(2).minCoeff(), 2, 1e-9);  // rounding of 10 kN over 28 N
+  EXPECT_NEAR(evaluation.residuals.tail(2).maxCoeff(), 2, 1e-9);
+}
+
+// Specification section 5: without a force, masses, rates and dampings may all be scaled alike.
+TEST(FourPostObjective, OnlyForcesPinTheScale) {
+  const LoadedStudy twin = Twin(ShippedStudy().vehicle.ParameterValues());
+  const FourPostObjective with_forces = twin.MakeObjective();
+  LoadedStudy motions = twin;
+  motions.data.static_loads.clear();
+  for (MeasuredRun& run : motions.data.runs) std::erase_if(run.channels, [](const auto& c) { return c.unit == "N"; });
+  const FourPostObjective without_forces = motions.MakeObjective();
+  const Eigen::VectorXd scaled = 1.05 * FreeValues(with_forces);
+  EXPECT_LT(without_forces.Evaluate(scaled).residuals.cwiseAbs().maxCoeff(), 1e-6);  // rounding
+  EXPECT_GT(with_forces.Evaluate(scaled).residuals.cwiseAbs().maxCoeff(), 1);
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,160 @@
+#include "identify/lattice_simplex.h"
+
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fourpost {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// Scores from a table, 100 elsewhere; remembers what was asked, and answers at most `budget` points.
+class Scorer {
+ public:
+  explicit Scorer(std::map<LatticePoint, double> costs, std::size_t budget = 1000)
+      : costs_(std::move(costs)), budget_(budget) {}
+
+  ScorePoints Function() {
+    return [this](const std::vector<LatticePoint>& points) {
+      std::vector<Score> scores;
+      for (const LatticePoint& point : points) {
+        if (asked_.size() == budget_) break;
+        asked_.push_back(point);
+        const auto found = costs_.find(point);
+        scores.push_back({found == costs_.end() ? 100 : found->second});
+      }
+      return scores;
+    };
+  }
+
+  const std::vector<LatticePoint>& asked() const { return asked_; }
+
+ private:
+  std::map<LatticePoint, double> costs_;
+  std::size_t budget_;
+  std::vector<LatticePoint> asked_;
+};
+
+class DownhillSimplexStep : public testing::Test {
+ protected:
+  Individual Run(Scorer& scorer, int iterations = 1) const {
+    return DownhillSimplex(simplex_, lattice_, iterations, scorer.Function());
+  }
+
+  const Lattice lattice_{{{"a", 1, 101, 1}, {"b", 1, 101, 1}}};
+  // The centroid of the two better ones is (50, 40); the worst reflects to (50, 20).
+  const Population simplex_ = {{{50, 60}, {9}}, {{44, 40}, {1}}, {{56, 40}, {5}}};
+};
+
+TEST_F(DownhillSimplexStep, ExpandsWhenTheReflectionIsTheBest) {
+  Scorer scorer({{{50, 20}, 0.5}, {{50, 0 + 1}, 0.2}});
+  // The expansion, (50, 0), is kept inside the bound.
+  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 1}));
+  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 20}, LatticePoint{50, 1}));
+}
+
+TEST_F(DownhillSimplexStep, KeepsTheReflectionWhenTheExpansionIsWorse) {
+  Scorer scorer({{{50, 20}, 0.5}, {{50, 1}, 0.7}});
+  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 20}));
+}
+
+TEST_F(DownhillSimplexStep, KeepsAMiddlingReflectionWithoutMore) {
+  Scorer scorer({{{50, 20}, 3}});
+  EXPECT_EQ(Run(scorer).point, (LatticePoint{44, 40}));
+  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 20}));
+}
+
+TEST_F(DownhillSimplexStep, ContractsOutsideWhenTheReflectionBeatsTheWorstOnly) {
+  Scorer scorer({{{50, 20}, 7}, {{50, 30}, 0.5}});
+  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 30}));
+  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 20}, LatticePoint{50, 30}));
+}
+
+TEST_F(DownhillSimplexStep, ContractsInsideWhenTheReflectionIsWorst) {
+  Scorer scorer({{{50, 20}, 10}, {{50, 50}, 0.5}});
+  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 50}));
+  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 20}, LatticePoint{50, 50}));
+}
+
+TEST_F(DownhillSimplexStep, ShrinksHalfwayToTheBestWhenNothingHelps) {
+  Scorer scorer({{{50, 40}, 0.5}});
+  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 40}));
+  EXPECT_THAT(scorer.asked(),
+              ElementsAre(LatticePoint{50, 20}, LatticePoint{50, 50}, LatticePoint{50, 40}, LatticePoint{47, 50}));
+}
+
+TEST_F(DownhillSimplexStep, EndsWithTheBestWhenNoMoreIsAnswered) {
+  for (std::size_t budget = 0; budget < 4; ++budget) {
+    Scorer scorer({}, budget);
+    EXPECT_EQ(Run(scorer, 100).point, (LatticePoint{44, 40}));
+    EXPECT_EQ(scorer.asked().size(), budget);
+  }
+}
+
+TEST_F(DownhillSimplexStep, DoesNothingInNoIterations) {
+  Scorer scorer({});
+  EXPECT_EQ(Run(scorer, 0).point, (LatticePoint{44, 40}));
+  EXPECT_THAT(scorer.asked(), IsEmpty());
+}
+
+TEST(DownhillSimplex, MovesAwayFromAFailedVertex) {
+  const Lattice lattice({{"a", 1, 101, 1}});
+  const Population simplex = {{{60}, {0, Failure::kNotConverged}}, {{50}, {5}}};
+  Scorer scorer({{{40}, 1}, {{30}, 2}});
+  EXPECT_EQ(DownhillSimplex(simplex, lattice, 1, scorer.Function()).point, LatticePoint{40});
+}
+
+TEST(DownhillSimplex, FindsTheBottomOfABowlAndStaysOnTheLattice) {
+  const Lattice lattice({{"a", 1, 1001, 1}, {"b", 1, 1001, 1}});
+  const ScorePoints bowl = [&](const std::vector<LatticePoint>& points) {
+    std::vector<Score> scores;
+    for (const LatticePoint& point : points) {
+      EXPECT_TRUE(lattice.Contains(point));
+      const double a = static_cast<double>(point[0] - 700);
+      const double b = static_cast<double>(point[1] - 1001);
+      scores.push_back({a * a + 4 * b * b});
+    }
+    return scores;
+  };
+  Population start;
+  for (const LatticePoint& point : {LatticePoint{100, 100}, {300, 100}, {100, 400}}) {
+    start.push_back({point, bowl({point}).front()});
+  }
+  // On a lattice the simplex may collapse a few steps short: within 1 % of the range.
+  const Individual found = DownhillSimplex(start, lattice, 100, bowl);
+  EXPECT_LT(LatticeDistance(lattice, found.point, {700, 1001}), 0.01);
+}
+
+TEST(StartSimplex, TakesTheBestMembersAndNoneTwice) {
+  const Lattice lattice({{"a", 1, 101, 1}, {"b", 1, 101, 1}});
+  const Population population = {{{1, 1}, {4}}, {{2, 2}, {1}}, {{2, 2}, {1}}, {{3, 3}, {3}}, {{4, 4}, {2}}};
+  Scorer scorer({});
+  const Population simplex = StartSimplex(population, lattice, scorer.Function());
+  ASSERT_EQ(simplex.size(), 3u);
+  EXPECT_EQ(simplex[0].point, (LatticePoint{2, 2}));
+  EXPECT_EQ(simplex[1].point, (LatticePoint{4, 4}));
+  EXPECT_EQ(simplex[2].point, (LatticePoint{3, 3}));
+  EXPECT_THAT(scorer.asked(), IsEmpty());
+}
+
+TEST(StartSimplex, MakesMissingVerticesTowardsTheFurtherBound) {
+  const Lattice lattice({{"a", 1, 101, 1}, {"b", 1, 101, 1}, {"c", 1, 2, 1}});
+  const Population population = {{{20, 90, 2}, {1}}, {{20, 90, 2}, {1}}};
+  Scorer scorer({{{25, 90, 2}, 7}});
+  const Population simplex = StartSimplex(population, lattice, scorer.Function());
+  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{25, 90, 2}, LatticePoint{20, 85, 2}, LatticePoint{20, 90, 1}));
+  ASSERT_EQ(simplex.size(), 4u);
+  EXPECT_EQ(simplex[1].score, Score{7});
+}
+
+TEST(StartSimplex, IsSmallerWhenFewerAreAnswered) {
+  const Lattice lattice({{"a", 1, 101, 1}, {"b", 1, 101, 1}});
+  Scorer scorer({}, 1);
+  EXPECT_EQ(StartSimplex({{{20, 90}, {1}}}, lattice, scorer.Function()).size(), 2u);
+}
+
+}  // namespace
+}  // namespace fourpost

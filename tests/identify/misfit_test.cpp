@@ -1,0 +1,48 @@
+#include "identify/misfit.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+namespace fourpost {
+namespace {
+
+MeasuredRun Run(std::vector<std::complex<double>> response) {
+  MeasuredRun run;
+  run.channels.push_back({.sensor = 0, .name = "a_body", .unit = "m/s^2", .response = std::move(response)});
+  return run;
+}
+
+FrequencyResponse Modelled(std::vector<std::complex<double>> response) {
+  FrequencyResponse modelled;
+  modelled.channels.push_back({.name = "a_body", .unit = "m/s^2", .response = std::move(response)});
+  return modelled;
+}
+
+TEST(Misfit, IsTheRootMeanSquareOverFrequenciesAndRecordings) {
+  const double quarter = std::numbers::pi / 4;
+  const std::vector<ChannelMisfit> misfits =
+      Misfits({Run({1, 1}), Run({2, 2})}, {Modelled({10, 1}), Modelled({2, std::polar(2.0, quarter)})});
+  ASSERT_EQ(misfits.size(), 1u);
+  EXPECT_EQ(misfits[0].name, "a_body");
+  // One of four points is 20 dB off, one of four 45 degrees.
+  EXPECT_DOUBLE_EQ(misfits[0].rms_dB, std::sqrt(20.0 * 20.0 / 4));
+  EXPECT_DOUBLE_EQ(misfits[0].rms_deg, std::sqrt(45.0 * 45.0 / 4));
+}
+
+TEST(Misfit, TakesTheShortWayRoundTheCircle) {
+  const auto misfits = Misfits({Run({std::polar(1.0, 3.1)})}, {Modelled({std::polar(1.0, -3.1)})});
+  EXPECT_NEAR(misfits[0].rms_deg, (2 * std::numbers::pi - 6.2) * 180 / std::numbers::pi, 1e-12);  // rounding
+}
+
+TEST(Misfit, OfAGroupIsThatOfItsChannels) {
+  const std::vector<ChannelMisfit> channels = {{"a_body_front", 3, 30}, {"a_body_rear", 4, 40}, {"s_strut", 100, 100}};
+  const ChannelMisfit body = GroupMisfit(channels, "a_body");
+  EXPECT_DOUBLE_EQ(body.rms_dB, std::sqrt(12.5));
+  EXPECT_DOUBLE_EQ(body.rms_deg, std::sqrt(1250));
+  EXPECT_DOUBLE_EQ(GroupMisfit(channels, "").rms_dB, std::sqrt((9 + 16 + 1e4) / 3));
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,151 @@
+#include "identify/study.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kGood = R"(vehicle: car.urdf
+recordings:
+  - name: bounce
+    file: bounce.csv
+    posts: {front: 1, rear: -0.5}
+channels:
+  a_body: {mean: [a_left, a_right]}
+  a_axle: a_axle
+static_loads:
+  file: static.csv
+  tyres:
+    tyre: {sum: [load_left, load_right]}
+free: [k, c]
+band: [0.5 Hz, 12 Hz]
+model_error:
+  gain_dB: 0.5
+  phase: 3 deg
+  mean: 0.2 mm
+search:
+  seed: 7
+  evaluations: 400
+  population: 30
+  starts: 3
+)";
+
+class StudyTest : public testing::Test {
+ protected:
+  /// Reads the good text with `what` replaced; "" replaces nothing.
+  std::optional<Study> Read(const std::string& what = "", const std::string& with = "") {
+    std::string text = kGood;
+    if (!what.empty()) {
+      const std::size_t at = text.find(what);
+      EXPECT_NE(at, std::string::npos) << what;
+      text.replace(at, what.size(), with);
+    }
+    std::ofstream(file_) << text;
+    return ReadStudy(file_, diagnostics_);
+  }
+
+  /// The one fault of the good text with `what` replaced.
+  std::string Fault(const std::string& what, const std::string& with) {
+    diagnostics_ = {};
+    EXPECT_FALSE(Read(what, with).has_value());
+    EXPECT_EQ(diagnostics_.items().size(), 1u) << diagnostics_.Format();
+    const std::string text = diagnostics_.Format();
+    EXPECT_THAT(text, testing::StartsWith(file_.string()));
+    return text.substr(file_.string().size());
+  }
+
+  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "study_test";
+  std::filesystem::path file_ = folder_ / "study.yaml";
+  Diagnostics diagnostics_;
+
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+};
+
+TEST_F(StudyTest, ReadsEveryKey) {
+  const std::optional<Study> study = Read();
+  ASSERT_TRUE(study) << diagnostics_.Format();
+  EXPECT_EQ(study->vehicle, folder_ / "car.urdf");
+  ASSERT_EQ(study->recordings.size(), 1u);
+  EXPECT_EQ(study->recordings[0].name, "bounce");
+  EXPECT_EQ(study->recordings[0].file, folder_ / "bounce.csv");
+  EXPECT_THAT(study->recordings[0].posts, testing::ElementsAre(testing::Pair("front", 1), testing::Pair("rear", -0.5)));
+  ASSERT_EQ(study->channels.size(), 2u);
+  EXPECT_EQ(study->channels[0].first, "a_body");
+  EXPECT_EQ(study->channels[0].second.combine, ChannelSource::Combine::kMean);
+  EXPECT_THAT(study->channels[0].second.channels, testing::ElementsAre("a_left", "a_right"));
+  EXPECT_THAT(study->channels[1].second.channels, testing::ElementsAre("a_axle"));
+  EXPECT_EQ(study->static_loads_file, folder_ / "static.csv");
+  EXPECT_EQ(study->static_loads[0].second.combine, ChannelSource::Combine::kSum);
+  EXPECT_THAT(study->free, testing::ElementsAre("k", "c"));
+  EXPECT_EQ(study->band_lower_Hz, 0.5);
+  EXPECT_EQ(study->band_upper_Hz, 12);
+  EXPECT_EQ(study->model_error.gain_dB, 0.5);
+  EXPECT_DOUBLE_EQ(study->model_error.phase_rad, 3 * 3.14159265358979323846 / 180);
+  EXPECT_DOUBLE_EQ(study->model_error.mean_m, 0.2e-3);
+  EXPECT_EQ(study->search.seed, 7u);
+  EXPECT_EQ(study->search.evaluations, 400);
+  EXPECT_EQ(study->search.population, 30);
+  EXPECT_EQ(study->search.starts, 3);
+}
+
+TEST_F(StudyTest, ReportsAnUnknownKeyWithTheNearest) {
+  EXPECT_THAT(Fault("model_error:", "model_eror:"), testing::AllOf(HasSubstr(":15: error: "), HasSubstr("'model_eror'"),
+                                                      HasSubstr("did you mean 'model_error'?")));
+}
+
+TEST_F(StudyTest, ReportsAKeyThatStandsTwice) {
+  EXPECT_THAT(Fault("free: [k, c]", "free: [k, c]\nfree: [k]"),
+              testing::AllOf(HasSubstr(":14: error: "), HasSubstr("'free'"), HasSubstr("twice")));
+}
+
+TEST_F(StudyTest, ReportsAnEmptyBand) {
+  EXPECT_THAT(Fault("[0.5 Hz, 12 Hz]", "[12 Hz, 0.5 Hz]"), HasSubstr(":14: error: 'band' is empty"));
+}
+
+TEST_F(StudyTest, ReportsAMissingUnit) {
+  EXPECT_THAT(Fault("[0.5 Hz, 12 Hz]", "[0.5, 12 Hz]"), testing::AllOf(HasSubstr(":14: error: "), HasSubstr("Hz")));
+}
+
+TEST_F(StudyTest, ReportsAWrongDimension) {
+  EXPECT_THAT(Fault("0.2 mm", "0.2 kg"), testing::AllOf(HasSubstr(":18: error: "), HasSubstr("length")));
+}
+
+TEST_F(StudyTest, ReportsANumberOutOfRange) {
+  EXPECT_THAT(Fault("population: 30", "population: 2"), testing::AllOf(HasSubstr(":22: error: "), HasSubstr("4")));
+}
+
+TEST_F(StudyTest, ReportsAMissingKey) {
+  EXPECT_THAT(Fault("vehicle: car.urdf\n", ""), HasSubstr("'vehicle'"));
+}
+
+TEST_F(StudyTest, ReportsTextThatIsNotYaml) {
+  EXPECT_THAT(Fault("free: [k, c]", "free: [k, c"), HasSubstr("not YAML"));
+}
+
+TEST_F(StudyTest, ReportsTwoRecordingsOfOneName) {
+  EXPECT_THAT(Fault("channels:\n", "  - {name: bounce, file: b.csv, posts: {front: 1}}\nchannels:\n"),
+              HasSubstr(":6: error: two recordings are called 'bounce'"));
+}
+
+TEST_F(StudyTest, ReportsAllFaultsAtOnce) {
+  EXPECT_FALSE(Read("vehicle: car.urdf\nrecordings:", "vehicel: car.urdf\nrecording:").has_value());
+  EXPECT_GE(diagnostics_.items().size(), 4u) << "two unknown keys, two missing ones\n" << diagnostics_.Format();
+}
+
+TEST_F(StudyTest, ReportsAMissingFile) {
+  EXPECT_FALSE(ReadStudy(folder_ / "nowhere.yaml", diagnostics_).has_value());
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("nowhere.yaml: error: cannot read the study"));
+}
+
+TEST_F(StudyTest, ReportsAFolderInPlaceOfAFile) {
+  EXPECT_FALSE(ReadStudy(folder_, diagnostics_).has_value());
+  EXPECT_TRUE(diagnostics_.HasErrors());
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,124 @@
+#include "small_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+/// One thing broken in a good file.
+struct FaultCase {
+  std::string name;
+  std::string from;
+  std::string to;
+  /// Stands first in the line that must be named; empty: the file as a whole.
+  std::string at;
+  std::string message;
+};
+
+std::ostream& operator<<(std::ostream& out, const FaultCase& fault) { return out << fault.name; }
+
+class VehicleFaults : public VehicleFileTest, public ::testing::WithParamInterface<FaultCase> {};
+
+TEST_P(VehicleFaults, AreToldWithTheirLine) {
+  const FaultCase& fault = GetParam();
+  const std::string text = Replaced(kSmallVehicle, fault.from, fault.to);
+  EXPECT_FALSE(Read(text).has_value());
+  Expect(Severity::kError, fault.at.empty() ? 0 : LineOf(text, fault.at), fault.message);
+}
+
+std::string CaseName(const ::testing::TestParamInfo<FaultCase>& info) { return info.param.name; }
+
+const std::string kCoil = "<linear stiffness=\"0.5*$k\" preload=\"-2 kN\"/>";
+
+INSTANTIATE_TEST_SUITE_P(
+    Tags, VehicleFaults,
+    ::testing::Values(
+        FaultCase{"NotXml", "</robot>", "</robt>", "<robot", "not XML: the tag that begins here is not closed"},
+        FaultCase{"TwoRobots", "</robot>", "</robot>\n<robot name=\"b\"/>", "<robot name=\"b\"", "must hold one <robot>"},
+        FaultCase{"NoNamespace", " xmlns:fp=\"urn:fourpost:vehicle:1\"", "", "<robot", "needs xmlns:fp=\"urn:fourpost"},
+        FaultCase{"OtherNamespace", "urn:fourpost:vehicle:1", "urn:fourpost:vehicle:9", "<robot", "expected xmlns:fp="},
+        FaultCase{"NamelessRobot", " name=\"small\"", "", "<robot", "needs the attribute 'name'"},
+        FaultCase{"UnknownTag", "<fp:post name=\"post\" under=\"tyre\"/>", "<fp:pots name=\"post\" under=\"tyre\"/>",
+                  "<fp:pots", "unknown tag <fp:pots>, did you mean 'fp:post'?"},
+        FaultCase{"ForgottenPrefix", "<fp:ball ", "<ball ", "<ball ", "did you mean 'fp:ball'?"},
+        FaultCase{"UnneededPrefix", kCoil, "<fp:linear stiffness=\"$k\"/><linear stiffness=\"$k\"/>", "\"coil\"",
+                  "unknown tag <fp:linear> in fp:spring 'coil', did you mean 'linear'?"},
+        FaultCase{"UnknownChild", kCoil, kCoil + "<color/>", "<color/>", "unknown tag <color> in fp:spring 'coil'; legal: linear"},
+        FaultCase{"UnknownAttribute", "damping=\"50 N*s/m\"", "dampng=\"50 N*s/m\"", "dampng",
+                  "unknown attribute 'dampng' of fp:tyre 'tyre', did you mean 'damping'?"},
+        FaultCase{"AttributeTwice", "damping=\"50 N*s/m\"", "damping=\"50 N*s/m\" damping=\"50 N*s/m\"", "damping=\"50", "is given twice"},
+        FaultCase{"AttributeMissing", " xyz=\"0 0 -0.3\"", "", "<fp:tyre", "fp:tyre 'tyre' needs the attribute 'xyz'"},
+        FaultCase{"AttributeEmpty", "source=\"bench\"", "source=\" \"", "name=\"k\"", "is empty"},
+        FaultCase{"NoLaw", kCoil, "", "\"coil\"", "fp:spring 'coil' needs one law or shape, and no more: linear"},
+        FaultCase{"TwoLaws", "<linear rate=\"10 N*s/m\"/>",
+                  "<linear rate=\"10 N*s/m\"/><bilinear compression=\"1 N*s/m\" rebound=\"1 N*s/m\"/>", "\"hub\"",
+                  "needs one law or shape, and no more: linear, bilinear"},
+        FaultCase{"TwoSeriesSprings", "<series ", "<series stiffness=\"1 N/m\"/><series ", "<series", "more than one <series>"},
+        FaultCase{"NoSensorType", "type=\"strut\" ", "", "name=\"s\"", "needs the attribute 'type': accelerometer, displacement"},
+        FaultCase{"UnknownSensorType", "type=\"strut\"", "type=\"struts\"", "struts", "did you mean 'strut'?"},
+        FaultCase{"AttributeOfOtherSensor", "type=\"load_cell\" ", "type=\"load_cell\" link=\"body\" ", "name=\"F\"",
+                  "unknown attribute 'link' of fp:sensor 'F'"},
+        FaultCase{"DuplicateName", "name=\"helper\"", "name=\"coil\"", "stiffness=\"$k\"",
+                  "fp:spring 'coil' is already defined in line 39"}),
+    CaseName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, VehicleFaults,
+    ::testing::Values(
+        FaultCase{"UnitMissing", "stiffness=\"200 kN/m\"", "stiffness=\"200\"", "<fp:tyre",
+                  "stiffness=\"200\" of fp:tyre 'tyre' has no unit: a stiffness is needed, such as \"200 N/m\""},
+        FaultCase{"UnitUnknown", "200 kN/m", "200 kN/in", "<fp:tyre", "unknown unit 'kN/in'"},
+        FaultCase{"WrongDimension", "200 kN/m", "200 kN", "<fp:tyre", "is a force: a stiffness is needed"},
+        FaultCase{"NotANumber", "200 kN/m", "stiff", "<fp:tyre", "is not a number with a unit"},
+        FaultCase{"NotAVector", "xyz=\"0 0 -0.3\"", "xyz=\"0 0\"", "<fp:tyre", "must be three numbers"},
+        FaultCase{"ZeroAxis", "axis=\"0 0 2\"", "axis=\"0 0 0\"", "\"coil\"", "must not be zero"},
+        FaultCase{"NegativeStiffness", "200 kN/m", "-200 kN/m", "<fp:tyre", "must not be negative"},
+        FaultCase{"NegativeDamping", "compression=\"1 kN*s/m\"", "compression=\"-1 kN*s/m\"", "<bilinear", "must not be negative"},
+        FaultCase{"NegativeWithinBounds", "0.5*$k", "-$k", "\"coil\"", "must not be negative over the whole range"},
+        FaultCase{"ZeroSeriesSpring", "800 N/mm", "0 N/mm", "<series", "must be above zero"},
+        FaultCase{"ZeroRateInSeries", "compression=\"1 kN*s/m\"", "compression=\"0 kN*s/m\"", "<series",
+                  "fp:damper 'shock' has a series spring: its rates must be above zero"},
+        FaultCase{"UnknownParameter", "0.5*$k", "0.5*$q", "\"coil\"", "refers to an unknown parameter 'q'"},
+        FaultCase{"MisspeltParameter", "0.5*$k", "0.5*$m_bdoy", "\"coil\"", "did you mean 'm_body'?"},
+        FaultCase{"ParameterOfOtherDimension", "0.5*$k", "0.5*$m_body", "\"coil\"", "refers to a mass: a stiffness is needed"},
+        FaultCase{"BadReference", "0.5*$k", "0.5+$k", "\"coil\"", "or a parameter as in \"$k\""},
+        FaultCase{"ValueOutsideBounds", "value=\"15 N/mm\"", "value=\"25 N/mm\"", "name=\"k\"", "must lie between"},
+        FaultCase{"BoundOfOtherDimension", "lower=\"10 N/mm\"", "lower=\"10 N\"", "name=\"k\"", "as its value"},
+        FaultCase{"ZeroPrecision", "precision=\"0.01 N/mm\"", "precision=\"0 N/mm\"", "name=\"k\"", "must be above zero"},
+        FaultCase{"SomeBounds", " precision=\"0.01 N/mm\"", "", "name=\"k\"", "all of lower, upper and precision"},
+        FaultCase{"BadParameterName", "name=\"I_body\"", "name=\"I-body\"", "I-body", "letters, digits and '_' only"},
+        FaultCase{"UnusedParameter", "  <fp:frame", "  <fp:parameter name=\"c\" value=\"1 kg\" source=\"guess\"/>\n  <fp:frame",
+                  "name=\"c\"", "fp:parameter 'c' is not used"}),
+    CaseName);
+
+INSTANTIATE_TEST_SUITE_P(
+    References, VehicleFaults,
+    ::testing::Values(
+        FaultCase{"UnknownLink", "<fp:tyre name=\"tyre\" link=\"wheel\"", "<fp:tyre name=\"tyre\" link=\"whel\"", "<fp:tyre",
+                  "unknown link 'whel', did you mean 'wheel'?"},
+        FaultCase{"UnknownFrame", "<fp:rod name=\"link\" parent=\"top\"", "<fp:rod name=\"link\" parent=\"topp\"", "<fp:rod",
+                  "unknown frame or link 'topp', did you mean 'top'?"},
+        FaultCase{"UnknownTyre", "under=\"tyre\"", "under=\"tire\"", "<fp:post", "unknown fp:tyre 'tire', did you mean 'tyre'?"},
+        FaultCase{"TwoPostsUnderATyre", "<fp:rod", "<fp:post name=\"second\" under=\"tyre\"/>\n  <fp:rod", "\"second\"",
+                  "drives the tyre that fp:post 'post' drives already"},
+        FaultCase{"FrameNamedAsLink", "<fp:rod", "<fp:frame name=\"body\" link=\"body\" xyz=\"0 0 0\"/>\n  <fp:rod",
+                  "<fp:frame name=\"body\"", "has the name of a link"},
+        FaultCase{"BothEndsOnALink", "<fp:damper name=\"shock\" parent=\"top\" child=\"wheel\"",
+                  "<fp:damper name=\"shock\" parent=\"top\" child=\"body\"", "\"shock\"", "both ends on link 'body'"},
+        FaultCase{"SpringWithoutLength", "<fp:rod", kHelper, "\"helper2\"", "'helper2' has no length, so it has no direction"},
+        FaultCase{"RodWithoutLength", "<fp:rod", kStand + "<fp:rod name=\"r\" parent=\"stand\" child=\"wheel\"/>\n<fp:rod", "\"r\"", "or use fp:ball"},
+        FaultCase{"BindToNowhere", "link[body]/mass", "body/mass", "\"body/mass\"", "must be link[NAME]/mass"},
+        FaultCase{"BindToUnknownLink", "link[body]/mass", "link[bdy]/mass", "link[bdy]", "did you mean 'body'?"},
+        FaultCase{"BindToUnknownNumber", "link[body]/mass", "link[body]/maas", "maas", "did you mean 'mass'?"},
+        FaultCase{"BindToLinkWithoutInertial", "link[body]/mass", "link[ground]/mass", "link[ground]", "finds no such number"},
+        FaultCase{"BindOfOtherDimension", "link[body]/mass", "link[body]/inertia/ixx", "inertia/ixx",
+                  "is a inertia, but the parameter is a mass"},
+        FaultCase{"BindDisagrees", "<mass value=\"200\"/>", "<mass value=\"201\"/>", "link[body]/mass",
+                  "is 201 kg in the tree, but factor times value is 200 kg"},
+        FaultCase{"BoundTwice", "<fp:bind to=\"link[body]/mass\"/>",
+                  "<fp:bind to=\"link[body]/mass\"/>\n<fp:bind  to=\"link[body]/mass\"/>", "<fp:bind  to", "is bound twice"},
+        FaultCase{"BoundInertiaTurned", "<origin xyz=\"0.1 0 0.2\"/>", "<origin xyz=\"0.1 0 0.2\" rpy=\"0 0 1\"/>",
+                  "link[body]/inertia/iyy", "without rpy"},
+        FaultCase{"MassNegativeWithinBounds", "lower=\"150 kg\"", "lower=\"-1 kg\"", "link[body]/mass", "must not be negative"}),
+    CaseName);
+
+}  // namespace
+}  // namespace fourpost

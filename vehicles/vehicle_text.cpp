@@ -1,0 +1,135 @@
+#include <map>
+#include <stdexcept>
+
+#include <tinyxml2.h>
+
+#include "analysis/number.h"
+#include "vehicles/file_text.h"
+#include "vehicles/tag.h"
+#include "vehicles/tree_binding.h"
+#include "vehicles/vehicle_file.h"
+#include "vehicles/xml_scanner.h"
+
+namespace fourpost {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// Replaces attribute values in a text and leaves all else as it is.
+class TextEdits {
+ public:
+  TextEdits(const std::string& text, const XMLElement& root) : text_(text), tags_(ScanTags(text)) { Number(root); }
+
+  void Replace(const XMLElement& element, std::string_view attribute, const std::string& value) {
+    for (const AttributePlace& place : tags_.at(index_.at(&element)))
+      if (place.name == attribute) edits_[place.begin] = {place.end, Escaped(value, place.quote)};
+  }
+
+  std::string Result() const {
+    std::string result;
+    std::size_t done = 0;
+    for (const auto& [begin, edit] : edits_) {
+      result += text_.substr(done, begin - done) + edit.value;
+      done = edit.end;
+    }
+    return result + text_.substr(done);
+  }
+
+ private:
+  struct Edit {
+    std::size_t end = 0;
+    std::string value;
+  };
+
+  void Number(const XMLElement& element) {
+    index_.emplace(&element, index_.size());
+    for (const XMLElement* child : Children(element)) Number(*child);
+  }
+
+  static std::string Escaped(const std::string& value, char quote) {
+    std::string escaped;
+    for (const char c : value) {
+      if (c == '&')
+        escaped += "&amp;";
+      else if (c == '<')
+        escaped += "&lt;";
+      else if (c == quote)
+        escaped += quote == '"' ? "&quot;" : "&apos;";
+      else
+        escaped += c;
+    }
+    return escaped;
+  }
+
+  const std::string& text_;
+  std::vector<TagPlaces> tags_;
+  std::map<const XMLElement*, std::size_t> index_;
+  std::map<std::size_t, Edit> edits_;
+};
+
+std::string NameOf(const XMLElement& element) { return AttributeText(element, "name").value_or(""); }
+
+void ReplaceParameters(const XMLElement& robot, const Vehicle& vehicle, std::span<const double> values,
+                       TextEdits& edits) {
+  const std::vector<const XMLElement*> elements = Children(robot, "fp:parameter");
+  for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
+    for (const XMLElement* element : elements) {
+      if (NameOf(*element) != vehicle.parameters[i].name) continue;
+      const std::optional<Quantity> written = ParseQuantity(Trimmed(AttributeText(*element, "value").value_or("")));
+      if (!written || written->si != values[i])
+        edits.Replace(*element, "value", FormatQuantity(values[i], vehicle.parameters[i].unit));
+    }
+  }
+}
+
+/// Writes a number of the tree that follows a parameter, unless it is right already.
+void ReplaceBound(const XMLElement* element, std::string_view attribute, const Scalar& number,
+                  std::span<const double> values, TextEdits& edits) {
+  if (!element || number.parameter < 0) return;
+  const std::optional<double> written = ParseNumber(Trimmed(AttributeText(*element, attribute).value_or("")));
+  if (!written || !Agrees(*written, number.At(values)))
+    edits.Replace(*element, attribute, FormatNumber(number.At(values)));
+}
+
+void ReplaceInertia(const XMLElement& inertial, const Link& link, std::span<const double> values, TextEdits& edits) {
+  ReplaceBound(inertial.FirstChildElement("mass"), "value", link.mass, values, edits);
+  for (std::size_t i = 0; i < link.inertia.size(); ++i)
+    ReplaceBound(inertial.FirstChildElement("inertia"), kInertiaNames[i], link.inertia[i], values, edits);
+}
+
+void ReplaceTree(const XMLElement& robot, const Vehicle& vehicle, std::span<const double> values, TextEdits& edits) {
+  for (const XMLElement* element : Children(robot, "link")) {
+    const XMLElement* inertial = element->FirstChildElement("inertial");
+    for (const Link& link : vehicle.links)
+      if (inertial && link.name == NameOf(*element)) ReplaceInertia(*inertial, link, values, edits);
+  }
+}
+
+void ReplaceMeshes(const XMLElement& element, const std::filesystem::path& directory, TextEdits& edits) {
+  const std::optional<std::string> file = AttributeText(element, "filename");
+  if (file && std::string_view(element.Name()) == "mesh")
+    edits.Replace(element, "filename", (directory / std::filesystem::path(*file).filename()).generic_string());
+  for (const XMLElement* child : Children(element)) ReplaceMeshes(*child, directory, edits);
+}
+
+}  // namespace
+
+std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double> parameters,
+                                  const std::filesystem::path& mesh_directory) {
+  if (parameters.size() != vehicle.parameters.size())
+    throw std::invalid_argument("VehicleTextWithValues: expected " + std::to_string(vehicle.parameters.size()) +
+                                " parameter values, got " + std::to_string(parameters.size()));
+  const std::optional<std::string> text = FileText(vehicle.file);
+  if (!text) throw std::runtime_error("vehicle file '" + vehicle.file + "' cannot be read");
+  tinyxml2::XMLDocument document;
+  if (document.Parse(text->data(), text->size()) != tinyxml2::XML_SUCCESS)
+    throw std::runtime_error("vehicle file '" + vehicle.file + "' is no longer XML");
+  const XMLElement& robot = *document.RootElement();
+  TextEdits edits(*text, robot);
+  ReplaceParameters(robot, vehicle, parameters, edits);
+  ReplaceTree(robot, vehicle, parameters, edits);
+  if (!mesh_directory.empty()) ReplaceMeshes(robot, mesh_directory, edits);
+  return edits.Result();
+}
+
+}  // namespace fourpost

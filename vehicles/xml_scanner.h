@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace fourpost {
+
+/// Where the value of an attribute stands in a text, without its quotes.
+struct AttributePlace {
+  std::string_view name;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  /// The quote around it, ' or ".
+  char quote = '"';
+};
+
+/// The attributes of one start tag.
+using TagPlaces = std::vector<AttributePlace>;
+
+/// Finds the start tags of a well-formed XML text, in document order: the order in which a walk through the parsed
+/// document meets its elements. Comments, declarations and CDATA are passed over.
+std::vector<TagPlaces> ScanTags(std::string_view text);
+
+}  // namespace fourpost
