@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
@@ -30,6 +31,8 @@ void ForEach(std::size_t count, int threads, const Body& body) {
     for (std::size_t i = 0; i < count; ++i) body(i);
     return;
   }
+  // More threads than processors, too, when they are asked for.
+  const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   arena.execute([&] {
     // One evaluation per task: their times differ widely.
@@ -132,8 +135,8 @@ void Archive::CheckSize(Evaluation& evaluation) {
   const Eigen::Index size = evaluation.residuals.size();
   if (residual_count_ == 0) residual_count_ = size;
   if (size == residual_count_) return;
-  evaluation = Failed(Failure::kWrongSize,
-                      std::to_string(size) + " residuals, elsewhere " + std::to_string(residual_count_));
+  evaluation =
+      Failed(Failure::kWrongSize, std::to_string(size) + " residuals, elsewhere " + std::to_string(residual_count_));
 }
 
 void Archive::Count(const Evaluation& evaluation) {

@@ -99,8 +99,8 @@ std::string DescribeDirection(const Lattice& lattice, const Eigen::VectorXd& dir
   for (const Eigen::Index j : order) {
     const double change = direction[j] / strongest;
     if (!(std::abs(change) >= kLeastShare)) break;
-    text << (j == order.front() ? "" : ", ") << lattice.axes()[static_cast<std::size_t>(j)].name << " "
-         << std::showpos << change << std::noshowpos << (variables.is_logarithmic(j) ? " %" : " % of range");
+    text << (j == order.front() ? "" : ", ") << lattice.axes()[static_cast<std::size_t>(j)].name << " " << std::showpos
+         << change << std::noshowpos << (variables.is_logarithmic(j) ? " %" : " % of range");
   }
   return text.str();
 }

@@ -17,8 +17,8 @@ struct CovarianceOptions {
   /// A parameter is undetermined when its share of the undetermined directions (0..1) exceeds this; less is what noise
   /// of the differences leaves. In (0, 1).
   double share_threshold = 1e-2;
-  /// Multiply standard deviations by sqrt(cost / (N - rank)) when that exceeds 1: the model misses the data by more than
-  /// their noise.
+  /// Multiply standard deviations by sqrt(cost / (N - rank)) when that exceeds 1: the model misses the data by more
+  /// than their noise.
   bool inflate = true;
 
   /// Throws std::invalid_argument naming the field, its value and its bound.

@@ -220,16 +220,11 @@ DvhdeOptions ThesisDvhde() {
 
 std::string_view SearchEndName(SearchEnd end) {
   switch (end) {
-    case SearchEnd::kNotRun:
-      return "not run";
-    case SearchEnd::kTarget:
-      return "target cost reached";
-    case SearchEnd::kEvaluations:
-      return "evaluations used up";
-    case SearchEnd::kGenerations:
-      return "last generation reached";
-    case SearchEnd::kStopped:
-      return "stopped by the user";
+    case SearchEnd::kNotRun: return "not run";
+    case SearchEnd::kTarget: return "target cost reached";
+    case SearchEnd::kEvaluations: return "evaluations used up";
+    case SearchEnd::kGenerations: return "last generation reached";
+    case SearchEnd::kStopped: return "stopped by the user";
   }
   return "unknown";
 }

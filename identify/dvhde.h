@@ -18,8 +18,8 @@ enum class MutationBase { kRandom, kBest };
 /// every member (the thesis's random matrix).
 enum class MutationFactor { kConstant, kPerGeneration, kPerGene };
 
-/// Settings of dvHDE. The defaults are the most reliable of those tried on integer, mixed and smooth problems; on smooth
-/// ones MutationBase::kBest with a factor of 0.7 needs fewer evaluations, and misses more often on the others.
+/// Settings of dvHDE. The defaults are the most reliable of those tried on integer, mixed and smooth problems; on
+/// smooth ones MutationBase::kBest with a factor of 0.7 needs fewer evaluations, and misses more often on the others.
 struct DvhdeOptions {
   /// Equal seeds give equal results, for any number of threads.
   std::uint64_t seed = 1;
@@ -63,10 +63,10 @@ struct DvhdeOptions {
   void Validate() const;
 };
 
-/// The thesis's settings for the Land Rover (ch. 5): 20 members, factor 0.7, crossover 0.8, migration below a diversity of
-/// 0.1, acceleration below 10 %. The thesis does not say which base it used there (best, as its other continuous problems
-/// suggest), when a search stagnates (150 generations, from its gear train), nor when to end (150 generations, from
-/// its appendix A).
+/// The thesis's settings for the Land Rover (ch. 5): 20 members, factor 0.7, crossover 0.8, migration below a diversity
+/// of 0.1, acceleration below 10 %. The thesis does not say which base it used there (best, as its other continuous
+/// problems suggest), when a search stagnates (150 generations, from its gear train), nor when to end (150 generations,
+/// from its appendix A).
 DvhdeOptions ThesisDvhde();
 
 /// Which rule ended a search.

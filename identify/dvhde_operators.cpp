@@ -36,7 +36,8 @@ LatticePoint Mutate(const LatticePoint& base, const LatticePoint& plus, const La
   return mutant;
 }
 
-LatticePoint Cross(const LatticePoint& parent, const LatticePoint& mutant, double rate, bool forced_gene, Draws& draws) {
+LatticePoint Cross(const LatticePoint& parent, const LatticePoint& mutant, double rate, bool forced_gene,
+                   Draws& draws) {
   LatticePoint trial = parent;
   for (std::size_t j = 0; j < trial.size(); ++j) {
     if (draws.Uniform() < rate) trial[j] = mutant[j];

@@ -20,18 +20,12 @@ Evaluation Checked(Evaluation evaluation) {
 
 std::string_view FailureName(Failure failure) {
   switch (failure) {
-    case Failure::kNone:
-      return "none";
-    case Failure::kNotFinite:
-      return "not finite";
-    case Failure::kException:
-      return "exception";
-    case Failure::kNotConverged:
-      return "not converged";
-    case Failure::kInfeasible:
-      return "infeasible";
-    case Failure::kWrongSize:
-      return "wrong size";
+    case Failure::kNone: return "none";
+    case Failure::kNotFinite: return "not finite";
+    case Failure::kException: return "exception";
+    case Failure::kNotConverged: return "not converged";
+    case Failure::kInfeasible: return "infeasible";
+    case Failure::kWrongSize: return "wrong size";
   }
   return "unknown";
 }

@@ -37,10 +37,7 @@ Eigen::VectorXd FitVariables::FromValues(const Eigen::VectorXd& values) const {
 
 Eigen::VectorXd FitVariables::ToValues(const Eigen::VectorXd& x) const {
   Eigen::VectorXd values(size());
-  for (Eigen::Index j = 0; j < size(); ++j) {
-    const double value = is_logarithmic(j) ? std::exp(x[j]) : lower_[j] + x[j] * (upper_[j] - lower_[j]);
-    values[j] = std::clamp(value, lower_[j], upper_[j]);
-  }
+  for (Eigen::Index j = 0; j < size(); ++j) values[j] = Backward(j, x[j]);
   return values;
 }
 
@@ -52,6 +49,13 @@ Eigen::VectorXd FitVariables::Slopes(const Eigen::VectorXd& values) const {
 
 double FitVariables::Forward(Eigen::Index j, double value) const {
   return is_logarithmic(j) ? std::log(value) : (value - lower_[j]) / (upper_[j] - lower_[j]);
+}
+
+double FitVariables::Backward(Eigen::Index j, double x) const {
+  if (x <= lower_x_[j]) return lower_[j];
+  if (x >= upper_x_[j]) return upper_[j];
+  const double value = is_logarithmic(j) ? std::exp(x) : lower_[j] + x * (upper_[j] - lower_[j]);
+  return std::clamp(value, lower_[j], upper_[j]);
 }
 
 }  // namespace fourpost

@@ -24,7 +24,7 @@ class FitVariables {
   /// Throws std::invalid_argument naming the parameter that is not within its bounds.
   Eigen::VectorXd FromValues(const Eigen::VectorXd& values) const;
 
-  /// Within the bounds to the last bit, whatever the rounding.
+  /// Within the bounds to the last bit, whatever the rounding, and exactly a bound at the bound of x or beyond.
   Eigen::VectorXd ToValues(const Eigen::VectorXd& x) const;
 
   /// dp/dx at these values: p, or upper - lower.
@@ -32,6 +32,7 @@ class FitVariables {
 
  private:
   double Forward(Eigen::Index j, double value) const;
+  double Backward(Eigen::Index j, double x) const;
 
   std::vector<std::string> names_;
   Eigen::VectorXd lower_;

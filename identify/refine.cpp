@@ -69,8 +69,7 @@ class ResidualFunction : public ceres::CostFunction {
   // The Jacobian where MoveTo() went.
   bool Linearise() const {
     if (linearised_ && here_.x == linearised_->x) return true;
-    std::optional<Eigen::MatrixXd> jacobian =
-        DifferenceJacobian(archive_, variables_, here_.x, here_.residuals, step_);
+    std::optional<Eigen::MatrixXd> jacobian = DifferenceJacobian(archive_, variables_, here_.x, here_.residuals, step_);
     if (!jacobian) return false;
     linearised_ = here_;
     jacobian_ = *std::move(jacobian);
@@ -85,8 +84,9 @@ class ResidualFunction : public ceres::CostFunction {
   const std::string& failure() const { return failure_; }
 
  private:
-  // At a bound, and the cost falls beyond it. Ceres computes a step as if there were no bounds and cuts it off there, which
-  // leaves the other variables short of their optimum; without its column in the Jacobian, this one has no part in it.
+  // At a bound, and the cost falls beyond it. Ceres computes a step as if there were no bounds and cuts it off there,
+  // which leaves the other variables short of their optimum; without its column in the Jacobian, this one has no part
+  // in it.
   bool IsHeld(Eigen::Index j) const {
     const double gradient = jacobian_.col(j).dot(here_.residuals);
     return gradient > 0 ? here_.x[j] <= variables_.lower()[j] : here_.x[j] >= variables_.upper()[j];
@@ -136,14 +136,10 @@ ceres::Solver::Options SolverOptions(const RefineOptions& options) {
 // Steps refused until they are too short to count are no convergence.
 RefineEnd EndOf(ceres::TerminationType type, bool refused) {
   switch (type) {
-    case ceres::CONVERGENCE:
-      return refused ? RefineEnd::kFailed : RefineEnd::kConverged;
-    case ceres::NO_CONVERGENCE:
-      return RefineEnd::kIterations;
-    case ceres::USER_SUCCESS:
-      return RefineEnd::kStopped;
-    default:
-      return RefineEnd::kFailed;
+    case ceres::CONVERGENCE: return refused ? RefineEnd::kFailed : RefineEnd::kConverged;
+    case ceres::NO_CONVERGENCE: return RefineEnd::kIterations;
+    case ceres::USER_SUCCESS: return RefineEnd::kStopped;
+    default: return RefineEnd::kFailed;
   }
 }
 
@@ -183,18 +179,12 @@ void RefineOptions::Validate() const {
 
 std::string_view RefineEndName(RefineEnd end) {
   switch (end) {
-    case RefineEnd::kNotRun:
-      return "not run";
-    case RefineEnd::kConverged:
-      return "converged";
-    case RefineEnd::kIterations:
-      return "iterations used up";
-    case RefineEnd::kStartFailed:
-      return "start could not be evaluated";
-    case RefineEnd::kFailed:
-      return "ended by failed evaluations";
-    case RefineEnd::kStopped:
-      return "stopped by the user";
+    case RefineEnd::kNotRun: return "not run";
+    case RefineEnd::kConverged: return "converged";
+    case RefineEnd::kIterations: return "iterations used up";
+    case RefineEnd::kStartFailed: return "start could not be evaluated";
+    case RefineEnd::kFailed: return "ended by failed evaluations";
+    case RefineEnd::kStopped: return "stopped by the user";
   }
   return "unknown";
 }

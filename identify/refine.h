@@ -15,14 +15,15 @@ namespace fourpost {
 /// Settings of the refinement.
 struct RefineOptions {
   int max_iterations = 100;
-  /// Step of the differences in the fit variables: relative for logarithmic ones, else a share of the range; in (0, 0.1].
+  /// Step of the differences in the fit variables: relative for logarithmic ones, else a share of the range; in (0,
+  /// 0.1].
   double step = 1e-4;
   /// Converged when the cost falls by less than this share in an iteration; in (0, 1).
   double cost_tolerance = 1e-8;
   /// Converged when the variables move by less than this share of their norm; in (0, 1).
   double step_tolerance = 1e-8;
-  /// Two runs agree when the excess of the worse cost over the better is below this share of it; in (0, 1). A cost below
-  /// 1e-12 of the highest starting cost counts as zero, since all that is left of it is rounding.
+  /// Two runs agree when the excess of the worse cost over the better is below this share of it; in (0, 1). A cost
+  /// below 1e-12 of the highest starting cost counts as zero, since all that is left of it is rounding.
   double agreement = 1e-6;
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
@@ -63,10 +64,10 @@ struct RefineResult {
   bool has_cost() const { return end != RefineEnd::kNotRun && end != RefineEnd::kStartFailed; }
 };
 
-/// Levenberg-Marquardt (Ceres) within the bounds of the lattice, in FitVariables, with differences evaluated in parallel;
-/// the precision of the lattice plays no part. Variables held at a bound by the cost stay out of the steps of the others.
-/// A step whose evaluation fails is refused and a shorter one tried.
-/// `stop` is asked after each iteration. Throws std::invalid_argument for a start out of bounds.
+/// Levenberg-Marquardt (Ceres) within the bounds of the lattice, in FitVariables, with differences evaluated in
+/// parallel; the precision of the lattice plays no part. Variables held at a bound by the cost stay out of the steps of
+/// the others. A step whose evaluation fails is refused and a shorter one tried. `stop` is asked after each iteration.
+/// Throws std::invalid_argument for a start out of bounds.
 RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options = {},
                     const std::function<bool()>& stop = {});
 

@@ -35,7 +35,8 @@ std::string Fault(const AttributeRule& rule, const std::string& text) {
   if (Trimmed(text).empty()) return "is empty";
   switch (rule.kind) {
     case AttributeKind::kName:
-      return std::all_of(text.begin(), text.end(), IsNameCharacter) ? "" : "may hold letters, digits, '_', '-' and '.' only";
+      return std::all_of(text.begin(), text.end(), IsNameCharacter) ? ""
+                                                                    : "may hold letters, digits, '_', '-' and '.' only";
     case AttributeKind::kNumber: return NumberFault(text, rule.sign);
     case AttributeKind::kVector: return VectorFault(text, false);
     case AttributeKind::kDirection: return VectorFault(text, true);
@@ -55,9 +56,15 @@ void CheckAttribute(const tinyxml2::XMLElement& element, const AttributeRule& ru
 
 std::string Expectation(const AttributeRule& rule) {
   if (rule.kind == AttributeKind::kScalar)
-    return ", a " + DimensionName(rule.dimension) + " such as \"1 " + SiUnit(rule.dimension) + "\"";
+    return ", " + WithArticle(rule.dimension) + " such as \"1 " + SiUnit(rule.dimension) + "\"";
   if (rule.kind == AttributeKind::kVector || rule.kind == AttributeKind::kDirection) return ", such as \"0 0 1\"";
   return rule.doc.empty() ? "" : ": " + std::string(rule.doc);
+}
+
+std::string WithArticle(const Dimension& dimension) {
+  const std::string name = DimensionName(dimension);
+  const bool has_vowel = std::string_view("aeiou").find(name.front()) != std::string_view::npos;
+  return (has_vowel ? "an " : "a ") + name;
 }
 
 std::string SignDemand(Sign sign) { return sign == Sign::kPositive ? "must be above zero" : "must not be negative"; }

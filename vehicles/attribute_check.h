@@ -19,6 +19,9 @@ void CheckAttribute(const tinyxml2::XMLElement& element, const AttributeRule& ru
 /// What belongs into an attribute that is missing, to end a message with: ", such as "1 N/m"".
 std::string Expectation(const AttributeRule& rule);
 
+/// "a stiffness", "an inertia", "a pure number".
+std::string WithArticle(const Dimension& dimension);
+
 /// "must not be negative", "must be above zero".
 std::string SignDemand(Sign sign);
 bool Obeys(double number, Sign sign);

@@ -22,7 +22,8 @@ Eigen::Matrix3d InertiaAt(const Link& link, std::span<const double> parameters) 
 bool IsPhysical(const Eigen::Matrix3d& inertia) {
   // Rounding of the numbers of a file and of the eigenvalues.
   constexpr double kSlack = 1e-9;
-  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::Vector3d moments =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
   const double slack = kSlack * moments.cwiseAbs().maxCoeff();
   return moments[0] >= -slack && moments[0] + moments[1] >= moments[2] - slack;
 }
@@ -57,8 +58,9 @@ void CheckInertia(const Vehicle& vehicle, const Link& link, FileFaults& faults) 
   else if (!IsPhysical(inertia))
     faults.Error(link.line, "link '" + link.name + "' has an inertia that no body has" + rule);
   else if (!IsPhysicalWithinBounds(vehicle, link))
-    faults.Error(link.line, "link '" + link.name + "' has an inertia that no body has at some of its parameters' bounds" +
-                                rule + "; bind another of its moments as well, or narrow the bounds");
+    faults.Error(link.line, "link '" + link.name +
+                                "' has an inertia that no body has at some of its parameters' bounds" + rule +
+                                "; bind another of its moments as well, or narrow the bounds");
 }
 
 /// Mass of each link with all that it carries.

@@ -30,7 +30,8 @@ class ElementReader {
   }
 
  private:
-  void Unknown(const Tag& tag, std::string_view attribute, const std::string& kind, const std::vector<std::string>& legal) {
+  void Unknown(const Tag& tag, std::string_view attribute, const std::string& kind,
+               const std::vector<std::string>& legal) {
     const std::string name = tag.Text(attribute);
     faults_.Error(tag.Line(attribute), Describe(*tag.element) + " refers to an unknown " + kind + " '" + name + "'" +
                                            DidYouMean(name, legal));
@@ -45,7 +46,8 @@ class ElementReader {
   void ReadFrame(const Tag& tag) {
     const std::string name = tag.Text("name");
     if (tree_.FindLink(name) >= 0)
-      faults_.Error(tag.Line(), Describe(*tag.element) + " has the name of a link: a name must tell which one is meant");
+      faults_.Error(tag.Line(),
+                    Describe(*tag.element) + " has the name of a link: a name must tell which one is meant");
     frames_.try_emplace(name, ReadPoint(tag));
   }
 
@@ -147,8 +149,8 @@ class ElementReader {
     const Post post{.name = tag.Text("name"), .tyre = ReadTyreName(tag, "under"), .source_line = tag.Line()};
     for (const Post& other : vehicle_.posts)
       if (post.tyre >= 0 && other.tyre == post.tyre)
-        faults_.Error(tag.Line("under"), Describe(*tag.element) + " drives the tyre that fp:post '" + other.name +
-                                             "' drives already");
+        faults_.Error(tag.Line("under"),
+                      Describe(*tag.element) + " drives the tyre that fp:post '" + other.name + "' drives already");
     vehicle_.posts.push_back(post);
   }
 

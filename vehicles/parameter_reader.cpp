@@ -22,16 +22,12 @@ std::string QuantityFault(std::string_view text) {
   return "is not a number with a unit, such as \"32 N/mm\"";
 }
 
-std::string WantedDimension(const Dimension& dimension) {
-  return dimension == kDimensionless ? "a pure number" : "a " + DimensionName(dimension);
-}
-
 /// Why a quantity does not have this dimension.
 std::string DimensionFault(const Quantity& quantity, std::string_view text, const Dimension& wanted) {
   if (quantity.unit_text.empty())
-    return "has no unit: " + WantedDimension(wanted) + " is needed, such as \"" + std::string(Trimmed(text)) + " " +
+    return "has no unit: " + WithArticle(wanted) + " is needed, such as \"" + std::string(Trimmed(text)) + " " +
            SiUnit(wanted) + "\"";
-  return "is a " + DimensionName(quantity.unit.dimension) + ": " + WantedDimension(wanted) + " is needed, such as \"1 " +
+  return "is " + WithArticle(quantity.unit.dimension) + ": " + WithArticle(wanted) + " is needed, such as \"1 " +
          SiUnit(wanted) + "\"";
 }
 
@@ -146,8 +142,7 @@ Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule,
   used_[static_cast<std::size_t>(found->second)] = true;
   if (!sound_[static_cast<std::size_t>(found->second)]) return {};
   if (parameter.dimension != rule.dimension)
-    return fault("refers to a " + DimensionName(parameter.dimension) + ": " + WantedDimension(rule.dimension) +
-                 " is needed");
+    return fault("refers to " + WithArticle(parameter.dimension) + ": " + WithArticle(rule.dimension) + " is needed");
   const Scalar scalar{.value = *factor * parameter.value, .parameter = found->second, .factor = *factor};
   CheckSign(tag, rule, std::string(text), scalar);
   return scalar;
@@ -175,7 +170,7 @@ std::optional<Scalar> ParameterReader::Bind(const Tag& bind, double literal, con
 
 std::string ParameterReader::BindFault(const Scalar& scalar, const Dimension& given, double literal,
                                        const Dimension& wanted) const {
-  if (given != wanted) return "is " + WantedDimension(wanted) + ", but the parameter is " + WantedDimension(given);
+  if (given != wanted) return "is " + WithArticle(wanted) + ", but the parameter is " + WithArticle(given);
   if (!Agrees(literal, scalar.value))
     return "is " + FormatNumber(literal) + " " + SiUnit(wanted) + " in the tree, but factor times value is " +
            FormatNumber(scalar.value) + " " + SiUnit(wanted) + ": make them equal";

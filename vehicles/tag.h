@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include <Eigen/Core>
 #include <tinyxml2.h>
+#include <Eigen/Core>
 
 #include "vehicles/tag_table.h"
 

@@ -71,7 +71,7 @@ std::string Suggestion(std::string_view name, const std::vector<std::string_view
   for (std::string_view candidate : legal)
     if (candidate == "fp:" + std::string(name) || "fp:" + std::string(candidate) == name)
       return ", did you mean '" + std::string(candidate) + "'?";
-  const std::string near = DidYouMean(name, legal);
+  std::string near = DidYouMean(name, legal);
   if (!near.empty()) return near;
   return legal.empty() ? ": none is legal here" : "; legal: " + Joined(legal);
 }
@@ -88,8 +88,8 @@ void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults&
       CheckAttribute(element, *attribute, given->Value(), given->GetLineNum(), faults);
       continue;
     }
-    faults.Error(given->GetLineNum(), "unknown attribute '" + std::string(name) + "' of " + Describe(element) +
-                                          Suggestion(name, legal));
+    faults.Error(given->GetLineNum(),
+                 "unknown attribute '" + std::string(name) + "' of " + Describe(element) + Suggestion(name, legal));
   }
   for (const AttributeRule& attribute : rule.attributes)
     if (attribute.required && !seen.contains(attribute.name))
@@ -121,10 +121,10 @@ void ReportForm(const XMLElement& element, std::string_view path, FileFaults& fa
   std::vector<std::string_view> types;
   for (const TagRule* rule : FindTags(path)) types.push_back(rule->type);
   const std::optional<std::string> type = AttributeText(element, "type");
-  if (!type)
-    faults.Error(element.GetLineNum(), Describe(element) + " needs the attribute 'type': " + Joined(types));
+  if (!type) faults.Error(element.GetLineNum(), Describe(element) + " needs the attribute 'type': " + Joined(types));
   else
-    faults.Error(element.GetLineNum(), "unknown type '" + *type + "' of " + Describe(element) + Suggestion(*type, types));
+    faults.Error(element.GetLineNum(),
+                 "unknown type '" + *type + "' of " + Describe(element) + Suggestion(*type, types));
 }
 
 void CheckElement(const XMLElement& element, const std::string& above, FileFaults& faults) {

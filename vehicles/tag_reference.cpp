@@ -15,7 +15,8 @@ std::string KindText(const AttributeRule& rule) {
     case AttributeKind::kVector: return "x y z";
     case AttributeKind::kDirection: return "x y z, not zero";
     case AttributeKind::kQuantity: return "number with unit";
-    case AttributeKind::kScalar: return DimensionName(rule.dimension) + " in " + SiUnit(rule.dimension) + " or the like";
+    case AttributeKind::kScalar:
+      return DimensionName(rule.dimension) + " in " + SiUnit(rule.dimension) + " or the like";
     case AttributeKind::kChoice: return "`" + std::string(rule.choices.front()) + "`";
   }
   return "";
@@ -41,7 +42,8 @@ std::string OccursText(const TagRule& tag) {
   if (tag.occurs != Occurs::kOneOfAll) return "";
   std::string names;
   for (const TagRule* sibling : TagsBelow(tag.path.substr(0, tag.path.rfind('/'))))
-    if (sibling->occurs == Occurs::kOneOfAll) names += (names.empty() ? "`" : ", `") + std::string(sibling->Name()) + "`";
+    if (sibling->occurs == Occurs::kOneOfAll)
+      names += (names.empty() ? "`" : ", `") + std::string(sibling->Name()) + "`";
   return "Stands once, as the only one of " + names + ".";
 }
 

@@ -15,8 +15,9 @@ const AttributeRule kChildRule = {.name = "child", .kind = Kind::kPoint, .doc = 
 const AttributeRule kGuideRule = {.name = "axis",
                                   .kind = Kind::kDirection,
                                   .required = false,
-                                  .doc = "direction of a guided strut in axes of the parent's link; without it the "
-                                         "element acts along the line that joins its ends"};
+                                  .doc =
+                                      "direction of a guided strut in axes of the parent's link; without it the "
+                                      "element acts along the line that joins its ends"};
 const AttributeRule kSensorAxisRule = {.name = "axis",
                                        .kind = Kind::kDirection,
                                        .required = false,
@@ -56,7 +57,8 @@ std::vector<TagRule> MakeParameterTags() {
               "fixed; give all three of lower, upper and precision or none.",
        .attributes = {{.name = "name", .kind = Kind::kName, .doc = "letters, digits and '_'"},
                       {.name = "value", .kind = Kind::kQuantity, .doc = "the number, with the unit it is shown in"},
-                      Bound("lower", "least value of a search"), Bound("upper", "greatest value of a search"),
+                      Bound("lower", "least value of a search"),
+                      Bound("upper", "greatest value of a search"),
                       Bound("precision", "step of a search, above zero"),
                       {.name = "source", .doc = "where the value comes from"}}},
       {.path = "fp:parameter/fp:bind",
@@ -100,7 +102,10 @@ std::vector<TagRule> MakeForceTags() {
        .attributes = {Stiffness("force per deflection", Sign::kPositive)}},
       {.path = "fp:tyre",
        .doc = "A vertical spring and damper between a point of a link and the platform under it.",
-       .attributes = {kNameRule, kLinkRule, kXyzRule, Stiffness("force per deflection"),
+       .attributes = {kNameRule,
+                      kLinkRule,
+                      kXyzRule,
+                      Stiffness("force per deflection"),
                       {.name = "damping",
                        .kind = Kind::kScalar,
                        .required = false,
@@ -136,7 +141,8 @@ std::vector<TagRule> MakeSensorTags() {
       {.path = "fp:sensor",
        .type = "load_cell",
        .doc = "Dynamic force of a tyre on its platform, more load positive.",
-       .attributes = {kNameRule, SensorType("load_cell"),
+       .attributes = {kNameRule,
+                      SensorType("load_cell"),
                       {.name = "tyre", .kind = Kind::kTyre, .doc = "tyre whose force is measured"}}},
   };
 }

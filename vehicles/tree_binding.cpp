@@ -68,8 +68,7 @@ class BindingReader {
     if (!Resolve(bind, binding)) return;
     const XMLElement& link = *tree_.links[static_cast<std::size_t>(binding.link)];
     const std::optional<double> literal = Literal(link, binding.number);
-    if (!literal)
-      return Fault(bind, "finds no such number: give it in the <inertial> of " + Describe(link));
+    if (!literal) return Fault(bind, "finds no such number: give it in the <inertial> of " + Describe(link));
     if (binding.number > 0 && HasTurnedInertia(link))
       return Fault(bind, "needs an <inertial> without rpy: a parameter cannot follow turned axes");
     if (!seen_.insert({binding.link, binding.number}).second) return Fault(bind, "is bound twice");
@@ -96,7 +95,8 @@ class BindingReader {
     }
     binding.link = tree_.FindLink(path->link);
     binding.number = FindNumber(path->number);
-    if (binding.link < 0) Fault(bind, "has an unknown link '" + path->link + "'" + DidYouMean(path->link, tree_.LinkNames()));
+    if (binding.link < 0)
+      Fault(bind, "has an unknown link '" + path->link + "'" + DidYouMean(path->link, tree_.LinkNames()));
     if (binding.number < 0)
       Fault(bind, "has an unknown number '" + path->number + "'" + DidYouMean(path->number, NumberNames()));
     return binding.link >= 0 && binding.number >= 0;
@@ -111,8 +111,8 @@ class BindingReader {
 
 }  // namespace
 
-std::vector<TreeBinding> ReadTreeBindings(const XMLElement& robot, const UrdfTree& tree, const ParameterReader& parameters,
-                                          FileFaults& faults) {
+std::vector<TreeBinding> ReadTreeBindings(const XMLElement& robot, const UrdfTree& tree,
+                                          const ParameterReader& parameters, FileFaults& faults) {
   BindingReader reader(tree, parameters, faults);
   for (const Tag& parameter : TagsOf(robot, "fp:parameter"))
     for (const Tag& bind : TagsOf(*parameter.element, "fp:parameter/fp:bind")) reader.Read(bind);

@@ -1,5 +1,6 @@
 #include "vehicles/urdf_reader.h"
 
+#include <algorithm>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -40,14 +41,15 @@ class ConsoleCapture : public console_bridge::OutputHandler {
   std::vector<std::string> messages_;
 };
 
-urdf::ModelInterfaceSharedPtr Parse(const std::string& text, FileFaults& faults) {
+urdf::ModelInterfaceSharedPtr Parse(std::string text, FileFaults& faults) {
+  // XML reads any blank in an attribute as a space; urdfdom's parser does not.
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
   const ConsoleCapture capture;
   urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text);
   for (const std::string& message : capture.messages()) {
-    if (model)
-      faults.Warning(0, "urdfdom: " + message);
-    else
-      faults.Error(0, "urdfdom: " + message);
+    if (model) faults.Warning(0, "urdfdom: " + message);
+    else faults.Error(0, "urdfdom: " + message);
   }
   if (!model && capture.messages().empty()) faults.Error(0, "urdfdom cannot read the file");
   return model;
@@ -144,6 +146,15 @@ Joint ReadJoint(const urdf::Joint& source, const XMLElement& element, const Urdf
   return joint;
 }
 
+std::vector<const XMLElement*> MeshElements(const UrdfTree& tree) {
+  std::vector<const XMLElement*> meshes;
+  for (const XMLElement* link : tree.links)
+    for (const XMLElement* visual : Children(*link, "visual"))
+      for (const XMLElement* geometry : Children(*visual, "geometry"))
+        for (const XMLElement* mesh : Children(*geometry, "mesh")) meshes.push_back(mesh);
+  return meshes;
+}
+
 std::string MeshFault(const std::filesystem::path& vehicle_file, const std::string& filename) {
   if (filename.find("://") != std::string::npos)
     return "must be a path relative to the vehicle file: addresses such as package:// are not supported";
@@ -165,15 +176,11 @@ std::filesystem::path MeshPath(const std::filesystem::path& vehicle_file, const 
 
 void CheckMeshes(const UrdfTree& tree, FileFaults& faults) {
   std::set<std::string> checked;
-  for (const XMLElement* link : tree.links) {
-    for (const XMLElement* visual : Children(*link, "visual")) {
-      const auto* geometry = visual->FirstChildElement("geometry");
-      const auto* mesh = geometry ? geometry->FirstChildElement("mesh") : nullptr;
-      const std::string filename = mesh ? AttributeText(*mesh, "filename").value_or("") : "";
-      if (filename.empty() || !checked.insert(filename).second) continue;
-      const std::string fault = MeshFault(faults.file(), filename);
-      if (!fault.empty()) faults.Error(mesh->GetLineNum(), "mesh '" + filename + "' " + fault);
-    }
+  for (const XMLElement* mesh : MeshElements(tree)) {
+    const std::string filename = AttributeText(*mesh, "filename").value_or("");
+    if (filename.empty() || !checked.insert(filename).second) continue;
+    const std::string fault = MeshFault(faults.file(), filename);
+    if (!fault.empty()) faults.Error(mesh->GetLineNum(), "mesh '" + filename + "' " + fault);
   }
 }
 

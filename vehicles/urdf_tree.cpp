@@ -28,6 +28,7 @@ class TreeReader {
     for (const XMLElement* joint : joints_) {
       CheckEnd(*joint, "parent");
       CheckEnd(*joint, "child");
+      CheckLimit(*joint);
       AddParent(*joint);
     }
     PutGroundFirst();
@@ -42,6 +43,14 @@ class TreeReader {
     faults_.Error(joint.FirstChildElement(end)->GetLineNum(), Describe(joint) + " has the unknown " + end + " link '" +
                                                                   link + "'" + DidYouMean(link, tree_.LinkNames()));
     sound_ = false;
+  }
+
+  void CheckLimit(const XMLElement& joint) {
+    const std::string type = AttributeText(joint, "type").value_or("");
+    if ((type != "revolute" && type != "prismatic") || joint.FirstChildElement("limit")) return;
+    const std::string remedy = type == "revolute" ? ", or make it continuous" : "";
+    faults_.Error(joint.GetLineNum(),
+                  Describe(joint) + " is " + type + ": URDF asks for a <limit effort=\"0\" velocity=\"0\"/>" + remedy);
   }
 
   void AddParent(const XMLElement& joint) {
@@ -61,7 +70,8 @@ class TreeReader {
     const auto is_root = [&](const XMLElement* link) { return !parent_joint_.contains(NameOf(*link)); };
     const auto ground = std::find_if(tree_.links.begin(), tree_.links.end(), is_root);
     if (ground == tree_.links.end()) {
-      faults_.Error(0, tree_.links.empty() ? "there is no link" : "there is no ground: every link is the child of a joint");
+      faults_.Error(
+          0, tree_.links.empty() ? "there is no link" : "there is no ground: every link is the child of a joint");
       sound_ = false;
       return;
     }
@@ -71,7 +81,8 @@ class TreeReader {
       if (!is_root(tree_.links[i])) continue;
       // A joint with a fault of its own may be what is missing here.
       if (sound_)
-        faults_.Error(tree_.links[i]->GetLineNum(), Describe(*tree_.links[i]) + " is the child of no joint: only the ground, '" +
+        faults_.Error(tree_.links[i]->GetLineNum(), Describe(*tree_.links[i]) +
+                                                        " is the child of no joint: only the ground, '" +
                                                         NameOf(*tree_.links.front()) + "', may be so");
     }
   }
@@ -96,7 +107,8 @@ class TreeReader {
     }
     for (const XMLElement* joint : joints_)
       if (std::find(tree_.joints.begin(), tree_.joints.end(), joint) == tree_.joints.end())
-        faults_.Error(joint->GetLineNum(), Describe(*joint) + " is part of a loop of joints that the ground does not carry");
+        faults_.Error(joint->GetLineNum(),
+                      Describe(*joint) + " is part of a loop of joints that the ground does not carry");
   }
 
   FileFaults& faults_;

@@ -49,14 +49,10 @@ class TextEdits {
   static std::string Escaped(const std::string& value, char quote) {
     std::string escaped;
     for (const char c : value) {
-      if (c == '&')
-        escaped += "&amp;";
-      else if (c == '<')
-        escaped += "&lt;";
-      else if (c == quote)
-        escaped += quote == '"' ? "&quot;" : "&apos;";
-      else
-        escaped += c;
+      if (c == '&') escaped += "&amp;";
+      else if (c == '<') escaped += "&lt;";
+      else if (c == quote) escaped += quote == '"' ? "&quot;" : "&apos;";
+      else escaped += c;
     }
     return escaped;
   }

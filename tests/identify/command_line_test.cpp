@@ -110,8 +110,10 @@ TEST_F(CommandLine, FitWritesItsResultAndCheckAcceptsTheFittedVehicle) {
   ASSERT_EQ(check.code, 0) << check.err;
   EXPECT_EQ(check.err, "");
   for (const Json& parameter : Json::parse(check.out)["parameters"])
-    for (const Json& fitted : result["parameters"])
-      if (fitted["name"] == parameter["name"]) EXPECT_EQ(parameter["value"], fitted["value"]);
+    for (const Json& fitted : result["parameters"]) {
+      if (fitted["name"] != parameter["name"]) continue;
+      EXPECT_EQ(parameter["value"], fitted["value"]);
+    }
 }
 
 TEST_F(CommandLine, FitIsTheSameForOneAndTwoThreads) {

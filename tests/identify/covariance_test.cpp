@@ -4,9 +4,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include <Eigen/LU>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include "identify/draws.h"
 
@@ -56,8 +56,8 @@ TEST(Covariance, DirectionsDecomposeTheNormalMatrix) {
   EXPECT_TRUE((v * squares * v.transpose()).isApprox(jacobian.transpose() * jacobian, 1e-13));  // rounding
   for (Eigen::Index i = 0; i < 4; ++i) {
     EXPECT_EQ(v.col(i).maxCoeff(), v.col(i).cwiseAbs().maxCoeff());
-    if (i > 0) EXPECT_LE(covariance.singular_values[i], covariance.singular_values[i - 1]);
   }
+  for (Eigen::Index i = 1; i < 4; ++i) EXPECT_LE(covariance.singular_values[i], covariance.singular_values[i - 1]);
 }
 
 TEST(Covariance, InflatesByTheExcessOfTheCost) {

@@ -40,7 +40,9 @@ class DifferenceJacobianOfDecay : public testing::Test {
     return jacobian;
   }
 
-  double ErrorAt(double a, double k) { return (At(a, k).value() - DecayJacobian(Eigen::Vector2d(a, k))).cwiseAbs().maxCoeff(); }
+  double ErrorAt(double a, double k) {
+    return (At(a, k).value() - DecayJacobian(Eigen::Vector2d(a, k))).cwiseAbs().maxCoeff();
+  }
 
   const Lattice lattice_{{{"a", 0.1, 1, 0.01}, {"k", 0.1, 0.5, 0.01}}};
   std::function<Evaluation(const Eigen::VectorXd&)> evaluate_ = Decay;

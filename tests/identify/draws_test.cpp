@@ -85,7 +85,8 @@ TEST(Draws, IntegerReachesBothBoundsEvenly) {
   EXPECT_LT(ChiSquare(counts, 7000), 27.9);
 }
 
-// Of 3 2^61 values, the remainder of 64 bits alone would give each of the first 2/3 three times for two of the last 1/3.
+// Of 3 2^61 values, the remainder of 64 bits alone would give each of the first 2/3 three times for two of the last
+// 1/3.
 TEST(Draws, IntegerIsEvenOverLargeRangesToo) {
   Draws draws = Stream();
   const std::int64_t third = std::int64_t{1} << 61;

@@ -29,8 +29,8 @@ Evaluation OneResidual(double residual) {
   return evaluation;
 }
 
-// Four gears of 12 to 60 teeth for a ratio of 1 / 6.931 (Sandgren, J. Mechanical Design 112, 1990). All 49^4 enumerated:
-// 2.7008571e-12 for 16, 19, 43, 49 teeth, the next is 2.3e-11.
+// Four gears of 12 to 60 teeth for a ratio of 1 / 6.931 (Sandgren, J. Mechanical Design 112, 1990). All 49^4
+// enumerated: 2.7008571e-12 for 16, 19, 43, 49 teeth, the next is 2.3e-11.
 Problem GearTrain() {
   const Lattice lattice({{"A", 12, 60, 1}, {"B", 12, 60, 1}, {"C", 12, 60, 1}, {"D", 12, 60, 1}});
   return {lattice, [](const Eigen::VectorXd& z) { return OneResidual(1 / 6.931 - z[0] * z[1] / (z[2] * z[3])); }};
@@ -42,8 +42,8 @@ constexpr std::array<double, 42> kWires_in = {
     0.028, 0.032,  0.035,  0.041,  0.047,  0.054,  0.063, 0.072, 0.080,  0.092,  0.105, 0.120, 0.135,  0.148,
     0.162, 0.177,  0.192,  0.207,  0.225,  0.244,  0.263, 0.283, 0.307,  0.331,  0.362, 0.394, 0.4375, 0.500};
 
-// Volume of wire of a compression spring (Sandgren, as above): number of coils, wire by its place in the catalogue, coil
-// diameter; inches and pounds. The cost is the volume, so the residual its root.
+// Volume of wire of a compression spring (Sandgren, as above): number of coils, wire by its place in the catalogue,
+// coil diameter; inches and pounds. The cost is the volume, so the residual its root.
 Evaluation CoilSpring(const Eigen::VectorXd& p) {
   const double coils = p[0];
   const double wire = kWires_in.at(static_cast<std::size_t>(p[1]) - 1);
@@ -56,15 +56,10 @@ Evaluation CoilSpring(const Eigen::VectorXd& p) {
   const double solid = 1.05 * (coils + 2) * wire;
   const double free_length = max_load / rate + solid;
   const std::array<double, 8> constraints = {
-      8 * stress_factor * max_load * diameter / (std::numbers::pi * std::pow(wire, 3)) - 189000,
-      free_length - 14,
-      0.2 - wire,
-      diameter - 3,
-      3 - index,
-      preload / rate - 6,
+      8 * stress_factor * max_load * diameter / (std::numbers::pi * std::pow(wire, 3)) - 189000, free_length - 14,
+      0.2 - wire, diameter - 3, 3 - index, preload / rate - 6,
       // Zero by definition, but for rounding.
-      preload / rate + (max_load - preload) / rate + solid - free_length - 1e-9,
-      1.25 - (max_load - preload) / rate};
+      preload / rate + (max_load - preload) / rate + solid - free_length - 1e-9, 1.25 - (max_load - preload) / rate};
   for (const double constraint : constraints) {
     if (!(constraint <= 0)) return Failed(Failure::kInfeasible, "a constraint is violated");
   }
@@ -406,18 +401,18 @@ TEST(Dvhde, AcceleratesOnlyWhenTheCostFellTooLittle) {
   const std::vector<SearchGeneration> log = SearchDvhde(archive, options).log;
   int slow = 0;
   for (std::size_t i = 1; i < log.size(); ++i) {
-    const bool fell = log[i].best_cost <= 0.9 * log[i - 1].best_cost;
-    // An acceleration may itself bring the cost down, so that only its absence says something.
-    if (!log[i].accelerated && log[i - 1].best_cost > 0) EXPECT_TRUE(fell) << log[i].generation;
     slow += log[i].accelerated;
+    // An acceleration may itself bring the cost down, so that only its absence says something.
+    const bool fell = log[i].best_cost <= 0.9 * log[i - 1].best_cost;
+    EXPECT_TRUE(fell || log[i].accelerated || log[i - 1].best_cost == 0) << log[i].generation;
   }
   EXPECT_GT(slow, 0);
   EXPECT_LT(slow, static_cast<int>(log.size()) - 1);
 }
 
 // 100 seeds: the bands are 4 standard deviations of a binomial rate, +-0.19, about what enumeration of 1000 seeds with
-// an independent program gave, 0.645 and 0.828 at 17100 and 18400 evaluations; thesis: 0.62, and 0.84 at 17053. A repair that
-// clips solves 0.15, the crossover the other way round 0.26, MutationBase::kBest 0.18.
+// an independent program gave, 0.645 and 0.828 at 17100 and 18400 evaluations; thesis: 0.62, and 0.84 at 17053. A
+// repair that clips solves 0.15, the crossover the other way round 0.26, MutationBase::kBest 0.18.
 TEST(Dvhde, SolvesTheGearTrainAsOftenAsTheThesisWithItsSettings) {
   DvhdeOptions options;
   options.factor = 0.8;
@@ -553,8 +548,7 @@ TEST_P(DvhdeBadOption, IsNamedBeforeAnythingIsEvaluated) {
   DvhdeOptions options;
   GetParam().spoil(options);
   Archive archive(Flat());
-  EXPECT_THAT([&] { SearchDvhde(archive, options); },
-              ThrowsMessage<std::invalid_argument>(StrEq(GetParam().message)));
+  EXPECT_THAT([&] { SearchDvhde(archive, options); }, ThrowsMessage<std::invalid_argument>(StrEq(GetParam().message)));
   EXPECT_EQ(archive.counts().paid, 0);
 }
 
@@ -576,8 +570,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadOption{"max_generations = -1, must be 0 or more", [](DvhdeOptions& o) { o.max_generations = -1; }},
         BadOption{"target_cost = -1, must be 0 or more", [](DvhdeOptions& o) { o.target_cost = -1; }},
         BadOption{"candidates = 0, must be 1 or more", [](DvhdeOptions& o) { o.candidates = 0; }},
-        BadOption{"candidate_separation = 1, must be in [0, 1)",
-                  [](DvhdeOptions& o) { o.candidate_separation = 1; }}));
+        BadOption{"candidate_separation = 1, must be in [0, 1)", [](DvhdeOptions& o) { o.candidate_separation = 1; }}));
 
 TEST(Dvhde, EndsHaveNamesOfTheirOwn) {
   std::set<std::string_view> names;

@@ -35,16 +35,18 @@ TEST(FitVariables, GoThereAndBack) {
   }
 }
 
-TEST(FitVariables, NeverLeaveTheBounds) {
-  const Lattice lattice({{"a", 0.1, 0.7, 0.1}, {"b", -0.1, 0.2, 0.1}});
-  const FitVariables variables(lattice);
-  const Eigen::VectorXd low = variables.ToValues(variables.lower());
-  const Eigen::VectorXd high = variables.ToValues(variables.upper());
-  EXPECT_GE(low[0], 0.1);
-  EXPECT_LE(high[0], 0.7);
-  EXPECT_GE(low[1], -0.1);
-  EXPECT_LE(high[1], 0.2);
-  EXPECT_EQ(variables.ToValues(Eigen::Vector2d(-9, 2)), Eigen::Vector2d(0.1, 0.2));
+// The exponentials of the logarithms of many numbers are off by a bit, to either side.
+TEST(FitVariables, ReachTheBoundsToTheLastBitAndNeverLeaveThem) {
+  for (int i = 1; i <= 200; ++i) {
+    const FitVariables variables(Lattice({{"a", 0.1 * i, 0.7 * i, 0.1}, {"b", -0.1 * i, 0.2 * i, 0.1}}));
+    const Eigen::Vector2d lower(0.1 * i, -0.1 * i);
+    const Eigen::Vector2d upper(0.7 * i, 0.2 * i);
+    EXPECT_EQ(variables.ToValues(variables.lower()), lower);
+    EXPECT_EQ(variables.ToValues(variables.upper()), upper);
+    EXPECT_EQ(variables.ToValues(variables.FromValues(lower)), lower);
+    EXPECT_EQ(variables.ToValues(variables.FromValues(upper)), upper);
+    EXPECT_EQ(variables.ToValues(Eigen::Vector2d(-9, 2)), Eigen::Vector2d(lower[0], upper[1]));
+  }
 }
 
 TEST(FitVariables, SlopesAreTheDerivativesOfTheValues) {

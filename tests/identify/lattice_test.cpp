@@ -32,9 +32,9 @@ TEST(Lattice, HasTheCountsOfTheThesisExample) {
 }
 
 TEST(Lattice, CountsStepsInSpiteOfRoundedBounds) {
-  EXPECT_EQ(OneAxis(0, 0.3, 0.1).count(0), 4);      // 0.3 / 0.1 < 3
-  EXPECT_EQ(OneAxis(0.1, 0.7, 0.1).count(0), 7);    // 0.6 / 0.1 < 6
-  EXPECT_EQ(OneAxis(0.2, 0.3, 0.1).count(0), 2);    // 0.3 - 0.2 < 0.1
+  EXPECT_EQ(OneAxis(0, 0.3, 0.1).count(0), 4);    // 0.3 / 0.1 < 3
+  EXPECT_EQ(OneAxis(0.1, 0.7, 0.1).count(0), 7);  // 0.6 / 0.1 < 6
+  EXPECT_EQ(OneAxis(0.2, 0.3, 0.1).count(0), 2);  // 0.3 - 0.2 < 0.1
   EXPECT_EQ(OneAxis(-0.3, 0.3, 0.1).count(0), 7);
   EXPECT_EQ(OneAxis(1e6, 1e6 + 0.3, 0.1).count(0), 4);
 }
@@ -134,10 +134,13 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(Lattice, NamesAllFaultsAtOnce) {
-  EXPECT_THAT([] { Lattice lattice({{"k", 2, 1, 0.1}, {"m", 0, 1, 0.1}, {"m", 0, 1, 2}}); },
-              ThrowsMessage<std::invalid_argument>(StrEq("k: lower bound 2 is above upper bound 1\n"
-                                                         "m: is there twice\n"
-                                                         "m: precision 2 exceeds the range 1")));
+  EXPECT_THAT(
+      [] {
+        Lattice lattice({{"k", 2, 1, 0.1}, {"m", 0, 1, 0.1}, {"m", 0, 1, 2}});
+      },
+      ThrowsMessage<std::invalid_argument>(StrEq("k: lower bound 2 is above upper bound 1\n"
+                                                 "m: is there twice\n"
+                                                 "m: precision 2 exceeds the range 1")));
 }
 
 TEST(Lattice, NeedsAParameter) {

@@ -125,10 +125,8 @@ class VehicleFileTest : public ::testing::Test {
     rest.erase(found);
     diagnostics_ = {};
     for (const Diagnostic& item : rest) {
-      if (item.severity == Severity::kError)
-        diagnostics_.Error(item.file, item.line, item.message);
-      else
-        diagnostics_.Warning(item.file, item.line, item.message);
+      if (item.severity == Severity::kError) diagnostics_.Error(item.file, item.line, item.message);
+      else diagnostics_.Warning(item.file, item.line, item.message);
     }
   }
 

@@ -1,0 +1,88 @@
+#include <gmock/gmock.h>
+
+#include "tests/vehicles/small_vehicle.h"
+#include "vehicles/file_text.h"
+#include "vehicles/xml_scanner.h"
+
+namespace fourpost {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(XmlScanner, FindsAttributesInDocumentOrder) {
+  const std::string text =
+      "<?xml version='1.0'?><!-- <a x='1'/> --><b y = 'say \"hi\"'\n z=\"2 > 1\"><![CDATA[<c/>]]><d/></b>";
+  const std::vector<TagPlaces> tags = ScanTags(text);
+  ASSERT_EQ(tags.size(), 2U);
+  ASSERT_EQ(tags[0].size(), 2U);
+  EXPECT_EQ(tags[0][0].name, "y");
+  EXPECT_EQ(text.substr(tags[0][0].begin, tags[0][0].end - tags[0][0].begin), "say \"hi\"");
+  EXPECT_EQ(tags[0][0].quote, '\'');
+  EXPECT_EQ(tags[0][1].name, "z");
+  EXPECT_EQ(text.substr(tags[0][1].begin, tags[0][1].end - tags[0][1].begin), "2 > 1");
+  EXPECT_TRUE(tags[1].empty());
+}
+
+class VehicleText : public VehicleFileTest {
+ protected:
+  /// The text with these values, and the vehicle that it describes.
+  std::string Rewrite(const std::string& text, const std::vector<double>& values) {
+    const std::optional<Vehicle> vehicle = Read(text);
+    const std::string rewritten = VehicleTextWithValues(vehicle.value(), values, "");
+    const std::optional<Vehicle> again = Read(rewritten);
+    EXPECT_EQ(again.value_or(Vehicle()).ParameterValues(), values);
+    return rewritten;
+  }
+};
+
+TEST_F(VehicleText, StaysAsItIsForTheSameValues) { EXPECT_EQ(Rewrite(kSmallVehicle, {200, 2, 15000}), kSmallVehicle); }
+
+TEST_F(VehicleText, ChangesParametersAndWhatIsBoundToThem) {
+  std::string expected = Replaced(kSmallVehicle, "value=\"200 kg\"", "value=\"180.3 kg\"");
+  expected = Replaced(expected, "<mass value=\"200\"/>", "<mass value=\"180.3\"/>");
+  expected = Replaced(expected, "value=\"2 kg*m^2\"", "value=\"2.25 kg*m^2\"");
+  expected = Replaced(expected, "iyy=\"4\"", "iyy=\"4.5\"");
+  expected = Replaced(expected, "value=\"15 N/mm\"", "value=\"12.34 N/mm\"");
+  EXPECT_EQ(Rewrite(kSmallVehicle, {180.3, 2.25, 12340}), expected);
+}
+
+TEST_F(VehicleText, ReadsBackAnyDouble) { Rewrite(kSmallVehicle, {500.0 / 3, 7.0 / 3, 1e5 / 7}); }
+
+TEST_F(VehicleText, KeepsLayoutAndCommentsThatLookAlike) {
+  const std::string layout =
+      "<!-- <fp:parameter name=\"k\" value=\"15 N/mm\"/> > -->\r\n  <fp:parameter\n    name = 'k'\n\tvalue\n= '15 "
+      "N/mm' ";
+  const std::string text = Replaced(kSmallVehicle, "<fp:parameter name=\"k\" value=\"15 N/mm\" ", layout);
+  EXPECT_EQ(Rewrite(text, {200, 2, 16000}), Replaced(text, "= '15 N/mm'", "= '16 N/mm'"));
+}
+
+TEST_F(VehicleText, FollowsTheVehicleFileNotItsCopy) {
+  Vehicle vehicle = Read(kSmallVehicle).value();
+  vehicle.parameters[2].value = 16000;
+  EXPECT_THAT(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), ""), HasSubstr("value=\"16 N/mm\""));
+}
+
+TEST_F(VehicleText, MovesMeshes) {
+  const std::filesystem::path file = std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / "quarter_car.urdf";
+  const Vehicle vehicle = ReadVehicle(file, diagnostics_).value();
+  const std::vector<double> values = vehicle.ParameterValues();
+  const std::string moved = VehicleTextWithValues(vehicle, values, "meshes & more");
+  EXPECT_THAT(moved, HasSubstr("filename=\"meshes &amp; more/wheel.obj\""));
+  EXPECT_THAT(moved, Not(HasSubstr("../meshes")));
+  EXPECT_EQ(VehicleTextWithValues(vehicle, values, ""), FileText(file));
+}
+
+TEST_F(VehicleText, NeedsAValueForEachParameter) {
+  const Vehicle vehicle = Read(kSmallVehicle).value();
+  EXPECT_THROW(VehicleTextWithValues(vehicle, std::vector<double>{1}, ""), std::invalid_argument);
+}
+
+TEST_F(VehicleText, NeedsTheFile) {
+  Vehicle vehicle = Read(kSmallVehicle).value();
+  vehicle.file = folder_ / "gone.urdf";
+  EXPECT_THROW(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), ""), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace fourpost
