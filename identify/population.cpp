@@ -25,13 +25,12 @@ std::size_t WorstIndex(const Population& population) {
 }
 
 double Diversity(const Population& population, const Lattice& lattice, DiversityMeasure measure, double tolerance) {
-  const std::size_t best = BestIndex(population);
-  const LatticePoint& best_point = population[best].point;
+  const LatticePoint& best = population[BestIndex(population)].point;
   std::size_t different = 0;
-  for (std::size_t i = 0; i < population.size(); ++i) {
-    if (i == best) continue;
+  // The best one itself adds nothing.
+  for (const Individual& member : population) {
     for (std::size_t j = 0; j < lattice.size(); ++j) {
-      different += GeneDiffers(population[i].point[j], best_point[j], lattice.count(j), measure, tolerance);
+      different += GeneDiffers(member.point[j], best[j], lattice.count(j), measure, tolerance);
     }
   }
   return static_cast<double>(different) / static_cast<double>(lattice.size() * (population.size() - 1));

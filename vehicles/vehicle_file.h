@@ -3,18 +3,23 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "analysis/diagnostics.h"
 #include "vehicles/vehicle.h"
 
 namespace fourpost {
 
-/// Reads a vehicle description: URDF by urdfdom, `fp:` tags by our reader.
-/// Adds every fault to `diagnostics` with file and line; nothing when there was an error.
+/// Reads a vehicle description: URDF by urdfdom, `fp:` tags by our reader; urdf/README.md is the format's reference.
+/// Adds every fault to `diagnostics` with file and line; gives nothing when there was an error. Meshes are read once to
+/// see that they can be. A parameter without bounds is fixed: lower = value = upper and precision = 0.
 std::optional<Vehicle> ReadVehicle(const std::filesystem::path& file, Diagnostics& diagnostics);
 
-/// The text of the vehicle's file with other parameter values (SI, order of Vehicle::parameters), comments and layout
-/// kept, mesh file names replaced by `mesh_directory`/name. Throws std::runtime_error when the file cannot be read.
+/// The text of the vehicle's file with other parameter values (SI, order of Vehicle::parameters), each in the unit it
+/// was written in, and with the numbers of the tree that follow them; all else is kept byte for byte. Mesh file names
+/// become `mesh_directory`/name, or stay as they are when that is empty. Reading it gives the same doubles back.
+/// Values outside a parameter's bounds make a file that does not read.
+/// Throws std::invalid_argument for a wrong number of values, std::runtime_error when the file cannot be read any more.
 std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double> parameters,
                                   const std::filesystem::path& mesh_directory);
 

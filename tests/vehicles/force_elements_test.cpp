@@ -104,7 +104,7 @@ TEST_F(ForceElements, DashpotIsInternalAndItsPowerIsThatOfItsLaw) {
     const DamperData data{.line = Line(guided), .dashpot = {800, 2600}};
     Moving();
     const double rate = DifferencedRate(data.line);
-    ASSERT_GT(std::abs(rate), 0.1);
+    ASSERT_GT(std::abs(rate), 0.01);
     ExpectInternal(BalanceOf(DamperForce(data, forces_)), data.dashpot.Force(rate), data.line);
     EXPECT_LT(BalanceOf(DamperForce(data, forces_)).power, 0) << "a dashpot only takes power";
   }

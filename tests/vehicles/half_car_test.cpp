@@ -45,6 +45,10 @@ Vehicle LevelCar() {
   return vehicle;
 }
 
+// Axles below the body's centre of mass, specification 2.5 [m].
+constexpr double kFrontDepth = 0.447;
+constexpr double kRearDepth = 0.457;
+
 double ValueOf(const Vehicle& vehicle, const std::string& name) {
   for (const Parameter& parameter : vehicle.parameters)
     if (parameter.name == name) return parameter.value;
@@ -54,8 +58,6 @@ double ValueOf(const Vehicle& vehicle, const std::string& name) {
 
 /// Model 1 with the parameters of the vehicle, both sides together, and Is + sum of m h^2.
 HalfCar EquivalentHalfCar(const Vehicle& vehicle) {
-  constexpr double kFrontDepth = 0.447;  // axle below the body's centre of mass, specification 2.5 [m]
-  constexpr double kRearDepth = 0.457;
   HalfCar car;
   car.sprung_mass = ValueOf(vehicle, "m_sprung");
   car.front_mass = ValueOf(vehicle, "m_front");
@@ -73,9 +75,16 @@ HalfCar EquivalentHalfCar(const Vehicle& vehicle) {
   return car;
 }
 
-/// Adds the sensors of the vehicle that Model 1 has too: q = (z_s, theta, z_f, z_r).
-CondensedModel WithSensors(const HalfCar& car, const std::vector<Sensor>& sensors) {
+/// Model 1 with what gravity adds, which it leaves out: the springs carry the body above their ends on the axles, so a
+/// pitched body leans over and its weight takes (sum of spring loads times depth) from the pitch stiffness.
+CondensedModel WithGravity(const HalfCar& car, const Preloads& preloads) {
   CondensedModel model = car.Model();
+  model.stiffness(1, 1) += preloads.spring[0] * kFrontDepth + preloads.spring[1] * kRearDepth;  // tension positive
+  return model;
+}
+
+/// Adds the sensors of the vehicle that Model 1 has too: q = (z_s, theta, z_f, z_r).
+CondensedModel WithSensors(CondensedModel model, const HalfCar& car, const std::vector<Sensor>& sensors) {
   const auto count = static_cast<Eigen::Index>(sensors.size());
   model.on_position.setZero(count, 4);
   model.on_velocity.setZero(count, 4);
@@ -126,8 +135,9 @@ constexpr double kRounding = 1e-9;
 
 TEST(HalfCar, LinkageCarWithLevelArmsHasItsPoles) {
   const Vehicle vehicle = LevelCar();
-  const auto linkage = Poles(CondensedVehicle(vehicle).At(vehicle.ParameterValues()));
-  const auto closed = Poles(EquivalentHalfCar(vehicle).Model());
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  const auto linkage = Poles(model);
+  const auto closed = Poles(WithGravity(EquivalentHalfCar(vehicle), model.preloads));
   ASSERT_EQ(linkage.size(), 4u);
   ASSERT_EQ(closed.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_LT(std::abs(linkage[i] / closed[i] - 1.0), kRounding);
@@ -136,7 +146,8 @@ TEST(HalfCar, LinkageCarWithLevelArmsHasItsPoles) {
 TEST(HalfCar, LinkageCarWithLevelArmsHasItsResponse) {
   const Vehicle vehicle = LevelCar();
   const CondensedModel linkage = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
-  const CondensedModel closed = WithSensors(EquivalentHalfCar(vehicle), vehicle.sensors);
+  const HalfCar car = EquivalentHalfCar(vehicle);
+  const CondensedModel closed = WithSensors(WithGravity(car, linkage.preloads), car, vehicle.sensors);
   for (const double rear : {1.0, -1.0}) {
     const Excitation excitation = Rig({1, rear});
     const FrequencyResponse a = SolveHarmonicBalance(linkage, vehicle.sensors, excitation).response;
@@ -156,8 +167,9 @@ TEST(HalfCar, WithoutTheAxlesDepthThePolesDiffer) {
   const Vehicle vehicle = LevelCar();
   HalfCar car = EquivalentHalfCar(vehicle);
   car.pitch_inertia = ValueOf(vehicle, "I_pitch");
-  const auto linkage = Poles(CondensedVehicle(vehicle).At(vehicle.ParameterValues()));
-  const auto closed = Poles(car.Model());
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  const auto linkage = Poles(model);
+  const auto closed = Poles(WithGravity(car, model.preloads));
   EXPECT_GT(std::abs(linkage[1] / closed[1] - 1.0), 1e-3);
 }
 

@@ -65,13 +65,13 @@ class MeshFile : public VehicleFileTest {
  protected:
   /// The small vehicle with this mesh on its body, in line 16.
   static std::string WithMesh(const std::string& attributes) {
-    return Replaced(kSmallVehicle, "<box size=\"1 2 3\"/>", "<mesh " + attributes + "/>");
+    return Replaced(kSmallVehicle, R"(<box size="1 2 3"/>)", "<mesh " + attributes + "/>");
   }
 };
 
 TEST_F(MeshFile, IsFoundBesideTheVehicleFile) {
   Write(FileText(kMeshes / "box.obj").value(), "cube.obj");
-  const std::optional<Vehicle> vehicle = Read(WithMesh("filename=\"./cube.obj\" scale=\"0.001 0.002 0.003\""));
+  const std::optional<Vehicle> vehicle = Read(WithMesh(R"(filename="./cube.obj" scale="0.001 0.002 0.003")"));
   ASSERT_TRUE(vehicle.has_value());
   const Visual& visual = vehicle->links.at(2).visuals.at(0);
   EXPECT_EQ(visual.shape, Visual::Shape::kMesh);
@@ -80,24 +80,24 @@ TEST_F(MeshFile, IsFoundBesideTheVehicleFile) {
 }
 
 TEST_F(MeshFile, MustExist) {
-  EXPECT_FALSE(Read(WithMesh("filename=\"none.obj\" scale=\"1 1 1\"")).has_value());
+  EXPECT_FALSE(Read(WithMesh(R"(filename="none.obj" scale="1 1 1")")).has_value());
   Expect(Severity::kError, 16, "mesh 'none.obj' is missing");
 }
 
 TEST_F(MeshFile, MustBeReadable) {
   Write("no mesh", "text.obj");
-  EXPECT_FALSE(Read(WithMesh("filename=\"text.obj\" scale=\"1 1 1\"")).has_value());
+  EXPECT_FALSE(Read(WithMesh(R"(filename="text.obj" scale="1 1 1")")).has_value());
   Expect(Severity::kError, 16, "mesh 'text.obj' is of no use");
 }
 
 TEST_F(MeshFile, NeedsAScale) {
   Write(FileText(kMeshes / "box.obj").value(), "cube.obj");
-  EXPECT_FALSE(Read(WithMesh("filename=\"cube.obj\"")).has_value());
+  EXPECT_FALSE(Read(WithMesh(R"(filename="cube.obj")")).has_value());
   Expect(Severity::kError, 16, "needs the attribute 'scale'");
 }
 
 TEST_F(MeshFile, MustNotBeAPackageAddress) {
-  EXPECT_FALSE(Read(WithMesh("filename=\"package://fourpost/box.obj\" scale=\"1 1 1\"")).has_value());
+  EXPECT_FALSE(Read(WithMesh(R"(filename="package://fourpost/box.obj" scale="1 1 1")")).has_value());
   Expect(Severity::kError, 16, "package:// are not supported");
 }
 

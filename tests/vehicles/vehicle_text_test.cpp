@@ -17,7 +17,7 @@ TEST(XmlScanner, FindsAttributesInDocumentOrder) {
   ASSERT_EQ(tags.size(), 2U);
   ASSERT_EQ(tags[0].size(), 2U);
   EXPECT_EQ(tags[0][0].name, "y");
-  EXPECT_EQ(text.substr(tags[0][0].begin, tags[0][0].end - tags[0][0].begin), "say \"hi\"");
+  EXPECT_EQ(text.substr(tags[0][0].begin, tags[0][0].end - tags[0][0].begin), R"(say "hi")");
   EXPECT_EQ(tags[0][0].quote, '\'');
   EXPECT_EQ(tags[0][1].name, "z");
   EXPECT_EQ(text.substr(tags[0][1].begin, tags[0][1].end - tags[0][1].begin), "2 > 1");
@@ -39,11 +39,11 @@ class VehicleText : public VehicleFileTest {
 TEST_F(VehicleText, StaysAsItIsForTheSameValues) { EXPECT_EQ(Rewrite(kSmallVehicle, {200, 2, 15000}), kSmallVehicle); }
 
 TEST_F(VehicleText, ChangesParametersAndWhatIsBoundToThem) {
-  std::string expected = Replaced(kSmallVehicle, "value=\"200 kg\"", "value=\"180.3 kg\"");
-  expected = Replaced(expected, "<mass value=\"200\"/>", "<mass value=\"180.3\"/>");
-  expected = Replaced(expected, "value=\"2 kg*m^2\"", "value=\"2.25 kg*m^2\"");
-  expected = Replaced(expected, "iyy=\"4\"", "iyy=\"4.5\"");
-  expected = Replaced(expected, "value=\"15 N/mm\"", "value=\"12.34 N/mm\"");
+  std::string expected = Replaced(kSmallVehicle, R"(value="200 kg")", R"(value="180.3 kg")");
+  expected = Replaced(expected, R"(<mass value="200"/>)", R"(<mass value="180.3"/>)");
+  expected = Replaced(expected, R"(value="2 kg*m^2")", R"(value="2.25 kg*m^2")");
+  expected = Replaced(expected, R"(iyy="4")", R"(iyy="4.5")");
+  expected = Replaced(expected, R"(value="15 N/mm")", R"(value="12.34 N/mm")");
   EXPECT_EQ(Rewrite(kSmallVehicle, {180.3, 2.25, 12340}), expected);
 }
 
@@ -53,14 +53,14 @@ TEST_F(VehicleText, KeepsLayoutAndCommentsThatLookAlike) {
   const std::string layout =
       "<!-- <fp:parameter name=\"k\" value=\"15 N/mm\"/> > -->\r\n  <fp:parameter\n    name = 'k'\n\tvalue\n= '15 "
       "N/mm' ";
-  const std::string text = Replaced(kSmallVehicle, "<fp:parameter name=\"k\" value=\"15 N/mm\" ", layout);
+  const std::string text = Replaced(kSmallVehicle, R"(<fp:parameter name="k" value="15 N/mm" )", layout);
   EXPECT_EQ(Rewrite(text, {200, 2, 16000}), Replaced(text, "= '15 N/mm'", "= '16 N/mm'"));
 }
 
 TEST_F(VehicleText, FollowsTheVehicleFileNotItsCopy) {
   Vehicle vehicle = Read(kSmallVehicle).value();
   vehicle.parameters[2].value = 16000;
-  EXPECT_THAT(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), ""), HasSubstr("value=\"16 N/mm\""));
+  EXPECT_THAT(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), ""), HasSubstr(R"(value="16 N/mm")"));
 }
 
 TEST_F(VehicleText, MovesMeshes) {
@@ -68,7 +68,7 @@ TEST_F(VehicleText, MovesMeshes) {
   const Vehicle vehicle = ReadVehicle(file, diagnostics_).value();
   const std::vector<double> values = vehicle.ParameterValues();
   const std::string moved = VehicleTextWithValues(vehicle, values, "meshes & more");
-  EXPECT_THAT(moved, HasSubstr("filename=\"meshes &amp; more/wheel.obj\""));
+  EXPECT_THAT(moved, HasSubstr(R"(filename="meshes &amp; more/wheel.obj")"));
   EXPECT_THAT(moved, Not(HasSubstr("../meshes")));
   EXPECT_EQ(VehicleTextWithValues(vehicle, values, ""), FileText(file));
 }

@@ -6,18 +6,18 @@ namespace {
 const std::string kRobot = "<robot name=\"r\">\n";
 
 std::string LinkText(const std::string& name, const std::string& inertial = "") {
-  return "<link name=\"" + name + "\">" + inertial + "</link>\n";
+  return R"(<link name=")" + name + R"(">)" + inertial + "</link>\n";
 }
 
-std::string Inertial(double mass, const std::string& moments = "ixx=\"1\" iyy=\"1\" izz=\"1\"") {
-  return "<inertial><mass value=\"" + std::to_string(mass) + "\"/><inertia " + moments +
-         " ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>";
+std::string Inertial(double mass, const std::string& moments = R"(ixx="1" iyy="1" izz="1")") {
+  return R"(<inertial><mass value=")" + std::to_string(mass) + R"("/><inertia )" + moments +
+         R"( ixy="0" ixz="0" iyz="0"/></inertial>)";
 }
 
 std::string JointText(const std::string& name, const std::string& parent, const std::string& child,
                       const std::string& type = "floating") {
-  return "<joint name=\"" + name + "\" type=\"" + type + "\"><parent link=\"" + parent + "\"/><child link=\"" + child +
-         "\"/></joint>\n";
+  return R"(<joint name=")" + name + R"(" type=")" + type + R"("><parent link=")" + parent + R"("/><child link=")" +
+         child + "\"/></joint>\n";
 }
 
 /// Lines: 1 robot, 2 ground, 3 body, 4 joint, then what is added.
@@ -52,7 +52,7 @@ TEST_F(VehicleTree, PutsTheGroundFirstAndParentsBeforeChildren) {
   EXPECT_EQ(vehicle->links.at(static_cast<std::size_t>(vehicle->joints[1].child)).name, "b");
 }
 
-TEST_F(VehicleTree, NeedsALink) { ExpectOnly("<robot name=\"r\"/>", 0, "there is no link"); }
+TEST_F(VehicleTree, NeedsALink) { ExpectOnly(R"(<robot name="r"/>)", 0, "there is no link"); }
 
 TEST_F(VehicleTree, NeedsAGround) {
   ExpectOnly(kRobot + LinkText("a", Inertial(1)) + LinkText("b", Inertial(1)) + JointText("ab", "a", "b") +
@@ -84,7 +84,7 @@ TEST_F(VehicleTree, KnowsTheLinksOfJoints) {
 }
 
 TEST_F(VehicleTree, NeedsBothEndsOfAJoint) {
-  ExpectOnly(Replaced(FreeBody(Inertial(1)), "<child link=\"body\"/>", ""), 4, "joint 'free' needs a <child>");
+  ExpectOnly(Replaced(FreeBody(Inertial(1)), R"(<child link="body"/>)", ""), 4, "joint 'free' needs a <child>");
 }
 
 TEST_F(VehicleTree, KnowsTheTypesOfJoints) {
@@ -115,7 +115,7 @@ TEST_F(VehicleTree, FindsMisspeltUrdf) {
 }
 
 TEST_F(VehicleTree, FindsMisspeltAttributesOfUrdf) {
-  EXPECT_FALSE(Read(FreeBody(Inertial(1, "ixx=\"1\" iyy=\"1\" izzz=\"1\""))).has_value());
+  EXPECT_FALSE(Read(FreeBody(Inertial(1, R"(ixx="1" iyy="1" izzz="1")"))).has_value());
   Expect(Severity::kError, 3,
          "unknown attribute 'izzz' of <inertia> of <inertial> of link 'body', did you mean 'izz'?");
   Expect(Severity::kError, 3, "<inertia> of <inertial> of link 'body' needs the attribute 'izz'");
@@ -124,22 +124,21 @@ TEST_F(VehicleTree, FindsMisspeltAttributesOfUrdf) {
 TEST_F(VehicleTree, RejectsNegativeMass) { ExpectOnly(FreeBody(Inertial(-1)), 3, "must not be negative"); }
 
 TEST_F(VehicleTree, RejectsTextForNumbers) {
-  ExpectOnly(Replaced(FreeBody(Inertial(1)), "iyy=\"1\"", "iyy=\"1 kg*m^2\""), 3, "is not a plain number");
+  ExpectOnly(Replaced(FreeBody(Inertial(1)), R"(iyy="1")", R"(iyy="1 kg*m^2")"), 3, "is not a plain number");
 }
 
 TEST_F(VehicleTree, RejectsInertiaThatNoBodyHas) {
-  ExpectOnly(FreeBody(Inertial(1, "ixx=\"1\" iyy=\"1\" izz=\"2.1\"")), 3,
-             "link 'body' has an inertia that no body has");
+  ExpectOnly(FreeBody(Inertial(1, R"(ixx="1" iyy="1" izz="2.1")")), 3, "link 'body' has an inertia that no body has");
 }
 
 TEST_F(VehicleTree, AcceptsAFlatBody) {
-  EXPECT_TRUE(Read(FreeBody(Inertial(1, "ixx=\"1\" iyy=\"1\" izz=\"2\""))).has_value());
+  EXPECT_TRUE(Read(FreeBody(Inertial(1, R"(ixx="1" iyy="1" izz="2")"))).has_value());
 }
 
 TEST_F(VehicleTree, RejectsInertiaThatNoBodyHasAtABound) {
-  const std::string text = Replaced(kSmallVehicle, "value=\"2 kg*m^2\"",
-                                    "value=\"2 kg*m^2\" lower=\"1 kg*m^2\" upper=\"5 kg*m^2\" precision=\"1 kg*m^2\"");
-  ExpectOnly(text, LineOf(text, "<link name=\"body\""), "at some of its parameters' bounds");
+  const std::string text = Replaced(kSmallVehicle, R"(value="2 kg*m^2")",
+                                    R"(value="2 kg*m^2" lower="1 kg*m^2" upper="5 kg*m^2" precision="1 kg*m^2")");
+  ExpectOnly(text, LineOf(text, R"(<link name="body")"), "at some of its parameters' bounds");
 }
 
 TEST_F(VehicleTree, RejectsInertiaWithoutMass) {
@@ -159,7 +158,7 @@ TEST_F(VehicleTree, AcceptsMassFurtherOut) {
 TEST_F(VehicleTree, PassesOverWhatUrdfHasForOthers) {
   const std::string others =
       "<collision><geometry><sphere radius=\"1\"/></geometry></collision></link>\n<material name=\"red\"><color "
-      "rgba=\"1 0 0 1\"/>"
+      R"(rgba="1 0 0 1"/>)"
       "</material>\n<transmission name=\"t\"><actuator name=\"m\"/></transmission>\n<joint";
   EXPECT_TRUE(Read(Replaced(FreeBody(Inertial(1)), "</link>\n<joint", others)).has_value());
 }
@@ -172,8 +171,8 @@ TEST_F(VehicleTree, ReadsNumbersOverSeveralLines) {
 }
 
 TEST_F(VehicleTree, TurnsInertiaIntoLinkAxes) {
-  const std::string turned = Replaced(Inertial(1, "ixx=\"1\" iyy=\"2\" izz=\"3\""), "<inertial>",
-                                      "<inertial><origin rpy=\"0 0 1.5707963267948966\"/>");
+  const std::string turned = Replaced(Inertial(1, R"(ixx="1" iyy="2" izz="3")"), "<inertial>",
+                                      R"(<inertial><origin rpy="0 0 1.5707963267948966"/>)");
   const std::optional<Vehicle> vehicle = Read(FreeBody(turned));
   ASSERT_TRUE(vehicle.has_value());
   // A quarter turn about z swaps x and y; the sines of rounded angles leave about 1e-16.
