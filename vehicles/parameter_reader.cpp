@@ -94,6 +94,12 @@ void ParameterReader::ReadBounds(const Tag& tag, Parameter& parameter) const {
     const std::optional<Quantity> quantity = ReadQuantity(tag, attribute, faults_);
     if (!quantity) continue;
     *place = quantity->si;
+    if (parameter.unit.empty() && !quantity->unit_text.empty()) {
+      faults_.Error(tag.Line("value"), Quoted("value", tag.Text("value"), tag) + " has no unit, but " +
+                                           std::string(attribute) + " has: write \"" + tag.Text("value") + " " +
+                                           quantity->unit_text + "\"");
+      return;
+    }
     if (quantity->unit.dimension != parameter.dimension)
       faults_.Error(tag.Line(attribute), Quoted(attribute, tag.Text(attribute), tag) + " " +
                                              DimensionFault(*quantity, tag.Text(attribute), parameter.dimension) +

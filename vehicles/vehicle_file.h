@@ -16,11 +16,11 @@ namespace fourpost {
 std::optional<Vehicle> ReadVehicle(const std::filesystem::path& file, Diagnostics& diagnostics);
 
 /// The text of the vehicle's file with other parameter values (SI, order of Vehicle::parameters), each in the unit it
-/// was written in, and with the numbers of the tree that follow them; all else is kept byte for byte. Mesh file names
-/// become `mesh_directory`/name, or stay as they are when that is empty. Reading it gives the same doubles back.
+/// was written in, and with the numbers of the tree that follow them; all else is kept byte for byte. The text is meant
+/// for a file in `folder`: mesh files are named relative to it. Reading it gives the same doubles back.
 /// Values outside a parameter's bounds make a file that does not read.
 /// Throws std::invalid_argument for a wrong number of values, std::runtime_error when the file cannot be read any more.
 std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double> parameters,
-                                  const std::filesystem::path& mesh_directory);
+                                  const std::filesystem::path& folder);
 
 }  // namespace fourpost

@@ -101,17 +101,19 @@ void ReplaceTree(const XMLElement& robot, const Vehicle& vehicle, std::span<cons
   }
 }
 
-void ReplaceMeshes(const XMLElement& element, const std::filesystem::path& directory, TextEdits& edits) {
+/// Mesh files stand relative to the vehicle file.
+void ReplaceMeshes(const XMLElement& element, const std::filesystem::path& from, const std::filesystem::path& to,
+                   TextEdits& edits) {
   const std::optional<std::string> file = AttributeText(element, "filename");
   if (file && std::string_view(element.Name()) == "mesh")
-    edits.Replace(element, "filename", (directory / std::filesystem::path(*file).filename()).generic_string());
-  for (const XMLElement* child : Children(element)) ReplaceMeshes(*child, directory, edits);
+    edits.Replace(element, "filename", (from / *file).lexically_normal().lexically_relative(to).generic_string());
+  for (const XMLElement* child : Children(element)) ReplaceMeshes(*child, from, to, edits);
 }
 
 }  // namespace
 
 std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double> parameters,
-                                  const std::filesystem::path& mesh_directory) {
+                                  const std::filesystem::path& folder) {
   if (parameters.size() != vehicle.parameters.size())
     throw std::invalid_argument("VehicleTextWithValues: expected " + std::to_string(vehicle.parameters.size()) +
                                 " parameter values, got " + std::to_string(parameters.size()));
@@ -124,7 +126,9 @@ std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double
   TextEdits edits(*text, robot);
   ReplaceParameters(robot, vehicle, parameters, edits);
   ReplaceTree(robot, vehicle, parameters, edits);
-  if (!mesh_directory.empty()) ReplaceMeshes(robot, mesh_directory, edits);
+  const std::filesystem::path from = std::filesystem::weakly_canonical(vehicle.file).parent_path();
+  const std::filesystem::path to = std::filesystem::weakly_canonical(folder);
+  if (from != to) ReplaceMeshes(robot, from, to, edits);
   return edits.Result();
 }
 

@@ -123,6 +123,7 @@ TEST_F(CommandLine, FitIsTheSameForOneAndTwoThreads) {
   EXPECT_EQ(one.out, two.out);
   EXPECT_EQ(one.out, ReadText(folder_ / "one/result.json"));
   EXPECT_EQ(ReadText(folder_ / "one/vehicle.urdf"), ReadText(folder_ / "two/vehicle.urdf"));
+  EXPECT_EQ(ReadText(folder_ / "one/response.csv"), ReadText(folder_ / "two/response.csv"));
 }
 
 TEST_F(CommandLine, CheckTellsLoadsAndModes) {
@@ -161,7 +162,7 @@ TEST_F(CommandLine, RefusesAMisspeltAttribute) {
 
 TEST_F(CommandLine, RefusesAMissingUnit) {
   Replace(kVehicle, "value=\"1725 kg\"", "value=\"1725\"");
-  ExpectRefused("unit");
+  ExpectRefused("landrover110_linkage.urdf:88: error: value=\"1725\" of fp:parameter 'm_sprung' has no unit");
 }
 
 TEST_F(CommandLine, RefusesAnUnknownLink) {

@@ -8,6 +8,7 @@
 namespace fourpost {
 namespace {
 
+using testing::Each;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -45,45 +46,53 @@ class DownhillSimplexStep : public testing::Test {
   }
 
   const Lattice lattice_{{{"a", 1, 101, 1}, {"b", 1, 101, 1}}};
-  // The centroid of the two better ones is (50, 40); the worst reflects to (50, 20).
-  const Population simplex_ = {{{50, 60}, {9}}, {{44, 40}, {1}}, {{56, 40}, {5}}};
+  // The centroid of the two better ones is (50, 40); the worst reflects to (50, 30) and expands to (50, 20).
+  const Population simplex_ = {{{50, 50}, {9}}, {{44, 40}, {1}}, {{56, 40}, {5}}};
 };
 
 TEST_F(DownhillSimplexStep, ExpandsWhenTheReflectionIsTheBest) {
-  Scorer scorer({{{50, 20}, 0.5}, {{50, 0 + 1}, 0.2}});
-  // The expansion, (50, 0), is kept inside the bound.
-  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 1}));
-  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 20}, LatticePoint{50, 1}));
+  Scorer scorer({{{50, 30}, 0.5}, {{50, 20}, 0.2}});
+  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 20}));
+  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 30}, LatticePoint{50, 20}));
 }
 
 TEST_F(DownhillSimplexStep, KeepsTheReflectionWhenTheExpansionIsWorse) {
-  Scorer scorer({{{50, 20}, 0.5}, {{50, 1}, 0.7}});
-  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 20}));
+  Scorer scorer({{{50, 30}, 0.5}, {{50, 20}, 0.7}});
+  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 30}));
 }
 
 TEST_F(DownhillSimplexStep, KeepsAMiddlingReflectionWithoutMore) {
-  Scorer scorer({{{50, 20}, 3}});
+  Scorer scorer({{{50, 30}, 3}});
   EXPECT_EQ(Run(scorer).point, (LatticePoint{44, 40}));
-  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 20}));
+  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 30}));
 }
 
 TEST_F(DownhillSimplexStep, ContractsOutsideWhenTheReflectionBeatsTheWorstOnly) {
-  Scorer scorer({{{50, 20}, 7}, {{50, 30}, 0.5}});
-  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 30}));
-  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 20}, LatticePoint{50, 30}));
+  Scorer scorer({{{50, 30}, 7}, {{50, 35}, 0.5}});
+  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 35}));
+  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 30}, LatticePoint{50, 35}));
 }
 
 TEST_F(DownhillSimplexStep, ContractsInsideWhenTheReflectionIsWorst) {
-  Scorer scorer({{{50, 20}, 10}, {{50, 50}, 0.5}});
-  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 50}));
-  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 20}, LatticePoint{50, 50}));
+  Scorer scorer({{{50, 30}, 10}, {{50, 45}, 0.5}});
+  EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 45}));
+  EXPECT_THAT(scorer.asked(), ElementsAre(LatticePoint{50, 30}, LatticePoint{50, 45}));
 }
 
 TEST_F(DownhillSimplexStep, ShrinksHalfwayToTheBestWhenNothingHelps) {
   Scorer scorer({{{50, 40}, 0.5}});
   EXPECT_EQ(Run(scorer).point, (LatticePoint{50, 40}));
   EXPECT_THAT(scorer.asked(),
-              ElementsAre(LatticePoint{50, 20}, LatticePoint{50, 50}, LatticePoint{50, 40}, LatticePoint{47, 50}));
+              ElementsAre(LatticePoint{50, 30}, LatticePoint{50, 45}, LatticePoint{50, 40}, LatticePoint{47, 45}));
+}
+
+TEST_F(DownhillSimplexStep, StaysWithinTheBounds) {
+  const Lattice narrow({{"a", 1, 101, 1}, {"b", 1, 76, 1}});
+  const Population simplex = {{{2, 70}, {1}}, {{4, 72}, {5}}, {{40, 20}, {9}}};
+  Scorer scorer({{{1, 76}, 0.5}});
+  // The reflection is (-34, 122), the expansion beyond it.
+  EXPECT_EQ(DownhillSimplex(simplex, narrow, 1, scorer.Function()).point, (LatticePoint{1, 76}));
+  EXPECT_THAT(scorer.asked(), Each(LatticePoint{1, 76}));
 }
 
 TEST_F(DownhillSimplexStep, EndsWithTheBestWhenNoMoreIsAnswered) {

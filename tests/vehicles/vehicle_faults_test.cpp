@@ -72,6 +72,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         FaultCase{"UnitMissing", R"(stiffness="200 kN/m")", R"(stiffness="200")", "<fp:tyre",
                   R"(stiffness="200" of fp:tyre 'tyre' has no unit: a stiffness is needed, such as "200 N/m")"},
+        FaultCase{"UnitMissingOfAParameter", R"(value="15 N/mm")", R"(value="15")", R"(name="k")",
+                  R"(value="15" of fp:parameter 'k' has no unit, but lower has: write "15 N/mm")"},
         FaultCase{"UnitUnknown", "200 kN/m", "200 kN/in", "<fp:tyre", "unknown unit 'kN/in'"},
         FaultCase{"WrongDimension", "200 kN/m", "200 kN", "<fp:tyre", "is a force: a stiffness is needed"},
         FaultCase{"NotANumber", "200 kN/m", "stiff", "<fp:tyre", "is not a number with a unit"},
