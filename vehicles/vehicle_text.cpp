@@ -101,6 +101,11 @@ void ReplaceTree(const XMLElement& robot, const Vehicle& vehicle, std::span<cons
   }
 }
 
+/// Of a path that need not exist yet.
+std::filesystem::path CanonicalPath(const std::filesystem::path& path) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+}
+
 /// Mesh files stand relative to the vehicle file.
 void ReplaceMeshes(const XMLElement& element, const std::filesystem::path& from, const std::filesystem::path& to,
                    TextEdits& edits) {
@@ -126,8 +131,8 @@ std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double
   TextEdits edits(*text, robot);
   ReplaceParameters(robot, vehicle, parameters, edits);
   ReplaceTree(robot, vehicle, parameters, edits);
-  const std::filesystem::path from = std::filesystem::weakly_canonical(vehicle.file).parent_path();
-  const std::filesystem::path to = std::filesystem::weakly_canonical(folder);
+  const std::filesystem::path from = CanonicalPath(vehicle.file).parent_path();
+  const std::filesystem::path to = CanonicalPath(folder);
   if (from != to) ReplaceMeshes(robot, from, to, edits);
   return edits.Result();
 }

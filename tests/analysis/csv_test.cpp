@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/analysis/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 namespace fourpost {
 namespace {

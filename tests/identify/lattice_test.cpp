@@ -109,6 +109,8 @@ struct FaultCase {
   const char* fault;
 };
 
+std::ostream& operator<<(std::ostream& out, const FaultCase& fault) { return out << fault.name; }
+
 class LatticeFault : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(LatticeFault, IsNamed) {

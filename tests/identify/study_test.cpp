@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/temporary_folder.h"
+
 namespace fourpost {
 namespace {
 
@@ -59,11 +61,10 @@ class StudyTest : public testing::Test {
     return text.substr(file_.string().size());
   }
 
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "study_test";
+  TemporaryFolder temporary_;
+  std::filesystem::path folder_ = temporary_.path();
   std::filesystem::path file_ = folder_ / "study.yaml";
   Diagnostics diagnostics_;
-
-  void SetUp() override { std::filesystem::create_directories(folder_); }
 };
 
 TEST_F(StudyTest, ReadsEveryKey) {

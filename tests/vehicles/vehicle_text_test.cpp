@@ -29,7 +29,7 @@ class VehicleText : public VehicleFileTest {
   /// The text with these values, and the vehicle that it describes.
   std::string Rewrite(const std::string& text, const std::vector<double>& values) {
     const std::optional<Vehicle> vehicle = Read(text);
-    const std::string rewritten = VehicleTextWithValues(vehicle.value(), values, "");
+    const std::string rewritten = VehicleTextWithValues(vehicle.value(), values, folder_);
     const std::optional<Vehicle> again = Read(rewritten);
     EXPECT_EQ(again.value_or(Vehicle()).ParameterValues(), values);
     return rewritten;
@@ -60,7 +60,7 @@ TEST_F(VehicleText, KeepsLayoutAndCommentsThatLookAlike) {
 TEST_F(VehicleText, FollowsTheVehicleFileNotItsCopy) {
   Vehicle vehicle = Read(kSmallVehicle).value();
   vehicle.parameters[2].value = 16000;
-  EXPECT_THAT(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), ""), HasSubstr(R"(value="16 N/mm")"));
+  EXPECT_THAT(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), folder_), HasSubstr(R"(value="16 N/mm")"));
 }
 
 TEST_F(VehicleText, MovesMeshes) {
@@ -76,13 +76,13 @@ TEST_F(VehicleText, MovesMeshes) {
 
 TEST_F(VehicleText, NeedsAValueForEachParameter) {
   const Vehicle vehicle = Read(kSmallVehicle).value();
-  EXPECT_THROW(VehicleTextWithValues(vehicle, std::vector<double>{1}, ""), std::invalid_argument);
+  EXPECT_THROW(VehicleTextWithValues(vehicle, std::vector<double>{1}, folder_), std::invalid_argument);
 }
 
 TEST_F(VehicleText, NeedsTheFile) {
   Vehicle vehicle = Read(kSmallVehicle).value();
   vehicle.file = folder_ / "gone.urdf";
-  EXPECT_THROW(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), ""), std::runtime_error);
+  EXPECT_THROW(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), folder_), std::runtime_error);
 }
 
 }  // namespace
