@@ -75,11 +75,10 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
   const std::function<bool()> stop = hooks.stop ? hooks.stop : [] { return false; };
 
   FitResult result;
-  result.search = SearchDvhde(archive, options.search,
-                              {[&](const SearchGeneration& generation) {
-                                 Report(hooks, "search", generation.best_cost, archive.counts());
-                               },
-                               stop});
+  result.search = SearchDvhde(
+      archive, options.search,
+      {[&](const SearchGeneration& generation) { Report(hooks, "search", generation.best_cost, archive.counts()); },
+       stop});
   result.evaluations = archive.counts();
   if (result.search.candidates.empty()) {
     result.end = stop() ? FitEnd::kInterrupted : FitEnd::kAllFailed;
@@ -112,8 +111,7 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
     result.end = EndOf(best, stop());
     result.message = best.message;
     if (best.jacobian.size() > 0)
-      result.covariance =
-          EstimateCovariance(best.jacobian, FitVariables(archive.lattice()).Slopes(values), best.cost);
+      result.covariance = EstimateCovariance(best.jacobian, FitVariables(archive.lattice()).Slopes(values), best.cost);
   }
   result.parameters = Describe(objective, values, result.covariance);
   result.values = objective.AllParameters(values);

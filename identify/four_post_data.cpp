@@ -50,8 +50,8 @@ PhasorDeviation DeviationOf(const ChannelResponse& channel) {
   const std::size_t points = channel.response.size();
   deviation.radial = channel.gain_sd.empty() ? std::vector<double>(points, 0.0) : channel.gain_sd;
   for (std::size_t i = 0; i < points; ++i)
-    deviation.tangential.push_back(channel.phase_sd_rad.empty() ? 0
-                                                                : std::abs(channel.response[i]) * channel.phase_sd_rad[i]);
+    deviation.tangential.push_back(
+        channel.phase_sd_rad.empty() ? 0 : std::abs(channel.response[i]) * channel.phase_sd_rad[i]);
   return {PooledOverNeighbours(deviation.radial), PooledOverNeighbours(deviation.tangential)};
 }
 
@@ -65,9 +65,8 @@ MeasuredChannel Combine(const std::vector<const ChannelResponse*>& sources, Chan
   out.radial_sd.assign(points, 0);
   out.tangential_sd.assign(points, 0);
   // Struts only: the mean force of a tyre is its static load, whatever the damper does.
-  const bool has_mean = out.unit == "m" && std::all_of(sources.begin(), sources.end(), [](const ChannelResponse* c) {
-                          return !c->mean.empty();
-                        });
+  const bool has_mean = out.unit == "m" && std::all_of(sources.begin(), sources.end(),
+                                                       [](const ChannelResponse* c) { return !c->mean.empty(); });
   if (has_mean) out.mean.assign(points, 0);
   for (const ChannelResponse* source : sources) {
     const PhasorDeviation deviation = DeviationOf(*source);
@@ -99,8 +98,7 @@ class DataLoader {
     const std::vector<std::string> sensors = NamesOf(vehicle_.sensors);
     for (const auto& [name, source] : study_.channels)
       if (!IndexOf(name, sensors))
-        diagnostics_.Error(file_, source.line,
-                           "the vehicle has no sensor '" + name + "'" + DidYouMean(name, sensors));
+        diagnostics_.Error(file_, source.line, "the vehicle has no sensor '" + name + "'" + DidYouMean(name, sensors));
   }
 
   void LoadRun(const StudyRecording& recording, FourPostData& data) {
@@ -128,11 +126,9 @@ class DataLoader {
     const std::vector<std::string> posts = NamesOf(vehicle_.posts);
     std::vector<double> shape(posts.size(), 0.0);
     for (const auto& [name, share] : recording.posts) {
-      if (const auto post = IndexOf(name, posts))
-        shape[*post] = share;
+      if (const auto post = IndexOf(name, posts)) shape[*post] = share;
       else
-        diagnostics_.Error(file_, recording.line,
-                           "the vehicle has no post '" + name + "'" + DidYouMean(name, posts));
+        diagnostics_.Error(file_, recording.line, "the vehicle has no post '" + name + "'" + DidYouMean(name, posts));
     }
     return shape;
   }
@@ -141,8 +137,7 @@ class DataLoader {
                                                    const FrequencyResponse& measured) {
     std::vector<const ChannelResponse*> found;
     for (const std::string& name : source.channels) {
-      if (const ChannelResponse* channel = measured.Find(name))
-        found.push_back(channel);
+      if (const ChannelResponse* channel = measured.Find(name)) found.push_back(channel);
       else
         diagnostics_.Error(file_, source.line,
                            recording.file.filename().string() + " has no channel '" + name + "'" +
@@ -152,7 +147,8 @@ class DataLoader {
   }
 
   void LoadStatic(FourPostData& data) {
-    const std::optional<std::vector<StaticMeasurement>> table = ReadStaticLoads(*study_.static_loads_file, diagnostics_);
+    const std::optional<std::vector<StaticMeasurement>> table =
+        ReadStaticLoads(*study_.static_loads_file, diagnostics_);
     const std::vector<std::string> tyres = NamesOf(vehicle_.tyres);
     for (const auto& [name, source] : study_.static_loads) {
       const std::optional<std::size_t> tyre = IndexOf(name, tyres);

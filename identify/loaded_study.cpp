@@ -29,12 +29,12 @@ std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehic
                         "parameter '" + name + "' is to be fitted: give it lower, upper and precision");
     else if (std::find(free.begin(), free.end(), index) != free.end())
       diagnostics.Error(study.file.string(), study.free_line, "parameter '" + name + "' is freed twice");
-    else
-      free.push_back(index);
+    else free.push_back(index);
   }
   if (free.empty() && study.free.empty())
-    diagnostics.Error(vehicle.file, 0, "no parameter has a range, so there is nothing to fit: give at least one "
-                                       "fp:parameter lower, upper and precision");
+    diagnostics.Error(vehicle.file, 0,
+                      "no parameter has a range, so there is nothing to fit: give at least one "
+                      "fp:parameter lower, upper and precision");
   return free;
 }
 

@@ -16,9 +16,9 @@ class StudyReader {
   }
 
   Study Read(const YAML::Node& root) {
-    const StrictMap top = Map(root, "the study",
-                              {"vehicle", "recordings", "channels", "static_loads", "free", "band", "model_error",
-                               "search"});
+    const StrictMap top =
+        Map(root, "the study",
+            {"vehicle", "recordings", "channels", "static_loads", "free", "band", "model_error", "search"});
     ReadVehicle(top);
     ReadRecordings(top);
     if (const YAML::Node channels = top.Require("channels"); channels.IsDefined())

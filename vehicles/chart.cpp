@@ -48,8 +48,9 @@ Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
     multibody_.SetPose(q);
   }
   Diagnostics faults;
-  faults.Error(multibody_.vehicle().file, 0,
-               "the loops lock the vehicle: they cannot follow a small motion; check the positions of fp:rod and fp:ball");
+  faults.Error(
+      multibody_.vehicle().file, 0,
+      "the loops lock the vehicle: they cannot follow a small motion; check the positions of fp:rod and fp:ball");
   throw FaultyInput(faults);
 }
 

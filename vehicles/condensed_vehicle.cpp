@@ -138,8 +138,8 @@ CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
                        kGravity * curvatures.heights[i]});
   }
   for (std::size_t i = 0; i < vehicle.springs.size(); ++i)
-    springs_.push_back({vehicle.springs[i].stiffness, gradients.springs[i], curvatures.springs[i],
-                        vehicle.springs[i].preload});
+    springs_.push_back(
+        {vehicle.springs[i].stiffness, gradients.springs[i], curvatures.springs[i], vehicle.springs[i].preload});
   for (std::size_t i = 0; i < vehicle.tyres.size(); ++i)
     tyres_.push_back({{vehicle.tyres[i].stiffness, gradients.tyres[i], curvatures.tyres[i], vehicle.tyres[i].preload},
                       vehicle.tyres[i].damping});
@@ -179,9 +179,10 @@ void CondensedVehicle::SolvePreloads(const Vehicle& vehicle) {
     const Eigen::VectorXd& weight = bodies_[i].weight;
     if (vehicle.links[i].mass.value == 0 || weight.norm() == 0) continue;
     if ((weight + holders * (preload_map_ * weight)).norm() > kHeld * weight.norm())
-      faults.Error(vehicle.file, vehicle.links[i].line,
-                   "no static equilibrium: no spring or tyre with preload=\"equilibrium\" can hold the weight of link '" +
-                       vehicle.links[i].name + "'; add one under it or fix a joint");
+      faults.Error(
+          vehicle.file, vehicle.links[i].line,
+          "no static equilibrium: no spring or tyre with preload=\"equilibrium\" can hold the weight of link '" +
+              vehicle.links[i].name + "'; add one under it or fix a joint");
   }
   if (faults.HasErrors()) throw FaultyInput(faults);
 }

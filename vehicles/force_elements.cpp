@@ -8,9 +8,7 @@ using SimTK::State;
 using SimTK::Vec3;
 using SimTK::Vector_;
 
-Vec3 Axis(const BodyLine& line, const State& state) {
-  return line.parent.getBodyRotation(state) * line.axis;
-}
+Vec3 Axis(const BodyLine& line, const State& state) { return line.parent.getBodyRotation(state) * line.axis; }
 
 void ApplyTension(const BodyLine& line, const State& state, const LineMotion& motion, double tension,
                   Vector_<SpatialVec>& body_forces) {
@@ -75,8 +73,9 @@ double DamperForce::SeriesExtension(const State& state) const { return forces_.g
 void DamperForce::calcForce(const State& state, Vector_<SpatialVec>& body_forces, Vector_<Vec3>&,
                             SimTK::Vector&) const {
   const LineMotion motion = Motion(data_.line, state);
-  const double tension = data_.in_series ? SeriesDamper{data_.dashpot, data_.series_stiffness}.Force(SeriesExtension(state))
-                                         : data_.dashpot.Force(motion.rate);
+  const double tension = data_.in_series
+                             ? SeriesDamper{data_.dashpot, data_.series_stiffness}.Force(SeriesExtension(state))
+                             : data_.dashpot.Force(motion.rate);
   ApplyTension(data_.line, state, motion, tension, body_forces);
 }
 
@@ -93,16 +92,14 @@ void DamperForce::realizeTopology(State& state) const {
 void DamperForce::realizeAcceleration(const State& state) const {
   if (!data_.in_series) return;
   const SeriesDamper damper{data_.dashpot, data_.series_stiffness};
-  forces_.updZDot(state)[series_extension_] =
-      damper.SpringRate(Motion(data_.line, state).rate, SeriesExtension(state));
+  forces_.updZDot(state)[series_extension_] = damper.SpringRate(Motion(data_.line, state).rate, SeriesExtension(state));
 }
 
 double TyreForce::DynamicCompression(const TyreData& data, const PlatformState& platforms, const State& state) {
   return data.stiffness * Squeeze(data, platforms, state) + data.damping * SqueezeRate(data, platforms, state);
 }
 
-void TyreForce::calcForce(const State& state, Vector_<SpatialVec>& body_forces, Vector_<Vec3>&,
-                          SimTK::Vector&) const {
+void TyreForce::calcForce(const State& state, Vector_<SpatialVec>& body_forces, Vector_<Vec3>&, SimTK::Vector&) const {
   const double compression = data_.preload + DynamicCompression(data_, platforms_(state.getTime()), state);
   data_.body.applyForceToBodyPoint(state, data_.station, Vec3(0, 0, compression), body_forces);
 }

@@ -20,9 +20,7 @@ constexpr int kHarmonics = 2;
 struct Ramp {
   double duration;
 
-  double Value(double t) const {
-    return t >= duration ? 1 : 0.5 * (1 - std::cos(std::numbers::pi * t / duration));
-  }
+  double Value(double t) const { return t >= duration ? 1 : 0.5 * (1 - std::cos(std::numbers::pi * t / duration)); }
   double Rate(double t) const {
     return t >= duration ? 0 : 0.5 * std::numbers::pi / duration * std::sin(std::numbers::pi * t / duration);
   }
@@ -73,9 +71,9 @@ class SteadyState {
     }
     // The first window holds the ramp.
     const bool comparable = ++windows_ > 2;
-    steady_ = comparable && ((latest - harmonics_).col(1).cwiseAbs().array() <=
-                             options_.tolerance * latest.col(1).cwiseAbs().array())
-                                .all();
+    steady_ = comparable &&
+              ((latest - harmonics_).col(1).cwiseAbs().array() <= options_.tolerance * latest.col(1).cwiseAbs().array())
+                  .all();
     harmonics_ = latest;
   }
 

@@ -55,10 +55,8 @@ Eigen::MatrixXd StateMatrix(const CondensedModel& model) {
   std::vector<const CondensedModel::Dashpot*> series;
   Eigen::MatrixXd damping = model.damping;
   for (const CondensedModel::Dashpot& dashpot : model.dashpots) {
-    if (dashpot.series_stiffness > 0)
-      series.push_back(&dashpot);
-    else
-      damping += dashpot.law.Mean() * dashpot.direction * dashpot.direction.transpose();
+    if (dashpot.series_stiffness > 0) series.push_back(&dashpot);
+    else damping += dashpot.law.Mean() * dashpot.direction * dashpot.direction.transpose();
   }
   const Eigen::Index size = 2 * n + static_cast<Eigen::Index>(series.size());
   const Eigen::LDLT<Eigen::MatrixXd> mass(model.mass);
@@ -93,8 +91,7 @@ std::vector<Mode> ModesOf(const CondensedVehicle& vehicle, std::span<const doubl
     mode.name = NameOf(links, mode.shape);
     modes.push_back(std::move(mode));
   }
-  std::sort(modes.begin(), modes.end(),
-            [](const Mode& a, const Mode& b) { return a.frequency_Hz < b.frequency_Hz; });
+  std::sort(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) { return a.frequency_Hz < b.frequency_Hz; });
   return modes;
 }
 

@@ -9,8 +9,8 @@ Eigen::Matrix4d QuarterCar::StateMatrix() const {
   Eigen::Matrix4d a;
   a << 0, 0, 1, 0,  //
       0, 0, 0, 1,   //
-      -stiffness / sprung_mass, stiffness / sprung_mass, -d / sprung_mass, d / sprung_mass,
-      stiffness / unsprung_mass, -(stiffness + tyre_stiffness) / unsprung_mass, d / unsprung_mass, -d / unsprung_mass;
+      -stiffness / sprung_mass, stiffness / sprung_mass, -d / sprung_mass, d / sprung_mass, stiffness / unsprung_mass,
+      -(stiffness + tyre_stiffness) / unsprung_mass, d / unsprung_mass, -d / unsprung_mass;
   return a;
 }
 

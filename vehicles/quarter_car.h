@@ -14,12 +14,12 @@ namespace fourpost {
 ///   unsprung z_u'' = stiffness (z_s - z_u) + f_d - tyre (z_u - z_g)
 /// f_d: tension of the damper at the rate z_s' - z_u'.
 struct QuarterCar {
-  double sprung_mass = 0;      // kg
-  double unsprung_mass = 0;    // kg
-  double stiffness = 0;        // N/m
-  double tyre_stiffness = 0;   // N/m
-  BilinearDashpot damper;      // equal rates: the linear model
-  double series_stiffness = 0; // N/m; 0: none
+  double sprung_mass = 0;       // kg
+  double unsprung_mass = 0;     // kg
+  double stiffness = 0;         // N/m
+  double tyre_stiffness = 0;    // N/m
+  BilinearDashpot damper;       // equal rates: the linear model
+  double series_stiffness = 0;  // N/m; 0: none
 
   /// Of [z_s z_u z_s' z_u'] with the dashpot at its mean rate. Thesis eq. 4.12 misprints the last row; this one follows
   /// from the equations above.

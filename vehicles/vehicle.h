@@ -158,7 +158,7 @@ struct Sensor {
   /// Accelerometer, displacement: where, and the direction in link axes (unit vector).
   Point point;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  /// Strut: the line whose extension is measured. 
+  /// Strut: the line whose extension is measured.
   ForceLine line;
   /// Load cell: the tyre whose dynamic force is measured, more load positive.
   int tyre = -1;

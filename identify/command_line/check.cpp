@@ -18,8 +18,7 @@ std::string AsJson(const Vehicle& vehicle, const VehicleSummary& summary) {
   for (const auto& load : summary.corner_loads) loads.push_back({{"name", load.tyre}, {"load_N", load.load_N}});
   Json modes = Json::array();
   for (const Mode& mode : summary.modes)
-    modes.push_back(
-        {{"frequency_Hz", mode.frequency_Hz}, {"damping_ratio", mode.damping_ratio}, {"name", mode.name}});
+    modes.push_back({{"frequency_Hz", mode.frequency_Hz}, {"damping_ratio", mode.damping_ratio}, {"name", mode.name}});
   Json parameters = Json::array();
   for (const Parameter& parameter : vehicle.parameters)
     parameters.push_back({{"name", parameter.name},
@@ -28,12 +27,9 @@ std::string AsJson(const Vehicle& vehicle, const VehicleSummary& summary) {
                           {"lower", parameter.lower},
                           {"upper", parameter.upper},
                           {"source", parameter.source}});
-  const Json json = {{"name", vehicle.name},
-                     {"dof", summary.dof},
-                     {"mass", summary.mass_kg},
-                     {"com", {summary.com.x(), summary.com.y(), summary.com.z()}},
-                     {"corner_loads", loads},
-                     {"modes", modes},
+  const Json json = {{"name", vehicle.name},    {"dof", summary.dof},
+                     {"mass", summary.mass_kg}, {"com", {summary.com.x(), summary.com.y(), summary.com.z()}},
+                     {"corner_loads", loads},   {"modes", modes},
                      {"parameters", parameters}};
   return json.dump(2) + '\n';
 }
@@ -45,8 +41,8 @@ std::string Range(const Parameter& parameter) {
 
 std::string AsText(const Vehicle& vehicle, const VehicleSummary& summary) {
   std::string text = vehicle.name + ": " + std::to_string(summary.dof) + " degrees of freedom, " +
-                     Rounded(summary.mass_kg, 5) + " kg, centre of mass " + Rounded(summary.com.x(), 3) + " m ahead and " +
-                     Rounded(summary.com.z(), 3) + " m above the ground's origin\n\n";
+                     Rounded(summary.mass_kg, 5) + " kg, centre of mass " + Rounded(summary.com.x(), 3) +
+                     " m ahead and " + Rounded(summary.com.z(), 3) + " m above the ground's origin\n\n";
   TextTable loads({"tyre", "static load, N"});
   for (const auto& load : summary.corner_loads) loads.Add({load.tyre, Rounded(load.load_N, 5)});
   TextTable modes({"mode", "Hz", "damping ratio"});

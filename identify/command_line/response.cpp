@@ -45,12 +45,8 @@ Json Channel(const ChannelResponse& channel) {
     gain.push_back(std::abs(value));
     phase.push_back(DegreesFromRadians(std::arg(value)));
   }
-  return {{"name", channel.name},
-          {"unit", channel.unit},
-          {"gain", gain},
-          {"phase_deg", phase},
-          {"mean", channel.mean},
-          {"second_harmonic", channel.second_harmonic}};
+  return {{"name", channel.name}, {"unit", channel.unit}, {"gain", gain},
+          {"phase_deg", phase},   {"mean", channel.mean}, {"second_harmonic", channel.second_harmonic}};
 }
 
 std::string AsJson(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
@@ -77,8 +73,8 @@ int Run(const ResponseCommand& command) {
   const std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
   const CondensedVehicle condensed(loaded->vehicle);
-  const std::vector<MeasuredRun> runs = InBand(loaded->data.runs, loaded->study.band_lower_Hz,
-                                               loaded->study.band_upper_Hz);
+  const std::vector<MeasuredRun> runs =
+      InBand(loaded->data.runs, loaded->study.band_lower_Hz, loaded->study.band_upper_Hz);
   const std::vector<FrequencyResponse> modelled =
       command.march ? MarchRuns(*loaded, condensed, runs)
                     : ModelledResponses(condensed.At(loaded->vehicle.ParameterValues()), loaded->vehicle.sensors, runs);

@@ -44,10 +44,8 @@ std::string Rounded(double value, int digits) {
   if (!std::isfinite(value)) return std::isnan(value) ? "-" : "inf";
   char text[64];
   const int decimals = value == 0 ? 0 : digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value))));
-  if (decimals > 9 || decimals < -9)
-    std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-  else
-    std::snprintf(text, sizeof text, "%.*f", std::max(decimals, 0), value);
+  if (decimals > 9 || decimals < -9) std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+  else std::snprintf(text, sizeof text, "%.*f", std::max(decimals, 0), value);
   return text;
 }
 

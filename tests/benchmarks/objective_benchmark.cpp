@@ -12,8 +12,8 @@ namespace {
 
 LoadedStudy Study() {
   Diagnostics diagnostics;
-  std::optional<LoadedStudy> study = LoadStudy(
-      std::filesystem::path(FOURPOST_SOURCE_DIR) / "studies/landrover110/model2.yaml", diagnostics);
+  std::optional<LoadedStudy> study =
+      LoadStudy(std::filesystem::path(FOURPOST_SOURCE_DIR) / "studies/landrover110/model2.yaml", diagnostics);
   if (!study) throw FaultyInput(diagnostics);
   return std::move(study).value();
 }

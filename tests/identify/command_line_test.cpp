@@ -157,8 +157,8 @@ TEST_F(CommandLine, RefusesAnUnknownLink) {
 
 TEST_F(CommandLine, RefusesALoopThatCannotBeClosed) {
   ReplaceIn(kVehicle, "</robot>",
-          "<fp:frame name=\"far\" link=\"ground\" xyz=\"0 0.5 0\"/><fp:ball name=\"b\" parent=\"far\" "
-          "child=\"front_centre\"/>\n</robot>");
+            "<fp:frame name=\"far\" link=\"ground\" xyz=\"0 0.5 0\"/><fp:ball name=\"b\" parent=\"far\" "
+            "child=\"front_centre\"/>\n</robot>");
   ExpectRefused("the loop cannot be closed");
 }
 

@@ -28,7 +28,8 @@ LoadedStudy Twin(const std::vector<double>& parameters) {
 Eigen::VectorXd FreeValues(const FourPostObjective& objective) {
   const std::vector<double> all = objective.vehicle().ParameterValues();
   Eigen::VectorXd values(static_cast<Eigen::Index>(objective.free().size()));
-  for (std::size_t i = 0; i < objective.free().size(); ++i) values[static_cast<Eigen::Index>(i)] = all[objective.free()[i]];
+  for (std::size_t i = 0; i < objective.free().size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = all[objective.free()[i]];
   return values;
 }
 

@@ -96,7 +96,7 @@ TEST_F(StudyTest, ReadsEveryKey) {
 
 TEST_F(StudyTest, ReportsAnUnknownKeyWithTheNearest) {
   EXPECT_THAT(Fault("model_error:", "model_eror:"), testing::AllOf(HasSubstr(":15: error: "), HasSubstr("'model_eror'"),
-                                                      HasSubstr("did you mean 'model_error'?")));
+                                                                   HasSubstr("did you mean 'model_error'?")));
 }
 
 TEST_F(StudyTest, ReportsAKeyThatStandsTwice) {
@@ -120,9 +120,7 @@ TEST_F(StudyTest, ReportsANumberOutOfRange) {
   EXPECT_THAT(Fault("population: 30", "population: 2"), testing::AllOf(HasSubstr(":22: error: "), HasSubstr("4")));
 }
 
-TEST_F(StudyTest, ReportsAMissingKey) {
-  EXPECT_THAT(Fault("vehicle: car.urdf\n", ""), HasSubstr("'vehicle'"));
-}
+TEST_F(StudyTest, ReportsAMissingKey) { EXPECT_THAT(Fault("vehicle: car.urdf\n", ""), HasSubstr("'vehicle'")); }
 
 TEST_F(StudyTest, ReportsTextThatIsNotYaml) {
   EXPECT_THAT(Fault("free: [k, c]", "free: [k, c"), HasSubstr("not YAML"));

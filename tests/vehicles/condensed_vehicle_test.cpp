@@ -4,6 +4,7 @@
 
 #include "analysis/diagnostics.h"
 #include "tests/vehicles/shipped_vehicle.h"
+#include "vehicles/harmonic_balance.h"
 #include "vehicles/modes.h"
 #include "vehicles/multibody.h"
 
@@ -40,7 +41,8 @@ void ExpectMultibodysStateMatrix(const Vehicle& vehicle) {
   const Eigen::MatrixXd condensed = StateMatrix(CondensedVehicle(vehicle).At(vehicle.ParameterValues()));
   const Eigen::MatrixXd differenced = DifferencedStateMatrix(vehicle);
   ASSERT_EQ(condensed.rows(), differenced.rows());
-  // Differences with a step h: truncation h^2 times third derivatives of order one, rounding eps times 1e3 m/s^2 over h.
+  // Differences with a step h: truncation h^2 times third derivatives of order one, rounding eps times 1e3 m/s^2 over
+  // h.
   EXPECT_LT((condensed - differenced).cwiseAbs().maxCoeff(), 1e-7 * condensed.cwiseAbs().maxCoeff());
 }
 
@@ -81,6 +83,47 @@ TEST(CondensedVehicle, FollowsParametersWithoutBeingBuiltAnew) {
   EXPECT_EQ(moved.stiffness, rebuilt.stiffness);
   EXPECT_EQ(moved.preloads.tyre, rebuilt.preloads.tyre);
   EXPECT_NE(moved.stiffness, CondensedVehicle(vehicle).At(vehicle.ParameterValues()).stiffness);
+}
+
+/// The linkage car with its front axle free in the plane and held by a ball at the radius arm's bush.
+Vehicle CarWithALoop() {
+  Vehicle vehicle = ShippedVehicle("landrover110_linkage");
+  const auto link = [&](const std::string& name) {
+    for (std::size_t i = 0; i < vehicle.links.size(); ++i)
+      if (vehicle.links[i].name == name) return static_cast<int>(i);
+    ADD_FAILURE() << "no link " << name;
+    return 0;
+  };
+  for (Joint& joint : vehicle.joints) {
+    if (joint.child != link("front_axle")) continue;
+    const Eigen::Vector3d bush = joint.pose.translation();
+    vehicle.balls.push_back({.name = "bush", .parent = {joint.parent, bush}, .child = {joint.child, {0, 0, 0}}});
+    joint.type = Joint::Type::kPlanar;
+    joint.parent = 0;
+    // The chassis frame stands at (-1.456, 0, 0.832) in the design pose.
+    joint.pose.translation() = bush + Eigen::Vector3d(-1.456, 0, 0.832);
+  }
+  return vehicle;
+}
+
+TEST(CondensedVehicle, ALoopEqualsTheSameJointInATree) {
+  const Vehicle tree = ShippedVehicle("landrover110_linkage");
+  const Vehicle loop = CarWithALoop();
+  const CondensedVehicle tree_condensed(tree);
+  const CondensedVehicle loop_condensed(loop);
+  ASSERT_EQ(loop_condensed.size(), 4);
+  const std::vector<double> values = tree.ParameterValues();
+  const Excitation excitation{{0.5, 1.6, 5, 9, 20}, {0.01, 0.01, 0.005, 0.002, 0.001}, {1, -0.5}};
+  const FrequencyResponse a = SolveHarmonicBalance(tree_condensed.At(values), tree.sensors, excitation).response;
+  const FrequencyResponse b = SolveHarmonicBalance(loop_condensed.At(values), loop.sensors, excitation).response;
+  for (std::size_t c = 0; c < tree.sensors.size(); ++c)
+    for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i)
+      // Second derivatives along the loop's closed poses: differences of projected poses leave 1e-10 of the lengths.
+      EXPECT_LT(std::abs(b.channels[c].response[i] / a.channels[c].response[i] - 1.0), 1e-6) << tree.sensors[c].name;
+  const Preloads tree_preloads = tree_condensed.PreloadsAt(values);
+  const Preloads loop_preloads = loop_condensed.PreloadsAt(values);
+  for (std::size_t i = 0; i < tree_preloads.tyre.size(); ++i)
+    EXPECT_NEAR(loop_preloads.tyre[i], tree_preloads.tyre[i], 1e-6);  // rounding of 10 kN
 }
 
 TEST(CondensedVehicle, NamesALinkThatNothingHolds) {

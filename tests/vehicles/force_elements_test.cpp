@@ -54,8 +54,8 @@ class ForceElements : public testing::Test {
       const SimTK::SpatialVec& f = body_forces[body.getMobilizedBodyIndex()];
       balance.force += f[1];
       balance.moment += f[0] + body.getBodyOriginLocation(state_) % f[1];
-      balance.power += SimTK::dot(f[0], body.getBodyAngularVelocity(state_)) +
-                       SimTK::dot(f[1], body.getBodyOriginVelocity(state_));
+      balance.power +=
+          SimTK::dot(f[0], body.getBodyAngularVelocity(state_)) + SimTK::dot(f[1], body.getBodyOriginVelocity(state_));
     }
     return balance;
   }

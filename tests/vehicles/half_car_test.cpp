@@ -5,8 +5,8 @@
 #include <complex>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <gmock/gmock.h>
+#include <Eigen/Eigenvalues>
 
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed_vehicle.h"

@@ -7,8 +7,8 @@
 #include <functional>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <gmock/gmock.h>
+#include <Eigen/Eigenvalues>
 
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed_vehicle.h"
@@ -24,23 +24,31 @@ using Complex = std::complex<double>;
 
 /// The table of thesis section 4.2.
 QuarterCar ThesisCar() {
-  return {.sprung_mass = 200,
-          .unsprung_mass = 22,
-          .stiffness = 15e3,
-          .tyre_stiffness = 230e3,
-          .damper = {1500, 1500}};
+  return {.sprung_mass = 200, .unsprung_mass = 22, .stiffness = 15e3, .tyre_stiffness = 230e3, .damper = {1500, 1500}};
 }
 
-/// The same as a description.
-Vehicle ThesisVehicle() {
+QuarterCar BilinearCar() {
+  QuarterCar car = ThesisCar();
+  car.damper = {800, 2600};
+  return car;
+}
+
+QuarterCar SeriesCar() {
+  QuarterCar car = BilinearCar();
+  car.series_stiffness = 150e3;
+  return car;
+}
+
+/// The same car as a description.
+Vehicle Describe(const QuarterCar& car) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
-  const QuarterCar car = ThesisCar();
   Set(vehicle, "m_sprung", car.sprung_mass);
   Set(vehicle, "m_unsprung", car.unsprung_mass);
   Set(vehicle, "k", car.stiffness);
   Set(vehicle, "kt", car.tyre_stiffness);
   Set(vehicle, "c_bump", car.damper.compression);
   Set(vehicle, "c_rebound", car.damper.rebound);
+  if (car.series_stiffness > 0) vehicle.dampers[0].series_stiffness = Scalar{car.series_stiffness};
   return vehicle;
 }
 
@@ -196,6 +204,19 @@ void ExpectEqualDecay(const QuarterCar& car, const Vehicle& vehicle) {
   EXPECT_LT(DecayError(marched, DecayOfOde(car, start, kStep_s, kSteps)), 1e-5);
 }
 
+void ExpectBalanceEqualsMarch(const QuarterCar& car, const Vehicle& vehicle) {
+  const Excitation excitation{{1.2, 6, 15}, {0.012, 0.005, 0.001}, {1}};
+  const FrequencyResponse response =
+      SolveHarmonicBalance(CondensedVehicle(vehicle).At(vehicle.ParameterValues()), vehicle.sensors, excitation)
+          .response;
+  for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+    const auto marched = MarchedOde(car, excitation.frequency_Hz[i], excitation.amplitude_m[i]);
+    // Truncation after nine harmonics and 64 samples a cycle: HarmonicBalanceOptions.
+    EXPECT_LT(std::abs(response.Find("a_sprung")->response[i] / marched[0] - 1.0), 1e-3);
+    EXPECT_LT(std::abs(response.Find("a_unsprung")->response[i] / marched[1] - 1.0), 1e-3);
+  }
+}
+
 TEST(QuarterCar, HasThePolesOfTheThesis) { ExpectThesisPoles(ThesisCar().StateMatrix()); }
 
 TEST(QuarterCar, ResponseSolvesTheStateEquations) {
@@ -231,7 +252,7 @@ TEST(QuarterCar, ResponsePeaksWhereTheThesisHasThem) {
 }
 
 TEST(QuarterCar, MultibodyHasTheAnalyticStateMatrix) {
-  MultibodyCar multibody(ThesisVehicle());
+  MultibodyCar multibody(Describe(ThesisCar()));
   ASSERT_EQ(multibody.size(), 4);
   Eigen::Matrix4d matrix;
   // The system is linear: any step serves, and a large one loses fewest digits.
@@ -247,7 +268,7 @@ TEST(QuarterCar, MultibodyHasTheAnalyticStateMatrix) {
 }
 
 TEST(QuarterCar, CondensedVehicleHasTheAnalyticStateMatrix) {
-  const Vehicle vehicle = ThesisVehicle();
+  const Vehicle vehicle = Describe(ThesisCar());
   const Eigen::MatrixXd condensed = StateMatrix(CondensedVehicle(vehicle).At(vehicle.ParameterValues()));
   const Eigen::Index sprung = CoordinateOf(vehicle, "sprung");
   const Eigen::Index unsprung = CoordinateOf(vehicle, "unsprung");
@@ -261,13 +282,13 @@ TEST(QuarterCar, CondensedVehicleHasTheAnalyticStateMatrix) {
 }
 
 TEST(QuarterCar, MultibodyRestsInItsDesignPose) {
-  MultibodyCar multibody(ThesisVehicle());
+  MultibodyCar multibody(Describe(ThesisCar()));
   // Rounding of 2 kN on 22 kg.
   EXPECT_LT(multibody.Derivative(Eigen::Vector4d::Zero()).cwiseAbs().maxCoeff(), 1e-11);
 }
 
 TEST(QuarterCar, HarmonicBalanceEqualsTheClosedResponse) {
-  const Vehicle vehicle = ThesisVehicle();
+  const Vehicle vehicle = Describe(ThesisCar());
   const Excitation excitation = SteppedSine();
   const FrequencyResponse response =
       SolveHarmonicBalance(CondensedVehicle(vehicle).At(vehicle.ParameterValues()), vehicle.sensors, excitation)
@@ -284,7 +305,7 @@ TEST(QuarterCar, HarmonicBalanceEqualsTheClosedResponse) {
 }
 
 TEST(QuarterCar, MarchEqualsTheClosedResponse) {
-  const Vehicle vehicle = ThesisVehicle();
+  const Vehicle vehicle = Describe(ThesisCar());
   Multibody multibody(vehicle);
   const std::vector<double> values = vehicle.ParameterValues();
   multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
@@ -303,66 +324,19 @@ TEST(QuarterCar, MarchEqualsTheClosedResponse) {
 }
 
 TEST(QuarterCar, HarmonicBalanceOfABilinearDamperEqualsTheMarchedEquations) {
-  QuarterCar car = ThesisCar();
-  car.damper = {800, 2600};
-  Vehicle vehicle = ThesisVehicle();
-  Set(vehicle, "c_bump", car.damper.compression);
-  Set(vehicle, "c_rebound", car.damper.rebound);
-  Excitation excitation;
-  excitation.frequency_Hz = {1.2, 6, 15};
-  excitation.amplitude_m = {0.012, 0.005, 0.001};
-  excitation.shape = {1};
-  const FrequencyResponse response =
-      SolveHarmonicBalance(CondensedVehicle(vehicle).At(vehicle.ParameterValues()), vehicle.sensors, excitation)
-          .response;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto marched = MarchedOde(car, excitation.frequency_Hz[i], excitation.amplitude_m[i]);
-    // Truncation after nine harmonics and 64 samples a cycle: HarmonicBalanceOptions.
-    EXPECT_LT(std::abs(response.Find("a_sprung")->response[i] / marched[0] - 1.0), 1e-3);
-    EXPECT_LT(std::abs(response.Find("a_unsprung")->response[i] / marched[1] - 1.0), 1e-3);
-  }
+  ExpectBalanceEqualsMarch(BilinearCar(), Describe(BilinearCar()));
 }
 
 TEST(QuarterCar, HarmonicBalanceOfASeriesDamperEqualsTheMarchedEquations) {
-  QuarterCar car = ThesisCar();
-  car.damper = {800, 2600};
-  car.series_stiffness = 150e3;
-  Vehicle vehicle = ThesisVehicle();
-  vehicle.dampers[0].compression = {car.damper.compression};
-  vehicle.dampers[0].rebound = {car.damper.rebound};
-  vehicle.dampers[0].series_stiffness = Scalar{car.series_stiffness};
-  Excitation excitation;
-  excitation.frequency_Hz = {1.2, 6, 15};
-  excitation.amplitude_m = {0.012, 0.005, 0.001};
-  excitation.shape = {1};
-  const FrequencyResponse response =
-      SolveHarmonicBalance(CondensedVehicle(vehicle).At(vehicle.ParameterValues()), vehicle.sensors, excitation)
-          .response;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto marched = MarchedOde(car, excitation.frequency_Hz[i], excitation.amplitude_m[i]);
-    EXPECT_LT(std::abs(response.Find("a_sprung")->response[i] / marched[0] - 1.0), 1e-3);
-    EXPECT_LT(std::abs(response.Find("a_unsprung")->response[i] / marched[1] - 1.0), 1e-3);
-  }
+  ExpectBalanceEqualsMarch(SeriesCar(), Describe(SeriesCar()));
 }
 
 TEST(QuarterCar, FreeDecayWithABilinearDamperFollowsTheEquations) {
-  QuarterCar car = ThesisCar();
-  car.damper = {800, 2600};
-  Vehicle vehicle = ThesisVehicle();
-  Set(vehicle, "c_bump", car.damper.compression);
-  Set(vehicle, "c_rebound", car.damper.rebound);
-  ExpectEqualDecay(car, vehicle);
+  ExpectEqualDecay(BilinearCar(), Describe(BilinearCar()));
 }
 
 TEST(QuarterCar, FreeDecayWithASeriesDamperFollowsTheEquations) {
-  QuarterCar car = ThesisCar();
-  car.damper = {800, 2600};
-  car.series_stiffness = 150e3;
-  Vehicle vehicle = ThesisVehicle();
-  vehicle.dampers[0].compression = {car.damper.compression};
-  vehicle.dampers[0].rebound = {car.damper.rebound};
-  vehicle.dampers[0].series_stiffness = Scalar{car.series_stiffness};
-  ExpectEqualDecay(car, vehicle);
+  ExpectEqualDecay(SeriesCar(), Describe(SeriesCar()));
 }
 
 }  // namespace

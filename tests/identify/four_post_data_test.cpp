@@ -1,0 +1,127 @@
+#include "identify/four_post_data.h"
+
+#include <cmath>
+#include <complex>
+
+#include <gmock/gmock.h>
+
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+using testing::DoubleEq;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* kRecording =
+    "frequency_Hz,post_amplitude_m,channel,gain,phase_deg,gain_sd,phase_sd_deg,mean\n"
+    "1,0.01,s_left,1,0,0.03,1,0.001\n"
+    "1,0.01,s_right,1,90,0.04,1,0.003\n"
+    "2,0.01,s_left,2,0,0.03,1,0.001\n"
+    "2,0.01,s_right,2,90,0.04,1,0.003\n"
+    "1,0.01,F_left,100,0,3,1,5\n"
+    "2,0.01,F_left,100,0,3,1,5\n";
+
+/// A study of a vehicle with one post, one strut and one load cell.
+class FourPostDataTest : public testing::Test {
+ protected:
+  FourPostDataTest() {
+    vehicle_.tyres = {{.name = "tyre"}};
+    vehicle_.posts = {{.name = "left"}, {.name = "right"}};
+    vehicle_.sensors = {{.name = "strut", .type = Sensor::Type::kStrut},
+                        {.name = "load", .type = Sensor::Type::kLoadCell}};
+    study_.file = "study.yaml";
+    study_.recordings = {{.name = "run", .file = folder_.Write("run.csv", kRecording), .posts = {{"right", -1}}}};
+    study_.channels = {{"strut", {ChannelSource::Combine::kMean, {"s_left", "s_right"}, 7}}};
+    study_.static_loads_file = folder_.Write("static.csv", "quantity,unit,value,sd\nl,kN,3,0.003\nr,kN,4,0.004\n");
+    study_.static_loads = {{"tyre", {ChannelSource::Combine::kSum, {"l", "r"}, 9}}};
+  }
+
+  FourPostData Load() {
+    const std::optional<FourPostData> data = LoadFourPostData(study_, vehicle_, diagnostics_);
+    EXPECT_EQ(diagnostics_.Format(), "");
+    return data.value_or(FourPostData{});
+  }
+
+  std::string Fault() {
+    EXPECT_FALSE(LoadFourPostData(study_, vehicle_, diagnostics_).has_value());
+    return diagnostics_.Format();
+  }
+
+  TemporaryFolder folder_;
+  Vehicle vehicle_;
+  Study study_;
+  Diagnostics diagnostics_;
+};
+
+TEST_F(FourPostDataTest, AveragesPhasorsMeansAndTheirDeviations) {
+  const MeasuredChannel channel = Load().runs.at(0).channels.at(0);
+  EXPECT_EQ(channel.name, "strut");
+  EXPECT_LT(std::abs(channel.response[0] - std::complex<double>(0.5, 0.5)), 1e-15);  // rounding
+  EXPECT_THAT(channel.mean, ElementsAre(DoubleEq(0.002), DoubleEq(0.002)));
+  // Two independent deviations of 0.03 and 0.04, halved.
+  EXPECT_THAT(channel.radial_sd, ElementsAre(DoubleEq(0.025), DoubleEq(0.025)));
+}
+
+TEST_F(FourPostDataTest, PoolsDeviationsOverNeighbouringFrequencies) {
+  study_.channels = {{"strut", {ChannelSource::Combine::kMean, {"s_left"}, 7}}};
+  const MeasuredChannel channel = Load().runs.at(0).channels.at(0);
+  // One degree of gains 1 and 2.
+  const double pooled = std::acos(-1.0) / 180 * std::sqrt((1.0 + 4.0) / 2);
+  EXPECT_THAT(channel.tangential_sd, ElementsAre(DoubleEq(pooled), DoubleEq(pooled)));
+}
+
+TEST_F(FourPostDataTest, LeavesTheMeanForceToTheStaticLoads) {
+  study_.channels = {{"load", {ChannelSource::Combine::kMean, {"F_left"}, 7}}};
+  const MeasuredChannel channel = Load().runs.at(0).channels.at(0);
+  EXPECT_EQ(channel.sensor, 1u);
+  EXPECT_THAT(channel.mean, testing::IsEmpty());
+}
+
+TEST_F(FourPostDataTest, ReadsPostsAndStaticLoads) {
+  const FourPostData data = Load();
+  EXPECT_THAT(data.runs.at(0).excitation.shape, ElementsAre(0, -1));
+  EXPECT_THAT(data.runs.at(0).excitation.frequency_Hz, ElementsAre(1, 2));
+  ASSERT_EQ(data.static_loads.size(), 1u);
+  EXPECT_DOUBLE_EQ(data.static_loads[0].load_N, 7000);
+  EXPECT_DOUBLE_EQ(data.static_loads[0].sd_N, 5);
+}
+
+TEST_F(FourPostDataTest, KeepsTheFrequenciesOfABand) {
+  const std::vector<MeasuredRun> runs = InBand(Load().runs, 1.5, 2);
+  EXPECT_THAT(runs.at(0).excitation.frequency_Hz, ElementsAre(2));
+  EXPECT_EQ(runs[0].channels[0].response.size(), 1u);
+  EXPECT_EQ(runs[0].channels[0].radial_sd.size(), 1u);
+  EXPECT_EQ(runs[0].channels[0].mean.size(), 1u);
+}
+
+TEST_F(FourPostDataTest, NamesAnUnknownSensor) {
+  study_.channels[0].first = "struts";
+  EXPECT_EQ(Fault(), "study.yaml:7: error: the vehicle has no sensor 'struts', did you mean 'strut'?");
+}
+
+TEST_F(FourPostDataTest, NamesAnUnknownChannel) {
+  study_.channels[0].second.channels[1] = "s_rigth";
+  EXPECT_EQ(Fault(), "study.yaml:7: error: run.csv has no channel 's_rigth', did you mean 's_right'?");
+}
+
+TEST_F(FourPostDataTest, NamesAnUnknownPost) {
+  study_.recordings[0].posts = {{"rigth", 1}};
+  study_.recordings[0].line = 3;
+  EXPECT_EQ(Fault(), "study.yaml:3: error: the vehicle has no post 'rigth', did you mean 'right'?");
+}
+
+TEST_F(FourPostDataTest, NamesAnUnknownTyreAndAnUnknownLoadAtOnce) {
+  study_.static_loads = {{"tire", {ChannelSource::Combine::kSum, {"l", "q"}, 9}}};
+  EXPECT_THAT(Fault(), testing::AllOf(HasSubstr("study.yaml:9: error: the vehicle has no tyre 'tire'"),
+                                      HasSubstr("study.yaml:9: error: static.csv has no force 'q'")));
+}
+
+TEST_F(FourPostDataTest, RefusesAStaticLoadThatIsExact) {
+  study_.static_loads_file = folder_.Write("static.csv", "quantity,unit,value,sd\nl,kN,3,0\nr,kN,4,0\n");
+  EXPECT_THAT(Fault(), HasSubstr("needs a standard deviation above zero"));
+}
+
+}  // namespace
+}  // namespace fourpost
