@@ -11,6 +11,7 @@
 #include "identify/fit.h"
 #include "identify/loaded_study.h"
 #include "identify/modelled_response.h"
+#include "identify/response_chart.h"
 #include "identify/result_json.h"
 #include "vehicles/vehicle_file.h"
 
@@ -113,14 +114,15 @@ int Run(const FitCommand& command) {
 
   const Study& study = loaded->study;
   const CondensedModel model = objective.condensed().At(fit.values);
-  const std::vector<MeasuredRun> in_band = InBand(loaded->data.runs, study.band_lower_Hz, study.band_upper_Hz);
+  const std::vector<MeasuredRun>& runs = loaded->data.runs;
+  const std::vector<FrequencyResponse> modelled = ModelledResponses(model, loaded->vehicle.sensors, runs);
+  const std::vector<MeasuredRun> in_band = InBand(runs, study.band_lower_Hz, study.band_upper_Hz);
   const std::vector<ChannelMisfit> misfits =
       Misfits(in_band, ModelledResponses(model, loaded->vehicle.sensors, in_band));
   const std::string result = ResultJson(*loaded, options.search.seed, fit, misfits);
   output.Add("vehicle.urdf", VehicleTextWithValues(loaded->vehicle, fit.values, command.output));
-  output.Add("response.csv",
-             ResponseCsv(loaded->data.runs, ModelledResponses(model, loaded->vehicle.sensors, loaded->data.runs),
-                         study.band_lower_Hz, study.band_upper_Hz));
+  output.Add("response.csv", ResponseCsv(runs, modelled, study.band_lower_Hz, study.band_upper_Hz));
+  output.Add("response.svg", ResponseSvg(runs, modelled, misfits, study.band_lower_Hz, study.band_upper_Hz));
   output.Add("result.json", result);
   output.Commit();
 

@@ -55,7 +55,8 @@ int main(int argc, char** argv) {
   FitCommand fit;
   sub = app.add_subcommand("fit", "Fit a study's vehicle to the recordings");
   sub->add_option("STUDY", fit.study, "Study file (.yaml)")->required();
-  sub->add_option("-o,--output", fit.output, "Folder for result.json, vehicle.urdf and response.csv")->required();
+  sub->add_option("-o,--output", fit.output, "Folder for result.json, vehicle.urdf, response.csv and response.svg")
+      ->required();
   sub->add_option("--seed", fit.seed, "Seed of the search, in place of the study's");
   sub->add_option("--threads", fit.threads, "Evaluations at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));

@@ -90,6 +90,7 @@ TEST_F(CommandLine, FitWritesItsResultAndCheckAcceptsTheFittedVehicle) {
   const std::string table = ReadText(folder_ / "result/response.csv");
   // Two recordings of 64 frequencies, 11 channels, and the header.
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2 * 64 * 11 + 1);
+  EXPECT_THAT(ReadText(folder_ / "result/response.svg"), testing::StartsWith("<svg"));
 
   const Outcome check = Run("check result/vehicle.urdf --json");
   ASSERT_EQ(check.code, 0) << check.err;
