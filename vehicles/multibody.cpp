@@ -47,7 +47,9 @@ SimTK::MassProperties MassPropertiesAt(const Link& link, std::span<const double>
   const Vec3 com = ToSimbody(link.com);
   std::array<double, 6> i{};
   for (std::size_t k = 0; k < i.size(); ++k) i[k] = link.inertia[k].At(parameters);
-  const SimTK::Inertia central(i[0], i[1], i[2], i[3], i[4], i[5]);
+  // Simbody takes the central inertia back as a difference and refuses what rounding leaves below zero of a point mass.
+  const double rounding = 16 * SimTK::Eps * mass * com.normSqr();
+  const SimTK::Inertia central(i[0] + rounding, i[1] + rounding, i[2] + rounding, i[3], i[4], i[5]);
   return {mass, com, mass > 0 ? central.shiftFromMassCenter(com, mass) : central};
 }
 
