@@ -107,8 +107,9 @@ struct Multibody::Impl {
   void CreateState();
   void SetState(double t, const Eigen::VectorXd& y);
   MobilizedBody& Body(int link) { return bodies[static_cast<std::size_t>(link)]; }
+  void Realize(SimTK::Stage stage);
   double Reading(const SensorData& sensor, const SimTK::State& at);
-  void Report(const SimTK::State& at, const MarchSink& sink);
+  Eigen::VectorXd Readings(const SimTK::State& at);
   const PlatformState& PlatformsAt(double t);
 
   Vehicle vehicle;
@@ -280,6 +281,15 @@ void Multibody::Impl::SetState(double t, const Eigen::VectorXd& y) {
   for (int i = 0; i < y.size(); ++i) target[i] = y[i];
 }
 
+void Multibody::Impl::Realize(SimTK::Stage stage) {
+  try {
+    system.realize(state, stage);
+  } catch (const SimTK::Exception::Base& failure) {
+    throw std::runtime_error("the vehicle cannot be evaluated at t = " + std::to_string(state.getTime()) +
+                             " s: " + failure.getMessage());
+  }
+}
+
 const PlatformState& Multibody::Impl::PlatformsAt(double t) {
   if (post_motion && t != platform_time) {
     post_motion(t, platform_state.height, platform_state.velocity);
@@ -304,11 +314,10 @@ double Multibody::Impl::Reading(const SensorData& sensor, const SimTK::State& at
   throw std::logic_error("sensor type without a reading");
 }
 
-void Multibody::Impl::Report(const SimTK::State& at, const MarchSink& sink) {
-  system.realize(at, SimTK::Stage::Acceleration);
+Eigen::VectorXd Multibody::Impl::Readings(const SimTK::State& at) {
   Eigen::VectorXd readings(sensors.size());
   for (std::size_t i = 0; i < sensors.size(); ++i) readings[static_cast<Eigen::Index>(i)] = Reading(sensors[i], at);
-  sink(at.getTime(), ToEigen(at.getY()), readings);
+  return readings;
 }
 
 Multibody::Multibody(const Vehicle& vehicle) : impl_(std::make_unique<Impl>(vehicle)) {}
@@ -396,6 +405,35 @@ Eigen::VectorXd Multibody::StateDerivative(double t, const Eigen::VectorXd& stat
   return ToEigen(impl_->state.getYDot());
 }
 
+Eigen::VectorXd Multibody::Residual(double t, const Eigen::VectorXd& state, const Eigen::VectorXd& derivative) {
+  Impl& m = *impl_;
+  m.SetState(t, state);
+  m.Realize(SimTK::Stage::Dynamics);
+  const int n = coordinate_count();
+  const SimTK::Vector acceleration(n, derivative.data() + n, true);
+  SimTK::Vector lacking;
+  m.matter.calcResidualForceIgnoringConstraints(
+      m.state, m.system.getMobilityForces(m.state, SimTK::Stage::Dynamics),
+      m.system.getRigidBodyForces(m.state, SimTK::Stage::Dynamics), acceleration, lacking);
+  Eigen::VectorXd residual(state.size() - n);
+  for (int i = 0; i < n; ++i) residual[i] = lacking[i];
+  Eigen::Index series = n;
+  for (const DamperData& damper : m.dampers) {
+    if (!damper.in_series) continue;
+    const double rate = Motion(damper.line, m.state).rate;
+    residual[series] = SeriesDamper{damper.dashpot, damper.series_stiffness}.Force(state[n + series]) -
+                       damper.dashpot.Force(rate - derivative[n + series]);
+    ++series;
+  }
+  return residual;
+}
+
+Eigen::VectorXd Multibody::Readings(double t, const Eigen::VectorXd& state) {
+  impl_->SetState(t, state);
+  impl_->Realize(SimTK::Stage::Acceleration);
+  return impl_->Readings(impl_->state);
+}
+
 Eigen::VectorXd Multibody::RestState() const {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(state_size());
   y.head(design_pose().size()) = design_pose();
@@ -415,7 +453,9 @@ void Multibody::Integrate(const Eigen::VectorXd& state, double start, double ste
       const double until = start + static_cast<double>(k) * step;
       // The first call returns at once, at the start of the first interval.
       while (integrator.getTime() < until) integrator.stepTo(until);
-      m.Report(integrator.getState(), sink);
+      const SimTK::State& now = integrator.getState();
+      m.system.realize(now, SimTK::Stage::Acceleration);
+      sink(now.getTime(), ToEigen(now.getY()), m.Readings(now));
       if (done()) return;
     }
   } catch (const SimTK::Exception::Base& failure) {

@@ -72,6 +72,32 @@ TEST(Multibody, TakesAnyPointMass) {
   }
 }
 
+/// Inverse dynamics of the accelerations that forward dynamics give.
+void ExpectForwardAndInverseDynamicsAgree(const Vehicle& vehicle) {
+  const std::vector<double> values = vehicle.ParameterValues();
+  Multibody multibody(vehicle);
+  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
+  const Eigen::VectorXd state = SomeState(multibody);
+  const Eigen::VectorXd derivative = multibody.StateDerivative(0, state);
+  // Rounding of forces of 1e4 N.
+  EXPECT_LT(multibody.Residual(0, state, derivative).cwiseAbs().maxCoeff(), 1e-10);
+  const Eigen::Index n = multibody.coordinate_count();
+  for (Eigen::Index i = n; i < state.size(); ++i) {
+    const Eigen::VectorXd other = derivative + Eigen::VectorXd::Unit(state.size(), i);
+    EXPECT_GT(std::abs(multibody.Residual(0, state, other)[i - n]), 1) << "no use of derivative " << i;
+  }
+}
+
+TEST(Multibody, ResidualIsZeroForTheForwardAccelerations) {
+  ExpectForwardAndInverseDynamicsAgree(ShippedVehicle("landrover110_linkage"));
+}
+
+TEST(Multibody, ResidualIsZeroForTheForwardRatesOfSeriesDampers) {
+  Vehicle vehicle = ShippedVehicle("landrover110_linkage");
+  for (Damper& damper : vehicle.dampers) damper.series_stiffness = Scalar{400e3};
+  ExpectForwardAndInverseDynamicsAgree(vehicle);
+}
+
 TEST(Multibody, PostsMoveTheTyres) {
   const Vehicle vehicle = ShippedVehicle("quarter_car");
   const std::vector<double> values = vehicle.ParameterValues();
