@@ -4,6 +4,7 @@
 #include <complex>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -61,11 +61,11 @@ class Multibody {
   /// d[q u z]/dt at time t.
   Eigen::VectorXd StateDerivative(double t, const Eigen::VectorXd& state);
 
-  /// Inverse dynamics at time t: what is lacking for the state [q u z] to change at the rate `derivative` = d[q u z]/dt.
+  /// Inverse dynamics at time t: what the state [q u z] lacks to change at the rate `derivative` = d[q u z]/dt.
   ///   per coordinate       M(q) u' - forces(t, q, u, z)                     [N, or N m for an angle], n entries,
   ///   per series damper    series stiffness z - dashpot force(v - z')      [N], in file order,
-  /// v: extension rate of the damper. All zero where derivative = StateDerivative(t, state), at a third of its cost and
-  /// no division by a rate. Forces of loop closures are left out.
+  /// v: extension rate of the damper. All zero where derivative = StateDerivative(t, state), which costs more and
+  /// divides by the dashpots' rates. Forces of loop closures are left out.
   /// Throws std::runtime_error when Simbody cannot evaluate the state.
   Eigen::VectorXd Residual(double t, const Eigen::VectorXd& state, const Eigen::VectorXd& derivative);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -11,7 +12,6 @@
 #include "analysis/decibel.h"
 #include "analysis/diagnostics.h"
 #include "analysis/frequency_response_file.h"
-#include "analysis/units.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed_vehicle.h"
 #include "vehicles/march.h"
