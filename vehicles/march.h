@@ -20,7 +20,9 @@ struct MarchOptions {
   double window_s = 0.5;
   /// Gives up after this long [s].
   double longest_s = 60;
-  int samples_per_cycle = 64;
+  /// The kinks of bilinear forces alias into accelerations: 64 samples left 1.5 % at a sensor near a node, 256 leave
+  /// 0.04 %.
+  int samples_per_cycle = 256;
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;

@@ -260,8 +260,7 @@ void Multibody::Impl::MeasureDesign() {
   system.realize(state, SimTK::Stage::Velocity);
   for (SpringData& spring : springs) spring.line.design_length = Length(spring.line, state);
   for (DamperData& damper : dampers) damper.line.design_length = Length(damper.line, state);
-  for (TyreData& tyre : tyres)
-    tyre.design_height = tyre.body.findStationLocationInGround(state, tyre.station)[2];
+  for (TyreData& tyre : tyres) tyre.design_height = tyre.body.findStationLocationInGround(state, tyre.station)[2];
   for (SensorData& sensor : sensors) {
     if (sensor.type == Sensor::Type::kStrut) sensor.line.design_length = Length(sensor.line, state);
     if (sensor.type == Sensor::Type::kDisplacement) {
@@ -301,8 +300,8 @@ const PlatformState& Multibody::Impl::PlatformsAt(double t) {
 double Multibody::Impl::Reading(const SensorData& sensor, const SimTK::State& at) {
   switch (sensor.type) {
     case Sensor::Type::kAccelerometer: {
-      const Vec3 specific_force = sensor.body.findStationAccelerationInGround(at, sensor.station) +
-                                  Vec3(0, 0, kGravity);
+      const Vec3 specific_force =
+          sensor.body.findStationAccelerationInGround(at, sensor.station) + Vec3(0, 0, kGravity);
       return SimTK::dot(sensor.body.getBodyRotation(at) * sensor.axis, specific_force) - sensor.rest;
     }
     case Sensor::Type::kDisplacement:
@@ -351,8 +350,7 @@ void Multibody::SetParameters(std::span<const double> parameters, const Preloads
   }
   for (const Joint& joint : m.vehicle.joints)
     m.Body(joint.child)
-        .setDefaultMassProperties(
-            MassPropertiesAt(m.vehicle.links[static_cast<std::size_t>(joint.child)], parameters));
+        .setDefaultMassProperties(MassPropertiesAt(m.vehicle.links[static_cast<std::size_t>(joint.child)], parameters));
   // Simbody keeps mass properties with the topology; realizing it again reuses every body and element (~50 us).
   m.CreateState();
 }
@@ -412,9 +410,9 @@ Eigen::VectorXd Multibody::Residual(double t, const Eigen::VectorXd& state, cons
   const int n = coordinate_count();
   const SimTK::Vector acceleration(n, derivative.data() + n, true);
   SimTK::Vector lacking;
-  m.matter.calcResidualForceIgnoringConstraints(
-      m.state, m.system.getMobilityForces(m.state, SimTK::Stage::Dynamics),
-      m.system.getRigidBodyForces(m.state, SimTK::Stage::Dynamics), acceleration, lacking);
+  m.matter.calcResidualForceIgnoringConstraints(m.state, m.system.getMobilityForces(m.state, SimTK::Stage::Dynamics),
+                                                m.system.getRigidBodyForces(m.state, SimTK::Stage::Dynamics),
+                                                acceleration, lacking);
   Eigen::VectorXd residual(state.size() - n);
   for (int i = 0; i < n; ++i) residual[i] = lacking[i];
   Eigen::Index series = n;

@@ -26,9 +26,8 @@ struct Preloads {
 using MarchSink = std::function<void(double t, const Eigen::VectorXd& state, const Eigen::VectorXd& sensors)>;
 
 /// The vehicle as a nonlinear multibody system in Simbody: bodies, joints, loop closures and force elements.
-/// Joint coordinates q: revolute angle; prismatic travel; planar angle, x, y; floating body-fixed x-y-z angles, x, y, z;
-/// dq/dt = u for all of them. z: extension of the spring of each series damper.
-/// Not thread-safe: one per thread.
+/// Joint coordinates q: revolute angle; prismatic travel; planar angle, x, y; floating body-fixed x-y-z angles, x, y,
+/// z; dq/dt = u for all of them. z: extension of the spring of each series damper. Not thread-safe: one per thread.
 class Multibody {
  public:
   /// Throws FaultyInput, naming the loops and their gaps, when the loop closures cannot be assembled.

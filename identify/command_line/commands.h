@@ -12,12 +12,21 @@ struct CheckCommand {
   bool json = false;
 };
 
+/// How a periodic response is found.
+enum class Engine {
+  /// Harmonic balance on kinematics linearised about static equilibrium: what the fit uses.
+  kLinearised,
+  /// Harmonic balance on the full multibody system.
+  kFull,
+  /// The full multibody system integrated to steady state: the reference.
+  kMarch,
+};
+
 /// `fourpost response STUDY`
 struct ResponseCommand {
   std::filesystem::path study;
   bool json = false;
-  /// March the full multibody system instead of harmonic balance.
-  bool march = false;
+  Engine engine = Engine::kLinearised;
 };
 
 /// `fourpost fit STUDY -o DIR`

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <map>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -48,7 +49,14 @@ int main(int argc, char** argv) {
   ResponseCommand response;
   sub = app.add_subcommand("response", "Compare a study's vehicle, as its file has it, with the recordings");
   sub->add_option("STUDY", response.study, "Study file (.yaml)")->required();
-  sub->add_flag("--march", response.march, "Integrate the full multibody system to steady state (slow, the reference)");
+  const std::map<std::string, Engine> engines = {
+      {"linearised", Engine::kLinearised}, {"full", Engine::kFull}, {"march", Engine::kMarch}};
+  sub->add_option(
+         "--engine", response.engine,
+         "linearised: harmonic balance as in a fit; full: on the full multibody system; march: integrate that to "
+         "steady state (slow, the reference)")
+      ->transform(CLI::CheckedTransformer(engines).description("{linearised,full,march}"))
+      ->default_str("linearised");
   sub->add_flag("--json", response.json, "Print JSON");
   sub->callback([&] { run = [&] { return Run(response); }; });
 

@@ -9,6 +9,7 @@
 #include "identify/command_line/progress_line.h"
 #include "identify/loaded_study.h"
 #include "identify/modelled_response.h"
+#include "vehicles/full_balance.h"
 #include "vehicles/march.h"
 
 namespace fourpost {
@@ -16,26 +17,53 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-FrequencyResponse MarchRun(Multibody& multibody, const MeasuredRun& run, ProgressLine& progress) {
-  const std::string total = std::to_string(run.excitation.frequency_Hz.size());
-  const MarchedResponse marched = March(multibody, run.excitation, {}, [&](std::size_t done) {
-    progress.Show("march " + run.name + ": " + std::to_string(done) + " of " + total + " frequencies");
-  });
-  if (!marched.unsteady_Hz.empty())
-    throw std::runtime_error("the motion does not become periodic at " + std::to_string(marched.unsteady_Hz[0]) +
-                             " Hz of '" + run.name + "'");
-  return marched.response;
-}
+/// The responses of the full multibody system.
+class FullSystem {
+ public:
+  explicit FullSystem(const LoadedStudy& loaded) : multibody_(loaded.vehicle) {
+    const std::vector<double> values = loaded.vehicle.ParameterValues();
+    model_ = CondensedVehicle(loaded.vehicle).At(values);
+    multibody_.SetParameters(values, model_.preloads);
+  }
 
-std::vector<FrequencyResponse> MarchRuns(const LoadedStudy& loaded, const CondensedVehicle& condensed,
-                                         const std::vector<MeasuredRun>& runs) {
-  Multibody multibody(loaded.vehicle);
-  const std::vector<double> values = loaded.vehicle.ParameterValues();
-  multibody.SetParameters(values, condensed.PreloadsAt(values));
-  ProgressLine progress;
-  std::vector<FrequencyResponse> responses;
-  for (const MeasuredRun& run : runs) responses.push_back(MarchRun(multibody, run, progress));
-  return responses;
+  std::vector<FrequencyResponse> Responses(const std::vector<MeasuredRun>& runs, Engine engine) {
+    std::vector<FrequencyResponse> responses;
+    for (const MeasuredRun& run : runs) responses.push_back(engine == Engine::kFull ? Balance(run) : Marched(run));
+    return responses;
+  }
+
+ private:
+  FrequencyResponse Balance(const MeasuredRun& run) {
+    PeriodicResponse balanced = SolveFullBalance(multibody_, model_, run.excitation);
+    RequirePeriodic(balanced.unconverged_Hz, run);
+    return std::move(balanced.response);
+  }
+
+  FrequencyResponse Marched(const MeasuredRun& run) {
+    const std::string total = std::to_string(run.excitation.frequency_Hz.size());
+    MarchedResponse marched = March(multibody_, run.excitation, {}, [&](std::size_t done) {
+      progress_.Show("march " + run.name + ": " + std::to_string(done) + " of " + total + " frequencies");
+    });
+    RequirePeriodic(marched.unsteady_Hz, run);
+    return std::move(marched.response);
+  }
+
+  static void RequirePeriodic(const std::vector<double>& failed_Hz, const MeasuredRun& run) {
+    if (!failed_Hz.empty())
+      throw std::runtime_error("no periodic motion was found at " + std::to_string(failed_Hz[0]) + " Hz of '" +
+                               run.name + "'");
+  }
+
+  Multibody multibody_;
+  CondensedModel model_;
+  ProgressLine progress_;
+};
+
+std::vector<FrequencyResponse> Responses(const LoadedStudy& loaded, const std::vector<MeasuredRun>& runs,
+                                         Engine engine) {
+  if (engine != Engine::kLinearised) return FullSystem(loaded).Responses(runs, engine);
+  const CondensedModel model = CondensedVehicle(loaded.vehicle).At(loaded.vehicle.ParameterValues());
+  return ModelledResponses(model, loaded.vehicle.sensors, runs);
 }
 
 Json Channel(const ChannelResponse& channel) {
@@ -72,12 +100,9 @@ int Run(const ResponseCommand& command) {
   Diagnostics diagnostics;
   const std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
-  const CondensedVehicle condensed(loaded->vehicle);
   const std::vector<MeasuredRun> runs =
       InBand(loaded->data.runs, loaded->study.band_lower_Hz, loaded->study.band_upper_Hz);
-  const std::vector<FrequencyResponse> modelled =
-      command.march ? MarchRuns(*loaded, condensed, runs)
-                    : ModelledResponses(condensed.At(loaded->vehicle.ParameterValues()), loaded->vehicle.sensors, runs);
+  const std::vector<FrequencyResponse> modelled = Responses(*loaded, runs, command.engine);
   const std::vector<ChannelMisfit> misfits = Misfits(runs, modelled);
   std::fputs((command.json ? AsJson(runs, modelled, misfits) : MisfitTable(misfits)).c_str(), stdout);
   return kGood;

@@ -136,6 +136,20 @@ TEST_F(CommandLine, ResponseTellsTheMisfitOfTheVehicleAsItIs) {
   EXPECT_EQ(first["channels"][0]["gain"].size(), first["frequency_Hz"].size());
 }
 
+TEST_F(CommandLine, ResponseComesFromTheEngineAskedFor) {
+  ReplaceIn(kStudy, "[0.5 Hz, 12 Hz]", "[4 Hz, 4.3 Hz]");
+  const Json linearised = Json::parse(Run("response studies/landrover110/model2.yaml --json").out)["recordings"];
+  for (const char* engine : {"full", "march"}) {
+    const Outcome outcome = Run("response studies/landrover110/model2.yaml --json --engine " + std::string(engine));
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json recordings = Json::parse(outcome.out)["recordings"];
+    EXPECT_NE(recordings, linearised) << engine;
+    const double gain = recordings[0]["channels"][0]["gain"][0];
+    const double expected = linearised[0]["channels"][0]["gain"][0];
+    EXPECT_NEAR(gain / expected, 1, 0.006) << engine;  // 0.05 dB
+  }
+}
+
 TEST_F(CommandLine, RefusesAMisspeltTag) {
   ReplaceIn(kVehicle, "<fp:tyre name=\"front_tyre\"", "<fp:tire name=\"front_tyre\"");
   ExpectRefused("unknown tag");
