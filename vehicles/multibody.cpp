@@ -9,75 +9,13 @@
 #include "analysis/units.h"
 #include "vehicles/force_elements.h"
 #include "vehicles/gravity.h"
+#include "vehicles/simbody_bodies.h"
 
 namespace fourpost {
 namespace {
 
 using SimTK::MobilizedBody;
-using SimTK::Transform;
 using SimTK::Vec3;
-
-Vec3 ToSimbody(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Eigen::Vector3d ToEigen(const Vec3& v) { return {v[0], v[1], v[2]}; }
-
-Transform ToSimbody(const Eigen::Isometry3d& pose) {
-  SimTK::Mat33 rotation;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) rotation(i, j) = pose.linear()(i, j);
-  return {SimTK::Rotation(rotation), ToSimbody(Eigen::Vector3d(pose.translation()))};
-}
-
-Eigen::Isometry3d ToEigen(const Transform& transform) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) pose.linear()(i, j) = transform.R().asMat33()(i, j);
-  pose.translation() = ToEigen(transform.p());
-  return pose;
-}
-
-Eigen::VectorXd ToEigen(const SimTK::Vector& v) {
-  Eigen::VectorXd out(v.size());
-  for (int i = 0; i < v.size(); ++i) out[i] = v[i];
-  return out;
-}
-
-SimTK::MassProperties MassPropertiesAt(const Link& link, std::span<const double> parameters) {
-  const double mass = link.mass.At(parameters);
-  const Vec3 com = ToSimbody(link.com);
-  std::array<double, 6> i{};
-  for (std::size_t k = 0; k < i.size(); ++k) i[k] = link.inertia[k].At(parameters);
-  // Simbody takes the central inertia back as a difference and refuses what rounding leaves below zero of a point mass.
-  const double rounding = 16 * SimTK::Eps * mass * com.normSqr();
-  const SimTK::Inertia central(i[0] + rounding, i[1] + rounding, i[2] + rounding, i[3], i[4], i[5]);
-  return {mass, com, mass > 0 ? central.shiftFromMassCenter(com, mass) : central};
-}
-
-/// A frame whose given axis points along `direction`.
-Transform Aligned(const Eigen::Vector3d& direction, const SimTK::CoordinateAxis& axis) {
-  return {SimTK::Rotation(SimTK::UnitVec3(ToSimbody(direction)), axis), Vec3(0)};
-}
-
-MobilizedBody AddMobilizer(const Joint& joint, MobilizedBody& parent, const SimTK::Body& body) {
-  const Transform pose = ToSimbody(joint.pose);
-  switch (joint.type) {
-    case Joint::Type::kFixed: return MobilizedBody::Weld(parent, pose, body, Transform());
-    case Joint::Type::kRevolute: {
-      const Transform axis = Aligned(joint.axis, SimTK::ZAxis);
-      return MobilizedBody::Pin(parent, pose * axis, body, axis);
-    }
-    case Joint::Type::kPrismatic: {
-      const Transform axis = Aligned(joint.axis, SimTK::XAxis);
-      return MobilizedBody::Slider(parent, pose * axis, body, axis);
-    }
-    case Joint::Type::kPlanar: {
-      const Transform normal = Aligned(joint.axis, SimTK::ZAxis);
-      return MobilizedBody::Planar(parent, pose * normal, body, normal);
-    }
-    case Joint::Type::kFloating: return MobilizedBody::Bushing(parent, pose, body, Transform());
-  }
-  throw std::logic_error("joint type without a mobilizer");
-}
 
 struct SensorData {
   Sensor::Type type = Sensor::Type::kAccelerometer;
@@ -223,10 +161,7 @@ void Multibody::Impl::AssembleDesignPose() {
     if (error.size() == 0 || error.lpNorm<Eigen::Infinity>() < kClosed_m) return;
     SimTK::Matrix g;
     matter.calcG(state, g);
-    Eigen::MatrixXd jacobian(g.nrow(), g.ncol());
-    for (int i = 0; i < g.nrow(); ++i)
-      for (int j = 0; j < g.ncol(); ++j) jacobian(i, j) = g(i, j);
-    design_pose -= jacobian.completeOrthogonalDecomposition().solve(error);
+    design_pose -= ToEigen(g).completeOrthogonalDecomposition().solve(error);
     if (!design_pose.allFinite() || design_pose.lpNorm<Eigen::Infinity>() > 1e3) break;
   }
   throw FaultyInput(GapFaults());
@@ -391,10 +326,7 @@ Eigen::VectorXd Multibody::LoopError() const { return ToEigen(impl_->state.getQE
 Eigen::MatrixXd Multibody::LoopJacobian() const {
   SimTK::Matrix g;
   impl_->matter.calcG(impl_->state, g);
-  Eigen::MatrixXd jacobian(g.nrow(), coordinate_count());
-  for (int i = 0; i < g.nrow(); ++i)
-    for (int j = 0; j < g.ncol(); ++j) jacobian(i, j) = g(i, j);
-  return jacobian;
+  return ToEigen(g);
 }
 
 Eigen::VectorXd Multibody::StateDerivative(double t, const Eigen::VectorXd& state) {
@@ -460,14 +392,6 @@ void Multibody::Integrate(const Eigen::VectorXd& state, double start, double ste
     throw std::runtime_error("the simulation failed at t = " + std::to_string(integrator.getTime()) +
                              " s: " + failure.getMessage());
   }
-}
-
-std::string SimbodyVersion() {
-  int major = 0;
-  int minor = 0;
-  int build = 0;
-  SimTK_version_simbody(&major, &minor, &build);
-  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(build);
 }
 
 }  // namespace fourpost

@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -84,8 +83,5 @@ class Multibody {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// "3.7.0", of the library that runs.
-std::string SimbodyVersion();
 
 }  // namespace fourpost
