@@ -1,16 +1,13 @@
 #include "analysis/csv.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <limits>
-#include <sstream>
-#include <system_error>
 #include <utility>
 
 #include "analysis/csv_scanner.h"
 #include "analysis/nearest.h"
 #include "analysis/number.h"
+#include "analysis/text_file.h"
 
 namespace fourpost {
 namespace {
@@ -19,17 +16,6 @@ std::string Quote(std::string_view text) { return "'" + std::string(text) + "'";
 
 std::string Count(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-std::optional<std::string> ReadText(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
-  // Reading a folder opens well and fails here.
-  if (errno == 0 && stream.is_open() && !stream.bad() && text) return std::move(text).str();
-  diagnostics.Error(file.string(), 0, "cannot be read: " + std::generic_category().message(errno));
-  return std::nullopt;
 }
 
 }  // namespace
@@ -150,7 +136,7 @@ std::optional<CsvTable> ParseCsv(std::string_view text, std::string file, Diagno
 }
 
 std::optional<CsvTable> ReadCsv(const std::filesystem::path& file, Diagnostics& diagnostics, CsvHeader header) {
-  const std::optional<std::string> text = ReadText(file, diagnostics);
+  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
   if (!text) return std::nullopt;
   return ParseCsv(*text, file.string(), diagnostics, header);
 }

@@ -1,6 +1,7 @@
 #include "identify/fit.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -9,7 +10,7 @@
 namespace fourpost {
 namespace {
 
-/// Within this share of its range a parameter counts as being at the bound.
+/// Within this share of its range a parameter counts as being at the bound: refinement stops at steps of 1e-8.
 constexpr double kAtBound = 1e-6;
 
 Eigen::VectorXd StartValues(const FourPostObjective& objective) {
@@ -20,7 +21,7 @@ Eigen::VectorXd StartValues(const FourPostObjective& objective) {
 }
 
 std::vector<FittedParameter> Describe(const FourPostObjective& objective, const Eigen::VectorXd& values,
-                                      const Covariance& covariance) {
+                                      const std::optional<Covariance>& covariance) {
   std::vector<FittedParameter> out;
   for (std::size_t i = 0; i < objective.free().size(); ++i) {
     const Parameter& parameter = objective.vehicle().parameters[objective.free()[i]];
@@ -32,13 +33,21 @@ std::vector<FittedParameter> Describe(const FourPostObjective& objective, const 
     fitted.value = values[k];
     fitted.lower = parameter.lower;
     fitted.upper = parameter.upper;
-    fitted.sd = covariance.sd.size() > k ? covariance.sd[k] : std::numeric_limits<double>::infinity();
+    fitted.sd = covariance ? covariance->sd[k] : std::numeric_limits<double>::quiet_NaN();
     fitted.at_bound = values[k] - parameter.lower < kAtBound * range || parameter.upper - values[k] < kAtBound * range;
     fitted.dimension = parameter.dimension;
     fitted.unit = parameter.unit;
     out.push_back(fitted);
   }
   return out;
+}
+
+std::vector<std::string> Weakest(const Lattice& lattice, const Covariance& covariance) {
+  const Eigen::Index n = covariance.directions.cols();
+  std::vector<std::string> weakest;
+  for (Eigen::Index i = std::min<Eigen::Index>(covariance.rank, n - 1); i < n; ++i)
+    weakest.push_back(DescribeDirection(lattice, covariance.directions.col(i)));
+  return weakest;
 }
 
 std::string FailureCauses(const EvaluationCounts& counts) {
@@ -53,8 +62,37 @@ FitEnd EndOf(const RefineResult& best, bool interrupted) {
   return best.end == RefineEnd::kConverged ? FitEnd::kConverged : FitEnd::kNotConverged;
 }
 
-void Report(const FitHooks& hooks, std::string_view stage, double best_cost, const EvaluationCounts& counts) {
-  if (hooks.progress) hooks.progress({stage, best_cost, counts.paid, counts.reused, counts.failed()});
+/// Remembers the lowest cost of all evaluations, from whichever thread.
+class LowestCost {
+ public:
+  void Add(double cost) {
+    double lowest = lowest_;
+    while (cost < lowest && !lowest_.compare_exchange_weak(lowest, cost)) {
+    }
+  }
+  double value() const { return lowest_; }
+
+ private:
+  std::atomic<double> lowest_ = std::numeric_limits<double>::infinity();
+};
+
+Problem Watched(const FourPostObjective& objective, LowestCost& lowest) {
+  Problem problem = objective.MakeProblem();
+  problem.evaluate = [evaluate = problem.evaluate, &lowest](const Eigen::VectorXd& values) {
+    Evaluation evaluation = evaluate(values);
+    if (evaluation.ok()) lowest.Add(evaluation.residuals.squaredNorm());
+    return evaluation;
+  };
+  return problem;
+}
+
+/// Distinct good points of the search, and the vehicle's own values.
+std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const FourPostObjective& objective, int count) {
+  std::vector<Eigen::VectorXd> starts;
+  for (const Candidate& candidate : search.candidates)
+    if (static_cast<int>(starts.size()) < count) starts.push_back(candidate.values);
+  starts.push_back(StartValues(objective));
+  return starts;
 }
 
 }  // namespace
@@ -71,47 +109,48 @@ std::string_view FitEndName(FitEnd end) {
 }
 
 FitResult Fit(const FourPostObjective& objective, const FitOptions& options, const FitHooks& hooks) {
-  Archive archive(objective.MakeProblem(), options.threads);
+  LowestCost lowest;
+  Archive archive(Watched(objective, lowest), options.threads);
   const std::function<bool()> stop = hooks.stop ? hooks.stop : [] { return false; };
+  const auto report = [&](std::string_view stage) {
+    const EvaluationCounts counts = archive.counts();
+    if (hooks.progress) hooks.progress({stage, lowest.value(), counts.paid, counts.reused, counts.failed()});
+  };
 
   FitResult result;
-  result.search = SearchDvhde(
-      archive, options.search,
-      {[&](const SearchGeneration& generation) { Report(hooks, "search", generation.best_cost, archive.counts()); },
-       stop});
+  result.values = objective.vehicle().ParameterValues();
+  result.residual_count = objective.residual_count();
+  result.search = SearchDvhde(archive, options.search, {[&](const SearchGeneration&) { report("search"); }, stop});
   result.evaluations = archive.counts();
   if (result.search.candidates.empty()) {
     result.end = stop() ? FitEnd::kInterrupted : FitEnd::kAllFailed;
-    result.message = FailureCauses(archive.counts());
-    result.values = objective.vehicle().ParameterValues();
+    result.message = stop() ? "interrupted before the first evaluation;" : FailureCauses(archive.counts());
     return result;
   }
 
-  std::vector<Eigen::VectorXd> starts;
-  for (const Candidate& candidate : result.search.candidates)
-    if (static_cast<int>(starts.size()) < options.starts) starts.push_back(candidate.values);
-  starts.push_back(StartValues(objective));
-  const auto tell_and_ask = [&] {
-    Report(hooks, "refine", result.search.candidates.front().cost, archive.counts());
+  const auto report_and_ask = [&] {
+    report("refine");
     return stop();
   };
-  const MultiStartResult refined = RefineFrom(archive, starts, options.refine, tell_and_ask);
+  const MultiStartResult refined =
+      RefineFrom(archive, Starts(result.search, objective, options.starts), options.refine, report_and_ask);
   result.evaluations = archive.counts();
   result.starts = static_cast<int>(refined.runs.size());
   result.agreeing = refined.agreeing;
 
   Eigen::VectorXd values = result.search.candidates.front().values;
   result.cost = result.search.candidates.front().cost;
-  result.end = FitEnd::kInterrupted;
+  result.end = stop() ? FitEnd::kInterrupted : FitEnd::kNotConverged;
   if (refined.best >= 0) {
     const RefineResult& best = refined.runs[static_cast<std::size_t>(refined.best)];
     values = best.values;
     result.cost = best.cost;
-    result.residual_count = best.residuals.size();
     result.end = EndOf(best, stop());
     result.message = best.message;
-    if (best.jacobian.size() > 0)
+    if (best.jacobian.size() > 0) {
       result.covariance = EstimateCovariance(best.jacobian, FitVariables(archive.lattice()).Slopes(values), best.cost);
+      result.weakest = Weakest(archive.lattice(), *result.covariance);
+    }
   }
   result.parameters = Describe(objective, values, result.covariance);
   result.values = objective.AllParameters(values);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,7 +36,7 @@ struct FittedParameter {
   double value = 0;
   double lower = 0;
   double upper = 0;
-  /// Standard deviation; infinite when the data do not determine the parameter.
+  /// Standard deviation; infinite when the data do not determine the parameter, NaN when it was not computed.
   double sd = 0;
   bool at_bound = false;
   Dimension dimension;
@@ -52,7 +53,11 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   /// All parameters of the vehicle, the free ones at their fitted values.
   std::vector<double> values;
-  Covariance covariance;
+  /// Nothing when the fit ended before it could be computed.
+  std::optional<Covariance> covariance;
+  /// Combinations of parameters that the data do not determine, in words; if there is none, the one they determine
+  /// least.
+  std::vector<std::string> weakest;
   EvaluationCounts evaluations;
   SearchResult search;
   /// Refinements run, and how many ended in the best optimum.
@@ -63,6 +68,7 @@ struct FitResult {
 /// What a running fit tells.
 struct FitProgress {
   std::string_view stage;
+  /// Lowest of all evaluations so far; infinite before the first.
   double best_cost = 0;
   std::int64_t paid = 0;
   std::int64_t reused = 0;

@@ -7,6 +7,7 @@
 #include "analysis/frequency_response_file.h"
 #include "analysis/nearest.h"
 #include "analysis/static_loads.h"
+#include "vehicles/response_recorder.h"
 
 namespace fourpost {
 namespace {
@@ -55,6 +56,22 @@ PhasorDeviation DeviationOf(const ChannelResponse& channel) {
   return {PooledOverNeighbours(deviation.radial), PooledOverNeighbours(deviation.tangential)};
 }
 
+/// Deviations of the sum, along and across its own phasor, from which those of the sources are turned away.
+void AddDeviations(const std::vector<const ChannelResponse*>& sources, double share, MeasuredChannel& sum) {
+  sum.radial_sd.assign(sum.response.size(), 0);
+  sum.tangential_sd.assign(sum.response.size(), 0);
+  for (const ChannelResponse* source : sources) {
+    const PhasorDeviation deviation = DeviationOf(*source);
+    for (std::size_t i = 0; i < sum.response.size(); ++i) {
+      const double turn = std::arg(source->response[i]) - std::arg(sum.response[i]);
+      const double c = share * std::abs(std::cos(turn));
+      const double s = share * std::abs(std::sin(turn));
+      sum.radial_sd[i] = std::hypot(sum.radial_sd[i], c * deviation.radial[i], s * deviation.tangential[i]);
+      sum.tangential_sd[i] = std::hypot(sum.tangential_sd[i], s * deviation.radial[i], c * deviation.tangential[i]);
+    }
+  }
+}
+
 /// Sum of channels with their noise independent; a mean is the sum over their number.
 MeasuredChannel Combine(const std::vector<const ChannelResponse*>& sources, ChannelSource::Combine rule) {
   const std::size_t points = sources.front()->response.size();
@@ -62,21 +79,16 @@ MeasuredChannel Combine(const std::vector<const ChannelResponse*>& sources, Chan
   MeasuredChannel out;
   out.unit = sources.front()->unit;
   out.response.assign(points, 0);
-  out.radial_sd.assign(points, 0);
-  out.tangential_sd.assign(points, 0);
   // Struts only: the mean force of a tyre is its static load, whatever the damper does.
   const bool has_mean = out.unit == "m" && std::all_of(sources.begin(), sources.end(),
                                                        [](const ChannelResponse* c) { return !c->mean.empty(); });
   if (has_mean) out.mean.assign(points, 0);
-  for (const ChannelResponse* source : sources) {
-    const PhasorDeviation deviation = DeviationOf(*source);
+  for (const ChannelResponse* source : sources)
     for (std::size_t i = 0; i < points; ++i) {
       out.response[i] += share * source->response[i];
-      out.radial_sd[i] = std::hypot(out.radial_sd[i], share * deviation.radial[i]);
-      out.tangential_sd[i] = std::hypot(out.tangential_sd[i], share * deviation.tangential[i]);
       if (has_mean) out.mean[i] += share * source->mean[i];
     }
-  }
+  AddDeviations(sources, share, out);
   return out;
 }
 
@@ -114,9 +126,11 @@ class DataLoader {
       const std::vector<const ChannelResponse*> channels = FindChannels(recording, source, *measured);
       const std::optional<std::size_t> sensor = IndexOf(name, sensors);
       if (channels.size() != source.channels.size() || channels.empty() || !sensor) continue;
+      if (!HaveUnit(channels, vehicle_.sensors[*sensor], source)) continue;
       MeasuredChannel channel = Combine(channels, source.combine);
       channel.name = name;
       channel.sensor = *sensor;
+      CheckDeviations(channel, source);
       run.channels.push_back(std::move(channel));
     }
     data.runs.push_back(std::move(run));
@@ -125,11 +139,21 @@ class DataLoader {
   std::vector<double> Shape(const StudyRecording& recording) {
     const std::vector<std::string> posts = NamesOf(vehicle_.posts);
     std::vector<double> shape(posts.size(), 0.0);
+    std::vector<bool> told(posts.size(), false);
     for (const auto& [name, share] : recording.posts) {
-      if (const auto post = IndexOf(name, posts)) shape[*post] = share;
-      else
+      const std::optional<std::size_t> post = IndexOf(name, posts);
+      if (!post) {
         diagnostics_.Error(file_, recording.line, "the vehicle has no post '" + name + "'" + DidYouMean(name, posts));
+        continue;
+      }
+      shape[*post] = share;
+      told[*post] = true;
     }
+    for (std::size_t i = 0; i < posts.size(); ++i)
+      if (!told[i])
+        diagnostics_.Error(file_, recording.line,
+                           "recording '" + recording.name + "' does not tell how post '" + posts[i] +
+                               "' moved: give it a share, 0 if it stood still");
     return shape;
   }
 
@@ -144,6 +168,33 @@ class DataLoader {
                                DidYouMean(name, NamesOf(measured.channels)));
     }
     return found;
+  }
+
+  bool HaveUnit(const std::vector<const ChannelResponse*>& channels, const Sensor& sensor,
+                const ChannelSource& source) {
+    const std::string unit = UnitOf(sensor.type);
+    bool good = true;
+    for (const ChannelResponse* channel : channels) {
+      if (channel->unit == unit) continue;
+      diagnostics_.Error(file_, source.line,
+                         "channel '" + channel->name + "' is in " + channel->unit + ", sensor '" + sensor.name +
+                             "' in " + unit + ": they cannot be compared");
+      good = false;
+    }
+    return good;
+  }
+
+  /// Something must say what a difference is worth.
+  void CheckDeviations(const MeasuredChannel& channel, const ChannelSource& source) {
+    const auto none = [](double model_error, const std::vector<double>& sd) {
+      return model_error == 0 && std::find(sd.begin(), sd.end(), 0.0) != sd.end();
+    };
+    if (none(study_.model_error.gain_dB, channel.radial_sd) ||
+        none(study_.model_error.phase_rad, channel.tangential_sd))
+      diagnostics_.Error(file_, source.line,
+                         "'" + channel.name +
+                             "' has frequencies without deviation over repeats: give gain_dB and phase "
+                             "of model_error above zero");
   }
 
   void LoadStatic(FourPostData& data) {
@@ -175,6 +226,8 @@ class DataLoader {
       load.load_N += table[*row].value;
       load.sd_N = std::hypot(load.sd_N, table[*row].sd);
     }
+    if (!(load.load_N > 0) && load.sd_N > 0)
+      diagnostics_.Error(file_, source.line, "a static load presses on the post and must be above zero");
     if (!(load.sd_N > 0))
       diagnostics_.Error(file_, source.line, "a static load needs a standard deviation above zero to be weighed");
     if (source.combine == ChannelSource::Combine::kMean) {

@@ -42,6 +42,7 @@ class FourPostObjective {
   const std::vector<std::size_t>& free() const { return free_; }
   const Vehicle& vehicle() const { return vehicle_; }
   const CondensedVehicle& condensed() const { return condensed_; }
+  Eigen::Index residual_count() const { return residual_count_; }
 
  private:
   void AddRun(const MeasuredRun& run, const FrequencyResponse& modelled, double*& out) const;

@@ -46,6 +46,19 @@ void CheckBand(const Study& study, const FourPostData& data, Diagnostics& diagno
                         "the band holds no frequency of recording '" + run.name + "'");
 }
 
+/// Whether all files are there; names the study's own line for one that is not.
+bool HasFiles(const Study& study, Diagnostics& diagnostics) {
+  bool all = true;
+  const auto check = [&](const std::filesystem::path& path, int line) {
+    if (std::filesystem::exists(path)) return;
+    diagnostics.Error(study.file.string(), line, "there is no file " + path.string());
+    all = false;
+  };
+  check(study.vehicle, study.vehicle_line);
+  for (const StudyRecording& recording : study.recordings) check(recording.file, recording.line);
+  return all;
+}
+
 }  // namespace
 
 FourPostObjective LoadedStudy::MakeObjective() const {
@@ -56,6 +69,7 @@ FourPostObjective LoadedStudy::MakeObjective() const {
 std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {
   const std::optional<Study> study = ReadStudy(file, diagnostics);
   if (!study) return std::nullopt;
+  if (!HasFiles(*study, diagnostics)) return std::nullopt;
   const std::optional<Vehicle> vehicle = ReadVehicle(study->vehicle, diagnostics);
   if (!vehicle) {
     // The recordings' own faults are told as well.

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "analysis/csv_writer.h"
 #include "analysis/decibel.h"
@@ -12,6 +11,17 @@ namespace fourpost {
 namespace {
 
 double PhaseDeg(const std::complex<double>& response) { return DegreesFromRadians(std::arg(response)); }
+
+void Blank(double frequency_Hz, FrequencyResponse& response) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < response.frequency_Hz.size(); ++i) {
+    if (response.frequency_Hz[i] != frequency_Hz) continue;
+    for (ChannelResponse& channel : response.channels) {
+      channel.response[i] = {kNone, kNone};
+      channel.mean[i] = channel.second_harmonic[i] = kNone;
+    }
+  }
+}
 
 void AddRow(const MeasuredRun& run, const MeasuredChannel& measured, const ChannelResponse& modelled, std::size_t i,
             bool in_band, CsvWriter& csv) {
@@ -31,9 +41,7 @@ std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, co
   std::vector<FrequencyResponse> responses;
   for (const MeasuredRun& run : runs) {
     PeriodicResponse periodic = SolveHarmonicBalance(model, sensors, run.excitation);
-    if (!periodic.unconverged_Hz.empty())
-      throw std::runtime_error("no periodic response at " + std::to_string(periodic.unconverged_Hz[0]) + " Hz of '" +
-                               run.name + "'");
+    for (const double frequency : periodic.unconverged_Hz) Blank(frequency, periodic.response);
     responses.push_back(std::move(periodic.response));
   }
   return responses;

@@ -9,8 +9,8 @@
 
 namespace fourpost {
 
-/// What the model answers to the excitation of each run, by harmonic balance: one channel per sensor.
-/// Throws std::runtime_error when a response is not periodic.
+/// What the model answers to the excitation of each run, by harmonic balance: one channel per sensor, NaN at
+/// frequencies where no periodic response was found.
 std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, const std::vector<Sensor>& sensors,
                                                  const std::vector<MeasuredRun>& runs);
 

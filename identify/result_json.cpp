@@ -35,21 +35,34 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
 Json Channels(const std::vector<ChannelMisfit>& misfits) {
   Json list = Json::array();
   for (const ChannelMisfit& misfit : misfits)
-    list.push_back({{"name", misfit.name}, {"rms_dB", misfit.rms_dB}, {"rms_deg", misfit.rms_deg}});
+    list.push_back(
+        {{"name", misfit.name}, {"rms_dB", NumberOrNull(misfit.rms_dB)}, {"rms_deg", NumberOrNull(misfit.rms_deg)}});
   return list;
 }
 
-Json Identifiability(const Covariance& covariance) {
-  return {{"rank", covariance.rank},
-          {"parameters", covariance.directions.cols()},
-          {"condition", NumberOrNull(covariance.condition)},
-          {"sd_inflation", covariance.inflation}};
+Json StaticLoads(const LoadedStudy& study, const std::vector<double>& modelled) {
+  Json list = Json::array();
+  for (const MeasuredLoad& load : study.data.static_loads)
+    list.push_back({{"tyre", study.vehicle.tyres[load.tyre].name},
+                    {"measured_N", load.load_N},
+                    {"sd_N", load.sd_N},
+                    {"modelled_N", modelled[load.tyre]}});
+  return list;
+}
+
+Json Identifiability(const std::optional<Covariance>& covariance, const std::vector<std::string>& weakest) {
+  if (!covariance) return nullptr;
+  return {{"rank", covariance->rank},
+          {"parameters", covariance->directions.cols()},
+          {"condition", NumberOrNull(covariance->condition)},
+          {"weakest", weakest},
+          {"sd_inflation", covariance->inflation}};
 }
 
 }  // namespace
 
 std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit,
-                       const std::vector<ChannelMisfit>& misfits) {
+                       const std::vector<ChannelMisfit>& misfits, const std::vector<double>& tyre_loads) {
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   const Json json = {{"termination", FitEndName(fit.end)},
@@ -62,9 +75,10 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                      {"seed", seed},
                      {"evaluations", Evaluations(fit.evaluations)},
                      {"starts", {{"refined", fit.starts}, {"agreeing", fit.agreeing}}},
-                     {"identifiability", Identifiability(fit.covariance)},
+                     {"identifiability", Identifiability(fit.covariance, fit.weakest)},
                      {"parameters", Parameters(fit.parameters)},
                      {"channels", Channels(misfits)},
+                     {"static_loads", StaticLoads(study, tyre_loads)},
                      {"versions", versions}};
   return json.dump(2) + '\n';
 }

@@ -11,6 +11,19 @@ namespace fourpost {
 
 int LineOf(const YAML::Node& node) { return node.Mark().is_null() ? 0 : node.Mark().line + 1; }
 
+namespace {
+
+/// The nearest legal key, or all of them.
+std::string Suggestion(const std::string& key, const std::vector<std::string_view>& keys) {
+  const std::string nearest = DidYouMean(key, keys);
+  if (!nearest.empty()) return nearest;
+  std::string legal;
+  for (const std::string_view name : keys) legal += (legal.empty() ? "; legal: " : ", ") + std::string(name);
+  return legal;
+}
+
+}  // namespace
+
 StrictMap::StrictMap(const YAML::Node& node, std::string where, const std::vector<std::string_view>& keys,
                      std::string file, Diagnostics& diagnostics)
     : node_(node), where_(std::move(where)), file_(std::move(file)), diagnostics_(diagnostics), line_(LineOf(node)) {
@@ -20,10 +33,14 @@ StrictMap::StrictMap(const YAML::Node& node, std::string where, const std::vecto
   }
   std::set<std::string> seen;
   for (const auto& entry : node_) {
-    const std::string key = entry.first.as<std::string>();
+    if (!entry.first.IsScalar()) {
+      Fault(entry.first, "a key of " + where_ + " must be a single word");
+      continue;
+    }
+    const std::string key = entry.first.Scalar();
     if (!seen.insert(key).second) Fault(entry.first, "key '" + key + "' of " + where_ + " stands twice");
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      Fault(entry.first, "unknown key '" + key + "' in " + where_ + DidYouMean(key, keys));
+      Fault(entry.first, "unknown key '" + key + "' in " + where_ + Suggestion(key, keys));
   }
 }
 
@@ -90,13 +107,23 @@ void StrictMap::Fault(const YAML::Node& node, std::string message) const {
   diagnostics_.Error(file_, node.IsDefined() ? LineOf(node) : line_, std::move(message));
 }
 
+namespace {
+
+std::string UnitExample(const Dimension& dimension) {
+  if (dimension == kDimensionless) return "angle such as deg";
+  return DimensionName(dimension) + " such as " + SiUnit(dimension);
+}
+
+}  // namespace
+
 std::optional<double> ReadQuantity(const YAML::Node& node, const Dimension& dimension, const std::string& what,
                                    const std::string& file, Diagnostics& diagnostics) {
   const std::optional<Quantity> quantity = node.IsScalar() ? ParseQuantity(node.Scalar()) : std::nullopt;
-  if (quantity && quantity->unit.dimension == dimension) return quantity->si;
+  // Angles are pure numbers, but degrees or radians must be told.
+  if (quantity && quantity->unit.dimension == dimension && !quantity->unit_text.empty()) return quantity->si;
   diagnostics.Error(file, LineOf(node),
-                    what + " must be a number with a unit of " + DimensionName(dimension) + " such as " +
-                        SiUnit(dimension) + (node.IsScalar() ? ", got '" + node.Scalar() + "'" : ""));
+                    what + " must be a number with a unit of " + UnitExample(dimension) +
+                        (node.IsScalar() ? ", got '" + node.Scalar() + "'" : ""));
   return std::nullopt;
 }
 

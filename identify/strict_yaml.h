@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,7 +34,6 @@ class StrictMap {
   std::optional<double> Quantity(std::string_view key, const Dimension& dimension, double lower) const;
 
   void Fault(const YAML::Node& node, std::string message) const;
-  const std::string& where() const { return where_; }
   /// Line of the mapping itself.
   int line() const { return line_; }
 

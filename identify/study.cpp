@@ -1,8 +1,9 @@
 #include "identify/study.h"
 
-#include <fstream>
-#include <sstream>
+#include <algorithm>
+#include <cmath>
 
+#include "analysis/text_file.h"
 #include "identify/strict_yaml.h"
 
 namespace fourpost {
@@ -83,7 +84,10 @@ class StudyReader {
     for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
     const StrictMap map = Map(node, "'posts'", {names.begin(), names.end()});
     for (const std::string& name : names)
-      if (const auto share = map.Number(name, -1e3, 1e3)) shape.emplace_back(name, *share);
+      if (const auto share = map.Number(name, -1, 1)) shape.emplace_back(name, *share);
+    const auto is_reference = [](const auto& post) { return std::abs(post.second) == 1; };
+    if (shape.size() == names.size() && std::none_of(shape.begin(), shape.end(), is_reference))
+      Fault(node, "one of the 'posts' must be the reference and have the share 1 or -1");
     return shape;
   }
 
@@ -131,7 +135,6 @@ class StudyReader {
   void ReadStaticLoads(const YAML::Node& node) {
     const StrictMap map = Map(node, "'static_loads'", {"file", "tyres"});
     map.Require("file");
-    study_.static_loads_line = LineOf(map.Get("file"));
     if (const auto file = map.Text("file")) study_.static_loads_file = Resolve(*file);
     if (const YAML::Node tyres = map.Require("tyres"); tyres.IsDefined())
       study_.static_loads = Sources(tyres, "'tyres'");
@@ -164,6 +167,7 @@ class StudyReader {
     error.gain_dB = map.Number("gain_dB", 0, 100).value_or(error.gain_dB);
     error.phase_rad = map.Quantity("phase", kDimensionless, 0).value_or(error.phase_rad);
     error.mean_m = map.Quantity("mean", kLength, 0).value_or(error.mean_m);
+    if (error.mean_m == 0) map.Fault(map.Get("mean"), "'mean' of 'model_error' must be above zero");
   }
 
   void ReadSearch(const YAML::Node& node) {
@@ -183,15 +187,11 @@ class StudyReader {
 }  // namespace
 
 std::optional<Study> ReadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  std::ifstream stream(file);
-  std::stringstream text;
-  if (!stream || !(text << stream.rdbuf())) {
-    diagnostics.Error(file.string(), 0, "cannot read the study; give the path of its YAML file");
-    return std::nullopt;
-  }
+  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
+  if (!text) return std::nullopt;
   std::optional<Study> study;
   try {
-    study = StudyReader(file, diagnostics).Read(YAML::Load(text.str()));
+    study = StudyReader(file, diagnostics).Read(YAML::Load(*text));
   } catch (const YAML::Exception& error) {
     diagnostics.Error(file.string(), error.mark.is_null() ? 0 : error.mark.line + 1, "not YAML: " + error.msg);
   }

@@ -54,7 +54,6 @@ struct Study {
   /// Sensor of the vehicle, and what was measured for it.
   std::vector<std::pair<std::string, ChannelSource>> channels;
   std::optional<std::filesystem::path> static_loads_file;
-  int static_loads_line = 0;
   /// Tyre of the vehicle, and the measured loads under it.
   std::vector<std::pair<std::string, ChannelSource>> static_loads;
   /// Parameters of the vehicle to fit; empty: every one that has a range.

@@ -1,6 +1,7 @@
 #include "vehicles/body_check.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include <Eigen/Eigenvalues>

@@ -40,6 +40,9 @@ struct CondensedModel {
 
   /// Forces that hold the vehicle in its design pose.
   Preloads preloads;
+
+  /// The dashpots with a series spring, in file order.
+  std::vector<const Dashpot*> SeriesDampers() const;
 };
 
 }  // namespace fourpost

@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include <Eigen/QR>
-
 #include "analysis/diagnostics.h"
 #include "vehicles/chart.h"
+#include "vehicles/count_check.h"
+#include "vehicles/equilibrium.h"
 #include "vehicles/gravity.h"
 #include "vehicles/kinematics.h"
 
@@ -120,7 +120,7 @@ CondensedModel SensorRows(const Kinematics& pose, const Vehicle& vehicle, Eigen:
 }  // namespace
 
 CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
-    : post_count_(static_cast<Eigen::Index>(vehicle.posts.size())) {
+    : parameter_count_(vehicle.parameters.size()), post_count_(static_cast<Eigen::Index>(vehicle.posts.size())) {
   Multibody multibody(vehicle);
   Chart chart(multibody);
   size_ = chart.size();
@@ -157,33 +157,28 @@ CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
 
 /// Equilibrium: weight + sum of (spring tension) dL/ds + sum of (tyre force) d(compression)/ds = 0.
 void CondensedVehicle::SolvePreloads(const Vehicle& vehicle) {
-  std::vector<Eigen::VectorXd> columns;
-  for (Stiff& spring : springs_)
-    if (!spring.preload) {
-      spring.unknown = static_cast<int>(columns.size());
-      columns.push_back(spring.direction);
+  std::vector<GivenForce> given;
+  std::vector<Eigen::VectorXd> held;
+  for (std::size_t i = 0; i < bodies_.size(); ++i)
+    given.push_back({GivenForce::Kind::kWeight, "link '" + bodies_[i].name + "'", vehicle.links[i].line,
+                     bodies_[i].mass, bodies_[i].weight});
+  const auto sort = [&](Stiff& element, const std::string& name, int line) {
+    if (element.preload) {
+      given.push_back({GivenForce::Kind::kPreload, name, line, *element.preload, element.direction});
+      return;
     }
-  for (Tyred& tyre : tyres_)
-    if (!tyre.preload) {
-      tyre.unknown = static_cast<int>(columns.size());
-      columns.push_back(tyre.direction);
-    }
-  Eigen::MatrixXd holders(size_, static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t i = 0; i < columns.size(); ++i) holders.col(static_cast<Eigen::Index>(i)) = columns[i];
-  // The least preloads that hold the weight: where a car is statically indeterminate its sides share alike.
-  preload_map_ = -holders.completeOrthogonalDecomposition().pseudoInverse();
-
-  constexpr double kHeld = 1e-9;
+    element.unknown = static_cast<int>(held.size());
+    held.push_back(element.direction);
+  };
+  for (std::size_t i = 0; i < springs_.size(); ++i)
+    sort(springs_[i], "fp:spring '" + vehicle.springs[i].name + "'", vehicle.springs[i].source_line);
+  for (std::size_t i = 0; i < tyres_.size(); ++i)
+    sort(tyres_[i], "fp:tyre '" + vehicle.tyres[i].name + "'", vehicle.tyres[i].source_line);
+  Eigen::MatrixXd holders(size_, static_cast<Eigen::Index>(held.size()));
+  for (std::size_t i = 0; i < held.size(); ++i) holders.col(static_cast<Eigen::Index>(i)) = held[i];
+  preload_map_ = PreloadMap(holders);
   Diagnostics faults;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const Eigen::VectorXd& weight = bodies_[i].weight;
-    if (vehicle.links[i].mass.value == 0 || weight.norm() == 0) continue;
-    if ((weight + holders * (preload_map_ * weight)).norm() > kHeld * weight.norm())
-      faults.Error(
-          vehicle.file, vehicle.links[i].line,
-          "no static equilibrium: no spring or tyre with preload=\"equilibrium\" can hold the weight of link '" +
-              vehicle.links[i].name + "'; add one under it or fix a joint");
-  }
+  CheckEquilibrium(vehicle, given, holders, faults);
   if (faults.HasErrors()) throw FaultyInput(faults);
 }
 
@@ -198,6 +193,7 @@ Eigen::VectorXd CondensedVehicle::Weight(std::span<const double> parameters) con
 }
 
 Preloads CondensedVehicle::PreloadsAt(std::span<const double> parameters) const {
+  RequireCount("CondensedVehicle", "parameters", parameter_count_, parameters.size());
   const Eigen::VectorXd held = preload_map_ * Weight(parameters);
   Preloads preloads;
   for (const Stiff& spring : springs_)
@@ -208,6 +204,7 @@ Preloads CondensedVehicle::PreloadsAt(std::span<const double> parameters) const 
 }
 
 std::vector<CondensedVehicle::LinkMotion> CondensedVehicle::LinkMotions(std::span<const double> parameters) const {
+  RequireCount("CondensedVehicle", "parameters", parameter_count_, parameters.size());
   std::vector<LinkMotion> motions;
   for (const Body& body : bodies_) {
     const double mass = body.mass.At(parameters);
@@ -220,6 +217,7 @@ std::vector<CondensedVehicle::LinkMotion> CondensedVehicle::LinkMotions(std::spa
 }
 
 CondensedModel CondensedVehicle::At(std::span<const double> parameters) const {
+  RequireCount("CondensedVehicle", "parameters", parameter_count_, parameters.size());
   CondensedModel model = sensors_;
   model.preloads = PreloadsAt(parameters);
   model.mass.setZero(size_, size_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,14 +25,15 @@ namespace fourpost {
 /// Immutable after construction; one object serves any number of threads.
 class CondensedVehicle {
  public:
-  /// Throws FaultyInput when the loops cannot be assembled, or when the springs and tyres that carry the
-  /// equilibrium cannot hold a link's weight in the design pose (names the link).
+  /// Throws FaultyInput when the loops cannot be assembled, or when weights and given preloads have no static
+  /// equilibrium in the design pose, at the file's values or within the bounds of its parameters (names the elements).
   explicit CondensedVehicle(const Vehicle& vehicle);
 
   /// Degrees of freedom.
   int size() const { return size_; }
 
-  /// `parameters`: SI, in the order of Vehicle::parameters.
+  /// `parameters`: SI, in the order of Vehicle::parameters; here and below, any other number of them throws
+  /// std::invalid_argument.
   CondensedModel At(std::span<const double> parameters) const;
 
   Preloads PreloadsAt(std::span<const double> parameters) const;
@@ -85,6 +87,7 @@ class CondensedVehicle {
   Eigen::VectorXd Weight(std::span<const double> parameters) const;
 
   int size_ = 0;
+  std::size_t parameter_count_ = 0;
   Eigen::Index post_count_ = 0;
   std::vector<Body> bodies_;
   std::vector<Stiff> springs_;

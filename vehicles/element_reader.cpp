@@ -1,6 +1,8 @@
 #include "vehicles/element_reader.h"
 
 #include <map>
+#include <tuple>
+#include <utility>
 
 #include "analysis/nearest.h"
 #include "vehicles/tag.h"
@@ -22,10 +24,14 @@ class ElementReader {
     for (const Tag& tag : TagsOf(robot_, "fp:damper")) ReadDamper(tag);
     for (const Tag& tag : TagsOf(robot_, "fp:tyre")) ReadTyre(tag);
     for (const Tag& tag : TagsOf(robot_, "fp:post")) ReadPost(tag);
-    for (const Tag& tag : TagsOf(robot_, "fp:rod"))
-      vehicle_.rods.push_back({tag.Text("name"), ReadEnd(tag, "parent"), ReadEnd(tag, "child"), tag.Line()});
-    for (const Tag& tag : TagsOf(robot_, "fp:ball"))
-      vehicle_.balls.push_back({tag.Text("name"), ReadEnd(tag, "parent"), ReadEnd(tag, "child"), tag.Line()});
+    for (const Tag& tag : TagsOf(robot_, "fp:rod")) {
+      const auto [parent, child] = ReadEnds(tag, "it joins nothing");
+      vehicle_.rods.push_back({tag.Text("name"), parent, child, tag.Line()});
+    }
+    for (const Tag& tag : TagsOf(robot_, "fp:ball")) {
+      const auto [parent, child] = ReadEnds(tag, "it joins nothing");
+      vehicle_.balls.push_back({tag.Text("name"), parent, child, tag.Line()});
+    }
     for (const Tag& tag : TagsOf(robot_, "fp:sensor")) ReadSensor(tag);
   }
 
@@ -66,16 +72,21 @@ class ElementReader {
     return point;
   }
 
+  /// Parent and child, which must be on two links; `why` tells what is wrong with one.
+  std::pair<Point, Point> ReadEnds(const Tag& tag, const std::string& why) {
+    const Point parent = ReadEnd(tag, "parent");
+    const Point child = ReadEnd(tag, "child");
+    if (parent.link >= 0 && parent.link == child.link)
+      faults_.Error(tag.Line(), Describe(*tag.element) + " has both ends on link '" +
+                                    tree_.LinkNames()[static_cast<std::size_t>(parent.link)] + "': " + why);
+    return {parent, child};
+  }
+
   ForceLine ReadLine(const Tag& tag) {
     ForceLine line;
-    line.parent = ReadEnd(tag, "parent");
-    line.child = ReadEnd(tag, "child");
+    std::tie(line.parent, line.child) = ReadEnds(tag, "its length can never change");
     const std::optional<Eigen::Vector3d> axis = ParseVector(tag.Text("axis"));
     if (axis && !axis->isZero(0)) line.axis = axis->normalized();
-    if (line.parent.link >= 0 && line.parent.link == line.child.link)
-      faults_.Error(tag.Line(), Describe(*tag.element) + " has both ends on link '" +
-                                    tree_.LinkNames()[static_cast<std::size_t>(line.parent.link)] +
-                                    "': its length can never change");
     return line;
   }
 

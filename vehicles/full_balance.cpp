@@ -11,7 +11,9 @@
 
 #include <Eigen/LU>
 
+#include "analysis/option_check.h"
 #include "vehicles/anderson_acceleration.h"
+#include "vehicles/count_check.h"
 #include "vehicles/cycle_transform.h"
 #include "vehicles/linearised_cycle.h"
 #include "vehicles/response_recorder.h"
@@ -21,19 +23,11 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Dampers with a series spring, in file order.
-std::vector<const CondensedModel::Dashpot*> SeriesDampers(const CondensedModel& model) {
-  std::vector<const CondensedModel::Dashpot*> series;
-  for (const CondensedModel::Dashpot& dashpot : model.dashpots)
-    if (dashpot.series_stiffness > 0) series.push_back(&dashpot);
-  return series;
-}
-
 /// Derivative of the harmonics at `omega` of Multibody::Residual by those of [s z], about the design pose and with the
 /// mean rate c of each dashpot of direction b. A series damper with its spring k:
 ///   on s:  k b z,   on its own row:  k z - i w c (b . s - z).
 Eigen::MatrixXcd MeanImpedance(const CondensedModel& model, double omega) {
-  const std::vector<const CondensedModel::Dashpot*> series = SeriesDampers(model);
+  const std::vector<const CondensedModel::Dashpot*> series = model.SeriesDampers();
   const Complex iw(0, omega);
   const Eigen::Index n = model.mass.rows();
   const Eigen::Index size = n + static_cast<Eigen::Index>(series.size());
@@ -55,7 +49,7 @@ Eigen::MatrixXcd MeanImpedance(const CondensedModel& model, double omega) {
 /// Per unknown the root of the stiffness and inertia against moving it alone [sqrt(N/m), sqrt(N m)]: times these,
 /// lengths and angles compare as roots of energies.
 Eigen::VectorXd EnergyWeights(const CondensedModel& model, double omega) {
-  const std::vector<const CondensedModel::Dashpot*> series = SeriesDampers(model);
+  const std::vector<const CondensedModel::Dashpot*> series = model.SeriesDampers();
   const Eigen::Index n = model.mass.rows();
   Eigen::VectorXd weights(n + static_cast<Eigen::Index>(series.size()));
   weights.head(n) = model.stiffness.diagonal().cwiseAbs() + omega * omega * model.mass.diagonal();
@@ -205,27 +199,31 @@ std::optional<SensorHarmonics> TrySolve(FullCycle& cycle, double frequency_Hz, c
   }
 }
 
-void Require(bool holds, const std::string& text) {
-  if (!holds) throw std::invalid_argument("FullBalanceOptions: " + text);
+void CheckFit(const Vehicle& vehicle, const CondensedModel& model, const Excitation& excitation) {
+  if (!vehicle.rods.empty() || !vehicle.balls.empty())
+    throw std::invalid_argument("vehicle '" + vehicle.name +
+                                "': loop closures (fp:rod, fp:ball) are not supported by this engine; use march");
+  excitation.Validate(vehicle.posts.size());
+  const auto count = [](Eigen::Index n) { return static_cast<std::size_t>(n); };
+  RequireCount("SolveFullBalance: model", "posts", vehicle.posts.size(), count(model.post_stiffness.cols()));
+  RequireCount("SolveFullBalance: model", "sensors", vehicle.sensors.size(), count(model.on_position.rows()));
 }
 
 }  // namespace
 
 void FullBalanceOptions::Validate() const {
-  Require(harmonics >= 2, "harmonics = " + std::to_string(harmonics) + " must be at least 2");
-  Require(samples > 2 * harmonics, "samples = " + std::to_string(samples) + " must exceed twice the harmonics");
-  Require(tolerance > 0, "tolerance = " + std::to_string(tolerance) + " must be positive");
-  Require(max_iterations >= 1, "max_iterations = " + std::to_string(max_iterations) + " must be at least 1");
-  Require(history >= 0, "history = " + std::to_string(history) + " must not be negative");
+  RequireOption(harmonics >= 2, "harmonics", harmonics, "at least 2");
+  RequireOption(samples > 2 * harmonics, "samples", samples, "more than twice the harmonics");
+  RequireOption(tolerance > 0, "tolerance", tolerance, "positive");
+  RequireOption(max_iterations >= 1, "max_iterations", max_iterations, "at least 1");
+  RequireOption(history >= 0, "history", history, "at least 0");
 }
 
 PeriodicResponse SolveFullBalance(Multibody& multibody, const CondensedModel& model, const Excitation& excitation,
                                   const FullBalanceOptions& options) {
   options.Validate();
   const Vehicle& vehicle = multibody.vehicle();
-  if (!vehicle.rods.empty() || !vehicle.balls.empty())
-    throw std::invalid_argument("SolveFullBalance: vehicle '" + vehicle.name +
-                                "' has loop closures (fp:rod, fp:ball), which this engine does not support; use March");
+  CheckFit(vehicle, model, excitation);
   LinearisedCycle linearised(
       model, excitation.shape,
       {.harmonics = options.harmonics, .samples = options.samples, .tolerance = options.tolerance});

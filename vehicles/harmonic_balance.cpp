@@ -1,30 +1,25 @@
 #include "vehicles/harmonic_balance.h"
 
-#include <stdexcept>
-#include <string>
-
+#include "analysis/option_check.h"
+#include "vehicles/count_check.h"
 #include "vehicles/linearised_cycle.h"
 #include "vehicles/response_recorder.h"
 
 namespace fourpost {
-namespace {
-
-void Require(bool holds, const std::string& text) {
-  if (!holds) throw std::invalid_argument("HarmonicBalanceOptions: " + text);
-}
-
-}  // namespace
 
 void HarmonicBalanceOptions::Validate() const {
-  Require(harmonics >= 2, "harmonics = " + std::to_string(harmonics) + " must be at least 2");
-  Require(samples > 2 * harmonics, "samples = " + std::to_string(samples) + " must exceed twice the harmonics");
-  Require(tolerance > 0, "tolerance = " + std::to_string(tolerance) + " must be positive");
-  Require(max_iterations >= 1, "max_iterations = " + std::to_string(max_iterations) + " must be at least 1");
+  RequireOption(harmonics >= 2, "harmonics", harmonics, "at least 2");
+  RequireOption(samples > 2 * harmonics, "samples", samples, "more than twice the harmonics");
+  RequireOption(tolerance > 0, "tolerance", tolerance, "positive");
+  RequireOption(max_iterations >= 1, "max_iterations", max_iterations, "at least 1");
 }
 
 PeriodicResponse SolveHarmonicBalance(const CondensedModel& model, const std::vector<Sensor>& sensors,
                                       const Excitation& excitation, const HarmonicBalanceOptions& options) {
   options.Validate();
+  excitation.Validate(static_cast<std::size_t>(model.post_stiffness.cols()));
+  RequireCount("SolveHarmonicBalance", "sensors of the model", static_cast<std::size_t>(model.on_position.rows()),
+               sensors.size());
   LinearisedCycle cycle(model, excitation.shape, options);
   ResponseRecorder recorder(sensors, excitation);
   PeriodicResponse out;

@@ -14,7 +14,7 @@ struct HarmonicBalanceOptions {
   int harmonics = 9;
   /// Samples per cycle at which the dashpots are evaluated; aliasing of |v| falls with its square.
   int samples = 64;
-  /// Largest change of a dashpot's velocity in the last iteration, relative to its amplitude.
+  /// Largest change of any harmonic of any dashpot's velocity in the last iteration, relative to the largest of them.
   double tolerance = 1e-5;
   /// The iteration contracts at least by (rebound - compression)/(rebound + compression).
   int max_iterations = 200;
@@ -35,6 +35,7 @@ struct PeriodicResponse {
 /// that only depends on its own velocity. The remainders are iterated: time signal of the velocities -> remainders ->
 /// harmonics -> velocities. Only the dashpots' velocities are unknown; the vehicle enters by its mobility at them.
 /// `sensors` are those of the vehicle that `model` was condensed from.
+/// Throws std::invalid_argument for options, an excitation or sensors that do not fit.
 PeriodicResponse SolveHarmonicBalance(const CondensedModel& model, const std::vector<Sensor>& sensors,
                                       const Excitation& excitation, const HarmonicBalanceOptions& options = {});
 

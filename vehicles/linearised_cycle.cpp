@@ -111,8 +111,9 @@ bool LinearisedCycle::Iterate() {
     Velocities(next_);
     const double change = (next_ - velocity_).cwiseAbs().maxCoeff();
     const double scale = next_.cwiseAbs().maxCoeff();
+    // Past the largest double no iterate means anything: the one before stays.
+    if (!next_.allFinite()) return false;
     velocity_.swap(next_);
-    if (!(scale < 1e300)) return false;
     if (change <= options_.tolerance * scale) return true;
   }
   return false;

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <stdexcept>
-#include <string>
 
 #include "analysis/fourier.h"
+#include "analysis/option_check.h"
 #include "vehicles/response_recorder.h"
 
 namespace fourpost {
@@ -38,7 +37,7 @@ PostMotion SteppedSine(const std::vector<double>& shape, double amplitude, doubl
   };
 }
 
-/// One frequency: collects windows of samples until their first harmonics repeat.
+/// One frequency: collects windows of samples until their means and first harmonics repeat.
 class SteadyState {
  public:
   SteadyState(Eigen::Index sensors, double frequency_Hz, const MarchOptions& options)
@@ -71,10 +70,17 @@ class SteadyState {
     }
     // The first window holds the ramp.
     const bool comparable = ++windows_ > 2;
-    steady_ = comparable &&
-              ((latest - harmonics_).col(1).cwiseAbs().array() <= options_.tolerance * latest.col(1).cwiseAbs().array())
-                  .all();
+    steady_ = comparable && Repeats(latest);
     harmonics_ = latest;
+  }
+
+  /// Whether mean and first harmonic of each sensor are those of the window before. A mean may be next to nothing: it is
+  /// compared with the first harmonic where that is larger.
+  bool Repeats(const SensorHarmonics& latest) const {
+    const Eigen::ArrayXXd change = (latest - harmonics_).leftCols<2>().cwiseAbs();
+    const Eigen::ArrayXXd size = latest.leftCols<2>().cwiseAbs();
+    return (change.col(1) <= options_.tolerance * size.col(1)).all() &&
+           (change.col(0) <= options_.tolerance * size.col(0).max(size.col(1))).all();
   }
 
   const MarchOptions& options_;
@@ -89,24 +95,21 @@ class SteadyState {
   SensorHarmonics harmonics_;
 };
 
-/// Written so that NaN fails.
-void Require(bool holds, const std::string& field, double value, const std::string& bound) {
-  if (!holds) throw std::invalid_argument("MarchOptions: " + field + " = " + std::to_string(value) + " must " + bound);
-}
-
 }  // namespace
 
 void MarchOptions::Validate() const {
-  Require(accuracy > 0 && accuracy < 1, "accuracy", accuracy, "lie between 0 and 1");
-  Require(tolerance > 0 && tolerance < 1, "tolerance", tolerance, "lie between 0 and 1");
-  Require(window_s > 0, "window_s", window_s, "be positive");
-  Require(longest_s > window_s, "longest_s", longest_s, "exceed window_s");
-  Require(samples_per_cycle > 2 * kHarmonics, "samples_per_cycle", samples_per_cycle, "be at least 5");
+  RequireOption(accuracy > 0 && accuracy < 1, "accuracy", accuracy, "between 0 and 1");
+  RequireOption(tolerance > 0 && tolerance < 1, "tolerance", tolerance, "between 0 and 1");
+  RequireOption(window_s > 0 && std::isfinite(window_s), "window_s", window_s, "positive and finite");
+  RequireOption(longest_s > window_s && std::isfinite(longest_s), "longest_s", longest_s,
+                "longer than window_s and finite");
+  RequireOption(samples_per_cycle > 2 * kHarmonics, "samples_per_cycle", samples_per_cycle, "at least 5");
 }
 
 MarchedResponse March(Multibody& multibody, const Excitation& excitation, const MarchOptions& options,
                       const std::function<void(std::size_t done)>& progress) {
   options.Validate();
+  excitation.Validate(multibody.vehicle().posts.size());
   const std::vector<Sensor>& sensors = multibody.vehicle().sensors;
   ResponseRecorder recorder(sensors, excitation);
   MarchedResponse out;

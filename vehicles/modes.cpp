@@ -1,6 +1,7 @@
 #include "vehicles/modes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -52,12 +53,11 @@ std::string NameOf(const std::vector<CondensedVehicle::LinkMotion>& links, const
 
 Eigen::MatrixXd StateMatrix(const CondensedModel& model) {
   const Eigen::Index n = model.mass.rows();
-  std::vector<const CondensedModel::Dashpot*> series;
+  const std::vector<const CondensedModel::Dashpot*> series = model.SeriesDampers();
   Eigen::MatrixXd damping = model.damping;
-  for (const CondensedModel::Dashpot& dashpot : model.dashpots) {
-    if (dashpot.series_stiffness > 0) series.push_back(&dashpot);
-    else damping += dashpot.law.Mean() * dashpot.direction * dashpot.direction.transpose();
-  }
+  for (const CondensedModel::Dashpot& dashpot : model.dashpots)
+    if (!(dashpot.series_stiffness > 0))
+      damping += dashpot.law.Mean() * dashpot.direction * dashpot.direction.transpose();
   const Eigen::Index size = 2 * n + static_cast<Eigen::Index>(series.size());
   const Eigen::LDLT<Eigen::MatrixXd> mass(model.mass);
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);

@@ -1,12 +1,15 @@
 #include "vehicles/multibody.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include <Eigen/QR>
 
 #include "analysis/diagnostics.h"
 #include "analysis/units.h"
+#include "vehicles/count_check.h"
 #include "vehicles/force_elements.h"
 #include "vehicles/gravity.h"
 #include "vehicles/simbody_bodies.h"
@@ -44,6 +47,7 @@ struct Multibody::Impl {
   void MeasureDesign();
   void CreateState();
   void SetState(double t, const Eigen::VectorXd& y);
+  void SetPose(const Eigen::VectorXd& q);
   MobilizedBody& Body(int link) { return bodies[static_cast<std::size_t>(link)]; }
   void Realize(SimTK::Stage stage);
   double Reading(const SensorData& sensor, const SimTK::State& at);
@@ -59,8 +63,10 @@ struct Multibody::Impl {
   std::vector<DamperData> dampers;
   std::vector<TyreData> tyres;
   std::vector<SensorData> sensors;
+  std::vector<double> rod_lengths;
   PlatformState platform_state;
-  double platform_time = -1;
+  /// Time of platform_state; NaN, which equals no time, before the first.
+  double platform_time = std::numeric_limits<double>::quiet_NaN();
   PostMotion post_motion;
   std::function<const PlatformState&(double)> platforms;
   SimTK::State state;
@@ -125,12 +131,11 @@ void Multibody::Impl::AddLoops() {
   // A rod's length is that of the design pose, which tree coordinates of zero define.
   CreateState();
   system.realize(state, SimTK::Stage::Position);
-  std::vector<double> lengths;
-  for (const Rod& rod : vehicle.rods) lengths.push_back(Distance(rod.parent, rod.child));
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
+  for (const Rod& rod : vehicle.rods) rod_lengths.push_back(Distance(rod.parent, rod.child));
+  for (std::size_t i = 0; i < rod_lengths.size(); ++i) {
     const Rod& rod = vehicle.rods[i];
     SimTK::Constraint::Rod(Body(rod.parent.link), ToSimbody(rod.parent.xyz), Body(rod.child.link),
-                           ToSimbody(rod.child.xyz), lengths[i]);
+                           ToSimbody(rod.child.xyz), rod_lengths[i]);
   }
 }
 
@@ -167,17 +172,25 @@ void Multibody::Impl::AssembleDesignPose() {
   throw FaultyInput(GapFaults());
 }
 
-/// Where the loops stay open, in the pose that came nearest.
+/// Where the loops stay open, in the pose at which the assembly gave up.
 Diagnostics Multibody::Impl::GapFaults() {
+  // Closed to the accuracy of a drawing by far; what remains open is open by more.
   constexpr double kGap_m = 1e-9;
   Diagnostics faults;
-  for (const Ball& ball : vehicle.balls) {
-    const double gap = Distance(ball.parent, ball.child);
-    if (gap < kGap_m) continue;
-    faults.Error(vehicle.file, ball.source_line,
-                 "the loop cannot be closed: the two points of fp:ball '" + ball.name + "' stay " +
-                     FormatQuantity(std::round(gap * 1e6) * 1e-6, "mm") +
-                     " apart in the nearest pose; correct their positions or the joints between them");
+  const auto report = [&](int line, const std::string& element, double gap, const std::string& how) {
+    if (gap < kGap_m) return;
+    faults.Error(vehicle.file, line,
+                 "the loop cannot be closed: the two points of " + element + " stay " +
+                     FormatQuantity(std::round(gap * 1e6) * 1e-6, "mm") + " " + how +
+                     "; correct their positions or the joints between them");
+  };
+  for (const Ball& ball : vehicle.balls)
+    report(ball.source_line, "fp:ball '" + ball.name + "'", Distance(ball.parent, ball.child), "apart");
+  for (std::size_t i = 0; i < vehicle.rods.size(); ++i) {
+    const Rod& rod = vehicle.rods[i];
+    const double excess = Distance(rod.parent, rod.child) - rod_lengths[i];
+    report(rod.source_line, "fp:rod '" + rod.name + "'", std::abs(excess),
+           excess > 0 ? "too far apart for it" : "too near for it");
   }
   if (!faults.HasErrors()) faults.Error(vehicle.file, 0, "the loops of fp:ball and fp:rod cannot be closed");
   return faults;
@@ -190,9 +203,7 @@ double Multibody::Impl::Distance(const Point& a, const Point& b) {
 }
 
 void Multibody::Impl::MeasureDesign() {
-  for (int i = 0; i < design_pose.size(); ++i) state.updQ()[i] = design_pose[i];
-  state.updU() = 0;
-  system.realize(state, SimTK::Stage::Velocity);
+  SetPose(design_pose);
   for (SpringData& spring : springs) spring.line.design_length = Length(spring.line, state);
   for (DamperData& damper : dampers) damper.line.design_length = Length(damper.line, state);
   for (TyreData& tyre : tyres) tyre.design_height = tyre.body.findStationLocationInGround(state, tyre.station)[2];
@@ -210,9 +221,18 @@ void Multibody::Impl::MeasureDesign() {
 }
 
 void Multibody::Impl::SetState(double t, const Eigen::VectorXd& y) {
+  RequireCount("Multibody: state", "states", static_cast<std::size_t>(state.getNY()), static_cast<std::size_t>(y.size()));
   state.setTime(t);
   SimTK::Vector& target = state.updY();
   for (int i = 0; i < y.size(); ++i) target[i] = y[i];
+}
+
+void Multibody::Impl::SetPose(const Eigen::VectorXd& q) {
+  RequireCount("Multibody: pose", "coordinates", static_cast<std::size_t>(state.getNQ()),
+               static_cast<std::size_t>(q.size()));
+  for (int i = 0; i < q.size(); ++i) state.updQ()[i] = q[i];
+  state.updU() = 0;
+  system.realize(state, SimTK::Stage::Velocity);
 }
 
 void Multibody::Impl::Realize(SimTK::Stage stage) {
@@ -269,6 +289,9 @@ const Eigen::VectorXd& Multibody::design_pose() const { return impl_->design_pos
 
 void Multibody::SetParameters(std::span<const double> parameters, const Preloads& preloads) {
   Impl& m = *impl_;
+  RequireCount("Multibody::SetParameters", "parameters", m.vehicle.parameters.size(), parameters.size());
+  RequireCount("Multibody::SetParameters: preloads", "springs", m.springs.size(), preloads.spring.size());
+  RequireCount("Multibody::SetParameters: preloads", "tyres", m.tyres.size(), preloads.tyre.size());
   for (std::size_t i = 0; i < m.springs.size(); ++i) {
     m.springs[i].stiffness = m.vehicle.springs[i].stiffness.At(parameters);
     m.springs[i].preload = preloads.spring[i];
@@ -286,23 +309,22 @@ void Multibody::SetParameters(std::span<const double> parameters, const Preloads
   for (const Joint& joint : m.vehicle.joints)
     m.Body(joint.child)
         .setDefaultMassProperties(MassPropertiesAt(m.vehicle.links[static_cast<std::size_t>(joint.child)], parameters));
-  // Simbody keeps mass properties with the topology; realizing it again reuses every body and element (~50 us).
+  // Simbody keeps mass properties with the topology; realizing it again reuses every body and element (~50 us), but
+  // makes a state of its own: the pose has to be set again.
+  const Eigen::VectorXd pose = ToEigen(m.state.getQ());
   m.CreateState();
+  m.SetPose(pose);
 }
 
 void Multibody::SetPostMotion(PostMotion motion) {
   impl_->post_motion = std::move(motion);
-  impl_->platform_time = -1;
+  impl_->platform_time = std::numeric_limits<double>::quiet_NaN();
   std::fill(impl_->platform_state.height.begin(), impl_->platform_state.height.end(), 0.0);
   std::fill(impl_->platform_state.velocity.begin(), impl_->platform_state.velocity.end(), 0.0);
   impl_->state.invalidateAllCacheAtOrAbove(SimTK::Stage::Dynamics);
 }
 
-void Multibody::SetPose(const Eigen::VectorXd& q) {
-  for (int i = 0; i < q.size(); ++i) impl_->state.updQ()[i] = q[i];
-  impl_->state.updU() = 0;
-  impl_->system.realize(impl_->state, SimTK::Stage::Velocity);
-}
+void Multibody::SetPose(const Eigen::VectorXd& q) { impl_->SetPose(q); }
 
 Eigen::Isometry3d Multibody::LinkPose(int link) const {
   return ToEigen(impl_->Body(link).getBodyTransform(impl_->state));

@@ -43,11 +43,13 @@ class Multibody {
   /// Joint coordinates that close all loops, nearest to zero.
   const Eigen::VectorXd& design_pose() const;
 
-  /// Changes masses, inertias, rates and laws of the existing system; the topology stays.
+  /// Changes masses, inertias, rates and laws of the existing system; topology and pose stay.
+  /// Throws std::invalid_argument for another number of parameters, springs or tyres than the vehicle has.
   void SetParameters(std::span<const double> parameters, const Preloads& preloads);
   void SetPostMotion(PostMotion motion);
 
-  // Geometry in the pose set last.
+  // Geometry in the pose set last, by SetPose or with the last state evaluated; at first in the design pose.
+  /// Throws std::invalid_argument for another number of coordinates, as do the functions below for another of states.
   void SetPose(const Eigen::VectorXd& q);
   Eigen::Isometry3d LinkPose(int link) const;
   /// 6 x coordinates: angular velocity and velocity of the link's origin, in ground axes, per unit u.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/nearest.h"
 #include "analysis/number.h"
@@ -45,6 +46,14 @@ std::optional<double> ParseFactor(std::string_view text) {
   if (text == "-") return -1;
   if (text.back() != '*') return std::nullopt;
   return ParseNumber(Trimmed(text.substr(0, text.size() - 1)));
+}
+
+/// Whether a step of the precision leads from one bound to the other, or less far.
+bool HasAStep(const Parameter& parameter) {
+  // Rounding of the bounds: 0.3 - 0.2 is less than 0.1.
+  const double rounding =
+      4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(parameter.lower), std::abs(parameter.upper));
+  return parameter.precision <= parameter.upper - parameter.lower + rounding;
 }
 
 }  // namespace
@@ -114,6 +123,10 @@ void ParameterReader::ReadBounds(const Tag& tag, Parameter& parameter) const {
   if (parameter.lower > parameter.value || parameter.value > parameter.upper)
     faults_.Error(tag.Line("value"), Quoted("value", tag.Text("value"), tag) + " must lie between lower=\"" +
                                          tag.Text("lower") + "\" and upper=\"" + tag.Text("upper") + "\"");
+  else if (!HasAStep(parameter))
+    faults_.Error(tag.Line("precision"),
+                  Quoted("precision", tag.Text("precision"), tag) +
+                      " must not exceed upper - lower; to fix the parameter, leave out all three");
 }
 
 Scalar ParameterReader::ReadScalar(const Tag& tag, std::string_view attribute) {

@@ -3,9 +3,8 @@
 #include <numbers>
 
 namespace fourpost {
-namespace {
 
-const char* UnitOf(Sensor::Type type) {
+std::string UnitOf(Sensor::Type type) {
   switch (type) {
     case Sensor::Type::kAccelerometer: return "m/s^2";
     case Sensor::Type::kDisplacement:
@@ -14,8 +13,6 @@ const char* UnitOf(Sensor::Type type) {
   }
   return "";
 }
-
-}  // namespace
 
 ResponseRecorder::ResponseRecorder(const std::vector<Sensor>& sensors, const Excitation& excitation) {
   response_.frequency_Hz = excitation.frequency_Hz;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <string>
 
 #include <Eigen/Core>
 
@@ -9,6 +10,9 @@
 #include "vehicles/vehicle.h"
 
 namespace fourpost {
+
+/// Unit of a sensor's readings: "m/s^2", "m", "N".
+std::string UnitOf(Sensor::Type type);
 
 /// Harmonics of every sensor at one frequency: sensors x (0, 1, 2, ...), y(t) = Re sum_h Y_h exp(i h w t).
 using SensorHarmonics = Eigen::MatrixXcd;

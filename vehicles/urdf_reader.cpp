@@ -1,6 +1,7 @@
 #include "vehicles/urdf_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <set>
 #include <stdexcept>

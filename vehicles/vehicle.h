@@ -170,6 +170,8 @@ struct Sensor {
 struct Vehicle {
   std::string name;
   std::string file;
+  /// The file as it was read; empty for a vehicle that came from none.
+  std::string text;
   std::vector<Parameter> parameters;
   std::vector<Link> links;
   /// Parents before children.

@@ -2,10 +2,10 @@
 
 #include <tinyxml2.h>
 
+#include "analysis/text_file.h"
 #include "vehicles/body_check.h"
 #include "vehicles/element_reader.h"
 #include "vehicles/file_faults.h"
-#include "vehicles/file_text.h"
 #include "vehicles/parameter_reader.h"
 #include "vehicles/tag.h"
 #include "vehicles/tag_check.h"
@@ -56,6 +56,7 @@ Vehicle ReadRobot(const XMLElement& robot, const std::string& text, FileFaults& 
   Vehicle vehicle;
   vehicle.name = AttributeText(robot, "name").value_or("");
   vehicle.file = faults.file();
+  vehicle.text = text;
   vehicle.parameters = parameters.parameters();
   ReadElements(robot, tree, parameters, vehicle, faults);
   parameters.CheckUse();
@@ -70,12 +71,9 @@ Vehicle ReadRobot(const XMLElement& robot, const std::string& text, FileFaults& 
 }  // namespace
 
 std::optional<Vehicle> ReadVehicle(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
+  if (!text) return std::nullopt;
   FileFaults faults(file.string(), diagnostics);
-  const std::optional<std::string> text = FileText(file);
-  if (!text) {
-    faults.Error(0, "cannot be read");
-    return std::nullopt;
-  }
   tinyxml2::XMLDocument document;
   const XMLElement* robot = ParseRobot(*text, document, faults);
   if (!robot) return std::nullopt;

@@ -4,7 +4,7 @@
 #include <tinyxml2.h>
 
 #include "analysis/number.h"
-#include "vehicles/file_text.h"
+#include "vehicles/count_check.h"
 #include "vehicles/tag.h"
 #include "vehicles/tree_binding.h"
 #include "vehicles/vehicle_file.h"
@@ -119,16 +119,12 @@ void ReplaceMeshes(const XMLElement& element, const std::filesystem::path& from,
 
 std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double> parameters,
                                   const std::filesystem::path& folder) {
-  if (parameters.size() != vehicle.parameters.size())
-    throw std::invalid_argument("VehicleTextWithValues: expected " + std::to_string(vehicle.parameters.size()) +
-                                " parameter values, got " + std::to_string(parameters.size()));
-  const std::optional<std::string> text = FileText(vehicle.file);
-  if (!text) throw std::runtime_error("vehicle file '" + vehicle.file + "' cannot be read");
+  RequireCount("VehicleTextWithValues", "parameters", vehicle.parameters.size(), parameters.size());
   tinyxml2::XMLDocument document;
-  if (document.Parse(text->data(), text->size()) != tinyxml2::XML_SUCCESS)
-    throw std::runtime_error("vehicle file '" + vehicle.file + "' is no longer XML");
+  if (document.Parse(vehicle.text.data(), vehicle.text.size()) != tinyxml2::XML_SUCCESS)
+    throw std::invalid_argument("VehicleTextWithValues: vehicle '" + vehicle.name + "' has no text of a file");
   const XMLElement& robot = *document.RootElement();
-  TextEdits edits(*text, robot);
+  TextEdits edits(vehicle.text, robot);
   ReplaceParameters(robot, vehicle, parameters, edits);
   ReplaceTree(robot, vehicle, parameters, edits);
   const std::filesystem::path from = CanonicalPath(vehicle.file).parent_path();

@@ -1,9 +1,8 @@
-#include <cstdio>
-
 #include <nlohmann/json.hpp>
 
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/print.h"
 #include "identify/command_line/text_table.h"
 #include "vehicles/vehicle_file.h"
 #include "vehicles/vehicle_summary.h"
@@ -41,8 +40,8 @@ std::string Range(const Parameter& parameter) {
 
 std::string AsText(const Vehicle& vehicle, const VehicleSummary& summary) {
   std::string text = vehicle.name + ": " + std::to_string(summary.dof) + " degrees of freedom, " +
-                     Rounded(summary.mass_kg, 5) + " kg, centre of mass " + Rounded(summary.com.x(), 3) +
-                     " m ahead and " + Rounded(summary.com.z(), 3) + " m above the ground's origin\n\n";
+                     Rounded(summary.mass_kg, 5) + " kg, centre of mass at x " + Rounded(summary.com.x(), 4) +
+                     " m, y " + Rounded(summary.com.y(), 4) + " m, z " + Rounded(summary.com.z(), 4) + " m\n\n";
   TextTable loads({"tyre", "static load, N"});
   for (const auto& load : summary.corner_loads) loads.Add({load.tyre, Rounded(load.load_N, 5)});
   TextTable modes({"mode", "Hz", "damping ratio"});
@@ -61,9 +60,9 @@ int Run(const CheckCommand& command) {
   Diagnostics diagnostics;
   const std::optional<Vehicle> vehicle = ReadVehicle(command.model, diagnostics);
   if (!vehicle) throw FaultyInput(diagnostics);
-  if (!diagnostics.items().empty()) std::fprintf(stderr, "%s\n", diagnostics.Format().c_str());
+  Tell(diagnostics);
   const VehicleSummary summary = Summarise(*vehicle, vehicle->ParameterValues());
-  std::fputs((command.json ? AsJson(*vehicle, summary) : AsText(*vehicle, summary)).c_str(), stdout);
+  Print(command.json ? AsJson(*vehicle, summary) : AsText(*vehicle, summary));
   return kGood;
 }
 

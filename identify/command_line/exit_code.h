@@ -11,6 +11,8 @@ enum ExitCode {
   kUnreadableInput = 3,
   kAllSimulationsFailed = 4,
   kCannotWrite = 5,
+  /// A defect of the program: EX_SOFTWARE of sysexits.h.
+  kDefect = 70,
   /// 128 + SIGINT, as shells report it.
   kInterrupted = 130,
 };

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -6,6 +7,7 @@
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/misfit_table.h"
+#include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/text_table.h"
 #include "identify/fit.h"
@@ -30,9 +32,10 @@ FitOptions OptionsOf(const StudySearch& search, const FitCommand& command) {
   return options;
 }
 
-std::string ProgressText(const FitProgress& progress, double seconds) {
+std::string ProgressText(const FitProgress& progress, std::int64_t search_evaluations, double seconds) {
   const double rate = static_cast<double>(progress.paid) / std::max(seconds, 1e-3);
-  return std::string(progress.stage) + ": " + std::to_string(progress.paid) + " evaluations (" +
+  const std::string budget = progress.stage == "search" ? " of " + std::to_string(search_evaluations) : "";
+  return std::string(progress.stage) + ": " + std::to_string(progress.paid) + budget + " evaluations (" +
          std::to_string(progress.reused) + " reused, " + std::to_string(progress.failed) + " failed), " +
          Rounded(rate, 3) + " per second, best cost " + Rounded(progress.best_cost, 5);
 }
@@ -41,7 +44,9 @@ FitResult FitWithProgress(const FourPostObjective& objective, const FitOptions& 
   CatchInterrupts();
   ProgressLine line;
   FitHooks hooks;
-  hooks.progress = [&](const FitProgress& progress) { line.Show(ProgressText(progress, line.seconds())); };
+  hooks.progress = [&](const FitProgress& progress) {
+    line.Show(ProgressText(progress, options.search.max_evaluations, line.seconds()));
+  };
   hooks.stop = Interrupted;
   return Fit(objective, options, hooks);
 }
@@ -51,11 +56,14 @@ std::string InUnit(double value, const std::string& unit) {
   return Rounded(value / ParseUnit(unit.empty() ? "1" : unit)->si, 4);
 }
 
+std::string Deviation(const FittedParameter& parameter) {
+  return std::isinf(parameter.sd) ? "undetermined" : InUnit(parameter.sd, parameter.unit);
+}
+
 std::string ParameterTable(const std::vector<FittedParameter>& parameters) {
   TextTable table({"parameter", "start", "fitted", "sd", "lower", "upper", "unit", ""});
   for (const FittedParameter& p : parameters)
-    table.Add({p.name, InUnit(p.start, p.unit), InUnit(p.value, p.unit),
-               std::isfinite(p.sd) ? InUnit(p.sd, p.unit) : "undetermined", InUnit(p.lower, p.unit),
+    table.Add({p.name, InUnit(p.start, p.unit), InUnit(p.value, p.unit), Deviation(p), InUnit(p.lower, p.unit),
                InUnit(p.upper, p.unit), p.unit, p.at_bound ? "at its bound" : ""});
   return table.Format();
 }
@@ -68,19 +76,37 @@ std::string Summary(const FitResult& fit) {
          std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " refinements agree\n";
 }
 
-/// What the data say worst, in words.
-std::string Weakness(const FourPostObjective& objective, const Covariance& covariance) {
-  const Eigen::Index n = covariance.directions.cols();
-  if (n == 0) return "";
-  const Lattice lattice = objective.MakeProblem().lattice;
-  std::string text;
-  for (Eigen::Index i = covariance.rank; i < n; ++i)
-    text += "undetermined: " + DescribeDirection(lattice, covariance.directions.col(i)) +
-            " together change nothing; fix one of them, or measure a force\n";
-  if (text.empty())
-    text = "least determined (condition " + Rounded(covariance.condition, 2) +
-           "): " + DescribeDirection(lattice, covariance.directions.col(n - 1)) + "\n";
+/// How large the misfit is, and what the data say worst, in words.
+std::string Judgement(const FitResult& fit) {
+  if (!fit.covariance) return "ended before deviations could be computed\n";
+  const Covariance& covariance = *fit.covariance;
+  const double excess = std::sqrt(fit.cost / static_cast<double>(fit.residual_count - covariance.rank));
+  std::string text = "the misfit is " + Rounded(excess, 2) + " times what noise and the stated model error explain\n";
+  text +=
+      covariance.rank < covariance.directions.cols()
+          ? "undetermined: the data do not change when these change together; fix one, or measure a force:\n"
+          : "the data tell least about these changing together (condition " + Rounded(covariance.condition, 2) + "):\n";
+  for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";
   return text;
+}
+
+std::string LoadTable(const LoadedStudy& loaded, const std::vector<double>& modelled) {
+  if (loaded.data.static_loads.empty()) return "";
+  TextTable table({"static load", "measured, N", "sd", "modelled, N"});
+  for (const MeasuredLoad& load : loaded.data.static_loads)
+    table.Add({loaded.vehicle.tyres[load.tyre].name, Rounded(load.load_N, 5), Rounded(load.sd_N, 3),
+               Rounded(modelled[load.tyre], 5)});
+  return table.Format() + '\n';
+}
+
+/// The folder must not hold what is being read.
+void RequireInputsElsewhere(const LoadedStudy& loaded, const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> inputs = {loaded.study.file, loaded.vehicle.file};
+  for (const StudyRecording& recording : loaded.study.recordings) inputs.push_back(recording.file);
+  for (const std::filesystem::path& input : inputs)
+    if (std::filesystem::weakly_canonical(std::filesystem::absolute(input)).parent_path() ==
+        std::filesystem::weakly_canonical(std::filesystem::absolute(folder / "result.json")).parent_path())
+      throw OutputError(folder.string() + " holds the input " + input.filename().string() + "; give another folder");
 }
 
 int CodeOf(FitEnd end) {
@@ -94,14 +120,42 @@ int CodeOf(FitEnd end) {
   return kNotGood;
 }
 
+/// All that the folder will hold, and what is shown.
+struct FitReport {
+  std::string result_json;
+  std::string vehicle;
+  std::string response_csv;
+  std::string response_svg;
+  std::string text;
+};
+
+FitReport Report(const LoadedStudy& loaded, const FourPostObjective& objective, std::uint64_t seed,
+                 const FitResult& fit, const std::filesystem::path& folder) {
+  const double lower = loaded.study.band_lower_Hz;
+  const double upper = loaded.study.band_upper_Hz;
+  const std::vector<MeasuredRun>& runs = loaded.data.runs;
+  const std::vector<MeasuredRun> in_band = InBand(runs, lower, upper);
+  const CondensedModel model = objective.condensed().At(fit.values);
+  const std::vector<Sensor>& sensors = loaded.vehicle.sensors;
+  const std::vector<FrequencyResponse> modelled = ModelledResponses(model, sensors, runs);
+  const std::vector<ChannelMisfit> misfits = Misfits(in_band, ModelledResponses(model, sensors, in_band));
+  return {.result_json = ResultJson(loaded, seed, fit, misfits, model.preloads.tyre),
+          .vehicle = VehicleTextWithValues(loaded.vehicle, fit.values, folder),
+          .response_csv = ResponseCsv(runs, modelled, lower, upper),
+          .response_svg = ResponseSvg(runs, modelled, misfits, lower, upper),
+          .text = ParameterTable(fit.parameters) + '\n' + MisfitTable(misfits) + '\n' +
+                  LoadTable(loaded, model.preloads.tyre) + Summary(fit) + Judgement(fit)};
+}
+
 }  // namespace
 
 int Run(const FitCommand& command) {
   Diagnostics diagnostics;
   const std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
-  if (!diagnostics.items().empty()) std::fprintf(stderr, "%s\n", diagnostics.Format().c_str());
+  Tell(diagnostics);
   const FourPostObjective objective = loaded->MakeObjective();
+  RequireInputsElsewhere(*loaded, command.output);
   OutputFolder output(command.output);
 
   const FitOptions options = OptionsOf(loaded->study.search, command);
@@ -111,24 +165,14 @@ int Run(const FitCommand& command) {
                  fit.message.c_str());
     return CodeOf(fit.end);
   }
-
-  const Study& study = loaded->study;
-  const CondensedModel model = objective.condensed().At(fit.values);
-  const std::vector<MeasuredRun>& runs = loaded->data.runs;
-  const std::vector<FrequencyResponse> modelled = ModelledResponses(model, loaded->vehicle.sensors, runs);
-  const std::vector<MeasuredRun> in_band = InBand(runs, study.band_lower_Hz, study.band_upper_Hz);
-  const std::vector<ChannelMisfit> misfits =
-      Misfits(in_band, ModelledResponses(model, loaded->vehicle.sensors, in_band));
-  const std::string result = ResultJson(*loaded, options.search.seed, fit, misfits);
-  output.Add("vehicle.urdf", VehicleTextWithValues(loaded->vehicle, fit.values, command.output));
-  output.Add("response.csv", ResponseCsv(runs, modelled, study.band_lower_Hz, study.band_upper_Hz));
-  output.Add("response.svg", ResponseSvg(runs, modelled, misfits, study.band_lower_Hz, study.band_upper_Hz));
-  output.Add("result.json", result);
+  const FitReport report = Report(*loaded, objective, options.search.seed, fit, command.output);
+  output.Add("vehicle.urdf", report.vehicle);
+  output.Add("response.csv", report.response_csv);
+  output.Add("response.svg", report.response_svg);
+  output.Add("result.json", report.result_json);
   output.Commit();
-
-  const std::string text = ParameterTable(fit.parameters) + '\n' + MisfitTable(misfits) + '\n' + Summary(fit) +
-                           Weakness(objective, fit.covariance);
-  std::fputs((command.json ? result : text).c_str(), stdout);
+  std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
+  Print(command.json ? report.result_json : report.text);
   return CodeOf(fit.end);
 }
 

@@ -1,7 +1,10 @@
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -26,9 +29,24 @@ int Guarded(const std::function<int()>& run) {
     return tell(error, kUnreadableInput);
   } catch (const OutputError& error) {
     return tell(error, kCannotWrite);
-  } catch (const std::exception& error) {
+  } catch (const std::runtime_error& error) {
     return tell(error, kAllSimulationsFailed);
+  } catch (const std::exception& error) {
+    std::fputs("a defect of fourpost, please report it: ", stderr);
+    return tell(error, kDefect);
   }
+}
+
+/// Plain digits, the range of a study's seed: CLI11 itself takes "010" for 8 and "-1" for the largest of all.
+CLI::Validator WholeNumber() {
+  const auto fault = [](const std::string& text) -> std::string {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool good = error == std::errc() && end == text.data() + text.size() && number <= (1ULL << 62);
+    const bool octal = text.size() > 1 && text[0] == '0';
+    return good && !octal ? "" : "must be a whole number from 0 to 2^62 without leading zeros, got " + text;
+  };
+  return {fault, "WHOLE NUMBER"};
 }
 
 }  // namespace
@@ -49,23 +67,27 @@ int main(int argc, char** argv) {
   ResponseCommand response;
   sub = app.add_subcommand("response", "Compare a study's vehicle, as its file has it, with the recordings");
   sub->add_option("STUDY", response.study, "Study file (.yaml)")->required();
-  const std::map<std::string, Engine> engines = {
-      {"linearised", Engine::kLinearised}, {"full", Engine::kFull}, {"march", Engine::kMarch}};
+  std::string engine = "linearised";
   sub->add_option(
-         "--engine", response.engine,
-         "linearised: harmonic balance as in a fit; full: on the full multibody system; march: integrate that to "
-         "steady state (slow, the reference)")
-      ->transform(CLI::CheckedTransformer(engines).description("{linearised,full,march}"))
-      ->default_str("linearised");
+         "--engine", engine,
+         "linearised: harmonic balance as in a fit; full: on the full multibody system, without loop closures; "
+         "march: integrate that to steady state (slow, the reference)")
+      ->check(CLI::IsMember({"linearised", "full", "march"}))
+      ->capture_default_str();
   sub->add_flag("--json", response.json, "Print JSON");
-  sub->callback([&] { run = [&] { return Run(response); }; });
+  sub->callback([&] {
+    const std::map<std::string, Engine> engines = {
+        {"linearised", Engine::kLinearised}, {"full", Engine::kFull}, {"march", Engine::kMarch}};
+    response.engine = engines.at(engine);
+    run = [&] { return Run(response); };
+  });
 
   FitCommand fit;
   sub = app.add_subcommand("fit", "Fit a study's vehicle to the recordings");
   sub->add_option("STUDY", fit.study, "Study file (.yaml)")->required();
   sub->add_option("-o,--output", fit.output, "Folder for result.json, vehicle.urdf, response.csv and response.svg")
       ->required();
-  sub->add_option("--seed", fit.seed, "Seed of the search, in place of the study's");
+  sub->add_option("--seed", fit.seed, "Seed of the search, in place of the study's")->check(WholeNumber());
   sub->add_option("--threads", fit.threads, "Evaluations at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--json", fit.json, "Print result.json in place of tables");

@@ -1,4 +1,5 @@
-#include <cstdio>
+#include <optional>
+#include <stdexcept>
 
 #include <nlohmann/json.hpp>
 
@@ -6,10 +7,12 @@
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/misfit_table.h"
+#include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
+#include "identify/command_line/text_table.h"
 #include "identify/loaded_study.h"
-#include "identify/modelled_response.h"
 #include "vehicles/full_balance.h"
+#include "vehicles/harmonic_balance.h"
 #include "vehicles/march.h"
 
 namespace fourpost {
@@ -17,31 +20,35 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The responses of the full multibody system.
-class FullSystem {
+/// The vehicle as its file has it, answering by any of the engines.
+class Respondent {
  public:
-  explicit FullSystem(const LoadedStudy& loaded) : multibody_(loaded.vehicle) {
-    const std::vector<double> values = loaded.vehicle.ParameterValues();
-    model_ = CondensedVehicle(loaded.vehicle).At(values);
-    multibody_.SetParameters(values, model_.preloads);
+  Respondent(const Vehicle& vehicle, Engine engine) : vehicle_(vehicle), engine_(engine) {
+    const std::vector<double> values = vehicle.ParameterValues();
+    model_ = CondensedVehicle(vehicle).At(values);
+    if (engine == Engine::kLinearised) return;
+    multibody_.emplace(vehicle);
+    multibody_->SetParameters(values, model_.preloads);
   }
 
-  std::vector<FrequencyResponse> Responses(const std::vector<MeasuredRun>& runs, Engine engine) {
-    std::vector<FrequencyResponse> responses;
-    for (const MeasuredRun& run : runs) responses.push_back(engine == Engine::kFull ? Balance(run) : Marched(run));
-    return responses;
+  FrequencyResponse Answer(const MeasuredRun& run) {
+    switch (engine_) {
+      case Engine::kLinearised: return Periodic(SolveHarmonicBalance(model_, vehicle_.sensors, run.excitation), run);
+      case Engine::kFull: return Periodic(SolveFullBalance(*multibody_, model_, run.excitation), run);
+      case Engine::kMarch: return Marched(run);
+    }
+    throw std::logic_error("no such engine");
   }
 
  private:
-  FrequencyResponse Balance(const MeasuredRun& run) {
-    PeriodicResponse balanced = SolveFullBalance(multibody_, model_, run.excitation);
+  static FrequencyResponse Periodic(PeriodicResponse balanced, const MeasuredRun& run) {
     RequirePeriodic(balanced.unconverged_Hz, run);
     return std::move(balanced.response);
   }
 
   FrequencyResponse Marched(const MeasuredRun& run) {
     const std::string total = std::to_string(run.excitation.frequency_Hz.size());
-    MarchedResponse marched = March(multibody_, run.excitation, {}, [&](std::size_t done) {
+    MarchedResponse marched = March(*multibody_, run.excitation, {}, [&](std::size_t done) {
       progress_.Show("march " + run.name + ": " + std::to_string(done) + " of " + total + " frequencies");
     });
     RequirePeriodic(marched.unsteady_Hz, run);
@@ -50,20 +57,25 @@ class FullSystem {
 
   static void RequirePeriodic(const std::vector<double>& failed_Hz, const MeasuredRun& run) {
     if (!failed_Hz.empty())
-      throw std::runtime_error("no periodic motion was found at " + std::to_string(failed_Hz[0]) + " Hz of '" +
-                               run.name + "'");
+      throw std::runtime_error("no periodic motion was found at " + Rounded(failed_Hz[0], 4) + " Hz of '" + run.name +
+                               "'");
   }
 
-  Multibody multibody_;
+  const Vehicle& vehicle_;
+  Engine engine_;
   CondensedModel model_;
+  std::optional<Multibody> multibody_;
   ProgressLine progress_;
 };
 
-std::vector<FrequencyResponse> Responses(const LoadedStudy& loaded, const std::vector<MeasuredRun>& runs,
-                                         Engine engine) {
-  if (engine != Engine::kLinearised) return FullSystem(loaded).Responses(runs, engine);
-  const CondensedModel model = CondensedVehicle(loaded.vehicle).At(loaded.vehicle.ParameterValues());
-  return ModelledResponses(model, loaded.vehicle.sensors, runs);
+/// The full balance needs independent coordinates.
+void RequireNoLoops(const Vehicle& vehicle) {
+  Diagnostics faults;
+  for (const Rod& rod : vehicle.rods)
+    faults.Error(vehicle.file, rod.source_line, "--engine full takes no loop closures; use march, or linearised");
+  for (const Ball& ball : vehicle.balls)
+    faults.Error(vehicle.file, ball.source_line, "--engine full takes no loop closures; use march, or linearised");
+  if (faults.HasErrors()) throw FaultyInput(faults);
 }
 
 Json Channel(const ChannelResponse& channel) {
@@ -100,11 +112,15 @@ int Run(const ResponseCommand& command) {
   Diagnostics diagnostics;
   const std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
+  Tell(diagnostics);
+  if (command.engine == Engine::kFull) RequireNoLoops(loaded->vehicle);
   const std::vector<MeasuredRun> runs =
       InBand(loaded->data.runs, loaded->study.band_lower_Hz, loaded->study.band_upper_Hz);
-  const std::vector<FrequencyResponse> modelled = Responses(*loaded, runs, command.engine);
+  Respondent vehicle(loaded->vehicle, command.engine);
+  std::vector<FrequencyResponse> modelled;
+  for (const MeasuredRun& run : runs) modelled.push_back(vehicle.Answer(run));
   const std::vector<ChannelMisfit> misfits = Misfits(runs, modelled);
-  std::fputs((command.json ? AsJson(runs, modelled, misfits) : MisfitTable(misfits)).c_str(), stdout);
+  Print(command.json ? AsJson(runs, modelled, misfits) : MisfitTable(misfits));
   return kGood;
 }
 

@@ -34,10 +34,14 @@ class CommandLine : public testing::Test {
   }
 
   Outcome Run(const std::string& arguments) const {
+    return RunShell(std::string("'") + FOURPOST_PROGRAM + "' " + arguments);
+  }
+
+  Outcome RunShell(const std::string& line) const {
     const fs::path out = folder_ / "stdout.txt";
     const fs::path err = folder_ / "stderr.txt";
-    const std::string command = std::string("cd '") + folder_.string() + "' && '" + FOURPOST_PROGRAM + "' " +
-                                arguments + " >'" + out.string() + "' 2>'" + err.string() + "'";
+    const std::string command =
+        "cd '" + folder_.string() + "' && (" + line + ") >'" + out.string() + "' 2>'" + err.string() + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(out), ReadText(err)};
   }
@@ -139,15 +143,18 @@ TEST_F(CommandLine, ResponseTellsTheMisfitOfTheVehicleAsItIs) {
 TEST_F(CommandLine, ResponseComesFromTheEngineAskedFor) {
   ReplaceIn(kStudy, "[0.5 Hz, 12 Hz]", "[4 Hz, 4.3 Hz]");
   const Json linearised = Json::parse(Run("response studies/landrover110/model2.yaml --json").out)["recordings"];
+  std::vector<Json> answers;
   for (const char* engine : {"full", "march"}) {
     const Outcome outcome = Run("response studies/landrover110/model2.yaml --json --engine " + std::string(engine));
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Json recordings = Json::parse(outcome.out)["recordings"];
     EXPECT_NE(recordings, linearised) << engine;
+    answers.push_back(recordings);
     const double gain = recordings[0]["channels"][0]["gain"][0];
     const double expected = linearised[0]["channels"][0]["gain"][0];
     EXPECT_NEAR(gain / expected, 1, 0.006) << engine;  // 0.05 dB
   }
+  EXPECT_NE(answers[0], answers[1]);
 }
 
 TEST_F(CommandLine, RefusesAMisspeltTag) {
@@ -179,7 +186,7 @@ TEST_F(CommandLine, RefusesALoopThatCannotBeClosed) {
 
 TEST_F(CommandLine, RefusesANegativeMass) {
   ReplaceIn(kVehicle, "<mass value=\"1725\"/>", "<mass value=\"-1725\"/>");
-  ExpectRefused("mass");
+  ExpectRefused("must not be negative");
 }
 
 TEST_F(CommandLine, RefusesAMissingChannel) {
@@ -222,8 +229,11 @@ TEST_F(CommandLine, CheckRefusesAFaultyVehicle) {
 }
 
 TEST_F(CommandLine, RefusesUsageItDoesNotKnow) {
-  for (const char* arguments : {"", "fitt", "fit", "check", "fit studies/landrover110/model2.yaml",
-                                "fit studies/landrover110/model2.yaml -o r --threads many", "check a.urdf --jsn"})
+  for (const char* arguments :
+       {"", "fitt", "fit", "check", "fit studies/landrover110/model2.yaml",
+        "fit studies/landrover110/model2.yaml -o r --threads many",
+        "fit studies/landrover110/model2.yaml -o r --seed -1", "fit studies/landrover110/model2.yaml -o r --seed 010",
+        "response a.yaml --engine ful", "check a.urdf --jsn"})
     EXPECT_EQ(Run(arguments).code, 2) << arguments;
 }
 
@@ -243,6 +253,34 @@ TEST_F(CommandLine, DoesNotOverwriteWhatIsNotItsOwn) {
 
 TEST_F(CommandLine, ReplacesAnEarlierResult) {
   for (int run = 0; run < 2; ++run) EXPECT_EQ(Run("fit studies/landrover110/model2.yaml -o result").code, 0);
+}
+
+TEST_F(CommandLine, NamesTheStudysLineForAFileThatIsNotThere) {
+  ReplaceIn(kStudy, "landrover110_linkage.urdf", "landrover.urdf");
+  ExpectRefused("model2.yaml:3: error: there is no file ");
+}
+
+TEST_F(CommandLine, DoesNotWriteOverItsInputs) {
+  const Outcome outcome = Run("fit studies/landrover110/model2.yaml -o studies/landrover110");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("holds the input model2.yaml"));
+}
+
+TEST_F(CommandLine, TellsWhenStdoutIsFull) { EXPECT_EQ(Run("check urdf/quarter_car.urdf --json >/dev/full").code, 5); }
+
+TEST_F(CommandLine, AnInterruptedFitKeepsTheBestSoFar) {
+  ReplaceIn(kStudy, "evaluations: 300", "evaluations: 100000000");
+  // The first signal asks to stop; `timeout` sends it while the search runs.
+  const Outcome outcome = RunShell(std::string("timeout --preserve-status -s INT 2 '") + FOURPOST_PROGRAM +
+                                   "' fit studies/landrover110/model2.yaml -o result");
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("fit interrupted"));
+  EXPECT_THAT(outcome.out, HasSubstr("ended before deviations could be computed"));
+  const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
+  EXPECT_EQ(result["termination"], "interrupted");
+  EXPECT_TRUE(result["identifiability"].is_null());
+  EXPECT_GT(result["residuals"], 1000);
+  EXPECT_EQ(Run("check result/vehicle.urdf").code, 0);
 }
 
 TEST_F(CommandLine, AnswersHelpAndVersion) {

@@ -1,5 +1,6 @@
 #include "identify/fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -80,7 +81,7 @@ TEST(Fit, RecoversTheParametersOfANoisyTwinWithinTheirDeviations) {
   const LoadedStudy twin = Twin(truth, 1);
   const FourPostObjective objective = twin.MakeObjective();
   const FitResult fit = Fit(objective, Options());
-  EXPECT_EQ(fit.covariance.rank, static_cast<int>(truth.size()));
+  EXPECT_EQ(fit.covariance.value().rank, static_cast<int>(truth.size()));
   for (std::size_t i = 0; i < truth.size(); ++i) {
     // Four standard deviations: one normal draw in 16 000 lies outside.
     EXPECT_LT(std::abs(fit.values[i] - truth[i]), 4 * fit.parameters[i].sd) << fit.parameters[i].name;
@@ -112,6 +113,17 @@ TEST(Fit, SaysWhichParametersLieAtTheirBounds) {
   EXPECT_EQ(fit.parameters[0].value, mass.upper);
 }
 
+TEST(Fit, TellsTheLowestCostSoFar) {
+  const LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 1);
+  const FourPostObjective objective = twin.MakeObjective();
+  std::vector<double> costs;
+  FitHooks hooks;
+  hooks.progress = [&](const FitProgress& progress) { costs.push_back(progress.best_cost); };
+  const FitResult fit = Fit(objective, Options(), hooks);
+  EXPECT_TRUE(std::is_sorted(costs.rbegin(), costs.rend()));
+  EXPECT_LE(costs.back(), fit.cost);
+}
+
 TEST(Fit, EndsWithWhatItHasWhenAsked) {
   const LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 0);
   const FourPostObjective objective = twin.MakeObjective();
@@ -120,6 +132,9 @@ TEST(Fit, EndsWithWhatItHasWhenAsked) {
   EXPECT_EQ(fit.end, FitEnd::kInterrupted);
   EXPECT_EQ(fit.values.size(), twin.vehicle.parameters.size());
   EXPECT_GT(fit.cost, 0);
+  EXPECT_FALSE(fit.covariance.has_value());
+  EXPECT_TRUE(std::isnan(fit.parameters[0].sd));
+  EXPECT_EQ(fit.residual_count, objective.residual_count());
 }
 
 TEST(Fit, TellsWhenEveryEvaluationFails) {

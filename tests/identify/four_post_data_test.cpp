@@ -32,7 +32,8 @@ class FourPostDataTest : public testing::Test {
     vehicle_.sensors = {{.name = "strut", .type = Sensor::Type::kStrut},
                         {.name = "load", .type = Sensor::Type::kLoadCell}};
     study_.file = "study.yaml";
-    study_.recordings = {{.name = "run", .file = folder_.Write("run.csv", kRecording), .posts = {{"right", -1}}}};
+    study_.recordings = {
+        {.name = "run", .file = folder_.Write("run.csv", kRecording), .posts = {{"left", 0}, {"right", -1}}}};
     study_.channels = {{"strut", {ChannelSource::Combine::kMean, {"s_left", "s_right"}, 7}}};
     study_.static_loads_file = folder_.Write("static.csv", "quantity,unit,value,sd\nl,kN,3,0.003\nr,kN,4,0.004\n");
     study_.static_loads = {{"tyre", {ChannelSource::Combine::kSum, {"l", "r"}, 9}}};
@@ -60,8 +61,37 @@ TEST_F(FourPostDataTest, AveragesPhasorsMeansAndTheirDeviations) {
   EXPECT_EQ(channel.name, "strut");
   EXPECT_LT(std::abs(channel.response[0] - std::complex<double>(0.5, 0.5)), 1e-15);  // rounding
   EXPECT_THAT(channel.mean, ElementsAre(DoubleEq(0.002), DoubleEq(0.002)));
-  // Two independent deviations of 0.03 and 0.04, halved.
-  EXPECT_THAT(channel.radial_sd, ElementsAre(DoubleEq(0.025), DoubleEq(0.025)));
+  // The mean lies 45 degrees from both phasors: each gives half its variance along and half across, and a quarter of
+  // that for the mean. Pooled over gains 1 and 2, one degree is worth sqrt(2.5) degrees.
+  const double across = std::acos(-1.0) / 180 * std::sqrt(2.5);
+  const double expected = std::sqrt((0.03 * 0.03 + 0.04 * 0.04 + 2 * across * across) / 8);
+  EXPECT_THAT(channel.radial_sd, ElementsAre(DoubleEq(expected), DoubleEq(expected)));
+  EXPECT_THAT(channel.tangential_sd, ElementsAre(DoubleEq(expected), DoubleEq(expected)));
+}
+
+TEST_F(FourPostDataTest, AddsTheDeviationsOfPhasorsInLine) {
+  study_.channels = {{"load", {ChannelSource::Combine::kSum, {"F_left", "F_left"}, 7}}};
+  const MeasuredChannel channel = Load().runs.at(0).channels.at(0);
+  EXPECT_THAT(channel.radial_sd, ElementsAre(DoubleEq(std::hypot(3, 3)), DoubleEq(std::hypot(3, 3))));
+}
+
+TEST_F(FourPostDataTest, RefusesAChannelOfAnotherQuantity) {
+  study_.channels[0].second.channels[1] = "F_left";
+  EXPECT_EQ(Fault(), "study.yaml:7: error: channel 'F_left' is in N, sensor 'strut' in m: they cannot be compared");
+}
+
+TEST_F(FourPostDataTest, RefusesDifferencesThatNothingWeighs) {
+  study_.recordings[0].file = folder_.Write("run.csv",
+                                            "frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n"
+                                            "1,0.01,s_left,1,0\n1,0.01,s_right,1,90\n");
+  EXPECT_EQ(Load().runs.size(), 1u);
+  study_.model_error.gain_dB = 0;
+  EXPECT_THAT(Fault(), HasSubstr("study.yaml:7: error: 'strut' has frequencies without deviation"));
+}
+
+TEST_F(FourPostDataTest, NamesAPostThatIsLeftOut) {
+  study_.recordings[0].posts = {{"right", -1}};
+  EXPECT_THAT(Fault(), HasSubstr("recording 'run' does not tell how post 'left' moved"));
 }
 
 TEST_F(FourPostDataTest, PoolsDeviationsOverNeighbouringFrequencies) {
@@ -107,7 +137,7 @@ TEST_F(FourPostDataTest, NamesAnUnknownChannel) {
 }
 
 TEST_F(FourPostDataTest, NamesAnUnknownPost) {
-  study_.recordings[0].posts = {{"rigth", 1}};
+  study_.recordings[0].posts = {{"left", 0}, {"right", 1}, {"rigth", 1}};
   study_.recordings[0].line = 3;
   EXPECT_EQ(Fault(), "study.yaml:3: error: the vehicle has no post 'rigth', did you mean 'right'?");
 }

@@ -116,6 +116,26 @@ TEST_F(StudyTest, ReportsAWrongDimension) {
   EXPECT_THAT(Fault("0.2 mm", "0.2 kg"), testing::AllOf(HasSubstr(":18: error: "), HasSubstr("length")));
 }
 
+TEST_F(StudyTest, ReportsAnAngleWithoutUnit) {
+  EXPECT_THAT(Fault("3 deg", "3"), testing::AllOf(HasSubstr(":17: error: "), HasSubstr("angle such as deg")));
+}
+
+TEST_F(StudyTest, ReportsPostsWithoutReference) {
+  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "{front: 0.5, rear: -0.5}"), HasSubstr("must be the reference"));
+}
+
+TEST_F(StudyTest, ReportsAModelErrorOfMeansThatIsZero) {
+  EXPECT_THAT(Fault("0.2 mm", "0 mm"), HasSubstr("'mean' of 'model_error' must be above zero"));
+}
+
+TEST_F(StudyTest, ReportsStaticLoadsWithoutFile) {
+  EXPECT_THAT(Fault("  file: static.csv\n", ""), HasSubstr("'static_loads' needs the key 'file'"));
+}
+
+TEST_F(StudyTest, ListsTheKeysWhenNoneIsNear) {
+  EXPECT_THAT(Fault("seed: 7", "xyz: 7"), HasSubstr("; legal: seed, evaluations, population, starts"));
+}
+
 TEST_F(StudyTest, ReportsANumberOutOfRange) {
   EXPECT_THAT(Fault("population: 30", "population: 2"), testing::AllOf(HasSubstr(":22: error: "), HasSubstr("4")));
 }
@@ -138,7 +158,7 @@ TEST_F(StudyTest, ReportsAllFaultsAtOnce) {
 
 TEST_F(StudyTest, ReportsAMissingFile) {
   EXPECT_FALSE(ReadStudy(folder_ / "nowhere.yaml", diagnostics_).has_value());
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("nowhere.yaml: error: cannot read the study"));
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("nowhere.yaml: error: cannot be read: No such file"));
 }
 
 TEST_F(StudyTest, ReportsAFolderInPlaceOfAFile) {

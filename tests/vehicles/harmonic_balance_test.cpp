@@ -131,7 +131,7 @@ TEST(HarmonicBalance, RefusesTooFewSamples) {
     options.Validate();
     FAIL() << "18 samples cannot hold 9 harmonics";
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("samples = 18 must exceed twice the harmonics"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("samples = 18, must be more than twice the harmonics"));
   }
 }
 

@@ -5,8 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/temporary_folder.h"
 #include "tests/vehicles/small_vehicle.h"
-#include "vehicles/file_text.h"
 
 namespace fourpost {
 namespace {
@@ -70,7 +70,7 @@ class MeshFile : public VehicleFileTest {
 };
 
 TEST_F(MeshFile, IsFoundBesideTheVehicleFile) {
-  Write(FileText(kMeshes / "box.obj").value(), "cube.obj");
+  Write(ReadText(kMeshes / "box.obj"), "cube.obj");
   const std::optional<Vehicle> vehicle = Read(WithMesh(R"(filename="./cube.obj" scale="0.001 0.002 0.003")"));
   ASSERT_TRUE(vehicle.has_value());
   const Visual& visual = vehicle->links.at(2).visuals.at(0);
@@ -91,7 +91,7 @@ TEST_F(MeshFile, MustBeReadable) {
 }
 
 TEST_F(MeshFile, NeedsAScale) {
-  Write(FileText(kMeshes / "box.obj").value(), "cube.obj");
+  Write(ReadText(kMeshes / "box.obj"), "cube.obj");
   EXPECT_FALSE(Read(WithMesh(R"(filename="cube.obj")")).has_value());
   Expect(Severity::kError, 16, "needs the attribute 'scale'");
 }

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "vehicles/file_text.h"
+#include "tests/temporary_folder.h"
 #include "vehicles/tag_table.h"
 
 namespace fourpost {
@@ -122,9 +122,22 @@ TEST_F(VehicleFile, WarnsOncePerForeignPrefix) {
   Expect(Severity::kWarning, 54, "prefix 'x:' are ignored");
 }
 
+TEST_F(VehicleFile, GivesTheTextAsItWasRead) { EXPECT_EQ(Read(kSmallVehicle).value().text, kSmallVehicle); }
+
 TEST_F(VehicleFile, ReportsAFileThatCannotBeRead) {
   EXPECT_FALSE(ReadVehicle(folder_ / "vehicle.urdf", diagnostics_).has_value());
-  Expect(Severity::kError, 0, "cannot be read");
+  Expect(Severity::kError, 0, "cannot be read: No such file or directory");
+}
+
+TEST_F(VehicleFile, ReportsAFolder) {
+  std::filesystem::create_directory(folder_ / "vehicle.urdf");
+  EXPECT_FALSE(ReadVehicle(folder_ / "vehicle.urdf", diagnostics_).has_value());
+  Expect(Severity::kError, 0, "cannot be read: Is a directory");
+}
+
+TEST_F(VehicleFile, ReportsAnEmptyFileAsEmpty) {
+  EXPECT_FALSE(Read("").has_value());
+  Expect(Severity::kError, 0, "not XML: the file is empty");
 }
 
 TEST_F(VehicleFile, ReportsWhatUrdfdomSaysAndPrintsNothing) {
@@ -142,14 +155,14 @@ TEST_F(VehicleFile, IsSoundForEveryVehicleOfTheProject) {
 }
 
 TEST_F(VehicleFile, IsSoundForTheWorkedExampleOfTheReadme) {
-  const std::string readme = FileText(kSource / "urdf" / "README.md").value();
+  const std::string readme = ReadText(kSource / "urdf" / "README.md");
   const std::string begin = "```xml\n";
   const std::size_t at = readme.find(begin) + begin.size();
   EXPECT_TRUE(Read(readme.substr(at, readme.find("```", at) - at)).has_value());
 }
 
 TEST(TagTable, IsTheReferenceInTheReadme) {
-  const std::string readme = FileText(kSource / "urdf" / "README.md").value();
+  const std::string readme = ReadText(kSource / "urdf" / "README.md");
   EXPECT_THAT(readme, HasSubstr("<!-- tags: begin -->\n" + TagReference() + "<!-- tags: end -->\n"));
 }
 

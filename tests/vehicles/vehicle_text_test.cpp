@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
+#include "tests/temporary_folder.h"
 #include "tests/vehicles/small_vehicle.h"
-#include "vehicles/file_text.h"
 #include "vehicles/xml_scanner.h"
 
 namespace fourpost {
@@ -57,7 +57,7 @@ TEST_F(VehicleText, KeepsLayoutAndCommentsThatLookAlike) {
   EXPECT_EQ(Rewrite(text, {200, 2, 16000}), Replaced(text, "= '15 N/mm'", "= '16 N/mm'"));
 }
 
-TEST_F(VehicleText, FollowsTheVehicleFileNotItsCopy) {
+TEST_F(VehicleText, FollowsTheTextNotTheValuesBesideIt) {
   Vehicle vehicle = Read(kSmallVehicle).value();
   vehicle.parameters[2].value = 16000;
   EXPECT_THAT(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), folder_), HasSubstr(R"(value="16 N/mm")"));
@@ -71,7 +71,7 @@ TEST_F(VehicleText, MovesMeshes) {
   EXPECT_THAT(VehicleTextWithValues(vehicle, values, root), HasSubstr(R"(filename="meshes/wheel.obj")"));
   EXPECT_THAT(VehicleTextWithValues(vehicle, values, root / "build" / "a & b"),
               HasSubstr(R"(filename="../../meshes/wheel.obj")"));
-  EXPECT_EQ(VehicleTextWithValues(vehicle, values, file.parent_path()), FileText(file));
+  EXPECT_EQ(VehicleTextWithValues(vehicle, values, file.parent_path()), ReadText(file));
 }
 
 TEST_F(VehicleText, NeedsAValueForEachParameter) {
@@ -79,10 +79,17 @@ TEST_F(VehicleText, NeedsAValueForEachParameter) {
   EXPECT_THROW(VehicleTextWithValues(vehicle, std::vector<double>{1}, folder_), std::invalid_argument);
 }
 
-TEST_F(VehicleText, NeedsTheFile) {
-  Vehicle vehicle = Read(kSmallVehicle).value();
-  vehicle.file = folder_ / "gone.urdf";
-  EXPECT_THROW(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), folder_), std::runtime_error);
+// A fit takes minutes; its result must not depend on what became of the file meanwhile.
+TEST_F(VehicleText, OutlivesItsFile) {
+  const Vehicle vehicle = Read(kSmallVehicle).value();
+  Write("<robot/>");
+  EXPECT_EQ(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), folder_), kSmallVehicle);
+  std::filesystem::remove(vehicle.file);
+  EXPECT_EQ(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), folder_), kSmallVehicle);
+}
+
+TEST_F(VehicleText, NeedsAVehicleThatWasRead) {
+  EXPECT_THROW(VehicleTextWithValues(Vehicle(), {}, folder_), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/diagnostics.h"
+
+namespace fourpost {
+
+/// Tells findings about the user's files on stderr; nothing when there are none.
+void Tell(const Diagnostics& diagnostics);
+
+/// Writes a result to stdout. Throws OutputError when it does not get there, as on a full disk.
+void Print(const std::string& text);
+
+}  // namespace fourpost
