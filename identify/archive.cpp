@@ -13,8 +13,8 @@
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "analysis/option_check.h"
 #include "identify/draws.h"
-#include "identify/option_check.h"
 
 namespace fourpost {
 namespace {

@@ -9,8 +9,8 @@
 
 #include <Eigen/SVD>
 
+#include "analysis/option_check.h"
 #include "identify/fit_variables.h"
-#include "identify/option_check.h"
 
 namespace fourpost {
 namespace {

@@ -5,10 +5,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "analysis/option_check.h"
 #include "identify/draws.h"
 #include "identify/dvhde_operators.h"
 #include "identify/lattice_simplex.h"
-#include "identify/option_check.h"
 
 namespace fourpost {
 namespace {

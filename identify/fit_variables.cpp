@@ -5,7 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "identify/option_check.h"
+#include "analysis/option_check.h"
+
 
 namespace fourpost {
 

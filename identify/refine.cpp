@@ -7,9 +7,9 @@
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
+#include "analysis/option_check.h"
 #include "identify/difference_jacobian.h"
 #include "identify/fit_variables.h"
-#include "identify/option_check.h"
 
 namespace fourpost {
 namespace {

@@ -29,7 +29,8 @@ Chart::Chart(Multibody& multibody) : multibody_(multibody) {
   multibody_.SetPose(multibody_.design_pose());
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
   const int n = multibody_.coordinate_count();
-  basis_ = loops.rows() == 0 ? Eigen::MatrixXd::Identity(n, n) : NullSpace(loops);
+  has_loops_ = loops.rows() > 0;
+  basis_ = has_loops_ ? NullSpace(loops) : Eigen::MatrixXd::Identity(n, n);
 }
 
 Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
@@ -38,7 +39,7 @@ Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
   constexpr int kIterations = 30;
   Eigen::VectorXd q = multibody_.design_pose() + basis_ * s;
   multibody_.SetPose(q);
-  if (basis_.cols() == q.size()) return q;
+  if (!has_loops_) return q;
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const Eigen::VectorXd loop_error = multibody_.LoopError();
     Eigen::VectorXd error(loop_error.size() + s.size());
@@ -57,7 +58,7 @@ Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
 
 Eigen::MatrixXd Chart::MoveTo(const Eigen::VectorXd& s) {
   Close(s);
-  if (basis_.cols() == multibody_.coordinate_count()) return basis_;
+  if (!has_loops_) return basis_;
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
   Eigen::MatrixXd target = Eigen::MatrixXd::Zero(loops.rows() + size(), size());
   target.bottomRows(size()).setIdentity();

@@ -25,6 +25,8 @@ class Chart {
 
   Multibody& multibody_;
   Eigen::MatrixXd basis_;
+  /// Also true for loops that take no coordinate to first order, as a rod at dead centre does.
+  bool has_loops_ = false;
 };
 
 }  // namespace fourpost

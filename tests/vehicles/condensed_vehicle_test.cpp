@@ -1,5 +1,8 @@
 #include "vehicles/condensed_vehicle.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include <gmock/gmock.h>
 
 #include "analysis/diagnostics.h"
@@ -85,30 +88,68 @@ TEST(CondensedVehicle, FollowsParametersWithoutBeingBuiltAnew) {
   EXPECT_NE(moved.stiffness, CondensedVehicle(vehicle).At(vehicle.ParameterValues()).stiffness);
 }
 
+int LinkOf(const Vehicle& vehicle, const std::string& name) {
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i)
+    if (vehicle.links[i].name == name) return static_cast<int>(i);
+  ADD_FAILURE() << "no link " << name;
+  return 0;
+}
+
+// The chassis frame in the design pose.
+const Eigen::Vector3d kChassis(-1.456, 0, 0.832);
+
 /// The linkage car with its front axle free in the plane and held by a ball at the radius arm's bush.
-Vehicle CarWithALoop() {
+Vehicle CarWithABall() {
   Vehicle vehicle = ShippedVehicle("landrover110_linkage");
-  const auto link = [&](const std::string& name) {
-    for (std::size_t i = 0; i < vehicle.links.size(); ++i)
-      if (vehicle.links[i].name == name) return static_cast<int>(i);
-    ADD_FAILURE() << "no link " << name;
-    return 0;
-  };
   for (Joint& joint : vehicle.joints) {
-    if (joint.child != link("front_axle")) continue;
+    if (joint.child != LinkOf(vehicle, "front_axle")) continue;
     const Eigen::Vector3d bush = joint.pose.translation();
     vehicle.balls.push_back({.name = "bush", .parent = {joint.parent, bush}, .child = {joint.child, {0, 0, 0}}});
     joint.type = Joint::Type::kPlanar;
     joint.parent = 0;
-    // The chassis frame stands at (-1.456, 0, 0.832) in the design pose.
-    joint.pose.translation() = bush + Eigen::Vector3d(-1.456, 0, 0.832);
+    joint.pose.translation() = bush + kChassis;
   }
   return vehicle;
 }
 
-TEST(CondensedVehicle, ALoopEqualsTheSameJointInATree) {
+/// Gives a link its frame at `origin` of the former one.
+void MoveFrame(Vehicle& vehicle, int link, const Eigen::Vector3d& origin) {
+  const auto move = [&](Point& point) {
+    if (point.link == link) point.xyz -= origin;
+  };
+  vehicle.links[static_cast<std::size_t>(link)].com -= origin;
+  for (Spring& spring : vehicle.springs) move(spring.line.child);
+  for (Damper& damper : vehicle.dampers) move(damper.line.child);
+  for (Tyre& tyre : vehicle.tyres) move(tyre.point);
+  for (Sensor& sensor : vehicle.sensors) {
+    move(sensor.point);
+    move(sensor.line.child);
+  }
+}
+
+/// The linkage car with its front axle free to shift in the plane and held by a rod from its centre to the radius arm's
+/// bush: a point mass moves on the rod as on the arm.
+Vehicle CarWithARod() {
+  Vehicle vehicle = ShippedVehicle("landrover110_linkage");
+  const int axle = LinkOf(vehicle, "front_axle");
+  const Eigen::Vector3d centre = vehicle.links[static_cast<std::size_t>(axle)].com;
+  MoveFrame(vehicle, axle, centre);
+  vehicle.links.push_back({.name = "fore_aft"});
+  const int slide = static_cast<int>(vehicle.links.size()) - 1;
+  const auto arm = std::find_if(vehicle.joints.begin(), vehicle.joints.end(),
+                                [&](const Joint& joint) { return joint.child == axle; });
+  const Eigen::Vector3d bush = arm->pose.translation();
+  vehicle.rods.push_back({.name = "radius_rod", .parent = {arm->parent, bush}, .child = {axle, {0, 0, 0}}});
+  Joint fore_aft{.name = "fore_aft", .type = Joint::Type::kPrismatic, .parent = 0, .child = slide};
+  fore_aft.pose.translation() = kChassis + bush + centre;
+  *arm = {
+      .name = "hop", .type = Joint::Type::kPrismatic, .parent = slide, .child = axle, .axis = Eigen::Vector3d::UnitZ()};
+  vehicle.joints.insert(arm, fore_aft);
+  return vehicle;
+}
+
+void ExpectLoopEqualsTree(const Vehicle& loop) {
   const Vehicle tree = ShippedVehicle("landrover110_linkage");
-  const Vehicle loop = CarWithALoop();
   const CondensedVehicle tree_condensed(tree);
   const CondensedVehicle loop_condensed(loop);
   ASSERT_EQ(loop_condensed.size(), 4);
@@ -124,6 +165,30 @@ TEST(CondensedVehicle, ALoopEqualsTheSameJointInATree) {
   const Preloads loop_preloads = loop_condensed.PreloadsAt(values);
   for (std::size_t i = 0; i < tree_preloads.tyre.size(); ++i)
     EXPECT_NEAR(loop_preloads.tyre[i], tree_preloads.tyre[i], 1e-6);  // rounding of 10 kN
+}
+
+TEST(CondensedVehicle, ABallEqualsTheSameJointInATree) { ExpectLoopEqualsTree(CarWithABall()); }
+
+TEST(CondensedVehicle, ARodToAPointMassEqualsTheArmInATree) { ExpectLoopEqualsTree(CarWithARod()); }
+
+// Forces of the loop act in the marched equations only.
+TEST(CondensedVehicle, RestsOnARodInTheMultibody) {
+  const Vehicle vehicle = CarWithARod();
+  const std::vector<double> values = vehicle.ParameterValues();
+  Multibody multibody(vehicle);
+  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
+  // Rounding of some 10 kN on 200 kg.
+  EXPECT_LT(multibody.StateDerivative(0, multibody.RestState()).norm(), 1e-9);
+}
+
+TEST(CondensedVehicle, NeedsAValueForEachParameter) {
+  const Vehicle vehicle = ShippedVehicle("quarter_car");
+  const CondensedVehicle condensed(vehicle);
+  const std::vector<double> few(5, 1);
+  const auto refuses = testing::ThrowsMessage<std::invalid_argument>(HasSubstr("each of 6 parameters, has 5"));
+  EXPECT_THAT([&] { condensed.At(few); }, refuses);
+  EXPECT_THAT([&] { condensed.PreloadsAt(few); }, refuses);
+  EXPECT_THAT([&] { condensed.LinkMotions(few); }, refuses);
 }
 
 TEST(CondensedVehicle, NamesALinkThatNothingHolds) {

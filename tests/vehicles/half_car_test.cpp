@@ -133,21 +133,15 @@ Excitation Rig(std::vector<double> shape) {
 // The matrices differ only by rounding and by second derivatives taken from differences: 1e-12 per metre of weight.
 constexpr double kRounding = 1e-9;
 
-TEST(HalfCar, LinkageCarWithLevelArmsHasItsPoles) {
-  const Vehicle vehicle = LevelCar();
-  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
-  const auto linkage = Poles(model);
-  const auto closed = Poles(WithGravity(EquivalentHalfCar(vehicle), model.preloads));
+void ExpectEqualPoles(const CondensedModel& a, const CondensedModel& b) {
+  const auto linkage = Poles(a);
+  const auto closed = Poles(b);
   ASSERT_EQ(linkage.size(), 4u);
   ASSERT_EQ(closed.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_LT(std::abs(linkage[i] / closed[i] - 1.0), kRounding);
 }
 
-TEST(HalfCar, LinkageCarWithLevelArmsHasItsResponse) {
-  const Vehicle vehicle = LevelCar();
-  const CondensedModel linkage = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
-  const HalfCar car = EquivalentHalfCar(vehicle);
-  const CondensedModel closed = WithSensors(WithGravity(car, linkage.preloads), car, vehicle.sensors);
+void ExpectEqualResponses(const CondensedModel& linkage, const CondensedModel& closed, const Vehicle& vehicle) {
   for (const double rear : {1.0, -1.0}) {
     const Excitation excitation = Rig({1, rear});
     const FrequencyResponse a = SolveHarmonicBalance(linkage, vehicle.sensors, excitation).response;
@@ -161,6 +155,40 @@ TEST(HalfCar, LinkageCarWithLevelArmsHasItsResponse) {
         EXPECT_LT(std::abs(a.Find(name)->response[i] / expected - 1.0), 1e-7) << name;
       }
   }
+}
+
+/// The model without weight, hence without preloads: the stiffness is that of a car without mass, whose rates are the
+/// same.
+CondensedModel Weightless(const Vehicle& vehicle) {
+  const CondensedVehicle condensed(vehicle);
+  CondensedModel model = condensed.At(vehicle.ParameterValues());
+  Vehicle massless = vehicle;
+  for (const char* mass : {"m_sprung", "m_front", "m_rear"}) Set(massless, mass, 0);
+  model.stiffness = condensed.At(massless.ParameterValues()).stiffness;
+  return model;
+}
+
+// The theorem of specification 2.5: with level arms and point masses Model 2 linearises exactly to Model 1 with
+// Is + sum of m h^2. It speaks of rates and masses alone; what weight adds follows below.
+TEST(HalfCar, IsTheLinkageCarWithLevelArmsWithoutWeight) {
+  const Vehicle vehicle = LevelCar();
+  const CondensedModel weightless = Weightless(vehicle);
+  const HalfCar car = EquivalentHalfCar(vehicle);
+  ExpectEqualPoles(weightless, car.Model());
+  ExpectEqualResponses(weightless, WithSensors(car.Model(), car, vehicle.sensors), vehicle);
+}
+
+TEST(HalfCar, LinkageCarWithLevelArmsHasItsPoles) {
+  const Vehicle vehicle = LevelCar();
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  ExpectEqualPoles(model, WithGravity(EquivalentHalfCar(vehicle), model.preloads));
+}
+
+TEST(HalfCar, LinkageCarWithLevelArmsHasItsResponse) {
+  const Vehicle vehicle = LevelCar();
+  const CondensedModel linkage = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  const HalfCar car = EquivalentHalfCar(vehicle);
+  ExpectEqualResponses(linkage, WithSensors(WithGravity(car, linkage.preloads), car, vehicle.sensors), vehicle);
 }
 
 TEST(HalfCar, WithoutTheAxlesDepthThePolesDiffer) {

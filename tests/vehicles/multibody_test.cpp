@@ -1,6 +1,7 @@
 #include "vehicles/multibody.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <gmock/gmock.h>
 
@@ -111,6 +112,47 @@ TEST(Multibody, PostsMoveTheTyres) {
   EXPECT_LT(multibody.StateDerivative(0, multibody.RestState()).norm(), 1e-11);  // rounding of 2 kN on 22 kg
 }
 
+TEST(Multibody, PostsMoveTheTyresAtAnyTime) {
+  const Vehicle vehicle = ShippedVehicle("quarter_car");
+  const std::vector<double> values = vehicle.ParameterValues();
+  Multibody multibody(vehicle);
+  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
+  multibody.SetPostMotion([](double t, std::span<double> height, std::span<double>) { height[0] = 0.01 * t; });
+  for (const double t : {-1.0, 0.0, 1.0, -1.0})
+    // kt z / m_u of the thesis's table: 230 kN/m, 10 mm, 22 kg.
+    EXPECT_NEAR(multibody.StateDerivative(t, multibody.RestState()).tail(2).sum(), 230e3 * 0.01 * t / 22, 1e-9);
+}
+
+TEST(Multibody, KeepsItsPoseThroughNewParameters) {
+  const Vehicle vehicle = ShippedVehicle("landrover110_linkage");
+  const std::vector<double> values = vehicle.ParameterValues();
+  const Preloads preloads = CondensedVehicle(vehicle).PreloadsAt(values);
+  Multibody multibody(vehicle);
+  const int axle = vehicle.joints.back().child;
+  EXPECT_EQ(multibody.LinkPose(axle).translation().x(), -1.456 - 0.444);  // the design pose
+  multibody.SetPose(Eigen::Vector4d(0.01, 0.02, -0.03, 0.04));
+  const Eigen::Matrix4d pose = multibody.LinkPose(axle).matrix();
+  const Eigen::MatrixXd jacobian = multibody.LinkJacobian(axle);
+  multibody.SetParameters(values, preloads);
+  EXPECT_EQ(multibody.LinkPose(axle).matrix(), pose);
+  EXPECT_EQ(multibody.LinkJacobian(axle), jacobian);
+}
+
+TEST(Multibody, RefusesWhatHasAnotherSize) {
+  const Vehicle vehicle = ShippedVehicle("quarter_car");
+  const std::vector<double> values = vehicle.ParameterValues();
+  Multibody multibody(vehicle);
+  const auto refuses = [](const char* message) {
+    return testing::ThrowsMessage<std::invalid_argument>(HasSubstr(message));
+  };
+  const std::vector<double> few(5, 1);
+  EXPECT_THAT(([&] { multibody.SetParameters(few, {{0}, {0}}); }), refuses("each of 6 parameters, has 5"));
+  EXPECT_THAT(([&] { multibody.SetParameters(values, {{}, {0}}); }), refuses("each of 1 springs, has 0"));
+  EXPECT_THAT(([&] { multibody.SetParameters(values, {{0}, {0, 0}}); }), refuses("each of 1 tyres, has 2"));
+  EXPECT_THAT(([&] { multibody.SetPose(Eigen::Vector3d::Zero()); }), refuses("each of 2 coordinates, has 3"));
+  EXPECT_THAT(([&] { multibody.StateDerivative(0, Eigen::Vector3d::Zero()); }), refuses("each of 4 states, has 3"));
+}
+
 TEST(Multibody, NamesALoopThatCannotBeClosed) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
   Ball ball;
@@ -127,6 +169,23 @@ TEST(Multibody, NamesALoopThatCannotBeClosed) {
     EXPECT_THAT(fault.what(), HasSubstr("fp:ball 'too_far'"));
     // Half a metre to the side; up and down the slider can follow.
     EXPECT_THAT(fault.what(), HasSubstr("stay 500 mm apart"));
+  }
+}
+
+// The ball lifts the wheel by 0.4 m to its own height; the rod to the ground is too short to follow.
+TEST(Multibody, NamesARodThatCannotFollowABall) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.balls.push_back({.name = "hinge", .parent = {0, {0, 0, 0.7}}, .child = {1, {0, 0, 0}}, .source_line = 17});
+  vehicle.rods.push_back({.name = "strap", .parent = {0, {0, 0, 0.1}}, .child = {1, {0, 0, 0}}, .source_line = 18});
+  try {
+    const Multibody multibody(vehicle);
+    FAIL() << "the loop was closed";
+  } catch (const FaultyInput& fault) {
+    EXPECT_THAT(fault.what(),
+                HasSubstr(":17: error: the loop cannot be closed: the two points of fp:ball 'hinge' stay"));
+    EXPECT_THAT(fault.what(),
+                HasSubstr(":18: error: the loop cannot be closed: the two points of fp:rod 'strap' stay"));
+    EXPECT_THAT(fault.what(), HasSubstr("too far apart for it"));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "identify/option_check.h"
+#include "analysis/option_check.h"
 
 #include <limits>
 #include <stdexcept>
