@@ -26,6 +26,8 @@ struct VehicleSummary {
   /// Static, in the order of Vehicle::tyres.
   std::vector<CornerLoad> corner_loads;
   std::vector<Mode> modes;
+  /// Largest real part of all poles, oscillating or not [1/s]: above zero the design pose is unstable.
+  double growth_rate = 0;
 };
 
 /// Throws FaultyInput when the vehicle cannot be assembled or held in its design pose.

@@ -74,6 +74,8 @@ void ReplaceParameters(const XMLElement& robot, const Vehicle& vehicle, std::spa
       const std::optional<Quantity> written = ParseQuantity(Trimmed(AttributeText(*element, "value").value_or("")));
       if (!written || written->si != values[i])
         edits.Replace(*element, "value", FormatQuantity(values[i], vehicle.parameters[i].unit));
+      if (AttributeText(*element, "source") != vehicle.parameters[i].source)
+        edits.Replace(*element, "source", vehicle.parameters[i].source);
     }
   }
 }

@@ -12,6 +12,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A free motion has a double pole at zero, which rounding moves by the root of 1e-16 times some 100 / s.
+constexpr double kNoGrowth_per_s = 1e-4;
+
+bool IsStable(const VehicleSummary& summary) { return summary.growth_rate < kNoGrowth_per_s; }
+
+/// What is odd about the vehicle, for stderr.
+void Warn(const Vehicle& vehicle, const VehicleSummary& summary) {
+  Diagnostics odd;
+  if (!IsStable(summary))
+    odd.Warning(vehicle.file, 0,
+                "the vehicle is unstable in its design pose: a motion grows by exp(" + Rounded(summary.growth_rate, 3) +
+                    " t); check positions, axes and rates");
+  const std::size_t missing =
+      static_cast<std::size_t>(summary.dof) - std::min(summary.modes.size(), static_cast<std::size_t>(summary.dof));
+  if (missing > 0)
+    odd.Warning(vehicle.file, 0,
+                std::to_string(missing) + " of " + std::to_string(summary.dof) +
+                    " motions do not oscillate: overdamped, or held by no spring");
+  Tell(odd);
+}
+
 std::string AsJson(const Vehicle& vehicle, const VehicleSummary& summary) {
   Json loads = Json::array();
   for (const auto& load : summary.corner_loads) loads.push_back({{"name", load.tyre}, {"load_N", load.load_N}});
@@ -26,10 +47,10 @@ std::string AsJson(const Vehicle& vehicle, const VehicleSummary& summary) {
                           {"lower", parameter.lower},
                           {"upper", parameter.upper},
                           {"source", parameter.source}});
-  const Json json = {{"name", vehicle.name},    {"dof", summary.dof},
-                     {"mass", summary.mass_kg}, {"com", {summary.com.x(), summary.com.y(), summary.com.z()}},
-                     {"corner_loads", loads},   {"modes", modes},
-                     {"parameters", parameters}};
+  const Json json = {{"name", vehicle.name},        {"dof", summary.dof},
+                     {"mass", summary.mass_kg},     {"com", {summary.com.x(), summary.com.y(), summary.com.z()}},
+                     {"corner_loads", loads},       {"modes", modes},
+                     {"stable", IsStable(summary)}, {"parameters", parameters}};
   return json.dump(2) + '\n';
 }
 
@@ -47,10 +68,10 @@ std::string AsText(const Vehicle& vehicle, const VehicleSummary& summary) {
   TextTable modes({"mode", "Hz", "damping ratio"});
   for (const Mode& mode : summary.modes)
     modes.Add({mode.name, Rounded(mode.frequency_Hz, 4), Rounded(mode.damping_ratio, 3)});
-  TextTable parameters({"parameter", "value", "range", "source"});
+  TextTable parameters({"parameter", "value", "unit", "range", "source"});
   for (const Parameter& parameter : vehicle.parameters)
-    parameters.Add(
-        {parameter.name, FormatQuantity(parameter.value, parameter.unit), Range(parameter), parameter.source});
+    parameters.Add({parameter.name, InUnit(parameter.value, parameter.unit, 5), parameter.unit, Range(parameter),
+                    parameter.source});
   return text + loads.Format() + '\n' + modes.Format() + '\n' + parameters.Format();
 }
 
@@ -62,6 +83,7 @@ int Run(const CheckCommand& command) {
   if (!vehicle) throw FaultyInput(diagnostics);
   Tell(diagnostics);
   const VehicleSummary summary = Summarise(*vehicle, vehicle->ParameterValues());
+  Warn(*vehicle, summary);
   Print(command.json ? AsJson(*vehicle, summary) : AsText(*vehicle, summary));
   return kGood;
 }

@@ -51,20 +51,18 @@ FitResult FitWithProgress(const FourPostObjective& objective, const FitOptions& 
   return Fit(objective, options, hooks);
 }
 
-/// In the unit of the vehicle file; as many decimals as the deviation makes sense of.
-std::string InUnit(double value, const std::string& unit) {
-  return Rounded(value / ParseUnit(unit.empty() ? "1" : unit)->si, 4);
-}
+/// In the unit of the vehicle file, at the digits that deviations of some per mille make sense of.
+std::string Shown(double value, const std::string& unit) { return InUnit(value, unit, 4); }
 
 std::string Deviation(const FittedParameter& parameter) {
-  return std::isinf(parameter.sd) ? "undetermined" : InUnit(parameter.sd, parameter.unit);
+  return std::isinf(parameter.sd) ? "undetermined" : Shown(parameter.sd, parameter.unit);
 }
 
 std::string ParameterTable(const std::vector<FittedParameter>& parameters) {
   TextTable table({"parameter", "start", "fitted", "sd", "lower", "upper", "unit", ""});
   for (const FittedParameter& p : parameters)
-    table.Add({p.name, InUnit(p.start, p.unit), InUnit(p.value, p.unit), Deviation(p), InUnit(p.lower, p.unit),
-               InUnit(p.upper, p.unit), p.unit, p.at_bound ? "at its bound" : ""});
+    table.Add({p.name, Shown(p.start, p.unit), Shown(p.value, p.unit), Deviation(p), Shown(p.lower, p.unit),
+               Shown(p.upper, p.unit), p.unit, p.at_bound ? "at its bound" : ""});
   return table.Format();
 }
 
@@ -120,6 +118,22 @@ int CodeOf(FitEnd end) {
   return kNotGood;
 }
 
+/// The vehicle, its fitted parameters telling where their values come from.
+Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit) {
+  constexpr std::string_view kFitted = "fitted: ";
+  Vehicle vehicle = loaded.vehicle;
+  for (std::size_t i = 0; i < loaded.free.size(); ++i) {
+    Parameter& parameter = vehicle.parameters[loaded.free[i]];
+    const FittedParameter& fitted = fit.parameters[i];
+    std::string source = std::string(kFitted) + loaded.study.file.filename().string() + ", seed " +
+                         std::to_string(seed) + ", sd " + Deviation(fitted) + " " + fitted.unit + "; was " +
+                         Shown(fitted.start, fitted.unit) + " " + fitted.unit;
+    if (!parameter.source.starts_with(kFitted)) source += ", " + parameter.source;
+    parameter.source = source;
+  }
+  return vehicle;
+}
+
 /// All that the folder will hold, and what is shown.
 struct FitReport {
   std::string result_json;
@@ -140,7 +154,7 @@ FitReport Report(const LoadedStudy& loaded, const FourPostObjective& objective, 
   const std::vector<FrequencyResponse> modelled = ModelledResponses(model, sensors, runs);
   const std::vector<ChannelMisfit> misfits = Misfits(in_band, ModelledResponses(model, sensors, in_band));
   return {.result_json = ResultJson(loaded, seed, fit, misfits, model.preloads.tyre),
-          .vehicle = VehicleTextWithValues(loaded.vehicle, fit.values, folder),
+          .vehicle = VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, folder),
           .response_csv = ResponseCsv(runs, modelled, lower, upper),
           .response_svg = ResponseSvg(runs, modelled, misfits, lower, upper),
           .text = ParameterTable(fit.parameters) + '\n' + MisfitTable(misfits) + '\n' +

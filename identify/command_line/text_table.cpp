@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "analysis/units.h"
+
 namespace fourpost {
 namespace {
 
@@ -12,6 +14,11 @@ namespace {
 std::size_t Width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// Begins as a number does, or is what stands for one.
+bool IsNumber(const std::string& text) {
+  return !text.empty() && (text.find_first_of("-+0123456789") == 0 || text == "inf" || text == "undetermined");
 }
 
 }  // namespace
@@ -25,6 +32,8 @@ void TextTable::Add(std::vector<std::string> row) {
 
 std::string TextTable::Format() const {
   std::vector<std::size_t> widths(rows_.front().size(), 0);
+  std::vector<bool> numbers;
+  for (std::size_t c = 0; c < widths.size(); ++c) numbers.push_back(rows_.size() > 1 && IsNumber(rows_[1][c]));
   for (const auto& row : rows_)
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], Width(row[c]));
   std::string text;
@@ -32,7 +41,7 @@ std::string TextTable::Format() const {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) {
       const std::string padding(widths[c] - Width(row[c]), ' ');
-      line += c == 0 ? row[c] + padding : "  " + padding + row[c];
+      line += (c == 0 ? "" : "  ") + (numbers[c] ? padding + row[c] : row[c] + padding);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';
@@ -47,6 +56,10 @@ std::string Rounded(double value, int digits) {
   if (decimals > 9 || decimals < -9) std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
   else std::snprintf(text, sizeof text, "%.*f", std::max(decimals, 0), value);
   return text;
+}
+
+std::string InUnit(double si, const std::string& unit, int digits) {
+  return Rounded(si / ParseUnit(unit.empty() ? "1" : unit)->si, digits);
 }
 
 }  // namespace fourpost

@@ -5,7 +5,7 @@
 
 namespace fourpost {
 
-/// A table for the terminal: the first column to the left, numbers to the right, columns as wide as they need to be.
+/// A table for the terminal: columns of numbers to the right, of words to the left, as wide as they need to be.
 class TextTable {
  public:
   explicit TextTable(std::vector<std::string> head);
@@ -22,5 +22,8 @@ class TextTable {
 
 /// A number with this many significant digits, without an exponent in everyday ranges: "12.3", "0.0123".
 std::string Rounded(double value, int digits);
+
+/// The same of an SI number in a unit such as "kN/m", which is not shown; "" is a pure number.
+std::string InUnit(double si, const std::string& unit, int digits);
 
 }  // namespace fourpost

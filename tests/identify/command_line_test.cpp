@@ -129,6 +129,18 @@ TEST_F(CommandLine, CheckTellsLoadsAndModes) {
   EXPECT_THAT(Run("check urdf/quarter_car.urdf").out, HasSubstr("wheel hop"));
 }
 
+TEST_F(CommandLine, CheckWarnsOfAnUnstableVehicle) {
+  // A tyre's point far below an arm that turns: its load swings with the arm.
+  ReplaceIn(kVehicle, "<fp:tyre name=\"front_tyre\" link=\"front_axle\" xyz=\"0.870 0 -0.075\"",
+            "<fp:tyre name=\"front_tyre\" link=\"front_axle\" xyz=\"0.870 0 -15\"");
+  const Outcome outcome = Run("check urdf/landrover110_linkage.urdf --json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_FALSE(Json::parse(outcome.out)["stable"]);
+  EXPECT_THAT(outcome.err, HasSubstr("warning: the vehicle is unstable in its design pose"));
+  EXPECT_THAT(outcome.err, HasSubstr("of 4 motions do not oscillate"));
+  EXPECT_TRUE(Json::parse(Run("check urdf/quarter_car.urdf --json").out)["stable"]);
+}
+
 TEST_F(CommandLine, ResponseTellsTheMisfitOfTheVehicleAsItIs) {
   const Outcome text = Run("response studies/landrover110/model2.yaml");
   ASSERT_EQ(text.code, 0) << text.err;

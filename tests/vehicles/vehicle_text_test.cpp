@@ -63,6 +63,14 @@ TEST_F(VehicleText, FollowsTheTextNotTheValuesBesideIt) {
   EXPECT_THAT(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), folder_), HasSubstr(R"(value="16 N/mm")"));
 }
 
+TEST_F(VehicleText, TellsWhereAValueComesFrom) {
+  Vehicle vehicle = Read(kSmallVehicle).value();
+  const std::vector<double> values = vehicle.ParameterValues();
+  EXPECT_EQ(VehicleTextWithValues(vehicle, values, folder_), kSmallVehicle);
+  vehicle.parameters[2].source = "fitted & checked";
+  EXPECT_THAT(VehicleTextWithValues(vehicle, values, folder_), HasSubstr(R"(source="fitted &amp; checked")"));
+}
+
 TEST_F(VehicleText, MovesMeshes) {
   const std::filesystem::path file = std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / "quarter_car.urdf";
   const Vehicle vehicle = ReadVehicle(file, diagnostics_).value();
