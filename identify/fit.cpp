@@ -113,7 +113,7 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
   Archive archive(Watched(objective, lowest), options.threads);
   const std::function<bool()> stop = hooks.stop ? hooks.stop : [] { return false; };
   const auto report = [&](std::string_view stage) {
-    const EvaluationCounts counts = archive.counts();
+    const EvaluationCounts& counts = archive.counts();
     if (hooks.progress) hooks.progress({stage, lowest.value(), counts.paid, counts.reused, counts.failed()});
   };
 

@@ -15,7 +15,7 @@ namespace {
 
 /// The nearest legal key, or all of them.
 std::string Suggestion(const std::string& key, const std::vector<std::string_view>& keys) {
-  const std::string nearest = DidYouMean(key, keys);
+  std::string nearest = DidYouMean(key, keys);
   if (!nearest.empty()) return nearest;
   std::string legal;
   for (const std::string_view name : keys) legal += (legal.empty() ? "; legal: " : ", ") + std::string(name);

@@ -117,6 +117,14 @@ CondensedModel SensorRows(const Kinematics& pose, const Vehicle& vehicle, Eigen:
   return rows;
 }
 
+Diagnostics RigidityFault(const Vehicle& vehicle) {
+  Diagnostics faults;
+  faults.Error(
+      vehicle.file, 0,
+      "nothing can move: the vehicle has no joint but fixed ones, or fp:rod and fp:ball take all freedom away");
+  return faults;
+}
+
 }  // namespace
 
 CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
@@ -124,6 +132,7 @@ CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
   Multibody multibody(vehicle);
   Chart chart(multibody);
   size_ = chart.size();
+  if (size_ == 0) throw FaultyInput(RigidityFault(vehicle));
   const Curvatures curvatures = CurvaturesOf(multibody, chart);
   const Kinematics pose(multibody, chart.MoveTo(Eigen::VectorXd::Zero(size_)));
   const Gradients gradients = GradientsIn(pose, vehicle);

@@ -25,8 +25,9 @@ namespace fourpost {
 /// Immutable after construction; one object serves any number of threads.
 class CondensedVehicle {
  public:
-  /// Throws FaultyInput when the loops cannot be assembled, or when weights and given preloads have no static
-  /// equilibrium in the design pose, at the file's values or within the bounds of its parameters (names the elements).
+  /// Throws FaultyInput when the loops cannot be assembled, when nothing can move, or when weights and given preloads
+  /// have no static equilibrium in the design pose, at the file's values or within the bounds of its parameters (names
+  /// the elements).
   explicit CondensedVehicle(const Vehicle& vehicle);
 
   /// Degrees of freedom.

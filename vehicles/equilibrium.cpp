@@ -72,14 +72,14 @@ std::string Followers(int index, const std::vector<GivenForce>& forces, const Ei
   for (const GivenForce& force : forces) {
     if (force.size.parameter != index || IsHeld(force.direction, holders)) continue;
     const bool is_weight = force.kind == GivenForce::Kind::kWeight;
-    names += (names.empty() ? "" : " and ") + std::string(is_weight ? "the weight of " : "the preload of ") +
-             force.element;
+    names +=
+        (names.empty() ? "" : " and ") + std::string(is_weight ? "the weight of " : "the preload of ") + force.element;
   }
   return names;
 }
 
-void ReportFreeParameters(const Vehicle& vehicle, const std::vector<GivenForce>& forces,
-                          const Eigen::MatrixXd& holders, Diagnostics& faults) {
+void ReportFreeParameters(const Vehicle& vehicle, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders,
+                          Diagnostics& faults) {
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
     const Parameter& parameter = vehicle.parameters[i];
     if (!(parameter.lower < parameter.upper)) continue;
@@ -87,7 +87,8 @@ void ReportFreeParameters(const Vehicle& vehicle, const std::vector<GivenForce>&
     if (followers.empty()) continue;
     faults.Error(vehicle.file, parameter.line,
                  "no static equilibrium but at one value of fp:parameter '" + parameter.name + "': " + followers +
-                     " follows it, but no " + kHolder + " makes up for that; add one, or remove the parameter's bounds");
+                     " follows it, but no " + kHolder +
+                     " makes up for that; add one, or remove the parameter's bounds");
   }
 }
 

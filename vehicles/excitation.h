@@ -14,7 +14,8 @@ struct Excitation {
   /// One per post: how far it moves relative to the reference, negative for opposite phase.
   std::vector<double> shape;
 
-  /// Throws std::invalid_argument naming the field that has a wrong size, or a value that is not finite or not positive.
+  /// Throws std::invalid_argument naming the field that has a wrong size, or a value that is not finite or not
+  /// positive.
   void Validate(std::size_t post_count) const;
 };
 

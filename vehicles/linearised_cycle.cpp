@@ -19,7 +19,7 @@ LinearisedCycle::LinearisedCycle(const CondensedModel& model, const std::vector<
       dashpots_(static_cast<Eigen::Index>(model.dashpots.size())) {
   directions_.resize(model.mass.rows(), dashpots_);
   for (Eigen::Index j = 0; j < dashpots_; ++j) directions_.col(j) = Dashpot(j).direction;
-  const auto harmonics = static_cast<std::size_t>(options.harmonics + 1);
+  const auto harmonics = static_cast<std::size_t>(options.harmonics) + 1;
   compliance_.resize(harmonics);
   mobility_.resize(harmonics);
   series_share_.assign(harmonics, Eigen::VectorXcd(dashpots_));

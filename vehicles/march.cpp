@@ -74,8 +74,8 @@ class SteadyState {
     harmonics_ = latest;
   }
 
-  /// Whether mean and first harmonic of each sensor are those of the window before. A mean may be next to nothing: it is
-  /// compared with the first harmonic where that is larger.
+  /// Whether mean and first harmonic of each sensor are those of the window before. A mean may be next to nothing: it
+  /// is compared with the first harmonic where that is larger.
   bool Repeats(const SensorHarmonics& latest) const {
     const Eigen::ArrayXXd change = (latest - harmonics_).leftCols<2>().cwiseAbs();
     const Eigen::ArrayXXd size = latest.leftCols<2>().cwiseAbs();

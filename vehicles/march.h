@@ -14,8 +14,8 @@ struct MarchOptions {
   /// Relative accuracy of the Runge-Kutta-Merson integrator. Simbody weighs states by about 1 (m, rad) while the rig
   /// moves them by millimetres, hence the small number.
   double accuracy = 1e-8;
-  /// Steady when, from one window to the next, the first harmonic of no sensor changes by more than this share of itself,
-  /// and no mean by more than this share of itself or of the sensor's first harmonic, whichever is larger.
+  /// Steady when, from one window to the next, the first harmonic of no sensor changes by more than this share of
+  /// itself, and no mean by more than this share of itself or of the sensor's first harmonic, whichever is larger.
   double tolerance = 1e-5;
   /// Shortest window of whole cycles [s]: long against the decay of body modes within one cycle at high frequency.
   double window_s = 0.5;

@@ -1,17 +1,16 @@
 #include "vehicles/multibody.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include <Eigen/QR>
 
 #include "analysis/diagnostics.h"
-#include "analysis/units.h"
 #include "vehicles/count_check.h"
 #include "vehicles/force_elements.h"
 #include "vehicles/gravity.h"
+#include "vehicles/loop_gaps.h"
 #include "vehicles/simbody_bodies.h"
 
 namespace fourpost {
@@ -42,7 +41,6 @@ struct Multibody::Impl {
   void AddSensors();
   BodyLine MakeLine(const ForceLine& line);
   void AssembleDesignPose();
-  Diagnostics GapFaults();
   double Distance(const Point& a, const Point& b);
   void MeasureDesign();
   void CreateState();
@@ -109,7 +107,8 @@ BodyLine Multibody::Impl::MakeLine(const ForceLine& line) {
 }
 
 void Multibody::Impl::AddForces() {
-  SimTK::Force::Gravity(forces, matter, -SimTK::ZAxis, kGravity);
+  // A handle; the system owns the force.
+  const SimTK::Force::Gravity gravity(forces, matter, -SimTK::ZAxis, kGravity);
   // The elements keep references into these vectors: they must have their final size first.
   for (const Spring& spring : vehicle.springs) springs.push_back({.line = MakeLine(spring.line)});
   for (const Damper& damper : vehicle.dampers)
@@ -169,31 +168,8 @@ void Multibody::Impl::AssembleDesignPose() {
     design_pose -= ToEigen(g).completeOrthogonalDecomposition().solve(error);
     if (!design_pose.allFinite() || design_pose.lpNorm<Eigen::Infinity>() > 1e3) break;
   }
-  throw FaultyInput(GapFaults());
-}
-
-/// Where the loops stay open, in the pose at which the assembly gave up.
-Diagnostics Multibody::Impl::GapFaults() {
-  // Closed to the accuracy of a drawing by far; what remains open is open by more.
-  constexpr double kGap_m = 1e-9;
-  Diagnostics faults;
-  const auto report = [&](int line, const std::string& element, double gap, const std::string& how) {
-    if (gap < kGap_m) return;
-    faults.Error(vehicle.file, line,
-                 "the loop cannot be closed: the two points of " + element + " stay " +
-                     FormatQuantity(std::round(gap * 1e6) * 1e-6, "mm") + " " + how +
-                     "; correct their positions or the joints between them");
-  };
-  for (const Ball& ball : vehicle.balls)
-    report(ball.source_line, "fp:ball '" + ball.name + "'", Distance(ball.parent, ball.child), "apart");
-  for (std::size_t i = 0; i < vehicle.rods.size(); ++i) {
-    const Rod& rod = vehicle.rods[i];
-    const double excess = Distance(rod.parent, rod.child) - rod_lengths[i];
-    report(rod.source_line, "fp:rod '" + rod.name + "'", std::abs(excess),
-           excess > 0 ? "too far apart for it" : "too near for it");
-  }
-  if (!faults.HasErrors()) faults.Error(vehicle.file, 0, "the loops of fp:ball and fp:rod cannot be closed");
-  return faults;
+  const auto distance = [this](const Point& parent, const Point& child) { return Distance(parent, child); };
+  throw FaultyInput(LoopGapFaults(vehicle, rod_lengths, distance));
 }
 
 double Multibody::Impl::Distance(const Point& a, const Point& b) {
@@ -221,7 +197,8 @@ void Multibody::Impl::MeasureDesign() {
 }
 
 void Multibody::Impl::SetState(double t, const Eigen::VectorXd& y) {
-  RequireCount("Multibody: state", "states", static_cast<std::size_t>(state.getNY()), static_cast<std::size_t>(y.size()));
+  RequireCount("Multibody: state", "states", static_cast<std::size_t>(state.getNY()),
+               static_cast<std::size_t>(y.size()));
   state.setTime(t);
   SimTK::Vector& target = state.updY();
   for (int i = 0; i < y.size(); ++i) target[i] = y[i];

@@ -59,7 +59,7 @@ std::vector<TagRule> MakeParameterTags() {
                       {.name = "value", .kind = Kind::kQuantity, .doc = "the number, with the unit it is shown in"},
                       Bound("lower", "least value of a search"),
                       Bound("upper", "greatest value of a search"),
-                      Bound("precision", "step of a search, above zero"),
+                      Bound("precision", "step of a search, above zero and at most upper - lower"),
                       {.name = "source", .doc = "where the value comes from"}}},
       {.path = "fp:parameter/fp:bind",
        .doc = "Ties a number of the tree to the parameter. The tree's number must equal factor times value.",
@@ -101,7 +101,9 @@ std::vector<TagRule> MakeForceTags() {
        .doc = "A spring in line with the damper, such as its top mount. The damper's rates must be above zero then.",
        .attributes = {Stiffness("force per deflection", Sign::kPositive)}},
       {.path = "fp:tyre",
-       .doc = "A vertical spring and damper between a point of a link and the platform under it.",
+       .doc = "A vertical spring and damper between a point of a link and the platform under it. Put the point at the "
+              "wheel's "
+              "centre where the link turns, as on an arm: a tyre stays upright, but a point at its foot would swing.",
        .attributes = {kNameRule,
                       kLinkRule,
                       kXyzRule,

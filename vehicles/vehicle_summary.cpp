@@ -19,7 +19,7 @@ VehicleSummary Summarise(const Vehicle& vehicle, std::span<const double> paramet
   for (std::size_t i = 0; i < vehicle.tyres.size(); ++i)
     summary.corner_loads.push_back({vehicle.tyres[i].name, preloads.tyre[i]});
   summary.modes = ModesOf(condensed, parameters);
-  if (summary.dof > 0) summary.growth_rate = StateMatrix(condensed.At(parameters)).eigenvalues().real().maxCoeff();
+  summary.growth_rate = StateMatrix(condensed.At(parameters)).eigenvalues().real().maxCoeff();
   return summary;
 }
 

@@ -15,7 +15,10 @@ std::string Fault(const std::filesystem::path& file) {
 
 TEST(TextFile, IsReadByteForByte) {
   const TemporaryFolder folder;
-  const std::string bytes("\xEF\xBB\xBF" "a\r\n\0b", 8);
+  const std::string bytes(
+      "\xEF\xBB\xBF"
+      "a\r\n\0b",
+      8);
   Diagnostics diagnostics;
   EXPECT_EQ(ReadTextFile(folder.Write("t.txt", bytes), diagnostics), bytes);
   EXPECT_EQ(diagnostics.Format(), "");

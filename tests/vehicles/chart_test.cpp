@@ -48,8 +48,8 @@ void ExpectGradientOfDifferences(const Vehicle& vehicle, const Measure& measure)
   ASSERT_EQ(gradient.size(), chart.size());
   for (int i = 0; i < chart.size(); ++i) {
     const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(chart.size(), i);
-    const double difference = (ValueAt(multibody, chart, s + step, measure) -
-                               ValueAt(multibody, chart, s - step, measure)) / (2 * kStep);
+    const double difference =
+        (ValueAt(multibody, chart, s + step, measure) - ValueAt(multibody, chart, s - step, measure)) / (2 * kStep);
     EXPECT_NEAR(gradient[i], difference, kTolerance) << "coordinate " << i;
   }
 }
@@ -60,14 +60,11 @@ void ExpectGradientsOfDifferences(const Vehicle& vehicle) {
   for (const Damper& damper : vehicle.dampers)  // the rear one acts along the line between its ends
     ExpectGradientOfDifferences(vehicle, [&](const Kinematics& pose) { return pose.LineLength(damper.line); });
   for (const Tyre& tyre : vehicle.tyres)
-    ExpectGradientOfDifferences(vehicle, [&](const Kinematics& pose) {
-      return pose.Position(tyre.point, Eigen::Vector3d(0.6, 0, 0.8));
-    });
+    ExpectGradientOfDifferences(
+        vehicle, [&](const Kinematics& pose) { return pose.Position(tyre.point, Eigen::Vector3d(0.6, 0, 0.8)); });
 }
 
-TEST(Kinematics, HasTheGradientsOfDifferences) {
-  ExpectGradientsOfDifferences(ShippedVehicle("landrover110_linkage"));
-}
+TEST(Kinematics, HasTheGradientsOfDifferences) { ExpectGradientsOfDifferences(ShippedVehicle("landrover110_linkage")); }
 
 TEST(Kinematics, HasTheGradientsOfDifferencesAlongALoop) { ExpectGradientsOfDifferences(TiedCar()); }
 

@@ -29,31 +29,43 @@ TEST(Excitation, OfOneShapePerPostIsGood) {
 }
 
 TEST(Excitation, NeedsAnAmplitudePerFrequency) {
-  EXPECT_THAT(([] { Excitation{{1, 2}, {0.01}, {1}}.Validate(1); }),
+  EXPECT_THAT(([] {
+                Excitation{{1, 2}, {0.01}, {1}}.Validate(1);
+              }),
               Refuses("Excitation: amplitude_m: needs a value for each of 2 frequencies, has 1"));
 }
 
 TEST(Excitation, NeedsAShapePerPost) {
-  EXPECT_THAT(([] { Excitation{{1}, {0.01}, {1}}.Validate(2); }),
+  EXPECT_THAT(([] {
+                Excitation{{1}, {0.01}, {1}}.Validate(2);
+              }),
               Refuses("Excitation: shape: needs a value for each of 2 posts, has 1"));
 }
 
 TEST(Excitation, NeedsPositiveFiniteFrequencies) {
   for (const double bad : {0.0, -1.0, kNan, kInfinity})
-    EXPECT_THAT(([&] { Excitation{{1, bad}, {0.01, 0.01}, {1}}.Validate(1); }),
+    EXPECT_THAT(([&] {
+                  Excitation{{1, bad}, {0.01, 0.01}, {1}}.Validate(1);
+                }),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("Excitation: frequency_Hz[1] = ")));
 }
 
 TEST(Excitation, NeedsPositiveFiniteAmplitudes) {
-  EXPECT_THAT(([] { Excitation{{1}, {0}, {1}}.Validate(1); }),
+  EXPECT_THAT(([] {
+                Excitation{{1}, {0}, {1}}.Validate(1);
+              }),
               Refuses("Excitation: amplitude_m[0] = 0, must be positive and finite"));
   for (const double bad : {-0.01, kNan, kInfinity})
-    EXPECT_THAT(([&] { Excitation{{1}, {bad}, {1}}.Validate(1); }),
+    EXPECT_THAT(([&] {
+                  Excitation{{1}, {bad}, {1}}.Validate(1);
+                }),
                 ThrowsMessage<std::invalid_argument>(HasSubstr("Excitation: amplitude_m[0] = ")));
 }
 
 TEST(Excitation, NeedsAFiniteShape) {
-  EXPECT_THAT(([] { Excitation{{1}, {0.01}, {1, kNan}}.Validate(2); }),
+  EXPECT_THAT(([] {
+                Excitation{{1}, {0.01}, {1, kNan}}.Validate(2);
+              }),
               ThrowsMessage<std::invalid_argument>(HasSubstr("Excitation: shape[1] = ")));
 }
 
@@ -73,7 +85,9 @@ TEST(Excitation, BalanceNeedsTheModelsSensors) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
   const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
   vehicle.sensors.push_back(vehicle.sensors.front());
-  EXPECT_THAT(([&] { SolveHarmonicBalance(model, vehicle.sensors, {{1}, {0.01}, {1}}); }),
+  EXPECT_THAT(([&] {
+                SolveHarmonicBalance(model, vehicle.sensors, {{1}, {0.01}, {1}});
+              }),
               Refuses("SolveHarmonicBalance: needs a value for each of 6 sensors of the model, has 7"));
 }
 

@@ -1,0 +1,42 @@
+#include "vehicles/loop_gaps.h"
+
+#include <cmath>
+#include <string>
+
+#include "analysis/units.h"
+
+namespace fourpost {
+namespace {
+
+/// `excess`: distance of the points above what the closure allows [m].
+std::string GapText(const std::string& element, double excess, const std::string& how) {
+  return "the loop cannot be closed: the two points of " + element + " stay " +
+         FormatQuantity(std::round(std::abs(excess) * 1e6) * 1e-6, "mm") + " " + how +
+         "; correct their positions or the joints between them";
+}
+
+}  // namespace
+
+Diagnostics LoopGapFaults(const Vehicle& vehicle, const std::vector<double>& rod_lengths,
+                          const std::function<double(const Point&, const Point&)>& distance) {
+  // A thousand times what a closed loop leaves, a thousandth of what is printed.
+  constexpr double kGap_m = 1e-9;
+  Diagnostics faults;
+  for (const Ball& ball : vehicle.balls) {
+    const double gap = distance(ball.parent, ball.child);
+    if (gap > kGap_m)
+      faults.Error(vehicle.file, ball.source_line, GapText("fp:ball '" + ball.name + "'", gap, "apart"));
+  }
+  for (std::size_t i = 0; i < vehicle.rods.size(); ++i) {
+    const Rod& rod = vehicle.rods[i];
+    const double excess = distance(rod.parent, rod.child) - rod_lengths[i];
+    if (std::abs(excess) > kGap_m)
+      faults.Error(
+          vehicle.file, rod.source_line,
+          GapText("fp:rod '" + rod.name + "'", excess, excess > 0 ? "too far apart for it" : "too near for it"));
+  }
+  if (!faults.HasErrors()) faults.Error(vehicle.file, 0, "the loops of fp:ball and fp:rod cannot be closed");
+  return faults;
+}
+
+}  // namespace fourpost
