@@ -1,15 +1,24 @@
 #include "identify/command_line/interrupt.h"
 
 #include <csignal>
+#include <ctime>
 
 namespace fourpost {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+volatile std::time_t first_time = 0;
 
 void AskToStop(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
+  const std::time_t now = std::time(nullptr);
+  if (interrupted == 0) {
+    interrupted = 1;
+    first_time = now;
+  } else if (now - first_time > 1) {
+    // Programs such as timeout(1) send one interrupt twice, to the process and to its group.
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 }  // namespace

@@ -2,7 +2,8 @@
 
 namespace fourpost {
 
-/// From now on the first Ctrl-C (or SIGTERM) only asks to stop; a second one ends the program at once.
+/// From now on the first Ctrl-C (or SIGTERM) only asks to stop; another one, two seconds
+/// later or more, ends the program at once.
 void CatchInterrupts();
 
 /// Whether the user asked to stop.

@@ -282,7 +282,7 @@ TEST_F(CommandLine, TellsWhenStdoutIsFull) { EXPECT_EQ(Run("check urdf/quarter_c
 
 TEST_F(CommandLine, AnInterruptedFitKeepsTheBestSoFar) {
   ReplaceIn(kStudy, "evaluations: 300", "evaluations: 100000000");
-  // The first signal asks to stop; `timeout` sends it while the search runs.
+  // `timeout` interrupts while the search runs, sometimes twice: the process and its group.
   const Outcome outcome = RunShell(std::string("timeout --preserve-status -s INT 2 '") + FOURPOST_PROGRAM +
                                    "' fit studies/landrover110/model2.yaml -o result");
   EXPECT_EQ(outcome.code, 130) << outcome.err;

@@ -181,15 +181,6 @@ TEST(CondensedVehicle, RestsOnARodInTheMultibody) {
   EXPECT_LT(multibody.StateDerivative(0, multibody.RestState()).norm(), 1e-9);
 }
 
-std::string Fault(const Vehicle& vehicle) {
-  try {
-    const CondensedVehicle condensed(vehicle);
-  } catch (const FaultyInput& fault) {
-    return fault.what();
-  }
-  return "";
-}
-
 TEST(CondensedVehicle, TellsThatNothingCanMove) {
   Vehicle welded = ShippedVehicle("quarter_car");
   for (Joint& joint : welded.joints) joint.type = Joint::Type::kFixed;

@@ -33,15 +33,6 @@ Vehicle QuarterCarWith(std::optional<double> tension, std::optional<double> load
   return vehicle;
 }
 
-std::string Fault(const Vehicle& vehicle) {
-  try {
-    const CondensedVehicle condensed(vehicle);
-  } catch (const FaultyInput& fault) {
-    return fault.what();
-  }
-  return "";
-}
-
 TEST(Equilibrium, MayHaveEveryPreloadGiven) {
   const Vehicle given = QuarterCarWith(kSpringTension, kTyreLoad);
   const Vehicle found = QuarterCarWith({}, {});

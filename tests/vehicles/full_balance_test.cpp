@@ -9,9 +9,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/vehicles/quarter_cars.h"
 #include "tests/vehicles/recorded_rig.h"
-#include "tests/vehicles/shipped_vehicle.h"
-#include "vehicles/quarter_car.h"
 
 namespace fourpost {
 namespace {
@@ -22,23 +21,9 @@ using testing::IsEmpty;
 
 Excitation QuarterCarSine() { return {{0.7, 1.2, 2.5, 6, 15, 30}, {0.012, 0.012, 0.010, 0.005, 0.001, 3e-4}, {1}}; }
 
-Vehicle BilinearQuarterCar() {
-  Vehicle vehicle = ShippedVehicle("quarter_car");
-  Set(vehicle, "c_bump", 800);
-  Set(vehicle, "c_rebound", 2600);
-  return vehicle;
-}
-
 TEST(FullBalance, EqualsTheClosedResponseOfALinearQuarterCar) {
-  const QuarterCar car = {
-      .sprung_mass = 200, .unsprung_mass = 22, .stiffness = 15e3, .tyre_stiffness = 230e3, .damper = {1500, 1500}};
-  Vehicle vehicle = ShippedVehicle("quarter_car");
-  Set(vehicle, "m_sprung", car.sprung_mass);
-  Set(vehicle, "m_unsprung", car.unsprung_mass);
-  Set(vehicle, "k", car.stiffness);
-  Set(vehicle, "kt", car.tyre_stiffness);
-  Set(vehicle, "c_bump", car.damper.compression);
-  Set(vehicle, "c_rebound", car.damper.rebound);
+  const QuarterCar car = ThesisCar();
+  const Vehicle vehicle = Describe(car);
   Prepared prepared(vehicle);
   const Excitation excitation = QuarterCarSine();
   const PeriodicResponse balanced = prepared.Full(excitation);
@@ -84,13 +69,11 @@ void ExpectLinearisedEqualsFull(const Vehicle& vehicle) {
   }
 }
 
-TEST(FullBalance, EqualsTheLinearisedBalanceOfABilinearQuarterCar) { ExpectLinearisedEqualsFull(BilinearQuarterCar()); }
-
-TEST(FullBalance, EqualsTheLinearisedBalanceOfASeriesQuarterCar) {
-  Vehicle vehicle = BilinearQuarterCar();
-  vehicle.dampers[0].series_stiffness = Scalar{150e3};
-  ExpectLinearisedEqualsFull(vehicle);
+TEST(FullBalance, EqualsTheLinearisedBalanceOfABilinearQuarterCar) {
+  ExpectLinearisedEqualsFull(Describe(BilinearCar()));
 }
+
+TEST(FullBalance, EqualsTheLinearisedBalanceOfASeriesQuarterCar) { ExpectLinearisedEqualsFull(Describe(SeriesCar())); }
 
 /// Both the balance of nine harmonics and that of 31, the reference of other tests. What each leaves: truncation after
 /// nine harmonics up to 0.006 dB and, where a_cg is near its node, 0.19 degrees; the march's sampling and settling

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <Eigen/Eigenvalues>
 
-#include "tests/vehicles/shipped_vehicle.h"
+#include "tests/vehicles/quarter_cars.h"
 #include "vehicles/condensed_vehicle.h"
 #include "vehicles/harmonic_balance.h"
 #include "vehicles/march.h"
@@ -21,36 +21,6 @@ namespace fourpost {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// The table of thesis section 4.2.
-QuarterCar ThesisCar() {
-  return {.sprung_mass = 200, .unsprung_mass = 22, .stiffness = 15e3, .tyre_stiffness = 230e3, .damper = {1500, 1500}};
-}
-
-QuarterCar BilinearCar() {
-  QuarterCar car = ThesisCar();
-  car.damper = {800, 2600};
-  return car;
-}
-
-QuarterCar SeriesCar() {
-  QuarterCar car = BilinearCar();
-  car.series_stiffness = 150e3;
-  return car;
-}
-
-/// The same car as a description.
-Vehicle Describe(const QuarterCar& car) {
-  Vehicle vehicle = ShippedVehicle("quarter_car");
-  Set(vehicle, "m_sprung", car.sprung_mass);
-  Set(vehicle, "m_unsprung", car.unsprung_mass);
-  Set(vehicle, "k", car.stiffness);
-  Set(vehicle, "kt", car.tyre_stiffness);
-  Set(vehicle, "c_bump", car.damper.compression);
-  Set(vehicle, "c_rebound", car.damper.rebound);
-  if (car.series_stiffness > 0) vehicle.dampers[0].series_stiffness = Scalar{car.series_stiffness};
-  return vehicle;
-}
 
 /// Joint coordinate of a link, as the only one of its joint.
 Eigen::Index CoordinateOf(const Vehicle& vehicle, const std::string& link) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/diagnostics.h"
+#include "vehicles/condensed_vehicle.h"
 #include "vehicles/vehicle.h"
 #include "vehicles/vehicle_file.h"
 
@@ -28,6 +29,16 @@ inline void Set(Vehicle& vehicle, const std::string& parameter, double value) {
       return;
     }
   ADD_FAILURE() << "no parameter " << parameter;
+}
+
+/// What makes the vehicle impossible to condense; empty when nothing does.
+inline std::string Fault(const Vehicle& vehicle) {
+  try {
+    const CondensedVehicle condensed(vehicle);
+  } catch (const FaultyInput& fault) {
+    return fault.what();
+  }
+  return "";
 }
 
 }  // namespace fourpost

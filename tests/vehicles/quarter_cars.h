@@ -1,0 +1,38 @@
+#pragma once
+
+#include "tests/vehicles/shipped_vehicle.h"
+#include "vehicles/quarter_car.h"
+
+namespace fourpost {
+
+/// The table of thesis section 4.2.
+inline QuarterCar ThesisCar() {
+  return {.sprung_mass = 200, .unsprung_mass = 22, .stiffness = 15e3, .tyre_stiffness = 230e3, .damper = {1500, 1500}};
+}
+
+inline QuarterCar BilinearCar() {
+  QuarterCar car = ThesisCar();
+  car.damper = {800, 2600};
+  return car;
+}
+
+inline QuarterCar SeriesCar() {
+  QuarterCar car = BilinearCar();
+  car.series_stiffness = 150e3;
+  return car;
+}
+
+/// The same car as a description.
+inline Vehicle Describe(const QuarterCar& car) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  Set(vehicle, "m_sprung", car.sprung_mass);
+  Set(vehicle, "m_unsprung", car.unsprung_mass);
+  Set(vehicle, "k", car.stiffness);
+  Set(vehicle, "kt", car.tyre_stiffness);
+  Set(vehicle, "c_bump", car.damper.compression);
+  Set(vehicle, "c_rebound", car.damper.rebound);
+  if (car.series_stiffness > 0) vehicle.dampers[0].series_stiffness = Scalar{car.series_stiffness};
+  return vehicle;
+}
+
+}  // namespace fourpost
