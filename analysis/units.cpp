@@ -12,8 +12,6 @@
 namespace fourpost {
 namespace {
 
-constexpr Dimension kPressure{1, -1, -2};
-
 /// A unit as factor times a power of ten, so that decimal units convert without a rounding of their own.
 struct Scale {
   Dimension dimension;
@@ -57,7 +55,7 @@ struct NamedDimension {
   std::string_view unit;
 };
 
-constexpr std::array<NamedDimension, 18> kDimensions = {{
+constexpr std::array<NamedDimension, 19> kDimensions = {{
     {kDimensionless, "pure number", "1"},
     {kMass, "mass", "kg"},
     {kLength, "length", "m"},
@@ -70,12 +68,13 @@ constexpr std::array<NamedDimension, 18> kDimensions = {{
     {kInertia, "inertia", "kg*m^2"},
     {kFrequency, "frequency", "Hz"},
     {kPressure, "pressure", "Pa"},
-    {{0, 2, 0}, "area", "m^2"},
-    {{0, 3, 0}, "volume", "m^3"},
+    {kFlowResistance, "flow resistance", "Pa*s/kg"},
+    {kArea, "area", "m^2"},
+    {kVolume, "volume", "m^3"},
     {{1, -3, 0}, "density", "kg/m^3"},
-    {{1, -2, -2}, "cubic stiffness", "N/m^3"},
-    {{1, 2, -2}, "torque", "N*m"},
-    {{1, 2, -1}, "rotational damping", "N*m*s"},
+    {kCubicStiffness, "cubic stiffness", "N/m^3"},
+    {kTorque, "torque", "N*m"},
+    {kAngularDamping, "rotational damping", "N*m*s"},
 }};
 
 const NamedDimension* FindDimension(const Dimension& dimension) {

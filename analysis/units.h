@@ -25,6 +25,13 @@ inline constexpr Dimension kStiffness{1, 0, -2};
 inline constexpr Dimension kDamping{1, 0, -1};
 inline constexpr Dimension kInertia{1, 2, 0};
 inline constexpr Dimension kFrequency{0, 0, -1};
+inline constexpr Dimension kPressure{1, -1, -2};
+inline constexpr Dimension kFlowResistance{0, -1, -1};  // pressure per mass flow
+inline constexpr Dimension kArea{0, 2, 0};
+inline constexpr Dimension kVolume{0, 3, 0};
+inline constexpr Dimension kCubicStiffness{1, -2, -2};
+inline constexpr Dimension kTorque{1, 2, -2};
+inline constexpr Dimension kAngularDamping{1, 2, -1};
 
 /// A unit such as "kN*s/m": its size in SI and its dimension.
 struct Unit {

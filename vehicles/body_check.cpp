@@ -107,13 +107,16 @@ class LengthCheck {
 
 void CheckLengths(const Vehicle& vehicle, FileFaults& faults) {
   LengthCheck check(vehicle, faults);
-  for (const Spring& spring : vehicle.springs)
-    check.Check("fp:spring '" + spring.name + "'", spring.source_line, spring.line);
+  for (const Spring& spring : vehicle.springs) check.Check(spring.element, spring.source_line, spring.line);
   for (const Damper& damper : vehicle.dampers)
     check.Check("fp:damper '" + damper.name + "'", damper.source_line, damper.line);
   for (const Sensor& sensor : vehicle.sensors)
     if (sensor.type == Sensor::Type::kStrut)
       check.Check("fp:sensor '" + sensor.name + "'", sensor.source_line, sensor.line);
+  for (const AntiRollBar& bar : vehicle.antiroll_bars) {
+    check.Check("the left line of fp:antiroll '" + bar.name + "'", bar.source_line, bar.left);
+    check.Check("the right line of fp:antiroll '" + bar.name + "'", bar.source_line, bar.right);
+  }
   for (const Rod& rod : vehicle.rods)
     check.Check("fp:rod '" + rod.name + "'", rod.source_line, rod.parent, rod.child, "move an end, or use fp:ball");
 }

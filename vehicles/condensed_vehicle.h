@@ -5,11 +5,12 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "analysis/diagnostics.h"
+#include "vehicles/condensed_body.h"
 #include "vehicles/condensed_model.h"
 #include "vehicles/vehicle.h"
 
@@ -22,7 +23,9 @@ namespace fourpost {
 ///   mass      = sum over links of m J'J + W' I W,
 ///   stiffness = sum k b b' (b = dL/ds) + preloads times the second derivatives of their lengths
 ///               + sum m g times the second derivatives of the heights of the centres of mass.
-/// Immutable after construction; one object serves any number of threads.
+/// L is the length of a spring, minus the height of a tyre's foot or its place on the platform, a displacement or turn
+/// of a bushing, the difference of an anti-roll bar's two lines. Some laws are replaced by their tangent in the design
+/// pose, see simplifications(). Immutable after construction; one object serves any number of threads.
 class CondensedVehicle {
  public:
   /// Throws FaultyInput when the loops cannot be assembled, when nothing can move, or when weights and given preloads
@@ -39,6 +42,10 @@ class CondensedVehicle {
 
   Preloads PreloadsAt(std::span<const double> parameters) const;
 
+  /// A warning for each element whose law At() replaces by its tangent: a spring with knees or a cubic term, a stop, a
+  /// tyre that lifts off, a cubic series spring, a hydraulic damper.
+  const Diagnostics& simplifications() const { return simplifications_; }
+
   /// A link with mass, and how it moves per unit of the independent coordinates.
   struct LinkMotion {
     std::string name;
@@ -54,52 +61,54 @@ class CondensedVehicle {
   std::vector<LinkMotion> LinkMotions(std::span<const double> parameters) const;
 
  private:
-  struct Body {
-    std::string name;
-    Scalar mass;
-    std::array<Scalar, 6> inertia;
-    Eigen::Vector3d com;
-    Eigen::MatrixXd com_jacobian;
-    Eigen::MatrixXd spin_jacobian;
-    Eigen::MatrixXd mass_matrix;                    // per unit mass
-    std::array<Eigen::MatrixXd, 6> inertia_matrix;  // per unit Ixx .. Iyz
-    Eigen::VectorXd weight;                         // derivative of the potential by s, per unit mass
-    Eigen::MatrixXd weight_stiffness;               // second derivative
-  };
-  struct Stiff {
-    Scalar stiffness;
-    Eigen::VectorXd direction;
-    Eigen::MatrixXd curvature;
+  /// What has a force in the design pose: a spring, a tyre in the vertical, a translation of a bushing.
+  struct Held {
+    std::string element;
+    int source_line = 0;
+    DesignShape shape;
     std::optional<Scalar> preload;
-    int unknown = -1;  // index among the preloads that equilibrium sets
+    /// In place of a preload: that of a spring of this rate, stretched from its free length.
+    std::optional<Scalar> free_length;
+    Scalar rate;
+    /// Index among the preloads that equilibrium sets; -1 for one that is given.
+    int unknown = -1;
+
+    bool IsGiven() const { return preload || free_length; }
+    double GivenAt(std::span<const double> parameters) const;
+    std::vector<int> Parameters() const;
   };
-  struct Tyred : Stiff {
+  /// A linear spring and damper along `direction`, without load in the design pose.
+  struct Bond {
+    Scalar stiffness;
     Scalar damping;
-    int post = -1;
-  };
-  struct Damped {
+    /// Seconds: loss_time stiffness is more damping.
+    Scalar loss_time;
     Eigen::VectorXd direction;
-    Scalar compression;
-    Scalar rebound;
-    std::optional<Scalar> series_stiffness;
   };
 
-  void SolvePreloads(const Vehicle& vehicle);
-  Eigen::VectorXd Weight(std::span<const double> parameters) const;
+  void AddBonds(const Kinematics& pose);
+  void SolvePreloads();
+  void NoteSimplified();
+  double PreloadOf(const Held& element, const Eigen::VectorXd& held, std::span<const double> parameters) const;
+  Eigen::VectorXd GivenForces(std::span<const double> parameters) const;
+  void AddSprings(std::span<const double> parameters, CondensedModel& model) const;
+  void AddTyres(std::span<const double> parameters, CondensedModel& model) const;
+  void AddDashpots(std::span<const double> parameters, CondensedModel& model) const;
+  void AddLoadCells(std::span<const double> parameters, CondensedModel& model) const;
 
+  Vehicle vehicle_;
   int size_ = 0;
-  std::size_t parameter_count_ = 0;
-  Eigen::Index post_count_ = 0;
-  std::vector<Body> bodies_;
-  std::vector<Stiff> springs_;
-  /// direction and curvature are those of the tyre's compression: minus its height.
-  std::vector<Tyred> tyres_;
-  std::vector<Damped> dampers_;
-  /// Preloads that equilibrium sets = preload_map_ times the generalised weight.
+  std::vector<CondensedBody> bodies_;
+  /// Of the springs, the tyres (minus the height of the foot), then three translations of each bushing.
+  std::vector<Held> held_;
+  std::vector<Bond> bonds_;
+  std::vector<Eigen::VectorXd> damper_directions_;
+  std::vector<int> post_of_tyre_;
+  /// Preloads that equilibrium sets = preload_map_ times the forces that are given.
   Eigen::MatrixXd preload_map_;
-  /// Sensor rows that do not depend on parameters; load cells are filled in per model.
+  /// Sensor rows that do not depend on parameters.
   CondensedModel sensors_;
-  std::vector<std::pair<Eigen::Index, int>> load_cells_;  // sensor, tyre
+  Diagnostics simplifications_;
 };
 
 }  // namespace fourpost

@@ -1,10 +1,12 @@
 #include "vehicles/element_reader.h"
 
-#include <map>
+#include <array>
 #include <tuple>
 #include <utility>
 
 #include "analysis/nearest.h"
+#include "vehicles/law_reader.h"
+#include "vehicles/line_reader.h"
 #include "vehicles/tag.h"
 
 namespace fourpost {
@@ -16,131 +18,170 @@ class ElementReader {
  public:
   ElementReader(const XMLElement& robot, const UrdfTree& tree, ParameterReader& parameters, Vehicle& vehicle,
                 FileFaults& faults)
-      : robot_(robot), tree_(tree), parameters_(parameters), vehicle_(vehicle), faults_(faults) {}
+      : robot_(robot),
+        lines_(robot, tree, faults),
+        laws_(parameters, faults),
+        parameters_(parameters),
+        vehicle_(vehicle),
+        faults_(faults) {}
 
   void Read() {
-    for (const Tag& tag : TagsOf(robot_, "fp:frame")) ReadFrame(tag);
     for (const Tag& tag : TagsOf(robot_, "fp:spring")) ReadSpring(tag);
+    for (const Tag& tag : TagsOf(robot_, "fp:stop")) ReadStop(tag);
     for (const Tag& tag : TagsOf(robot_, "fp:damper")) ReadDamper(tag);
+    for (const Tag& tag : TagsOf(robot_, "fp:bushing")) ReadBushing(tag);
+    for (const Tag& tag : TagsOf(robot_, "fp:antiroll")) ReadAntiRollBar(tag);
     for (const Tag& tag : TagsOf(robot_, "fp:tyre")) ReadTyre(tag);
     for (const Tag& tag : TagsOf(robot_, "fp:post")) ReadPost(tag);
-    for (const Tag& tag : TagsOf(robot_, "fp:rod")) {
-      const auto [parent, child] = ReadEnds(tag, "it joins nothing");
-      vehicle_.rods.push_back({tag.Text("name"), parent, child, tag.Line()});
-    }
-    for (const Tag& tag : TagsOf(robot_, "fp:ball")) {
-      const auto [parent, child] = ReadEnds(tag, "it joins nothing");
-      vehicle_.balls.push_back({tag.Text("name"), parent, child, tag.Line()});
+    for (const Tag& tag : TagsOf(robot_, "fp:rod")) vehicle_.rods.push_back(ReadClosure<Rod>(tag));
+    for (const Tag& tag : TagsOf(robot_, "fp:ball")) vehicle_.balls.push_back(ReadClosure<Ball>(tag));
+    for (const Tag& tag : TagsOf(robot_, "fp:weld")) vehicle_.welds.push_back(ReadClosure<Weld>(tag));
+    for (const Tag& tag : TagsOf(robot_, "fp:hinge")) {
+      Hinge hinge = ReadClosure<Hinge>(tag);
+      hinge.axis = LineReader::ReadAxis(tag).value_or(hinge.axis);
+      vehicle_.hinges.push_back(hinge);
     }
     for (const Tag& tag : TagsOf(robot_, "fp:sensor")) ReadSensor(tag);
   }
 
  private:
-  void Unknown(const Tag& tag, std::string_view attribute, const std::string& kind,
-               const std::vector<std::string>& legal) {
-    const std::string name = tag.Text(attribute);
-    faults_.Error(tag.Line(attribute), Describe(*tag.element) + " refers to an unknown " + kind + " '" + name + "'" +
-                                           DidYouMean(name, legal));
+  template <typename Closure>
+  Closure ReadClosure(const Tag& tag) {
+    Closure closure;
+    closure.name = tag.Text("name");
+    std::tie(closure.parent, closure.child) = lines_.ReadEnds(tag, "it joins nothing");
+    closure.source_line = tag.Line();
+    return closure;
   }
 
-  Point ReadPoint(const Tag& tag) {
-    Point point{.link = tree_.FindLink(tag.Text("link")), .xyz = ParseVector(tag.Text("xyz")).value_or(Point().xyz)};
-    if (point.link < 0 && !tag.Text("link").empty()) Unknown(tag, "link", "link", tree_.LinkNames());
-    return point;
-  }
-
-  void ReadFrame(const Tag& tag) {
-    const std::string name = tag.Text("name");
-    if (tree_.FindLink(name) >= 0)
-      faults_.Error(tag.Line(),
-                    Describe(*tag.element) + " has the name of a link: a name must tell which one is meant");
-    frames_.try_emplace(name, ReadPoint(tag));
-  }
-
-  /// An end of an element that names a frame, or a link for its origin.
-  Point ReadEnd(const Tag& tag, std::string_view attribute) {
-    const std::string name = tag.Text(attribute);
-    if (name.empty()) return {};
-    if (const auto frame = frames_.find(name); frame != frames_.end()) return frame->second;
-    Point point;
-    point.link = tree_.FindLink(name);
-    if (point.link < 0) {
-      std::vector<std::string> legal = tree_.LinkNames();
-      for (const auto& [frame, unused] : frames_) legal.push_back(frame);
-      Unknown(tag, attribute, "frame or link", legal);
-    }
-    return point;
-  }
-
-  /// Parent and child, which must be on two links; `why` tells what is wrong with one.
-  std::pair<Point, Point> ReadEnds(const Tag& tag, const std::string& why) {
-    const Point parent = ReadEnd(tag, "parent");
-    const Point child = ReadEnd(tag, "child");
-    if (parent.link >= 0 && parent.link == child.link)
-      faults_.Error(tag.Line(), Describe(*tag.element) + " has both ends on link '" +
-                                    tree_.LinkNames()[static_cast<std::size_t>(parent.link)] + "': " + why);
-    return {parent, child};
-  }
-
-  ForceLine ReadLine(const Tag& tag) {
-    ForceLine line;
-    std::tie(line.parent, line.child) = ReadEnds(tag, "its length can never change");
-    const std::optional<Eigen::Vector3d> axis = ParseVector(tag.Text("axis"));
-    if (axis && !axis->isZero(0)) line.axis = axis->normalized();
-    return line;
-  }
-
+  /// Nothing for the word that stands for equilibrium.
   std::optional<Scalar> ReadPreload(const Tag& tag) {
     if (tag.Text("preload") == FindAttribute(*tag.rule, "preload")->word) return std::nullopt;
     return parameters_.ReadScalar(tag, "preload");
   }
 
-  /// The child of this name; nothing when it is not given.
-  static std::optional<Tag> Child(const Tag& tag, const std::string& name) {
-    const std::vector<Tag> found = TagsOf(*tag.element, std::string(tag.rule->path) + "/" + name);
-    if (found.empty()) return std::nullopt;
-    return found.front();
+  /// A number of the geometry, which no parameter can change.
+  double ReadConstant(const Tag& tag, std::string_view attribute) {
+    const Scalar scalar = parameters_.ReadScalar(tag, attribute);
+    if (scalar.parameter >= 0)
+      faults_.Error(tag.Line(attribute), std::string(attribute) + "=\"" + tag.Text(attribute) + "\" of " +
+                                             Describe(*tag.element) + " must be a number: no parameter can change it");
+    return scalar.value;
   }
 
   void ReadSpring(const Tag& tag) {
-    Spring spring;
-    spring.name = tag.Text("name");
-    spring.line = ReadLine(tag);
-    spring.source_line = tag.Line();
-    if (const std::optional<Tag> law = Child(tag, "linear")) {
-      spring.stiffness = parameters_.ReadScalar(*law, "stiffness");
+    Spring spring{.element = Describe(*tag.element),
+                  .line = lines_.ReadLine(tag),
+                  .law = {},
+                  .preload = {},
+                  .free_length = {},
+                  .source_line = tag.Line()};
+    for (const char* name : {"linear", "cubic", "multirate"}) {
+      const std::optional<Tag> law = ChildOf(tag, name);
+      if (!law) continue;
+      spring.law = laws_.ReadSpring(*law);
       spring.preload = ReadPreload(*law);
+      if (!AttributeText(*law->element, "free_length")) continue;
+      spring.free_length = parameters_.ReadScalar(*law, "free_length");
+      if (AttributeText(*law->element, "preload"))
+        faults_.Error(law->Line("free_length"), Describe(*tag.element) + " has a preload and a free_length: give one");
+      else if (spring.line.axis)
+        faults_.Error(law->Line("free_length"),
+                      Describe(*tag.element) +
+                          " is guided by an axis, so its length is not that of a coil: give its "
+                          "preload in place of free_length");
     }
     vehicle_.springs.push_back(spring);
+  }
+
+  void ReadStop(const Tag& tag) {
+    vehicle_.springs.push_back({.element = Describe(*tag.element),
+                                .line = lines_.ReadLine(tag),
+                                .law = laws_.ReadStop(tag),
+                                .preload = Scalar(),
+                                .free_length = {},
+                                .source_line = tag.Line()});
   }
 
   void ReadDamper(const Tag& tag) {
     Damper damper;
     damper.name = tag.Text("name");
-    damper.line = ReadLine(tag);
+    damper.line = lines_.ReadLine(tag);
     damper.source_line = tag.Line();
-    const int errors = faults_.errors();
-    const std::optional<Tag> linear = Child(tag, "linear");
-    const std::optional<Tag> bilinear = Child(tag, "bilinear");
-    if (linear) damper.compression = damper.rebound = parameters_.ReadScalar(*linear, "rate");
-    if (bilinear) {
-      damper.compression = parameters_.ReadScalar(*bilinear, "compression");
-      damper.rebound = parameters_.ReadScalar(*bilinear, "rebound");
+    const std::optional<Tag> series = ChildOf(tag, "series");
+    if (series) damper.series = laws_.ReadSeries(*series);
+    for (const char* name : {"linear", "bilinear", "smooth", "digressive", "table"})
+      if (const std::optional<Tag> law = ChildOf(tag, name)) damper.law = laws_.ReadDashpot(tag, *law, series);
+    if (const std::optional<Tag> law = ChildOf(tag, "hydraulic")) {
+      damper.hydraulic = laws_.ReadHydraulic(*law);
+      for (const char* name : {"series", "friction"})
+        if (const std::optional<Tag> other = ChildOf(tag, name))
+          faults_.Error(other->Line(), Describe(*tag.element) + " is hydraulic: it has its own oil and friction, so <" +
+                                           name + "> is not for it");
     }
-    if (const std::optional<Tag> series = Child(tag, "series")) {
-      damper.series_stiffness = parameters_.ReadScalar(*series, "stiffness");
-      const bool is_stuck = parameters_.Least(damper.compression) <= 0 || parameters_.Least(damper.rebound) <= 0;
-      if ((linear || bilinear) && is_stuck && faults_.errors() == errors)
-        faults_.Error(series->Line(), Describe(*tag.element) + " has a series spring: its rates must be above zero");
-    }
+    if (const std::optional<Tag> gas = ChildOf(tag, "gas")) ReadGas(tag, *gas, damper.line);
     vehicle_.dampers.push_back(damper);
+  }
+
+  /// Gas under pressure pushes the rod out.
+  void ReadGas(const Tag& damper, const Tag& tag, const ForceLine& line) {
+    Scalar tension = parameters_.ReadScalar(tag, "force");
+    tension.value = -tension.value;
+    tension.factor = -tension.factor;
+    vehicle_.springs.push_back(
+        {.element = "the gas of " + Describe(*damper.element),
+         .line = line,
+         .law = {.stiffness = parameters_.ReadScalar(tag, "stiffness"), .cubic = {}, .knees = {}},
+         .preload = tension,
+         .free_length = {},
+         .source_line = tag.Line()});
+  }
+
+  void ReadBushing(const Tag& tag) {
+    Bushing bushing = ReadClosure<Bushing>(tag);
+    bushing.axes = lines_.ReadAxes(tag);
+    bushing.holds = tag.Text("preload") == "equilibrium";
+    ReadAxes(tag, "translation", 0, bushing.stiffness);
+    ReadAxes(tag, "rotation", 3, bushing.stiffness);
+    ReadAxes(tag, "translation_damping", 0, bushing.damping);
+    ReadAxes(tag, "rotation_damping", 3, bushing.damping);
+    if (const std::optional<Tag> loss = ChildOf(tag, "loss")) {
+      bushing.loss_factor = parameters_.ReadScalar(*loss, "factor");
+      bushing.loss_frequency_Hz = ReadConstant(*loss, "frequency");
+    }
+    vehicle_.bushings.push_back(bushing);
+  }
+
+  /// Three components from the attributes x, y, z of a child.
+  void ReadAxes(const Tag& tag, std::string_view child, std::size_t first, std::array<Scalar, 6>& components) {
+    const std::optional<Tag> found = ChildOf(tag, child);
+    if (!found) return;
+    components[first] = parameters_.ReadScalar(*found, "x");
+    components[first + 1] = parameters_.ReadScalar(*found, "y");
+    components[first + 2] = parameters_.ReadScalar(*found, "z");
+  }
+
+  void ReadAntiRollBar(const Tag& tag) {
+    AntiRollBar bar{.name = tag.Text("name"),
+                    .left = {},
+                    .right = {},
+                    .stiffness = parameters_.ReadScalar(tag, "stiffness"),
+                    .damping = parameters_.ReadScalar(tag, "damping"),
+                    .source_line = tag.Line()};
+    if (const std::optional<Tag> left = ChildOf(tag, "left")) bar.left = lines_.ReadLine(*left);
+    if (const std::optional<Tag> right = ChildOf(tag, "right")) bar.right = lines_.ReadLine(*right);
+    vehicle_.antiroll_bars.push_back(bar);
   }
 
   void ReadTyre(const Tag& tag) {
     vehicle_.tyres.push_back({.name = tag.Text("name"),
-                              .point = ReadPoint(tag),
+                              .point = lines_.ReadPoint(tag),
+                              .radius = ReadConstant(tag, "radius"),
                               .stiffness = parameters_.ReadScalar(tag, "stiffness"),
                               .damping = parameters_.ReadScalar(tag, "damping"),
+                              .lateral = parameters_.ReadScalar(tag, "lateral"),
+                              .longitudinal = parameters_.ReadScalar(tag, "longitudinal"),
+                              .lifts_off = tag.Text("liftoff") == "true",
                               .preload = ReadPreload(tag),
                               .source_line = tag.Line()});
   }
@@ -152,7 +193,7 @@ class ElementReader {
       if (vehicle_.tyres[i].name == name) return static_cast<int>(i);
       legal.push_back(vehicle_.tyres[i].name);
     }
-    if (!name.empty()) Unknown(tag, attribute, "fp:tyre", legal);
+    if (!name.empty()) lines_.Unknown(tag, attribute, "fp:tyre", legal);
     return -1;
   }
 
@@ -172,25 +213,28 @@ class ElementReader {
     const std::string_view type = tag.rule->type;
     if (type == "strut") {
       sensor.type = Sensor::Type::kStrut;
-      sensor.line = ReadLine(tag);
+      sensor.line = lines_.ReadLine(tag);
     } else if (type == "load_cell") {
       sensor.type = Sensor::Type::kLoadCell;
       sensor.tyre = ReadTyreName(tag, "tyre");
+      sensor.wheelpan = parameters_.ReadScalar(tag, "wheelpan");
     } else {
-      sensor.type = type == "displacement" ? Sensor::Type::kDisplacement : Sensor::Type::kAccelerometer;
-      sensor.point = ReadPoint(tag);
-      const std::optional<Eigen::Vector3d> axis = ParseVector(tag.Text("axis"));
-      if (axis && !axis->isZero(0)) sensor.axis = axis->normalized();
+      sensor.type = type == "gyro"           ? Sensor::Type::kGyro
+                    : type == "displacement" ? Sensor::Type::kDisplacement
+                                             : Sensor::Type::kAccelerometer;
+      if (sensor.type == Sensor::Type::kGyro) sensor.point.link = lines_.ReadLink(tag);
+      else sensor.point = lines_.ReadPoint(tag);
+      sensor.axis = LineReader::ReadAxis(tag).value_or(sensor.axis);
     }
     vehicle_.sensors.push_back(sensor);
   }
 
   const XMLElement& robot_;
-  const UrdfTree& tree_;
+  LineReader lines_;
+  LawReader laws_;
   ParameterReader& parameters_;
   Vehicle& vehicle_;
   FileFaults& faults_;
-  std::map<std::string, Point> frames_;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace fourpost {
 
-/// Reads springs, dampers, tyres, posts, rods, balls and sensors into the vehicle.
+/// Reads what the tags of our own describe, but parameters, into the vehicle.
 void ReadElements(const tinyxml2::XMLElement& robot, const UrdfTree& tree, ParameterReader& parameters,
                   Vehicle& vehicle, FileFaults& faults);
 

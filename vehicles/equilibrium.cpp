@@ -1,5 +1,7 @@
 #include "vehicles/equilibrium.h"
 
+#include <algorithm>
+
 #include <Eigen/QR>
 
 #include "analysis/number.h"
@@ -7,7 +9,7 @@
 namespace fourpost {
 namespace {
 
-constexpr const char* kHolder = R"(spring or tyre with preload="equilibrium")";
+constexpr const char* kHolder = R"(spring, tyre or bushing with preload="equilibrium")";
 
 /// The part of a generalised force that no combination of the columns can take.
 Eigen::VectorXd Rest(const Eigen::VectorXd& force, const Eigen::MatrixXd& columns) {
@@ -31,15 +33,14 @@ Eigen::MatrixXd WithPreloads(Eigen::MatrixXd columns, const std::vector<GivenFor
 }
 
 /// Whether what the file gives is balanced at the file's values.
-bool IsBalanced(const Vehicle& vehicle, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders) {
+bool IsBalanced(const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders) {
   // Preloads may be typed with seven digits: that leaves the vehicle within 1e-6 of its static deflection, decimetres.
   constexpr double kTyped = 1e-6;
-  const std::vector<double> values = vehicle.ParameterValues();
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(holders.rows());
   double scale = 0;
   for (const GivenForce& force : forces) {
-    sum += force.size.At(values) * force.direction;
-    scale += (force.size.At(values) * force.direction).norm();
+    sum += force.size * force.direction;
+    scale += (force.size * force.direction).norm();
   }
   return Rest(sum, holders).norm() <= kTyped * scale;
 }
@@ -48,10 +49,9 @@ bool IsBalanced(const Vehicle& vehicle, const std::vector<GivenForce>& forces, c
 void ReportImbalance(const Vehicle& vehicle, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders,
                      Diagnostics& faults) {
   const Eigen::MatrixXd all = WithPreloads(holders, forces);
-  const std::vector<double> values = vehicle.ParameterValues();
   bool reported = false;
   for (const GivenForce& force : forces) {
-    if (force.kind != GivenForce::Kind::kWeight || force.size.At(values) == 0 || IsHeld(force.direction, all)) continue;
+    if (force.kind != GivenForce::Kind::kWeight || force.size == 0 || IsHeld(force.direction, all)) continue;
     faults.Error(vehicle.file, force.line,
                  std::string("no static equilibrium: no ") + kHolder + " can hold the weight of " + force.element +
                      "; add one under it or fix a joint");
@@ -61,8 +61,7 @@ void ReportImbalance(const Vehicle& vehicle, const std::vector<GivenForce>& forc
   for (const GivenForce& force : forces)
     if (force.kind == GivenForce::Kind::kPreload && !IsHeld(force.direction, holders))
       faults.Error(vehicle.file, force.line,
-                   "no static equilibrium: the preload of " + force.element + ", " +
-                       FormatNumber(force.size.At(values)) +
+                   "no static equilibrium: the preload of " + force.element + ", " + FormatNumber(force.size) +
                        " N, is not balanced; correct it or write preload=\"equilibrium\"");
 }
 
@@ -70,7 +69,8 @@ void ReportImbalance(const Vehicle& vehicle, const std::vector<GivenForce>& forc
 std::string Followers(int index, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders) {
   std::string names;
   for (const GivenForce& force : forces) {
-    if (force.size.parameter != index || IsHeld(force.direction, holders)) continue;
+    const bool follows = std::find(force.parameters.begin(), force.parameters.end(), index) != force.parameters.end();
+    if (!follows || IsHeld(force.direction, holders)) continue;
     const bool is_weight = force.kind == GivenForce::Kind::kWeight;
     names +=
         (names.empty() ? "" : " and ") + std::string(is_weight ? "the weight of " : "the preload of ") + force.element;
@@ -101,7 +101,7 @@ Eigen::MatrixXd PreloadMap(const Eigen::MatrixXd& holders) {
 
 void CheckEquilibrium(const Vehicle& vehicle, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders,
                       Diagnostics& faults) {
-  if (IsBalanced(vehicle, forces, holders)) ReportFreeParameters(vehicle, forces, holders, faults);
+  if (IsBalanced(forces, holders)) ReportFreeParameters(vehicle, forces, holders, faults);
   else ReportImbalance(vehicle, forces, holders, faults);
 }
 

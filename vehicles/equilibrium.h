@@ -17,8 +17,10 @@ struct GivenForce {
   /// As messages call it: "link 'body'", "fp:spring 'coil'".
   std::string element;
   int line = 0;
-  /// kg or N.
-  Scalar size;
+  /// At the file's parameter values [kg or N]; 0 for what only a parameter can bring about.
+  double size = 0;
+  /// Indices of the parameters that it follows.
+  std::vector<int> parameters;
   /// Generalised force per unit of `size`.
   Eigen::VectorXd direction;
 };

@@ -24,7 +24,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Derivative of the harmonics at `omega` of Multibody::Residual by those of [s z], about the design pose and with the
-/// mean rate c of each dashpot of direction b. A series damper with its spring k:
+/// centre rate c of each dashpot of direction b. A series damper with its spring k:
 ///   on s:  k b z,   on its own row:  k z - i w c (b . s - z).
 Eigen::MatrixXcd MeanImpedance(const CondensedModel& model, double omega) {
   const std::vector<const CondensedModel::Dashpot*> series = model.SeriesDampers();
@@ -35,10 +35,10 @@ Eigen::MatrixXcd MeanImpedance(const CondensedModel& model, double omega) {
   impedance.topLeftCorner(n, n) = model.stiffness + iw * model.damping + iw * iw * model.mass;
   for (const CondensedModel::Dashpot& dashpot : model.dashpots)
     if (!(dashpot.series_stiffness > 0))
-      impedance.topLeftCorner(n, n) += iw * dashpot.law.Mean() * dashpot.direction * dashpot.direction.transpose();
+      impedance.topLeftCorner(n, n) += iw * dashpot.CentreRate() * dashpot.direction * dashpot.direction.transpose();
   for (std::size_t j = 0; j < series.size(); ++j) {
     const Eigen::Index row = n + static_cast<Eigen::Index>(j);
-    const Complex resistance = iw * series[j]->law.Mean();
+    const Complex resistance = iw * series[j]->CentreRate();
     impedance.col(row).head(n) = series[j]->series_stiffness * series[j]->direction;
     impedance.row(row).head(n) = -resistance * series[j]->direction.transpose();
     impedance(row, row) = series[j]->series_stiffness + resistance;
@@ -60,11 +60,11 @@ Eigen::VectorXd EnergyWeights(const CondensedModel& model, double omega) {
 
 /// Posts that move as Re(shape amplitude exp(i w t)).
 PostMotion SteadySine(const std::vector<double>& shape, double amplitude, double omega) {
-  return [=](double t, std::span<double> height, std::span<double> velocity) {
-    for (std::size_t p = 0; p < shape.size(); ++p) {
-      height[p] = shape[p] * amplitude * std::cos(omega * t);
-      velocity[p] = -shape[p] * amplitude * omega * std::sin(omega * t);
-    }
+  return [=](double t, std::span<PostState> posts) {
+    const double z = amplitude * std::cos(omega * t);
+    const double v = -amplitude * omega * std::sin(omega * t);
+    for (std::size_t p = 0; p < shape.size(); ++p)
+      posts[p] = {shape[p] * z, shape[p] * v, -omega * omega * shape[p] * z};
   };
 }
 
@@ -200,9 +200,10 @@ std::optional<SensorHarmonics> TrySolve(FullCycle& cycle, double frequency_Hz, c
 }
 
 void CheckFit(const Vehicle& vehicle, const CondensedModel& model, const Excitation& excitation) {
-  if (!vehicle.rods.empty() || !vehicle.balls.empty())
+  if (vehicle.HasLoops())
     throw std::invalid_argument("vehicle '" + vehicle.name +
-                                "': loop closures (fp:rod, fp:ball) are not supported by this engine; use march");
+                                "': loop closures (fp:rod, fp:ball, fp:weld, fp:hinge) are not supported by this "
+                                "engine; use march");
   excitation.Validate(vehicle.posts.size());
   const auto count = [](Eigen::Index n) { return static_cast<std::size_t>(n); };
   RequireCount("SolveFullBalance: model", "posts", vehicle.posts.size(), count(model.post_stiffness.cols()));

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "vehicles/condensed_model.h"
-#include "vehicles/damper_law.h"
+#include "vehicles/dashpot_law.h"
 
 namespace fourpost {
 
@@ -18,8 +18,8 @@ struct HalfCar {
   double rear_stiffness = 0;        // N/m
   double front_tyre_stiffness = 0;  // N/m
   double rear_tyre_stiffness = 0;   // N/m
-  BilinearDashpot front_damper;     // N s/m
-  BilinearDashpot rear_damper;      // N s/m
+  DashpotLaw front_damper;          // N s/m
+  DashpotLaw rear_damper;           // N s/m
   double front_length = 0;          // m, centre of mass to front axle
   double rear_length = 0;           // m, centre of mass to rear axle
 

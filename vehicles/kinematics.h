@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <Eigen/Core>
 
 #include "vehicles/multibody.h"
@@ -19,6 +21,15 @@ class Kinematics {
   Kinematics(const Multibody& multibody, const Eigen::MatrixXd& tangent);
 
   Coordinate LineLength(const ForceLine& line) const;
+  /// Difference of the lengths of an anti-roll bar's lines, left - right.
+  Coordinate Twist(const AntiRollBar& bar) const;
+  /// Place of the child's point in the bushing's axes, then its turn, see Bushing. `child_axes`: of the child link,
+  /// along the bushing's axes in the design pose.
+  std::array<Coordinate, 6> BushingPlace(const Bushing& bushing, const Eigen::Matrix3d& child_axes) const;
+  /// Axes of the child link that lie along those of the bushing in this pose.
+  Eigen::Matrix3d ChildAxes(const Bushing& bushing) const;
+  /// Component along `direction` (ground axes) of the place of a tyre's foot.
+  Coordinate FootPosition(const Tyre& tyre, const Eigen::Vector3d& direction) const;
   /// Component along `direction` (ground axes) of the point's position.
   Coordinate Position(const Point& point, const Eigen::Vector3d& direction) const;
 
@@ -30,6 +41,9 @@ class Kinematics {
   Eigen::MatrixXd AngularJacobian(int link) const;
 
  private:
+  /// Of the point of the link that is at this place in the ground.
+  Eigen::MatrixXd JacobianAt(int link, const Eigen::Vector3d& place) const;
+
   std::vector<Eigen::Isometry3d> pose_;
   /// Per link, 6 x coordinates.
   std::vector<Eigen::MatrixXd> jacobian_;

@@ -18,7 +18,11 @@ LinearisedCycle::LinearisedCycle(const CondensedModel& model, const std::vector<
       transform_(options.harmonics, options.samples),
       dashpots_(static_cast<Eigen::Index>(model.dashpots.size())) {
   directions_.resize(model.mass.rows(), dashpots_);
-  for (Eigen::Index j = 0; j < dashpots_; ++j) directions_.col(j) = Dashpot(j).direction;
+  rates_.resize(dashpots_);
+  for (Eigen::Index j = 0; j < dashpots_; ++j) {
+    directions_.col(j) = Dashpot(j).direction;
+    rates_[j] = Dashpot(j).CentreRate();
+  }
   const auto harmonics = static_cast<std::size_t>(options.harmonics) + 1;
   compliance_.resize(harmonics);
   mobility_.resize(harmonics);
@@ -41,7 +45,9 @@ SensorHarmonics LinearisedCycle::Sensors() const {
     out.col(h) =
         model_.on_position * motion + iw * (model_.on_velocity * motion) + iw * iw * (model_.on_acceleration * motion);
   }
-  out.col(1) += model_.on_post_height * post_height_ + Complex(0, omega_) * (model_.on_post_velocity * post_height_);
+  const Complex iw(0, omega_);
+  out.col(1) += model_.on_post_height * post_height_ + iw * (model_.on_post_velocity * post_height_) +
+                iw * iw * (model_.on_post_acceleration * post_height_);
   return out;
 }
 
@@ -56,7 +62,7 @@ void LinearisedCycle::Linear() {
     const Complex iw(0, h * omega_);
     impedance_ = model_.stiffness + iw * model_.damping + iw * iw * model_.mass;
     for (Eigen::Index j = 0; j < dashpots_; ++j) {
-      const double mean = Dashpot(j).law.Mean();
+      const double mean = rates_[j];
       const double series = Dashpot(j).series_stiffness;
       // A series spring lets a dashpot of mean rate c carry c / (1 + i w c / k) of the velocity across both.
       series_share_[i][j] = series > 0 ? 1.0 / (1.0 + iw * mean / series) : Complex(1);
@@ -95,7 +101,7 @@ Eigen::MatrixXcd LinearisedCycle::SeriesExtensions() const {
     const double series = Dashpot(j).series_stiffness;
     if (!(series > 0)) continue;
     extensions.conservativeResize(Eigen::NoChange, extensions.cols() + 1);
-    extensions.rightCols<1>() = (Dashpot(j).law.Mean() * velocity_.col(j) + remainder_.col(j)) / series;
+    extensions.rightCols<1>() = (rates_[j] * velocity_.col(j) + remainder_.col(j)) / series;
   }
   return extensions;
 }
@@ -122,8 +128,8 @@ bool LinearisedCycle::Iterate() {
 void LinearisedCycle::Remainders() {
   transform_.ToTime(velocity_, time_);
   for (Eigen::Index j = 0; j < dashpots_; ++j) {
-    const BilinearDashpot& law = Dashpot(j).law;
-    const double mean = law.Mean();
+    const DashpotLaw& law = Dashpot(j).law;
+    const double mean = rates_[j];
     for (Eigen::Index k = 0; k < time_.rows(); ++k) time_(k, j) = law.Force(time_(k, j)) - mean * time_(k, j);
   }
   transform_.ToHarmonics(time_, remainder_);

@@ -45,6 +45,7 @@ class LinearisedCycle {
   CycleTransform transform_;
   Eigen::Index dashpots_;
   Eigen::MatrixXd directions_;
+  Eigen::VectorXd rates_;
   double omega_ = 0;
   Eigen::VectorXd post_height_;
   Eigen::MatrixXcd impedance_;

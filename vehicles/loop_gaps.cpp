@@ -22,11 +22,15 @@ Diagnostics LoopGapFaults(const Vehicle& vehicle, const std::vector<double>& rod
   // A thousand times what a closed loop leaves, a thousandth of what is printed.
   constexpr double kGap_m = 1e-9;
   Diagnostics faults;
-  for (const Ball& ball : vehicle.balls) {
-    const double gap = distance(ball.parent, ball.child);
-    if (gap > kGap_m)
-      faults.Error(vehicle.file, ball.source_line, GapText("fp:ball '" + ball.name + "'", gap, "apart"));
-  }
+  const auto check = [&](const char* tag, const auto& closures) {
+    for (const auto& closure : closures)
+      if (const double gap = distance(closure.parent, closure.child); gap > kGap_m)
+        faults.Error(vehicle.file, closure.source_line,
+                     GapText(std::string(tag) + " '" + closure.name + "'", gap, "apart"));
+  };
+  check("fp:ball", vehicle.balls);
+  check("fp:weld", vehicle.welds);
+  check("fp:hinge", vehicle.hinges);
   for (std::size_t i = 0; i < vehicle.rods.size(); ++i) {
     const Rod& rod = vehicle.rods[i];
     const double excess = distance(rod.parent, rod.child) - rod_lengths[i];
@@ -35,7 +39,9 @@ Diagnostics LoopGapFaults(const Vehicle& vehicle, const std::vector<double>& rod
           vehicle.file, rod.source_line,
           GapText("fp:rod '" + rod.name + "'", excess, excess > 0 ? "too far apart for it" : "too near for it"));
   }
-  if (!faults.HasErrors()) faults.Error(vehicle.file, 0, "the loops of fp:ball and fp:rod cannot be closed");
+  if (!faults.HasErrors())
+    faults.Error(vehicle.file, 0,
+                 "the loops cannot be closed: the directions that fp:weld and fp:hinge keep do not go together");
   return faults;
 }
 

@@ -8,7 +8,7 @@
 
 namespace fourpost {
 
-/// An error for each fp:ball and fp:rod that stays open in the pose where an assembly gave up; one at least.
+/// An error for each loop closure that stays open in the pose where an assembly gave up; one at least.
 /// `distance`: of two points in that pose [m].
 Diagnostics LoopGapFaults(const Vehicle& vehicle, const std::vector<double>& rod_lengths,
                           const std::function<double(const Point&, const Point&)>& distance);

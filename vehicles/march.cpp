@@ -15,25 +15,25 @@ namespace {
 /// Mean, first and second harmonic are recorded.
 constexpr int kHarmonics = 2;
 
-/// Raised cosine from 0 to 1, so that the posts start at rest, and its derivative.
+/// Raised cosine from 0 to 1, so that the posts start at rest, and its derivatives.
 struct Ramp {
   double duration;
 
-  double Value(double t) const { return t >= duration ? 1 : 0.5 * (1 - std::cos(std::numbers::pi * t / duration)); }
-  double Rate(double t) const {
-    return t >= duration ? 0 : 0.5 * std::numbers::pi / duration * std::sin(std::numbers::pi * t / duration);
-  }
+  double Angle(double t) const { return std::numbers::pi * t / duration; }
+  double Value(double t) const { return t >= duration ? 1 : 0.5 * (1 - std::cos(Angle(t))); }
+  double Rate(double t) const { return t >= duration ? 0 : 0.5 * Angle(1) * std::sin(Angle(t)); }
+  double Curvature(double t) const { return t >= duration ? 0 : 0.5 * Angle(1) * Angle(1) * std::cos(Angle(t)); }
 };
 
 /// Posts that move as Re(amplitude exp(i w t)) once the ramp is over.
 PostMotion SteppedSine(const std::vector<double>& shape, double amplitude, double omega, Ramp ramp) {
-  return [=](double t, std::span<double> height, std::span<double> velocity) {
-    const double z = amplitude * ramp.Value(t) * std::cos(omega * t);
-    const double v = amplitude * (ramp.Rate(t) * std::cos(omega * t) - omega * ramp.Value(t) * std::sin(omega * t));
-    for (std::size_t p = 0; p < shape.size(); ++p) {
-      height[p] = shape[p] * z;
-      velocity[p] = shape[p] * v;
-    }
+  return [=](double t, std::span<PostState> posts) {
+    const double c = std::cos(omega * t);
+    const double s = std::sin(omega * t);
+    const double z = amplitude * ramp.Value(t) * c;
+    const double v = amplitude * (ramp.Rate(t) * c - omega * ramp.Value(t) * s);
+    const double a = amplitude * (ramp.Curvature(t) * c - 2 * omega * ramp.Rate(t) * s) - omega * omega * z;
+    for (std::size_t p = 0; p < shape.size(); ++p) posts[p] = {shape[p] * z, shape[p] * v, shape[p] * a};
   };
 }
 

@@ -57,7 +57,7 @@ Eigen::MatrixXd StateMatrix(const CondensedModel& model) {
   Eigen::MatrixXd damping = model.damping;
   for (const CondensedModel::Dashpot& dashpot : model.dashpots)
     if (!(dashpot.series_stiffness > 0))
-      damping += dashpot.law.Mean() * dashpot.direction * dashpot.direction.transpose();
+      damping += dashpot.law.MeanRate() * dashpot.direction * dashpot.direction.transpose();
   const Eigen::Index size = 2 * n + static_cast<Eigen::Index>(series.size());
   const Eigen::LDLT<Eigen::MatrixXd> mass(model.mass);
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
@@ -68,7 +68,7 @@ Eigen::MatrixXd StateMatrix(const CondensedModel& model) {
     const Eigen::Index x = 2 * n + static_cast<Eigen::Index>(j);
     a.block(n, x, n, 1) = -mass.solve(series[j]->direction) * series[j]->series_stiffness;
     a.block(x, n, 1, n) = series[j]->direction.transpose();
-    a(x, x) = -series[j]->series_stiffness / series[j]->law.Mean();
+    a(x, x) = -series[j]->series_stiffness / series[j]->law.MeanRate();
   }
   return a;
 }

@@ -7,9 +7,10 @@
 #include <Eigen/QR>
 
 #include "analysis/diagnostics.h"
+#include "vehicles/body_forces.h"
 #include "vehicles/count_check.h"
-#include "vehicles/force_elements.h"
 #include "vehicles/gravity.h"
+#include "vehicles/line_forces.h"
 #include "vehicles/loop_gaps.h"
 #include "vehicles/simbody_bodies.h"
 
@@ -26,6 +27,7 @@ struct SensorData {
   Vec3 axis;
   BodyLine line;
   int tyre = -1;
+  double wheelpan = 0;
   /// Reading in the design pose, taken off.
   double rest = 0;
 };
@@ -37,7 +39,13 @@ struct Multibody::Impl {
 
   void AddBodies();
   void AddForces();
+  void AddSprings();
+  void AddDampers();
+  void AddBushings();
+  void AddTyres();
   void AddLoops();
+  void AddHinge(const Hinge& hinge);
+  void NoteLoop(const char* tag, const std::string& name, int line, int rows);
   void AddSensors();
   BodyLine MakeLine(const ForceLine& line);
   void AssembleDesignPose();
@@ -50,7 +58,8 @@ struct Multibody::Impl {
   void Realize(SimTK::Stage stage);
   double Reading(const SensorData& sensor, const SimTK::State& at);
   Eigen::VectorXd Readings(const SimTK::State& at);
-  const PlatformState& PlatformsAt(double t);
+  const Platforms& PlatformsAt(double t);
+  double LoadCell(const SensorData& sensor, const SimTK::State& at);
 
   Vehicle vehicle;
   SimTK::MultibodySystem system;
@@ -58,23 +67,29 @@ struct Multibody::Impl {
   SimTK::GeneralForceSubsystem forces{system};
   std::vector<MobilizedBody> bodies;
   std::vector<SpringData> springs;
+  /// All but the hydraulic ones, and these; each with its place in Vehicle::dampers.
   std::vector<DamperData> dampers;
+  std::vector<std::size_t> damper_index;
+  std::vector<HydraulicData> hydraulics;
+  std::vector<std::size_t> hydraulic_index;
+  std::vector<BushingData> bushings;
+  std::vector<AntiRollData> antiroll_bars;
   std::vector<TyreData> tyres;
   std::vector<SensorData> sensors;
   std::vector<double> rod_lengths;
-  PlatformState platform_state;
-  /// Time of platform_state; NaN, which equals no time, before the first.
+  std::vector<LoopClosure> loops;
+  Platforms posts;
+  /// Time of posts; NaN, which equals no time, before the first.
   double platform_time = std::numeric_limits<double>::quiet_NaN();
   PostMotion post_motion;
-  std::function<const PlatformState&(double)> platforms;
+  std::function<const Platforms&(double)> platforms;
   SimTK::State state;
   Eigen::VectorXd design_pose;
 };
 
 Multibody::Impl::Impl(const Vehicle& v) : vehicle(v) {
-  platforms = [this](double t) -> const PlatformState& { return PlatformsAt(t); };
-  platform_state.height.assign(vehicle.posts.size(), 0.0);
-  platform_state.velocity.assign(vehicle.posts.size(), 0.0);
+  platforms = [this](double t) -> const Platforms& { return PlatformsAt(t); };
+  posts.resize(vehicle.posts.size());
   AddBodies();
   AddForces();
   AddLoops();
@@ -106,36 +121,108 @@ BodyLine Multibody::Impl::MakeLine(const ForceLine& line) {
   return out;
 }
 
+// The elements keep references into the vectors of their data: each has its final size before its elements are made.
+
 void Multibody::Impl::AddForces() {
   // A handle; the system owns the force.
   const SimTK::Force::Gravity gravity(forces, matter, -SimTK::ZAxis, kGravity);
-  // The elements keep references into these vectors: they must have their final size first.
-  for (const Spring& spring : vehicle.springs) springs.push_back({.line = MakeLine(spring.line)});
-  for (const Damper& damper : vehicle.dampers)
-    dampers.push_back({.line = MakeLine(damper.line), .dashpot = {}, .in_series = damper.series_stiffness.has_value()});
+  AddSprings();
+  AddDampers();
+  AddBushings();
+  AddTyres();
+}
+
+void Multibody::Impl::AddSprings() {
+  for (const Spring& spring : vehicle.springs) springs.push_back({.line = MakeLine(spring.line), .law = {}});
+  for (const SpringData& spring : springs) SimTK::Force::Custom(forces, new SpringForce(spring));
+  for (const AntiRollBar& bar : vehicle.antiroll_bars)
+    antiroll_bars.push_back({.left = MakeLine(bar.left), .right = MakeLine(bar.right)});
+  for (const AntiRollData& bar : antiroll_bars) SimTK::Force::Custom(forces, new AntiRollForce(bar));
+}
+
+void Multibody::Impl::AddDampers() {
+  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i) {
+    const Damper& damper = vehicle.dampers[i];
+    if (damper.hydraulic) {
+      hydraulics.push_back({.line = MakeLine(damper.line), .damper = {}});
+      hydraulic_index.push_back(i);
+    } else {
+      dampers.push_back(
+          {.line = MakeLine(damper.line), .dashpot = {}, .in_series = damper.series.has_value(), .series = {}});
+      damper_index.push_back(i);
+    }
+  }
+  for (const DamperData& damper : dampers) SimTK::Force::Custom(forces, new DamperForce(damper, forces));
+  for (const HydraulicData& damper : hydraulics) SimTK::Force::Custom(forces, new HydraulicForce(damper, forces));
+}
+
+void Multibody::Impl::AddBushings() {
+  for (const Bushing& bushing : vehicle.bushings)
+    bushings.push_back({.parent = Body(bushing.parent.link),
+                        .child = Body(bushing.child.link),
+                        .parent_station = ToSimbody(bushing.parent.xyz),
+                        .child_station = ToSimbody(bushing.child.xyz),
+                        .parent_axes = bushing.axes,
+                        .child_axes = {},
+                        .design_place = {}});
+  for (const BushingData& bushing : bushings) SimTK::Force::Custom(forces, new BushingForce(bushing));
+}
+
+void Multibody::Impl::AddTyres() {
   for (const Tyre& tyre : vehicle.tyres)
-    tyres.push_back({.body = Body(tyre.point.link), .station = ToSimbody(tyre.point.xyz)});
+    tyres.push_back({.body = Body(tyre.point.link),
+                     .station = ToSimbody(tyre.point.xyz),
+                     .radius = tyre.radius,
+                     .lifts_off = tyre.lifts_off});
   for (std::size_t i = 0; i < vehicle.posts.size(); ++i)
     tyres[static_cast<std::size_t>(vehicle.posts[i].tyre)].post = static_cast<int>(i);
-  for (const SpringData& spring : springs) SimTK::Force::Custom(forces, new SpringForce(spring));
-  for (const DamperData& damper : dampers) SimTK::Force::Custom(forces, new DamperForce(damper, forces));
   for (const TyreData& tyre : tyres) SimTK::Force::Custom(forces, new TyreForce(tyre, platforms));
 }
 
+void Multibody::Impl::NoteLoop(const char* tag, const std::string& name, int line, int rows) {
+  const int first = loops.empty() ? 0 : loops.back().first_row + loops.back().rows;
+  loops.push_back({std::string(tag) + " '" + name + "'", line, first, rows});
+}
+
 void Multibody::Impl::AddLoops() {
-  for (const Ball& ball : vehicle.balls)
-    SimTK::Constraint::Ball(Body(ball.parent.link), ToSimbody(ball.parent.xyz), Body(ball.child.link),
-                            ToSimbody(ball.child.xyz));
-  if (vehicle.rods.empty()) return;
-  // A rod's length is that of the design pose, which tree coordinates of zero define.
+  if (!vehicle.HasLoops()) return;
+  // Lengths and directions of the design pose, which tree coordinates of zero define.
   CreateState();
   system.realize(state, SimTK::Stage::Position);
   for (const Rod& rod : vehicle.rods) rod_lengths.push_back(Distance(rod.parent, rod.child));
+  for (const Ball& ball : vehicle.balls) {
+    SimTK::Constraint::Ball(Body(ball.parent.link), ToSimbody(ball.parent.xyz), Body(ball.child.link),
+                            ToSimbody(ball.child.xyz));
+    NoteLoop("fp:ball", ball.name, ball.source_line, 3);
+  }
   for (std::size_t i = 0; i < rod_lengths.size(); ++i) {
     const Rod& rod = vehicle.rods[i];
     SimTK::Constraint::Rod(Body(rod.parent.link), ToSimbody(rod.parent.xyz), Body(rod.child.link),
                            ToSimbody(rod.child.xyz), rod_lengths[i]);
+    NoteLoop("fp:rod", rod.name, rod.source_line, 1);
   }
+  for (const Weld& weld : vehicle.welds) {
+    const SimTK::Transform parent_in_child =
+        Body(weld.parent.link).findBodyTransformInAnotherBody(state, Body(weld.child.link));
+    SimTK::Constraint::Weld(Body(weld.parent.link), SimTK::Transform(ToSimbody(weld.parent.xyz)), Body(weld.child.link),
+                            SimTK::Transform(parent_in_child.R(), ToSimbody(weld.child.xyz)));
+    NoteLoop("fp:weld", weld.name, weld.source_line, 6);
+  }
+  for (const Hinge& hinge : vehicle.hinges) AddHinge(hinge);
+}
+
+/// A ball, and the child's axis at right angles to two directions across the parent's.
+void Multibody::Impl::AddHinge(const Hinge& hinge) {
+  MobilizedBody& parent = Body(hinge.parent.link);
+  MobilizedBody& child = Body(hinge.child.link);
+  const SimTK::UnitVec3 axis(ToSimbody(hinge.axis));
+  const SimTK::UnitVec3 axis_in_child(~child.findBodyRotationInAnotherBody(state, parent) * axis);
+  const SimTK::UnitVec3 across = axis.perp();
+  const SimTK::UnitVec3 across_both(axis % across);
+  SimTK::Constraint::Ball(parent, ToSimbody(hinge.parent.xyz), child, ToSimbody(hinge.child.xyz));
+  SimTK::Constraint::ConstantAngle(parent, across, child, axis_in_child);
+  SimTK::Constraint::ConstantAngle(parent, across_both, child, axis_in_child);
+  NoteLoop("fp:hinge", hinge.name, hinge.source_line, 5);
 }
 
 void Multibody::Impl::AddSensors() {
@@ -143,6 +230,7 @@ void Multibody::Impl::AddSensors() {
     SensorData data;
     data.type = sensor.type;
     data.tyre = sensor.tyre;
+    data.wheelpan = sensor.wheelpan.value;
     data.axis = ToSimbody(sensor.axis);
     if (sensor.type == Sensor::Type::kStrut) data.line = MakeLine(sensor.line);
     if (sensor.point.link >= 0) {
@@ -182,7 +270,13 @@ void Multibody::Impl::MeasureDesign() {
   SetPose(design_pose);
   for (SpringData& spring : springs) spring.line.design_length = Length(spring.line, state);
   for (DamperData& damper : dampers) damper.line.design_length = Length(damper.line, state);
-  for (TyreData& tyre : tyres) tyre.design_height = tyre.body.findStationLocationInGround(state, tyre.station)[2];
+  for (HydraulicData& damper : hydraulics) damper.line.design_length = Length(damper.line, state);
+  for (AntiRollData& bar : antiroll_bars) {
+    bar.left.design_length = Length(bar.left, state);
+    bar.right.design_length = Length(bar.right, state);
+  }
+  for (BushingData& bushing : bushings) fourpost::MeasureDesign(bushing, state);
+  for (TyreData& tyre : tyres) fourpost::MeasureDesign(tyre, state);
   for (SensorData& sensor : sensors) {
     if (sensor.type == Sensor::Type::kStrut) sensor.line.design_length = Length(sensor.line, state);
     if (sensor.type == Sensor::Type::kDisplacement) {
@@ -221,12 +315,19 @@ void Multibody::Impl::Realize(SimTK::Stage stage) {
   }
 }
 
-const PlatformState& Multibody::Impl::PlatformsAt(double t) {
+const Platforms& Multibody::Impl::PlatformsAt(double t) {
   if (post_motion && t != platform_time) {
-    post_motion(t, platform_state.height, platform_state.velocity);
+    post_motion(t, posts);
     platform_time = t;
   }
-  return platform_state;
+  return posts;
+}
+
+double Multibody::Impl::LoadCell(const SensorData& sensor, const SimTK::State& at) {
+  const TyreData& tyre = tyres[static_cast<std::size_t>(sensor.tyre)];
+  const Platforms& now = PlatformsAt(at.getTime());
+  const double acceleration = tyre.post < 0 ? 0 : now[static_cast<std::size_t>(tyre.post)].acceleration;
+  return TyreForce::Compression(tyre, now, at) - tyre.preload + sensor.wheelpan * acceleration;
 }
 
 double Multibody::Impl::Reading(const SensorData& sensor, const SimTK::State& at) {
@@ -239,8 +340,9 @@ double Multibody::Impl::Reading(const SensorData& sensor, const SimTK::State& at
     case Sensor::Type::kDisplacement:
       return SimTK::dot(sensor.axis, sensor.body.findStationLocationInGround(at, sensor.station)) - sensor.rest;
     case Sensor::Type::kStrut: return Extension(sensor.line, at);
-    case Sensor::Type::kLoadCell:
-      return TyreForce::DynamicCompression(tyres[static_cast<std::size_t>(sensor.tyre)], PlatformsAt(at.getTime()), at);
+    case Sensor::Type::kLoadCell: return LoadCell(sensor, at);
+    case Sensor::Type::kGyro:
+      return SimTK::dot(sensor.body.getBodyRotation(at) * sensor.axis, sensor.body.getBodyAngularVelocity(at));
   }
   throw std::logic_error("sensor type without a reading");
 }
@@ -269,20 +371,40 @@ void Multibody::SetParameters(std::span<const double> parameters, const Preloads
   RequireCount("Multibody::SetParameters", "parameters", m.vehicle.parameters.size(), parameters.size());
   RequireCount("Multibody::SetParameters: preloads", "springs", m.springs.size(), preloads.spring.size());
   RequireCount("Multibody::SetParameters: preloads", "tyres", m.tyres.size(), preloads.tyre.size());
+  RequireCount("Multibody::SetParameters: preloads", "bushings", m.bushings.size(), preloads.bushing.size());
   for (std::size_t i = 0; i < m.springs.size(); ++i) {
-    m.springs[i].stiffness = m.vehicle.springs[i].stiffness.At(parameters);
+    m.springs[i].law = m.vehicle.springs[i].law.At(parameters);
     m.springs[i].preload = preloads.spring[i];
   }
+  for (std::size_t i = 0; i < m.antiroll_bars.size(); ++i) {
+    m.antiroll_bars[i].stiffness = m.vehicle.antiroll_bars[i].stiffness.At(parameters);
+    m.antiroll_bars[i].damping = m.vehicle.antiroll_bars[i].damping.At(parameters);
+  }
   for (std::size_t i = 0; i < m.dampers.size(); ++i) {
-    const Damper& damper = m.vehicle.dampers[i];
-    m.dampers[i].dashpot = {damper.compression.At(parameters), damper.rebound.At(parameters)};
-    if (damper.series_stiffness) m.dampers[i].series_stiffness = damper.series_stiffness->At(parameters);
+    const Damper& damper = m.vehicle.dampers[m.damper_index[i]];
+    m.dampers[i].dashpot = damper.law.At(parameters);
+    if (damper.series) m.dampers[i].series = damper.series->At(parameters);
+  }
+  for (std::size_t i = 0; i < m.hydraulics.size(); ++i)
+    m.hydraulics[i].damper = m.vehicle.dampers[m.hydraulic_index[i]].hydraulic->At(parameters);
+  for (std::size_t i = 0; i < m.bushings.size(); ++i) {
+    const Bushing& bushing = m.vehicle.bushings[i];
+    for (std::size_t k = 0; k < 6; ++k) {
+      m.bushings[i].stiffness[k] = bushing.stiffness[k].At(parameters);
+      m.bushings[i].damping[k] = bushing.DampingAt(k, parameters);
+    }
+    m.bushings[i].preload = preloads.bushing[i];
   }
   for (std::size_t i = 0; i < m.tyres.size(); ++i) {
-    m.tyres[i].stiffness = m.vehicle.tyres[i].stiffness.At(parameters);
-    m.tyres[i].damping = m.vehicle.tyres[i].damping.At(parameters);
+    const Tyre& tyre = m.vehicle.tyres[i];
+    m.tyres[i].stiffness = tyre.stiffness.At(parameters);
+    m.tyres[i].damping = tyre.damping.At(parameters);
+    m.tyres[i].lateral = tyre.lateral.At(parameters);
+    m.tyres[i].longitudinal = tyre.longitudinal.At(parameters);
     m.tyres[i].preload = preloads.tyre[i];
   }
+  for (std::size_t i = 0; i < m.sensors.size(); ++i)
+    m.sensors[i].wheelpan = m.vehicle.sensors[i].wheelpan.At(parameters);
   for (const Joint& joint : m.vehicle.joints)
     m.Body(joint.child)
         .setDefaultMassProperties(MassPropertiesAt(m.vehicle.links[static_cast<std::size_t>(joint.child)], parameters));
@@ -296,8 +418,7 @@ void Multibody::SetParameters(std::span<const double> parameters, const Preloads
 void Multibody::SetPostMotion(PostMotion motion) {
   impl_->post_motion = std::move(motion);
   impl_->platform_time = std::numeric_limits<double>::quiet_NaN();
-  std::fill(impl_->platform_state.height.begin(), impl_->platform_state.height.end(), 0.0);
-  std::fill(impl_->platform_state.velocity.begin(), impl_->platform_state.velocity.end(), 0.0);
+  std::fill(impl_->posts.begin(), impl_->posts.end(), PostState());
   impl_->state.invalidateAllCacheAtOrAbove(SimTK::Stage::Dynamics);
 }
 
@@ -319,6 +440,8 @@ Eigen::MatrixXd Multibody::LinkJacobian(int link) const {
   }
   return jacobian;
 }
+
+const std::vector<LoopClosure>& Multibody::loop_closures() const { return impl_->loops; }
 
 Eigen::VectorXd Multibody::LoopError() const { return ToEigen(impl_->state.getQErr()); }
 
@@ -346,13 +469,21 @@ Eigen::VectorXd Multibody::Residual(double t, const Eigen::VectorXd& state, cons
                                                 acceleration, lacking);
   Eigen::VectorXd residual(state.size() - n);
   for (int i = 0; i < n; ++i) residual[i] = lacking[i];
-  Eigen::Index series = n;
+  Eigen::Index z = n;
   for (const DamperData& damper : m.dampers) {
     if (!damper.in_series) continue;
     const double rate = Motion(damper.line, m.state).rate;
-    residual[series] = SeriesDamper{damper.dashpot, damper.series_stiffness}.Force(state[n + series]) -
-                       damper.dashpot.Force(rate - derivative[n + series]);
-    ++series;
+    residual[z] = damper.series.Force(state[n + z]) - damper.dashpot.Force(rate - derivative[n + z]);
+    ++z;
+  }
+  for (const HydraulicData& damper : m.hydraulics) {
+    const LineMotion motion = Motion(damper.line, m.state);
+    const std::array<double, 2> rates =
+        HydraulicRates(damper.damper, motion.extension, motion.rate, {state[n + z], state[n + z + 1]});
+    for (const double rate : rates) {
+      residual[z] = derivative[n + z] - rate;
+      ++z;
+    }
   }
   return residual;
 }

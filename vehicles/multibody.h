@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,13 +13,31 @@
 
 namespace fourpost {
 
-/// Heights and vertical velocities of the post platforms at time t [s], from rest [m, m/s]; one entry per post.
-using PostMotion = std::function<void(double t, std::span<double> height, std::span<double> velocity)>;
+/// A post's platform, upward from rest.
+struct PostState {
+  double height = 0;        // m
+  double velocity = 0;      // m/s
+  double acceleration = 0;  // m/s^2
+};
 
-/// Forces in the design pose: tension of each spring, compression of each tyre [N].
+/// Motion of the post platforms at time t [s]; one entry per post.
+using PostMotion = std::function<void(double t, std::span<PostState> posts)>;
+
+/// Forces in the design pose: tension of each spring, compression of each tyre, and what each bushing resists with
+/// along its axes [N].
 struct Preloads {
   std::vector<double> spring;
   std::vector<double> tyre;
+  std::vector<Eigen::Vector3d> bushing;
+};
+
+/// A loop closure and its rows in LoopError and LoopJacobian.
+struct LoopClosure {
+  /// As messages call it: "fp:rod 'panhard'".
+  std::string element;
+  int source_line = 0;
+  int first_row = 0;
+  int rows = 0;
 };
 
 /// What an integration step reports: time, state [q u z] and the sensors' readings in their file order.
@@ -26,7 +45,8 @@ using MarchSink = std::function<void(double t, const Eigen::VectorXd& state, con
 
 /// The vehicle as a nonlinear multibody system in Simbody: bodies, joints, loop closures and force elements.
 /// Joint coordinates q: revolute angle; prismatic travel; planar angle, x, y; floating body-fixed x-y-z angles, x, y,
-/// z; dq/dt = u for all of them. z: extension of the spring of each series damper. Not thread-safe: one per thread.
+/// z; dq/dt = u for all of them. z: extension of the spring of each series damper in file order [m], then the pressures
+/// of each hydraulic damper above rest (rebound, compression chamber) [MPa]. Not thread-safe: one per thread.
 class Multibody {
  public:
   /// Throws FaultyInput, naming the loops and their gaps, when the loop closures cannot be assembled.
@@ -44,7 +64,7 @@ class Multibody {
   const Eigen::VectorXd& design_pose() const;
 
   /// Changes masses, inertias, rates and laws of the existing system; topology and pose stay.
-  /// Throws std::invalid_argument for another number of parameters, springs or tyres than the vehicle has.
+  /// Throws std::invalid_argument for another number of parameters, springs, tyres or bushings than the vehicle has.
   void SetParameters(std::span<const double> parameters, const Preloads& preloads);
   void SetPostMotion(PostMotion motion);
 
@@ -54,7 +74,8 @@ class Multibody {
   Eigen::Isometry3d LinkPose(int link) const;
   /// 6 x coordinates: angular velocity and velocity of the link's origin, in ground axes, per unit u.
   Eigen::MatrixXd LinkJacobian(int link) const;
-  /// Loop closure errors [m] and their derivatives by q.
+  /// Loop closure errors [m, or rad] and their derivatives by q.
+  const std::vector<LoopClosure>& loop_closures() const;
   Eigen::VectorXd LoopError() const;
   Eigen::MatrixXd LoopJacobian() const;
 
@@ -63,7 +84,8 @@ class Multibody {
 
   /// Inverse dynamics at time t: what the state [q u z] lacks to change at the rate `derivative` = d[q u z]/dt.
   ///   per coordinate       M(q) u' - forces(t, q, u, z)                     [N, or N m for an angle], n entries,
-  ///   per series damper    series stiffness z - dashpot force(v - z')      [N], in file order,
+  ///   per series damper    spring force(z) - dashpot force(v - z')         [N], in file order,
+  ///   per hydraulic damper z' - what its oil and valves make of v          [MPa/s], two each,
   /// v: extension rate of the damper. All zero where derivative = StateDerivative(t, state), which costs more and
   /// divides by the dashpots' rates. Forces of loop closures are left out.
   /// Throws std::runtime_error when Simbody cannot evaluate the state.

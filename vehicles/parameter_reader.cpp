@@ -88,8 +88,22 @@ Parameter ParameterReader::ReadParameter(const Tag& tag) const {
     parameter.dimension = value->unit.dimension;
     parameter.unit = value->unit_text;
     ReadBounds(tag, parameter);
+    ReadPrior(tag, parameter);
   }
   return parameter;
+}
+
+void ParameterReader::ReadPrior(const Tag& tag, Parameter& parameter) const {
+  if (!AttributeText(*tag.element, "prior_sd")) return;
+  const std::optional<Quantity> sd = ReadQuantity(tag, "prior_sd", faults_);
+  if (!sd) return;
+  const auto fault = [&](const std::string& text) {
+    faults_.Error(tag.Line("prior_sd"), Quoted("prior_sd", tag.Text("prior_sd"), tag) + " " + text);
+  };
+  if (sd->unit.dimension != parameter.dimension)
+    return fault(DimensionFault(*sd, tag.Text("prior_sd"), parameter.dimension) + ", as its value");
+  if (sd->si <= 0) return fault("must be above zero");
+  parameter.prior_sd = sd->si;
 }
 
 void ParameterReader::ReadBounds(const Tag& tag, Parameter& parameter) const {
@@ -204,6 +218,13 @@ double ParameterReader::Least(const Scalar& scalar) const {
   return std::min({scalar.factor * parameter.lower, scalar.factor * parameter.value, scalar.factor * parameter.upper});
 }
 
+double ParameterReader::Greatest(const Scalar& scalar) const {
+  Scalar mirrored = scalar;
+  mirrored.value = -mirrored.value;
+  mirrored.factor = -mirrored.factor;
+  return -Least(mirrored);
+}
+
 void ParameterReader::CheckUse() const {
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     const Parameter& parameter = parameters_[i];
@@ -211,6 +232,12 @@ void ParameterReader::CheckUse() const {
       faults_.Error(parameter.line, "fp:parameter '" + parameter.name + "' is not used: bind it or refer to it as \"$" +
                                         parameter.name + "\"");
   }
+}
+
+std::vector<double> ParameterReader::Values() const {
+  std::vector<double> values;
+  for (const Parameter& parameter : parameters_) values.push_back(parameter.value);
+  return values;
 }
 
 std::vector<std::string> ParameterReader::Names() const {

@@ -21,6 +21,8 @@ class ParameterReader {
   ParameterReader(const tinyxml2::XMLElement& robot, FileFaults& faults);
 
   const std::vector<Parameter>& parameters() const { return parameters_; }
+  /// As the file gives them.
+  std::vector<double> Values() const;
 
   /// The number in an attribute of the kind kScalar: "32 N/mm" or "0.5*$k". Zero with a fault when it cannot be read.
   Scalar ReadScalar(const Tag& tag, std::string_view attribute);
@@ -28,8 +30,9 @@ class ParameterReader {
   /// Ties a number of the tree, `literal` in the file, to the parameter of this `<fp:bind>`. Nothing after a fault.
   std::optional<Scalar> Bind(const Tag& bind, double literal, const Dimension& dimension) const;
 
-  /// The least value that a number takes within the bounds of its parameter.
+  /// The least and the greatest value that a number takes within the bounds of its parameter.
   double Least(const Scalar& scalar) const;
+  double Greatest(const Scalar& scalar) const;
 
   /// Reports parameters that nothing refers to.
   void CheckUse() const;
@@ -37,6 +40,7 @@ class ParameterReader {
  private:
   Parameter ReadParameter(const Tag& tag) const;
   void ReadBounds(const Tag& tag, Parameter& parameter) const;
+  void ReadPrior(const Tag& tag, Parameter& parameter) const;
   Scalar ReadReference(const Tag& tag, const AttributeRule& rule, std::string_view text);
   void CheckSign(const Tag& tag, const AttributeRule& rule, const std::string& text, const Scalar& scalar) const;
   std::string BindFault(const Scalar& scalar, const Dimension& given, double literal, const Dimension& wanted) const;

@@ -2,10 +2,12 @@
 
 #include <numbers>
 
+#include "vehicles/series_damper.h"
+
 namespace fourpost {
 
 Eigen::Matrix4d QuarterCar::StateMatrix() const {
-  const double d = damper.Mean();
+  const double d = damper.MeanRate();
   Eigen::Matrix4d a;
   a << 0, 0, 1, 0,  //
       0, 0, 0, 1,   //
@@ -18,7 +20,7 @@ Eigen::Vector4d QuarterCar::InputVector() const { return {0, 0, 0, tyre_stiffnes
 
 std::array<std::complex<double>, 2> QuarterCar::Response(double frequency_Hz) const {
   const double w = 2 * std::numbers::pi * frequency_Hz;
-  const std::complex<double> strut(stiffness, w * damper.Mean());
+  const std::complex<double> strut(stiffness, w * damper.MeanRate());
   const std::complex<double> sprung = strut - w * w * sprung_mass;
   const std::complex<double> unsprung = strut + tyre_stiffness - w * w * unsprung_mass;
   // [sprung -strut; -strut unsprung] [z_s z_u]' = [0 tyre]' z_g.
@@ -29,7 +31,7 @@ std::array<std::complex<double>, 2> QuarterCar::Response(double frequency_Hz) co
 Eigen::Matrix<double, 5, 1> QuarterCar::Derivative(const Eigen::Matrix<double, 5, 1>& state,
                                                    double ground_height) const {
   const double rate = state[2] - state[3];
-  const SeriesDamper series{damper, series_stiffness};
+  const SeriesDamper series{damper, {.stiffness = series_stiffness, .knees = {}}};
   const double tension = series_stiffness > 0 ? series.Force(state[4]) : damper.Force(rate);
   const double strut = stiffness * (state[0] - state[1]) + tension;
   Eigen::Matrix<double, 5, 1> out;

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "vehicles/damper_law.h"
+#include "vehicles/dashpot_law.h"
 
 namespace fourpost {
 
@@ -18,7 +18,7 @@ struct QuarterCar {
   double unsprung_mass = 0;     // kg
   double stiffness = 0;         // N/m
   double tyre_stiffness = 0;    // N/m
-  BilinearDashpot damper;       // equal rates: the linear model
+  DashpotLaw damper;            // equal rates: the linear model
   double series_stiffness = 0;  // N/m; 0: none
 
   /// Of [z_s z_u z_s' z_u'] with the dashpot at its mean rate. Thesis eq. 4.12 misprints the last row; this one follows

@@ -10,6 +10,7 @@ std::string UnitOf(Sensor::Type type) {
     case Sensor::Type::kDisplacement:
     case Sensor::Type::kStrut: return "m";
     case Sensor::Type::kLoadCell: return "N";
+    case Sensor::Type::kGyro: return "rad/s";
   }
   return "";
 }

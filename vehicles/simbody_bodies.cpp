@@ -51,7 +51,7 @@ Eigen::MatrixXd ToEigen(const SimTK::Matrix& m) {
 
 SimTK::MassProperties MassPropertiesAt(const Link& link, std::span<const double> parameters) {
   const double mass = link.mass.At(parameters);
-  const Vec3 com = ToSimbody(link.com);
+  const Vec3 com = ToSimbody(link.ComAt(parameters));
   std::array<double, 6> i{};
   for (std::size_t k = 0; k < i.size(); ++k) i[k] = link.inertia[k].At(parameters);
   // Simbody takes the central inertia back as a difference and refuses what rounding leaves below zero of a point mass.

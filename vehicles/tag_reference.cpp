@@ -3,6 +3,12 @@
 namespace fourpost {
 namespace {
 
+std::string ChoicesText(const AttributeRule& rule) {
+  std::string text;
+  for (std::string_view choice : rule.choices) text += (text.empty() ? "`" : " or `") + std::string(choice) + "`";
+  return text;
+}
+
 std::string KindText(const AttributeRule& rule) {
   switch (rule.kind) {
     case AttributeKind::kText: return "text";
@@ -17,7 +23,7 @@ std::string KindText(const AttributeRule& rule) {
     case AttributeKind::kQuantity: return "number with unit";
     case AttributeKind::kScalar:
       return DimensionName(rule.dimension) + " in " + SiUnit(rule.dimension) + " or the like";
-    case AttributeKind::kChoice: return "`" + std::string(rule.choices.front()) + "`";
+    case AttributeKind::kChoice: return ChoicesText(rule);
   }
   return "";
 }
@@ -64,9 +70,9 @@ std::string TagReference() {
   for (const TagRule& tag : OwnTags()) {
     const std::string occurs = OccursText(tag);
     text += Heading(tag) + "\n" + std::string(tag.doc) + (occurs.empty() ? "" : "\n" + occurs) + "\n\n";
-    text += "| attribute | value | default | meaning |\n|---|---|---|---|\n";
+    if (!tag.attributes.empty()) text += "| attribute | value | default | meaning |\n|---|---|---|---|\n";
     for (const AttributeRule& attribute : tag.attributes) text += Row(attribute);
-    text += "\n";
+    if (!tag.attributes.empty()) text += "\n";
   }
   return text;
 }

@@ -28,12 +28,35 @@ AttributeRule SensorType(std::string_view type) {
   return {.name = "type", .kind = Kind::kChoice, .doc = "kind of sensor", .choices = {type}};
 }
 
+/// A number of this dimension or a parameter; `fallback` empty: required.
+AttributeRule Measure(std::string_view name, const Dimension& dimension, Sign sign, std::string_view doc,
+                      std::string_view fallback = {}) {
+  return {.name = name,
+          .kind = Kind::kScalar,
+          .required = fallback.empty(),
+          .fallback = fallback,
+          .doc = doc,
+          .dimension = dimension,
+          .sign = sign};
+}
+
 AttributeRule Stiffness(std::string_view doc, Sign sign = Sign::kNotNegative) {
-  return {.name = "stiffness", .kind = Kind::kScalar, .doc = doc, .dimension = kStiffness, .sign = sign};
+  return Measure("stiffness", kStiffness, sign, doc);
 }
 
 AttributeRule Rate(std::string_view name, std::string_view doc) {
-  return {.name = name, .kind = Kind::kScalar, .doc = doc, .dimension = kDamping, .sign = Sign::kNotNegative};
+  return Measure(name, kDamping, Sign::kNotNegative, doc);
+}
+
+AttributeRule Cubic(std::string_view doc) {
+  return Measure("cubic", kCubicStiffness, Sign::kNotNegative, doc, "0 N/m^3");
+}
+
+std::vector<AttributeRule> Components(const Dimension& dimension, std::string_view fallback, std::string_view doc) {
+  std::vector<AttributeRule> rules;
+  for (std::string_view axis : {"x", "y", "z"})
+    rules.push_back(Measure(axis, dimension, Sign::kNotNegative, doc, fallback));
+  return rules;
 }
 
 AttributeRule Preload(std::string_view doc) {
@@ -60,12 +83,17 @@ std::vector<TagRule> MakeParameterTags() {
                       Bound("lower", "least value of a search"),
                       Bound("upper", "greatest value of a search"),
                       Bound("precision", "step of a search, above zero and at most upper - lower"),
+                      {.name = "prior_sd",
+                       .kind = Kind::kQuantity,
+                       .required = false,
+                       .doc = "standard deviation of what is known of the value before any fit"},
                       {.name = "source", .doc = "where the value comes from"}}},
       {.path = "fp:parameter/fp:bind",
        .doc = "Ties a number of the tree to the parameter. The tree's number must equal factor times value.",
        .attributes = {{.name = "to",
                        .kind = Kind::kTreeNumber,
-                       .doc = "`link[NAME]/mass` or `link[NAME]/inertia/ixx` (iyy, izz, ixy, ixz, iyz)"},
+                       .doc = "`link[NAME]/mass`, `link[NAME]/com/x` (y, z) or `link[NAME]/inertia/ixx` (iyy, izz, "
+                              "ixy, ixz, iyz)"},
                       {.name = "factor",
                        .kind = Kind::kNumber,
                        .required = false,
@@ -75,18 +103,64 @@ std::vector<TagRule> MakeParameterTags() {
   };
 }
 
-std::vector<TagRule> MakeForceTags() {
+std::vector<TagRule> MakeSpringTags() {
+  const AttributeRule preload = Preload("tension in the design pose; `equilibrium`: whatever holds that pose at rest");
   return {
       {.path = "fp:spring",
-       .doc = "A spring between two points.",
+       .doc = "A spring between two points. x is its extension from the design pose.",
        .attributes = {kNameRule, kParentRule, kChildRule, kGuideRule}},
       {.path = "fp:spring/linear",
        .occurs = Occurs::kOneOfAll,
-       .doc = "tension = preload + stiffness (L - L_design)",
+       .doc = "tension = preload + stiffness x, or stiffness (length - free_length)",
        .attributes = {Stiffness("force per extension"),
-                      Preload("tension in the design pose; `equilibrium`: whatever holds that pose at rest")}},
+                      preload,
+                      {.name = "free_length",
+                       .kind = Kind::kScalar,
+                       .required = false,
+                       .doc = "length without load, in place of a preload",
+                       .dimension = kLength,
+                       .sign = Sign::kPositive}}},
+      {.path = "fp:spring/cubic",
+       .occurs = Occurs::kOneOfAll,
+       .doc = "tension = preload + stiffness x + cubic x^3",
+       .attributes = {Stiffness("force per extension in the design pose"),
+                      Measure("cubic", kCubicStiffness, Sign::kNotNegative, "hardening on either side"), preload}},
+      {.path = "fp:spring/multirate",
+       .occurs = Occurs::kOneOfAll,
+       .doc = "A spring whose rate changes at knees, as when coils close or a helper comes in. "
+              "tension = preload + stiffness x up to the first knee of either side, and on without a step.",
+       .attributes = {Stiffness("force per extension about the design pose"), preload}},
+      {.path = "fp:spring/multirate/knee",
+       .doc = "The rate beyond x = `at`: further in compression when `at` is below zero, further in extension when it "
+              "is above. Knees of a side stand in the order in which they are met.",
+       .attributes = {Measure("at", kLength, Sign::kAny, "extension at the knee; not zero"),
+                      Stiffness("force per extension beyond the knee")}},
+      {.path = "fp:stop",
+       .doc = "Bump and rebound stops between two points: no force until the gap is closed, give one or both.",
+       .attributes = {kNameRule, kParentRule, kChildRule, kGuideRule}},
+      {.path = "fp:stop/bump",
+       .occurs = Occurs::kAtMostOnce,
+       .doc = "compression force = stiffness s + cubic s^3, s = compression beyond the gap",
+       .attributes = {Measure("gap", kLength, Sign::kNotNegative, "free compression from the design pose"),
+                      Stiffness("force per compression of the stop"), Cubic("hardening of the stop")}},
+      {.path = "fp:stop/rebound",
+       .occurs = Occurs::kAtMostOnce,
+       .doc = "tension = stiffness s + cubic s^3, s = extension beyond the gap",
+       .attributes = {Measure("gap", kLength, Sign::kNotNegative, "free extension from the design pose"),
+                      Stiffness("force per extension of the stop"), Cubic("hardening of the stop")}},
+  };
+}
+
+std::vector<TagRule> MakeDamperTags() {
+  const auto speed = [](std::string_view name, std::string_view doc) {
+    return Measure(name, kVelocity, Sign::kPositive, doc);
+  };
+  const AttributeRule compression = Rate("compression", "force per speed in bump");
+  const AttributeRule rebound = Rate("rebound", "force per speed in rebound");
+  return {
       {.path = "fp:damper",
-       .doc = "A damper between two points. Rebound is extension and pulls the points together.",
+       .doc = "A damper between two points: force f, tension positive, at the rate v of its extension, rebound "
+              "positive. Rebound pulls the points together.",
        .attributes = {kNameRule, kParentRule, kChildRule, kGuideRule}},
       {.path = "fp:damper/linear",
        .occurs = Occurs::kOneOfAll,
@@ -95,34 +169,165 @@ std::vector<TagRule> MakeForceTags() {
       {.path = "fp:damper/bilinear",
        .occurs = Occurs::kOneOfAll,
        .doc = "f = rebound v in extension, compression v in compression",
-       .attributes = {Rate("compression", "force per speed in bump"), Rate("rebound", "force per speed in rebound")}},
+       .attributes = {compression, rebound}},
+      {.path = "fp:damper/smooth",
+       .occurs = Occurs::kOneOfAll,
+       .doc = "f = ((rebound + compression) / 2 + (rebound - compression) / 2 tanh(v / speed)) v",
+       .attributes = {compression, rebound, speed("speed", "speed over which one rate passes into the other")}},
+      {.path = "fp:damper/digressive",
+       .occurs = Occurs::kOneOfAll,
+       .doc = "f = rebound v up to v = rebound_knee and on with the slope rebound_beyond; likewise in compression.",
+       .attributes = {compression, rebound, speed("compression_knee", "speed of the knee in bump"),
+                      speed("rebound_knee", "speed of the knee in rebound"),
+                      Rate("compression_beyond", "slope beyond the knee in bump"),
+                      Rate("rebound_beyond", "slope beyond the knee in rebound")}},
+      {.path = "fp:damper/table",
+       .occurs = Occurs::kOneOfAll,
+       .doc = "A measured curve: a monotone cubic (Fritsch and Carlson) through its points and (0, 0), straight on "
+              "beyond the ends.",
+       .attributes = {}},
+      {.path = "fp:damper/table/point",
+       .doc = "A point of the curve, in the order of rising speed and force.",
+       .attributes = {Measure("speed", kVelocity, Sign::kAny, "extension rate, rebound positive"),
+                      Measure("force", kForce, Sign::kAny, "tension")}},
+      {.path = "fp:damper/hydraulic",
+       .occurs = Occurs::kOneOfAll,
+       .doc = "An adjustable monotube damper with gas behind a floating piston: a bleed in both directions, a rebound "
+              "and a compression valve, oil that yields, cavitation. A reconstruction of the thesis's appendix A; "
+              "equations in `vehicles/hydraulic_damper.h`.",
+       .attributes = {Measure("bleed", kArea, Sign::kPositive, "effective area Cd A of the bleed"),
+                      Measure("rebound_valve", kFlowResistance, Sign::kPositive,
+                              "pressure per mass flow of the rebound valve"),
+                      Measure("compression_valve", kFlowResistance, Sign::kPositive,
+                              "pressure per mass flow of the bump valve", "2.597 MPa*s/kg"),
+                      Measure("bulk_modulus", kPressure, Sign::kPositive, "stiffness of the oil", "300 MPa"),
+                      Measure("piston", kLength, Sign::kPositive, "diameter of the bore", "30 mm"),
+                      Measure("rod", kLength, Sign::kPositive, "diameter of the rod", "12.5 mm"),
+                      Measure("column", kLength, Sign::kPositive, "length of each oil column in the design pose",
+                              "100 mm"),
+                      Measure("gas_pressure", kPressure, Sign::kPositive, "pressure of the gas at rest", "2 MPa"),
+                      Measure("gas_volume", kVolume, Sign::kPositive, "volume of the gas at rest", "60 cm^3"),
+                      Measure("friction", kForce, Sign::kNotNegative, "friction of the seals", "50 N")}},
       {.path = "fp:damper/series",
        .occurs = Occurs::kAtMostOnce,
-       .doc = "A spring in line with the damper, such as its top mount. The damper's rates must be above zero then.",
-       .attributes = {Stiffness("force per deflection", Sign::kPositive)}},
+       .doc = "A spring in line with the damper, such as its top mount: f = stiffness x + cubic x^3, x its extension. "
+              "The damper's rates must be above zero then.",
+       .attributes = {Stiffness("force per deflection", Sign::kPositive), Cubic("hardening")}},
+      {.path = "fp:damper/friction",
+       .occurs = Occurs::kAtMostOnce,
+       .doc = "Coulomb friction of seals and guide, in line with the series spring: adds force tanh(v / speed).",
+       .attributes = {Measure("force", kForce, Sign::kNotNegative, "friction at speed"),
+                      Measure("speed", kVelocity, Sign::kPositive, "speed of transition about rest", "2 mm/s")}},
+      {.path = "fp:damper/gas",
+       .occurs = Occurs::kAtMostOnce,
+       .doc = "Gas pressure on the rod, between the damper's ends: tension = -force + stiffness x.",
+       .attributes = {Measure("force", kForce, Sign::kNotNegative, "push in the design pose"),
+                      Measure("stiffness", kStiffness, Sign::kNotNegative, "rise of the push per compression",
+                              "0 N/m")}},
+  };
+}
+
+std::vector<TagRule> MakeBushingTags() {
+  return {
+      {.path = "fp:bushing",
+       .doc = "Six springs and dampers between two points, along and about the axes of the frame `parent` (of its link "
+              "when `parent` is a link), measured from the design pose. Rotations are small: twice the vector part of "
+              "a quaternion.",
+       .attributes = {kNameRule,
+                      kParentRule,
+                      kChildRule,
+                      {.name = "preload",
+                       .kind = Kind::kChoice,
+                       .required = false,
+                       .fallback = "none",
+                       .doc = "`equilibrium`: its translations help to hold the design pose; `none`: it has no load "
+                              "there",
+                       .choices = {"none", "equilibrium"}}}},
+      {.path = "fp:bushing/translation",
+       .occurs = Occurs::kAtMostOnce,
+       .doc = "force = stiffness times displacement of the child's point",
+       .attributes = Components(kStiffness, "0 N/m", "stiffness along this axis")},
+      {.path = "fp:bushing/rotation",
+       .occurs = Occurs::kAtMostOnce,
+       .doc = "torque = stiffness times angle",
+       .attributes = Components(kTorque, "0 N*m/rad", "stiffness about this axis")},
+      {.path = "fp:bushing/translation_damping",
+       .occurs = Occurs::kAtMostOnce,
+       .doc = "force = rate times velocity",
+       .attributes = Components(kDamping, "0 N*s/m", "rate along this axis")},
+      {.path = "fp:bushing/rotation_damping",
+       .occurs = Occurs::kAtMostOnce,
+       .doc = "torque = rate times angular velocity",
+       .attributes = Components(kAngularDamping, "0 N*m*s/rad", "rate about this axis")},
+      {.path = "fp:bushing/loss",
+       .occurs = Occurs::kAtMostOnce,
+       .doc = "Damping of rubber: each rate = factor stiffness / (2 pi frequency), added to the others.",
+       .attributes = {Measure("factor", kDimensionless, Sign::kNotNegative, "loss factor: tangent of the loss angle"),
+                      Measure("frequency", kFrequency, Sign::kPositive, "where the loss factor holds")}},
+      {.path = "fp:antiroll",
+       .doc = "An anti-roll bar. It pulls on the left line with stiffness (e_left - e_right) + damping (e_left - "
+              "e_right)', and pushes as much on the right one; e: extension of the line between the end of the bar's "
+              "arm and what it holds on to.",
+       .attributes = {kNameRule, Stiffness("force at an arm's end per difference of the extensions"),
+                      Measure("damping", kDamping, Sign::kNotNegative, "force per rate of that difference",
+                              "0 N*s/m")}},
+      {.path = "fp:antiroll/left",
+       .occurs = Occurs::kOnce,
+       .doc = "The line on the left.",
+       .attributes = {kParentRule, kChildRule, kGuideRule}},
+      {.path = "fp:antiroll/right",
+       .occurs = Occurs::kOnce,
+       .doc = "The line on the right.",
+       .attributes = {kParentRule, kChildRule, kGuideRule}},
+  };
+}
+
+std::vector<TagRule> MakeTyreTags() {
+  return {
       {.path = "fp:tyre",
-       .doc = "A vertical spring and damper between a point of a link and the platform under it. Put the point at the "
-              "wheel's "
-              "centre where the link turns, as on an arm: a tyre stays upright, but a point at its foot would swing.",
+       .doc = "A tyre on the platform under it. It stays upright however the link pitches, and leans with it in roll "
+              "and yaw: its foot lies `radius` below the point `xyz`, in the plane across the link's y axis. Vertical "
+              "force on the wheel = preload + stiffness s + damping s', s: how much nearer foot and platform are than "
+              "in the design pose.",
        .attributes = {kNameRule,
                       kLinkRule,
-                      kXyzRule,
-                      Stiffness("force per deflection"),
-                      {.name = "damping",
-                       .kind = Kind::kScalar,
+                      {.name = "xyz", .kind = Kind::kVector, .doc = "centre of the wheel in link axes, in m"},
+                      Stiffness("vertical force per deflection"),
+                      Measure("damping", kDamping, Sign::kNotNegative, "vertical force per speed", "0 N*s/m"),
+                      Preload("compression force in the design pose; `equilibrium`: whatever holds it at rest"),
+                      Measure("radius", kLength, Sign::kNotNegative,
+                              "height of the point above the platform, loaded; 0: the foot is the point itself", "0 m"),
+                      Measure("lateral", kStiffness, Sign::kNotNegative,
+                              "force per sideways shift of the foot, at any load", "0 N/m"),
+                      Measure("longitudinal", kStiffness, Sign::kNotNegative,
+                              "force per fore-aft shift of the foot, at any load; small for a wheel that may roll",
+                              "0 N/m"),
+                      {.name = "liftoff",
+                       .kind = Kind::kChoice,
                        .required = false,
-                       .fallback = "0 N*s/m",
-                       .doc = "force per speed",
-                       .dimension = kDamping,
-                       .sign = Sign::kNotNegative},
-                      Preload("compression force in the design pose; `equilibrium`: whatever holds it at rest")}},
+                       .fallback = "false",
+                       .doc = "`true`: the vertical force never pulls; `false`: it may, as in a linear model",
+                       .choices = {"false", "true"}}}},
       {.path = "fp:post",
        .doc = "A hydraulic post that drives the platform under a tyre; one a tyre at most.",
        .attributes = {kNameRule, {.name = "under", .kind = Kind::kTyre, .doc = "tyre that it drives"}}},
-      {.path = "fp:rod",
-       .doc = "Keeps two points at their distance in the design pose.",
-       .attributes = {kNameRule, kParentRule, kChildRule}},
-      {.path = "fp:ball", .doc = "Keeps two points together.", .attributes = {kNameRule, kParentRule, kChildRule}},
+  };
+}
+
+std::vector<TagRule> MakeLoopTags() {
+  const std::vector<AttributeRule> ends = {kNameRule, kParentRule, kChildRule};
+  return {
+      {.path = "fp:rod", .doc = "Keeps two points at their distance in the design pose.", .attributes = ends},
+      {.path = "fp:ball", .doc = "Keeps two points together.", .attributes = ends},
+      {.path = "fp:weld",
+       .doc = "Keeps two points together and two links from turning against each other.",
+       .attributes = ends},
+      {.path = "fp:hinge",
+       .doc = "Keeps two points together and lets the links turn against each other about one axis only.",
+       .attributes = {kNameRule,
+                      kParentRule,
+                      kChildRule,
+                      {.name = "axis", .kind = Kind::kDirection, .doc = "the axis in axes of the parent's link"}}},
   };
 }
 
@@ -137,21 +342,31 @@ std::vector<TagRule> MakeSensorTags() {
        .doc = "Displacement of a point from the design pose, along an axis fixed in space.",
        .attributes = {kNameRule, SensorType("displacement"), kLinkRule, kXyzRule, kSensorAxisRule}},
       {.path = "fp:sensor",
+       .type = "gyro",
+       .doc = "Angular velocity of a link about an axis fixed in it, in rad/s.",
+       .attributes = {kNameRule,
+                      SensorType("gyro"),
+                      kLinkRule,
+                      {.name = "axis", .kind = Kind::kDirection, .doc = "the axis in link axes"}}},
+      {.path = "fp:sensor",
        .type = "strut",
        .doc = "Extension of the distance between two points from the design pose.",
        .attributes = {kNameRule, SensorType("strut"), kParentRule, kChildRule, kGuideRule}},
       {.path = "fp:sensor",
        .type = "load_cell",
-       .doc = "Dynamic force of a tyre on its platform, more load positive.",
+       .doc = "Change of the force on the load cell under a tyre from its static value, more load positive: the "
+              "tyre's force, and what it takes to accelerate the wheelpan with the post.",
        .attributes = {kNameRule,
                       SensorType("load_cell"),
-                      {.name = "tyre", .kind = Kind::kTyre, .doc = "tyre whose force is measured"}}},
+                      {.name = "tyre", .kind = Kind::kTyre, .doc = "tyre whose force is measured"},
+                      Measure("wheelpan", kMass, Sign::kNotNegative, "mass between load cell and tyre", "0 kg")}},
   };
 }
 
 std::vector<TagRule> MakeOwnTags() {
   std::vector<TagRule> tags;
-  for (auto* make : {MakeParameterTags, MakeForceTags, MakeSensorTags})
+  for (auto* make :
+       {MakeParameterTags, MakeSpringTags, MakeDamperTags, MakeBushingTags, MakeTyreTags, MakeLoopTags, MakeSensorTags})
     for (TagRule& tag : make()) tags.push_back(std::move(tag));
   return tags;
 }

@@ -29,6 +29,7 @@ const std::vector<std::string>& NumberNames() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> made = {"mass"};
     for (const char* name : kInertiaNames) made.push_back(std::string("inertia/") + name);
+    for (const char* name : {"x", "y", "z"}) made.push_back(std::string("com/") + name);
     return made;
   }();
   return names;
@@ -41,9 +42,19 @@ int FindNumber(std::string_view name) {
   return -1;
 }
 
+constexpr int kFirstCom = 7;
+
+Dimension DimensionOf(int number) { return number == 0 ? kMass : number < kFirstCom ? kInertia : kLength; }
+
 /// The number as the link gives it; nothing when it gives none.
 std::optional<double> Literal(const XMLElement& link, int number) {
   const XMLElement* inertial = link.FirstChildElement("inertial");
+  if (number >= kFirstCom) {
+    const XMLElement* origin = inertial ? inertial->FirstChildElement("origin") : nullptr;
+    if (!origin) return std::nullopt;
+    const std::optional<Eigen::Vector3d> xyz = ParseVector(AttributeText(*origin, "xyz").value_or(""));
+    return xyz ? std::optional<double>((*xyz)[number - kFirstCom]) : std::nullopt;
+  }
   const XMLElement* element = inertial ? inertial->FirstChildElement(number == 0 ? "mass" : "inertia") : nullptr;
   const char* attribute = number == 0 ? "value" : kInertiaNames[number - 1];
   if (!element) return std::nullopt;
@@ -69,10 +80,10 @@ class BindingReader {
     const XMLElement& link = *tree_.links[static_cast<std::size_t>(binding.link)];
     const std::optional<double> literal = Literal(link, binding.number);
     if (!literal) return Fault(bind, "finds no such number: give it in the <inertial> of " + Describe(link));
-    if (binding.number > 0 && HasTurnedInertia(link))
+    if (binding.number > 0 && binding.number < kFirstCom && HasTurnedInertia(link))
       return Fault(bind, "needs an <inertial> without rpy: a parameter cannot follow turned axes");
     if (!seen_.insert({binding.link, binding.number}).second) return Fault(bind, "is bound twice");
-    const std::optional<Scalar> scalar = parameters_.Bind(bind, *literal, binding.number == 0 ? kMass : kInertia);
+    const std::optional<Scalar> scalar = parameters_.Bind(bind, *literal, DimensionOf(binding.number));
     if (!scalar) return;
     binding.scalar = *scalar;
     bindings_.push_back(binding);
@@ -90,7 +101,8 @@ class BindingReader {
     if (text.empty()) return false;
     const std::optional<TreePath> path = ParsePath(text);
     if (!path) {
-      Fault(bind, "must be link[NAME]/mass or link[NAME]/inertia/ixx (iyy, izz, ixy, ixz, iyz)");
+      Fault(bind,
+            "must be link[NAME]/mass, link[NAME]/com/x (y, z) or link[NAME]/inertia/ixx (iyy, izz, ixy, ixz, iyz)");
       return false;
     }
     binding.link = tree_.FindLink(path->link);
@@ -122,7 +134,10 @@ std::vector<TreeBinding> ReadTreeBindings(const XMLElement& robot, const UrdfTre
 void Apply(const std::vector<TreeBinding>& bindings, Vehicle& vehicle) {
   for (const TreeBinding& binding : bindings) {
     Link& link = vehicle.links[static_cast<std::size_t>(binding.link)];
-    (binding.number == 0 ? link.mass : link.inertia[static_cast<std::size_t>(binding.number - 1)]) = binding.scalar;
+    const auto number = static_cast<std::size_t>(binding.number);
+    if (binding.number == 0) link.mass = binding.scalar;
+    else if (binding.number < kFirstCom) link.inertia[number - 1] = binding.scalar;
+    else link.com[number - kFirstCom] = binding.scalar;
   }
 }
 

@@ -13,7 +13,7 @@ namespace fourpost {
 struct TreeBinding {
   /// Position in UrdfTree::links.
   int link = -1;
-  /// 0 for the mass, 1 to 6 for Link::inertia.
+  /// 0 for the mass, 1 to 6 for Link::inertia, 7 to 9 for Link::com.
   int number = 0;
   Scalar scalar;
 };

@@ -75,7 +75,7 @@ void ReadInertial(const urdf::Inertial& inertial, Link& link) {
   // Unturned numbers stay as they are written, to the last digit.
   if (!pose.linear().isIdentity(0)) inertia = (pose.linear() * inertia * pose.linear().transpose()).eval();
   link.mass.value = inertial.mass;
-  link.com = pose.translation();
+  for (Eigen::Index i = 0; i < 3; ++i) link.com[static_cast<std::size_t>(i)].value = pose.translation()[i];
   const std::array<double, 6> numbers = {inertia(0, 0), inertia(1, 1), inertia(2, 2),
                                          inertia(0, 1), inertia(0, 2), inertia(1, 2)};
   for (std::size_t i = 0; i < numbers.size(); ++i) link.inertia[i].value = numbers[i];

@@ -1,6 +1,17 @@
 #include "vehicles/vehicle.h"
 
+#include <numbers>
+
 namespace fourpost {
+
+Eigen::Vector3d Link::ComAt(std::span<const double> parameters) const {
+  return {com[0].At(parameters), com[1].At(parameters), com[2].At(parameters)};
+}
+
+double Bushing::DampingAt(std::size_t component, std::span<const double> parameters) const {
+  const double loss = loss_factor.At(parameters) / (2 * std::numbers::pi * loss_frequency_Hz);
+  return damping[component].At(parameters) + loss * stiffness[component].At(parameters);
+}
 
 std::vector<double> Vehicle::ParameterValues() const {
   std::vector<double> values;

@@ -11,20 +11,10 @@
 #include <Eigen/Geometry>
 
 #include "analysis/units.h"
+#include "vehicles/element_laws.h"
+#include "vehicles/scalar.h"
 
 namespace fourpost {
-
-/// A number of the vehicle: a constant, or a factor times one of the vehicle's parameters.
-struct Scalar {
-  double value = 0;
-  int parameter = -1;
-  double factor = 1;
-
-  /// The number for these parameter values (SI, in the order of Vehicle::parameters).
-  double At(std::span<const double> parameters) const {
-    return parameter < 0 ? value : factor * parameters[static_cast<std::size_t>(parameter)];
-  }
-};
 
 /// A named number that a fit may change. Values are SI.
 struct Parameter {
@@ -38,6 +28,8 @@ struct Parameter {
   /// Unit the user wrote; used when the value is shown.
   std::string unit;
   std::string source;
+  /// What is known before any fit: a normal distribution about `value`, with this standard deviation.
+  std::optional<double> prior_sd;
   int line = 0;
 };
 
@@ -57,11 +49,13 @@ struct Link {
   std::string name;
   Scalar mass;
   /// Centre of mass in link axes [m].
-  Eigen::Vector3d com = Eigen::Vector3d::Zero();
+  std::array<Scalar, 3> com;
   /// Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the centre of mass, in link axes [kg m^2].
   std::array<Scalar, 6> inertia;
   std::vector<Visual> visuals;
   int line = 0;
+
+  Eigen::Vector3d ComAt(std::span<const double> parameters) const;
 };
 
 /// How a link moves relative to its parent; the joint frame is the child link's frame, as in URDF.
@@ -94,34 +88,78 @@ struct ForceLine {
   std::optional<Eigen::Vector3d> axis;
 };
 
-/// Tension = preload + stiffness (L - L_design).
+/// A spring, a bump stop or the gas in a damper. Tension = preload + law(L - L_design).
 struct Spring {
-  std::string name;
+  /// As messages call it: "fp:spring 'coil'".
+  std::string element;
   ForceLine line;
-  Scalar stiffness;
-  /// Tension in the design pose [N]; empty: whatever holds the design pose in equilibrium.
+  SpringDescription law;
+  /// Tension in the design pose [N]; empty: by free_length.
   std::optional<Scalar> preload;
+  /// Length without load [m] of a linear spring; empty as well: whatever holds the design pose in equilibrium.
+  std::optional<Scalar> free_length;
   int source_line = 0;
 };
 
-/// Damping force against extension rate v (rebound positive, tension positive):
-/// f(v) = rebound v for v > 0, compression v for v < 0. Equal rates make it linear.
-/// With a series stiffness k the law acts in line with a spring: f = k x = d(v - dx/dt).
+/// A damper: its dashpot's force against extension rate, rebound and tension positive; alone or in line with a spring.
 struct Damper {
   std::string name;
   ForceLine line;
-  Scalar compression;
-  Scalar rebound;
-  std::optional<Scalar> series_stiffness;
+  DashpotDescription law;
+  std::optional<SpringDescription> series;
+  /// In place of `law` and `series`.
+  std::optional<HydraulicDescription> hydraulic;
   int source_line = 0;
 };
 
-/// Vertical spring and damper between a point of a link and a post's platform.
+/// Six springs and dampers between two points, along and about the axes of the parent's frame. Translation: of the
+/// child point in these axes. Rotation: twice the vector part of the quaternion of the child's turn, which is the angle
+/// about each axis to third order. Both are zero in the design pose.
+struct Bushing {
+  std::string name;
+  Point parent;
+  Point child;
+  /// Axes of the bushing in the parent link.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  /// x, y, z [N/m, N s/m], then about x, y, z [N m/rad, N m s/rad].
+  std::array<Scalar, 6> stiffness;
+  std::array<Scalar, 6> damping;
+  /// Adds damping = factor stiffness / (2 pi frequency): rubber's loss factor at that frequency.
+  Scalar loss_factor;
+  double loss_frequency_Hz = 1;
+  /// Whether its translations take the forces that hold the design pose, as springs do; else it is without load there.
+  bool holds = false;
+  int source_line = 0;
+
+  double DampingAt(std::size_t component, std::span<const double> parameters) const;
+};
+
+/// An anti-roll bar: force stiffness (e_left - e_right) + damping (...)' along the left line, opposite along the right;
+/// e: extension of the line between its end of the bar and what it holds on to.
+struct AntiRollBar {
+  std::string name;
+  ForceLine left;
+  ForceLine right;
+  Scalar stiffness;
+  Scalar damping;
+  int source_line = 0;
+};
+
+/// A tyre between the centre of a wheel and a post's platform. It stays upright however the link pitches, and leans
+/// with it in roll: its foot is `radius` below the centre, along the wheel's plane (normal: the link's y axis).
+/// Vertical force on the wheel = preload + stiffness squeeze + damping squeeze', squeeze: how much nearer the foot is
+/// to the platform. Lateral and longitudinal springs hold the foot to where it stands on the platform.
 struct Tyre {
   std::string name;
   Point point;
+  /// 0: the foot is the point itself.
+  double radius = 0;
   Scalar stiffness;
   Scalar damping;
+  Scalar lateral;
+  Scalar longitudinal;
+  /// Whether the vertical force may not pull.
+  bool lifts_off = false;
   /// Compression force in the design pose [N]; empty: whatever holds the design pose in equilibrium.
   std::optional<Scalar> preload;
   int source_line = 0;
@@ -150,18 +188,38 @@ struct Ball {
   int source_line = 0;
 };
 
+/// Keeps two points together and the links from turning against each other.
+struct Weld {
+  std::string name;
+  Point parent;
+  Point child;
+  int source_line = 0;
+};
+
+/// Keeps two points together and lets the links turn about one axis only.
+struct Hinge {
+  std::string name;
+  Point parent;
+  Point child;
+  /// Unit vector in parent-link axes, design pose.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitY();
+  int source_line = 0;
+};
+
 /// A measuring channel.
 struct Sensor {
-  enum class Type { kAccelerometer, kDisplacement, kStrut, kLoadCell };
+  enum class Type { kAccelerometer, kDisplacement, kStrut, kLoadCell, kGyro };
   std::string name;
   Type type = Type::kAccelerometer;
-  /// Accelerometer, displacement: where, and the direction in link axes (unit vector).
+  /// Accelerometer, displacement: where, and the direction in link axes (unit vector). Gyro: the axis turned about.
   Point point;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   /// Strut: the line whose extension is measured.
   ForceLine line;
   /// Load cell: the tyre whose dynamic force is measured, more load positive.
   int tyre = -1;
+  /// Load cell: mass between it and the tyre, whose inertia it feels [kg].
+  Scalar wheelpan;
   int source_line = 0;
 };
 
@@ -178,14 +236,20 @@ struct Vehicle {
   std::vector<Joint> joints;
   std::vector<Spring> springs;
   std::vector<Damper> dampers;
+  std::vector<Bushing> bushings;
+  std::vector<AntiRollBar> antiroll_bars;
   std::vector<Tyre> tyres;
   std::vector<Post> posts;
   std::vector<Rod> rods;
   std::vector<Ball> balls;
+  std::vector<Weld> welds;
+  std::vector<Hinge> hinges;
   std::vector<Sensor> sensors;
 
   /// Values of the parameters as the file gives them.
   std::vector<double> ParameterValues() const;
+
+  bool HasLoops() const { return !(rods.empty() && balls.empty() && welds.empty() && hinges.empty()); }
 };
 
 }  // namespace fourpost

@@ -89,7 +89,20 @@ void ReplaceBound(const XMLElement* element, std::string_view attribute, const S
     edits.Replace(*element, attribute, FormatNumber(number.At(values)));
 }
 
+/// The centre of mass stands as three numbers in one attribute.
+void ReplaceCom(const XMLElement* origin, const Link& link, std::span<const double> values, TextEdits& edits) {
+  if (!origin) return;
+  const std::optional<Eigen::Vector3d> written = ParseVector(AttributeText(*origin, "xyz").value_or(""));
+  const Eigen::Vector3d com = link.ComAt(values);
+  const auto agrees = [&](Eigen::Index i) {
+    return link.com[static_cast<std::size_t>(i)].parameter < 0 || Agrees((*written)[i], com[i]);
+  };
+  if (!written || (agrees(0) && agrees(1) && agrees(2))) return;
+  edits.Replace(*origin, "xyz", FormatNumber(com.x()) + ' ' + FormatNumber(com.y()) + ' ' + FormatNumber(com.z()));
+}
+
 void ReplaceInertia(const XMLElement& inertial, const Link& link, std::span<const double> values, TextEdits& edits) {
+  ReplaceCom(inertial.FirstChildElement("origin"), link, values, edits);
   ReplaceBound(inertial.FirstChildElement("mass"), "value", link.mass, values, edits);
   for (std::size_t i = 0; i < link.inertia.size(); ++i)
     ReplaceBound(inertial.FirstChildElement("inertia"), kInertiaNames[i], link.inertia[i], values, edits);

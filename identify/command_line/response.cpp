@@ -25,8 +25,12 @@ class Respondent {
  public:
   Respondent(const Vehicle& vehicle, Engine engine) : vehicle_(vehicle), engine_(engine) {
     const std::vector<double> values = vehicle.ParameterValues();
-    model_ = CondensedVehicle(vehicle).At(values);
-    if (engine == Engine::kLinearised) return;
+    const CondensedVehicle condensed(vehicle);
+    model_ = condensed.At(values);
+    if (engine == Engine::kLinearised) {
+      Tell(condensed.simplifications());
+      return;
+    }
     multibody_.emplace(vehicle);
     multibody_->SetParameters(values, model_.preloads);
   }
@@ -71,10 +75,14 @@ class Respondent {
 /// The full balance needs independent coordinates.
 void RequireNoLoops(const Vehicle& vehicle) {
   Diagnostics faults;
-  for (const Rod& rod : vehicle.rods)
-    faults.Error(vehicle.file, rod.source_line, "--engine full takes no loop closures; use march, or linearised");
-  for (const Ball& ball : vehicle.balls)
-    faults.Error(vehicle.file, ball.source_line, "--engine full takes no loop closures; use march, or linearised");
+  const auto refuse = [&](const auto& closures) {
+    for (const auto& closure : closures)
+      faults.Error(vehicle.file, closure.source_line, "--engine full takes no loop closures; use march, or linearised");
+  };
+  refuse(vehicle.rods);
+  refuse(vehicle.balls);
+  refuse(vehicle.welds);
+  refuse(vehicle.hinges);
   if (faults.HasErrors()) throw FaultyInput(faults);
 }
 

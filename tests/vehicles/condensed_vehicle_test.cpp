@@ -53,7 +53,7 @@ TEST(CondensedVehicle, HasTheStateMatrixOfTheMultibody) { ExpectMultibodysStateM
 
 TEST(CondensedVehicle, HasTheStateMatrixOfTheMultibodyWithASeriesDamper) {
   Vehicle vehicle = SmoothCar();
-  vehicle.dampers[1].series_stiffness = Scalar{800e3};
+  vehicle.dampers[1].series = SpringDescription{.stiffness = {800e3}};
   ExpectMultibodysStateMatrix(vehicle);
 }
 
@@ -117,7 +117,8 @@ void MoveFrame(Vehicle& vehicle, int link, const Eigen::Vector3d& origin) {
   const auto move = [&](Point& point) {
     if (point.link == link) point.xyz -= origin;
   };
-  vehicle.links[static_cast<std::size_t>(link)].com -= origin;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    vehicle.links[static_cast<std::size_t>(link)].com[static_cast<std::size_t>(i)].value -= origin[i];
   for (Spring& spring : vehicle.springs) move(spring.line.child);
   for (Damper& damper : vehicle.dampers) move(damper.line.child);
   for (Tyre& tyre : vehicle.tyres) move(tyre.point);
@@ -132,7 +133,7 @@ void MoveFrame(Vehicle& vehicle, int link, const Eigen::Vector3d& origin) {
 Vehicle CarWithARod() {
   Vehicle vehicle = ShippedVehicle("landrover110_linkage");
   const int axle = LinkOf(vehicle, "front_axle");
-  const Eigen::Vector3d centre = vehicle.links[static_cast<std::size_t>(axle)].com;
+  const Eigen::Vector3d centre = vehicle.links[static_cast<std::size_t>(axle)].ComAt({});
   MoveFrame(vehicle, axle, centre);
   vehicle.links.push_back({.name = "fore_aft"});
   const int slide = static_cast<int>(vehicle.links.size()) - 1;

@@ -111,7 +111,7 @@ TEST(Equilibrium, FollowsAFreePreloadThatAnotherMakesUpFor) {
   const int index = static_cast<int>(vehicle.parameters.size());
   vehicle.parameters.push_back({.name = "helper", .value = 300, .lower = 200, .upper = 500, .precision = 1});
   Spring helper = vehicle.springs[0];
-  helper.name = "helper";
+  helper.element = "fp:spring 'helper'";
   helper.preload = Scalar{.value = 300, .parameter = index};
   vehicle.springs.push_back(helper);
   EXPECT_EQ(Fault(vehicle), "");
@@ -123,7 +123,7 @@ TEST(Equilibrium, FollowsAFreePreloadThatAnotherMakesUpFor) {
 // A beam over one pivot: neither end is held, but each balances the other.
 TEST(Equilibrium, LetsLinksBalanceEachOther) {
   const auto end = [](const char* name, double kilogram, double lever) {
-    return GivenForce{.element = name, .size = {kilogram}, .direction = Eigen::VectorXd::Constant(1, lever)};
+    return GivenForce{.element = name, .size = kilogram, .direction = Eigen::VectorXd::Constant(1, lever)};
   };
   Diagnostics faults;
   CheckEquilibrium({}, {end("link 'left'", 10, 9), end("link 'right'", 30, -3)}, Eigen::MatrixXd(1, 0), faults);

@@ -1,5 +1,6 @@
 // Every force passes one checker: action equals reaction, the power it takes is that of its law, none at rest.
-#include "vehicles/force_elements.h"
+#include "vehicles/body_forces.h"
+#include "vehicles/line_forces.h"
 
 #include <cmath>
 #include <functional>
@@ -91,9 +92,9 @@ class ForceElements : public testing::Test {
 
 TEST_F(ForceElements, SpringIsInternalAndItsPowerIsThatOfItsLaw) {
   for (const bool guided : {false, true}) {
-    const SpringData data{.line = Line(guided), .stiffness = 30e3, .preload = -500};
+    const SpringData data{.line = Line(guided), .law = {.stiffness = 30e3, .knees = {}}, .preload = -500};
     Moving();
-    const double tension = data.preload + data.stiffness * Extension(data.line, state_);
+    const double tension = data.preload + data.law.Force(Extension(data.line, state_));
     ASSERT_GT(std::abs(tension), 100);
     ExpectInternal(BalanceOf(SpringForce(data)), tension, data.line);
   }
@@ -101,7 +102,7 @@ TEST_F(ForceElements, SpringIsInternalAndItsPowerIsThatOfItsLaw) {
 
 TEST_F(ForceElements, DashpotIsInternalAndItsPowerIsThatOfItsLaw) {
   for (const bool guided : {false, true}) {
-    const DamperData data{.line = Line(guided), .dashpot = {800, 2600}};
+    const DamperData data{.line = Line(guided), .dashpot = {800, 2600}, .series = {}};
     Moving();
     const double rate = DifferencedRate(data.line);
     ASSERT_GT(std::abs(rate), 0.01);
@@ -111,7 +112,7 @@ TEST_F(ForceElements, DashpotIsInternalAndItsPowerIsThatOfItsLaw) {
 }
 
 TEST_F(ForceElements, DashpotsRatesAreThoseOfReboundAndBump) {
-  const BilinearDashpot dashpot{800, 2600};
+  const DashpotLaw dashpot{800, 2600};
   EXPECT_EQ(dashpot.Force(0.5), 1300);
   EXPECT_EQ(dashpot.Force(-0.5), -400);
   EXPECT_EQ(dashpot.Force(0), 0);
@@ -120,7 +121,8 @@ TEST_F(ForceElements, DashpotsRatesAreThoseOfReboundAndBump) {
 }
 
 TEST_F(ForceElements, SeriesDamperIsInternalAndItsSpringCarriesTheDashpotsForce) {
-  DamperData data{.line = Line(false), .dashpot = {800, 2600}, .in_series = true, .series_stiffness = 400e3};
+  DamperData data{
+      .line = Line(false), .dashpot = {800, 2600}, .in_series = true, .series = {.stiffness = 400e3, .knees = {}}};
   // The system owns the element: its state belongs to the system's.
   auto* force = new DamperForce(data, forces_);
   const SimTK::Force::Custom owner(forces_, force);
@@ -134,15 +136,13 @@ TEST_F(ForceElements, SeriesDamperIsInternalAndItsSpringCarriesTheDashpotsForce)
 }
 
 TEST_F(ForceElements, TyrePushesUpWithStiffnessAndDamping) {
-  TyreData data{.body = child_, .station = {0.2, 0, -0.3}, .design_height = 0.1};
+  TyreData data{.body = child_, .station = {0.2, 0, -0.3}, .design_place = {0, 0, 0.1}};
   data.stiffness = 200e3;
   data.damping = 300;
   data.preload = 5000;
   data.post = 0;
-  PlatformState platforms{{0.01}, {0.2}};
-  const std::function<const PlatformState&(double)> platforms_at = [&](double) -> const PlatformState& {
-    return platforms;
-  };
+  Platforms platforms{{.height = 0.01, .velocity = 0.2}};
+  const std::function<const Platforms&(double)> platforms_at = [&](double) -> const Platforms& { return platforms; };
   Moving();
   const double height = child_.findStationLocationInGround(state_, data.station)[2];
   const double velocity = child_.findStationVelocityInGround(state_, data.station)[2];
@@ -153,8 +153,8 @@ TEST_F(ForceElements, TyrePushesUpWithStiffnessAndDamping) {
 }
 
 TEST_F(ForceElements, NothingActsAtRestWithoutPreload) {
-  SpringData spring{.line = Line(false), .stiffness = 30e3};
-  DamperData damper{.line = Line(false), .dashpot = {800, 2600}};
+  SpringData spring{.line = Line(false), .law = {.stiffness = 30e3, .knees = {}}};
+  DamperData damper{.line = Line(false), .dashpot = {800, 2600}, .series = {}};
   Moving();
   state_.updU() = 0;
   system_.realize(state_, SimTK::Stage::Dynamics);

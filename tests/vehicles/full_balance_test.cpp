@@ -138,7 +138,9 @@ TEST(FullBalance, RefusesLoopClosures) {
     SolveFullBalance(looped, prepared.model, QuarterCarSine());
     FAIL() << "a rod closes a loop";
   } catch (const std::invalid_argument& error) {
-    EXPECT_THAT(error.what(), HasSubstr("loop closures (fp:rod, fp:ball) are not supported by this engine; use march"));
+    EXPECT_THAT(
+        error.what(),
+        HasSubstr("loop closures (fp:rod, fp:ball, fp:weld, fp:hinge) are not supported by this engine; use march"));
   }
 }
 

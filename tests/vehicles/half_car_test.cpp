@@ -22,9 +22,9 @@ void Lower(Point& point, int link, double by) {
 
 /// Turns an arm until it is level; the axle stays where it is.
 void LevelArm(Vehicle& vehicle, Joint& joint) {
-  const double drop = vehicle.links[static_cast<std::size_t>(joint.child)].com.z();
+  const double drop = vehicle.links[static_cast<std::size_t>(joint.child)].com[2].value;
   joint.pose.translation().z() += drop;
-  vehicle.links[static_cast<std::size_t>(joint.child)].com.z() -= drop;
+  vehicle.links[static_cast<std::size_t>(joint.child)].com[2].value -= drop;
   for (Spring& spring : vehicle.springs) Lower(spring.line.child, joint.child, drop);
   for (Damper& damper : vehicle.dampers) Lower(damper.line.child, joint.child, drop);
   for (Tyre& tyre : vehicle.tyres) Lower(tyre.point, joint.child, drop);
@@ -91,6 +91,7 @@ CondensedModel WithSensors(CondensedModel model, const HalfCar& car, const std::
   model.on_acceleration.setZero(count, 4);
   model.on_post_height.setZero(count, 2);
   model.on_post_velocity.setZero(count, 2);
+  model.on_post_acceleration.setZero(count, 2);
   for (Eigen::Index i = 0; i < count; ++i) {
     const std::string& name = sensors[static_cast<std::size_t>(i)].name;
     if (name == "a_body_front") model.on_acceleration.row(i) << 1, -car.front_length, 0, 0;
@@ -203,8 +204,8 @@ TEST(HalfCar, WithoutTheAxlesDepthThePolesDiffer) {
 
 TEST(HalfCar, AccelerationFollowsItsMatrices) {
   HalfCar car = EquivalentHalfCar(ShippedVehicle("landrover110_linkage"));
-  car.front_damper.rebound = car.front_damper.compression;
-  car.rear_damper.rebound = car.rear_damper.compression;
+  car.front_damper = {2000, 2000};
+  car.rear_damper = {2500, 2500};
   const Eigen::Vector4d q(0.01, -0.02, 0.003, -0.004);
   const Eigen::Vector4d rate(-0.1, 0.2, 0.3, -0.4);
   const Eigen::Vector2d ground(0.005, -0.002);

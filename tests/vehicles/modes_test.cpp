@@ -34,7 +34,7 @@ TEST(Modes, OfTheLinkageCarAreNamedByWhatMoves) {
 
 TEST(Modes, ASeriesSpringAddsAStateButNoMode) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
-  vehicle.dampers[0].series_stiffness = Scalar{5e6};
+  vehicle.dampers[0].series = SpringDescription{.stiffness = {5e6}};
   const CondensedVehicle condensed(vehicle);
   EXPECT_EQ(StateMatrix(condensed.At(vehicle.ParameterValues())).rows(), 5);
   const std::vector<Mode> modes = ModesOf(condensed, vehicle.ParameterValues());

@@ -53,7 +53,7 @@ TEST(Multibody, ChangedParametersEqualARebuild) {
 
 TEST(Multibody, ChangedParametersOfASeriesDamperEqualARebuild) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
-  vehicle.dampers[0].series_stiffness = Scalar{.parameter = 2, .factor = 10};
+  vehicle.dampers[0].series = SpringDescription{.stiffness = {.parameter = 2, .factor = 10}};
   ExpectParametersEqualARebuild(vehicle);
 }
 
@@ -95,7 +95,7 @@ TEST(Multibody, ResidualIsZeroForTheForwardAccelerations) {
 
 TEST(Multibody, ResidualIsZeroForTheForwardRatesOfSeriesDampers) {
   Vehicle vehicle = ShippedVehicle("landrover110_linkage");
-  for (Damper& damper : vehicle.dampers) damper.series_stiffness = Scalar{400e3};
+  for (Damper& damper : vehicle.dampers) damper.series = SpringDescription{.stiffness = {400e3}};
   ExpectForwardAndInverseDynamicsAgree(vehicle);
 }
 
@@ -104,7 +104,7 @@ TEST(Multibody, PostsMoveTheTyres) {
   const std::vector<double> values = vehicle.ParameterValues();
   Multibody multibody(vehicle);
   multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
-  multibody.SetPostMotion([](double, std::span<double> height, std::span<double>) { height[0] = 0.01; });
+  multibody.SetPostMotion([](double, std::span<PostState> posts) { posts[0].height = 0.01; });
   const Eigen::VectorXd derivative = multibody.StateDerivative(0, multibody.RestState());
   // kt z / m_u of the thesis's table: 230 kN/m, 10 mm, 22 kg.
   EXPECT_NEAR(derivative.tail(2).maxCoeff(), 230e3 * 0.01 / 22, 1e-9);
@@ -117,7 +117,7 @@ TEST(Multibody, PostsMoveTheTyresAtAnyTime) {
   const std::vector<double> values = vehicle.ParameterValues();
   Multibody multibody(vehicle);
   multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
-  multibody.SetPostMotion([](double t, std::span<double> height, std::span<double>) { height[0] = 0.01 * t; });
+  multibody.SetPostMotion([](double t, std::span<PostState> posts) { posts[0].height = 0.01 * t; });
   for (const double t : {-1.0, 0.0, 1.0, -1.0})
     // kt z / m_u of the thesis's table: 230 kN/m, 10 mm, 22 kg.
     EXPECT_NEAR(multibody.StateDerivative(t, multibody.RestState()).tail(2).sum(), 230e3 * 0.01 * t / 22, 1e-9);

@@ -29,9 +29,9 @@ inline Vehicle Describe(const QuarterCar& car) {
   Set(vehicle, "m_unsprung", car.unsprung_mass);
   Set(vehicle, "k", car.stiffness);
   Set(vehicle, "kt", car.tyre_stiffness);
-  Set(vehicle, "c_bump", car.damper.compression);
-  Set(vehicle, "c_rebound", car.damper.rebound);
-  if (car.series_stiffness > 0) vehicle.dampers[0].series_stiffness = Scalar{car.series_stiffness};
+  Set(vehicle, "c_bump", -car.damper.Force(-1));
+  Set(vehicle, "c_rebound", car.damper.Force(1));
+  if (car.series_stiffness > 0) vehicle.dampers[0].series = SpringDescription{.stiffness = {car.series_stiffness}};
   return vehicle;
 }
 

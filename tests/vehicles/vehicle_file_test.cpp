@@ -23,7 +23,7 @@ TEST_F(VehicleFile, GivesTheTree) {
   EXPECT_EQ(vehicle->file, folder_ / "vehicle.urdf");
   ASSERT_EQ(vehicle->links.size(), 3U);
   const Link& body = vehicle->links[2];
-  EXPECT_EQ(body.com, Eigen::Vector3d(0.1, 0, 0.2));
+  EXPECT_EQ(body.ComAt({}), Eigen::Vector3d(0.1, 0, 0.2));
   EXPECT_EQ(body.mass.parameter, 0);
   EXPECT_EQ(body.inertia[1].parameter, 1);
   EXPECT_EQ(body.inertia[1].factor, 2);
@@ -62,7 +62,7 @@ TEST_F(VehicleFile, GivesTheForces) {
   ASSERT_TRUE(vehicle.has_value());
   ASSERT_EQ(vehicle->springs.size(), 2U);
   const Spring& coil = vehicle->springs[0];
-  EXPECT_EQ(coil.stiffness.At(vehicle->ParameterValues()), 7500);
+  EXPECT_EQ(coil.law.stiffness.At(vehicle->ParameterValues()), 7500);
   EXPECT_EQ(coil.preload->value, -2000);
   EXPECT_EQ(coil.line.parent.link, 2);
   EXPECT_EQ(coil.line.parent.xyz, Eigen::Vector3d(0.1, 0, 0.4));
@@ -71,11 +71,11 @@ TEST_F(VehicleFile, GivesTheForces) {
   EXPECT_FALSE(vehicle->springs[1].preload.has_value());
   EXPECT_FALSE(vehicle->springs[1].line.axis.has_value());
   ASSERT_EQ(vehicle->dampers.size(), 2U);
-  EXPECT_EQ(vehicle->dampers[0].compression.value, 1000);
-  EXPECT_EQ(vehicle->dampers[0].rebound.value, 2000);
-  EXPECT_EQ(vehicle->dampers[0].series_stiffness->value, 8e5);
-  EXPECT_EQ(vehicle->dampers[1].compression.value, 10);
-  EXPECT_EQ(vehicle->dampers[1].rebound.value, 10);
+  EXPECT_EQ(vehicle->dampers[0].law.compression.value, 1000);
+  EXPECT_EQ(vehicle->dampers[0].law.rebound.value, 2000);
+  EXPECT_EQ(vehicle->dampers[0].series->stiffness.value, 8e5);
+  EXPECT_EQ(vehicle->dampers[1].law.compression.value, 10);
+  EXPECT_EQ(vehicle->dampers[1].law.rebound.value, 10);
   const Tyre& tyre = vehicle->tyres.at(0);
   EXPECT_EQ(tyre.stiffness.value, 2e5);
   EXPECT_EQ(tyre.damping.value, 50);

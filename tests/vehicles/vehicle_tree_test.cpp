@@ -167,7 +167,7 @@ TEST_F(VehicleTree, ReadsNumbersOverSeveralLines) {
   const std::string origin = "<inertial><origin xyz=\"1\n\t2  3\"/>";
   const std::optional<Vehicle> vehicle = Read(Replaced(FreeBody(Inertial(1)), "<inertial>", origin));
   ASSERT_TRUE(vehicle.has_value());
-  EXPECT_EQ(vehicle->links[1].com, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(vehicle->links[1].ComAt({}), Eigen::Vector3d(1, 2, 3));
 }
 
 TEST_F(VehicleTree, TurnsInertiaIntoLinkAxes) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace fourpost {
+
+/// Where the increasing function f equals `target` between `lower` and `upper`: Newton's method from `start`, which
+/// halves the bracket instead where a step would leave it or the one before gained less than half. f(x) returns {value,
+/// slope}. To rounding: |f - target| <= 4 ulp of the target, or steps of 4 ulp of x; at most 100 evaluations. NaN for a
+/// NaN.
+template <typename Function>
+double IncreasingRoot(const Function& f, double target, double lower, double upper, double start) {
+  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+  constexpr int kMostEvaluations = 100;
+  double x = start;
+  double last = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kMostEvaluations; ++i) {
+    const auto [value, slope] = f(x);
+    const double residual = value - target;
+    if (std::isnan(residual)) return residual;
+    if (std::abs(residual) <= kRounding * std::abs(target)) return x;
+    (residual > 0 ? upper : lower) = x;
+    double next = x - residual / slope;
+    const bool gains = std::abs(residual) <= 0.5 * last;
+    if (!(gains && next >= lower && next <= upper)) next = lower + 0.5 * (upper - lower);
+    if (std::abs(next - x) <= kRounding * std::abs(x)) return next;
+    last = std::abs(residual);
+    x = next;
+  }
+  return x;
+}
+
+}  // namespace fourpost

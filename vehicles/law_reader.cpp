@@ -1,0 +1,163 @@
+#include "vehicles/law_reader.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace fourpost {
+namespace {
+
+Scalar Times(double factor, const Scalar& scalar) {
+  return {.value = factor * scalar.value, .parameter = scalar.parameter, .factor = factor * scalar.factor};
+}
+
+}  // namespace
+
+std::optional<Tag> ChildOf(const Tag& tag, std::string_view name) {
+  const std::vector<Tag> found = TagsOf(*tag.element, std::string(tag.rule->path) + "/" + std::string(name));
+  if (found.empty()) return std::nullopt;
+  return found.front();
+}
+
+SpringDescription LawReader::ReadSpring(const Tag& law) {
+  SpringDescription description;
+  description.stiffness = parameters_.ReadScalar(law, "stiffness");
+  if (law.rule->Name() == "cubic") description.cubic = parameters_.ReadScalar(law, "cubic");
+  if (law.rule->Name() == "multirate") ReadKnees(law, description);
+  return description;
+}
+
+void LawReader::ReadKnees(const Tag& multirate, SpringDescription& law) {
+  std::array<double, 2> last = {0, 0};
+  for (const Tag& tag : TagsOf(*multirate.element, "fp:spring/multirate/knee")) {
+    const int errors = faults_.errors();
+    const Scalar at = parameters_.ReadScalar(tag, "at");
+    const int side = at.value < 0 ? -1 : 1;
+    const SpringDescription::Knee knee{.side = side,
+                                       .at = Times(side, at),
+                                       .rate = parameters_.ReadScalar(tag, "stiffness"),
+                                       .cubic = {},
+                                       .adds = false};
+    double& before = last[side > 0 ? 1 : 0];
+    if (faults_.errors() == errors && parameters_.Least(knee.at) <= before)
+      faults_.Error(tag.Line("at"), "at=\"" + tag.Text("at") + "\" of " + Describe(*tag.element) +
+                                        " must lie beyond the knee before it, on either side of zero: knees stand in "
+                                        "the order in which the spring meets them, over the whole range of parameters");
+    before = std::max(before, parameters_.Greatest(knee.at));
+    law.knees.push_back(knee);
+  }
+  if (law.knees.empty())
+    faults_.Error(multirate.Line(), Describe(*multirate.element) + " needs at least one <knee>, or make it <linear>");
+}
+
+SpringDescription LawReader::ReadStop(const Tag& stop) {
+  SpringDescription law;
+  for (const auto& [name, side] : {std::pair("bump", -1), std::pair("rebound", 1)})
+    if (const std::optional<Tag> tag = ChildOf(stop, name))
+      law.knees.push_back({.side = side,
+                           .at = parameters_.ReadScalar(*tag, "gap"),
+                           .rate = parameters_.ReadScalar(*tag, "stiffness"),
+                           .cubic = parameters_.ReadScalar(*tag, "cubic"),
+                           .adds = true});
+  if (law.knees.empty()) faults_.Error(stop.Line(), Describe(*stop.element) + " needs a <bump>, a <rebound> or both");
+  return law;
+}
+
+DashpotDescription LawReader::ReadDashpot(const Tag& damper, const Tag& law, const std::optional<Tag>& series) {
+  DashpotDescription dashpot;
+  const int errors = faults_.errors();
+  if (law.rule->Name() == "table") ReadTable(law, dashpot);
+  else ReadRates(law, dashpot);
+  if (const std::optional<Tag> friction = ChildOf(damper, "friction"))
+    dashpot.friction = {parameters_.ReadScalar(*friction, "force"), parameters_.ReadScalar(*friction, "speed")};
+  if (series && faults_.errors() == errors) CheckInvertible(damper, *series, dashpot);
+  return dashpot;
+}
+
+void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {
+  if (law.rule->Name() == "linear") {
+    dashpot.compression = dashpot.rebound = parameters_.ReadScalar(law, "rate");
+    return;
+  }
+  dashpot.compression = parameters_.ReadScalar(law, "compression");
+  dashpot.rebound = parameters_.ReadScalar(law, "rebound");
+  if (law.rule->Name() == "smooth") {
+    dashpot.kind = DashpotDescription::Kind::kSmooth;
+    dashpot.transition = parameters_.ReadScalar(law, "speed");
+  }
+  if (law.rule->Name() == "digressive") {
+    dashpot.kind = DashpotDescription::Kind::kDigressive;
+    dashpot.compression_knee = {parameters_.ReadScalar(law, "compression_knee"),
+                                parameters_.ReadScalar(law, "compression_beyond")};
+    dashpot.rebound_knee = {parameters_.ReadScalar(law, "rebound_knee"), parameters_.ReadScalar(law, "rebound_beyond")};
+  }
+}
+
+void LawReader::ReadTable(const Tag& table, DashpotDescription& dashpot) {
+  dashpot.kind = DashpotDescription::Kind::kTable;
+  for (const Tag& tag : TagsOf(*table.element, "fp:damper/table/point")) {
+    const int errors = faults_.errors();
+    const DashpotDescription::TablePoint point{parameters_.ReadScalar(tag, "speed"),
+                                               parameters_.ReadScalar(tag, "force")};
+    if (faults_.errors() > errors) continue;
+    const auto fault = [&](const std::string& text) {
+      faults_.Error(tag.Line(),
+                    "the point at \"" + tag.Text("speed") + "\" of " + Describe(*table.element) + " " + text);
+    };
+    if (parameters_.Least(point.speed) * parameters_.Least(point.force) < 0)
+      fault("pushes on its own motion: force and speed must have one sign");
+    if (!dashpot.table.empty()) {
+      const DashpotDescription::TablePoint& before = dashpot.table.back();
+      if (parameters_.Least(point.speed) <= parameters_.Greatest(before.speed) ||
+          parameters_.Least(point.force) <= parameters_.Greatest(before.force))
+        fault("must have more speed and more force than the point before it");
+    }
+    dashpot.table.push_back(point);
+  }
+  if (dashpot.table.size() < 2) faults_.Error(table.Line(), Describe(*table.element) + " needs at least two <point>s");
+}
+
+/// Whether the force stays the same over some range of speed.
+bool LawReader::CanStick(const DashpotDescription& dashpot) const {
+  using Kind = DashpotDescription::Kind;
+  const auto is_zero = [&](const Scalar& rate) { return parameters_.Least(rate) <= 0; };
+  if (dashpot.kind == Kind::kTable) return false;
+  if (is_zero(dashpot.compression) || is_zero(dashpot.rebound)) return true;
+  return dashpot.kind == Kind::kDigressive &&
+         (is_zero(dashpot.compression_knee.rate) || is_zero(dashpot.rebound_knee.rate));
+}
+
+void LawReader::CheckInvertible(const Tag& damper, const Tag& series, const DashpotDescription& dashpot) {
+  if (CanStick(dashpot))
+    faults_.Error(series.Line(), Describe(*damper.element) + " has a series spring: its rates must be above zero");
+  else if (dashpot.At(parameters_.Values()).LeastRate() <= 0)
+    faults_.Error(series.Line(), Describe(*damper.element) +
+                                     " has a series spring: its force must rise with speed everywhere; for a smooth "
+                                     "law neither rate may be more than eleven times the other");
+}
+
+SpringDescription LawReader::ReadSeries(const Tag& series) {
+  return {.stiffness = parameters_.ReadScalar(series, "stiffness"),
+          .cubic = parameters_.ReadScalar(series, "cubic"),
+          .knees = {}};
+}
+
+HydraulicDescription LawReader::ReadHydraulic(const Tag& law) {
+  const auto read = [&](std::string_view name) { return parameters_.ReadScalar(law, name); };
+  HydraulicDescription damper{.bleed = read("bleed"),
+                              .rebound_valve = read("rebound_valve"),
+                              .compression_valve = read("compression_valve"),
+                              .bulk_modulus = read("bulk_modulus"),
+                              .piston_diameter = read("piston"),
+                              .rod_diameter = read("rod"),
+                              .column = read("column"),
+                              .gas_pressure = read("gas_pressure"),
+                              .gas_volume = read("gas_volume"),
+                              .friction = read("friction")};
+  if (parameters_.Least(damper.piston_diameter) <= parameters_.Greatest(damper.rod_diameter))
+    faults_.Error(law.Line("rod"), "rod=\"" + law.Text("rod") + "\" of " + Describe(*law.element) +
+                                       " must be thinner than the piston, \"" + law.Text("piston") + "\"");
+  return damper;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/file_faults.h"
+#include "vehicles/tag.h"
+#include "vehicles/urdf_tree.h"
+#include "vehicles/vehicle.h"
+
+namespace fourpost {
+
+/// Reads where the elements of a file act: points, ends that name a frame or a link, and the lines between them.
+class LineReader {
+ public:
+  /// Reads the file's frames.
+  LineReader(const tinyxml2::XMLElement& robot, const UrdfTree& tree, FileFaults& faults);
+
+  /// From the attributes `link` and `xyz`.
+  Point ReadPoint(const Tag& tag) const;
+  /// The link that the attribute `link` names; -1 with a fault.
+  int ReadLink(const Tag& tag) const;
+  /// From `parent` and `child`, which must be on two links; `why` tells what is wrong with one.
+  std::pair<Point, Point> ReadEnds(const Tag& tag, const std::string& why) const;
+  /// From `parent`, `child` and `axis`.
+  ForceLine ReadLine(const Tag& tag) const;
+  /// The attribute `axis` as a unit vector; nothing when there is none.
+  static std::optional<Eigen::Vector3d> ReadAxis(const Tag& tag);
+  /// Axes of the frame that `parent` names, in its link; those of the link when it names one.
+  Eigen::Matrix3d ReadAxes(const Tag& tag) const;
+
+  /// Reports a name that stands for nothing.
+  void Unknown(const Tag& tag, std::string_view attribute, const std::string& kind,
+               const std::vector<std::string>& legal) const;
+
+ private:
+  struct Frame {
+    Point point;
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  };
+
+  void ReadFrame(const Tag& tag);
+  Point ReadEnd(const Tag& tag, std::string_view attribute) const;
+
+  const UrdfTree& tree_;
+  FileFaults& faults_;
+  std::map<std::string, Frame> frames_;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace fourpost {
+
+/// Monotone curve y(x) through given points: piecewise cubic with continuous slope. Inner slopes are those of the
+/// parabola through three neighbours, end slopes those of the chord, both reduced where the cubic would otherwise swing
+/// (Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238, region of radius 3). Beyond the ends straight on.
+class MonotoneCurve {
+ public:
+  /// At least two points, all finite, x strictly increasing, y nowhere falling; else throws std::invalid_argument that
+  /// calls x and y by the names given. Where y strictly increases over all points, so does the curve everywhere.
+  MonotoneCurve(std::vector<double> x, std::vector<double> y, const std::string& x_name = "MonotoneCurve: x",
+                const std::string& y_name = "MonotoneCurve: y");
+
+  double Value(double x) const;
+  double Slope(double x) const;
+
+  /// The x at which the curve reaches y; needs a strictly increasing curve.
+  double Argument(double y) const;
+
+  /// Over all x, exact.
+  double LeastSlope() const;
+  double GreatestSlope() const;
+
+ private:
+  /// y = y0 + (slope + (quadratic + cubic e) e) e, e = x - x0; (x0, y0) is the end nearer to x = 0, where a force law
+  /// needs all digits.
+  struct Piece {
+    double x0 = 0;
+    double y0 = 0;
+    double slope = 0;
+    double quadratic = 0;
+    double cubic = 0;
+
+    double Rise(double e) const { return (slope + (quadratic + cubic * e) * e) * e; }
+    double SlopeAt(double e) const { return slope + (2 * quadratic + 3 * cubic * e) * e; }
+  };
+
+  /// Piece from point i to the next.
+  Piece Between(std::size_t i, const std::vector<double>& slopes) const;
+  const Piece& PieceAt(double x) const;
+  /// Slopes among which are the least and the greatest.
+  std::vector<double> ExtremeSlopes() const;
+
+  std::vector<double> x_;
+  std::vector<double> y_;
+  /// Straight, cubics between the points, straight: piece i ends at x_[i].
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace fourpost
