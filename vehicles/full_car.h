@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "vehicles/condensed_model.h"
-#include "vehicles/damper_law.h"
+#include "vehicles/dashpot_law.h"
 
 namespace fourpost {
 
@@ -29,7 +29,7 @@ struct FullCar {
     double spring_station = 0;  // m, y of the left spring; the right one mirrors it
     double damper_station = 0;  // m
     double tyre_station = 0;    // m
-    BilinearDashpot damper;     // N s/m, each side's
+    DashpotLaw damper;     // N s/m, each side's
   };
 
   double sprung_mass = 0;                  // kg

@@ -7,17 +7,22 @@
 
 namespace fourpost {
 
-/// A surface of triangles, in the unit of its file.
+/// A surface of triangles, in the axes and the unit of its file.
 struct Mesh {
+  /// No two are equal.
   Eigen::Matrix3Xd vertices;
-  /// Columns of `vertices`, anticlockwise seen from outside.
+  /// Columns of `vertices`, three different ones each, anticlockwise seen from outside.
   Eigen::Matrix3Xi triangles;
 
   Eigen::AlignedBox3d Bounds() const;
 };
 
-/// Reads a mesh file of any format that assimp knows, such as OBJ, STL or glTF. Equal vertices are joined; lines and
-/// points are dropped. Throws std::runtime_error with the reason.
+/// Reads an OBJ, STL, DAE (Collada) or glTF file (.gltf, .glb), told by its extension, in single precision.
+/// Equal vertices are joined, also those of different parts; polygons are split into triangles; triangles with two
+/// equal corners, lines and points are dropped. The nodes of DAE and glTF place their parts, and the unit that a DAE
+/// file states makes metres of its numbers; the axes stay those of the file, whichever it calls up. Throws
+/// std::runtime_error with the reason, also for a file above 64 MiB (that one or another that it needs), more than 2
+/// million triangles, indices out of range and vertices that are not finite.
 Mesh ReadMesh(const std::filesystem::path& file);
 
 }  // namespace fourpost

@@ -11,8 +11,8 @@
 namespace fourpost {
 
 /// Reads a vehicle description: URDF by urdfdom, `fp:` tags by our reader; urdf/README.md is the format's reference.
-/// Adds every fault to `diagnostics` with file and line; gives nothing when there was an error. Meshes are read once to
-/// see that they can be. A parameter without bounds is fixed: lower = value = upper and precision = 0.
+/// Adds every fault to `diagnostics` with file and line; gives nothing when there was an error. Meshes are read to see
+/// that they can be. A parameter without bounds is fixed: lower = value = upper and precision = 0.
 std::optional<Vehicle> ReadVehicle(const std::filesystem::path& file, Diagnostics& diagnostics);
 
 /// Vehicle::text with other parameter values (SI, order of Vehicle::parameters), each in the unit it was written in,
