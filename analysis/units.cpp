@@ -71,7 +71,7 @@ constexpr std::array<NamedDimension, 19> kDimensions = {{
     {kFlowResistance, "flow resistance", "Pa*s/kg"},
     {kArea, "area", "m^2"},
     {kVolume, "volume", "m^3"},
-    {{1, -3, 0}, "density", "kg/m^3"},
+    {kDensity, "density", "kg/m^3"},
     {kCubicStiffness, "cubic stiffness", "N/m^3"},
     {kTorque, "torque", "N*m"},
     {kAngularDamping, "rotational damping", "N*m*s"},

@@ -32,6 +32,7 @@ inline constexpr Dimension kVolume{0, 3, 0};
 inline constexpr Dimension kCubicStiffness{1, -2, -2};
 inline constexpr Dimension kTorque{1, 2, -2};
 inline constexpr Dimension kAngularDamping{1, 2, -1};
+inline constexpr Dimension kDensity{1, -3, 0};
 
 /// A unit such as "kN*s/m": its size in SI and its dimension.
 struct Unit {

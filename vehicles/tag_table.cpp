@@ -103,6 +103,21 @@ std::vector<TagRule> MakeParameterTags() {
   };
 }
 
+std::vector<TagRule> MakeSolidTags() {
+  return {
+      {.path = "fp:solid",
+       .doc = "Gives a link without `<inertial>` the mass, centre of mass and inertia that its visual shapes, all of "
+              "them, have at one density. A mesh must be closed and face outward. What several shapes share counts "
+              "several times.",
+       .attributes = {{.name = "link", .kind = Kind::kLink, .doc = "link whose shapes are filled; not the ground"},
+                      {.name = "density",
+                       .kind = Kind::kScalar,
+                       .doc = "mass per volume; as a parameter, mass and inertia follow it",
+                       .dimension = kDensity,
+                       .sign = Sign::kPositive}}},
+  };
+}
+
 std::vector<TagRule> MakeSpringTags() {
   const AttributeRule preload = Preload("tension in the design pose; `equilibrium`: whatever holds that pose at rest");
   return {
@@ -365,8 +380,8 @@ std::vector<TagRule> MakeSensorTags() {
 
 std::vector<TagRule> MakeOwnTags() {
   std::vector<TagRule> tags;
-  for (auto* make :
-       {MakeParameterTags, MakeSpringTags, MakeDamperTags, MakeBushingTags, MakeTyreTags, MakeLoopTags, MakeSensorTags})
+  for (auto* make : {MakeParameterTags, MakeSolidTags, MakeSpringTags, MakeDamperTags, MakeBushingTags, MakeTyreTags,
+                     MakeLoopTags, MakeSensorTags})
     for (TagRule& tag : make()) tags.push_back(std::move(tag));
   return tags;
 }

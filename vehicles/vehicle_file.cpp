@@ -7,6 +7,7 @@
 #include "vehicles/element_reader.h"
 #include "vehicles/file_faults.h"
 #include "vehicles/parameter_reader.h"
+#include "vehicles/solid_reader.h"
 #include "vehicles/tag.h"
 #include "vehicles/tag_check.h"
 #include "vehicles/tree_binding.h"
@@ -59,11 +60,12 @@ Vehicle ReadRobot(const XMLElement& robot, const std::string& text, FileFaults& 
   vehicle.text = text;
   vehicle.parameters = parameters.parameters();
   ReadElements(robot, tree, parameters, vehicle, faults);
-  parameters.CheckUse();
   if (is_sound) ReadUrdf(text, tree, vehicle, faults);
+  const bool has_masses = ReadSolids(robot, tree, parameters, vehicle, faults);
+  parameters.CheckUse();
   if (vehicle.links.empty()) return vehicle;
   Apply(bindings, vehicle);
-  CheckBodies(vehicle, faults);
+  if (has_masses) CheckBodies(vehicle, faults);
   CheckLengths(vehicle, faults);
   return vehicle;
 }
