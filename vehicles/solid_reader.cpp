@@ -38,7 +38,7 @@ void SetMass(const Solid& solid, const Scalar& density, std::span<const double> 
   const Eigen::Matrix3d inertia = solid.Inertia();
   const std::array<double, 6> numbers = {inertia(0, 0), inertia(1, 1), inertia(2, 2),
                                          inertia(0, 1), inertia(0, 2), inertia(1, 2)};
-  link.com = solid.com;
+  for (Eigen::Index i = 0; i < 3; ++i) link.com[static_cast<std::size_t>(i)].value = solid.com[i];
   link.mass = TimesDensity(solid.volume, density, parameters);
   for (std::size_t i = 0; i < numbers.size(); ++i) link.inertia[i] = TimesDensity(numbers[i], density, parameters);
 }

@@ -54,7 +54,7 @@ double Rounding(double size) { return 32 * std::numeric_limits<double>::epsilon(
 void ExpectMass(const Link& link, std::span<const double> values, const Solid& solid, double density) {
   const double mass = density * solid.volume;
   EXPECT_NEAR(link.mass.At(values), mass, Rounding(mass));
-  EXPECT_LE((link.com - solid.com).cwiseAbs().maxCoeff(), Rounding(solid.com.maxCoeff()));
+  EXPECT_LE((link.ComAt({}) - solid.com).cwiseAbs().maxCoeff(), Rounding(solid.com.maxCoeff()));
   const Eigen::Matrix3d inertia = density * solid.Inertia();
   EXPECT_LE((InertiaAt(link, values) - inertia).cwiseAbs().maxCoeff(), Rounding(inertia.maxCoeff()));
 }
