@@ -13,12 +13,25 @@ const tinyxml2::XMLAttribute* Find(const tinyxml2::XMLElement& element, std::str
   return attribute;
 }
 
+/// The element of the file from which this one came, step by step; itself when it stands there.
+const tinyxml2::XMLElement& Written(const tinyxml2::XMLElement& element) {
+  const auto* written = &element;
+  while (IsMade(*written)) written = static_cast<const tinyxml2::XMLElement*>(written->GetUserData());
+  return *written;
+}
+
 }  // namespace
 
-int Tag::Line(std::string_view attribute) const {
-  const tinyxml2::XMLAttribute* found = Find(*element, attribute);
-  return found ? found->GetLineNum() : element->GetLineNum();
+int LineOf(const tinyxml2::XMLElement& element) { return Written(element).GetLineNum(); }
+
+int LineOf(const tinyxml2::XMLElement& element, std::string_view attribute) {
+  const tinyxml2::XMLAttribute* found = Find(Written(element), attribute);
+  return found ? found->GetLineNum() : LineOf(element);
 }
+
+bool IsMade(const tinyxml2::XMLElement& element) { return element.GetUserData() != nullptr; }
+
+void SetOrigin(tinyxml2::XMLElement& made, tinyxml2::XMLElement& origin) { made.SetUserData(&origin); }
 
 std::string Tag::Text(std::string_view attribute) const {
   if (std::optional<std::string> text = AttributeText(*element, attribute)) return *std::move(text);

@@ -12,14 +12,25 @@
 
 namespace fourpost {
 
+/// Line of the element in the file; for an element that an expansion made, of the one it was made from.
+int LineOf(const tinyxml2::XMLElement& element);
+
+/// Line of the attribute; of the element when it is left out.
+int LineOf(const tinyxml2::XMLElement& element, std::string_view attribute);
+
+/// Whether an expansion made the element, so that it does not stand in the file.
+bool IsMade(const tinyxml2::XMLElement& element);
+
+/// Notes that `made` was made from `origin`, which must live as long.
+void SetOrigin(tinyxml2::XMLElement& made, tinyxml2::XMLElement& origin);
+
 /// An element of a vehicle file with the rule for its form.
 struct Tag {
   const tinyxml2::XMLElement* element = nullptr;
   const TagRule* rule = nullptr;
 
-  int Line() const { return element->GetLineNum(); }
-  /// Line of the attribute; of the element when it is left out.
-  int Line(std::string_view attribute) const;
+  int Line() const { return LineOf(*element); }
+  int Line(std::string_view attribute) const { return LineOf(*element, attribute); }
   /// The attribute's text or its fallback; empty when there is neither.
   std::string Text(std::string_view attribute) const;
 };

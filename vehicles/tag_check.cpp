@@ -27,14 +27,14 @@ class PrefixCheck {
 
   void Walk(const XMLElement& element) {
     if (IsForeign(element.Name())) {
-      Warn(PrefixOf(element.Name()), element.GetLineNum());
+      Warn(PrefixOf(element.Name()), LineOf(element));
       return;
     }
     own_used_ = own_used_ || PrefixOf(element.Name()) == "fp";
     for (const auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
       const std::string_view prefix = PrefixOf(attribute->Name());
       if (!prefix.empty() && prefix != "xmlns" && prefix != "xml" && prefix != "fp")
-        Warn(prefix, attribute->GetLineNum());
+        Warn(prefix, LineOf(element, attribute->Name()));
     }
     for (const XMLElement* child : Children(element)) Walk(*child);
   }
@@ -43,9 +43,9 @@ class PrefixCheck {
     const std::string wanted = std::string("xmlns:fp=\"") + kNamespace + "\"";
     const std::optional<std::string> declared = AttributeText(robot, "xmlns:fp");
     if (declared && *declared != kNamespace)
-      faults_.Error(robot.GetLineNum(), "xmlns:fp is \"" + *declared + "\", expected " + wanted);
+      faults_.Error(LineOf(robot), "xmlns:fp is \"" + *declared + "\", expected " + wanted);
     if (!declared && own_used_)
-      faults_.Error(robot.GetLineNum(), "<robot> needs " + wanted + " since the file uses fp: tags");
+      faults_.Error(LineOf(robot), "<robot> needs " + wanted + " since the file uses fp: tags");
   }
 
  private:
@@ -85,16 +85,16 @@ void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults&
     if (!PrefixOf(name).empty() && PrefixOf(name) != "fp") continue;
     seen.insert(name);
     if (const AttributeRule* attribute = FindAttribute(rule, name)) {
-      CheckAttribute(element, *attribute, given->Value(), given->GetLineNum(), faults);
+      CheckAttribute(element, *attribute, given->Value(), LineOf(element, given->Name()), faults);
       continue;
     }
-    faults.Error(given->GetLineNum(),
+    faults.Error(LineOf(element, given->Name()),
                  "unknown attribute '" + std::string(name) + "' of " + Describe(element) + Suggestion(name, legal));
   }
   for (const AttributeRule& attribute : rule.attributes)
     if (attribute.required && !seen.contains(attribute.name))
-      faults.Error(element.GetLineNum(), Describe(element) + " needs the attribute '" + std::string(attribute.name) +
-                                             "'" + Expectation(attribute));
+      faults.Error(LineOf(element), Describe(element) + " needs the attribute '" + std::string(attribute.name) + "'" +
+                                        Expectation(attribute));
 }
 
 /// Children that stand too often or are missing.
@@ -109,22 +109,20 @@ void CheckOccurrences(const XMLElement& element, std::string_view path, FileFaul
       chosen += found.size();
     }
     if (rule->occurs == Occurs::kOnce && found.empty())
-      faults.Error(element.GetLineNum(), Describe(element) + " needs a <" + name + ">");
+      faults.Error(LineOf(element), Describe(element) + " needs a <" + name + ">");
     if (rule->occurs != Occurs::kAny && rule->occurs != Occurs::kOneOfAll && found.size() > 1)
-      faults.Error(found[1]->GetLineNum(), Describe(element) + " has more than one <" + name + ">");
+      faults.Error(LineOf(*found[1]), Describe(element) + " has more than one <" + name + ">");
   }
   if (!choices.empty() && chosen != 1)
-    faults.Error(element.GetLineNum(), Describe(element) + " needs one law or shape, and no more: " + Joined(choices));
+    faults.Error(LineOf(element), Describe(element) + " needs one law or shape, and no more: " + Joined(choices));
 }
 
 void ReportForm(const XMLElement& element, std::string_view path, FileFaults& faults) {
   std::vector<std::string_view> types;
   for (const TagRule* rule : FindTags(path)) types.push_back(rule->type);
   const std::optional<std::string> type = AttributeText(element, "type");
-  if (!type) faults.Error(element.GetLineNum(), Describe(element) + " needs the attribute 'type': " + Joined(types));
-  else
-    faults.Error(element.GetLineNum(),
-                 "unknown type '" + *type + "' of " + Describe(element) + Suggestion(*type, types));
+  if (!type) faults.Error(LineOf(element), Describe(element) + " needs the attribute 'type': " + Joined(types));
+  else faults.Error(LineOf(element), "unknown type '" + *type + "' of " + Describe(element) + Suggestion(*type, types));
 }
 
 void CheckElement(const XMLElement& element, const std::string& above, FileFaults& faults) {
@@ -132,8 +130,8 @@ void CheckElement(const XMLElement& element, const std::string& above, FileFault
   const std::string path = above.empty() ? element.Name() : above + "/" + element.Name();
   if (FindTags(path).empty()) {
     const std::string place = above.empty() ? "" : " in " + Describe(*element.Parent()->ToElement());
-    faults.Error(element.GetLineNum(), "unknown tag <" + std::string(element.Name()) + ">" + place +
-                                           Suggestion(element.Name(), NamesOf(TagsBelow(above))));
+    faults.Error(LineOf(element), "unknown tag <" + std::string(element.Name()) + ">" + place +
+                                      Suggestion(element.Name(), NamesOf(TagsBelow(above))));
     return;
   }
   const TagRule* rule = FormOf(element, path);
@@ -150,10 +148,9 @@ void CheckNames(const XMLElement& robot, FileFaults& faults) {
     const TagRule* rule = FormOf(*element, element->Name());
     const std::optional<std::string> name = AttributeText(*element, "name");
     if (!rule || rule->opaque || !name) continue;
-    const auto [first, is_new] = lines.try_emplace({element->Name(), *name}, element->GetLineNum());
+    const auto [first, is_new] = lines.try_emplace({element->Name(), *name}, LineOf(*element));
     if (is_new) continue;
-    faults.Error(element->GetLineNum(),
-                 Describe(*element) + " is already defined in line " + std::to_string(first->second));
+    faults.Error(LineOf(*element), Describe(*element) + " is already defined in line " + std::to_string(first->second));
   }
 }
 
@@ -164,7 +161,7 @@ void CheckTags(const XMLElement& robot, FileFaults& faults) {
   prefixes.Walk(robot);
   prefixes.CheckDeclaration(robot);
   if (AttributeText(robot, "name").value_or("").empty())
-    faults.Error(robot.GetLineNum(), "<robot> needs the attribute 'name'");
+    faults.Error(LineOf(robot), "<robot> needs the attribute 'name'");
   for (const XMLElement* child : Children(robot)) CheckElement(*child, "", faults);
   CheckNames(robot, faults);
 }

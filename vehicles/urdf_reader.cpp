@@ -111,7 +111,7 @@ void ReadShape(const urdf::Geometry& geometry, const std::filesystem::path& vehi
 Link ReadLink(const urdf::Link& source, const XMLElement& element, const std::filesystem::path& vehicle_file) {
   Link link;
   link.name = source.name;
-  link.line = element.GetLineNum();
+  link.line = LineOf(element);
   if (source.inertial) ReadInertial(*source.inertial, link);
   for (const urdf::VisualSharedPtr& shape : source.visual_array) {
     Visual visual;
@@ -141,7 +141,7 @@ Joint ReadJoint(const urdf::Joint& source, const XMLElement& element, const Urdf
   joint.parent = tree.FindLink(source.parent_link_name);
   joint.child = tree.FindLink(source.child_link_name);
   joint.pose = ToEigen(source.parent_to_joint_origin_transform);
-  joint.line = element.GetLineNum();
+  joint.line = LineOf(element);
   if (joint.type != Joint::Type::kFixed && joint.type != Joint::Type::kFloating)
     joint.axis = ToEigen(source.axis).normalized();
   return joint;
@@ -181,7 +181,7 @@ void CheckMeshes(const UrdfTree& tree, FileFaults& faults) {
     const std::string filename = AttributeText(*mesh, "filename").value_or("");
     if (filename.empty() || !checked.insert(filename).second) continue;
     const std::string fault = MeshFault(faults.file(), filename);
-    if (!fault.empty()) faults.Error(mesh->GetLineNum(), "mesh '" + filename + "' " + fault);
+    if (!fault.empty()) faults.Error(LineOf(*mesh), "mesh '" + filename + "' " + fault);
   }
 }
 

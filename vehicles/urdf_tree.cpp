@@ -40,8 +40,8 @@ class TreeReader {
   void CheckEnd(const XMLElement& joint, const char* end) {
     const std::string link = End(joint, end);
     if (link.empty() || tree_.FindLink(link) >= 0) return;
-    faults_.Error(joint.FirstChildElement(end)->GetLineNum(), Describe(joint) + " has the unknown " + end + " link '" +
-                                                                  link + "'" + DidYouMean(link, tree_.LinkNames()));
+    faults_.Error(LineOf(*joint.FirstChildElement(end)), Describe(joint) + " has the unknown " + end + " link '" +
+                                                             link + "'" + DidYouMean(link, tree_.LinkNames()));
     sound_ = false;
   }
 
@@ -49,7 +49,7 @@ class TreeReader {
     const std::string type = AttributeText(joint, "type").value_or("");
     if ((type != "revolute" && type != "prismatic") || joint.FirstChildElement("limit")) return;
     const std::string remedy = type == "revolute" ? ", or make it continuous" : "";
-    faults_.Error(joint.GetLineNum(),
+    faults_.Error(LineOf(joint),
                   Describe(joint) + " is " + type + ": URDF asks for a <limit effort=\"0\" velocity=\"0\"/>" + remedy);
   }
 
@@ -61,8 +61,8 @@ class TreeReader {
     }
     const auto [first, is_new] = parent_joint_.try_emplace(child, &joint);
     if (is_new) return;
-    faults_.Error(joint.GetLineNum(), "link '" + child + "' has two parents: " + Describe(*first->second) + " and " +
-                                          Describe(joint) + "; close a loop with fp:rod or fp:ball");
+    faults_.Error(LineOf(joint), "link '" + child + "' has two parents: " + Describe(*first->second) + " and " +
+                                     Describe(joint) + "; close a loop with fp:rod or fp:ball");
     sound_ = false;
   }
 
@@ -81,15 +81,15 @@ class TreeReader {
       if (!is_root(tree_.links[i])) continue;
       // A joint with a fault of its own may be what is missing here.
       if (sound_)
-        faults_.Error(tree_.links[i]->GetLineNum(), Describe(*tree_.links[i]) +
-                                                        " is the child of no joint: only the ground, '" +
-                                                        NameOf(*tree_.links.front()) + "', may be so");
+        faults_.Error(LineOf(*tree_.links[i]), Describe(*tree_.links[i]) +
+                                                   " is the child of no joint: only the ground, '" +
+                                                   NameOf(*tree_.links.front()) + "', may be so");
     }
   }
 
   void CheckGround(const XMLElement& ground) {
     if (const XMLElement* inertial = ground.FirstChildElement("inertial"))
-      faults_.Error(inertial->GetLineNum(), Describe(ground) + " is the ground and must not have an <inertial>");
+      faults_.Error(LineOf(*inertial), Describe(ground) + " is the ground and must not have an <inertial>");
   }
 
   /// Goes on from the ground; what it never reaches is a loop.
@@ -107,8 +107,7 @@ class TreeReader {
     }
     for (const XMLElement* joint : joints_)
       if (std::find(tree_.joints.begin(), tree_.joints.end(), joint) == tree_.joints.end())
-        faults_.Error(joint->GetLineNum(),
-                      Describe(*joint) + " is part of a loop of joints that the ground does not carry");
+        faults_.Error(LineOf(*joint), Describe(*joint) + " is part of a loop of joints that the ground does not carry");
   }
 
   FileFaults& faults_;

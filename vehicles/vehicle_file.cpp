@@ -39,10 +39,7 @@ const XMLElement* ParseRobot(const std::string& text, tinyxml2::XMLDocument& doc
   const XMLElement* root = document.RootElement();
   const XMLElement* second = root ? root->NextSiblingElement() : nullptr;
   if (root && !second && std::string_view(root->Name()) == "robot") return root;
-  faults.Error(second ? second->GetLineNum()
-               : root ? root->GetLineNum()
-                      : 0,
-               "the file must hold one <robot> and no more");
+  faults.Error(second ? LineOf(*second) : root ? LineOf(*root) : 0, "the file must hold one <robot> and no more");
   return nullptr;
 }
 
