@@ -13,6 +13,7 @@
 #include "vehicles/tree_binding.h"
 #include "vehicles/urdf_reader.h"
 #include "vehicles/urdf_tree.h"
+#include "vehicles/xml_limits.h"
 
 namespace fourpost {
 namespace {
@@ -70,9 +71,10 @@ Vehicle ReadRobot(const XMLElement& robot, const std::string& text, FileFaults& 
 }  // namespace
 
 std::optional<Vehicle> ReadVehicle(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
-  if (!text) return std::nullopt;
   FileFaults faults(file.string(), diagnostics);
+  if (!HasLegalSize(file, faults)) return std::nullopt;
+  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
+  if (!text || !IsWithinXmlLimits(*text, faults)) return std::nullopt;
   tinyxml2::XMLDocument document;
   const XMLElement* robot = ParseRobot(*text, document, faults);
   if (!robot) return std::nullopt;

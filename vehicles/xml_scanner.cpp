@@ -51,9 +51,9 @@ class Scanner {
   /// Nothing at the end of the tag.
   std::optional<AttributePlace> ReadAttribute() {
     at_ = text_.find_first_not_of(kBlanks, at_);
+    if (at_ >= text_.size() || text_[at_] == '>' || text_[at_] == '/') return std::nullopt;
     const std::size_t equals = text_.find('=', at_);
-    if (at_ >= text_.size() || text_[at_] == '>' || text_[at_] == '/' || equals == std::string_view::npos)
-      return std::nullopt;
+    if (equals == std::string_view::npos) return std::nullopt;
     AttributePlace place;
     place.name = text_.substr(at_, std::min(equals, text_.find_first_of(kBlanks, at_)) - at_);
     at_ = std::min(text_.find_first_of("\"'", equals), text_.size() - 1);
