@@ -33,6 +33,16 @@ bool IsMade(const tinyxml2::XMLElement& element) { return element.GetUserData() 
 
 void SetOrigin(tinyxml2::XMLElement& made, tinyxml2::XMLElement& origin) { made.SetUserData(&origin); }
 
+tinyxml2::XMLElement& CopyOf(tinyxml2::XMLElement& element) {
+  tinyxml2::XMLElement& copy = *element.ShallowClone(element.GetDocument())->ToElement();
+  SetOrigin(copy, element);
+  for (tinyxml2::XMLNode* child = element.FirstChild(); child; child = child->NextSibling()) {
+    tinyxml2::XMLElement* below = child->ToElement();
+    copy.InsertEndChild(below ? &CopyOf(*below) : child->ShallowClone(element.GetDocument()));
+  }
+  return copy;
+}
+
 std::string Tag::Text(std::string_view attribute) const {
   if (std::optional<std::string> text = AttributeText(*element, attribute)) return *std::move(text);
   const AttributeRule* known = FindAttribute(*rule, attribute);
@@ -55,6 +65,13 @@ const TagRule* FormOf(const tinyxml2::XMLElement& element, std::string_view path
 std::vector<const tinyxml2::XMLElement*> Children(const tinyxml2::XMLElement& parent, const char* name) {
   std::vector<const tinyxml2::XMLElement*> children;
   for (const auto* child = parent.FirstChildElement(name); child; child = child->NextSiblingElement(name))
+    children.push_back(child);
+  return children;
+}
+
+std::vector<tinyxml2::XMLElement*> Children(tinyxml2::XMLElement& parent, const char* name) {
+  std::vector<tinyxml2::XMLElement*> children;
+  for (auto* child = parent.FirstChildElement(name); child; child = child->NextSiblingElement(name))
     children.push_back(child);
   return children;
 }

@@ -24,6 +24,9 @@ bool IsMade(const tinyxml2::XMLElement& element);
 /// Notes that `made` was made from `origin`, which must live as long.
 void SetOrigin(tinyxml2::XMLElement& made, tinyxml2::XMLElement& origin);
 
+/// A copy of the element with all that it holds, made from it and not yet placed; its document owns it.
+tinyxml2::XMLElement& CopyOf(tinyxml2::XMLElement& element);
+
 /// An element of a vehicle file with the rule for its form.
 struct Tag {
   const tinyxml2::XMLElement* element = nullptr;
@@ -43,6 +46,7 @@ const TagRule* FormOf(const tinyxml2::XMLElement& element, std::string_view path
 
 /// Child elements, all or those with this name.
 std::vector<const tinyxml2::XMLElement*> Children(const tinyxml2::XMLElement& parent, const char* name = nullptr);
+std::vector<tinyxml2::XMLElement*> Children(tinyxml2::XMLElement& parent, const char* name = nullptr);
 
 /// The parent's tags of this path that have a legal form.
 std::vector<Tag> TagsOf(const tinyxml2::XMLElement& parent, std::string_view path);

@@ -30,7 +30,7 @@ class PrefixCheck {
       Warn(PrefixOf(element.Name()), LineOf(element));
       return;
     }
-    own_used_ = own_used_ || PrefixOf(element.Name()) == "fp";
+    own_used_ = own_used_ || (PrefixOf(element.Name()) == "fp" && !IsMade(element));
     for (const auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
       const std::string_view prefix = PrefixOf(attribute->Name());
       if (!prefix.empty() && prefix != "xmlns" && prefix != "xml" && prefix != "fp")
@@ -66,7 +66,8 @@ std::vector<std::string_view> NamesOf(const std::vector<const TagRule*>& rules) 
   return names;
 }
 
-/// The legal name that is near, or else all of them.
+}  // namespace
+
 std::string Suggestion(std::string_view name, const std::vector<std::string_view>& legal) {
   for (std::string_view candidate : legal)
     if (candidate == "fp:" + std::string(name) || "fp:" + std::string(candidate) == name)
@@ -96,6 +97,8 @@ void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults&
       faults.Error(LineOf(element), Describe(element) + " needs the attribute '" + std::string(attribute.name) + "'" +
                                         Expectation(attribute));
 }
+
+namespace {
 
 /// Children that stand too often or are missing.
 void CheckOccurrences(const XMLElement& element, std::string_view path, FileFaults& faults) {

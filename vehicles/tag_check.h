@@ -1,8 +1,13 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include <tinyxml2.h>
 
 #include "vehicles/file_faults.h"
+#include "vehicles/tag_table.h"
 
 namespace fourpost {
 
@@ -12,5 +17,11 @@ inline constexpr const char* kNamespace = "urn:fourpost:vehicle:1";
 /// Checks every tag and attribute against the table of tags: known, present, as often as legal, plain numbers legal;
 /// and that no name is given twice. Foreign prefixes are warned about once each.
 void CheckTags(const tinyxml2::XMLElement& robot, FileFaults& faults);
+
+/// Checks the attributes of one element against its rule.
+void CheckAttributes(const tinyxml2::XMLElement& element, const TagRule& rule, FileFaults& faults);
+
+/// To end a message about an unknown name with: the legal one that is near, or else all of them.
+std::string Suggestion(std::string_view name, const std::vector<std::string_view>& legal);
 
 }  // namespace fourpost

@@ -99,7 +99,16 @@ std::vector<TagRule> MakeParameterTags() {
                        .required = false,
                        .fallback = "1",
                        .doc = "the tree's number over the parameter"}}},
-      {.path = "fp:frame", .doc = "A named point of a link.", .attributes = {kNameRule, kLinkRule, kXyzRule}},
+      {.path = "fp:frame",
+       .doc = "A named point of a link. `<frame>` without prefix is the same.",
+       .attributes = {kNameRule,
+                      kLinkRule,
+                      kXyzRule,
+                      {.name = "rpy",
+                       .kind = Kind::kVector,
+                       .required = false,
+                       .fallback = "0 0 0",
+                       .doc = "orientation in link axes, roll pitch yaw in rad, used by elements that need axes"}}},
   };
 }
 

@@ -4,6 +4,7 @@
 
 #include "analysis/text_file.h"
 #include "vehicles/body_check.h"
+#include "vehicles/drake_tags.h"
 #include "vehicles/element_reader.h"
 #include "vehicles/file_faults.h"
 #include "vehicles/parameter_reader.h"
@@ -32,19 +33,26 @@ std::string XmlFault(const tinyxml2::XMLDocument& document) {
 }
 
 /// Nothing, with a fault, for a text that is no XML or does not describe one robot.
-const XMLElement* ParseRobot(const std::string& text, tinyxml2::XMLDocument& document, FileFaults& faults) {
+XMLElement* ParseRobot(const std::string& text, tinyxml2::XMLDocument& document, FileFaults& faults) {
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
     faults.Error(document.ErrorLineNum(), "not XML: " + XmlFault(document));
     return nullptr;
   }
-  const XMLElement* root = document.RootElement();
+  XMLElement* root = document.RootElement();
   const XMLElement* second = root ? root->NextSiblingElement() : nullptr;
   if (root && !second && std::string_view(root->Name()) == "robot") return root;
   faults.Error(second ? LineOf(*second) : root ? LineOf(*root) : 0, "the file must hold one <robot> and no more");
   return nullptr;
 }
 
-Vehicle ReadRobot(const XMLElement& robot, const std::string& text, FileFaults& faults) {
+std::string Printed(const tinyxml2::XMLDocument& document) {
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  return printer.CStr();
+}
+
+Vehicle ReadRobot(XMLElement& robot, const std::string& text, FileFaults& faults) {
+  const bool is_expanded = ReplaceDrakeTags(robot, faults);
   CheckTags(robot, faults);
   const UrdfTree tree = ReadUrdfTree(robot, faults);
   // urdfdom stops at its first fault and knows no lines: it reads only what is sound so far.
@@ -58,7 +66,7 @@ Vehicle ReadRobot(const XMLElement& robot, const std::string& text, FileFaults& 
   vehicle.text = text;
   vehicle.parameters = parameters.parameters();
   ReadElements(robot, tree, parameters, vehicle, faults);
-  if (is_sound) ReadUrdf(text, tree, vehicle, faults);
+  if (is_sound) ReadUrdf(is_expanded ? Printed(*robot.GetDocument()) : text, tree, vehicle, faults);
   const bool has_masses = ReadSolids(robot, tree, parameters, vehicle, faults);
   parameters.CheckUse();
   if (vehicle.links.empty()) return vehicle;
@@ -76,7 +84,7 @@ std::optional<Vehicle> ReadVehicle(const std::filesystem::path& file, Diagnostic
   const std::optional<std::string> text = ReadTextFile(file, diagnostics);
   if (!text || !IsWithinXmlLimits(*text, faults)) return std::nullopt;
   tinyxml2::XMLDocument document;
-  const XMLElement* robot = ParseRobot(*text, document, faults);
+  XMLElement* robot = ParseRobot(*text, document, faults);
   if (!robot) return std::nullopt;
   Vehicle vehicle = ReadRobot(*robot, *text, faults);
   if (faults.errors() > 0) return std::nullopt;

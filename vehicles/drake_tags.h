@@ -1,0 +1,19 @@
+#pragma once
+
+#include <tinyxml2.h>
+
+#include "vehicles/file_faults.h"
+
+namespace fourpost {
+
+/// Replaces tags of Drake's dialect of URDF, directly below `<robot>`, by ours:
+///   <frame>                       fp:frame
+///   <drake:linear_spring_damper>  fp:spring and fp:damper between two fp:frame
+///   <drake:ball_constraint>       fp:ball between two fp:frame
+///   <drake:linear_bushing_rpy>    fp:bushing
+/// Drake's numbers are SI and have no units. What Drake leaves without a name gets one that nothing in the file has.
+/// Reports children that are missing or unknown, and numbers that Drake would refuse; a tag with a fault is left out.
+/// True when anything was replaced. Source: Drake's documentation of its URDF extensions.
+bool ReplaceDrakeTags(tinyxml2::XMLElement& robot, FileFaults& faults);
+
+}  // namespace fourpost
