@@ -112,6 +112,17 @@ std::vector<TagRule> MakeParameterTags() {
   };
 }
 
+std::vector<TagRule> MakeMirrorTags() {
+  return {
+      {.path = "fp:mirror",
+       .doc =
+           "Gives every link, joint and tag of ours whose name ends in `from` a twin whose name ends in `to`, mirrored "
+           "left to right. What is written out under a twin's name stands instead.",
+       .attributes = {{.name = "from", .kind = Kind::kName, .doc = "end of the names to mirror, such as `_left`"},
+                      {.name = "to", .kind = Kind::kName, .doc = "end of their twins' names, such as `_right`"}}},
+  };
+}
+
 std::vector<TagRule> MakeSolidTags() {
   return {
       {.path = "fp:solid",
@@ -390,7 +401,7 @@ std::vector<TagRule> MakeSensorTags() {
 std::vector<TagRule> MakeOwnTags() {
   std::vector<TagRule> tags;
   for (auto* make : {MakeParameterTags, MakeSolidTags, MakeSpringTags, MakeDamperTags, MakeBushingTags, MakeTyreTags,
-                     MakeLoopTags, MakeSensorTags})
+                     MakeLoopTags, MakeSensorTags, MakeMirrorTags})
     for (TagRule& tag : make()) tags.push_back(std::move(tag));
   return tags;
 }

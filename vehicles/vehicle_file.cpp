@@ -7,6 +7,7 @@
 #include "vehicles/drake_tags.h"
 #include "vehicles/element_reader.h"
 #include "vehicles/file_faults.h"
+#include "vehicles/mirror.h"
 #include "vehicles/parameter_reader.h"
 #include "vehicles/solid_reader.h"
 #include "vehicles/tag.h"
@@ -52,8 +53,9 @@ std::string Printed(const tinyxml2::XMLDocument& document) {
 }
 
 Vehicle ReadRobot(XMLElement& robot, const std::string& text, FileFaults& faults) {
-  const bool is_expanded = ReplaceDrakeTags(robot, faults);
+  const bool has_replaced = ReplaceDrakeTags(robot, faults);
   CheckTags(robot, faults);
+  const bool is_as_written = !AddTwins(robot, faults) && !has_replaced;
   const UrdfTree tree = ReadUrdfTree(robot, faults);
   // urdfdom stops at its first fault and knows no lines: it reads only what is sound so far.
   const bool is_sound = faults.errors() == 0;
@@ -66,7 +68,7 @@ Vehicle ReadRobot(XMLElement& robot, const std::string& text, FileFaults& faults
   vehicle.text = text;
   vehicle.parameters = parameters.parameters();
   ReadElements(robot, tree, parameters, vehicle, faults);
-  if (is_sound) ReadUrdf(is_expanded ? Printed(*robot.GetDocument()) : text, tree, vehicle, faults);
+  if (is_sound) ReadUrdf(is_as_written ? text : Printed(*robot.GetDocument()), tree, vehicle, faults);
   const bool has_masses = ReadSolids(robot, tree, parameters, vehicle, faults);
   parameters.CheckUse();
   if (vehicle.links.empty()) return vehicle;
