@@ -59,7 +59,7 @@ TEST(FullCar, ModelHasTheDerivativesOfTheAcceleration) {
               -model.stiffness);
   Eigen::MatrixXd damping = model.damping;
   for (const CondensedModel::Dashpot& dashpot : model.dashpots)
-    damping += dashpot.law.Mean() * dashpot.direction * dashpot.direction.transpose();
+    damping += dashpot.law.MeanRate() * dashpot.direction * dashpot.direction.transpose();
   ExpectEqual(model.mass * Differences(7, [&](const Vector7d& rate) { return car.Acceleration(rest, rate, level); }),
               -damping);
   ExpectEqual(model.mass * Differences(4, [&](const Eigen::Vector4d& z) { return car.Acceleration(rest, rest, z); }),

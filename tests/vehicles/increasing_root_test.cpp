@@ -20,6 +20,15 @@ TEST(IncreasingRoot, HalvesTheBracketWhereNewtonWouldLeaveIt) {
   EXPECT_NEAR(IncreasingRoot(ArcTangent, 0.5, -1000, 1000, 900), std::tan(0.5), 8 * kUlp);
 }
 
+// Newton's method swings from one side to the other for ever.
+TEST(IncreasingRoot, HalvesTheBracketWhereNewtonGainsNothing) {
+  const auto root = [](double x) {
+    const double size = std::sqrt(std::abs(x - 0.3));
+    return std::pair(std::copysign(size, x - 0.3), 0.5 / size);
+  };
+  EXPECT_NEAR(IncreasingRoot(root, 0, -1, 1, 0.9), 0.3, 8 * kUlp);
+}
+
 TEST(IncreasingRoot, IsNanForNan) {
   EXPECT_TRUE(std::isnan(IncreasingRoot(ArcTangent, kNan, -1, 1, 0)));
   EXPECT_TRUE(std::isnan(IncreasingRoot(ArcTangent, 0.5, kNan, kNan, kNan)));
