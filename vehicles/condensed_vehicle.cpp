@@ -265,7 +265,8 @@ void CondensedVehicle::AddDashpots(std::span<const double> parameters, Condensed
     if (damper.hydraulic) {
       // Mean rate of the steady force over the speeds that DashpotLaw::MeanRate looks at.
       constexpr double kSpeed = 0.1;
-      const HydraulicDamper law = damper.hydraulic->At(parameters);
+      HydraulicDamper law = damper.HydraulicAt(parameters);
+      law.friction = 0;
       const double rate = (law.SteadyForce(kSpeed) - law.SteadyForce(-kSpeed)) / (2 * kSpeed);
       dashpot.law = DashpotLaw(rate, rate);
     } else {

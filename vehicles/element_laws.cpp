@@ -67,7 +67,6 @@ HydraulicDamper HydraulicDescription::At(std::span<const double> parameters) con
   damper.compression_volume = damper.piston_area * column.At(parameters);
   damper.gas_pressure = gas_pressure.At(parameters);
   damper.gas_volume = gas_volume.At(parameters);
-  damper.friction = friction.At(parameters);
   return damper;
 }
 

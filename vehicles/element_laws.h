@@ -63,7 +63,7 @@ struct DashpotDescription {
   DashpotLaw At(std::span<const double> parameters) const;
 };
 
-/// Of a hydraulic damper: what of HydraulicDamper a file may tell.
+/// Of a hydraulic damper without its friction: what of HydraulicDamper a file may tell.
 struct HydraulicDescription {
   /// Effective area Cd A of the bleed, both directions [m^2].
   Scalar bleed;
@@ -78,7 +78,6 @@ struct HydraulicDescription {
   Scalar column;
   Scalar gas_pressure;
   Scalar gas_volume;
-  Scalar friction;
 
   HydraulicDamper At(std::span<const double> parameters) const;
 };

@@ -114,10 +114,7 @@ class ElementReader {
       if (const std::optional<Tag> law = ChildOf(tag, name)) damper.law = laws_.ReadDashpot(tag, *law, series);
     if (const std::optional<Tag> law = ChildOf(tag, "hydraulic")) {
       damper.hydraulic = laws_.ReadHydraulic(*law);
-      for (const char* name : {"series", "friction"})
-        if (const std::optional<Tag> other = ChildOf(tag, name))
-          faults_.Error(other->Line(), Describe(*tag.element) + " is hydraulic: it has its own oil and friction, so <" +
-                                           name + "> is not for it");
+      damper.law.friction = laws_.ReadFriction(tag);
     }
     if (const std::optional<Tag> gas = ChildOf(tag, "gas")) ReadGas(tag, *gas, damper.line);
     vehicle_.dampers.push_back(damper);

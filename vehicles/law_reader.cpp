@@ -68,10 +68,16 @@ DashpotDescription LawReader::ReadDashpot(const Tag& damper, const Tag& law, con
   const int errors = faults_.errors();
   if (law.rule->Name() == "table") ReadTable(law, dashpot);
   else ReadRates(law, dashpot);
-  if (const std::optional<Tag> friction = ChildOf(damper, "friction"))
-    dashpot.friction = {parameters_.ReadScalar(*friction, "force"), parameters_.ReadScalar(*friction, "speed")};
+  dashpot.friction = ReadFriction(damper);
   if (series && faults_.errors() == errors) CheckInvertible(damper, *series, dashpot);
   return dashpot;
+}
+
+std::optional<DashpotDescription::Friction> LawReader::ReadFriction(const Tag& damper) {
+  const std::optional<Tag> friction = ChildOf(damper, "friction");
+  if (!friction) return std::nullopt;
+  return DashpotDescription::Friction{parameters_.ReadScalar(*friction, "force"),
+                                      parameters_.ReadScalar(*friction, "speed")};
 }
 
 void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {
@@ -152,8 +158,7 @@ HydraulicDescription LawReader::ReadHydraulic(const Tag& law) {
                               .rod_diameter = read("rod"),
                               .column = read("column"),
                               .gas_pressure = read("gas_pressure"),
-                              .gas_volume = read("gas_volume"),
-                              .friction = read("friction")};
+                              .gas_volume = read("gas_volume")};
   if (parameters_.Least(damper.piston_diameter) <= parameters_.Greatest(damper.rod_diameter))
     faults_.Error(law.Line("rod"), "rod=\"" + law.Text("rod") + "\" of " + Describe(*law.element) +
                                        " must be thinner than the piston, \"" + law.Text("piston") + "\"");

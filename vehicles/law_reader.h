@@ -20,6 +20,7 @@ class LawReader {
   SpringDescription ReadStop(const Tag& stop);
   /// Of a damper's law but `<hydraulic>`, with its friction; `series`: the spring it is in line with, if any.
   DashpotDescription ReadDashpot(const Tag& damper, const Tag& law, const std::optional<Tag>& series);
+  std::optional<DashpotDescription::Friction> ReadFriction(const Tag& damper);
   SpringDescription ReadSeries(const Tag& series);
   HydraulicDescription ReadHydraulic(const Tag& law);
 

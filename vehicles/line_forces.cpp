@@ -46,18 +46,20 @@ void DamperForce::realizeAcceleration(const State& state) const {
   forces_.updZDot(state)[series_extension_] = Motion(data_.line, state).rate - data_.dashpot.Velocity(tension);
 }
 
-std::array<double, 2> HydraulicRates(const HydraulicDamper& damper, double extension, double rate,
+std::array<double, 2> HydraulicRates(const HydraulicData& data, const LineMotion& motion,
                                      const std::array<double, 2>& states) {
-  std::array<double, 2> pressures = damper.Rest();
+  std::array<double, 2> pressures = data.damper.damper.Rest();
   for (std::size_t i = 0; i < 2; ++i) pressures[i] += kHydraulicPressureUnit * states[i];
-  std::array<double, 2> rates = damper.PressureRates(extension, rate, pressures);
-  for (double& r : rates) r /= kHydraulicPressureUnit;
+  std::array<double, 2> rates = data.is_mounted
+                                    ? data.damper.PressureRates(motion.extension, motion.rate, pressures)
+                                    : data.damper.damper.PressureRates(motion.extension, motion.rate, pressures);
+  for (double& rate : rates) rate /= kHydraulicPressureUnit;
   return rates;
 }
 
 std::array<double, 2> HydraulicForce::Pressures(const State& state) const {
   const SimTK::Vector& z = forces_.getZ(state);
-  std::array<double, 2> pressures = data_.damper.Rest();
+  std::array<double, 2> pressures = data_.damper.damper.Rest();
   pressures[0] += kHydraulicPressureUnit * z[pressures_];
   pressures[1] += kHydraulicPressureUnit * z[SimTK::ZIndex(pressures_ + 1)];
   return pressures;
@@ -66,7 +68,7 @@ std::array<double, 2> HydraulicForce::Pressures(const State& state) const {
 void HydraulicForce::calcForce(const State& state, Vector_<SpatialVec>& body_forces, Vector_<Vec3>&,
                                SimTK::Vector&) const {
   const LineMotion motion = Motion(data_.line, state);
-  ApplyTension(data_.line, state, motion, data_.damper.Force(motion.rate, Pressures(state)), body_forces);
+  ApplyTension(data_.line, state, motion, data_.damper.damper.Force(motion.rate, Pressures(state)), body_forces);
 }
 
 void HydraulicForce::realizeTopology(State& state) const {
@@ -74,11 +76,9 @@ void HydraulicForce::realizeTopology(State& state) const {
 }
 
 void HydraulicForce::realizeAcceleration(const State& state) const {
-  const LineMotion motion = Motion(data_.line, state);
   const SimTK::Vector& z = forces_.getZ(state);
   const SimTK::ZIndex second(pressures_ + 1);
-  const std::array<double, 2> rates =
-      HydraulicRates(data_.damper, motion.extension, motion.rate, {z[pressures_], z[second]});
+  const std::array<double, 2> rates = HydraulicRates(data_, Motion(data_.line, state), {z[pressures_], z[second]});
   forces_.updZDot(state)[pressures_] = rates[0];
   forces_.updZDot(state)[second] = rates[1];
 }

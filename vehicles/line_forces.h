@@ -4,7 +4,7 @@
 
 #include "vehicles/body_line.h"
 #include "vehicles/dashpot_law.h"
-#include "vehicles/hydraulic_damper.h"
+#include "vehicles/mounted_hydraulic_damper.h"
 #include "vehicles/series_damper.h"
 #include "vehicles/simbody.h"
 #include "vehicles/spring_law.h"
@@ -28,7 +28,9 @@ struct DamperData {
 
 struct HydraulicData {
   BodyLine line;
-  HydraulicDamper damper;
+  MountedHydraulicDamper damper;
+  /// Whether there is a mount.
+  bool is_mounted = false;
 };
 
 struct AntiRollData {
@@ -92,7 +94,7 @@ class HydraulicForce : public SimTK::Force::Custom::Implementation {
 inline constexpr double kHydraulicPressureUnit = 1e6;
 
 /// Rates of a hydraulic damper's states for its states [kHydraulicPressureUnit, kHydraulicPressureUnit/s].
-std::array<double, 2> HydraulicRates(const HydraulicDamper& damper, double extension, double rate,
+std::array<double, 2> HydraulicRates(const HydraulicData& data, const LineMotion& motion,
                                      const std::array<double, 2>& states);
 
 /// Anti-roll bar: tension on the left line = stiffness (e_left - e_right) + damping (e_left - e_right)', opposite on

@@ -20,6 +20,11 @@ namespace {
 using SimTK::MobilizedBody;
 using SimTK::Vec3;
 
+void SetHydraulic(const Damper& damper, std::span<const double> parameters, HydraulicData& data) {
+  data.damper.damper = damper.HydraulicAt(parameters);
+  if (damper.series) data.damper.mount = damper.series->At(parameters);
+}
+
 struct SensorData {
   Sensor::Type type = Sensor::Type::kAccelerometer;
   MobilizedBody body;
@@ -144,7 +149,7 @@ void Multibody::Impl::AddDampers() {
   for (std::size_t i = 0; i < vehicle.dampers.size(); ++i) {
     const Damper& damper = vehicle.dampers[i];
     if (damper.hydraulic) {
-      hydraulics.push_back({.line = MakeLine(damper.line), .damper = {}});
+      hydraulics.push_back({.line = MakeLine(damper.line), .damper = {}, .is_mounted = damper.series.has_value()});
       hydraulic_index.push_back(i);
     } else {
       dampers.push_back(
@@ -386,7 +391,7 @@ void Multibody::SetParameters(std::span<const double> parameters, const Preloads
     if (damper.series) m.dampers[i].series = damper.series->At(parameters);
   }
   for (std::size_t i = 0; i < m.hydraulics.size(); ++i)
-    m.hydraulics[i].damper = m.vehicle.dampers[m.hydraulic_index[i]].hydraulic->At(parameters);
+    SetHydraulic(m.vehicle.dampers[m.hydraulic_index[i]], parameters, m.hydraulics[i]);
   for (std::size_t i = 0; i < m.bushings.size(); ++i) {
     const Bushing& bushing = m.vehicle.bushings[i];
     for (std::size_t k = 0; k < 6; ++k) {
@@ -477,9 +482,8 @@ Eigen::VectorXd Multibody::Residual(double t, const Eigen::VectorXd& state, cons
     ++z;
   }
   for (const HydraulicData& damper : m.hydraulics) {
-    const LineMotion motion = Motion(damper.line, m.state);
     const std::array<double, 2> rates =
-        HydraulicRates(damper.damper, motion.extension, motion.rate, {state[n + z], state[n + z + 1]});
+        HydraulicRates(damper, Motion(damper.line, m.state), {state[n + z], state[n + z + 1]});
     for (const double rate : rates) {
       residual[z] = derivative[n + z] - rate;
       ++z;

@@ -241,8 +241,7 @@ std::vector<TagRule> MakeDamperTags() {
                       Measure("column", kLength, Sign::kPositive, "length of each oil column in the design pose",
                               "100 mm"),
                       Measure("gas_pressure", kPressure, Sign::kPositive, "pressure of the gas at rest", "2 MPa"),
-                      Measure("gas_volume", kVolume, Sign::kPositive, "volume of the gas at rest", "60 cm^3"),
-                      Measure("friction", kForce, Sign::kNotNegative, "friction of the seals", "50 N")}},
+                      Measure("gas_volume", kVolume, Sign::kPositive, "volume of the gas at rest", "60 cm^3")}},
       {.path = "fp:damper/series",
        .occurs = Occurs::kAtMostOnce,
        .doc = "A spring in line with the damper, such as its top mount: f = stiffness x + cubic x^3, x its extension. "
@@ -250,7 +249,9 @@ std::vector<TagRule> MakeDamperTags() {
        .attributes = {Stiffness("force per deflection", Sign::kPositive), Cubic("hardening")}},
       {.path = "fp:damper/friction",
        .occurs = Occurs::kAtMostOnce,
-       .doc = "Coulomb friction of seals and guide, in line with the series spring: adds force tanh(v / speed).",
+       .doc =
+           "Coulomb friction of seals and guide: adds force tanh(v / speed). In line with the series spring, but of a "
+           "hydraulic damper between the ends of both.",
        .attributes = {Measure("force", kForce, Sign::kNotNegative, "friction at speed"),
                       Measure("speed", kVelocity, Sign::kPositive, "speed of transition about rest", "2 mm/s")}},
       {.path = "fp:damper/gas",

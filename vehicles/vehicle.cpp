@@ -8,6 +8,13 @@ Eigen::Vector3d Link::ComAt(std::span<const double> parameters) const {
   return {com[0].At(parameters), com[1].At(parameters), com[2].At(parameters)};
 }
 
+HydraulicDamper Damper::HydraulicAt(std::span<const double> parameters) const {
+  HydraulicDamper damper = hydraulic->At(parameters);
+  damper.friction = law.friction ? law.friction->force.At(parameters) : 0;
+  if (law.friction) damper.friction_speed = law.friction->speed.At(parameters);
+  return damper;
+}
+
 double Bushing::DampingAt(std::size_t component, std::span<const double> parameters) const {
   const double loss = loss_factor.At(parameters) / (2 * std::numbers::pi * loss_frequency_Hz);
   return damping[component].At(parameters) + loss * stiffness[component].At(parameters);

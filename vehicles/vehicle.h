@@ -107,9 +107,12 @@ struct Damper {
   ForceLine line;
   DashpotDescription law;
   std::optional<SpringDescription> series;
-  /// In place of `law` and `series`.
+  /// In place of `law`, but for its friction.
   std::optional<HydraulicDescription> hydraulic;
   int source_line = 0;
+
+  /// The hydraulic law with the damper's friction.
+  HydraulicDamper HydraulicAt(std::span<const double> parameters) const;
 };
 
 /// Six springs and dampers between two points, along and about the axes of the parent's frame. Translation: of the
