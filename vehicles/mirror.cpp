@@ -69,7 +69,12 @@ std::string Mirrored(const std::string& text, VectorKind kind) {
 /// Whether the element's axis is one of turning.
 bool Turns(const XMLElement& element) {
   const std::string type = AttributeText(element, "type").value_or("");
-  return type == "revolute" || type == "continuous" || type == "gyro";
+  return type == "revolute" || type == "continuous" || type == "gyro" || std::string_view(element.Name()) == "fp:hinge";
+}
+
+/// Whether the twin of a number of the tree, such as "link[body]/com/y", has the other sign.
+bool ChangesSign(std::string_view path) {
+  return path.ends_with("/com/y") || path.ends_with("/ixy") || path.ends_with("/iyz");
 }
 
 /// Writes out the vectors that stand for what is left out, for their mirror image may be another.
@@ -191,8 +196,7 @@ class Mirror {
     if (!made_links_.contains(twin) || bound_.contains(twin_path)) return;
     XMLElement& made = CopyOf(bind);
     made.SetAttribute("to", twin_path.c_str());
-    if (path.ends_with("/ixy") || path.ends_with("/iyz"))
-      made.SetAttribute("factor", Negated(AttributeText(bind, "factor").value_or("1")).c_str());
+    if (ChangesSign(path)) made.SetAttribute("factor", Negated(AttributeText(bind, "factor").value_or("1")).c_str());
     bind.Parent()->InsertAfterChild(&bind, &made);
   }
 

@@ -11,7 +11,7 @@ namespace fourpost {
 ///
 /// With M = diag(1, -1, 1), as x' = M x, R' = M R M, I' = M I M:
 ///   xyz, axis (polar: position, direction of motion or force)    (x, -y, z)
-///   axis of a revolute joint or a gyro (axial: turning)          (-x, y, -z)
+///   axis of a revolute joint, hinge or gyro (axial: turning)     (-x, y, -z)
 ///   rpy                                                          (-r, p, -y)
 ///   inertia                                                      ixy and iyz change sign
 ///   scale of a mesh                                              (x, -y, z)

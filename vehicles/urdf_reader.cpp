@@ -122,6 +122,23 @@ Link ReadLink(const urdf::Link& source, const XMLElement& element, const std::fi
   return link;
 }
 
+std::string NameOf(const XMLElement& element) { return AttributeText(element, "name").value_or(""); }
+
+/// Whether urdfdom reads all names as we do. XML parsers differ in blanks other than the space.
+bool HasAll(const urdf::ModelInterface& model, const UrdfTree& tree, FileFaults& faults) {
+  const int errors = faults.errors();
+  const auto report = [&](const XMLElement& element) {
+    faults.Error(LineOf(element, "name"), Describe(element) +
+                                              " has a name that parsers read differently: keep to letters, digits, "
+                                              "'_', '-' and '.'");
+  };
+  for (const XMLElement* element : tree.links)
+    if (!model.getLink(NameOf(*element))) report(*element);
+  for (const XMLElement* element : tree.joints)
+    if (!model.getJoint(NameOf(*element))) report(*element);
+  return faults.errors() == errors;
+}
+
 Joint::Type ToType(int type) {
   switch (type) {
     case urdf::Joint::FIXED: return Joint::Type::kFixed;
@@ -187,15 +204,11 @@ void CheckMeshes(const UrdfTree& tree, FileFaults& faults) {
 
 void ReadUrdf(const std::string& text, const UrdfTree& tree, Vehicle& vehicle, FileFaults& faults) {
   const urdf::ModelInterfaceSharedPtr model = Parse(text, faults);
-  if (!model) return;
-  for (const XMLElement* element : tree.links) {
-    const std::string name = AttributeText(*element, "name").value_or("");
-    vehicle.links.push_back(ReadLink(*model->getLink(name), *element, faults.file()));
-  }
-  for (const XMLElement* element : tree.joints) {
-    const std::string name = AttributeText(*element, "name").value_or("");
-    vehicle.joints.push_back(ReadJoint(*model->getJoint(name), *element, tree));
-  }
+  if (!model || !HasAll(*model, tree, faults)) return;
+  for (const XMLElement* element : tree.links)
+    vehicle.links.push_back(ReadLink(*model->getLink(NameOf(*element)), *element, faults.file()));
+  for (const XMLElement* element : tree.joints)
+    vehicle.joints.push_back(ReadJoint(*model->getJoint(NameOf(*element)), *element, tree));
 }
 
 }  // namespace fourpost

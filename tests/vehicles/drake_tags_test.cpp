@@ -1,5 +1,7 @@
 #include "vehicles/drake_tags.h"
 
+#include <array>
+
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/tag.h"
 
@@ -133,6 +135,31 @@ TEST_F(DrakeTags, MakeAVehicleWithoutAWarning) {
   EXPECT_EQ(ball.child.link, 2);
   EXPECT_EQ(ball.child.xyz, Eigen::Vector3d(0.1, 0.2, 0.3));
   EXPECT_EQ(ball.source_line, LineOf(text, "<drake:ball"));
+}
+
+TEST_F(DrakeTags, MakeForces) {
+  const std::string text =
+      Robot("<frame name=\"on_A\" link=\"A\" rpy=\"0 0 1.5707963267948966\"/>\n" + kSpring + kBushing);
+  const std::optional<Vehicle> vehicle = Read(text);
+  ASSERT_TRUE(vehicle.has_value());
+  const Spring& spring = vehicle->springs.at(0);
+  EXPECT_EQ(spring.element, "fp:spring 'drake_spring_1'");
+  EXPECT_EQ(spring.line.child.xyz, Eigen::Vector3d(4, 5, 6));
+  EXPECT_EQ(spring.law.stiffness.value, 8000);
+  EXPECT_EQ(spring.free_length.value_or(Scalar()).value, 7.5);
+  EXPECT_EQ(spring.source_line, LineOf(text, "<drake:linear_spring_damper>"));
+  EXPECT_EQ(vehicle->dampers.at(0).law.rebound.value, 9);
+  const Bushing& bushing = vehicle->bushings.at(0);
+  EXPECT_EQ(bushing.parent.link, 1);
+  EXPECT_EQ(bushing.child.link, 2);
+  // A quarter turn left: the bushing's x axis is the link's y axis, up to the rounding of the angle.
+  EXPECT_NEAR(bushing.axes(1, 0), 1, 1e-15);
+  const std::array<double, 6> stiffness = {7, 8, 9, 1, 2, 3};
+  const std::array<double, 6> damping = {10, 11, 12, 4, 5, 6};
+  for (std::size_t i = 0; i < stiffness.size(); ++i) {
+    EXPECT_EQ(bushing.stiffness[i].value, stiffness[i]);
+    EXPECT_EQ(bushing.damping[i].value, damping[i]);
+  }
 }
 
 // A file for Drake alone does not declare our prefix.

@@ -81,6 +81,11 @@ TEST_F(MirrorTags, MirrorsAxesOfSensors) {
              R"(<fp:sensor name="s_right" type="gyro" axis="-1 2 -3"/>)");
 }
 
+TEST_F(MirrorTags, MirrorsHinges) {
+  ExpectTwin(R"(<fp:hinge name="h_left" parent="a" child="b" axis="1 2 3"/>)",
+             R"(<fp:hinge name="h_right" parent="a" child="b" axis="-1 2 -3"/>)");
+}
+
 TEST_F(MirrorTags, FollowsReferences) {
   EXPECT_EQ(
       Mirrored(R"(<link name="a_left"/><joint name="j_left"><parent link="body"/><child link="a_left"/></joint>)"),
@@ -134,6 +139,24 @@ TEST_F(MirrorTags, BindsTwins) {
       R"(<fp:parameter name="q"><fp:bind to="link[a_left]/inertia/ixy"/>)"
       R"(<fp:bind to="link[a_right]/inertia/ixy" factor="-1"/><fp:bind to="link[a_left]/inertia/iyz" factor="0.5"/>)"
       R"(<fp:bind to="link[a_right]/inertia/iyz" factor="-0.5"/></fp:parameter>)");
+}
+
+TEST_F(MirrorTags, BindsTwinsWithTheSignOfTheirSide) {
+  for (const auto& [number, factor] : std::vector<std::pair<std::string, std::string>>{{"mass", "2"},
+                                                                                       {"com/x", "2"},
+                                                                                       {"com/y", "-2"},
+                                                                                       {"com/z", "2"},
+                                                                                       {"inertia/ixx", "2"},
+                                                                                       {"inertia/iyy", "2"},
+                                                                                       {"inertia/izz", "2"},
+                                                                                       {"inertia/ixy", "-2"},
+                                                                                       {"inertia/ixz", "2"},
+                                                                                       {"inertia/iyz", "-2"}})
+    EXPECT_EQ(Mirrored(R"(<link name="a_left"/><fp:parameter name="p"><fp:bind to="link[a_left]/)" + number +
+                       R"(" factor="2"/></fp:parameter>)"),
+              R"(<link name="a_left"/><link name="a_right"/><fp:parameter name="p"><fp:bind to="link[a_left]/)" +
+                  number + R"(" factor="2"/><fp:bind to="link[a_right]/)" + number + R"(" factor=")" + factor +
+                  R"("/></fp:parameter>)");
 }
 
 TEST_F(MirrorTags, LeavesBindsOfWrittenLinks) {
@@ -222,6 +245,16 @@ const std::vector<std::pair<std::string, std::string>>& Corners() {
        R"(<bilinear compression="1 kN*s/m" rebound="2 kN*s/m"/></fp:damper>)",
        R"(<fp:damper name="shock_right" parent="top_right" child="seat_right" axis="0 -0.2 1">)"
        R"(<bilinear compression="1 kN*s/m" rebound="2 kN*s/m"/></fp:damper>)"},
+      {R"(<fp:frame name="mount_in_left" link="body" xyz="0.1 0.35 -0.2" rpy="0.3 0.2 0.1"/>)",
+       R"(<fp:frame name="mount_in_right" link="body" xyz="0.1 -0.35 -0.2" rpy="-0.3 0.2 -0.1"/>)"},
+      {R"(<fp:frame name="mount_out_left" link="lower_left" xyz="0.05 0 0"/>)",
+       R"(<fp:frame name="mount_out_right" link="lower_right" xyz="0.05 0 0"/>)"},
+      {R"(<fp:bushing name="mount_left" parent="mount_in_left" child="mount_out_left">)"
+       R"(<translation x="1 kN/m" y="2 kN/m" z="5 kN/m"/><rotation x="1 kN*m/rad" y="3 kN*m/rad" z="9 kN*m/rad"/>)"
+       R"(</fp:bushing>)",
+       R"(<fp:bushing name="mount_right" parent="mount_in_right" child="mount_out_right">)"
+       R"(<translation x="1 kN/m" y="2 kN/m" z="5 kN/m"/><rotation x="1 kN*m/rad" y="3 kN*m/rad" z="9 kN*m/rad"/>)"
+       R"(</fp:bushing>)"},
       {R"(<fp:tyre name="tyre_left" link="hub_left" xyz="0 0.01 0" stiffness="200 kN/m" damping="100 N*s/m"/>)",
        R"(<fp:tyre name="tyre_right" link="hub_right" xyz="0 -0.01 0" stiffness="200 kN/m" damping="100 N*s/m"/>)"},
       {R"(<fp:post name="post_left" under="tyre_left"/>)", R"(<fp:post name="post_right" under="tyre_right"/>)"},
@@ -264,6 +297,9 @@ std::string Axle(unsigned sides, const std::string& more = "") {
 <fp:parameter name="I" value="0.005 kg*m^2" source="test">)" +
                      Binds(sides, "knuckle", "inertia/ixy", "-") +
                      R"(</fp:parameter>
+<fp:parameter name="y" value="15 mm" source="test">)" +
+                     Binds(sides, "knuckle", "com/y", "-") +
+                     R"(</fp:parameter>
 <fp:sensor name="roll" type="displacement" link="body" xyz="0 0.5 0"/>
 <fp:sensor name="heave" type="displacement" link="body" xyz="0 0 0"/>
 )";
@@ -299,7 +335,7 @@ class Comparison {
   void Compare() const {
     ForEach(a_.links, b_.links, [](const Link& a, const Link& b) {
       ExpectSame(a.mass, b.mass);
-      EXPECT_EQ(a.ComAt({}), b.ComAt({}));
+      for (std::size_t i = 0; i < a.com.size(); ++i) ExpectSame(a.com[i], b.com[i]);
       for (std::size_t i = 0; i < a.inertia.size(); ++i) ExpectSame(a.inertia[i], b.inertia[i]);
       ASSERT_EQ(a.visuals.size(), b.visuals.size());
       for (std::size_t i = 0; i < a.visuals.size(); ++i) {
@@ -327,6 +363,12 @@ class Comparison {
     ForEach(a_.dampers, b_.dampers, [&](const Damper& a, const Damper& b) {
       SameLine(a.line, b.line);
       ExpectSame(a.law.rebound, b.law.rebound);
+    });
+    ForEach(a_.bushings, b_.bushings, [&](const Bushing& a, const Bushing& b) {
+      SamePoint(a.parent, b.parent);
+      SamePoint(a.child, b.child);
+      EXPECT_EQ(a.axes, b.axes);
+      ExpectSame(a.stiffness[5], b.stiffness[5]);
     });
     ForEach(a_.tyres, b_.tyres, [&](const Tyre& a, const Tyre& b) {
       SamePoint(a.point, b.point);
@@ -436,18 +478,21 @@ TEST_F(MirrorVehicle, HasTheLinesOfWhatItMirrors) {
 TEST_F(MirrorVehicle, FollowsNewValues) {
   const std::string text = Axle(kLeft, kMirror);
   const Vehicle vehicle = Read(text).value();
-  const std::vector<double> values = {70e3, 12, 0.004};
+  const std::vector<double> values = {70e3, 12, 0.004, 0.016};
   const std::string rewritten = VehicleTextWithValues(vehicle, values, folder_);
   std::string expected = Replaced(text, R"(value="80 N/mm")", R"(value="70 N/mm")");
   expected = Replaced(expected, R"(value="10 kg")", R"(value="12 kg")");
   expected = Replaced(expected, R"(<mass value="20"/>)", R"(<mass value="24"/>)");
   expected = Replaced(expected, "0.005 kg", "0.004 kg");
   expected = Replaced(expected, R"(ixy="0.01")", R"(ixy="0.008")");
+  expected = Replaced(expected, R"(value="15 mm")", R"(value="16 mm")");
+  expected = Replaced(expected, R"(<origin xyz="0 0.03 0"/>)", R"(<origin xyz="0 0.032 0"/>)");
   EXPECT_EQ(rewritten, expected);
   const Vehicle again = Read(rewritten).value();
   EXPECT_EQ(again.ParameterValues(), values);
   EXPECT_EQ(Named(again.links, "hub_right").mass.value, 24);
   EXPECT_EQ(Named(again.links, "knuckle_right").inertia[3].value, -0.008);
+  EXPECT_EQ(Named(again.links, "knuckle_right").com[1].value, -0.032);
 }
 
 TEST_F(MirrorVehicle, TakesAWrittenTwin) {

@@ -121,6 +121,10 @@ TEST_F(VehicleTree, FindsMisspeltAttributesOfUrdf) {
   Expect(Severity::kError, 3, "<inertia> of <inertial> of link 'body' needs the attribute 'izz'");
 }
 
+TEST_F(VehicleTree, RejectsNamesThatParsersReadDifferently) {
+  ExpectOnly(Replaced(FreeBody(Inertial(1)), "\"free\"", "\"fr\tee\""), 4, "has a name that parsers read differently");
+}
+
 TEST_F(VehicleTree, RejectsNegativeMass) { ExpectOnly(FreeBody(Inertial(-1)), 3, "must not be negative"); }
 
 TEST_F(VehicleTree, RejectsTextForNumbers) {
