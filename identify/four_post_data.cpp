@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "analysis/frequency_response_file.h"
 #include "analysis/nearest.h"
 #include "analysis/static_loads.h"
+#include "vehicles/post_pattern.h"
 #include "vehicles/response_recorder.h"
 
 namespace fourpost {
@@ -137,6 +139,19 @@ class DataLoader {
   }
 
   std::vector<double> Shape(const StudyRecording& recording) {
+    return recording.pattern ? PatternShape(recording) : SharesOfPosts(recording);
+  }
+
+  std::vector<double> PatternShape(const StudyRecording& recording) {
+    try {
+      return PostPattern(vehicle_, *recording.pattern);
+    } catch (const std::invalid_argument& fault) {
+      diagnostics_.Error(file_, recording.line, "recording '" + recording.name + "': " + fault.what());
+      return {};
+    }
+  }
+
+  std::vector<double> SharesOfPosts(const StudyRecording& recording) {
     const std::vector<std::string> posts = NamesOf(vehicle_.posts);
     std::vector<double> shape(posts.size(), 0.0);
     std::vector<bool> told(posts.size(), false);

@@ -11,18 +11,13 @@ namespace fourpost {
 
 int LineOf(const YAML::Node& node) { return node.Mark().is_null() ? 0 : node.Mark().line + 1; }
 
-namespace {
-
-/// The nearest legal key, or all of them.
-std::string Suggestion(const std::string& key, const std::vector<std::string_view>& keys) {
-  std::string nearest = DidYouMean(key, keys);
+std::string Suggestion(std::string_view word, std::span<const std::string_view> legal) {
+  std::string nearest = DidYouMean(word, legal);
   if (!nearest.empty()) return nearest;
-  std::string legal;
-  for (const std::string_view name : keys) legal += (legal.empty() ? "; legal: " : ", ") + std::string(name);
-  return legal;
+  std::string all;
+  for (const std::string_view name : legal) all += (all.empty() ? "; legal: " : ", ") + std::string(name);
+  return all;
 }
-
-}  // namespace
 
 StrictMap::StrictMap(const YAML::Node& node, std::string where, const std::vector<std::string_view>& keys,
                      std::string file, Diagnostics& diagnostics)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,9 @@ class StrictMap {
   Diagnostics& diagnostics_;
   int line_ = 0;
 };
+
+/// To end a message about an unknown word with: ", did you mean ...?", or all legal ones when none is near.
+std::string Suggestion(std::string_view word, std::span<const std::string_view> legal);
 
 /// 1-based line of a node.
 int LineOf(const YAML::Node& node);

@@ -5,6 +5,7 @@
 
 #include "analysis/text_file.h"
 #include "identify/strict_yaml.h"
+#include "vehicles/post_pattern.h"
 
 namespace fourpost {
 namespace {
@@ -67,17 +68,31 @@ class StudyReader {
       map.Require("file");
       if (const auto file = map.Text("file")) recording.file = Resolve(*file);
       recording.name = map.Text("name").value_or(recording.file.stem().string());
-      if (const YAML::Node posts = map.Require("posts"); posts.IsDefined()) recording.posts = Shape(posts);
+      if (const YAML::Node posts = map.Require("posts"); posts.IsDefined()) ReadPosts(posts, recording);
       for (const StudyRecording& other : study_.recordings)
         if (other.name == recording.name) Fault(entry, "two recordings are called '" + recording.name + "'");
       study_.recordings.push_back(recording);
     }
   }
 
+  void ReadPosts(const YAML::Node& node, StudyRecording& recording) {
+    if (node.IsScalar()) recording.pattern = Pattern(node);
+    else recording.posts = Shape(node);
+  }
+
+  std::string Pattern(const YAML::Node& node) {
+    const std::string& name = node.Scalar();
+    if (std::find(kPostPatterns.begin(), kPostPatterns.end(), name) == kPostPatterns.end())
+      Fault(node, "unknown pattern '" + name + "' of 'posts'" + Suggestion(name, kPostPatterns));
+    return name;
+  }
+
   std::vector<std::pair<std::string, double>> Shape(const YAML::Node& node) {
     std::vector<std::pair<std::string, double>> shape;
     if (!node.IsMap() || node.size() == 0) {
-      Fault(node, "'posts' must map each moving post to its share of the motion, such as {front: 1, rear: -1}");
+      Fault(node,
+            "'posts' must be a pattern such as pitch, or map each moving post to its share of the motion, such as "
+            "{front: 1, rear: -1}");
       return shape;
     }
     std::vector<std::string> names;

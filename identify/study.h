@@ -24,8 +24,10 @@ struct ChannelSource {
 struct StudyRecording {
   std::string name;
   std::filesystem::path file;
-  /// Post of the vehicle, and how far it moves relative to the reference: -1 for opposite phase.
+  /// Post of the vehicle, and how far it moves relative to the reference: -1 for opposite phase. Empty with a pattern.
   std::vector<std::pair<std::string, double>> posts;
+  /// One of kPostPatterns, in place of `posts`.
+  std::optional<std::string> pattern;
   int line = 0;
 };
 

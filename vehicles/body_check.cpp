@@ -6,6 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "vehicles/design_poses.h"
+
 namespace fourpost {
 namespace {
 
@@ -74,14 +76,6 @@ std::vector<double> CarriedMasses(const Vehicle& vehicle) {
   return masses;
 }
 
-/// Poses of the links in the ground at zero joint coordinates.
-std::vector<Eigen::Isometry3d> DesignPoses(const Vehicle& vehicle) {
-  std::vector<Eigen::Isometry3d> poses(vehicle.links.size(), Eigen::Isometry3d::Identity());
-  for (const Joint& joint : vehicle.joints)
-    poses[static_cast<std::size_t>(joint.child)] = poses[static_cast<std::size_t>(joint.parent)] * joint.pose;
-  return poses;
-}
-
 /// Finds two-ended elements whose ends coincide.
 class LengthCheck {
  public:
@@ -89,7 +83,8 @@ class LengthCheck {
 
   void Check(const std::string& element, int line, const Point& parent, const Point& child, const std::string& remedy) {
     constexpr double kShortest_m = 1e-9;
-    if (parent.link < 0 || child.link < 0 || (Place(parent) - Place(child)).norm() > kShortest_m) return;
+    if (parent.link < 0 || child.link < 0 || (PlaceOf(parent, poses_) - PlaceOf(child, poses_)).norm() > kShortest_m)
+      return;
     faults_.Error(line, element + " has no length, so it has no direction: " + remedy);
   }
   void Check(const std::string& element, int line, const ForceLine& points) {
@@ -97,8 +92,6 @@ class LengthCheck {
   }
 
  private:
-  Eigen::Vector3d Place(const Point& point) const { return poses_[static_cast<std::size_t>(point.link)] * point.xyz; }
-
   std::vector<Eigen::Isometry3d> poses_;
   FileFaults& faults_;
 };

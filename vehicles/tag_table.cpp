@@ -345,7 +345,10 @@ std::vector<TagRule> MakeTyreTags() {
                        .doc = "`true`: the vertical force never pulls; `false`: it may, as in a linear model",
                        .choices = {"false", "true"}}}},
       {.path = "fp:post",
-       .doc = "A hydraulic post that drives the platform under a tyre; one a tyre at most.",
+       .doc =
+           "A hydraulic post that drives the platform under a tyre; one a tyre at most. A study moves posts by their "
+           "names, or together in heave, pitch, roll or warp, which the places of their tyres in the design pose "
+           "tell apart.",
        .attributes = {kNameRule, {.name = "under", .kind = Kind::kTyre, .doc = "tyre that it drives"}}},
   };
 }

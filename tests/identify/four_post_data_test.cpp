@@ -118,6 +118,31 @@ TEST_F(FourPostDataTest, ReadsPostsAndStaticLoads) {
   EXPECT_DOUBLE_EQ(data.static_loads[0].sd_N, 5);
 }
 
+/// Of tyres left and right of each other.
+void PutPostsSideBySide(Vehicle& vehicle) {
+  vehicle.links = {{.name = "ground"}};
+  vehicle.tyres = {{.name = "tyre", .point = {.link = 0, .xyz = {0, 0.7, 0}}},
+                   {.name = "tyre_right", .point = {.link = 0, .xyz = {0, -0.7, 0}}}};
+  vehicle.posts[0].tyre = 0;
+  vehicle.posts[1].tyre = 1;
+}
+
+TEST_F(FourPostDataTest, MovesPostsInAPattern) {
+  PutPostsSideBySide(vehicle_);
+  study_.recordings[0].posts.clear();
+  study_.recordings[0].pattern = "roll";
+  EXPECT_THAT(Load().runs.at(0).excitation.shape, ElementsAre(1, -1));
+}
+
+TEST_F(FourPostDataTest, RefusesAPatternThatThePostsCannotMake) {
+  PutPostsSideBySide(vehicle_);
+  study_.recordings[0].posts.clear();
+  study_.recordings[0].pattern = "pitch";
+  study_.recordings[0].line = 3;
+  EXPECT_EQ(Fault(),
+            "study.yaml:3: error: recording 'run': the posts cannot make 'pitch': it takes posts both front and rear");
+}
+
 TEST_F(FourPostDataTest, KeepsTheFrequenciesOfABand) {
   const std::vector<MeasuredRun> runs = InBand(Load().runs, 1.5, 2);
   EXPECT_THAT(runs.at(0).excitation.frequency_Hz, ElementsAre(2));

@@ -120,6 +120,27 @@ TEST_F(StudyTest, ReportsAnAngleWithoutUnit) {
   EXPECT_THAT(Fault("3 deg", "3"), testing::AllOf(HasSubstr(":17: error: "), HasSubstr("angle such as deg")));
 }
 
+TEST_F(StudyTest, ReadsAPatternOfPosts) {
+  const std::optional<Study> study = Read("{front: 1, rear: -0.5}", "pitch");
+  ASSERT_TRUE(study) << diagnostics_.Format();
+  EXPECT_EQ(study->recordings[0].pattern, "pitch");
+  EXPECT_THAT(study->recordings[0].posts, testing::IsEmpty());
+  EXPECT_EQ(Read()->recordings[0].pattern, std::nullopt);
+}
+
+TEST_F(StudyTest, ReportsAnUnknownPatternOfPosts) {
+  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "ptich"),
+              HasSubstr(":5: error: unknown pattern 'ptich' of 'posts', did you mean 'pitch'?"));
+  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "bounce"),
+              HasSubstr(":5: error: unknown pattern 'bounce' of 'posts'; legal: heave, pitch, roll, warp"));
+}
+
+TEST_F(StudyTest, ReportsPostsThatAreNeitherPatternNorShares) {
+  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "[pitch]"),
+              HasSubstr(":5: error: 'posts' must be a pattern such as pitch"));
+  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "~"), HasSubstr(":5: error: 'posts' must be a pattern such as pitch"));
+}
+
 TEST_F(StudyTest, ReportsPostsWithoutReference) {
   EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "{front: 0.5, rear: -0.5}"), HasSubstr("must be the reference"));
 }
