@@ -27,6 +27,14 @@ void CheckInput(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, 
   RequireOption(cost >= 0, "cost", cost, "0 or more");
 }
 
+void CheckPriors(const Eigen::MatrixXd& priors, Eigen::Index parameters) {
+  if (priors.cols() != parameters) {
+    throw std::invalid_argument("the priors are of " + std::to_string(priors.cols()) + " parameters, the Jacobian of " +
+                                std::to_string(parameters));
+  }
+  if (!priors.allFinite()) throw std::invalid_argument("the priors have an entry that is not finite");
+}
+
 // Signs of singular vectors are arbitrary; this one does not depend on the platform.
 void PointAlongLargest(Eigen::Ref<Eigen::VectorXd> direction) {
   Eigen::Index largest = 0;
@@ -54,6 +62,23 @@ double Inflation(double cost, Eigen::Index residuals, int rank) {
   return std::max(1.0, std::sqrt(cost / static_cast<double>(residuals - rank)));
 }
 
+/// The data's part of the Jacobian as far as it is determined, over the inflation, and the priors below it. What a
+/// prior has in the undetermined directions by their noise alone is cut off: it would seem to determine them.
+Eigen::MatrixXd WithPriors(const Covariance& data, const Eigen::MatrixXd& priors, double share_threshold) {
+  const Eigen::Index n = data.directions.cols();
+  const Eigen::MatrixXd open = data.directions.rightCols(n - data.rank);
+  Eigen::MatrixXd both(data.rank + priors.rows(), n);
+  both.topRows(data.rank) = (data.singular_values.head(data.rank) / data.inflation).asDiagonal() *
+                            data.directions.leftCols(data.rank).transpose();
+  for (Eigen::Index i = 0; i < priors.rows(); ++i) {
+    const Eigen::RowVectorXd shares = priors.row(i) * open;
+    const bool is_noise = shares.norm() <= share_threshold * priors.row(i).norm();
+    both.row(data.rank + i) = priors.row(i);
+    if (is_noise) both.row(data.rank + i) -= shares * open.transpose();
+  }
+  return both;
+}
+
 double VariableSd(const Covariance& covariance, Eigen::Index j, double share_threshold) {
   const Eigen::VectorXd shares = covariance.directions.row(j);
   const int rank = covariance.rank;
@@ -69,15 +94,23 @@ void CovarianceOptions::Validate() const {
 }
 
 Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, double cost,
-                              const CovarianceOptions& options) {
+                              const CovarianceOptions& options, const Eigen::MatrixXd& priors) {
+  // Of the singular values: the priors are exact.
+  constexpr double kRounding = 1e-12;
   options.Validate();
   CheckInput(jacobian, slopes, cost);
   Covariance covariance;
   Decompose(jacobian, options.rank_threshold, covariance);
   if (options.inflate) covariance.inflation = Inflation(cost, jacobian.rows(), covariance.rank);
+  double inflation = covariance.inflation;
+  if (priors.rows() > 0) {
+    CheckPriors(priors, jacobian.cols());
+    Decompose(WithPriors(covariance, priors, options.share_threshold), kRounding, covariance);
+    inflation = 1;  // in the Jacobian already
+  }
   covariance.variable_sd.resize(jacobian.cols());
   for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
-    covariance.variable_sd[j] = covariance.inflation * VariableSd(covariance, j, options.share_threshold);
+    covariance.variable_sd[j] = inflation * VariableSd(covariance, j, options.share_threshold);
   }
   covariance.sd = covariance.variable_sd.cwiseProduct(slopes);
   return covariance;

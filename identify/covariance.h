@@ -17,39 +17,42 @@ struct CovarianceOptions {
   /// A parameter is undetermined when its share of the undetermined directions (0..1) exceeds this; less is what noise
   /// of the differences leaves. In (0, 1).
   double share_threshold = 1e-2;
-  /// Multiply standard deviations by sqrt(cost / (N - rank)) when that exceeds 1: the model misses the data by more
-  /// than their noise.
+  /// Multiply standard deviations of the data by sqrt(cost / (N - rank)) when that exceeds 1: the model misses the data
+  /// by more than their noise.
   bool inflate = true;
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;
 };
 
-/// What the data say about the parameters, to first order around a point.
+/// What data and priors say about the parameters, to first order around a point.
 struct Covariance {
-  /// Of the whitened Jacobian, n of them, largest first.
+  /// Of the whitened Jacobian, n of them, largest first; with priors, of the Jacobian of both, the data's over the
+  /// inflation.
   Eigen::VectorXd singular_values;
   /// Column i: the unit vector of FitVariables that belongs to singular value i; its largest component is positive.
   Eigen::MatrixXd directions;
-  /// How many directions the data determine; columns rank..n-1 of `directions` they do not.
+  /// How many directions data and priors determine; columns rank..n-1 of `directions` they do not.
   int rank = 0;
   /// Largest singular value over the smallest; infinite when the rank is below n.
   double condition = 0;
   /// Largest singular value over the smallest that counts; infinite for rank 0.
   double determined_condition = 0;
-  /// What the standard deviations were multiplied by; at least 1.
+  /// What the standard deviations of the data were multiplied by; at least 1.
   double inflation = 1;
   /// Standard deviations in FitVariables (relative for logarithmic ones, else share of the range) and in the
-  /// parameters' units. Infinite for what the data do not determine.
+  /// parameters' units. Infinite for what is not determined.
   Eigen::VectorXd variable_sd;
   Eigen::VectorXd sd;
 };
 
-/// From the Jacobian of the whitened residuals with respect to FitVariables (N x n), dp/dx (n; FitVariables::Slopes)
-/// and the cost there: (J^T J)^-1 by singular values. Throws std::invalid_argument when the sizes do not match or an
+/// From the Jacobian J of the data's whitened residuals with respect to FitVariables (N x n), dp/dx (n;
+/// FitVariables::Slopes) and the data's cost there: (J^T J)^-1 by singular values. With rows P of priors (k x n):
+/// (J^T J / inflation^2 + P^T P)^-1, for how far the model misses the data says nothing of the priors. A prior
+/// determines what the data leave open, however weakly. Throws std::invalid_argument when the sizes do not match or an
 /// entry is not finite.
 Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, double cost,
-                              const CovarianceOptions& options = {});
+                              const CovarianceOptions& options = {}, const Eigen::MatrixXd& priors = {});
 
 /// A direction in words: "m_body +1 %, k_front +0.98 %", what each parameter changes by when the strongest changes by
 /// 1 % ("1 % of range" where FitVariables are not logarithmic); strongest first, below a twentieth of it left out.

@@ -31,6 +31,7 @@ std::vector<FittedParameter> Describe(const FourPostObjective& objective, const 
     fitted.name = parameter.name;
     fitted.start = parameter.value;
     fitted.value = values[k];
+    fitted.prior_sd = parameter.prior_sd;
     fitted.lower = parameter.lower;
     fitted.upper = parameter.upper;
     fitted.sd = covariance ? covariance->sd[k] : std::numeric_limits<double>::quiet_NaN();
@@ -40,6 +41,15 @@ std::vector<FittedParameter> Describe(const FourPostObjective& objective, const 
     out.push_back(fitted);
   }
   return out;
+}
+
+/// The priors' residuals come last.
+Covariance CovarianceOf(const RefineResult& best, Eigen::Index prior_count, const Lattice& lattice) {
+  const Eigen::Index data = best.jacobian.rows() - prior_count;
+  // A difference of two sums may lie below zero by rounding.
+  const double data_cost = std::max(0.0, best.cost - best.residuals.tail(prior_count).squaredNorm());
+  return EstimateCovariance(best.jacobian.topRows(data), FitVariables(lattice).Slopes(best.values), data_cost, {},
+                            best.jacobian.bottomRows(prior_count));
 }
 
 std::vector<std::string> Weakest(const Lattice& lattice, const Covariance& covariance) {
@@ -120,6 +130,7 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
   FitResult result;
   result.values = objective.vehicle().ParameterValues();
   result.residual_count = objective.residual_count();
+  result.prior_count = objective.prior_count();
   result.search = SearchDvhde(archive, options.search, {[&](const SearchGeneration&) { report("search"); }, stop});
   result.evaluations = archive.counts();
   if (result.search.candidates.empty()) {
@@ -148,10 +159,11 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
     result.end = EndOf(best, stop());
     result.message = best.message;
     if (best.jacobian.size() > 0) {
-      result.covariance = EstimateCovariance(best.jacobian, FitVariables(archive.lattice()).Slopes(values), best.cost);
+      result.covariance = CovarianceOf(best, result.prior_count, archive.lattice());
       result.weakest = Weakest(archive.lattice(), *result.covariance);
     }
   }
+  result.prior_cost = objective.PriorResiduals(values).squaredNorm();
   result.parameters = Describe(objective, values, result.covariance);
   result.values = objective.AllParameters(values);
   return result;

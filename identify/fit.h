@@ -34,29 +34,37 @@ struct FittedParameter {
   std::string name;
   double start = 0;
   double value = 0;
+  /// What was known of it before the fit: normal about `start`, with this deviation.
+  std::optional<double> prior_sd;
   double lower = 0;
   double upper = 0;
-  /// Standard deviation; infinite when the data do not determine the parameter, NaN when it was not computed.
+  /// Standard deviation; infinite when nothing determines the parameter, NaN when it was not computed.
   double sd = 0;
   bool at_bound = false;
   Dimension dimension;
   /// As the vehicle file writes it.
   std::string unit;
+
+  /// How far the fit took it from its prior, in deviations of the prior; zero without one.
+  double FromPrior() const { return prior_sd ? (value - start) / *prior_sd : 0; }
 };
 
 struct FitResult {
   FitEnd end = FitEnd::kNotRun;
   std::string message;
-  /// Sum of squared whitened residuals, and how many there are.
+  /// Sum of squared whitened residuals, and how many there are; priors included.
   double cost = 0;
   Eigen::Index residual_count = 0;
+  /// Those of the priors among them.
+  double prior_cost = 0;
+  Eigen::Index prior_count = 0;
   std::vector<FittedParameter> parameters;
   /// All parameters of the vehicle, the free ones at their fitted values.
   std::vector<double> values;
   /// Nothing when the fit ended before it could be computed.
   std::optional<Covariance> covariance;
-  /// Combinations of parameters that the data do not determine, in words; if there is none, the one they determine
-  /// least.
+  /// Combinations of parameters that data and priors do not determine, in words; if there is none, the one they
+  /// determine least.
   std::vector<std::string> weakest;
   EvaluationCounts evaluations;
   SearchResult search;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "analysis/decibel.h"
+#include "analysis/option_check.h"
 
 namespace fourpost {
 
@@ -18,7 +19,18 @@ FourPostObjective::FourPostObjective(Vehicle vehicle, std::vector<MeasuredRun> r
   for (const MeasuredRun& run : runs_)
     for (const MeasuredChannel& channel : run.channels)
       residual_count_ += static_cast<Eigen::Index>(2 * channel.response.size() + channel.mean.size());
-  residual_count_ += static_cast<Eigen::Index>(static_loads_.size());
+  CollectPriors();
+  residual_count_ += static_cast<Eigen::Index>(static_loads_.size()) + prior_count();
+}
+
+void FourPostObjective::CollectPriors() {
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const Parameter& parameter = vehicle_.parameters[free_[i]];
+    if (!parameter.prior_sd) continue;
+    const double sd = *parameter.prior_sd;
+    RequireOption(sd > 0 && std::isfinite(sd), "prior_sd of " + parameter.name, sd, "positive and finite");
+    priors_.push_back({static_cast<Eigen::Index>(i), parameter.value, sd});
+  }
 }
 
 Problem FourPostObjective::MakeProblem() const {
@@ -49,7 +61,15 @@ Evaluation FourPostObjective::Evaluate(const Eigen::VectorXd& values) const {
     AddRun(run, modelled.response, out);
   }
   for (const MeasuredLoad& load : static_loads_) *out++ = (model.preloads.tyre[load.tyre] - load.load_N) / load.sd_N;
+  evaluation.residuals.tail(prior_count()) = PriorResiduals(values);
   return evaluation;
+}
+
+Eigen::VectorXd FourPostObjective::PriorResiduals(const Eigen::VectorXd& values) const {
+  Eigen::VectorXd residuals(prior_count());
+  double* out = residuals.data();
+  for (const Prior& prior : priors_) *out++ = (values[prior.index] - prior.value) / prior.sd;
+  return residuals;
 }
 
 void FourPostObjective::AddRun(const MeasuredRun& run, const FrequencyResponse& modelled, double*& out) const {

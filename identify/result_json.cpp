@@ -19,9 +19,13 @@ Json Evaluations(const EvaluationCounts& counts) {
   return {{"paid", counts.paid}, {"reused", counts.reused}, {"failed", counts.failed()}, {"failures", causes}};
 }
 
+Json Prior(const FittedParameter& parameter) {
+  return {{"value", parameter.start}, {"sd", *parameter.prior_sd}, {"deviation_in_sd", parameter.FromPrior()}};
+}
+
 Json Parameters(const std::vector<FittedParameter>& parameters) {
   Json list = Json::array();
-  for (const FittedParameter& parameter : parameters)
+  for (const FittedParameter& parameter : parameters) {
     list.push_back({{"name", parameter.name},
                     {"value", parameter.value},
                     {"unit", SiUnit(parameter.dimension)},
@@ -29,6 +33,8 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
                     {"upper", parameter.upper},
                     {"sd", NumberOrNull(parameter.sd)},
                     {"at_bound", parameter.at_bound}});
+    if (parameter.prior_sd) list.back()["prior"] = Prior(parameter);
+  }
   return list;
 }
 

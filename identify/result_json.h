@@ -9,8 +9,9 @@
 
 namespace fourpost {
 
-/// The outcome of a fit as JSON text; numbers in SI. A deviation is null where the data do not determine it, and
-/// `identifiability` with all deviations when the fit ended before they could be computed.
+/// The outcome of a fit as JSON text; numbers in SI. A deviation is null where nothing determines the parameter, and
+/// `identifiability` with all deviations when the fit ended before they could be computed. A parameter has a `prior`
+/// when its vehicle file gives it one.
 /// `seed`: that of the search; `tyre_loads`: at rest, one per tyre of the vehicle [N].
 std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit,
                        const std::vector<ChannelMisfit>& misfits, const std::vector<double>& tyre_loads);

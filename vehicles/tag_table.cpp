@@ -86,7 +86,7 @@ std::vector<TagRule> MakeParameterTags() {
                       {.name = "prior_sd",
                        .kind = Kind::kQuantity,
                        .required = false,
-                       .doc = "standard deviation of what is known of the value before any fit"},
+                       .doc = "standard deviation, above zero, of what is known of `value` before any fit"},
                       {.name = "source", .doc = "where the value comes from"}}},
       {.path = "fp:parameter/fp:bind",
        .doc = "Ties a number of the tree to the parameter. The tree's number must equal factor times value.",

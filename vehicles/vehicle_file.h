@@ -16,11 +16,11 @@ namespace fourpost {
 std::optional<Vehicle> ReadVehicle(const std::filesystem::path& file, Diagnostics& diagnostics);
 
 /// Vehicle::text with other parameter values (SI, order of Vehicle::parameters), each in the unit it was written in,
-/// with the numbers of the tree that follow them, and with Vehicle::parameters' sources; all else is kept byte for
-/// byte. The file itself is not read again: it may have changed or gone meanwhile. The text is meant for a file in
-/// `folder`: mesh files are named relative to it. Reading it gives the same doubles back. Values outside a parameter's
-/// bounds make a file that does not read. Throws std::invalid_argument for a wrong number of values, and for a vehicle
-/// without a text.
+/// with the numbers of the tree that follow them, with Vehicle::parameters' sources, and without the priors that
+/// Vehicle::parameters does not have; all else is kept byte for byte. The file itself is not read again: it may have
+/// changed or gone meanwhile. The text is meant for a file in `folder`: mesh files are named relative to it. Reading it
+/// gives the same doubles back. Values outside a parameter's bounds make a file that does not read. Throws
+/// std::invalid_argument for a wrong number of values, and for a vehicle without a text.
 std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double> parameters,
                                   const std::filesystem::path& folder);
 

@@ -15,7 +15,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Replaces attribute values in a text and leaves all else as it is.
+/// Replaces and removes attributes in a text and leaves all else as it is.
 class TextEdits {
  public:
   TextEdits(const std::string& text, const XMLElement& root) : text_(text), tags_(ScanTags(text)) { Number(root); }
@@ -23,6 +23,15 @@ class TextEdits {
   void Replace(const XMLElement& element, std::string_view attribute, const std::string& value) {
     for (const AttributePlace& place : tags_.at(index_.at(&element)))
       if (place.name == attribute) edits_[place.begin] = {place.end, Escaped(value, place.quote)};
+  }
+
+  /// With the blanks before it.
+  void Remove(const XMLElement& element, std::string_view attribute) {
+    for (const AttributePlace& place : tags_.at(index_.at(&element))) {
+      if (place.name != attribute) continue;
+      const auto name = static_cast<std::size_t>(place.name.data() - text_.data());
+      edits_[text_.find_last_not_of(" \t\r\n", name - 1) + 1] = {place.end + 1, ""};
+    }
   }
 
   std::string Result() const {
@@ -76,6 +85,7 @@ void ReplaceParameters(const XMLElement& robot, const Vehicle& vehicle, std::spa
         edits.Replace(*element, "value", FormatQuantity(values[i], vehicle.parameters[i].unit));
       if (AttributeText(*element, "source") != vehicle.parameters[i].source)
         edits.Replace(*element, "source", vehicle.parameters[i].source);
+      if (!vehicle.parameters[i].prior_sd) edits.Remove(*element, "prior_sd");
     }
   }
 }

@@ -58,31 +58,49 @@ std::string Deviation(const FittedParameter& parameter) {
   return std::isinf(parameter.sd) ? "undetermined" : Shown(parameter.sd, parameter.unit);
 }
 
+/// What to look at twice.
+std::string Remark(const FittedParameter& parameter) {
+  // A good prior is this far off in one fit of twenty.
+  constexpr double kFar = 2;
+  std::string remark = parameter.at_bound ? "at its bound" : "";
+  if (const double distance = std::abs(parameter.FromPrior()); distance > kFar)
+    remark += (remark.empty() ? "" : ", ") + Rounded(distance, 2) + " sd from prior";
+  return remark;
+}
+
 std::string ParameterTable(const std::vector<FittedParameter>& parameters) {
   TextTable table({"parameter", "start", "fitted", "sd", "lower", "upper", "unit", ""});
   for (const FittedParameter& p : parameters)
     table.Add({p.name, Shown(p.start, p.unit), Shown(p.value, p.unit), Deviation(p), Shown(p.lower, p.unit),
-               Shown(p.upper, p.unit), p.unit, p.at_bound ? "at its bound" : ""});
+               Shown(p.upper, p.unit), p.unit, Remark(p)});
   return table.Format();
+}
+
+std::string PriorShare(const FitResult& fit) {
+  if (fit.prior_count == 0) return "";
+  return ", of which priors " + Rounded(fit.prior_cost, 3) + " for " + std::to_string(fit.prior_count);
 }
 
 std::string Summary(const FitResult& fit) {
   const EvaluationCounts& counts = fit.evaluations;
   return "fit " + std::string(FitEndName(fit.end)) + ": cost " + Rounded(fit.cost, 5) + " for " +
-         std::to_string(fit.residual_count) + " residuals; " + std::to_string(counts.paid) + " evaluations paid, " +
-         std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) + " failed; " +
-         std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " refinements agree\n";
+         std::to_string(fit.residual_count) + " residuals" + PriorShare(fit) + "; " + std::to_string(counts.paid) +
+         " evaluations paid, " + std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) +
+         " failed; " + std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " refinements agree\n";
 }
 
 /// How large the misfit is, and what the data say worst, in words.
 std::string Judgement(const FitResult& fit) {
   if (!fit.covariance) return "ended before deviations could be computed\n";
   const Covariance& covariance = *fit.covariance;
-  const double excess = std::sqrt(fit.cost / static_cast<double>(fit.residual_count - covariance.rank));
+  const Eigen::Index data = fit.residual_count - fit.prior_count;
+  const double excess =
+      std::sqrt(std::max(0.0, fit.cost - fit.prior_cost) / static_cast<double>(data - covariance.rank));
   std::string text = "the misfit is " + Rounded(excess, 2) + " times what noise and the stated model error explain\n";
   text +=
       covariance.rank < covariance.directions.cols()
-          ? "undetermined: the data do not change when these change together; fix one, or measure a force:\n"
+          ? "undetermined: the data do not change when these change together; fix one, give it a prior, or measure a "
+            "force:\n"
           : "the data tell least about these changing together (condition " + Rounded(covariance.condition, 2) + "):\n";
   for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";
   return text;
@@ -118,7 +136,7 @@ int CodeOf(FitEnd end) {
   return kNotGood;
 }
 
-/// The vehicle, its fitted parameters telling where their values come from.
+/// The vehicle, its fitted parameters telling where their values come from, without priors.
 Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit) {
   constexpr std::string_view kFitted = "fitted: ";
   Vehicle vehicle = loaded.vehicle;
@@ -130,6 +148,8 @@ Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResu
                          Shown(fitted.start, fitted.unit) + " " + fitted.unit;
     if (!parameter.source.starts_with(kFitted)) source += ", " + parameter.source;
     parameter.source = source;
+    // The data are in the value now: known before them, they would count twice.
+    parameter.prior_sd.reset();
   }
   return vehicle;
 }

@@ -106,6 +106,23 @@ TEST_F(CommandLine, FitWritesItsResultAndCheckAcceptsTheFittedVehicle) {
     }
 }
 
+TEST_F(CommandLine, FitTellsWhichParametersEndFarFromTheirPriors) {
+  ReplaceIn(kVehicle, "value=\"1725 kg\"", "value=\"1725 kg\" prior_sd=\"10 kg\"");
+  const Outcome fit = Run("fit studies/landrover110/model2.yaml -o result --threads 2");
+  ASSERT_EQ(fit.code, 0) << fit.err;
+  EXPECT_THAT(fit.out, testing::ContainsRegex("m_sprung .* kg +[3-9]\\.[0-9] sd from prior\n"));
+  EXPECT_THAT(fit.out, HasSubstr(" for 2355 residuals, of which priors "));
+  const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
+  const Json& mass = result["parameters"][0];
+  EXPECT_EQ(mass["prior"]["value"], 1725);
+  EXPECT_EQ(mass["prior"]["sd"], 10);
+  EXPECT_LT(mass["sd"], 10);
+  for (std::size_t i = 1; i < 12; ++i) EXPECT_FALSE(result["parameters"][i].contains("prior"));
+  // The fitted value is no prior.
+  EXPECT_THAT(ReadText(folder_ / "result/vehicle.urdf"), testing::Not(HasSubstr("prior_sd")));
+  EXPECT_EQ(Run("check result/vehicle.urdf").code, 0);
+}
+
 TEST_F(CommandLine, FitIsTheSameForOneAndTwoThreads) {
   const Outcome one = Run("fit studies/landrover110/model2.yaml -o one --threads 1 --json");
   const Outcome two = Run("fit studies/landrover110/model2.yaml -o two --threads 2 --json");

@@ -133,6 +133,54 @@ TEST(Covariance, LeavesAParameterDeterminedWhoseShareOfTheNullDirectionIsNoise) 
   EXPECT_EQ(sd(0.011)[1], kInfinity);
 }
 
+TEST(Covariance, OfDataAndPriorsIsTheInverseOfTheSumOfTheirInformation) {
+  const Eigen::MatrixXd jacobian = RandomMatrix(30, 4);
+  const Eigen::MatrixXd priors = Eigen::RowVector4d(0, 3, 0, 0);
+  const Eigen::MatrixXd data = jacobian.transpose() * jacobian;
+  const Eigen::MatrixXd known = priors.transpose() * priors;
+  const auto sd = [](const Eigen::MatrixXd& information) { return information.inverse().diagonal().cwiseSqrt(); };
+  // Rounding times the square of a condition below 10.
+  EXPECT_TRUE(EstimateCovariance(jacobian, Ones(4), 0, {}, priors).sd.isApprox(sd(data + known), 1e-13));
+  // The data miss the model three times more than their noise; of the prior that says nothing.
+  const Covariance inflated = EstimateCovariance(jacobian, Ones(4), 9 * 26, {}, priors);
+  EXPECT_DOUBLE_EQ(inflated.inflation, 3);
+  EXPECT_TRUE(inflated.sd.isApprox(sd(data / 9 + known), 1e-13));
+  EXPECT_LT(inflated.sd[1], 1.0 / 3);
+}
+
+TEST(Covariance, APriorDeterminesWhatTheDataLeaveOpenHoweverWeakly) {
+  Eigen::MatrixXd jacobian = RandomMatrix(30, 3);
+  jacobian.col(1) = jacobian.col(0);
+  // Far below the share of the largest singular value that counts for data.
+  const Covariance covariance = EstimateCovariance(jacobian, Ones(3), 0, {}, Eigen::RowVector3d(1e-5, 0, 0));
+  EXPECT_EQ(covariance.rank, 3);
+  // Rounding of the largest singular value over the smallest.
+  EXPECT_NEAR(covariance.sd[0] / 1e5, 1, 1e-8);
+  EXPECT_NEAR(covariance.sd[1] / 1e5, 1, 1e-8);
+  EXPECT_LT(covariance.sd[2], 1);
+}
+
+TEST(Covariance, APriorOnWhatTheDataTellLeavesTheRestOpen) {
+  Eigen::MatrixXd jacobian(3, 2);
+  // The undetermined direction is the first parameter, but for noise.
+  jacobian << 1e-4, 1, 0, 0, 0, 0;
+  const Covariance covariance = EstimateCovariance(jacobian, Ones(2), 0, {}, Eigen::RowVector2d(0, 100));
+  EXPECT_EQ(covariance.rank, 1);
+  EXPECT_EQ(covariance.sd[0], kInfinity);
+  EXPECT_NEAR(covariance.sd[1], 1 / std::sqrt(1 + 1e4), 1e-9);  // the square of the noise
+}
+
+TEST(Covariance, RefusesPriorsOfOtherParameters) {
+  const auto estimate = [](const Eigen::MatrixXd& priors) {
+    return [=] { EstimateCovariance(RandomMatrix(4, 2), Ones(2), 0, {}, priors); };
+  };
+  using Error = std::invalid_argument;
+  EXPECT_THAT(estimate(Ones(3).transpose()),
+              ThrowsMessage<Error>(StrEq("the priors are of 3 parameters, the Jacobian of 2")));
+  EXPECT_THAT(estimate(Eigen::RowVector2d(1, std::nan(""))),
+              ThrowsMessage<Error>(HasSubstr("priors have an entry that is not finite")));
+}
+
 TEST(Covariance, OfFewerResidualsThanParametersHasANullDirection) {
   const Covariance covariance = EstimateCovariance(RandomMatrix(2, 3), Ones(3), 5);
   EXPECT_EQ(covariance.rank, 2);

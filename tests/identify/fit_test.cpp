@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/misfit.h"
 #include "identify/modelled_response.h"
 #include "tests/identify/shipped_study.h"
 
@@ -87,6 +88,84 @@ TEST(Fit, RecoversTheParametersOfANoisyTwinWithinTheirDeviations) {
     EXPECT_LT(std::abs(fit.values[i] - truth[i]), 4 * fit.parameters[i].sd) << fit.parameters[i].name;
     EXPECT_LT(fit.parameters[i].sd, 0.05 * truth[i]) << fit.parameters[i].name << " is not determined";
   }
+}
+
+/// Without a force the recordings leave the common scale of all parameters open.
+void LeaveOutForces(LoadedStudy& study) {
+  study.data.static_loads.clear();
+  for (MeasuredRun& run : study.data.runs) std::erase_if(run.channels, [](const auto& c) { return c.unit == "N"; });
+}
+
+TEST(Fit, APriorOnOneMassDeterminesTheScaleThatAccelerationsLeaveOpen) {
+  const std::vector<double> truth = Truth(ShippedStudy().vehicle);
+  LoadedStudy twin = Twin(truth, 0);
+  LeaveOutForces(twin);
+  const FourPostObjective without = twin.MakeObjective();
+  const FitResult open = Fit(without, Options());
+  EXPECT_EQ(open.covariance.value().rank, static_cast<int>(truth.size()) - 1);
+  EXPECT_TRUE(std::isinf(open.parameters[0].sd));
+  EXPECT_EQ(open.parameters[0].prior_sd, std::nullopt);
+  EXPECT_EQ(open.parameters[0].FromPrior(), 0);
+
+  const Parameter mass = twin.vehicle.parameters[twin.free[0]];
+  ASSERT_EQ(mass.name, "m_sprung");
+  // So wide that differences of the data alone would hide it.
+  const double prior_sd = 0.3 * mass.value;
+  twin.vehicle.parameters[twin.free[0]].prior_sd = prior_sd;
+  const FourPostObjective with = twin.MakeObjective();
+  const FitResult fit = Fit(with, Options());
+  EXPECT_EQ(fit.end, FitEnd::kConverged) << fit.message;
+  EXPECT_EQ(fit.residual_count, open.residual_count + 1);
+  EXPECT_EQ(fit.prior_count, 1);
+  EXPECT_EQ(fit.covariance.value().rank, static_cast<int>(truth.size()));
+  EXPECT_EQ(fit.parameters[0].prior_sd, prior_sd);
+  // All parameters follow the mass, which is all that its prior says of it. The refinement stops as without noise.
+  const double scale = mass.value / truth[twin.free[0]];
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    EXPECT_NEAR(fit.values[i] / (scale * truth[i]), 1, 1e-5) << fit.parameters[i].name;
+    EXPECT_TRUE(std::isfinite(fit.parameters[i].sd)) << fit.parameters[i].name;
+  }
+  EXPECT_NEAR(fit.parameters[0].FromPrior(), 0, 1e-4);
+  EXPECT_NEAR(fit.parameters[0].sd / prior_sd, 1, 1e-5);  // relative deviation times the value fitted
+}
+
+TEST(Fit, APriorOnTheOpenScaleDoesNotChangeTheMisfit) {
+  LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 1);
+  LeaveOutForces(twin);
+  const auto misfits = [&](const FitResult& fit) {
+    const CondensedModel model = CondensedVehicle(twin.vehicle).At(fit.values);
+    return Misfits(twin.data.runs, ModelledResponses(model, twin.vehicle.sensors, twin.data.runs));
+  };
+  const FourPostObjective without = twin.MakeObjective();
+  const FitResult open = Fit(without, Options());
+  twin.vehicle.parameters[twin.free[0]].prior_sd = 1;
+  const FourPostObjective with = twin.MakeObjective();
+  const FitResult fit = Fit(with, Options());
+  // The refinement stops when the cost falls by less than 1e-8 of itself.
+  EXPECT_NEAR(fit.cost / open.cost, 1, 1e-6);
+  EXPECT_NEAR(fit.parameters[0].FromPrior(), 0, 1e-2);
+  const std::vector<ChannelMisfit> known = misfits(fit);
+  const std::vector<ChannelMisfit> unknown = misfits(open);
+  ASSERT_EQ(known.size(), 9u);
+  for (std::size_t i = 0; i < known.size(); ++i) EXPECT_NEAR(known[i].rms_dB / unknown[i].rms_dB, 1, 1e-3);
+}
+
+TEST(Fit, WeighsAPriorAgainstTheData) {
+  const std::vector<double> truth = Truth(ShippedStudy().vehicle);
+  LoadedStudy twin = Twin(truth, 0);
+  const FourPostObjective without = twin.MakeObjective();
+  const double data_sd = Fit(without, Options()).parameters[0].sd;
+  // As good as the data, and as far from the truth as the file's value is.
+  twin.vehicle.parameters[twin.free[0]].prior_sd = data_sd;
+  const FourPostObjective with = twin.MakeObjective();
+  const FitResult fit = Fit(with, Options());
+  const double start = twin.vehicle.parameters[twin.free[0]].value;
+  const double off = start - truth[twin.free[0]];
+  // Halfway, and the inverse variances add up; to first order in `off`, which is 2 % of the mass.
+  EXPECT_NEAR((fit.parameters[0].value - truth[twin.free[0]]) / off, 0.5, 0.05);
+  EXPECT_NEAR(fit.parameters[0].sd / data_sd, std::sqrt(0.5), 0.05);
+  EXPECT_NEAR(fit.parameters[0].FromPrior(), -0.5 * off / data_sd, 0.05 * std::abs(off) / data_sd);
+  EXPECT_NEAR(fit.prior_cost, std::pow(fit.parameters[0].FromPrior(), 2), 1e-9 * fit.prior_cost);  // rounding
 }
 
 TEST(Fit, IsTheSameForOneAndTwoThreads) {

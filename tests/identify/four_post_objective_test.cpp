@@ -72,6 +72,41 @@ TEST(FourPostObjective, WeighsStaticLoadsByTheirDeviation) {
   EXPECT_NEAR(evaluation.residuals.tail(2).maxCoeff(), 2, 1e-9);
 }
 
+TEST(FourPostObjective, EndsWithOneResidualPerPriorOfAFreeParameter) {
+  LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  const FourPostObjective without = study.MakeObjective();
+  study.vehicle.parameters[study.free[1]].prior_sd = 200;
+  study.vehicle.parameters[study.free[3]].prior_sd = 50;
+  // Held: it cannot depart from what is known of it.
+  study.vehicle.parameters[study.free.back()].prior_sd = 1;
+  study.free.pop_back();
+  const FourPostObjective with = study.MakeObjective();
+  EXPECT_EQ(without.prior_count(), 0);
+  EXPECT_EQ(with.prior_count(), 2);
+  EXPECT_EQ(with.residual_count(), without.residual_count() + 2);
+
+  Eigen::VectorXd values = FreeValues(with);
+  values[1] += 300;
+  values[3] -= 5;
+  const Evaluation evaluation = with.Evaluate(values);
+  ASSERT_TRUE(evaluation.ok()) << evaluation.detail;
+  const Eigen::VectorXd priors = evaluation.residuals.tail(2);
+  EXPECT_EQ(priors, Eigen::Vector2d(1.5, -0.1));
+  EXPECT_EQ(priors, with.PriorResiduals(values));
+  Eigen::VectorXd all_values = FreeValues(without);
+  all_values.head(values.size()) = values;
+  EXPECT_EQ(evaluation.residuals.head(without.residual_count()), without.Evaluate(all_values).residuals);
+}
+
+TEST(FourPostObjective, RefusesAPriorWithoutDeviation) {
+  LoadedStudy study = ShippedStudy();
+  for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    study.vehicle.parameters[study.free[0]].prior_sd = bad;
+    EXPECT_THAT([&] { study.MakeObjective(); },
+                testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("prior_sd of m_sprung = ")));
+  }
+}
+
 // Specification section 5: without a force, masses, rates and dampings may all be scaled alike.
 TEST(FourPostObjective, OnlyForcesPinTheScale) {
   const LoadedStudy twin = Twin(ShippedStudy().vehicle.ParameterValues());

@@ -71,6 +71,16 @@ TEST_F(VehicleText, TellsWhereAValueComesFrom) {
   EXPECT_THAT(VehicleTextWithValues(vehicle, values, folder_), HasSubstr(R"(source="fitted &amp; checked")"));
 }
 
+TEST_F(VehicleText, LeavesOutAPriorThatTheVehicleDoesNotHave) {
+  const std::string known = Replaced(kSmallVehicle, "value=\"15 N/mm\" ", "value=\"15 N/mm\"\n  prior_sd = '1 N/mm'  ");
+  Vehicle vehicle = Read(known).value();
+  const std::vector<double> values = vehicle.ParameterValues();
+  EXPECT_EQ(VehicleTextWithValues(vehicle, values, folder_), known);
+  vehicle.parameters[2].prior_sd.reset();
+  EXPECT_EQ(VehicleTextWithValues(vehicle, values, folder_),
+            Replaced(kSmallVehicle, "value=\"15 N/mm\" ", "value=\"15 N/mm\"  "));
+}
+
 TEST_F(VehicleText, MovesMeshes) {
   const std::filesystem::path file = std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / "quarter_car.urdf";
   const Vehicle vehicle = ReadVehicle(file, diagnostics_).value();
