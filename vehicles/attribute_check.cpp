@@ -57,8 +57,10 @@ void CheckAttribute(const tinyxml2::XMLElement& element, const AttributeRule& ru
 std::string Expectation(const AttributeRule& rule) {
   if (rule.kind == AttributeKind::kScalar)
     return ", " + WithArticle(rule.dimension) + " such as \"1 " + SiUnit(rule.dimension) + "\"";
-  if (rule.kind == AttributeKind::kVector || rule.kind == AttributeKind::kDirection) return ", such as \"0 0 1\"";
-  return rule.doc.empty() ? "" : ": " + std::string(rule.doc);
+  if (!rule.doc.empty()) return ": " + std::string(rule.doc);
+  if (!rule.choices.empty()) return ": " + Joined(rule.choices);
+  const bool is_vector = rule.kind == AttributeKind::kVector || rule.kind == AttributeKind::kDirection;
+  return is_vector ? ", such as \"0 0 1\"" : "";
 }
 
 std::string WithArticle(const Dimension& dimension) {

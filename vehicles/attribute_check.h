@@ -16,7 +16,7 @@ namespace fourpost {
 void CheckAttribute(const tinyxml2::XMLElement& element, const AttributeRule& rule, const std::string& text, int line,
                     FileFaults& faults);
 
-/// What belongs into an attribute that is missing, to end a message with: ", such as "1 N/m"".
+/// What belongs into an attribute that is missing, to end a message with: ", a stiffness such as "1 N/m"".
 std::string Expectation(const AttributeRule& rule);
 
 /// "a stiffness", "an inertia", "a pure number".

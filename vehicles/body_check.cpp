@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <sstream>
 
 #include <Eigen/Eigenvalues>
 
+#include "analysis/units.h"
 #include "vehicles/design_poses.h"
 
 namespace fourpost {
@@ -21,14 +23,26 @@ Eigen::Matrix3d InertiaAt(const Link& link, std::span<const double> parameters) 
   return inertia;
 }
 
+Eigen::Vector3d PrincipalMoments(const Eigen::Matrix3d& inertia) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
 /// Principal moments obey the triangle inequality, since each is a sum of two of three non-negative second moments.
 bool IsPhysical(const Eigen::Matrix3d& inertia) {
   // Rounding of the numbers of a file and of the eigenvalues.
   constexpr double kSlack = 1e-9;
-  const Eigen::Vector3d moments =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::Vector3d moments = PrincipalMoments(inertia);
   const double slack = kSlack * moments.cwiseAbs().maxCoeff();
   return moments[0] >= -slack && moments[0] + moments[1] >= moments[2] - slack;
+}
+
+/// What is wrong with it.
+std::string InertiaFault(const Eigen::Matrix3d& inertia) {
+  std::ostringstream text;
+  const Eigen::Vector3d moments = PrincipalMoments(inertia);
+  text << ": its principal moments are " << moments[0] << ", " << moments[1] << " and " << moments[2]
+       << " kg*m^2, and none may be below zero or exceed the sum of the other two";
+  return text.str();
 }
 
 std::vector<std::size_t> ParametersOf(const Link& link) {
@@ -38,32 +52,53 @@ std::vector<std::size_t> ParametersOf(const Link& link) {
   return {indices.begin(), indices.end()};
 }
 
-/// The set of physical inertias is convex: when the corners of the bounds are in it, everything between is.
-bool IsPhysicalWithinBounds(const Vehicle& vehicle, const Link& link) {
-  const std::vector<std::size_t> indices = ParametersOf(link);
+/// The parameter values at the corner of this number: bit i tells which bound the i-th of these parameters takes.
+std::vector<double> CornerValues(const Vehicle& vehicle, const std::vector<std::size_t>& indices, unsigned corner) {
   std::vector<double> values = vehicle.ParameterValues();
-  for (unsigned corner = 0; corner < 1U << indices.size(); ++corner) {
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      const Parameter& parameter = vehicle.parameters[indices[i]];
-      values[indices[i]] = (corner >> i & 1U) != 0 ? parameter.upper : parameter.lower;
-    }
-    if (!IsPhysical(InertiaAt(link, values))) return false;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const Parameter& parameter = vehicle.parameters[indices[i]];
+    values[indices[i]] = (corner >> i & 1U) != 0 ? parameter.upper : parameter.lower;
   }
-  return true;
+  return values;
+}
+
+/// "m at 150 kg and I at 3 kg*m^2".
+std::string ValuesText(const Vehicle& vehicle, const std::vector<std::size_t>& indices,
+                       const std::vector<double>& values) {
+  std::string text;
+  for (const std::size_t i : indices)
+    text += (text.empty() ? "" : " and ") + vehicle.parameters[i].name + " at " +
+            FormatQuantity(values[i], vehicle.parameters[i].unit);
+  return text;
+}
+
+/// The set of physical inertias is convex: when the corners of the bounds are in it, everything between is.
+void CheckInertiaWithinBounds(const Vehicle& vehicle, const Link& link, FileFaults& faults) {
+  const std::vector<std::size_t> indices = ParametersOf(link);
+  for (unsigned corner = 0; corner < 1U << indices.size(); ++corner) {
+    const std::vector<double> values = CornerValues(vehicle, indices, corner);
+    const Eigen::Matrix3d inertia = InertiaAt(link, values);
+    if (IsPhysical(inertia)) continue;
+    faults.Error(link.line, "link '" + link.name +
+                                "' has an inertia that no body has at some of its parameters' "
+                                "bounds, such as " +
+                                ValuesText(vehicle, indices, values) + InertiaFault(inertia) +
+                                "; bind another of its moments as well, or narrow the bounds");
+    return;
+  }
+}
+
+bool HasInertiaAlone(const Vehicle& vehicle, const Link& link) {
+  const std::vector<double> values = vehicle.ParameterValues();
+  return link.mass.At(values) <= 0 && !InertiaAt(link, values).isZero(0);
 }
 
 void CheckInertia(const Vehicle& vehicle, const Link& link, FileFaults& faults) {
-  const std::vector<double> values = vehicle.ParameterValues();
-  const Eigen::Matrix3d inertia = InertiaAt(link, values);
-  const std::string rule = ": of the principal moments, none may exceed the sum of the other two";
-  if (link.mass.At(values) <= 0 && !inertia.isZero(0))
-    faults.Error(link.line, "link '" + link.name + "' has inertia but no mass");
+  const Eigen::Matrix3d inertia = InertiaAt(link, vehicle.ParameterValues());
+  if (HasInertiaAlone(vehicle, link)) faults.Error(link.line, "link '" + link.name + "' has inertia but no mass");
   else if (!IsPhysical(inertia))
-    faults.Error(link.line, "link '" + link.name + "' has an inertia that no body has" + rule);
-  else if (!IsPhysicalWithinBounds(vehicle, link))
-    faults.Error(link.line, "link '" + link.name +
-                                "' has an inertia that no body has at some of its parameters' bounds" + rule +
-                                "; bind another of its moments as well, or narrow the bounds");
+    faults.Error(link.line, "link '" + link.name + "' has an inertia that no body has" + InertiaFault(inertia));
+  else CheckInertiaWithinBounds(vehicle, link, faults);
 }
 
 /// Mass of each link with all that it carries.
@@ -83,7 +118,9 @@ class LengthCheck {
 
   void Check(const std::string& element, int line, const Point& parent, const Point& child, const std::string& remedy) {
     constexpr double kShortest_m = 1e-9;
-    if (parent.link < 0 || child.link < 0 || (PlaceOf(parent, poses_) - PlaceOf(child, poses_)).norm() > kShortest_m)
+    // Ends that are unknown or on one link are told already.
+    if (parent.link < 0 || child.link < 0 || parent.link == child.link ||
+        (PlaceOf(parent, poses_) - PlaceOf(child, poses_)).norm() > kShortest_m)
       return;
     faults_.Error(line, element + " has no length, so it has no direction: " + remedy);
   }
@@ -119,6 +156,7 @@ void CheckBodies(const Vehicle& vehicle, FileFaults& faults) {
   const std::vector<double> masses = CarriedMasses(vehicle);
   for (const Joint& joint : vehicle.joints) {
     const Link& link = vehicle.links[static_cast<std::size_t>(joint.child)];
+    if (HasInertiaAlone(vehicle, link)) continue;
     if (joint.type != Joint::Type::kFixed && masses[static_cast<std::size_t>(joint.child)] <= 0)
       faults.Error(link.line, "joint '" + joint.name + "' moves link '" + link.name +
                                   "', but neither it nor what it carries has a mass");

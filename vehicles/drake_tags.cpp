@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/nearest.h"
 #include "analysis/number.h"
 #include "vehicles/tag.h"
 #include "vehicles/tag_check.h"
@@ -76,18 +77,21 @@ class DrakeTags {
     std::map<std::string_view, int> count;
     std::vector<std::string_view> legal;
     for (const TagRule& rule : rules) legal.push_back(rule.path);
+    std::set<std::string_view> misspelt;
     for (const XMLElement* child : Children(tag)) {
       const std::string_view name = child->Name();
       const auto rule = std::find_if(rules.begin(), rules.end(), [&](const TagRule& r) { return r.path == name; });
-      if (rule == rules.end())
+      if (rule == rules.end()) {
         faults_.Error(LineOf(*child),
                       "unknown tag <" + std::string(name) + "> in " + Describe(tag) + Suggestion(name, legal));
-      else if (++count[name] > 1)
+        misspelt.insert(NearestName(name, legal).value_or(name));
+      } else if (++count[name] > 1)
         faults_.Error(LineOf(*child), Describe(tag) + " has more than one <" + std::string(name) + ">");
       else CheckAttributes(*child, *rule, faults_);
     }
     for (const std::string_view name : legal)
-      if (count[name] == 0) faults_.Error(LineOf(tag), Describe(tag) + " needs a <" + std::string(name) + ">");
+      if (count[name] == 0 && !misspelt.contains(name))
+        faults_.Error(LineOf(tag), Describe(tag) + " needs a <" + std::string(name) + ">");
     return faults_.errors() == errors;
   }
 

@@ -1,6 +1,7 @@
 #include "vehicles/equilibrium.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/QR>
 
@@ -45,6 +46,9 @@ bool IsBalanced(const std::vector<GivenForce>& forces, const Eigen::MatrixXd& ho
   return Rest(sum, holders).norm() <= kTyped * scale;
 }
 
+/// To a thousandth of a newton.
+std::string RoundedText(double force) { return FormatNumber(std::round(force * 1e3) / 1e3 + 0.0); }
+
 /// Links that nothing can hold; if there is none, the given preloads, of which one at least must be wrong.
 void ReportImbalance(const Vehicle& vehicle, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders,
                      Diagnostics& faults) {
@@ -61,7 +65,7 @@ void ReportImbalance(const Vehicle& vehicle, const std::vector<GivenForce>& forc
   for (const GivenForce& force : forces)
     if (force.kind == GivenForce::Kind::kPreload && !IsHeld(force.direction, holders))
       faults.Error(vehicle.file, force.line,
-                   "no static equilibrium: the preload of " + force.element + ", " + FormatNumber(force.size) +
+                   "no static equilibrium: the preload of " + force.element + ", " + RoundedText(force.size) +
                        " N, is not balanced; correct it or write preload=\"equilibrium\"");
 }
 

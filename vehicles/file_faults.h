@@ -16,6 +16,8 @@ class FileFaults {
     diagnostics_.Error(file_, line, std::move(message));
     ++errors_;
   }
+  /// Counts an error that follows from one already told, without telling it.
+  void Follow() { ++errors_; }
   void Warning(int line, std::string message) { diagnostics_.Warning(file_, line, std::move(message)); }
 
   const std::string& file() const { return file_; }

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "analysis/nearest.h"
+#include "vehicles/tag_check.h"
 
 namespace fourpost {
 namespace {
@@ -21,13 +22,14 @@ Eigen::Matrix3d Turn(const Eigen::Vector3d& rpy) {
 }  // namespace
 
 LineReader::LineReader(const tinyxml2::XMLElement& robot, const UrdfTree& tree, FileFaults& faults)
-    : tree_(tree), faults_(faults) {
+    : tree_(tree), faults_(faults), lost_names_(LostNames(robot)) {
   for (const Tag& tag : TagsOf(robot, "fp:frame")) ReadFrame(tag);
 }
 
 void LineReader::Unknown(const Tag& tag, std::string_view attribute, const std::string& kind,
                          const std::vector<std::string>& legal) const {
   const std::string name = tag.Text(attribute);
+  if (lost_names_.contains(name)) return faults_.Follow();
   faults_.Error(tag.Line(attribute),
                 Describe(*tag.element) + " refers to an unknown " + kind + " '" + name + "'" + DidYouMean(name, legal));
 }

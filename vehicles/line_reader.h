@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +49,8 @@ class LineReader {
 
   const UrdfTree& tree_;
   FileFaults& faults_;
+  /// See LostNames: what refers to them is not at fault.
+  std::set<std::string, std::less<>> lost_names_;
   std::map<std::string, Frame> frames_;
 };
 

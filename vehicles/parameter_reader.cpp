@@ -7,45 +7,66 @@
 #include "analysis/nearest.h"
 #include "analysis/number.h"
 #include "vehicles/attribute_check.h"
+#include "vehicles/tag_check.h"
 
 namespace fourpost {
 namespace {
 
-std::string Quoted(std::string_view attribute, const std::string& text, const Tag& tag) {
-  return std::string(attribute) + "=\"" + text + "\" of " + Describe(*tag.element);
+const Scalar kUnreadable{.value = std::numeric_limits<double>::quiet_NaN()};
+
+std::string Quoted(std::string_view attribute, const Tag& tag) {
+  return std::string(attribute) + "=\"" + tag.Text(attribute) + "\" of " + Describe(*tag.element);
 }
 
 /// Why this is no quantity.
 std::string QuantityFault(std::string_view text) {
-  const std::size_t blank = text.find_first_of(" \t");
-  if (blank != std::string_view::npos && ParseNumber(text.substr(0, blank)))
-    return "has the unknown unit '" + std::string(Trimmed(text.substr(blank))) + "'";
-  return "is not a number with a unit, such as \"32 N/mm\"";
+  const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE"), text.size());
+  if (end < text.size() && ParseNumber(text.substr(0, end)))
+    return text[end] == ',' ? "has a comma: write a point"
+                            : "has the unknown unit '" + std::string(Trimmed(text.substr(end))) + "'";
+  return "is not a number with a unit";
 }
+
+std::string Example(const Dimension& dimension) { return "\"1 " + SiUnit(dimension) + "\""; }
 
 /// Why a quantity does not have this dimension.
 std::string DimensionFault(const Quantity& quantity, std::string_view text, const Dimension& wanted) {
   if (quantity.unit_text.empty())
     return "has no unit: " + WithArticle(wanted) + " is needed, such as \"" + std::string(Trimmed(text)) + " " +
            SiUnit(wanted) + "\"";
-  return "is " + WithArticle(quantity.unit.dimension) + ": " + WithArticle(wanted) + " is needed, such as \"1 " +
-         SiUnit(wanted) + "\"";
+  return "is " + WithArticle(quantity.unit.dimension) + ": " + WithArticle(wanted) + " is needed, such as " +
+         Example(wanted);
 }
 
-std::optional<Quantity> ReadQuantity(const Tag& tag, std::string_view attribute, FileFaults& faults) {
-  const std::string text = tag.Text(attribute);
-  if (Trimmed(text).empty()) return std::nullopt;
-  std::optional<Quantity> quantity = ParseQuantity(Trimmed(text));
-  if (!quantity) faults.Error(tag.Line(attribute), Quoted(attribute, text, tag) + " " + QuantityFault(Trimmed(text)));
-  return quantity;
+/// Why a text with '$' is no reference.
+std::string ReferenceFault(std::string_view text) {
+  const std::string remedy = "; write a number with a unit, or a parameter as in \"$k\", \"-$k\" or \"0.5*$k\"";
+  const auto is_operator = [&](std::size_t i) {
+    return (text[i] == '+' || text[i] == '-') && text[i - 1] != 'e' && text[i - 1] != 'E';
+  };
+  bool is_sum = false;
+  for (std::size_t i = 1; i < text.size(); ++i) is_sum = is_sum || is_operator(i);
+  if (is_sum) return "is a sum, which is not supported" + remedy;
+  if (std::count(text.begin(), text.end(), '$') > 1) return "combines parameters, which is not supported" + remedy;
+  return "cannot be read" + remedy;
 }
 
-/// The factor before a '$': "" is 1, "-" is -1, "0.5*" is 0.5.
-std::optional<double> ParseFactor(std::string_view text) {
-  if (text.empty()) return 1;
-  if (text == "-") return -1;
-  if (text.back() != '*') return std::nullopt;
-  return ParseNumber(Trimmed(text.substr(0, text.size() - 1)));
+/// The quantity in an attribute of `<fp:parameter>`; nothing when it is left out or faulty.
+std::optional<Quantity> QuantityIn(const Tag& tag, std::string_view attribute) {
+  return ParseQuantity(Trimmed(tag.Text(attribute)));
+}
+
+/// "in line 4", "in lines 4 and 5", "in lines 4, 5, 6 and others".
+std::string LinesText(const std::set<int>& lines) {
+  constexpr std::size_t kMostShown = 3;
+  std::string text = lines.size() == 1 ? "in line " : "in lines ";
+  std::size_t count = 0;
+  for (const int line : lines) {
+    if (count == kMostShown) return text + " and others";
+    const bool is_last = ++count == lines.size();
+    text += (count == 1 ? "" : is_last ? " and " : ", ") + std::to_string(line);
+  }
+  return text;
 }
 
 /// Whether a step of the precision leads from one bound to the other, or less far.
@@ -64,15 +85,16 @@ bool Agrees(double literal, double bound) {
   return std::abs(bound - literal) <= kEqual * std::abs(bound);
 }
 
-ParameterReader::ParameterReader(const tinyxml2::XMLElement& robot, FileFaults& faults) : faults_(faults) {
+ParameterReader::ParameterReader(const tinyxml2::XMLElement& robot, FileFaults& faults)
+    : faults_(faults), lost_names_(LostNames(robot)) {
   for (const Tag& tag : TagsOf(robot, "fp:parameter")) {
     const int errors = faults_.errors();
     parameters_.push_back(ReadParameter(tag));
     sound_.push_back(faults_.errors() == errors && AttributeText(*tag.element, "value"));
-    // Even if what it binds is wrong, which is told elsewhere.
-    used_.push_back(tag.element->FirstChildElement("fp:bind") != nullptr);
     index_.try_emplace(parameters_.back().name, static_cast<int>(parameters_.size()) - 1);
   }
+  used_.resize(parameters_.size());
+  JudgeByUses(robot);
 }
 
 Parameter ParameterReader::ReadParameter(const Tag& tag) const {
@@ -82,122 +104,200 @@ Parameter ParameterReader::ReadParameter(const Tag& tag) const {
   parameter.line = tag.Line();
   const auto is_legal = [](char c) { return c != '-' && c != '.'; };
   if (!std::all_of(parameter.name.begin(), parameter.name.end(), is_legal))
-    faults_.Error(tag.Line("name"), Quoted("name", parameter.name, tag) + " may hold letters, digits and '_' only");
-  if (const std::optional<Quantity> value = ReadQuantity(tag, "value", faults_)) {
-    parameter.value = parameter.lower = parameter.upper = value->si;
-    parameter.dimension = value->unit.dimension;
-    parameter.unit = value->unit_text;
-    ReadBounds(tag, parameter);
-    ReadPrior(tag, parameter);
-  }
+    Fault(tag, "name", "may hold letters, digits and '_' only");
+  const int errors = faults_.errors();
+  for (const char* attribute : {"value", "lower", "upper", "precision", "prior_sd"})
+    if (const std::string text = tag.Text(attribute); !Trimmed(text).empty() && !QuantityIn(tag, attribute))
+      Fault(tag, attribute, QuantityFault(Trimmed(text)) + ", such as \"32 N/mm\"");
+  const std::optional<Quantity> value = QuantityIn(tag, "value");
+  if (!value) return parameter;
+  parameter.value = parameter.lower = parameter.upper = value->si;
+  parameter.dimension = value->unit.dimension;
+  parameter.unit = value->unit_text;
+  CheckDimensions(tag, parameter);
+  if (faults_.errors() > errors) return parameter;
+  ReadBounds(tag, parameter);
+  ReadPrior(tag, parameter);
   return parameter;
 }
 
-void ParameterReader::ReadPrior(const Tag& tag, Parameter& parameter) const {
-  if (!AttributeText(*tag.element, "prior_sd")) return;
-  const std::optional<Quantity> sd = ReadQuantity(tag, "prior_sd", faults_);
-  if (!sd) return;
-  const auto fault = [&](const std::string& text) {
-    faults_.Error(tag.Line("prior_sd"), Quoted("prior_sd", tag.Text("prior_sd"), tag) + " " + text);
+/// The value is at fault where all others contradict it, and agree.
+void ParameterReader::CheckDimensions(const Tag& tag, const Parameter& parameter) const {
+  std::vector<std::pair<std::string_view, Quantity>> others;
+  for (const char* attribute : {"lower", "upper", "precision", "prior_sd"})
+    if (const std::optional<Quantity> quantity = QuantityIn(tag, attribute)) others.emplace_back(attribute, *quantity);
+  const auto contradicts = [&](const auto& other) { return other.second.unit.dimension != parameter.dimension; };
+  const auto agrees = [&](const auto& other) {
+    return other.second.unit.dimension == others.front().second.unit.dimension;
   };
-  if (sd->unit.dimension != parameter.dimension)
-    return fault(DimensionFault(*sd, tag.Text("prior_sd"), parameter.dimension) + ", as its value");
-  if (sd->si <= 0) return fault("must be above zero");
-  parameter.prior_sd = sd->si;
+  const bool is_outvoted = (others.size() > 1 || parameter.unit.empty()) && !others.empty() &&
+                           std::all_of(others.begin(), others.end(), contradicts) &&
+                           std::all_of(others.begin(), others.end(), agrees);
+  if (is_outvoted) {
+    const auto& [attribute, quantity] = others.front();
+    const std::string name(attribute);
+    Fault(tag, "value",
+          parameter.unit.empty()
+              ? "has no unit, but " + name + " has: write \"" + tag.Text("value") + " " + quantity.unit_text + "\""
+              : "is " + WithArticle(parameter.dimension) + ", but " + name + " and the others are " +
+                    WithArticle(quantity.unit.dimension));
+    return;
+  }
+  for (const auto& other : others)
+    if (contradicts(other))
+      Fault(tag, other.first,
+            DimensionFault(other.second, tag.Text(other.first), parameter.dimension) + ", as its value");
+}
+
+void ParameterReader::ReadPrior(const Tag& tag, Parameter& parameter) const {
+  const std::optional<Quantity> sd = QuantityIn(tag, "prior_sd");
+  if (sd && sd->si <= 0) Fault(tag, "prior_sd", "must be above zero");
+  if (sd) parameter.prior_sd = sd->si;
 }
 
 void ParameterReader::ReadBounds(const Tag& tag, Parameter& parameter) const {
   const std::vector<std::pair<std::string_view, double*>> places = {
       {"lower", &parameter.lower}, {"upper", &parameter.upper}, {"precision", &parameter.precision}};
   std::size_t given = 0;
-  const int errors = faults_.errors();
   for (const auto& [attribute, place] : places) {
     if (!AttributeText(*tag.element, attribute)) continue;
     ++given;
-    const std::optional<Quantity> quantity = ReadQuantity(tag, attribute, faults_);
-    if (!quantity) continue;
-    *place = quantity->si;
-    if (parameter.unit.empty() && !quantity->unit_text.empty()) {
-      faults_.Error(tag.Line("value"), Quoted("value", tag.Text("value"), tag) + " has no unit, but " +
-                                           std::string(attribute) + " has: write \"" + tag.Text("value") + " " +
-                                           quantity->unit_text + "\"");
-      return;
-    }
-    if (quantity->unit.dimension != parameter.dimension)
-      faults_.Error(tag.Line(attribute), Quoted(attribute, tag.Text(attribute), tag) + " " +
-                                             DimensionFault(*quantity, tag.Text(attribute), parameter.dimension) +
-                                             ", as its value");
+    if (const std::optional<Quantity> quantity = QuantityIn(tag, attribute)) *place = quantity->si;
   }
-  if (given == 0) return;
-  if (given != places.size())
+  if (given == places.size()) return CheckBounds(tag, parameter);
+  if (given > 0)
     faults_.Error(tag.Line(), Describe(*tag.element) + " needs all of lower, upper and precision, or none to be fixed");
-  if (faults_.errors() > errors) return;
-  if (parameter.precision <= 0)
-    faults_.Error(tag.Line("precision"), Quoted("precision", tag.Text("precision"), tag) + " must be above zero");
-  if (parameter.lower > parameter.value || parameter.value > parameter.upper)
-    faults_.Error(tag.Line("value"), Quoted("value", tag.Text("value"), tag) + " must lie between lower=\"" +
-                                         tag.Text("lower") + "\" and upper=\"" + tag.Text("upper") + "\"");
+}
+
+void ParameterReader::CheckBounds(const Tag& tag, const Parameter& parameter) const {
+  const auto given = [&](const char* attribute) { return std::string(attribute) + "=\"" + tag.Text(attribute) + "\""; };
+  if (parameter.precision <= 0) Fault(tag, "precision", "must be above zero");
+  if (parameter.lower > parameter.upper) Fault(tag, "lower", "is above " + given("upper") + ": swap them");
+  else if (parameter.value < parameter.lower)
+    Fault(tag, "value", "is below " + given("lower") + ": it must lie between the bounds");
+  else if (parameter.value > parameter.upper)
+    Fault(tag, "value", "is above " + given("upper") + ": it must lie between the bounds");
   else if (!HasAStep(parameter))
-    faults_.Error(tag.Line("precision"),
-                  Quoted("precision", tag.Text("precision"), tag) +
-                      " must not exceed upper - lower; to fix the parameter, leave out all three");
+    Fault(tag, "precision", "must not exceed upper - lower; to fix the parameter, leave out all three");
+}
+
+/// Notes which parameters are used, and reports those that all uses contradict: the uses are right then.
+void ParameterReader::JudgeByUses(const tinyxml2::XMLElement& robot) {
+  std::map<std::string, std::vector<ParameterUse>, std::less<>> uses;
+  for (ParameterUse& use : FindParameterUses(robot)) uses[use.parameter].push_back(std::move(use));
+  const std::vector<std::string> names = Names();
+  for (const auto& [name, found] : uses) {
+    // A misspelt name is told, and counts as a use of what it probably means.
+    const auto index = index_.contains(name) ? index_.find(name) : index_.find(NearestName(name, names).value_or(""));
+    if (index == index_.end()) continue;
+    const auto i = static_cast<std::size_t>(index->second);
+    used_[i] = true;
+    if (index->first == name && sound_[i]) sound_[i] = AgreesWithUses(parameters_[i], found);
+  }
+}
+
+bool ParameterReader::AgreesWithUses(const Parameter& parameter, const std::vector<ParameterUse>& uses) const {
+  std::set<int> lines;
+  std::vector<Dimension> needed;
+  for (const ParameterUse& use : uses) {
+    if (!use.dimension) continue;
+    lines.insert(use.line);
+    needed.push_back(*use.dimension);
+  }
+  const auto contradicts = [&](const Dimension& dimension) {
+    return dimension != parameter.dimension && dimension == needed.front();
+  };
+  // Of a single use nobody can tell which of the two is wrong.
+  if (needed.size() < 2 || !std::all_of(needed.begin(), needed.end(), contradicts)) return true;
+  faults_.Error(parameter.line, "fp:parameter '" + parameter.name + "' is " + WithArticle(parameter.dimension) +
+                                    ", but where it is used, " + LinesText(lines) + ", " + WithArticle(needed.front()) +
+                                    " is needed, such as " + Example(needed.front()));
+  return false;
+}
+
+/// Reports an attribute, once for an element and those made from it.
+Scalar ParameterReader::Fault(const Tag& tag, std::string_view attribute, const std::string& message) const {
+  const bool is_told = IsMade(*tag.element) && AttributeText(Written(*tag.element), attribute) == tag.Text(attribute);
+  if (is_told) return Unreadable();
+  faults_.Error(tag.Line(attribute), Quoted(attribute, tag) + " " + message);
+  return kUnreadable;
+}
+
+/// For a number whose fault is told already.
+Scalar ParameterReader::Unreadable() const {
+  faults_.Follow();
+  return kUnreadable;
 }
 
 Scalar ParameterReader::ReadScalar(const Tag& tag, std::string_view attribute) {
   const AttributeRule& rule = *FindAttribute(*tag.rule, attribute);
-  const std::string text = tag.Text(attribute);
-  if (text.find('$') != std::string::npos) return ReadReference(tag, rule, Trimmed(text));
-  const std::optional<Quantity> quantity = ReadQuantity(tag, attribute, faults_);
-  if (!quantity) return {};
-  if (quantity->unit.dimension != rule.dimension) {
-    faults_.Error(tag.Line(attribute),
-                  Quoted(attribute, text, tag) + " " + DimensionFault(*quantity, text, rule.dimension));
-    return {};
-  }
+  const std::string text(Trimmed(tag.Text(attribute)));
+  if (text.find('$') != std::string::npos) return ReadReference(tag, rule, text);
+  if (text.empty()) return Unreadable();
+  const std::optional<Quantity> quantity = ParseQuantity(text);
+  if (!quantity) return Fault(tag, attribute, NumberFault(rule, text));
+  if (quantity->unit.dimension != rule.dimension)
+    return Fault(tag, attribute, DimensionFault(*quantity, text, rule.dimension));
   const Scalar scalar{.value = quantity->si};
-  CheckSign(tag, rule, text, scalar);
+  CheckSign(tag, rule, scalar);
   return scalar;
 }
 
-Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule, std::string_view text) {
-  const auto fault = [&](const std::string& message) {
-    faults_.Error(tag.Line(rule.name), Quoted(rule.name, std::string(text), tag) + " " + message);
-    return Scalar();
-  };
-  const std::size_t dollar = text.find('$');
-  const std::optional<double> factor = ParseFactor(Trimmed(text.substr(0, dollar)));
-  if (!factor) return fault("must be a number with a unit, or a parameter as in \"$k\", \"-$k\" or \"0.5*$k\"");
-  const std::string_view name = text.substr(dollar + 1);
-  const auto found = index_.find(name);
+/// Why this is no number with a unit, and what it should be.
+std::string ParameterReader::NumberFault(const AttributeRule& rule, const std::string& text) const {
+  const auto reference = ReferenceWithoutDollar(text);
+  const auto found = reference ? index_.find(reference->name) : index_.end();
+  if (found != index_.end()) return "is not a number; for the parameter write '$' before its name";
+  const std::vector<std::string_view> words = {rule.word};
+  const std::string needed = ": " + WithArticle(rule.dimension) + " is needed, such as " + Example(rule.dimension);
+  if (rule.word.empty()) return QuantityFault(text) + needed;
+  const std::string near = DidYouMean(text, words);
+  return QuantityFault(text) + (near.empty() ? needed + ", or " + std::string(rule.word) : near);
+}
+
+Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule, const std::string& text) {
+  const std::optional<ParameterReference> reference = ParseReference(text);
+  // Whose name has a fault.
+  if (!reference && index_.contains(text.substr(text.find('$') + 1))) return Unreadable();
+  if (!reference) return Fault(tag, rule.name, ReferenceFault(text));
+  const auto found = index_.find(reference->name);
+  if (found == index_.end() && lost_names_.contains(reference->name)) return Unreadable();
   if (found == index_.end())
-    return fault("refers to an unknown parameter '" + std::string(name) + "'" + DidYouMean(name, Names()));
+    return Fault(
+        tag, rule.name,
+        "refers to an unknown parameter '" + std::string(reference->name) + "'" + DidYouMean(reference->name, Names()));
   const Parameter& parameter = parameters_[static_cast<std::size_t>(found->second)];
-  used_[static_cast<std::size_t>(found->second)] = true;
-  if (!sound_[static_cast<std::size_t>(found->second)]) return {};
+  if (!sound_[static_cast<std::size_t>(found->second)]) return Unreadable();
   if (parameter.dimension != rule.dimension)
-    return fault("refers to " + WithArticle(parameter.dimension) + ": " + WithArticle(rule.dimension) + " is needed");
-  const Scalar scalar{.value = *factor * parameter.value, .parameter = found->second, .factor = *factor};
-  CheckSign(tag, rule, std::string(text), scalar);
+    return Fault(tag, rule.name,
+                 "refers to " + WithArticle(parameter.dimension) + ": " + WithArticle(rule.dimension) +
+                     " is needed; the parameter stands in line " + std::to_string(parameter.line));
+  const double factor = reference->factor;
+  const Scalar scalar{.value = factor * parameter.value, .parameter = found->second, .factor = factor};
+  CheckSign(tag, rule, scalar);
   return scalar;
 }
 
-void ParameterReader::CheckSign(const Tag& tag, const AttributeRule& rule, const std::string& text,
-                                const Scalar& scalar) const {
+void ParameterReader::CheckSign(const Tag& tag, const AttributeRule& rule, const Scalar& scalar) const {
   if (Obeys(Least(scalar), rule.sign)) return;
   const std::string within = scalar.parameter < 0 ? "" : " over the whole range of the parameter";
-  faults_.Error(tag.Line(rule.name), Quoted(rule.name, text, tag) + " " + SignDemand(rule.sign) + within);
+  Fault(tag, rule.name, SignDemand(rule.sign) + within);
 }
 
 std::optional<Scalar> ParameterReader::Bind(const Tag& bind, double literal, const Dimension& dimension) const {
   const std::string owner = AttributeText(*bind.element->Parent()->ToElement(), "name").value_or("");
   const auto found = index_.find(owner);
   const std::optional<double> factor = ParseNumber(Trimmed(bind.Text("factor")));
-  if (found == index_.end() || !factor || !sound_[static_cast<std::size_t>(found->second)]) return std::nullopt;
+  if (found == index_.end() || !factor || !sound_[static_cast<std::size_t>(found->second)]) {
+    faults_.Follow();
+    return std::nullopt;
+  }
   const Parameter& parameter = parameters_[static_cast<std::size_t>(found->second)];
   const Scalar scalar{.value = *factor * parameter.value, .parameter = found->second, .factor = *factor};
   const std::string fault = BindFault(scalar, parameter.dimension, literal, dimension);
   if (fault.empty()) return scalar;
-  faults_.Error(bind.Line("to"), Quoted("to", bind.Text("to"), bind) + " " + fault);
+  if (IsMade(*bind.element)) faults_.Follow();
+  else faults_.Error(bind.Line("to"), Quoted("to", bind) + " " + fault);
   return std::nullopt;
 }
 
@@ -228,7 +328,8 @@ double ParameterReader::Greatest(const Scalar& scalar) const {
 void ParameterReader::CheckUse() const {
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     const Parameter& parameter = parameters_[i];
-    if (!used_[i])
+    const bool is_first = index_.find(parameter.name)->second == static_cast<int>(i);
+    if (sound_[i] && !used_[i] && is_first && !parameter.name.empty())
       faults_.Error(parameter.line, "fp:parameter '" + parameter.name + "' is not used: bind it or refer to it as \"$" +
                                         parameter.name + "\"");
   }

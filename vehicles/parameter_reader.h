@@ -2,11 +2,13 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "vehicles/file_faults.h"
+#include "vehicles/parameter_uses.h"
 #include "vehicles/tag.h"
 #include "vehicles/vehicle.h"
 
@@ -24,7 +26,8 @@ class ParameterReader {
   /// As the file gives them.
   std::vector<double> Values() const;
 
-  /// The number in an attribute of the kind kScalar: "32 N/mm" or "0.5*$k". Zero with a fault when it cannot be read.
+  /// The number in an attribute of the kind kScalar: "32 N/mm" or "0.5*$k". NaN with a fault when it cannot be read,
+  /// so that no comparison finds another fault in it.
   Scalar ReadScalar(const Tag& tag, std::string_view attribute);
 
   /// Ties a number of the tree, `literal` in the file, to the parameter of this `<fp:bind>`. Nothing after a fault.
@@ -39,16 +42,25 @@ class ParameterReader {
 
  private:
   Parameter ReadParameter(const Tag& tag) const;
+  void CheckDimensions(const Tag& tag, const Parameter& parameter) const;
   void ReadBounds(const Tag& tag, Parameter& parameter) const;
+  void CheckBounds(const Tag& tag, const Parameter& parameter) const;
   void ReadPrior(const Tag& tag, Parameter& parameter) const;
-  Scalar ReadReference(const Tag& tag, const AttributeRule& rule, std::string_view text);
-  void CheckSign(const Tag& tag, const AttributeRule& rule, const std::string& text, const Scalar& scalar) const;
+  void JudgeByUses(const tinyxml2::XMLElement& robot);
+  bool AgreesWithUses(const Parameter& parameter, const std::vector<ParameterUse>& uses) const;
+  Scalar ReadReference(const Tag& tag, const AttributeRule& rule, const std::string& text);
+  std::string NumberFault(const AttributeRule& rule, const std::string& text) const;
+  Scalar Fault(const Tag& tag, std::string_view attribute, const std::string& message) const;
+  Scalar Unreadable() const;
+  void CheckSign(const Tag& tag, const AttributeRule& rule, const Scalar& scalar) const;
   std::string BindFault(const Scalar& scalar, const Dimension& given, double literal, const Dimension& wanted) const;
   std::vector<std::string> Names() const;
 
   FileFaults& faults_;
   std::vector<Parameter> parameters_;
   std::map<std::string, int, std::less<>> index_;
+  /// See LostNames.
+  std::set<std::string, std::less<>> lost_names_;
   std::vector<bool> used_;
   /// Read without a fault of its own, so that what refers to it can be judged.
   std::vector<bool> sound_;

@@ -13,14 +13,13 @@ const tinyxml2::XMLAttribute* Find(const tinyxml2::XMLElement& element, std::str
   return attribute;
 }
 
-/// The element of the file from which this one came, step by step; itself when it stands there.
+}  // namespace
+
 const tinyxml2::XMLElement& Written(const tinyxml2::XMLElement& element) {
   const auto* written = &element;
   while (IsMade(*written)) written = static_cast<const tinyxml2::XMLElement*>(written->GetUserData());
   return *written;
 }
-
-}  // namespace
 
 int LineOf(const tinyxml2::XMLElement& element) { return Written(element).GetLineNum(); }
 

@@ -18,6 +18,9 @@ int LineOf(const tinyxml2::XMLElement& element);
 /// Line of the attribute; of the element when it is left out.
 int LineOf(const tinyxml2::XMLElement& element, std::string_view attribute);
 
+/// The element of the file from which this one was made, step by step; itself when it stands there.
+const tinyxml2::XMLElement& Written(const tinyxml2::XMLElement& element);
+
 /// Whether an expansion made the element, so that it does not stand in the file.
 bool IsMade(const tinyxml2::XMLElement& element);
 

@@ -66,25 +66,59 @@ std::vector<std::string_view> NamesOf(const std::vector<const TagRule*>& rules) 
   return names;
 }
 
+/// The legal name that an unknown one probably means.
+std::optional<std::string_view> Meant(std::string_view name, const std::vector<std::string_view>& legal) {
+  for (std::string_view candidate : legal)
+    if (candidate == "fp:" + std::string(name) || "fp:" + std::string(candidate) == name) return candidate;
+  return NearestName(name, legal);
+}
+
+std::vector<std::string_view> AttributeNames(const TagRule& rule) {
+  std::vector<std::string_view> names;
+  for (const AttributeRule& attribute : rule.attributes) names.push_back(attribute.name);
+  return names;
+}
+
+/// Attributes with a prefix of others are not ours to judge.
+bool IsForeignAttribute(std::string_view name) { return !PrefixOf(name).empty() && PrefixOf(name) != "fp"; }
+
 }  // namespace
 
+bool IsUnknownTag(const XMLElement& element) { return !IsForeign(element.Name()) && FindTags(element.Name()).empty(); }
+
+bool HasUnknownTag(const XMLElement& element, std::string_view path) {
+  for (const XMLElement* child : Children(element))
+    if (!IsForeign(child->Name()) && FindTags(std::string(path) + "/" + child->Name()).empty()) return true;
+  return false;
+}
+
+std::set<std::string, std::less<>> LostNames(const XMLElement& robot) {
+  std::set<std::string, std::less<>> names;
+  for (const XMLElement* element : Children(robot)) {
+    const std::optional<std::string> name = AttributeText(*element, "name");
+    if (IsUnknownTag(*element) && name) names.insert(*name);
+    const TagRule* rule = FormOf(*element, element->Name());
+    if (!rule || rule->opaque || name) continue;
+    for (const auto* given = element->FirstAttribute(); given; given = given->Next())
+      if (!FindAttribute(*rule, given->Name()) && Meant(given->Name(), AttributeNames(*rule)) == "name")
+        names.insert(given->Value());
+  }
+  return names;
+}
+
 std::string Suggestion(std::string_view name, const std::vector<std::string_view>& legal) {
-  for (std::string_view candidate : legal)
-    if (candidate == "fp:" + std::string(name) || "fp:" + std::string(candidate) == name)
-      return ", did you mean '" + std::string(candidate) + "'?";
-  std::string near = DidYouMean(name, legal);
-  if (!near.empty()) return near;
+  if (const auto meant = Meant(name, legal)) return ", did you mean '" + std::string(*meant) + "'?";
   return legal.empty() ? ": none is legal here" : "; legal: " + Joined(legal);
 }
 
 void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults& faults) {
-  std::vector<std::string_view> legal;
-  for (const AttributeRule& attribute : rule.attributes) legal.push_back(attribute.name);
+  const std::vector<std::string_view> legal = AttributeNames(rule);
+  // Those given, rightly spelt or not.
   std::set<std::string_view> seen;
   for (const auto* given = element.FirstAttribute(); given; given = given->Next()) {
     const std::string_view name = given->Name();
-    if (!PrefixOf(name).empty() && PrefixOf(name) != "fp") continue;
-    seen.insert(name);
+    if (IsForeignAttribute(name)) continue;
+    seen.insert(FindAttribute(rule, name) ? name : Meant(name, legal).value_or(name));
     if (const AttributeRule* attribute = FindAttribute(rule, name)) {
       CheckAttribute(element, *attribute, given->Value(), LineOf(element, given->Name()), faults);
       continue;
@@ -100,23 +134,36 @@ void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults&
 
 namespace {
 
+/// The legal tags that the unknown children, which are told, were probably meant to be.
+std::set<std::string_view> MisspeltChildren(const XMLElement& element, std::string_view path) {
+  const std::vector<std::string_view> legal = NamesOf(TagsBelow(path));
+  std::set<std::string_view> meant;
+  for (const XMLElement* child : Children(element))
+    if (!IsForeign(child->Name()) && FindTags(std::string(path) + "/" + child->Name()).empty())
+      if (const auto name = Meant(child->Name(), legal)) meant.insert(*name);
+  return meant;
+}
+
 /// Children that stand too often or are missing.
 void CheckOccurrences(const XMLElement& element, std::string_view path, FileFaults& faults) {
+  const std::set<std::string_view> misspelt = MisspeltChildren(element, path);
   std::vector<std::string_view> choices;
   std::size_t chosen = 0;
+  bool has_misspelt_choice = false;
   for (const TagRule* rule : TagsBelow(path)) {
     const std::string name(rule->Name());
     const std::vector<const XMLElement*> found = Children(element, name.c_str());
     if (rule->occurs == Occurs::kOneOfAll) {
       choices.push_back(rule->Name());
       chosen += found.size();
+      has_misspelt_choice = has_misspelt_choice || misspelt.contains(name);
     }
-    if (rule->occurs == Occurs::kOnce && found.empty())
+    if (rule->occurs == Occurs::kOnce && found.empty() && !misspelt.contains(name))
       faults.Error(LineOf(element), Describe(element) + " needs a <" + name + ">");
     if (rule->occurs != Occurs::kAny && rule->occurs != Occurs::kOneOfAll && found.size() > 1)
       faults.Error(LineOf(*found[1]), Describe(element) + " has more than one <" + name + ">");
   }
-  if (!choices.empty() && chosen != 1)
+  if (!choices.empty() && chosen != 1 && !has_misspelt_choice)
     faults.Error(LineOf(element), Describe(element) + " needs one law or shape, and no more: " + Joined(choices));
 }
 

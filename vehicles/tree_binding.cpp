@@ -6,6 +6,7 @@
 #include "analysis/nearest.h"
 #include "analysis/number.h"
 #include "vehicles/tag.h"
+#include "vehicles/tag_check.h"
 
 namespace fourpost {
 namespace {
@@ -46,6 +47,16 @@ constexpr int kFirstCom = 7;
 
 Dimension DimensionOf(int number) { return number == 0 ? kMass : number < kFirstCom ? kInertia : kLength; }
 
+/// Whether the number's place in the link has a fault of its own, which is told: a misspelt tag, or a required one that
+/// is missing or holds no number.
+bool IsFaulty(const XMLElement& link, int number) {
+  const XMLElement* inertial = link.FirstChildElement("inertial");
+  const XMLElement* origin = inertial ? inertial->FirstChildElement("origin") : nullptr;
+  if (!inertial) return HasUnknownTag(link, "link");
+  if (number < kFirstCom) return true;
+  return origin ? AttributeText(*origin, "xyz").has_value() : HasUnknownTag(*inertial, "link/inertial");
+}
+
 /// The number as the link gives it; nothing when it gives none.
 std::optional<double> Literal(const XMLElement& link, int number) {
   const XMLElement* inertial = link.FirstChildElement("inertial");
@@ -71,14 +82,15 @@ bool HasTurnedInertia(const XMLElement& link) {
 
 class BindingReader {
  public:
-  BindingReader(const UrdfTree& tree, const ParameterReader& parameters, FileFaults& faults)
-      : tree_(tree), parameters_(parameters), faults_(faults) {}
+  BindingReader(const XMLElement& robot, const UrdfTree& tree, const ParameterReader& parameters, FileFaults& faults)
+      : tree_(tree), parameters_(parameters), faults_(faults), lost_names_(LostNames(robot)) {}
 
   void Read(const Tag& bind) {
     TreeBinding binding;
     if (!Resolve(bind, binding)) return;
     const XMLElement& link = *tree_.links[static_cast<std::size_t>(binding.link)];
     const std::optional<double> literal = Literal(link, binding.number);
+    if (!literal && IsFaulty(link, binding.number)) return faults_.Follow();
     if (!literal) return Fault(bind, "finds no such number: give it in the <inertial> of " + Describe(link));
     if (binding.number > 0 && binding.number < kFirstCom && HasTurnedInertia(link))
       return Fault(bind, "needs an <inertial> without rpy: a parameter cannot follow turned axes");
@@ -93,6 +105,7 @@ class BindingReader {
 
  private:
   void Fault(const Tag& bind, const std::string& message) {
+    if (IsMade(*bind.element)) return faults_.Follow();
     faults_.Error(bind.Line("to"), "to=\"" + bind.Text("to") + "\" of " + Describe(*bind.element) + " " + message);
   }
 
@@ -107,7 +120,8 @@ class BindingReader {
     }
     binding.link = tree_.FindLink(path->link);
     binding.number = FindNumber(path->number);
-    if (binding.link < 0)
+    if (binding.link < 0 && lost_names_.contains(path->link)) faults_.Follow();
+    else if (binding.link < 0)
       Fault(bind, "has an unknown link '" + path->link + "'" + DidYouMean(path->link, tree_.LinkNames()));
     if (binding.number < 0)
       Fault(bind, "has an unknown number '" + path->number + "'" + DidYouMean(path->number, NumberNames()));
@@ -117,15 +131,22 @@ class BindingReader {
   const UrdfTree& tree_;
   const ParameterReader& parameters_;
   FileFaults& faults_;
+  std::set<std::string, std::less<>> lost_names_;
   std::set<std::pair<int, int>> seen_;
   std::vector<TreeBinding> bindings_;
 };
 
 }  // namespace
 
+std::optional<Dimension> DimensionOfPath(std::string_view path) {
+  const std::optional<TreePath> parts = ParsePath(path);
+  const int number = parts ? FindNumber(parts->number) : -1;
+  return number < 0 ? std::nullopt : std::optional(DimensionOf(number));
+}
+
 std::vector<TreeBinding> ReadTreeBindings(const XMLElement& robot, const UrdfTree& tree,
                                           const ParameterReader& parameters, FileFaults& faults) {
-  BindingReader reader(tree, parameters, faults);
+  BindingReader reader(robot, tree, parameters, faults);
   for (const Tag& parameter : TagsOf(robot, "fp:parameter"))
     for (const Tag& bind : TagsOf(*parameter.element, "fp:parameter/fp:bind")) reader.Read(bind);
   return reader.bindings();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "vehicles/file_faults.h"
@@ -20,6 +22,9 @@ struct TreeBinding {
 
 /// Attributes of `<inertia>` in the order of Link::inertia.
 inline constexpr const char* kInertiaNames[] = {"ixx", "iyy", "izz", "ixy", "ixz", "iyz"};
+
+/// Of the number that a path such as "link[body]/mass" leads to; nothing for a path that no number can have.
+std::optional<Dimension> DimensionOfPath(std::string_view path);
 
 /// Reads every `<fp:bind>`; reports paths to nowhere and numbers bound twice.
 std::vector<TreeBinding> ReadTreeBindings(const tinyxml2::XMLElement& robot, const UrdfTree& tree,

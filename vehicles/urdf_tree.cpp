@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "analysis/nearest.h"
 #include "vehicles/tag.h"
+#include "vehicles/tag_check.h"
 
 namespace fourpost {
 namespace {
@@ -22,7 +24,12 @@ std::string End(const XMLElement& joint, const char* end) {
 class TreeReader {
  public:
   TreeReader(const XMLElement& robot, FileFaults& faults)
-      : faults_(faults), joints_(Children(robot, "joint")), tree_{.links = Children(robot, "link"), .joints = {}} {}
+      : faults_(faults),
+        lost_names_(LostNames(robot)),
+        joints_(Children(robot, "joint")),
+        tree_{.links = Children(robot, "link"), .joints = {}} {
+    for (const XMLElement* element : Children(robot)) sound_ = sound_ && !IsMisspeltJoint(*element);
+  }
 
   UrdfTree Read() {
     for (const XMLElement* joint : joints_) {
@@ -37,12 +44,17 @@ class TreeReader {
   }
 
  private:
+  static bool IsMisspeltJoint(const XMLElement& element) {
+    return IsUnknownTag(element) && element.FirstChildElement("child") != nullptr;
+  }
+
   void CheckEnd(const XMLElement& joint, const char* end) {
     const std::string link = End(joint, end);
     if (link.empty() || tree_.FindLink(link) >= 0) return;
+    sound_ = false;
+    if (lost_names_.contains(link)) return;
     faults_.Error(LineOf(*joint.FirstChildElement(end)), Describe(joint) + " has the unknown " + end + " link '" +
                                                              link + "'" + DidYouMean(link, tree_.LinkNames()));
-    sound_ = false;
   }
 
   void CheckLimit(const XMLElement& joint) {
@@ -70,21 +82,23 @@ class TreeReader {
     const auto is_root = [&](const XMLElement* link) { return !parent_joint_.contains(NameOf(*link)); };
     const auto ground = std::find_if(tree_.links.begin(), tree_.links.end(), is_root);
     if (ground == tree_.links.end()) {
-      faults_.Error(
-          0, tree_.links.empty() ? "there is no link" : "there is no ground: every link is the child of a joint");
+      const bool is_told = !sound_ || !lost_names_.empty();
+      if (!is_told)
+        faults_.Error(
+            0, tree_.links.empty() ? "there is no link" : "there is no ground: every link is the child of a joint");
       sound_ = false;
       return;
     }
     std::rotate(tree_.links.begin(), ground, ground + 1);
+    // A joint with a fault of its own may be what is missing here.
+    if (!sound_) return;
     CheckGround(*tree_.links.front());
-    for (std::size_t i = 1; i < tree_.links.size(); ++i) {
-      if (!is_root(tree_.links[i])) continue;
-      // A joint with a fault of its own may be what is missing here.
-      if (sound_)
-        faults_.Error(LineOf(*tree_.links[i]), Describe(*tree_.links[i]) +
-                                                   " is the child of no joint: only the ground, '" +
-                                                   NameOf(*tree_.links.front()) + "', may be so");
-    }
+    const std::string name = NameOf(*tree_.links.front());
+    for (std::size_t i = 1; i < tree_.links.size(); ++i)
+      if (is_root(tree_.links[i]) && NameOf(*tree_.links[i]) != name)
+        faults_.Error(
+            LineOf(*tree_.links[i]),
+            Describe(*tree_.links[i]) + " is the child of no joint: only the ground, '" + name + "', may be so");
   }
 
   void CheckGround(const XMLElement& ground) {
@@ -111,6 +125,7 @@ class TreeReader {
   }
 
   FileFaults& faults_;
+  std::set<std::string, std::less<>> lost_names_;
   std::vector<const XMLElement*> joints_;
   UrdfTree tree_;
   std::map<std::string, const XMLElement*> parent_joint_;

@@ -84,11 +84,18 @@ std::optional<Vehicle> ReadVehicle(const std::filesystem::path& file, Diagnostic
   FileFaults faults(file.string(), diagnostics);
   if (!HasLegalSize(file, faults)) return std::nullopt;
   const std::optional<std::string> text = ReadTextFile(file, diagnostics);
-  if (!text || !IsWithinXmlLimits(*text, faults)) return std::nullopt;
+  if (!text) return std::nullopt;
+  return ReadVehicleText(*text, file, diagnostics);
+}
+
+std::optional<Vehicle> ReadVehicleText(const std::string& text, const std::filesystem::path& file,
+                                       Diagnostics& diagnostics) {
+  FileFaults faults(file.string(), diagnostics);
+  if (!IsWithinXmlLimits(text, faults)) return std::nullopt;
   tinyxml2::XMLDocument document;
-  XMLElement* robot = ParseRobot(*text, document, faults);
+  XMLElement* robot = ParseRobot(text, document, faults);
   if (!robot) return std::nullopt;
-  Vehicle vehicle = ReadRobot(*robot, *text, faults);
+  Vehicle vehicle = ReadRobot(*robot, text, faults);
   if (faults.errors() > 0) return std::nullopt;
   return vehicle;
 }

@@ -15,6 +15,10 @@ namespace fourpost {
 /// that they can be. A parameter without bounds is fixed: lower = value = upper and precision = 0.
 std::optional<Vehicle> ReadVehicle(const std::filesystem::path& file, Diagnostics& diagnostics);
 
+/// The same of a text: what `file` would hold. Findings name `file`, and meshes are looked for beside it.
+std::optional<Vehicle> ReadVehicleText(const std::string& text, const std::filesystem::path& file,
+                                       Diagnostics& diagnostics);
+
 /// Vehicle::text with other parameter values (SI, order of Vehicle::parameters), each in the unit it was written in,
 /// with the numbers of the tree that follow them, with Vehicle::parameters' sources, and without the priors that
 /// Vehicle::parameters does not have; all else is kept byte for byte. The file itself is not read again: it may have

@@ -188,14 +188,11 @@ TEST_F(DrakeTags, KnowTheirChildren) {
   Expect(Severity::kError, LineOf(text, "_fre_"),
          "unknown tag <drake:linear_spring_damper_fre_length> in <drake:linear_spring_damper>, did you mean "
          "'drake:linear_spring_damper_free_length'?");
-  Expect(Severity::kError, LineOf(text, "<drake:linear"), "needs a <drake:linear_spring_damper_free_length>");
 }
 
 TEST_F(DrakeTags, KnowTheirAttributes) {
   const std::string text = Robot(Replaced(kBushing, R"(force_damping value)", R"(force_damping vlaue)"));
-  EXPECT_FALSE(Read(text).has_value());
-  Expect(Severity::kError, LineOf(text, "vlaue"), "did you mean 'value'?");
-  Expect(Severity::kError, LineOf(text, "vlaue"), "<drake:bushing_force_damping> of <drake:linear_bushing_rpy> needs");
+  ExpectOnly(text, "vlaue", "did you mean 'value'?");
 }
 
 TEST_F(DrakeTags, HaveNoNames) {

@@ -115,10 +115,8 @@ TEST_F(VehicleTree, FindsMisspeltUrdf) {
 }
 
 TEST_F(VehicleTree, FindsMisspeltAttributesOfUrdf) {
-  EXPECT_FALSE(Read(FreeBody(Inertial(1, R"(ixx="1" iyy="1" izzz="1")"))).has_value());
-  Expect(Severity::kError, 3,
-         "unknown attribute 'izzz' of <inertia> of <inertial> of link 'body', did you mean 'izz'?");
-  Expect(Severity::kError, 3, "<inertia> of <inertial> of link 'body' needs the attribute 'izz'");
+  ExpectOnly(FreeBody(Inertial(1, R"(ixx="1" iyy="1" izzz="1")")), 3,
+             "unknown attribute 'izzz' of <inertia> of <inertial> of link 'body', did you mean 'izz'?");
 }
 
 TEST_F(VehicleTree, RejectsNamesThatParsersReadDifferently) {

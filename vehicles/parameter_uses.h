@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tinyxml2.h>
+
+#include "analysis/units.h"
+
+namespace fourpost {
+
+/// What stands for a parameter: "$k", "-$k", "0.5*$k".
+struct ParameterReference {
+  double factor = 1;
+  std::string_view name;
+};
+
+/// Nothing for any other text.
+std::optional<ParameterReference> ParseReference(std::string_view text);
+
+/// The reference that a text would be with the '$' that it lacks: "k", "0.5*k".
+std::optional<ParameterReference> ReferenceWithoutDollar(std::string_view text);
+
+/// A place of a vehicle file that needs a parameter, rightly written or not.
+struct ParameterUse {
+  std::string parameter;
+  /// Of the number that belongs there; nothing where that is not known for a fault.
+  std::optional<Dimension> dimension;
+  int line = 0;
+};
+
+/// Every use that stands in the file: references in attributes, also of unknown tags, and `<fp:bind>`.
+std::vector<ParameterUse> FindParameterUses(const tinyxml2::XMLElement& robot);
+
+}  // namespace fourpost
