@@ -279,6 +279,10 @@ Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule,
 }
 
 void ParameterReader::CheckSign(const Tag& tag, const AttributeRule& rule, const Scalar& scalar) const {
+  if (!IsFinite(scalar)) {
+    Fault(tag, rule.name, "is too large, somewhere in the range of the parameter");
+    return;
+  }
   if (Obeys(Least(scalar), rule.sign)) return;
   const std::string within = scalar.parameter < 0 ? "" : " over the whole range of the parameter";
   Fault(tag, rule.name, SignDemand(rule.sign) + within);
@@ -304,12 +308,17 @@ std::optional<Scalar> ParameterReader::Bind(const Tag& bind, double literal, con
 std::string ParameterReader::BindFault(const Scalar& scalar, const Dimension& given, double literal,
                                        const Dimension& wanted) const {
   if (given != wanted) return "is " + WithArticle(wanted) + ", but the parameter is " + WithArticle(given);
+  if (!IsFinite(scalar)) return "is too large, somewhere in the range of the parameter";
   if (!Agrees(literal, scalar.value))
     return "is " + FormatNumber(literal) + " " + SiUnit(wanted) + " in the tree, but factor times value is " +
            FormatNumber(scalar.value) + " " + SiUnit(wanted) + ": make them equal";
   if (wanted == kMass && !Obeys(Least(scalar), Sign::kNotNegative))
     return SignDemand(Sign::kNotNegative) + " over the whole range of the parameter";
   return "";
+}
+
+bool ParameterReader::IsFinite(const Scalar& scalar) const {
+  return std::isfinite(Least(scalar)) && std::isfinite(Greatest(scalar));
 }
 
 double ParameterReader::Least(const Scalar& scalar) const {

@@ -52,6 +52,7 @@ class ParameterReader {
   std::string NumberFault(const AttributeRule& rule, const std::string& text) const;
   Scalar Fault(const Tag& tag, std::string_view attribute, const std::string& message) const;
   Scalar Unreadable() const;
+  bool IsFinite(const Scalar& scalar) const;
   void CheckSign(const Tag& tag, const AttributeRule& rule, const Scalar& scalar) const;
   std::string BindFault(const Scalar& scalar, const Dimension& given, double literal, const Dimension& wanted) const;
   std::vector<std::string> Names() const;
