@@ -149,8 +149,9 @@ SimTK::Real TyreForce::calcPotentialEnergy(const State& state) const {
   const Eigen::Vector3d shift = FootShift(data_, platforms_(state.getTime()), state);
   const double plane = 0.5 * (data_.longitudinal * shift.x() * shift.x() + data_.lateral * shift.y() * shift.y());
   // Where a tyre leaves its platform its energy stays at the least.
-  const double lifted = data_.stiffness > 0 ? data_.preload / data_.stiffness : 0;
-  const double z = data_.lifts_off ? std::min(shift.z(), lifted) : shift.z();
+  const bool is_lifted = data_.lifts_off && data_.preload - data_.stiffness * shift.z() < 0;
+  if (is_lifted) return data_.stiffness > 0 ? plane - 0.5 * data_.preload * data_.preload / data_.stiffness : plane;
+  const double z = shift.z();
   return plane - data_.preload * z + 0.5 * data_.stiffness * z * z;
 }
 
