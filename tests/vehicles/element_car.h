@@ -111,10 +111,10 @@ inline const std::string kElementCar = R"(<?xml version="1.0"?>
   <fp:parameter name="k_hook" value="9 N/mm" source="test"/>
   <fp:spring name="hook" parent="hook" child="tail"><linear stiffness="$k_hook"/></fp:spring>
 
-  <fp:parameter name="gap_bump" value="25 mm" source="test"/>
+  <fp:parameter name="gap_bump" value="15 mm" source="test"/>
   <fp:parameter name="k_stop" value="200 N/mm" source="test"/>
   <fp:parameter name="k3_stop" value="50 MN/m^3" source="test"/>
-  <fp:parameter name="gap_rebound" value="27 mm" source="test"/>
+  <fp:parameter name="gap_rebound" value="16 mm" source="test"/>
   <fp:stop name="rl" parent="top_rl" child="seat_rl">
     <bump gap="$gap_bump" stiffness="$k_stop" cubic="$k3_stop"/>
     <rebound gap="$gap_rebound" stiffness="0.5*$k_stop" cubic="0.5*$k3_stop"/>
