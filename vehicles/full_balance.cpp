@@ -204,6 +204,10 @@ void CheckFit(const Vehicle& vehicle, const CondensedModel& model, const Excitat
     throw std::invalid_argument("vehicle '" + vehicle.name +
                                 "': loop closures (fp:rod, fp:ball, fp:weld, fp:hinge) are not supported by this "
                                 "engine; use march");
+  for (const Damper& damper : vehicle.dampers)
+    if (damper.hydraulic)
+      throw std::invalid_argument("vehicle '" + vehicle.name + "': fp:damper '" + damper.name +
+                                  "' is hydraulic, which this engine does not support; use march");
   excitation.Validate(vehicle.posts.size());
   const auto count = [](Eigen::Index n) { return static_cast<std::size_t>(n); };
   RequireCount("SolveFullBalance: model", "posts", vehicle.posts.size(), count(model.post_stiffness.cols()));

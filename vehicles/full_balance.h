@@ -35,7 +35,8 @@ struct FullBalanceOptions {
 /// Where the iteration does not converge, or leaves what Simbody can evaluate, the frequency is reported unconverged
 /// and its values are those of SolveHarmonicBalance.
 /// Throws std::invalid_argument for a vehicle with loop closures (fp:rod, fp:ball), whose coordinates are not
-/// independent, and for options, an excitation or a model that do not fit.
+/// independent, for one with a hydraulic damper, whose pressures it does not know, and for options, an excitation or a
+/// model that do not fit.
 PeriodicResponse SolveFullBalance(Multibody& multibody, const CondensedModel& model, const Excitation& excitation,
                                   const FullBalanceOptions& options = {});
 

@@ -72,8 +72,8 @@ class Respondent {
   ProgressLine progress_;
 };
 
-/// The full balance needs independent coordinates.
-void RequireNoLoops(const Vehicle& vehicle) {
+/// The full balance needs independent coordinates, and none but series springs behind dampers.
+void RequireBalanceable(const Vehicle& vehicle) {
   Diagnostics faults;
   const auto refuse = [&](const auto& closures) {
     for (const auto& closure : closures)
@@ -83,6 +83,10 @@ void RequireNoLoops(const Vehicle& vehicle) {
   refuse(vehicle.balls);
   refuse(vehicle.welds);
   refuse(vehicle.hinges);
+  for (const Damper& damper : vehicle.dampers)
+    if (damper.hydraulic)
+      faults.Error(vehicle.file, damper.source_line,
+                   "--engine full takes no hydraulic damper; use march, or linearised");
   if (faults.HasErrors()) throw FaultyInput(faults);
 }
 
@@ -121,7 +125,7 @@ int Run(const ResponseCommand& command) {
   const std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
   Tell(diagnostics);
-  if (command.engine == Engine::kFull) RequireNoLoops(loaded->vehicle);
+  if (command.engine == Engine::kFull) RequireBalanceable(loaded->vehicle);
   const std::vector<MeasuredRun> runs =
       InBand(loaded->data.runs, loaded->study.band_lower_Hz, loaded->study.band_upper_Hz);
   Respondent vehicle(loaded->vehicle, command.engine);

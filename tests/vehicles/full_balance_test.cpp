@@ -128,6 +128,23 @@ TEST(FullBalance, SurvivesAMotionThatNoVehicleFollows) {
     for (const Complex value : channel.response) EXPECT_TRUE(std::isfinite(std::abs(value))) << channel.name;
 }
 
+TEST(FullBalance, RefusesHydraulicDampers) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.dampers[0].hydraulic = HydraulicDescription{.bleed = {0.6e-6},
+                                                      .rebound_valve = {1e7},
+                                                      .compression_valve = {3e6},
+                                                      .bulk_modulus = {3e8},
+                                                      .piston_diameter = {0.03},
+                                                      .rod_diameter = {0.012},
+                                                      .column = {0.1},
+                                                      .gas_pressure = {2e6},
+                                                      .gas_volume = {60e-6}};
+  Prepared prepared(vehicle);
+  const auto refuses = testing::ThrowsMessage<std::invalid_argument>(
+      HasSubstr("fp:damper '" + vehicle.dampers[0].name + "' is hydraulic, which this engine does not support"));
+  EXPECT_THAT([&] { prepared.Full(QuarterCarSine()); }, refuses);
+}
+
 TEST(FullBalance, RefusesLoopClosures) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
   Prepared prepared(vehicle);
