@@ -274,6 +274,11 @@ void CondensedVehicle::AddDashpots(std::span<const double> parameters, Condensed
     }
     if (damper.series) dashpot.series_stiffness = damper.series->stiffness.At(parameters);
     model.dashpots.push_back(std::move(dashpot));
+    // Its friction acts between the ends of damper and mount.
+    if (damper.hydraulic && damper.law.friction) {
+      const DashpotDescription friction{.friction = damper.law.friction};
+      model.dashpots.push_back({.direction = damper_directions_[i], .law = friction.At(parameters)});
+    }
   }
 }
 

@@ -169,9 +169,17 @@ inline const std::string kElementCar = R"(<?xml version="1.0"?>
   <fp:parameter name="column" value="100 mm" source="test"/>
   <fp:parameter name="p_gas" value="2 MPa" source="test"/>
   <fp:parameter name="V_gas" value="60 cm^3" source="test"/>
+  <fp:parameter name="f_seal" value="50 N" source="test"/>
+  <fp:parameter name="v_seal" value="5 mm/s" source="test"/>
   <fp:damper name="rr" parent="shock_rr" child="eye_rr">
     <hydraulic bleed="$bleed" rebound_valve="$valve" compression_valve="0.3*$valve" bulk_modulus="$oil" piston="$bore"
-      rod="$rod" column="$column" gas_pressure="$p_gas" gas_volume="$V_gas" friction="$f_friction"/>
+      rod="$rod" column="$column" gas_pressure="$p_gas" gas_volume="$V_gas"/>
+    <friction force="$f_seal" speed="$v_seal"/>
+  </fp:damper>
+  <fp:parameter name="k_top" value="600 N/mm" source="test"/>
+  <fp:damper name="top" parent="shock_rr" child="seat_rr">
+    <hydraulic bleed="$bleed" rebound_valve="2*$valve"/>
+    <series stiffness="$k_top"/>
   </fp:damper>
   <fp:parameter name="c_tail" value="50 N*s/m" source="test"/>
   <fp:damper name="tail" parent="hook" child="tail" axis="0.2 0 1"><linear rate="$c_tail"/></fp:damper>

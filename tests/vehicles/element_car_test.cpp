@@ -332,10 +332,10 @@ TEST(ElementCar, EveryParameterOfATangentMovesTheCondensedVehicle) {
 TEST(ElementCar, TellsWhatTheCondensedVehicleTakesForLinear) {
   const Vehicle vehicle = ElementCar();
   const std::string told = CondensedVehicle(vehicle).simplifications().Format();
-  for (const char* element :
-       {"fp:spring 'fl'", "fp:spring 'fr'", "fp:stop 'rl'", "fp:stop 'rr'", "fp:damper 'fr'", "fp:damper 'rr'"})
+  for (const char* element : {"fp:spring 'fl'", "fp:spring 'fr'", "fp:stop 'rl'", "fp:stop 'rr'", "fp:damper 'fr'",
+                              "fp:damper 'rr'", "fp:damper 'top'"})
     EXPECT_THAT(told, testing::HasSubstr(std::string(element) + " is taken for linear")) << element;
-  EXPECT_EQ(CondensedVehicle(vehicle).simplifications().items().size(), 6U);
+  EXPECT_EQ(CondensedVehicle(vehicle).simplifications().items().size(), 7U);
 }
 
 // At rest in the design pose whatever the parameters are.
@@ -366,7 +366,7 @@ TEST(ElementCar, HasTheSameForwardAndInverseDynamics) {
   const VectorXd state = SomeState(multibody, 0);
   const VectorXd derivative = multibody.StateDerivative(0, state);
   const Index n = multibody.coordinate_count();
-  ASSERT_EQ(state.size(), 2 * n + 4);  // two series springs, two chambers
+  ASSERT_EQ(state.size(), 2 * n + 6);  // two series springs, two chambers of two dampers
   const VectorXd residual = multibody.Residual(0, state, derivative);
   // Rounding of forces of 1e5 N; of 1e3 MPa/s.
   EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-9);

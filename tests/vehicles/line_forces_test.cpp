@@ -181,12 +181,12 @@ TEST(HydraulicForce, IsInternalAndHasTheForceAndRatesOfItsEquations) {
   ForEachLine([](auto line_of) {
     ForceChecker checker;
     HydraulicData data{.line = line_of(checker), .damper = {}};
-    data.damper.rebound_volume = data.damper.annulus_area;
-    data.damper.compression_volume = data.damper.piston_area;  // 1 m of oil: any draw is within the stroke
+    HydraulicDamper& damper = data.damper.damper;
+    damper.rebound_volume = damper.annulus_area;
+    damper.compression_volume = damper.piston_area;  // 1 m of oil: any draw is within the stroke
     checker.Add(new HydraulicForce(data, checker.forces()));
     for (int draw = 0; draw < kDraws; ++draw) {
       checker.Draw(1);
-      const HydraulicDamper& damper = data.damper;
       const std::array<double, 2> p = {damper.gas_pressure + 1e6 * checker.state().getZ()[0],
                                        damper.gas_pressure + 1e6 * checker.state().getZ()[1]};
       const double rate = DifferencedRate(checker, data.line);
