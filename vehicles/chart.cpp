@@ -1,21 +1,12 @@
 #include "vehicles/chart.h"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
-#include "analysis/diagnostics.h"
+#include "vehicles/loop_lock.h"
+#include "vehicles/loop_space.h"
 
 namespace fourpost {
 namespace {
-
-/// Singular values below this share of the largest count as zero; exact redundancy leaves about 1e-16.
-constexpr double kRankTolerance = 1e-9;
-
-Eigen::MatrixXd NullSpace(const Eigen::MatrixXd& jacobian) {
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
-  svd.setThreshold(kRankTolerance);
-  return svd.matrixV().rightCols(jacobian.cols() - svd.rank());
-}
 
 Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& lower) {
   Eigen::MatrixXd stacked(upper.rows() + lower.rows(), upper.cols());
@@ -23,14 +14,20 @@ Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& low
   return stacked;
 }
 
+/// Least-norm solution. Equations that repeat others say the same but for rounding, which must not be divided by.
+Eigen::MatrixXd Solve(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+  solver.setThreshold(kLoopRankTolerance);
+  return solver.compute(matrix).solve(right);
+}
+
 }  // namespace
 
 Chart::Chart(Multibody& multibody) : multibody_(multibody) {
   multibody_.SetPose(multibody_.design_pose());
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
-  const int n = multibody_.coordinate_count();
   has_loops_ = loops.rows() > 0;
-  basis_ = has_loops_ ? NullSpace(loops) : Eigen::MatrixXd::Identity(n, n);
+  basis_ = LoopSpaceOf(loops).motions;
 }
 
 Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
@@ -45,15 +42,10 @@ Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
     Eigen::VectorXd error(loop_error.size() + s.size());
     error << loop_error, basis_.transpose() * (q - multibody_.design_pose()) - s;
     if (error.lpNorm<Eigen::Infinity>() < kClosed) return q;
-    const Eigen::MatrixXd jacobian = Stacked(multibody_.LoopJacobian(), basis_.transpose());
-    q -= jacobian.completeOrthogonalDecomposition().solve(error);
+    q -= Solve(Stacked(multibody_.LoopJacobian(), basis_.transpose()), error);
     multibody_.SetPose(q);
   }
-  Diagnostics faults;
-  faults.Error(
-      multibody_.vehicle().file, 0,
-      "the loops lock the vehicle: they cannot follow a small motion; check the positions of fp:rod and fp:ball");
-  throw FaultyInput(faults);
+  throw LoopsCannotFollow(multibody_);
 }
 
 Eigen::MatrixXd Chart::MoveTo(const Eigen::VectorXd& s) {
@@ -62,7 +54,7 @@ Eigen::MatrixXd Chart::MoveTo(const Eigen::VectorXd& s) {
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
   Eigen::MatrixXd target = Eigen::MatrixXd::Zero(loops.rows() + size(), size());
   target.bottomRows(size()).setIdentity();
-  return Stacked(loops, basis_.transpose()).completeOrthogonalDecomposition().solve(target);
+  return Solve(Stacked(loops, basis_.transpose()), target);
 }
 
 }  // namespace fourpost

@@ -17,7 +17,7 @@ class Chart {
   int size() const { return static_cast<int>(basis_.cols()); }
 
   /// Moves the multibody to the pose q(s) and returns dq/ds there, coordinates x size().
-  /// Throws FaultyInput when the loops cannot follow.
+  /// Throws FaultyInput, see LoopsCannotFollow, when the loops do not let it.
   Eigen::MatrixXd MoveTo(const Eigen::VectorXd& s);
 
  private:

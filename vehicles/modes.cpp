@@ -8,20 +8,13 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "vehicles/motion_name.h"
+
 namespace fourpost {
 namespace {
 
 constexpr std::array<const char*, 6> kBodyNames = {"fore-aft", "lateral", "heave", "roll", "pitch", "yaw"};
 constexpr std::array<const char*, 6> kAxleNames = {"fore-aft", "lateral", "hop", "tramp", "wind-up", "yaw"};
-
-/// Kinetic energy of a link by direction: x, y, z, roll, pitch, yaw.
-Eigen::Matrix<double, 6, 1> Energy(const CondensedVehicle::LinkMotion& link, const Eigen::VectorXcd& shape) {
-  const Eigen::Vector3d translation = (link.com_jacobian * shape).cwiseAbs2();
-  const Eigen::Vector3d rotation = (link.spin_jacobian * shape).cwiseAbs2();
-  Eigen::Matrix<double, 6, 1> energy;
-  energy << link.mass * translation, link.inertia.cwiseProduct(rotation);
-  return energy;
-}
 
 std::string NameOf(const std::vector<CondensedVehicle::LinkMotion>& links, const Eigen::VectorXcd& shape) {
   const auto heavier = [](const auto& a, const auto& b) { return a.mass < b.mass; };
@@ -30,7 +23,7 @@ std::string NameOf(const std::vector<CondensedVehicle::LinkMotion>& links, const
   double most = -1;
   double total = 0;
   for (auto link = links.begin(); link != links.end(); ++link) {
-    const double energy = Energy(*link, shape).sum();
+    const double energy = DirectionalEnergy(*link, shape).sum();
     total += energy;
     if (link != body && energy > most) {
       most = energy;
@@ -38,11 +31,11 @@ std::string NameOf(const std::vector<CondensedVehicle::LinkMotion>& links, const
     }
   }
   Eigen::Index direction = 0;
-  if (Energy(*body, shape).sum() >= 0.5 * total) {
-    Energy(*body, shape).maxCoeff(&direction);
+  if (DirectionalEnergy(*body, shape).sum() >= 0.5 * total) {
+    DirectionalEnergy(*body, shape).maxCoeff(&direction);
     return kBodyNames[static_cast<std::size_t>(direction)];
   }
-  Energy(*moving, shape).maxCoeff(&direction);
+  DirectionalEnergy(*moving, shape).maxCoeff(&direction);
   constexpr double kSameStation_m = 0.1;
   const double ahead = moving->com.x() - body->com.x();
   const std::string where = std::abs(ahead) < kSameStation_m ? "wheel " : ahead > 0 ? "front " : "rear ";

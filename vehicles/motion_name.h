@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/condensed_vehicle.h"
+
+namespace fourpost {
+
+/// Twice the kinetic energy of a link at unit frequency, by direction: along x, y, z of the ground, then about x, y, z
+/// of the link [kg m^2/s^2 for rates in 1/s].
+Eigen::Matrix<double, 6, 1> DirectionalEnergy(const CondensedVehicle::LinkMotion& link, const Eigen::VectorXcd& shape);
+
+/// Of all links but the ground, at the file's parameter values, in the coordinates of the pose.
+std::vector<CondensedVehicle::LinkMotion> LinkMotionsOf(const Vehicle& vehicle, const Kinematics& pose);
+
+/// A small motion of a vehicle, named by the link and the direction that carry most of its kinetic energy.
+struct NamedMotion {
+  enum class Direction { kForeAft, kLateral, kHeave, kRoll, kPitch, kYaw };
+  std::string link;
+  Direction direction = Direction::kHeave;
+  /// In the coordinates of the links' Jacobians.
+  Eigen::VectorXd shape;
+
+  /// "roll of link 'front_axle'".
+  std::string Text() const;
+};
+
+/// "heave", "fore-aft motion" ...
+std::string Word(NamedMotion::Direction direction);
+
+/// Motions that together span the columns of `basis`, told apart as far as can be: each holds all that the basis has of
+/// one direction of one link, the most energetic first; the next ones leave that direction alone. Motions that move
+/// no mass have no name and are left out.
+std::vector<NamedMotion> NameMotions(const std::vector<CondensedVehicle::LinkMotion>& links, Eigen::MatrixXd basis);
+
+}  // namespace fourpost
