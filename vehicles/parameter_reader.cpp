@@ -257,17 +257,16 @@ std::string ParameterReader::NumberFault(const AttributeRule& rule, const std::s
 
 Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule, const std::string& text) {
   const std::optional<ParameterReference> reference = ParseReference(text);
-  // Whose name has a fault.
-  if (!reference && index_.contains(text.substr(text.find('$') + 1))) return Unreadable();
+  const auto found = index_.find(reference ? std::string(reference->name) : text.substr(text.find('$') + 1));
+  // The name may be what is wrong with the parameter.
+  if (found != index_.end() && !sound_[static_cast<std::size_t>(found->second)]) return Unreadable();
   if (!reference) return Fault(tag, rule.name, ReferenceFault(text));
-  const auto found = index_.find(reference->name);
   if (found == index_.end() && lost_names_.contains(reference->name)) return Unreadable();
   if (found == index_.end())
     return Fault(
         tag, rule.name,
         "refers to an unknown parameter '" + std::string(reference->name) + "'" + DidYouMean(reference->name, Names()));
   const Parameter& parameter = parameters_[static_cast<std::size_t>(found->second)];
-  if (!sound_[static_cast<std::size_t>(found->second)]) return Unreadable();
   if (parameter.dimension != rule.dimension)
     return Fault(tag, rule.name,
                  "refers to " + WithArticle(parameter.dimension) + ": " + WithArticle(rule.dimension) +
