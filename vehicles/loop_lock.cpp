@@ -1,6 +1,7 @@
 #include "vehicles/loop_lock.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 

@@ -1,0 +1,404 @@
+#include "vehicles/vehicle_lint.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/vehicles/shipped_vehicle.h"
+#include "tests/vehicles/small_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// An axle's share of a car, without a fault and without anything odd: a body that heaves and rolls on two wheels.
+const std::string kAxle = R"(<robot name="axle" xmlns:fp="urn:fourpost:vehicle:1">
+<link name="ground"/>
+<link name="heave"/>
+<link name="body">
+  <inertial>
+    <origin xyz="0 0 0"/><mass value="500"/>
+    <inertia ixx="100" iyy="100" izz="100" ixy="0" ixz="0" iyz="0"/>
+  </inertial>
+</link>
+<link name="wheel_left">
+  <inertial><mass value="40"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+</link>
+<link name="wheel_right">
+  <inertial><mass value="40"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+</link>
+<joint name="heave" type="prismatic">
+  <parent link="ground"/><child link="heave"/><origin xyz="0 0 0.8"/><axis xyz="0 0 1"/>
+  <limit effort="0" velocity="0"/>
+</joint>
+<joint name="roll" type="continuous"><parent link="heave"/><child link="body"/><axis xyz="1 0 0"/></joint>
+<joint name="travel_left" type="prismatic">
+  <parent link="ground"/><child link="wheel_left"/><origin xyz="0 0.7 0.3"/><axis xyz="0 0 1"/>
+  <limit effort="0" velocity="0"/>
+</joint>
+<joint name="travel_right" type="prismatic">
+  <parent link="ground"/><child link="wheel_right"/><origin xyz="0 -0.7 0.3"/><axis xyz="0 0 1"/>
+  <limit effort="0" velocity="0"/>
+</joint>
+<fp:frame name="top_left" link="body" xyz="0 0.7 0"/>
+<fp:frame name="top_right" link="body" xyz="0 -0.7 0"/>
+<fp:spring name="coil_left" parent="top_left" child="wheel_left"><linear stiffness="30 kN/m"/></fp:spring>
+<fp:spring name="coil_right" parent="top_right" child="wheel_right"><linear stiffness="30 kN/m"/></fp:spring>
+<fp:damper name="damper_left" parent="top_left" child="wheel_left">
+  <bilinear compression="1000 N*s/m" rebound="2000 N*s/m"/>
+</fp:damper>
+<fp:damper name="damper_right" parent="body" child="wheel_right">
+  <bilinear compression="999 N*s/m" rebound="2000 N*s/m"/>
+</fp:damper>
+<fp:antiroll name="bar" stiffness="5 kN/m">
+  <left parent="body" child="wheel_left"/><right parent="body" child="wheel_right"/>
+</fp:antiroll>
+<fp:tyre name="tyre_left" link="wheel_left" xyz="0 0 0" radius="0.3 m" stiffness="200 kN/m"/>
+<fp:tyre name="tyre_right" link="wheel_right" xyz="0 0 0" radius="0.3 m" stiffness="200 kN/m"/>
+<fp:post name="left" under="tyre_left"/>
+<fp:post name="right" under="tyre_right"/>
+<fp:sensor name="a_body" type="accelerometer" link="body" xyz="0 0 0.2"/>
+</robot>
+)";
+
+/// A rigid body on its tyres.
+std::string Kart(const std::string& tyre) {
+  std::string text = R"(<robot name="kart" xmlns:fp="urn:fourpost:vehicle:1">
+<link name="ground"/>
+<link name="body">
+  <inertial><mass value="200"/><inertia ixx="30" iyy="60" izz="80" ixy="0" ixz="0" iyz="0"/></inertial>
+</link>
+<joint name="body" type="floating"><parent link="ground"/><child link="body"/><origin xyz="0 0 0.2"/></joint>
+<fp:sensor name="a_body" type="accelerometer" link="body" xyz="0 0 0"/>
+)";
+  for (const auto& [name, xyz] : {std::pair("FL", "0.5 0.5 0"), std::pair("FR", "0.5 -0.5 0"),
+                                  std::pair("RL", "-0.5 0.5 0"), std::pair("RR", "-0.5 -0.5 0")})
+    text += std::string("<fp:tyre name=\"") + name + "\" link=\"body\" xyz=\"" + xyz + "\" stiffness=\"100 kN/m\" " +
+            tyre + "/><fp:post name=\"" + name + "\" under=\"" + name + "\"/>\n";
+  return text + "</robot>\n";
+}
+
+/// Looks at descriptions of one side each of whose texts a test changes.
+class VehicleLintTest : public VehicleFileTest {
+ protected:
+  /// Takes the findings about a description for those that the test has to expect.
+  void Look(const std::string& text) {
+    const std::optional<Vehicle> vehicle = Read(text);
+    ASSERT_TRUE(vehicle.has_value()) << diagnostics_.Format();
+    EXPECT_EQ(diagnostics_.Format(), "");
+    diagnostics_ = Lint(*vehicle);
+  }
+
+  /// Takes one finding in the line of `at`.
+  void ExpectWarning(const std::string& text, const std::string& at, const std::string& message) {
+    Expect(Severity::kWarning, LineOf(text, at), message);
+  }
+};
+
+/// Messages of the findings, all of them warnings, each in the line expected.
+std::vector<std::string> Findings(const Vehicle& vehicle, int line) {
+  std::vector<std::string> messages;
+  const Diagnostics findings = Lint(vehicle);
+  for (const Diagnostic& item : findings.items()) {
+    EXPECT_EQ(item.severity, Severity::kWarning);
+    EXPECT_EQ(item.file, vehicle.file);
+    EXPECT_EQ(item.line, line) << item.message;
+    messages.push_back(item.message);
+  }
+  return messages;
+}
+
+Vehicle QuarterCar() { return ShippedVehicle("quarter_car"); }
+
+TEST(VehicleLint, FindsNothingInTheShippedVehicles) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf"))
+    if (entry.path().extension() == ".urdf") {
+      EXPECT_EQ(Lint(ShippedVehicle(entry.path().stem())).Format(), "");
+      ++count;
+    }
+  EXPECT_GE(count, 5);
+}
+
+TEST_F(VehicleLintTest, FindsNothingInASoundDescription) { Look(kAxle); }
+
+TEST_F(VehicleLintTest, TellsOfPointsThatAreNearlyMirrored) {
+  const std::string text = Replaced(kAxle, R"(<fp:frame name="top_right" link="body" xyz="0 -0.7 0"/>)",
+                                    R"(<fp:frame name="top_right" link="body" xyz="0.012 -0.7 0"/>)");
+  Look(text);
+  ExpectWarning(text, R"(<fp:spring name="coil_right")",
+                "parent's end of fp:spring 'coil_right' is 12 mm off the mirror image of that of fp:spring 'coil_left' "
+                "(line " +
+                    std::to_string(LineOf(text, "<fp:spring name=\"coil_left\"")) + ")");
+}
+
+TEST_F(VehicleLintTest, LetsSidesDifferThatAreNotMeantToBeMirrored) {
+  Look(Replaced(kAxle, R"(<fp:frame name="top_right" link="body" xyz="0 -0.7 0"/>)",
+                R"(<fp:frame name="top_right" link="body" xyz="0.2 -0.7 0"/>)"));
+  EXPECT_EQ(diagnostics_.Format(), "");
+  // Printed to a tenth of a millimetre.
+  Look(Replaced(kAxle, R"(<fp:frame name="top_right" link="body" xyz="0 -0.7 0"/>)",
+                R"(<fp:frame name="top_right" link="body" xyz="0 -0.70005 0"/>)"));
+}
+
+TEST_F(VehicleLintTest, TellsOfNumbersThatDifferByATypingSlip) {
+  const std::string text = Replaced(kAxle, "999 N*s/m", "99.9 N*s/m");
+  Look(text);
+  ExpectWarning(text, R"(<fp:damper name="damper_right")",
+                "compression rate of fp:damper 'damper_right' is 99.9 N*s/m, that of fp:damper 'damper_left'");
+}
+
+TEST_F(VehicleLintTest, LetsNumbersOfBothSidesDiffer) { Look(Replaced(kAxle, "999 N*s/m", "110 N*s/m")); }
+
+TEST(VehicleLint, TellsOfATyreInNewtonsPerMetre) {
+  Vehicle vehicle = QuarterCar();
+  Set(vehicle, "kt", 230);
+  EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line),
+              ElementsAre("stiffness of fp:tyre 'tyre' is 0.23 kN/m, not within 20 kN/m to 2 MN/m; was 230 kN/m "
+                          "meant?"));
+}
+
+TEST(VehicleLint, TellsOfASpringInNewtonsPerMetre) {
+  Vehicle vehicle = QuarterCar();
+  Set(vehicle, "k", 15);
+  EXPECT_THAT(Findings(vehicle, vehicle.springs[0].source_line),
+              ElementsAre(HasSubstr("stiffness of fp:spring 'spring' is 0.015 kN/m, not within 1 kN/m to 1 MN/m; was "
+                                    "15 kN/m meant?")));
+}
+
+TEST(VehicleLint, TellsOfADamperInKilonewtons) {
+  Vehicle vehicle = QuarterCar();
+  Set(vehicle, "c_bump", 1.5e6);
+  Set(vehicle, "c_rebound", 1.5e6);
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre(HasSubstr("compression rate of fp:damper 'damper' is"), HasSubstr("was 1.5 kN*s/m meant?")));
+}
+
+TEST(VehicleLint, TellsOfATyreDampedInKilonewtons) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.tyres[0].damping = {.value = 150e3};
+  EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line),
+              ElementsAre("damping of fp:tyre 'tyre' is 150 kN*s/m, above 100 kN*s/m; was 150 N*s/m meant?"));
+}
+
+TEST(VehicleLint, TellsOfMasses) {
+  Vehicle light = QuarterCar();
+  Set(light, "m_unsprung", 22e-5);
+  EXPECT_THAT(Findings(light, light.links[1].line), ElementsAre(HasSubstr("was 220 g meant?")));
+  Vehicle heavy = QuarterCar();
+  Set(heavy, "m_sprung", 2e5);
+  EXPECT_THAT(Findings(heavy, heavy.links[2].line),
+              ElementsAre(HasSubstr("mass of link 'sprung' is 200000 kg, not within 1 g to 100 t; was 200 kg meant?")));
+}
+
+TEST(VehicleLint, TellsOfABushingAsStiffAsARock) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.bushings.push_back({.name = "mount", .parent = {2, {0, 0, 0}}, .child = {1, {0, 0, 0.4}}, .source_line = 7});
+  vehicle.bushings[0].stiffness[1].value = 0.9e9;
+  EXPECT_THAT(Findings(vehicle, 7), IsEmpty());
+  vehicle.bushings[0].stiffness[1].value = 3e9;
+  EXPECT_THAT(Findings(vehicle, 7), ElementsAre(HasSubstr("stiffness along y of fp:bushing 'mount' is 3000 MN/m")));
+}
+
+TEST(VehicleLint, TellsOfATyresRadius) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.tyres[0].radius = 2.5;
+  vehicle.tyres[0].point.xyz.z() = 2.2;
+  EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line),
+              ElementsAre(HasSubstr("radius of fp:tyre 'tyre' is 2.5 m, not within 100 mm to 2 m; check its digits")));
+}
+
+TEST(VehicleLint, TellsOfMillimetres) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].line.parent.xyz.y() = 350;
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre("parent's end of fp:damper 'damper' is 350 m from the origin of its axes; was 350 mm meant? "
+                          "xyz is in metres"));
+}
+
+TEST(VehicleLint, TellsOfAJointsOriginInMillimetres) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.joints[1].pose.translation().y() = 700;
+  EXPECT_THAT(Findings(vehicle, vehicle.joints[1].line),
+              ElementsAre(HasSubstr("the origin of joint 'body_travel' is 700 m from the origin of its axes")));
+}
+
+Spring Stop(double bump_m, double rebound_m) {
+  Spring stop = QuarterCar().springs[0];
+  stop.element = "fp:stop 'stop'";
+  stop.preload = Scalar();
+  stop.law = {.stiffness = {},
+              .cubic = {},
+              .knees = {{.side = -1, .at = {.value = bump_m}, .rate = {.value = 1e5}, .cubic = {}, .adds = true},
+                        {.side = 1, .at = {.value = rebound_m}, .rate = {.value = 1e5}, .cubic = {}, .adds = true}}};
+  return stop;
+}
+
+TEST(VehicleLint, TellsOfAStopWithoutGaps) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.springs.push_back(Stop(0, 0));
+  EXPECT_THAT(Findings(vehicle, vehicle.springs[1].source_line),
+              ElementsAre(HasSubstr("fp:stop 'stop' has no gap on either side")));
+  vehicle.springs[1] = Stop(0, 0.1);
+  EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+}
+
+TEST(VehicleLint, TellsOfSwappedDamping) {
+  Vehicle vehicle = QuarterCar();
+  Set(vehicle, "c_rebound", 200);
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre("fp:damper 'damper' resists compression with 1.5 kN*s/m and rebound with 200 N*s/m: are the "
+                          "two swapped?"));
+  Set(vehicle, "c_rebound", 400);
+  EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+}
+
+TEST(VehicleLint, TellsOfASensorOffTheVehicle) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.sensors[0].point.xyz = {0, 0, 3.5};
+  EXPECT_THAT(Findings(vehicle, vehicle.sensors[0].source_line),
+              ElementsAre(HasSubstr("fp:sensor 'a_sprung' is 3.5 m from the nearest mass, tyre and element")));
+  vehicle.sensors[0].point.xyz = {0, 0, 2.5};
+  EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+}
+
+TEST(VehicleLint, TellsOfATyreAboveItsPlatform) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.tyres[0].radius = 0.3;
+  vehicle.tyres[0].point.xyz.z() = 0.015;
+  EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+  vehicle.tyres[0].point.xyz.z() = -0.05;
+  EXPECT_THAT(
+      Findings(vehicle, vehicle.tyres[0].source_line),
+      ElementsAre("the point of fp:tyre 'tyre' is 250 mm above the platform, z = 0, in the design pose, but its "
+                  "radius is 300 mm: correct the joint's origin, the point or the radius"));
+}
+
+TEST(VehicleLint, TellsOfATyreBelowItsPlatform) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.tyres[0].point.xyz.z() = -0.6;
+  EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line), ElementsAre(HasSubstr("is -300 mm above the platform")));
+}
+
+TEST(VehicleLint, TellsOfLengths) {
+  Vehicle vehicle = ShippedVehicle("single_wheel_station");
+  vehicle.dampers[0].line.parent.xyz.z() = -0.39;
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre(HasSubstr("fp:damper 'damper' is 10 mm long in the design pose: its direction turns")));
+  vehicle.dampers[0].line.parent.xyz.z() = 2.7;
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre("fp:damper 'damper' is 3.1 m long in the design pose: correct its ends"));
+  vehicle.dampers[0].line.axis = Eigen::Vector3d::UnitZ();
+  EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+}
+
+TEST(VehicleLint, TellsThatThereIsNoPost) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.posts.clear();
+  EXPECT_THAT(Findings(vehicle, 0), ElementsAre(HasSubstr("the vehicle has tyres but no post")));
+}
+
+TEST_F(VehicleLintTest, TellsOfATyreWithoutAPost) {
+  const std::string text = Replaced(kAxle, R"(<fp:post name="right" under="tyre_right"/>)", "");
+  Look(text);
+  ExpectWarning(text, "<fp:tyre name=\"tyre_right\"", "fp:tyre 'tyre_right' has no post while others have one");
+}
+
+TEST(VehicleLint, TellsThatThereIsNoSensor) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.sensors.clear();
+  EXPECT_THAT(Findings(vehicle, 0), ElementsAre(HasSubstr("the vehicle has no sensor")));
+}
+
+// A weight 50 mm outside the left wheel lifts the body off the right coil, another one the wheel as well.
+TEST_F(VehicleLintTest, TellsOfSpringsAndTyresThatArePulled) {
+  const std::string tilting = Replaced(kAxle, R"(<origin xyz="0 0 0"/>)", R"(<origin xyz="0 0.75 0"/>)");
+  Look(tilting);
+  // 500 kg x 9.80665 m/s^2 x 50 mm / 1.4 m = 175 N.
+  ExpectWarning(tilting, R"(<fp:spring name="coil_right")", "fp:spring 'coil_right' is pulled with 175 N at rest");
+  const std::string tilted = Replaced(kAxle, R"(<origin xyz="0 0 0"/>)", R"(<origin xyz="0 1 0"/>)");
+  Look(tilted);
+  ExpectWarning(tilted, R"(<fp:spring name="coil_right")", "fp:spring 'coil_right' is pulled with 1.05 kN at rest");
+  // Less the wheel's weight of 392 N.
+  ExpectWarning(tilted, R"(<fp:tyre name="tyre_right")", "fp:tyre 'tyre_right' pulls on its platform with 658 N");
+}
+
+TEST(VehicleLint, TellsOfAnAxisThatPointsTheWrongWay) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.springs[0].line.axis = -Eigen::Vector3d::UnitZ();
+  EXPECT_THAT(Findings(vehicle, vehicle.springs[0].source_line),
+              ElementsAre(HasSubstr("and its axis, which points from child to parent")));
+}
+
+TEST(VehicleLint, TellsWhatElseCarriesTheWeight) {
+  Vehicle vehicle = QuarterCar();
+  Spring prop = vehicle.springs[0];
+  prop.element = "fp:spring 'prop'";
+  prop.line.child = {0, {0, 0, 0}};
+  vehicle.springs.push_back(prop);
+  EXPECT_THAT(Findings(vehicle, 0), ElementsAre(HasSubstr("the rest is on fp:spring 'prop'; free that")));
+}
+
+// A trailing arm hinged on the ground, its tyre half way between hinge and coil.
+TEST(VehicleLint, TellsOfAJointThatCarriesTheWeight) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.joints[0].type = Joint::Type::kRevolute;
+  vehicle.joints[0].axis = Eigen::Vector3d::UnitY();
+  vehicle.joints[0].pose.translation().x() = -1;
+  vehicle.links[1].com[0].value = 1;
+  vehicle.springs[0].line.child.xyz.x() = 1;
+  vehicle.dampers[0].line.child.xyz.x() = 1;
+  vehicle.tyres[0].point.xyz.x() = 0.5;
+  EXPECT_THAT(Findings(vehicle, 0),
+              ElementsAre("the tyres carry 4.35 kN at rest, but the vehicle weighs 2.18 kN: the rest is on joint "
+                          "'wheel_travel', joint 'body_travel'; free that, or take the loads for those of a guided "
+                          "vehicle"));
+}
+
+TEST_F(VehicleLintTest, TellsWhatNothingHoldsInThePlane) {
+  const std::string text = Kart("damping=\"200 N*s/m\"");
+  Look(text);
+  ExpectWarning(text, "<link name=\"body\"",
+                "nothing resists fore-aft motion of link 'body': give the tyres a longitudinal");
+  ExpectWarning(text, "<link name=\"body\"", "nothing resists lateral motion of link 'body': give the tyres a lateral");
+  ExpectWarning(text, "<link name=\"body\"", "nothing resists yaw of link 'body': give the tyres a lateral stiffness");
+}
+
+// In the plane a tyre has no damping.
+TEST_F(VehicleLintTest, LetsMotionInThePlaneBeUndamped) {
+  Look(Kart("damping=\"200 N*s/m\" lateral=\"80 kN/m\" longitudinal=\"20 kN/m\""));
+}
+
+TEST_F(VehicleLintTest, TellsOfRideThatNothingDamps) {
+  const std::string text = Kart("lateral=\"80 kN/m\" longitudinal=\"20 kN/m\"");
+  Look(text);
+  ExpectWarning(text, "<link name=\"body\"", "no damper damps heave of link 'body'");
+  ExpectWarning(text, "<link name=\"body\"", "no damper damps roll of link 'body'");
+  ExpectWarning(text, "<link name=\"body\"", "no damper damps pitch of link 'body'");
+}
+
+TEST(VehicleLint, TakesFrictionForDamping) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].law = {};
+  vehicle.dampers[0].law.friction = {.force = {.value = 90}, .speed = {.value = 0.002}};
+  vehicle.parameters.resize(4);  // all but the damper's
+  EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+}
+
+TEST_F(VehicleLintTest, TellsOfAParameterThatChangesNothing) {
+  const std::string parameter = R"(<fp:parameter name="I_wheel" value="1 kg*m^2" source="estimate">)"
+                                R"(<fp:bind to="link[wheel_left]/inertia/izz"/></fp:parameter>)";
+  const std::string text = Replaced(kAxle, "</robot>", parameter + "\n</robot>");
+  Look(text);
+  ExpectWarning(text, parameter, "fp:parameter 'I_wheel' changes neither the motion nor a static load");
+}
+
+// What the condensed model does not know of may matter to the march.
+TEST_F(VehicleLintTest, LeavesParametersOfCurvedLawsAlone) {
+  Look(Replaced(kAxle, "</robot>", R"(<fp:parameter name="gap" value="60 mm" source="estimate"/>
+<fp:stop name="stop" parent="top_left" child="wheel_left"><bump gap="$gap" stiffness="200 kN/m"/></fp:stop></robot>)"));
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,81 @@
+#include "vehicles/motion_lint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+
+#include "vehicles/modes.h"
+#include "vehicles/motion_name.h"
+
+namespace fourpost {
+namespace {
+
+using Direction = NamedMotion::Direction;
+
+int LineOf(const Vehicle& vehicle, const std::string& link) {
+  const auto found =
+      std::find_if(vehicle.links.begin(), vehicle.links.end(), [&](const Link& l) { return l.name == link; });
+  return found == vehicle.links.end() ? 0 : found->line;
+}
+
+/// Columns of unit kinetic energy.
+Eigen::MatrixXd FreeMotions(const CondensedModel& model) {
+  // The weight of a car leaves 1e-12 of itself in stiffnesses that are zero, on bodies down to a gram square metre
+  // 1e-4 Hz.
+  constexpr double kAtRest_Hz = 1e-3;
+  constexpr double kOmega = 2 * std::numbers::pi * kAtRest_Hz;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(model.stiffness, model.mass);
+  Eigen::MatrixXd motions(model.mass.rows(), 0);
+  for (Eigen::Index i = 0; i < model.mass.rows(); ++i) {
+    if (std::abs(solver.eigenvalues()[i]) > kOmega * kOmega) continue;
+    motions.conservativeResize(Eigen::NoChange, motions.cols() + 1);
+    motions.rightCols<1>() = solver.eigenvectors().col(i);
+  }
+  return motions;
+}
+
+std::string Remedy(const LintSubject& subject, Direction direction) {
+  if (!subject.vehicle.tyres.empty()) {
+    if (direction == Direction::kForeAft) return "give the tyres a longitudinal stiffness";
+    if (direction == Direction::kLateral || direction == Direction::kYaw) return "give the tyres a lateral stiffness";
+  }
+  return "add a spring or a bushing, or take a joint without this freedom";
+}
+
+/// Whether it moves a damper, if only one whose friction does not show in its mean rate.
+bool MovesADamper(const CondensedModel& model, const Eigen::VectorXd& shape) {
+  constexpr double kStill = 1e-6;  // of the coordinate that moves most
+  return std::any_of(model.dashpots.begin(), model.dashpots.end(), [&](const CondensedModel::Dashpot& dashpot) {
+    return dashpot.law.GreatestRate() > 0 && std::abs(dashpot.direction.dot(shape)) > kStill;
+  });
+}
+
+}  // namespace
+
+void LintFreeMotions(const LintSubject& subject, FileFaults& findings) {
+  for (const NamedMotion& motion : NameMotions(subject.links, FreeMotions(subject.model)))
+    findings.Warning(LineOf(subject.vehicle, motion.link),
+                     "nothing resists " + motion.Text() + ": " + Remedy(subject, motion.direction));
+}
+
+void LintUndampedMotions(const LintSubject& subject, FileFaults& findings) {
+  // Rounding of poles, and far below what any damper gives.
+  constexpr double kUndamped = 1e-6;
+  constexpr double kAtRest_Hz = 1e-3;
+  for (const Mode& mode : ModesOf(subject.condensed, subject.values)) {
+    if (std::abs(mode.damping_ratio) > kUndamped || mode.frequency_Hz < kAtRest_Hz) continue;
+    const Eigen::VectorXd shape = mode.shape.real();
+    if (MovesADamper(subject.model, shape)) continue;
+    for (const NamedMotion& motion : NameMotions(subject.links, shape)) {
+      const bool is_ride = motion.direction == Direction::kHeave || motion.direction == Direction::kRoll ||
+                           motion.direction == Direction::kPitch;
+      if (is_ride)
+        findings.Warning(LineOf(subject.vehicle, motion.link),
+                         "no damper damps " + motion.Text() + ": add an fp:damper, or damping to a bushing or tyre");
+    }
+  }
+}
+
+}  // namespace fourpost
