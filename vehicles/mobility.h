@@ -24,9 +24,10 @@ struct Mobility {
   double loop_residual = 0;
 };
 
-/// Throws FaultyInput, naming the loops and what to do, for a vehicle that its loop closures lock, see LoopLocks: in
-/// the design pose, or as soon as it leaves that: the rank of the loop equations must be the same in poses some
-/// millimetres and milliradians away, each way along each independent motion and along combinations of them.
+/// Throws FaultyInput, naming the loops and what to do, for a vehicle that its loop closures lock: what LoopLocks
+/// finds, and locks of higher order, where the closures cannot follow to poses five millimetres or milliradians away,
+/// each way along each independent motion and along combinations of them. Where they can, the equations have the same
+/// rank.
 Mobility MobilityOf(const Vehicle& vehicle);
 
 }  // namespace fourpost

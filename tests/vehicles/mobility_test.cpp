@@ -71,10 +71,11 @@ std::string Panhard(const std::string& end_on_chassis) {
 const std::string kLevelPanhard = Panhard("0 0.4 -0.35");
 
 /// A bar from the ground to a bar to another one on the ground, in the plane y = 0; the last closure is open.
-std::string ThreeBars() {
+std::string ThreeBars(const std::string& axis = "0 1 0") {
   return Robot(Body("crank", 1) + Body("coupler", 1) + Body("rocker", 1) +
-               Joined("ground", "crank", "continuous", "0 0 0") + Joined("crank", "coupler", "continuous", "0 0 0.3") +
-               Joined("ground", "rocker", "continuous", "0.8 0 0"));
+               Joined("ground", "crank", "continuous", "0 0 0", axis) +
+               Joined("crank", "coupler", "continuous", "0 0 0.3", axis) +
+               Joined("ground", "rocker", "continuous", "0.8 0 0", axis));
 }
 
 /// A plate that moves in the plane y = 0, on upright rods from the ground at x = 0, 0.5, 1.
@@ -119,7 +120,7 @@ TEST_F(MobilityTest, OfAFreeBodyIsSix) {
   EXPECT_EQ(mobility.loop_residual, 0);
 }
 
-TEST_F(MobilityTest, OfShippedVehiclesIsThatOfTheirTrees) {
+TEST(Mobility, OfShippedVehiclesIsThatOfTheirTrees) {
   ExpectCounts(MobilityOf(ShippedVehicle("quarter_car")), 2, 0, 0, 2);
   ExpectCounts(MobilityOf(ShippedVehicle("landrover110_model3")), 7, 0, 0, 7);
 }
@@ -135,6 +136,15 @@ TEST_F(MobilityTest, OfAFourBarLinkageIsOne) {
 TEST_F(MobilityTest, CountsTheRepetitionsOfAHinge) {
   const Mobility mobility =
       Of(With(ThreeBars(), Closed("hinge", "pin", "coupler 0.9 0 0.1", "rocker 0.1 0 0.4", "axis=\"0 1 0\"")));
+  ExpectCounts(mobility, 3, 5, 2, 1);
+  EXPECT_THAT(mobility.redundant, ElementsAre("fp:hinge 'pin' (3 of 5)"));
+}
+
+// Along inclined axes the repetitions agree but for rounding, in each pose for another one.
+TEST_F(MobilityTest, SurvivesTheRoundingOfRepetitions) {
+  const std::string axis = "0.3 1 0.2";
+  const Mobility mobility = Of(
+      With(ThreeBars(axis), Closed("hinge", "pin", "coupler 0.9 0 0.1", "rocker 0.1 0 0.4", "axis=\"" + axis + "\"")));
   ExpectCounts(mobility, 3, 5, 2, 1);
   EXPECT_THAT(mobility.redundant, ElementsAre("fp:hinge 'pin' (3 of 5)"));
 }
@@ -158,6 +168,22 @@ TEST_F(MobilityTest, OfAWishboneSuspensionClosedWithABall) {
   const Mobility mobility = Of(text);
   ExpectCounts(mobility, 4, 3, 2, 2);
   EXPECT_THAT(mobility.redundant, ElementsAre("fp:ball 'upper_joint' (1 of 3)"));
+}
+
+// Inclined axes, ball joints and a track rod: the wheel's steering goes with its travel.
+TEST_F(MobilityTest, OfASpatialWishboneSuspensionIsItsTravel) {
+  const std::string text =
+      Robot(Body("body", 400) + Body("lower", 5) + Body("upper", 3) + Body("upright", 20) +
+            Joined("ground", "body", "prismatic", "0 0 0.5", "0 0 1") +
+            Joined("body", "lower", "continuous", "0 0.3 -0.2", "1 0.1 0.05") +
+            Joined("body", "upper", "continuous", "0 0.35 0.1", "1 -0.05 -0.1") +
+            Joined("ground", "upright", "floating", "0 0.7 0.3") + Tyre("tyre", "upright", "0 0.1 0") +
+            Closed("ball", "lower_joint", "lower 0 0.4 -0.02", "upright 0.01 0 -0.02") +
+            Closed("ball", "upper_joint", "upper 0 0.3 0.01", "upright 0 -0.05 0.31") +
+            Closed("rod", "track_rod", "body -0.1 0.3 -0.1", "upright -0.12 0 0.1"));
+  const Mobility mobility = Of(text);
+  ExpectCounts(mobility, 9, 7, 7, 2);
+  EXPECT_THAT(mobility.redundant, IsEmpty());
 }
 
 TEST_F(MobilityTest, AsksForDigitsWhereAxesAreNearlyParallel) {
@@ -241,7 +267,7 @@ TEST_F(MobilityTest, TellsOfParallelRodsOfUnequalLength) {
                         "fp:rod 'first' (line "));
 }
 
-TEST_F(MobilityTest, TellsOfARodAtDeadCentreThatNothingCanFollow) {
+TEST(Mobility, TellsOfARodAtDeadCentreThatNothingCanFollow) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
   vehicle.rods.push_back({.name = "stay", .parent = {0, {0.5, 0, 0.3}}, .child = {1, {0, 0, 0}}, .source_line = 12});
   try {
@@ -251,6 +277,20 @@ TEST_F(MobilityTest, TellsOfARodAtDeadCentreThatNothingCanFollow) {
     EXPECT_THAT(fault.what(), HasSubstr(":12: error: the loops lock the vehicle: heave of link 'unsprung' is free in "
                                         "the design pose only and cannot go on because of fp:rod 'stay'; correct its "
                                         "place, or put an fp:bushing there"));
+  }
+}
+
+TEST(Mobility, TellsOfARodThatHoldsAWheel) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.rods.push_back({.name = "stay", .parent = {0, {0.5, 0, 0}}, .child = {1, {0, 0, 0}}, .source_line = 12});
+  try {
+    MobilityOf(vehicle);
+    FAIL() << "the wheel moved";
+  } catch (const FaultyInput& fault) {
+    EXPECT_THAT(
+        fault.what(),
+        HasSubstr(":12: error: the loops lock the vehicle: link 'ground' and link 'unsprung' cannot move "
+                  "against each other because of fp:rod 'stay'; correct its place, or put an fp:bushing there"));
   }
 }
 
