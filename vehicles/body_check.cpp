@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -149,6 +150,21 @@ void CheckLengths(const Vehicle& vehicle, FileFaults& faults) {
   }
   for (const Rod& rod : vehicle.rods)
     check.Check("fp:rod '" + rod.name + "'", rod.source_line, rod.parent, rod.child, "move an end, or use fp:ball");
+}
+
+void CheckWheels(const Vehicle& vehicle, FileFaults& faults) {
+  // Steered or cambered, a wheel still turns about an axis nearer to y than to x or z.
+  constexpr double kSideways = 0.70710678118654752;
+  const std::vector<Eigen::Isometry3d> poses = DesignPoses(vehicle);
+  for (const Tyre& tyre : vehicle.tyres) {
+    if (tyre.radius == 0 || tyre.point.link < 0) continue;
+    const auto link = static_cast<std::size_t>(tyre.point.link);
+    const Eigen::Vector3d axis = poses[link].linear().col(1);
+    if (std::abs(axis.y()) > kSideways) continue;
+    faults.Error(tyre.source_line, "fp:tyre '" + tyre.name +
+                                       "' has a radius, so its wheel turns about the y axis of link '" +
+                                       vehicle.links[link].name + "', but that does not point sideways; turn the link");
+  }
 }
 
 void CheckBodies(const Vehicle& vehicle, FileFaults& faults) {

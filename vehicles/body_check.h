@@ -12,4 +12,8 @@ void CheckBodies(const Vehicle& vehicle, FileFaults& faults);
 /// Reports elements that act along the line between their ends when the ends coincide in the design pose.
 void CheckLengths(const Vehicle& vehicle, FileFaults& faults);
 
+/// Reports tyres with a radius whose wheel's axis, the y axis of their link, does not point sideways in the design
+/// pose.
+void CheckWheels(const Vehicle& vehicle, FileFaults& faults);
+
 }  // namespace fourpost
