@@ -81,7 +81,7 @@ class ElementReader {
       if (!law) continue;
       spring.law = laws_.ReadSpring(*law);
       spring.preload = ReadPreload(*law);
-      if (!AttributeText(*law->element, "free_length")) continue;
+      if (!FindAttribute(*law->rule, "free_length") || !AttributeText(*law->element, "free_length")) continue;
       spring.free_length = parameters_.ReadScalar(*law, "free_length");
       if (AttributeText(*law->element, "preload"))
         faults_.Error(law->Line("free_length"), Describe(*tag.element) + " has a preload and a free_length: give one");
@@ -138,10 +138,14 @@ class ElementReader {
     Bushing bushing = ReadClosure<Bushing>(tag);
     bushing.axes = lines_.ReadAxes(tag);
     bushing.holds = tag.Text("preload") == "equilibrium";
-    ReadAxes(tag, "translation", 0, bushing.stiffness);
-    ReadAxes(tag, "rotation", 3, bushing.stiffness);
-    ReadAxes(tag, "translation_damping", 0, bushing.damping);
-    ReadAxes(tag, "rotation_damping", 3, bushing.damping);
+    int laws = ReadAxes(tag, "translation", 0, bushing.stiffness);
+    laws += ReadAxes(tag, "rotation", 3, bushing.stiffness);
+    laws += ReadAxes(tag, "translation_damping", 0, bushing.damping);
+    laws += ReadAxes(tag, "rotation_damping", 3, bushing.damping);
+    if (laws == 0)
+      faults_.Error(tag.Line(), Describe(*tag.element) +
+                                    " resists nothing: give it a <translation>, a <rotation>, a <translation_damping> "
+                                    "or a <rotation_damping>");
     if (const std::optional<Tag> loss = ChildOf(tag, "loss")) {
       bushing.loss_factor = parameters_.ReadScalar(*loss, "factor");
       bushing.loss_frequency_Hz = ReadConstant(*loss, "frequency");
@@ -149,13 +153,14 @@ class ElementReader {
     vehicle_.bushings.push_back(bushing);
   }
 
-  /// Three components from the attributes x, y, z of a child.
-  void ReadAxes(const Tag& tag, std::string_view child, std::size_t first, std::array<Scalar, 6>& components) {
+  /// Three components from the attributes x, y, z of a child; how many such children there are.
+  int ReadAxes(const Tag& tag, std::string_view child, std::size_t first, std::array<Scalar, 6>& components) {
     const std::optional<Tag> found = ChildOf(tag, child);
-    if (!found) return;
+    if (!found) return 0;
     components[first] = parameters_.ReadScalar(*found, "x");
     components[first + 1] = parameters_.ReadScalar(*found, "y");
     components[first + 2] = parameters_.ReadScalar(*found, "z");
+    return 1;
   }
 
   void ReadAntiRollBar(const Tag& tag) {

@@ -1,8 +1,14 @@
 #include "vehicles/law_reader.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/units.h"
 
 namespace fourpost {
 namespace {
@@ -28,7 +34,7 @@ SpringDescription LawReader::ReadSpring(const Tag& law) {
 }
 
 void LawReader::ReadKnees(const Tag& multirate, SpringDescription& law) {
-  std::array<double, 2> last = {0, 0};
+  std::array<Scalar, 2> last;
   for (const Tag& tag : TagsOf(*multirate.element, "fp:spring/multirate/knee")) {
     const int errors = faults_.errors();
     const Scalar at = parameters_.ReadScalar(tag, "at");
@@ -38,12 +44,12 @@ void LawReader::ReadKnees(const Tag& multirate, SpringDescription& law) {
                                        .rate = parameters_.ReadScalar(tag, "stiffness"),
                                        .cubic = {},
                                        .adds = false};
-    double& before = last[side > 0 ? 1 : 0];
-    if (faults_.errors() == errors && parameters_.Least(knee.at) <= before)
+    Scalar& before = last[side > 0 ? 1 : 0];
+    if (faults_.errors() == errors && !parameters_.IsBelow(before, knee.at))
       faults_.Error(tag.Line("at"), "at=\"" + tag.Text("at") + "\" of " + Describe(*tag.element) +
                                         " must lie beyond the knee before it, on either side of zero: knees stand in "
                                         "the order in which the spring meets them, over the whole range of parameters");
-    before = std::max(before, parameters_.Greatest(knee.at));
+    before = knee.at;
     law.knees.push_back(knee);
   }
   if (law.knees.empty())
@@ -110,17 +116,26 @@ void LawReader::ReadTable(const Tag& table, DashpotDescription& dashpot) {
       faults_.Error(tag.Line(),
                     "the point at \"" + tag.Text("speed") + "\" of " + Describe(*table.element) + " " + text);
     };
-    if (parameters_.Least(point.speed) * parameters_.Least(point.force) < 0)
-      fault("pushes on its own motion: force and speed must have one sign");
+    if (!Resists(point))
+      fault("pushes on its own motion: force and speed must have one sign, over the whole range of parameters");
     if (!dashpot.table.empty()) {
       const DashpotDescription::TablePoint& before = dashpot.table.back();
-      if (parameters_.Least(point.speed) <= parameters_.Greatest(before.speed) ||
-          parameters_.Least(point.force) <= parameters_.Greatest(before.force))
-        fault("must have more speed and more force than the point before it");
+      if (!parameters_.IsBelow(before.speed, point.speed) || !parameters_.IsBelow(before.force, point.force))
+        fault("must have more speed and more force than the point before it, over the whole range of parameters");
     }
     dashpot.table.push_back(point);
   }
   if (dashpot.table.size() < 2) faults_.Error(table.Line(), Describe(*table.element) + " needs at least two <point>s");
+}
+
+/// Whether the force never acts with the motion, nor at rest.
+bool LawReader::Resists(const DashpotDescription::TablePoint& point) const {
+  const double least = parameters_.Least(point.speed);
+  const double greatest = parameters_.Greatest(point.speed);
+  if (least > 0) return parameters_.Least(point.force) >= 0;
+  if (greatest < 0) return parameters_.Greatest(point.force) <= 0;
+  const bool is_origin = least == 0 && greatest == 0;
+  return is_origin && parameters_.Least(point.force) == 0 && parameters_.Greatest(point.force) == 0;
 }
 
 /// Whether the force stays the same over some range of speed.
@@ -133,13 +148,38 @@ bool LawReader::CanStick(const DashpotDescription& dashpot) const {
          (is_zero(dashpot.compression_knee.rate) || is_zero(dashpot.rebound_knee.rate));
 }
 
+/// Least slope of the force over all speeds, wherever the rates' parameters go: it is concave in the rates, hence least
+/// at a corner of their bounds.
+double LawReader::LeastRate(const DashpotDescription& dashpot) const {
+  std::vector<double> values = parameters_.Values();
+  double least = dashpot.At(values).LeastRate();
+  const auto set = [&](const Scalar& rate, bool to_upper) {
+    if (rate.parameter < 0) return;
+    const auto i = static_cast<std::size_t>(rate.parameter);
+    values[i] = to_upper ? parameters_.parameters()[i].upper : parameters_.parameters()[i].lower;
+  };
+  for (unsigned corner = 0; corner < 4; ++corner) {
+    set(dashpot.compression, (corner & 1U) != 0);
+    set(dashpot.rebound, (corner & 2U) != 0);
+    least = std::min(least, dashpot.At(values).LeastRate());
+  }
+  return least;
+}
+
 void LawReader::CheckInvertible(const Tag& damper, const Tag& series, const DashpotDescription& dashpot) {
-  if (CanStick(dashpot))
+  if (CanStick(dashpot)) {
     faults_.Error(series.Line(), Describe(*damper.element) + " has a series spring: its rates must be above zero");
-  else if (dashpot.At(parameters_.Values()).LeastRate() <= 0)
-    faults_.Error(series.Line(), Describe(*damper.element) +
-                                     " has a series spring: its force must rise with speed everywhere; for a smooth "
-                                     "law neither rate may be more than eleven times the other");
+    return;
+  }
+  try {
+    if (LeastRate(dashpot) > 0) return;
+  } catch (const std::invalid_argument&) {
+    // A number is missing or its parameter is faulty, which is told there.
+    return;
+  }
+  faults_.Error(series.Line(), Describe(*damper.element) +
+                                   " has a series spring: its force must rise with speed everywhere; for a smooth "
+                                   "law neither rate may be more than eleven times the other");
 }
 
 SpringDescription LawReader::ReadSeries(const Tag& series) {
@@ -149,6 +189,7 @@ SpringDescription LawReader::ReadSeries(const Tag& series) {
 }
 
 HydraulicDescription LawReader::ReadHydraulic(const Tag& law) {
+  const int errors = faults_.errors();
   const auto read = [&](std::string_view name) { return parameters_.ReadScalar(law, name); };
   HydraulicDescription damper{.bleed = read("bleed"),
                               .rebound_valve = read("rebound_valve"),
@@ -159,9 +200,15 @@ HydraulicDescription LawReader::ReadHydraulic(const Tag& law) {
                               .column = read("column"),
                               .gas_pressure = read("gas_pressure"),
                               .gas_volume = read("gas_volume")};
-  if (parameters_.Least(damper.piston_diameter) <= parameters_.Greatest(damper.rod_diameter))
+  if (faults_.errors() > errors) return damper;
+  if (!parameters_.IsBelow(damper.rod_diameter, damper.piston_diameter))
     faults_.Error(law.Line("rod"), "rod=\"" + law.Text("rod") + "\" of " + Describe(*law.element) +
                                        " must be thinner than the piston, \"" + law.Text("piston") + "\"");
+  const double vapour = HydraulicDamper().cavitation_pressure;
+  if (parameters_.Least(damper.gas_pressure) <= vapour)
+    faults_.Error(law.Line("gas_pressure"), "gas_pressure=\"" + law.Text("gas_pressure") + "\" of " +
+                                                Describe(*law.element) + " must be above that of cavitation, " +
+                                                FormatQuantity(vapour, "kPa"));
   return damper;
 }
 

@@ -29,6 +29,8 @@ class LawReader {
   void ReadRates(const Tag& law, DashpotDescription& dashpot);
   void ReadTable(const Tag& table, DashpotDescription& dashpot);
   void CheckInvertible(const Tag& damper, const Tag& series, const DashpotDescription& dashpot);
+  bool Resists(const DashpotDescription::TablePoint& point) const;
+  double LeastRate(const DashpotDescription& dashpot) const;
   bool CanStick(const DashpotDescription& dashpot) const;
 
   ParameterReader& parameters_;

@@ -333,6 +333,11 @@ double ParameterReader::Greatest(const Scalar& scalar) const {
   return -Least(mirrored);
 }
 
+bool ParameterReader::IsBelow(const Scalar& a, const Scalar& b) const {
+  if (a.parameter != b.parameter) return Greatest(a) < Least(b);
+  return Least({.value = b.value - a.value, .parameter = b.parameter, .factor = b.factor - a.factor}) > 0;
+}
+
 void ParameterReader::CheckUse() const {
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     const Parameter& parameter = parameters_[i];

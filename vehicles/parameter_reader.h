@@ -36,6 +36,8 @@ class ParameterReader {
   /// The least and the greatest value that a number takes within the bounds of its parameter.
   double Least(const Scalar& scalar) const;
   double Greatest(const Scalar& scalar) const;
+  /// Whether a < b wherever their parameters go.
+  bool IsBelow(const Scalar& a, const Scalar& b) const;
 
   /// Reports parameters that nothing refers to.
   void CheckUse() const;

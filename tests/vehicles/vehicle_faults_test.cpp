@@ -1,19 +1,8 @@
+#include "tests/vehicles/fault_case.h"
 #include "tests/vehicles/small_vehicle.h"
 
 namespace fourpost {
 namespace {
-
-/// One thing broken in a good file.
-struct FaultCase {
-  std::string name;
-  std::string from;
-  std::string to;
-  /// Stands first in the line that must be named.
-  std::string at;
-  std::string message;
-};
-
-std::ostream& operator<<(std::ostream& out, const FaultCase& fault) { return out << fault.name; }
 
 class VehicleFaults : public VehicleFileTest, public ::testing::WithParamInterface<FaultCase> {};
 
@@ -23,8 +12,6 @@ TEST_P(VehicleFaults, AreToldWithTheirLine) {
   EXPECT_FALSE(Read(text).has_value());
   Expect(Severity::kError, LineOf(text, fault.at), fault.message);
 }
-
-std::string CaseName(const ::testing::TestParamInfo<FaultCase>& info) { return info.param.name; }
 
 const std::string kStand = "<fp:frame name=\"stand\" link=\"ground\" xyz=\"0 0 0.3\"/>\n";
 const std::string kCoil = R"(<linear stiffness="0.5*$k" preload="-2 kN"/>)";
