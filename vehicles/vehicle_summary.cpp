@@ -3,23 +3,48 @@
 #include <Eigen/Eigenvalues>
 
 #include "vehicles/condensed_vehicle.h"
+#include "vehicles/design_kinematics.h"
+#include "vehicles/gravity.h"
+#include "vehicles/mode_names.h"
+#include "vehicles/wheel_travel.h"
 
 namespace fourpost {
 
+double VehicleSummary::Weight_N() const { return mass_kg * kGravity; }
+
+double VehicleSummary::TyreLoad_N() const {
+  double sum = 0;
+  for (const CornerLoad& corner : corner_loads) sum += corner.load_N;
+  return sum;
+}
+
+std::optional<double> VehicleSummary::SprungMass_kg() const {
+  if (!ride.unsprung_mass_kg) return std::nullopt;
+  return mass_kg - *ride.unsprung_mass_kg;
+}
+
 VehicleSummary Summarise(const Vehicle& vehicle, std::span<const double> parameters) {
   const CondensedVehicle condensed(vehicle);
+  const CondensedModel model = condensed.At(parameters);
+  const Kinematics pose = DesignKinematics(vehicle);
   VehicleSummary summary;
   summary.dof = condensed.size();
-  for (const CondensedVehicle::LinkMotion& link : condensed.LinkMotions(parameters)) {
-    summary.mass_kg += link.mass;
-    summary.com += link.mass * link.com;
-  }
-  if (summary.mass_kg > 0) summary.com /= summary.mass_kg;
-  const Preloads preloads = condensed.PreloadsAt(parameters);
+  summary.suspension = SuspensionOf(vehicle, pose, parameters);
+  std::vector<MassProperties> masses;
+  for (const BodyMotion& body : summary.suspension.bodies) masses.push_back(body.mass);
+  const MassProperties whole = Joined(masses);
+  summary.mass_kg = whole.mass;
+  summary.com = whole.com;
+  summary.inertia = whole.inertia;
   for (std::size_t i = 0; i < vehicle.tyres.size(); ++i)
-    summary.corner_loads.push_back({vehicle.tyres[i].name, preloads.tyre[i]});
-  summary.modes = ModesOf(condensed, parameters);
-  summary.growth_rate = StateMatrix(condensed.At(parameters)).eigenvalues().real().maxCoeff();
+    summary.corner_loads.push_back({vehicle.tyres[i].name, model.preloads.tyre[i]});
+  summary.spring_tension = model.preloads.spring;
+  const HeldChassis held(summary.suspension, StiffnessWithoutTyres(vehicle, pose, parameters, model.stiffness));
+  summary.ride = RideGeometryOf(vehicle, pose, summary.suspension, held, model, parameters);
+  summary.modes = ModesOf(model);
+  NameModes(summary.suspension, held, summary.modes);
+  summary.growth_rate = StateMatrix(model).eigenvalues().real().maxCoeff();
+  summary.views = ParameterViews(vehicle, condensed, pose, parameters);
   return summary;
 }
 

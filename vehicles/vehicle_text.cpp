@@ -21,13 +21,13 @@ class TextEdits {
   TextEdits(const std::string& text, const XMLElement& root) : text_(text), tags_(ScanTags(text)) { Number(root); }
 
   void Replace(const XMLElement& element, std::string_view attribute, const std::string& value) {
-    for (const AttributePlace& place : tags_.at(index_.at(&element)))
+    for (const AttributePlace& place : tags_.at(index_.at(&element)).attributes)
       if (place.name == attribute) edits_[place.begin] = {place.end, Escaped(value, place.quote)};
   }
 
   /// With the blanks before it.
   void Remove(const XMLElement& element, std::string_view attribute) {
-    for (const AttributePlace& place : tags_.at(index_.at(&element))) {
+    for (const AttributePlace& place : tags_.at(index_.at(&element)).attributes) {
       if (place.name != attribute) continue;
       const auto name = static_cast<std::size_t>(place.name.data() - text_.data());
       edits_[text_.find_last_not_of(" \t\r\n", name - 1) + 1] = {place.end + 1, ""};

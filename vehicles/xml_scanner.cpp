@@ -43,8 +43,9 @@ class Scanner {
 
   TagPlaces ReadTag() {
     TagPlaces places;
-    at_ = text_.find_first_of(" \t\r\n/>", at_);
-    while (std::optional<AttributePlace> place = ReadAttribute()) places.push_back(*place);
+    at_ = std::min(text_.size(), text_.find_first_of(" \t\r\n/>", at_));
+    places.name_end = at_;
+    while (std::optional<AttributePlace> place = ReadAttribute()) places.attributes.push_back(*place);
     return places;
   }
 

@@ -16,7 +16,11 @@ struct AttributePlace {
 };
 
 /// The attributes of one start tag.
-using TagPlaces = std::vector<AttributePlace>;
+struct TagPlaces {
+  /// Just behind the tag's name.
+  std::size_t name_end = 0;
+  std::vector<AttributePlace> attributes;
+};
 
 /// Finds the start tags of a well-formed XML text, in document order: the order in which a walk through the parsed
 /// document meets its elements. Comments, declarations and CDATA are passed over.

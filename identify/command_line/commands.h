@@ -10,6 +10,8 @@ namespace fourpost {
 struct CheckCommand {
   std::filesystem::path model;
   bool json = false;
+  /// Print the file with its defaults filled in, in place of the report.
+  bool resolved = false;
 };
 
 /// How a periodic response is found.

@@ -59,9 +59,13 @@ int main(int argc, char** argv) {
   std::function<int()> run;
 
   CheckCommand check;
-  CLI::App* sub = app.add_subcommand("check", "Check a vehicle file; show loads, modes and parameters");
+  CLI::App* sub =
+      app.add_subcommand("check", "Check a vehicle file; show bodies, loads, rates, modes and what sensors see");
   sub->add_option("MODEL", check.model, "Vehicle file (.urdf)")->required();
-  sub->add_flag("--json", check.json, "Print JSON");
+  CLI::Option* check_json = sub->add_flag("--json", check.json, "Print JSON");
+  sub->add_flag("--resolved", check.resolved,
+                "Print the file with every default of fp: tags filled in, meshes named for a file in this folder")
+      ->excludes(check_json);
   sub->callback([&] { run = [&] { return Run(check); }; });
 
   ResponseCommand response;

@@ -15,13 +15,16 @@ TEST(XmlScanner, FindsAttributesInDocumentOrder) {
       "<?xml version='1.0'?><!-- <a x='1'/> --><b y = 'say \"hi\"'\n z=\"2 > 1\"><![CDATA[<c/>]]><d/></b>";
   const std::vector<TagPlaces> tags = ScanTags(text);
   ASSERT_EQ(tags.size(), 2U);
-  ASSERT_EQ(tags[0].size(), 2U);
-  EXPECT_EQ(tags[0][0].name, "y");
-  EXPECT_EQ(text.substr(tags[0][0].begin, tags[0][0].end - tags[0][0].begin), R"(say "hi")");
-  EXPECT_EQ(tags[0][0].quote, '\'');
-  EXPECT_EQ(tags[0][1].name, "z");
-  EXPECT_EQ(text.substr(tags[0][1].begin, tags[0][1].end - tags[0][1].begin), "2 > 1");
-  EXPECT_TRUE(tags[1].empty());
+  ASSERT_EQ(tags[0].attributes.size(), 2U);
+  const AttributePlace& y = tags[0].attributes[0];
+  EXPECT_EQ(y.name, "y");
+  EXPECT_EQ(text.substr(y.begin, y.end - y.begin), R"(say "hi")");
+  EXPECT_EQ(y.quote, '\'');
+  const AttributePlace& z = tags[0].attributes[1];
+  EXPECT_EQ(z.name, "z");
+  EXPECT_EQ(text.substr(z.begin, z.end - z.begin), "2 > 1");
+  EXPECT_TRUE(tags[1].attributes.empty());
+  EXPECT_EQ(text.substr(tags[1].name_end - 2, 3), "<d/");
 }
 
 class VehicleText : public VehicleFileTest {

@@ -1,0 +1,169 @@
+#include "identify/command_line/check_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "identify/command_line/check_text.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+Json Vector(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+Json Tree(const Vehicle& vehicle) {
+  const std::vector<double> values = vehicle.ParameterValues();
+  const auto link = [&](int index) -> const Link& { return vehicle.links[static_cast<std::size_t>(index)]; };
+  Json tree = Json::array();
+  for (const Joint& joint : vehicle.joints)
+    tree.push_back({{"link", link(joint.child).name},
+                    {"parent", link(joint.parent).name},
+                    {"joint", joint.name},
+                    {"motion", DescribeJoint(joint)},
+                    {"mass_kg", link(joint.child).mass.At(values)}});
+  return tree;
+}
+
+template <typename Element>
+void AddClosures(const Vehicle& vehicle, const char* kind, const std::vector<Element>& elements, Json& json) {
+  const auto link = [&](const Point& point) { return vehicle.links[static_cast<std::size_t>(point.link)].name; };
+  for (const Element& element : elements)
+    json.push_back(
+        {{"name", element.name}, {"kind", kind}, {"parent", link(element.parent)}, {"child", link(element.child)}});
+}
+
+Json Closures(const Vehicle& vehicle) {
+  Json closures = Json::array();
+  AddClosures(vehicle, "rod", vehicle.rods, closures);
+  AddClosures(vehicle, "ball", vehicle.balls, closures);
+  AddClosures(vehicle, "hinge", vehicle.hinges, closures);
+  AddClosures(vehicle, "weld", vehicle.welds, closures);
+  return closures;
+}
+
+Json Inertia(const Eigen::Matrix3d& inertia) {
+  return {{"Ixx", inertia(0, 0)}, {"Iyy", inertia(1, 1)}, {"Izz", inertia(2, 2)},
+          {"Ixy", inertia(0, 1)}, {"Ixz", inertia(0, 2)}, {"Iyz", inertia(1, 2)}};
+}
+
+/// A rate without bound is written as null.
+Json Rates(const WheelRates::Rates& rates) {
+  return {{"wheel_rate_N_per_m", rates.wheel_Npm}, {"ride_rate_N_per_m", rates.ride_Npm}};
+}
+
+Json Corners(const VehicleSummary& summary) {
+  Json corners = Json::array();
+  for (std::size_t i = 0; i < summary.suspension.wheels.size(); ++i) {
+    const WheelRates& rates = summary.ride.wheels[i];
+    corners.push_back({{"name", summary.suspension.wheels[i].name},
+                       {"load_N", summary.corner_loads[i].load_N},
+                       {"tyre_rate_N_per_m", rates.tyre_Npm},
+                       {"alone", Rates(rates.alone)},
+                       {"together", Rates(rates.together)}});
+  }
+  return corners;
+}
+
+Json Axles(const VehicleSummary& summary) {
+  Json axles = Json::array();
+  for (std::size_t a = 0; a < summary.suspension.axles.size(); ++a) {
+    const Axle& axle = summary.suspension.axles[a];
+    Json tyres = Json::array();
+    for (const std::size_t i : axle.wheels) tyres.push_back(summary.suspension.wheels[i].name);
+    axles.push_back(
+        {{"name", axle.name}, {"tyres", tyres}, {"roll_stiffness_Nm_per_rad", OrNull(summary.ride.axles[a].roll_Nm)}});
+  }
+  return axles;
+}
+
+Json Strut(const VehicleSummary& summary, const std::string& element, const StrutGeometry& strut, const char* rate) {
+  const bool is_moved = strut.wheel >= 0;
+  const auto wheel = static_cast<std::size_t>(strut.wheel);
+  return {{"element", element},
+          {"length_m", strut.length_m},
+          {rate, strut.rate},
+          {"moved_by", is_moved ? Json(summary.suspension.wheels[wheel].name) : Json()},
+          {"motion_ratio_alone", OrNull(strut.alone)},
+          {"motion_ratio_together", OrNull(strut.together)}};
+}
+
+Json Struts(const Vehicle& vehicle, const VehicleSummary& summary) {
+  Json struts = Json::array();
+  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
+    struts.push_back(Strut(summary, vehicle.springs[i].element, summary.ride.springs[i], "rate_N_per_m"));
+    struts.back()["tension_N"] = summary.spring_tension[i];
+  }
+  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i)
+    struts.push_back(
+        Strut(summary, "fp:damper '" + vehicle.dampers[i].name + "'", summary.ride.dampers[i], "mean_rate_Ns_per_m"));
+  for (std::size_t i = 0; i < vehicle.antiroll_bars.size(); ++i)
+    struts.push_back(Strut(summary, "fp:antiroll '" + vehicle.antiroll_bars[i].name + "'",
+                           summary.ride.antiroll_bars[i], "rate_N_per_m"));
+  return struts;
+}
+
+Json Modes(const VehicleSummary& summary) {
+  Json modes = Json::array();
+  for (const Mode& mode : summary.modes) {
+    Json energy = Json::object();
+    for (const MotionShare& part : mode.energy) energy[part.motion] = part.share;
+    modes.push_back({{"name", mode.name},
+                     {"kind", KindName(mode.kind)},
+                     {"frequency_Hz", mode.frequency_Hz},
+                     {"damping_ratio", mode.damping_ratio},
+                     {"kinetic_energy", energy}});
+  }
+  return modes;
+}
+
+Json Parameters(const Vehicle& vehicle) {
+  Json parameters = Json::array();
+  for (const Parameter& parameter : vehicle.parameters)
+    parameters.push_back({{"name", parameter.name},
+                          {"value", parameter.value},
+                          {"unit", SiUnit(parameter.dimension)},
+                          {"lower", parameter.lower},
+                          {"upper", parameter.upper},
+                          {"source", parameter.source}});
+  return parameters;
+}
+
+Json Views(const VehicleSummary& summary) {
+  Json views = Json::array();
+  for (const ParameterView& view : summary.views) {
+    Json channels = Json::array();
+    for (const ParameterView::Channel& channel : view.channels)
+      channels.push_back({{"sensor", channel.sensor},
+                          {"excitation", channel.excitation},
+                          {"relative_sensitivity", channel.sensitivity}});
+    views.push_back({{"parameter", view.parameter}, {"channels", channels}});
+  }
+  return views;
+}
+
+}  // namespace
+
+std::string CheckJson(const Vehicle& vehicle, const VehicleSummary& summary) {
+  const Json json = {{"name", vehicle.name},
+                     {"dof", summary.dof},
+                     {"tree", Tree(vehicle)},
+                     {"loop_closures", Closures(vehicle)},
+                     {"mass_kg", summary.mass_kg},
+                     {"sprung_mass_kg", OrNull(summary.SprungMass_kg())},
+                     {"unsprung_mass_kg", OrNull(summary.ride.unsprung_mass_kg)},
+                     {"com_m", Vector(summary.com)},
+                     {"inertia_kg_m2", Inertia(summary.inertia)},
+                     {"weight_N", summary.Weight_N()},
+                     {"corners", Corners(summary)},
+                     {"axles", Axles(summary)},
+                     {"struts", Struts(vehicle, summary)},
+                     {"modes", Modes(summary)},
+                     {"stable", summary.IsStable()},
+                     {"parameters", Parameters(vehicle)},
+                     {"observability", Views(summary)}};
+  return json.dump(2) + '\n';
+}
+
+}  // namespace fourpost

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "vehicles/vehicle.h"
+#include "vehicles/vehicle_summary.h"
+
+namespace fourpost {
+
+/// What `fourpost check --json` prints. Units stand in the keys, angles in rad; what is not known is null, and so is a
+/// rate without bound.
+std::string CheckJson(const Vehicle& vehicle, const VehicleSummary& summary);
+
+}  // namespace fourpost

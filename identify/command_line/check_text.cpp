@@ -1,0 +1,326 @@
+#include "identify/command_line/check_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <numeric>
+
+#include "analysis/units.h"
+#include "identify/command_line/text_table.h"
+
+namespace fourpost {
+namespace {
+
+constexpr double kHighestMode_Hz = 30;
+
+std::string Fixed(double value, int decimals) {
+  char text[64];
+  // Zero has no sign.
+  const double unit = std::pow(10, -decimals);
+  std::snprintf(text, sizeof text, "%.*f", decimals, std::abs(value) < 0.5 * unit ? 0 : value);
+  return text;
+}
+
+/// Without zeros behind the point that say nothing: what a file states.
+std::string Short(double value, int digits) {
+  std::string text = Rounded(value, digits);
+  if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string InPerMm(double rate_Npm) { return Rounded(rate_Npm / 1000, 4); }
+
+std::string Ratio(const std::optional<double>& ratio) { return ratio ? Fixed(*ratio, 3) : "-"; }
+
+/// 'coil' of "fp:spring 'coil'".
+std::string NameIn(const std::string& element) {
+  const std::size_t begin = element.find('\'') + 1;
+  return element.substr(begin, element.rfind('\'') - begin);
+}
+
+/// "spring" of "fp:spring 'coil'", "gas" of "the gas of fp:damper 'strut'".
+std::string KindOf(const std::string& element) {
+  for (const char* kind : {"gas", "stop"})
+    if (element.find(kind) < element.find('\'')) return kind;
+  return "spring";
+}
+
+std::string AxisText(const Eigen::Vector3d& axis) {
+  constexpr double kAligned = 1e-6;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (std::abs(axis[i]) > 1 - kAligned) return std::string(axis[i] < 0 ? "-" : "") + "xyz"[i];
+  return Fixed(axis.x(), 3) + " " + Fixed(axis.y(), 3) + " " + Fixed(axis.z(), 3);
+}
+
+class Tree {
+ public:
+  explicit Tree(const Vehicle& vehicle) : vehicle_(vehicle), values_(vehicle.ParameterValues()) {}
+
+  std::string Format() {
+    table_.Add({vehicle_.links.front().name, "", "", "-"});
+    AddChildren(0, 1);
+    return table_.Format();
+  }
+
+ private:
+  void AddChildren(int parent, std::size_t depth) {
+    for (const Joint& joint : vehicle_.joints) {
+      if (joint.parent != parent) continue;
+      const Link& link = vehicle_.links[static_cast<std::size_t>(joint.child)];
+      const double mass = link.mass.At(values_);
+      table_.Add({std::string(2 * depth, ' ') + link.name, joint.name, DescribeJoint(joint),
+                  mass == 0 ? "-" : Short(mass, 5)});
+      AddChildren(joint.child, depth + 1);
+    }
+  }
+
+  const Vehicle& vehicle_;
+  std::vector<double> values_;
+  TextTable table_{{"link", "joint", "motion", "mass, kg"}};
+};
+
+template <typename Element>
+void AddJoined(const Vehicle& vehicle, const char* kind, const std::vector<Element>& elements, TextTable& table) {
+  const auto link = [&](const Point& point) { return vehicle.links[static_cast<std::size_t>(point.link)].name; };
+  for (const Element& element : elements) table.Add({element.name, kind, link(element.parent), link(element.child)});
+}
+
+std::string Closures(const Vehicle& vehicle) {
+  if (!vehicle.HasLoops() && vehicle.bushings.empty()) return "";
+  TextTable table({"between links", "kind", "parent", "child"});
+  AddJoined(vehicle, "rod", vehicle.rods, table);
+  AddJoined(vehicle, "ball", vehicle.balls, table);
+  AddJoined(vehicle, "hinge", vehicle.hinges, table);
+  AddJoined(vehicle, "weld", vehicle.welds, table);
+  AddJoined(vehicle, "bushing", vehicle.bushings, table);
+  return table.Format() + '\n';
+}
+
+std::string Masses(const VehicleSummary& summary) {
+  const auto mass = [](double kg) { return Short(kg, 5) + " kg"; };
+  const Eigen::Vector3d& com = summary.com;
+  const Eigen::Matrix3d& inertia = summary.inertia;
+  // Rounding of a sum of symmetric parts.
+  const double nothing = 1e-9 * inertia.trace();
+  const auto moment = [&](const char* name, double value) {
+    return std::string(name) + " " + Rounded(std::abs(value) < nothing ? 0 : value, 4);
+  };
+  std::string text = "mass            " + mass(summary.mass_kg);
+  if (const std::optional<double> sprung = summary.SprungMass_kg())
+    text += ": sprung " + mass(*sprung) + ", unsprung " + mass(*summary.ride.unsprung_mass_kg);
+  text += "\ncentre of mass  x " + Fixed(com.x(), 3) + " m, y " + Fixed(com.y(), 3) + " m, z " + Fixed(com.z(), 3) +
+          " m\ninertia, kg*m^2 " + moment("Ixx", inertia(0, 0)) + ", " + moment("Iyy", inertia(1, 1)) + ", " +
+          moment("Izz", inertia(2, 2)) + ", " + moment("Ixy", inertia(0, 1)) + ", " + moment("Ixz", inertia(0, 2)) +
+          ", " + moment("Iyz", inertia(1, 2)) + ", about the centre of mass\nweight          " +
+          Rounded(summary.Weight_N(), 5) + " N";
+  if (!summary.suspension.wheels.empty()) text += ", on the tyres " + Rounded(summary.TyreLoad_N(), 5) + " N";
+  return text + "\n\n";
+}
+
+/// Whether wheels can move alone or together, which makes two rates of one.
+bool HasPairs(const VehicleSummary& summary) {
+  const std::vector<Axle>& axles = summary.suspension.axles;
+  return std::any_of(axles.begin(), axles.end(), [](const Axle& axle) { return axle.wheels.size() > 1; });
+}
+
+std::vector<std::string> Head(std::vector<std::string> head, const std::vector<std::string>& more, bool with_more) {
+  if (with_more) head.insert(head.end(), more.begin(), more.end());
+  return head;
+}
+
+std::string Wheels(const VehicleSummary& summary) {
+  if (summary.suspension.wheels.empty()) return "";
+  const bool pairs = HasPairs(summary);
+  TextTable table(Head({"tyre", "load, N", "tyre, N/mm", "wheel rate, N/mm", "ride rate, N/mm"},
+                       {"wheel, together", "ride, together"}, pairs));
+  for (std::size_t i = 0; i < summary.suspension.wheels.size(); ++i) {
+    const WheelRates& rates = summary.ride.wheels[i];
+    table.Add(Head({summary.suspension.wheels[i].name, Rounded(summary.corner_loads[i].load_N, 5),
+                    InPerMm(rates.tyre_Npm), InPerMm(rates.alone.wheel_Npm), InPerMm(rates.alone.ride_Npm)},
+                   {InPerMm(rates.together.wheel_Npm), InPerMm(rates.together.ride_Npm)}, pairs));
+  }
+  const char* note =
+      "Chassis held. Wheel rate: at the foot of a wheel that moves alone; together: with its axle's other wheel. Ride\n"
+      "rate: that in series with the tyre.\n";
+  const char* short_note =
+      "Chassis held. Wheel rate: at the foot of a wheel. Ride rate: that in series with the tyre.\n";
+  return table.Format() + (pairs ? note : short_note) + '\n';
+}
+
+std::string Axles(const VehicleSummary& summary) {
+  if (!HasPairs(summary)) return "";
+  TextTable table({"axle", "load, N", "share, %", "roll stiffness, N*m/deg"});
+  for (std::size_t a = 0; a < summary.suspension.axles.size(); ++a) {
+    const Axle& axle = summary.suspension.axles[a];
+    double load = 0;
+    for (const std::size_t i : axle.wheels) load += summary.corner_loads[i].load_N;
+    const std::optional<double>& roll = summary.ride.axles[a].roll_Nm;
+    table.Add({axle.name, Rounded(load, 5), Fixed(100 * load / summary.TyreLoad_N(), 1),
+               roll ? Rounded(*roll * std::numbers::pi / 180, 4) : "-"});
+  }
+  return table.Format() + '\n';
+}
+
+std::string WheelName(const VehicleSummary& summary, const StrutGeometry& strut) {
+  return strut.wheel < 0 ? "none" : summary.suspension.wheels[static_cast<std::size_t>(strut.wheel)].name;
+}
+
+std::string Springs(const Vehicle& vehicle, const VehicleSummary& summary) {
+  if (vehicle.springs.empty()) return "";
+  const bool pairs = HasPairs(summary);
+  TextTable table(Head({"spring", "kind", "length, mm", "tension, N", "rate, N/mm", "moved by", "motion ratio"},
+                       {"together"}, pairs));
+  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
+    const StrutGeometry& strut = summary.ride.springs[i];
+    const std::string& element = vehicle.springs[i].element;
+    table.Add(
+        Head({NameIn(element), KindOf(element), Fixed(1000 * strut.length_m, 1), Rounded(summary.spring_tension[i], 5),
+              InPerMm(strut.rate), WheelName(summary, strut), Ratio(strut.alone)},
+             {Ratio(strut.together)}, pairs));
+  }
+  return table.Format() + '\n';
+}
+
+std::string Dampers(const Vehicle& vehicle, const VehicleSummary& summary) {
+  if (vehicle.dampers.empty()) return "";
+  const bool pairs = HasPairs(summary);
+  TextTable table(Head({"damper", "length, mm", "mean rate, N*s/m", "moved by", "motion ratio"}, {"together"}, pairs));
+  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i) {
+    const StrutGeometry& strut = summary.ride.dampers[i];
+    table.Add(Head({vehicle.dampers[i].name, Fixed(1000 * strut.length_m, 1), Rounded(strut.rate, 4),
+                    WheelName(summary, strut), Ratio(strut.alone)},
+                   {Ratio(strut.together)}, pairs));
+  }
+  return table.Format() + '\n';
+}
+
+std::string AntiRollBars(const Vehicle& vehicle, const VehicleSummary& summary) {
+  if (vehicle.antiroll_bars.empty()) return "";
+  TextTable table({"anti-roll bar", "rate, N/mm", "moved by", "motion ratio"});
+  for (std::size_t i = 0; i < vehicle.antiroll_bars.size(); ++i) {
+    const StrutGeometry& strut = summary.ride.antiroll_bars[i];
+    table.Add({vehicle.antiroll_bars[i].name, InPerMm(strut.rate), WheelName(summary, strut), Ratio(strut.alone)});
+  }
+  return table.Format() + '\n';
+}
+
+/// The greatest shares, of a tenth or more.
+std::string Energy(const Mode& mode) {
+  constexpr double kLeast = 0.1;
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(mode.energy.size(), kMost); ++i)
+    if (mode.energy[i].share >= kLeast)
+      text += (text.empty() ? "" : ", ") + mode.energy[i].motion + " " + Fixed(100 * mode.energy[i].share, 0) + " %";
+  return text;
+}
+
+std::string ModeRows(const VehicleSummary& summary) {
+  TextTable table({"mode", "Hz", "damping ratio", "kinetic energy"});
+  std::size_t above = 0;
+  for (const Mode& mode : summary.modes) {
+    if (mode.frequency_Hz > kHighestMode_Hz) {
+      ++above;
+      continue;
+    }
+    std::string hertz = Rounded(mode.frequency_Hz, 4);
+    std::string damping = Fixed(mode.damping_ratio, 3);
+    if (mode.frequency_Hz == 0) hertz = damping = "-";
+    const bool oscillates = mode.kind == Mode::Kind::kOscillating;
+    table.Add({mode.name + (oscillates ? "" : std::string(", ") + KindName(mode.kind)), hertz, damping, Energy(mode)});
+  }
+  const std::string more =
+      above == 0 ? "" : std::to_string(above) + " more above " + Rounded(kHighestMode_Hz, 2) + " Hz\n";
+  return table.Format() + more + '\n';
+}
+
+/// Words in lines no longer than this.
+std::vector<std::string> Wrapped(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines;
+  std::string rest = text;
+  while (rest.size() > width) {
+    const std::size_t blank = rest.rfind(' ', width);
+    if (blank == std::string::npos || blank == 0) break;
+    lines.push_back(rest.substr(0, blank));
+    rest.erase(0, blank + 1);
+  }
+  lines.push_back(rest);
+  return lines;
+}
+
+bool IsFree(const Parameter& parameter) { return parameter.upper > parameter.lower; }
+
+std::string ShortInUnit(double si, const Parameter& parameter) {
+  return Short(si / ParseUnit(parameter.unit.empty() ? "1" : parameter.unit)->si, 5);
+}
+
+std::string Range(const Parameter& parameter) {
+  if (!IsFree(parameter)) return "fixed";
+  return ShortInUnit(parameter.lower, parameter) + " .. " + ShortInUnit(parameter.upper, parameter);
+}
+
+/// The source comes last and takes as many lines as it needs.
+std::string Parameters(const Vehicle& vehicle) {
+  if (vehicle.parameters.empty()) return "";
+  constexpr std::size_t kWidth = 108;
+  const std::vector<std::string> head = {"parameter", "value", "unit", "range"};
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::size_t> widths;
+  for (const std::string& cell : head) widths.push_back(cell.size());
+  for (const Parameter& parameter : vehicle.parameters) {
+    rows.push_back({parameter.name, ShortInUnit(parameter.value, parameter), parameter.unit, Range(parameter)});
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], rows.back()[i].size());
+  }
+  const std::size_t used = std::accumulate(widths.begin(), widths.end(), 2 * widths.size());
+  TextTable table(Head(head, {"source"}, true));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const std::string& line : Wrapped(vehicle.parameters[i].source, kWidth - std::min(used, kWidth / 2))) {
+      table.Add(Head(rows[i], {line}, true));
+      rows[i].assign(rows[i].size(), "");
+    }
+  }
+  return table.Format() + '\n';
+}
+
+std::string Views(const VehicleSummary& summary) {
+  if (summary.views.empty()) return "";
+  TextTable table({"parameter", "seen best by", "then", "then"});
+  for (const ParameterView& view : summary.views) {
+    std::array<std::string, 3> cells;
+    for (std::size_t i = 0; i < std::min(view.channels.size(), cells.size()); ++i)
+      cells[i] =
+          view.channels[i].sensor + " " + Fixed(view.channels[i].sensitivity, 2) + " " + view.channels[i].excitation;
+    if (view.channels.empty()) cells[0] = "none";
+    table.Add({view.parameter, cells[0], cells[1], cells[2]});
+  }
+  return table.Format() +
+         "Change of the sensor's frequency response, 0.5 to 30 Hz, in % per % of the parameter (at least per % of "
+         "half\n"
+         "its range), by the motion of the posts that shows it best; small motion, mean damper rates.\n";
+}
+
+}  // namespace
+
+std::string DescribeJoint(const Joint& joint) {
+  switch (joint.type) {
+    case Joint::Type::kFixed: return "fixed";
+    case Joint::Type::kRevolute: return "revolute " + AxisText(joint.axis);
+    case Joint::Type::kPrismatic: return "prismatic " + AxisText(joint.axis);
+    case Joint::Type::kPlanar: return "planar " + AxisText(joint.axis);
+    case Joint::Type::kFloating: return "floating";
+  }
+  return "";
+}
+
+std::string CheckText(const Vehicle& vehicle, const VehicleSummary& summary, const std::string& mobility) {
+  return vehicle.name + ": " + std::to_string(summary.dof) + " degrees of freedom\n" + mobility + '\n' +
+         Tree(vehicle).Format() + '\n' + Closures(vehicle) + Masses(summary) + Wheels(summary) + Axles(summary) +
+         Springs(vehicle, summary) + Dampers(vehicle, summary) + AntiRollBars(vehicle, summary) + ModeRows(summary) +
+         Parameters(vehicle) + Views(summary);
+}
+
+}  // namespace fourpost
