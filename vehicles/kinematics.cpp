@@ -4,11 +4,12 @@
 #include "vehicles/tyre_foot.h"
 
 namespace fourpost {
+
 Kinematics::Kinematics(const Multibody& multibody, const Eigen::MatrixXd& tangent) {
   const int links = static_cast<int>(multibody.vehicle().links.size());
   for (int link = 0; link < links; ++link) {
     pose_.push_back(multibody.LinkPose(link));
-    jacobian_.push_back(multibody.LinkJacobian(link) * tangent);
+    jacobian_.emplace_back(multibody.LinkJacobian(link) * tangent);
   }
 }
 
@@ -22,28 +23,43 @@ Eigen::MatrixXd Kinematics::AngularJacobian(int link) const {
   return jacobian_[static_cast<std::size_t>(link)].topRows<3>();
 }
 
-Eigen::MatrixXd Kinematics::JacobianAt(int link, const Eigen::Vector3d& place) const {
-  const Eigen::Vector3d arm = place - pose_[static_cast<std::size_t>(link)].translation();
-  return jacobian_[static_cast<std::size_t>(link)].bottomRows<3>() - Cross(arm) * AngularJacobian(link);
+Eigen::MatrixXd Kinematics::PointJacobian(const Point& point) const {
+  const auto& jacobian = jacobian_[static_cast<std::size_t>(point.link)];
+  return jacobian.bottomRows<3>() - Cross(Arm(point.link, Location(point))) * jacobian.topRows<3>();
 }
 
-Eigen::MatrixXd Kinematics::PointJacobian(const Point& point) const { return JacobianAt(point.link, Location(point)); }
+Eigen::Vector3d Kinematics::Arm(int link, const Eigen::Vector3d& place) const {
+  return place - pose_[static_cast<std::size_t>(link)].translation();
+}
+
+// (v + w x arm) . d = v . d + w . (arm x d).
+Eigen::VectorXd Kinematics::Along(int link, const Eigen::Vector3d& place, const Eigen::Vector3d& direction) const {
+  Eigen::Matrix<double, 6, 1> turn_and_shift;
+  turn_and_shift << Arm(link, place).cross(direction), direction;
+  return jacobian_[static_cast<std::size_t>(link)].transpose() * turn_and_shift;
+}
+
+Eigen::VectorXd Kinematics::About(int link, const Eigen::Vector3d& axis) const {
+  return jacobian_[static_cast<std::size_t>(link)].topRows<3>().transpose() * axis;
+}
 
 Coordinate Kinematics::Position(const Point& point, const Eigen::Vector3d& direction) const {
-  return {direction.dot(Location(point)), PointJacobian(point).transpose() * direction};
+  const Eigen::Vector3d place = Location(point);
+  return {direction.dot(place), Along(point.link, place, direction)};
 }
 
 Coordinate Kinematics::LineLength(const ForceLine& line) const {
-  const Eigen::Vector3d span = Location(line.parent) - Location(line.child);
-  const Eigen::MatrixXd span_rate = PointJacobian(line.parent) - PointJacobian(line.child);
+  const Eigen::Vector3d parent = Location(line.parent);
+  const Eigen::Vector3d child = Location(line.child);
+  const Eigen::Vector3d span = parent - child;
   if (!line.axis) {
     const double length = span.norm();
-    return {length, span_rate.transpose() * (span / length)};
+    const Eigen::Vector3d along = span / length;
+    return {length, Along(line.parent.link, parent, along) - Along(line.child.link, child, along)};
   }
-  // The axis turns with the parent: d(axis . span) = axis . d(span) + (omega x axis) . span.
+  // The axis turns with the parent, as if the parent's own point at the child's place moved.
   const Eigen::Vector3d axis = Rotation(line.parent.link) * *line.axis;
-  return {axis.dot(span),
-          span_rate.transpose() * axis + AngularJacobian(line.parent.link).transpose() * axis.cross(span)};
+  return {axis.dot(span), Along(line.parent.link, child, axis) - Along(line.child.link, child, axis)};
 }
 
 Coordinate Kinematics::Twist(const AntiRollBar& bar) const {
@@ -61,24 +77,24 @@ std::array<Coordinate, 6> Kinematics::BushingPlace(const Bushing& bushing, const
   const Eigen::Vector3d child = Location(bushing.child);
   const SmallTurn turn(axes.transpose() * Rotation(bushing.child.link) * child_axes);
   const Eigen::Vector3d place = axes.transpose() * (child - Location(bushing.parent));
-  // As the parent sees it: the parent's own point there moves along.
-  const Eigen::MatrixXd shift =
-      axes.transpose() * (PointJacobian(bushing.child) - JacobianAt(bushing.parent.link, child));
-  const Eigen::MatrixXd spin =
-      turn.rate * (axes.transpose() * (AngularJacobian(bushing.child.link) - AngularJacobian(bushing.parent.link)));
   std::array<Coordinate, 6> coordinates;
   for (Eigen::Index i = 0; i < 3; ++i) {
-    coordinates[static_cast<std::size_t>(i)] = {place[i], shift.row(i).transpose()};
-    coordinates[static_cast<std::size_t>(i + 3)] = {turn.value[i], spin.row(i).transpose()};
+    const Eigen::Vector3d axis = axes.col(i);
+    const Eigen::Vector3d turn_axis = axes * turn.rate.row(i).transpose();
+    // As the parent sees it: the parent's own point there moves along.
+    coordinates[static_cast<std::size_t>(i)] = {
+        place[i], Along(bushing.child.link, child, axis) - Along(bushing.parent.link, child, axis)};
+    coordinates[static_cast<std::size_t>(i + 3)] = {
+        turn.value[i], About(bushing.child.link, turn_axis) - About(bushing.parent.link, turn_axis)};
   }
   return coordinates;
 }
 
 Coordinate Kinematics::FootPosition(const Tyre& tyre, const Eigen::Vector3d& direction) const {
   const TyreFoot foot(Rotation(tyre.point.link), tyre.radius);
-  const Coordinate centre = Position(tyre.point, direction);
-  return {centre.value + direction.dot(foot.offset),
-          centre.gradient + (foot.rate * AngularJacobian(tyre.point.link)).transpose() * direction};
+  const Eigen::Vector3d centre = Location(tyre.point);
+  return {direction.dot(centre + foot.offset),
+          Along(tyre.point.link, centre, direction) + About(tyre.point.link, foot.rate.transpose() * direction)};
 }
 
 }  // namespace fourpost

@@ -41,12 +41,14 @@ class Kinematics {
   Eigen::MatrixXd AngularJacobian(int link) const;
 
  private:
-  /// Of the point of the link that is at this place in the ground.
-  Eigen::MatrixXd JacobianAt(int link, const Eigen::Vector3d& place) const;
+  Eigen::Vector3d Arm(int link, const Eigen::Vector3d& place) const;
+  /// By s: how far the link's point at this place moves along a direction, and how far the link turns about one.
+  Eigen::VectorXd Along(int link, const Eigen::Vector3d& place, const Eigen::Vector3d& direction) const;
+  Eigen::VectorXd About(int link, const Eigen::Vector3d& axis) const;
 
   std::vector<Eigen::Isometry3d> pose_;
-  /// Per link, 6 x coordinates.
-  std::vector<Eigen::MatrixXd> jacobian_;
+  /// Per link: angular velocity and velocity of its origin, ground axes, per unit ds/dt.
+  std::vector<Eigen::Matrix<double, 6, Eigen::Dynamic>> jacobian_;
 };
 
 }  // namespace fourpost
