@@ -21,7 +21,7 @@ std::string Tagged(const char* tag, const std::string& name) { return std::strin
 
 /// Adds the stiffness of a rate along a direction.
 void AddRate(double rate, const Eigen::VectorXd& direction, Eigen::MatrixXd& matrix) {
-  if (rate != 0) matrix += rate * direction * direction.transpose();
+  if (rate != 0) matrix.noalias() += (rate * direction) * direction.transpose();
 }
 
 }  // namespace
