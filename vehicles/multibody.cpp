@@ -433,15 +433,20 @@ Eigen::Isometry3d Multibody::LinkPose(int link) const {
   return ToEigen(impl_->Body(link).getBodyTransform(impl_->state));
 }
 
+// Each joint between the link and the ground moves the link as if both were one body.
 Eigen::MatrixXd Multibody::LinkJacobian(int link) const {
-  const int n = coordinate_count();
-  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, n);
-  if (link == 0) return jacobian;
-  SimTK::RowVector_<SimTK::SpatialVec> frame;
-  impl_->matter.calcFrameJacobian(impl_->state, impl_->Body(link).getMobilizedBodyIndex(), Vec3(0), frame);
-  for (int j = 0; j < n; ++j) {
-    jacobian.block<3, 1>(0, j) = ToEigen(frame[j][0]);
-    jacobian.block<3, 1>(3, j) = ToEigen(frame[j][1]);
+  const SimTK::State& state = impl_->state;
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, coordinate_count());
+  const Eigen::Vector3d origin = ToEigen(impl_->Body(link).getBodyOriginLocation(state));
+  for (MobilizedBody body = impl_->Body(link); !body.isGround(); body = body.getParentMobilizedBody()) {
+    const Eigen::Vector3d arm = origin - ToEigen(body.getBodyOriginLocation(state));
+    const int first = body.getFirstUIndex(state);
+    for (int k = 0; k < body.getNumU(state); ++k) {
+      const SimTK::SpatialVec motion = body.getHCol(state, SimTK::MobilizerUIndex(k));
+      const Eigen::Vector3d turn = ToEigen(motion[0]);
+      jacobian.block<3, 1>(0, first + k) = turn;
+      jacobian.block<3, 1>(3, first + k) = ToEigen(motion[1]) + turn.cross(arm);
+    }
   }
   return jacobian;
 }
@@ -451,9 +456,10 @@ const std::vector<LoopClosure>& Multibody::loop_closures() const { return impl_-
 Eigen::VectorXd Multibody::LoopError() const { return ToEigen(impl_->state.getQErr()); }
 
 Eigen::MatrixXd Multibody::LoopJacobian() const {
-  SimTK::Matrix g;
-  impl_->matter.calcG(impl_->state, g);
-  return ToEigen(g);
+  // By the constraints' forces, one pass a row: there are fewer rows than columns.
+  SimTK::Matrix transposed;
+  impl_->matter.calcGTranspose(impl_->state, transposed);
+  return ToEigen(transposed).transpose();
 }
 
 Eigen::VectorXd Multibody::StateDerivative(double t, const Eigen::VectorXd& state) {
