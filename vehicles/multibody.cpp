@@ -37,6 +37,11 @@ struct SensorData {
   double rest = 0;
 };
 
+bool AreEqual(const SimTK::MassProperties& a, const SimTK::MassProperties& b) {
+  return a.getMass() == b.getMass() && a.getMassCenter() == b.getMassCenter() &&
+         a.getUnitInertia().toMat33() == b.getUnitInertia().toMat33();
+}
+
 }  // namespace
 
 struct Multibody::Impl {
@@ -57,6 +62,7 @@ struct Multibody::Impl {
   double Distance(const Point& a, const Point& b);
   void MeasureDesign();
   void CreateState();
+  bool SetMasses(std::span<const double> parameters);
   void SetState(double t, const Eigen::VectorXd& y);
   void SetPose(const Eigen::VectorXd& q);
   MobilizedBody& Body(int link) { return bodies[static_cast<std::size_t>(link)]; }
@@ -248,6 +254,20 @@ void Multibody::Impl::AddSensors() {
 
 void Multibody::Impl::CreateState() { state = system.realizeTopology(); }
 
+/// Whether that changes any.
+bool Multibody::Impl::SetMasses(std::span<const double> parameters) {
+  bool changes = false;
+  for (const Joint& joint : vehicle.joints) {
+    MobilizedBody& body = Body(joint.child);
+    const SimTK::MassProperties mass =
+        MassPropertiesAt(vehicle.links[static_cast<std::size_t>(joint.child)], parameters);
+    if (AreEqual(mass, body.getDefaultMassProperties())) continue;
+    body.setDefaultMassProperties(mass);
+    changes = true;
+  }
+  return changes;
+}
+
 void Multibody::Impl::AssembleDesignPose() {
   constexpr double kClosed_m = 1e-12;
   constexpr int kIterations = 50;
@@ -410,13 +430,10 @@ void Multibody::SetParameters(std::span<const double> parameters, const Preloads
   }
   for (std::size_t i = 0; i < m.sensors.size(); ++i)
     m.sensors[i].wheelpan = m.vehicle.sensors[i].wheelpan.At(parameters);
-  for (const Joint& joint : m.vehicle.joints)
-    m.Body(joint.child)
-        .setDefaultMassProperties(MassPropertiesAt(m.vehicle.links[static_cast<std::size_t>(joint.child)], parameters));
+  const Eigen::VectorXd pose = ToEigen(m.state.getQ());
   // Simbody keeps mass properties with the topology; realizing it again reuses every body and element (~50 us), but
   // makes a state of its own: the pose has to be set again.
-  const Eigen::VectorXd pose = ToEigen(m.state.getQ());
-  m.CreateState();
+  if (m.SetMasses(parameters)) m.CreateState();
   m.SetPose(pose);
 }
 
