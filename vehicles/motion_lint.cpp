@@ -64,8 +64,8 @@ void LintUndampedMotions(const LintSubject& subject, FileFaults& findings) {
   // Rounding of poles, and far below what any damper gives.
   constexpr double kUndamped = 1e-6;
   constexpr double kAtRest_Hz = 1e-3;
-  for (const Mode& mode : ModesOf(subject.condensed, subject.values)) {
-    if (std::abs(mode.damping_ratio) > kUndamped || mode.frequency_Hz < kAtRest_Hz) continue;
+  for (const Mode& mode : ModesOf(subject.model)) {
+    if (mode.kind != Mode::Kind::kOscillating || std::abs(mode.damping_ratio) > kUndamped || mode.frequency_Hz < kAtRest_Hz) continue;
     const Eigen::VectorXd shape = mode.shape.real();
     if (MovesADamper(subject.model, shape)) continue;
     for (const NamedMotion& motion : NameMotions(subject.links, shape)) {

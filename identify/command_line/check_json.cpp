@@ -145,9 +145,15 @@ Json Views(const VehicleSummary& summary) {
 
 }  // namespace
 
-std::string CheckJson(const Vehicle& vehicle, const VehicleSummary& summary) {
+std::string CheckJson(const Vehicle& vehicle, const VehicleSummary& summary, const Mobility& mobility) {
   const Json json = {{"name", vehicle.name},
                      {"dof", summary.dof},
+                     {"mobility",
+                      {{"joint_coordinates", mobility.joint_coordinates},
+                       {"loop_equations", mobility.loop_equations},
+                       {"independent_equations", mobility.independent_equations},
+                       {"redundant", mobility.redundant},
+                       {"loop_residual_m", mobility.loop_residual}}},
                      {"tree", Tree(vehicle)},
                      {"loop_closures", Closures(vehicle)},
                      {"mass_kg", summary.mass_kg},

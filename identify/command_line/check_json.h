@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "vehicles/mobility.h"
 #include "vehicles/vehicle.h"
 #include "vehicles/vehicle_summary.h"
 
@@ -9,6 +10,6 @@ namespace fourpost {
 
 /// What `fourpost check --json` prints. Units stand in the keys, angles in rad; what is not known is null, and so is a
 /// rate without bound.
-std::string CheckJson(const Vehicle& vehicle, const VehicleSummary& summary);
+std::string CheckJson(const Vehicle& vehicle, const VehicleSummary& summary, const Mobility& mobility);
 
 }  // namespace fourpost

@@ -303,6 +303,18 @@ std::string Views(const VehicleSummary& summary) {
          "its range), by the motion of the posts that shows it best; small motion, mean damper rates.\n";
 }
 
+std::string MobilityText(const Mobility& mobility) {
+  std::string text = std::to_string(mobility.dof) + " degrees of freedom";
+  if (mobility.loop_equations == 0) return text + '\n';
+  text += ": " + std::to_string(mobility.joint_coordinates) + " of the joints less " +
+          std::to_string(mobility.independent_equations) + " that loops take, closed within " +
+          FormatQuantity(std::ceil(mobility.loop_residual * 1e12) * 1e-12, "mm") + '\n';
+  if (mobility.redundant.empty()) return text;
+  text += "redundant:";
+  for (std::size_t i = 0; i < mobility.redundant.size(); ++i) text += (i > 0 ? ", " : " ") + mobility.redundant[i];
+  return text + '\n';
+}
+
 }  // namespace
 
 std::string DescribeJoint(const Joint& joint) {
@@ -316,8 +328,8 @@ std::string DescribeJoint(const Joint& joint) {
   return "";
 }
 
-std::string CheckText(const Vehicle& vehicle, const VehicleSummary& summary, const std::string& mobility) {
-  return vehicle.name + ": " + std::to_string(summary.dof) + " degrees of freedom\n" + mobility + '\n' +
+std::string CheckText(const Vehicle& vehicle, const VehicleSummary& summary, const Mobility& mobility) {
+  return vehicle.name + ": " + MobilityText(mobility) + '\n' +
          Tree(vehicle).Format() + '\n' + Closures(vehicle) + Masses(summary) + Wheels(summary) + Axles(summary) +
          Springs(vehicle, summary) + Dampers(vehicle, summary) + AntiRollBars(vehicle, summary) + ModeRows(summary) +
          Parameters(vehicle) + Views(summary);
