@@ -5,8 +5,7 @@
 #include <map>
 #include <optional>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
+#include "vehicles/motion_name.h"
 
 namespace fourpost {
 namespace {
@@ -155,57 +154,17 @@ class Naming {
   std::vector<Role> roles_;
 };
 
-/// Quadratic form of the body's energy in one direction: energy = s' form s.
-Eigen::MatrixXd EnergyForm(const BodyMotion& body, Eigen::Index direction) {
-  if (direction < 3) {
-    const Eigen::VectorXd row = body.com_jacobian.row(direction);
-    return body.mass.mass * row * row.transpose();
-  }
-  const Eigen::VectorXd spin = body.spin_jacobian.row(direction - 3);
-  const Eigen::VectorXd momentum = (body.mass.inertia * body.spin_jacobian).row(direction - 3);
-  return 0.5 * (spin * momentum.transpose() + momentum * spin.transpose());
-}
-
-/// The combination of the columns that moves the chassis most in one direction, per square of its factors.
-Eigen::VectorXd PurestCombination(const BodyMotion& chassis, const Eigen::MatrixXd& shapes) {
-  double most = -1;
-  Eigen::VectorXd best;
-  for (Eigen::Index d = 0; d < 6; ++d) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(shapes.transpose() * EnergyForm(chassis, d) * shapes);
-    const Eigen::Index last = shapes.cols() - 1;
-    if (solver.eigenvalues()[last] <= most) continue;
-    most = solver.eigenvalues()[last];
-    best = solver.eigenvectors().col(last);
-  }
-  return best;
-}
-
-/// All bodies' mass matrix.
-Eigen::MatrixXd MassMatrix(const std::vector<BodyMotion>& bodies, Eigen::Index n) {
-  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
-  for (const BodyMotion& body : bodies)
-    mass += body.mass.mass * body.com_jacobian.transpose() * body.com_jacobian +
-            body.spin_jacobian.transpose() * body.mass.inertia * body.spin_jacobian;
-  return mass;
-}
-
-void Unmix(const Suspension& suspension, std::vector<Mode*>& free_modes) {
-  if (suspension.chassis < 0 || free_modes.size() < 2) return;
-  const BodyMotion& chassis = suspension.bodies[static_cast<std::size_t>(suspension.chassis)];
-  Eigen::MatrixXd shapes(free_modes.front()->shape.size(), static_cast<Eigen::Index>(free_modes.size()));
+/// Turns free motions among each other until each is one motion of one link, as far as that can be.
+void TellApart(const Vehicle& vehicle, const Kinematics& pose, std::vector<Mode>& modes) {
+  std::vector<Mode*> free_modes;
+  for (Mode& mode : modes)
+    if (mode.kind == Mode::Kind::kFree) free_modes.push_back(&mode);
+  if (free_modes.size() < 2) return;
+  Eigen::MatrixXd basis(free_modes.front()->shape.size(), static_cast<Eigen::Index>(free_modes.size()));
   for (std::size_t i = 0; i < free_modes.size(); ++i)
-    shapes.col(static_cast<Eigen::Index>(i)) = free_modes[i]->shape.real();
-  // Orthogonal by mass and of unit energy each.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(shapes.transpose() *
-                                                            MassMatrix(suspension.bodies, shapes.rows()) * shapes);
-  shapes *= gram.eigenvectors() * gram.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal();
-  for (Mode* mode : free_modes) {
-    const Eigen::VectorXd factors = PurestCombination(chassis, shapes);
-    mode->shape = shapes * factors;
-    // The rest: orthogonal to it.
-    const Eigen::MatrixXd all = Eigen::HouseholderQR<Eigen::MatrixXd>(factors).householderQ();
-    shapes = (shapes * all.rightCols(shapes.cols() - 1)).eval();
-  }
+    basis.col(static_cast<Eigen::Index>(i)) = free_modes[i]->shape.real();
+  const std::vector<NamedMotion> motions = NameMotions(LinkMotionsOf(vehicle, pose), basis);
+  for (std::size_t i = 0; i < std::min(motions.size(), free_modes.size()); ++i) free_modes[i]->shape = motions[i].shape;
 }
 
 void NumberNames(std::vector<Mode>& modes) {
@@ -216,11 +175,9 @@ void NumberNames(std::vector<Mode>& modes) {
 
 }  // namespace
 
-void NameModes(const Suspension& suspension, const HeldChassis& held, std::vector<Mode>& modes) {
-  std::vector<Mode*> free_modes;
-  for (Mode& mode : modes)
-    if (mode.kind == Mode::Kind::kFree) free_modes.push_back(&mode);
-  Unmix(suspension, free_modes);
+void NameModes(const Vehicle& vehicle, const Kinematics& pose, const Suspension& suspension, const HeldChassis& held,
+               std::vector<Mode>& modes) {
+  TellApart(vehicle, pose, modes);
   const Naming naming(suspension, held);
   for (Mode& mode : modes) naming.Name(mode);
   NumberNames(modes);

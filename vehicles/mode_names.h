@@ -2,8 +2,10 @@
 
 #include <vector>
 
+#include "vehicles/kinematics.h"
 #include "vehicles/modes.h"
 #include "vehicles/suspension.h"
+#include "vehicles/vehicle.h"
 #include "vehicles/wheel_travel.h"
 
 namespace fourpost {
@@ -15,8 +17,8 @@ namespace fourpost {
 ///   "front hop"; "front left hop" when one side has nine tenths of both.
 ///   Any other body by its name: "engine roll".
 /// A body moves with a wheel that lifts it, chassis held, by a tenth of the wheel's rise or more. Names that come again
-/// are numbered. Free motions are turned among each other until each moves the chassis in one direction, as far as that
-/// can be.
-void NameModes(const Suspension& suspension, const HeldChassis& held, std::vector<Mode>& modes);
+/// are numbered. Free motions are told apart first, see NameMotions. `pose`: the design pose.
+void NameModes(const Vehicle& vehicle, const Kinematics& pose, const Suspension& suspension, const HeldChassis& held,
+               std::vector<Mode>& modes);
 
 }  // namespace fourpost

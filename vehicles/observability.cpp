@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "vehicles/linear_response.h"
+#include "vehicles/post_pattern.h"
 
 namespace fourpost {
 namespace {
@@ -25,65 +27,61 @@ std::vector<double> Band() {
   return band;
 }
 
-struct PostPattern {
-  const char* name;
-  /// One per post, largest 1.
-  Eigen::VectorXd shape;
+struct Test {
+  std::string name;
+  /// One per post.
+  std::vector<double> shape;
 };
 
-/// Heave, and of pitch, roll and warp those that the places of the posts allow.
-std::vector<PostPattern> PostPatterns(const Vehicle& vehicle, const Kinematics& pose) {
-  const auto posts = static_cast<Eigen::Index>(vehicle.posts.size());
-  Eigen::MatrixXd place(posts, 2);
-  for (Eigen::Index i = 0; i < posts; ++i) {
-    const int tyre = vehicle.posts[static_cast<std::size_t>(i)].tyre;
-    place.row(i) = pose.Location(vehicle.tyres[static_cast<std::size_t>(tyre)].point).head<2>();
+/// All posts in heave, pitch, roll and warp, as far as they can; each post alone where that leaves motions untried.
+std::vector<Test> TestsOf(const Vehicle& vehicle) {
+  std::vector<Test> tests;
+  if (vehicle.posts.empty()) return tests;
+  for (const std::string_view name : kPostPatterns) {
+    try {
+      tests.push_back({std::string(name), PostPattern(vehicle, name)});
+    } catch (const std::invalid_argument&) {
+      // These posts cannot make it.
+    }
   }
-  if (posts > 0) place.rowwise() -= place.colwise().mean().eval();
-  const std::vector<PostPattern> all = {{"heave", Eigen::VectorXd::Ones(posts)},
-                                        {"pitch", place.col(0)},
-                                        {"roll", place.col(1)},
-                                        {"warp", place.col(0).cwiseProduct(place.col(1))}};
-  // Centimetres between posts, or between products of theirs: no pattern of its own.
-  constexpr double kSamePlace = 0.01;
-  std::vector<PostPattern> patterns;
-  for (const PostPattern& pattern : all) {
-    Eigen::VectorXd rest = pattern.shape;
-    for (const PostPattern& other : patterns) rest -= rest.dot(other.shape) / other.shape.squaredNorm() * other.shape;
-    if (posts == 0 || rest.lpNorm<Eigen::Infinity>() < kSamePlace) continue;
-    patterns.push_back({pattern.name, rest / rest.lpNorm<Eigen::Infinity>()});
+  for (std::size_t i = 0; i < vehicle.posts.size() && tests.size() < vehicle.posts.size(); ++i) {
+    std::vector<double> alone(vehicle.posts.size(), 0.0);
+    alone[i] = 1;
+    tests.push_back({vehicle.posts[i].name, alone});
   }
-  return patterns;
+  return tests;
 }
 
-/// Per frequency, sensors x patterns.
+/// Per frequency, sensors x tests.
 using Responses = std::vector<Eigen::MatrixXcd>;
 
 class Observer {
  public:
-  Observer(const Vehicle& vehicle, const CondensedVehicle& condensed, const Kinematics& pose,
-           std::span<const double> parameters)
+  Observer(const Vehicle& vehicle, const CondensedVehicle& condensed, std::span<const double> parameters)
       : vehicle_(vehicle),
         condensed_(condensed),
         band_(Band()),
-        patterns_(PostPatterns(vehicle, pose)),
+        tests_(TestsOf(vehicle)),
         values_(parameters.begin(), parameters.end()),
-        shapes_(vehicle.posts.size(), patterns_.size()) {
-    for (std::size_t i = 0; i < patterns_.size(); ++i) shapes_.col(static_cast<Eigen::Index>(i)) = patterns_[i].shape;
+        shapes_(vehicle.posts.size(), tests_.size()) {
+    for (std::size_t i = 0; i < tests_.size(); ++i)
+      shapes_.col(static_cast<Eigen::Index>(i)) =
+          Eigen::Map<const Eigen::VectorXd>(tests_[i].shape.data(), shapes_.rows());
+    if (tests_.empty()) return;
     responses_ = ResponsesAt(values_);
     for (const Eigen::MatrixXcd& response : responses_) most_.push_back(MostOfKind(response));
   }
 
   ParameterView View(std::size_t parameter) const {
     ParameterView view{.parameter = vehicle_.parameters[parameter].name};
-    if (patterns_.empty()) return view;
+    if (tests_.empty()) return view;
     const Eigen::MatrixXd sensitivity = Sensitivity(parameter);
     for (Eigen::Index i = 0; i < sensitivity.rows(); ++i) {
       Eigen::Index best = 0;
       const double most = sensitivity.row(i).maxCoeff(&best);
       if (most < kLeastSensitivity) continue;
       view.channels.push_back(
-          {vehicle_.sensors[static_cast<std::size_t>(i)].name, patterns_[static_cast<std::size_t>(best)].name, most});
+          {vehicle_.sensors[static_cast<std::size_t>(i)].name, tests_[static_cast<std::size_t>(best)].name, most});
     }
     // Sides of a symmetric car differ by rounding, which shall not order them.
     const auto rank = [](const ParameterView::Channel& channel) { return std::lround(1e4 * channel.sensitivity); };
@@ -112,7 +110,7 @@ class Observer {
 
   Sensor::Type TypeOf(Eigen::Index sensor) const { return vehicle_.sensors[static_cast<std::size_t>(sensor)].type; }
 
-  /// Sensors x patterns.
+  /// Sensors x tests.
   Eigen::MatrixXd Sensitivity(std::size_t index) const {
     const Parameter& parameter = vehicle_.parameters[index];
     const double size = std::max(std::abs(values_[index]), 0.5 * (parameter.upper - parameter.lower));
@@ -139,7 +137,7 @@ class Observer {
   const Vehicle& vehicle_;
   const CondensedVehicle& condensed_;
   std::vector<double> band_;
-  std::vector<PostPattern> patterns_;
+  std::vector<Test> tests_;
   std::vector<double> values_;
   Eigen::MatrixXd shapes_;
   Responses responses_;
@@ -150,8 +148,8 @@ class Observer {
 }  // namespace
 
 std::vector<ParameterView> ParameterViews(const Vehicle& vehicle, const CondensedVehicle& condensed,
-                                          const Kinematics& pose, std::span<const double> parameters) {
-  const Observer observer(vehicle, condensed, pose, parameters);
+                                          std::span<const double> parameters) {
+  const Observer observer(vehicle, condensed, parameters);
   std::vector<ParameterView> views;
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i)
     if (vehicle.parameters[i].upper > vehicle.parameters[i].lower) views.push_back(observer.View(i));

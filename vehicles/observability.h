@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "vehicles/condensed_vehicle.h"
-#include "vehicles/kinematics.h"
 #include "vehicles/vehicle.h"
 
 namespace fourpost {
@@ -20,7 +19,7 @@ namespace fourpost {
 struct ParameterView {
   struct Channel {
     std::string sensor;
-    /// Motion of all posts that shows it best: heave, pitch, roll or warp.
+    /// Motion of the posts that shows it best, see PostPattern; or the name of a post that moves alone.
     std::string excitation;
     double sensitivity = 0;
   };
@@ -33,8 +32,8 @@ struct ParameterView {
 inline constexpr double kLeastSensitivity = 0.02;
 
 /// One entry per free parameter, in file order. Small motion, dashpots at their mean rates, 0.5 to 30 Hz, central
-/// differences. `vehicle` is what `condensed` was made from, `pose` its design pose.
+/// differences. `vehicle` is what `condensed` was made from.
 std::vector<ParameterView> ParameterViews(const Vehicle& vehicle, const CondensedVehicle& condensed,
-                                          const Kinematics& pose, std::span<const double> parameters);
+                                          std::span<const double> parameters);
 
 }  // namespace fourpost

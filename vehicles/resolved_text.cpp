@@ -70,9 +70,12 @@ std::string Note(const XMLElement& robot) {
   return note + " -->";
 }
 
+/// Tells that a text is UTF-8.
+constexpr std::string_view kMark = "\xEF\xBB\xBF";
+
 /// Behind the XML declaration, which must stand first.
 std::size_t PlaceOfNote(const std::string& text) {
-  const std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+  const std::size_t begin = text.starts_with(kMark) ? kMark.size() : 0;
   if (text.compare(begin, 5, "<?xml") != 0) return begin;
   return text.find("?>", begin) + 2;
 }
@@ -87,8 +90,10 @@ std::string ResolvedText(const Vehicle& vehicle, const std::filesystem::path& fo
   Filler filler(text);
   filler.Walk(robot, "");
   std::string result = filler.Result();
+  const std::string note = Note(robot);
+  if (result.find(note) != std::string::npos) return result;
   const std::size_t place = PlaceOfNote(result);
-  return result.insert(place, place > 3 ? "\n" + Note(robot) : Note(robot) + "\n");
+  return result.insert(place, place > kMark.size() ? "\n" + note : note + "\n");
 }
 
 }  // namespace fourpost

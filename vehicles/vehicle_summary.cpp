@@ -42,9 +42,9 @@ VehicleSummary Summarise(const Vehicle& vehicle, std::span<const double> paramet
   const HeldChassis held(summary.suspension, StiffnessWithoutTyres(vehicle, pose, parameters, model.stiffness));
   summary.ride = RideGeometryOf(vehicle, pose, summary.suspension, held, model, parameters);
   summary.modes = ModesOf(model);
-  NameModes(summary.suspension, held, summary.modes);
+  NameModes(vehicle, pose, summary.suspension, held, summary.modes);
   summary.growth_rate = StateMatrix(model).eigenvalues().real().maxCoeff();
-  summary.views = ParameterViews(vehicle, condensed, pose, parameters);
+  summary.views = ParameterViews(vehicle, condensed, parameters);
   return summary;
 }
 

@@ -126,6 +126,7 @@ Json Parameters(const Vehicle& vehicle) {
                           {"unit", SiUnit(parameter.dimension)},
                           {"lower", parameter.lower},
                           {"upper", parameter.upper},
+                          {"prior_sd", OrNull(parameter.prior_sd)},
                           {"source", parameter.source}});
   return parameters;
 }

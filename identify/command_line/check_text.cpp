@@ -101,7 +101,7 @@ std::string Closures(const Vehicle& vehicle) {
 }
 
 std::string Masses(const VehicleSummary& summary) {
-  const auto mass = [](double kg) { return Short(kg, 5) + " kg"; };
+  const auto mass = [](double kg) { return Fixed(kg, 1) + " kg"; };
   const Eigen::Vector3d& com = summary.com;
   const Eigen::Matrix3d& inertia = summary.inertia;
   // Rounding of a sum of symmetric parts.
@@ -227,7 +227,7 @@ std::string ModeRows(const VehicleSummary& summary) {
       ++above;
       continue;
     }
-    std::string hertz = Rounded(mode.frequency_Hz, 4);
+    std::string hertz = Fixed(mode.frequency_Hz, 3);
     std::string damping = Fixed(mode.damping_ratio, 3);
     if (mode.frequency_Hz == 0) hertz = damping = "-";
     const bool oscillates = mode.kind == Mode::Kind::kOscillating;
@@ -329,10 +329,9 @@ std::string DescribeJoint(const Joint& joint) {
 }
 
 std::string CheckText(const Vehicle& vehicle, const VehicleSummary& summary, const Mobility& mobility) {
-  return vehicle.name + ": " + MobilityText(mobility) + '\n' +
-         Tree(vehicle).Format() + '\n' + Closures(vehicle) + Masses(summary) + Wheels(summary) + Axles(summary) +
-         Springs(vehicle, summary) + Dampers(vehicle, summary) + AntiRollBars(vehicle, summary) + ModeRows(summary) +
-         Parameters(vehicle) + Views(summary);
+  return vehicle.name + ": " + MobilityText(mobility) + '\n' + Tree(vehicle).Format() + '\n' + Closures(vehicle) +
+         Masses(summary) + Wheels(summary) + Axles(summary) + Springs(vehicle, summary) + Dampers(vehicle, summary) +
+         AntiRollBars(vehicle, summary) + ModeRows(summary) + Parameters(vehicle) + Views(summary);
 }
 
 }  // namespace fourpost

@@ -6,8 +6,8 @@ namespace fourpost {
 
 // Vehicles whose ride geometry is worked out by hand.
 
-/// One corner: the chassis slides upright, a trailing arm of 0.5 m turns on it, the wheel at the arm's end on level with
-/// its pivot; coil and damper stand upright at 0.25 m and 0.4 m from the pivot.
+/// One corner: the chassis slides upright, a trailing arm of 0.5 m turns on it, the wheel at the arm's end on level
+/// with its pivot; coil and damper stand upright at 0.25 m and 0.4 m from the pivot.
 inline const std::string kTrailingArm = R"(<?xml version="1.0"?>
 <robot name="trailing_arm" xmlns:fp="urn:fourpost:vehicle:1">
   <link name="ground"/>
@@ -92,8 +92,36 @@ inline const std::string kIndependentCar = R"(<?xml version="1.0"?>
 </robot>
 )";
 
-/// A car in space whose beam axles hang on bushings, with Panhard rods.
-inline const std::string kBeamAxleCar = R"(<?xml version="1.0"?>
+/// What holds an axle to the frame, and what carries it: bushings `arm` ahead of the axle, coils and dampers above it.
+inline std::string BeamAxle(const std::string& axle, double x, double arm) {
+  const auto point = [](double px, const std::string& side, double py, double pz) {
+    return std::to_string(px) + " " + (side == "_L" ? "" : "-") + std::to_string(py) + " " + std::to_string(pz);
+  };
+  std::string text;
+  for (const std::string side : {"_L", "_R"}) {
+    const std::string name = axle + side;
+    const auto frame = [&](const std::string& what, const std::string& link, const std::string& xyz) {
+      return "<fp:frame name='" + name + what + "' link='" + link + "' xyz='" + xyz + "'/>\n";
+    };
+    const auto ends = [&](const std::string& parent, const std::string& child) {
+      return " name='" + name + "' parent='" + name + parent + "' child='" + name + child + "'>";
+    };
+    text += frame("_bush", axle + "_axle", point(arm, side, 0.45, 0)) +
+            frame("_mount", "frame", point(x + arm, side, 0.45, -0.4)) +
+            frame("_foot", axle + "_axle", point(0, side, 0.45, 0)) + frame("_top", "frame", point(x, side, 0.45, 0)) +
+            "<fp:bushing" + ends("_mount", "_bush") + "<translation x='3 MN/m' y='2 MN/m' z='3 MN/m'/>" +
+            "<rotation x='500 N*m/rad' y='200 N*m/rad' z='500 N*m/rad'/><loss factor='0.1' frequency='10 Hz'/>" +
+            "</fp:bushing>\n<fp:spring" + ends("_top", "_foot") + "<linear stiffness='40 N/mm'/></fp:spring>\n" +
+            "<fp:damper" + ends("_top", "_foot") + "<linear rate='2.5 kN*s/m'/></fp:damper>\n<fp:tyre name='" + name +
+            "' link='" + axle + "_axle' xyz='" + point(0, side, 0.75, 0) +
+            "' radius='0.4 m' stiffness='350 N/mm' lateral='150 N/mm' longitudinal='150 N/mm'/>\n";
+  }
+  return text;
+}
+
+/// A car in space whose beam axles hang on bushings, with an engine on a mount.
+inline std::string BeamAxleCar() {
+  const std::string car = R"(<?xml version="1.0"?>
 <robot name="beam_axles" xmlns:fp="urn:fourpost:vehicle:1">
   <link name="ground"/>
   <link name="frame">
@@ -113,40 +141,12 @@ inline const std::string kBeamAxleCar = R"(<?xml version="1.0"?>
     <parent link="frame"/><child link="engine"/><origin xyz="1.2 0 0"/><axis xyz="0 0 1"/>
     <limit effort="0" velocity="0"/>
   </joint>
-  <joint name="front_axle" type="floating"><parent link="ground"/><child link="front_axle"/><origin xyz="0 0 0.4"/></joint>
-  <joint name="rear_axle" type="floating">
-    <parent link="ground"/><child link="rear_axle"/><origin xyz="-2.8 0 0.4"/>
-  </joint>
+  <joint name="front" type="floating"><parent link="ground"/><child link="front_axle"/><origin xyz="0 0 0.4"/></joint>
+  <joint name="rear" type="floating"><parent link="ground"/><child link="rear_axle"/><origin xyz="-2.8 0 0.4"/></joint>
   <fp:spring name="mount" parent="frame" child="engine" axis="0 0 1"><linear stiffness="400 N/mm"/></fp:spring>
   <fp:damper name="mount" parent="frame" child="engine" axis="0 0 1"><linear rate="500 N*s/m"/></fp:damper>
-  FRONT
-  REAR
-</robot>
 )";
-
-/// What holds one axle: `place` of its name, its x in the frame.
-inline std::string BeamAxle(const std::string& axle, const std::string& x, const std::string& arm_x) {
-  std::string text;
-  for (const auto& [side, y] : {std::pair<std::string, std::string>{"_L", "0.45"}, {"_R", "-0.45"}}) {
-    const std::string name = axle + side;
-    text += "<fp:frame name='" + name + "_bush' link='" + axle + "_axle' xyz='" + arm_x + " " + y + " 0'/>";
-    text += "<fp:frame name='" + name + "_mount' link='frame' xyz='" + std::to_string(std::stod(x) + std::stod(arm_x)) +
-            " " + y + " -0.4'/>";
-    text += "<fp:bushing name='" + name + "' parent='" + name + "_mount' child='" + name +
-            "_bush'><translation x='3 MN/m' y='2 MN/m' z='3 MN/m'/><rotation x='500 N*m/rad' y='200 N*m/rad' "
-            "z='500 N*m/rad'/><loss factor='0.1' frequency='10 Hz'/></fp:bushing>";
-    text += "<fp:frame name='" + name + "_foot' link='" + axle + "_axle' xyz='0 " + y + " 0'/>";
-    text += "<fp:frame name='" + name + "_top' link='frame' xyz='" + x + " " + y + " 0'/>";
-    text += "<fp:spring name='" + name + "' parent='" + name + "_top' child='" + name +
-            "_foot'><linear stiffness='40 N/mm'/></fp:spring>";
-    text += "<fp:damper name='" + name + "' parent='" + name + "_top' child='" + name +
-            "_foot'><linear rate='2.5 kN*s/m'/></fp:damper>";
-    const std::string wheel_y = side == "_L" ? "0.75" : "-0.75";
-    text += "<fp:tyre name='" + name + "' link='" + axle + "_axle' xyz='0 " + wheel_y +
-            " 0' radius='0.4 m' stiffness='350 N/mm' lateral='150 N/mm' longitudinal='150 N/mm'/>";
-    text += "<fp:post name='" + name + "' under='" + name + "'/>";
-  }
-  return text;
+  return car + BeamAxle("front", 1.4, -0.9) + BeamAxle("rear", -1.4, 0.9) + "</robot>\n";
 }
 
 }  // namespace fourpost

@@ -21,6 +21,26 @@ TEST(VehicleSummary, HasTheQuarterCarsMassesAndLoad) {
   EXPECT_EQ(summary.modes.size(), 2u);
 }
 
+// Front and rear axle 220 kg each at 0.385 m, body 1725 kg at x -1.456 m and 0.832 m, with its own inertia.
+TEST(VehicleSummary, AddsTheInertiaOfAllBodies) {
+  const Vehicle vehicle = ShippedVehicle("landrover110_model3");
+  const VehicleSummary summary = Summarise(vehicle, vehicle.ParameterValues());
+  const double x = (1725 * -1.456 + 220 * -2.794) / 2165;
+  const double z = (1725 * 0.832 + 440 * 0.385) / 2165;
+  const auto squares = [&](auto term) {
+    return 1725 * term(-1.456 - x, 0.832 - z) + 220 * term(-x, 0.385 - z) + 220 * term(-2.794 - x, 0.385 - z);
+  };
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  inertia(0, 0) = 650 + 2 * 75 + squares([](double, double c) { return c * c; });
+  inertia(1, 1) = 2700 + squares([](double a, double c) { return a * a + c * c; });
+  inertia(2, 2) = 2700 + 2 * 75 + squares([](double a, double) { return a * a; });
+  inertia(0, 2) = inertia(2, 0) = -squares([](double a, double c) { return a * c; });
+  EXPECT_LT((summary.inertia - inertia).norm(), 1e-9);  // rounding of some 1000 kg m^2
+  EXPECT_NEAR(summary.SprungMass_kg().value(), 1725, 1e-6);
+  EXPECT_NEAR(summary.TyreLoad_N(), summary.Weight_N(), 1e-6);
+  EXPECT_EQ(summary.views.size(), 22u);
+}
+
 TEST(VehicleSummary, FollowsTheParameters) {
   const Vehicle vehicle = ShippedVehicle("quarter_car");
   std::vector<double> values = vehicle.ParameterValues();
