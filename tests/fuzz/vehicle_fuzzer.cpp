@@ -1,0 +1,84 @@
+#include "tests/fuzz/vehicle_fuzzer.h"
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "vehicles/condensed_vehicle.h"
+#include "vehicles/vehicle_file.h"
+
+namespace fourpost {
+namespace {
+
+/// Larger vehicles take the time of many small ones.
+constexpr std::size_t kMostLinks = 40;
+constexpr std::size_t kMostCoordinates = 60;
+constexpr std::size_t kMostElements = 100;
+
+/// Stands nowhere; beside it stand the shipped vehicles, whose meshes are found from there.
+std::filesystem::path File() { return std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf/fuzz.urdf"; }
+
+void Require(bool condition, const std::string& claim, const std::string& details = "") {
+  if (!condition) throw std::logic_error("not so: " + claim + (details.empty() ? "" : "\n" + details));
+}
+
+/// Nothing must be refused without a word, or read with an error.
+std::optional<Vehicle> Read(const std::string& text, Diagnostics& diagnostics) {
+  std::optional<Vehicle> vehicle = ReadVehicleText(text, File(), diagnostics);
+  Require(vehicle.has_value() != diagnostics.HasErrors(), "a file reads when it has no error", diagnostics.Format());
+  return vehicle;
+}
+
+/// The parameters' values, or their upper bounds.
+std::vector<double> UpperBounds(const Vehicle& vehicle) {
+  std::vector<double> values;
+  for (const Parameter& parameter : vehicle.parameters) values.push_back(parameter.upper);
+  return values;
+}
+
+void CheckText(const Vehicle& vehicle) {
+  const std::filesystem::path folder = File().parent_path();
+  Require(VehicleTextWithValues(vehicle, vehicle.ParameterValues(), folder) == vehicle.text,
+          "its own values leave the text of a file as it is");
+  const std::vector<double> values = UpperBounds(vehicle);
+  const std::string text = VehicleTextWithValues(vehicle, values, folder);
+  Diagnostics diagnostics;
+  const std::optional<Vehicle> changed = Read(text, diagnostics);
+  Require(changed.has_value(), "a file reads at the upper bounds of its parameters", diagnostics.Format());
+  Require(changed->ParameterValues() == values, "values read back to the last digit", text);
+}
+
+bool IsSmall(const Vehicle& vehicle) {
+  std::size_t coordinates = 0;
+  for (const Joint& joint : vehicle.joints)
+    coordinates += joint.type == Joint::Type::kFloating ? 6 : joint.type == Joint::Type::kPlanar ? 3 : 1;
+  const std::size_t elements = vehicle.springs.size() + vehicle.dampers.size() + vehicle.tyres.size() +
+                               vehicle.bushings.size() + vehicle.antiroll_bars.size() + vehicle.sensors.size() +
+                               vehicle.rods.size() + vehicle.balls.size() + vehicle.welds.size() +
+                               vehicle.hinges.size();
+  return vehicle.links.size() <= kMostLinks && coordinates <= kMostCoordinates && elements <= kMostElements;
+}
+
+void CheckModel(const Vehicle& vehicle) {
+  try {
+    const CondensedVehicle condensed(vehicle);
+    condensed.At(vehicle.ParameterValues());
+  } catch (const FaultyInput& fault) {
+    Require(fault.diagnostics().HasErrors(), "a vehicle is refused for an error", fault.what());
+  }
+}
+
+}  // namespace
+}  // namespace fourpost
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  fourpost::Diagnostics diagnostics;
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  const std::optional<fourpost::Vehicle> vehicle = fourpost::Read(text, diagnostics);
+  if (!vehicle) return 0;
+  fourpost::CheckText(*vehicle);
+  if (fourpost::IsSmall(*vehicle)) fourpost::CheckModel(*vehicle);
+  return 0;
+}
