@@ -13,17 +13,21 @@ bool IsNameCharacter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
 }
 
+constexpr const char* kTooLarge = "must not exceed 1e30 in SI units";
+
 /// What is wrong with a plain number; empty: nothing.
 std::string NumberFault(std::string_view text, Sign sign) {
   const std::optional<double> number = ParseNumber(Trimmed(text));
   if (!number) return "is not a plain number";
-  return Obeys(*number, sign) ? "" : SignDemand(sign);
+  return RangeFault(*number, *number, sign);
 }
 
 std::string VectorFault(std::string_view text, bool must_point) {
   const std::optional<Eigen::Vector3d> vector = ParseVector(text);
   if (!vector) return "must be three numbers, such as \"0 0 1\"";
-  return must_point && vector->isZero(0) ? "must not be zero: it is a direction" : "";
+  if (vector->cwiseAbs().maxCoeff() > kLargestNumber) return kTooLarge;
+  // Its length is a square root of squares, which may be zero before the direction is.
+  return must_point && vector->norm() < 1 / kLargestNumber ? "must not be zero: it is a direction" : "";
 }
 
 std::string ChoiceFault(const std::string& text, const std::vector<std::string_view>& choices) {
@@ -69,10 +73,11 @@ std::string WithArticle(const Dimension& dimension) {
   return (has_vowel ? "an " : "a ") + name;
 }
 
-std::string SignDemand(Sign sign) { return sign == Sign::kPositive ? "must be above zero" : "must not be negative"; }
-
-bool Obeys(double number, Sign sign) {
-  return sign == Sign::kAny || number > 0 || (sign == Sign::kNotNegative && number == 0);
+std::string RangeFault(double least, double greatest, Sign sign) {
+  if (sign == Sign::kNotNegative && !(least >= 0)) return "must not be negative";
+  if (sign == Sign::kPositive && !(least >= 1 / kLargestNumber))
+    return least > 0 ? "must be 1e-30 in SI units at least" : "must be above zero";
+  return least >= -kLargestNumber && greatest <= kLargestNumber ? "" : kTooLarge;
 }
 
 std::string Joined(const std::vector<std::string_view>& names) {

@@ -22,9 +22,12 @@ std::string Expectation(const AttributeRule& rule);
 /// "a stiffness", "an inertia", "a pure number".
 std::string WithArticle(const Dimension& dimension);
 
-/// "must not be negative", "must be above zero".
-std::string SignDemand(Sign sign);
-bool Obeys(double number, Sign sign);
+/// No number of a vehicle, in SI, is larger than this, nor one that must be above zero smaller than its inverse.
+/// Products of several stay within a double, so that nothing behind the reader overflows or divides by zero.
+inline constexpr double kLargestNumber = 1e30;
+
+/// What is wrong with a number that may take every value from `least` to `greatest`; empty: nothing.
+std::string RangeFault(double least, double greatest, Sign sign);
 
 /// "a, b, c".
 std::string Joined(const std::vector<std::string_view>& names);

@@ -97,6 +97,7 @@ bool HasInertiaAlone(const Vehicle& vehicle, const Link& link) {
 void CheckInertia(const Vehicle& vehicle, const Link& link, FileFaults& faults) {
   const Eigen::Matrix3d inertia = InertiaAt(link, vehicle.ParameterValues());
   if (HasInertiaAlone(vehicle, link)) faults.Error(link.line, "link '" + link.name + "' has inertia but no mass");
+  else if (!inertia.allFinite()) faults.Error(link.line, "link '" + link.name + "' has an inertia that is too large");
   else if (!IsPhysical(inertia))
     faults.Error(link.line, "link '" + link.name + "' has an inertia that no body has" + InertiaFault(inertia));
   else CheckInertiaWithinBounds(vehicle, link, faults);

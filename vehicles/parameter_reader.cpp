@@ -106,9 +106,7 @@ Parameter ParameterReader::ReadParameter(const Tag& tag) const {
   if (!std::all_of(parameter.name.begin(), parameter.name.end(), is_legal))
     Fault(tag, "name", "may hold letters, digits and '_' only");
   const int errors = faults_.errors();
-  for (const char* attribute : {"value", "lower", "upper", "precision", "prior_sd"})
-    if (const std::string text = tag.Text(attribute); !Trimmed(text).empty() && !QuantityIn(tag, attribute))
-      Fault(tag, attribute, QuantityFault(Trimmed(text)) + ", such as \"32 N/mm\"");
+  CheckQuantities(tag);
   const std::optional<Quantity> value = QuantityIn(tag, "value");
   if (!value) return parameter;
   parameter.value = parameter.lower = parameter.upper = value->si;
@@ -119,6 +117,17 @@ Parameter ParameterReader::ReadParameter(const Tag& tag) const {
   ReadBounds(tag, parameter);
   ReadPrior(tag, parameter);
   return parameter;
+}
+
+void ParameterReader::CheckQuantities(const Tag& tag) const {
+  for (const char* attribute : {"value", "lower", "upper", "precision", "prior_sd"}) {
+    const std::string text(Trimmed(tag.Text(attribute)));
+    if (text.empty()) continue;
+    const std::optional<Quantity> quantity = QuantityIn(tag, attribute);
+    const std::string fault =
+        quantity ? RangeFault(quantity->si, quantity->si, Sign::kAny) : QuantityFault(text) + ", such as \"32 N/mm\"";
+    if (!fault.empty()) Fault(tag, attribute, fault);
+  }
 }
 
 /// The value is at fault where all others contradict it, and agree.
@@ -239,7 +248,7 @@ Scalar ParameterReader::ReadScalar(const Tag& tag, std::string_view attribute) {
   if (quantity->unit.dimension != rule.dimension)
     return Fault(tag, attribute, DimensionFault(*quantity, text, rule.dimension));
   const Scalar scalar{.value = quantity->si};
-  CheckSign(tag, rule, scalar);
+  CheckRange(tag, rule, scalar);
   return scalar;
 }
 
@@ -273,18 +282,14 @@ Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule,
                      " is needed; the parameter stands in line " + std::to_string(parameter.line));
   const double factor = reference->factor;
   const Scalar scalar{.value = factor * parameter.value, .parameter = found->second, .factor = factor};
-  CheckSign(tag, rule, scalar);
+  CheckRange(tag, rule, scalar);
   return scalar;
 }
 
-void ParameterReader::CheckSign(const Tag& tag, const AttributeRule& rule, const Scalar& scalar) const {
-  if (!IsFinite(scalar)) {
-    Fault(tag, rule.name, "is too large, somewhere in the range of the parameter");
-    return;
-  }
-  if (Obeys(Least(scalar), rule.sign)) return;
-  const std::string within = scalar.parameter < 0 ? "" : " over the whole range of the parameter";
-  Fault(tag, rule.name, SignDemand(rule.sign) + within);
+void ParameterReader::CheckRange(const Tag& tag, const AttributeRule& rule, const Scalar& scalar) const {
+  const std::string fault = RangeFault(Least(scalar), Greatest(scalar), rule.sign);
+  if (!fault.empty())
+    Fault(tag, rule.name, fault + (scalar.parameter < 0 ? "" : " over the whole range of the parameter"));
 }
 
 std::optional<Scalar> ParameterReader::Bind(const Tag& bind, double literal, const Dimension& dimension) const {
@@ -307,17 +312,12 @@ std::optional<Scalar> ParameterReader::Bind(const Tag& bind, double literal, con
 std::string ParameterReader::BindFault(const Scalar& scalar, const Dimension& given, double literal,
                                        const Dimension& wanted) const {
   if (given != wanted) return "is " + WithArticle(wanted) + ", but the parameter is " + WithArticle(given);
-  if (!IsFinite(scalar)) return "is too large, somewhere in the range of the parameter";
   if (!Agrees(literal, scalar.value))
     return "is " + FormatNumber(literal) + " " + SiUnit(wanted) + " in the tree, but factor times value is " +
            FormatNumber(scalar.value) + " " + SiUnit(wanted) + ": make them equal";
-  if (wanted == kMass && !Obeys(Least(scalar), Sign::kNotNegative))
-    return SignDemand(Sign::kNotNegative) + " over the whole range of the parameter";
-  return "";
-}
-
-bool ParameterReader::IsFinite(const Scalar& scalar) const {
-  return std::isfinite(Least(scalar)) && std::isfinite(Greatest(scalar));
+  const Sign sign = wanted == kMass ? Sign::kNotNegative : Sign::kAny;
+  const std::string fault = RangeFault(Least(scalar), Greatest(scalar), sign);
+  return fault.empty() ? "" : fault + " over the whole range of the parameter";
 }
 
 double ParameterReader::Least(const Scalar& scalar) const {

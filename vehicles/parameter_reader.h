@@ -44,6 +44,7 @@ class ParameterReader {
 
  private:
   Parameter ReadParameter(const Tag& tag) const;
+  void CheckQuantities(const Tag& tag) const;
   void CheckDimensions(const Tag& tag, const Parameter& parameter) const;
   void ReadBounds(const Tag& tag, Parameter& parameter) const;
   void CheckBounds(const Tag& tag, const Parameter& parameter) const;
@@ -54,8 +55,7 @@ class ParameterReader {
   std::string NumberFault(const AttributeRule& rule, const std::string& text) const;
   Scalar Fault(const Tag& tag, std::string_view attribute, const std::string& message) const;
   Scalar Unreadable() const;
-  bool IsFinite(const Scalar& scalar) const;
-  void CheckSign(const Tag& tag, const AttributeRule& rule, const Scalar& scalar) const;
+  void CheckRange(const Tag& tag, const AttributeRule& rule, const Scalar& scalar) const;
   std::string BindFault(const Scalar& scalar, const Dimension& given, double literal, const Dimension& wanted) const;
   std::vector<std::string> Names() const;
 
