@@ -20,6 +20,7 @@ LintSubject::LintSubject(const Vehicle& described)
       values(described.ParameterValues()),
       condensed(described),
       model(condensed.At(values)),
+      modes(ModesOf(model)),
       links(condensed.LinkMotions(values)),
       pose(DesignPose(described)) {}
 

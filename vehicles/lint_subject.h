@@ -5,6 +5,7 @@
 #include "vehicles/condensed_vehicle.h"
 #include "vehicles/file_faults.h"
 #include "vehicles/kinematics.h"
+#include "vehicles/modes.h"
 #include "vehicles/vehicle.h"
 
 namespace fourpost {
@@ -24,6 +25,7 @@ struct LintSubject {
   std::vector<double> values;
   CondensedVehicle condensed;
   CondensedModel model;
+  std::vector<Mode> modes;
   std::vector<CondensedVehicle::LinkMotion> links;
   /// The design pose.
   Kinematics pose;

@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include <Eigen/Eigenvalues>
-
-#include "vehicles/modes.h"
 #include "vehicles/motion_name.h"
 
 namespace fourpost {
@@ -20,18 +16,13 @@ int LineOf(const Vehicle& vehicle, const std::string& link) {
   return found == vehicle.links.end() ? 0 : found->line;
 }
 
-/// Columns of unit kinetic energy.
-Eigen::MatrixXd FreeMotions(const CondensedModel& model) {
-  // The weight of a car leaves 1e-12 of itself in stiffnesses that are zero, on bodies down to a gram square metre
-  // 1e-4 Hz.
-  constexpr double kAtRest_Hz = 1e-3;
-  constexpr double kOmega = 2 * std::numbers::pi * kAtRest_Hz;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(model.stiffness, model.mass);
-  Eigen::MatrixXd motions(model.mass.rows(), 0);
-  for (Eigen::Index i = 0; i < model.mass.rows(); ++i) {
-    if (std::abs(solver.eigenvalues()[i]) > kOmega * kOmega) continue;
+/// In columns.
+Eigen::MatrixXd FreeMotions(const LintSubject& subject) {
+  Eigen::MatrixXd motions(subject.condensed.size(), 0);
+  for (const Mode& mode : subject.modes) {
+    if (mode.kind != Mode::Kind::kFree) continue;
     motions.conservativeResize(Eigen::NoChange, motions.cols() + 1);
-    motions.rightCols<1>() = solver.eigenvectors().col(i);
+    motions.rightCols<1>() = mode.shape.real();
   }
   return motions;
 }
@@ -55,7 +46,7 @@ bool MovesADamper(const CondensedModel& model, const Eigen::VectorXd& shape) {
 }  // namespace
 
 void LintFreeMotions(const LintSubject& subject, FileFaults& findings) {
-  for (const NamedMotion& motion : NameMotions(subject.links, FreeMotions(subject.model)))
+  for (const NamedMotion& motion : NameMotions(subject.links, FreeMotions(subject)))
     findings.Warning(LineOf(subject.vehicle, motion.link),
                      "nothing resists " + motion.Text() + ": " + Remedy(subject, motion.direction));
 }
@@ -63,9 +54,8 @@ void LintFreeMotions(const LintSubject& subject, FileFaults& findings) {
 void LintUndampedMotions(const LintSubject& subject, FileFaults& findings) {
   // Rounding of poles, and far below what any damper gives.
   constexpr double kUndamped = 1e-6;
-  constexpr double kAtRest_Hz = 1e-3;
-  for (const Mode& mode : ModesOf(subject.model)) {
-    if (mode.kind != Mode::Kind::kOscillating || std::abs(mode.damping_ratio) > kUndamped || mode.frequency_Hz < kAtRest_Hz) continue;
+  for (const Mode& mode : subject.modes) {
+    if (mode.kind != Mode::Kind::kOscillating || std::abs(mode.damping_ratio) > kUndamped) continue;
     const Eigen::VectorXd shape = mode.shape.real();
     if (MovesADamper(subject.model, shape)) continue;
     for (const NamedMotion& motion : NameMotions(subject.links, shape)) {

@@ -40,14 +40,6 @@ Eigen::MatrixXd Across(const Eigen::VectorXd& vector) {
 
 }  // namespace
 
-Eigen::Matrix<double, 6, 1> DirectionalEnergy(const CondensedVehicle::LinkMotion& link, const Eigen::VectorXcd& shape) {
-  const Eigen::Vector3d translation = (link.com_jacobian * shape).cwiseAbs2();
-  const Eigen::Vector3d rotation = (link.spin_jacobian * shape).cwiseAbs2();
-  Eigen::Matrix<double, 6, 1> energy;
-  energy << link.mass * translation, link.inertia.cwiseProduct(rotation);
-  return energy;
-}
-
 std::vector<CondensedVehicle::LinkMotion> LinkMotionsOf(const Vehicle& vehicle, const Kinematics& pose) {
   const std::vector<double> values = vehicle.ParameterValues();
   std::vector<CondensedVehicle::LinkMotion> motions;

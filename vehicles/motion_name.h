@@ -9,10 +9,6 @@
 
 namespace fourpost {
 
-/// Twice the kinetic energy of a link at unit frequency, by direction: along x, y, z of the ground, then about x, y, z
-/// of the link [kg m^2/s^2 for rates in 1/s].
-Eigen::Matrix<double, 6, 1> DirectionalEnergy(const CondensedVehicle::LinkMotion& link, const Eigen::VectorXcd& shape);
-
 /// Of all links but the ground, at the file's parameter values, in the coordinates of the pose.
 std::vector<CondensedVehicle::LinkMotion> LinkMotionsOf(const Vehicle& vehicle, const Kinematics& pose);
 
