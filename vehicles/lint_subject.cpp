@@ -1,19 +1,9 @@
 #include "vehicles/lint_subject.h"
 
+#include "vehicles/design_kinematics.h"
 #include "vehicles/gravity.h"
-#include "vehicles/multibody.h"
 
 namespace fourpost {
-namespace {
-
-Kinematics DesignPose(const Vehicle& vehicle) {
-  Multibody multibody(vehicle);
-  multibody.SetPose(multibody.design_pose());
-  const int n = multibody.coordinate_count();
-  return {multibody, Eigen::MatrixXd::Identity(n, n)};
-}
-
-}  // namespace
 
 LintSubject::LintSubject(const Vehicle& described)
     : vehicle(described),
@@ -22,7 +12,7 @@ LintSubject::LintSubject(const Vehicle& described)
       model(condensed.At(values)),
       modes(ModesOf(model)),
       links(condensed.LinkMotions(values)),
-      pose(DesignPose(described)) {}
+      pose(DesignKinematics(described)) {}
 
 double LintSubject::Weight() const {
   double mass = 0;
