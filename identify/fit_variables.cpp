@@ -7,7 +7,6 @@
 
 #include "analysis/option_check.h"
 
-
 namespace fourpost {
 
 FitVariables::FitVariables(const Lattice& lattice) {

@@ -29,7 +29,7 @@ struct FullCar {
     double spring_station = 0;  // m, y of the left spring; the right one mirrors it
     double damper_station = 0;  // m
     double tyre_station = 0;    // m
-    DashpotLaw damper;     // N s/m, each side's
+    DashpotLaw damper;          // N s/m, each side's
   };
 
   double sprung_mass = 0;                  // kg

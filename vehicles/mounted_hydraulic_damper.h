@@ -10,9 +10,9 @@ namespace fourpost {
 /// Hydraulic damper in line with a spring, its top mount: x_s is the mount's extension, x - x_s the damper's own. The
 /// mount carries what oil and gas do, mount(x_s) = F(P), so that the pressures P tell x_s and
 ///   x_s' = (dF/dt) / mount'(x_s),   P' = damper's rates at x - x_s, x' - x_s'.
-/// Friction acts between the ends of both: below the mount it would hold the damper, and leave x_s' without an equation,
-/// wherever it exceeds what the mount carries.
-/// The mount must strictly increase, by at least its `stiffness`: no knees, cubic >= 0.
+/// Friction acts between the ends of both: below the mount it would hold the damper, and leave x_s' without an
+/// equation, wherever it exceeds what the mount carries. The mount must strictly increase, by at least its `stiffness`:
+/// no knees, cubic >= 0.
 struct MountedHydraulicDamper {
   HydraulicDamper damper;
   SpringLaw mount;
