@@ -110,6 +110,82 @@ TEST(HarmonicBalance, TellsWhereItDidNotConverge) {
   EXPECT_THAT(response.unconverged_Hz, testing::ElementsAre(1.2));
 }
 
+/// A damper of the quarter car, and what linearised harmonic balance may differ by from the march.
+struct LawCase {
+  const char* name;
+  DashpotDescription law;
+  bool in_series = false;
+  /// Share of the response.
+  double tolerance = 0;
+};
+
+// The march ends when its windows repeat within 1e-4.
+constexpr double kMarched = 3e-4;
+// What nine harmonics and 64 samples leave of a kink, and of a step of force within a few mm/s.
+constexpr double kKink = 3e-3;
+constexpr double kStep = 1e-2;
+
+std::ostream& operator<<(std::ostream& out, const LawCase& law) { return out << law.name; }
+
+class HarmonicBalanceOfALaw : public testing::TestWithParam<LawCase> {};
+
+TEST_P(HarmonicBalanceOfALaw, ConvergesToTheMarch) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.dampers[0].law = GetParam().law;
+  if (GetParam().in_series) vehicle.dampers[0].series = SpringDescription{.stiffness = {150e3}};
+  Prepared prepared(vehicle);
+  const Excitation excitation{{1.2, 12}, {0.01, 0.002}, {1}};
+  const PeriodicResponse balanced = prepared.Linearised(excitation);
+  const FrequencyResponse marched = prepared.Marched(excitation, 128);
+  EXPECT_THAT(balanced.unconverged_Hz, testing::IsEmpty());
+  for (std::size_t c = 0; c < marched.channels.size(); ++c)
+    for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+      const Complex ratio = balanced.response.channels[c].response[i] / marched.channels[c].response[i];
+      EXPECT_LT(std::abs(ratio - 1.0), GetParam().tolerance)
+          << marched.channels[c].name << " at " << excitation.frequency_Hz[i] << " Hz";
+    }
+}
+
+const DashpotDescription kSmooth = {
+    .kind = DashpotDescription::Kind::kSmooth, .compression = {800}, .rebound = {2600}, .transition = {0.05}};
+const DashpotDescription kDigressive = {.kind = DashpotDescription::Kind::kDigressive,
+                                        .compression = {2000},
+                                        .rebound = {4000},
+                                        .compression_knee = {{0.05}, {500}},
+                                        .rebound_knee = {{0.08}, {800}}};
+const DashpotDescription kTable = {.kind = DashpotDescription::Kind::kTable,
+                                   .table = {{{-0.5}, {-500}}, {{-0.1}, {-200}}, {{0.1}, {300}}, {{0.5}, {900}}}};
+
+DashpotDescription WithFriction(double force) {
+  return {.compression = {800}, .rebound = {2600}, .friction = DashpotDescription::Friction{{force}, {0.002}}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, HarmonicBalanceOfALaw,
+                         testing::Values(LawCase{"Smooth", kSmooth, false, kMarched},
+                                         LawCase{"SmoothInSeries", kSmooth, true, kMarched},
+                                         LawCase{"Digressive", kDigressive, false, kKink},
+                                         LawCase{"DigressiveInSeries", kDigressive, true, kKink},
+                                         LawCase{"Table", kTable, false, kMarched},
+                                         LawCase{"Friction", WithFriction(50), false, kStep},
+                                         LawCase{"FrictionInSeries", WithFriction(50), true, kStep}),
+                         testing::PrintToStringParamName());
+
+// Friction of 150 N holds the strut: what the iteration calls converged is right, and it says where it is not.
+TEST(HarmonicBalance, IsRightOrUnconvergedWhereFrictionSticks) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.dampers[0].law = WithFriction(150);
+  vehicle.dampers[0].series = SpringDescription{.stiffness = {150e3}};
+  Prepared prepared(vehicle);
+  const PeriodicResponse small = prepared.Linearised({{2.0}, {0.0002}, {1}});
+  EXPECT_THAT(small.unconverged_Hz, testing::ElementsAre(2.0));
+  const Excitation excitation{{2.0}, {0.001}, {1}};
+  const PeriodicResponse balanced = prepared.Linearised(excitation);
+  EXPECT_THAT(balanced.unconverged_Hz, testing::IsEmpty());
+  const FrequencyResponse marched = prepared.Marched(excitation, 128);
+  for (std::size_t c = 0; c < marched.channels.size(); ++c)
+    EXPECT_LT(std::abs(balanced.response.channels[c].response[0] / marched.channels[c].response[0] - 1.0), kStep);
+}
+
 TEST(HarmonicBalance, RefusesTooFewSamples) {
   HarmonicBalanceOptions options;
   options.samples = 18;
