@@ -285,6 +285,23 @@ TEST(ElementCar, ChangedParametersEqualARebuiltCondensedVehicle) {
   EXPECT_EQ(StateMatrix(changed), StateMatrix(rebuilt));
 }
 
+// A centre of mass that parameters move against one that stands in the tree.
+TEST(ElementCar, MovedCentreOfMassEqualsAFixedOne) {
+  Vehicle moved = ElementCar();
+  std::vector<double> values = moved.ParameterValues();
+  for (std::size_t i = 1; i < 4; ++i) values[i] += 0.07 * static_cast<double>(i);
+  Vehicle fixed = moved;
+  for (Scalar& component : fixed.links[1].com) component = {.value = component.At(values)};
+  const CondensedModel a = CondensedVehicle(moved).At(values);
+  const CondensedModel b = CondensedVehicle(fixed).At(values);
+  EXPECT_NE(CondensedVehicle(moved).At(moved.ParameterValues()).mass, a.mass);
+  EXPECT_LT((a.mass - b.mass).norm(), 1e-13 * b.mass.norm());  // rounding
+  // Second derivatives of heights: differences leave 1e-10 / m of 10 kN, beside stiffnesses of 1 MN/m.
+  EXPECT_LT((a.stiffness - b.stiffness).norm(), 1e-11 * b.stiffness.norm());
+  for (std::size_t i = 0; i < a.preloads.tyre.size(); ++i)
+    EXPECT_NEAR(a.preloads.tyre[i], b.preloads.tyre[i], 1e-8);  // rounding of 10 kN
+}
+
 // No number is read and then forgotten.
 TEST(ElementCar, EveryParameterMovesTheMultibody) {
   const Vehicle vehicle = ElementCar();
