@@ -263,11 +263,7 @@ void CondensedVehicle::AddDashpots(std::span<const double> parameters, Condensed
     const Damper& damper = vehicle_.dampers[i];
     CondensedModel::Dashpot dashpot{.direction = damper_directions_[i], .law = {}};
     if (damper.hydraulic) {
-      // Mean rate of the steady force over the speeds that DashpotLaw::MeanRate looks at.
-      constexpr double kSpeed = 0.1;
-      HydraulicDamper law = damper.HydraulicAt(parameters);
-      law.friction = 0;
-      const double rate = (law.SteadyForce(kSpeed) - law.SteadyForce(-kSpeed)) / (2 * kSpeed);
+      const double rate = damper.HydraulicAt(parameters).MeanRate();
       dashpot.law = DashpotLaw(rate, rate);
     } else {
       dashpot.law = damper.law.At(parameters);

@@ -16,6 +16,8 @@ class FileFaults {
     diagnostics_.Error(file_, line, std::move(message));
     ++errors_;
   }
+  /// Whether a further error is shown, not only counted: none else needs suggestions, which cost time.
+  bool IsShown() const { return errors_ < kMostShown; }
   /// Counts an error that follows from one already told, without telling it.
   void Follow() { ++errors_; }
   void Warning(int line, std::string message) { diagnostics_.Warning(file_, line, std::move(message)); }
@@ -25,6 +27,9 @@ class FileFaults {
   int errors() const { return errors_; }
 
  private:
+  /// No fewer than Diagnostics::Format shows of one file.
+  static constexpr int kMostShown = 100;
+
   std::string file_;
   Diagnostics& diagnostics_;
   int errors_ = 0;

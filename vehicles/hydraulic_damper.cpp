@@ -51,6 +51,12 @@ double HydraulicDamper::SteadyForce(double v) const {
   return std::max(difference, cavitation_pressure - gas_pressure) * annulus_area + Friction(v);
 }
 
+double HydraulicDamper::MeanRate() const {
+  constexpr double kSpeed = 0.1;
+  const double both = SteadyForce(kSpeed) - Friction(kSpeed) - (SteadyForce(-kSpeed) - Friction(-kSpeed));
+  return both / (2 * kSpeed);
+}
+
 // The valves pass what leaves the upper pressure, by volume; in the other chamber it fills more.
 std::array<double, 2> HydraulicDamper::Flows(double rebound_pressure, double compression_pressure) const {
   const double difference = rebound_pressure - compression_pressure;

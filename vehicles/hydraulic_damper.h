@@ -48,6 +48,9 @@ struct HydraulicDamper {
   /// use.
   double SteadyForce(double v) const;
 
+  /// Mean rate of the steady force without friction over the speeds that DashpotLaw::MeanRate looks at [N s/m].
+  double MeanRate() const;
+
   /// All positive and finite, friction not negative, cavitation below gas pressure, annulus within the piston; else
   /// throws std::invalid_argument naming field, value and bound.
   void Validate() const;

@@ -52,17 +52,20 @@ void LineReader::ReadFrame(const Tag& tag) {
                       Frame{ReadPoint(tag), Turn(ParseVector(tag.Text("rpy")).value_or(Eigen::Vector3d(0, 0, 0)))});
 }
 
+std::vector<std::string> LineReader::EndNames() const {
+  if (!faults_.IsShown()) return {};
+  std::vector<std::string> names = tree_.LinkNames();
+  for (const auto& [frame, unused] : frames_) names.push_back(frame);
+  return names;
+}
+
 Point LineReader::ReadEnd(const Tag& tag, std::string_view attribute) const {
   const std::string name = tag.Text(attribute);
   if (name.empty()) return {};
   if (const auto frame = frames_.find(name); frame != frames_.end()) return frame->second.point;
   Point point;
   point.link = tree_.FindLink(name);
-  if (point.link < 0) {
-    std::vector<std::string> legal = tree_.LinkNames();
-    for (const auto& [frame, unused] : frames_) legal.push_back(frame);
-    Unknown(tag, attribute, "frame or link", legal);
-  }
+  if (point.link < 0) Unknown(tag, attribute, "frame or link", EndNames());
   return point;
 }
 

@@ -45,6 +45,8 @@ class LineReader {
   };
 
   void ReadFrame(const Tag& tag);
+  /// What an end may name.
+  std::vector<std::string> EndNames() const;
   Point ReadEnd(const Tag& tag, std::string_view attribute) const;
 
   const UrdfTree& tree_;

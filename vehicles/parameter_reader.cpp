@@ -194,15 +194,25 @@ void ParameterReader::CheckBounds(const Tag& tag, const Parameter& parameter) co
 void ParameterReader::JudgeByUses(const tinyxml2::XMLElement& robot) {
   std::map<std::string, std::vector<ParameterUse>, std::less<>> uses;
   for (ParameterUse& use : FindParameterUses(robot)) uses[use.parameter].push_back(std::move(use));
-  const std::vector<std::string> names = Names();
   for (const auto& [name, found] : uses) {
-    // A misspelt name is told, and counts as a use of what it probably means.
-    const auto index = index_.contains(name) ? index_.find(name) : index_.find(NearestName(name, names).value_or(""));
-    if (index == index_.end()) continue;
+    const auto index = index_.find(name);
+    if (index == index_.end()) {
+      NoteMisspelt(name);
+      continue;
+    }
     const auto i = static_cast<std::size_t>(index->second);
     used_[i] = true;
-    if (index->first == name && sound_[i]) sound_[i] = AgreesWithUses(parameters_[i], found);
+    if (sound_[i]) sound_[i] = AgreesWithUses(parameters_[i], found);
   }
+}
+
+/// A misspelt name is told where it is used, and counts as a use of what it probably means.
+void ParameterReader::NoteMisspelt(const std::string& name) {
+  // Of so many, not all are told.
+  constexpr int kMost = 100;
+  if (++misspelt_ > kMost) return;
+  const std::vector<std::string> names = Names();
+  if (const auto near = NearestName(name, names)) used_[static_cast<std::size_t>(index_.find(*near)->second)] = true;
 }
 
 bool ParameterReader::AgreesWithUses(const Parameter& parameter, const std::vector<ParameterUse>& uses) const {
@@ -272,9 +282,9 @@ Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule,
   if (!reference) return Fault(tag, rule.name, ReferenceFault(text));
   if (found == index_.end() && lost_names_.contains(reference->name)) return Unreadable();
   if (found == index_.end())
-    return Fault(
-        tag, rule.name,
-        "refers to an unknown parameter '" + std::string(reference->name) + "'" + DidYouMean(reference->name, Names()));
+    return Fault(tag, rule.name,
+                 "refers to an unknown parameter '" + std::string(reference->name) + "'" +
+                     (faults_.IsShown() ? DidYouMean(reference->name, Names()) : ""));
   const Parameter& parameter = parameters_[static_cast<std::size_t>(found->second)];
   if (parameter.dimension != rule.dimension)
     return Fault(tag, rule.name,

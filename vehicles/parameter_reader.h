@@ -50,6 +50,7 @@ class ParameterReader {
   void CheckBounds(const Tag& tag, const Parameter& parameter) const;
   void ReadPrior(const Tag& tag, Parameter& parameter) const;
   void JudgeByUses(const tinyxml2::XMLElement& robot);
+  void NoteMisspelt(const std::string& name);
   bool AgreesWithUses(const Parameter& parameter, const std::vector<ParameterUse>& uses) const;
   Scalar ReadReference(const Tag& tag, const AttributeRule& rule, const std::string& text);
   std::string NumberFault(const AttributeRule& rule, const std::string& text) const;
@@ -65,6 +66,7 @@ class ParameterReader {
   /// See LostNames.
   std::set<std::string, std::less<>> lost_names_;
   std::vector<bool> used_;
+  int misspelt_ = 0;
   /// Read without a fault of its own, so that what refers to it can be judged.
   std::vector<bool> sound_;
 };

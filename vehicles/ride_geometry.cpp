@@ -18,6 +18,10 @@ AxleRates RollOf(const Suspension& suspension, const Axle& axle, const Travel& r
   return {roll->force.dot(roll->rise)};
 }
 
+double MeanRate(const Damper& damper, std::span<const double> parameters) {
+  return damper.hydraulic ? damper.HydraulicAt(parameters).MeanRate() : damper.law.At(parameters).MeanRate();
+}
+
 /// Ratios of elements to the wheels, from the travels found once.
 class Ratios {
  public:
@@ -68,7 +72,7 @@ std::optional<double> UnsprungMass(const Suspension& suspension, const HeldChass
 }  // namespace
 
 RideGeometry RideGeometryOf(const Vehicle& vehicle, const Kinematics& pose, const Suspension& suspension,
-                            const HeldChassis& held, const CondensedModel& model, std::span<const double> parameters) {
+                            const HeldChassis& held, std::span<const double> parameters) {
   RideGeometry ride;
   std::vector<Travel> alone;
   std::vector<Travel> together;
@@ -85,8 +89,8 @@ RideGeometry RideGeometryOf(const Vehicle& vehicle, const Kinematics& pose, cons
   const Ratios ratios(suspension, std::move(alone), std::move(together));
   for (const Spring& spring : vehicle.springs)
     ride.springs.push_back(ratios.Of(pose.LineLength(spring.line), spring.law.At(parameters).Slope(0)));
-  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i)
-    ride.dampers.push_back(ratios.Of(pose.LineLength(vehicle.dampers[i].line), model.dashpots[i].law.MeanRate()));
+  for (const Damper& damper : vehicle.dampers)
+    ride.dampers.push_back(ratios.Of(pose.LineLength(damper.line), MeanRate(damper, parameters)));
   for (const AntiRollBar& bar : vehicle.antiroll_bars)
     ride.antiroll_bars.push_back(ratios.Of(pose.Twist(bar), bar.stiffness.At(parameters)));
   ride.unsprung_mass_kg = UnsprungMass(suspension, held);

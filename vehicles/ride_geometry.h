@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "vehicles/condensed_model.h"
 #include "vehicles/suspension.h"
 #include "vehicles/wheel_travel.h"
 
@@ -42,7 +41,7 @@ struct AxleRates {
 struct StrutGeometry {
   /// In the design pose [m]; of an anti-roll bar, the difference of its lines' lengths.
   double length_m = 0;
-  /// In the design pose [N/m], of a damper its mean rate [N s/m].
+  /// In the design pose [N/m], of a damper its mean rate [N s/m] without mount and friction.
   double rate = 0;
   /// Index in Suspension::wheels of the one that moves it most when moved alone; -1: none moves it.
   int wheel = -1;
@@ -65,8 +64,8 @@ struct RideGeometry {
   std::optional<double> unsprung_mass_kg;
 };
 
-/// `pose`: the design pose; `model`: the condensed vehicle, both at these parameters.
+/// `pose`: the design pose.
 RideGeometry RideGeometryOf(const Vehicle& vehicle, const Kinematics& pose, const Suspension& suspension,
-                            const HeldChassis& held, const CondensedModel& model, std::span<const double> parameters);
+                            const HeldChassis& held, std::span<const double> parameters);
 
 }  // namespace fourpost

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/nearest.h"
 #include "vehicles/mesh.h"
 #include "vehicles/solid.h"
 #include "vehicles/tag.h"
@@ -70,7 +69,7 @@ class SolidReader {
     const std::string name = tag.Text("link");
     const int index = tree_.FindLink(name);
     if (index < 0) {
-      if (!name.empty()) Fault(tag, "the link is unknown" + DidYouMean(name, tree_.LinkNames()));
+      if (!name.empty()) Fault(tag, "the link is unknown" + tree_.LinkMeant(name, faults_));
       return index;
     }
     const XMLElement& link = *tree_.links[static_cast<std::size_t>(index)];

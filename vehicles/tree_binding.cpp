@@ -122,7 +122,7 @@ class BindingReader {
     binding.number = FindNumber(path->number);
     if (binding.link < 0 && lost_names_.contains(path->link)) faults_.Follow();
     else if (binding.link < 0)
-      Fault(bind, "has an unknown link '" + path->link + "'" + DidYouMean(path->link, tree_.LinkNames()));
+      Fault(bind, "has an unknown link '" + path->link + "'" + tree_.LinkMeant(path->link, faults_));
     if (binding.number < 0)
       Fault(bind, "has an unknown number '" + path->number + "'" + DidYouMean(path->number, NumberNames()));
     return binding.link >= 0 && binding.number >= 0;

@@ -27,11 +27,12 @@ class TreeReader {
       : faults_(faults),
         lost_names_(LostNames(robot)),
         joints_(Children(robot, "joint")),
-        tree_{.links = Children(robot, "link"), .joints = {}} {
+        tree_{.links = Children(robot, "link"), .joints = {}, .link_index = {}} {
     for (const XMLElement* element : Children(robot)) sound_ = sound_ && !IsMisspeltJoint(*element);
   }
 
   UrdfTree Read() {
+    tree_.IndexLinks();
     for (const XMLElement* joint : joints_) {
       CheckEnd(*joint, "parent");
       CheckEnd(*joint, "child");
@@ -54,7 +55,7 @@ class TreeReader {
     sound_ = false;
     if (lost_names_.contains(link)) return;
     faults_.Error(LineOf(*joint.FirstChildElement(end)), Describe(joint) + " has the unknown " + end + " link '" +
-                                                             link + "'" + DidYouMean(link, tree_.LinkNames()));
+                                                             link + "'" + tree_.LinkMeant(link, faults_));
   }
 
   void CheckLimit(const XMLElement& joint) {
@@ -90,6 +91,7 @@ class TreeReader {
       return;
     }
     std::rotate(tree_.links.begin(), ground, ground + 1);
+    tree_.IndexLinks();
     // A joint with a fault of its own may be what is missing here.
     if (!sound_) return;
     CheckGround(*tree_.links.front());
@@ -109,18 +111,22 @@ class TreeReader {
   /// Goes on from the ground; what it never reaches is a loop.
   void OrderJoints() {
     if (!sound_) return;
+    std::multimap<std::string, const XMLElement*> joints_of;
+    for (const XMLElement* joint : joints_) joints_of.emplace(End(*joint, "parent"), joint);
     std::vector<std::string> reached;
+    std::set<const XMLElement*> ordered;
     for (const XMLElement* link : tree_.links)
       if (!parent_joint_.contains(NameOf(*link))) reached.push_back(NameOf(*link));
     for (std::size_t i = 0; i < reached.size(); ++i) {
-      for (const XMLElement* joint : joints_) {
-        if (End(*joint, "parent") != reached[i]) continue;
-        tree_.joints.push_back(joint);
-        reached.push_back(End(*joint, "child"));
+      const auto [begin, end] = joints_of.equal_range(reached[i]);
+      for (auto joint = begin; joint != end; ++joint) {
+        tree_.joints.push_back(joint->second);
+        ordered.insert(joint->second);
+        reached.push_back(End(*joint->second, "child"));
       }
     }
     for (const XMLElement* joint : joints_)
-      if (std::find(tree_.joints.begin(), tree_.joints.end(), joint) == tree_.joints.end())
+      if (!ordered.contains(joint))
         faults_.Error(LineOf(*joint), Describe(*joint) + " is part of a loop of joints that the ground does not carry");
   }
 
@@ -140,10 +146,18 @@ std::vector<std::string> UrdfTree::LinkNames() const {
   return names;
 }
 
+std::string UrdfTree::LinkMeant(std::string_view name, const FileFaults& faults) const {
+  return faults.IsShown() ? DidYouMean(name, LinkNames()) : "";
+}
+
+void UrdfTree::IndexLinks() {
+  link_index.clear();
+  for (std::size_t i = 0; i < links.size(); ++i) link_index.try_emplace(NameOf(*links[i]), static_cast<int>(i));
+}
+
 int UrdfTree::FindLink(std::string_view name) const {
-  for (std::size_t i = 0; i < links.size(); ++i)
-    if (NameOf(*links[i]) == name) return static_cast<int>(i);
-  return -1;
+  const auto found = link_index.find(name);
+  return found == link_index.end() ? -1 : found->second;
 }
 
 UrdfTree ReadUrdfTree(const XMLElement& robot, FileFaults& faults) { return TreeReader(robot, faults).Read(); }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <tinyxml2.h>
@@ -15,8 +17,14 @@ struct UrdfTree {
   std::vector<const tinyxml2::XMLElement*> links;
   /// Parents before children.
   std::vector<const tinyxml2::XMLElement*> joints;
+  /// Positions of the links by their names.
+  std::map<std::string, int, std::less<>> link_index;
 
+  /// Notes the positions of the links.
+  void IndexLinks();
   std::vector<std::string> LinkNames() const;
+  /// ", did you mean 'body'?" to end a message with; empty when no name is near, or the message will not be shown.
+  std::string LinkMeant(std::string_view name, const FileFaults& faults) const;
   /// Position of the link with this name; -1 when there is none.
   int FindLink(std::string_view name) const;
 };

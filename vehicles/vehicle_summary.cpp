@@ -40,7 +40,7 @@ VehicleSummary Summarise(const Vehicle& vehicle, std::span<const double> paramet
     summary.corner_loads.push_back({vehicle.tyres[i].name, model.preloads.tyre[i]});
   summary.spring_tension = model.preloads.spring;
   const HeldChassis held(summary.suspension, StiffnessWithoutTyres(vehicle, pose, parameters, model.stiffness));
-  summary.ride = RideGeometryOf(vehicle, pose, summary.suspension, held, model, parameters);
+  summary.ride = RideGeometryOf(vehicle, pose, summary.suspension, held, parameters);
   summary.modes = ModesOf(model);
   NameModes(vehicle, pose, summary.suspension, held, summary.modes);
   summary.growth_rate = StateMatrix(model).eigenvalues().real().maxCoeff();

@@ -1,7 +1,8 @@
 #include "vehicles/ride_geometry.h"
 
 #include <cmath>
-#include <numbers>
+#include <map>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -130,6 +131,22 @@ TEST(RideGeometry, LeavesOutWhatNoWheelMoves) {
   // Bushings 0.9 m ahead of an axle yield little in heave, and hold its roll: bodies no longer turn about each other.
   EXPECT_NEAR(ride.wheels.at(0).together.wheel_Npm, 40e3, 0.01 * 40e3);
   EXPECT_GT(ride.wheels[0].alone.wheel_Npm, 10 * 40e3);
+}
+
+// Hydraulic dampers with and without friction stand among them.
+TEST(RideGeometry, TellsTheMeanRateOfEachDamper) {
+  const Vehicle vehicle = ElementCar();
+  const RideGeometry ride = RideOf(vehicle);
+  const std::map<std::string, double> rates = {{"fl", 1850}, {"tail", 50}, {"torque", 1850}};
+  ASSERT_EQ(ride.dampers.size(), vehicle.dampers.size());
+  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i) {
+    const Damper& damper = vehicle.dampers[i];
+    if (const auto rate = rates.find(damper.name); rate != rates.end()) ExpectShare(ride.dampers[i].rate, rate->second);
+    if (!damper.hydraulic) continue;
+    HydraulicDamper law = damper.HydraulicAt(vehicle.ParameterValues());
+    law.friction = 0;
+    ExpectShare(ride.dampers[i].rate, (law.SteadyForce(0.1) - law.SteadyForce(-0.1)) / 0.2);
+  }
 }
 
 }  // namespace
