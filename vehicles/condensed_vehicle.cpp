@@ -19,6 +19,11 @@ Diagnostics RigidityFault(const Vehicle& vehicle) {
 
 std::string Tagged(const char* tag, const std::string& name) { return std::string(tag) + " '" + name + "'"; }
 
+/// Among the springs: their preloads are not set by a file.
+bool IsStopOrGas(const std::string& element) {
+  return element.starts_with("fp:stop") || element.starts_with("the gas of");
+}
+
 /// Adds the stiffness of a rate along a direction.
 void AddRate(double rate, const Eigen::VectorXd& direction, Eigen::MatrixXd& matrix) {
   if (rate != 0) matrix.noalias() += (rate * direction) * direction.transpose();
@@ -118,10 +123,28 @@ std::vector<int> CondensedVehicle::Held::Parameters() const {
   return {rate.parameter, free_length->parameter};
 }
 
+std::vector<IdleElement> CondensedVehicle::IdleElements(std::span<const double> parameters) const {
+  using Kind = IdleElement::Kind;
+  std::vector<IdleElement> idle;
+  for (std::size_t i = 0; i < vehicle_.dampers.size(); ++i)
+    idle.push_back({Kind::kDamper, Tagged("fp:damper", vehicle_.dampers[i].name), damper_directions_[i]});
+  for (const Held& element : held_)
+    if (element.element.starts_with("fp:stop")) idle.push_back({Kind::kStop, element.element, element.shape.gradient});
+  for (std::size_t i = 0; i < vehicle_.bushings.size(); ++i) {
+    const Bushing& bushing = vehicle_.bushings[i];
+    const std::size_t first = 2 * vehicle_.tyres.size() + 6 * i;
+    for (std::size_t k = 0; k < 3 && !bushing.holds; ++k)
+      if (bushing.stiffness[k].At(parameters) > 0)
+        idle.push_back({Kind::kBushing, Tagged("fp:bushing", bushing.name), bonds_[first + k].direction});
+  }
+  return idle;
+}
+
 /// Equilibrium: weight + sum of (spring tension) dL/ds + sum of (tyre force) d(compression)/ds = 0.
 void CondensedVehicle::SolvePreloads() {
   const std::vector<double> values = vehicle_.ParameterValues();
-  std::vector<GivenForce> given;
+  StaticLoads loads{.forces = {}, .holders = {}, .idle = IdleElements(values), .links = LinkMotions(values)};
+  std::vector<GivenForce>& given = loads.forces;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const CondensedBody& body = bodies_[i];
     const double mass = body.mass().At(values);
@@ -133,11 +156,12 @@ void CondensedVehicle::SolvePreloads() {
       given.push_back(
           {GivenForce::Kind::kWeight, element, line, 0, {body.com()[k].parameter}, mass * body.WeightByCom(k)});
   }
-  Eigen::MatrixXd holders(size_, 0);
+  Eigen::MatrixXd& holders = loads.holders;
+  holders.resize(size_, 0);
   for (Held& element : held_) {
     if (element.IsGiven()) {
       given.push_back({GivenForce::Kind::kPreload, element.element, element.source_line, element.GivenAt(values),
-                       element.Parameters(), element.shape.gradient});
+                       element.Parameters(), element.shape.gradient, !IsStopOrGas(element.element)});
       continue;
     }
     element.unknown = static_cast<int>(holders.cols());
@@ -146,7 +170,7 @@ void CondensedVehicle::SolvePreloads() {
   }
   preload_map_ = PreloadMap(holders);
   Diagnostics faults;
-  CheckEquilibrium(vehicle_, given, holders, faults);
+  CheckEquilibrium(vehicle_, loads, faults);
   if (faults.HasErrors()) throw FaultyInput(faults);
 }
 

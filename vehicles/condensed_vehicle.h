@@ -16,6 +16,8 @@
 
 namespace fourpost {
 
+struct IdleElement;
+
 /// The geometry of a vehicle about its design pose, taken once from its multibody system, so that a model for other
 /// masses, inertias, rates and laws costs microseconds and no Simbody.
 ///
@@ -87,6 +89,7 @@ class CondensedVehicle {
   };
 
   void AddBonds(const Kinematics& pose);
+  std::vector<IdleElement> IdleElements(std::span<const double> parameters) const;
   void SolvePreloads();
   void NoteSimplified();
   double PreloadOf(const Held& element, const Eigen::VectorXd& held, std::span<const double> parameters) const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <Eigen/QR>
 
@@ -17,20 +19,8 @@ Eigen::VectorXd Rest(const Eigen::VectorXd& force, const Eigen::MatrixXd& column
   return force + columns * (PreloadMap(columns) * force);
 }
 
-/// Directions are exact to rounding: projections leave about 1e-15 of them, and what nothing holds leaves a share that
-/// the geometry sets, centimetres in metres at the least.
 bool IsHeld(const Eigen::VectorXd& direction, const Eigen::MatrixXd& columns) {
-  constexpr double kRounding = 1e-9;
-  return Rest(direction, columns).norm() <= kRounding * direction.norm();
-}
-
-Eigen::MatrixXd WithPreloads(Eigen::MatrixXd columns, const std::vector<GivenForce>& forces) {
-  for (const GivenForce& force : forces) {
-    if (force.kind != GivenForce::Kind::kPreload) continue;
-    columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
-    columns.rightCols<1>() = force.direction;
-  }
-  return columns;
+  return Rest(direction, columns).norm() <= kHeldShare * direction.norm();
 }
 
 /// Whether what the file gives is balanced at the file's values.
@@ -40,8 +30,8 @@ bool IsBalanced(const std::vector<GivenForce>& forces, const Eigen::MatrixXd& ho
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(holders.rows());
   double scale = 0;
   for (const GivenForce& force : forces) {
-    sum += force.size * force.direction;
-    scale += (force.size * force.direction).norm();
+    sum += force.Force();
+    scale += force.Force().norm();
   }
   return Rest(sum, holders).norm() <= kTyped * scale;
 }
@@ -49,21 +39,84 @@ bool IsBalanced(const std::vector<GivenForce>& forces, const Eigen::MatrixXd& ho
 /// To a thousandth of a newton.
 std::string RoundedText(double force) { return FormatNumber(std::round(force * 1e3) / 1e3 + 0.0); }
 
-/// Links that nothing can hold; if there is none, the given preloads, of which one at least must be wrong.
-void ReportImbalance(const Vehicle& vehicle, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders,
-                     Diagnostics& faults) {
-  const Eigen::MatrixXd all = WithPreloads(holders, forces);
-  bool reported = false;
-  for (const GivenForce& force : forces) {
-    if (force.kind != GivenForce::Kind::kWeight || force.size == 0 || IsHeld(force.direction, all)) continue;
-    faults.Error(vehicle.file, force.line,
-                 std::string("no static equilibrium: no ") + kHolder + " can hold the weight of " + force.element +
-                     "; add one under it or fix a joint");
-    reported = true;
+int LineOf(const Vehicle& vehicle, const std::string& link) {
+  const auto found =
+      std::find_if(vehicle.links.begin(), vehicle.links.end(), [&](const Link& l) { return l.name == link; });
+  return found == vehicle.links.end() ? 0 : found->line;
+}
+
+/// "a, b and c", each once.
+std::string Enumerated(const std::vector<std::string>& items) {
+  std::vector<std::string> different;
+  for (const std::string& item : items)
+    if (std::find(different.begin(), different.end(), item) == different.end()) different.push_back(item);
+  std::string text;
+  for (std::size_t i = 0; i < different.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == different.size() ? " and " : ", ") + different[i];
+  return text;
+}
+
+std::string EnumeratedLinks(std::vector<std::string> names) {
+  for (std::string& name : names) name = "link '" + name + "'";
+  return Enumerated(names);
+}
+
+std::string Remedy(const UnheldMotion& unheld) {
+  using Kind = IdleElement::Kind;
+  const auto of_kind = [&](Kind kind) {
+    std::vector<std::string> elements;
+    for (const IdleElement& element : unheld.idle)
+      if (element.kind == kind) elements.push_back(element.element);
+    return Enumerated(elements);
+  };
+  if (const std::string bushings = of_kind(Kind::kBushing); !bushings.empty())
+    return "write preload=\"equilibrium\" in " + bushings;
+  if (const std::string dampers = of_kind(Kind::kDamper); !dampers.empty())
+    return "a damper carries nothing at rest: add an fp:spring beside " + dampers;
+  if (const std::string stops = of_kind(Kind::kStop); !stops.empty())
+    return "a stop carries nothing at rest: add an fp:spring beside " + stops;
+  return std::string("add the fp:rod, fp:ball or joint that guides it, or a ") + kHolder + " that carries it";
+}
+
+/// Motions that fp:mirror has made of one: its links keep their line.
+bool AreTwins(const Vehicle& vehicle, const UnheldMotion& a, const UnheldMotion& b) {
+  return a.motion.link != b.motion.link && a.motion.direction == b.motion.direction &&
+         LineOf(vehicle, a.motion.link) == LineOf(vehicle, b.motion.link);
+}
+
+void Join(UnheldMotion& motion, const UnheldMotion& twin) {
+  motion.alike.insert(motion.alike.end(), twin.alike.begin(), twin.alike.end());
+  motion.fastest.insert(motion.fastest.end(), twin.fastest.begin(), twin.fastest.end());
+  motion.idle.insert(motion.idle.end(), twin.idle.begin(), twin.idle.end());
+}
+
+std::vector<UnheldMotion> WithTwinsJoined(const Vehicle& vehicle, const std::vector<UnheldMotion>& motions) {
+  std::vector<UnheldMotion> joined;
+  for (const UnheldMotion& motion : motions) {
+    const auto twin = std::find_if(joined.begin(), joined.end(),
+                                   [&](const UnheldMotion& other) { return AreTwins(vehicle, motion, other); });
+    if (twin == joined.end()) joined.push_back(motion);
+    else Join(*twin, motion);
   }
-  if (reported) return;
-  for (const GivenForce& force : forces)
-    if (force.kind == GivenForce::Kind::kPreload && !IsHeld(force.direction, holders))
+  return joined;
+}
+
+std::string Text(const UnheldMotion& unheld) {
+  const std::string what = Word(unheld.motion.direction) + " of " + EnumeratedLinks(unheld.alike);
+  const std::vector<std::string>& fastest = unheld.fastest;
+  if (std::find(fastest.begin(), fastest.end(), unheld.motion.link) != fastest.end()) return what;
+  return what + ", in which " + EnumeratedLinks(fastest) + (fastest.size() > 1 ? " move most" : " moves most");
+}
+
+/// Motions that nothing holds; if there is none, the given preloads, of which one at least must be wrong.
+void ReportImbalance(const Vehicle& vehicle, const StaticLoads& loads, Diagnostics& faults) {
+  const std::vector<UnheldMotion> unheld = UnheldMotions(loads);
+  for (const UnheldMotion& motion : WithTwinsJoined(vehicle, unheld))
+    faults.Error(vehicle.file, LineOf(vehicle, motion.motion.link),
+                 "no static equilibrium: nothing holds " + Text(motion) + "; " + Remedy(motion));
+  if (!unheld.empty()) return;
+  for (const GivenForce& force : loads.forces)
+    if (force.kind == GivenForce::Kind::kPreload && force.carries && !IsHeld(force.direction, loads.holders))
       faults.Error(vehicle.file, force.line,
                    "no static equilibrium: the preload of " + force.element + ", " + RoundedText(force.size) +
                        " N, is not balanced; correct it or write preload=\"equilibrium\"");
@@ -103,10 +156,9 @@ Eigen::MatrixXd PreloadMap(const Eigen::MatrixXd& holders) {
   return -holders.completeOrthogonalDecomposition().pseudoInverse();
 }
 
-void CheckEquilibrium(const Vehicle& vehicle, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders,
-                      Diagnostics& faults) {
-  if (IsBalanced(forces, holders)) ReportFreeParameters(vehicle, forces, holders, faults);
-  else ReportImbalance(vehicle, forces, holders, faults);
+void CheckEquilibrium(const Vehicle& vehicle, const StaticLoads& loads, Diagnostics& faults) {
+  if (IsBalanced(loads.forces, loads.holders)) ReportFreeParameters(vehicle, loads.forces, loads.holders, faults);
+  else ReportImbalance(vehicle, loads, faults);
 }
 
 }  // namespace fourpost

@@ -8,18 +8,6 @@
 namespace fourpost {
 namespace {
 
-/// Six rows a link, whose squares of products with a motion are the energies.
-Eigen::MatrixXd EnergyRows(const std::vector<CondensedVehicle::LinkMotion>& links, Eigen::Index coordinates) {
-  Eigen::MatrixXd rows(6 * links.size(), coordinates);
-  Eigen::Index row = 0;
-  for (const CondensedVehicle::LinkMotion& link : links) {
-    rows.middleRows<3>(row) = std::sqrt(link.mass) * link.com_jacobian;
-    rows.middleRows<3>(row + 3) = link.inertia.cwiseMax(0).cwiseSqrt().asDiagonal() * link.spin_jacobian;
-    row += 6;
-  }
-  return rows;
-}
-
 /// The part of the basis that moves mass, its columns of unit energy and without common energy.
 Eigen::MatrixXd Whitened(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& basis) {
   const Eigen::MatrixXd moved = rows * basis;
@@ -56,6 +44,17 @@ std::vector<CondensedVehicle::LinkMotion> LinkMotionsOf(const Vehicle& vehicle, 
                        .spin_jacobian = pose.Rotation(index).transpose() * pose.AngularJacobian(index)});
   }
   return motions;
+}
+
+Eigen::MatrixXd EnergyRows(const std::vector<CondensedVehicle::LinkMotion>& links, Eigen::Index coordinates) {
+  Eigen::MatrixXd rows(6 * links.size(), coordinates);
+  Eigen::Index row = 0;
+  for (const CondensedVehicle::LinkMotion& link : links) {
+    rows.middleRows<3>(row) = std::sqrt(link.mass) * link.com_jacobian;
+    rows.middleRows<3>(row + 3) = link.inertia.cwiseMax(0).cwiseSqrt().asDiagonal() * link.spin_jacobian;
+    row += 6;
+  }
+  return rows;
 }
 
 std::string Word(NamedMotion::Direction direction) {

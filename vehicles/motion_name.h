@@ -24,6 +24,10 @@ struct NamedMotion {
   std::string Text() const;
 };
 
+/// Six rows a link, of its translation and its turning in the links' order: the squares of their products with a motion
+/// are twice the kinetic energies.
+Eigen::MatrixXd EnergyRows(const std::vector<CondensedVehicle::LinkMotion>& links, Eigen::Index coordinates);
+
 /// "heave", "fore-aft motion" ...
 std::string Word(NamedMotion::Direction direction);
 

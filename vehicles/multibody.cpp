@@ -4,10 +4,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include <Eigen/QR>
-
 #include "analysis/diagnostics.h"
 #include "vehicles/body_forces.h"
+#include "vehicles/close_loops.h"
 #include "vehicles/count_check.h"
 #include "vehicles/gravity.h"
 #include "vehicles/line_forces.h"
@@ -269,20 +268,21 @@ bool Multibody::Impl::SetMasses(std::span<const double> parameters) {
 }
 
 void Multibody::Impl::AssembleDesignPose() {
-  constexpr double kClosed_m = 1e-12;
-  constexpr int kIterations = 50;
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
-    for (int i = 0; i < design_pose.size(); ++i) state.updQ()[i] = design_pose[i];
-    system.realize(state, SimTK::Stage::Velocity);
-    const Eigen::VectorXd error = ToEigen(state.getQErr());
-    if (error.size() == 0 || error.lpNorm<Eigen::Infinity>() < kClosed_m) return;
+  const auto error_at = [this](const Eigen::VectorXd& q) {
+    SetPose(q);
+    return Eigen::VectorXd(ToEigen(state.getQErr()));
+  };
+  const auto jacobian = [this] {
     SimTK::Matrix g;
     matter.calcG(state, g);
-    design_pose -= ToEigen(g).completeOrthogonalDecomposition().solve(error);
-    if (!design_pose.allFinite() || design_pose.lpNorm<Eigen::Infinity>() > 1e3) break;
-  }
+    return Eigen::MatrixXd(ToEigen(g));
+  };
+  const ClosedLoops assembled = CloseLoops({error_at, jacobian}, design_pose);
+  SetPose(assembled.pose);
+  design_pose = assembled.pose;
+  if (assembled.is_closed) return;
   const auto distance = [this](const Point& parent, const Point& child) { return Distance(parent, child); };
-  throw FaultyInput(LoopGapFaults(vehicle, rod_lengths, distance));
+  throw FaultyInput(LoopGapFaults(vehicle, distance));
 }
 
 double Multibody::Impl::Distance(const Point& a, const Point& b) {

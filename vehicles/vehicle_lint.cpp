@@ -3,6 +3,7 @@
 #include <array>
 
 #include "vehicles/lint_subject.h"
+#include "vehicles/loop_lint.h"
 #include "vehicles/motion_lint.h"
 #include "vehicles/number_lint.h"
 #include "vehicles/parameter_lint.h"
@@ -13,10 +14,15 @@
 namespace fourpost {
 namespace {
 
-constexpr std::array<LintRule, 17> kRules = {
-    LintNumbers,         LintPlacesInMillimetres, LintStopGaps,    LintSwappedDamping, LintMirroredPoints,
-    LintMirroredNumbers, LintSensorPlaces,        LintTyreHeights, LintLengths,        LintPosts,
-    LintSensors,         LintTyreLoads,           LintSpringLoads, LintWeightOnTyres,  LintFreeMotions,
+constexpr std::array<LintRule, 18> kRules = {
+    LintNumbers,         LintPlacesInMillimetres,
+    LintStopGaps,        LintOpenClosures,
+    LintSwappedDamping,  LintMirroredPoints,
+    LintMirroredNumbers, LintSensorPlaces,
+    LintTyreHeights,     LintLengths,
+    LintPosts,           LintSensors,
+    LintTyreLoads,       LintSpringLoads,
+    LintWeightOnTyres,   LintFreeMotions,
     LintUndampedMotions, LintIdleParameters,
 };
 
