@@ -12,7 +12,7 @@ namespace {
 bool IsClosed(const Eigen::VectorXd& error) { return error.size() == 0 || error.lpNorm<Eigen::Infinity>() < 1e-12; }
 
 /// A longer one leaves the neighbourhood in which the equations are about linear: links are metres long.
-double LeastShare(const Eigen::VectorXd& step) {
+double ShareInReach(const Eigen::VectorXd& step) {
   constexpr double kLongest = 0.5;
   return std::min(1.0, kLongest / step.lpNorm<Eigen::Infinity>());
 }
@@ -35,7 +35,7 @@ class LoopCloser {
     // Share of the decrease that the linearised equations promise; a usual choice.
     constexpr double kArmijo = 0.1;
     const Eigen::VectorXd newton = -jacobian.completeOrthogonalDecomposition().solve(error_);
-    const double share = LeastShare(newton);
+    const double share = ShareInReach(newton);
     return Try(share * newton, 1 - kArmijo * share) || ImproveDamped(jacobian);
   }
 
@@ -51,7 +51,7 @@ class LoopCloser {
     for (double damping = kLeast; damping < kGreatest; damping *= 10) {
       const double d = damping * scale;
       const Eigen::VectorXd step = -jacobian.transpose() * (square + d * d * one).llt().solve(error_);
-      if (Try(LeastShare(step) * step, 1 - kDecrease)) return true;
+      if (Try(ShareInReach(step) * step, 1 - kDecrease)) return true;
     }
     return false;
   }

@@ -115,8 +115,10 @@ void ReportImbalance(const Vehicle& vehicle, const StaticLoads& loads, Diagnosti
     faults.Error(vehicle.file, LineOf(vehicle, motion.motion.link),
                  "no static equilibrium: nothing holds " + Text(motion) + "; " + Remedy(motion));
   if (!unheld.empty()) return;
+  // A stop has no preload to correct.
   for (const GivenForce& force : loads.forces)
-    if (force.kind == GivenForce::Kind::kPreload && force.carries && !IsHeld(force.direction, loads.holders))
+    if (force.kind == GivenForce::Kind::kPreload && (force.carries || force.size != 0) &&
+        !IsHeld(force.direction, loads.holders))
       faults.Error(vehicle.file, force.line,
                    "no static equilibrium: the preload of " + force.element + ", " + RoundedText(force.size) +
                        " N, is not balanced; correct it or write preload=\"equilibrium\"");

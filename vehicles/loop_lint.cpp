@@ -9,6 +9,8 @@ namespace {
 
 /// The link whose centre of mass lies furthest from where it is written: "link 'body' by 1.2 mm".
 std::string FurthestMoved(const LintSubject& subject) {
+  // Of mirror images the first.
+  constexpr double kAlike = 1e-6;
   const std::vector<Eigen::Isometry3d> written = DesignPoses(subject.vehicle);
   const Link* furthest = nullptr;
   double most = 0;
@@ -16,7 +18,7 @@ std::string FurthestMoved(const LintSubject& subject) {
     const Link& link = subject.vehicle.links[i];
     const Point com{static_cast<int>(i), link.ComAt(subject.values)};
     const double moved = (subject.Place(com) - PlaceOf(com, written)).norm();
-    if (moved <= most) continue;
+    if (moved <= (1 + kAlike) * most) continue;
     most = moved;
     furthest = &link;
   }

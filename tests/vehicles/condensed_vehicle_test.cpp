@@ -208,10 +208,10 @@ TEST(CondensedVehicle, NeedsAValueForEachParameter) {
   EXPECT_THAT([&] { condensed.LinkMotions(few); }, refuses);
 }
 
-TEST(CondensedVehicle, NamesALinkThatNothingHolds) {
+TEST(CondensedVehicle, NamesAMotionThatNothingHolds) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
   vehicle.springs.clear();
-  EXPECT_THAT(Fault(vehicle), HasSubstr("can hold the weight of link 'sprung'"));
+  EXPECT_THAT(Fault(vehicle), HasSubstr("nothing holds heave of link 'sprung'"));
 }
 
 }  // namespace

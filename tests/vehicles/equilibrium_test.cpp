@@ -1,5 +1,7 @@
 #include "vehicles/equilibrium.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "tests/vehicles/shipped_vehicle.h"
@@ -33,6 +35,15 @@ Vehicle QuarterCarWith(std::optional<double> tension, std::optional<double> load
   return vehicle;
 }
 
+std::string Place(const Vehicle& vehicle, int line) {
+  return vehicle.file + ":" + std::to_string(line) + ": error: no static equilibrium: ";
+}
+
+int LinkLine(const Vehicle& vehicle, const std::string& name) {
+  return std::find_if(vehicle.links.begin(), vehicle.links.end(), [&](const Link& link) { return link.name == name; })
+      ->line;
+}
+
 TEST(Equilibrium, MayHaveEveryPreloadGiven) {
   const Vehicle given = QuarterCarWith(kSpringTension, kTyreLoad);
   const Vehicle found = QuarterCarWith({}, {});
@@ -59,14 +70,81 @@ TEST(Equilibrium, NeedsNoSpringWhereNothingHasWeight) {
   EXPECT_EQ(Fault(vehicle), "");
 }
 
-TEST(Equilibrium, NamesEachLinkThatNothingHolds) {
+TEST(Equilibrium, NamesEachMotionThatNothingHolds) {
   Vehicle vehicle = QuarterCarWith({}, {});
   vehicle.springs.clear();
+  vehicle.dampers.clear();
   vehicle.tyres.clear();
   vehicle.posts.clear();
   vehicle.sensors.pop_back();
-  EXPECT_THAT(Fault(vehicle), AllOf(HasSubstr("can hold the weight of link 'sprung'"),
-                                    HasSubstr("can hold the weight of link 'unsprung'")));
+  EXPECT_THAT(
+      Fault(vehicle),
+      AllOf(HasSubstr(Place(vehicle, vehicle.links[1].line) +
+                      "nothing holds heave of link 'unsprung'; add the fp:rod, fp:ball or joint that guides it, "
+                      "or a spring, tyre or bushing with preload=\"equilibrium\" that carries it"),
+            HasSubstr(Place(vehicle, vehicle.links[2].line) + "nothing holds heave of link 'sprung'; ")));
+}
+
+TEST(Equilibrium, NamesADamperWithoutASpringBesideIt) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  vehicle.springs.clear();
+  EXPECT_EQ(Fault(vehicle), Place(vehicle, vehicle.links[2].line) +
+                                "nothing holds heave of link 'sprung'; a damper carries nothing at rest: add an "
+                                "fp:spring beside fp:damper 'damper'");
+}
+
+TEST(Equilibrium, DoesNotTakeGasForASpring) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  vehicle.springs[0].element = "the gas of fp:damper 'damper'";
+  vehicle.springs[0].preload = Scalar{-120};
+  EXPECT_THAT(Fault(vehicle), HasSubstr("nothing holds heave of link 'sprung'; a damper carries nothing at rest"));
+}
+
+TEST(Equilibrium, NamesABushingThatCouldHold) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  const ForceLine line = vehicle.springs[0].line;
+  vehicle.springs.clear();
+  vehicle.bushings.push_back({.name = "mount", .parent = line.parent, .child = line.child});
+  vehicle.bushings[0].stiffness[2].value = 1e5;
+  EXPECT_EQ(Fault(vehicle), Place(vehicle, vehicle.links[2].line) +
+                                "nothing holds heave of link 'sprung'; write preload=\"equilibrium\" in fp:bushing "
+                                "'mount'");
+}
+
+// Without track rods the uprights steer under the weight on inclined axes; all other bodies follow by a little.
+TEST(Equilibrium, NamesBothSidesOfASteeringThatNothingHoldsOnce) {
+  Vehicle vehicle = ShippedVehicle("independent_roadster");
+  vehicle.rods.clear();
+  EXPECT_EQ(
+      Fault(vehicle),
+      Place(vehicle, LinkLine(vehicle, "front_upright_left")) +
+          "nothing holds yaw of link 'front_upright_left' and link 'front_upright_right'; add the fp:rod, fp:ball "
+          "or joint that guides it, or a spring, tyre or bushing with preload=\"equilibrium\" that carries it");
+}
+
+// The upper arms hang free, and the body sinks while the uprights lean.
+TEST(Equilibrium, NamesWhatMovesWithoutUpperBallJoints) {
+  Vehicle vehicle = ShippedVehicle("independent_roadster");
+  std::erase_if(vehicle.balls, [](const Ball& ball) { return ball.name.starts_with("front_upper"); });
+  const std::string fault = Fault(vehicle);
+  EXPECT_THAT(fault, HasSubstr(Place(vehicle, LinkLine(vehicle, "front_upper_left")) +
+                               "nothing holds heave of link 'front_upper_left' and link 'front_upper_right'; add the "
+                               "fp:rod, fp:ball or joint"));
+  EXPECT_THAT(fault, HasSubstr("nothing holds heave of link 'body', in which link 'front_upright_left' and link "
+                               "'front_upright_right' move most; add the fp:rod, fp:ball or joint"));
+  EXPECT_EQ(std::count(fault.begin(), fault.end(), '\n'), 1);  // two errors
+}
+
+TEST(Equilibrium, NamesWhereCoilsAreMissingAndNotTheStops) {
+  Vehicle vehicle = ShippedVehicle("independent_roadster");
+  std::erase_if(vehicle.springs, [](const Spring& spring) { return spring.element.starts_with("fp:spring 'front"); });
+  EXPECT_EQ(Fault(vehicle), Place(vehicle, LinkLine(vehicle, "body")) +
+                                "nothing holds heave of link 'body', in which link 'front_upper_left' and link "
+                                "'front_upper_right' move most; a damper carries nothing at rest: add an fp:spring "
+                                "beside fp:damper 'front_left' and fp:damper 'front_right'");
+  std::erase_if(vehicle.dampers, [](const Damper& damper) { return damper.name.starts_with("front"); });
+  EXPECT_THAT(Fault(vehicle), HasSubstr("a stop carries nothing at rest: add an fp:spring beside fp:stop 'front_left' "
+                                        "and fp:stop 'front_right'"));
 }
 
 TEST(Equilibrium, NamesAPreloadThatNothingBalances) {
@@ -122,14 +200,46 @@ TEST(Equilibrium, FollowsAFreePreloadThatAnotherMakesUpFor) {
 
 // A beam over one pivot: neither end is held, but each balances the other.
 TEST(Equilibrium, LetsLinksBalanceEachOther) {
-  const auto end = [](const char* name, double kilogram, double lever) {
-    return GivenForce{.element = name, .size = kilogram, .direction = Eigen::VectorXd::Constant(1, lever)};
+  const auto end = [](double kilogram, double lever) {
+    return GivenForce{.size = kilogram, .direction = Eigen::VectorXd::Constant(1, lever)};
   };
-  Diagnostics faults;
-  CheckEquilibrium({}, {end("link 'left'", 10, 9), end("link 'right'", 30, -3)}, Eigen::MatrixXd(1, 0), faults);
-  EXPECT_EQ(faults.Format(), "");
-  CheckEquilibrium({}, {end("link 'left'", 10, 9), end("link 'right'", 31, -3)}, Eigen::MatrixXd(1, 0), faults);
-  EXPECT_THAT(faults.Format(), HasSubstr("link 'right'"));
+  const auto fault = [&](double right) {
+    Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(3, 1);
+    turn(0, 0) = 1;
+    const StaticLoads loads{.forces = {end(10, 9), end(right, -3)},
+                            .holders = Eigen::MatrixXd(1, 0),
+                            .links = {{.name = "beam",
+                                       .mass = 10 + right,
+                                       .inertia = Eigen::Vector3d::Ones(),
+                                       .com_jacobian = Eigen::MatrixXd::Zero(3, 1),
+                                       .spin_jacobian = turn}}};
+    Diagnostics faults;
+    CheckEquilibrium({}, loads, faults);
+    return faults.Format();
+  };
+  EXPECT_EQ(fault(30), "");
+  EXPECT_THAT(fault(31), HasSubstr("nothing holds roll of link 'beam'"));
+}
+
+// Two links that nothing holds, of which one carries weights that balance each other.
+TEST(Equilibrium, LeavesOutWhatIsBalancedByItself) {
+  const auto force = [](double kilogram, const Eigen::Vector2d& direction) {
+    return GivenForce{.size = kilogram, .direction = direction};
+  };
+  const auto link = [](const char* name, const Eigen::RowVector2d& heave) {
+    CondensedVehicle::LinkMotion motion{.name = name,
+                                        .mass = 1,
+                                        .com_jacobian = Eigen::MatrixXd::Zero(3, 2),
+                                        .spin_jacobian = Eigen::MatrixXd::Zero(3, 2)};
+    motion.com_jacobian.row(2) = heave;
+    return motion;
+  };
+  const StaticLoads loads{.forces = {force(10, {9, 0}), force(30, {-3, 0}), force(5, {0, 9})},
+                          .holders = Eigen::MatrixXd(2, 0),
+                          .links = {link("beam", {1, 0}), link("stone", {0, 1})}};
+  const std::vector<UnheldMotion> unheld = UnheldMotions(loads);
+  ASSERT_EQ(unheld.size(), 1U);
+  EXPECT_EQ(unheld[0].motion.Text(), "heave of link 'stone'");
 }
 
 TEST(Equilibrium, SharesAlikeWhatIsIndeterminate) {
