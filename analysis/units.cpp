@@ -77,6 +77,26 @@ constexpr std::array<NamedDimension, 19> kDimensions = {{
     {kAngularDamping, "rotational damping", "N*m*s"},
 }};
 
+/// The units in which parts of vehicles are given: one for numbers up to a limit, another for those from it on.
+struct UsualUnits {
+  Dimension dimension;
+  std::string_view small;
+  double limit = 0;
+  std::string_view large;
+};
+
+constexpr std::array<UsualUnits, 9> kUsualUnits = {{
+    {kLength, "m", 5, "mm"},
+    {kVelocity, "m/s", 5, "mm/s"},
+    {kStiffness, "N/mm", 1000, "N/m"},
+    {kDamping, "kN*s/m", 20, "N*s/m"},
+    {kCubicStiffness, "N/mm^3", 1000, "N/m^3"},
+    {kPressure, "bar", 1000, "Pa"},
+    {kArea, "m^2", 0.1, "mm^2"},
+    {kVolume, "m^3", 0.1, "cm^3"},
+    {kDensity, "g/cm^3", 20, "kg/m^3"},
+}};
+
 const NamedDimension* FindDimension(const Dimension& dimension) {
   for (const NamedDimension& named : kDimensions)
     if (named.dimension == dimension) return &named;
@@ -198,6 +218,12 @@ std::optional<Quantity> ParseQuantity(std::string_view text) {
 std::string SiUnit(const Dimension& dimension) {
   const NamedDimension* named = FindDimension(dimension);
   return named ? std::string(named->unit) : ComposeUnit(dimension);
+}
+
+std::string LikelyUnit(const Dimension& dimension, double number) {
+  for (const UsualUnits& usual : kUsualUnits)
+    if (usual.dimension == dimension) return std::string(std::abs(number) < usual.limit ? usual.small : usual.large);
+  return SiUnit(dimension);
 }
 
 std::string DimensionName(const Dimension& dimension) {

@@ -60,6 +60,10 @@ std::optional<Quantity> ParseQuantity(std::string_view text);
 /// The usual SI unit of a dimension: "N/m" for a stiffness, "kg*m^2" for an inertia, "1" for a pure number.
 std::string SiUnit(const Dimension& dimension);
 
+/// The unit that was most likely meant with a bare number of this size, of a vehicle's part: "mm" for a length of 30,
+/// "N/mm" for a stiffness of 32, "N/m" for one of 32000; the SI unit where only one is usual.
+std::string LikelyUnit(const Dimension& dimension, double number);
+
 /// What a dimension is called: "stiffness"; the SI unit where it has no name.
 std::string DimensionName(const Dimension& dimension);
 

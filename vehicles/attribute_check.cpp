@@ -9,10 +9,6 @@
 namespace fourpost {
 namespace {
 
-bool IsNameCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
-}
-
 constexpr const char* kTooLarge = "must not exceed 1e30 in SI units";
 
 /// What is wrong with a plain number; empty: nothing.
@@ -51,6 +47,10 @@ std::string Fault(const AttributeRule& rule, const std::string& text) {
 
 }  // namespace
 
+bool IsNameCharacter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+}
+
 void CheckAttribute(const tinyxml2::XMLElement& element, const AttributeRule& rule, const std::string& text, int line,
                     FileFaults& faults) {
   const std::string fault = Fault(rule, text);
@@ -71,6 +71,13 @@ std::string WithArticle(const Dimension& dimension) {
   const std::string name = DimensionName(dimension);
   const bool has_vowel = std::string_view("aeiou").find(name.front()) != std::string_view::npos;
   return (has_vowel ? "an " : "a ") + name;
+}
+
+std::string Plural(const Dimension& dimension) {
+  const std::string name = DimensionName(dimension);
+  if (name == SiUnit(dimension)) return "in " + name;
+  if (name.ends_with("y")) return name.substr(0, name.size() - 1) + "ies";
+  return name + (name.ends_with("s") ? "es" : "s");
 }
 
 std::string RangeFault(double least, double greatest, Sign sign) {

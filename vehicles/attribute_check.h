@@ -11,6 +11,9 @@
 
 namespace fourpost {
 
+/// Letters, digits, '_', '-' and '.'.
+bool IsNameCharacter(char c);
+
 /// Checks a text against its rule as far as that can be done without the rest of the file: names, plain numbers,
 /// vectors and choices.
 void CheckAttribute(const tinyxml2::XMLElement& element, const AttributeRule& rule, const std::string& text, int line,
@@ -21,6 +24,8 @@ std::string Expectation(const AttributeRule& rule);
 
 /// "a stiffness", "an inertia", "a pure number".
 std::string WithArticle(const Dimension& dimension);
+/// "stiffnesses", "inertias"; of a dimension without a name "in kg*m".
+std::string Plural(const Dimension& dimension);
 
 /// No number of a vehicle, in SI, is larger than this, nor one that must be above zero smaller than its inverse.
 /// Products of several stay within a double, so that nothing behind the reader overflows or divides by zero.

@@ -140,7 +140,9 @@ double TyreForce::Compression(const TyreData& data, const Platforms& platforms, 
 
 void TyreForce::calcForce(const State& state, Vector_<SpatialVec>& body_forces, Vector_<Vec3>&, SimTK::Vector&) const {
   const FootMotion motion = MotionOf(data_, platforms_(state.getTime()), state);
-  const Eigen::Vector3d force(-data_.longitudinal * motion.shift.x(), -data_.lateral * motion.shift.y(),
+  const Eigen::Vector3d& rate = motion.shift_rate;
+  const Eigen::Vector3d force(-data_.longitudinal * motion.shift.x() - data_.longitudinal_damping * rate.x(),
+                              -data_.lateral * motion.shift.y() - data_.lateral_damping * rate.y(),
                               fourpost::Compression(data_, motion));
   Apply(data_.body, state, motion.centre, force, motion.foot.rate.transpose() * force, body_forces);
 }

@@ -65,6 +65,8 @@ struct TyreData {
   double damping = 0;
   double lateral = 0;
   double longitudinal = 0;
+  double lateral_damping = 0;
+  double longitudinal_damping = 0;
   double preload = 0;
   bool lifts_off = false;
   /// Index of the post under the tyre; -1 for a platform at rest.

@@ -97,8 +97,10 @@ CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
 
 void CondensedVehicle::AddBonds(const Kinematics& pose) {
   for (const Tyre& tyre : vehicle_.tyres) {
-    bonds_.push_back({tyre.longitudinal, {}, {}, pose.FootPosition(tyre, Eigen::Vector3d::UnitX()).gradient});
-    bonds_.push_back({tyre.lateral, {}, {}, pose.FootPosition(tyre, Eigen::Vector3d::UnitY()).gradient});
+    bonds_.push_back(
+        {tyre.longitudinal, tyre.longitudinal_damping, {}, pose.FootPosition(tyre, Eigen::Vector3d::UnitX()).gradient});
+    bonds_.push_back(
+        {tyre.lateral, tyre.lateral_damping, {}, pose.FootPosition(tyre, Eigen::Vector3d::UnitY()).gradient});
   }
   for (const Bushing& bushing : vehicle_.bushings) {
     const std::array<Coordinate, 6> place = pose.BushingPlace(bushing, pose.ChildAxes(bushing));

@@ -15,9 +15,12 @@ constexpr NumberKind kSpringRate{"stiffness", "N/m", 1e3, 1e6};
 constexpr NumberKind kAnyRate{"stiffness", "N/m", 0, kAny};
 constexpr NumberKind kBump{"compression rate", "N*s/m", 10, 1e5};
 constexpr NumberKind kRebound{"rebound rate", "N*s/m", 10, 1e5};
+constexpr NumberKind kSeriesRate{"series stiffness", "N/m", 10e3, 100e6};
 constexpr NumberKind kTyreRate{"stiffness", "N/m", 20e3, 2e6};
 constexpr NumberKind kTyreLateral{"lateral stiffness", "N/m", 0, kAny};
 constexpr NumberKind kTyreLongitudinal{"longitudinal stiffness", "N/m", 0, kAny};
+constexpr NumberKind kTyreLateralDamping{"lateral damping", "N*s/m", 0, 1e5};
+constexpr NumberKind kTyreLongitudinalDamping{"longitudinal damping", "N*s/m", 0, 1e5};
 constexpr NumberKind kTyreDamping{"damping", "N*s/m", 0, 1e5};
 constexpr NumberKind kTyreRadius{"radius", "m", 0.1, 2};
 constexpr NumberKind kBarDamping{"damping", "N*s/m", 0, kAny};
@@ -100,6 +103,7 @@ std::vector<ElementNumber> NumbersOf(const Vehicle& vehicle) {
     const std::string element = Called("fp:damper", damper.name);
     numbers.push_back({element, damper.source_line, kBump, damper.law.compression});
     numbers.push_back({element, damper.source_line, kRebound, damper.law.rebound});
+    if (damper.series) numbers.push_back({element, damper.source_line, kSeriesRate, damper.series->stiffness});
   }
   for (const Bushing& bushing : vehicle.bushings)
     for (std::size_t k = 0; k < kBushing.size(); ++k)
@@ -114,6 +118,8 @@ std::vector<ElementNumber> NumbersOf(const Vehicle& vehicle) {
     numbers.push_back({element, tyre.source_line, kTyreDamping, tyre.damping});
     numbers.push_back({element, tyre.source_line, kTyreLateral, tyre.lateral});
     numbers.push_back({element, tyre.source_line, kTyreLongitudinal, tyre.longitudinal});
+    numbers.push_back({element, tyre.source_line, kTyreLateralDamping, tyre.lateral_damping});
+    numbers.push_back({element, tyre.source_line, kTyreLongitudinalDamping, tyre.longitudinal_damping});
     numbers.push_back({element, tyre.source_line, kTyreRadius, {.value = tyre.radius}});
   }
   return numbers;

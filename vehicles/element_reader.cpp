@@ -14,6 +14,14 @@ namespace {
 
 using tinyxml2::XMLElement;
 
+bool AreSame(const Point& a, const Point& b) { return a.link >= 0 && a.link == b.link && a.xyz == b.xyz; }
+
+/// In any order.
+bool HaveSameEnds(const ForceLine& a, const ForceLine& b) {
+  return (AreSame(a.parent, b.parent) && AreSame(a.child, b.child)) ||
+         (AreSame(a.parent, b.child) && AreSame(a.child, b.parent));
+}
+
 class ElementReader {
  public:
   ElementReader(const XMLElement& robot, const UrdfTree& tree, ParameterReader& parameters, Vehicle& vehicle,
@@ -171,7 +179,13 @@ class ElementReader {
                     .damping = parameters_.ReadScalar(tag, "damping"),
                     .source_line = tag.Line()};
     if (const std::optional<Tag> left = ChildOf(tag, "left")) bar.left = lines_.ReadLine(*left);
-    if (const std::optional<Tag> right = ChildOf(tag, "right")) bar.right = lines_.ReadLine(*right);
+    if (const std::optional<Tag> right = ChildOf(tag, "right")) {
+      bar.right = lines_.ReadLine(*right);
+      if (HaveSameEnds(bar.left, bar.right))
+        faults_.Error(right->Line(), Describe(*tag.element) +
+                                         " joins the same two points on the left and on the right, so it never acts: "
+                                         "give each side its own");
+    }
     vehicle_.antiroll_bars.push_back(bar);
   }
 
@@ -183,6 +197,8 @@ class ElementReader {
                               .damping = parameters_.ReadScalar(tag, "damping"),
                               .lateral = parameters_.ReadScalar(tag, "lateral"),
                               .longitudinal = parameters_.ReadScalar(tag, "longitudinal"),
+                              .lateral_damping = parameters_.ReadScalar(tag, "lateral_damping"),
+                              .longitudinal_damping = parameters_.ReadScalar(tag, "longitudinal_damping"),
                               .lifts_off = tag.Text("liftoff") == "true",
                               .preload = ReadPreload(tag),
                               .source_line = tag.Line()});

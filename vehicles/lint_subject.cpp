@@ -2,6 +2,9 @@
 
 #include "vehicles/design_kinematics.h"
 #include "vehicles/gravity.h"
+#include "vehicles/mode_names.h"
+#include "vehicles/suspension.h"
+#include "vehicles/wheel_travel.h"
 
 namespace fourpost {
 
@@ -12,7 +15,11 @@ LintSubject::LintSubject(const Vehicle& described)
       model(condensed.At(values)),
       modes(ModesOf(model)),
       links(condensed.LinkMotions(values)),
-      pose(DesignKinematics(described)) {}
+      pose(DesignKinematics(described)) {
+  const Suspension suspension = SuspensionOf(vehicle, pose, values);
+  const HeldChassis held(suspension, StiffnessWithoutTyres(vehicle, pose, values, model.stiffness));
+  NameModes(vehicle, pose, suspension, held, modes);
+}
 
 double LintSubject::Weight() const {
   double mass = 0;

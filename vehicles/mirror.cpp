@@ -110,6 +110,8 @@ class Mirror {
     const std::string to = tag.Text("to");
     if (from.empty() || to.empty()) return;
     if (from == to) return Fault(tag, "to", "must differ from its from");
+    const auto [first, is_new] = mirrors_.try_emplace({from, to}, tag.Line());
+    if (!is_new) return Fault(tag, "from", "stands twice: line " + std::to_string(first->second) + " mirrors the same");
     FindTwins(from, to);
     if (twins_.empty()) return Fault(tag, "from", "is the end of no name" + DidYouMean(from, Ends()));
     for (XMLElement* element : written_)
@@ -119,7 +121,7 @@ class Mirror {
     for (XMLElement* bind : binds_) AddTwinOfBind(*bind);
   }
 
-  bool has_added() const { return has_added_; }
+  const TwinNames& made() const { return made_; }
 
  private:
   void Fault(const Tag& tag, std::string_view attribute, const std::string& message) {
@@ -155,13 +157,32 @@ class Mirror {
     const std::string name = NameOf(element);
     const std::string twin_name = TwinOf(name);
     if (!name.ends_with(from) || !taken_.insert({element.Name(), twin_name}).second) return;
+    if (IsItsOwnTwin(element)) {
+      faults_.Warning(LineOf(element, "name"),
+                      Describe(element) +
+                          " is its own mirror image, so <fp:mirror> leaves it single: end its name "
+                          "otherwise than in '" +
+                          from + "'");
+      return;
+    }
     XMLElement& twin = CopyOf(element);
     WriteDefaults(twin);
     Reflect(twin, Turns(twin));
     if (AttributeText(twin, "name")) twin.SetAttribute("name", twin_name.c_str());
+    made_.try_emplace(twin_name, name);
     robot_.InsertAfterChild(&element, &twin);
     if (std::string_view(element.Name()) == "link") made_links_.insert(twin_name);
-    has_added_ = true;
+  }
+
+  /// Whether it is an anti-roll bar whose left line the mirror turns into its right one.
+  bool IsItsOwnTwin(const XMLElement& element) const {
+    if (std::string_view(element.Name()) != "fp:antiroll") return false;
+    const XMLElement* left = element.FirstChildElement("left");
+    const XMLElement* right = element.FirstChildElement("right");
+    const auto is_twin = [&](const char* end) {
+      return TwinOf(AttributeText(*left, end).value_or("")) == AttributeText(*right, end).value_or("");
+    };
+    return left && right && is_twin("parent") && is_twin("child");
   }
 
   void Reflect(XMLElement& element, bool turns) const {
@@ -211,20 +232,22 @@ class Mirror {
   /// Of the mirror at work: names and their twins, both ways, and links made by it.
   std::map<std::string, std::string> twins_;
   std::set<std::string> made_links_;
-  bool has_added_ = false;
+  /// Ends of the mirrors so far, and their lines.
+  std::map<std::pair<std::string, std::string>, int> mirrors_;
+  TwinNames made_;
 };
 
 }  // namespace
 
-bool AddTwins(XMLElement& robot, FileFaults& faults) {
+TwinNames AddTwins(XMLElement& robot, FileFaults& faults) {
   const std::vector<Tag> tags = TagsOf(robot, "fp:mirror");
   if (tags.size() > kMostMirrors) {
     faults.Error(tags[kMostMirrors].Line(), "more than " + std::to_string(kMostMirrors) + " <fp:mirror>");
-    return false;
+    return {};
   }
   Mirror mirror(robot, faults);
   for (const Tag& tag : tags) mirror.Add(tag);
-  return mirror.has_added();
+  return mirror.made();
 }
 
 }  // namespace fourpost

@@ -17,10 +17,11 @@ namespace fourpost {
 ///   scale of a mesh                                              (x, -y, z)
 /// so that equal coordinates of a joint and its twin are mirror images. References to a mirrored name become references
 /// to its twin, and back. `<fp:solid>`, without a name, goes by its link. A number that follows a parameter has a twin
-/// that follows it too. A twin whose name a tag of its kind has already is not made.
+/// that follows it too. A twin whose name a tag of its kind has already is not made, nor that of an anti-roll bar whose
+/// two lines are each other's mirror images: the twin would be the same bar.
 ///
-/// The tags must have been checked; reports mirrors without effect and binds to numbers of twins. True when there is a
-/// twin.
-bool AddTwins(tinyxml2::XMLElement& robot, FileFaults& faults);
+/// The tags must have been checked; reports mirrors without effect or given twice, binds to numbers of twins, and bars
+/// that stay single under a mirrored name. Returns the names of the twins; none: nothing is added.
+TwinNames AddTwins(tinyxml2::XMLElement& robot, FileFaults& faults);
 
 }  // namespace fourpost

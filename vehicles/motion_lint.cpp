@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/units.h"
+#include "vehicles/element_list.h"
 #include "vehicles/motion_name.h"
 
 namespace fourpost {
@@ -35,12 +37,42 @@ std::string Remedy(const LintSubject& subject, Direction direction) {
   return "add a spring or a bushing, or take a joint without this freedom";
 }
 
-/// Whether it moves a damper, if only one whose friction does not show in its mean rate.
-bool MovesADamper(const CondensedModel& model, const Eigen::VectorXd& shape) {
-  constexpr double kStill = 1e-6;  // of the coordinate that moves most
-  return std::any_of(model.dashpots.begin(), model.dashpots.end(), [&](const CondensedModel::Dashpot& dashpot) {
-    return dashpot.law.GreatestRate() > 0 && std::abs(dashpot.direction.dot(shape)) > kStill;
-  });
+/// What a damper of this rate along `direction` adds to the mode's damping ratio, where that is small:
+/// rate |b' shape|^2 / (2 w shape' M shape), b: direction.
+double AddedRatio(const LintSubject& subject, const Mode& mode, double rate, const Eigen::VectorXd& direction) {
+  const double motion = std::norm((direction.transpose() * mode.shape).value());
+  const double inertia = (mode.shape.adjoint() * subject.model.mass * mode.shape).value().real();
+  return rate * motion / (2 * std::abs(mode.pole) * inertia);
+}
+
+/// By the dampers' friction, which the mode's own ratio leaves out, at the speed of DashpotLaw::MeanRate.
+double FrictionRatio(const LintSubject& subject, const Mode& mode) {
+  constexpr double kSpeed_mps = 0.1;
+  double ratio = 0;
+  for (const Damper& damper : subject.vehicle.dampers)
+    if (const auto& friction = damper.law.friction)
+      ratio += AddedRatio(subject, mode, subject.At(friction->force) / kSpeed_mps,
+                          subject.pose.LineLength(damper.line).gradient);
+  return ratio;
+}
+
+/// By 1 kN*s/m of each tyre along `direction`.
+double TyreRatio(const LintSubject& subject, const Mode& mode, const Eigen::Vector3d& direction) {
+  double ratio = 0;
+  for (const Tyre& tyre : subject.vehicle.tyres)
+    ratio += AddedRatio(subject, mode, 1000, subject.pose.FootPosition(tyre, direction).gradient);
+  return ratio;
+}
+
+std::string DampingRemedy(const LintSubject& subject, const Mode& mode, Direction direction) {
+  constexpr double kWorthwhile = 0.02;
+  const bool is_ride =
+      direction == Direction::kHeave || direction == Direction::kRoll || direction == Direction::kPitch;
+  const double along = TyreRatio(subject, mode, Eigen::Vector3d::UnitX());
+  const double across = TyreRatio(subject, mode, Eigen::Vector3d::UnitY());
+  if (!is_ride && std::max(along, across) > kWorthwhile)
+    return std::string("give the tyres ") + (along > across ? "longitudinal_damping" : "lateral_damping");
+  return "add an fp:damper, or damping to a bushing or tyre";
 }
 
 }  // namespace
@@ -51,20 +83,20 @@ void LintFreeMotions(const LintSubject& subject, FileFaults& findings) {
                      "nothing resists " + motion.Text() + ": " + Remedy(subject, motion.direction));
 }
 
-void LintUndampedMotions(const LintSubject& subject, FileFaults& findings) {
-  // Rounding of poles, and far below what any damper gives.
-  constexpr double kUndamped = 1e-6;
+void LintRingingModes(const LintSubject& subject, FileFaults& findings) {
+  constexpr double kLeastRatio = 0.005;
+  constexpr double kFastest_Hz = 30;  // a rig's stepped sines end there
   for (const Mode& mode : subject.modes) {
-    if (mode.kind != Mode::Kind::kOscillating || std::abs(mode.damping_ratio) > kUndamped) continue;
-    const Eigen::VectorXd shape = mode.shape.real();
-    if (MovesADamper(subject.model, shape)) continue;
-    for (const NamedMotion& motion : NameMotions(subject.links, shape)) {
-      const bool is_ride = motion.direction == Direction::kHeave || motion.direction == Direction::kRoll ||
-                           motion.direction == Direction::kPitch;
-      if (is_ride)
-        findings.Warning(LineOf(subject.vehicle, motion.link),
-                         "no damper damps " + motion.Text() + ": add an fp:damper, or damping to a bushing or tyre");
-    }
+    if (mode.kind != Mode::Kind::kOscillating || mode.frequency_Hz > kFastest_Hz) continue;
+    const double ratio = std::abs(mode.damping_ratio);
+    if (ratio + FrictionRatio(subject, mode) >= kLeastRatio) continue;
+    const std::vector<NamedMotion> motions = NameMotions(subject.links, mode.shape.real());
+    if (motions.empty()) continue;
+    findings.Warning(LineOf(subject.vehicle, motions.front().link),
+                     "hardly anything damps the mode '" + mode.name + "' at " + Readable(mode.frequency_Hz, "Hz") +
+                         " (damping ratio " + FormatQuantity(std::round(1e5 * ratio) / 1e5, "%") +
+                         "): no measured car rings so, and a march hardly settles; " +
+                         DampingRemedy(subject, mode, motions.front().direction));
   }
 }
 

@@ -7,8 +7,7 @@ namespace fourpost {
 /// Motions that meet no stiffness.
 void LintFreeMotions(const LintSubject& subject, FileFaults& findings);
 
-/// Oscillations in heave, roll or pitch that no damper damps. In the plane of the platforms a car is undamped by
-/// nature of the tyre's law.
-void LintUndampedMotions(const LintSubject& subject, FileFaults& findings);
+/// Modes below 30 Hz that ring on: damping ratio below 0.5 %, and no friction in them.
+void LintRingingModes(const LintSubject& subject, FileFaults& findings);
 
 }  // namespace fourpost

@@ -426,6 +426,8 @@ void Multibody::SetParameters(std::span<const double> parameters, const Preloads
     m.tyres[i].damping = tyre.damping.At(parameters);
     m.tyres[i].lateral = tyre.lateral.At(parameters);
     m.tyres[i].longitudinal = tyre.longitudinal.At(parameters);
+    m.tyres[i].lateral_damping = tyre.lateral_damping.At(parameters);
+    m.tyres[i].longitudinal_damping = tyre.longitudinal_damping.At(parameters);
     m.tyres[i].preload = preloads.tyre[i];
   }
   for (std::size_t i = 0; i < m.sensors.size(); ++i)

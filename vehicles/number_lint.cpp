@@ -40,6 +40,28 @@ void LintNumbers(const LintSubject& subject, FileFaults& findings) {
   }
 }
 
+void LintHardening(const LintSubject& subject, FileFaults& findings) {
+  constexpr double kTravel_m = 0.01;
+  constexpr double kMost = 100;
+  const auto check = [&](const std::string& element, int line, const Scalar& stiffness, const Scalar& cubic) {
+    const double linear = subject.At(stiffness) * kTravel_m;
+    const double hardening = subject.At(cubic) * kTravel_m * kTravel_m * kTravel_m;
+    if (linear == 0 || hardening <= kMost * linear) return;
+    findings.Warning(line, "cubic of " + element + " makes " + Readable(hardening, "N") + " at " +
+                               Readable(kTravel_m, "m") + ", its stiffness " + Readable(linear, "N") +
+                               ": check its digits and its unit");
+  };
+  for (const Spring& spring : subject.vehicle.springs) {
+    check(spring.element, spring.source_line, spring.law.stiffness, spring.law.cubic);
+    for (const SpringDescription::Knee& knee : spring.law.knees)
+      check(spring.element, spring.source_line, knee.rate, knee.cubic);
+  }
+  for (const Damper& damper : subject.vehicle.dampers)
+    if (damper.series)
+      check("the series spring of " + Called("fp:damper", damper.name), damper.source_line, damper.series->stiffness,
+            damper.series->cubic);
+}
+
 void LintPlacesInMillimetres(const LintSubject& subject, FileFaults& findings) {
   constexpr double kFar_m = 50;
   const auto check = [&](const std::string& what, int line, const Eigen::Vector3d& xyz) {

@@ -33,7 +33,7 @@ std::string Example(const Dimension& dimension) { return "\"1 " + SiUnit(dimensi
 std::string DimensionFault(const Quantity& quantity, std::string_view text, const Dimension& wanted) {
   if (quantity.unit_text.empty())
     return "has no unit: " + WithArticle(wanted) + " is needed, such as \"" + std::string(Trimmed(text)) + " " +
-           SiUnit(wanted) + "\"";
+           LikelyUnit(wanted, quantity.si) + "\"";
   return "is " + WithArticle(quantity.unit.dimension) + ": " + WithArticle(wanted) + " is needed, such as " +
          Example(wanted);
 }
@@ -54,6 +54,14 @@ std::string ReferenceFault(std::string_view text) {
 /// The quantity in an attribute of `<fp:parameter>`; nothing when it is left out or faulty.
 std::optional<Quantity> QuantityIn(const Tag& tag, std::string_view attribute) {
   return ParseQuantity(Trimmed(tag.Text(attribute)));
+}
+
+/// "lower", "lower and upper", "lower, upper and precision".
+std::string NamesOf(const std::vector<std::pair<std::string_view, Quantity>>& quantities) {
+  std::string text;
+  for (std::size_t i = 0; i < quantities.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == quantities.size() ? " and " : ", ") + std::string(quantities[i].first);
+  return text;
 }
 
 /// "in line 4", "in lines 4 and 5", "in lines 4, 5, 6 and others".
@@ -148,8 +156,9 @@ void ParameterReader::CheckDimensions(const Tag& tag, const Parameter& parameter
     Fault(tag, "value",
           parameter.unit.empty()
               ? "has no unit, but " + name + " has: write \"" + tag.Text("value") + " " + quantity.unit_text + "\""
-              : "is " + WithArticle(parameter.dimension) + ", but " + name + " and the others are " +
-                    WithArticle(quantity.unit.dimension));
+              : "is " + WithArticle(parameter.dimension) + ", but " + NamesOf(others) +
+                    (others.size() > 1 ? " are " + Plural(quantity.unit.dimension)
+                                       : " is " + WithArticle(quantity.unit.dimension)));
     return;
   }
   for (const auto& other : others)
@@ -234,10 +243,7 @@ bool ParameterReader::AgreesWithUses(const Parameter& parameter, const std::vect
   return false;
 }
 
-/// Reports an attribute, once for an element and those made from it.
 Scalar ParameterReader::Fault(const Tag& tag, std::string_view attribute, const std::string& message) const {
-  const bool is_told = IsMade(*tag.element) && AttributeText(Written(*tag.element), attribute) == tag.Text(attribute);
-  if (is_told) return Unreadable();
   faults_.Error(tag.Line(attribute), Quoted(attribute, tag) + " " + message);
   return kUnreadable;
 }

@@ -52,4 +52,19 @@ void LintMirroredNumbers(const LintSubject& subject, FileFaults& findings) {
       NumbersOf(subject.vehicle), [](const ElementNumber& number) { return number.kind.noun; }, compare);
 }
 
+void LintBarSides(const LintSubject& subject, FileFaults& findings) {
+  constexpr double kAside_m = 0.01;
+  const auto side = [&](const ForceLine& line) {
+    return 0.5 * (subject.Place(line.parent).y() + subject.Place(line.child).y());
+  };
+  for (const AntiRollBar& bar : subject.vehicle.antiroll_bars) {
+    const double left = side(bar.left);
+    const double right = side(bar.right);
+    if (left * right <= 0 || std::min(std::abs(left), std::abs(right)) < kAside_m) continue;
+    findings.Warning(bar.source_line, "both lines of " + Called("fp:antiroll", bar.name) + " are on the " +
+                                          (left > 0 ? "left" : "right") +
+                                          " of the car: give one the points of the other side");
+  }
+}
+
 }  // namespace fourpost

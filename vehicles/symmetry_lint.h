@@ -11,4 +11,7 @@ void LintMirroredPoints(const LintSubject& subject, FileFaults& findings);
 /// Elements named as left and right with numbers that differ by a factor of ten or more.
 void LintMirroredNumbers(const LintSubject& subject, FileFaults& findings);
 
+/// Anti-roll bars whose two lines are on one side of the car.
+void LintBarSides(const LintSubject& subject, FileFaults& findings);
+
 }  // namespace fourpost

@@ -117,7 +117,9 @@ std::vector<TagRule> MakeMirrorTags() {
       {.path = "fp:mirror",
        .doc =
            "Gives every link, joint and tag of ours whose name ends in `from` a twin whose name ends in `to`, mirrored "
-           "left to right. What is written out under a twin's name stands instead.",
+           "left to right. What is written out under a twin's name stands instead. An anti-roll bar between twins "
+           "stays "
+           "single.",
        .attributes = {{.name = "from", .kind = Kind::kName, .doc = "end of the names to mirror, such as `_left`"},
                       {.name = "to", .kind = Kind::kName, .doc = "end of their twins' names, such as `_right`"}}},
   };
@@ -338,6 +340,10 @@ std::vector<TagRule> MakeTyreTags() {
                       Measure("longitudinal", kStiffness, Sign::kNotNegative,
                               "force per fore-aft shift of the foot, at any load; small for a wheel that may roll",
                               "0 N/m"),
+                      Measure("lateral_damping", kDamping, Sign::kNotNegative,
+                              "force per sideways speed of the foot, at any load", "0 N*s/m"),
+                      Measure("longitudinal_damping", kDamping, Sign::kNotNegative,
+                              "force per fore-aft speed of the foot, at any load", "0 N*s/m"),
                       {.name = "liftoff",
                        .kind = Kind::kChoice,
                        .required = false,

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -151,7 +152,7 @@ struct AntiRollBar {
 /// A tyre between the centre of a wheel and a post's platform. It stays upright however the link pitches, and leans
 /// with it in roll: its foot is `radius` below the centre, along the wheel's plane (normal: the link's y axis).
 /// Vertical force on the wheel = preload + stiffness squeeze + damping squeeze', squeeze: how much nearer the foot is
-/// to the platform. Lateral and longitudinal springs hold the foot to where it stands on the platform.
+/// to the platform. Lateral and longitudinal springs and dampers hold the foot to where it stands on the platform.
 struct Tyre {
   std::string name;
   Point point;
@@ -161,6 +162,8 @@ struct Tyre {
   Scalar damping;
   Scalar lateral;
   Scalar longitudinal;
+  Scalar lateral_damping;
+  Scalar longitudinal_damping;
   /// Whether the vertical force may not pull.
   bool lifts_off = false;
   /// Compression force in the design pose [N]; empty: whatever holds the design pose in equilibrium.
@@ -248,6 +251,8 @@ struct Vehicle {
   std::vector<Weld> welds;
   std::vector<Hinge> hinges;
   std::vector<Sensor> sensors;
+  /// Names that fp:mirror made, each with the written name that it mirrors.
+  std::map<std::string, std::string, std::less<>> twins;
 
   /// Values of the parameters as the file gives them.
   std::vector<double> ParameterValues() const;

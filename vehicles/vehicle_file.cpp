@@ -1,5 +1,7 @@
 #include "vehicles/vehicle_file.h"
 
+#include <utility>
+
 #include <tinyxml2.h>
 
 #include "analysis/text_file.h"
@@ -55,7 +57,9 @@ std::string Printed(const tinyxml2::XMLDocument& document) {
 Vehicle ReadRobot(XMLElement& robot, const std::string& text, FileFaults& faults) {
   const bool has_replaced = ReplaceDrakeTags(robot, faults);
   CheckTags(robot, faults);
-  const bool is_as_written = !AddTwins(robot, faults) && !has_replaced;
+  TwinNames twins = AddTwins(robot, faults);
+  const bool is_as_written = twins.empty() && !has_replaced;
+  faults.SetTwins(twins);
   const UrdfTree tree = ReadUrdfTree(robot, faults);
   // urdfdom stops at its first fault and knows no lines: it reads only what is sound so far.
   const bool is_sound = faults.errors() == 0;
@@ -66,6 +70,7 @@ Vehicle ReadRobot(XMLElement& robot, const std::string& text, FileFaults& faults
   vehicle.name = AttributeText(robot, "name").value_or("");
   vehicle.file = faults.file();
   vehicle.text = text;
+  vehicle.twins = std::move(twins);
   vehicle.parameters = parameters.parameters();
   ReadElements(robot, tree, parameters, vehicle, faults);
   if (is_sound) ReadUrdf(is_as_written ? text : Printed(*robot.GetDocument()), tree, vehicle, faults);

@@ -14,16 +14,12 @@
 namespace fourpost {
 namespace {
 
-constexpr std::array<LintRule, 18> kRules = {
-    LintNumbers,         LintPlacesInMillimetres,
-    LintStopGaps,        LintOpenClosures,
-    LintSwappedDamping,  LintMirroredPoints,
-    LintMirroredNumbers, LintSensorPlaces,
-    LintTyreHeights,     LintLengths,
-    LintPosts,           LintSensors,
-    LintTyreLoads,       LintSpringLoads,
-    LintWeightOnTyres,   LintFreeMotions,
-    LintUndampedMotions, LintIdleParameters,
+constexpr std::array<LintRule, 20> kRules = {
+    LintNumbers,       LintHardening,      LintPlacesInMillimetres, LintStopGaps,
+    LintOpenClosures,  LintSwappedDamping, LintMirroredPoints,      LintMirroredNumbers,
+    LintBarSides,      LintSensorPlaces,   LintTyreHeights,         LintLengths,
+    LintPosts,         LintSensors,        LintTyreLoads,           LintSpringLoads,
+    LintWeightOnTyres, LintFreeMotions,    LintRingingModes,        LintIdleParameters,
 };
 
 }  // namespace
@@ -32,6 +28,7 @@ Diagnostics Lint(const Vehicle& vehicle) {
   const LintSubject subject(vehicle);
   Diagnostics findings;
   FileFaults file(vehicle.file, findings);
+  file.SetTwins(vehicle.twins);
   for (const LintRule rule : kRules) rule(subject, file);
   return findings;
 }

@@ -55,6 +55,25 @@ TEST(Units, AreUnknownWhenAnyPartIs) {
 
 TEST(Units, AreUnknownBeyondADouble) { EXPECT_FALSE(ParseUnit("MPa^9*MPa^9*MPa^9*MPa^9*MPa^9*MPa^9")); }
 
+TEST(Units, AreLikelyByTheSizeOfTheNumber) {
+  EXPECT_EQ(LikelyUnit(kLength, 30), "mm");
+  EXPECT_EQ(LikelyUnit(kLength, -30), "mm");
+  EXPECT_EQ(LikelyUnit(kLength, 0.3), "m");
+  EXPECT_EQ(LikelyUnit(kStiffness, 32), "N/mm");
+  EXPECT_EQ(LikelyUnit(kStiffness, 32000), "N/m");
+  EXPECT_EQ(LikelyUnit(kDamping, 1.5), "kN*s/m");
+  EXPECT_EQ(LikelyUnit(kDamping, 1500), "N*s/m");
+  EXPECT_EQ(LikelyUnit(kMass, 30), "kg");
+}
+
+// What is suggested must be legal.
+TEST(Units, ThatAreLikelyHaveTheDimension) {
+  for (const Dimension& dimension : {kLength, kVelocity, kStiffness, kDamping, kCubicStiffness, kPressure, kArea,
+                                     kVolume, kDensity, kMass, kForce, kTorque, kDimensionless})
+    for (const double number : {1e-3, 1e6})
+      EXPECT_EQ(ParseUnit(LikelyUnit(dimension, number)).value().dimension, dimension) << LikelyUnit(dimension, number);
+}
+
 TEST(Quantity, HasANumberAndAUnit) {
   const std::optional<Quantity> quantity = ParseQuantity(" 32 N/mm ");
   ASSERT_TRUE(quantity);

@@ -176,7 +176,9 @@ void DartVehicle::Apply(const Tyre& tyre, double preload, const Vector3d& design
                         platform.velocity * Vector3d::UnitZ();
   double load = preload - tyre.stiffness.At(parameters_) * shift.z() - tyre.damping.At(parameters_) * rate.z();
   if (tyre.lifts_off) load = std::max(load, 0.0);
-  const Vector3d force(-tyre.longitudinal.At(parameters_) * shift.x(), -tyre.lateral.At(parameters_) * shift.y(), load);
+  const Vector3d force(
+      -tyre.longitudinal.At(parameters_) * shift.x() - tyre.longitudinal_damping.At(parameters_) * rate.x(),
+      -tyre.lateral.At(parameters_) * shift.y() - tyre.lateral_damping.At(parameters_) * rate.y(), load);
   tree_.Push(wheel, tree_.Place(tyre.point), force);
   // The foot moves about the centre as the wheel leans, not as a point of the wheel: its power at each unit of spin.
   Vector3d torque;

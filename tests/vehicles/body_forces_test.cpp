@@ -159,6 +159,8 @@ class TyreForceTest : public testing::Test {
     data_.damping = 300;
     data_.lateral = 120e3;
     data_.longitudinal = 20e3;
+    data_.lateral_damping = 700;
+    data_.longitudinal_damping = 90;
     data_.preload = 5000;
     data_.post = 0;
     checker_.Add(new TyreForce(data_, platforms_));
@@ -173,6 +175,11 @@ class TyreForceTest : public testing::Test {
   }
   Vector3d Shift(const State& state) const {
     return Foot(state) - data_.design_place - Vector3d(0, 0, Platform(state.getTime()).height);
+  }
+  Vector3d ShiftRate() const {
+    Vector3d rate;
+    for (int i = 0; i < 3; ++i) rate[i] = checker_.Rate([&](const State& s) { return Shift(s)[i]; });
+    return rate;
   }
   double SpringForce(const State& state) const { return data_.preload - data_.stiffness * Shift(state).z(); }
 
@@ -191,9 +198,10 @@ TEST_F(TyreForceTest, PushesWithStiffnessDampingAndPreloadAndHoldsItsFoot) {
   for (int draw = 0; draw < kDraws; ++draw) {
     checker_.Draw();
     const State& state = checker_.state();
-    const double squeeze_rate = -checker_.Rate([&](const State& s) { return Shift(s).z(); });
+    const Vector3d rate = ShiftRate();
     const Vector3d shift = Shift(state);
-    const Vector3d force(-20e3 * shift.x(), -120e3 * shift.y(), 5000 - 200e3 * shift.z() + 300 * squeeze_rate);
+    const Vector3d force(-20e3 * shift.x() - 90 * rate.x(), -120e3 * shift.y() - 700 * rate.y(),
+                         5000 - 200e3 * shift.z() - 300 * rate.z());
     EXPECT_LT((ToEigen(checker_.Sum().force) - force).norm(), 1e-10 * force.norm());
     EXPECT_NEAR(TyreForce::Compression(data_, platforms_(0), state), force.z(), 1e-10 * force.norm());
   }
@@ -208,9 +216,9 @@ TEST_F(TyreForceTest, BalancesThePowerOfWheelAndPlatform) {
       checker_.Draw();
       const State& state = checker_.state();
       const double spring = lifts ? std::max(0.0, SpringForce(state)) : SpringForce(state);
-      const double squeeze_rate = -checker_.Rate([&](const State& s) { return Shift(s).z(); });
+      const Vector3d rate = ShiftRate();
       const double push = TyreForce::Compression(data_, platforms_(0), state);
-      const double dissipation = (push - spring) * squeeze_rate;
+      const double dissipation = (spring - push) * rate.z() + 90 * rate.x() * rate.x() + 700 * rate.y() * rate.y();
       const double power = checker_.Sum().power - push * Platform(0).velocity;
       const double energy_rate = checker_.Rate([&](const State& s) { return checker_.Energy(s); });
       EXPECT_NEAR(power, -energy_rate - dissipation, 1e-8 * (std::abs(power) + std::abs(dissipation)));
@@ -234,7 +242,7 @@ TEST_F(TyreForceTest, StaysUprightHoweverItsLinkPitches) {
 // Tyres of before had no radius: force at the point, nothing else.
 TEST_F(TyreForceTest, WithoutRadiusActsAtItsPoint) {
   data_.radius = 0;
-  data_.lateral = data_.longitudinal = 0;
+  data_.lateral = data_.longitudinal = data_.lateral_damping = data_.longitudinal_damping = 0;
   checker_.Rest();
   MeasureDesign(data_, checker_.state());
   for (int draw = 0; draw < kDraws; ++draw) {

@@ -235,10 +235,13 @@ inline const std::string kElementCar = R"(<?xml version="1.0"?>
   <fp:parameter name="ct" value="100 N*s/m" source="test"/>
   <fp:parameter name="k_side" value="120 kN/m" source="test"/>
   <fp:parameter name="k_along" value="20 kN/m" source="test"/>
+  <fp:parameter name="c_side" value="60 N*s/m" source="test"/>
+  <fp:parameter name="c_along" value="30 N*s/m" source="test"/>
   <fp:tyre name="fl" link="axle" xyz="0 0.7 0" stiffness="$kt" damping="$ct" radius="0.35 m" lateral="$k_side"
     longitudinal="$k_along"/>
   <fp:tyre name="fr" link="axle" xyz="0 -0.7 0" stiffness="$kt" radius="0.35 m" lateral="$k_side"/>
-  <fp:tyre name="rl" link="hub" xyz="0 0.03 0" stiffness="1.1*$kt" damping="$ct" radius="0.35 m" lateral="$k_side"/>
+  <fp:tyre name="rl" link="hub" xyz="0 0.03 0" stiffness="1.1*$kt" damping="$ct" radius="0.35 m" lateral="$k_side"
+    lateral_damping="$c_side" longitudinal_damping="$c_along"/>
   <fp:tyre name="rr" link="hinged" xyz="-0.4 -0.1 -0.05" stiffness="1.1*$kt" radius="0.35 m" lateral="$k_side"
     longitudinal="$k_along"/>
   <fp:post name="fl" under="fl"/>

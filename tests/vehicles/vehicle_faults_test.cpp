@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
     Numbers, VehicleFaults,
     ::testing::Values(
         FaultCase{"UnitMissing", R"(stiffness="200 kN/m")", R"(stiffness="200")", "<fp:tyre",
-                  R"(stiffness="200" of fp:tyre 'tyre' has no unit: a stiffness is needed, such as "200 N/m")"},
+                  R"(stiffness="200" of fp:tyre 'tyre' has no unit: a stiffness is needed, such as "200 N/mm")"},
         FaultCase{"UnitMissingOfAParameter", R"(value="15 N/mm")", R"(value="15")", R"(name="k")",
                   R"(value="15" of fp:parameter 'k' has no unit, but lower has: write "15 N/mm")"},
         FaultCase{"UnitUnknown", "200 kN/m", "200 kN/in", "<fp:tyre", "unknown unit 'kN/in'"},

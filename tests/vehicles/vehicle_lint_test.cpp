@@ -111,6 +111,13 @@ std::vector<std::string> Findings(const Vehicle& vehicle, int line) {
 
 Vehicle QuarterCar() { return ShippedVehicle("quarter_car"); }
 
+/// With a tyre that damps whatever else does not.
+Vehicle DampedQuarterCar() {
+  Vehicle vehicle = QuarterCar();
+  vehicle.tyres[0].damping = {.value = 500};
+  return vehicle;
+}
+
 TEST(VehicleLint, FindsNothingInTheShippedVehicles) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf"))
@@ -152,7 +159,7 @@ TEST_F(VehicleLintTest, TellsOfNumbersThatDifferByATypingSlip) {
 TEST_F(VehicleLintTest, LetsNumbersOfBothSidesDiffer) { Look(Replaced(kAxle, "999 N*s/m", "110 N*s/m")); }
 
 TEST(VehicleLint, TellsOfATyreInNewtonsPerMetre) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = DampedQuarterCar();
   Set(vehicle, "kt", 230);
   EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line),
               ElementsAre("stiffness of fp:tyre 'tyre' is 0.23 kN/m, not within 20 kN/m to 2 MN/m; was 230 kN/m "
@@ -168,7 +175,7 @@ TEST(VehicleLint, TellsOfASpringInNewtonsPerMetre) {
 }
 
 TEST(VehicleLint, TellsOfADamperInKilonewtons) {
-  Vehicle vehicle = QuarterCar();
+  Vehicle vehicle = DampedQuarterCar();
   Set(vehicle, "c_bump", 1.5e6);
   Set(vehicle, "c_rebound", 1.5e6);
   EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
@@ -365,17 +372,94 @@ TEST_F(VehicleLintTest, TellsWhatNothingHoldsInThePlane) {
   ExpectWarning(text, "<link name=\"body\"", "nothing resists yaw of link 'body': give the tyres a lateral stiffness");
 }
 
-// In the plane a tyre has no damping.
-TEST_F(VehicleLintTest, LetsMotionInThePlaneBeUndamped) {
-  Look(Kart("damping=\"200 N*s/m\" lateral=\"80 kN/m\" longitudinal=\"20 kN/m\""));
+const std::string kPlaneDamping = "lateral_damping=\"500 N*s/m\" longitudinal_damping=\"100 N*s/m\" ";
+
+TEST_F(VehicleLintTest, LetsDampedTyresHoldTheCar) {
+  Look(Kart(kPlaneDamping + "damping=\"200 N*s/m\" lateral=\"80 kN/m\" longitudinal=\"20 kN/m\""));
+}
+
+// By hand: w^2 = 4 x 20 kN/m / 200 kg fore and aft, hence 3.18 Hz. The body carries the tyres, so it is named as an
+// axle.
+TEST_F(VehicleLintTest, TellsOfMotionInThePlaneThatNothingDamps) {
+  const std::string text = Kart("damping=\"200 N*s/m\" lateral=\"80 kN/m\" longitudinal=\"20 kN/m\"");
+  Look(text);
+  ExpectWarning(
+      text, "<link name=\"body\"",
+      "hardly anything damps the mode 'rear fore-aft' at 3.18 Hz (damping ratio 0 %): no measured car rings so, "
+      "and a march hardly settles; give the tyres longitudinal_damping");
+  ExpectWarning(text, "<link name=\"body\"", "mode 'rear lateral' at 6.37 Hz (damping ratio 0 %)");
+  ExpectWarning(text, "<link name=\"body\"", "mode 'rear steer' at 5.63 Hz");
+}
+
+// By hand: c / (2 m w) = 4 c / (2 x 200 kg x 20/s) is 0.5 % at c = 10 N*s/m.
+TEST_F(VehicleLintTest, TellsOfDampingBelowHalfAPerCent) {
+  const auto kart = [](const std::string& along) {
+    return Kart(
+        "damping=\"200 N*s/m\" lateral=\"80 kN/m\" longitudinal=\"20 kN/m\" lateral_damping=\"500 N*s/m\" "
+        "longitudinal_damping=\"" +
+        along + " N*s/m\"");
+  };
+  Look(kart("10.1"));
+  Look(kart("9.9"));
+  ExpectWarning(kart("9.9"), "<link name=\"body\"", "mode 'rear fore-aft' at 3.18 Hz (damping ratio 0.495 %)");
 }
 
 TEST_F(VehicleLintTest, TellsOfRideThatNothingDamps) {
-  const std::string text = Kart("lateral=\"80 kN/m\" longitudinal=\"20 kN/m\"");
+  const std::string text = Kart(kPlaneDamping + "lateral=\"80 kN/m\" longitudinal=\"20 kN/m\"");
   Look(text);
-  ExpectWarning(text, "<link name=\"body\"", "no damper damps heave of link 'body'");
-  ExpectWarning(text, "<link name=\"body\"", "no damper damps roll of link 'body'");
-  ExpectWarning(text, "<link name=\"body\"", "no damper damps pitch of link 'body'");
+  ExpectWarning(text, "<link name=\"body\"", "mode 'rear hop' at 7.12 Hz (damping ratio 0 %)");
+  ExpectWarning(text, "<link name=\"body\"", "mode 'rear tramp' at 9.19 Hz");
+  ExpectWarning(
+      text, "<link name=\"body\"",
+      "mode 'rear wind-up' at 6.5 Hz (damping ratio 0 %): no measured car rings so, and a march hardly settles; add "
+      "an fp:damper, or damping to a bushing or tyre");
+}
+
+// Fore-aft at sqrt(4 x 2 MN/m / 200 kg) = 31.8 Hz.
+TEST_F(VehicleLintTest, LeavesModesAboveTheRigAlone) {
+  Look(Kart("lateral_damping=\"5 kN*s/m\" damping=\"200 N*s/m\" lateral=\"80 kN/m\" longitudinal=\"2 MN/m\""));
+}
+
+TEST_F(VehicleLintTest, TellsOnceWhatATwinHasAsWell) {
+  const std::string bare = Kart(kPlaneDamping + "damping=\"200 N*s/m\" lateral=\"80 kN/m\" longitudinal=\"20 kN/m\"");
+  const std::string mirrored = R"(<fp:mirror from="_left" to="_right"/>
+<fp:frame name="end_left" link="body" xyz="0 0.4 0.3"/>
+<fp:frame name="rig_left" link="ground" xyz="0 0.4 1"/>
+<fp:spring name="tie_left" parent="rig_left" child="end_left"><linear stiffness="9 N/m" preload="0 N"/></fp:spring>
+</robot>)";
+  const std::string text = Replaced(bare, "</robot>", mirrored);
+  Look(text);
+  ExpectWarning(text, "<fp:spring name=\"tie_left\"", "stiffness of fp:spring 'tie_left' is 9 N/m");
+}
+
+TEST_F(VehicleLintTest, TellsOfABarWithBothLinesOnOneSide) {
+  const std::string text = Replaced(kAxle, R"(<right parent="body" child="wheel_right"/>)",
+                                    R"(<right parent="top_left" child="wheel_left"/>)");
+  Look(text);
+  ExpectWarning(text, "<fp:antiroll", "both lines of fp:antiroll 'bar' are on the left of the car");
+}
+
+// 10 mm: 30 kN/m makes 300 N, 4e10 N/m^3 40 kN.
+TEST_F(VehicleLintTest, TellsOfCubicTermsThatOutdoTheLinearOnes) {
+  const auto text = [](const std::string& cubic) {
+    return Replaced(
+        kAxle, R"(<fp:spring name="coil_left" parent="top_left" child="wheel_left"><linear stiffness="30 kN/m"/>)",
+        R"(<fp:spring name="coil_left" parent="top_left" child="wheel_left"><cubic stiffness="30 kN/m" cubic=")" +
+            cubic + R"("/>)");
+  };
+  Look(text("2.9e10 N/m^3"));
+  Look(text("40 N/mm^3"));
+  ExpectWarning(text("40 N/mm^3"), "<fp:spring name=\"coil_left\"",
+                "cubic of fp:spring 'coil_left' makes 40 kN at 10 mm, its stiffness 300 N");
+}
+
+TEST(VehicleLint, TellsOfASeriesSpringAsStiffAsARock) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].series = SpringDescription{.stiffness = {.value = 400e6}, .cubic = {}, .knees = {}};
+  EXPECT_THAT(
+      Findings(vehicle, vehicle.dampers[0].source_line),
+      ElementsAre(HasSubstr("series stiffness of fp:damper 'damper' is 400 MN/m, not within 10 kN/m to 100 MN/m; "
+                            "was 400 kN/m meant?")));
 }
 
 TEST(VehicleLint, TakesFrictionForDamping) {
