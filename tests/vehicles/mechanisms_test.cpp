@@ -298,7 +298,10 @@ TEST(WeldsAndHinges, MoveAsJointsOfTheTree) {
 /// A car of all elements that nothing but gravity acts on from outside.
 Vehicle FreeCar() {
   Vehicle car = ElementCar();
-  for (Tyre& tyre : car.tyres) tyre.stiffness = tyre.damping = tyre.lateral = tyre.longitudinal = {};
+  for (Tyre& tyre : car.tyres) {
+    tyre.stiffness = tyre.lateral = tyre.longitudinal = {};
+    tyre.damping = tyre.lateral_damping = tyre.longitudinal_damping = {};
+  }
   for (Damper& damper : car.dampers) {
     // Oil keeps an energy of its own; friction about rest would need short steps.
     if (damper.hydraulic) damper.law = {.compression = {1000}, .rebound = {2000}};
