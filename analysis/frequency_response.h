@@ -9,7 +9,7 @@ namespace fourpost {
 /// One channel of a frequency response; every non-empty vector has one entry per frequency.
 struct ChannelResponse {
   std::string name;
-  /// Unit of the channel itself ("m", "N", "m/s^2"); responses are per unit of the reference.
+  /// Unit of the channel itself ("m", "N", "m/s^2", "rad/s"); responses are per unit of the reference.
   std::string unit;
   /// Response relative to the reference post: its displacement, or for accelerometers its acceleration.
   std::vector<std::complex<double>> response;

@@ -51,9 +51,17 @@ bool HasSign(double number, Sign sign) {
   return sign == Sign::kAny || number >= 0;
 }
 
-bool IsChannelUnit(const std::optional<Unit>& unit) {
-  return unit && (unit->dimension == kLength || unit->dimension == kForce || unit->dimension == kAcceleration);
+/// "rad/s" or "deg/s", but not "Hz", though angles have no dimension: a gyro counts no cycles.
+bool IsAngularVelocity(const Unit& unit, std::string_view text) {
+  return unit.dimension == kFrequency && (text.starts_with("rad") || text.starts_with("deg"));
 }
+
+bool IsChannelUnit(const std::optional<Unit>& unit, std::string_view text) {
+  return unit && (unit->dimension == kLength || unit->dimension == kForce || unit->dimension == kAcceleration ||
+                  IsAngularVelocity(*unit, text));
+}
+
+std::string ChannelUnit(const Dimension& dimension) { return dimension == kFrequency ? "rad/s" : SiUnit(dimension); }
 
 void Scale(double factor, std::vector<double>& values) {
   for (double& value : values) value *= factor;
@@ -192,11 +200,12 @@ class FrequencyResponseReader {
   Unit ReadUnit(const ChannelRows& channel) {
     const std::string text = UnitText(channel);
     const std::optional<Unit> unit = ParseUnit(text);
-    if (IsChannelUnit(unit)) return *unit;
+    if (IsChannelUnit(unit, text)) return *unit;
     if (table_.FindColumn("unit"))
-      Fault(channel.rows.front(), channel.name + ": the unit '" + text +
-                                      "' is not one of a length, a force or an acceleration; write one like mm, kN or "
-                                      "m/s^2");
+      Fault(channel.rows.front(),
+            channel.name + ": the unit '" + text +
+                "' is not one of a length, a force, an acceleration or an angular velocity; write "
+                "one like mm, kN, m/s^2 or deg/s");
     else
       Fault(channel.rows.front(), "the unit of " + channel.name +
                                       " is not to be told from its name (a_ for m/s^2, s_ for m, F_ for N); add a "
@@ -222,7 +231,7 @@ class FrequencyResponseReader {
   }
 
   static void ToSi(const Unit& unit, ChannelResponse& channel) {
-    channel.unit = SiUnit(unit.dimension);
+    channel.unit = ChannelUnit(unit.dimension);
     Scale(unit.si, channel.mean);
     Scale(unit.si, channel.second_harmonic);
     // Accelerations are relative to that of the post.

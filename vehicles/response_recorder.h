@@ -11,14 +11,15 @@
 
 namespace fourpost {
 
-/// Unit of a sensor's readings: "m/s^2", "m", "N".
+/// Unit of a sensor's readings: "m/s^2", "m", "N", "rad/s".
 std::string UnitOf(Sensor::Type type);
 
 /// Harmonics of every sensor at one frequency: sensors x (0, 1, 2, ...), y(t) = Re sum_h Y_h exp(i h w t).
 using SensorHarmonics = Eigen::MatrixXcd;
 
 /// Gathers sensor harmonics into a frequency response in the terms of the recordings: accelerometers relative to the
-/// acceleration of the reference post, all others relative to its displacement; mean and second harmonic absolute.
+/// acceleration of the reference post, all others, gyros too, relative to its displacement; mean and second harmonic
+/// absolute.
 class ResponseRecorder {
  public:
   ResponseRecorder(const std::vector<Sensor>& sensors, const Excitation& excitation);

@@ -55,7 +55,8 @@ class Respondent {
     MarchedResponse marched = March(*multibody_, run.excitation, {}, [&](std::size_t done) {
       progress_.Show("march " + run.name + ": " + std::to_string(done) + " of " + total + " frequencies");
     });
-    RequirePeriodic(marched.unsteady_Hz, run);
+    if (!marched.unsteady.empty())
+      throw std::runtime_error("'" + run.name + "': " + UnsteadyMessage(vehicle_, run.excitation, marched.unsteady[0]));
     return std::move(marched.response);
   }
 

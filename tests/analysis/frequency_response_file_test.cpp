@@ -1,6 +1,7 @@
 #include "analysis/frequency_response_file.h"
 
 #include <numbers>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -133,6 +134,24 @@ TEST(FrequencyResponseFile, AccelerationsAreRelativeWhateverTheirUnit) {
   EXPECT_THAT(response.channels[0].mean, ElementsAre(0.5));
 }
 
+/// One row of a gyro.
+std::string Gyro(const std::string& unit) {
+  return "frequency_Hz,post_amplitude_m,channel,unit,gain,phase_deg,gain_sd,mean,second_harmonic\n"
+         "2,0.01,pitch_rate," +
+         unit + ",180,90,18,9,3.6\n";
+}
+
+TEST(FrequencyResponseFile, AngularVelocitiesAreInRadians) {
+  for (const auto& [unit, size] : {std::pair("rad/s", 1.0), std::pair("deg/s", kRadian)}) {
+    const ChannelResponse gyro = ReadGood(Gyro(unit)).channels.at(0);
+    EXPECT_EQ(gyro.unit, "rad/s");
+    EXPECT_DOUBLE_EQ(gyro.response[0].imag(), 180 * size);
+    EXPECT_DOUBLE_EQ(gyro.gain_sd[0], 18 * size);
+    EXPECT_DOUBLE_EQ(gyro.mean[0], 9 * size);
+    EXPECT_DOUBLE_EQ(gyro.second_harmonic[0], 3.6 * size);
+  }
+}
+
 TEST(FrequencyResponseFile, OfTheLandRoverIsRead) {
   for (const char* name : {"bounce_frf.csv", "pitch_frf.csv"}) {
     Diagnostics diagnostics;
@@ -256,15 +275,23 @@ TEST(FrequencyResponseFault, NameThatDoesNotTellTheUnit) {
 
 TEST(FrequencyResponseFault, UnknownUnit) {
   EXPECT_EQ(Faults(Replace(kGoodWithUnits, "mm", "inch")),
-            "frf.csv:3: error: strut: the unit 'inch' is not one of a length, a force or an acceleration; write one "
-            "like mm, kN or m/s^2");
+            "frf.csv:3: error: strut: the unit 'inch' is not one of a length, a force, an acceleration or an angular "
+            "velocity; write one like mm, kN, m/s^2 or deg/s");
 }
 
 TEST(FrequencyResponseFault, UnitOfAnotherDimension) {
   // Grams, where the user thinks of gravity.
   EXPECT_EQ(Faults(Replace(kGoodWithUnits, "cm/s^2", "g")),
-            "frf.csv:2: error: body: the unit 'g' is not one of a length, a force or an acceleration; write one like "
-            "mm, kN or m/s^2");
+            "frf.csv:2: error: body: the unit 'g' is not one of a length, a force, an acceleration or an angular "
+            "velocity; write one like mm, kN, m/s^2 or deg/s");
+}
+
+// Not even of the dimension of rad/s: a turn a second is 2 pi of them, and an angle is no rate.
+TEST(FrequencyResponseFault, UnitOfNoAngularVelocity) {
+  for (const std::string unit : {"Hz", "1/s", "rad", "deg/s^2"})
+    EXPECT_EQ(Faults(Gyro(unit)), "frf.csv:2: error: pitch_rate: the unit '" + unit +
+                                      "' is not one of a length, a force, an acceleration or an angular velocity; "
+                                      "write one like mm, kN, m/s^2 or deg/s");
 }
 
 TEST(FrequencyResponseFault, UnitThatChanges) {

@@ -2,10 +2,21 @@
 
 #include <cmath>
 #include <complex>
+#include <filesystem>
+#include <numbers>
+#include <utility>
 
 #include <gmock/gmock.h>
 
+#include "analysis/decibel.h"
+#include "analysis/number.h"
+#include "identify/loaded_study.h"
+#include "identify/misfit.h"
+#include "identify/modelled_response.h"
 #include "tests/temporary_folder.h"
+#include "vehicles/condensed_vehicle.h"
+#include "vehicles/post_pattern.h"
+#include "vehicles/vehicle_file.h"
 
 namespace fourpost {
 namespace {
@@ -176,6 +187,93 @@ TEST_F(FourPostDataTest, NamesAnUnknownTyreAndAnUnknownLoadAtOnce) {
 TEST_F(FourPostDataTest, RefusesAStaticLoadThatIsExact) {
   study_.static_loads_file = folder_.Write("static.csv", "quantity,unit,value,sd\nl,kN,3,0\nr,kN,4,0\n");
   EXPECT_THAT(Fault(), HasSubstr("needs a standard deviation above zero"));
+}
+
+/// A study of the shipped planar Land Rover with gyros, and of recordings that it makes itself: a twin.
+class GyroTwin : public testing::Test {
+ protected:
+  GyroTwin() {
+    const std::string gyros =
+        R"(<fp:sensor name="pitch_rate" type="gyro" link="chassis" axis="0 1 0"/>
+           <fp:sensor name="nose_up_rate" type="gyro" link="chassis" axis="0 -1 0"/></robot>)";
+    const std::filesystem::path source = FOURPOST_SOURCE_DIR;
+    std::filesystem::create_directory(folder_.path() / "urdf");
+    std::filesystem::create_directory_symlink(source / "meshes", folder_.path() / "meshes");
+    const std::string car = ReadText(source / "urdf/landrover110_linkage.urdf");
+    const auto file = folder_.Write("urdf/car.urdf", Replace(car, "</robot>", gyros));
+    Diagnostics diagnostics;
+    vehicle_ = ReadVehicle(file, diagnostics).value();
+    run_.excitation = {{0.01, 1, 3, 8}, {0.01, 0.01, 0.005, 0.002}, PostPattern(vehicle_, "pitch")};
+    model_ = CondensedVehicle(vehicle_).At(vehicle_.ParameterValues());
+  }
+
+  FrequencyResponse Modelled() const { return ModelledResponses(model_, vehicle_.sensors, {run_}).at(0); }
+
+  /// The rates in `unit`, of which a radian a second has `per_rad`.
+  std::string Recording(const std::string& unit, double per_rad) const {
+    std::string text = "frequency_Hz,post_amplitude_m,channel,unit,gain,phase_deg\n";
+    const FrequencyResponse response = Modelled();
+    for (const char* name : {"pitch_rate", "nose_up_rate"})
+      for (std::size_t i = 0; i < response.frequency_Hz.size(); ++i) {
+        const std::complex<double> rate = response.Find(name)->response[i];
+        text += FormatNumber(response.frequency_Hz[i]) + "," + FormatNumber(response.amplitude_m[i]) + "," + name +
+                "," + unit + "," + FormatNumber(per_rad * std::abs(rate)) + "," +
+                FormatNumber(DegreesFromRadians(std::arg(rate))) + "\n";
+      }
+    return text;
+  }
+
+  /// `channels` is a line of the study's.
+  std::optional<LoadedStudy> Load(const std::string& recording, const std::string& channels) {
+    folder_.Write("pitch.csv", recording);
+    const auto study = folder_.Write(
+        "study.yaml", "vehicle: urdf/car.urdf\nrecordings:\n  - {file: pitch.csv, posts: pitch}\nchannels:\n  " +
+                          channels + "\nband: [0.01 Hz, 10 Hz]\n");
+    return LoadStudy(study, diagnostics_);
+  }
+
+  TemporaryFolder folder_;
+  Vehicle vehicle_;
+  MeasuredRun run_;
+  CondensedModel model_;
+  Diagnostics diagnostics_;
+};
+
+TEST_F(GyroTwin, FitsItsOwnRecordingInRadiansAndInDegrees) {
+  for (const auto& [unit, per_rad] : {std::pair("rad/s", 1.0), std::pair("deg/s", DegreesFromRadians(1))}) {
+    const auto study = Load(Recording(unit, per_rad), "pitch_rate: pitch_rate\n  nose_up_rate: nose_up_rate");
+    ASSERT_TRUE(study) << diagnostics_.Format();
+    for (const ChannelMisfit& misfit : Misfits(study->data.runs, {Modelled()})) {
+      EXPECT_LT(misfit.rms_dB, 1e-12) << misfit.name;  // rounding
+      EXPECT_LT(misfit.rms_deg, 1e-10) << misfit.name;
+    }
+  }
+}
+
+// At a hundredth of a hertz the car follows the posts: nose down positive, it turns by -2 z / wheelbase, a quarter of a
+// cycle ahead of that.
+TEST_F(GyroTwin, ReadsTheRateOfTurningPerMetreOfThePost) {
+  const double wheelbase = 2.794;
+  const std::complex<double> slow(0, -2 * std::numbers::pi * 0.01 * 2 / wheelbase);
+  const FrequencyResponse response = Modelled();
+  // The body's weight above its springs turns it further, by 2 %.
+  EXPECT_LT(std::abs(response.Find("pitch_rate")->response[0] / slow - 1.0), 0.03);
+  EXPECT_LT(std::abs(response.Find("nose_up_rate")->response[0] / -slow - 1.0), 0.03);
+  EXPECT_EQ(response.Find("pitch_rate")->unit, "rad/s");
+}
+
+TEST_F(GyroTwin, RefusesAChannelThatIsNoRateOfTurning) {
+  EXPECT_FALSE(Load(Recording("mm", 1), "pitch_rate: pitch_rate"));
+  EXPECT_THAT(diagnostics_.Format(),
+              testing::EndsWith("study.yaml:5: error: channel 'pitch_rate' is in m, sensor 'pitch_rate' in rad/s: they "
+                                "cannot be compared"));
+}
+
+TEST_F(GyroTwin, RefusesARateOfTurningForAnotherSensor) {
+  EXPECT_FALSE(Load(Recording("deg/s", 57), "s_strut_front: pitch_rate"));
+  EXPECT_THAT(diagnostics_.Format(),
+              testing::EndsWith("study.yaml:5: error: channel 'pitch_rate' is in rad/s, sensor 's_strut_front' in m: "
+                                "they cannot be compared"));
 }
 
 }  // namespace

@@ -282,7 +282,7 @@ TEST(QuarterCar, MarchEqualsTheClosedResponse) {
   const Excitation excitation = SteppedSine();
   const MarchOptions options;
   const MarchedResponse marched = March(multibody, excitation, options);
-  EXPECT_THAT(marched.unsteady_Hz, testing::IsEmpty());
+  EXPECT_THAT(marched.unsteady, testing::IsEmpty());
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
     const auto closed = ThesisCar().Response(excitation.frequency_Hz[i]);
     // What remains of the transient when it changes by less than the tolerance from window to window, and the

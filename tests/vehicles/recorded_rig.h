@@ -78,7 +78,7 @@ struct Prepared {
     // Amplitudes of millimetres need no more accuracy of the integrator.
     const MarchedResponse marched =
         March(multibody, excitation, {.accuracy = 1e-7, .tolerance = 1e-4, .samples_per_cycle = samples_per_cycle});
-    EXPECT_TRUE(marched.unsteady_Hz.empty());
+    EXPECT_TRUE(marched.unsteady.empty());
     return marched.response;
   }
 

@@ -39,6 +39,12 @@ TEST(ResponseRecorder, RelatesAnAccelerationToThePostsAcceleration) {
             1e-15);  // rounding
 }
 
+TEST(ResponseRecorder, RelatesAnAngularVelocityToThePostsDisplacement) {
+  const FrequencyResponse response = Recorded(Sensor::Type::kGyro);
+  EXPECT_EQ(response.Find("y")->unit, "rad/s");
+  EXPECT_EQ(response.Find("y")->response[1], Complex(2, 3) / kAmplitude_m);
+}
+
 TEST(ResponseRecorder, KeepsMeanAndSecondHarmonicAsTheyAre) {
   const FrequencyResponse response = Recorded(Sensor::Type::kLoadCell);
   EXPECT_EQ(response.Find("y")->unit, "N");
