@@ -236,6 +236,23 @@ TEST_F(CommandLine, ResponseComesFromTheEngineAskedFor) {
   EXPECT_NE(answers[0], answers[1]);
 }
 
+// Dampers of a three-hundredth: pitch swings for minutes.
+TEST_F(CommandLine, TellsWhatKeepsAMarchFromSettling) {
+  ReplaceIn(kStudy, "[0.5 Hz, 12 Hz]", "[4 Hz, 4.3 Hz]");
+  for (const std::string axle : {"front", "rear"}) {
+    const std::string name = "name=\"c_" + axle;
+    ReplaceIn(kVehicle, name + "_bump\" value=\"1500 N*s/m\" lower=\"500",
+              name + "_bump\" value=\"5 N*s/m\" lower=\"1");
+    ReplaceIn(kVehicle, name + "_rebound\" value=\"3500 N*s/m\" lower=\"1500",
+              name + "_rebound\" value=\"5 N*s/m\" lower=\"1");
+  }
+  const Outcome outcome = Run("response studies/landrover110/model2.yaml --engine march");
+  EXPECT_NE(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("'bounce': heave at "));
+  EXPECT_THAT(outcome.err, HasSubstr("no periodic motion within 60 s; '"));
+  EXPECT_THAT(outcome.err, HasSubstr("s to die away: see `fourpost check`"));
+}
+
 TEST_F(CommandLine, RefusesAMisspeltTag) {
   ReplaceIn(kVehicle, "<fp:tyre name=\"front_tyre\"", "<fp:tire name=\"front_tyre\"");
   ExpectRefused("unknown tag");
