@@ -139,7 +139,7 @@ class LengthCheck {
 
 void CheckLengths(const Vehicle& vehicle, FileFaults& faults) {
   LengthCheck check(vehicle, faults);
-  for (const Spring& spring : vehicle.springs) check.Check(spring.element, spring.source_line, spring.line);
+  for (const Spring& spring : vehicle.springs) check.Check(spring.Element(), spring.source_line, spring.line);
   for (const Damper& damper : vehicle.dampers)
     check.Check("fp:damper '" + damper.name + "'", damper.source_line, damper.line);
   for (const Sensor& sensor : vehicle.sensors)

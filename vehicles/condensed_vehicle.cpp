@@ -42,7 +42,7 @@ CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
   std::vector<GeometricScalar> scalars;
   for (const Spring& spring : vehicle.springs) {
     scalars.push_back([&](const Kinematics& pose) { return pose.LineLength(spring.line); });
-    held_.push_back({.element = spring.element,
+    held_.push_back({.element = spring.Element(),
                      .source_line = spring.source_line,
                      .shape = {},
                      .preload = spring.preload,
@@ -183,7 +183,7 @@ void CondensedVehicle::NoteSimplified() {
         element + " is taken for linear by this engine: it leaves out " + what + "; compare with --engine march");
   };
   for (const Spring& spring : vehicle_.springs)
-    if (!spring.law.IsLinear()) note(spring.element, spring.source_line, "how its rate changes");
+    if (!spring.law.IsLinear()) note(spring.Element(), spring.source_line, "how its rate changes");
   for (const Damper& damper : vehicle_.dampers) {
     const std::string element = Tagged("fp:damper", damper.name);
     if (damper.hydraulic) note(element, damper.source_line, "its valves' curves and the oil's compression");

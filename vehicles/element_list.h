@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "vehicles/tag_table.h"
 #include "vehicles/vehicle.h"
 
 namespace fourpost {
@@ -22,25 +23,24 @@ std::vector<ElementPoint> PointsOf(const Vehicle& vehicle);
 /// Of accelerometers and displacement sensors.
 std::vector<ElementPoint> SensorPointsOf(const Vehicle& vehicle);
 
-/// What sort of number it is, and where it usually lies on road vehicles, with a decade to spare on either side or
-/// more.
-struct NumberKind {
-  const char* noun = "";
-  const char* si_unit = "";
-  double least = 0;
-  double greatest = 0;
-};
-
 /// A number that a vehicle's file gives to an element.
 struct ElementNumber {
   std::string element;
+  /// What it is: "stiffness", "bump gap".
+  std::string noun;
   int line = 0;
-  NumberKind kind;
+  /// Of the attribute that it stands in; nullptr for none.
+  const AttributeRule* rule = nullptr;
   Scalar number;
+  /// Whether the linear model takes it as it is; else it bends a law that this model replaces by a rate.
+  bool is_linear = true;
 };
 
-/// Rates, masses and radii; a wheel's, a bushing's, an anti-roll bar's ...
+/// Masses, and all numbers of the elements; those that a file leaves out have their default.
 std::vector<ElementNumber> NumbersOf(const Vehicle& vehicle);
+
+/// Of each parameter, whether it is in a law that the linear model replaces by a rate.
+std::vector<bool> AreInCurvedLaws(const Vehicle& vehicle);
 
 /// "fp:tyre 'FL'".
 std::string Called(const char* tag, const std::string& name);

@@ -78,7 +78,7 @@ class ElementReader {
   }
 
   void ReadSpring(const Tag& tag) {
-    Spring spring{.element = Describe(*tag.element),
+    Spring spring{.name = tag.Text("name"),
                   .line = lines_.ReadLine(tag),
                   .law = {},
                   .preload = {},
@@ -103,7 +103,8 @@ class ElementReader {
   }
 
   void ReadStop(const Tag& tag) {
-    vehicle_.springs.push_back({.element = Describe(*tag.element),
+    vehicle_.springs.push_back({.kind = Spring::Kind::kStop,
+                                .name = tag.Text("name"),
                                 .line = lines_.ReadLine(tag),
                                 .law = laws_.ReadStop(tag),
                                 .preload = Scalar(),
@@ -134,7 +135,8 @@ class ElementReader {
     tension.value = -tension.value;
     tension.factor = -tension.factor;
     vehicle_.springs.push_back(
-        {.element = "the gas of " + Describe(*damper.element),
+        {.kind = Spring::Kind::kGas,
+         .name = damper.Text("name"),
          .line = line,
          .law = {.stiffness = parameters_.ReadScalar(tag, "stiffness"), .cubic = {}, .knees = {}},
          .preload = tension,

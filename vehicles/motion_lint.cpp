@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "analysis/units.h"
 #include "vehicles/element_list.h"
@@ -78,9 +79,31 @@ std::string DampingRemedy(const LintSubject& subject, const Mode& mode, Directio
 }  // namespace
 
 void LintFreeMotions(const LintSubject& subject, FileFaults& findings) {
+  std::set<std::string> told;  // a motion may have parts that go by one name
   for (const NamedMotion& motion : NameMotions(subject.links, FreeMotions(subject)))
-    findings.Warning(LineOf(subject.vehicle, motion.link),
-                     "nothing resists " + motion.Text() + ": " + Remedy(subject, motion.direction));
+    if (told.insert(motion.Text()).second)
+      findings.Warning(LineOf(subject.vehicle, motion.link),
+                       "nothing resists " + motion.Text() + ": " + Remedy(subject, motion.direction));
+}
+
+void LintBlindSensors(const LintSubject& subject, FileFaults& findings) {
+  // Rounding of directions and of levers of some metres.
+  constexpr double kRounding = 1e-9;
+  using Field = Eigen::MatrixXd CondensedModel::*;
+  const auto reads = [&](Eigen::Index sensor) {
+    for (const Field field :
+         {&CondensedModel::on_position, &CondensedModel::on_velocity, &CondensedModel::on_acceleration,
+          &CondensedModel::on_post_height, &CondensedModel::on_post_velocity, &CondensedModel::on_post_acceleration})
+      if (!(subject.model.*field).row(sensor).isZero(kRounding)) return true;
+    return false;
+  };
+  for (std::size_t i = 0; i < subject.vehicle.sensors.size(); ++i) {
+    const Sensor& sensor = subject.vehicle.sensors[i];
+    if (reads(static_cast<Eigen::Index>(i))) continue;
+    findings.Warning(sensor.source_line, Called("fp:sensor", sensor.name) +
+                                             " reads nothing, however the vehicle moves: correct what carries it, or "
+                                             "its axis");
+  }
 }
 
 void LintRingingModes(const LintSubject& subject, FileFaults& findings) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "vehicles/element_list.h"
 #include "vehicles/linear_response.h"
 #include "vehicles/post_pattern.h"
 
@@ -73,7 +74,7 @@ class Observer {
   }
 
   ParameterView View(std::size_t parameter) const {
-    ParameterView view{.parameter = vehicle_.parameters[parameter].name};
+    ParameterView view{.parameter = vehicle_.parameters[parameter].name, .channels = {}};
     if (tests_.empty()) return view;
     const Eigen::MatrixXd sensitivity = Sensitivity(parameter);
     for (Eigen::Index i = 0; i < sensitivity.rows(); ++i) {
@@ -150,9 +151,13 @@ class Observer {
 std::vector<ParameterView> ParameterViews(const Vehicle& vehicle, const CondensedVehicle& condensed,
                                           std::span<const double> parameters) {
   const Observer observer(vehicle, condensed, parameters);
+  const std::vector<bool> are_in_curved_laws = AreInCurvedLaws(vehicle);
   std::vector<ParameterView> views;
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i)
-    if (vehicle.parameters[i].upper > vehicle.parameters[i].lower) views.push_back(observer.View(i));
+    if (vehicle.parameters[i].upper > vehicle.parameters[i].lower) {
+      views.push_back(observer.View(i));
+      views.back().in_curved_law = are_in_curved_laws[i];
+    }
   return views;
 }
 

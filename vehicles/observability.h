@@ -24,6 +24,9 @@ struct ParameterView {
     double sensitivity = 0;
   };
   std::string parameter;
+  /// Whether it is in a law that the linear model replaces by a rate, such as a stop's gap or friction: then channels
+  /// tell what the model sees of it about the design pose, which may be nothing.
+  bool in_curved_law = false;
   /// The sensors that see it, best first: sensitivity kLeastSensitivity or more.
   std::vector<Channel> channels;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "vehicles/element_list.h"
+
 namespace fourpost {
 namespace {
 
@@ -51,25 +53,6 @@ bool Differ(const CondensedModel& a, const CondensedModel& b, double weight) {
   return Differ(a.preloads, b.preloads, weight);
 }
 
-/// Whether a law that the condensed model replaces by its tangent has the parameter.
-bool IsInCurvedLaw(const Vehicle& vehicle, int parameter) {
-  const auto has = [parameter](const auto&... numbers) { return ((numbers.parameter == parameter) || ...); };
-  const auto is_curved_by = [&](const SpringDescription& law) {
-    return has(law.cubic) || std::any_of(law.knees.begin(), law.knees.end(), [&](const SpringDescription::Knee& knee) {
-             return has(knee.at, knee.rate, knee.cubic);
-           });
-  };
-  const auto oil_has = [&](const HydraulicDescription& oil) {
-    return has(oil.bleed, oil.rebound_valve, oil.compression_valve, oil.bulk_modulus, oil.piston_diameter,
-               oil.rod_diameter, oil.column, oil.gas_pressure, oil.gas_volume);
-  };
-  return std::any_of(vehicle.springs.begin(), vehicle.springs.end(),
-                     [&](const Spring& spring) { return is_curved_by(spring.law); }) ||
-         std::any_of(vehicle.dampers.begin(), vehicle.dampers.end(), [&](const Damper& damper) {
-           return (damper.series && is_curved_by(*damper.series)) || (damper.hydraulic && oil_has(*damper.hydraulic));
-         });
-}
-
 /// The ends of a parameter's range, or of one per cent about a fixed value.
 std::pair<double, double> RangeOf(const Parameter& parameter) {
   if (parameter.lower < parameter.upper) return {parameter.lower, parameter.upper};
@@ -81,10 +64,11 @@ std::pair<double, double> RangeOf(const Parameter& parameter) {
 
 void LintIdleParameters(const LintSubject& subject, FileFaults& findings) {
   const Vehicle& vehicle = subject.vehicle;
+  const std::vector<bool> are_in_curved_laws = AreInCurvedLaws(vehicle);
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
     const Parameter& parameter = vehicle.parameters[i];
     const auto [lower, upper] = RangeOf(parameter);
-    if (lower == upper || IsInCurvedLaw(vehicle, static_cast<int>(i))) continue;
+    if (lower == upper || are_in_curved_laws[i]) continue;
     std::vector<double> values = subject.values;
     values[i] = lower;
     const CondensedModel low = subject.condensed.At(values);

@@ -1,43 +1,68 @@
 #include "vehicles/place_lint.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include <Eigen/Geometry>
 
+#include "vehicles/body_box.h"
 #include "vehicles/element_list.h"
 
 namespace fourpost {
 
-void LintSensorPlaces(const LintSubject& subject, FileFaults& findings) {
-  // A transducer at the end of a long bracket is within this, or within the vehicle's own size.
-  constexpr double kBracket_m = 3;
-  std::vector<Eigen::Vector3d> places;
-  Eigen::AlignedBox3d vehicle;
-  for (const ElementPoint& item : PointsOf(subject.vehicle)) {
-    places.push_back(subject.Place(item.point));
-    vehicle.extend(places.back());
-  }
-  if (places.empty()) return;
-  const double reach = std::max(kBracket_m, vehicle.diagonal().norm());
-  for (const ElementPoint& sensor : SensorPointsOf(subject.vehicle)) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3d& place : places)
-      nearest = std::min(nearest, (place - subject.Place(sensor.point)).norm());
-    if (nearest > reach)
-      findings.Warning(sensor.line, sensor.element + " is " + Readable(nearest, "m") +
-                                        " from the nearest mass, tyre and element of the vehicle: correct its xyz, "
-                                        "which is in metres and in the axes of its link");
+void LintSensorPlaces(const DrawnVehicle& drawn, FileFaults& findings) {
+  // A transducer stands on a bracket, or on a part of the body that holds no element, as a bumper.
+  constexpr double kBracket_m = 0.5;
+  constexpr double kShare = 0.3;
+  const BodyBoxes boxes(drawn);
+  const auto off = [&](const Eigen::AlignedBox3d& box, const Eigen::Vector3d& place) {
+    const double distance = box.exteriorDistance(place);
+    return distance > std::max(kBracket_m, kShare * box.diagonal().norm()) ? distance : 0;
+  };
+  for (const ElementPoint& sensor : SensorPointsOf(drawn.vehicle)) {
+    const int link = sensor.point.link;
+    if (link == 0 || boxes.Of(link).isEmpty() || off(boxes.Of(link), drawn.Place(sensor.point)) == 0) continue;
+    const double distance = off(boxes.WithMeshes(link), drawn.Place(sensor.point));
+    if (distance > 0)
+      findings.Warning(sensor.line, sensor.element + " is " + Readable(distance, "m") +
+                                        " off all that the file tells of link '" +
+                                        drawn.vehicle.links[static_cast<std::size_t>(link)].name +
+                                        "', which carries it: correct the link, or xyz, which is in metres and in the "
+                                        "axes of its link");
   }
 }
 
-void LintTyreHeights(const LintSubject& subject, FileFaults& findings) {
+void LintInertias(const DrawnVehicle& drawn, FileFaults& findings) {
+  // What a file does not show of a body lies within this.
+  constexpr double kUnseen_m = 1;
+  const BodyBoxes boxes(drawn);
+  for (std::size_t i = 1; i < drawn.vehicle.links.size(); ++i) {
+    const Link& link = drawn.vehicle.links[i];
+    const double mass = drawn.At(link.mass);
+    if (mass <= 0) continue;
+    const double greatest = std::max({drawn.At(link.inertia[0]), drawn.At(link.inertia[1]), drawn.At(link.inertia[2])});
+    const double radius = std::sqrt(greatest / mass);
+    const Point com{static_cast<int>(i), link.ComAt(drawn.values)};
+    const auto reach = [&](const Eigen::AlignedBox3d& box) {
+      const Eigen::Vector3d place = drawn.Place(com);
+      return (place - box.min()).cwiseAbs().cwiseMax((place - box.max()).cwiseAbs()).norm() + kUnseen_m;
+    };
+    if (radius <= reach(boxes.Of(com.link)) || radius <= reach(boxes.WithMeshes(com.link))) continue;
+    findings.Warning(link.line, "inertia of " + Called("link", link.name) + " is " + Readable(greatest, "kg*m^2") +
+                                    " at a mass of " + Readable(mass, "kg") + ", a radius of gyration of " +
+                                    Readable(radius, "m") +
+                                    ", beyond all that the file tells of the body: check the "
+                                    "digits and units of both");
+  }
+}
+
+void LintTyreHeights(const DrawnVehicle& drawn, FileFaults& findings) {
   constexpr double kLevel_m = 0.02;
   // Of a point that stands for the foot or, in models without roll, for the centre.
   constexpr double kLowest_m = -0.1;
   constexpr double kHighest_m = 1.5;
-  for (const Tyre& tyre : subject.vehicle.tyres) {
-    const double height = subject.Place(tyre.point).z();
+  for (const Tyre& tyre : drawn.vehicle.tyres) {
+    const double height = drawn.Place(tyre.point).z();
     const std::string what = "the point of " + Called("fp:tyre", tyre.name) + " is " + Readable(height, "m") +
                              " above the platform, z = 0, in the design pose";
     if (tyre.radius > 0 && std::abs(height - tyre.radius) > kLevel_m)
@@ -48,25 +73,25 @@ void LintTyreHeights(const LintSubject& subject, FileFaults& findings) {
   }
 }
 
-void LintLengths(const LintSubject& subject, FileFaults& findings) {
+void LintLengths(const DrawnVehicle& drawn, FileFaults& findings) {
   constexpr double kShort_m = 0.02;
   constexpr double kLong_m = 3;
   const auto check = [&](const std::string& element, int line, const ForceLine& ends) {
     if (ends.axis) return;
-    const double length = subject.pose.LineLength(ends).value;
+    const double length = drawn.Length(ends);
     if (length >= kShort_m && length <= kLong_m) return;
     findings.Warning(line, element + " is " + Readable(length, "m") + " long in the design pose: " +
                                (length > kLong_m ? "correct its ends"
                                                  : "its direction turns with the least motion; correct its ends, or "
                                                    "give it an axis"));
   };
-  for (const Spring& spring : subject.vehicle.springs) check(spring.element, spring.source_line, spring.line);
-  for (const Damper& damper : subject.vehicle.dampers)
+  for (const Spring& spring : drawn.vehicle.springs) check(spring.Element(), spring.source_line, spring.line);
+  for (const Damper& damper : drawn.vehicle.dampers)
     check(Called("fp:damper", damper.name), damper.source_line, damper.line);
 }
 
-void LintPosts(const LintSubject& subject, FileFaults& findings) {
-  const Vehicle& vehicle = subject.vehicle;
+void LintPosts(const DrawnVehicle& drawn, FileFaults& findings) {
+  const Vehicle& vehicle = drawn.vehicle;
   if (vehicle.posts.empty() && !vehicle.tyres.empty())
     findings.Warning(0, "the vehicle has tyres but no post, so nothing can move it: add an fp:post under each tyre");
   for (std::size_t i = 0; i < vehicle.tyres.size() && !vehicle.posts.empty(); ++i) {
@@ -78,8 +103,8 @@ void LintPosts(const LintSubject& subject, FileFaults& findings) {
   }
 }
 
-void LintSensors(const LintSubject& subject, FileFaults& findings) {
-  if (subject.vehicle.sensors.empty())
+void LintSensors(const DrawnVehicle& drawn, FileFaults& findings) {
+  if (drawn.vehicle.sensors.empty())
     findings.Warning(0, "the vehicle has no sensor, so nothing of its response is seen: add fp:sensor tags");
 }
 

@@ -51,7 +51,7 @@ void LintSpringLoads(const LintSubject& subject, FileFaults& findings) {
     const double tension = subject.model.preloads.spring[i];
     if (!spring.preload && !spring.free_length && tension > Trifle(subject))
       findings.Warning(spring.source_line,
-                       spring.element + " is pulled with " + Readable(tension, "N") +
+                       spring.Element() + " is pulled with " + Readable(tension, "N") +
                            " at rest, which a coil does not bear: check its ends" +
                            (spring.line.axis ? ", and its axis, which points from child to parent" : ""));
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "vehicles/chassis.h"
+
 namespace fourpost {
 namespace {
 
@@ -17,24 +19,17 @@ Wheel WheelOf(const Tyre& tyre, const Kinematics& pose) {
 }
 
 int ChassisOf(const std::vector<BodyMotion>& bodies, const std::vector<Wheel>& wheels) {
-  const auto carries_tyre = [&](const BodyMotion& body) {
-    return std::any_of(wheels.begin(), wheels.end(), [&](const Wheel& wheel) {
-      return std::find(body.links.begin(), body.links.end(), wheel.link) != body.links.end();
-    });
-  };
-  int chassis = -1;
-  double heaviest = 0;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].mass.mass <= heaviest || carries_tyre(bodies[i])) continue;
-    chassis = static_cast<int>(i);
-    heaviest = bodies[i].mass.mass;
+  std::vector<TyreCarrier> carriers;
+  for (const BodyMotion& body : bodies) {
+    carriers.push_back({.mass = body.mass.mass, .stations = {}});
+    for (const Wheel& wheel : wheels)
+      if (std::find(body.links.begin(), body.links.end(), wheel.link) != body.links.end())
+        carriers.back().stations.push_back(wheel.foot.x());
   }
-  return chassis;
+  return ChassisOf(carriers);
 }
 
 std::vector<Axle> AxlesOf(const std::vector<Wheel>& wheels) {
-  // Both wheels of an axle stand within some centimetres, two axles at least a wheel's diameter apart.
-  constexpr double kSameStation_m = 0.3;
   std::vector<std::size_t> order(wheels.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),

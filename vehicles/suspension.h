@@ -44,7 +44,7 @@ struct Axle {
 /// A vehicle as a chassis engineer sees it.
 struct Suspension {
   std::vector<BodyMotion> bodies;
-  /// Index in bodies: the heaviest that carries no tyre; -1 when there is none, as on a rig that holds the chassis.
+  /// Index in bodies, see ChassisOf.
   int chassis = -1;
   /// In the order of Vehicle::tyres.
   std::vector<Wheel> wheels;

@@ -33,14 +33,21 @@ std::string SignText(Sign sign) {
   return sign == Sign::kPositive ? ", > 0" : ", >= 0";
 }
 
+std::string UsualText(const AttributeRule& rule) {
+  const std::string least(rule.usual_least);
+  const std::string greatest(rule.usual_greatest);
+  if (greatest.empty()) return "";
+  return least.empty() ? "; usually up to " + greatest : "; usually " + least + " to " + greatest;
+}
+
 std::string DefaultText(const AttributeRule& rule) {
   if (rule.required) return "required";
   return rule.fallback.empty() ? "none" : "`" + std::string(rule.fallback) + "`";
 }
 
 std::string Row(const AttributeRule& rule) {
-  return "| `" + std::string(rule.name) + "` | " + KindText(rule) + SignText(rule.sign) + " | " + DefaultText(rule) +
-         " | " + std::string(rule.doc) + " |\n";
+  return "| `" + std::string(rule.name) + "` | " + KindText(rule) + SignText(rule.sign) + UsualText(rule) + " | " +
+         DefaultText(rule) + " | " + std::string(rule.doc) + " |\n";
 }
 
 std::string OccursText(const TagRule& tag) {

@@ -40,22 +40,30 @@ AttributeRule Measure(std::string_view name, const Dimension& dimension, Sign si
           .sign = sign};
 }
 
+/// The rule with the range in which road vehicles have it.
+AttributeRule Usual(std::string_view least, std::string_view greatest, AttributeRule rule) {
+  rule.usual_least = least;
+  rule.usual_greatest = greatest;
+  return rule;
+}
+
 AttributeRule Stiffness(std::string_view doc, Sign sign = Sign::kNotNegative) {
   return Measure("stiffness", kStiffness, sign, doc);
 }
 
-AttributeRule Rate(std::string_view name, std::string_view doc) {
-  return Measure(name, kDamping, Sign::kNotNegative, doc);
+AttributeRule Rate(std::string_view name, std::string_view doc, std::string_view least = "10 N*s/m") {
+  return Usual(least, "100 kN*s/m", Measure(name, kDamping, Sign::kNotNegative, doc));
 }
 
 AttributeRule Cubic(std::string_view doc) {
   return Measure("cubic", kCubicStiffness, Sign::kNotNegative, doc, "0 N/m^3");
 }
 
-std::vector<AttributeRule> Components(const Dimension& dimension, std::string_view fallback, std::string_view doc) {
+std::vector<AttributeRule> Components(const Dimension& dimension, std::string_view fallback, std::string_view greatest,
+                                      std::string_view doc) {
   std::vector<AttributeRule> rules;
   for (std::string_view axis : {"x", "y", "z"})
-    rules.push_back(Measure(axis, dimension, Sign::kNotNegative, doc, fallback));
+    rules.push_back(Usual("", greatest, Measure(axis, dimension, Sign::kNotNegative, doc, fallback)));
   return rules;
 }
 
@@ -66,7 +74,8 @@ AttributeRule Preload(std::string_view doc) {
           .fallback = "equilibrium",
           .doc = doc,
           .dimension = kForce,
-          .word = "equilibrium"};
+          .word = "equilibrium",
+          .usual_greatest = "200 kN"};
 }
 
 AttributeRule Bound(std::string_view name, std::string_view doc) {
@@ -149,48 +158,54 @@ std::vector<TagRule> MakeSpringTags() {
       {.path = "fp:spring/linear",
        .occurs = Occurs::kOneOfAll,
        .doc = "tension = preload + stiffness x, or stiffness (length - free_length)",
-       .attributes = {Stiffness("force per extension"),
+       .attributes = {Usual("1 kN/m", "1 MN/m", Stiffness("force per extension")),
                       preload,
                       {.name = "free_length",
                        .kind = Kind::kScalar,
                        .required = false,
                        .doc = "length without load, in place of a preload",
                        .dimension = kLength,
-                       .sign = Sign::kPositive}}},
+                       .sign = Sign::kPositive,
+                       .usual_least = "50 mm",
+                       .usual_greatest = "2 m"}}},
       {.path = "fp:spring/cubic",
        .occurs = Occurs::kOneOfAll,
        .doc = "tension = preload + stiffness x + cubic x^3",
-       .attributes = {Stiffness("force per extension in the design pose"),
+       .attributes = {Usual("1 kN/m", "1 MN/m", Stiffness("force per extension in the design pose")),
                       Measure("cubic", kCubicStiffness, Sign::kNotNegative, "hardening on either side"), preload}},
       {.path = "fp:spring/multirate",
        .occurs = Occurs::kOneOfAll,
        .doc = "A spring whose rate changes at knees, as when coils close or a helper comes in. "
               "tension = preload + stiffness x up to the first knee of either side, and on without a step.",
-       .attributes = {Stiffness("force per extension about the design pose"), preload}},
+       .attributes = {Usual("1 kN/m", "1 MN/m", Stiffness("force per extension about the design pose")), preload}},
       {.path = "fp:spring/multirate/knee",
        .doc = "The rate beyond x = `at`: further in compression when `at` is below zero, further in extension when it "
               "is above. Knees of a side stand in the order in which they are met.",
-       .attributes = {Measure("at", kLength, Sign::kAny, "extension at the knee; not zero"),
-                      Stiffness("force per extension beyond the knee")}},
+       .attributes = {Usual("0.1 mm", "500 mm", Measure("at", kLength, Sign::kAny, "extension at the knee; not zero")),
+                      Usual("100 N/m", "100 MN/m", Stiffness("force per extension beyond the knee"))}},
       {.path = "fp:stop",
        .doc = "Bump and rebound stops between two points: no force until the gap is closed, give one or both.",
        .attributes = {kNameRule, kParentRule, kChildRule, kGuideRule}},
       {.path = "fp:stop/bump",
        .occurs = Occurs::kAtMostOnce,
        .doc = "compression force = stiffness s + cubic s^3, s = compression beyond the gap",
-       .attributes = {Measure("gap", kLength, Sign::kNotNegative, "free compression from the design pose"),
-                      Stiffness("force per compression of the stop"), Cubic("hardening of the stop")}},
+       .attributes = {Usual("0.1 mm", "500 mm",
+                            Measure("gap", kLength, Sign::kNotNegative, "free compression from the design pose")),
+                      Usual("1 kN/m", "100 MN/m", Stiffness("force per compression of the stop")),
+                      Cubic("hardening of the stop")}},
       {.path = "fp:stop/rebound",
        .occurs = Occurs::kAtMostOnce,
        .doc = "tension = stiffness s + cubic s^3, s = extension beyond the gap",
-       .attributes = {Measure("gap", kLength, Sign::kNotNegative, "free extension from the design pose"),
-                      Stiffness("force per extension of the stop"), Cubic("hardening of the stop")}},
+       .attributes = {Usual("0.1 mm", "500 mm",
+                            Measure("gap", kLength, Sign::kNotNegative, "free extension from the design pose")),
+                      Usual("1 kN/m", "100 MN/m", Stiffness("force per extension of the stop")),
+                      Cubic("hardening of the stop")}},
   };
 }
 
 std::vector<TagRule> MakeDamperTags() {
   const auto speed = [](std::string_view name, std::string_view doc) {
-    return Measure(name, kVelocity, Sign::kPositive, doc);
+    return Usual("1 mm/s", "5 m/s", Measure(name, kVelocity, Sign::kPositive, doc));
   };
   const AttributeRule compression = Rate("compression", "force per speed in bump");
   const AttributeRule rebound = Rate("rebound", "force per speed in rebound");
@@ -216,8 +231,8 @@ std::vector<TagRule> MakeDamperTags() {
        .doc = "f = rebound v up to v = rebound_knee and on with the slope rebound_beyond; likewise in compression.",
        .attributes = {compression, rebound, speed("compression_knee", "speed of the knee in bump"),
                       speed("rebound_knee", "speed of the knee in rebound"),
-                      Rate("compression_beyond", "slope beyond the knee in bump"),
-                      Rate("rebound_beyond", "slope beyond the knee in rebound")}},
+                      Rate("compression_beyond", "slope beyond the knee in bump", "1 N*s/m"),
+                      Rate("rebound_beyond", "slope beyond the knee in rebound", "1 N*s/m")}},
       {.path = "fp:damper/table",
        .occurs = Occurs::kOneOfAll,
        .doc = "A measured curve: a monotone cubic (Fritsch and Carlson) through its points and (0, 0), straight on "
@@ -225,43 +240,54 @@ std::vector<TagRule> MakeDamperTags() {
        .attributes = {}},
       {.path = "fp:damper/table/point",
        .doc = "A point of the curve, in the order of rising speed and force.",
-       .attributes = {Measure("speed", kVelocity, Sign::kAny, "extension rate, rebound positive"),
-                      Measure("force", kForce, Sign::kAny, "tension")}},
+       .attributes = {Usual("", "10 m/s", Measure("speed", kVelocity, Sign::kAny, "extension rate, rebound positive")),
+                      Usual("", "100 kN", Measure("force", kForce, Sign::kAny, "tension"))}},
       {.path = "fp:damper/hydraulic",
        .occurs = Occurs::kOneOfAll,
        .doc = "An adjustable monotube damper with gas behind a floating piston: a bleed in both directions, a rebound "
               "and a compression valve, oil that yields, cavitation. A reconstruction of the thesis's appendix A; "
               "equations in `vehicles/hydraulic_damper.h`.",
-       .attributes = {Measure("bleed", kArea, Sign::kPositive, "effective area Cd A of the bleed"),
-                      Measure("rebound_valve", kFlowResistance, Sign::kPositive,
-                              "pressure per mass flow of the rebound valve"),
-                      Measure("compression_valve", kFlowResistance, Sign::kPositive,
-                              "pressure per mass flow of the bump valve", "2.597 MPa*s/kg"),
-                      Measure("bulk_modulus", kPressure, Sign::kPositive, "stiffness of the oil", "300 MPa"),
-                      Measure("piston", kLength, Sign::kPositive, "diameter of the bore", "30 mm"),
-                      Measure("rod", kLength, Sign::kPositive, "diameter of the rod", "12.5 mm"),
-                      Measure("column", kLength, Sign::kPositive, "length of each oil column in the design pose",
-                              "100 mm"),
-                      Measure("gas_pressure", kPressure, Sign::kPositive, "pressure of the gas at rest", "2 MPa"),
-                      Measure("gas_volume", kVolume, Sign::kPositive, "volume of the gas at rest", "60 cm^3")}},
+       .attributes =
+           {Usual("0.01 mm^2", "100 mm^2",
+                  Measure("bleed", kArea, Sign::kPositive, "effective area Cd A of the bleed")),
+            Usual("10 kPa*s/kg", "1000 MPa*s/kg",
+                  Measure("rebound_valve", kFlowResistance, Sign::kPositive,
+                          "pressure per mass flow of the rebound valve")),
+            Usual("10 kPa*s/kg", "1000 MPa*s/kg",
+                  Measure("compression_valve", kFlowResistance, Sign::kPositive,
+                          "pressure per mass flow of the bump valve", "2.597 MPa*s/kg")),
+            Usual("10 MPa", "3000 MPa",
+                  Measure("bulk_modulus", kPressure, Sign::kPositive, "stiffness of the oil", "300 MPa")),
+            Usual("10 mm", "150 mm", Measure("piston", kLength, Sign::kPositive, "diameter of the bore", "30 mm")),
+            Usual("3 mm", "100 mm", Measure("rod", kLength, Sign::kPositive, "diameter of the rod", "12.5 mm")),
+            Usual(
+                "10 mm", "1 m",
+                Measure("column", kLength, Sign::kPositive, "length of each oil column in the design pose", "100 mm")),
+            Usual("0.1 MPa", "20 MPa",
+                  Measure("gas_pressure", kPressure, Sign::kPositive, "pressure of the gas at rest", "2 MPa")),
+            Usual("1 cm^3", "10000 cm^3",
+                  Measure("gas_volume", kVolume, Sign::kPositive, "volume of the gas at rest", "60 cm^3"))}},
       {.path = "fp:damper/series",
        .occurs = Occurs::kAtMostOnce,
        .doc = "A spring in line with the damper, such as its top mount: f = stiffness x + cubic x^3, x its extension. "
               "The damper's rates must be above zero then.",
-       .attributes = {Stiffness("force per deflection", Sign::kPositive), Cubic("hardening")}},
+       .attributes = {Usual("10 kN/m", "100 MN/m", Stiffness("force per deflection", Sign::kPositive)),
+                      Cubic("hardening")}},
       {.path = "fp:damper/friction",
        .occurs = Occurs::kAtMostOnce,
        .doc =
            "Coulomb friction of seals and guide: adds force tanh(v / speed). In line with the series spring, but of a "
            "hydraulic damper between the ends of both.",
-       .attributes = {Measure("force", kForce, Sign::kNotNegative, "friction at speed"),
-                      Measure("speed", kVelocity, Sign::kPositive, "speed of transition about rest", "2 mm/s")}},
+       .attributes = {Usual("0.1 N", "5 kN", Measure("force", kForce, Sign::kNotNegative, "friction at speed")),
+                      Usual("0.1 mm/s", "0.1 m/s",
+                            Measure("speed", kVelocity, Sign::kPositive, "speed of transition about rest", "2 mm/s"))}},
       {.path = "fp:damper/gas",
        .occurs = Occurs::kAtMostOnce,
        .doc = "Gas pressure on the rod, between the damper's ends: tension = -force + stiffness x.",
-       .attributes = {Measure("force", kForce, Sign::kNotNegative, "push in the design pose"),
-                      Measure("stiffness", kStiffness, Sign::kNotNegative, "rise of the push per compression",
-                              "0 N/m")}},
+       .attributes = {Usual("1 N", "20 kN", Measure("force", kForce, Sign::kNotNegative, "push in the design pose")),
+                      Usual("", "1 MN/m",
+                            Measure("stiffness", kStiffness, Sign::kNotNegative, "rise of the push per compression",
+                                    "0 N/m"))}},
   };
 }
 
@@ -284,31 +310,36 @@ std::vector<TagRule> MakeBushingTags() {
       {.path = "fp:bushing/translation",
        .occurs = Occurs::kAtMostOnce,
        .doc = "force = stiffness times displacement of the child's point",
-       .attributes = Components(kStiffness, "0 N/m", "stiffness along this axis")},
+       .attributes = Components(kStiffness, "0 N/m", "1000 MN/m", "stiffness along this axis")},
       {.path = "fp:bushing/rotation",
        .occurs = Occurs::kAtMostOnce,
        .doc = "torque = stiffness times angle",
-       .attributes = Components(kTorque, "0 N*m/rad", "stiffness about this axis")},
+       .attributes = Components(kTorque, "0 N*m/rad", "1000 MN*m/rad", "stiffness about this axis")},
       {.path = "fp:bushing/translation_damping",
        .occurs = Occurs::kAtMostOnce,
        .doc = "force = rate times velocity",
-       .attributes = Components(kDamping, "0 N*s/m", "rate along this axis")},
+       .attributes = Components(kDamping, "0 N*s/m", "1 MN*s/m", "rate along this axis")},
       {.path = "fp:bushing/rotation_damping",
        .occurs = Occurs::kAtMostOnce,
        .doc = "torque = rate times angular velocity",
-       .attributes = Components(kAngularDamping, "0 N*m*s/rad", "rate about this axis")},
+       .attributes = Components(kAngularDamping, "0 N*m*s/rad", "100 kN*m*s/rad", "rate about this axis")},
       {.path = "fp:bushing/loss",
        .occurs = Occurs::kAtMostOnce,
        .doc = "Damping of rubber: each rate = factor stiffness / (2 pi frequency), added to the others.",
-       .attributes = {Measure("factor", kDimensionless, Sign::kNotNegative, "loss factor: tangent of the loss angle"),
-                      Measure("frequency", kFrequency, Sign::kPositive, "where the loss factor holds")}},
+       .attributes = {Usual("", "3",
+                            Measure("factor", kDimensionless, Sign::kNotNegative,
+                                    "loss factor: tangent of the loss angle")),
+                      Usual("0.1 Hz", "1000 Hz",
+                            Measure("frequency", kFrequency, Sign::kPositive, "where the loss factor holds"))}},
       {.path = "fp:antiroll",
        .doc = "An anti-roll bar. It pulls on the left line with stiffness (e_left - e_right) + damping (e_left - "
               "e_right)', and pushes as much on the right one; e: extension of the line between the end of the bar's "
               "arm and what it holds on to.",
-       .attributes = {kNameRule, Stiffness("force at an arm's end per difference of the extensions"),
-                      Measure("damping", kDamping, Sign::kNotNegative, "force per rate of that difference",
-                              "0 N*s/m")}},
+       .attributes = {kNameRule,
+                      Usual("100 N/m", "10 MN/m", Stiffness("force at an arm's end per difference of the extensions")),
+                      Usual("", "100 kN*s/m",
+                            Measure("damping", kDamping, Sign::kNotNegative, "force per rate of that difference",
+                                    "0 N*s/m"))}},
       {.path = "fp:antiroll/left",
        .occurs = Occurs::kOnce,
        .doc = "The line on the left.",
@@ -327,29 +358,36 @@ std::vector<TagRule> MakeTyreTags() {
               "and yaw: its foot lies `radius` below the point `xyz`, in the plane across the link's y axis. Vertical "
               "force on the wheel = preload + stiffness s + damping s', s: how much nearer foot and platform are than "
               "in the design pose.",
-       .attributes = {kNameRule,
-                      kLinkRule,
-                      {.name = "xyz", .kind = Kind::kVector, .doc = "centre of the wheel in link axes, in m"},
-                      Stiffness("vertical force per deflection"),
-                      Measure("damping", kDamping, Sign::kNotNegative, "vertical force per speed", "0 N*s/m"),
-                      Preload("compression force in the design pose; `equilibrium`: whatever holds it at rest"),
-                      Measure("radius", kLength, Sign::kNotNegative,
-                              "height of the point above the platform, loaded; 0: the foot is the point itself", "0 m"),
-                      Measure("lateral", kStiffness, Sign::kNotNegative,
-                              "force per sideways shift of the foot, at any load", "0 N/m"),
-                      Measure("longitudinal", kStiffness, Sign::kNotNegative,
-                              "force per fore-aft shift of the foot, at any load; small for a wheel that may roll",
-                              "0 N/m"),
-                      Measure("lateral_damping", kDamping, Sign::kNotNegative,
-                              "force per sideways speed of the foot, at any load", "0 N*s/m"),
-                      Measure("longitudinal_damping", kDamping, Sign::kNotNegative,
-                              "force per fore-aft speed of the foot, at any load", "0 N*s/m"),
-                      {.name = "liftoff",
-                       .kind = Kind::kChoice,
-                       .required = false,
-                       .fallback = "false",
-                       .doc = "`true`: the vertical force never pulls; `false`: it may, as in a linear model",
-                       .choices = {"false", "true"}}}},
+       .attributes =
+           {kNameRule,
+            kLinkRule,
+            {.name = "xyz", .kind = Kind::kVector, .doc = "centre of the wheel in link axes, in m"},
+            Usual("20 kN/m", "2 MN/m", Stiffness("vertical force per deflection")),
+            Usual("", "20 kN*s/m",
+                  Measure("damping", kDamping, Sign::kNotNegative, "vertical force per speed", "0 N*s/m")),
+            Preload("compression force in the design pose; `equilibrium`: whatever holds it at rest"),
+            Usual("100 mm", "2 m",
+                  Measure("radius", kLength, Sign::kNotNegative,
+                          "height of the point above the platform, loaded; 0: the foot is the point itself", "0 m")),
+            Usual("1 kN/m", "10 MN/m",
+                  Measure("lateral", kStiffness, Sign::kNotNegative,
+                          "force per sideways shift of the foot, at any load", "0 N/m")),
+            Usual(
+                "10 N/m", "10 MN/m",
+                Measure("longitudinal", kStiffness, Sign::kNotNegative,
+                        "force per fore-aft shift of the foot, at any load; small for a wheel that may roll", "0 N/m")),
+            Usual("", "20 kN*s/m",
+                  Measure("lateral_damping", kDamping, Sign::kNotNegative,
+                          "force per sideways speed of the foot, at any load", "0 N*s/m")),
+            Usual("", "20 kN*s/m",
+                  Measure("longitudinal_damping", kDamping, Sign::kNotNegative,
+                          "force per fore-aft speed of the foot, at any load", "0 N*s/m")),
+            {.name = "liftoff",
+             .kind = Kind::kChoice,
+             .required = false,
+             .fallback = "false",
+             .doc = "`true`: the vertical force never pulls; `false`: it may, as in a linear model",
+             .choices = {"false", "true"}}}},
       {.path = "fp:post",
        .doc =
            "A hydraulic post that drives the platform under a tyre; one a tyre at most. A study moves posts by their "
@@ -404,7 +442,9 @@ std::vector<TagRule> MakeSensorTags() {
        .attributes = {kNameRule,
                       SensorType("load_cell"),
                       {.name = "tyre", .kind = Kind::kTyre, .doc = "tyre whose force is measured"},
-                      Measure("wheelpan", kMass, Sign::kNotNegative, "mass between load cell and tyre", "0 kg")}},
+                      Usual(
+                          "10 g", "1 t",
+                          Measure("wheelpan", kMass, Sign::kNotNegative, "mass between load cell and tyre", "0 kg"))}},
   };
 }
 

@@ -47,6 +47,9 @@ struct AttributeRule {
   /// A word that stands for a number, such as "equilibrium".
   std::string_view word = {};
   std::vector<std::string_view> choices = {};
+  /// Where the size of a number other than zero lies on road vehicles, with room to spare, as "1 kN/m"; empty: no bound.
+  std::string_view usual_least = {};
+  std::string_view usual_greatest = {};
 };
 
 /// How often a tag may stand under its parent.

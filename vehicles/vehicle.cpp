@@ -8,6 +8,16 @@ Eigen::Vector3d Link::ComAt(std::span<const double> parameters) const {
   return {com[0].At(parameters), com[1].At(parameters), com[2].At(parameters)};
 }
 
+std::string Spring::Element() const {
+  const std::string quoted = "'" + name + "'";
+  switch (kind) {
+    case Kind::kCoil: return "fp:spring " + quoted;
+    case Kind::kStop: return "fp:stop " + quoted;
+    case Kind::kGas: return "the gas of fp:damper " + quoted;
+  }
+  return quoted;
+}
+
 HydraulicDamper Damper::HydraulicAt(std::span<const double> parameters) const {
   HydraulicDamper damper = hydraulic->At(parameters);
   damper.friction = law.friction ? law.friction->force.At(parameters) : 0;

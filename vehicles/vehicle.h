@@ -91,8 +91,10 @@ struct ForceLine {
 
 /// A spring, a bump stop or the gas in a damper. Tension = preload + law(L - L_design).
 struct Spring {
-  /// As messages call it: "fp:spring 'coil'".
-  std::string element;
+  enum class Kind { kCoil, kStop, kGas };
+  Kind kind = Kind::kCoil;
+  /// Of gas the damper's.
+  std::string name;
   ForceLine line;
   SpringDescription law;
   /// Tension in the design pose [N]; empty: by free_length.
@@ -100,6 +102,9 @@ struct Spring {
   /// Length without load [m] of a linear spring; empty as well: whatever holds the design pose in equilibrium.
   std::optional<Scalar> free_length;
   int source_line = 0;
+
+  /// As messages call it: "fp:spring 'coil'", "the gas of fp:damper 'strut'".
+  std::string Element() const;
 };
 
 /// A damper: its dashpot's force against extension rate, rebound and tension positive; alone or in line with a spring.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "vehicles/drawn_vehicle.h"
 #include "vehicles/lint_subject.h"
 #include "vehicles/loop_lint.h"
 #include "vehicles/motion_lint.h"
@@ -14,23 +15,32 @@
 namespace fourpost {
 namespace {
 
-constexpr std::array<LintRule, 20> kRules = {
-    LintNumbers,       LintHardening,      LintPlacesInMillimetres, LintStopGaps,
-    LintOpenClosures,  LintSwappedDamping, LintMirroredPoints,      LintMirroredNumbers,
-    LintBarSides,      LintSensorPlaces,   LintTyreHeights,         LintLengths,
-    LintPosts,         LintSensors,        LintTyreLoads,           LintSpringLoads,
-    LintWeightOnTyres, LintFreeMotions,    LintRingingModes,        LintIdleParameters,
+constexpr std::array<DrawnLintRule, 17> kDrawnRules = {
+    LintNumbers,  LintMeanRates,    LintHardening,      LintPlacesInMillimetres, LintStopGaps,
+    LintGaps,     LintOilColumns,   LintSwappedDamping, LintMirroredPoints,      LintMirroredNumbers,
+    LintBarSides, LintSensorPlaces, LintInertias,       LintTyreHeights,         LintLengths,
+    LintPosts,    LintSensors,
 };
 
-}  // namespace
+constexpr std::array<LintRule, 8> kRules = {
+    LintOpenClosures, LintTyreLoads,    LintSpringLoads,  LintWeightOnTyres,
+    LintFreeMotions,  LintRingingModes, LintBlindSensors, LintIdleParameters,
+};
 
-Diagnostics Lint(const Vehicle& vehicle) {
-  const LintSubject subject(vehicle);
+template <typename Subject, typename Rules>
+Diagnostics Findings(const Vehicle& vehicle, const Rules& rules) {
+  const Subject subject(vehicle);
   Diagnostics findings;
   FileFaults file(vehicle.file, findings);
   file.SetTwins(vehicle.twins);
-  for (const LintRule rule : kRules) rule(subject, file);
+  for (const auto rule : rules) rule(subject, file);
   return findings;
 }
+
+}  // namespace
+
+Diagnostics LintDescription(const Vehicle& vehicle) { return Findings<DrawnVehicle>(vehicle, kDrawnRules); }
+
+Diagnostics LintAssembled(const Vehicle& vehicle) { return Findings<LintSubject>(vehicle, kRules); }
 
 }  // namespace fourpost

@@ -1,8 +1,11 @@
 #include "vehicles/wheel_ride.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/SVD>
+
+#include "vehicles/chassis.h"
 
 namespace fourpost {
 namespace {
@@ -27,13 +30,12 @@ Eigen::MatrixXd Heights(const LoopPose& pose, const std::vector<Point>& points, 
 WheelRide::WheelRide(const Vehicle& vehicle, const LoopPose& design) {
   for (const Tyre& tyre : vehicle.tyres) centres_[CarrierOf(vehicle, design, tyre)].push_back(tyre.point);
   const std::vector<double> values = vehicle.ParameterValues();
-  double most = 0;
-  for (std::size_t i = 1; i < vehicle.links.size(); ++i) {
-    const double mass = vehicle.links[i].mass.At(values);
-    if (mass <= most || centres_.count(static_cast<int>(i)) > 0) continue;
-    most = mass;
-    body_ = static_cast<int>(i);
-  }
+  std::vector<TyreCarrier> links;
+  for (const Link& link : vehicle.links) links.push_back({.mass = link.mass.At(values), .stations = {}});
+  for (const auto& [link, centres] : centres_)
+    for (const Point& centre : centres)
+      links[static_cast<std::size_t>(link)].stations.push_back(design.kinematics().Location(centre).x());
+  body_ = std::max(ChassisOf(links), 0);
 }
 
 int WheelRide::CarrierOf(const Vehicle& vehicle, const LoopPose& design, const Tyre& tyre) const {

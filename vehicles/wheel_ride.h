@@ -15,7 +15,7 @@ class WheelRide {
   /// `design`: of the design pose.
   WheelRide(const Vehicle& vehicle, const LoopPose& design);
 
-  /// The heaviest link that locates no tyre; the ground when there is none.
+  /// The chassis, see ChassisOf; the ground when there is none.
   int body() const { return body_; }
 
   /// By the link that locates them: the tyre's, or what carries it where that only spins about the tyre's centre.

@@ -1,7 +1,10 @@
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "identify/command_line/check_json.h"
 #include "identify/command_line/check_text.h"
+#include "identify/command_line/checked_vehicle.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
@@ -15,31 +18,55 @@
 namespace fourpost {
 namespace {
 
-Diagnostics Instability(const Vehicle& vehicle, const VehicleSummary& summary) {
-  Diagnostics odd;
+void NoteInstability(const Vehicle& vehicle, const VehicleSummary& summary, Diagnostics& findings) {
   if (!summary.IsStable())
-    odd.Warning(vehicle.file, 0,
-                "the vehicle is unstable in its design pose: a motion grows by exp(" + Rounded(summary.growth_rate, 3) +
-                    " t); check positions, axes and rates");
-  return odd;
+    findings.Warning(vehicle.file, 0,
+                     "the vehicle is unstable in its design pose: a motion grows by exp(" +
+                         Rounded(summary.growth_rate, 3) + " t); check positions, axes and rates");
+}
+
+void Append(const Diagnostics& more, Diagnostics& findings) {
+  for (const Diagnostic& item : more.items())
+    if (item.severity == Severity::kError) findings.Error(item.file, item.line, item.message);
+    else findings.Warning(item.file, item.line, item.message);
+}
+
+/// Adds all that can be found in the file; nothing where an error keeps the vehicle from being checked.
+std::optional<CheckedVehicle> Checked(const std::filesystem::path& file, Diagnostics& findings) {
+  std::optional<Vehicle> vehicle = ReadVehicle(file, findings);
+  if (!vehicle) return std::nullopt;
+  Append(LintDescription(*vehicle), findings);
+  try {
+    Mobility mobility = MobilityOf(*vehicle);
+    VehicleSummary summary = Summarise(*vehicle, vehicle->ParameterValues());
+    NoteInstability(*vehicle, summary, findings);
+    Append(LintAssembled(*vehicle), findings);
+    return CheckedVehicle{std::move(*vehicle), std::move(mobility), std::move(summary)};
+  } catch (const FaultyInput& fault) {
+    Append(fault.diagnostics(), findings);
+    return std::nullopt;
+  }
+}
+
+int PrintResolved(const std::filesystem::path& file) {
+  Diagnostics findings;
+  const std::optional<Vehicle> vehicle = ReadVehicle(file, findings);
+  if (!vehicle) throw FaultyInput(findings);
+  Tell(findings);
+  Print(ResolvedText(*vehicle, std::filesystem::current_path()));
+  return kGood;
 }
 
 }  // namespace
 
 int Run(const CheckCommand& command) {
-  Diagnostics diagnostics;
-  const std::optional<Vehicle> vehicle = ReadVehicle(command.model, diagnostics);
-  if (!vehicle) throw FaultyInput(diagnostics);
-  Tell(diagnostics);
-  if (command.resolved) {
-    Print(ResolvedText(*vehicle, std::filesystem::current_path()));
-    return kGood;
-  }
-  const Mobility mobility = MobilityOf(*vehicle);
-  const VehicleSummary summary = Summarise(*vehicle, vehicle->ParameterValues());
-  Tell(Instability(*vehicle, summary));
-  Tell(Lint(*vehicle));
-  Print(command.json ? CheckJson(*vehicle, summary, mobility) : CheckText(*vehicle, summary, mobility));
+  if (command.resolved) return PrintResolved(command.model);
+  Diagnostics findings;
+  const std::optional<CheckedVehicle> checked = Checked(command.model, findings);
+  if (command.json) Print(CheckJson(checked, findings));
+  if (!checked) throw FaultyInput(findings);
+  Tell(findings);
+  if (!command.json) Print(CheckText(*checked));
   return kGood;
 }
 

@@ -43,6 +43,58 @@ Json Closures(const Vehicle& vehicle) {
   return closures;
 }
 
+Json Bushings(const Vehicle& vehicle) {
+  const std::vector<double> values = vehicle.ParameterValues();
+  Json bushings = Json::array();
+  AddClosures(vehicle, "bushing", vehicle.bushings, bushings);
+  for (std::size_t i = 0; i < bushings.size(); ++i) {
+    const Bushing& bushing = vehicle.bushings[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      bushings[i]["stiffness_N_per_m"].push_back(bushing.stiffness[k].At(values));
+      bushings[i]["damping_Ns_per_m"].push_back(bushing.DampingAt(k, values));
+      bushings[i]["rotational_stiffness_Nm_per_rad"].push_back(bushing.stiffness[k + 3].At(values));
+      bushings[i]["rotational_damping_Nms_per_rad"].push_back(bushing.DampingAt(k + 3, values));
+    }
+    bushings[i]["holds_design_pose"] = bushing.holds;
+  }
+  return bushings;
+}
+
+Json Posts(const Vehicle& vehicle) {
+  Json posts = Json::array();
+  for (const Post& post : vehicle.posts)
+    posts.push_back({{"name", post.name}, {"tyre", vehicle.tyres[static_cast<std::size_t>(post.tyre)].name}});
+  return posts;
+}
+
+Json SensorOf(const Vehicle& vehicle, const Sensor& sensor) {
+  const auto link = [&](const Point& point) { return vehicle.links[static_cast<std::size_t>(point.link)].name; };
+  Json json = {{"name", sensor.name}, {"kind", KindName(sensor.type)}};
+  switch (sensor.type) {
+    case Sensor::Type::kAccelerometer:
+    case Sensor::Type::kDisplacement: json["xyz_m"] = Vector(sensor.point.xyz); [[fallthrough]];
+    case Sensor::Type::kGyro:
+      json["link"] = link(sensor.point);
+      json["axis"] = Vector(sensor.axis);
+      break;
+    case Sensor::Type::kStrut:
+      json["parent"] = link(sensor.line.parent);
+      json["child"] = link(sensor.line.child);
+      break;
+    case Sensor::Type::kLoadCell:
+      json["tyre"] = vehicle.tyres[static_cast<std::size_t>(sensor.tyre)].name;
+      json["wheelpan_kg"] = sensor.wheelpan.At(vehicle.ParameterValues());
+      break;
+  }
+  return json;
+}
+
+Json Sensors(const Vehicle& vehicle) {
+  Json sensors = Json::array();
+  for (const Sensor& sensor : vehicle.sensors) sensors.push_back(SensorOf(vehicle, sensor));
+  return sensors;
+}
+
 Json Inertia(const Eigen::Matrix3d& inertia) {
   return {{"Ixx", inertia(0, 0)}, {"Iyy", inertia(1, 1)}, {"Izz", inertia(2, 2)},
           {"Ixy", inertia(0, 1)}, {"Ixz", inertia(0, 2)}, {"Iyz", inertia(1, 2)}};
@@ -92,7 +144,7 @@ Json Strut(const VehicleSummary& summary, const std::string& element, const Stru
 Json Struts(const Vehicle& vehicle, const VehicleSummary& summary) {
   Json struts = Json::array();
   for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
-    struts.push_back(Strut(summary, vehicle.springs[i].element, summary.ride.springs[i], "rate_N_per_m"));
+    struts.push_back(Strut(summary, vehicle.springs[i].Element(), summary.ride.springs[i], "rate_N_per_m"));
     struts.back()["tension_N"] = summary.spring_tension[i];
   }
   for (std::size_t i = 0; i < vehicle.dampers.size(); ++i)
@@ -126,6 +178,7 @@ Json Parameters(const Vehicle& vehicle) {
                           {"unit", SiUnit(parameter.dimension)},
                           {"lower", parameter.lower},
                           {"upper", parameter.upper},
+                          {"precision", parameter.precision},
                           {"prior_sd", OrNull(parameter.prior_sd)},
                           {"source", parameter.source}});
   return parameters;
@@ -139,38 +192,58 @@ Json Views(const VehicleSummary& summary) {
       channels.push_back({{"sensor", channel.sensor},
                           {"excitation", channel.excitation},
                           {"relative_sensitivity", channel.sensitivity}});
-    views.push_back({{"parameter", view.parameter}, {"channels", channels}});
+    views.push_back({{"parameter", view.parameter}, {"in_curved_law", view.in_curved_law}, {"channels", channels}});
   }
   return views;
 }
 
+Json Findings(const Diagnostics& diagnostics) {
+  Json findings = Json::array();
+  for (const Diagnostic& item : diagnostics.items())
+    findings.push_back({{"file", item.file},
+                        {"line", item.line == 0 ? Json() : Json(item.line)},
+                        {"severity", item.severity == Severity::kError ? "error" : "warning"},
+                        {"text", item.message}});
+  return findings;
+}
+
+Json Told(const CheckedVehicle& checked) {
+  const auto& [vehicle, mobility, summary] = checked;
+  return {{"name", vehicle.name},
+          {"dof", summary.dof},
+          {"mobility",
+           {{"joint_coordinates", mobility.joint_coordinates},
+            {"loop_equations", mobility.loop_equations},
+            {"independent_equations", mobility.independent_equations},
+            {"redundant", mobility.redundant},
+            {"loop_residual_m", mobility.loop_residual}}},
+          {"tree", Tree(vehicle)},
+          {"loop_closures", Closures(vehicle)},
+          {"bushings", Bushings(vehicle)},
+          {"mass_kg", summary.mass_kg},
+          {"sprung_mass_kg", OrNull(summary.SprungMass_kg())},
+          {"unsprung_mass_kg", OrNull(summary.ride.unsprung_mass_kg)},
+          {"com_m", Vector(summary.com)},
+          {"inertia_kg_m2", Inertia(summary.inertia)},
+          {"weight_N", summary.Weight_N()},
+          {"corners", Corners(summary)},
+          {"axles", Axles(summary)},
+          {"struts", Struts(vehicle, summary)},
+          {"modes", Modes(summary)},
+          {"stable", summary.IsStable()},
+          {"posts", Posts(vehicle)},
+          {"sensors", Sensors(vehicle)},
+          {"parameters", Parameters(vehicle)},
+          {"observability", Views(summary)}};
+}
+
 }  // namespace
 
-std::string CheckJson(const Vehicle& vehicle, const VehicleSummary& summary, const Mobility& mobility) {
-  const Json json = {{"name", vehicle.name},
-                     {"dof", summary.dof},
-                     {"mobility",
-                      {{"joint_coordinates", mobility.joint_coordinates},
-                       {"loop_equations", mobility.loop_equations},
-                       {"independent_equations", mobility.independent_equations},
-                       {"redundant", mobility.redundant},
-                       {"loop_residual_m", mobility.loop_residual}}},
-                     {"tree", Tree(vehicle)},
-                     {"loop_closures", Closures(vehicle)},
-                     {"mass_kg", summary.mass_kg},
-                     {"sprung_mass_kg", OrNull(summary.SprungMass_kg())},
-                     {"unsprung_mass_kg", OrNull(summary.ride.unsprung_mass_kg)},
-                     {"com_m", Vector(summary.com)},
-                     {"inertia_kg_m2", Inertia(summary.inertia)},
-                     {"weight_N", summary.Weight_N()},
-                     {"corners", Corners(summary)},
-                     {"axles", Axles(summary)},
-                     {"struts", Struts(vehicle, summary)},
-                     {"modes", Modes(summary)},
-                     {"stable", summary.IsStable()},
-                     {"parameters", Parameters(vehicle)},
-                     {"observability", Views(summary)}};
-  return json.dump(2) + '\n';
+std::string CheckJson(const std::optional<CheckedVehicle>& checked, const Diagnostics& findings) {
+  Json json = checked ? Told(*checked) : Json::object();
+  json["findings"] = Findings(findings);
+  // A file's name may be no UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace fourpost

@@ -36,17 +36,13 @@ std::string InPerMm(double rate_Npm) { return Rounded(rate_Npm / 1000, 4); }
 
 std::string Ratio(const std::optional<double>& ratio) { return ratio ? Fixed(*ratio, 3) : "-"; }
 
-/// 'coil' of "fp:spring 'coil'".
-std::string NameIn(const std::string& element) {
-  const std::size_t begin = element.find('\'') + 1;
-  return element.substr(begin, element.rfind('\'') - begin);
-}
-
-/// "spring" of "fp:spring 'coil'", "gas" of "the gas of fp:damper 'strut'".
-std::string KindOf(const std::string& element) {
-  for (const char* kind : {"gas", "stop"})
-    if (element.find(kind) < element.find('\'')) return kind;
-  return "spring";
+const char* KindName(Spring::Kind kind) {
+  switch (kind) {
+    case Spring::Kind::kCoil: return "spring";
+    case Spring::Kind::kStop: return "stop";
+    case Spring::Kind::kGas: return "gas";
+  }
+  return "";
 }
 
 std::string AxisText(const Eigen::Vector3d& axis) {
@@ -176,11 +172,11 @@ std::string Springs(const Vehicle& vehicle, const VehicleSummary& summary) {
                        {"together"}, pairs));
   for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
     const StrutGeometry& strut = summary.ride.springs[i];
-    const std::string& element = vehicle.springs[i].element;
-    table.Add(
-        Head({NameIn(element), KindOf(element), Fixed(1000 * strut.length_m, 1), Rounded(summary.spring_tension[i], 5),
-              InPerMm(strut.rate), WheelName(summary, strut), Ratio(strut.alone)},
-             {Ratio(strut.together)}, pairs));
+    const Spring& spring = vehicle.springs[i];
+    table.Add(Head(
+        {spring.name, KindName(spring.kind), Fixed(1000 * strut.length_m, 1), Rounded(summary.spring_tension[i], 5),
+         InPerMm(strut.rate), WheelName(summary, strut), Ratio(strut.alone)},
+        {Ratio(strut.together)}, pairs));
   }
   return table.Format() + '\n';
 }
@@ -238,6 +234,38 @@ std::string ModeRows(const VehicleSummary& summary) {
   return table.Format() + more + '\n';
 }
 
+std::string Posts(const Vehicle& vehicle) {
+  if (vehicle.posts.empty()) return "";
+  TextTable table({"post", "under tyre"});
+  for (const Post& post : vehicle.posts)
+    table.Add({post.name, vehicle.tyres[static_cast<std::size_t>(post.tyre)].name});
+  return table.Format() + '\n';
+}
+
+/// What a sensor is on, its axis and its place in the link's axes.
+std::vector<std::string> Mounting(const Vehicle& vehicle, const Sensor& sensor) {
+  const auto link = [&](const Point& point) { return vehicle.links[static_cast<std::size_t>(point.link)].name; };
+  const Eigen::Vector3d& xyz = sensor.point.xyz;
+  switch (sensor.type) {
+    case Sensor::Type::kAccelerometer:
+    case Sensor::Type::kDisplacement:
+      return {link(sensor.point), AxisText(sensor.axis), Fixed(xyz.x(), 3), Fixed(xyz.y(), 3), Fixed(xyz.z(), 3)};
+    case Sensor::Type::kGyro: return {link(sensor.point), AxisText(sensor.axis), "-", "-", "-"};
+    case Sensor::Type::kStrut: return {link(sensor.line.parent) + " to " + link(sensor.line.child), "-", "-", "-", "-"};
+    case Sensor::Type::kLoadCell:
+      return {vehicle.tyres[static_cast<std::size_t>(sensor.tyre)].name, "-", "-", "-", "-"};
+  }
+  return {};
+}
+
+std::string Sensors(const Vehicle& vehicle) {
+  if (vehicle.sensors.empty()) return "";
+  TextTable table({"sensor", "kind", "on", "axis", "x, m", "y, m", "z, m"});
+  for (const Sensor& sensor : vehicle.sensors)
+    table.Add(Head({sensor.name, KindName(sensor.type)}, Mounting(vehicle, sensor), true));
+  return table.Format() + '\n';
+}
+
 /// Words in lines no longer than this.
 std::vector<std::string> Wrapped(const std::string& text, std::size_t width) {
   std::vector<std::string> lines;
@@ -267,12 +295,15 @@ std::string Range(const Parameter& parameter) {
 std::string Parameters(const Vehicle& vehicle) {
   if (vehicle.parameters.empty()) return "";
   constexpr std::size_t kWidth = 108;
-  const std::vector<std::string> head = {"parameter", "value", "unit", "range"};
+  const bool priors = std::any_of(vehicle.parameters.begin(), vehicle.parameters.end(),
+                                  [](const Parameter& parameter) { return parameter.prior_sd.has_value(); });
+  const std::vector<std::string> head = Head({"parameter", "value", "unit", "range"}, {"prior sd"}, priors);
   std::vector<std::vector<std::string>> rows;
   std::vector<std::size_t> widths;
   for (const std::string& cell : head) widths.push_back(cell.size());
   for (const Parameter& parameter : vehicle.parameters) {
-    rows.push_back({parameter.name, ShortInUnit(parameter.value, parameter), parameter.unit, Range(parameter)});
+    rows.push_back(Head({parameter.name, ShortInUnit(parameter.value, parameter), parameter.unit, Range(parameter)},
+                        {parameter.prior_sd ? ShortInUnit(*parameter.prior_sd, parameter) : "-"}, priors));
     for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], rows.back()[i].size());
   }
   const std::size_t used = std::accumulate(widths.begin(), widths.end(), 2 * widths.size());
@@ -294,7 +325,7 @@ std::string Views(const VehicleSummary& summary) {
     for (std::size_t i = 0; i < std::min(view.channels.size(), cells.size()); ++i)
       cells[i] =
           view.channels[i].sensor + " " + Fixed(view.channels[i].sensitivity, 2) + " " + view.channels[i].excitation;
-    if (view.channels.empty()) cells[0] = "none";
+    if (view.channels.empty()) cells[0] = view.in_curved_law ? "not in the linear model" : "none";
     table.Add({view.parameter, cells[0], cells[1], cells[2]});
   }
   return table.Format() +
@@ -328,10 +359,23 @@ std::string DescribeJoint(const Joint& joint) {
   return "";
 }
 
-std::string CheckText(const Vehicle& vehicle, const VehicleSummary& summary, const Mobility& mobility) {
+const char* KindName(Sensor::Type type) {
+  switch (type) {
+    case Sensor::Type::kAccelerometer: return "accelerometer";
+    case Sensor::Type::kDisplacement: return "displacement";
+    case Sensor::Type::kStrut: return "strut";
+    case Sensor::Type::kLoadCell: return "load cell";
+    case Sensor::Type::kGyro: return "gyro";
+  }
+  return "";
+}
+
+std::string CheckText(const CheckedVehicle& checked) {
+  const auto& [vehicle, mobility, summary] = checked;
   return vehicle.name + ": " + MobilityText(mobility) + '\n' + Tree(vehicle).Format() + '\n' + Closures(vehicle) +
          Masses(summary) + Wheels(summary) + Axles(summary) + Springs(vehicle, summary) + Dampers(vehicle, summary) +
-         AntiRollBars(vehicle, summary) + ModeRows(summary) + Parameters(vehicle) + Views(summary);
+         AntiRollBars(vehicle, summary) + ModeRows(summary) + Posts(vehicle) + Sensors(vehicle) + Parameters(vehicle) +
+         Views(summary);
 }
 
 }  // namespace fourpost

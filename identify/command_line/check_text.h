@@ -2,14 +2,17 @@
 
 #include <string>
 
-#include "vehicles/mobility.h"
+#include "identify/command_line/checked_vehicle.h"
 #include "vehicles/vehicle.h"
-#include "vehicles/vehicle_summary.h"
 
 namespace fourpost {
 
-/// What `fourpost check` prints: bodies, masses, loads, rates, modes, parameters and what sees them.
-std::string CheckText(const Vehicle& vehicle, const VehicleSummary& summary, const Mobility& mobility);
+/// What `fourpost check` prints: bodies, masses, loads, rates, modes, posts, sensors, parameters and what
+/// sees them.
+std::string CheckText(const CheckedVehicle& checked);
+
+/// "accelerometer".
+const char* KindName(Sensor::Type type);
 
 /// "revolute y": how the joint lets its child move, the axis in the child's frame.
 std::string DescribeJoint(const Joint& joint);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -149,6 +150,58 @@ TEST_F(CommandLine, CheckTellsLoadsAndModes) {
   EXPECT_NEAR(check["modes"][1]["damping_ratio"].get<double>(), 0.333, 0.5e-3);
   EXPECT_EQ(check["modes"][1]["name"], "wheel hop");
   EXPECT_EQ(check["observability"].size(), 6u);
+}
+
+TEST_F(CommandLine, CheckTellsPostsSensorsAndPriors) {
+  ReplaceIn("urdf/quarter_car.urdf",
+            "precision=\"0.01 kN/m\"\n                source=\"thesis section 4.2, quarter car example\"/>\n  "
+            "<fp:parameter name=\"kt\"",
+            "precision=\"0.01 kN/m\" prior_sd=\"700 N/m\"\n                source=\"thesis section 4.2, quarter car "
+            "example\"/>\n  <fp:parameter name=\"kt\"");
+  const Outcome text = Run("check urdf/quarter_car.urdf");
+  ASSERT_EQ(text.code, 0) << text.err;
+  for (const char* part : {"post  under tyre", "sensor", "accelerometer", "a_sprung", "prior sd", " 0.7 "})
+    EXPECT_THAT(text.out, HasSubstr(part));
+  const Json check = Json::parse(Run("check urdf/quarter_car.urdf --json").out);
+  EXPECT_EQ(check["findings"], Json::array());
+  EXPECT_EQ(check["posts"][0]["tyre"], "tyre");
+  EXPECT_EQ(check["sensors"][0]["name"], "a_sprung");
+  EXPECT_EQ(check["sensors"][0]["kind"], "accelerometer");
+  EXPECT_EQ(check["sensors"][0]["link"], "sprung");
+  EXPECT_EQ(check["parameters"][2]["prior_sd"], 700);
+  EXPECT_EQ(check["parameters"][2]["precision"], 10);
+  EXPECT_EQ(check["bushings"], Json::array());
+  // The leading arm's bush as the file gives it, with a loss factor of 0.1 at 30 Hz.
+  const Json arm = Json::parse(Run("check urdf/landrover110.urdf --json").out)["bushings"][0];
+  EXPECT_EQ(arm["name"], "arm_FL");
+  EXPECT_EQ(arm["stiffness_N_per_m"], Json({10e6, 1.5e6, 250e3}));
+  EXPECT_EQ(arm["rotational_stiffness_Nm_per_rad"], Json({1000.0, 100.0, 1000.0}));
+  EXPECT_NEAR(arm["damping_Ns_per_m"][0].get<double>(), 0.1 * 10e6 / (2 * std::numbers::pi * 30), 1e-9);  // rounding
+}
+
+TEST_F(CommandLine, CheckTellsAllOfOnePassAlsoInJson) {
+  ReplaceIn("urdf/quarter_car.urdf", "value=\"230 kN/m\" lower=\"100 kN/m\"", "value=\"230 N/m\" lower=\"100 N/m\"");
+  ReplaceIn("urdf/quarter_car.urdf", "<linear stiffness=\"$k\"", "<linear stiffness=\"$k\" preload=\"-9 N\"");
+  const Outcome outcome = Run("check urdf/quarter_car.urdf --json");
+  EXPECT_EQ(outcome.code, 3);
+  const Json findings = Json::parse(outcome.out)["findings"];
+  ASSERT_EQ(findings.size(), 2u) << findings;
+  EXPECT_EQ(findings[0]["severity"], "warning");
+  EXPECT_EQ(findings[0]["file"], "urdf/quarter_car.urdf");
+  EXPECT_GT(findings[0]["line"], 0);
+  EXPECT_THAT(findings[0]["text"].get<std::string>(), HasSubstr("was 230 kN/m meant?"));
+  EXPECT_EQ(findings[1]["severity"], "error");
+  for (const Json& finding : findings) EXPECT_THAT(outcome.err, HasSubstr(finding["text"].get<std::string>()));
+}
+
+TEST_F(CommandLine, CheckTellsInJsonWhyAFileDoesNotRead) {
+  ReplaceIn("urdf/quarter_car.urdf", "<mass value=\"22\"/>", "<mass value=\"-22\"/>");
+  const Outcome outcome = Run("check urdf/quarter_car.urdf --json");
+  EXPECT_EQ(outcome.code, 3);
+  const Json check = Json::parse(outcome.out);
+  EXPECT_FALSE(check.contains("name"));
+  ASSERT_GE(check["findings"].size(), 1u);
+  EXPECT_EQ(check["findings"][0]["severity"], "error");
 }
 
 TEST_F(CommandLine, CheckPrintsTablesThatFitATerminal) {
@@ -321,7 +374,8 @@ TEST_F(CommandLine, CheckRefusesAFaultyVehicle) {
   ReplaceIn(kVehicle, "value=\"1725 kg\"", "value=\"1725\"");
   const Outcome outcome = Run("check urdf/landrover110_linkage.urdf --json");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("write \"1725 kg\""));
+  EXPECT_EQ(Run("check urdf/landrover110_linkage.urdf").out, "");
 }
 
 TEST_F(CommandLine, RefusesUsageItDoesNotKnow) {

@@ -48,7 +48,7 @@ DartVehicle::DartVehicle(const Vehicle& vehicle, const Preloads& preloads)
 void DartVehicle::RefuseUnknown() const {
   if (vehicle_.HasLoops()) throw std::invalid_argument("DartVehicle: the vehicle has loop closures");
   for (const Spring& spring : vehicle_.springs)
-    if (!spring.law.knees.empty()) Refuse(spring.element);
+    if (!spring.law.knees.empty()) Refuse(spring.Element());
   for (const Damper& damper : vehicle_.dampers)
     if (!IsWrittenOut(damper)) Refuse("fp:damper '" + damper.name + "'");
 }

@@ -143,7 +143,7 @@ TEST_F(DrakeTags, MakeForces) {
   const std::optional<Vehicle> vehicle = Read(text);
   ASSERT_TRUE(vehicle.has_value());
   const Spring& spring = vehicle->springs.at(0);
-  EXPECT_EQ(spring.element, "fp:spring 'drake_spring_1'");
+  EXPECT_EQ(spring.Element(), "fp:spring 'drake_spring_1'");
   EXPECT_EQ(spring.line.child.xyz, Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(spring.law.stiffness.value, 8000);
   EXPECT_EQ(spring.free_length.value_or(Scalar()).value, 7.5);

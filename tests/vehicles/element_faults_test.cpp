@@ -286,13 +286,13 @@ TEST_F(ElementReader, ReadsWhatAnElementIsMadeOf) {
   EXPECT_NEAR(multirate.Force(0.05), 30e3 * 0.03 + 20e3 * 0.02, 1e-9);
   EXPECT_NEAR(car.springs.at(1).law.At(values).Force(0.05), 31e3 * 0.05 + 400e3 * 1.25e-4, 1e-9);
   const auto stop = std::find_if(car.springs.begin(), car.springs.end(),
-                                 [](const Spring& spring) { return spring.element == "fp:stop 'rl'"; });
+                                 [](const Spring& spring) { return spring.Element() == "fp:stop 'rl'"; });
   ASSERT_NE(stop, car.springs.end());
   EXPECT_NEAR(stop->law.At(values).Force(-0.025), -200e3 * 0.01 - 5e7 * 1e-6, 1e-9);
   EXPECT_NEAR(stop->law.At(values).Force(0.026), 100e3 * 0.01 + 2.5e7 * 1e-6, 1e-9);
   EXPECT_EQ(stop->law.At(values).Force(0.01), 0);
   const auto gas = std::find_if(car.springs.begin(), car.springs.end(),
-                                [](const Spring& spring) { return spring.element == "the gas of fp:damper 'rl'"; });
+                                [](const Spring& spring) { return spring.Element() == "the gas of fp:damper 'rl'"; });
   ASSERT_NE(gas, car.springs.end());
   EXPECT_EQ(gas->preload->At(values), -120);
   EXPECT_EQ(gas->law.At(values).Force(0.01), 20);

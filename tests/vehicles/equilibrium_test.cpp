@@ -95,7 +95,8 @@ TEST(Equilibrium, NamesADamperWithoutASpringBesideIt) {
 
 TEST(Equilibrium, DoesNotTakeGasForASpring) {
   Vehicle vehicle = QuarterCarWith({}, {});
-  vehicle.springs[0].element = "the gas of fp:damper 'damper'";
+  vehicle.springs[0].kind = Spring::Kind::kGas;
+  vehicle.springs[0].name = "damper";
   vehicle.springs[0].preload = Scalar{-120};
   EXPECT_THAT(Fault(vehicle), HasSubstr("nothing holds heave of link 'sprung'; a damper carries nothing at rest"));
 }
@@ -137,7 +138,9 @@ TEST(Equilibrium, NamesWhatMovesWithoutUpperBallJoints) {
 
 TEST(Equilibrium, NamesWhereCoilsAreMissingAndNotTheStops) {
   Vehicle vehicle = ShippedVehicle("independent_roadster");
-  std::erase_if(vehicle.springs, [](const Spring& spring) { return spring.element.starts_with("fp:spring 'front"); });
+  std::erase_if(vehicle.springs, [](const Spring& spring) {
+    return spring.kind == Spring::Kind::kCoil && spring.name.starts_with("front");
+  });
   EXPECT_EQ(Fault(vehicle), Place(vehicle, LinkLine(vehicle, "body")) +
                                 "nothing holds heave of link 'body', in which link 'front_upper_left' and link "
                                 "'front_upper_right' move most; a damper carries nothing at rest: add an fp:spring "
@@ -189,7 +192,7 @@ TEST(Equilibrium, FollowsAFreePreloadThatAnotherMakesUpFor) {
   const int index = static_cast<int>(vehicle.parameters.size());
   vehicle.parameters.push_back({.name = "helper", .value = 300, .lower = 200, .upper = 500, .precision = 1});
   Spring helper = vehicle.springs[0];
-  helper.element = "fp:spring 'helper'";
+  helper.name = "helper";
   helper.preload = Scalar{.value = 300, .parameter = index};
   vehicle.springs.push_back(helper);
   EXPECT_EQ(Fault(vehicle), "");

@@ -11,10 +11,10 @@
 #include <gmock/gmock.h>
 
 #include "analysis/frequency_response_file.h"
+#include "tests/vehicles/lint_all.h"
 #include "tests/vehicles/recorded_rig.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/gravity.h"
-#include "vehicles/vehicle_lint.h"
 #include "vehicles/vehicle_summary.h"
 
 namespace fourpost {

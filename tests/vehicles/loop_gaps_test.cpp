@@ -6,8 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/vehicles/lint_all.h"
 #include "tests/vehicles/shipped_vehicle.h"
-#include "vehicles/vehicle_lint.h"
 
 namespace fourpost {
 namespace {

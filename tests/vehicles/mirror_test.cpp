@@ -328,8 +328,8 @@ std::string Axle(unsigned sides, const std::string& more = "") {
   return text + more + "</robot>\n";
 }
 
-const std::string& NameOf(const Spring& spring) { return spring.element; }
-const std::string& NameOf(const auto& element) { return element.name; }
+std::string NameOf(const Spring& spring) { return spring.Element(); }
+std::string NameOf(const auto& element) { return element.name; }
 
 template <typename T>
 const T& Named(const std::vector<T>& all, const std::string& name) {

@@ -1,6 +1,7 @@
 #include "vehicles/mode_names.h"
 
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -32,6 +33,41 @@ TEST(ModeNames, OfTheQuarterCarAreHeaveAndWheelHop) {
 TEST(ModeNames, OfCarsInThePlaneAreHeavePitchAndHops) {
   for (const char* car : {"landrover110_linkage", "landrover110_model1"})
     EXPECT_THAT(Names(ShippedVehicle(car)), ElementsAre("heave", "pitch", "front hop", "rear hop"));
+}
+
+/// A frame on four tyres of its own, with a seat on a cushion.
+constexpr const char* kKart = R"(<robot name="kart" xmlns:fp="urn:fourpost:vehicle:1">
+<link name="ground"/>
+<link name="frame">
+  <inertial><mass value="200"/><inertia ixx="30" iyy="60" izz="80" ixy="0" ixz="0" iyz="0"/></inertial>
+</link>
+<link name="seat">
+  <inertial><mass value="20"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+</link>
+<joint name="frame" type="floating"><parent link="ground"/><child link="frame"/><origin xyz="0 0 0.2"/></joint>
+<joint name="cushion" type="prismatic">
+  <parent link="frame"/><child link="seat"/><origin xyz="0 0 0.3"/><axis xyz="0 0 1"/><limit effort="0" velocity="0"/>
+</joint>
+<fp:spring name="cushion" parent="frame" child="seat"><linear stiffness="20 kN/m"/></fp:spring>
+<fp:tyre name="FL" link="frame" xyz="0.5 0.5 0" stiffness="100 kN/m" lateral="80 kN/m" longitudinal="20 kN/m"/>
+<fp:tyre name="FR" link="frame" xyz="0.5 -0.5 0" stiffness="100 kN/m" lateral="80 kN/m" longitudinal="20 kN/m"/>
+<fp:tyre name="RL" link="frame" xyz="-0.5 0.5 0" stiffness="100 kN/m" lateral="80 kN/m" longitudinal="20 kN/m"/>
+<fp:tyre name="RR" link="frame" xyz="-0.5 -0.5 0" stiffness="100 kN/m" lateral="80 kN/m" longitudinal="20 kN/m"/>
+</robot>
+)";
+
+TEST(ModeNames, OfAFrameOnItsTyresAreThoseOfAChassis) {
+  const Vehicle vehicle = VehicleOf(kKart);
+  EXPECT_THAT(Names(vehicle),
+              UnorderedElementsAre("heave", "pitch", "roll", "fore-aft", "lateral", "yaw", "seat heave"));
+  const VehicleSummary summary = Summarise(vehicle, vehicle.ParameterValues());
+  EXPECT_EQ(summary.suspension.bodies[static_cast<std::size_t>(summary.suspension.chassis)].name, "frame");
+  // Its wheels cannot move against it: the tyre is all that rides, and nothing is unsprung.
+  for (const WheelRates& rates : summary.ride.wheels) {
+    EXPECT_EQ(rates.alone.wheel_Npm, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(rates.alone.ride_Npm, 100e3);
+  }
+  EXPECT_FALSE(summary.SprungMass_kg().has_value());
 }
 
 TEST(ModeNames, TellHopFromTrampOfBeamAxles) {

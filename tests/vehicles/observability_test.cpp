@@ -118,5 +118,27 @@ TEST(Observability, MovesPostsAloneWhereTheyHaveNoPattern) {
   for (const ParameterView& view : ViewsOf(vehicle)) EXPECT_FALSE(view.channels.empty());
 }
 
+// The model about the design pose replaces these laws by rates: that it sees nothing of a gap says nothing of a march.
+TEST(Observability, TellsWhatIsInACurvedLaw) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  const auto add = [&](const char* name, double value) {
+    vehicle.parameters.push_back(
+        {.name = name, .value = value, .lower = 0.5 * value, .upper = 2 * value, .precision = 0.01 * value});
+    return Scalar{.value = value, .parameter = static_cast<int>(vehicle.parameters.size()) - 1};
+  };
+  Spring stop = vehicle.springs[0];
+  stop.kind = Spring::Kind::kStop;
+  stop.preload = Scalar();
+  stop.law = {.stiffness = {}, .knees = {{-1, add("gap", 0.03), add("bump", 1e5), {}, true}}};
+  vehicle.springs.push_back(stop);
+  vehicle.dampers[0].law.friction = {add("friction", 40), Scalar{.value = 0.002}};
+  const std::vector<ParameterView> views = ViewsOf(vehicle);
+  for (const char* name : {"gap", "bump", "friction"}) {
+    EXPECT_TRUE(ViewOf(views, name).in_curved_law) << name;
+    EXPECT_TRUE(ViewOf(views, name).channels.empty()) << name;
+  }
+  for (const char* name : {"k", "kt", "c_bump", "m_sprung"}) EXPECT_FALSE(ViewOf(views, name).in_curved_law) << name;
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -1,9 +1,14 @@
 #include "vehicles/vehicle_lint.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <gmock/gmock.h>
 
+#include "tests/vehicles/lint_all.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "tests/vehicles/small_vehicle.h"
+#include "vehicles/drawn_vehicle.h"
 
 namespace fourpost {
 namespace {
@@ -109,6 +114,13 @@ std::vector<std::string> Findings(const Vehicle& vehicle, int line) {
   return messages;
 }
 
+std::vector<std::string> OddInDescription(const Vehicle& vehicle) {
+  std::vector<std::string> messages;
+  const Diagnostics findings = LintDescription(vehicle);
+  for (const Diagnostic& item : findings.items()) messages.push_back(item.message);
+  return messages;
+}
+
 Vehicle QuarterCar() { return ShippedVehicle("quarter_car"); }
 
 /// With a tyre that damps whatever else does not.
@@ -156,7 +168,30 @@ TEST_F(VehicleLintTest, TellsOfNumbersThatDifferByATypingSlip) {
                 "compression rate of fp:damper 'damper_right' is 99.9 N*s/m, that of fp:damper 'damper_left'");
 }
 
-TEST_F(VehicleLintTest, LetsNumbersOfBothSidesDiffer) { Look(Replaced(kAxle, "999 N*s/m", "110 N*s/m")); }
+TEST_F(VehicleLintTest, TellsOfACoilAtHalfTheOthersRate) {
+  const std::string at = R"(<fp:spring name="coil_right" parent="top_right" child="wheel_right">)";
+  const std::string text =
+      Replaced(kAxle, at + R"(<linear stiffness="30 kN/m"/>)", at + R"(<linear stiffness="15 kN/m"/>)");
+  Look(text);
+  ExpectWarning(text, at, "stiffness of fp:spring 'coil_right' is 15 kN/m, that of fp:spring 'coil_left'");
+}
+
+TEST_F(VehicleLintTest, LetsTypedNumbersOfBothSidesDifferByRounding) {
+  Look(Replaced(kAxle, "999 N*s/m", "991 N*s/m"));
+  const std::string text = Replaced(kAxle, "999 N*s/m", "989 N*s/m");
+  Look(text);
+  ExpectWarning(text, R"(<fp:damper name="damper_right")", "make them parameters if they were measured so");
+}
+
+TEST_F(VehicleLintTest, LetsParametersOfBothSidesDifferByHalf) {
+  const auto text = [](const std::string& value) {
+    return Replaced(Replaced(kAxle, "999 N*s/m", "$c"), "</robot>",
+                    "<fp:parameter name=\"c\" value=\"" + value + "\" source=\"fit\"/></robot>");
+  };
+  Look(text("670 N*s/m"));
+  Look(text("660 N*s/m"));
+  ExpectWarning(text("660 N*s/m"), R"(<fp:damper name="damper_right")", "compression rate of fp:damper 'damper_right'");
+}
 
 TEST(VehicleLint, TellsOfATyreInNewtonsPerMetre) {
   Vehicle vehicle = DampedQuarterCar();
@@ -186,7 +221,7 @@ TEST(VehicleLint, TellsOfATyreDampedInKilonewtons) {
   Vehicle vehicle = QuarterCar();
   vehicle.tyres[0].damping = {.value = 150e3};
   EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line),
-              ElementsAre("damping of fp:tyre 'tyre' is 150 kN*s/m, above 100 kN*s/m; was 150 N*s/m meant?"));
+              ElementsAre("damping of fp:tyre 'tyre' is 150 kN*s/m, above 20 kN*s/m; was 150 N*s/m meant?"));
 }
 
 TEST(VehicleLint, TellsOfMasses) {
@@ -233,7 +268,8 @@ TEST(VehicleLint, TellsOfAJointsOriginInMillimetres) {
 
 Spring Stop(double bump_m, double rebound_m) {
   Spring stop = QuarterCar().springs[0];
-  stop.element = "fp:stop 'stop'";
+  stop.kind = Spring::Kind::kStop;
+  stop.name = "stop";
   stop.preload = Scalar();
   stop.law = {.stiffness = {},
               .cubic = {},
@@ -261,13 +297,232 @@ TEST(VehicleLint, TellsOfSwappedDamping) {
   EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
 }
 
-TEST(VehicleLint, TellsOfASensorOffTheVehicle) {
+// The body's mesh and its coil's end reach up to 0.2 m.
+TEST(VehicleLint, TellsOfASensorOffItsBody) {
   Vehicle vehicle = QuarterCar();
-  vehicle.sensors[0].point.xyz = {0, 0, 3.5};
+  vehicle.sensors[0].point.xyz = {0, 0, 0.75};
   EXPECT_THAT(Findings(vehicle, vehicle.sensors[0].source_line),
-              ElementsAre(HasSubstr("fp:sensor 'a_sprung' is 3.5 m from the nearest mass, tyre and element")));
-  vehicle.sensors[0].point.xyz = {0, 0, 2.5};
+              ElementsAre("fp:sensor 'a_sprung' is 550 mm off all that the file tells of link 'sprung', which carries "
+                          "it: correct the link, or xyz, which is in metres and in the axes of its link"));
+  vehicle.sensors[0].point.xyz = {0, 0, 0.65};
   EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+}
+
+TEST(VehicleLint, TellsOfASensorOfOneAxleBesideTheOther) {
+  Vehicle vehicle = ShippedVehicle("landrover110");
+  const auto sensor = std::find_if(vehicle.sensors.begin(), vehicle.sensors.end(),
+                                   [](const Sensor& one) { return one.name == "a_axle_FL"; });
+  ASSERT_NE(sensor, vehicle.sensors.end());
+  sensor->point.xyz.x() -= 2.794;
+  EXPECT_THAT(Findings(vehicle, sensor->source_line), ElementsAre(HasSubstr("off all that the file tells of link")));
+}
+
+TEST(VehicleLint, TellsOfASensorThatReadsNothing) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.sensors[0].point.link = 0;
+  EXPECT_THAT(Findings(vehicle, vehicle.sensors[0].source_line),
+              ElementsAre(HasSubstr("fp:sensor 'a_sprung' reads nothing, however the vehicle moves")));
+  vehicle.sensors[0].point.link = 2;
+  vehicle.sensors[0].axis = Eigen::Vector3d::UnitY();
+  EXPECT_THAT(Findings(vehicle, vehicle.sensors[0].source_line), ElementsAre(HasSubstr("reads nothing")));
+}
+
+TEST(VehicleLint, TellsOfAnInertiaThatNoBodyOfThisSizeHas) {
+  Vehicle vehicle = QuarterCar();
+  for (const std::size_t i : {1, 2}) vehicle.links[1].inertia[i].value = 22;  // 1 m about
+  EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+  for (const std::size_t i : {1, 2}) vehicle.links[1].inertia[i].value = 550;
+  EXPECT_THAT(Findings(vehicle, vehicle.links[1].line),
+              ElementsAre(HasSubstr("inertia of link 'unsprung' is 550 kg*m^2 at a mass of 22 kg, a radius of gyration "
+                                    "of 5 m, beyond all")));
+}
+
+/// A number of a quarter car that no vehicle has.
+struct OddNumber {
+  std::string name;
+  void (*change)(Vehicle& vehicle);
+  std::string message;
+};
+
+std::ostream& operator<<(std::ostream& out, const OddNumber& odd) { return out << odd.name; }
+
+Scalar Fixed(double value) { return {.value = value}; }
+
+DashpotDescription MeasuredCurve(double speed_mps) {
+  return {.kind = DashpotDescription::Kind::kTable,
+          .compression = {},
+          .rebound = {},
+          .table = {{Fixed(-speed_mps), Fixed(-900)}, {Fixed(speed_mps), Fixed(1500)}}};
+}
+
+HydraulicDescription Oil() {
+  return {.bleed = Fixed(6e-7),
+          .rebound_valve = Fixed(1e7),
+          .compression_valve = Fixed(2.597e6),
+          .bulk_modulus = Fixed(3e8),
+          .piston_diameter = Fixed(0.03),
+          .rod_diameter = Fixed(0.0125),
+          .column = Fixed(0.1),
+          .gas_pressure = Fixed(2e6),
+          .gas_volume = Fixed(60e-6)};
+}
+
+const std::vector<OddNumber> kOddNumbers = {
+    {"friction",
+     [](Vehicle& car) {
+       car.dampers[0].law.friction = {Fixed(25e3), Fixed(0.002)};
+     },
+     "friction of fp:damper 'damper' is 25 kN, not within 0.1 N to 5 kN; was 25 N meant?"},
+    {"friction_speed",
+     [](Vehicle& car) {
+       car.dampers[0].law.friction = {Fixed(25), Fixed(2)};
+     },
+     "friction speed of fp:damper 'damper' is 2 m/s, not within 0.0001 m/s to 0.1 m/s; was 0.002 m/s meant?"},
+    {"series", [](Vehicle& car) { car.dampers[0].series = SpringDescription{.stiffness = Fixed(0.4)}; },
+     "series stiffness of fp:damper 'damper' is 0.4 N/m"},
+    {"stop", [](Vehicle& car) { car.springs[1].law.knees[0].rate = Fixed(80); },
+     "bump stiffness of fp:stop 'stop' is 80 N/m, not within 1 kN/m to 100 MN/m; was 80 kN/m meant?"},
+    {"gap", [](Vehicle& car) { car.springs[1].law.knees[0].at = Fixed(30); },
+     "bump gap of fp:stop 'stop' is 30 m, not within 0.1 mm to 500 mm; was 30 mm meant?"},
+    {"knee",
+     [](Vehicle& car) {
+       car.springs[0].law.knees = {{-1, Fixed(2), Fixed(3e4), {}, false}};
+     },
+     "place of bump knee 1 of fp:spring 'spring' is 2 m"},
+    {"knee_rate",
+     [](Vehicle& car) {
+       car.springs[0].law.knees = {{-1, Fixed(0.02), Fixed(30), {}, false}};
+     },
+     "stiffness beyond bump knee 1 of fp:spring 'spring' is 30 N/m"},
+    {"knee_speed",
+     [](Vehicle& car) {
+       car.dampers[0].law.kind = DashpotDescription::Kind::kDigressive;
+       car.dampers[0].law.compression_knee = {Fixed(150), Fixed(500)};
+       car.dampers[0].law.rebound_knee = {Fixed(0.15), Fixed(500)};
+     },
+     "compression knee of fp:damper 'damper' is 150 m/s, not within 0.001 m/s to 5 m/s; was 0.15 m/s meant?"},
+    {"lateral", [](Vehicle& car) { car.tyres[0].lateral = Fixed(90); },
+     "lateral stiffness of fp:tyre 'tyre' is 90 N/m"},
+    {"tyre_damping", [](Vehicle& car) { car.tyres[0].damping = Fixed(100e3); },
+     "damping of fp:tyre 'tyre' is 100 kN*s/m, above 20 kN*s/m; was 100 N*s/m meant?"},
+    {"wheelpan",
+     [](Vehicle& car) {
+       car.sensors.push_back({.name = "F", .type = Sensor::Type::kLoadCell, .tyre = 0, .wheelpan = Fixed(25e3)});
+     },
+     "wheelpan of fp:sensor 'F' is 25 t, not within 10 g to 1 t; was 25 kg meant?"},
+    {"table", [](Vehicle& car) { car.dampers[0].law = MeasuredCurve(500); },
+     "speed in the table of fp:damper 'damper' is -500 m/s, above 10 m/s; was -0.5 m/s meant?"},
+    {"mean_rate", [](Vehicle& car) { car.dampers[0].law = MeasuredCurve(0.001); },
+     "mean rate of fp:damper 'damper' up to 0.1 m/s is 1.2 MN*s/m, not within 10 N*s/m to 100 kN*s/m; was 1.2 kN*s/m"},
+    {"bleed",
+     [](Vehicle& car) {
+       car.dampers[0].hydraulic = Oil();
+       car.dampers[0].hydraulic->bleed = Fixed(3);
+     },
+     "bleed of fp:damper 'damper' is 3 m^2"},
+    {"piston",
+     [](Vehicle& car) {
+       car.dampers[0].hydraulic = Oil();
+       car.dampers[0].hydraulic->piston_diameter = Fixed(0.3);
+     },
+     "piston of fp:damper 'damper' is 300 mm, not within 10 mm to 150 mm"},
+    {"valve",
+     [](Vehicle& car) {
+       car.dampers[0].hydraulic = Oil();
+       car.dampers[0].hydraulic->compression_valve = Fixed(10);
+     },
+     "compression_valve of fp:damper 'damper' is 10 "},
+    {"gas_volume",
+     [](Vehicle& car) {
+       car.dampers[0].hydraulic = Oil();
+       car.dampers[0].hydraulic->gas_volume = Fixed(60);
+     },
+     "gas_volume of fp:damper 'damper' is 60 m^3"},
+    {"antiroll",
+     [](Vehicle& car) {
+       ForceLine to_ground = car.springs[0].line;
+       to_ground.child.link = 0;
+       car.antiroll_bars.push_back(
+           {.name = "bar", .left = car.springs[0].line, .right = to_ground, .stiffness = Fixed(0.06)});
+     },
+     "stiffness of fp:antiroll 'bar' is 0.06 N/m, not within 100 N/m to 10 MN/m"},
+};
+
+class OddNumbers : public testing::TestWithParam<OddNumber> {};
+
+TEST_P(OddNumbers, AreTold) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.springs.push_back(Stop(0.03, 0.05));
+  EXPECT_EQ(LintDescription(vehicle).Format(), "");
+  GetParam().change(vehicle);
+  EXPECT_THAT(OddInDescription(vehicle), testing::Contains(HasSubstr(GetParam().message)));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OddNumbers, testing::ValuesIn(kOddNumbers),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(VehicleLint, TakesOilAndMeasuredCurvesForUsual) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].law = MeasuredCurve(0.5);
+  EXPECT_EQ(LintDescription(vehicle).Format(), "");
+  vehicle.dampers[0].hydraulic = Oil();
+  EXPECT_EQ(LintDescription(vehicle).Format(), "");
+}
+
+TEST(VehicleLint, TellsOfAStopThatNothingCanReach) {
+  Vehicle vehicle = ShippedVehicle("single_wheel_station");
+  Spring stop = Stop(0.1, 0.1);
+  stop.line = vehicle.springs[0].line;
+  stop.line.axis.reset();
+  stop.line.parent.xyz.setZero();
+  stop.line.child.xyz.setZero();
+  vehicle.springs.push_back(stop);
+  const double length = DrawnVehicle(vehicle).Length(stop.line);
+  vehicle.springs.back().law.knees[0].at = Fixed(1.1 * length);
+  EXPECT_THAT(OddInDescription(vehicle), testing::Contains(HasSubstr("so it is never compressed by")));
+}
+
+TEST(VehicleLint, TellsOfAPistonThatMeetsItsEndBeforeTheStop) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.springs.push_back(Stop(0.03, 0.05));
+  vehicle.dampers[0].hydraulic = Oil();
+  vehicle.dampers[0].hydraulic->column = Fixed(0.04);
+  vehicle.parameters.resize(4);  // all but the damper's
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre(HasSubstr("the oil columns of fp:damper 'damper' are 40 mm long, but fp:stop 'stop' begins "
+                                    "after 50 mm")));
+}
+
+TEST(VehicleLint, TellsOfSwappedDampingInATable) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].law = MeasuredCurve(0.1);
+  vehicle.dampers[0].law.table[0].force = Fixed(-8 * 1500);
+  vehicle.parameters.resize(4);  // all but the damper's
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre("fp:damper 'damper' resists compression with 120 kN*s/m and rebound with 15 kN*s/m at 0.1 "
+                          "m/s: are the two swapped?"));
+}
+
+TEST(VehicleLint, TellsOfSwappedDampingInAHydraulicDamper) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].hydraulic = Oil();
+  std::swap(vehicle.dampers[0].hydraulic->rebound_valve, vehicle.dampers[0].hydraulic->compression_valve);
+  vehicle.dampers[0].hydraulic->bleed = Fixed(1e-5);
+  vehicle.dampers[0].hydraulic->compression_valve = Fixed(5e7);
+  vehicle.dampers[0].hydraulic->rebound_valve = Fixed(1e6);
+  EXPECT_EQ(LintDescription(vehicle).Format(), "");  // with this bleed the valves hardly matter
+  vehicle.dampers[0].hydraulic->bleed = Fixed(1e-8);
+  EXPECT_NE(LintDescription(vehicle).Format().find("at 0.1 m/s: are the two swapped?"), std::string::npos);
+}
+
+// A preload that nothing balances keeps the car from being assembled, but not from being looked at.
+TEST_F(VehicleLintTest, LooksAtDescriptionsThatDoNotStand) {
+  const std::optional<Vehicle> vehicle = Read(
+      Replaced(kAxle, R"(name="tyre_right" link="wheel_right" xyz="0 0 0" radius="0.3 m" stiffness="200 kN/m")",
+               R"(name="tyre_right" link="wheel_right" xyz="0 0 0" radius="0.3 m" stiffness="200 N/m" preload="9 N")"));
+  ASSERT_TRUE(vehicle.has_value());
+  EXPECT_THROW(LintAssembled(*vehicle), FaultyInput);
+  EXPECT_THAT(LintDescription(*vehicle).Format(), HasSubstr("was 200 kN/m meant?"));
 }
 
 TEST(VehicleLint, TellsOfATyreAboveItsPlatform) {
@@ -341,7 +596,7 @@ TEST(VehicleLint, TellsOfAnAxisThatPointsTheWrongWay) {
 TEST(VehicleLint, TellsWhatElseCarriesTheWeight) {
   Vehicle vehicle = QuarterCar();
   Spring prop = vehicle.springs[0];
-  prop.element = "fp:spring 'prop'";
+  prop.name = "prop";
   prop.line.child = {0, {0, 0, 0}};
   vehicle.springs.push_back(prop);
   EXPECT_THAT(Findings(vehicle, 0), ElementsAre(HasSubstr("the rest is on fp:spring 'prop'; free that")));
@@ -357,6 +612,7 @@ TEST(VehicleLint, TellsOfAJointThatCarriesTheWeight) {
   vehicle.springs[0].line.child.xyz.x() = 1;
   vehicle.dampers[0].line.child.xyz.x() = 1;
   vehicle.tyres[0].point.xyz.x() = 0.5;
+  for (Sensor& sensor : vehicle.sensors) sensor.point.xyz.x() = 0.5;
   EXPECT_THAT(Findings(vehicle, 0),
               ElementsAre("the tyres carry 4.35 kN at rest, but the vehicle weighs 2.18 kN: the rest is on joint "
                           "'wheel_travel', joint 'body_travel'; free that, or take the loads for those of a guided "
@@ -378,17 +634,16 @@ TEST_F(VehicleLintTest, LetsDampedTyresHoldTheCar) {
   Look(Kart(kPlaneDamping + "damping=\"200 N*s/m\" lateral=\"80 kN/m\" longitudinal=\"20 kN/m\""));
 }
 
-// By hand: w^2 = 4 x 20 kN/m / 200 kg fore and aft, hence 3.18 Hz. The body carries the tyres, so it is named as an
-// axle.
+// By hand: w^2 = 4 x 20 kN/m / 200 kg fore and aft, hence 3.18 Hz. The body carries the tyres, so it is
+// the chassis.
 TEST_F(VehicleLintTest, TellsOfMotionInThePlaneThatNothingDamps) {
   const std::string text = Kart("damping=\"200 N*s/m\" lateral=\"80 kN/m\" longitudinal=\"20 kN/m\"");
   Look(text);
-  ExpectWarning(
-      text, "<link name=\"body\"",
-      "hardly anything damps the mode 'rear fore-aft' at 3.18 Hz (damping ratio 0 %): no measured car rings so, "
-      "and a march hardly settles; give the tyres longitudinal_damping");
-  ExpectWarning(text, "<link name=\"body\"", "mode 'rear lateral' at 6.37 Hz (damping ratio 0 %)");
-  ExpectWarning(text, "<link name=\"body\"", "mode 'rear steer' at 5.63 Hz");
+  ExpectWarning(text, "<link name=\"body\"",
+                "hardly anything damps the mode 'fore-aft' at 3.18 Hz (damping ratio 0 %): no measured car rings so, "
+                "and a march hardly settles; give the tyres longitudinal_damping");
+  ExpectWarning(text, "<link name=\"body\"", "mode 'lateral' at 6.37 Hz (damping ratio 0 %)");
+  ExpectWarning(text, "<link name=\"body\"", "mode 'yaw' at 5.63 Hz");
 }
 
 // By hand: c / (2 m w) = 4 c / (2 x 200 kg x 20/s) is 0.5 % at c = 10 N*s/m.
@@ -401,18 +656,17 @@ TEST_F(VehicleLintTest, TellsOfDampingBelowHalfAPerCent) {
   };
   Look(kart("10.1"));
   Look(kart("9.9"));
-  ExpectWarning(kart("9.9"), "<link name=\"body\"", "mode 'rear fore-aft' at 3.18 Hz (damping ratio 0.495 %)");
+  ExpectWarning(kart("9.9"), "<link name=\"body\"", "mode 'fore-aft' at 3.18 Hz (damping ratio 0.495 %)");
 }
 
 TEST_F(VehicleLintTest, TellsOfRideThatNothingDamps) {
   const std::string text = Kart(kPlaneDamping + "lateral=\"80 kN/m\" longitudinal=\"20 kN/m\"");
   Look(text);
-  ExpectWarning(text, "<link name=\"body\"", "mode 'rear hop' at 7.12 Hz (damping ratio 0 %)");
-  ExpectWarning(text, "<link name=\"body\"", "mode 'rear tramp' at 9.19 Hz");
-  ExpectWarning(
-      text, "<link name=\"body\"",
-      "mode 'rear wind-up' at 6.5 Hz (damping ratio 0 %): no measured car rings so, and a march hardly settles; add "
-      "an fp:damper, or damping to a bushing or tyre");
+  ExpectWarning(text, "<link name=\"body\"", "mode 'heave' at 7.12 Hz (damping ratio 0 %)");
+  ExpectWarning(text, "<link name=\"body\"", "mode 'roll' at 9.19 Hz");
+  ExpectWarning(text, "<link name=\"body\"",
+                "mode 'pitch' at 6.5 Hz (damping ratio 0 %): no measured car rings so, and a march hardly settles; add "
+                "an fp:damper, or damping to a bushing or tyre");
 }
 
 // Fore-aft at sqrt(4 x 2 MN/m / 200 kg) = 31.8 Hz.
@@ -442,15 +696,20 @@ TEST_F(VehicleLintTest, TellsOfABarWithBothLinesOnOneSide) {
 // 10 mm: 30 kN/m makes 300 N, 4e10 N/m^3 40 kN.
 TEST_F(VehicleLintTest, TellsOfCubicTermsThatOutdoTheLinearOnes) {
   const auto text = [](const std::string& cubic) {
-    return Replaced(
-        kAxle, R"(<fp:spring name="coil_left" parent="top_left" child="wheel_left"><linear stiffness="30 kN/m"/>)",
-        R"(<fp:spring name="coil_left" parent="top_left" child="wheel_left"><cubic stiffness="30 kN/m" cubic=")" +
-            cubic + R"("/>)");
+    std::string cubics = kAxle;
+    for (const std::string side : {"left", "right"}) {
+      const std::string coil =
+          "<fp:spring name=\"coil_" + side + "\" parent=\"top_" + side + "\" child=\"wheel_" + side + "\">";
+      cubics = Replaced(cubics, coil + "<linear stiffness=\"30 kN/m\"/>",
+                        coil + "<cubic stiffness=\"30 kN/m\" cubic=\"" + cubic + "\"/>");
+    }
+    return cubics;
   };
   Look(text("2.9e10 N/m^3"));
   Look(text("40 N/mm^3"));
-  ExpectWarning(text("40 N/mm^3"), "<fp:spring name=\"coil_left\"",
-                "cubic of fp:spring 'coil_left' makes 40 kN at 10 mm, its stiffness 300 N");
+  for (const std::string side : {"left", "right"})
+    ExpectWarning(text("40 N/mm^3"), "<fp:spring name=\"coil_" + side,
+                  "cubic of fp:spring 'coil_" + side + "' makes 40 kN at 10 mm, its stiffness 300 N");
 }
 
 TEST(VehicleLint, TellsOfASeriesSpringAsStiffAsARock) {

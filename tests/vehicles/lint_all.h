@@ -1,0 +1,15 @@
+#pragma once
+
+#include "vehicles/vehicle_lint.h"
+
+namespace fourpost {
+
+/// What `fourpost check` finds odd about a vehicle that reads.
+inline Diagnostics Lint(const Vehicle& vehicle) {
+  Diagnostics findings = LintDescription(vehicle);
+  const Diagnostics more = LintAssembled(vehicle);
+  for (const Diagnostic& item : more.items()) findings.Warning(item.file, item.line, item.message);
+  return findings;
+}
+
+}  // namespace fourpost
