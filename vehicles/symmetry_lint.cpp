@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 #include "analysis/units.h"
@@ -14,10 +15,14 @@ namespace {
 /// Calls `compare` with each left item and its right partner; the two are of one part.
 template <typename Item, typename Part, typename Compare>
 void ForEachPair(const std::vector<Item>& items, const Part& part, const Compare& compare) {
+  std::multimap<std::string_view, const Item*> by_element;
+  for (const Item& item : items) by_element.emplace(item.element, &item);
   for (const Item& left : items)
-    for (const std::string& name : MirrorPartners(left.element))
-      for (const Item& right : items)
-        if (right.element == name && part(right) == part(left)) compare(left, right);
+    for (const std::string& name : MirrorPartners(left.element)) {
+      const auto [begin, end] = by_element.equal_range(name);
+      for (auto right = begin; right != end; ++right)
+        if (part(*right->second) == part(left)) compare(left, *right->second);
+    }
 }
 
 }  // namespace

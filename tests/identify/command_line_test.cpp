@@ -179,6 +179,16 @@ TEST_F(CommandLine, CheckTellsPostsSensorsAndPriors) {
   EXPECT_NEAR(arm["damping_Ns_per_m"][0].get<double>(), 0.1 * 10e6 / (2 * std::numbers::pi * 30), 1e-9);  // rounding
 }
 
+TEST_F(CommandLine, CheckTellsWhatTheLinearModelLeavesOut) {
+  ReplaceIn("urdf/quarter_car.urdf", "</robot>",
+            "<fp:parameter name=\"gap\" value=\"60 mm\" lower=\"50 mm\" upper=\"70 mm\" precision=\"1 mm\" "
+            "source=\"test\"/><fp:stop name=\"stop\" parent=\"sprung\" child=\"unsprung\"><bump gap=\"$gap\" "
+            "stiffness=\"100 kN/m\"/></fp:stop></robot>");
+  const Outcome outcome = Run("check urdf/quarter_car.urdf");
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, HasSubstr("not in the linear model"));
+}
+
 TEST_F(CommandLine, CheckTellsAllOfOnePassAlsoInJson) {
   ReplaceIn("urdf/quarter_car.urdf", "value=\"230 kN/m\" lower=\"100 kN/m\"", "value=\"230 N/m\" lower=\"100 N/m\"");
   ReplaceIn("urdf/quarter_car.urdf", "<linear stiffness=\"$k\"", "<linear stiffness=\"$k\" preload=\"-9 N\"");
