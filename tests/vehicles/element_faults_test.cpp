@@ -282,14 +282,14 @@ TEST_F(ElementReader, ReadsWhatAnElementIsMadeOf) {
   const std::vector<double> values = car.ParameterValues();
   const SpringLaw multirate = car.springs.at(0).law.At(values);
   // 30 N/mm, 50 N/mm beyond -40 mm, 20 N/mm beyond 30 mm.
-  EXPECT_NEAR(multirate.Force(-0.05), -30e3 * 0.04 - 50e3 * 0.01, 1e-9);
-  EXPECT_NEAR(multirate.Force(0.05), 30e3 * 0.03 + 20e3 * 0.02, 1e-9);
-  EXPECT_NEAR(car.springs.at(1).law.At(values).Force(0.05), 31e3 * 0.05 + 400e3 * 1.25e-4, 1e-9);
+  EXPECT_DOUBLE_EQ(multirate.Force(-0.05), -30e3 * 0.04 - 50e3 * 0.01);
+  EXPECT_DOUBLE_EQ(multirate.Force(0.05), 30e3 * 0.03 + 20e3 * 0.02);
+  EXPECT_DOUBLE_EQ(car.springs.at(1).law.At(values).Force(0.05), 31e3 * 0.05 + 400e3 * 1.25e-4);
   const auto stop = std::find_if(car.springs.begin(), car.springs.end(),
                                  [](const Spring& spring) { return spring.element == "fp:stop 'rl'"; });
   ASSERT_NE(stop, car.springs.end());
-  EXPECT_NEAR(stop->law.At(values).Force(-0.025), -200e3 * 0.01 - 5e7 * 1e-6, 1e-9);
-  EXPECT_NEAR(stop->law.At(values).Force(0.026), 100e3 * 0.01 + 2.5e7 * 1e-6, 1e-9);
+  EXPECT_DOUBLE_EQ(stop->law.At(values).Force(-0.025), -200e3 * 0.01 - 5e7 * 1e-6);
+  EXPECT_DOUBLE_EQ(stop->law.At(values).Force(0.026), 100e3 * 0.01 + 2.5e7 * 1e-6);
   EXPECT_EQ(stop->law.At(values).Force(0.01), 0);
   const auto gas = std::find_if(car.springs.begin(), car.springs.end(),
                                 [](const Spring& spring) { return spring.element == "the gas of fp:damper 'rl'"; });
@@ -299,7 +299,7 @@ TEST_F(ElementReader, ReadsWhatAnElementIsMadeOf) {
   const Bushing& left = car.bushings.at(0);
   EXPECT_TRUE(left.holds);
   // 0.2 / (2 pi 12 Hz) of the stiffness.
-  EXPECT_NEAR(left.DampingAt(2, values), 400e3 * 0.2 / (2 * std::numbers::pi * 12), 1e-9);
+  EXPECT_DOUBLE_EQ(left.DampingAt(2, values), 400e3 * 0.2 / (2 * std::numbers::pi * 12));
   // rpy = 0.5 0.2 0.1: the x axis by yaw and pitch.
   EXPECT_NEAR(left.axes(0, 0), std::cos(0.1) * std::cos(0.2), 1e-15);
   EXPECT_NEAR(left.axes(2, 0), -std::sin(0.2), 1e-15);
