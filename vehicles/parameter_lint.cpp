@@ -61,7 +61,8 @@ bool IsInCurvedLaw(const Vehicle& vehicle, int parameter) {
   };
   const auto oil_has = [&](const HydraulicDescription& oil) {
     return has(oil.bleed, oil.rebound_valve, oil.compression_valve, oil.bulk_modulus, oil.piston_diameter,
-               oil.rod_diameter, oil.column, oil.gas_pressure, oil.gas_volume);
+               oil.rod_diameter, oil.rebound_column, oil.compression_column, oil.gas_pressure, oil.gas_volume,
+               oil.gas_exponent, oil.density, oil.cavitation);
   };
   return std::any_of(vehicle.springs.begin(), vehicle.springs.end(),
                      [&](const Spring& spring) { return is_curved_by(spring.law); }) ||
