@@ -79,7 +79,9 @@ using Platforms = std::vector<PostState>;
 /// Takes the present pose for the design pose. Needs Stage::Position.
 void MeasureDesign(TyreData& data, const SimTK::State& state);
 
-/// Force of the platform on the foot, see Tyre.
+/// Force of the platform on the foot, see Tyre. Of a tyre that lifts off only the vertical force goes to zero: springs
+/// in the plane that fade with the load would give back more than they took to a foot that moves aside while lifted and
+/// returns when it has landed, and a foot that slips and lands elsewhere needs states of its own.
 class TyreForce : public SimTK::Force::Custom::Implementation {
  public:
   TyreForce(const TyreData& data, const std::function<const Platforms&(double t)>& platforms)

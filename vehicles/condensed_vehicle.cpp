@@ -40,35 +40,31 @@ CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
   const Kinematics undisturbed(multibody, chart.MoveTo(Eigen::VectorXd::Zero(size_)));
 
   std::vector<GeometricScalar> scalars;
+  const auto hold = [this](const std::string& element, int line, const SpringDescription& law) -> Held& {
+    Held held;
+    held.element = element;
+    held.source_line = line;
+    held.law = law;
+    return held_.emplace_back(std::move(held));
+  };
   for (const Spring& spring : vehicle.springs) {
     scalars.push_back([&](const Kinematics& pose) { return pose.LineLength(spring.line); });
-    held_.push_back({.element = spring.Element(),
-                     .source_line = spring.source_line,
-                     .shape = {},
-                     .preload = spring.preload,
-                     .free_length = spring.free_length,
-                     .rate = spring.law.stiffness});
+    Held& held = hold(spring.Element(), spring.source_line, spring.law);
+    held.preload = spring.preload;
+    held.free_length = spring.free_length;
   }
   for (const Tyre& tyre : vehicle.tyres) {
     scalars.push_back([&](const Kinematics& pose) { return pose.FootPosition(tyre, -Eigen::Vector3d::UnitZ()); });
-    held_.push_back({.element = Tagged("fp:tyre", tyre.name),
-                     .source_line = tyre.source_line,
-                     .shape = {},
-                     .preload = tyre.preload,
-                     .free_length = {},
-                     .rate = tyre.stiffness});
+    hold(Tagged("fp:tyre", tyre.name), tyre.source_line, {.stiffness = tyre.stiffness, .cubic = {}, .knees = {}})
+        .preload = tyre.preload;
   }
   for (const Bushing& bushing : vehicle.bushings) {
     const Eigen::Matrix3d child_axes = undisturbed.ChildAxes(bushing);
     for (std::size_t k = 0; k < 3 && bushing.holds; ++k) {
       scalars.push_back(
           [&bushing, child_axes, k](const Kinematics& pose) { return pose.BushingPlace(bushing, child_axes)[k]; });
-      held_.push_back({.element = Tagged("fp:bushing", bushing.name),
-                       .source_line = bushing.source_line,
-                       .shape = {},
-                       .preload = {},
-                       .free_length = {},
-                       .rate = {}});
+      hold(Tagged("fp:bushing", bushing.name), bushing.source_line,
+           {.stiffness = bushing.stiffness[k], .cubic = {}, .knees = {}});
     }
   }
   const std::size_t first_height = scalars.size();
@@ -117,12 +113,15 @@ void CondensedVehicle::AddBonds(const Kinematics& pose) {
 
 double CondensedVehicle::Held::GivenAt(std::span<const double> parameters) const {
   if (preload) return preload->At(parameters);
-  return rate.At(parameters) * (shape.value - free_length->At(parameters));
+  return -law.At(parameters).Force(free_length->At(parameters) - shape.value);
 }
 
 std::vector<int> CondensedVehicle::Held::Parameters() const {
   if (preload) return {preload->parameter};
-  return {rate.parameter, free_length->parameter};
+  std::vector<int> indices = {free_length->parameter, law.stiffness.parameter, law.cubic.parameter};
+  for (const SpringDescription::Knee& knee : law.knees)
+    indices.insert(indices.end(), {knee.at.parameter, knee.rate.parameter, knee.cubic.parameter});
+  return indices;
 }
 
 std::vector<IdleElement> CondensedVehicle::IdleElements(std::span<const double> parameters) const {
@@ -163,10 +162,11 @@ void CondensedVehicle::SolvePreloads() {
   for (Held& element : held_) {
     if (element.IsGiven()) {
       given.push_back({GivenForce::Kind::kPreload, element.element, element.source_line, element.GivenAt(values),
-                       element.Parameters(), element.shape.gradient, !IsStopOrGas(element.element)});
+                       element.Parameters(), element.shape.gradient, element.free_length.has_value(),
+                       !IsStopOrGas(element.element)});
       continue;
     }
-    element.unknown = static_cast<int>(holders.cols());
+    element.unknown = holders_++;
     holders.conservativeResize(Eigen::NoChange, holders.cols() + 1);
     holders.rightCols<1>() = element.shape.gradient;
   }
@@ -202,6 +202,14 @@ Eigen::VectorXd CondensedVehicle::GivenForces(std::span<const double> parameters
   return force;
 }
 
+/// Of what has its preload from equilibrium, in the design pose.
+Eigen::VectorXd CondensedVehicle::HolderRates(std::span<const double> parameters) const {
+  Eigen::VectorXd rates(holders_);
+  for (const Held& element : held_)
+    if (!element.IsGiven()) rates[element.unknown] = element.law.stiffness.At(parameters);
+  return rates;
+}
+
 double CondensedVehicle::PreloadOf(const Held& element, const Eigen::VectorXd& held,
                                    std::span<const double> parameters) const {
   return element.IsGiven() ? element.GivenAt(parameters) : held[element.unknown];
@@ -209,7 +217,7 @@ double CondensedVehicle::PreloadOf(const Held& element, const Eigen::VectorXd& h
 
 Preloads CondensedVehicle::PreloadsAt(std::span<const double> parameters) const {
   RequireCount("CondensedVehicle", "parameters", vehicle_.parameters.size(), parameters.size());
-  const Eigen::VectorXd held = preload_map_ * GivenForces(parameters);
+  const Eigen::VectorXd held = preload_map_.At(GivenForces(parameters), HolderRates(parameters));
   Preloads preloads;
   std::size_t next = 0;
   for (std::size_t i = 0; i < vehicle_.springs.size(); ++i)

@@ -12,6 +12,7 @@
 #include "analysis/diagnostics.h"
 #include "vehicles/condensed_body.h"
 #include "vehicles/condensed_model.h"
+#include "vehicles/preload_map.h"
 #include "vehicles/vehicle.h"
 
 namespace fourpost {
@@ -21,7 +22,8 @@ struct IdleElement;
 /// The geometry of a vehicle about its design pose, taken once from its multibody system, so that a model for other
 /// masses, inertias, rates and laws costs microseconds and no Simbody.
 ///
-/// Preloads follow from equilibrium, hence all matrices are linear in masses, inertias and rates:
+/// Preloads follow from equilibrium, see PreloadMap; where forces alone tell them, all matrices are linear in masses,
+/// inertias and rates:
 ///   mass      = sum over links of m J'J + W' I W,
 ///   stiffness = sum k b b' (b = dL/ds) + preloads times the second derivatives of their lengths
 ///               + sum m g times the second derivatives of the heights of the centres of mass.
@@ -69,9 +71,9 @@ class CondensedVehicle {
     int source_line = 0;
     DesignShape shape;
     std::optional<Scalar> preload;
-    /// In place of a preload: that of a spring of this rate, stretched from its free length.
+    /// In place of a preload: the law has no tension at this length.
     std::optional<Scalar> free_length;
-    Scalar rate;
+    SpringDescription law;
     /// Index among the preloads that equilibrium sets; -1 for one that is given.
     int unknown = -1;
 
@@ -92,6 +94,7 @@ class CondensedVehicle {
   std::vector<IdleElement> IdleElements(std::span<const double> parameters) const;
   void SolvePreloads();
   void NoteSimplified();
+  Eigen::VectorXd HolderRates(std::span<const double> parameters) const;
   double PreloadOf(const Held& element, const Eigen::VectorXd& held, std::span<const double> parameters) const;
   Eigen::VectorXd GivenForces(std::span<const double> parameters) const;
   void AddSprings(std::span<const double> parameters, CondensedModel& model) const;
@@ -107,8 +110,10 @@ class CondensedVehicle {
   std::vector<Bond> bonds_;
   std::vector<Eigen::VectorXd> damper_directions_;
   std::vector<int> post_of_tyre_;
-  /// Preloads that equilibrium sets = preload_map_ times the forces that are given.
-  Eigen::MatrixXd preload_map_;
+  /// How many preloads equilibrium sets.
+  int holders_ = 0;
+  /// From forces that are given and rates to the preloads that equilibrium sets.
+  PreloadMap preload_map_;
   /// Sensor rows that do not depend on parameters.
   CondensedModel sensors_;
   Diagnostics simplifications_;

@@ -1,14 +1,20 @@
 #include "vehicles/drake_tags.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "analysis/nearest.h"
 #include "analysis/number.h"
+#include "vehicles/design_poses.h"
+#include "vehicles/line_reader.h"
 #include "vehicles/tag.h"
 #include "vehicles/tag_check.h"
 
@@ -45,6 +51,14 @@ const std::map<std::string, std::vector<TagRule>, std::less<>>& Forms() {
         Vector("drake:bushing_torque_damping"), Vector("drake:bushing_force_stiffness"),
         Vector("drake:bushing_force_damping")}}};
   return forms;
+}
+
+/// Axes of a frame in its link; those of the link for a link's name.
+Eigen::Matrix3d FrameAxes(const XMLElement& robot, const std::string& name) {
+  for (const XMLElement* frame : Children(robot, "fp:frame"))
+    if (AttributeText(*frame, "name") == name)
+      return TurnOf(ParseVector(AttributeText(*frame, "rpy").value_or("0 0 0")).value_or(Eigen::Vector3d(0, 0, 0)));
+  return Eigen::Matrix3d::Identity();
 }
 
 class DrakeTags {
@@ -193,6 +207,44 @@ class DrakeTags {
 };
 
 }  // namespace
+
+std::string DrakeTagNames() {
+  std::string text;
+  std::size_t left = Forms().size();
+  for (const auto& [name, form] : Forms()) {
+    --left;
+    text += name.substr(name.find(':') + 1) + (left > 1 ? ", " : left == 1 ? " and " : "");
+  }
+  return text;
+}
+
+void CheckDrakeBushings(const XMLElement& robot, const Vehicle& vehicle, FileFaults& faults) {
+  // Of a place typed in m with four digits after the point, of an angle with three.
+  constexpr double kCoincide_m = 1e-4;
+  constexpr double kParallel_rad = 1e-3;
+  constexpr double kDegree = std::numbers::pi / 180;
+  const std::vector<Eigen::Isometry3d> poses = DesignPoses(vehicle);
+  for (const XMLElement* element : Children(robot, "fp:bushing")) {
+    if (std::string_view(Written(*element).Name()) != "drake:linear_bushing_rpy") continue;
+    const auto bushing = std::find_if(vehicle.bushings.begin(), vehicle.bushings.end(), [&](const Bushing& candidate) {
+      return candidate.name == AttributeText(*element, "name");
+    });
+    if (bushing == vehicle.bushings.end() || bushing->parent.link < 0 || bushing->child.link < 0) continue;
+    const double gap = (PlaceOf(bushing->parent, poses) - PlaceOf(bushing->child, poses)).norm();
+    const auto axes = [&](const Point& end, const Eigen::Matrix3d& in_link) {
+      return Eigen::Matrix3d(poses[static_cast<std::size_t>(end.link)].linear() * in_link);
+    };
+    const Eigen::Matrix3d child_axes = FrameAxes(robot, *AttributeText(*element, "child"));
+    const double angle =
+        Eigen::AngleAxisd(axes(bushing->parent, bushing->axes).transpose() * axes(bushing->child, child_axes)).angle();
+    if (gap <= kCoincide_m && angle <= kParallel_rad) continue;
+    const auto rounded = [](double value) { return FormatNumber(std::round(10 * value) / 10); };
+    faults.Warning(LineOf(*element), "the frames of " + Describe(*element) + " stand " + rounded(gap * 1e3) +
+                                         " mm and " + rounded(angle / kDegree) +
+                                         " deg apart in the design pose: Drake's bushing has a load there, this one "
+                                         "is without load");
+  }
+}
 
 bool ReplaceDrakeTags(XMLElement& robot, FileFaults& faults) { return DrakeTags(robot, faults).Replace(); }
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <string>
+
 #include <tinyxml2.h>
 
 #include "vehicles/file_faults.h"
+#include "vehicles/vehicle.h"
 
 namespace fourpost {
 
@@ -15,5 +18,12 @@ namespace fourpost {
 /// Reports children that are missing or unknown, and numbers that Drake would refuse; a tag with a fault is left out.
 /// True when anything was replaced. Source: Drake's documentation of its URDF extensions.
 bool ReplaceDrakeTags(tinyxml2::XMLElement& robot, FileFaults& faults);
+
+/// The tags with Drake's prefix that are replaced: "ball_constraint, ... and ...".
+std::string DrakeTagNames();
+
+/// Warns of each bushing of Drake's whose two frames do not coincide in the design pose, as written: Drake's has a load
+/// there and fp:bushing none. `robot`: after ReplaceDrakeTags.
+void CheckDrakeBushings(const tinyxml2::XMLElement& robot, const Vehicle& vehicle, FileFaults& faults);
 
 }  // namespace fourpost

@@ -56,6 +56,7 @@ HydraulicDamper HydraulicDescription::At(std::span<const double> parameters) con
     return std::numbers::pi / 4 * d * d;
   };
   HydraulicDamper damper;
+  damper.density = density.At(parameters);
   // Through an orifice m' = Cd A sqrt(2 density dP).
   damper.bleed_resistance = 1 / (bleed.At(parameters) * std::sqrt(2 * damper.density));
   damper.rebound_valve_resistance = rebound_valve.At(parameters);
@@ -63,10 +64,12 @@ HydraulicDamper HydraulicDescription::At(std::span<const double> parameters) con
   damper.bulk_modulus = bulk_modulus.At(parameters);
   damper.piston_area = disc(piston_diameter);
   damper.annulus_area = disc(piston_diameter) - disc(rod_diameter);
-  damper.rebound_volume = damper.annulus_area * column.At(parameters);
-  damper.compression_volume = damper.piston_area * column.At(parameters);
+  damper.rebound_volume = damper.annulus_area * rebound_column.At(parameters);
+  damper.compression_volume = damper.piston_area * compression_column.At(parameters);
   damper.gas_pressure = gas_pressure.At(parameters);
   damper.gas_volume = gas_volume.At(parameters);
+  damper.gas_exponent = gas_exponent.At(parameters);
+  damper.cavitation_pressure = cavitation.At(parameters);
   return damper;
 }
 

@@ -74,10 +74,16 @@ struct HydraulicDescription {
   Scalar bulk_modulus;
   Scalar piston_diameter;
   Scalar rod_diameter;
-  /// Length of each oil column in the design pose [m].
-  Scalar column;
+  /// Lengths of the oil columns of both chambers in the design pose [m].
+  Scalar rebound_column;
+  Scalar compression_column;
   Scalar gas_pressure;
   Scalar gas_volume;
+  Scalar gas_exponent;
+  /// Of the oil [kg/m^3].
+  Scalar density;
+  /// Pressure below which no chamber's falls [Pa].
+  Scalar cavitation;
 
   HydraulicDamper At(std::span<const double> parameters) const;
 };

@@ -86,8 +86,11 @@ void AddHydraulic(const HydraulicDescription& oil, NumberList& list) {
   for (const auto& [attribute, number] :
        {std::pair("bleed", oil.bleed), std::pair("rebound_valve", oil.rebound_valve),
         std::pair("compression_valve", oil.compression_valve), std::pair("bulk_modulus", oil.bulk_modulus),
-        std::pair("piston", oil.piston_diameter), std::pair("rod", oil.rod_diameter), std::pair("column", oil.column),
-        std::pair("gas_pressure", oil.gas_pressure), std::pair("gas_volume", oil.gas_volume)})
+        std::pair("piston", oil.piston_diameter), std::pair("rod", oil.rod_diameter),
+        std::pair("rebound_column", oil.rebound_column), std::pair("compression_column", oil.compression_column),
+        std::pair("gas_pressure", oil.gas_pressure), std::pair("gas_volume", oil.gas_volume),
+        std::pair("gas_exponent", oil.gas_exponent), std::pair("density", oil.density),
+        std::pair("cavitation", oil.cavitation)})
     list.AddBend(attribute, kPath, attribute, number);
 }
 

@@ -89,7 +89,7 @@ class ElementReader {
       if (!law) continue;
       spring.law = laws_.ReadSpring(*law);
       spring.preload = ReadPreload(*law);
-      if (!FindAttribute(*law->rule, "free_length") || !AttributeText(*law->element, "free_length")) continue;
+      if (!AttributeText(*law->element, "free_length")) continue;
       spring.free_length = parameters_.ReadScalar(*law, "free_length");
       if (AttributeText(*law->element, "preload"))
         faults_.Error(law->Line("free_length"), Describe(*tag.element) + " has a preload and a free_length: give one");

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include <Eigen/QR>
-
 #include "analysis/number.h"
+#include "vehicles/preload_map.h"
 
 namespace fourpost {
 namespace {
@@ -16,7 +16,8 @@ constexpr const char* kHolder = R"(spring, tyre or bushing with preload="equilib
 
 /// The part of a generalised force that no combination of the columns can take.
 Eigen::VectorXd Rest(const Eigen::VectorXd& force, const Eigen::MatrixXd& columns) {
-  return force + columns * (PreloadMap(columns) * force);
+  if (columns.size() == 0) return force;
+  return force - columns * Decomposed(columns).solve(force);
 }
 
 bool IsHeld(const Eigen::VectorXd& direction, const Eigen::MatrixXd& columns) {
@@ -70,7 +71,9 @@ std::string Remedy(const UnheldMotion& unheld) {
     return Enumerated(elements);
   };
   if (const std::string bushings = of_kind(Kind::kBushing); !bushings.empty())
-    return "write preload=\"equilibrium\" in " + bushings;
+    return bushings.find("'drake_bushing_") == std::string::npos
+               ? "write preload=\"equilibrium\" in " + bushings
+               : "write an fp:bushing with preload=\"equilibrium\" in place of Drake's, " + bushings;
   if (const std::string dampers = of_kind(Kind::kDamper); !dampers.empty())
     return "a damper carries nothing at rest: add an fp:spring beside " + dampers;
   if (const std::string stops = of_kind(Kind::kStop); !stops.empty())
@@ -108,6 +111,30 @@ std::string Text(const UnheldMotion& unheld) {
   return what + ", in which " + EnumeratedLinks(fastest) + (fastest.size() > 1 ? " move most" : " moves most");
 }
 
+/// The size that a given preload would have to have, the others as they are; nothing where that does not help.
+std::optional<double> BalancingSize(const GivenForce& preload, const StaticLoads& loads) {
+  std::vector<GivenForce> forces = loads.forces;
+  Eigen::VectorXd others = Eigen::VectorXd::Zero(preload.direction.size());
+  for (const GivenForce& force : forces) others += force.Force();
+  others -= preload.Force();
+  const Eigen::VectorXd direction = Rest(preload.direction, loads.holders);
+  const double size = -direction.dot(others) / direction.squaredNorm();
+  forces.push_back(preload);
+  forces.back().size = size - preload.size;
+  if (!IsBalanced(forces, loads.holders)) return std::nullopt;
+  return size;
+}
+
+std::string ImbalanceText(const GivenForce& preload, const StaticLoads& loads) {
+  std::string text = "the preload of " + preload.element + (preload.has_free_length ? " by its free length, " : ", ") +
+                     RoundedText(preload.size) + " N, is not balanced";
+  if (const std::optional<double> size = BalancingSize(preload, loads))
+    text += ", " + RoundedText(*size) + " N would be";
+  if (preload.has_free_length)
+    return text + "; correct that length, or leave a spring or tyre that acts beside it to equilibrium";
+  return text + "; correct it or write preload=\"equilibrium\"";
+}
+
 /// Motions that nothing holds; if there is none, the given preloads, of which one at least must be wrong.
 void ReportImbalance(const Vehicle& vehicle, const StaticLoads& loads, Diagnostics& faults) {
   const std::vector<UnheldMotion> unheld = UnheldMotions(loads);
@@ -119,9 +146,7 @@ void ReportImbalance(const Vehicle& vehicle, const StaticLoads& loads, Diagnosti
   for (const GivenForce& force : loads.forces)
     if (force.kind == GivenForce::Kind::kPreload && (force.carries || force.size != 0) &&
         !IsHeld(force.direction, loads.holders))
-      faults.Error(vehicle.file, force.line,
-                   "no static equilibrium: the preload of " + force.element + ", " + RoundedText(force.size) +
-                       " N, is not balanced; correct it or write preload=\"equilibrium\"");
+      faults.Error(vehicle.file, force.line, "no static equilibrium: " + ImbalanceText(force, loads));
 }
 
 /// Elements whose force follows parameter `index`, and that nothing holds.
@@ -152,11 +177,6 @@ void ReportFreeParameters(const Vehicle& vehicle, const std::vector<GivenForce>&
 }
 
 }  // namespace
-
-Eigen::MatrixXd PreloadMap(const Eigen::MatrixXd& holders) {
-  if (holders.size() == 0) return Eigen::MatrixXd::Zero(holders.cols(), holders.rows());
-  return -holders.completeOrthogonalDecomposition().pseudoInverse();
-}
 
 void CheckEquilibrium(const Vehicle& vehicle, const StaticLoads& loads, Diagnostics& faults) {
   if (IsBalanced(loads.forces, loads.holders)) ReportFreeParameters(vehicle, loads.forces, loads.holders, faults);

@@ -26,7 +26,7 @@ std::array<double, 2> HydraulicDamper::PressureRates(double x, double v, const s
   const double rebound_pressure = std::max(p[0], cavitation_pressure);
   const double compression_pressure = std::max(p[1], cavitation_pressure);
   const std::array<double, 2> flow = Flows(rebound_pressure, compression_pressure);
-  const double gas = gas_volume * std::pow(gas_pressure / compression_pressure, 1 / gas_exponent);
+  const double gas = GasVolume(compression_pressure);
   const double oil = compression + gas_volume - gas;
   const double compliance = oil / bulk_modulus + gas / (gas_exponent * compression_pressure);
   const double rebound_rate = bulk_modulus / rebound * (annulus_area * v - flow[0]);
@@ -40,6 +40,36 @@ double HydraulicDamper::Force(double v, const std::array<double, 2>& p) const {
   const double rebound = std::max(p[0], cavitation_pressure) - gas_pressure;
   const double compression = std::max(p[1], cavitation_pressure) - gas_pressure;
   return rebound * annulus_area - compression * piston_area + Friction(v);
+}
+
+double HydraulicDamper::Energy(double x, const std::array<double, 2>& p) const {
+  const double rebound = std::max(p[0], cavitation_pressure);
+  const double compression = std::max(p[1], cavitation_pressure);
+  const double above = rebound_volume - annulus_area * x;
+  const double below = compression_volume + piston_area * x + gas_volume - GasVolume(compression);
+  return above * OilEnergy(rebound) + below * OilEnergy(compression) + GasEnergy(compression) -
+         gas_pressure * (annulus_area - piston_area) * x;
+}
+
+double HydraulicDamper::Dissipation(double v, const std::array<double, 2>& p) const {
+  const std::array<double, 2> flow = Flows(std::max(p[0], cavitation_pressure), std::max(p[1], cavitation_pressure));
+  return bulk_modulus * std::abs(flow[0] - flow[1]) + Friction(v) * v;
+}
+
+double HydraulicDamper::OilEnergy(double pressure) const {
+  const double u = (pressure - gas_pressure) / bulk_modulus;
+  return (gas_pressure + bulk_modulus) * std::expm1(u) - bulk_modulus * u;
+}
+
+double HydraulicDamper::GasVolume(double pressure) const {
+  return gas_volume * std::pow(gas_pressure / pressure, 1 / gas_exponent);
+}
+
+double HydraulicDamper::GasEnergy(double pressure) const {
+  const double rise = std::log(pressure / gas_pressure);
+  const double share = 1 - 1 / gas_exponent;
+  // As share goes to 0: gas of constant temperature.
+  return gas_pressure * gas_volume / gas_exponent * (share == 0 ? rise : std::expm1(share * rise) / share);
 }
 
 double HydraulicDamper::SteadyForce(double v) const {

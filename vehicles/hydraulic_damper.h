@@ -41,6 +41,17 @@ struct HydraulicDamper {
   /// {P_r', P_c'} [Pa/s] at extension x, rate v and pressures {P_r, P_c}. NaN where x closes a chamber.
   std::array<double, 2> PressureRates(double x, double v, const std::array<double, 2>& p) const;
 
+  /// What oil and gas hold of the work done on them since they were at rest at mid-stroke [J], the static force's left
+  /// out: per volume of oil (P_g0 + K) (e^u - 1) - K u with u = (P - P_g0) / K, that of density ~ exp(P / K); of the
+  /// gas (P_c V_g - P_g0 V_g0) / (gamma - 1). With it
+  ///   Force v = d Energy / dt + Dissipation
+  /// but where vapour fills a chamber, of whose volume the pressures do not tell.
+  double Energy(double x, const std::array<double, 2>& p) const;
+
+  /// Power that the valves and the friction take [W], not negative: K |Q_r - Q_c| is what oil loses that flows to a
+  /// lower pressure, |dP| Q for stiff oil.
+  double Dissipation(double v, const std::array<double, 2>& p) const;
+
   /// Tension without the static force of the gas [N].
   double Force(double v, const std::array<double, 2>& p) const;
 
@@ -62,6 +73,11 @@ struct HydraulicDamper {
   double MassFlowSlope(double pressure_difference) const;
   double ValveResistance(double pressure_difference) const;
   double Friction(double v) const;
+  /// Of oil, per volume [J/m^3].
+  double OilEnergy(double pressure) const;
+  double GasVolume(double pressure) const;
+  /// Work done on the gas [J].
+  double GasEnergy(double pressure) const;
 };
 
 }  // namespace fourpost

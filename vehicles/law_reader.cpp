@@ -197,18 +197,21 @@ HydraulicDescription LawReader::ReadHydraulic(const Tag& law) {
                               .bulk_modulus = read("bulk_modulus"),
                               .piston_diameter = read("piston"),
                               .rod_diameter = read("rod"),
-                              .column = read("column"),
+                              .rebound_column = read("rebound_column"),
+                              .compression_column = read("compression_column"),
                               .gas_pressure = read("gas_pressure"),
-                              .gas_volume = read("gas_volume")};
+                              .gas_volume = read("gas_volume"),
+                              .gas_exponent = read("gas_exponent"),
+                              .density = read("density"),
+                              .cavitation = read("cavitation")};
   if (faults_.errors() > errors) return damper;
   if (!parameters_.IsBelow(damper.rod_diameter, damper.piston_diameter))
     faults_.Error(law.Line("rod"), "rod=\"" + law.Text("rod") + "\" of " + Describe(*law.element) +
                                        " must be thinner than the piston, \"" + law.Text("piston") + "\"");
-  const double vapour = HydraulicDamper().cavitation_pressure;
-  if (parameters_.Least(damper.gas_pressure) <= vapour)
+  if (!parameters_.IsBelow(damper.cavitation, damper.gas_pressure))
     faults_.Error(law.Line("gas_pressure"), "gas_pressure=\"" + law.Text("gas_pressure") + "\" of " +
-                                                Describe(*law.element) + " must be above that of cavitation, " +
-                                                FormatQuantity(vapour, "kPa"));
+                                                Describe(*law.element) + " must be above that of cavitation, \"" +
+                                                law.Text("cavitation") + "\"");
   return damper;
 }
 

@@ -71,6 +71,12 @@ void HydraulicForce::calcForce(const State& state, Vector_<SpatialVec>& body_for
   ApplyTension(data_.line, state, motion, data_.damper.damper.Force(motion.rate, Pressures(state)), body_forces);
 }
 
+SimTK::Real HydraulicForce::calcPotentialEnergy(const State& state) const {
+  const double extension = Extension(data_.line, state);
+  return data_.is_mounted ? data_.damper.Energy(extension, Pressures(state))
+                          : data_.damper.damper.Energy(extension, Pressures(state));
+}
+
 void HydraulicForce::realizeTopology(State& state) const {
   pressures_ = forces_.allocateZ(state, SimTK::Vector(2, SimTK::Real(0)));
 }

@@ -77,8 +77,7 @@ class HydraulicForce : public SimTK::Force::Custom::Implementation {
       : data_(data), forces_(forces) {}
   void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
                  SimTK::Vector_<SimTK::Vec3>& particle_forces, SimTK::Vector& mobility_forces) const override;
-  /// Of the oil and the gas: not told.
-  SimTK::Real calcPotentialEnergy(const SimTK::State&) const override { return 0; }
+  SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override;
   void realizeTopology(SimTK::State& state) const override;
   void realizeAcceleration(const SimTK::State& state) const override;
 

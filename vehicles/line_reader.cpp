@@ -8,19 +8,14 @@
 #include "vehicles/tag_check.h"
 
 namespace fourpost {
-namespace {
 
-/// URDF's roll, pitch, yaw: turns about the fixed x, y and z axes, in this order.
-Eigen::Matrix3d Turn(const Eigen::Vector3d& rpy) {
+Eigen::Matrix3d TurnOf(const Eigen::Vector3d& rpy) {
   using Eigen::AngleAxisd;
   using Eigen::Vector3d;
   return (AngleAxisd(rpy.z(), Vector3d::UnitZ()) * AngleAxisd(rpy.y(), Vector3d::UnitY()) *
           AngleAxisd(rpy.x(), Vector3d::UnitX()))
       .toRotationMatrix();
 }
-
-}  // namespace
-
 LineReader::LineReader(const tinyxml2::XMLElement& robot, const UrdfTree& tree, FileFaults& faults)
     : tree_(tree), faults_(faults), lost_names_(LostNames(robot)) {
   for (const Tag& tag : TagsOf(robot, "fp:frame")) ReadFrame(tag);
@@ -49,7 +44,7 @@ void LineReader::ReadFrame(const Tag& tag) {
   if (tree_.FindLink(name) >= 0)
     faults_.Error(tag.Line(), Describe(*tag.element) + " has the name of a link: a name must tell which one is meant");
   frames_.try_emplace(name,
-                      Frame{ReadPoint(tag), Turn(ParseVector(tag.Text("rpy")).value_or(Eigen::Vector3d(0, 0, 0)))});
+                      Frame{ReadPoint(tag), TurnOf(ParseVector(tag.Text("rpy")).value_or(Eigen::Vector3d(0, 0, 0)))});
 }
 
 std::vector<std::string> LineReader::EndNames() const {

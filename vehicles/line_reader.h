@@ -15,6 +15,9 @@
 
 namespace fourpost {
 
+/// URDF's roll, pitch, yaw: turns about the fixed x, y and z axes, in this order.
+Eigen::Matrix3d TurnOf(const Eigen::Vector3d& rpy);
+
 /// Reads where the elements of a file act: points, ends that name a frame or a link, and the lines between them.
 class LineReader {
  public:

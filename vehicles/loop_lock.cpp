@@ -91,6 +91,9 @@ class LockSearch {
 
   bool IsLocked(const Indices& closures, const Lock& lock) const;
   Indices LockingSet(const Lock& lock) const;
+  /// As few closures as make one body of these links.
+  Indices RigidifyingSet(const std::vector<int>& links) const;
+  std::vector<std::vector<int>> ApartFromTheBody(const std::vector<int>& set) const;
   Indices AllClosures() const;
   std::vector<std::vector<int>> RigidLinks() const;
   void FindRigidLinks();
@@ -148,16 +151,55 @@ std::vector<std::vector<int>> LockSearch::RigidLinks() const {
   return sets;
 }
 
+Indices LockSearch::RigidifyingSet(const std::vector<int>& links) const {
+  return LockingSet([&](const LoopPose& pose, const Eigen::MatrixXd& motions) {
+    return std::all_of(links.begin(), links.end(),
+                       [&](int link) { return pose.MoveTogether(links.front(), link, motions); });
+  });
+}
+
+/// The links that closures in common hold on the body, or on the first one: both sides of a car lock by themselves.
+std::vector<std::vector<int>> LockSearch::ApartFromTheBody(const std::vector<int>& set) const {
+  const int body = std::find(set.begin(), set.end(), wheels_.body()) == set.end() ? set.front() : wheels_.body();
+  struct Group {
+    std::vector<int> links;
+    Indices closures;
+  };
+  const auto share = [](const Indices& a, const Indices& b) {
+    return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+  };
+  std::vector<Group> groups;
+  for (const int link : set) {
+    if (link == body) continue;
+    Group joined{{link}, RigidifyingSet({body, link})};
+    for (auto group = groups.begin(); group != groups.end();) {
+      if (!share(group->closures, joined.closures)) {
+        ++group;
+        continue;
+      }
+      joined.links.insert(joined.links.begin(), group->links.begin(), group->links.end());
+      joined.closures.insert(joined.closures.end(), group->closures.begin(), group->closures.end());
+      group = groups.erase(group);
+    }
+    groups.push_back(std::move(joined));
+  }
+  std::vector<std::vector<int>> parts;
+  for (Group& group : groups) {
+    group.links.push_back(body);
+    std::sort(group.links.begin(), group.links.end());
+    parts.push_back(group.links);
+  }
+  return parts;
+}
+
 void LockSearch::FindRigidLinks() {
   for (const std::vector<int>& set : RigidLinks()) {
     if (set.size() < 2) continue;
-    const Indices closures = LockingSet([&](const LoopPose& pose, const Eigen::MatrixXd& motions) {
-      return std::all_of(set.begin(), set.end(),
-                         [&](int link) { return pose.MoveTogether(set.front(), link, motions); });
-    });
-    std::vector<std::string> names;
-    for (const int link : set) names.push_back(Quoted(vehicle_.links[static_cast<std::size_t>(link)]));
-    Report(closures, Enumerated(names) + " cannot move against each other" + PrecisionHint());
+    for (const std::vector<int>& part : ApartFromTheBody(set)) {
+      std::vector<std::string> names;
+      for (const int link : part) names.push_back(Quoted(vehicle_.links[static_cast<std::size_t>(link)]));
+      Report(RigidifyingSet(part), Enumerated(names) + " cannot move against each other" + PrecisionHint());
+    }
   }
 }
 

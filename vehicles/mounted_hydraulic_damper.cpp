@@ -15,6 +15,11 @@ double MountedHydraulicDamper::MountExtension(const std::array<double, 2>& p) co
   return IncreasingRoot(law, force, -most, most, force / mount.stiffness);
 }
 
+double MountedHydraulicDamper::Energy(double x, const std::array<double, 2>& p) const {
+  const double extension = MountExtension(p);
+  return damper.Energy(x - extension, p) + mount.Energy(extension);
+}
+
 std::array<double, 2> MountedHydraulicDamper::PressureRates(double x, double v, const std::array<double, 2>& p) const {
   const double extension = MountExtension(p);
   const double stiffness = mount.Slope(extension);

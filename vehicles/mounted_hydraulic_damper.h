@@ -20,6 +20,9 @@ struct MountedHydraulicDamper {
   /// {P_r', P_c'} [Pa/s] at extension x and rate v of both together and pressures {P_r, P_c}.
   std::array<double, 2> PressureRates(double x, double v, const std::array<double, 2>& p) const;
 
+  /// What mount, oil and gas hold [J]; see HydraulicDamper::Energy.
+  double Energy(double x, const std::array<double, 2>& p) const;
+
   /// x_s [m] at these pressures.
   double MountExtension(const std::array<double, 2>& p) const;
 };

@@ -164,13 +164,16 @@ void LintOilColumns(const DrawnVehicle& drawn, FileFaults& findings) {
   for (const Damper& damper : drawn.vehicle.dampers)
     for (const Spring& stop : drawn.vehicle.springs) {
       if (!damper.hydraulic || stop.kind != Spring::Kind::kStop || !joins_same(damper.line, stop.line)) continue;
-      const double column = drawn.At(damper.hydraulic->column);
-      for (const SpringDescription::Knee& knee : stop.law.knees)
+      for (const SpringDescription::Knee& knee : stop.law.knees) {
+        const HydraulicDescription& oil = *damper.hydraulic;
+        const double column = drawn.At(knee.side < 0 ? oil.compression_column : oil.rebound_column);
         if (drawn.At(knee.at) >= column)
-          findings.Warning(damper.source_line, "the oil columns of " + Called("fp:damper", damper.name) + " are " +
-                                                   Readable(column, "m") + " long, but " + stop.Element() +
-                                                   " begins after " + Readable(drawn.At(knee.at), "m") +
-                                                   ": the piston meets the end before the stop; correct one of them");
+          findings.Warning(damper.source_line,
+                           (knee.side < 0 ? "the compression column of " : "the rebound column of ") +
+                               Called("fp:damper", damper.name) + " is " + Readable(column, "m") + " long, but " +
+                               stop.Element() + " begins after " + Readable(drawn.At(knee.at), "m") +
+                               ": the piston meets the end before the stop; correct one of them");
+      }
     }
 }
 

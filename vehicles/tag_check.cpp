@@ -5,6 +5,7 @@
 
 #include "analysis/nearest.h"
 #include "vehicles/attribute_check.h"
+#include "vehicles/drake_tags.h"
 #include "vehicles/tag.h"
 
 namespace fourpost {
@@ -27,14 +28,14 @@ class PrefixCheck {
 
   void Walk(const XMLElement& element) {
     if (IsForeign(element.Name())) {
-      Warn(PrefixOf(element.Name()), LineOf(element));
+      Warn("<" + std::string(element.Name()) + ">", PrefixOf(element.Name()), LineOf(element));
       return;
     }
     own_used_ = own_used_ || (PrefixOf(element.Name()) == "fp" && !IsMade(element));
     for (const auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
       const std::string_view prefix = PrefixOf(attribute->Name());
       if (!prefix.empty() && prefix != "xmlns" && prefix != "xml" && prefix != "fp")
-        Warn(prefix, LineOf(element, attribute->Name()));
+        Warn("the attribute " + std::string(attribute->Name()), prefix, LineOf(element, attribute->Name()));
     }
     for (const XMLElement* child : Children(element)) Walk(*child);
   }
@@ -49,9 +50,10 @@ class PrefixCheck {
   }
 
  private:
-  void Warn(std::string_view prefix, int line) {
+  void Warn(const std::string& what, std::string_view prefix, int line) {
     if (!seen_.insert(std::string(prefix)).second) return;
-    faults_.Warning(line, "tags and attributes with the prefix '" + std::string(prefix) + ":' are ignored");
+    const std::string but = prefix == "drake" ? " but " + DrakeTagNames() : "";
+    faults_.Warning(line, what + " is ignored, as is all with the prefix '" + std::string(prefix) + ":'" + but);
   }
 
   FileFaults& faults_;

@@ -151,33 +151,35 @@ std::vector<TagRule> MakeSolidTags() {
 
 std::vector<TagRule> MakeSpringTags() {
   const AttributeRule preload = Preload("tension in the design pose; `equilibrium`: whatever holds that pose at rest");
+  const AttributeRule free_length = {.name = "free_length",
+                                     .kind = Kind::kScalar,
+                                     .required = false,
+                                     .doc = "length at which the whole law has no tension, in place of a preload",
+                                     .dimension = kLength,
+                                     .sign = Sign::kPositive,
+                                     .usual_least = "50 mm",
+                                     .usual_greatest = "2 m"};
   return {
       {.path = "fp:spring",
-       .doc = "A spring between two points. x is its extension from the design pose.",
+       .doc = "A spring between two points. x is its extension from the design pose, of which cubic term and knees "
+              "tell as well when a free_length stands in place of the preload.",
        .attributes = {kNameRule, kParentRule, kChildRule, kGuideRule}},
       {.path = "fp:spring/linear",
        .occurs = Occurs::kOneOfAll,
        .doc = "tension = preload + stiffness x, or stiffness (length - free_length)",
-       .attributes = {Usual("1 kN/m", "1 MN/m", Stiffness("force per extension")),
-                      preload,
-                      {.name = "free_length",
-                       .kind = Kind::kScalar,
-                       .required = false,
-                       .doc = "length without load, in place of a preload",
-                       .dimension = kLength,
-                       .sign = Sign::kPositive,
-                       .usual_least = "50 mm",
-                       .usual_greatest = "2 m"}}},
+       .attributes = {Usual("1 kN/m", "1 MN/m", Stiffness("force per extension")), preload, free_length}},
       {.path = "fp:spring/cubic",
        .occurs = Occurs::kOneOfAll,
        .doc = "tension = preload + stiffness x + cubic x^3",
        .attributes = {Usual("1 kN/m", "1 MN/m", Stiffness("force per extension in the design pose")),
-                      Measure("cubic", kCubicStiffness, Sign::kNotNegative, "hardening on either side"), preload}},
+                      Measure("cubic", kCubicStiffness, Sign::kNotNegative, "hardening on either side"), preload,
+                      free_length}},
       {.path = "fp:spring/multirate",
        .occurs = Occurs::kOneOfAll,
        .doc = "A spring whose rate changes at knees, as when coils close or a helper comes in. "
               "tension = preload + stiffness x up to the first knee of either side, and on without a step.",
-       .attributes = {Usual("1 kN/m", "1 MN/m", Stiffness("force per extension about the design pose")), preload}},
+       .attributes = {Usual("1 kN/m", "1 MN/m", Stiffness("force per extension about the design pose")), preload,
+                      free_length}},
       {.path = "fp:spring/multirate/knee",
        .doc = "The rate beyond x = `at`: further in compression when `at` is below zero, further in extension when it "
               "is above. Knees of a side stand in the order in which they are met.",
@@ -260,13 +262,24 @@ std::vector<TagRule> MakeDamperTags() {
                   Measure("bulk_modulus", kPressure, Sign::kPositive, "stiffness of the oil", "300 MPa")),
             Usual("10 mm", "150 mm", Measure("piston", kLength, Sign::kPositive, "diameter of the bore", "30 mm")),
             Usual("3 mm", "100 mm", Measure("rod", kLength, Sign::kPositive, "diameter of the rod", "12.5 mm")),
-            Usual(
-                "10 mm", "1 m",
-                Measure("column", kLength, Sign::kPositive, "length of each oil column in the design pose", "100 mm")),
+            Usual("10 mm", "1 m",
+                  Measure("rebound_column", kLength, Sign::kPositive,
+                          "length of the oil column about the rod in the design pose", "100 mm")),
+            Usual("10 mm", "1 m",
+                  Measure("compression_column", kLength, Sign::kPositive,
+                          "length of the oil column before the piston in the design pose", "100 mm")),
             Usual("0.1 MPa", "20 MPa",
                   Measure("gas_pressure", kPressure, Sign::kPositive, "pressure of the gas at rest", "2 MPa")),
             Usual("1 cm^3", "10000 cm^3",
-                  Measure("gas_volume", kVolume, Sign::kPositive, "volume of the gas at rest", "60 cm^3"))}},
+                  Measure("gas_volume", kVolume, Sign::kPositive, "volume of the gas at rest", "60 cm^3")),
+            Usual("0.5", "2",
+                  Measure("gas_exponent", kDimensionless, Sign::kPositive,
+                          "of the gas's changes: 1 of slow ones, 1.4 of fast ones of nitrogen", "1.3")),
+            Usual("500 kg/m^3", "2000 kg/m^3",
+                  Measure("density", kDensity, Sign::kPositive, "of the oil", "860 kg/m^3")),
+            Usual("1 Pa", "200 kPa",
+                  Measure("cavitation", kPressure, Sign::kPositive,
+                          "pressure at which the oil boils: that of no chamber falls further", "5 kPa"))}},
       {.path = "fp:damper/series",
        .occurs = Occurs::kAtMostOnce,
        .doc = "A spring in line with the damper, such as its top mount: f = stiffness x + cubic x^3, x its extension. "
@@ -386,7 +399,9 @@ std::vector<TagRule> MakeTyreTags() {
              .kind = Kind::kChoice,
              .required = false,
              .fallback = "false",
-             .doc = "`true`: the vertical force never pulls; `false`: it may, as in a linear model",
+             .doc =
+                 "`true`: the vertical force never pulls, while lateral and longitudinal ones stay as they are, on a "
+                 "lifted tyre too; `false`: it may, as in a linear model",
              .choices = {"false", "true"}}}},
       {.path = "fp:post",
        .doc =
@@ -418,7 +433,9 @@ std::vector<TagRule> MakeSensorTags() {
   return {
       {.path = "fp:sensor",
        .type = "accelerometer",
-       .doc = "Acceleration of a point along an axis fixed in its link, zero at rest.",
+       .doc = "Specific force at a point along an axis fixed in its link, less that at rest: its acceleration, and the "
+              "share of gravity that the axis gains as it tilts. A lateral axis on a body that rolls by phi reads g "
+              "sin(phi) besides, which below some hertz is most of it.",
        .attributes = {kNameRule, SensorType("accelerometer"), kLinkRule, kXyzRule, kSensorAxisRule}},
       {.path = "fp:sensor",
        .type = "displacement",

@@ -8,6 +8,8 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include "vehicles/preload_map.h"
+
 namespace fourpost {
 namespace {
 

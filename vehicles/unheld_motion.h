@@ -23,6 +23,8 @@ struct GivenForce {
   std::vector<int> parameters;
   /// Generalised force per unit of `size`.
   Eigen::VectorXd direction;
+  /// Whether a free length sets the preload.
+  bool has_free_length = false;
   /// A preload that could be another one: not that of a stop or of gas, which do not set a vehicle's pose.
   bool carries = true;
 
@@ -59,10 +61,6 @@ struct UnheldMotion {
   /// Those that this motion moves, each by a hand's breadth per radian of what turns fastest or more.
   std::vector<IdleElement> idle;
 };
-
-/// Directions are exact to rounding: projections leave about 1e-15 of them, and what nothing holds leaves a share that
-/// the geometry sets, centimetres in metres at the least.
-constexpr double kHeldShare = 1e-9;
 
 /// The motions in which a vehicle falls from its design pose. Let H hold the directions of all preloads, equilibrium's
 /// and given ones, Z span the motions that none of them feels, H' Z = 0, w be a given force that is not among H, and M

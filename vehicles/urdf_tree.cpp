@@ -21,6 +21,11 @@ std::string End(const XMLElement& joint, const char* end) {
   return found ? AttributeText(*found, "link").value_or("") : "";
 }
 
+int CoordinatesOf(const XMLElement& joint) {
+  const std::string type = AttributeText(joint, "type").value_or("");
+  return type == "floating" ? 6 : type == "planar" ? 3 : type == "fixed" ? 0 : 1;
+}
+
 class TreeReader {
  public:
   TreeReader(const XMLElement& robot, FileFaults& faults)
@@ -41,6 +46,7 @@ class TreeReader {
     }
     PutGroundFirst();
     OrderJoints();
+    CountCoordinates();
     return tree_;
   }
 
@@ -128,6 +134,15 @@ class TreeReader {
     for (const XMLElement* joint : joints_)
       if (!ordered.contains(joint))
         faults_.Error(LineOf(*joint), Describe(*joint) + " is part of a loop of joints that the ground does not carry");
+  }
+
+  void CountCoordinates() {
+    int count = 0;
+    for (const XMLElement* joint : joints_) count += CoordinatesOf(*joint);
+    if (count <= kMostJointCoordinates) return;
+    faults_.Error(0, "the joints have " + std::to_string(count) + " coordinates, more than " +
+                         std::to_string(kMostJointCoordinates) +
+                         ": leave out bodies, or fix joints that need not move");
   }
 
   FileFaults& faults_;

@@ -29,7 +29,12 @@ struct UrdfTree {
   int FindLink(std::string_view name) const;
 };
 
-/// Orders links and joints; reports joints to unknown links, links with two parents, loops and all roots but one.
+/// How many coordinates the joints of a file may have: what a computer takes some seconds and some hundred megabytes
+/// for, which grow with the fourth and the third power. A car has some tens.
+inline constexpr int kMostJointCoordinates = 200;
+
+/// Orders links and joints; reports joints to unknown links, links with two parents, loops, all roots but one, and too
+/// many joint coordinates.
 UrdfTree ReadUrdfTree(const tinyxml2::XMLElement& robot, FileFaults& faults);
 
 }  // namespace fourpost

@@ -99,7 +99,8 @@ struct Spring {
   SpringDescription law;
   /// Tension in the design pose [N]; empty: by free_length.
   std::optional<Scalar> preload;
-  /// Length without load [m] of a linear spring; empty as well: whatever holds the design pose in equilibrium.
+  /// Length without load [m]: preload = -law(free_length - L_design). Empty as well: whatever holds the design pose in
+  /// equilibrium.
   std::optional<Scalar> free_length;
   int source_line = 0;
 
@@ -169,7 +170,7 @@ struct Tyre {
   Scalar longitudinal;
   Scalar lateral_damping;
   Scalar longitudinal_damping;
-  /// Whether the vertical force may not pull.
+  /// Whether the vertical force may not pull; those in the plane stay, see TyreForce.
   bool lifts_off = false;
   /// Compression force in the design pose [N]; empty: whatever holds the design pose in equilibrium.
   std::optional<Scalar> preload;

@@ -80,6 +80,7 @@ Vehicle ReadRobot(XMLElement& robot, const std::string& text, FileFaults& faults
   Apply(bindings, vehicle);
   if (has_masses) CheckBodies(vehicle, faults);
   CheckLengths(vehicle, faults);
+  CheckDrakeBushings(robot, vehicle, faults);
   CheckWheels(vehicle, faults);
   return vehicle;
 }

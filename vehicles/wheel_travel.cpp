@@ -1,6 +1,5 @@
 #include "vehicles/wheel_travel.h"
 
-#include <Eigen/QR>
 #include <Eigen/SVD>
 
 namespace fourpost {
@@ -29,12 +28,12 @@ Eigen::MatrixXd NullSpace(const Eigen::MatrixXd& rows) {
   return svd.matrixV().rightCols(rows.cols() - svd.rank());
 }
 
-/// The shortest of the best solutions.
-Eigen::VectorXd Solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
-  if (matrix.cols() == 0) return Eigen::VectorXd();
+/// They solve for the shortest of the best solutions.
+Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> Decomposed(const Eigen::MatrixXd& matrix) {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
   factors.setThreshold(kRankTolerance);
-  return factors.compute(matrix).solve(right);
+  if (matrix.size() > 0) factors.compute(matrix);
+  return factors;
 }
 
 }  // namespace
@@ -42,21 +41,23 @@ Eigen::VectorXd Solve(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& righ
 HeldChassis::HeldChassis(const Suspension& suspension, Eigen::MatrixXd stiffness)
     : stiffness_(std::move(stiffness)),
       constraints_(Constraints(suspension, stiffness_.rows())),
-      free_(NullSpace(constraints_)) {
+      free_(NullSpace(constraints_)),
+      leading_(Decomposed(constraints_)),
+      yielding_(Decomposed(free_.transpose() * stiffness_ * free_)),
+      holding_(Decomposed(constraints_.transpose())) {
   for (const Wheel& wheel : suspension.wheels) wheel_y_.push_back(wheel.foot.y());
 }
 
 std::optional<WheelTravel> HeldChassis::Move(const Eigen::VectorXd& rise) const {
   Eigen::VectorXd wanted(constraints_.rows());
   wanted << Eigen::VectorXd::Zero(kChassisRows), rise;
-  const Eigen::VectorXd led = Solve(constraints_, wanted);
+  const Eigen::VectorXd led = leading_.solve(wanted);
   // Rounding of some ten coordinates is far below, a wheel that cannot move misses by a share of its rise.
   constexpr double kMissed = 1e-6;
   if ((constraints_ * led - wanted).norm() > kMissed * rise.norm()) return std::nullopt;
   WheelTravel travel{.rise = rise, .motion = led, .force = {}};
-  if (free_.cols() > 0)
-    travel.motion -= free_ * Solve(free_.transpose() * stiffness_ * free_, free_.transpose() * (stiffness_ * led));
-  travel.force = Solve(constraints_.transpose(), stiffness_ * travel.motion).tail(rise.size());
+  if (free_.cols() > 0) travel.motion -= free_ * yielding_.solve(free_.transpose() * (stiffness_ * led));
+  travel.force = holding_.solve(stiffness_ * travel.motion).tail(rise.size());
   return travel;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 
 #include "vehicles/suspension.h"
 
@@ -46,6 +47,11 @@ class HeldChassis {
   Eigen::MatrixXd constraints_;
   /// Columns span what moves neither chassis nor feet.
   Eigen::MatrixXd free_;
+  // Decomposed once for all travels: C, free' K free, C'.
+  using Factors = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+  Factors leading_;
+  Factors yielding_;
+  Factors holding_;
 };
 
 /// The stiffness of the condensed vehicle without the rates of its tyres; their preloads keep their share.

@@ -1,10 +1,11 @@
 #include "analysis/chart_axis.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
+
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
@@ -31,11 +32,9 @@ TEST(LinearAxis, HasTicksThatPrintShort) {
 }
 
 TEST(LinearAxis, RefusesLimitsThatDoNotIncrease) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_THROW(LinearAxis(1, 1, 5), std::invalid_argument);
-  EXPECT_THROW(LinearAxis(none, 1, 5), std::invalid_argument);
-  EXPECT_THROW(LinearAxis(0, infinity, 5), std::invalid_argument);
+  EXPECT_THROW(LinearAxis(kNan, 1, 5), std::invalid_argument);
+  EXPECT_THROW(LinearAxis(0, kInfinity, 5), std::invalid_argument);
 }
 
 TEST(LinearAxis, RefusesASingleInterval) { EXPECT_THROW(LinearAxis(-1, 1, 1), std::invalid_argument); }

@@ -1,11 +1,11 @@
 #include "analysis/csv_writer.h"
 
-#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
 #include "analysis/csv.h"
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
@@ -18,7 +18,7 @@ TEST(CsvWriter, EndsARowWhenItIsFull) {
 
 TEST(CsvWriter, LeavesAFieldEmptyForNaN) {
   CsvWriter csv({"a", "b"});
-  csv.Add(std::numeric_limits<double>::quiet_NaN()).Add(1.0);
+  csv.Add(kNan).Add(1.0);
   EXPECT_EQ(csv.text(), "a,b\n,1\n");
 }
 
@@ -40,7 +40,7 @@ TEST(CsvWriter, WritesWhatTheReaderReads) {
 
 TEST(CsvWriter, RefusesInfinity) {
   CsvWriter csv({"a"});
-  EXPECT_THROW(csv.Add(std::numeric_limits<double>::infinity()), std::invalid_argument);
+  EXPECT_THROW(csv.Add(kInfinity), std::invalid_argument);
 }
 
 TEST(CsvWriter, RefusesATableWithoutColumns) { EXPECT_THROW(CsvWriter({}), std::invalid_argument); }

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -10,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/decibel.h"
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
@@ -32,7 +32,7 @@ std::vector<double> Sample(const Eigen::VectorXcd& harmonics, double samples_per
 }
 
 /// Sums of a few hundred terms of magnitude one: rounding grows with the number of terms at worst.
-double Rounding(std::size_t size) { return static_cast<double>(size) * std::numeric_limits<double>::epsilon(); }
+double Rounding(std::size_t size) { return static_cast<double>(size) * kUlp; }
 
 TEST(Harmonics, OfWholeCyclesAreExact) {
   for (const int cycles : {1, 3, 7}) {

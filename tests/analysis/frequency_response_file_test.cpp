@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/analysis/faults_of.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
@@ -40,16 +41,7 @@ FrequencyResponse ReadGood(const std::string& text) {
   return *response;
 }
 
-std::string Faults(const std::string& text) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Write("frf.csv", text);
-  Diagnostics diagnostics;
-  EXPECT_FALSE(ReadFrequencyResponse(path, diagnostics));
-  std::string faults = diagnostics.Format();
-  for (std::size_t at = faults.find(path); at != std::string::npos; at = faults.find(path))
-    faults.replace(at, path.size(), "frf.csv");
-  return faults;
-}
+std::string Faults(const std::string& text) { return FaultsOf("frf.csv", text, ReadFrequencyResponse); }
 
 TEST(FrequencyResponseFile, HasItsFrequenciesAmplitudesAndChannels) {
   const FrequencyResponse response = ReadGood(kGood);

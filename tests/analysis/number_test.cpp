@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/rounding.h"
+
 namespace fourpost {
 namespace {
 
@@ -67,8 +69,8 @@ TEST(FormatNumber, ReadsBackToTheSameDouble) {
 }
 
 TEST(FormatNumber, NamesWhatIsNotFinite) {
-  EXPECT_EQ(FormatNumber(std::numeric_limits<double>::quiet_NaN()), "nan");
-  EXPECT_EQ(FormatNumber(-std::numeric_limits<double>::infinity()), "-inf");
+  EXPECT_EQ(FormatNumber(kNan), "nan");
+  EXPECT_EQ(FormatNumber(-kInfinity), "-inf");
 }
 
 }  // namespace

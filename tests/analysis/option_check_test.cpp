@@ -1,10 +1,11 @@
 #include "analysis/option_check.h"
 
-#include <limits>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
@@ -21,8 +22,7 @@ TEST(OptionCheck, NamesFieldValueAndBound) {
 }
 
 TEST(OptionCheck, RefusesNanWhenTheConditionIsWrittenForIt) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT([&] { RequireOption(nan > 0, "factor", nan, "positive"); }, Throws<std::invalid_argument>());
+  EXPECT_THAT([] { RequireOption(kNan > 0, "factor", kNan, "positive"); }, Throws<std::invalid_argument>());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/analysis/faults_of.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
@@ -13,16 +14,7 @@ const char kGood[] =
     "wheelbase,mm,2794,1.3\n"
     "wheelpan_mass,kg,25,0\n";
 
-std::string Faults(const std::string& text) {
-  const TemporaryFolder folder;
-  const std::string path = folder.Write("static.csv", text);
-  Diagnostics diagnostics;
-  EXPECT_FALSE(ReadStaticLoads(path, diagnostics));
-  std::string faults = diagnostics.Format();
-  for (std::size_t at = faults.find(path); at != std::string::npos; at = faults.find(path))
-    faults.replace(at, path.size(), "static.csv");
-  return faults;
-}
+std::string Faults(const std::string& text) { return FaultsOf("static.csv", text, ReadStaticLoads); }
 
 TEST(StaticLoads, AreInSi) {
   const TemporaryFolder folder;

@@ -1,18 +1,17 @@
 #include "analysis/svg_chart.h"
 
-#include <limits>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <tinyxml2.h>
+
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // A panel is 188 px wide and 116 px high; here 10 and 4 units.
 SvgPanel Panel(SvgMark mark, std::vector<double> x, std::vector<double> y) {
@@ -43,8 +42,7 @@ TEST(SvgChart, PlacesByTheLogarithmOnALogarithmicAxis) {
 }
 
 TEST(SvgChart, InterruptsTheLineAtWhatIsNotFinite) {
-  const double infinity = std::numeric_limits<double>::infinity();
-  const std::string text = Text(Panel(SvgMark::kLine, {0, 5, 5, 5, 10, kNone, 10}, {0, 0, kNone, 0, 4, 4, -infinity}));
+  const std::string text = Text(Panel(SvgMark::kLine, {0, 5, 5, 5, 10, kNan, 10}, {0, 0, kNan, 0, 4, 4, -kInfinity}));
   EXPECT_THAT(text, HasSubstr("d=\"M0 116L94 116M94 116L188 0\""));
   EXPECT_THAT(text, Not(HasSubstr("nan")));
   EXPECT_THAT(text, Not(HasSubstr("inf")));

@@ -1,14 +1,13 @@
 // What the fuzzer has found stays read: its corpus, the broken files and the shipped vehicles, without a fuzzer.
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "tests/fuzz/vehicle_fuzzer.h"
+#include "tests/temporary_folder.h"
 #include "vehicles/tag_table.h"
 
 namespace {
@@ -24,19 +23,13 @@ std::vector<fs::path> FilesIn(const fs::path& folder) {
   return files;
 }
 
-std::string TextOf(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 class FuzzedReader : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(FuzzedReader, StandsEveryFile) {
   const std::vector<fs::path> files = FilesIn(kSource / GetParam());
   EXPECT_FALSE(files.empty());
   for (const fs::path& file : files) {
-    const std::string text = TextOf(file);
+    const std::string text = fourpost::ReadText(file);
     EXPECT_NO_THROW(LLVMFuzzerTestOneInput(reinterpret_cast<const unsigned char*>(text.data()), text.size())) << file;
   }
 }
@@ -48,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(All, FuzzedReader, ::testing::Values("tests/fuzz/corpus
                          });
 
 TEST(FuzzDictionary, KnowsEveryTagAndAttribute) {
-  const std::string dictionary = TextOf(kSource / "tests/fuzz/vehicle.dict");
+  const std::string dictionary = fourpost::ReadText(kSource / "tests/fuzz/vehicle.dict");
   const auto expect = [&](const std::string& line) {
     EXPECT_NE(dictionary.find(line + '\n'), std::string::npos) << "add to tests/fuzz/vehicle.dict: " << line;
   };

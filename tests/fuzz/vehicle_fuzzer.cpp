@@ -7,7 +7,11 @@
 #include <vector>
 
 #include "vehicles/condensed_vehicle.h"
+#include "vehicles/mobility.h"
+#include "vehicles/resolved_text.h"
 #include "vehicles/vehicle_file.h"
+#include "vehicles/vehicle_lint.h"
+#include "vehicles/vehicle_summary.h"
 
 namespace fourpost {
 namespace {
@@ -16,6 +20,8 @@ namespace {
 constexpr std::size_t kMostLinks = 40;
 constexpr std::size_t kMostCoordinates = 60;
 constexpr std::size_t kMostElements = 100;
+/// What `fourpost check` tells takes longer than the model itself.
+constexpr std::size_t kMostLinksToCheck = 12;
 
 /// Stands nowhere; beside it stand the shipped vehicles, whose meshes are found from there.
 std::filesystem::path File() { return std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf/fuzz.urdf"; }
@@ -50,6 +56,15 @@ void CheckText(const Vehicle& vehicle) {
   Require(changed->ParameterValues() == values, "values read back to the last digit", text);
 }
 
+void CheckResolvedText(const Vehicle& vehicle) {
+  const std::string text = ResolvedText(vehicle, File().parent_path());
+  Diagnostics diagnostics;
+  const std::optional<Vehicle> again = Read(text, diagnostics);
+  Require(again.has_value(), "a resolved file reads", diagnostics.Format());
+  Require(again->ParameterValues() == vehicle.ParameterValues(), "a resolved file has the same values", text);
+  Require(ResolvedText(*again, File().parent_path()) == text, "a resolved file has nothing more to fill in", text);
+}
+
 bool IsSmall(const Vehicle& vehicle) {
   std::size_t coordinates = 0;
   for (const Joint& joint : vehicle.joints)
@@ -61,10 +76,19 @@ bool IsSmall(const Vehicle& vehicle) {
   return vehicle.links.size() <= kMostLinks && coordinates <= kMostCoordinates && elements <= kMostElements;
 }
 
+/// What `fourpost check` does.
+void CheckTold(const Vehicle& vehicle) {
+  MobilityOf(vehicle);
+  Require(!LintDescription(vehicle).HasErrors() && !LintAssembled(vehicle).HasErrors(),
+          "a vehicle that assembles is warned of, not refused");
+  Summarise(vehicle, vehicle.ParameterValues());
+}
+
 void CheckModel(const Vehicle& vehicle) {
   try {
     const CondensedVehicle condensed(vehicle);
     condensed.At(vehicle.ParameterValues());
+    if (vehicle.links.size() <= kMostLinksToCheck) CheckTold(vehicle);
   } catch (const FaultyInput& fault) {
     Require(fault.diagnostics().HasErrors(), "a vehicle is refused for an error", fault.what());
   }
@@ -79,6 +103,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::optional<fourpost::Vehicle> vehicle = fourpost::Read(text, diagnostics);
   if (!vehicle) return 0;
   fourpost::CheckText(*vehicle);
+  fourpost::CheckResolvedText(*vehicle);
   if (fourpost::IsSmall(*vehicle)) fourpost::CheckModel(*vehicle);
   return 0;
 }

@@ -21,6 +21,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
+constexpr const char* kVehicle = "urdf/landrover110_linkage.urdf";
+constexpr const char* kStudy = "studies/landrover110/model2.yaml";
+
 struct Outcome {
   int code = -1;
   std::string out;
@@ -61,9 +64,6 @@ class CommandLine : public testing::Test {
     EXPECT_EQ(outcome.out, "");
     EXPECT_FALSE(fs::exists(folder_ / "result"));
   }
-
-  static constexpr const char* kVehicle = "urdf/landrover110_linkage.urdf";
-  static constexpr const char* kStudy = "studies/landrover110/model2.yaml";
 
   TemporaryFolder temporary_;
   fs::path folder_ = temporary_.path();
@@ -316,62 +316,52 @@ TEST_F(CommandLine, TellsWhatKeepsAMarchFromSettling) {
   EXPECT_THAT(outcome.err, HasSubstr("s to die away: see `fourpost check`"));
 }
 
-TEST_F(CommandLine, RefusesAMisspeltTag) {
-  ReplaceIn(kVehicle, "<fp:tyre name=\"front_tyre\"", "<fp:tire name=\"front_tyre\"");
-  ExpectRefused("unknown tag");
+/// One thing broken in the shipped data, which a fit must refuse.
+struct BrokenInput {
+  std::string name;
+  fs::path file;
+  std::string from;
+  std::string to;
+  std::string message;
+};
+
+std::ostream& operator<<(std::ostream& out, const BrokenInput& broken) { return out << broken.name; }
+
+class RefusedInput : public CommandLine, public testing::WithParamInterface<BrokenInput> {};
+
+TEST_P(RefusedInput, IsTold) {
+  const BrokenInput& broken = GetParam();
+  ReplaceIn(broken.file, broken.from, broken.to);
+  ExpectRefused(broken.message);
 }
 
-TEST_F(CommandLine, RefusesAMisspeltAttribute) {
-  ReplaceIn(kVehicle, "stiffness=\"2*$k_front\"", "stifness=\"2*$k_front\"");
-  ExpectRefused("did you mean 'stiffness'?");
-}
-
-TEST_F(CommandLine, RefusesAMissingUnit) {
-  ReplaceIn(kVehicle, "value=\"1725 kg\"", "value=\"1725\"");
-  ExpectRefused("landrover110_linkage.urdf:88: error: value=\"1725\" of fp:parameter 'm_sprung' has no unit");
-}
-
-TEST_F(CommandLine, RefusesAnUnknownLink) {
-  ReplaceIn(kVehicle, "name=\"front_centre\" link=\"front_axle\"", "name=\"front_centre\" link=\"frontaxle\"");
-  ExpectRefused("did you mean 'front_axle'?");
-}
-
-TEST_F(CommandLine, RefusesALoopThatCannotBeClosed) {
-  ReplaceIn(kVehicle, "</robot>",
-            "<fp:frame name=\"far\" link=\"ground\" xyz=\"0 0.5 0\"/><fp:ball name=\"b\" parent=\"far\" "
-            "child=\"front_centre\"/>\n</robot>");
-  ExpectRefused("the loop cannot be closed");
-}
-
-TEST_F(CommandLine, RefusesANegativeMass) {
-  ReplaceIn(kVehicle, "<mass value=\"1725\"/>", "<mass value=\"-1725\"/>");
-  ExpectRefused("must not be negative");
-}
-
-TEST_F(CommandLine, RefusesAMissingChannel) {
-  ReplaceIn(kStudy, "a_cg: a_cg", "a_cg: a_gc");
-  ExpectRefused("has no channel 'a_gc', did you mean 'a_cg'?");
-}
-
-TEST_F(CommandLine, RefusesNaNInTheData) {
-  ReplaceIn("studies/landrover110/bounce_frf.csv", "a_body_FL,1.01946", "a_body_FL,nan");
-  ExpectRefused("bounce_frf.csv:2: error: ");
-}
-
-TEST_F(CommandLine, RefusesAnEmptyBand) {
-  ReplaceIn(kStudy, "[0.5 Hz, 12 Hz]", "[0.1 Hz, 0.2 Hz]");
-  ExpectRefused("the band holds no frequency of recording 'bounce'");
-}
-
-TEST_F(CommandLine, RefusesAnUnknownKey) {
-  ReplaceIn(kStudy, "\nsearch:", "\nsaerch:");
-  ExpectRefused("did you mean 'search'?");
-}
-
-TEST_F(CommandLine, RefusesAKeyThatStandsTwice) {
-  ReplaceIn(kStudy, "\nsearch:", "\nband: [1 Hz, 2 Hz]\nsearch:");
-  ExpectRefused("key 'band' of the study stands twice");
-}
+INSTANTIATE_TEST_SUITE_P(
+    All, RefusedInput,
+    testing::Values(
+        BrokenInput{"AMisspeltTag", kVehicle, "<fp:tyre name=\"front_tyre\"", "<fp:tire name=\"front_tyre\"",
+                    "unknown tag"},
+        BrokenInput{"AMisspeltAttribute", kVehicle, "stiffness=\"2*$k_front\"", "stifness=\"2*$k_front\"",
+                    "did you mean 'stiffness'?"},
+        BrokenInput{"AMissingUnit", kVehicle, "value=\"1725 kg\"", "value=\"1725\"",
+                    "landrover110_linkage.urdf:88: error: value=\"1725\" of fp:parameter 'm_sprung' has no unit"},
+        BrokenInput{"AnUnknownLink", kVehicle, "name=\"front_centre\" link=\"front_axle\"",
+                    "name=\"front_centre\" link=\"frontaxle\"", "did you mean 'front_axle'?"},
+        BrokenInput{"ALoopThatCannotBeClosed", kVehicle, "</robot>",
+                    "<fp:frame name=\"far\" link=\"ground\" xyz=\"0 0.5 0\"/><fp:ball name=\"b\" parent=\"far\" "
+                    "child=\"front_centre\"/>\n</robot>",
+                    "the loop cannot be closed"},
+        BrokenInput{"ANegativeMass", kVehicle, "<mass value=\"1725\"/>", "<mass value=\"-1725\"/>",
+                    "must not be negative"},
+        BrokenInput{"AMissingChannel", kStudy, "a_cg: a_cg", "a_cg: a_gc",
+                    "has no channel 'a_gc', did you mean 'a_cg'?"},
+        BrokenInput{"NaNInTheData", "studies/landrover110/bounce_frf.csv", "a_body_FL,1.01946", "a_body_FL,nan",
+                    "bounce_frf.csv:2: error: "},
+        BrokenInput{"AnEmptyBand", kStudy, "[0.5 Hz, 12 Hz]", "[0.1 Hz, 0.2 Hz]",
+                    "the band holds no frequency of recording 'bounce'"},
+        BrokenInput{"AnUnknownKey", kStudy, "\nsearch:", "\nsaerch:", "did you mean 'search'?"},
+        BrokenInput{"AKeyThatStandsTwice", kStudy,
+                    "\nsearch:", "\nband: [1 Hz, 2 Hz]\nsearch:", "key 'band' of the study stands twice"}),
+    [](const auto& test) { return test.param.name; });
 
 TEST_F(CommandLine, TellsTheFaultsOfAllFilesAtOnce) {
   ReplaceIn(kVehicle, "value=\"1725 kg\"", "value=\"1725\"");

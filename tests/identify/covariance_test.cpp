@@ -1,7 +1,6 @@
 #include "identify/covariance.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -9,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "identify/draws.h"
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
@@ -16,8 +16,6 @@ namespace {
 using testing::HasSubstr;
 using testing::StrEq;
 using testing::ThrowsMessage;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Uniform in [-1, 1).
 Eigen::MatrixXd RandomMatrix(Eigen::Index rows, Eigen::Index columns) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <mutex>
 #include <numbers>
 #include <numeric>
@@ -16,6 +15,7 @@
 
 #include "identify/draws.h"
 #include "tests/identify/test_problems.h"
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
@@ -156,7 +156,7 @@ TEST(Dvhde, EndsAtTheFirstGenerationThatReachesTheTarget) {
 }
 
 TEST(Dvhde, StopsWithTheBestSoFar) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   Archive archive({GearTrain().lattice, [&](const Eigen::VectorXd& z) {
                      const Evaluation evaluation = GearTrain().evaluate(z);
                      least = std::min(least, evaluation.cost());
@@ -210,7 +210,7 @@ TEST(Dvhde, HasNothingToReportWhenEveryEvaluationFails) {
   const SearchResult result = SearchDvhde(archive, options);
   EXPECT_TRUE(result.candidates.empty());
   EXPECT_THROW(result.best(), std::logic_error);
-  EXPECT_EQ(result.log.back().best_cost, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(result.log.back().best_cost, kInfinity);
   EXPECT_EQ(result.log.back().failed, result.log.back().paid);
 }
 

@@ -1,11 +1,12 @@
 #include "identify/evaluation.h"
 
 #include <cmath>
-#include <limits>
 #include <set>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
@@ -34,7 +35,7 @@ TEST(Evaluation, GuardLetsGoodResidualsPass) {
 
 TEST(Evaluation, GuardTurnsWhatIsNotFiniteIntoAFailure) {
   // 1e200 is finite, its square is not.
-  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e200}) {
+  for (const double bad : {std::nan(""), kInfinity, 1e200}) {
     const Evaluation evaluation = Guarded([bad](const Eigen::VectorXd&) { return Residuals(1, bad); });
     EXPECT_EQ(evaluation.failure, Failure::kNotFinite);
     EXPECT_EQ(evaluation.residuals.size(), 0);

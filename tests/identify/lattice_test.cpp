@@ -1,11 +1,12 @@
 #include "identify/lattice.h"
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
@@ -15,9 +16,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StrEq;
 using testing::ThrowsMessage;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 Lattice OneAxis(double lower, double upper, double precision) { return Lattice({{"p", lower, upper, precision}}); }
 

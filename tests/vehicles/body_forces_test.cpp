@@ -276,6 +276,18 @@ TEST_F(TyreForceTest, LiftsOffWherePreloadAndSqueezeAreUsedUp) {
   }
 }
 
+TEST_F(TyreForceTest, HoldsItsFootInThePlaneThoughLifted) {
+  data_.lifts_off = true;
+  State state = checker_.state();
+  state.updQ() = 0;
+  state.updU() = 0;
+  state.updQ()[4] = 0.02;  // to the left
+  state.updQ()[5] = Platform(0).height + 0.1;
+  checker_.Place(state);
+  EXPECT_EQ(checker_.Sum().force[2], 0);
+  EXPECT_NEAR(checker_.Sum().force[1], -120e3 * 0.02, 1e-9);  // rounding
+}
+
 TEST_F(TyreForceTest, WithoutStiffnessPushesWithItsPreloadAtAnyHeight) {
   data_.lifts_off = true;
   data_.stiffness = data_.damping = 0;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <random>
 #include <span>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "tests/vehicles/resting.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed_vehicle.h"
 #include "vehicles/multibody.h"
@@ -48,13 +50,6 @@ inline Eigen::MatrixXd JointOrder(const Vehicle& vehicle, std::initializer_list<
     ++column;
   }
   return order;
-}
-
-inline double ValueOf(const Vehicle& vehicle, const std::string& name) {
-  for (const Parameter& parameter : vehicle.parameters)
-    if (parameter.name == name) return parameter.value;
-  ADD_FAILURE() << "no parameter " << name;
-  return 0;
 }
 
 /// What the tests of closed forms draw, the same in every run.
@@ -110,12 +105,18 @@ inline void ExpectSameMatrices(const Vehicle& vehicle, const ClosedForm& closed)
   }
 }
 
-/// The vehicle in Simbody, resting on its preloads.
-inline Multibody Resting(const Vehicle& vehicle) {
-  Multibody multibody(vehicle);
-  const std::vector<double> values = vehicle.ParameterValues();
-  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
-  return multibody;
+/// Each sensor of the vehicle has this row in the coordinates that `order` takes to its joints'.
+inline void ExpectSensorRows(const Vehicle& vehicle, const Eigen::MatrixXd& order,
+                             const std::map<std::string, Eigen::RowVectorXd>& rows) {
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  ASSERT_EQ(rows.size(), vehicle.sensors.size());
+  for (std::size_t i = 0; i < vehicle.sensors.size(); ++i) {
+    const Sensor& sensor = vehicle.sensors[i];
+    const bool accelerates = sensor.type == Sensor::Type::kAccelerometer;
+    const Eigen::MatrixXd& on = accelerates ? model.on_acceleration : model.on_position;
+    // Rounding of the positions.
+    EXPECT_LT(Deviation(on.row(static_cast<Eigen::Index>(i)) * order, rows.at(sensor.name)), 1e-14) << sensor.name;
+  }
 }
 
 /// Difference of Simbody's acceleration from the closed form's, over the latter.

@@ -1,7 +1,6 @@
 #include "vehicles/dashpot_law.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <random>
 #include <string>
@@ -9,15 +8,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/rounding.h"
+
 namespace fourpost {
 namespace {
 
 using testing::StrEq;
 using testing::ThrowsMessage;
-
-constexpr double kUlp = std::numeric_limits<double>::epsilon();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct NamedLaw {
   std::string name;

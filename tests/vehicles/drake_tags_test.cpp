@@ -138,8 +138,10 @@ TEST_F(DrakeTags, MakeAVehicleWithoutAWarning) {
 }
 
 TEST_F(DrakeTags, MakeForces) {
-  const std::string text =
-      Robot("<frame name=\"on_A\" link=\"A\" rpy=\"0 0 1.5707963267948966\"/>\n" + kSpring + kBushing);
+  const std::string text = Robot(
+      "<frame name=\"on_A\" link=\"A\" rpy=\"0 0 1.5707963267948966\"/>\n"
+      "<frame name=\"on_B\" link=\"B\" rpy=\"0 0 1.5707963267948966\"/>\n" +
+      kSpring + Replaced(kBushing, R"(name="B")", R"(name="on_B")"));
   const std::optional<Vehicle> vehicle = Read(text);
   ASSERT_TRUE(vehicle.has_value());
   const Spring& spring = vehicle->springs.at(0);
@@ -168,7 +170,23 @@ TEST_F(DrakeTags, NeedNoNamespaceOfOurs) { EXPECT_TRUE(Read(Robot(kBall)).has_va
 TEST_F(DrakeTags, WarnOfThoseThatAreIgnored) {
   const std::string text = Robot(kBall + "<drake:collision_filter_group/>\n<drake:joint/>");
   EXPECT_TRUE(Read(text).has_value());
-  Expect(Severity::kWarning, LineOf(text, "<drake:coll"), "prefix 'drake:' are ignored");
+  Expect(Severity::kWarning, LineOf(text, "<drake:coll"),
+         "is ignored, as is all with the prefix 'drake:' but ball_constraint");
+}
+
+TEST_F(DrakeTags, WarnOfABushingThatDrakeHasUnderLoad) {
+  const auto with_frame = [](const std::string& place) {
+    return Robot(R"(<frame name="on_A" link="A" )" + place + "/>\n" + kBushing);
+  };
+  // Typed digits.
+  EXPECT_TRUE(Read(with_frame(R"(xyz="0.00004 0 0" rpy="0.0004 0 0")")).has_value());
+  for (const auto& [place, apart] : {std::pair(R"(xyz="0 0.3 0.4")", "500 mm and 0 deg apart"),
+                                     std::pair(R"(rpy="0 0 0.1")", "0 mm and 5.7 deg apart")}) {
+    const std::string text = with_frame(place);
+    EXPECT_TRUE(Read(text).has_value());
+    Expect(Severity::kWarning, LineOf(text, "<drake:linear_b"),
+           "the frames of fp:bushing 'drake_bushing_1' stand " + std::string(apart) + " in the design pose");
+  }
 }
 
 TEST_F(DrakeTags, NeedEachChild) {

@@ -173,7 +173,7 @@ inline const std::string kElementCar = R"(<?xml version="1.0"?>
   <fp:parameter name="v_seal" value="5 mm/s" source="test"/>
   <fp:damper name="rr" parent="shock_rr" child="eye_rr">
     <hydraulic bleed="$bleed" rebound_valve="$valve" compression_valve="0.3*$valve" bulk_modulus="$oil" piston="$bore"
-      rod="$rod" column="$column" gas_pressure="$p_gas" gas_volume="$V_gas"/>
+      rod="$rod" rebound_column="$column" compression_column="$column" gas_pressure="$p_gas" gas_volume="$V_gas"/>
     <friction force="$f_seal" speed="$v_seal"/>
   </fp:damper>
   <fp:parameter name="k_top" value="600 N/mm" source="test"/>

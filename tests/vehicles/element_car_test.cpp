@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/vehicles/resting.h"
+#include "tests/vehicles/same_model.h"
 #include "vehicles/chart.h"
 #include "vehicles/condensed_vehicle.h"
 #include "vehicles/harmonic_balance.h"
@@ -30,17 +32,10 @@ Vehicle LinearDashpots(Vehicle vehicle) {
   return vehicle;
 }
 
-Multibody At(const Vehicle& vehicle, const std::vector<double>& values) {
-  Multibody multibody(vehicle);
-  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
-  return multibody;
-}
-
 /// The multibody's equations in the condensed vehicle's coordinates: x = [s, s', z], posts standing at given motion.
 class Reduced {
  public:
-  explicit Reduced(const Vehicle& vehicle)
-      : vehicle_(vehicle), multibody_(At(vehicle, vehicle.ParameterValues())), chart_(multibody_) {
+  explicit Reduced(const Vehicle& vehicle) : vehicle_(vehicle), multibody_(Resting(vehicle)), chart_(multibody_) {
     basis_ = chart_.MoveTo(VectorXd::Zero(chart_.size()));
     posts_.resize(vehicle.posts.size());
     multibody_.SetPostMotion(
@@ -156,7 +151,7 @@ TEST_F(ElementCarTest, HasEveryElementOfAVehicle) {
 
 TEST_F(ElementCarTest, RestsInItsDesignPose) {
   for (const Vehicle& car : {vehicle_, ElementCar()}) {
-    Multibody multibody = At(car, car.ParameterValues());
+    Multibody multibody = Resting(car);
     // Rounding of 10 kN, once on 12 kg and once on 0.1 kg m^2 at arms of half a metre.
     EXPECT_LT(multibody.StateDerivative(0, multibody.RestState()).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_LT(multibody.Readings(0, multibody.RestState()).cwiseAbs().maxCoeff(), 1e-9);
@@ -256,10 +251,10 @@ Answers AnswersOf(Multibody& multibody) {
 TEST(ElementCar, ChangedParametersEqualARebuiltMultibody) {
   const Vehicle vehicle = ElementCar();
   const std::vector<double> values = Larger(vehicle);
-  Multibody changed = At(vehicle, vehicle.ParameterValues());
+  Multibody changed = Resting(vehicle);
   AnswersOf(changed);
   changed.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
-  Multibody rebuilt = At(With(vehicle, values), values);
+  Multibody rebuilt = Resting(With(vehicle, values), values);
   const Answers a = AnswersOf(changed);
   const Answers b = AnswersOf(rebuilt);
   EXPECT_TRUE(a.derivatives.allFinite());
@@ -274,14 +269,7 @@ TEST(ElementCar, ChangedParametersEqualARebuiltCondensedVehicle) {
   const std::vector<double> values = Larger(vehicle);
   const CondensedModel changed = CondensedVehicle(vehicle).At(values);
   const CondensedModel rebuilt = CondensedVehicle(With(vehicle, values)).At(values);
-  EXPECT_EQ(changed.mass, rebuilt.mass);
-  EXPECT_EQ(changed.stiffness, rebuilt.stiffness);
-  EXPECT_EQ(changed.damping, rebuilt.damping);
-  EXPECT_EQ(changed.post_stiffness, rebuilt.post_stiffness);
-  EXPECT_EQ(changed.on_post_acceleration, rebuilt.on_post_acceleration);
-  EXPECT_EQ(changed.preloads.spring, rebuilt.preloads.spring);
-  EXPECT_EQ(changed.preloads.tyre, rebuilt.preloads.tyre);
-  EXPECT_EQ(changed.preloads.bushing, rebuilt.preloads.bushing);
+  ExpectSameModel(changed, rebuilt);
   EXPECT_EQ(StateMatrix(changed), StateMatrix(rebuilt));
 }
 
@@ -306,7 +294,7 @@ TEST(ElementCar, MovedCentreOfMassEqualsAFixedOne) {
 TEST(ElementCar, EveryParameterMovesTheMultibody) {
   const Vehicle vehicle = ElementCar();
   const CondensedVehicle condensed(vehicle);
-  Multibody multibody = At(vehicle, vehicle.ParameterValues());
+  Multibody multibody = Resting(vehicle);
   const Answers before = AnswersOf(multibody);
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
     const std::vector<double> values = Larger(vehicle, static_cast<int>(i));
@@ -359,7 +347,7 @@ TEST(ElementCar, TellsWhatTheCondensedVehicleTakesForLinear) {
 TEST(ElementCar, RestsWithAnyParameters) {
   const Vehicle vehicle = ElementCar();
   const CondensedVehicle condensed(vehicle);
-  Multibody multibody = At(vehicle, vehicle.ParameterValues());
+  Multibody multibody = Resting(vehicle);
   for (int i = 0; i < static_cast<int>(vehicle.parameters.size()); ++i) {
     const std::vector<double> values = Larger(vehicle, i);
     multibody.SetParameters(values, condensed.PreloadsAt(values));

@@ -68,9 +68,6 @@ INSTANTIATE_TEST_SUITE_P(
                   "is guided by an axis, so its length is not that of a coil"},
         FaultCase{"ZeroFreeLength", R"(name="l_rr" value="0.33 m")", R"(name="l_rr" value="0 m")",
                   R"(free_length="$l_rr")", "must be above zero"},
-        FaultCase{"FreeLengthOfAKneedSpring", R"(<multirate stiffness="$k_fl">)",
-                  R"(<multirate stiffness="$k_fl" free_length="0.3 m">)", "<multirate",
-                  "unknown attribute 'free_length'"},
         FaultCase{"EmptyStop", R"(axis="0 0 1"><bump gap="$gap_bump" stiffness="$k_stop"/></fp:stop>)",
                   R"(axis="0 0 1"></fp:stop>)", R"(<fp:stop name="rr")", "needs a <bump>, a <rebound> or both"},
         FaultCase{"NegativeGap", R"(name="gap_rebound" value="16 mm")", R"(name="gap_rebound" value="-16 mm")",
@@ -118,9 +115,16 @@ INSTANTIATE_TEST_SUITE_P(
                   R"(rod="$rod" of <hydraulic> of fp:damper 'rr' must be thinner than the piston, "$bore")"},
         Bounded("ThickRodWithinBounds", "rod", R"(lower="10 mm" upper="31 mm" precision="1 mm")", R"(rod="$rod")",
                 "must be thinner than the piston"),
-        FaultCase{"GasThatCavitates", R"(name="p_gas" value="2 MPa")", R"(name="p_gas" value="5 kPa")",
-                  R"(gas_pressure="$p_gas")",
-                  R"(gas_pressure="$p_gas" of <hydraulic> of fp:damper 'rr' must be above that of cavitation, 5 kPa)"},
+        FaultCase{
+            "GasThatCavitates", R"(name="p_gas" value="2 MPa")", R"(name="p_gas" value="5 kPa")",
+            R"(gas_pressure="$p_gas")",
+            R"(gas_pressure="$p_gas" of <hydraulic> of fp:damper 'rr' must be above that of cavitation, "5 kPa")"},
+        FaultCase{"HighCavitation", R"(<hydraulic bleed="$bleed" rebound_valve="2*$valve"/>)",
+                  R"(<hydraulic bleed="$bleed" rebound_valve="2*$valve" cavitation="20 bar"/>)",
+                  "cavitation=\"20 bar", "must be above that of cavitation, \"20 bar\""},
+        FaultCase{"NoDensity", R"(<hydraulic bleed="$bleed" rebound_valve="2*$valve"/>)",
+                  R"(<hydraulic bleed="$bleed" rebound_valve="2*$valve" density="0 kg/m^3"/>)",
+                  "density=\"0 kg", "must be above zero"},
         Bounded("GasThatCavitatesWithinBounds", "p_gas", R"(lower="1 kPa" upper="3 MPa" precision="1 kPa")",
                 R"(gas_pressure="$p_gas")", "must be above that of cavitation"),
         FaultCase{"NoBleed", R"(<hydraulic bleed="$bleed" rebound_valve="2*$valve"/>)",
@@ -248,6 +252,16 @@ TEST_F(ElementReader, RefusesAForceThatTurnsItsSignWithinBounds) {
   Expect(Severity::kError, LineOf(text, R"(<point speed="-$v_table")"), "over the whole range of parameters");
 }
 
+TEST_F(ElementReader, TakesAFreeLengthWithEveryLaw) {
+  for (const char* law : {"<multirate stiffness=\"$k_fl\"", "<cubic stiffness=\"$k_fr\""}) {
+    const std::optional<Vehicle> vehicle =
+        Read(Replaced(kElementCar, law, law + std::string(" free_length=\"0.3 m\"")));
+    ASSERT_TRUE(vehicle.has_value());
+    const auto is_given = [](const Spring& spring) { return spring.free_length && spring.free_length->value == 0.3; };
+    EXPECT_EQ(std::count_if(vehicle->springs.begin(), vehicle->springs.end(), is_given), 1) << law;
+  }
+}
+
 TEST_F(ElementReader, TakesAPointAtTheOrigin) {
   EXPECT_TRUE(Read(Replaced(kElementCar, kSlowPoint, R"(<point speed="0 m/s" force="0 N"/>)")).has_value());
 }
@@ -263,7 +277,11 @@ TEST_F(ElementReader, HasTheDefaultsOfTheReference) {
   EXPECT_EQ(top.hydraulic->bulk_modulus.value, 300e6);
   EXPECT_EQ(top.hydraulic->piston_diameter.value, 0.03);
   EXPECT_EQ(top.hydraulic->rod_diameter.value, 0.0125);
-  EXPECT_EQ(top.hydraulic->column.value, 0.1);
+  EXPECT_EQ(top.hydraulic->rebound_column.value, 0.1);
+  EXPECT_EQ(top.hydraulic->compression_column.value, 0.1);
+  EXPECT_EQ(top.hydraulic->gas_exponent.value, HydraulicDamper().gas_exponent);
+  EXPECT_EQ(top.hydraulic->density.value, HydraulicDamper().density);
+  EXPECT_EQ(top.hydraulic->cavitation.value, HydraulicDamper().cavitation_pressure);
   EXPECT_EQ(top.hydraulic->gas_pressure.value, 2e6);
   EXPECT_EQ(top.hydraulic->gas_volume.value, 60e-6);
   EXPECT_EQ(top.HydraulicAt(vehicle->ParameterValues()).friction, 0);
@@ -282,14 +300,14 @@ TEST_F(ElementReader, ReadsWhatAnElementIsMadeOf) {
   const std::vector<double> values = car.ParameterValues();
   const SpringLaw multirate = car.springs.at(0).law.At(values);
   // 30 N/mm, 50 N/mm beyond -40 mm, 20 N/mm beyond 30 mm.
-  EXPECT_NEAR(multirate.Force(-0.05), -30e3 * 0.04 - 50e3 * 0.01, 1e-9);
-  EXPECT_NEAR(multirate.Force(0.05), 30e3 * 0.03 + 20e3 * 0.02, 1e-9);
-  EXPECT_NEAR(car.springs.at(1).law.At(values).Force(0.05), 31e3 * 0.05 + 400e3 * 1.25e-4, 1e-9);
+  EXPECT_DOUBLE_EQ(multirate.Force(-0.05), -30e3 * 0.04 - 50e3 * 0.01);
+  EXPECT_DOUBLE_EQ(multirate.Force(0.05), 30e3 * 0.03 + 20e3 * 0.02);
+  EXPECT_DOUBLE_EQ(car.springs.at(1).law.At(values).Force(0.05), 31e3 * 0.05 + 400e3 * 1.25e-4);
   const auto stop = std::find_if(car.springs.begin(), car.springs.end(),
                                  [](const Spring& spring) { return spring.Element() == "fp:stop 'rl'"; });
   ASSERT_NE(stop, car.springs.end());
-  EXPECT_NEAR(stop->law.At(values).Force(-0.025), -200e3 * 0.01 - 5e7 * 1e-6, 1e-9);
-  EXPECT_NEAR(stop->law.At(values).Force(0.026), 100e3 * 0.01 + 2.5e7 * 1e-6, 1e-9);
+  EXPECT_DOUBLE_EQ(stop->law.At(values).Force(-0.025), -200e3 * 0.01 - 5e7 * 1e-6);
+  EXPECT_DOUBLE_EQ(stop->law.At(values).Force(0.026), 100e3 * 0.01 + 2.5e7 * 1e-6);
   EXPECT_EQ(stop->law.At(values).Force(0.01), 0);
   const auto gas = std::find_if(car.springs.begin(), car.springs.end(),
                                 [](const Spring& spring) { return spring.Element() == "the gas of fp:damper 'rl'"; });
@@ -299,7 +317,7 @@ TEST_F(ElementReader, ReadsWhatAnElementIsMadeOf) {
   const Bushing& left = car.bushings.at(0);
   EXPECT_TRUE(left.holds);
   // 0.2 / (2 pi 12 Hz) of the stiffness.
-  EXPECT_NEAR(left.DampingAt(2, values), 400e3 * 0.2 / (2 * std::numbers::pi * 12), 1e-9);
+  EXPECT_DOUBLE_EQ(left.DampingAt(2, values), 400e3 * 0.2 / (2 * std::numbers::pi * 12));
   // rpy = 0.5 0.2 0.1: the x axis by yaw and pitch.
   EXPECT_NEAR(left.axes(0, 0), std::cos(0.1) * std::cos(0.2), 1e-15);
   EXPECT_NEAR(left.axes(2, 0), -std::sin(0.2), 1e-15);

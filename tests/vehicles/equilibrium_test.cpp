@@ -6,6 +6,7 @@
 
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed_vehicle.h"
+#include "vehicles/design_kinematics.h"
 #include "vehicles/harmonic_balance.h"
 
 namespace fourpost {
@@ -154,8 +155,8 @@ TEST(Equilibrium, NamesAPreloadThatNothingBalances) {
   const Vehicle vehicle = QuarterCarWith({}, 2000);
   EXPECT_EQ(Fault(vehicle),
             vehicle.file + ":" + std::to_string(vehicle.tyres[0].source_line) +
-                ": error: no static equilibrium: the preload of fp:tyre 'tyre', 2000 N, is not balanced; correct it or "
-                "write preload=\"equilibrium\"");
+                ": error: no static equilibrium: the preload of fp:tyre 'tyre', 2000 N, is not balanced, 2177.076 N "
+                "would be; correct it or write preload=\"equilibrium\"");
 }
 
 TEST(Equilibrium, NamesAllPreloadsWhenAllAreGivenAndOneIsWrong) {
@@ -201,6 +202,63 @@ TEST(Equilibrium, FollowsAFreePreloadThatAnotherMakesUpFor) {
   EXPECT_NEAR(CondensedVehicle(vehicle).PreloadsAt(values).spring[0], kSpringTension - 500, 1e-9);  // rounding
 }
 
+/// The quarter car with a spring beside its coil that is without load when 50 mm longer.
+Vehicle WithHelper(const SpringDescription& law) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  Spring helper = vehicle.springs[0];
+  helper.name = "helper";
+  helper.law = law;
+  helper.free_length = Scalar{DesignKinematics(vehicle).LineLength(helper.line).value + 0.05};
+  vehicle.springs.push_back(helper);
+  return vehicle;
+}
+
+TEST(Equilibrium, TakesAFreeLengthForThatOfTheWholeLaw) {
+  const SpringDescription linear{.stiffness = {10e3}, .cubic = {}, .knees = {}};
+  SpringDescription full{.stiffness = {10e3}, .cubic = {1e6}, .knees = {}};
+  full.knees.push_back({.side = 1, .at = {0.02}, .rate = {15e3}, .cubic = {}});
+  const double cubic = 1e6 * 0.05 * 0.05 * 0.05;
+  for (const auto& [law, tension] : {std::pair(linear, -500.0), std::pair(full, -500 - cubic - 5e3 * 0.03)}) {
+    const Vehicle vehicle = WithHelper(law);
+    EXPECT_EQ(Fault(vehicle), "");
+    const Preloads preloads = CondensedVehicle(vehicle).PreloadsAt(vehicle.ParameterValues());
+    EXPECT_NEAR(preloads.spring[1], tension, 1e-9);  // rounding
+    EXPECT_NEAR(preloads.spring[0], kSpringTension - tension, 1e-9);
+  }
+}
+
+TEST(Equilibrium, TellsWhatAFreeLengthWouldHaveToMake) {
+  Vehicle vehicle = WithHelper({.stiffness = {10e3}, .cubic = {}, .knees = {}});
+  vehicle.springs.erase(vehicle.springs.begin());
+  EXPECT_THAT(Fault(vehicle), HasSubstr("the preload of fp:spring 'helper' by its free length, -500 N, is not "
+                                        "balanced, -1961.33 N would be; correct that length, or leave a spring or tyre "
+                                        "that acts beside it to equilibrium"));
+}
+
+// The thesis's Model 3 with its body 50 mm to the left: each axle takes the roll moment by its stiffness, coils and
+// tyres in series.
+TEST(Equilibrium, TransfersLoadBetweenAxlesByRollStiffness) {
+  Vehicle vehicle = ShippedVehicle("landrover110_model3");
+  const CondensedVehicle condensed(vehicle);
+  const auto loads = [&] { return condensed.PreloadsAt(vehicle.ParameterValues()).tyre; };
+  for (const char* coil : {"k_FL", "k_FR"}) Set(vehicle, coil, 26e3);
+  for (const char* coil : {"k_RL", "k_RR"}) Set(vehicle, coil, 80e3);
+  const std::vector<double> middle = loads();
+  Set(vehicle, "y_body", 0.05);
+  const std::vector<double> aside = loads();
+  const auto roll_compliance = [&](std::size_t left, double coil) {
+    const double seat = vehicle.springs[left].line.child.xyz.y();
+    const double track = vehicle.tyres[left].point.xyz.y();
+    const double tyre = vehicle.tyres[left].stiffness.At(vehicle.ParameterValues());
+    return 1 / (2 * coil * seat * seat) + 1 / (2 * tyre * track * track);
+  };
+  const double front = aside[0] - middle[0];
+  const double rear = aside[2] - middle[2];
+  EXPECT_NEAR(front, -(aside[1] - middle[1]), 1e-8);  // rounding of differences
+  EXPECT_GT(front, 50);
+  EXPECT_NEAR(rear / front, roll_compliance(0, 26e3) / roll_compliance(2, 80e3), 1e-10);
+}
+
 // A beam over one pivot: neither end is held, but each balances the other.
 TEST(Equilibrium, LetsLinksBalanceEachOther) {
   const auto end = [](double kilogram, double lever) {
@@ -243,14 +301,6 @@ TEST(Equilibrium, LeavesOutWhatIsBalancedByItself) {
   const std::vector<UnheldMotion> unheld = UnheldMotions(loads);
   ASSERT_EQ(unheld.size(), 1U);
   EXPECT_EQ(unheld[0].motion.Text(), "heave of link 'stone'");
-}
-
-TEST(Equilibrium, SharesAlikeWhatIsIndeterminate) {
-  // Two equal springs under one mass.
-  const Eigen::MatrixXd map = PreloadMap(Eigen::MatrixXd::Constant(1, 2, 1));
-  const Eigen::VectorXd preloads = map * Eigen::VectorXd::Constant(1, 100);
-  EXPECT_NEAR(preloads[0], -50, 1e-13);  // rounding
-  EXPECT_NEAR(preloads[1], -50, 1e-13);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "vehicles/excitation.h"
 
-#include <limits>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 
+#include "tests/rounding.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed_vehicle.h"
 #include "vehicles/full_balance.h"
@@ -17,9 +17,6 @@ namespace {
 using testing::HasSubstr;
 using testing::StrEq;
 using testing::ThrowsMessage;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 auto Refuses(const std::string& message) { return ThrowsMessage<std::invalid_argument>(StrEq(message)); }
 

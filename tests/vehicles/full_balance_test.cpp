@@ -136,9 +136,13 @@ TEST(FullBalance, RefusesHydraulicDampers) {
                                                       .bulk_modulus = {3e8},
                                                       .piston_diameter = {0.03},
                                                       .rod_diameter = {0.012},
-                                                      .column = {0.1},
+                                                      .rebound_column = {0.1},
+                                                      .compression_column = {0.1},
                                                       .gas_pressure = {2e6},
-                                                      .gas_volume = {60e-6}};
+                                                      .gas_volume = {60e-6},
+                                                      .gas_exponent = {1.3},
+                                                      .density = {860},
+                                                      .cavitation = {5e3}};
   Prepared prepared(vehicle);
   const auto refuses = testing::ThrowsMessage<std::invalid_argument>(
       HasSubstr("fp:damper '" + vehicle.dampers[0].name + "' is hydraulic, which this engine does not support"));

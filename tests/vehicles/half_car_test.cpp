@@ -49,13 +49,6 @@ Vehicle LevelCar() {
 constexpr double kFrontDepth = 0.447;
 constexpr double kRearDepth = 0.457;
 
-double ValueOf(const Vehicle& vehicle, const std::string& name) {
-  for (const Parameter& parameter : vehicle.parameters)
-    if (parameter.name == name) return parameter.value;
-  ADD_FAILURE() << "no parameter " << name;
-  return 0;
-}
-
 /// Model 1 with the parameters of the vehicle, both sides together, and Is + sum of m h^2.
 HalfCar EquivalentHalfCar(const Vehicle& vehicle) {
   HalfCar car;
@@ -152,8 +145,8 @@ void ExpectEqualResponses(const CondensedModel& linkage, const CondensedModel& c
       for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
         const std::complex<double> expected = b.Find(name)->response[i];
         ASSERT_GT(std::abs(expected), 0);
-        // Both stop iterating at the same tolerance, from the same start.
-        EXPECT_LT(std::abs(a.Find(name)->response[i] / expected - 1.0), 1e-7) << name;
+        // Both take the same steps from the same start.
+        EXPECT_LT(std::abs(a.Find(name)->response[i] / expected - 1.0), kRounding) << name;
       }
   }
 }

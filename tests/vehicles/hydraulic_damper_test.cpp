@@ -119,6 +119,40 @@ TEST(HydraulicDamper, KeepsItsOil) {
     EXPECT_NEAR(OilMass(damper, sample) / OilMass(damper, samples.front()), 1, 1e-12);
 }
 
+/// Work - change of energy - loss over the samples, and the work.
+std::pair<double, double> Imbalance(const HydraulicDamper& damper, const std::vector<Sample>& samples) {
+  double work = 0;
+  double loss = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double half = 0.5 * 50e-6;
+    const auto power = [&](const Sample& s) { return half * s.force * s.v; };
+    const auto taken = [&](const Sample& s) { return half * damper.Dissipation(s.v, s.pressure); };
+    work += power(samples[i - 1]) + power(samples[i]);
+    loss += taken(samples[i - 1]) + taken(samples[i]);
+  }
+  const auto energy = [&](const Sample& s) { return damper.Energy(s.x, s.pressure); };
+  return {work - loss - (energy(samples.back()) - energy(samples.front())), work};
+}
+
+TEST(HydraulicDamper, LosesInItsValvesWhatItDoesNotHold) {
+  // 1.3, and a gas of constant temperature, of which the energy has another form.
+  for (const double exponent : {1.3, 1.0}) {
+    HydraulicDamper damper = Setting(4e4, 3e7, 1e8);
+    damper.gas_exponent = exponent;
+    for (const double cycles : {0.3, 2.0}) {
+      const auto [rest, work] = Imbalance(damper, March(damper, 2, cycles));
+      // The trapezoidal rule's (h w)^2 of harmonics up to some hundred hertz.
+      EXPECT_NEAR(rest / work, 0, 1e-5) << exponent << " " << cycles;
+    }
+  }
+}
+
+TEST(HydraulicDamper, HoldsAndLosesNothingAtRest) {
+  const HydraulicDamper damper;
+  EXPECT_EQ(damper.Energy(0, damper.Rest()), 0);
+  EXPECT_EQ(damper.Dissipation(0, damper.Rest()), 0);
+}
+
 TEST(HydraulicDamper, RestsAtRest) {
   const HydraulicDamper damper;
   const std::array<double, 2> rest = damper.Rest();

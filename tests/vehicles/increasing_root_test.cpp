@@ -2,11 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/rounding.h"
+
 namespace fourpost {
 namespace {
-
-constexpr double kUlp = std::numeric_limits<double>::epsilon();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::pair<double, double> ArcTangent(double x) { return {std::atan(x), 1 / (1 + x * x)}; }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <numbers>
 #include <set>
 #include <stdexcept>
@@ -12,7 +11,9 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/rounding.h"
 #include "tests/vehicles/recorded_rig.h"
+#include "tests/vehicles/resting.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed_vehicle.h"
 #include "vehicles/harmonic_balance.h"
@@ -22,12 +23,6 @@ namespace fourpost {
 namespace {
 
 using testing::HasSubstr;
-
-int LinkNamed(const Vehicle& vehicle, const std::string& name) {
-  const auto found =
-      std::find_if(vehicle.links.begin(), vehicle.links.end(), [&](const Link& link) { return link.name == name; });
-  return static_cast<int>(found - vehicle.links.begin());
-}
 
 std::string Complaint(const MarchOptions& options) {
   try {
@@ -41,7 +36,7 @@ std::string Complaint(const MarchOptions& options) {
 TEST(March, NamesTheOptionThatIsOutOfBounds) {
   EXPECT_EQ(Complaint({}), "");
   EXPECT_THAT(Complaint({.accuracy = 0}), HasSubstr("accuracy = 0"));
-  EXPECT_THAT(Complaint({.tolerance = std::numeric_limits<double>::quiet_NaN()}), HasSubstr("tolerance = "));
+  EXPECT_THAT(Complaint({.tolerance = kNan}), HasSubstr("tolerance = "));
   EXPECT_THAT(Complaint({.window_s = -1}), HasSubstr("window_s = -1"));
   EXPECT_THAT(Complaint({.longest_s = 0.1}), HasSubstr("longest_s = 0.1"));
   EXPECT_THAT(Complaint({.samples_per_cycle = 4}), HasSubstr("samples_per_cycle = 4"));
@@ -104,7 +99,7 @@ TEST(March, SettlesThoughAllSensorsOfAUnitAreSilent) {
   Vehicle vehicle = ShippedVehicle("landrover110_model3");
   vehicle.sensors.push_back({.name = "pitch_rate",
                              .type = Sensor::Type::kGyro,
-                             .point = {.link = LinkNamed(vehicle, "chassis")},
+                             .point = {.link = LinkOf(vehicle, "chassis")},
                              .axis = Eigen::Vector3d::UnitY()});
   KeepSensors(vehicle, {"a_cg", "pitch_rate"});
   Prepared car(vehicle);
@@ -186,10 +181,7 @@ TEST(March, WaitsForTheMeans) {
 }
 
 TEST(March, ReportsEachFrequency) {
-  const Vehicle vehicle = ShippedVehicle("quarter_car");
-  const std::vector<double> values = vehicle.ParameterValues();
-  Multibody multibody(vehicle);
-  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
+  Multibody multibody = Resting(ShippedVehicle("quarter_car"));
   std::vector<std::size_t> heard;
   March(multibody, {{8, 12}, {0.001, 0.001}, {1}}, {}, [&](std::size_t done) { heard.push_back(done); });
   EXPECT_THAT(heard, testing::ElementsAre(1, 2));

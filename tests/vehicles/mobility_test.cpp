@@ -170,6 +170,38 @@ TEST_F(MobilityTest, OfAWishboneSuspensionClosedWithABall) {
   EXPECT_THAT(mobility.redundant, ElementsAre("fp:ball 'upper_joint' (1 of 3)"));
 }
 
+/// A double wishbone on the left (1) or right (-1) with a second rod, which takes the wheel's travel away.
+std::string LockedWishbone(const std::string& name, int side) {
+  const auto at = [side](const std::string& x, double y, const std::string& z) {
+    return x + " " + std::to_string(side * y) + " " + z;
+  };
+  const std::string lower = "lower_" + name;
+  const std::string upper = "upper_" + name;
+  const std::string upright = "upright_" + name;
+  return Body(lower, 5) + Body(upper, 3) + Body(upright, 20) +
+         Joined("body", lower, "continuous", at("0", 0.3, "-0.2"), at("1", 0.1, "0.05")) +
+         Joined("body", upper, "continuous", at("0", 0.35, "0.1"), at("1", -0.05, "-0.1")) +
+         Joined("ground", upright, "floating", at("0", 0.7, "0.3")) + Tyre("tyre_" + name, upright, at("0", 0.1, "0")) +
+         Closed("ball", "low_" + name, lower + " " + at("0", 0.4, "-0.02"), upright + " " + at("0.01", 0, "-0.02")) +
+         Closed("ball", "up_" + name, upper + " " + at("0", 0.3, "0.01"), upright + " " + at("0", -0.05, "0.31")) +
+         Closed("rod", "rod_" + name, "body " + at("-0.1", 0.3, "-0.1"), upright + " " + at("-0.12", 0, "0.1")) +
+         Closed("rod", "more_" + name, "body " + at("0.3", 0.2, "0.2"), upright + " " + at("0.1", 0, "0.1"));
+}
+
+TEST_F(MobilityTest, TellsOfEachSideThatIsLockedByItself) {
+  const std::string lock = LockOf(Robot(Body("body", 400) + Joined("ground", "body", "prismatic", "0 0 0.5", "0 0 1") +
+                                        LockedWishbone("left", 1) + LockedWishbone("right", -1)));
+  for (const std::string side : {"left", "right"}) {
+    const std::string other = side == "left" ? "right" : "left";
+    const std::size_t begin = lock.find("link 'body', link 'lower_" + side);
+    ASSERT_NE(begin, std::string::npos) << lock;
+    const std::string told = lock.substr(begin, lock.find('\n', begin) - begin);
+    EXPECT_THAT(told, HasSubstr("link 'upper_" + side + "' and link 'upright_" + side + "' cannot move against"));
+    EXPECT_THAT(told, HasSubstr("fp:rod 'more_" + side));
+    EXPECT_THAT(told, Not(HasSubstr("_" + other)));
+  }
+}
+
 // Inclined axes, ball joints and a track rod: the wheel's steering goes with its travel.
 TEST_F(MobilityTest, OfASpatialWishboneSuspensionIsItsTravel) {
   const std::string text =

@@ -164,17 +164,7 @@ TEST(Model3, SensorsReadWhatTheRigsTransducersDo) {
   Vehicle vehicle = draw.Parameters(Model3());
   // The closed form's coordinates are those of the centres of mass, the sensors' places are told from the midline.
   for (const char* offset : {"y_body", "y_front", "y_rear"}) Set(vehicle, offset, 0);
-  const Eigen::MatrixXd order = ClosedFormOf(vehicle).to_joints;
-  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
-  const auto rows = SensorRows(FullCarOf(vehicle));
-  ASSERT_EQ(rows.size(), vehicle.sensors.size());
-  for (std::size_t i = 0; i < vehicle.sensors.size(); ++i) {
-    const Sensor& sensor = vehicle.sensors[i];
-    const bool accelerates = sensor.type == Sensor::Type::kAccelerometer;
-    const Eigen::MatrixXd& on = accelerates ? model.on_acceleration : model.on_position;
-    // Rounding of the positions.
-    EXPECT_LT(Deviation(on.row(static_cast<Eigen::Index>(i)) * order, rows.at(sensor.name)), 1e-14) << sensor.name;
-  }
+  ExpectSensorRows(vehicle, ClosedFormOf(vehicle).to_joints, SensorRows(FullCarOf(vehicle)));
 }
 
 // A study needs no renaming; the model has no engine.

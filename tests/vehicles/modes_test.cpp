@@ -43,8 +43,9 @@ TEST(Modes, ASeriesSpringAddsAStateButNoMode) {
   EXPECT_EQ(StateMatrix(condensed.At(vehicle.ParameterValues())).rows(), 5);
   const std::vector<Mode> modes = Modes(vehicle);
   ASSERT_EQ(modes.size(), 2u);
-  // A spring 300 times as stiff as the suspension's: nearly the rigid damper.
-  EXPECT_NEAR(modes[0].damping_ratio, 0.401, 0.01);
+  // The damper's rate becomes c / (1 + s c / k): by |s| c / k = 8.6 1/s 1500 N s/m / 5 MN/m another one. Printed
+  // digits.
+  EXPECT_NEAR(modes[0].damping_ratio, 0.401, 0.401 * 8.6 * 1500 / 5e6 + 0.5e-3);
 }
 
 /// A mass m on a tyre k with damping c.

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
 
 using testing::StrEq;
 using testing::ThrowsMessage;
-
-constexpr double kUlp = std::numeric_limits<double>::epsilon();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 struct Points {
   std::vector<double> x;
@@ -85,7 +83,7 @@ TEST(MonotoneCurve, IncreasesBetweenRandomIncreasingPoints) {
     const Points points = RandomPoints(engine);
     const MonotoneCurve curve(points.x, points.y);
     EXPECT_GT(curve.LeastSlope(), 0);
-    double last = -std::numeric_limits<double>::infinity();
+    double last = -kInfinity;
     for (const double x : Grid(points, 1001)) {
       EXPECT_GT(curve.Value(x), last);
       last = curve.Value(x);
@@ -108,7 +106,7 @@ TEST(MonotoneCurve, SlopeBoundsAreReachedAndNeverPassed) {
   for (int k = 0; k < 50; ++k) {
     const Points points = RandomPoints(engine);
     const MonotoneCurve curve(points.x, points.y);
-    double least = std::numeric_limits<double>::infinity();
+    double least = kInfinity;
     double greatest = 0;
     for (const double x : Grid(points, 20001)) {
       least = std::min(least, curve.Slope(x));

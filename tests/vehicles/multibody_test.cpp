@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "analysis/diagnostics.h"
+#include "tests/vehicles/resting.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed_vehicle.h"
 
@@ -30,9 +31,7 @@ Eigen::VectorXd SomeState(const Multibody& multibody) {
 
 void ExpectParametersEqualARebuild(const Vehicle& vehicle, const std::vector<double>& values) {
   const Preloads preloads = CondensedVehicle(vehicle).PreloadsAt(values);
-  Multibody changed(vehicle);
-  const std::vector<double> before = vehicle.ParameterValues();
-  changed.SetParameters(before, CondensedVehicle(vehicle).PreloadsAt(before));
+  Multibody changed = Resting(vehicle);
   const Eigen::VectorXd state = SomeState(changed);
   const Eigen::VectorXd first = changed.StateDerivative(0, state);
   changed.SetParameters(values, preloads);
@@ -89,9 +88,7 @@ TEST(Multibody, TakesAnyPointMass) {
 
 /// Inverse dynamics of the accelerations that forward dynamics give.
 void ExpectForwardAndInverseDynamicsAgree(const Vehicle& vehicle) {
-  const std::vector<double> values = vehicle.ParameterValues();
-  Multibody multibody(vehicle);
-  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
+  Multibody multibody = Resting(vehicle);
   const Eigen::VectorXd state = SomeState(multibody);
   const Eigen::VectorXd derivative = multibody.StateDerivative(0, state);
   // Rounding of forces of 1e4 N.
@@ -113,28 +110,27 @@ TEST(Multibody, ResidualIsZeroForTheForwardRatesOfSeriesDampers) {
   ExpectForwardAndInverseDynamicsAgree(vehicle);
 }
 
+// Of 2 kN on 22 kg.
+constexpr double kRounding = 1e-11;
+
 TEST(Multibody, PostsMoveTheTyres) {
   const Vehicle vehicle = ShippedVehicle("quarter_car");
-  const std::vector<double> values = vehicle.ParameterValues();
-  Multibody multibody(vehicle);
-  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
+  Multibody multibody = Resting(vehicle);
   multibody.SetPostMotion([](double, std::span<PostState> posts) { posts[0].height = 0.01; });
   const Eigen::VectorXd derivative = multibody.StateDerivative(0, multibody.RestState());
   // kt z / m_u of the thesis's table: 230 kN/m, 10 mm, 22 kg.
-  EXPECT_NEAR(derivative.tail(2).maxCoeff(), 230e3 * 0.01 / 22, 1e-9);
+  EXPECT_NEAR(derivative.tail(2).maxCoeff(), 230e3 * 0.01 / 22, kRounding);
   multibody.SetPostMotion(nullptr);
-  EXPECT_LT(multibody.StateDerivative(0, multibody.RestState()).norm(), 1e-11);  // rounding of 2 kN on 22 kg
+  EXPECT_LT(multibody.StateDerivative(0, multibody.RestState()).norm(), kRounding);
 }
 
 TEST(Multibody, PostsMoveTheTyresAtAnyTime) {
   const Vehicle vehicle = ShippedVehicle("quarter_car");
-  const std::vector<double> values = vehicle.ParameterValues();
-  Multibody multibody(vehicle);
-  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
+  Multibody multibody = Resting(vehicle);
   multibody.SetPostMotion([](double t, std::span<PostState> posts) { posts[0].height = 0.01 * t; });
   for (const double t : {-1.0, 0.0, 1.0, -1.0})
     // kt z / m_u of the thesis's table: 230 kN/m, 10 mm, 22 kg.
-    EXPECT_NEAR(multibody.StateDerivative(t, multibody.RestState()).tail(2).sum(), 230e3 * 0.01 * t / 22, 1e-9);
+    EXPECT_NEAR(multibody.StateDerivative(t, multibody.RestState()).tail(2).sum(), 230e3 * 0.01 * t / 22, kRounding);
 }
 
 TEST(Multibody, KeepsItsPoseThroughNewParameters) {

@@ -11,6 +11,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "tests/vehicles/quarter_cars.h"
+#include "tests/vehicles/resting.h"
 #include "vehicles/condensed_vehicle.h"
 #include "vehicles/harmonic_balance.h"
 #include "vehicles/march.h"
@@ -34,9 +35,7 @@ Eigen::Index CoordinateOf(const Vehicle& vehicle, const std::string& link) {
 /// The multibody quarter car in the order [z_s z_u z_s' z_u' x].
 class MultibodyCar {
  public:
-  explicit MultibodyCar(const Vehicle& vehicle) : multibody_(vehicle) {
-    const std::vector<double> values = vehicle.ParameterValues();
-    multibody_.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
+  explicit MultibodyCar(const Vehicle& vehicle) : multibody_(Resting(vehicle)) {
     const Eigen::Index sprung = CoordinateOf(vehicle, "sprung");
     const Eigen::Index unsprung = CoordinateOf(vehicle, "unsprung");
     order_ = {sprung, unsprung, 2 + sprung, 2 + unsprung};
@@ -95,9 +94,10 @@ void ExpectThesisPoles(const Eigen::MatrixXd& state_matrix) {
   EXPECT_NEAR(poles[1].imag(), 97.371, kDigits);
 }
 
-Excitation SteppedSine() {
+/// 0.5 to 30 Hz, each frequency `ratio` times the one before.
+Excitation SteppedSine(double ratio) {
   Excitation excitation;
-  for (double f = 0.5; f < 30; f *= 1.37) {
+  for (double f = 0.5; f < 30; f *= ratio) {
     excitation.frequency_Hz.push_back(f);
     excitation.amplitude_m.push_back(std::min(0.012, 0.3 / (f * f)));
   }
@@ -259,7 +259,7 @@ TEST(QuarterCar, MultibodyRestsInItsDesignPose) {
 
 TEST(QuarterCar, HarmonicBalanceEqualsTheClosedResponse) {
   const Vehicle vehicle = Describe(ThesisCar());
-  const Excitation excitation = SteppedSine();
+  const Excitation excitation = SteppedSine(1.37);
   const FrequencyResponse response =
       SolveHarmonicBalance(CondensedVehicle(vehicle).At(vehicle.ParameterValues()), vehicle.sensors, excitation)
           .response;
@@ -276,10 +276,8 @@ TEST(QuarterCar, HarmonicBalanceEqualsTheClosedResponse) {
 
 TEST(QuarterCar, MarchEqualsTheClosedResponse) {
   const Vehicle vehicle = Describe(ThesisCar());
-  Multibody multibody(vehicle);
-  const std::vector<double> values = vehicle.ParameterValues();
-  multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
-  const Excitation excitation = SteppedSine();
+  Multibody multibody = Resting(vehicle);
+  const Excitation excitation = SteppedSine(1.88);
   const MarchOptions options;
   const MarchedResponse marched = March(multibody, excitation, options);
   EXPECT_THAT(marched.unsteady, testing::IsEmpty());

@@ -7,6 +7,7 @@
 
 #include "tests/vehicles/element_car.h"
 #include "tests/vehicles/ride_vehicles.h"
+#include "tests/vehicles/same_model.h"
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/condensed_vehicle.h"
 #include "vehicles/tag.h"
@@ -73,15 +74,8 @@ TEST_F(Resolved, ReadsAsTheSameVehicle) {
     const Vehicle vehicle = Read(text).value();
     const Vehicle again = Read(ResolvedText(vehicle, folder_)).value();
     EXPECT_EQ(again.ParameterValues(), vehicle.ParameterValues());
-    const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
-    const CondensedModel same = CondensedVehicle(again).At(vehicle.ParameterValues());
-    EXPECT_EQ(same.mass, model.mass);
-    EXPECT_EQ(same.damping, model.damping);
-    EXPECT_EQ(same.stiffness, model.stiffness);
-    EXPECT_EQ(same.on_acceleration, model.on_acceleration);
-    EXPECT_EQ(same.on_post_acceleration, model.on_post_acceleration);
-    EXPECT_EQ(same.preloads.spring, model.preloads.spring);
-    EXPECT_EQ(same.preloads.tyre, model.preloads.tyre);
+    ExpectSameModel(CondensedVehicle(again).At(vehicle.ParameterValues()),
+                    CondensedVehicle(vehicle).At(vehicle.ParameterValues()));
   }
 }
 

@@ -2,28 +2,26 @@
 
 #include <string>
 
+#include "tests/vehicles/vehicle_parts.h"
+
 namespace fourpost {
 
 // Vehicles whose ride geometry is worked out by hand.
 
 /// One corner: the chassis slides upright, a trailing arm of 0.5 m turns on it, the wheel at the arm's end on level
 /// with its pivot; coil and damper stand upright at 0.25 m and 0.4 m from the pivot.
-inline const std::string kTrailingArm = R"(<?xml version="1.0"?>
+inline const std::string kTrailingArm =
+    R"(<?xml version="1.0"?>
 <robot name="trailing_arm" xmlns:fp="urn:fourpost:vehicle:1">
   <link name="ground"/>
-  <link name="chassis">
-    <inertial><mass value="300"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/></inertial>
-  </link>
-  <link name="arm">
+)" + PointMass("chassis", "300") +
+    R"(  <link name="arm">
     <inertial>
       <origin xyz="-0.4 0 0"/><mass value="30"/><inertia ixx="0" ixy="0" ixz="0" iyy="0" iyz="0" izz="0"/>
     </inertial>
   </link>
-  <joint name="travel" type="prismatic">
-    <parent link="ground"/><child link="chassis"/><origin xyz="0.5 0 0.3"/><axis xyz="0 0 1"/>
-    <limit effort="0" velocity="0"/>
-  </joint>
-  <joint name="pivot" type="continuous"><parent link="chassis"/><child link="arm"/><axis xyz="0 1 0"/></joint>
+)" + PrismaticJoint("travel", "ground", "chassis", "0.5 0 0.3") +
+    R"(  <joint name="pivot" type="continuous"><parent link="chassis"/><child link="arm"/><axis xyz="0 1 0"/></joint>
   <fp:frame name="coil_top" link="chassis" xyz="-0.25 0 0.3"/>
   <fp:frame name="coil_foot" link="arm" xyz="-0.25 0 0"/>
   <fp:frame name="damper_top" link="chassis" xyz="-0.4 0 0.35"/>
@@ -121,7 +119,8 @@ inline std::string BeamAxle(const std::string& axle, double x, double arm) {
 
 /// A car in space whose beam axles hang on bushings, with an engine on a mount.
 inline std::string BeamAxleCar() {
-  const std::string car = R"(<?xml version="1.0"?>
+  const std::string car =
+      R"(<?xml version="1.0"?>
 <robot name="beam_axles" xmlns:fp="urn:fourpost:vehicle:1">
   <link name="ground"/>
   <link name="frame">
@@ -137,10 +136,8 @@ inline std::string BeamAxleCar() {
     <inertial><mass value="220"/><inertia ixx="75" ixy="0" ixz="0" iyy="8" iyz="0" izz="75"/></inertial>
   </link>
   <joint name="frame" type="floating"><parent link="ground"/><child link="frame"/><origin xyz="-1.4 0 0.8"/></joint>
-  <joint name="engine" type="prismatic">
-    <parent link="frame"/><child link="engine"/><origin xyz="1.2 0 0"/><axis xyz="0 0 1"/>
-    <limit effort="0" velocity="0"/>
-  </joint>
+)" + PrismaticJoint("engine", "frame", "engine", "1.2 0 0") +
+      R"(
   <joint name="front" type="floating"><parent link="ground"/><child link="front_axle"/><origin xyz="0 0 0.4"/></joint>
   <joint name="rear" type="floating"><parent link="ground"/><child link="rear_axle"/><origin xyz="-2.8 0 0.4"/></joint>
   <fp:spring name="mount" parent="frame" child="engine" axis="0 0 1"><linear stiffness="400 N/mm"/></fp:spring>

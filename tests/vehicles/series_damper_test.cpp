@@ -1,15 +1,14 @@
 #include "vehicles/series_damper.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "tests/rounding.h"
+
 namespace fourpost {
 namespace {
-
-constexpr double kUlp = std::numeric_limits<double>::epsilon();
 
 TEST(SeriesDamper, RelaxesWithItsTimeConstants) {
   const SeriesDamper damper{{800, 2600}, {.stiffness = 150e3}};

@@ -31,6 +31,21 @@ inline void Set(Vehicle& vehicle, const std::string& parameter, double value) {
   ADD_FAILURE() << "no parameter " << parameter;
 }
 
+inline double ValueOf(const Vehicle& vehicle, const std::string& parameter) {
+  for (const Parameter& candidate : vehicle.parameters)
+    if (candidate.name == parameter) return candidate.value;
+  ADD_FAILURE() << "no parameter " << parameter;
+  return 0;
+}
+
+/// Index of a link.
+inline int LinkOf(const Vehicle& vehicle, const std::string& link) {
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i)
+    if (vehicle.links[i].name == link) return static_cast<int>(i);
+  ADD_FAILURE() << "no link " << link;
+  return 0;
+}
+
 /// What makes the vehicle impossible to condense; empty when nothing does.
 inline std::string Fault(const Vehicle& vehicle) {
   try {

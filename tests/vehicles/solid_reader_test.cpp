@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/rounding.h"
 #include "tests/temporary_folder.h"
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/multibody.h"
@@ -49,7 +50,7 @@ Eigen::Matrix3d InertiaAt(const Link& link, std::span<const double> values) {
 }
 
 /// Sums of four shapes and turns, at numbers of this size.
-double Rounding(double size) { return 32 * std::numeric_limits<double>::epsilon() * size; }
+double Rounding(double size) { return 32 * kUlp * size; }
 
 void ExpectMass(const Link& link, std::span<const double> values, const Solid& solid, double density) {
   const double mass = density * solid.volume;

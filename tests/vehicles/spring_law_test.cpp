@@ -1,20 +1,18 @@
 #include "vehicles/spring_law.h"
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tests/rounding.h"
 
 namespace fourpost {
 namespace {
 
 using testing::StrEq;
 using testing::ThrowsMessage;
-
-constexpr double kUlp = std::numeric_limits<double>::epsilon();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// A coil that softens in rebound, a progressive stop in compression, another stop in rebound.
 SpringLaw Coil() {

@@ -119,7 +119,7 @@ TEST_F(VehicleFile, TellsAllFaultsAtOnce) {
 TEST_F(VehicleFile, WarnsOncePerForeignPrefix) {
   const std::string foreign = "  <x:lamp colour=\"red\"><x:bulb/></x:lamp>\n  <x:lamp/>\n</robot>";
   EXPECT_TRUE(Read(Replaced(kSmallVehicle, "</robot>", foreign)).has_value());
-  Expect(Severity::kWarning, 54, "prefix 'x:' are ignored");
+  Expect(Severity::kWarning, 54, "is ignored, as is all with the prefix 'x:'");
 }
 
 TEST_F(VehicleFile, GivesTheTextAsItWasRead) { EXPECT_EQ(Read(kSmallVehicle).value().text, kSmallVehicle); }

@@ -362,9 +362,13 @@ HydraulicDescription Oil() {
           .bulk_modulus = Fixed(3e8),
           .piston_diameter = Fixed(0.03),
           .rod_diameter = Fixed(0.0125),
-          .column = Fixed(0.1),
+          .rebound_column = Fixed(0.1),
+          .compression_column = Fixed(0.1),
           .gas_pressure = Fixed(2e6),
-          .gas_volume = Fixed(60e-6)};
+          .gas_volume = Fixed(60e-6),
+          .gas_exponent = Fixed(1.3),
+          .density = Fixed(860),
+          .cavitation = Fixed(5e3)};
 }
 
 const std::vector<OddNumber> kOddNumbers = {
@@ -486,10 +490,10 @@ TEST(VehicleLint, TellsOfAPistonThatMeetsItsEndBeforeTheStop) {
   Vehicle vehicle = QuarterCar();
   vehicle.springs.push_back(Stop(0.03, 0.05));
   vehicle.dampers[0].hydraulic = Oil();
-  vehicle.dampers[0].hydraulic->column = Fixed(0.04);
+  vehicle.dampers[0].hydraulic->rebound_column = Fixed(0.04);
   vehicle.parameters.resize(4);  // all but the damper's
   EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
-              ElementsAre(HasSubstr("the oil columns of fp:damper 'damper' are 40 mm long, but fp:stop 'stop' begins "
+              ElementsAre(HasSubstr("the rebound column of fp:damper 'damper' is 40 mm long, but fp:stop 'stop' begins "
                                     "after 50 mm")));
 }
 

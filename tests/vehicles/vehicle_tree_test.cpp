@@ -52,6 +52,23 @@ TEST_F(VehicleTree, PutsTheGroundFirstAndParentsBeforeChildren) {
   EXPECT_EQ(vehicle->links.at(static_cast<std::size_t>(vehicle->joints[1].child)).name, "b");
 }
 
+std::string FreeBodies(int count, const std::string& more = "") {
+  std::string text = kRobot + LinkText("ground");
+  for (int i = 0; i < count; ++i) {
+    const std::string body = "body" + std::to_string(i);
+    text += LinkText(body, Inertial(1)) + JointText("free" + std::to_string(i), "ground", body);
+  }
+  return text + more + "</robot>";
+}
+
+TEST_F(VehicleTree, HasNoMoreCoordinatesThanCanBeComputed) {
+  const std::string two = LinkText("a", Inertial(1)) + JointText("a", "ground", "a", "continuous") +
+                          LinkText("b", Inertial(1)) + JointText("b", "ground", "b", "continuous");
+  EXPECT_TRUE(Read(FreeBodies(33, two)).has_value());
+  ExpectOnly(FreeBodies(33, two + LinkText("c", Inertial(1)) + JointText("c", "b", "c", "planar")), 0,
+             "the joints have 203 coordinates, more than 200");
+}
+
 TEST_F(VehicleTree, NeedsALink) { ExpectOnly(R"(<robot name="r"/>)", 0, "there is no link"); }
 
 TEST_F(VehicleTree, NeedsAGround) {

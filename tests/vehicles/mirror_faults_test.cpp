@@ -1,0 +1,62 @@
+// One fault at a time in the mirrors of an axle.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/vehicles/mirrored_axle.h"
+#include "tests/vehicles/small_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+class MirrorFaults : public VehicleFileTest {
+ protected:
+  void ExpectOnly(const std::string& more, const std::string& part) {
+    const std::string text = Axle(kLeft, more + "\n");
+    EXPECT_FALSE(Read(text).has_value());
+    Expect(Severity::kError, LineOf(text, more), part);
+  }
+};
+
+TEST_F(MirrorFaults, KnowTheEndsOfNames) {
+  ExpectOnly(R"(<fp:mirror from="_lefft" to="_right"/>)",
+             R"(from="_lefft" of <fp:mirror> is the end of no name, did you mean '_left'?)");
+}
+
+TEST_F(MirrorFaults, NeedAnotherEnd) {
+  ExpectOnly(R"(<fp:mirror from="_left" to="_left"/>)", R"(to="_left" of <fp:mirror> must differ from its from)");
+}
+
+TEST_F(MirrorFaults, NeedAnEnd) {
+  ExpectOnly(R"(<fp:mirror from="" to="_right"/>)", R"(from="" of <fp:mirror> is empty)");
+}
+
+TEST_F(MirrorFaults, CountMirrors) {
+  std::string mirrors;
+  for (int i = 0; i < 8; ++i) mirrors += kMirror;
+  const std::string ninth = R"(<fp:mirror  from="_left" to="_right"/>)";
+  const std::string text = Axle(kLeft, mirrors + "\n" + ninth);
+  EXPECT_FALSE(Read(text).has_value());
+  Expect(Severity::kError, LineOf(text, ninth), "more than 8 <fp:mirror>");
+}
+
+TEST_F(MirrorFaults, LeaveTwinsToTheirSide) {
+  const std::string bind = R"(<fp:bind to="link[hub_right]/mass"/>)";
+  const std::string text =
+      Axle(kLeft, "<fp:parameter name=\"n\" value=\"20 kg\" source=\"test\">\n" + bind + "</fp:parameter>" + kMirror);
+  EXPECT_FALSE(Read(text).has_value());
+  Expect(Severity::kError, LineOf(text, bind),
+         "to=\"link[hub_right]/mass\" of <fp:bind> of fp:parameter 'n' is a number that follows link 'hub_left' by "
+         "fp:mirror");
+}
+
+// The twin has it too.
+TEST_F(MirrorFaults, AreToldOnceForTheOneThatIsWritten) {
+  const std::string rod = R"(<fp:rod name="drop_left" parent="tip_left" child="ground"/>)";
+  const std::string text = Axle(kLeft, rod + kMirror);
+  EXPECT_FALSE(Read(text).has_value());
+  Expect(Severity::kError, LineOf(text, rod), "fp:rod 'drop_left' refers to an unknown frame or link 'tip_left'");
+}
+
+}  // namespace
+}  // namespace fourpost

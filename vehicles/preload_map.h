@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+namespace fourpost {
+
+/// Directions are exact to rounding: projections leave about 1e-15 of them, and what nothing holds leaves a share that
+/// the geometry sets, centimetres in metres at the least.
+inline constexpr double kHeldShare = 1e-9;
+
+/// Of directions in columns, at least one.
+Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> Decomposed(const Eigen::MatrixXd& columns);
+
+/// The preloads p that equilibrium sets: of those that hold a generalised force w, H p + w = 0, the ones of least
+/// strain energy, sum of p_i^2 / (2 k_i). Where a car is statically indeterminate its springs and tyres then share the
+/// load by their rates k, as after the car was let down onto them without load: lateral load transfer follows roll
+/// stiffness.
+///   p = p_0 - N (N' C N)^-1 N' C p_0,  p_0 = -H^+ w,  C = diag(1 / k),  N: preloads that balance each other, H N = 0.
+class PreloadMap {
+ public:
+  PreloadMap() = default;
+  /// `holders`: H, generalised force per unit of each preload, in columns; there may be none.
+  explicit PreloadMap(const Eigen::MatrixXd& holders);
+
+  /// Whether forces alone tell the preloads, whatever the rates.
+  bool IsDeterminate() const { return redundant_.cols() == 0; }
+
+  /// `rates`: not negative, one per preload; what has none takes only what no other can.
+  Eigen::VectorXd At(const Eigen::VectorXd& force, const Eigen::VectorXd& rates) const;
+
+ private:
+  /// -H^+.
+  Eigen::MatrixXd least_;
+  /// N, orthonormal.
+  Eigen::MatrixXd redundant_;
+};
+
+}  // namespace fourpost
