@@ -182,15 +182,10 @@ void CondensedVehicle::NoteSimplified() {
         vehicle_.file, line,
         element + " is taken for linear by this engine: it leaves out " + what + "; compare with --engine march");
   };
-  for (const Spring& spring : vehicle_.springs)
-    if (!spring.law.IsLinear()) note(spring.Element(), spring.source_line, "how its rate changes");
   for (const Damper& damper : vehicle_.dampers) {
     const std::string element = Tagged("fp:damper", damper.name);
     if (damper.hydraulic) note(element, damper.source_line, "its valves' curves and the oil's compression");
-    if (damper.series && !damper.series->IsLinear()) note(element, damper.source_line, "the series spring's hardening");
   }
-  for (const Tyre& tyre : vehicle_.tyres)
-    if (tyre.lifts_off) note(Tagged("fp:tyre", tyre.name), tyre.source_line, "its liftoff");
 }
 
 Eigen::VectorXd CondensedVehicle::GivenForces(std::span<const double> parameters) const {
@@ -269,7 +264,9 @@ CondensedModel CondensedVehicle::At(std::span<const double> parameters) const {
 
 void CondensedVehicle::AddSprings(std::span<const double> parameters, CondensedModel& model) const {
   for (std::size_t i = 0; i < vehicle_.springs.size(); ++i) {
-    AddRate(vehicle_.springs[i].law.At(parameters).Slope(0), held_[i].shape.gradient, model.stiffness);
+    const SpringLaw law = vehicle_.springs[i].law.At(parameters);
+    AddRate(law.Slope(0), held_[i].shape.gradient, model.stiffness);
+    if (!law.IsLinear()) model.stiffenings.push_back({held_[i].shape.gradient, law});
     model.stiffness += model.preloads.spring[i] * held_[i].shape.curvature;
   }
   std::size_t next = vehicle_.springs.size() + vehicle_.tyres.size();
@@ -286,10 +283,25 @@ void CondensedVehicle::AddTyres(std::span<const double> parameters, CondensedMod
     AddRate(stiffness, squeeze.gradient, model.stiffness);
     AddRate(damping, squeeze.gradient, model.damping);
     model.stiffness += model.preloads.tyre[i] * squeeze.curvature;
+    if (vehicle_.tyres[i].lifts_off)
+      model.liftoffs.push_back({.direction = squeeze.gradient,
+                                .post = post_of_tyre_[i],
+                                .preload = model.preloads.tyre[i],
+                                .stiffness = stiffness,
+                                .damping = damping,
+                                .load_cells = LoadCellsUnder(i)});
     if (post_of_tyre_[i] < 0) continue;
     model.post_stiffness.col(post_of_tyre_[i]) = -stiffness * squeeze.gradient;
     model.post_damping.col(post_of_tyre_[i]) = -damping * squeeze.gradient;
   }
+}
+
+std::vector<int> CondensedVehicle::LoadCellsUnder(std::size_t tyre) const {
+  std::vector<int> cells;
+  for (std::size_t i = 0; i < vehicle_.sensors.size(); ++i)
+    if (vehicle_.sensors[i].type == Sensor::Type::kLoadCell && vehicle_.sensors[i].tyre == static_cast<int>(tyre))
+      cells.push_back(static_cast<int>(i));
+  return cells;
 }
 
 void CondensedVehicle::AddDashpots(std::span<const double> parameters, CondensedModel& model) const {
@@ -302,7 +314,7 @@ void CondensedVehicle::AddDashpots(std::span<const double> parameters, Condensed
     } else {
       dashpot.law = damper.law.At(parameters);
     }
-    if (damper.series) dashpot.series_stiffness = damper.series->stiffness.At(parameters);
+    if (damper.series) dashpot.series = damper.series->At(parameters);
     model.dashpots.push_back(std::move(dashpot));
     // Its friction acts between the ends of damper and mount.
     if (damper.hydraulic && damper.law.friction) {

@@ -28,8 +28,8 @@ struct IdleElement;
 ///   stiffness = sum k b b' (b = dL/ds) + preloads times the second derivatives of their lengths
 ///               + sum m g times the second derivatives of the heights of the centres of mass.
 /// L is the length of a spring, minus the height of a tyre's foot or its place on the platform, a displacement or turn
-/// of a bushing, the difference of an anti-roll bar's two lines. Some laws are replaced by their tangent in the design
-/// pose, see simplifications(). Immutable after construction; one object serves any number of threads.
+/// of a bushing, the difference of an anti-roll bar's two lines. Springs count with their rate in the design pose, what
+/// else their laws do is apart. Immutable after construction; one object serves any number of threads.
 class CondensedVehicle {
  public:
   /// Throws FaultyInput when the loops cannot be assembled, when nothing can move, or when weights and given preloads
@@ -46,8 +46,7 @@ class CondensedVehicle {
 
   Preloads PreloadsAt(std::span<const double> parameters) const;
 
-  /// A warning for each element whose law At() replaces by its tangent: a spring with knees or a cubic term, a stop, a
-  /// tyre that lifts off, a cubic series spring, a hydraulic damper.
+  /// A warning for each element whose law At() replaces by a linear one: a hydraulic damper.
   const Diagnostics& simplifications() const { return simplifications_; }
 
   /// A link with mass, and how it moves per unit of the independent coordinates.
@@ -99,6 +98,7 @@ class CondensedVehicle {
   Eigen::VectorXd GivenForces(std::span<const double> parameters) const;
   void AddSprings(std::span<const double> parameters, CondensedModel& model) const;
   void AddTyres(std::span<const double> parameters, CondensedModel& model) const;
+  std::vector<int> LoadCellsUnder(std::size_t tyre) const;
   void AddDashpots(std::span<const double> parameters, CondensedModel& model) const;
   void AddLoadCells(std::span<const double> parameters, CondensedModel& model) const;
 

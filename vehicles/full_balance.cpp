@@ -34,14 +34,14 @@ Eigen::MatrixXcd MeanImpedance(const CondensedModel& model, double omega) {
   Eigen::MatrixXcd impedance = Eigen::MatrixXcd::Zero(size, size);
   impedance.topLeftCorner(n, n) = model.stiffness + iw * model.damping + iw * iw * model.mass;
   for (const CondensedModel::Dashpot& dashpot : model.dashpots)
-    if (!(dashpot.series_stiffness > 0))
+    if (!dashpot.HasSeries())
       impedance.topLeftCorner(n, n) += iw * dashpot.CentreRate() * dashpot.direction * dashpot.direction.transpose();
   for (std::size_t j = 0; j < series.size(); ++j) {
     const Eigen::Index row = n + static_cast<Eigen::Index>(j);
     const Complex resistance = iw * series[j]->CentreRate();
-    impedance.col(row).head(n) = series[j]->series_stiffness * series[j]->direction;
+    impedance.col(row).head(n) = series[j]->series.stiffness * series[j]->direction;
     impedance.row(row).head(n) = -resistance * series[j]->direction.transpose();
-    impedance(row, row) = series[j]->series_stiffness + resistance;
+    impedance(row, row) = series[j]->series.stiffness + resistance;
   }
   return impedance;
 }
@@ -54,7 +54,7 @@ Eigen::VectorXd EnergyWeights(const CondensedModel& model, double omega) {
   Eigen::VectorXd weights(n + static_cast<Eigen::Index>(series.size()));
   weights.head(n) = model.stiffness.diagonal().cwiseAbs() + omega * omega * model.mass.diagonal();
   for (std::size_t j = 0; j < series.size(); ++j)
-    weights[n + static_cast<Eigen::Index>(j)] = series[j]->series_stiffness;
+    weights[n + static_cast<Eigen::Index>(j)] = series[j]->series.stiffness;
   return weights.cwiseSqrt();
 }
 
@@ -182,9 +182,9 @@ class FullCycle {
   double omega_ = 0;
 };
 
-Eigen::MatrixXcd Start(const LinearisedCycle& linearised) {
-  const Eigen::MatrixXcd motion = linearised.Motion();
-  const Eigen::MatrixXcd series = linearised.SeriesExtensions();
+Eigen::MatrixXcd Start(const LinearisedCycle& linearised, int harmonics) {
+  const Eigen::MatrixXcd motion = linearised.Motion(harmonics);
+  const Eigen::MatrixXcd series = linearised.SeriesExtensions(harmonics);
   Eigen::MatrixXcd start(motion.rows(), motion.cols() + series.cols());
   start << motion, series;
   return start;
@@ -218,7 +218,8 @@ void CheckFit(const Vehicle& vehicle, const CondensedModel& model, const Excitat
 
 void FullBalanceOptions::Validate() const {
   RequireOption(harmonics >= 2, "harmonics", harmonics, "at least 2");
-  RequireOption(samples > 2 * harmonics, "samples", samples, "more than twice the harmonics");
+  RequireOption(samples % 4 == 0 && samples > 2 * harmonics, "samples", samples,
+                "a multiple of 4 and more than twice the harmonics");
   RequireOption(tolerance > 0, "tolerance", tolerance, "positive");
   RequireOption(max_iterations >= 1, "max_iterations", max_iterations, "at least 1");
   RequireOption(history >= 0, "history", history, "at least 0");
@@ -229,9 +230,7 @@ PeriodicResponse SolveFullBalance(Multibody& multibody, const CondensedModel& mo
   options.Validate();
   const Vehicle& vehicle = multibody.vehicle();
   CheckFit(vehicle, model, excitation);
-  LinearisedCycle linearised(
-      model, excitation.shape,
-      {.harmonics = options.harmonics, .samples = options.samples, .tolerance = options.tolerance});
+  LinearisedCycle linearised(model, excitation.shape, {.tolerance = options.tolerance});
   FullCycle cycle(multibody, model, options);
   ResponseRecorder recorder(vehicle.sensors, excitation);
   PeriodicResponse out;
@@ -241,7 +240,7 @@ PeriodicResponse SolveFullBalance(Multibody& multibody, const CondensedModel& mo
     // An unconverged start is a start too.
     linearised.Solve(frequency, amplitude);
     multibody.SetPostMotion(SteadySine(excitation.shape, amplitude, 2 * std::numbers::pi * frequency));
-    const std::optional<SensorHarmonics> sensors = TrySolve(cycle, frequency, Start(linearised));
+    const std::optional<SensorHarmonics> sensors = TrySolve(cycle, frequency, Start(linearised, options.harmonics));
     if (!sensors) out.unconverged_Hz.push_back(frequency);
     recorder.Record(i, sensors ? *sensors : linearised.Sensors());
   }

@@ -52,7 +52,7 @@ CondensedModel FullCar::Model() const {
     const Vector7d tyre = TyreDirection(corner);
     model.stiffness += stiffness[at] * spring * spring.transpose() + tyre_stiffness[at] * tyre * tyre.transpose();
     model.post_stiffness.col(i) = tyre_stiffness[at] * tyre;
-    model.dashpots.push_back({StrutDirection(*this, corner, corner.axle.damper_station), corner.axle.damper, 0});
+    model.dashpots.push_back({StrutDirection(*this, corner, corner.axle.damper_station), corner.axle.damper, {}});
   }
   return model;
 }

@@ -16,7 +16,7 @@ CondensedModel HalfCar::Model() const {
   model.post_stiffness(2, 0) = front_tyre_stiffness;
   model.post_stiffness(3, 1) = rear_tyre_stiffness;
   model.post_damping = Eigen::MatrixXd::Zero(4, 2);
-  model.dashpots = {{front, front_damper, 0}, {rear, rear_damper, 0}};
+  model.dashpots = {{front, front_damper, {}}, {rear, rear_damper, {}}};
   return model;
 }
 

@@ -8,8 +8,8 @@
 namespace fourpost {
 
 void HarmonicBalanceOptions::Validate() const {
-  RequireOption(harmonics >= 2, "harmonics", harmonics, "at least 2");
-  RequireOption(samples > 2 * harmonics, "samples", samples, "more than twice the harmonics");
+  RequireOption(error > 0, "error", error, "positive");
+  RequireOption(most_harmonics >= 9, "most_harmonics", most_harmonics, "at least 9");
   RequireOption(tolerance > 0, "tolerance", tolerance, "positive");
   RequireOption(max_iterations >= 1, "max_iterations", max_iterations, "at least 1");
 }

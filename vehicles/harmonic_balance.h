@@ -10,14 +10,14 @@
 namespace fourpost {
 
 struct HarmonicBalanceOptions {
-  /// Harmonics kept. Truncating a bilinear dashpot after 9 leaves about 2e-4 of the response.
-  int harmonics = 9;
-  /// Samples per cycle at which the dashpots are evaluated; aliasing of |v| falls with its square.
-  int samples = 64;
-  /// Largest change of any harmonic of any dashpot's velocity in the last iteration, relative to the largest of them.
+  /// Largest share of itself that further harmonics would change the first harmonic of any sensor by.
+  double error = 2e-4;
+  /// Gives up where the error needs more harmonics than these. Friction that holds for part of a cycle needs 65.
+  int most_harmonics = 129;
+  /// Largest change of any harmonic of any port's rate in the last iteration, relative to the largest of them.
   double tolerance = 1e-5;
-  /// The iteration contracts at least by (rebound - compression)/(rebound + compression).
-  int max_iterations = 200;
+  /// At each number of harmonics.
+  int max_iterations = 60;
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;
@@ -31,9 +31,12 @@ struct PeriodicResponse {
 
 /// Steady response of a condensed vehicle to a stepped sine, by harmonic balance with alternating frequency/time.
 ///
-/// Each dashpot is split into its mean rate, solved exactly with the linear vehicle at each harmonic, and a remainder
-/// that only depends on its own velocity. The remainders are iterated: time signal of the velocities -> remainders ->
-/// harmonics -> velocities. Only the dashpots' velocities are unknown; the vehicle enters by its mobility at them.
+/// Each element that is not linear, a dashpot, a knee, a stop, a tyre that lifts off, is split into a linear share,
+/// solved exactly with the vehicle at each harmonic, and a remainder that only depends on its own extension and rate
+/// (Port). The remainders are iterated: time signals of extension and rate -> remainders -> harmonics -> extensions.
+/// Only the elements' extensions are unknown; the vehicle enters by its receptance at them. Harmonics are added until
+/// the error is met. Frequencies are taken in the order given: where several motions are possible, as behind a stop,
+/// each takes after the one before, so that a rising and a falling sweep may differ, as they do on a rig.
 /// `sensors` are those of the vehicle that `model` was condensed from.
 /// Throws std::invalid_argument for options, an excitation or sensors that do not fit.
 PeriodicResponse SolveHarmonicBalance(const CondensedModel& model, const std::vector<Sensor>& sensors,

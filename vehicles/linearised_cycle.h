@@ -1,64 +1,67 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include "vehicles/condensed_model.h"
-#include "vehicles/cycle_transform.h"
 #include "vehicles/harmonic_balance.h"
+#include "vehicles/port_cycle.h"
 #include "vehicles/response_recorder.h"
 
 namespace fourpost {
 
 /// One cycle of a condensed vehicle at one frequency, by the method of SolveHarmonicBalance; keeps its memory from one
-/// frequency to the next. Harmonics are those of y(t) = Re sum_h Y_h exp(i h w t), h = 0..H in rows.
+/// frequency to the next. Harmonics are those of y(t) = Re sum_h Y_h exp(i h w t).
 class LinearisedCycle {
  public:
   /// `shape`: of the posts, see Excitation. The model must outlive this object.
   LinearisedCycle(const CondensedModel& model, const std::vector<double>& shape, const HarmonicBalanceOptions& options);
 
-  /// Whether the iteration converged.
+  /// Whether the iteration converged and more harmonics would change nothing that matters. A vehicle whose springs or
+  /// tyres are not linear may have several answers: the one next to the frequency before is taken.
   bool Solve(double frequency_Hz, double amplitude_m);
 
   // For the last solution.
 
-  /// Sensors x (H + 1).
+  /// Sensors x 3: mean, first and second harmonic.
   SensorHarmonics Sensors() const;
   /// (H + 1) x n: small motion s.
-  Eigen::MatrixXcd Motion() const;
+  Eigen::MatrixXcd Motion(int harmonics) const;
   /// (H + 1) x dampers with a series spring, in file order: extension of that spring [m].
-  Eigen::MatrixXcd SeriesExtensions() const;
+  Eigen::MatrixXcd SeriesExtensions(int harmonics) const;
+  /// What it needed.
+  int harmonics() const { return cycle().harmonics(); }
+  int iterations() const { return iterations_; }
 
  private:
-  const CondensedModel::Dashpot& Dashpot(Eigen::Index j) const;
-  void Linear();
-  void Velocities(Eigen::MatrixXcd& velocity) const;
-  bool Iterate();
-  void Remainders();
-  Eigen::VectorXcd MotionAt(int h) const;
+  const PortCycle& cycle() const { return *levels_[level_]; }
+  bool SolveLevel(std::size_t level, const Eigen::MatrixXcd& start);
+  bool TrySolve();
+  bool SolveRisingAmplitude(double amplitude_m);
+  void SetAmplitude(double amplitude_m);
+  /// [s x] of one harmonic.
+  Eigen::VectorXcd Coordinates(int h) const;
+  Eigen::VectorXcd SensorsAt(int h) const;
+  double SensorChange(const Eigen::VectorXcd& before) const;
 
   const CondensedModel& model_;
   Eigen::VectorXd shape_;
   HarmonicBalanceOptions options_;
-  CycleTransform transform_;
-  Eigen::Index dashpots_;
-  Eigen::MatrixXd directions_;
-  Eigen::VectorXd rates_;
+  std::vector<Port> ports_;
+  Receptance receptance_;
+  /// Each with twice as many samples, and about twice as many harmonics, as the one before; made when needed.
+  std::vector<std::unique_ptr<PortCycle>> levels_;
+  std::size_t level_ = 0;
+  /// Whether a solution depends on where the iteration starts.
+  bool has_memory_ = false;
+  bool solved_before_ = false;
   double omega_ = 0;
-  Eigen::VectorXd post_height_;
-  Eigen::MatrixXcd impedance_;
-  Eigen::PartialPivLU<Eigen::MatrixXcd> factors_;
-  std::vector<Eigen::MatrixXcd> compliance_;  // per harmonic, n x dashpots
-  std::vector<Eigen::MatrixXcd> mobility_;    // per harmonic, dashpots x dashpots
-  std::vector<Eigen::VectorXcd> series_share_;
-  std::vector<Eigen::VectorXcd> series_leak_;
+  double amplitude_ = 0;
+  Eigen::VectorXcd unit_driven_;
   Eigen::VectorXcd driven_;
-  Eigen::MatrixXcd remainder_;
-  Eigen::MatrixXcd velocity_;
-  Eigen::MatrixXcd next_;
-  Eigen::MatrixXd time_;
+  int iterations_ = 0;
 };
 
 }  // namespace fourpost

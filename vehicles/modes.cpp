@@ -5,8 +5,9 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+
+#include "vehicles/linear_vehicle.h"
 
 namespace fourpost {
 namespace {
@@ -101,25 +102,7 @@ const char* KindName(Mode::Kind kind) {
 }
 
 Eigen::MatrixXd StateMatrix(const CondensedModel& model) {
-  const Eigen::Index n = model.mass.rows();
-  const std::vector<const CondensedModel::Dashpot*> series = model.SeriesDampers();
-  Eigen::MatrixXd damping = model.damping;
-  for (const CondensedModel::Dashpot& dashpot : model.dashpots)
-    if (!(dashpot.series_stiffness > 0))
-      damping += dashpot.law.MeanRate() * dashpot.direction * dashpot.direction.transpose();
-  const Eigen::Index size = 2 * n + static_cast<Eigen::Index>(series.size());
-  const Eigen::LDLT<Eigen::MatrixXd> mass(model.mass);
-  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
-  a.block(0, n, n, n).setIdentity();
-  a.block(n, 0, n, n) = -mass.solve(model.stiffness);
-  a.block(n, n, n, n) = -mass.solve(damping);
-  for (std::size_t j = 0; j < series.size(); ++j) {
-    const Eigen::Index x = 2 * n + static_cast<Eigen::Index>(j);
-    a.block(n, x, n, 1) = -mass.solve(series[j]->direction) * series[j]->series_stiffness;
-    a.block(x, n, 1, n) = series[j]->direction.transpose();
-    a(x, x) = -series[j]->series_stiffness / series[j]->law.MeanRate();
-  }
-  return a;
+  return LinearVehicle(model, LinearVehicle::Rates::kMean).StateMatrix();
 }
 
 std::vector<Mode> ModesOf(const CondensedModel& model) {

@@ -23,6 +23,16 @@ bool Differ(const std::vector<double>& a, const std::vector<double>& b, double s
   return !std::equal(a.begin(), a.end(), b.begin(), [&](double x, double y) { return !Differs(x, y, scale); });
 }
 
+bool Differ(const SpringLaw& a, const SpringLaw& b) {
+  for (const double place : {0.01, 0.03, 0.1, 0.3})
+    for (const double x : {-place, place}) {
+      const double one = a.Force(x);
+      const double other = b.Force(x);
+      if (Differs(one, other, std::abs(one) + std::abs(other))) return true;
+    }
+  return false;
+}
+
 bool Differ(const CondensedModel::Dashpot& a, const CondensedModel::Dashpot& b) {
   for (const double speed : {0.003, 0.03, 0.3, 3.0})
     for (const double v : {-speed, speed}) {
@@ -30,7 +40,7 @@ bool Differ(const CondensedModel::Dashpot& a, const CondensedModel::Dashpot& b) 
       const double other = b.law.Force(v);
       if (Differs(one, other, std::abs(one) + std::abs(other))) return true;
     }
-  return a.series_stiffness != b.series_stiffness;
+  return Differ(a.series, b.series);
 }
 
 bool Differ(const Preloads& a, const Preloads& b, double scale) {
@@ -50,6 +60,8 @@ bool Differ(const CondensedModel& a, const CondensedModel& b, double weight) {
     if (Differ(a.*field, b.*field)) return true;
   for (std::size_t i = 0; i < a.dashpots.size(); ++i)
     if (Differ(a.dashpots[i], b.dashpots[i])) return true;
+  for (std::size_t i = 0; i < std::min(a.stiffenings.size(), b.stiffenings.size()); ++i)
+    if (Differ(a.stiffenings[i].law, b.stiffenings[i].law)) return true;
   return Differ(a.preloads, b.preloads, weight);
 }
 
