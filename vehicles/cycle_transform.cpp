@@ -1,15 +1,22 @@
 #include "vehicles/cycle_transform.h"
 
 #include <cmath>
+#include <complex>
+#include <map>
+#include <mutex>
 #include <numbers>
+#include <utility>
 
 #include "analysis/option_check.h"
 
 namespace fourpost {
 namespace {
 
-/// Signals of a quarter of the cycle, both ends included.
-using Quarter = Eigen::VectorXd;
+using Complex = std::complex<double>;
+
+void AddScaled(double factor, const double* __restrict__ from, Eigen::Index count, double* __restrict__ to) {
+  for (Eigen::Index k = 0; k < count; ++k) to[k] += factor * from[k];
+}
 
 }  // namespace
 
@@ -29,30 +36,40 @@ CycleTransform::CycleTransform(int harmonics, int samples) : quarter_(samples / 
     }
 }
 
+const CycleTransform& CycleTransform::Shared(int harmonics, int samples) {
+  static std::mutex mutex;
+  static std::map<std::pair<int, int>, CycleTransform> transforms;
+  const std::lock_guard lock(mutex);
+  return transforms.try_emplace({harmonics, samples}, harmonics, samples).first->second;
+}
+
 void CycleTransform::ToTime(const Eigen::MatrixXcd& harmonics, Eigen::MatrixXd& time) const {
   const Eigen::Index n = samples();
   time.resize(n, harmonics.cols());
-  Quarter sum(quarter_ + 1);   // even + odd cosines
-  Quarter rest(quarter_ + 1);  // even - odd
-  Quarter even(quarter_ + 1);
-  Quarter odd(quarter_ + 1);
+  Eigen::Matrix<double, Eigen::Dynamic, 4> sums(quarter_ + 1, 4);
+  double* even_cosine = sums.col(0).data();
+  double* odd_cosine = sums.col(1).data();
+  double* even_sine = sums.col(2).data();
+  double* odd_sine = sums.col(3).data();
   for (Eigen::Index j = 0; j < harmonics.cols(); ++j) {
-    const auto real = harmonics.col(j).real();
-    const auto imag = harmonics.col(j).imag();
-    const auto evens = Eigen::seqN(0, even_cosine_.cols(), 2);
-    const auto odds = Eigen::seqN(1, odd_cosine_.cols(), 2);
-    even.noalias() = even_cosine_.lazyProduct(real(evens));
-    odd.noalias() = odd_cosine_.lazyProduct(real(odds));
-    sum = even + odd;
-    rest = even - odd;
-    even.noalias() = even_sine_.lazyProduct(-imag(evens));
-    odd.noalias() = odd_sine_.lazyProduct(-imag(odds));
+    sums.setZero();
+    for (Eigen::Index h = 0; h < harmonics.rows(); ++h) {
+      const bool even = h % 2 == 0;
+      AddScaled(harmonics(h, j).real(), (even ? even_cosine_ : odd_cosine_).col(h / 2).data(), quarter_ + 1,
+                even ? even_cosine : odd_cosine);
+      AddScaled(-harmonics(h, j).imag(), (even ? even_sine_ : odd_sine_).col(h / 2).data(), quarter_ + 1,
+                even ? even_sine : odd_sine);
+    }
     double* y = time.col(j).data();
     for (Eigen::Index k = 0; k <= quarter_; ++k) {
-      y[n / 2 - k] = rest[k] + odd[k] - even[k];
-      y[n / 2 + k] = rest[k] - odd[k] + even[k];
-      if (k > 0) y[n - k] = sum[k] - even[k] - odd[k];
-      y[k] = sum[k] + even[k] + odd[k];
+      const double near_cosine = even_cosine[k] + odd_cosine[k];
+      const double far_cosine = even_cosine[k] - odd_cosine[k];
+      const double near_sine = odd_sine[k] + even_sine[k];
+      const double far_sine = odd_sine[k] - even_sine[k];
+      y[n / 2 - k] = far_cosine + far_sine;
+      y[n / 2 + k] = far_cosine - far_sine;
+      if (k > 0) y[n - k] = near_cosine - near_sine;
+      y[k] = near_cosine + near_sine;
     }
   }
 }
@@ -61,12 +78,8 @@ void CycleTransform::ToHarmonics(const Eigen::MatrixXd& time, Eigen::MatrixXcd& 
   const Eigen::Index n = samples();
   const double scale = 2.0 / static_cast<double>(n);
   harmonics.resize(even_cosine_.cols() + odd_cosine_.cols(), time.cols());
-  Quarter even_cosine(quarter_ + 1);
-  Quarter odd_cosine(quarter_ + 1);
-  Quarter even_sine(quarter_ + 1);
-  Quarter odd_sine(quarter_ + 1);
-  const auto evens = Eigen::seqN(0, even_cosine_.cols(), 2);
-  const auto odds = Eigen::seqN(1, odd_cosine_.cols(), 2);
+  Eigen::Matrix<double, Eigen::Dynamic, 4> folds(quarter_ + 1, 4);
+  Eigen::VectorXd sums(even_cosine_.cols());
   for (Eigen::Index j = 0; j < time.cols(); ++j) {
     const double* y = time.col(j).data();
     for (Eigen::Index k = 0; k <= quarter_; ++k) {
@@ -77,16 +90,20 @@ void CycleTransform::ToHarmonics(const Eigen::MatrixXd& time, Eigen::MatrixXcd& 
       const double difference = weight * (y[k] - mirrored);
       const double far_sum = weight * (y[n / 2 - k] + y[n / 2 + k]);
       const double far_difference = weight * (y[n / 2 - k] - y[n / 2 + k]);
-      even_cosine[k] = sum + far_sum;
-      odd_cosine[k] = sum - far_sum;
-      even_sine[k] = difference - far_difference;
-      odd_sine[k] = difference + far_difference;
+      folds(k, 0) = sum + far_sum;
+      folds(k, 1) = sum - far_sum;
+      folds(k, 2) = far_difference - difference;
+      folds(k, 3) = -far_difference - difference;
     }
-    auto out = harmonics.col(j);
-    out(evens).real() = even_cosine_.transpose().lazyProduct(even_cosine);
-    out(evens).imag() = -even_sine_.transpose().lazyProduct(even_sine);
-    out(odds).real() = odd_cosine_.transpose().lazyProduct(odd_cosine);
-    out(odds).imag() = -odd_sine_.transpose().lazyProduct(odd_sine);
+    Complex* out = harmonics.col(j).data();
+    sums.noalias() = even_cosine_.transpose() * folds.col(0);
+    for (Eigen::Index h = 0; h < even_cosine_.cols(); ++h) out[2 * h].real(sums[h]);
+    sums.noalias() = even_sine_.transpose() * folds.col(2);
+    for (Eigen::Index h = 0; h < even_sine_.cols(); ++h) out[2 * h].imag(sums[h]);
+    sums.head(odd_cosine_.cols()).noalias() = odd_cosine_.transpose() * folds.col(1);
+    for (Eigen::Index h = 0; h < odd_cosine_.cols(); ++h) out[2 * h + 1].real(sums[h]);
+    sums.head(odd_sine_.cols()).noalias() = odd_sine_.transpose() * folds.col(3);
+    for (Eigen::Index h = 0; h < odd_sine_.cols(); ++h) out[2 * h + 1].imag(sums[h]);
     out[0] *= 0.5;
   }
 }

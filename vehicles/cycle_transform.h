@@ -14,6 +14,9 @@ class CycleTransform {
   /// `samples`: a multiple of 4, more than twice the harmonics; throws std::invalid_argument otherwise.
   CycleTransform(int harmonics, int samples);
 
+  /// The same, kept for all users of these numbers.
+  static const CycleTransform& Shared(int harmonics, int samples);
+
   int harmonics() const { return static_cast<int>(even_cosine_.cols() + odd_cosine_.cols()) - 1; }
   Eigen::Index samples() const { return 4 * quarter_; }
 

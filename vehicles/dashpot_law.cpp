@@ -149,6 +149,16 @@ double DashpotLaw::AnyForce(double v) const {
   return friction_ == 0 ? force : force + friction_ * std::tanh(v / friction_speed_);
 }
 
+void DashpotLaw::Forces(std::span<const double> v, std::span<double> force) const {
+  std::visit(
+      [&](const auto& law) {
+        for (std::size_t k = 0; k < v.size(); ++k) force[k] = law.Force(v[k]);
+      },
+      law_);
+  if (friction_ == 0) return;
+  for (std::size_t k = 0; k < v.size(); ++k) force[k] += friction_ * std::tanh(v[k] / friction_speed_);
+}
+
 double DashpotLaw::Slope(double v) const {
   const double slope = SlopeWithoutFriction(v);
   return friction_ == 0 ? slope : slope + friction_ / friction_speed_ * TanhSlope(v / friction_speed_);
@@ -175,6 +185,12 @@ double DashpotLaw::LeastRate() const {
 
 double DashpotLaw::GreatestRate() const {
   return std::visit([](const auto& law) { return law.GreatestSlope(); }, law_) + friction_ / friction_speed_;
+}
+
+double DashpotLaw::StepSpeed() const {
+  const auto* smooth = std::get_if<Smoothed>(&law_);
+  const double speed = smooth ? smooth->speed : std::numeric_limits<double>::infinity();
+  return friction_ > 0 ? std::min(speed, friction_speed_) : speed;
 }
 
 double DashpotLaw::MeanRate() const {

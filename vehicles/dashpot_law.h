@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -44,6 +45,9 @@ class DashpotLaw {
     return bilinear && friction_ == 0 ? bilinear->Force(v) : AnyForce(v);
   }
 
+  /// Of many rates at once; spans of one length.
+  void Forces(std::span<const double> v, std::span<double> force) const;
+
   /// df/dv [N s/m]; at a kink the mean of both sides.
   double Slope(double v) const;
 
@@ -55,6 +59,10 @@ class DashpotLaw {
   /// force/speed.
   double LeastRate() const;
   double GreatestRate() const;
+
+  /// Speed within which the force takes a step about v = 0 [m/s]: that of friction, or of a smooth law; infinite without
+  /// either.
+  double StepSpeed() const;
 
   /// (f(V) - f(-V)) / 2V at V = 0.1 m/s without friction: what linear models use. Of a bilinear law the mean of both
   /// rates, which is also its exact first-harmonic rate for a sinusoidal v.

@@ -12,10 +12,11 @@ namespace fourpost {
 struct HarmonicBalanceOptions {
   /// Largest share of itself that further harmonics would change the first harmonic of any sensor by.
   double error = 2e-4;
-  /// Gives up where the error needs more harmonics than these. Friction that holds for part of a cycle needs 65.
-  int most_harmonics = 129;
+  /// Gives up where the error needs more harmonics than these. Friction needs some that resolve
+  /// its step.
+  int most_harmonics = 257;
   /// Largest change of any harmonic of any port's rate in the last iteration, relative to the largest of them.
-  double tolerance = 1e-5;
+  double tolerance = 2e-5;
   /// At each number of harmonics.
   int max_iterations = 60;
 

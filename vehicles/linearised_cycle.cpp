@@ -4,15 +4,17 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 namespace fourpost {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// Harmonics and samples of level 0, 1, ...: 5 and 32, 9 and 64, 17 and 128, ...
+/// Harmonics and samples of level 0, 1, ...: 5 and 32, 9 and 60, 17 and 116, ... Samples of one level are not among
+/// those of the next: a kink that falls on one of both would be wrong alike in both.
 int HarmonicsOf(std::size_t level) { return (4 << level) + 1; }
-int SamplesOf(std::size_t level) { return 32 << level; }
+int SamplesOf(std::size_t level) { return (28 << level) + 4; }
 
 }  // namespace
 
@@ -31,7 +33,10 @@ bool LinearisedCycle::Solve(double frequency_Hz, double amplitude_m) {
   unit_driven_ = receptance_.Driven(omega_);
   iterations_ = 0;
   SetAmplitude(amplitude_m);
-  solved_before_ = TrySolve() || SolveRisingAmplitude(amplitude_m);
+  // From less, and where the motion of less has come to its end, from more.
+  solved_before_ =
+      TrySolve() ||
+      (!ports_.empty() && (SolveByWayOf({0.1, 0.2, 0.35, 0.5, 0.7, 0.85}) || SolveByWayOf({4, 3, 2, 1.5, 1.2})));
   return solved_before_;
 }
 
@@ -45,41 +50,44 @@ bool LinearisedCycle::TrySolve() {
   Eigen::MatrixXcd start(2, driven_.size());
   start << Eigen::VectorXcd::Zero(driven_.size()).transpose(), driven_.transpose();
   if (has_memory_ && solved_before_) start = cycle().extension();
-  std::size_t level = level_ > 0 ? level_ - 1 : 0;
-  if (!SolveLevel(level, start)) return false;
-  if (ports_.empty()) return true;
+  // Two below what the last frequency needed, so that fewer may do again.
+  std::size_t level = level_ > 2 ? level_ - 2 : 0;
+  if (ports_.empty()) return SolveLevel(level, start, options_.tolerance);
+  // No need to know better what more harmonics will change.
+  const double rough = std::max(options_.tolerance, options_.error);
+  if (!SolveLevel(level, start, rough)) return false;
   while (HarmonicsOf(level + 1) <= options_.most_harmonics) {
     const Eigen::VectorXcd before = SensorsAt(1);
-    if (!SolveLevel(++level, cycle().extension())) return false;
+    if (!SolveLevel(++level, cycle().extension(), options_.tolerance)) return false;
     // What kinks leave falls with the square of the samples: a third of this change is left.
-    if (SensorChange(before) <= 3 * options_.error) return true;
+    if (SensorChange(before) <= 3 * options_.error && cycle().ResolvesSteps()) return true;
   }
   return false;
 }
 
-/// Up to the amplitude in steps, each from the solution of the one before.
-bool LinearisedCycle::SolveRisingAmplitude(double amplitude_m) {
-  constexpr int kSteps = 8;
-  if (ports_.empty()) return false;
+/// By way of other amplitudes, each from the solution of the one before.
+bool LinearisedCycle::SolveByWayOf(const std::vector<double>& shares) {
+  const double amplitude = amplitude_;
+  const bool memory = std::exchange(has_memory_, true);
   solved_before_ = false;
-  for (int i = 1; i <= kSteps; ++i) {
-    SetAmplitude(amplitude_m * i / kSteps);
-    const bool memory = has_memory_;
-    has_memory_ = true;
+  for (const double share : shares) {
+    SetAmplitude(share * amplitude);
     solved_before_ = TrySolve();
-    has_memory_ = memory;
   }
+  SetAmplitude(amplitude);
+  solved_before_ = TrySolve();
+  has_memory_ = memory;
   return solved_before_;
 }
 
-bool LinearisedCycle::SolveLevel(std::size_t level, const Eigen::MatrixXcd& start) {
+bool LinearisedCycle::SolveLevel(std::size_t level, const Eigen::MatrixXcd& start, double tolerance) {
   // Held by value: the start may be this level's own.
   const Eigen::MatrixXcd from = start;
   while (levels_.size() <= level)
     levels_.push_back(
         std::make_unique<PortCycle>(ports_, receptance_, HarmonicsOf(levels_.size()), SamplesOf(levels_.size())));
   level_ = level;
-  const bool converged = levels_[level]->Solve(omega_, driven_, from, options_.tolerance, options_.max_iterations);
+  const bool converged = levels_[level]->Solve(omega_, driven_, from, tolerance, options_.max_iterations);
   iterations_ += levels_[level]->iterations();
   return converged;
 }
@@ -106,17 +114,18 @@ Eigen::VectorXcd LinearisedCycle::SensorsAt(int h) const {
 }
 
 /// Largest change of a first harmonic, relative to it. Where a sensor is next to a node, or silent by symmetry, it is
-/// relative to a thousandth of the terms that cancel each other there.
+/// relative to a thousandth of what it would read if all of the motion's kinetic energy were in what it sees.
 double LinearisedCycle::SensorChange(const Eigen::VectorXcd& before) const {
   constexpr double kNode = 1e-3;
-  const Eigen::VectorXd motion = Coordinates(1).head(model_.mass.rows()).cwiseAbs();
+  const Eigen::VectorXd roots = model_.mass.diagonal().cwiseSqrt();
+  const double motion = Coordinates(1).head(roots.size()).cwiseProduct(roots).norm();
+  const Eigen::MatrixXd rows = model_.on_position.cwiseAbs() + omega_ * model_.on_velocity.cwiseAbs() +
+                               omega_ * omega_ * model_.on_acceleration.cwiseAbs();
+  const Eigen::VectorXd most = motion * (rows * roots.cwiseInverse().asDiagonal()).rowwise().norm();
   const Eigen::VectorXcd now = SensorsAt(1);
-  const Eigen::VectorXd terms = model_.on_position.cwiseAbs() * motion +
-                                omega_ * (model_.on_velocity.cwiseAbs() * motion) +
-                                omega_ * omega_ * (model_.on_acceleration.cwiseAbs() * motion);
   double largest = 0;
   for (Eigen::Index i = 0; i < now.size(); ++i) {
-    const double size = std::max(std::abs(now[i]), kNode * terms[i]);
+    const double size = std::max(std::abs(now[i]), kNode * most[i]);
     if (size > 0) largest = std::max(largest, std::abs(now[i] - before[i]) / size);
   }
   return largest;

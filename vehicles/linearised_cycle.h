@@ -37,9 +37,9 @@ class LinearisedCycle {
 
  private:
   const PortCycle& cycle() const { return *levels_[level_]; }
-  bool SolveLevel(std::size_t level, const Eigen::MatrixXcd& start);
+  bool SolveLevel(std::size_t level, const Eigen::MatrixXcd& start, double tolerance);
   bool TrySolve();
-  bool SolveRisingAmplitude(double amplitude_m);
+  bool SolveByWayOf(const std::vector<double>& shares);
   void SetAmplitude(double amplitude_m);
   /// [s x] of one harmonic.
   Eigen::VectorXcd Coordinates(int h) const;

@@ -1,18 +1,31 @@
 #include "vehicles/port.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "vehicles/linear_vehicle.h"
 
 namespace fourpost {
 namespace {
 
-double Force(const DashpotRemainder& port, double, double v) { return port.law.Force(v) - port.rate * v; }
-double Force(const SpringRemainder& port, double x, double) { return port.law.Force(x) - port.stiffness * x; }
+using Signal = std::span<const double>;
+
+void Remainders(const DashpotRemainder& port, Signal, Signal v, std::span<double> remainder) {
+  port.law.Forces(v, remainder);
+  for (std::size_t k = 0; k < v.size(); ++k) remainder[k] -= port.rate * v[k];
+}
+
+void Remainders(const SpringRemainder& port, Signal x, Signal, std::span<double> remainder) {
+  for (std::size_t k = 0; k < x.size(); ++k) remainder[k] = port.law.Force(x[k]) - port.stiffness * x[k];
+}
+
 double Compression(const LiftoffRemainder& port, double x, double v) {
   return port.preload + port.stiffness * x + port.damping * v;
 }
-double Force(const LiftoffRemainder& port, double x, double v) { return std::max(0.0, -Compression(port, x, v)); }
+
+void Remainders(const LiftoffRemainder& port, Signal x, Signal v, std::span<double> remainder) {
+  for (std::size_t k = 0; k < x.size(); ++k) remainder[k] = std::max(0.0, -Compression(port, x[k], v[k]));
+}
 
 struct Slopes {
   double by_extension = 0;
@@ -25,24 +38,24 @@ Slopes SlopesOf(const LiftoffRemainder& port, double x, double v) {
   return {-port.stiffness, -port.damping};
 }
 
-double At(std::span<const double> signal, std::size_t k) { return signal.empty() ? 0 : signal[k]; }
+double At(Signal signal, std::size_t k) { return signal.empty() ? 0 : signal[k]; }
 
 }  // namespace
 
 bool UsesExtension(const PortLaw& law) { return !std::holds_alternative<DashpotRemainder>(law); }
 bool UsesRate(const PortLaw& law) { return !std::holds_alternative<SpringRemainder>(law); }
 
-void Remainders(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
-                std::span<double> remainder) {
-  std::visit(
-      [&](const auto& port) {
-        for (std::size_t k = 0; k < remainder.size(); ++k) remainder[k] = Force(port, At(extension, k), At(rate, k));
-      },
-      law);
+double StepOfRate(const PortLaw& law) {
+  const auto* dashpot = std::get_if<DashpotRemainder>(&law);
+  return dashpot ? dashpot->law.StepSpeed() : std::numeric_limits<double>::infinity();
 }
 
-void RemainderSlopes(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
-                     std::span<double> by_extension, std::span<double> by_rate) {
+void Remainders(const PortLaw& law, Signal extension, Signal rate, std::span<double> remainder) {
+  std::visit([&](const auto& port) { Remainders(port, extension, rate, remainder); }, law);
+}
+
+void RemainderSlopes(const PortLaw& law, Signal extension, Signal rate, std::span<double> by_extension,
+                     std::span<double> by_rate) {
   std::visit(
       [&](const auto& port) {
         for (std::size_t k = 0; k < by_rate.size(); ++k) {

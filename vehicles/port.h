@@ -31,6 +31,9 @@ using PortLaw = std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder
 bool UsesExtension(const PortLaw& law);
 bool UsesRate(const PortLaw& law);
 
+/// Change of rate within which the remainder takes a step [m/s]; infinite: none.
+double StepOfRate(const PortLaw& law);
+
 /// Remainder at each sample [N]; all spans of one length, those of what the law does not use may be empty.
 void Remainders(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
                 std::span<double> remainder);

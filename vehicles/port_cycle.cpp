@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
+#include <numbers>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -66,8 +67,7 @@ Eigen::MatrixXd RealMatrix(const Eigen::MatrixXcd& direct, const Eigen::MatrixXc
 PortCycle::PortCycle(const std::vector<Port>& ports, const Receptance& receptance, int harmonics, int samples)
     : ports_(ports),
       receptance_(receptance),
-      transform_(harmonics, samples),
-      slope_transform_(2 * harmonics, samples),
+      transform_(CycleTransform::Shared(harmonics, samples)),
       uses_extension_(
           std::any_of(ports.begin(), ports.end(), [](const Port& port) { return UsesExtension(port.law); })) {
   remainder_time_.resize(transform_.samples(), static_cast<Eigen::Index>(ports.size()));
@@ -86,16 +86,20 @@ bool PortCycle::Solve(double omega, const Eigen::VectorXcd& driven, const Eigen:
   if (ports_.empty()) return true;
   constexpr int kHistory = 8;
   AndersonAcceleration acceleration(kHistory);
-  Method method = Method::kPlain;
-  double before = std::numeric_limits<double>::infinity();
+  Method method = IsTouched() ? Newton() : Method::kPlain;
+  // The last two sizes: motion and its reaction may take turns.
+  double before = 0;
+  double earlier = 0;
   while (true) {
     const double change = FindStep() / SizeOf(extension_);
     if (!std::isfinite(change)) return false;
-    if (change <= tolerance) return true;
+    if (IsEnough(change, earlier, method, tolerance)) return true;
     if (iterations_ == max_iterations) return false;
     ++iterations_;
-    if (method == Method::kPlain && iterations_ > 2) method = Choose(change, before, tolerance);
-    before = change;
+    constexpr double kGrowth = 4;
+    if (method == Method::kPlain && iterations_ > 1 && change > kGrowth * before) method = Newton();
+    if (method == Method::kPlain && iterations_ > 3) method = Choose(change, earlier, tolerance);
+    earlier = std::exchange(before, change);
     switch (method) {
       case Method::kPlain: extension_ += step_; break;
       case Method::kNewton: NewtonStep(); continue;
@@ -105,14 +109,35 @@ bool PortCycle::Solve(double omega, const Eigen::VectorXcd& driven, const Eigen:
   }
 }
 
-/// After two steps of the plain iteration of these relative sizes.
-PortCycle::Method PortCycle::Choose(double change, double before, double tolerance) const {
-  // Newton's method takes about four steps of so many plain iterations' cost.
-  constexpr double kPatience = 12;
+/// What is left of an iteration that shrinks steps by r is the step's share r / (1 - r). The other methods are taken
+/// where r is next to one.
+bool PortCycle::IsEnough(double change, double earlier, Method method, double tolerance) {
+  constexpr double kSlow = 0.1;
+  if (method != Method::kPlain) return change <= kSlow * tolerance;
+  const double ratio = earlier > change ? std::sqrt(change / earlier) : 0.5;
+  return change * ratio <= tolerance * (1 - ratio);
+}
+
+/// `change`: relative size of a step of the plain iteration; `earlier`: of that two steps before.
+PortCycle::Method PortCycle::Choose(double change, double earlier, double tolerance) const {
+  // What some steps of the other methods cost.
+  constexpr double kPatience = 20;
+  const double left = 2 * std::log(change / tolerance) / std::log(earlier / change);
+  return left > 0 && left < kPatience ? Method::kPlain : Newton();
+}
+
+/// Newton's method, or what stands in for it.
+PortCycle::Method PortCycle::Newton() const {
   constexpr Eigen::Index kMostUnknowns = 160;
-  const double left = std::log(change / tolerance) / std::log(before / change);
-  if (left > 0 && left < kPatience) return Method::kPlain;
-  return (2 * extension_.rows() - 1) * extension_.cols() <= kMostUnknowns ? Method::kNewton : Method::kAnderson;
+  const Eigen::Index active = (remainder_.cwiseAbs().colwise().maxCoeff().array() > 0).count();
+  return (2 * extension_.rows() - 1) * active <= kMostUnknowns ? Method::kNewton : Method::kAnderson;
+}
+
+/// Whether a knee, a stop or a lift takes part: then the plain iteration may leave the motion that it starts from.
+bool PortCycle::IsTouched() const {
+  for (std::size_t j = 0; j < ports_.size(); ++j)
+    if (UsesExtension(ports_[j].law) && !remainder_.col(static_cast<Eigen::Index>(j)).isZero(0)) return true;
+  return false;
 }
 
 void PortCycle::AndersonStep(AndersonAcceleration& acceleration) {
@@ -132,10 +157,23 @@ void PortCycle::AndersonStep(AndersonAcceleration& acceleration) {
   extension_ = weights.cwiseInverse().asDiagonal() * extension_;
 }
 
+// A rate of amplitude V passes zero by 2 pi V / N from sample to sample.
+bool PortCycle::ResolvesSteps() const {
+  for (std::size_t j = 0; j < ports_.size(); ++j) {
+    const double largest = rate_time_.col(static_cast<Eigen::Index>(j)).cwiseAbs().maxCoeff();
+    const double per_sample = 2 * std::numbers::pi * largest / static_cast<double>(transform_.samples());
+    if (per_sample > 2 * StepOfRate(ports_[j].law)) return false;
+  }
+  return true;
+}
+
 void PortCycle::FindRemainders() {
   rate_.resizeLike(extension_);
-  for (Eigen::Index h = 0; h < extension_.rows(); ++h)
-    rate_.row(h) = Complex(0, static_cast<double>(h) * omega_) * extension_.row(h);
+  for (Eigen::Index j = 0; j < extension_.cols(); ++j)
+    for (Eigen::Index h = 0; h < extension_.rows(); ++h) {
+      const double w = static_cast<double>(h) * omega_;
+      rate_(h, j) = Complex(-w * extension_(h, j).imag(), w * extension_(h, j).real());
+    }
   transform_.ToTime(rate_, rate_time_);
   if (uses_extension_) transform_.ToTime(extension_, extension_time_);
   for (std::size_t j = 0; j < ports_.size(); ++j) {
@@ -160,10 +198,12 @@ double PortCycle::FindStep() {
 /// Largest harmonic of any port's rate over w, or mean of its extension [m].
 double PortCycle::SizeOf(const Eigen::MatrixXcd& extension) const {
   double largest = 0;
-  for (Eigen::Index h = 0; h < extension.rows(); ++h)
-    largest = std::max(largest, static_cast<double>(std::max<Eigen::Index>(h, 1)) *
-                                    std::sqrt(extension.row(h).cwiseAbs2().maxCoeff()));
-  return largest;
+  for (Eigen::Index j = 0; j < extension.cols(); ++j)
+    for (Eigen::Index h = 0; h < extension.rows(); ++h) {
+      const double order = static_cast<double>(std::max<Eigen::Index>(h, 1));
+      largest = std::max(largest, order * order * std::norm(extension(h, j)));
+    }
+  return std::sqrt(largest);
 }
 
 /// With two-sided harmonics a of the slope by extension and b of that by rate:
@@ -174,14 +214,15 @@ std::vector<PortCycle::Coupling> PortCycle::Couplings() const {
   Eigen::MatrixXd by_rate(transform_.samples(), 1);
   Eigen::MatrixXcd of_extension;
   Eigen::MatrixXcd of_rate;
+  const CycleTransform& transform = CycleTransform::Shared(2 * harmonics(), static_cast<int>(transform_.samples()));
   std::vector<Coupling> couplings;
   for (std::size_t j = 0; j < ports_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(j);
     RemainderSlopes(ports_[j].law, Samples(extension_time_, column), Samples(rate_time_, column), Room(by_extension, 0),
                     Room(by_rate, 0));
     if (by_extension.isZero(0) && by_rate.isZero(0)) continue;
-    slope_transform_.ToHarmonics(by_extension, of_extension);
-    slope_transform_.ToHarmonics(by_rate, of_rate);
+    transform.ToHarmonics(by_extension, of_extension);
+    transform.ToHarmonics(by_rate, of_rate);
     const Eigen::VectorXcd extension_column = of_extension.col(0);
     const Eigen::VectorXcd rate_column = of_rate.col(0);
     const TwoSided a(extension_column);

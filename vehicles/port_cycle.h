@@ -35,6 +35,9 @@ class PortCycle {
   const Eigen::MatrixXcd& extension() const { return extension_; }
   const Eigen::MatrixXcd& remainder() const { return remainder_; }
 
+  /// Whether steps of the remainders, as friction's, have a sample each time they are passed at full speed.
+  bool ResolvesSteps() const;
+
   /// Iterations of the last solution.
   int iterations() const { return iterations_; }
 
@@ -43,7 +46,10 @@ class PortCycle {
   double FindStep();
   double SizeOf(const Eigen::MatrixXcd& extension) const;
   enum class Method { kPlain, kNewton, kAnderson };
-  Method Choose(double change, double before, double tolerance) const;
+  static bool IsEnough(double change, double earlier, Method method, double tolerance);
+  Method Choose(double change, double earlier, double tolerance) const;
+  Method Newton() const;
+  bool IsTouched() const;
   void NewtonStep();
   void FollowNewton(double step);
   void AndersonStep(AndersonAcceleration& acceleration);
@@ -57,8 +63,7 @@ class PortCycle {
 
   const std::vector<Port>& ports_;
   const Receptance& receptance_;
-  CycleTransform transform_;
-  CycleTransform slope_transform_;
+  const CycleTransform& transform_;
   bool uses_extension_ = false;
   double omega_ = 0;
   int iterations_ = 0;

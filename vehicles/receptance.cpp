@@ -30,10 +30,13 @@ Eigen::VectorXd StateUnits(const LinearVehicle& vehicle) {
   return units;
 }
 
+/// Without the care for overflow that makes the library's division slow.
+Complex Inverse(Complex z) { return std::conj(z) * (1 / std::norm(z)); }
+
 /// See Poles: weight of a pole, or of a pair.
 Complex Weight(Complex pole, double omega) {
-  if (pole.imag() == 0) return 1.0 / (Complex(0, omega) - pole);
-  return 1.0 / Complex(std::norm(pole) - omega * omega, -2 * omega * pole.real());
+  if (pole.imag() == 0) return Inverse({-pole.real(), omega});
+  return Inverse({std::norm(pole) - omega * omega, -2 * omega * pole.real()});
 }
 
 }  // namespace
@@ -154,8 +157,8 @@ Eigen::VectorXcd Receptance::SumOverPoles(const Poles& poles, double omega, cons
   Eigen::VectorXcd amplitudes = poles.inputs * inputs;
   Eigen::VectorXcd conjugates = poles.inputs.conjugate() * inputs;
   for (Eigen::Index k = 0; k < poles.values.size(); ++k) {
-    amplitudes[k] /= iw - poles.values[k];
-    conjugates[k] = poles.values[k].imag() == 0 ? 0.0 : conjugates[k] / (iw - std::conj(poles.values[k]));
+    amplitudes[k] *= Inverse(iw - poles.values[k]);
+    conjugates[k] *= poles.values[k].imag() == 0 ? 0.0 : Inverse(iw - std::conj(poles.values[k]));
   }
   return poles.shapes * amplitudes + poles.shapes.conjugate() * conjugates;
 }

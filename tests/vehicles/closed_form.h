@@ -101,7 +101,7 @@ inline void ExpectSameMatrices(const Vehicle& vehicle, const ClosedForm& closed)
   for (std::size_t i = 0; i < model.dashpots.size(); ++i) {
     EXPECT_LT(Deviation(p.transpose() * model.dashpots[i].direction, closed.model.dashpots[i].direction), kRounding);
     for (const double v : {-1.0, 1.0}) EXPECT_EQ(model.dashpots[i].law.Force(v), closed.model.dashpots[i].law.Force(v));
-    EXPECT_EQ(model.dashpots[i].series_stiffness, 0);
+    EXPECT_EQ(model.dashpots[i].series.stiffness, 0);
   }
 }
 

@@ -1,6 +1,9 @@
 #include "vehicles/cycle_transform.h"
 
 #include <complex>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -25,7 +28,7 @@ TEST(CycleTransform, SamplesTheSeries) {
 }
 
 TEST(CycleTransform, GivesBackWhatItSampled) {
-  const CycleTransform transform(3, 7);
+  const CycleTransform transform(3, 12);
   Eigen::MatrixXcd harmonics(4, 2);
   harmonics << 1, -2, Complex(3, 4), Complex(5, -6), Complex(0, 1), Complex(2, 0), Complex(-1, 1), Complex(7, 7);
   Eigen::MatrixXd time;
@@ -43,6 +46,29 @@ TEST(CycleTransform, AliasesWhatIsSampledTooSeldom) {
   Eigen::MatrixXcd harmonics;
   transform.ToHarmonics(time, harmonics);
   EXPECT_LT(std::abs(harmonics(3, 0) - 1.0), kRounding);
+}
+
+// The folding of quarters against the sums that define it, with odd and even numbers of harmonics.
+TEST(CycleTransform, IsTheSumOfItsHarmonics) {
+  for (const auto& [count, samples] : {std::pair(1, 4), std::pair(4, 12), std::pair(5, 16), std::pair(9, 64)}) {
+    const CycleTransform transform(count, samples);
+    const Eigen::MatrixXcd harmonics = Eigen::MatrixXcd::Random(count + 1, 2);
+    Eigen::MatrixXd time;
+    transform.ToTime(harmonics, time);
+    for (int k = 0; k < samples; ++k)
+      for (int j = 0; j < 2; ++j) {
+        Complex sum = 0;
+        for (int h = 0; h <= count; ++h)
+          sum += harmonics(h, j) * std::polar(1.0, 2 * std::numbers::pi * h * k / samples);
+        EXPECT_NEAR(time(k, j), sum.real(), 10 * kRounding) << count << " harmonics, sample " << k;
+      }
+  }
+}
+
+TEST(CycleTransform, RefusesSamplesThatCannotHoldTheHarmonics) {
+  EXPECT_THROW(CycleTransform(3, 6), std::invalid_argument);
+  EXPECT_THROW(CycleTransform(4, 8), std::invalid_argument);
+  EXPECT_THROW(CycleTransform(3, 10), std::invalid_argument);
 }
 
 }  // namespace

@@ -305,20 +305,17 @@ TEST(ElementCar, EveryParameterMovesTheMultibody) {
   }
 }
 
-/// What an engine that takes laws for linear about rest cannot see, named in simplifications().
-const std::set<std::string> kBeyondTheTangent = {"at_bump",  "k_bump", "at_rebound", "k_rebound", "k3_fr",
-                                                 "gap_bump", "k_stop", "k3_stop",    "k3_mount",  "gap_rebound"};
 /// Of a hydraulic damper the condensed vehicle sees the steady force alone.
 const std::set<std::string> kOilAndGas = {"oil", "column", "p_gas", "V_gas"};
 
-TEST(ElementCar, EveryParameterOfATangentMovesTheCondensedVehicle) {
+TEST(ElementCar, EveryParameterButOilAndGasMovesTheCondensedVehicle) {
   const Vehicle vehicle = ElementCar();
   const CondensedVehicle condensed(vehicle);
   const auto answer = [&](const std::vector<double>& values) {
     const CondensedModel model = condensed.At(values);
     VectorXd response(2 * static_cast<Index>(vehicle.sensors.size()));
     const FrequencyResponse balanced =
-        SolveHarmonicBalance(model, vehicle.sensors, {{4.0}, {0.02}, {1, 0.5, -0.3, 0.2}}).response;
+        SolveHarmonicBalance(model, vehicle.sensors, {{1.5}, {0.08}, {1, 0.5, -0.3, 0.2}}).response;
     for (std::size_t c = 0; c < balanced.channels.size(); ++c) {
       const std::complex<double> value = balanced.channels[c].response[0];
       response.segment<2>(2 * static_cast<Index>(c)) << value.real(), value.imag();
@@ -329,7 +326,7 @@ TEST(ElementCar, EveryParameterOfATangentMovesTheCondensedVehicle) {
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
     const double change = (answer(Larger(vehicle, static_cast<int>(i))) - before).norm() / before.norm();
     const std::string& name = vehicle.parameters[i].name;
-    if (kBeyondTheTangent.contains(name) || kOilAndGas.contains(name)) EXPECT_EQ(change, 0) << name;
+    if (kOilAndGas.contains(name)) EXPECT_EQ(change, 0) << name;
     else EXPECT_GT(change, 1e-12) << name;
   }
 }
@@ -337,10 +334,9 @@ TEST(ElementCar, EveryParameterOfATangentMovesTheCondensedVehicle) {
 TEST(ElementCar, TellsWhatTheCondensedVehicleTakesForLinear) {
   const Vehicle vehicle = ElementCar();
   const std::string told = CondensedVehicle(vehicle).simplifications().Format();
-  for (const char* element : {"fp:spring 'fl'", "fp:spring 'fr'", "fp:stop 'rl'", "fp:stop 'rr'", "fp:damper 'fr'",
-                              "fp:damper 'rr'", "fp:damper 'top'"})
+  for (const char* element : {"fp:damper 'rr'", "fp:damper 'top'"})
     EXPECT_THAT(told, testing::HasSubstr(std::string(element) + " is taken for linear")) << element;
-  EXPECT_EQ(CondensedVehicle(vehicle).simplifications().items().size(), 7U);
+  EXPECT_EQ(CondensedVehicle(vehicle).simplifications().items().size(), 2U);
 }
 
 // At rest in the design pose whatever the parameters are.

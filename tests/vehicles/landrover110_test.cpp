@@ -192,8 +192,8 @@ double Asymmetry(const Vehicle& vehicle, const std::vector<double>& shape, doubl
 }
 
 TEST_P(BothCars, AreAlikeOnBothSidesButForThePanhardRod) {
-  // Second derivatives of lengths are good to 1e-11 of the stiffness; resonances make more of it.
-  constexpr double kDifferences = 1e-10;
+  // Second derivatives of lengths are good to 1e-11 of the stiffness; resonances and sums over poles make more of it.
+  constexpr double kDifferences = 1e-9;
   const Vehicle alike = WithoutPanhardRod(vehicle_);
   EXPECT_LT(Asymmetry(alike, kBounce, 1), kDifferences);
   EXPECT_LT(Asymmetry(alike, kRoll, -1), kDifferences);
@@ -233,7 +233,8 @@ TEST(Landrover110, MovesInSimbodyAsItsCondensedModel) {
   constexpr double kScale = 1e-3;
   Prepared car(ShippedVehicle("landrover110"));
   const Excitation excitation = Sparse(RecordedExcitation("bounce_frf.csv", kBounce, kScale));
-  ExpectAgreement(car.Linearised(excitation).response, car.Full(excitation).response, 1e-3, 5e-3);
+  // Of as many harmonics: nine.
+  ExpectAgreement(car.Linearised(excitation, {.error = 1e9}).response, car.Full(excitation).response, 1e-3, 5e-3);
 }
 
 /// The car on bushes of `much` the stiffness, whose arms may slide along their bushes' axes; links without mass, as in

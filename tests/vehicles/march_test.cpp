@@ -80,7 +80,7 @@ TEST(March, SettlesThoughSensorsAreSilentBySymmetry) {
   const Excitation excitation = Patterned(car.vehicle, "roll", {4, 12}, {0.00125, 0.00014});
   const MarchedResponse marched = March(car.multibody, excitation);
   ASSERT_THAT(marched.unsteady, testing::IsEmpty());
-  const FrequencyResponse balanced = car.Linearised(excitation, {.harmonics = 31, .samples = 256}).response;
+  const FrequencyResponse balanced = car.Linearised(excitation, {.error = 1e-6}).response;
   for (std::size_t c = 0; c < balanced.channels.size(); ++c)
     for (std::size_t i = 0; i < 2; ++i) {
       const ChannelResponse& channel = marched.response.channels[c];
@@ -119,7 +119,7 @@ TEST(March, HoldsFaintSensorsToATenthOfTheLoudest) {
   const Excitation excitation = Patterned(car.vehicle, "roll", {30}, {3e-4});
   const MarchedResponse marched = March(car.multibody, excitation);
   ASSERT_THAT(marched.unsteady, testing::IsEmpty());
-  const FrequencyResponse balanced = car.Linearised(excitation, {.harmonics = 31, .samples = 256}).response;
+  const FrequencyResponse balanced = car.Linearised(excitation, {.error = 1e-6}).response;
   const std::complex<double> faint = marched.response.Find("a_body_FL")->response[0];
   const double loud = std::abs(marched.response.Find("a_axle_FL")->response[0]);
   ASSERT_LT(std::abs(faint), 0.02 * loud);
@@ -172,8 +172,7 @@ TEST(March, WaitsForTheMeans) {
   const Excitation excitation{{15}, {0.001}, {1}};
   const MarchOptions options{.tolerance = 1e-4, .window_s = 0.1};
   const FrequencyResponse marched = March(multibody, excitation, options).response;
-  const FrequencyResponse balanced =
-      SolveHarmonicBalance(model, vehicle.sensors, excitation, {.harmonics = 31, .samples = 256}).response;
+  const FrequencyResponse balanced = SolveHarmonicBalance(model, vehicle.sensors, excitation, {.error = 1e-6}).response;
   const ChannelResponse& strut = balanced.channels[0];
   const double size = std::max(std::abs(strut.mean[0]), std::abs(strut.response[0]) * excitation.amplitude_m[0]);
   // The body decays with 0.45 x 2 pi 1.36 Hz = 3.8 1/s: what remains is 1.5 times the change over a window of 0.13 s.
