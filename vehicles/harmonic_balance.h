@@ -10,7 +10,8 @@
 namespace fourpost {
 
 struct HarmonicBalanceOptions {
-  /// Largest share of itself that further harmonics would change the first harmonic of any sensor by.
+  /// Largest share of itself that further harmonics would change the first harmonic of any sensor by; of a sensor near
+  /// a node, that share of 3 % of what it could read.
   double error = 2e-4;
   /// Gives up where the error needs more harmonics than these. Friction needs some that resolve
   /// its step.

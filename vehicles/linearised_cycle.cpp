@@ -114,9 +114,9 @@ Eigen::VectorXcd LinearisedCycle::SensorsAt(int h) const {
 }
 
 /// Largest change of a first harmonic, relative to it. Where a sensor is next to a node, or silent by symmetry, it is
-/// relative to a thousandth of what it would read if all of the motion's kinetic energy were in what it sees.
+/// relative to 3 % of what it would read if all of the motion's kinetic energy were in what it sees.
 double LinearisedCycle::SensorChange(const Eigen::VectorXcd& before) const {
-  constexpr double kNode = 1e-3;
+  constexpr double kNode = 0.03;
   const Eigen::VectorXd roots = model_.mass.diagonal().cwiseSqrt();
   const double motion = Coordinates(1).head(roots.size()).cwiseProduct(roots).norm();
   const Eigen::MatrixXd rows = model_.on_position.cwiseAbs() + omega_ * model_.on_velocity.cwiseAbs() +

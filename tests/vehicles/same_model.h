@@ -26,7 +26,19 @@ inline void ExpectSameModel(const CondensedModel& a, const CondensedModel& b) {
   for (std::size_t i = 0; i < a.dashpots.size(); ++i) {
     EXPECT_EQ(a.dashpots[i].direction, b.dashpots[i].direction);
     EXPECT_EQ(a.dashpots[i].law.MeanRate(), b.dashpots[i].law.MeanRate());
-    EXPECT_EQ(a.dashpots[i].series_stiffness, b.dashpots[i].series_stiffness);
+    EXPECT_EQ(a.dashpots[i].series.stiffness, b.dashpots[i].series.stiffness);
+    EXPECT_EQ(a.dashpots[i].series.cubic, b.dashpots[i].series.cubic);
+  }
+  ASSERT_EQ(a.stiffenings.size(), b.stiffenings.size());
+  for (std::size_t i = 0; i < a.stiffenings.size(); ++i) {
+    EXPECT_EQ(a.stiffenings[i].direction, b.stiffenings[i].direction);
+    for (const double x : {-0.1, -0.03, -0.01, 0.01, 0.03, 0.1})
+      EXPECT_EQ(a.stiffenings[i].law.Force(x), b.stiffenings[i].law.Force(x));
+  }
+  ASSERT_EQ(a.liftoffs.size(), b.liftoffs.size());
+  for (std::size_t i = 0; i < a.liftoffs.size(); ++i) {
+    EXPECT_EQ(a.liftoffs[i].direction, b.liftoffs[i].direction);
+    EXPECT_EQ(a.liftoffs[i].preload, b.liftoffs[i].preload);
   }
 }
 
