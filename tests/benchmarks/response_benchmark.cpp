@@ -1,0 +1,116 @@
+// Cost of a whole frequency response, 40 frequencies from 0.5 to 30 Hz, all channels, one thread: by purely linear
+// complex solves (the floor), by harmonic balance on the condensed model, on the full system, and by the march.
+#include <cmath>
+#include <complex>
+#include <filesystem>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include <benchmark/benchmark.h>
+#include <Eigen/LU>
+
+#include "vehicles/condensed_vehicle.h"
+#include "vehicles/full_balance.h"
+#include "vehicles/harmonic_balance.h"
+#include "vehicles/linear_vehicle.h"
+#include "vehicles/march.h"
+#include "vehicles/vehicle_file.h"
+
+namespace fourpost {
+namespace {
+
+Vehicle Read(const std::string& name) {
+  Diagnostics diagnostics;
+  std::optional<Vehicle> vehicle =
+      ReadVehicle(std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / (name + ".urdf"), diagnostics);
+  if (!vehicle) throw FaultyInput(diagnostics);
+  return std::move(vehicle).value();
+}
+
+/// 10 mm, above 1 Hz at 63 mm/s.
+Excitation Heave(const Vehicle& vehicle) {
+  constexpr int kCount = 40;
+  Excitation excitation;
+  for (int i = 0; i < kCount; ++i) {
+    const double frequency = 0.5 * std::pow(60, i / (kCount - 1.0));
+    excitation.frequency_Hz.push_back(frequency);
+    excitation.amplitude_m.push_back(std::min(0.01, 0.01 / frequency));
+  }
+  excitation.shape.assign(vehicle.posts.size(), 1);
+  return excitation;
+}
+
+/// What any response costs at the least: one factorisation a frequency, and the sensors.
+void ByLinearSolves(benchmark::State& state, const std::string& name) {
+  const Vehicle vehicle = Read(name);
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  const Excitation excitation = Heave(vehicle);
+  const Eigen::VectorXd shape = Eigen::VectorXd::Ones(model.post_stiffness.cols());
+  for ([[maybe_unused]] auto _ : state) {
+    const LinearVehicle linear(model, LinearVehicle::Rates::kMean);
+    Eigen::PartialPivLU<Eigen::MatrixXcd> factors(linear.size());
+    Eigen::VectorXcd forces = Eigen::VectorXcd::Zero(linear.size());
+    for (const double frequency : excitation.frequency_Hz) {
+      const double omega = 2 * std::numbers::pi * frequency;
+      const std::complex<double> iw(0, omega);
+      factors.compute(linear.Impedance(omega));
+      forces.head(model.mass.rows()) = model.post_stiffness * shape + iw * (model.post_damping * shape);
+      const Eigen::VectorXcd motion = factors.solve(forces).head(model.mass.rows());
+      Eigen::VectorXcd readings =
+          model.on_position * motion + iw * (model.on_velocity * motion) + iw * iw * (model.on_acceleration * motion);
+      benchmark::DoNotOptimize(readings.data());
+    }
+  }
+}
+
+/// With what a change of parameters costs.
+void ByHarmonicBalance(benchmark::State& state, const std::string& name) {
+  const Vehicle vehicle = Read(name);
+  const CondensedVehicle condensed(vehicle);
+  const std::vector<double> values = vehicle.ParameterValues();
+  const Excitation excitation = Heave(vehicle);
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(SolveHarmonicBalance(condensed.At(values), vehicle.sensors, excitation));
+}
+
+void ByFullBalance(benchmark::State& state, const std::string& name) {
+  const Vehicle vehicle = Read(name);
+  const CondensedVehicle condensed(vehicle);
+  const std::vector<double> values = vehicle.ParameterValues();
+  const CondensedModel model = condensed.At(values);
+  Multibody multibody(vehicle);
+  multibody.SetParameters(values, model.preloads);
+  const Excitation excitation = Heave(vehicle);
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(SolveFullBalance(multibody, model, excitation));
+}
+
+void ByMarch(benchmark::State& state, const std::string& name) {
+  const Vehicle vehicle = Read(name);
+  const CondensedVehicle condensed(vehicle);
+  const std::vector<double> values = vehicle.ParameterValues();
+  Multibody multibody(vehicle);
+  multibody.SetParameters(values, condensed.PreloadsAt(values));
+  const Excitation excitation = Heave(vehicle);
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(
+        March(multibody, excitation, {.accuracy = 1e-5, .tolerance = 1e-3, .samples_per_cycle = 64}));
+}
+
+BENCHMARK_CAPTURE(ByLinearSolves, model1, "landrover110_model1")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ByHarmonicBalance, model1, "landrover110_model1")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ByMarch, model1, "landrover110_model1")->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(ByLinearSolves, model2, "landrover110_linkage")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ByHarmonicBalance, model2, "landrover110_linkage")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ByFullBalance, model2, "landrover110_linkage")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ByMarch, model2, "landrover110_linkage")->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(ByLinearSolves, bushings, "landrover110")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ByHarmonicBalance, bushings, "landrover110")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ByFullBalance, bushings, "landrover110")->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(ByMarch, bushings, "landrover110")->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(ByHarmonicBalance, friction, "independent_roadster")->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace fourpost
+
+BENCHMARK_MAIN();
