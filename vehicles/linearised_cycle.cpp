@@ -25,7 +25,15 @@ LinearisedCycle::LinearisedCycle(const CondensedModel& model, const std::vector<
       options_(options),
       ports_(PortsOf(model)),
       receptance_(model, ports_, shape),
-      has_memory_(std::any_of(ports_.begin(), ports_.end(), [](const Port& port) { return UsesExtension(port.law); })) {
+      has_memory_(std::any_of(ports_.begin(), ports_.end(), [](const Port& port) { return UsesExtension(port.law); })),
+      root_mass_(model.mass.diagonal().cwiseSqrt()) {
+  const Eigen::VectorXd inverse = root_mass_.cwiseInverse();
+  const auto norm = [&](const Eigen::MatrixXd& rows) -> Eigen::VectorXd {
+    return (rows * inverse.asDiagonal()).rowwise().norm();
+  };
+  position_norm_ = norm(model.on_position);
+  velocity_norm_ = norm(model.on_velocity);
+  acceleration_norm_ = norm(model.on_acceleration);
 }
 
 bool LinearisedCycle::Solve(double frequency_Hz, double amplitude_m) {
@@ -56,11 +64,12 @@ bool LinearisedCycle::TrySolve() {
   // No need to know better what more harmonics will change.
   const double rough = std::max(options_.tolerance, options_.error);
   if (!SolveLevel(level, start, rough)) return false;
+  First now = FirstHarmonic();
   while (HarmonicsOf(level + 1) <= options_.most_harmonics) {
-    const Eigen::VectorXcd before = SensorsAt(1);
     if (!SolveLevel(++level, cycle().extension(), options_.tolerance)) return false;
+    const First before = std::exchange(now, FirstHarmonic());
     // What kinks leave falls with the square of the samples: a third of this change is left.
-    if (SensorChange(before) <= 3 * options_.error && cycle().ResolvesSteps()) return true;
+    if (Change(before, now) <= 3 * options_.error && cycle().ResolvesSteps()) return true;
   }
   return false;
 }
@@ -98,14 +107,18 @@ Eigen::VectorXcd LinearisedCycle::Coordinates(int h) const {
   return receptance_.Motion(h * omega_, tensions, h == 1 ? amplitude_ : 0);
 }
 
-Eigen::VectorXcd LinearisedCycle::SensorsAt(int h) const {
-  const Complex iw(0, h * omega_);
-  const Eigen::VectorXcd motion = Coordinates(h).head(model_.mass.rows());
-  Eigen::VectorXcd readings =
-      model_.on_position * motion + iw * (model_.on_velocity * motion) + iw * iw * (model_.on_acceleration * motion);
-  if (h == 1)
-    readings += amplitude_ * (model_.on_post_height * shape_ + iw * (model_.on_post_velocity * shape_) +
-                              iw * iw * (model_.on_post_acceleration * shape_));
+Eigen::VectorXcd LinearisedCycle::Readings(int h, const Eigen::VectorXcd& coordinates) const {
+  const double w = h * omega_;
+  const auto motion = coordinates.head(model_.mass.rows());
+  // Rows are real: position and acceleration act on one part of the motion, velocity turns it.
+  Eigen::MatrixXd rows = model_.on_position - w * w * model_.on_acceleration;
+  Eigen::VectorXcd readings(rows.rows());
+  readings.real() = rows * motion.real() - w * (model_.on_velocity * motion.imag());
+  readings.imag() = rows * motion.imag() + w * (model_.on_velocity * motion.real());
+  if (h == 1) {
+    readings.real() += amplitude_ * ((model_.on_post_height - w * w * model_.on_post_acceleration) * shape_);
+    readings.imag() += amplitude_ * w * (model_.on_post_velocity * shape_);
+  }
   for (std::size_t j = 0; j < ports_.size(); ++j)
     if (ports_[j].liftoff >= 0)
       for (const int sensor : model_.liftoffs[static_cast<std::size_t>(ports_[j].liftoff)].load_cells)
@@ -113,27 +126,31 @@ Eigen::VectorXcd LinearisedCycle::SensorsAt(int h) const {
   return readings;
 }
 
+LinearisedCycle::First LinearisedCycle::FirstHarmonic() const {
+  First first;
+  first.coordinates = Coordinates(1);
+  first.readings = Readings(1, first.coordinates);
+  return first;
+}
+
 /// Largest change of a first harmonic, relative to it. Where a sensor is next to a node, or silent by symmetry, it is
 /// relative to 3 % of what it would read if all of the motion's kinetic energy were in what it sees.
-double LinearisedCycle::SensorChange(const Eigen::VectorXcd& before) const {
+double LinearisedCycle::Change(const First& before, const First& now) const {
   constexpr double kNode = 0.03;
-  const Eigen::VectorXd roots = model_.mass.diagonal().cwiseSqrt();
-  const double motion = Coordinates(1).head(roots.size()).cwiseProduct(roots).norm();
-  const Eigen::MatrixXd rows = model_.on_position.cwiseAbs() + omega_ * model_.on_velocity.cwiseAbs() +
-                               omega_ * omega_ * model_.on_acceleration.cwiseAbs();
-  const Eigen::VectorXd most = motion * (rows * roots.cwiseInverse().asDiagonal()).rowwise().norm();
-  const Eigen::VectorXcd now = SensorsAt(1);
+  const double motion = now.coordinates.head(root_mass_.size()).cwiseProduct(root_mass_).norm();
   double largest = 0;
-  for (Eigen::Index i = 0; i < now.size(); ++i) {
-    const double size = std::max(std::abs(now[i]), kNode * most[i]);
-    if (size > 0) largest = std::max(largest, std::abs(now[i] - before[i]) / size);
+  for (Eigen::Index i = 0; i < now.readings.size(); ++i) {
+    const double most =
+        motion * (position_norm_[i] + omega_ * velocity_norm_[i] + omega_ * omega_ * acceleration_norm_[i]);
+    const double size = std::max(std::sqrt(std::norm(now.readings[i])), kNode * most);
+    if (size > 0) largest = std::max(largest, std::sqrt(std::norm(now.readings[i] - before.readings[i])) / size);
   }
   return largest;
 }
 
 SensorHarmonics LinearisedCycle::Sensors() const {
   SensorHarmonics out(model_.on_position.rows(), 3);
-  for (int h = 0; h <= 2; ++h) out.col(h) = SensorsAt(h);
+  for (int h = 0; h <= 2; ++h) out.col(h) = Readings(h, Coordinates(h));
   return out;
 }
 

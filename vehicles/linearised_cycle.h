@@ -43,8 +43,14 @@ class LinearisedCycle {
   void SetAmplitude(double amplitude_m);
   /// [s x] of one harmonic.
   Eigen::VectorXcd Coordinates(int h) const;
-  Eigen::VectorXcd SensorsAt(int h) const;
-  double SensorChange(const Eigen::VectorXcd& before) const;
+  Eigen::VectorXcd Readings(int h, const Eigen::VectorXcd& coordinates) const;
+  /// Of the first harmonic.
+  struct First {
+    Eigen::VectorXcd coordinates;
+    Eigen::VectorXcd readings;
+  };
+  First FirstHarmonic() const;
+  double Change(const First& before, const First& now) const;
 
   const CondensedModel& model_;
   Eigen::VectorXd shape_;
@@ -56,6 +62,11 @@ class LinearisedCycle {
   std::size_t level_ = 0;
   /// Whether a solution depends on where the iteration starts.
   bool has_memory_ = false;
+  /// Square roots of the masses on the diagonal, and the norms of the sensors' rows per unit of root-mass motion.
+  Eigen::VectorXd root_mass_;
+  Eigen::VectorXd position_norm_;
+  Eigen::VectorXd velocity_norm_;
+  Eigen::VectorXd acceleration_norm_;
   bool solved_before_ = false;
   double omega_ = 0;
   double amplitude_ = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include <Eigen/LU>
@@ -12,6 +13,9 @@ namespace fourpost {
 namespace {
 
 using Complex = std::complex<double>;
+
+/// Of Anderson acceleration.
+constexpr int kHistory = 8;
 
 std::span<const double> Samples(const Eigen::MatrixXd& signals, Eigen::Index column) {
   if (signals.size() == 0) return {};
@@ -78,14 +82,13 @@ bool PortCycle::Solve(double omega, const Eigen::VectorXcd& driven, const Eigen:
   omega_ = omega;
   driven_ = driven;
   receptance_.Ports(omega, harmonics(), ports_receptance_);
-  extension_ = Eigen::MatrixXcd::Zero(harmonics() + 1, driven.size());
+  extension_.setZero(harmonics() + 1, driven.size());
   const Eigen::Index known = std::min(start.rows(), extension_.rows());
   extension_.topRows(known) = start.topRows(known);
   iterations_ = 0;
   FindRemainders();
   if (ports_.empty()) return true;
-  constexpr int kHistory = 8;
-  AndersonAcceleration acceleration(kHistory);
+  std::optional<AndersonAcceleration> acceleration;
   Method method = IsTouched() ? Newton() : Method::kPlain;
   // The last two sizes: motion and its reaction may take turns.
   double before = 0;
@@ -103,7 +106,10 @@ bool PortCycle::Solve(double omega, const Eigen::VectorXcd& driven, const Eigen:
     switch (method) {
       case Method::kPlain: extension_ += step_; break;
       case Method::kNewton: NewtonStep(); continue;
-      case Method::kAnderson: AndersonStep(acceleration); break;
+      case Method::kAnderson:
+        if (!acceleration) acceleration.emplace(kHistory);
+        AndersonStep(*acceleration);
+        break;
     }
     FindRemainders();
   }
@@ -188,7 +194,7 @@ void PortCycle::FindRemainders() {
 double PortCycle::FindStep() {
   const Eigen::Index count = extension_.cols();
   step_ = -extension_;
-  step_.row(1) += driven_.transpose();
+  for (Eigen::Index j = 0; j < count; ++j) step_(1, j) += driven_[j];
   for (Eigen::Index j = 0; j < count; ++j)
     for (Eigen::Index i = 0; i < count; ++i)
       step_.col(i) += ports_receptance_.col(i + count * j).cwiseProduct(remainder_.col(j));

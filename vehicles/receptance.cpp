@@ -137,6 +137,12 @@ void Receptance::Ports(double omega, int harmonics, Eigen::MatrixXcd& receptance
       real(h, n + k) = weight.real();
       imag(h, n + k) = weight.imag();
     }
+  // Eigen's blocked product is slower than plain sums for so few numbers.
+  if (real.cols() * count * count < 512) {
+    receptance.real() = real.lazyProduct(poles_->residues);
+    receptance.imag() = imag.lazyProduct(poles_->residues);
+    return;
+  }
   receptance.real().noalias() = real * poles_->residues;
   receptance.imag().noalias() = imag * poles_->residues;
 }
