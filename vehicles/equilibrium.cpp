@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -111,16 +112,24 @@ std::string Text(const UnheldMotion& unheld) {
   return what + ", in which " + EnumeratedLinks(fastest) + (fastest.size() > 1 ? " move most" : " moves most");
 }
 
-/// The size that a given preload would have to have, the others as they are; nothing where that does not help.
+bool AreOfOneLine(const GivenForce& a, const GivenForce& b) {
+  return a.kind == GivenForce::Kind::kPreload && b.kind == a.kind && a.line == b.line;
+}
+
+/// The size that the given preloads of one line, which twins share, would have to have, the others as they are; nothing
+/// where that does not help.
 std::optional<double> BalancingSize(const GivenForce& preload, const StaticLoads& loads) {
   std::vector<GivenForce> forces = loads.forces;
   Eigen::VectorXd others = Eigen::VectorXd::Zero(preload.direction.size());
-  for (const GivenForce& force : forces) others += force.Force();
-  others -= preload.Force();
-  const Eigen::VectorXd direction = Rest(preload.direction, loads.holders);
+  Eigen::VectorXd together = others;
+  for (const GivenForce& force : forces) {
+    if (AreOfOneLine(force, preload)) together += force.direction;
+    else others += force.Force();
+  }
+  const Eigen::VectorXd direction = Rest(together, loads.holders);
   const double size = -direction.dot(others) / direction.squaredNorm();
-  forces.push_back(preload);
-  forces.back().size = size - preload.size;
+  for (GivenForce& force : forces)
+    if (AreOfOneLine(force, preload)) force.size = size;
   if (!IsBalanced(forces, loads.holders)) return std::nullopt;
   return size;
 }
@@ -142,10 +151,11 @@ void ReportImbalance(const Vehicle& vehicle, const StaticLoads& loads, Diagnosti
     faults.Error(vehicle.file, LineOf(vehicle, motion.motion.link),
                  "no static equilibrium: nothing holds " + Text(motion) + "; " + Remedy(motion));
   if (!unheld.empty()) return;
-  // A stop has no preload to correct.
+  // A stop has no preload to correct. Twins share the line, which is told once.
+  std::set<int> told;
   for (const GivenForce& force : loads.forces)
     if (force.kind == GivenForce::Kind::kPreload && (force.carries || force.size != 0) &&
-        !IsHeld(force.direction, loads.holders))
+        !IsHeld(force.direction, loads.holders) && told.insert(force.line).second)
       faults.Error(vehicle.file, force.line, "no static equilibrium: " + ImbalanceText(force, loads));
 }
 

@@ -18,11 +18,22 @@
 namespace fourpost {
 namespace {
 
+/// "'rear wind-up' and 'roll'": the modes that grow; empty where the growth is a series spring's.
+std::string GrowingModes(const std::vector<Mode>& modes) {
+  std::string names;
+  for (const Mode& mode : modes)
+    if (mode.kind == Mode::Kind::kDiverging || mode.damping_ratio < 0)
+      names += (names.empty() ? "'" : " and '") + mode.name + "'";
+  return names;
+}
+
 void NoteInstability(const Vehicle& vehicle, const VehicleSummary& summary, Diagnostics& findings) {
-  if (!summary.IsStable())
-    findings.Warning(vehicle.file, 0,
-                     "the vehicle is unstable in its design pose: a motion grows by exp(" +
-                         Rounded(summary.growth_rate, 3) + " t); check positions, axes and rates");
+  if (summary.IsStable()) return;
+  const std::string modes = GrowingModes(summary.modes);
+  findings.Warning(vehicle.file, 0,
+                   "the vehicle is unstable in its design pose: " + (modes.empty() ? "a motion" : modes) +
+                       " grows by exp(" + Rounded(summary.growth_rate, 3) +
+                       " t); a rod or a spring that holds it is missing, or positions, axes or rates are wrong");
 }
 
 void Append(const Diagnostics& more, Diagnostics& findings) {

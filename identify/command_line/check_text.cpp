@@ -141,9 +141,11 @@ std::string Wheels(const VehicleSummary& summary) {
   }
   const char* note =
       "Chassis held. Wheel rate: at the foot of a wheel that moves alone; together: with its axle's other wheel. Ride\n"
-      "rate: that in series with the tyre.\n";
+      "rate: that in series with the tyre. Rates and roll stiffness are those of the loaded suspension: springs,\n"
+      "bushings, and what the loads do as the links turn.\n";
   const char* short_note =
-      "Chassis held. Wheel rate: at the foot of a wheel. Ride rate: that in series with the tyre.\n";
+      "Chassis held. Wheel rate: at the foot of a wheel, of the loaded suspension. Ride rate: that in series with the\n"
+      "tyre.\n";
   return table.Format() + (pairs ? note : short_note) + '\n';
 }
 

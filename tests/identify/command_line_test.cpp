@@ -266,7 +266,7 @@ TEST_F(CommandLine, CheckWarnsOfAnUnstableVehicle) {
   const Outcome outcome = Run("check urdf/landrover110_linkage.urdf --json");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_FALSE(Json::parse(outcome.out)["stable"]);
-  EXPECT_THAT(outcome.err, HasSubstr("warning: the vehicle is unstable in its design pose"));
+  EXPECT_THAT(outcome.err, HasSubstr("warning: the vehicle is unstable in its design pose: '"));
   EXPECT_EQ(Json::parse(outcome.out)["modes"][0]["kind"], "diverging");
   EXPECT_TRUE(Json::parse(Run("check urdf/quarter_car.urdf --json").out)["stable"]);
 }

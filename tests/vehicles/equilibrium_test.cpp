@@ -159,6 +159,29 @@ TEST(Equilibrium, NamesAPreloadThatNothingBalances) {
                 "would be; correct it or write preload=\"equilibrium\"");
 }
 
+// One line sets both: told once, with the size that both need.
+TEST(Equilibrium, TellsThePreloadThatTwinsNeedTogether) {
+  Vehicle vehicle = ShippedVehicle("independent_roadster");
+  Fix(vehicle);
+  const Preloads needed = CondensedVehicle(vehicle).PreloadsAt(vehicle.ParameterValues());
+  std::vector<double> tensions;
+  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
+    Spring& spring = vehicle.springs[i];
+    if (spring.kind != Spring::Kind::kCoil || !spring.name.starts_with("rear_")) continue;
+    spring.preload = Scalar{-2000};
+    tensions.push_back(needed.spring[i]);
+  }
+  ASSERT_EQ(tensions.size(), 2U);
+  const std::string fault = Fault(vehicle);
+  const std::string before = "-2000 N, is not balanced, ";
+  const std::size_t place = fault.find(before);
+  ASSERT_NE(place, std::string::npos) << fault;
+  EXPECT_EQ(fault.find(before, place + 1), std::string::npos) << fault;
+  // Printed digits.
+  EXPECT_NEAR(std::stod(fault.substr(place + before.size())), tensions[0], 1e-3);
+  EXPECT_NEAR(tensions[0], tensions[1], 1e-6);
+}
+
 TEST(Equilibrium, NamesAllPreloadsWhenAllAreGivenAndOneIsWrong) {
   const std::string fault = Fault(QuarterCarWith(kSpringTension, 2000));
   EXPECT_THAT(fault, AllOf(HasSubstr("fp:spring 'spring', -1961.33 N"), HasSubstr("fp:tyre 'tyre', 2000 N")));
