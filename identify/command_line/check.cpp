@@ -11,30 +11,13 @@
 #include "identify/command_line/text_table.h"
 #include "vehicles/mobility.h"
 #include "vehicles/resolved_text.h"
+#include "vehicles/ride_lint.h"
 #include "vehicles/vehicle_file.h"
 #include "vehicles/vehicle_lint.h"
 #include "vehicles/vehicle_summary.h"
 
 namespace fourpost {
 namespace {
-
-/// "'rear wind-up' and 'roll'": the modes that grow; empty where the growth is a series spring's.
-std::string GrowingModes(const std::vector<Mode>& modes) {
-  std::string names;
-  for (const Mode& mode : modes)
-    if (mode.kind == Mode::Kind::kDiverging || mode.damping_ratio < 0)
-      names += (names.empty() ? "'" : " and '") + mode.name + "'";
-  return names;
-}
-
-void NoteInstability(const Vehicle& vehicle, const VehicleSummary& summary, Diagnostics& findings) {
-  if (summary.IsStable()) return;
-  const std::string modes = GrowingModes(summary.modes);
-  findings.Warning(vehicle.file, 0,
-                   "the vehicle is unstable in its design pose: " + (modes.empty() ? "a motion" : modes) +
-                       " grows by exp(" + Rounded(summary.growth_rate, 3) +
-                       " t); a rod or a spring that holds it is missing, or positions, axes or rates are wrong");
-}
 
 void Append(const Diagnostics& more, Diagnostics& findings) {
   for (const Diagnostic& item : more.items())
@@ -50,7 +33,7 @@ std::optional<CheckedVehicle> Checked(const std::filesystem::path& file, Diagnos
   try {
     Mobility mobility = MobilityOf(*vehicle);
     VehicleSummary summary = Summarise(*vehicle, vehicle->ParameterValues());
-    NoteInstability(*vehicle, summary, findings);
+    Append(LintRide(*vehicle, summary), findings);
     Append(LintAssembled(*vehicle), findings);
     return CheckedVehicle{std::move(*vehicle), std::move(mobility), std::move(summary)};
   } catch (const FaultyInput& fault) {
