@@ -4,6 +4,7 @@
 
 #include "analysis/decibel.h"
 #include "analysis/option_check.h"
+#include "identify/modelled_response.h"
 
 namespace fourpost {
 
@@ -54,7 +55,7 @@ Evaluation FourPostObjective::Evaluate(const Eigen::VectorXd& values) const {
   evaluation.residuals.resize(residual_count_);
   double* out = evaluation.residuals.data();
   for (const MeasuredRun& run : runs_) {
-    const PeriodicResponse modelled = SolveHarmonicBalance(model, vehicle_.sensors, run.excitation);
+    const PeriodicResponse modelled = SolveHarmonicBalance(model, vehicle_.sensors, run.excitation, kFitBalance);
     if (!modelled.unconverged_Hz.empty())
       return Failed(Failure::kNotConverged, "no periodic response at " + std::to_string(modelled.unconverged_Hz[0]) +
                                                 " Hz of '" + run.name + "'");

@@ -11,7 +11,6 @@
 #include "identify/four_post_data.h"
 #include "identify/study.h"
 #include "vehicles/condensed_vehicle.h"
-#include "vehicles/harmonic_balance.h"
 #include "vehicles/vehicle.h"
 
 namespace fourpost {

@@ -5,7 +5,6 @@
 
 #include "analysis/csv_writer.h"
 #include "analysis/decibel.h"
-#include "vehicles/harmonic_balance.h"
 
 namespace fourpost {
 namespace {
@@ -40,7 +39,7 @@ std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, co
                                                  const std::vector<MeasuredRun>& runs) {
   std::vector<FrequencyResponse> responses;
   for (const MeasuredRun& run : runs) {
-    PeriodicResponse periodic = SolveHarmonicBalance(model, sensors, run.excitation);
+    PeriodicResponse periodic = SolveHarmonicBalance(model, sensors, run.excitation, kFitBalance);
     for (const double frequency : periodic.unconverged_Hz) Blank(frequency, periodic.response);
     responses.push_back(std::move(periodic.response));
   }

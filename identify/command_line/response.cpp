@@ -11,6 +11,7 @@
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/text_table.h"
 #include "identify/loaded_study.h"
+#include "identify/modelled_response.h"
 #include "vehicles/full_balance.h"
 #include "vehicles/harmonic_balance.h"
 #include "vehicles/march.h"
@@ -37,7 +38,8 @@ class Respondent {
 
   FrequencyResponse Answer(const MeasuredRun& run) {
     switch (engine_) {
-      case Engine::kLinearised: return Periodic(SolveHarmonicBalance(model_, vehicle_.sensors, run.excitation), run);
+      case Engine::kLinearised:
+        return Periodic(SolveHarmonicBalance(model_, vehicle_.sensors, run.excitation, kFitBalance), run);
       case Engine::kFull: return Periodic(SolveFullBalance(*multibody_, model_, run.excitation), run);
       case Engine::kMarch: return Marched(run);
     }

@@ -81,6 +81,8 @@ TEST_F(CommandLine, FitWritesItsResultAndCheckAcceptsTheFittedVehicle) {
   EXPECT_GT(result["cost"], 0);
   EXPECT_GT(result["evaluations"]["paid"], 300);
   EXPECT_EQ(result["evaluations"]["failed"], 0);
+  // The objective is smooth enough for every refinement to find the one optimum.
+  EXPECT_EQ(result["starts"]["agreeing"], result["starts"]["refined"]);
   EXPECT_TRUE(result["evaluations"].contains("reused"));
   EXPECT_EQ(result["parameters"].size(), 12u);
   for (const Json& parameter : result["parameters"]) {
