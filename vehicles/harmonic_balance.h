@@ -17,7 +17,7 @@ struct HarmonicBalanceOptions {
   /// its step.
   int most_harmonics = 257;
   /// Largest change of any harmonic of any port's rate in the last iteration, relative to the largest of them.
-  double tolerance = 2e-5;
+  double tolerance = 5e-5;
   /// At each number of harmonics.
   int max_iterations = 60;
 
