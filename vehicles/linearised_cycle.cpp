@@ -68,8 +68,8 @@ bool LinearisedCycle::TrySolve() {
   while (HarmonicsOf(level + 1) <= options_.most_harmonics) {
     if (!SolveLevel(++level, cycle().extension(), options_.tolerance)) return false;
     const First before = std::exchange(now, FirstHarmonic());
-    // What kinks leave falls with the square of the samples: a third of this change is left.
-    if (Change(before, now) <= 3 * options_.error && cycle().ResolvesSteps()) return true;
+    // What is left after this change is some third of it, or, where a kink fell on a sample, all of it.
+    if (Change(before, now) <= options_.error && cycle().ResolvesSteps()) return true;
   }
   return false;
 }
