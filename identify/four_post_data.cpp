@@ -8,8 +8,8 @@
 #include "analysis/frequency_response_file.h"
 #include "analysis/nearest.h"
 #include "analysis/static_loads.h"
-#include "vehicles/post_pattern.h"
-#include "vehicles/response_recorder.h"
+#include "vehicles/description/post_pattern.h"
+#include "vehicles/response/response_recorder.h"
 
 namespace fourpost {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "analysis/diagnostics.h"
 #include "identify/study.h"
-#include "vehicles/excitation.h"
-#include "vehicles/vehicle.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/response/excitation.h"
 
 namespace fourpost {
 

@@ -10,8 +10,8 @@
 #include "identify/evaluation.h"
 #include "identify/four_post_data.h"
 #include "identify/study.h"
-#include "vehicles/condensed_vehicle.h"
-#include "vehicles/vehicle.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/description/vehicle.h"
 
 namespace fourpost {
 

@@ -4,7 +4,7 @@
 
 #include "analysis/frequency_response_file.h"
 #include "analysis/nearest.h"
-#include "vehicles/vehicle_file.h"
+#include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 namespace {

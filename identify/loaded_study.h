@@ -8,7 +8,7 @@
 #include "identify/four_post_data.h"
 #include "identify/four_post_objective.h"
 #include "identify/study.h"
-#include "vehicles/vehicle.h"
+#include "vehicles/description/vehicle.h"
 
 namespace fourpost {
 

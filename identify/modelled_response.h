@@ -4,9 +4,9 @@
 
 #include "analysis/frequency_response.h"
 #include "identify/four_post_data.h"
-#include "vehicles/condensed_model.h"
-#include "vehicles/harmonic_balance.h"
-#include "vehicles/vehicle.h"
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/response/harmonic_balance.h"
 
 namespace fourpost {
 

@@ -5,7 +5,7 @@
 
 #include "analysis/text_file.h"
 #include "identify/strict_yaml.h"
-#include "vehicles/post_pattern.h"
+#include "vehicles/description/post_pattern.h"
 
 namespace fourpost {
 namespace {

@@ -3,7 +3,7 @@
 #include <ceres/version.h>
 #include <Eigen/Core>
 
-#include "vehicles/simbody_version.h"
+#include "vehicles/multibody/simbody_version.h"
 
 namespace fourpost {
 

@@ -9,12 +9,12 @@
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/text_table.h"
-#include "vehicles/mobility.h"
-#include "vehicles/resolved_text.h"
-#include "vehicles/ride_lint.h"
-#include "vehicles/vehicle_file.h"
-#include "vehicles/vehicle_lint.h"
-#include "vehicles/vehicle_summary.h"
+#include "vehicles/lint/ride_lint.h"
+#include "vehicles/lint/vehicle_lint.h"
+#include "vehicles/loops/mobility.h"
+#include "vehicles/reader/resolved_text.h"
+#include "vehicles/reader/vehicle_file.h"
+#include "vehicles/ride/vehicle_summary.h"
 
 namespace fourpost {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "identify/command_line/checked_vehicle.h"
-#include "vehicles/vehicle.h"
+#include "vehicles/description/vehicle.h"
 
 namespace fourpost {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "vehicles/mobility.h"
-#include "vehicles/vehicle.h"
-#include "vehicles/vehicle_summary.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/loops/mobility.h"
+#include "vehicles/ride/vehicle_summary.h"
 
 namespace fourpost {
 

@@ -15,7 +15,7 @@
 #include "identify/modelled_response.h"
 #include "identify/response_chart.h"
 #include "identify/result_json.h"
-#include "vehicles/vehicle_file.h"
+#include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 namespace {

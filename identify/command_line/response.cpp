@@ -12,9 +12,9 @@
 #include "identify/command_line/text_table.h"
 #include "identify/loaded_study.h"
 #include "identify/modelled_response.h"
-#include "vehicles/full_balance.h"
-#include "vehicles/harmonic_balance.h"
-#include "vehicles/march.h"
+#include "vehicles/response/full_balance.h"
+#include "vehicles/response/harmonic_balance.h"
+#include "vehicles/response/march.h"
 
 namespace fourpost {
 namespace {

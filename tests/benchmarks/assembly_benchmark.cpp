@@ -8,9 +8,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "vehicles/condensed_vehicle.h"
-#include "vehicles/multibody.h"
-#include "vehicles/vehicle_file.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/multibody/multibody.h"
+#include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 namespace {

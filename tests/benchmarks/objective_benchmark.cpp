@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "identify/loaded_study.h"
-#include "vehicles/march.h"
+#include "vehicles/response/march.h"
 
 namespace fourpost {
 namespace {

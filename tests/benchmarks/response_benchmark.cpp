@@ -10,12 +10,12 @@
 #include <benchmark/benchmark.h>
 #include <Eigen/LU>
 
-#include "vehicles/condensed_vehicle.h"
-#include "vehicles/full_balance.h"
-#include "vehicles/harmonic_balance.h"
-#include "vehicles/linear_vehicle.h"
-#include "vehicles/march.h"
-#include "vehicles/vehicle_file.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/condensed/linear_vehicle.h"
+#include "vehicles/reader/vehicle_file.h"
+#include "vehicles/response/full_balance.h"
+#include "vehicles/response/harmonic_balance.h"
+#include "vehicles/response/march.h"
 
 namespace fourpost {
 namespace {

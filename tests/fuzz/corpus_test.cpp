@@ -8,7 +8,7 @@
 
 #include "tests/fuzz/vehicle_fuzzer.h"
 #include "tests/temporary_folder.h"
-#include "vehicles/tag_table.h"
+#include "vehicles/tags/tag_table.h"
 
 namespace {
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "vehicles/condensed_vehicle.h"
-#include "vehicles/mobility.h"
-#include "vehicles/resolved_text.h"
-#include "vehicles/vehicle_file.h"
-#include "vehicles/vehicle_lint.h"
-#include "vehicles/vehicle_summary.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/lint/vehicle_lint.h"
+#include "vehicles/loops/mobility.h"
+#include "vehicles/reader/resolved_text.h"
+#include "vehicles/reader/vehicle_file.h"
+#include "vehicles/ride/vehicle_summary.h"
 
 namespace fourpost {
 namespace {

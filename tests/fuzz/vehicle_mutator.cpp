@@ -11,8 +11,8 @@
 #include <tinyxml2.h>
 
 #include "analysis/units.h"
-#include "vehicles/tag.h"
-#include "vehicles/tag_table.h"
+#include "vehicles/tags/tag.h"
+#include "vehicles/tags/tag_table.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed);

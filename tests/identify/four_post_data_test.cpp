@@ -14,9 +14,9 @@
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
 #include "tests/temporary_folder.h"
-#include "vehicles/condensed_vehicle.h"
-#include "vehicles/post_pattern.h"
-#include "vehicles/vehicle_file.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/description/post_pattern.h"
+#include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 namespace {

@@ -9,7 +9,7 @@
 #include "analysis/decibel.h"
 #include "identify/modelled_response.h"
 #include "tests/identify/shipped_study.h"
-#include "vehicles/condensed_vehicle.h"
+#include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
 namespace {

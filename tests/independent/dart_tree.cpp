@@ -11,7 +11,7 @@
 #include <dart/dynamics/TranslationalJoint.hpp>
 #include <dart/dynamics/WeldJoint.hpp>
 
-#include "vehicles/gravity.h"
+#include "vehicles/description/gravity.h"
 
 namespace fourpost {
 namespace {

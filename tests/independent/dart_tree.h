@@ -8,7 +8,7 @@
 #include <dart/dynamics/BodyNode.hpp>
 #include <dart/dynamics/Skeleton.hpp>
 
-#include "vehicles/vehicle.h"
+#include "vehicles/description/vehicle.h"
 
 namespace fourpost {
 

@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "tests/independent/dart_tree.h"
-#include "vehicles/multibody.h"
-#include "vehicles/vehicle.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/multibody/multibody.h"
 
 namespace fourpost {
 

@@ -12,8 +12,8 @@
 
 #include "tests/vehicles/resting.h"
 #include "tests/vehicles/shipped_vehicle.h"
-#include "vehicles/condensed_vehicle.h"
-#include "vehicles/multibody.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/multibody/multibody.h"
 
 namespace fourpost {
 

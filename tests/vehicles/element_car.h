@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/diagnostics.h"
-#include "vehicles/vehicle_file.h"
+#include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "vehicles/simbody.h"
+#include "vehicles/multibody/simbody.h"
 
 namespace fourpost {
 
@@ -114,7 +114,8 @@ class ForceChecker {
     EXPECT_LE(balance.moment.norm(), 10 * rounding);
     const double energy_rate = Rate([this](const SimTK::State& s) { return Energy(s); });
     // Of Rate: 1e-12 / s of the energy and of what its terms are.
-    const double differences = 1e-9 * (std::abs(balance.power) + std::abs(dissipation) + scale) + 1e-11 * std::abs(Energy());
+    const double differences =
+        1e-9 * (std::abs(balance.power) + std::abs(dissipation) + scale) + 1e-11 * std::abs(Energy());
     EXPECT_NEAR(balance.power, -energy_rate - dissipation, differences);
     EXPECT_GE(dissipation, 0);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vehicles/vehicle_lint.h"
+#include "vehicles/lint/vehicle_lint.h"
 
 namespace fourpost {
 

@@ -14,11 +14,11 @@
 #include "analysis/decibel.h"
 #include "analysis/diagnostics.h"
 #include "analysis/frequency_response_file.h"
-#include "vehicles/condensed_vehicle.h"
-#include "vehicles/full_balance.h"
-#include "vehicles/harmonic_balance.h"
-#include "vehicles/march.h"
-#include "vehicles/multibody.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/multibody/multibody.h"
+#include "vehicles/response/full_balance.h"
+#include "vehicles/response/harmonic_balance.h"
+#include "vehicles/response/march.h"
 
 namespace fourpost {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "vehicles/condensed_vehicle.h"
-#include "vehicles/multibody.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/multibody/multibody.h"
 
 namespace fourpost {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "vehicles/condensed_model.h"
+#include "vehicles/condensed/condensed_model.h"
 
 namespace fourpost {
 

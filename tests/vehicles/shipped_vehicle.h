@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "analysis/diagnostics.h"
-#include "vehicles/condensed_vehicle.h"
-#include "vehicles/vehicle.h"
-#include "vehicles/vehicle_file.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "vehicles/vehicle_file.h"
+#include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 

@@ -1,6 +1,6 @@
 #include <vector>
 
-#include "vehicles/vehicle.h"
+#include "vehicles/description/vehicle.h"
 
 int main() {
   fourpost::Vehicle vehicle;

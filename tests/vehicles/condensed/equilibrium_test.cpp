@@ -1,0 +1,330 @@
+#include "vehicles/condensed/equilibrium.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+#include "tests/vehicles/shipped_vehicle.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/loops/design_kinematics.h"
+#include "vehicles/response/harmonic_balance.h"
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+// Weights of the quarter car, 200 kg on 22 kg.
+constexpr double kSpringTension = -1961.33;
+constexpr double kTyreLoad = 2177.0763;
+
+void Fix(Vehicle& vehicle) {
+  for (Parameter& parameter : vehicle.parameters) {
+    parameter.lower = parameter.upper = parameter.value;
+    parameter.precision = 0;
+  }
+}
+
+/// The quarter car with these preloads and parameters that stay as they are.
+Vehicle QuarterCarWith(std::optional<double> tension, std::optional<double> load) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  Fix(vehicle);
+  if (tension) vehicle.springs[0].preload = Scalar{*tension};
+  if (load) vehicle.tyres[0].preload = Scalar{*load};
+  return vehicle;
+}
+
+std::string Place(const Vehicle& vehicle, int line) {
+  return vehicle.file + ":" + std::to_string(line) + ": error: no static equilibrium: ";
+}
+
+int LinkLine(const Vehicle& vehicle, const std::string& name) {
+  return std::find_if(vehicle.links.begin(), vehicle.links.end(), [&](const Link& link) { return link.name == name; })
+      ->line;
+}
+
+TEST(Equilibrium, MayHaveEveryPreloadGiven) {
+  const Vehicle given = QuarterCarWith(kSpringTension, kTyreLoad);
+  const Vehicle found = QuarterCarWith({}, {});
+  const CondensedModel a = CondensedVehicle(given).At(given.ParameterValues());
+  const CondensedModel b = CondensedVehicle(found).At(found.ParameterValues());
+  EXPECT_EQ(a.preloads.spring[0], kSpringTension);
+  // Vertical coordinates have no curvature: preloads do not matter. Differences leave 1e-12 per metre of 2 kN.
+  EXPECT_LT((a.stiffness - b.stiffness).norm(), 1e-8);
+}
+
+TEST(Equilibrium, MayHaveOnePreloadGiven) {
+  const Vehicle vehicle = QuarterCarWith(kSpringTension, {});
+  EXPECT_EQ(Fault(vehicle), "");
+  EXPECT_NEAR(CondensedVehicle(vehicle).PreloadsAt(vehicle.ParameterValues()).tyre[0], kTyreLoad, 1e-9);  // rounding
+}
+
+TEST(Equilibrium, NeedsNoSpringWhereNothingHasWeight) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  vehicle.springs.clear();
+  vehicle.tyres.clear();
+  vehicle.posts.clear();
+  vehicle.sensors.pop_back();
+  for (Joint& joint : vehicle.joints) joint.axis = Eigen::Vector3d::UnitX();
+  EXPECT_EQ(Fault(vehicle), "");
+}
+
+TEST(Equilibrium, NamesEachMotionThatNothingHolds) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  vehicle.springs.clear();
+  vehicle.dampers.clear();
+  vehicle.tyres.clear();
+  vehicle.posts.clear();
+  vehicle.sensors.pop_back();
+  EXPECT_THAT(
+      Fault(vehicle),
+      AllOf(HasSubstr(Place(vehicle, vehicle.links[1].line) +
+                      "nothing holds heave of link 'unsprung'; add the fp:rod, fp:ball or joint that guides it, "
+                      "or a spring, tyre or bushing with preload=\"equilibrium\" that carries it"),
+            HasSubstr(Place(vehicle, vehicle.links[2].line) + "nothing holds heave of link 'sprung'; ")));
+}
+
+TEST(Equilibrium, NamesADamperWithoutASpringBesideIt) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  vehicle.springs.clear();
+  EXPECT_EQ(Fault(vehicle), Place(vehicle, vehicle.links[2].line) +
+                                "nothing holds heave of link 'sprung'; a damper carries nothing at rest: add an "
+                                "fp:spring beside fp:damper 'damper'");
+}
+
+TEST(Equilibrium, DoesNotTakeGasForASpring) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  vehicle.springs[0].kind = Spring::Kind::kGas;
+  vehicle.springs[0].name = "damper";
+  vehicle.springs[0].preload = Scalar{-120};
+  EXPECT_THAT(Fault(vehicle), HasSubstr("nothing holds heave of link 'sprung'; a damper carries nothing at rest"));
+}
+
+TEST(Equilibrium, NamesABushingThatCouldHold) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  const ForceLine line = vehicle.springs[0].line;
+  vehicle.springs.clear();
+  vehicle.bushings.push_back({.name = "mount", .parent = line.parent, .child = line.child});
+  vehicle.bushings[0].stiffness[2].value = 1e5;
+  EXPECT_EQ(Fault(vehicle), Place(vehicle, vehicle.links[2].line) +
+                                "nothing holds heave of link 'sprung'; write preload=\"equilibrium\" in fp:bushing "
+                                "'mount'");
+}
+
+// Without track rods the uprights steer under the weight on inclined axes; all other bodies follow by a little.
+TEST(Equilibrium, NamesBothSidesOfASteeringThatNothingHoldsOnce) {
+  Vehicle vehicle = ShippedVehicle("independent_roadster");
+  vehicle.rods.clear();
+  EXPECT_EQ(
+      Fault(vehicle),
+      Place(vehicle, LinkLine(vehicle, "front_upright_left")) +
+          "nothing holds yaw of link 'front_upright_left' and link 'front_upright_right'; add the fp:rod, fp:ball "
+          "or joint that guides it, or a spring, tyre or bushing with preload=\"equilibrium\" that carries it");
+}
+
+// The upper arms hang free, and the body sinks while the uprights lean.
+TEST(Equilibrium, NamesWhatMovesWithoutUpperBallJoints) {
+  Vehicle vehicle = ShippedVehicle("independent_roadster");
+  std::erase_if(vehicle.balls, [](const Ball& ball) { return ball.name.starts_with("front_upper"); });
+  const std::string fault = Fault(vehicle);
+  EXPECT_THAT(fault, HasSubstr(Place(vehicle, LinkLine(vehicle, "front_upper_left")) +
+                               "nothing holds heave of link 'front_upper_left' and link 'front_upper_right'; add the "
+                               "fp:rod, fp:ball or joint"));
+  EXPECT_THAT(fault, HasSubstr("nothing holds heave of link 'body', in which link 'front_upright_left' and link "
+                               "'front_upright_right' move most; add the fp:rod, fp:ball or joint"));
+  EXPECT_EQ(std::count(fault.begin(), fault.end(), '\n'), 1);  // two errors
+}
+
+TEST(Equilibrium, NamesWhereCoilsAreMissingAndNotTheStops) {
+  Vehicle vehicle = ShippedVehicle("independent_roadster");
+  std::erase_if(vehicle.springs, [](const Spring& spring) {
+    return spring.kind == Spring::Kind::kCoil && spring.name.starts_with("front");
+  });
+  EXPECT_EQ(Fault(vehicle), Place(vehicle, LinkLine(vehicle, "body")) +
+                                "nothing holds heave of link 'body', in which link 'front_upper_left' and link "
+                                "'front_upper_right' move most; a damper carries nothing at rest: add an fp:spring "
+                                "beside fp:damper 'front_left' and fp:damper 'front_right'");
+  std::erase_if(vehicle.dampers, [](const Damper& damper) { return damper.name.starts_with("front"); });
+  EXPECT_THAT(Fault(vehicle), HasSubstr("a stop carries nothing at rest: add an fp:spring beside fp:stop 'front_left' "
+                                        "and fp:stop 'front_right'"));
+}
+
+TEST(Equilibrium, NamesAPreloadThatNothingBalances) {
+  const Vehicle vehicle = QuarterCarWith({}, 2000);
+  EXPECT_EQ(Fault(vehicle),
+            vehicle.file + ":" + std::to_string(vehicle.tyres[0].source_line) +
+                ": error: no static equilibrium: the preload of fp:tyre 'tyre', 2000 N, is not balanced, 2177.076 N "
+                "would be; correct it or write preload=\"equilibrium\"");
+}
+
+// One line sets both: told once, with the size that both need.
+TEST(Equilibrium, TellsThePreloadThatTwinsNeedTogether) {
+  Vehicle vehicle = ShippedVehicle("independent_roadster");
+  Fix(vehicle);
+  const Preloads needed = CondensedVehicle(vehicle).PreloadsAt(vehicle.ParameterValues());
+  std::vector<double> tensions;
+  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
+    Spring& spring = vehicle.springs[i];
+    if (spring.kind != Spring::Kind::kCoil || !spring.name.starts_with("rear_")) continue;
+    spring.preload = Scalar{-2000};
+    tensions.push_back(needed.spring[i]);
+  }
+  ASSERT_EQ(tensions.size(), 2U);
+  const std::string fault = Fault(vehicle);
+  const std::string before = "-2000 N, is not balanced, ";
+  const std::size_t place = fault.find(before);
+  ASSERT_NE(place, std::string::npos) << fault;
+  EXPECT_EQ(fault.find(before, place + 1), std::string::npos) << fault;
+  // Printed digits.
+  EXPECT_NEAR(std::stod(fault.substr(place + before.size())), tensions[0], 1e-3);
+  EXPECT_NEAR(tensions[0], tensions[1], 1e-6);
+}
+
+TEST(Equilibrium, NamesAllPreloadsWhenAllAreGivenAndOneIsWrong) {
+  const std::string fault = Fault(QuarterCarWith(kSpringTension, 2000));
+  EXPECT_THAT(fault, AllOf(HasSubstr("fp:spring 'spring', -1961.33 N"), HasSubstr("fp:tyre 'tyre', 2000 N")));
+}
+
+TEST(Equilibrium, TakesAPreloadOfSevenDigitsButNotOfFour) {
+  EXPECT_EQ(Fault(QuarterCarWith(kSpringTension, 2177.076)), "");
+  EXPECT_THAT(Fault(QuarterCarWith(kSpringTension, 2177)), HasSubstr("fp:tyre 'tyre', 2177 N, is not balanced"));
+}
+
+// Balanced at 200 kg only.
+TEST(Equilibrium, NamesAFreeMassThatNoPreloadFollows) {
+  Vehicle vehicle = QuarterCarWith(kSpringTension, kTyreLoad);
+  vehicle.parameters[0].lower = 100;
+  const std::string fault = Fault(vehicle);
+  EXPECT_THAT(fault, HasSubstr(":" + std::to_string(vehicle.parameters[0].line) +
+                               ": error: no static equilibrium but at one value of fp:parameter 'm_sprung': the weight "
+                               "of link 'sprung' follows it"));
+  EXPECT_THAT(fault, Not(HasSubstr("unsprung")));
+}
+
+TEST(Equilibrium, NamesAFreePreloadThatNoOtherFollows) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  const int index = static_cast<int>(vehicle.parameters.size());
+  vehicle.parameters.push_back({.name = "load", .value = kTyreLoad, .lower = 2000, .upper = 2500, .precision = 1});
+  vehicle.tyres[0].preload = Scalar{.value = kTyreLoad, .parameter = index};
+  EXPECT_THAT(Fault(vehicle), HasSubstr("fp:parameter 'load': the preload of fp:tyre 'tyre' follows it"));
+}
+
+TEST(Equilibrium, FollowsAFreePreloadThatAnotherMakesUpFor) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  const int index = static_cast<int>(vehicle.parameters.size());
+  vehicle.parameters.push_back({.name = "helper", .value = 300, .lower = 200, .upper = 500, .precision = 1});
+  Spring helper = vehicle.springs[0];
+  helper.name = "helper";
+  helper.preload = Scalar{.value = 300, .parameter = index};
+  vehicle.springs.push_back(helper);
+  EXPECT_EQ(Fault(vehicle), "");
+  std::vector<double> values = vehicle.ParameterValues();
+  values.back() = 500;
+  EXPECT_NEAR(CondensedVehicle(vehicle).PreloadsAt(values).spring[0], kSpringTension - 500, 1e-9);  // rounding
+}
+
+/// The quarter car with a spring beside its coil that is without load when 50 mm longer.
+Vehicle WithHelper(const SpringDescription& law) {
+  Vehicle vehicle = QuarterCarWith({}, {});
+  Spring helper = vehicle.springs[0];
+  helper.name = "helper";
+  helper.law = law;
+  helper.free_length = Scalar{DesignKinematics(vehicle).LineLength(helper.line).value + 0.05};
+  vehicle.springs.push_back(helper);
+  return vehicle;
+}
+
+TEST(Equilibrium, TakesAFreeLengthForThatOfTheWholeLaw) {
+  const SpringDescription linear{.stiffness = {10e3}, .cubic = {}, .knees = {}};
+  SpringDescription full{.stiffness = {10e3}, .cubic = {1e6}, .knees = {}};
+  full.knees.push_back({.side = 1, .at = {0.02}, .rate = {15e3}, .cubic = {}});
+  const double cubic = 1e6 * 0.05 * 0.05 * 0.05;
+  for (const auto& [law, tension] : {std::pair(linear, -500.0), std::pair(full, -500 - cubic - 5e3 * 0.03)}) {
+    const Vehicle vehicle = WithHelper(law);
+    EXPECT_EQ(Fault(vehicle), "");
+    const Preloads preloads = CondensedVehicle(vehicle).PreloadsAt(vehicle.ParameterValues());
+    EXPECT_NEAR(preloads.spring[1], tension, 1e-9);  // rounding
+    EXPECT_NEAR(preloads.spring[0], kSpringTension - tension, 1e-9);
+  }
+}
+
+TEST(Equilibrium, TellsWhatAFreeLengthWouldHaveToMake) {
+  Vehicle vehicle = WithHelper({.stiffness = {10e3}, .cubic = {}, .knees = {}});
+  vehicle.springs.erase(vehicle.springs.begin());
+  EXPECT_THAT(Fault(vehicle), HasSubstr("the preload of fp:spring 'helper' by its free length, -500 N, is not "
+                                        "balanced, -1961.33 N would be; correct that length, or leave a spring or tyre "
+                                        "that acts beside it to equilibrium"));
+}
+
+// The thesis's Model 3 with its body 50 mm to the left: each axle takes the roll moment by its stiffness, coils and
+// tyres in series.
+TEST(Equilibrium, TransfersLoadBetweenAxlesByRollStiffness) {
+  Vehicle vehicle = ShippedVehicle("landrover110_model3");
+  const CondensedVehicle condensed(vehicle);
+  const auto loads = [&] { return condensed.PreloadsAt(vehicle.ParameterValues()).tyre; };
+  for (const char* coil : {"k_FL", "k_FR"}) Set(vehicle, coil, 26e3);
+  for (const char* coil : {"k_RL", "k_RR"}) Set(vehicle, coil, 80e3);
+  const std::vector<double> middle = loads();
+  Set(vehicle, "y_body", 0.05);
+  const std::vector<double> aside = loads();
+  const auto roll_compliance = [&](std::size_t left, double coil) {
+    const double seat = vehicle.springs[left].line.child.xyz.y();
+    const double track = vehicle.tyres[left].point.xyz.y();
+    const double tyre = vehicle.tyres[left].stiffness.At(vehicle.ParameterValues());
+    return 1 / (2 * coil * seat * seat) + 1 / (2 * tyre * track * track);
+  };
+  const double front = aside[0] - middle[0];
+  const double rear = aside[2] - middle[2];
+  EXPECT_NEAR(front, -(aside[1] - middle[1]), 1e-8);  // rounding of differences
+  EXPECT_GT(front, 50);
+  EXPECT_NEAR(rear / front, roll_compliance(0, 26e3) / roll_compliance(2, 80e3), 1e-10);
+}
+
+// A beam over one pivot: neither end is held, but each balances the other.
+TEST(Equilibrium, LetsLinksBalanceEachOther) {
+  const auto end = [](double kilogram, double lever) {
+    return GivenForce{.size = kilogram, .direction = Eigen::VectorXd::Constant(1, lever)};
+  };
+  const auto fault = [&](double right) {
+    Eigen::MatrixXd turn = Eigen::MatrixXd::Zero(3, 1);
+    turn(0, 0) = 1;
+    const StaticLoads loads{.forces = {end(10, 9), end(right, -3)},
+                            .holders = Eigen::MatrixXd(1, 0),
+                            .links = {{.name = "beam",
+                                       .mass = 10 + right,
+                                       .inertia = Eigen::Vector3d::Ones(),
+                                       .com_jacobian = Eigen::MatrixXd::Zero(3, 1),
+                                       .spin_jacobian = turn}}};
+    Diagnostics faults;
+    CheckEquilibrium({}, loads, faults);
+    return faults.Format();
+  };
+  EXPECT_EQ(fault(30), "");
+  EXPECT_THAT(fault(31), HasSubstr("nothing holds roll of link 'beam'"));
+}
+
+// Two links that nothing holds, of which one carries weights that balance each other.
+TEST(Equilibrium, LeavesOutWhatIsBalancedByItself) {
+  const auto force = [](double kilogram, const Eigen::Vector2d& direction) {
+    return GivenForce{.size = kilogram, .direction = direction};
+  };
+  const auto link = [](const char* name, const Eigen::RowVector2d& heave) {
+    LinkMotion motion{.name = name,
+                                        .mass = 1,
+                                        .com_jacobian = Eigen::MatrixXd::Zero(3, 2),
+                                        .spin_jacobian = Eigen::MatrixXd::Zero(3, 2)};
+    motion.com_jacobian.row(2) = heave;
+    return motion;
+  };
+  const StaticLoads loads{.forces = {force(10, {9, 0}), force(30, {-3, 0}), force(5, {0, 9})},
+                          .holders = Eigen::MatrixXd(2, 0),
+                          .links = {link("beam", {1, 0}), link("stone", {0, 1})}};
+  const std::vector<UnheldMotion> unheld = UnheldMotions(loads);
+  ASSERT_EQ(unheld.size(), 1U);
+  EXPECT_EQ(unheld[0].motion.Text(), "heave of link 'stone'");
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,90 @@
+#include "vehicles/condensed/port.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/vehicles/element_car.h"
+#include "tests/vehicles/shipped_vehicle.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+double RemainderAt(const PortLaw& law, double x, double v) {
+  double remainder = 0;
+  Remainders(law, {&x, 1}, {&v, 1}, {&remainder, 1});
+  return remainder;
+}
+
+void ExpectSlopesOfItsRemainder(const PortLaw& law) {
+  // Central differences over 1e-6 of kinked, else smooth laws; points keep off the kinks.
+  constexpr double kStep = 1e-6;
+  for (const double x : {-0.031, -0.012, 0.003, 0.017})
+    for (const double v : {-0.7, -0.08, 0.03, 0.4}) {
+      double by_extension = 0;
+      double by_rate = 0;
+      RemainderSlopes(law, {&x, 1}, {&v, 1}, {&by_extension, 1}, {&by_rate, 1});
+      const double in_x = (RemainderAt(law, x + kStep, v) - RemainderAt(law, x - kStep, v)) / (2 * kStep);
+      const double in_v = (RemainderAt(law, x, v + kStep) - RemainderAt(law, x, v - kStep)) / (2 * kStep);
+      EXPECT_NEAR(by_extension, in_x, 1e-3 + 1e-6 * std::abs(in_x)) << x << " m, " << v << " m/s";
+      EXPECT_NEAR(by_rate, in_v, 1e-3 + 1e-6 * std::abs(in_v)) << x << " m, " << v << " m/s";
+    }
+}
+
+const LiftoffRemainder kTyre{.preload = 3000, .stiffness = 2e5, .damping = 500};
+
+TEST(Port, RemaindersHaveTheirSlopes) {
+  ExpectSlopesOfItsRemainder(DashpotRemainder{DashpotLaw(800, 2600).WithFriction(50, 0.01), 1700});
+  SpringLaw spring{.stiffness = 2e4, .cubic = 1e7, .knees = {}};
+  spring.knees.push_back({.at = -0.02, .side = -1, .stiffness = 1e5, .cubic = 1e8});
+  ExpectSlopesOfItsRemainder(SpringRemainder{spring, 2e4});
+  ExpectSlopesOfItsRemainder(kTyre);
+}
+
+TEST(Port, ALiftedTyreLosesItsPull) {
+  EXPECT_EQ(RemainderAt(kTyre, -0.01, 0), 0);             // 3000 - 2000 N of compression
+  EXPECT_DOUBLE_EQ(RemainderAt(kTyre, -0.02, 0), 1000);   // 3000 - 4000 N
+  EXPECT_DOUBLE_EQ(RemainderAt(kTyre, -0.01, -4), 1000);  // 3000 - 2000 - 2000 N
+}
+
+TEST(Port, SpeedsOfStepsAreThoseOfFriction) {
+  EXPECT_EQ(StepOfRate(DashpotRemainder{DashpotLaw(800, 2600).WithFriction(50, 0.01), 1700}), 0.01);
+  EXPECT_EQ(StepOfRate(DashpotRemainder{DashpotLaw::Smooth(800, 2600, 0.05), 1700}), 0.05);
+  EXPECT_TRUE(std::isinf(StepOfRate(DashpotRemainder{DashpotLaw(800, 2600), 1700})));
+  EXPECT_TRUE(std::isinf(StepOfRate(kTyre)));
+}
+
+CondensedModel ModelOf(const Vehicle& vehicle) { return CondensedVehicle(vehicle).At(vehicle.ParameterValues()); }
+
+TEST(Port, ALinearVehicleHasNone) { EXPECT_TRUE(PortsOf(ModelOf(ShippedVehicle("quarter_car"))).empty()); }
+
+TEST(Port, EveryElementThatIsNotLinearHasOne) {
+  Vehicle vehicle = ElementCar();
+  for (Tyre& tyre : vehicle.tyres) tyre.lifts_off = true;
+  const CondensedModel model = ModelOf(vehicle);
+  const std::vector<Port> ports = PortsOf(model);
+  std::array<std::size_t, 3> count{};
+  for (const Port& port : ports) {
+    ++count[port.law.index()];
+    EXPECT_GT(port.direction.norm(), 0);
+    if (port.liftoff < 0) continue;
+    EXPECT_EQ(port.post, model.liftoffs[static_cast<std::size_t>(port.liftoff)].post);
+  }
+  std::size_t dashpots = 0;
+  std::size_t series = 0;
+  for (const CondensedModel::Dashpot& dashpot : model.dashpots) {
+    dashpots += dashpot.law.LeastRate() < dashpot.law.GreatestRate() ? 1 : 0;
+    series += dashpot.HasSeries() && !dashpot.series.IsLinear() ? 1 : 0;
+  }
+  EXPECT_EQ(count[0], dashpots);
+  EXPECT_EQ(count[1], model.stiffenings.size() + series);
+  EXPECT_EQ(count[2], model.liftoffs.size());
+  EXPECT_GT(series, 0U);
+  EXPECT_EQ(model.liftoffs.size(), vehicle.tyres.size());
+}
+
+}  // namespace
+}  // namespace fourpost

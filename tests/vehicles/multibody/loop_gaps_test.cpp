@@ -1,0 +1,111 @@
+#include "vehicles/multibody/loop_gaps.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "tests/vehicles/lint_all.h"
+#include "tests/vehicles/shipped_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr double kMillimetre = 1e-3;
+
+Ball& BallOf(Vehicle& vehicle, const std::string& name) {
+  for (Ball& ball : vehicle.balls)
+    if (ball.name == name) return ball;
+  throw std::invalid_argument(name);
+}
+
+/// The roadster with its lower arms' ball joints shifted outward.
+Vehicle RoadsterWithLongerArms(double millimetres) {
+  Vehicle vehicle = ShippedVehicle("independent_roadster");
+  BallOf(vehicle, "front_lower_left").parent.xyz.y() += millimetres * kMillimetre;
+  BallOf(vehicle, "front_lower_right").parent.xyz.y() -= millimetres * kMillimetre;
+  return vehicle;
+}
+
+std::string At(const Vehicle& vehicle, const std::string& ball) {
+  Vehicle copy = vehicle;
+  return vehicle.file + ":" + std::to_string(BallOf(copy, ball).source_line) + ": ";
+}
+
+std::vector<std::string> Elements(const Vehicle& vehicle) {
+  std::vector<std::string> elements;
+  for (const OpenClosure& closure : OpenClosures(vehicle, kDrawnGap_m)) elements.push_back(closure.element);
+  return elements;
+}
+
+TEST(OpenClosures, AreTwinsOnce) {
+  EXPECT_THAT(Elements(ShippedVehicle("independent_roadster")), IsEmpty());
+  const std::vector<OpenClosure> open = OpenClosures(RoadsterWithLongerArms(2), kDrawnGap_m);
+  ASSERT_EQ(open.size(), 1U);
+  EXPECT_EQ(open[0].element, "fp:ball 'front_lower_left' (and of 'front_lower_right')");
+  EXPECT_NEAR(open[0].gap, 2 * kMillimetre, 1e-12);  // rounding
+}
+
+TEST(OpenClosures, AreNotJoinedWhereTheirGapsDiffer) {
+  Vehicle vehicle = RoadsterWithLongerArms(2);
+  BallOf(vehicle, "front_lower_right").parent.xyz.y() -= kMillimetre;
+  EXPECT_THAT(Elements(vehicle), ElementsAre("fp:ball 'front_lower_left'", "fp:ball 'front_lower_right'"));
+}
+
+TEST(OpenClosures, AreWeldsAndHingesToo) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.welds.push_back({.name = "w", .parent = {0, {0, 0, 0.301}}, .child = {1, {0, 0, 0}}, .source_line = 1});
+  vehicle.hinges.push_back({.name = "h", .parent = {0, {0, 0.002, 0.3}}, .child = {1, {0, 0, 0}}, .source_line = 2});
+  vehicle.balls.push_back({.name = "b", .parent = {0, {0, 0.00005, 0.3}}, .child = {1, {0, 0, 0}}, .source_line = 3});
+  EXPECT_THAT(Elements(vehicle), ElementsAre("fp:weld 'w'", "fp:hinge 'h'"));
+}
+
+TEST(LoopGaps, WarnOfPointsThatAreApartAsWritten) {
+  const Vehicle vehicle = RoadsterWithLongerArms(2);
+  EXPECT_EQ(Lint(vehicle).Format(),
+            At(vehicle, "front_lower_left") +
+                "warning: the two points of fp:ball 'front_lower_left' (and of 'front_lower_right') are 2 mm apart as "
+                "written; closing the loops moves link 'front_upright_left' by 1.67 mm: correct the points or the "
+                "joints between them");
+  EXPECT_EQ(Lint(RoadsterWithLongerArms(0.09)).Format(), "");
+}
+
+TEST(LoopGaps, AreThoseAsWrittenWhereTheLoopsCannotBeClosed) {
+  const Vehicle vehicle = RoadsterWithLongerArms(200);
+  const std::string fault = Fault(vehicle);
+  const std::string before =
+      At(vehicle, "front_lower_left") +
+      "error: the loop cannot be closed: the two points of fp:ball 'front_lower_left' (and of 'front_lower_right') are "
+      "200 mm apart as written, and moving the bodies leaves ";
+  const std::string after = " mm of it; correct their positions or the joints between them";
+  ASSERT_TRUE(fault.starts_with(before) && fault.ends_with(after)) << fault;
+  // The other ball joint and the rod take their shares; all of it would be left without moving, more by divergence.
+  const double left = std::stod(fault.substr(before.size()));
+  EXPECT_GT(left, 10);
+  EXPECT_LT(left, 100);
+}
+
+// One loop is wide open, and another one that can be closed is open by more than a drawing tells.
+TEST(LoopGaps, DoNotBlameALoopThatCloses) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.balls.push_back({.name = "far", .parent = {0, {0.5, 0, 0.3}}, .child = {1, {0, 0, 0}}, .source_line = 1});
+  vehicle.balls.push_back({.name = "near", .parent = {0, {0, 0, 0.71}}, .child = {2, {0, 0, 0}}, .source_line = 2});
+  const Diagnostics faults =
+      LoopGapFaults(vehicle, [](const Point&, const Point& child) { return child.link == 1 ? 0.3 : 0; });
+  ASSERT_EQ(faults.items().size(), 1U);
+  EXPECT_EQ(faults.items()[0].line, 1);
+  EXPECT_THAT(faults.items()[0].message, testing::HasSubstr("moving the bodies leaves 300 mm of it"));
+}
+
+TEST(LoopGaps, AreNotEmpty) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.balls.push_back({.name = "b", .parent = {0, {0, 0, 0.3 + 1e-8}}, .child = {1, {0, 0, 0}}, .source_line = 1});
+  EXPECT_TRUE(LoopGapFaults(vehicle, [](const Point&, const Point&) { return 0.0; }).HasErrors());
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/laws/dashpot_law.h"
+
+namespace fourpost {
+
+/// Model 1 of the thesis (5.1-5.14), closed form: body heave and pitch on two unsprung masses, q = (z_s, theta, z_f,
+/// z_r) from static equilibrium, z up, theta nose down. Front and rear rates are those of both sides together.
+struct HalfCar {
+  double sprung_mass = 0;           // kg
+  double pitch_inertia = 0;         // kg m^2
+  double front_mass = 0;            // kg, unsprung
+  double rear_mass = 0;             // kg, unsprung
+  double front_stiffness = 0;       // N/m
+  double rear_stiffness = 0;        // N/m
+  double front_tyre_stiffness = 0;  // N/m
+  double rear_tyre_stiffness = 0;   // N/m
+  DashpotLaw front_damper;          // N s/m
+  DashpotLaw rear_damper;           // N s/m
+  double front_length = 0;          // m, centre of mass to front axle
+  double rear_length = 0;           // m, centre of mass to rear axle
+
+  /// Matrices of M q'' + K q + sum d_k f_k = B (z_gf, z_gr); no sensors.
+  CondensedModel Model() const;
+
+  /// q'' for q, q' and ground heights (front, rear).
+  Eigen::Vector4d Acceleration(const Eigen::Vector4d& q, const Eigen::Vector4d& rate,
+                               const Eigen::Vector2d& ground) const;
+};
+
+}  // namespace fourpost

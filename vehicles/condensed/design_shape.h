@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/loops/chart.h"
+#include "vehicles/multibody/kinematics.h"
+
+namespace fourpost {
+
+/// A scalar of the geometry (a length, a height) in the design pose, with its derivatives by the independent
+/// coordinates.
+struct DesignShape {
+  double value = 0;
+  Eigen::VectorXd gradient;
+  Eigen::MatrixXd curvature;
+};
+
+/// One such scalar in any pose.
+using GeometricScalar = std::function<Coordinate(const Kinematics& pose)>;
+
+/// Their shapes; the second derivatives by central differences of the exact first ones. Leaves the multibody in the
+/// design pose. Throws FaultyInput when the loops cannot follow a small motion.
+std::vector<DesignShape> DesignShapes(Multibody& multibody, Chart& chart, const std::vector<GeometricScalar>& scalars);
+
+}  // namespace fourpost

@@ -1,0 +1,196 @@
+#include "vehicles/condensed/equilibrium.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "analysis/number.h"
+#include "vehicles/condensed/preload_map.h"
+
+namespace fourpost {
+namespace {
+
+constexpr const char* kHolder = R"(spring, tyre or bushing with preload="equilibrium")";
+
+/// The part of a generalised force that no combination of the columns can take.
+Eigen::VectorXd Rest(const Eigen::VectorXd& force, const Eigen::MatrixXd& columns) {
+  if (columns.size() == 0) return force;
+  return force - columns * Decomposed(columns).solve(force);
+}
+
+bool IsHeld(const Eigen::VectorXd& direction, const Eigen::MatrixXd& columns) {
+  return Rest(direction, columns).norm() <= kHeldShare * direction.norm();
+}
+
+/// Whether what the file gives is balanced at the file's values.
+bool IsBalanced(const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders) {
+  // Preloads may be typed with seven digits: that leaves the vehicle within 1e-6 of its static deflection, decimetres.
+  constexpr double kTyped = 1e-6;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(holders.rows());
+  double scale = 0;
+  for (const GivenForce& force : forces) {
+    sum += force.Force();
+    scale += force.Force().norm();
+  }
+  return Rest(sum, holders).norm() <= kTyped * scale;
+}
+
+/// To a thousandth of a newton.
+std::string RoundedText(double force) { return FormatNumber(std::round(force * 1e3) / 1e3 + 0.0); }
+
+int LineOf(const Vehicle& vehicle, const std::string& link) {
+  const auto found =
+      std::find_if(vehicle.links.begin(), vehicle.links.end(), [&](const Link& l) { return l.name == link; });
+  return found == vehicle.links.end() ? 0 : found->line;
+}
+
+/// "a, b and c", each once.
+std::string Enumerated(const std::vector<std::string>& items) {
+  std::vector<std::string> different;
+  for (const std::string& item : items)
+    if (std::find(different.begin(), different.end(), item) == different.end()) different.push_back(item);
+  std::string text;
+  for (std::size_t i = 0; i < different.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == different.size() ? " and " : ", ") + different[i];
+  return text;
+}
+
+std::string EnumeratedLinks(std::vector<std::string> names) {
+  for (std::string& name : names) name = "link '" + name + "'";
+  return Enumerated(names);
+}
+
+std::string Remedy(const UnheldMotion& unheld) {
+  using Kind = IdleElement::Kind;
+  const auto of_kind = [&](Kind kind) {
+    std::vector<std::string> elements;
+    for (const IdleElement& element : unheld.idle)
+      if (element.kind == kind) elements.push_back(element.element);
+    return Enumerated(elements);
+  };
+  if (const std::string bushings = of_kind(Kind::kBushing); !bushings.empty())
+    return bushings.find("'drake_bushing_") == std::string::npos
+               ? "write preload=\"equilibrium\" in " + bushings
+               : "write an fp:bushing with preload=\"equilibrium\" in place of Drake's, " + bushings;
+  if (const std::string dampers = of_kind(Kind::kDamper); !dampers.empty())
+    return "a damper carries nothing at rest: add an fp:spring beside " + dampers;
+  if (const std::string stops = of_kind(Kind::kStop); !stops.empty())
+    return "a stop carries nothing at rest: add an fp:spring beside " + stops;
+  return std::string("add the fp:rod, fp:ball or joint that guides it, or a ") + kHolder + " that carries it";
+}
+
+/// Motions that fp:mirror has made of one: its links keep their line.
+bool AreTwins(const Vehicle& vehicle, const UnheldMotion& a, const UnheldMotion& b) {
+  return a.motion.link != b.motion.link && a.motion.direction == b.motion.direction &&
+         LineOf(vehicle, a.motion.link) == LineOf(vehicle, b.motion.link);
+}
+
+void Join(UnheldMotion& motion, const UnheldMotion& twin) {
+  motion.alike.insert(motion.alike.end(), twin.alike.begin(), twin.alike.end());
+  motion.fastest.insert(motion.fastest.end(), twin.fastest.begin(), twin.fastest.end());
+  motion.idle.insert(motion.idle.end(), twin.idle.begin(), twin.idle.end());
+}
+
+std::vector<UnheldMotion> WithTwinsJoined(const Vehicle& vehicle, const std::vector<UnheldMotion>& motions) {
+  std::vector<UnheldMotion> joined;
+  for (const UnheldMotion& motion : motions) {
+    const auto twin = std::find_if(joined.begin(), joined.end(),
+                                   [&](const UnheldMotion& other) { return AreTwins(vehicle, motion, other); });
+    if (twin == joined.end()) joined.push_back(motion);
+    else Join(*twin, motion);
+  }
+  return joined;
+}
+
+std::string Text(const UnheldMotion& unheld) {
+  const std::string what = Word(unheld.motion.direction) + " of " + EnumeratedLinks(unheld.alike);
+  const std::vector<std::string>& fastest = unheld.fastest;
+  if (std::find(fastest.begin(), fastest.end(), unheld.motion.link) != fastest.end()) return what;
+  return what + ", in which " + EnumeratedLinks(fastest) + (fastest.size() > 1 ? " move most" : " moves most");
+}
+
+bool AreOfOneLine(const GivenForce& a, const GivenForce& b) {
+  return a.kind == GivenForce::Kind::kPreload && b.kind == a.kind && a.line == b.line;
+}
+
+/// The size that the given preloads of one line, which twins share, would have to have, the others as they are; nothing
+/// where that does not help.
+std::optional<double> BalancingSize(const GivenForce& preload, const StaticLoads& loads) {
+  std::vector<GivenForce> forces = loads.forces;
+  Eigen::VectorXd others = Eigen::VectorXd::Zero(preload.direction.size());
+  Eigen::VectorXd together = others;
+  for (const GivenForce& force : forces) {
+    if (AreOfOneLine(force, preload)) together += force.direction;
+    else others += force.Force();
+  }
+  const Eigen::VectorXd direction = Rest(together, loads.holders);
+  const double size = -direction.dot(others) / direction.squaredNorm();
+  for (GivenForce& force : forces)
+    if (AreOfOneLine(force, preload)) force.size = size;
+  if (!IsBalanced(forces, loads.holders)) return std::nullopt;
+  return size;
+}
+
+std::string ImbalanceText(const GivenForce& preload, const StaticLoads& loads) {
+  std::string text = "the preload of " + preload.element + (preload.has_free_length ? " by its free length, " : ", ") +
+                     RoundedText(preload.size) + " N, is not balanced";
+  if (const std::optional<double> size = BalancingSize(preload, loads))
+    text += ", " + RoundedText(*size) + " N would be";
+  if (preload.has_free_length)
+    return text + "; correct that length, or leave a spring or tyre that acts beside it to equilibrium";
+  return text + "; correct it or write preload=\"equilibrium\"";
+}
+
+/// Motions that nothing holds; if there is none, the given preloads, of which one at least must be wrong.
+void ReportImbalance(const Vehicle& vehicle, const StaticLoads& loads, Diagnostics& faults) {
+  const std::vector<UnheldMotion> unheld = UnheldMotions(loads);
+  for (const UnheldMotion& motion : WithTwinsJoined(vehicle, unheld))
+    faults.Error(vehicle.file, LineOf(vehicle, motion.motion.link),
+                 "no static equilibrium: nothing holds " + Text(motion) + "; " + Remedy(motion));
+  if (!unheld.empty()) return;
+  // A stop has no preload to correct. Twins share the line, which is told once.
+  std::set<int> told;
+  for (const GivenForce& force : loads.forces)
+    if (force.kind == GivenForce::Kind::kPreload && (force.carries || force.size != 0) &&
+        !IsHeld(force.direction, loads.holders) && told.insert(force.line).second)
+      faults.Error(vehicle.file, force.line, "no static equilibrium: " + ImbalanceText(force, loads));
+}
+
+/// Elements whose force follows parameter `index`, and that nothing holds.
+std::string Followers(int index, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders) {
+  std::string names;
+  for (const GivenForce& force : forces) {
+    const bool follows = std::find(force.parameters.begin(), force.parameters.end(), index) != force.parameters.end();
+    if (!follows || IsHeld(force.direction, holders)) continue;
+    const bool is_weight = force.kind == GivenForce::Kind::kWeight;
+    names +=
+        (names.empty() ? "" : " and ") + std::string(is_weight ? "the weight of " : "the preload of ") + force.element;
+  }
+  return names;
+}
+
+void ReportFreeParameters(const Vehicle& vehicle, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders,
+                          Diagnostics& faults) {
+  for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
+    const Parameter& parameter = vehicle.parameters[i];
+    if (!(parameter.lower < parameter.upper)) continue;
+    const std::string followers = Followers(static_cast<int>(i), forces, holders);
+    if (followers.empty()) continue;
+    faults.Error(vehicle.file, parameter.line,
+                 "no static equilibrium but at one value of fp:parameter '" + parameter.name + "': " + followers +
+                     " follows it, but no " + kHolder +
+                     " makes up for that; add one, or remove the parameter's bounds");
+  }
+}
+
+}  // namespace
+
+void CheckEquilibrium(const Vehicle& vehicle, const StaticLoads& loads, Diagnostics& faults) {
+  if (IsBalanced(loads.forces, loads.holders)) ReportFreeParameters(vehicle, loads.forces, loads.holders, faults);
+  else ReportImbalance(vehicle, loads, faults);
+}
+
+}  // namespace fourpost

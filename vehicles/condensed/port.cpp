@@ -1,0 +1,104 @@
+#include "vehicles/condensed/port.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "vehicles/condensed/linear_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+using Signal = std::span<const double>;
+
+void Remainders(const DashpotRemainder& port, Signal, Signal v, std::span<double> remainder) {
+  port.law.Forces(v, remainder);
+  for (std::size_t k = 0; k < v.size(); ++k) remainder[k] -= port.rate * v[k];
+}
+
+void Remainders(const SpringRemainder& port, Signal x, Signal, std::span<double> remainder) {
+  for (std::size_t k = 0; k < x.size(); ++k) remainder[k] = port.law.Force(x[k]) - port.stiffness * x[k];
+}
+
+double Compression(const LiftoffRemainder& port, double x, double v) {
+  return port.preload + port.stiffness * x + port.damping * v;
+}
+
+void Remainders(const LiftoffRemainder& port, Signal x, Signal v, std::span<double> remainder) {
+  for (std::size_t k = 0; k < x.size(); ++k) remainder[k] = std::max(0.0, -Compression(port, x[k], v[k]));
+}
+
+struct Slopes {
+  double by_extension = 0;
+  double by_rate = 0;
+};
+Slopes SlopesOf(const DashpotRemainder& port, double, double v) { return {0, port.law.Slope(v) - port.rate}; }
+Slopes SlopesOf(const SpringRemainder& port, double x, double) { return {port.law.Slope(x) - port.stiffness, 0}; }
+Slopes SlopesOf(const LiftoffRemainder& port, double x, double v) {
+  if (Compression(port, x, v) >= 0) return {};
+  return {-port.stiffness, -port.damping};
+}
+
+double At(Signal signal, std::size_t k) { return signal.empty() ? 0 : signal[k]; }
+
+}  // namespace
+
+bool UsesExtension(const PortLaw& law) { return !std::holds_alternative<DashpotRemainder>(law); }
+bool UsesRate(const PortLaw& law) { return !std::holds_alternative<SpringRemainder>(law); }
+
+double StepOfRate(const PortLaw& law) {
+  const auto* dashpot = std::get_if<DashpotRemainder>(&law);
+  return dashpot ? dashpot->law.StepSpeed() : std::numeric_limits<double>::infinity();
+}
+
+void Remainders(const PortLaw& law, Signal extension, Signal rate, std::span<double> remainder) {
+  std::visit([&](const auto& port) { Remainders(port, extension, rate, remainder); }, law);
+}
+
+void RemainderSlopes(const PortLaw& law, Signal extension, Signal rate, std::span<double> by_extension,
+                     std::span<double> by_rate) {
+  std::visit(
+      [&](const auto& port) {
+        for (std::size_t k = 0; k < by_rate.size(); ++k) {
+          const Slopes slopes = SlopesOf(port, At(extension, k), At(rate, k));
+          by_extension[k] = slopes.by_extension;
+          by_rate[k] = slopes.by_rate;
+        }
+      },
+      law);
+}
+
+std::vector<Port> PortsOf(const CondensedModel& model) {
+  std::vector<Port> ports;
+  const Eigen::MatrixXd directions = DashpotDirections(model);
+  const Eigen::Index n = model.mass.rows();
+  const auto on_motion = [&](const Eigen::VectorXd& direction) {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(directions.rows());
+    all.head(n) = direction;
+    return all;
+  };
+  Eigen::Index x = n;
+  for (std::size_t j = 0; j < model.dashpots.size(); ++j) {
+    const CondensedModel::Dashpot& dashpot = model.dashpots[j];
+    if (dashpot.law.LeastRate() < dashpot.law.GreatestRate())
+      ports.push_back({.direction = directions.col(static_cast<Eigen::Index>(j)),
+                       .law = DashpotRemainder{dashpot.law, dashpot.CentreRate()}});
+    if (!dashpot.HasSeries()) continue;
+    if (!dashpot.series.IsLinear())
+      ports.push_back({.direction = Eigen::VectorXd::Unit(directions.rows(), x),
+                       .law = SpringRemainder{dashpot.series, dashpot.series.Slope(0)}});
+    ++x;
+  }
+  for (const CondensedModel::Stiffening& spring : model.stiffenings)
+    ports.push_back(
+        {.direction = on_motion(spring.direction), .law = SpringRemainder{spring.law, spring.law.Slope(0)}});
+  for (std::size_t i = 0; i < model.liftoffs.size(); ++i) {
+    const CondensedModel::Liftoff& tyre = model.liftoffs[i];
+    ports.push_back({.direction = on_motion(tyre.direction),
+                     .law = LiftoffRemainder{tyre.preload, tyre.stiffness, tyre.damping},
+                     .post = tyre.post,
+                     .liftoff = static_cast<int>(i)});
+  }
+  return ports;
+}
+
+}  // namespace fourpost

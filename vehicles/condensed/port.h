@@ -1,0 +1,59 @@
+#pragma once
+
+#include <span>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/condensed/condensed_model.h"
+
+namespace fourpost {
+
+/// What an element's tension departs by from its linear share, over extension e [m] and rate e' [m/s] of its port.
+struct DashpotRemainder {
+  DashpotLaw law;
+  double rate = 0;  // N s/m, in the linear share
+};
+struct SpringRemainder {
+  SpringLaw law;
+  double stiffness = 0;  // N/m, in the linear share
+};
+/// Minus the pull of a tyre that should have left its platform; all of its linear compression is the linear share.
+struct LiftoffRemainder {
+  double preload = 0;    // N
+  double stiffness = 0;  // N/m
+  double damping = 0;    // N s/m
+};
+using PortLaw = std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder>;
+
+/// Whether the extension, the rate decides on the remainder.
+bool UsesExtension(const PortLaw& law);
+bool UsesRate(const PortLaw& law);
+
+/// Change of rate within which the remainder takes a step [m/s]; infinite: none.
+double StepOfRate(const PortLaw& law);
+
+/// Remainder at each sample [N]; all spans of one length, those of what the law does not use may be empty.
+void Remainders(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
+                std::span<double> remainder);
+
+/// Derivatives of the remainder by extension [N/m] and by rate [N s/m].
+void RemainderSlopes(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
+                     std::span<double> by_extension, std::span<double> by_rate);
+
+/// A place where a linear vehicle (LinearVehicle, centre rates) meets a force that is not linear: the element's
+/// extension is e = direction . [s x] + z of its post, its tension acts on [s x] as -direction f.
+struct Port {
+  Eigen::VectorXd direction;
+  PortLaw law;
+  /// -1: none.
+  int post = -1;
+  /// Index in CondensedModel::liftoffs; -1: no tyre's.
+  int liftoff = -1;
+};
+
+/// Of every element that is not linear.
+std::vector<Port> PortsOf(const CondensedModel& model);
+
+}  // namespace fourpost

@@ -1,0 +1,178 @@
+#include "vehicles/condensed/receptance.h"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace fourpost {
+namespace {
+
+using Complex = std::complex<double>;
+
+Eigen::MatrixXd Directions(const std::vector<Port>& ports, Eigen::Index size) {
+  Eigen::MatrixXd directions(size, static_cast<Eigen::Index>(ports.size()));
+  for (std::size_t j = 0; j < ports.size(); ++j) directions.col(static_cast<Eigen::Index>(j)) = ports[j].direction;
+  return directions;
+}
+
+/// Of [s, s', x], such that each moved by its own one holds about the same energy: lengths, angles and rates compare,
+/// which rounding of poles needs.
+Eigen::VectorXd StateUnits(const LinearVehicle& vehicle) {
+  const Eigen::Index n = vehicle.mass.rows();
+  const Eigen::ArrayXd masses = vehicle.mass.diagonal();
+  const double fastest = std::sqrt((vehicle.stiffness.diagonal().head(n).array() / masses).abs().maxCoeff());
+  Eigen::VectorXd units(2 * n + vehicle.series());
+  units << masses.rsqrt() / (fastest > 0 ? fastest : 1), masses.rsqrt(),
+      vehicle.stiffness.diagonal().tail(vehicle.series()).array().rsqrt();
+  return units;
+}
+
+/// Without the care for overflow that makes the library's division slow.
+Complex Inverse(Complex z) { return std::conj(z) * (1 / std::norm(z)); }
+
+/// See Poles: weight of a pole, or of a pair.
+Complex Weight(Complex pole, double omega) {
+  if (pole.imag() == 0) return Inverse({-pole.real(), omega});
+  return Inverse({std::norm(pole) - omega * omega, -2 * omega * pole.real()});
+}
+
+}  // namespace
+
+Receptance::Receptance(const CondensedModel& model, const std::vector<Port>& ports, const std::vector<double>& shape)
+    : vehicle_(model, LinearVehicle::Rates::kCentre), directions_(Directions(ports, vehicle_.size())) {
+  const Eigen::Map<const Eigen::VectorXd> posts(shape.data(), static_cast<Eigen::Index>(shape.size()));
+  const Eigen::Index n = vehicle_.mass.rows();
+  const Eigen::Index count = directions_.cols();
+  forces_ = Eigen::MatrixXd::Zero(vehicle_.size(), count + 2);
+  forces_.leftCols(count) = -directions_;
+  forces_.col(count).head(n) = model.post_stiffness * posts;
+  forces_.col(count + 1).head(n) = model.post_damping * posts;
+  post_share_ = Eigen::VectorXd::Zero(count);
+  for (Eigen::Index j = 0; j < count; ++j)
+    if (const int post = ports[static_cast<std::size_t>(j)].post; post >= 0) post_share_[j] = posts[post];
+  poles_ = FindPoles();
+}
+
+std::optional<Receptance::Poles> Receptance::FindPoles() const {
+  const Eigen::VectorXd units = StateUnits(vehicle_);
+  const Eigen::VectorXd inverse = units.cwiseInverse();
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(inverse.asDiagonal() * vehicle_.StateMatrix() * units.asDiagonal());
+  if (solver.info() != Eigen::Success) return {};
+  const Eigen::MatrixXcd scaled = solver.eigenvectors();
+  const Eigen::MatrixXcd inputs =
+      scaled.partialPivLu().solve((inverse.asDiagonal() * vehicle_.StateInput(forces_)).cast<Complex>());
+  if (!inputs.allFinite()) return {};
+  const Eigen::MatrixXcd vectors = units.asDiagonal() * scaled;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < vectors.cols(); ++k)
+    if (solver.eigenvalues()[k].imag() >= 0) kept.push_back(k);
+  const Eigen::Index n = vehicle_.mass.rows();
+  Poles poles;
+  poles.values = solver.eigenvalues()(kept);
+  poles.inputs = inputs(kept, Eigen::all);
+  poles.shapes.resize(vehicle_.size(), static_cast<Eigen::Index>(kept.size()));
+  poles.shapes << vectors.topRows(n)(Eigen::all, kept), vectors.bottomRows(vehicle_.series())(Eigen::all, kept);
+  NoteResidues(poles);
+  if (!Reproduces(poles)) return {};
+  return poles;
+}
+
+void Receptance::NoteResidues(Poles& poles) const {
+  const Eigen::Index count = directions_.cols();
+  const Eigen::Index n = poles.values.size();
+  const Eigen::MatrixXcd shapes = directions_.transpose() * poles.shapes;
+  poles.residues.resize(2 * n, count * count);
+  for (Eigen::Index k = 0; k < n; ++k)
+    for (Eigen::Index j = 0; j < count; ++j)
+      for (Eigen::Index i = 0; i < count; ++i) {
+        const Complex pole = poles.values[k];
+        const Complex residue = shapes(i, k) * poles.inputs(k, j);
+        const bool is_real = pole.imag() == 0;
+        poles.residues(k, i + count * j) = is_real ? 0 : 2 * residue.real();
+        poles.residues(n + k, i + count * j) = is_real ? residue.real() : -2 * (residue * std::conj(pole)).real();
+      }
+}
+
+/// Whether Z times the motion by poles gives the forces back, over the frequencies of a rig and its harmonics.
+bool Receptance::Reproduces(const Poles& poles) const {
+  // Well-separated poles leave some 1e-13, and the promise of linear models is 1e-9.
+  constexpr double kLargest = 1e-10;
+  for (const double frequency_Hz : {0.5, 5.0, 50.0}) {
+    const double omega = 2 * std::numbers::pi * frequency_Hz;
+    const Eigen::MatrixXcd impedance = vehicle_.Impedance(omega);
+    for (Eigen::Index j = 0; j < forces_.cols(); ++j) {
+      const Eigen::VectorXcd motion = SumOverPoles(poles, omega, Eigen::VectorXcd::Unit(forces_.cols(), j));
+      const Eigen::VectorXcd left = impedance * motion - forces_.col(j);
+      const double scale = (impedance.cwiseAbs() * motion.cwiseAbs()).maxCoeff();
+      if (!(left.cwiseAbs().maxCoeff() <= kLargest * scale) && scale > 0) return false;
+    }
+  }
+  return true;
+}
+
+void Receptance::Ports(double omega, int harmonics, Eigen::MatrixXcd& receptance) const {
+  const Eigen::Index count = directions_.cols();
+  receptance.resize(harmonics + 1, count * count);
+  if (!poles_) {
+    for (int h = 0; h <= harmonics; ++h) {
+      const Eigen::MatrixXcd across =
+          -directions_.transpose() *
+          vehicle_.Impedance(h * omega).partialPivLu().solve(directions_.cast<Complex>()).eval();
+      receptance.row(h) = across.reshaped().transpose();
+    }
+    return;
+  }
+  const Eigen::Index n = poles_->values.size();
+  Eigen::MatrixXd real(harmonics + 1, 2 * n);
+  Eigen::MatrixXd imag(harmonics + 1, 2 * n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    for (int h = 0; h <= harmonics; ++h) {
+      const double w = h * omega;
+      const Complex weight = Weight(poles_->values[k], w);
+      real(h, k) = -w * weight.imag();
+      imag(h, k) = w * weight.real();
+      real(h, n + k) = weight.real();
+      imag(h, n + k) = weight.imag();
+    }
+  // Eigen's blocked product is slower than plain sums for so few numbers.
+  if (real.cols() * count * count < 512) {
+    receptance.real() = real.lazyProduct(poles_->residues);
+    receptance.imag() = imag.lazyProduct(poles_->residues);
+    return;
+  }
+  receptance.real().noalias() = real * poles_->residues;
+  receptance.imag().noalias() = imag * poles_->residues;
+}
+
+Eigen::VectorXcd Receptance::Driven(double omega) const {
+  return directions_.transpose() * Motion(omega, Eigen::VectorXcd::Zero(directions_.cols()), 1) + post_share_;
+}
+
+Eigen::VectorXcd Receptance::Inputs(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const {
+  Eigen::VectorXcd inputs(tensions.size() + 2);
+  inputs << tensions, post_amplitude, Complex(0, omega * post_amplitude);
+  return inputs;
+}
+
+Eigen::VectorXcd Receptance::SumOverPoles(const Poles& poles, double omega, const Eigen::VectorXcd& inputs) {
+  const Complex iw(0, omega);
+  // Of real inputs a pair's two amplitudes would be conjugate; of complex ones the other is that of the conjugates.
+  Eigen::VectorXcd amplitudes = poles.inputs * inputs;
+  Eigen::VectorXcd conjugates = poles.inputs.conjugate() * inputs;
+  for (Eigen::Index k = 0; k < poles.values.size(); ++k) {
+    amplitudes[k] *= Inverse(iw - poles.values[k]);
+    conjugates[k] *= poles.values[k].imag() == 0 ? 0.0 : Inverse(iw - std::conj(poles.values[k]));
+  }
+  return poles.shapes * amplitudes + poles.shapes.conjugate() * conjugates;
+}
+
+Eigen::VectorXcd Receptance::Motion(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const {
+  const Eigen::VectorXcd inputs = Inputs(omega, tensions, post_amplitude);
+  if (poles_) return SumOverPoles(*poles_, omega, inputs);
+  return vehicle_.Impedance(omega).partialPivLu().solve(forces_ * inputs);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/condensed/linear_vehicle.h"
+#include "vehicles/condensed/port.h"
+
+namespace fourpost {
+
+/// What a linear vehicle does per unit of forces at its ports and per unit motion of the posts, at any frequency:
+///   [s x](w) = Z(w)^-1 (-P f + (K_post + i w C_post) shape a),   e = P' [s x] + share a
+/// P: the ports' directions, f: their tensions, a: amplitude of the posts, share: of each port's own post.
+///
+/// By the poles of the state matrix, so that a frequency costs a sum over them in place of a factorisation:
+///   Z^-1 = sum over poles of u_k w_k' / (i w - l_k);
+/// by factorisation where two poles fall so near together that their shapes no longer span all motion.
+class Receptance {
+ public:
+  /// `shape`: of the posts, see Excitation.
+  Receptance(const CondensedModel& model, const std::vector<Port>& ports, const std::vector<double>& shape);
+
+  /// Of harmonics 0..H of `omega`: (H + 1) x ports^2, column i + ports j: - P_i' Z^-1 P_j, extension of port i per
+  /// tension of port j.
+  void Ports(double omega, int harmonics, Eigen::MatrixXcd& receptance) const;
+
+  /// Extensions of the ports per unit amplitude of the posts.
+  Eigen::VectorXcd Driven(double omega) const;
+
+  /// [s x] at one frequency, from the tensions of the ports, and from posts of this amplitude.
+  Eigen::VectorXcd Motion(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const;
+
+  /// Whether it goes by poles.
+  bool by_poles() const { return poles_.has_value(); }
+
+ private:
+  /// Poles of upper half plane and real axis. The sum of a pole a / (i w - l) and its conjugate is
+  /// g (i w alpha + beta), g = 1 / (|l|^2 - w^2 - 2 i w Re l), alpha = 2 Re a, beta = -2 Re(a conj l); of a real pole
+  /// g = 1 / (i w - l), alpha = 0, beta = a.
+  struct Poles {
+    Eigen::VectorXcd values;
+    /// size x poles, of [s x]; poles x (ports, posts' heights, posts' velocities).
+    Eigen::MatrixXcd shapes;
+    Eigen::MatrixXcd inputs;
+    /// 2 poles x ports^2: alpha, beta of Ports().
+    Eigen::MatrixXd residues;
+  };
+
+  std::optional<Poles> FindPoles() const;
+  void NoteResidues(Poles& poles) const;
+  bool Reproduces(const Poles& poles) const;
+  static Eigen::VectorXcd SumOverPoles(const Poles& poles, double omega, const Eigen::VectorXcd& inputs);
+  Eigen::VectorXcd Inputs(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const;
+
+  LinearVehicle vehicle_;
+  Eigen::MatrixXd directions_;
+  Eigen::VectorXd post_share_;
+  /// size x (ports, 1, 1): forces on [s x] per unit tension, post height and post velocity.
+  Eigen::MatrixXd forces_;
+  std::optional<Poles> poles_;
+};
+
+}  // namespace fourpost

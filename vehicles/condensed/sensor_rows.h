@@ -1,0 +1,13 @@
+#pragma once
+
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/multibody/kinematics.h"
+
+namespace fourpost {
+
+/// The rows of a CondensedModel that tell what sensors read, as far as they do not depend on parameters: those of load
+/// cells are zero.
+CondensedModel SensorRows(const Kinematics& pose, const Vehicle& vehicle, Eigen::Index coordinates);
+
+}  // namespace fourpost

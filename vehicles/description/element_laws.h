@@ -1,0 +1,91 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "vehicles/description/scalar.h"
+#include "vehicles/laws/dashpot_law.h"
+#include "vehicles/laws/hydraulic_damper.h"
+#include "vehicles/laws/spring_law.h"
+
+namespace fourpost {
+
+// The laws of a vehicle's elements as its file gives them: numbers that may follow parameters. At() takes the values
+// (SI, in the order of Vehicle::parameters) and gives the law that all engines compute with.
+
+/// Of a spring, a stop or a series spring: tension = stiffness x + cubic x^3 + what the knees add.
+struct SpringDescription {
+  /// Beyond x = side * at the rate is `rate`; with `adds` it comes on top, as a stop does, otherwise it replaces the
+  /// rate before it, as in a multirate spring. Knees of a side stand in the order in which they are met.
+  struct Knee {
+    int side = 1;
+    Scalar at;  // m, >= 0
+    Scalar rate;
+    Scalar cubic;
+    bool adds = false;
+  };
+  Scalar stiffness;
+  Scalar cubic;
+  std::vector<Knee> knees;
+
+  SpringLaw At(std::span<const double> parameters) const;
+  bool IsLinear() const { return cubic.IsZero() && knees.empty(); }
+};
+
+/// Of a damper but a hydraulic one, with the friction of its seals.
+struct DashpotDescription {
+  enum class Kind { kBilinear, kSmooth, kDigressive, kTable };
+  struct Knee {
+    Scalar speed;
+    Scalar rate;
+  };
+  struct TablePoint {
+    Scalar speed;
+    Scalar force;
+  };
+  struct Friction {
+    Scalar force;
+    Scalar speed;
+  };
+  Kind kind = Kind::kBilinear;
+  Scalar compression;
+  Scalar rebound;
+  /// Smooth: speed of the transition.
+  Scalar transition;
+  /// Digressive.
+  Knee compression_knee;
+  Knee rebound_knee;
+  /// Table: by rising speed.
+  std::vector<TablePoint> table;
+  std::optional<Friction> friction;
+
+  DashpotLaw At(std::span<const double> parameters) const;
+};
+
+/// Of a hydraulic damper without its friction: what of HydraulicDamper a file may tell.
+struct HydraulicDescription {
+  /// Effective area Cd A of the bleed, both directions [m^2].
+  Scalar bleed;
+  /// Resistance of the rebound and the compression valve to mass flow [Pa s/kg].
+  Scalar rebound_valve;
+  Scalar compression_valve;
+  /// Stiffness of the oil [Pa].
+  Scalar bulk_modulus;
+  Scalar piston_diameter;
+  Scalar rod_diameter;
+  /// Lengths of the oil columns of both chambers in the design pose [m].
+  Scalar rebound_column;
+  Scalar compression_column;
+  Scalar gas_pressure;
+  Scalar gas_volume;
+  Scalar gas_exponent;
+  /// Of the oil [kg/m^3].
+  Scalar density;
+  /// Pressure below which no chamber's falls [Pa].
+  Scalar cavitation;
+
+  HydraulicDamper At(std::span<const double> parameters) const;
+};
+
+}  // namespace fourpost

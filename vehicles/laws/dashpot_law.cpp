@@ -1,0 +1,202 @@
+#include "vehicles/laws/dashpot_law.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "analysis/option_check.h"
+#include "vehicles/laws/count_check.h"
+#include "vehicles/laws/increasing_root.h"
+
+namespace fourpost {
+namespace {
+
+void RequireRate(const char* field, double value) {
+  RequireOption(value >= 0 && std::isfinite(value), std::string("DashpotLaw: ") + field, value,
+                "finite and not negative");
+}
+
+void RequireSpeed(const char* field, double value) {
+  RequireOption(value > 0 && std::isfinite(value), std::string("DashpotLaw: ") + field, value, "finite and positive");
+}
+
+/// Slope of tanh(x).
+double TanhSlope(double x) { return 1 - std::tanh(x) * std::tanh(x); }
+
+/// Largest slope of x tanh(x), at x = this number, where x tanh(x) = 1.
+constexpr double kSteepestSmooth = 1.1996786402577339;
+
+}  // namespace
+
+double DashpotLaw::Bilinear::Slope(double v) const {
+  if (v == 0) return 0.5 * (rebound + compression);
+  if (std::isnan(v)) return v;
+  return v > 0 ? rebound : compression;
+}
+
+double DashpotLaw::Bilinear::LeastSlope() const { return std::min(compression, rebound); }
+
+double DashpotLaw::Bilinear::GreatestSlope() const { return std::max(compression, rebound); }
+
+double DashpotLaw::Smoothed::Slope(double v) const {
+  const double x = v / speed;
+  return mean + half_difference * (std::tanh(x) + x * TanhSlope(x));
+}
+
+double DashpotLaw::Smoothed::Velocity(double force) const {
+  // The rate lies between the mean and that of the force's side.
+  const double side = force > 0 ? mean + half_difference : mean - half_difference;
+  const auto [lower, upper] = std::minmax({force / mean, force / side});
+  if (!std::isfinite(upper - lower)) return force / side;
+  return IncreasingRoot([this](double v) { return std::pair(Force(v), Slope(v)); }, force, lower, upper, force / side);
+}
+
+double DashpotLaw::Smoothed::LeastSlope() const { return mean - kSteepestSmooth * std::abs(half_difference); }
+
+double DashpotLaw::Smoothed::GreatestSlope() const { return mean + kSteepestSmooth * std::abs(half_difference); }
+
+double DashpotLaw::Kneed::Force(double v) const {
+  const Knee& knee = v > 0 ? rebound : compression;
+  const double beyond = std::abs(v) - knee.speed;
+  if (!(beyond > 0)) return inner.Force(v);
+  const double at_knee = inner.Force(std::copysign(knee.speed, v));
+  return at_knee + knee.rate * std::copysign(beyond, v);
+}
+
+double DashpotLaw::Kneed::Slope(double v) const {
+  const Knee& knee = v > 0 ? rebound : compression;
+  const double beyond = std::abs(v) - knee.speed;
+  if (beyond == 0) return 0.5 * (inner.Slope(v) + knee.rate);
+  return beyond > 0 ? knee.rate : inner.Slope(v);
+}
+
+double DashpotLaw::Kneed::Velocity(double force) const {
+  const Knee& knee = force > 0 ? rebound : compression;
+  const double at_knee = inner.Force(std::copysign(knee.speed, force));
+  const double beyond = std::abs(force) - std::abs(at_knee);
+  if (!(beyond > 0)) return inner.Velocity(force);
+  return std::copysign(knee.speed + beyond / knee.rate, force);
+}
+
+double DashpotLaw::Kneed::LeastSlope() const {
+  return std::min({inner.compression, inner.rebound, compression.rate, rebound.rate});
+}
+
+double DashpotLaw::Kneed::GreatestSlope() const {
+  return std::max({inner.compression, inner.rebound, compression.rate, rebound.rate});
+}
+
+DashpotLaw::DashpotLaw(Law law) : law_(std::move(law)) {}
+
+DashpotLaw::DashpotLaw(double compression, double rebound) : law_(Bilinear{compression, rebound}) {
+  RequireRate("compression", compression);
+  RequireRate("rebound", rebound);
+}
+
+DashpotLaw DashpotLaw::Smooth(double compression, double rebound, double speed) {
+  RequireRate("compression", compression);
+  RequireRate("rebound", rebound);
+  RequireSpeed("speed", speed);
+  return DashpotLaw(Smoothed{0.5 * (rebound + compression), 0.5 * (rebound - compression), speed});
+}
+
+DashpotLaw DashpotLaw::Digressive(double compression, double rebound, Knee compression_knee, Knee rebound_knee) {
+  RequireRate("compression", compression);
+  RequireRate("rebound", rebound);
+  RequireSpeed("compression_knee.speed", compression_knee.speed);
+  RequireRate("compression_knee.rate", compression_knee.rate);
+  RequireSpeed("rebound_knee.speed", rebound_knee.speed);
+  RequireRate("rebound_knee.rate", rebound_knee.rate);
+  return DashpotLaw(Kneed{{compression, rebound}, compression_knee, rebound_knee});
+}
+
+DashpotLaw DashpotLaw::Table(std::vector<double> speed, std::vector<double> force) {
+  RequireCount("DashpotLaw: force", "speeds", speed.size(), force.size());
+  const auto origin = std::lower_bound(speed.begin(), speed.end(), 0.0) - speed.begin();
+  const auto i = static_cast<std::size_t>(origin);
+  if (i == speed.size() || speed[i] != 0) {
+    speed.insert(speed.begin() + origin, 0);
+    force.insert(force.begin() + origin, 0);
+  }
+  RequireOption(force[i] == 0, "DashpotLaw: force", force[i], "0 at speed 0");
+  return DashpotLaw(
+      Tabulated{MonotoneCurve(std::move(speed), std::move(force), "DashpotLaw: speed", "DashpotLaw: force")});
+}
+
+DashpotLaw DashpotLaw::WithFriction(double force, double speed) const {
+  RequireRate("friction force", force);
+  RequireSpeed("friction speed", speed);
+  DashpotLaw law = *this;
+  law.friction_ = force;
+  law.friction_speed_ = speed;
+  return law;
+}
+
+double DashpotLaw::ForceWithoutFriction(double v) const {
+  return std::visit([v](const auto& law) { return law.Force(v); }, law_);
+}
+
+double DashpotLaw::SlopeWithoutFriction(double v) const {
+  return std::visit([v](const auto& law) { return law.Slope(v); }, law_);
+}
+
+double DashpotLaw::VelocityWithoutFriction(double force) const {
+  return std::visit([force](const auto& law) { return law.Velocity(force); }, law_);
+}
+
+double DashpotLaw::AnyForce(double v) const {
+  const double force = ForceWithoutFriction(v);
+  return friction_ == 0 ? force : force + friction_ * std::tanh(v / friction_speed_);
+}
+
+void DashpotLaw::Forces(std::span<const double> v, std::span<double> force) const {
+  std::visit(
+      [&](const auto& law) {
+        for (std::size_t k = 0; k < v.size(); ++k) force[k] = law.Force(v[k]);
+      },
+      law_);
+  if (friction_ == 0) return;
+  for (std::size_t k = 0; k < v.size(); ++k) force[k] += friction_ * std::tanh(v[k] / friction_speed_);
+}
+
+double DashpotLaw::Slope(double v) const {
+  const double slope = SlopeWithoutFriction(v);
+  return friction_ == 0 ? slope : slope + friction_ / friction_speed_ * TanhSlope(v / friction_speed_);
+}
+
+double DashpotLaw::Velocity(double force) const {
+  double fastest = VelocityWithoutFriction(force);
+  if (friction_ == 0) return fastest;
+  // Friction carries part of the force, at most all of its own.
+  const double size = std::abs(force);
+  const double slowest = size > friction_ ? VelocityWithoutFriction(std::copysign(size - friction_, force)) : 0;
+  if (size < friction_) {
+    const double by_friction_alone = std::copysign(friction_speed_ * std::atanh(size / friction_), force);
+    if (!(std::abs(fastest) <= std::abs(by_friction_alone))) fastest = by_friction_alone;
+  }
+  if (!std::isfinite(fastest)) return fastest;
+  const auto [lower, upper] = std::minmax({slowest, fastest});
+  return IncreasingRoot([this](double v) { return std::pair(AnyForce(v), Slope(v)); }, force, lower, upper, fastest);
+}
+
+double DashpotLaw::LeastRate() const {
+  return std::visit([](const auto& law) { return law.LeastSlope(); }, law_);
+}
+
+double DashpotLaw::GreatestRate() const {
+  return std::visit([](const auto& law) { return law.GreatestSlope(); }, law_) + friction_ / friction_speed_;
+}
+
+double DashpotLaw::StepSpeed() const {
+  const auto* smooth = std::get_if<Smoothed>(&law_);
+  const double speed = smooth ? smooth->speed : std::numeric_limits<double>::infinity();
+  return friction_ > 0 ? std::min(speed, friction_speed_) : speed;
+}
+
+double DashpotLaw::MeanRate() const {
+  if (const auto* bilinear = std::get_if<Bilinear>(&law_)) return bilinear->Slope(0);
+  constexpr double kSpeed = 0.1;
+  return (ForceWithoutFriction(kSpeed) - ForceWithoutFriction(-kSpeed)) / (2 * kSpeed);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "vehicles/laws/monotone_curve.h"
+
+namespace fourpost {
+
+/// Force f(v) of a dashpot [N], tension positive; v: extension rate [m/s], rebound positive. f(0) = 0. Rates
+/// [N s/m] are finite and not negative, speeds [m/s] and forces [N] of the laws are positive numbers: what makes a law
+/// throws std::invalid_argument naming the field otherwise.
+class DashpotLaw {
+ public:
+  /// Above `speed` [m/s, > 0] the rate is `rate` [N s/m].
+  struct Knee {
+    double speed = 0;
+    double rate = 0;
+  };
+
+  /// No force.
+  DashpotLaw() = default;
+
+  /// f = rebound v for v > 0, compression v otherwise (thesis table 3.3.1, model 2); equal rates: linear (model 1).
+  DashpotLaw(double compression, double rebound);
+
+  /// f = [(rebound + compression)/2 + (rebound - compression)/2 tanh(v/speed)] v. The thesis's model 5 passes smoothly
+  /// from one rate to the other; tanh is our choice for it. Increasing while one rate is below 11.01 times the other.
+  static DashpotLaw Smooth(double compression, double rebound, double speed);
+
+  /// Bilinear up to the knee of each side, the knee's rate beyond; continuous.
+  static DashpotLaw Digressive(double compression, double rebound, Knee compression_knee, Knee rebound_knee);
+
+  /// MonotoneCurve through the points (speed, force); (0, 0) is added where it is missing. Speeds strictly increase,
+  /// forces do not fall.
+  static DashpotLaw Table(std::vector<double> speed, std::vector<double> force);
+
+  /// This law and Coulomb friction, f + force tanh(v/speed), in place of friction it had.
+  DashpotLaw WithFriction(double force, double speed) const;
+
+  double Force(double v) const {
+    const auto* bilinear = std::get_if<Bilinear>(&law_);
+    return bilinear && friction_ == 0 ? bilinear->Force(v) : AnyForce(v);
+  }
+
+  /// Of many rates at once; spans of one length.
+  void Forces(std::span<const double> v, std::span<double> force) const;
+
+  /// df/dv [N s/m]; at a kink the mean of both sides.
+  double Slope(double v) const;
+
+  /// The rate that carries this force. Needs LeastRate() > 0. Closed form for bilinear and digressive laws without
+  /// friction, else see IncreasingRoot.
+  double Velocity(double force) const;
+
+  /// Bounds of the slope over all v [N s/m], attained or approached but for friction, whose slope lies between 0 and
+  /// force/speed.
+  double LeastRate() const;
+  double GreatestRate() const;
+
+  /// Speed within which the force takes a step about v = 0 [m/s]: that of friction, or of a smooth law; infinite
+  /// without either.
+  double StepSpeed() const;
+
+  /// (f(V) - f(-V)) / 2V at V = 0.1 m/s without friction: what linear models use. Of a bilinear law the mean of both
+  /// rates, which is also its exact first-harmonic rate for a sinusoidal v.
+  double MeanRate() const;
+
+ private:
+  struct Bilinear {
+    double compression;
+    double rebound;
+
+    double Force(double v) const { return (v > 0 ? rebound : compression) * v; }
+    double Slope(double v) const;
+    double Velocity(double force) const { return force / (force > 0 ? rebound : compression); }
+    double LeastSlope() const;
+    double GreatestSlope() const;
+  };
+
+  /// f = (mean + half_difference tanh(v/speed)) v.
+  struct Smoothed {
+    double mean;
+    double half_difference;
+    double speed;
+
+    double Force(double v) const { return (mean + half_difference * std::tanh(v / speed)) * v; }
+    double Slope(double v) const;
+    double Velocity(double force) const;
+    double LeastSlope() const;
+    double GreatestSlope() const;
+  };
+
+  struct Kneed {
+    Bilinear inner;
+    Knee compression;
+    Knee rebound;
+
+    double Force(double v) const;
+    double Slope(double v) const;
+    double Velocity(double force) const;
+    double LeastSlope() const;
+    double GreatestSlope() const;
+  };
+
+  struct Tabulated {
+    MonotoneCurve curve;
+
+    double Force(double v) const { return curve.Value(v); }
+    double Slope(double v) const { return curve.Slope(v); }
+    double Velocity(double force) const { return curve.Argument(force); }
+    double LeastSlope() const { return curve.LeastSlope(); }
+    double GreatestSlope() const { return curve.GreatestSlope(); }
+  };
+
+  using Law = std::variant<Bilinear, Smoothed, Kneed, Tabulated>;
+
+  explicit DashpotLaw(Law law);
+
+  double AnyForce(double v) const;
+  double ForceWithoutFriction(double v) const;
+  double SlopeWithoutFriction(double v) const;
+  double VelocityWithoutFriction(double force) const;
+
+  Law law_ = Bilinear{0, 0};
+  double friction_ = 0;        // N
+  double friction_speed_ = 1;  // m/s
+};
+
+}  // namespace fourpost

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "vehicles/lint/lint_subject.h"
+
+namespace fourpost {
+
+/// Motions that meet no stiffness.
+void LintFreeMotions(const LintSubject& subject, FileFaults& findings);
+
+/// Sensors that no small motion moves.
+void LintBlindSensors(const LintSubject& subject, FileFaults& findings);
+
+/// Modes below 30 Hz that ring on: damping ratio below 0.5 %, and no friction in them.
+void LintRingingModes(const LintSubject& subject, FileFaults& findings);
+
+}  // namespace fourpost

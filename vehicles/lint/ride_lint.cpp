@@ -1,0 +1,82 @@
+#include "vehicles/lint/ride_lint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "vehicles/tags/file_faults.h"
+
+namespace fourpost {
+namespace {
+
+/// With three digits.
+std::string Short(double value) {
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
+}
+
+/// "'rear wind-up' and 'roll'": the modes that grow; empty where the growth is a series spring's.
+std::string GrowingModes(const std::vector<Mode>& modes) {
+  std::string names;
+  for (const Mode& mode : modes)
+    if (mode.kind == Mode::Kind::kDiverging || mode.damping_ratio < 0)
+      names += (names.empty() ? "'" : " and '") + mode.name + "'";
+  return names;
+}
+
+void LintStability(const VehicleSummary& summary, FileFaults& findings) {
+  if (summary.IsStable()) return;
+  const std::string modes = GrowingModes(summary.modes);
+  findings.Warning(0, "the vehicle is unstable in its design pose: " + (modes.empty() ? "a motion" : modes) +
+                          " grows by exp(" + Short(summary.growth_rate) +
+                          " t); a rod or a spring that holds it is missing, or positions, axes or rates are wrong");
+}
+
+void LintWheelRates(const Vehicle& vehicle, const VehicleSummary& summary, FileFaults& findings) {
+  for (std::size_t i = 0; i < summary.ride.wheels.size(); ++i) {
+    const WheelRates& rates = summary.ride.wheels[i];
+    const double rate = rates.alone.wheel_Npm;
+    // A suspension stiffer than its tyre is none.
+    if (!std::isfinite(rate) || (rate >= 0 && !(rate > rates.tyre_Npm && rates.tyre_Npm > 0))) continue;
+    const std::string& name = summary.suspension.wheels[i].name;
+    const auto tyre = std::find_if(vehicle.tyres.begin(), vehicle.tyres.end(),
+                                   [&](const Tyre& candidate) { return candidate.name == name; });
+    findings.Warning(tyre->source_line, "the wheel rate at fp:tyre '" + name + "' is " + Short(rate / 1e3) + " N/mm, " +
+                                            (rate < 0 ? "less than nothing" : "more than the tyre's") +
+                                            ": check the points of its links, rods and springs, and its own");
+  }
+}
+
+void LintRatio(const StrutGeometry& strut, const std::string& element, int line, FileFaults& findings) {
+  // Of coils, dampers and pushrods in cars some 0.3 to 1.3.
+  constexpr double kLeast = 0.1;
+  constexpr double kMost = 2.5;
+  if (!strut.alone || strut.wheel < 0) return;
+  const double ratio = std::abs(*strut.alone);
+  if (ratio >= kLeast && ratio <= kMost) return;
+  findings.Warning(line, element + " has a motion ratio of " + Short(*strut.alone) + " to its wheel: check its ends" +
+                             (ratio < kLeast ? " and its axis" : ""));
+}
+
+}  // namespace
+
+Diagnostics LintRide(const Vehicle& vehicle, const VehicleSummary& summary) {
+  Diagnostics findings;
+  FileFaults file(vehicle.file, findings);
+  file.SetTwins(vehicle.twins);
+  LintStability(summary, file);
+  LintWheelRates(vehicle, summary, file);
+  for (std::size_t i = 0; i < vehicle.springs.size(); ++i)
+    if (vehicle.springs[i].kind == Spring::Kind::kCoil)
+      LintRatio(summary.ride.springs[i], vehicle.springs[i].Element(), vehicle.springs[i].source_line, file);
+  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i)
+    LintRatio(summary.ride.dampers[i], "fp:damper '" + vehicle.dampers[i].name + "'", vehicle.dampers[i].source_line,
+              file);
+  return findings;
+}
+
+}  // namespace fourpost

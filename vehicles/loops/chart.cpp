@@ -1,0 +1,60 @@
+#include "vehicles/loops/chart.h"
+
+#include <Eigen/QR>
+
+#include "vehicles/loops/loop_lock.h"
+#include "vehicles/loops/loop_space.h"
+
+namespace fourpost {
+namespace {
+
+Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& lower) {
+  Eigen::MatrixXd stacked(upper.rows() + lower.rows(), upper.cols());
+  stacked << upper, lower;
+  return stacked;
+}
+
+/// Least-norm solution. Equations that repeat others say the same but for rounding, which must not be divided by.
+Eigen::MatrixXd Solve(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+  solver.setThreshold(kLoopRankTolerance);
+  return solver.compute(matrix).solve(right);
+}
+
+}  // namespace
+
+Chart::Chart(Multibody& multibody) : multibody_(multibody) {
+  multibody_.SetPose(multibody_.design_pose());
+  const Eigen::MatrixXd loops = multibody_.LoopJacobian();
+  has_loops_ = loops.rows() > 0;
+  basis_ = LoopSpaceOf(loops).motions;
+}
+
+Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
+  // Some hundred roundings of metres; differences of such poses over millimetres keep 1e-10 of second derivatives.
+  constexpr double kClosed = 1e-13;
+  constexpr int kIterations = 30;
+  Eigen::VectorXd q = multibody_.design_pose() + basis_ * s;
+  multibody_.SetPose(q);
+  if (!has_loops_) return q;
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    const Eigen::VectorXd loop_error = multibody_.LoopError();
+    Eigen::VectorXd error(loop_error.size() + s.size());
+    error << loop_error, basis_.transpose() * (q - multibody_.design_pose()) - s;
+    if (error.lpNorm<Eigen::Infinity>() < kClosed) return q;
+    q -= Solve(Stacked(multibody_.LoopJacobian(), basis_.transpose()), error);
+    multibody_.SetPose(q);
+  }
+  throw LoopsCannotFollow(multibody_);
+}
+
+Eigen::MatrixXd Chart::MoveTo(const Eigen::VectorXd& s) {
+  Close(s);
+  if (!has_loops_) return basis_;
+  const Eigen::MatrixXd loops = multibody_.LoopJacobian();
+  Eigen::MatrixXd target = Eigen::MatrixXd::Zero(loops.rows() + size(), size());
+  target.bottomRows(size()).setIdentity();
+  return Solve(Stacked(loops, basis_.transpose()), target);
+}
+
+}  // namespace fourpost

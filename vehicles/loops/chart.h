@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "vehicles/multibody/multibody.h"
+
+namespace fourpost {
+
+/// Independent coordinates s of a vehicle whose loop closures take some of its joint coordinates q away:
+/// q(s) closes the loops and N0' (q - q0) = s, where q0 is the design pose and the columns of N0 span the motions that
+/// the loops allow there. Without loops s = q - q0.
+class Chart {
+ public:
+  explicit Chart(Multibody& multibody);
+
+  /// Number of independent coordinates: the vehicle's degrees of freedom.
+  int size() const { return static_cast<int>(basis_.cols()); }
+
+  /// Moves the multibody to the pose q(s) and returns dq/ds there, coordinates x size().
+  /// Throws FaultyInput, see LoopsCannotFollow, when the loops do not let it.
+  Eigen::MatrixXd MoveTo(const Eigen::VectorXd& s);
+
+ private:
+  Eigen::VectorXd Close(const Eigen::VectorXd& s);
+
+  Multibody& multibody_;
+  Eigen::MatrixXd basis_;
+  /// Also true for loops that take no coordinate to first order, as a rod at dead centre does.
+  bool has_loops_ = false;
+};
+
+}  // namespace fourpost

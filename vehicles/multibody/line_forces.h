@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+
+#include "vehicles/laws/dashpot_law.h"
+#include "vehicles/laws/mounted_hydraulic_damper.h"
+#include "vehicles/laws/series_damper.h"
+#include "vehicles/laws/spring_law.h"
+#include "vehicles/multibody/body_line.h"
+#include "vehicles/multibody/simbody.h"
+
+namespace fourpost {
+
+// What the elements read while they compute; changed between evaluations, never during one.
+
+struct SpringData {
+  BodyLine line;
+  SpringLaw law;
+  double preload = 0;
+};
+
+struct DamperData {
+  BodyLine line;
+  DashpotLaw dashpot;
+  bool in_series = false;
+  SpringLaw series;
+};
+
+struct HydraulicData {
+  BodyLine line;
+  MountedHydraulicDamper damper;
+  /// Whether there is a mount.
+  bool is_mounted = false;
+};
+
+struct AntiRollData {
+  BodyLine left;
+  BodyLine right;
+  double stiffness = 0;
+  double damping = 0;
+};
+
+/// Tension = preload + law of the extension.
+class SpringForce : public SimTK::Force::Custom::Implementation {
+ public:
+  explicit SpringForce(const SpringData& data) : data_(data) {}
+  void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
+                 SimTK::Vector_<SimTK::Vec3>& particle_forces, SimTK::Vector& mobility_forces) const override;
+  SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override;
+
+ private:
+  const SpringData& data_;
+};
+
+/// Dashpot alone, or in line with a spring whose extension is a state of its own.
+class DamperForce : public SimTK::Force::Custom::Implementation {
+ public:
+  DamperForce(const DamperData& data, const SimTK::GeneralForceSubsystem& forces) : data_(data), forces_(forces) {}
+  void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
+                 SimTK::Vector_<SimTK::Vec3>& particle_forces, SimTK::Vector& mobility_forces) const override;
+  SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override;
+  void realizeTopology(SimTK::State& state) const override;
+  void realizeAcceleration(const SimTK::State& state) const override;
+
+ private:
+  double SeriesExtension(const SimTK::State& state) const;
+
+  const DamperData& data_;
+  const SimTK::GeneralForceSubsystem& forces_;
+  mutable SimTK::ZIndex series_extension_;
+};
+
+/// Hydraulic damper; its states are the two chamber pressures above rest, in kHydraulicPressureUnit.
+class HydraulicForce : public SimTK::Force::Custom::Implementation {
+ public:
+  HydraulicForce(const HydraulicData& data, const SimTK::GeneralForceSubsystem& forces)
+      : data_(data), forces_(forces) {}
+  void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
+                 SimTK::Vector_<SimTK::Vec3>& particle_forces, SimTK::Vector& mobility_forces) const override;
+  SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override;
+  void realizeTopology(SimTK::State& state) const override;
+  void realizeAcceleration(const SimTK::State& state) const override;
+
+ private:
+  std::array<double, 2> Pressures(const SimTK::State& state) const;
+
+  const HydraulicData& data_;
+  const SimTK::GeneralForceSubsystem& forces_;
+  mutable SimTK::ZIndex pressures_;
+};
+
+/// States of an integration should be about 1 in size [Pa].
+inline constexpr double kHydraulicPressureUnit = 1e6;
+
+/// Rates of a hydraulic damper's states for its states [kHydraulicPressureUnit, kHydraulicPressureUnit/s].
+std::array<double, 2> HydraulicRates(const HydraulicData& data, const LineMotion& motion,
+                                     const std::array<double, 2>& states);
+
+/// Anti-roll bar: tension on the left line = stiffness (e_left - e_right) + damping (e_left - e_right)', opposite on
+/// the right one.
+class AntiRollForce : public SimTK::Force::Custom::Implementation {
+ public:
+  explicit AntiRollForce(const AntiRollData& data) : data_(data) {}
+  void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
+                 SimTK::Vector_<SimTK::Vec3>& particle_forces, SimTK::Vector& mobility_forces) const override;
+  SimTK::Real calcPotentialEnergy(const SimTK::State& state) const override;
+
+ private:
+  const AntiRollData& data_;
+};
+
+}  // namespace fourpost

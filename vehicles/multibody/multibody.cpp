@@ -1,0 +1,556 @@
+#include "vehicles/multibody/multibody.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "analysis/diagnostics.h"
+#include "vehicles/description/gravity.h"
+#include "vehicles/laws/count_check.h"
+#include "vehicles/multibody/body_forces.h"
+#include "vehicles/multibody/close_loops.h"
+#include "vehicles/multibody/line_forces.h"
+#include "vehicles/multibody/loop_gaps.h"
+#include "vehicles/multibody/simbody_bodies.h"
+
+namespace fourpost {
+namespace {
+
+using SimTK::MobilizedBody;
+using SimTK::Vec3;
+
+void SetHydraulic(const Damper& damper, std::span<const double> parameters, HydraulicData& data) {
+  data.damper.damper = damper.HydraulicAt(parameters);
+  if (damper.series) data.damper.mount = damper.series->At(parameters);
+}
+
+struct SensorData {
+  Sensor::Type type = Sensor::Type::kAccelerometer;
+  MobilizedBody body;
+  Vec3 station;
+  Vec3 axis;
+  BodyLine line;
+  int tyre = -1;
+  double wheelpan = 0;
+  /// Reading in the design pose, taken off.
+  double rest = 0;
+};
+
+bool AreEqual(const SimTK::MassProperties& a, const SimTK::MassProperties& b) {
+  return a.getMass() == b.getMass() && a.getMassCenter() == b.getMassCenter() &&
+         a.getUnitInertia().toMat33() == b.getUnitInertia().toMat33();
+}
+
+}  // namespace
+
+struct Multibody::Impl {
+  explicit Impl(const Vehicle& v);
+
+  void AddBodies();
+  void AddForces();
+  void AddSprings();
+  void AddDampers();
+  void AddBushings();
+  void AddTyres();
+  void AddLoops();
+  void AddHinge(const Hinge& hinge);
+  void NoteLoop(const char* tag, const std::string& name, int line, int rows);
+  void AddSensors();
+  BodyLine MakeLine(const ForceLine& line);
+  void AssembleDesignPose();
+  double Distance(const Point& a, const Point& b);
+  void MeasureDesign();
+  void CreateState();
+  bool SetMasses(std::span<const double> parameters);
+  void SetState(double t, const Eigen::VectorXd& y);
+  void SetPose(const Eigen::VectorXd& q);
+  MobilizedBody& Body(int link) { return bodies[static_cast<std::size_t>(link)]; }
+  void Realize(SimTK::Stage stage);
+  double Reading(const SensorData& sensor, const SimTK::State& at);
+  Eigen::VectorXd Readings(const SimTK::State& at);
+  const Platforms& PlatformsAt(double t);
+  double LoadCell(const SensorData& sensor, const SimTK::State& at);
+
+  Vehicle vehicle;
+  SimTK::MultibodySystem system;
+  SimTK::SimbodyMatterSubsystem matter{system};
+  SimTK::GeneralForceSubsystem forces{system};
+  std::vector<MobilizedBody> bodies;
+  std::vector<SpringData> springs;
+  /// All but the hydraulic ones, and these; each with its place in Vehicle::dampers.
+  std::vector<DamperData> dampers;
+  std::vector<std::size_t> damper_index;
+  std::vector<HydraulicData> hydraulics;
+  std::vector<std::size_t> hydraulic_index;
+  std::vector<BushingData> bushings;
+  std::vector<AntiRollData> antiroll_bars;
+  std::vector<TyreData> tyres;
+  std::vector<SensorData> sensors;
+  std::vector<double> rod_lengths;
+  std::vector<LoopClosure> loops;
+  Platforms posts;
+  /// Time of posts; NaN, which equals no time, before the first.
+  double platform_time = std::numeric_limits<double>::quiet_NaN();
+  PostMotion post_motion;
+  std::function<const Platforms&(double)> platforms;
+  SimTK::State state;
+  Eigen::VectorXd design_pose;
+};
+
+Multibody::Impl::Impl(const Vehicle& v) : vehicle(v) {
+  platforms = [this](double t) -> const Platforms& { return PlatformsAt(t); };
+  posts.resize(vehicle.posts.size());
+  AddBodies();
+  AddForces();
+  AddLoops();
+  AddSensors();
+  CreateState();
+  design_pose = Eigen::VectorXd::Zero(state.getNQ());
+  AssembleDesignPose();
+  MeasureDesign();
+}
+
+void Multibody::Impl::AddBodies() {
+  const std::vector<double> parameters = vehicle.ParameterValues();
+  bodies.resize(vehicle.links.size());
+  bodies[0] = matter.Ground();
+  for (const Joint& joint : vehicle.joints) {
+    const SimTK::Body::Rigid body(MassPropertiesAt(vehicle.links[static_cast<std::size_t>(joint.child)], parameters));
+    Body(joint.child) = AddMobilizer(joint, Body(joint.parent), body);
+  }
+}
+
+BodyLine Multibody::Impl::MakeLine(const ForceLine& line) {
+  BodyLine out;
+  out.parent = Body(line.parent.link);
+  out.child = Body(line.child.link);
+  out.parent_station = ToSimbody(line.parent.xyz);
+  out.child_station = ToSimbody(line.child.xyz);
+  out.guided = line.axis.has_value();
+  if (line.axis) out.axis = ToSimbody(*line.axis);
+  return out;
+}
+
+// The elements keep references into the vectors of their data: each has its final size before its elements are made.
+
+void Multibody::Impl::AddForces() {
+  // A handle; the system owns the force.
+  const SimTK::Force::Gravity gravity(forces, matter, -SimTK::ZAxis, kGravity);
+  AddSprings();
+  AddDampers();
+  AddBushings();
+  AddTyres();
+}
+
+void Multibody::Impl::AddSprings() {
+  for (const Spring& spring : vehicle.springs) springs.push_back({.line = MakeLine(spring.line), .law = {}});
+  for (const SpringData& spring : springs) SimTK::Force::Custom(forces, new SpringForce(spring));
+  for (const AntiRollBar& bar : vehicle.antiroll_bars)
+    antiroll_bars.push_back({.left = MakeLine(bar.left), .right = MakeLine(bar.right)});
+  for (const AntiRollData& bar : antiroll_bars) SimTK::Force::Custom(forces, new AntiRollForce(bar));
+}
+
+void Multibody::Impl::AddDampers() {
+  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i) {
+    const Damper& damper = vehicle.dampers[i];
+    if (damper.hydraulic) {
+      hydraulics.push_back({.line = MakeLine(damper.line), .damper = {}, .is_mounted = damper.series.has_value()});
+      hydraulic_index.push_back(i);
+    } else {
+      dampers.push_back(
+          {.line = MakeLine(damper.line), .dashpot = {}, .in_series = damper.series.has_value(), .series = {}});
+      damper_index.push_back(i);
+    }
+  }
+  for (const DamperData& damper : dampers) SimTK::Force::Custom(forces, new DamperForce(damper, forces));
+  for (const HydraulicData& damper : hydraulics) SimTK::Force::Custom(forces, new HydraulicForce(damper, forces));
+}
+
+void Multibody::Impl::AddBushings() {
+  for (const Bushing& bushing : vehicle.bushings)
+    bushings.push_back({.parent = Body(bushing.parent.link),
+                        .child = Body(bushing.child.link),
+                        .parent_station = ToSimbody(bushing.parent.xyz),
+                        .child_station = ToSimbody(bushing.child.xyz),
+                        .parent_axes = bushing.axes,
+                        .child_axes = {},
+                        .design_place = {}});
+  for (const BushingData& bushing : bushings) SimTK::Force::Custom(forces, new BushingForce(bushing));
+}
+
+void Multibody::Impl::AddTyres() {
+  for (const Tyre& tyre : vehicle.tyres)
+    tyres.push_back({.body = Body(tyre.point.link),
+                     .station = ToSimbody(tyre.point.xyz),
+                     .radius = tyre.radius,
+                     .lifts_off = tyre.lifts_off});
+  for (std::size_t i = 0; i < vehicle.posts.size(); ++i)
+    tyres[static_cast<std::size_t>(vehicle.posts[i].tyre)].post = static_cast<int>(i);
+  for (const TyreData& tyre : tyres) SimTK::Force::Custom(forces, new TyreForce(tyre, platforms));
+}
+
+void Multibody::Impl::NoteLoop(const char* tag, const std::string& name, int line, int rows) {
+  const int first = loops.empty() ? 0 : loops.back().first_row + loops.back().rows;
+  loops.push_back({std::string(tag) + " '" + name + "'", line, first, rows});
+}
+
+void Multibody::Impl::AddLoops() {
+  if (!vehicle.HasLoops()) return;
+  // Lengths and directions of the design pose, which tree coordinates of zero define.
+  CreateState();
+  system.realize(state, SimTK::Stage::Position);
+  for (const Rod& rod : vehicle.rods) rod_lengths.push_back(Distance(rod.parent, rod.child));
+  for (const Ball& ball : vehicle.balls) {
+    SimTK::Constraint::Ball(Body(ball.parent.link), ToSimbody(ball.parent.xyz), Body(ball.child.link),
+                            ToSimbody(ball.child.xyz));
+    NoteLoop("fp:ball", ball.name, ball.source_line, 3);
+  }
+  for (std::size_t i = 0; i < rod_lengths.size(); ++i) {
+    const Rod& rod = vehicle.rods[i];
+    SimTK::Constraint::Rod(Body(rod.parent.link), ToSimbody(rod.parent.xyz), Body(rod.child.link),
+                           ToSimbody(rod.child.xyz), rod_lengths[i]);
+    NoteLoop("fp:rod", rod.name, rod.source_line, 1);
+  }
+  for (const Weld& weld : vehicle.welds) {
+    const SimTK::Transform parent_in_child =
+        Body(weld.parent.link).findBodyTransformInAnotherBody(state, Body(weld.child.link));
+    SimTK::Constraint::Weld(Body(weld.parent.link), SimTK::Transform(ToSimbody(weld.parent.xyz)), Body(weld.child.link),
+                            SimTK::Transform(parent_in_child.R(), ToSimbody(weld.child.xyz)));
+    NoteLoop("fp:weld", weld.name, weld.source_line, 6);
+  }
+  for (const Hinge& hinge : vehicle.hinges) AddHinge(hinge);
+}
+
+/// A ball, and the child's axis at right angles to two directions across the parent's.
+void Multibody::Impl::AddHinge(const Hinge& hinge) {
+  MobilizedBody& parent = Body(hinge.parent.link);
+  MobilizedBody& child = Body(hinge.child.link);
+  const SimTK::UnitVec3 axis(ToSimbody(hinge.axis));
+  const SimTK::UnitVec3 axis_in_child(~child.findBodyRotationInAnotherBody(state, parent) * axis);
+  const SimTK::UnitVec3 across = axis.perp();
+  const SimTK::UnitVec3 across_both(axis % across);
+  SimTK::Constraint::Ball(parent, ToSimbody(hinge.parent.xyz), child, ToSimbody(hinge.child.xyz));
+  SimTK::Constraint::ConstantAngle(parent, across, child, axis_in_child);
+  SimTK::Constraint::ConstantAngle(parent, across_both, child, axis_in_child);
+  NoteLoop("fp:hinge", hinge.name, hinge.source_line, 5);
+}
+
+void Multibody::Impl::AddSensors() {
+  for (const Sensor& sensor : vehicle.sensors) {
+    SensorData data;
+    data.type = sensor.type;
+    data.tyre = sensor.tyre;
+    data.wheelpan = sensor.wheelpan.value;
+    data.axis = ToSimbody(sensor.axis);
+    if (sensor.type == Sensor::Type::kStrut) data.line = MakeLine(sensor.line);
+    if (sensor.point.link >= 0) {
+      data.body = Body(sensor.point.link);
+      data.station = ToSimbody(sensor.point.xyz);
+    }
+    sensors.push_back(data);
+  }
+}
+
+void Multibody::Impl::CreateState() { state = system.realizeTopology(); }
+
+/// Whether that changes any.
+bool Multibody::Impl::SetMasses(std::span<const double> parameters) {
+  bool changes = false;
+  for (const Joint& joint : vehicle.joints) {
+    MobilizedBody& body = Body(joint.child);
+    const SimTK::MassProperties mass =
+        MassPropertiesAt(vehicle.links[static_cast<std::size_t>(joint.child)], parameters);
+    if (AreEqual(mass, body.getDefaultMassProperties())) continue;
+    body.setDefaultMassProperties(mass);
+    changes = true;
+  }
+  return changes;
+}
+
+void Multibody::Impl::AssembleDesignPose() {
+  const auto error_at = [this](const Eigen::VectorXd& q) {
+    SetPose(q);
+    return Eigen::VectorXd(ToEigen(state.getQErr()));
+  };
+  const auto jacobian = [this] {
+    SimTK::Matrix g;
+    matter.calcG(state, g);
+    return Eigen::MatrixXd(ToEigen(g));
+  };
+  const ClosedLoops assembled = CloseLoops({error_at, jacobian}, design_pose);
+  SetPose(assembled.pose);
+  design_pose = assembled.pose;
+  if (assembled.is_closed) return;
+  const auto distance = [this](const Point& parent, const Point& child) { return Distance(parent, child); };
+  throw FaultyInput(LoopGapFaults(vehicle, distance));
+}
+
+double Multibody::Impl::Distance(const Point& a, const Point& b) {
+  return (Body(a.link).findStationLocationInGround(state, ToSimbody(a.xyz)) -
+          Body(b.link).findStationLocationInGround(state, ToSimbody(b.xyz)))
+      .norm();
+}
+
+void Multibody::Impl::MeasureDesign() {
+  SetPose(design_pose);
+  for (SpringData& spring : springs) spring.line.design_length = Length(spring.line, state);
+  for (DamperData& damper : dampers) damper.line.design_length = Length(damper.line, state);
+  for (HydraulicData& damper : hydraulics) damper.line.design_length = Length(damper.line, state);
+  for (AntiRollData& bar : antiroll_bars) {
+    bar.left.design_length = Length(bar.left, state);
+    bar.right.design_length = Length(bar.right, state);
+  }
+  for (BushingData& bushing : bushings) fourpost::MeasureDesign(bushing, state);
+  for (TyreData& tyre : tyres) fourpost::MeasureDesign(tyre, state);
+  for (SensorData& sensor : sensors) {
+    if (sensor.type == Sensor::Type::kStrut) sensor.line.design_length = Length(sensor.line, state);
+    if (sensor.type == Sensor::Type::kDisplacement) {
+      // A displacement is measured from the ground, along the axis as it points in the design pose.
+      sensor.axis = sensor.body.getBodyRotation(state) * sensor.axis;
+      sensor.rest = Reading(sensor, state);
+    }
+    // At rest an accelerometer shows gravity along its axis.
+    if (sensor.type == Sensor::Type::kAccelerometer)
+      sensor.rest = kGravity * (sensor.body.getBodyRotation(state) * sensor.axis)[2];
+  }
+}
+
+void Multibody::Impl::SetState(double t, const Eigen::VectorXd& y) {
+  RequireCount("Multibody: state", "states", static_cast<std::size_t>(state.getNY()),
+               static_cast<std::size_t>(y.size()));
+  state.setTime(t);
+  SimTK::Vector& target = state.updY();
+  for (int i = 0; i < y.size(); ++i) target[i] = y[i];
+}
+
+void Multibody::Impl::SetPose(const Eigen::VectorXd& q) {
+  RequireCount("Multibody: pose", "coordinates", static_cast<std::size_t>(state.getNQ()),
+               static_cast<std::size_t>(q.size()));
+  for (int i = 0; i < q.size(); ++i) state.updQ()[i] = q[i];
+  state.updU() = 0;
+  system.realize(state, SimTK::Stage::Velocity);
+}
+
+void Multibody::Impl::Realize(SimTK::Stage stage) {
+  try {
+    system.realize(state, stage);
+  } catch (const SimTK::Exception::Base& failure) {
+    throw std::runtime_error("the vehicle cannot be evaluated at t = " + std::to_string(state.getTime()) +
+                             " s: " + failure.getMessage());
+  }
+}
+
+const Platforms& Multibody::Impl::PlatformsAt(double t) {
+  if (post_motion && t != platform_time) {
+    post_motion(t, posts);
+    platform_time = t;
+  }
+  return posts;
+}
+
+double Multibody::Impl::LoadCell(const SensorData& sensor, const SimTK::State& at) {
+  const TyreData& tyre = tyres[static_cast<std::size_t>(sensor.tyre)];
+  const Platforms& now = PlatformsAt(at.getTime());
+  const double acceleration = tyre.post < 0 ? 0 : now[static_cast<std::size_t>(tyre.post)].acceleration;
+  return TyreForce::Compression(tyre, now, at) - tyre.preload + sensor.wheelpan * acceleration;
+}
+
+double Multibody::Impl::Reading(const SensorData& sensor, const SimTK::State& at) {
+  switch (sensor.type) {
+    case Sensor::Type::kAccelerometer: {
+      const Vec3 specific_force =
+          sensor.body.findStationAccelerationInGround(at, sensor.station) + Vec3(0, 0, kGravity);
+      return SimTK::dot(sensor.body.getBodyRotation(at) * sensor.axis, specific_force) - sensor.rest;
+    }
+    case Sensor::Type::kDisplacement:
+      return SimTK::dot(sensor.axis, sensor.body.findStationLocationInGround(at, sensor.station)) - sensor.rest;
+    case Sensor::Type::kStrut: return Extension(sensor.line, at);
+    case Sensor::Type::kLoadCell: return LoadCell(sensor, at);
+    case Sensor::Type::kGyro:
+      return SimTK::dot(sensor.body.getBodyRotation(at) * sensor.axis, sensor.body.getBodyAngularVelocity(at));
+  }
+  throw std::logic_error("sensor type without a reading");
+}
+
+Eigen::VectorXd Multibody::Impl::Readings(const SimTK::State& at) {
+  Eigen::VectorXd readings(sensors.size());
+  for (std::size_t i = 0; i < sensors.size(); ++i) readings[static_cast<Eigen::Index>(i)] = Reading(sensors[i], at);
+  return readings;
+}
+
+Multibody::Multibody(const Vehicle& vehicle) : impl_(std::make_unique<Impl>(vehicle)) {}
+Multibody::~Multibody() = default;
+Multibody::Multibody(Multibody&&) noexcept = default;
+Multibody& Multibody::operator=(Multibody&&) noexcept = default;
+
+const Vehicle& Multibody::vehicle() const { return impl_->vehicle; }
+
+int Multibody::coordinate_count() const { return impl_->state.getNQ(); }
+
+int Multibody::state_size() const { return impl_->state.getNY(); }
+
+const Eigen::VectorXd& Multibody::design_pose() const { return impl_->design_pose; }
+
+void Multibody::SetParameters(std::span<const double> parameters, const Preloads& preloads) {
+  Impl& m = *impl_;
+  RequireCount("Multibody::SetParameters", "parameters", m.vehicle.parameters.size(), parameters.size());
+  RequireCount("Multibody::SetParameters: preloads", "springs", m.springs.size(), preloads.spring.size());
+  RequireCount("Multibody::SetParameters: preloads", "tyres", m.tyres.size(), preloads.tyre.size());
+  RequireCount("Multibody::SetParameters: preloads", "bushings", m.bushings.size(), preloads.bushing.size());
+  for (std::size_t i = 0; i < m.springs.size(); ++i) {
+    m.springs[i].law = m.vehicle.springs[i].law.At(parameters);
+    m.springs[i].preload = preloads.spring[i];
+  }
+  for (std::size_t i = 0; i < m.antiroll_bars.size(); ++i) {
+    m.antiroll_bars[i].stiffness = m.vehicle.antiroll_bars[i].stiffness.At(parameters);
+    m.antiroll_bars[i].damping = m.vehicle.antiroll_bars[i].damping.At(parameters);
+  }
+  for (std::size_t i = 0; i < m.dampers.size(); ++i) {
+    const Damper& damper = m.vehicle.dampers[m.damper_index[i]];
+    m.dampers[i].dashpot = damper.law.At(parameters);
+    if (damper.series) m.dampers[i].series = damper.series->At(parameters);
+  }
+  for (std::size_t i = 0; i < m.hydraulics.size(); ++i)
+    SetHydraulic(m.vehicle.dampers[m.hydraulic_index[i]], parameters, m.hydraulics[i]);
+  for (std::size_t i = 0; i < m.bushings.size(); ++i) {
+    const Bushing& bushing = m.vehicle.bushings[i];
+    for (std::size_t k = 0; k < 6; ++k) {
+      m.bushings[i].stiffness[k] = bushing.stiffness[k].At(parameters);
+      m.bushings[i].damping[k] = bushing.DampingAt(k, parameters);
+    }
+    m.bushings[i].preload = preloads.bushing[i];
+  }
+  for (std::size_t i = 0; i < m.tyres.size(); ++i) {
+    const Tyre& tyre = m.vehicle.tyres[i];
+    m.tyres[i].stiffness = tyre.stiffness.At(parameters);
+    m.tyres[i].damping = tyre.damping.At(parameters);
+    m.tyres[i].lateral = tyre.lateral.At(parameters);
+    m.tyres[i].longitudinal = tyre.longitudinal.At(parameters);
+    m.tyres[i].lateral_damping = tyre.lateral_damping.At(parameters);
+    m.tyres[i].longitudinal_damping = tyre.longitudinal_damping.At(parameters);
+    m.tyres[i].preload = preloads.tyre[i];
+  }
+  for (std::size_t i = 0; i < m.sensors.size(); ++i)
+    m.sensors[i].wheelpan = m.vehicle.sensors[i].wheelpan.At(parameters);
+  const Eigen::VectorXd pose = ToEigen(m.state.getQ());
+  // Simbody keeps mass properties with the topology; realizing it again reuses every body and element (~50 us), but
+  // makes a state of its own: the pose has to be set again.
+  if (m.SetMasses(parameters)) m.CreateState();
+  m.SetPose(pose);
+}
+
+void Multibody::SetPostMotion(PostMotion motion) {
+  impl_->post_motion = std::move(motion);
+  impl_->platform_time = std::numeric_limits<double>::quiet_NaN();
+  std::fill(impl_->posts.begin(), impl_->posts.end(), PostState());
+  impl_->state.invalidateAllCacheAtOrAbove(SimTK::Stage::Dynamics);
+}
+
+void Multibody::SetPose(const Eigen::VectorXd& q) { impl_->SetPose(q); }
+
+Eigen::Isometry3d Multibody::LinkPose(int link) const {
+  return ToEigen(impl_->Body(link).getBodyTransform(impl_->state));
+}
+
+// Each joint between the link and the ground moves the link as if both were one body.
+Eigen::MatrixXd Multibody::LinkJacobian(int link) const {
+  const SimTK::State& state = impl_->state;
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, coordinate_count());
+  const Eigen::Vector3d origin = ToEigen(impl_->Body(link).getBodyOriginLocation(state));
+  for (MobilizedBody body = impl_->Body(link); !body.isGround(); body = body.getParentMobilizedBody()) {
+    const Eigen::Vector3d arm = origin - ToEigen(body.getBodyOriginLocation(state));
+    const int first = body.getFirstUIndex(state);
+    for (int k = 0; k < body.getNumU(state); ++k) {
+      const SimTK::SpatialVec motion = body.getHCol(state, SimTK::MobilizerUIndex(k));
+      const Eigen::Vector3d turn = ToEigen(motion[0]);
+      jacobian.block<3, 1>(0, first + k) = turn;
+      jacobian.block<3, 1>(3, first + k) = ToEigen(motion[1]) + turn.cross(arm);
+    }
+  }
+  return jacobian;
+}
+
+const std::vector<LoopClosure>& Multibody::loop_closures() const { return impl_->loops; }
+
+Eigen::VectorXd Multibody::LoopError() const { return ToEigen(impl_->state.getQErr()); }
+
+Eigen::MatrixXd Multibody::LoopJacobian() const {
+  // By the constraints' forces, one pass a row: there are fewer rows than columns.
+  SimTK::Matrix transposed;
+  impl_->matter.calcGTranspose(impl_->state, transposed);
+  return ToEigen(transposed).transpose();
+}
+
+Eigen::VectorXd Multibody::StateDerivative(double t, const Eigen::VectorXd& state) {
+  impl_->SetState(t, state);
+  impl_->system.realize(impl_->state, SimTK::Stage::Acceleration);
+  return ToEigen(impl_->state.getYDot());
+}
+
+Eigen::VectorXd Multibody::Residual(double t, const Eigen::VectorXd& state, const Eigen::VectorXd& derivative) {
+  Impl& m = *impl_;
+  m.SetState(t, state);
+  m.Realize(SimTK::Stage::Dynamics);
+  const int n = coordinate_count();
+  const SimTK::Vector acceleration(n, derivative.data() + n, true);
+  SimTK::Vector lacking;
+  m.matter.calcResidualForceIgnoringConstraints(m.state, m.system.getMobilityForces(m.state, SimTK::Stage::Dynamics),
+                                                m.system.getRigidBodyForces(m.state, SimTK::Stage::Dynamics),
+                                                acceleration, lacking);
+  Eigen::VectorXd residual(state.size() - n);
+  for (int i = 0; i < n; ++i) residual[i] = lacking[i];
+  Eigen::Index z = n;
+  for (const DamperData& damper : m.dampers) {
+    if (!damper.in_series) continue;
+    const double rate = Motion(damper.line, m.state).rate;
+    residual[z] = damper.series.Force(state[n + z]) - damper.dashpot.Force(rate - derivative[n + z]);
+    ++z;
+  }
+  for (const HydraulicData& damper : m.hydraulics) {
+    const std::array<double, 2> rates =
+        HydraulicRates(damper, Motion(damper.line, m.state), {state[n + z], state[n + z + 1]});
+    for (const double rate : rates) {
+      residual[z] = derivative[n + z] - rate;
+      ++z;
+    }
+  }
+  return residual;
+}
+
+Eigen::VectorXd Multibody::Readings(double t, const Eigen::VectorXd& state) {
+  impl_->SetState(t, state);
+  impl_->Realize(SimTK::Stage::Acceleration);
+  return impl_->Readings(impl_->state);
+}
+
+Eigen::VectorXd Multibody::RestState() const {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(state_size());
+  y.head(design_pose().size()) = design_pose();
+  return y;
+}
+
+void Multibody::Integrate(const Eigen::VectorXd& state, double start, double step, double accuracy,
+                          const MarchSink& sink, const std::function<bool()>& done) {
+  Impl& m = *impl_;
+  m.SetState(start, state);
+  SimTK::RungeKuttaMersonIntegrator integrator(m.system);
+  integrator.setAccuracy(accuracy);
+  try {
+    SimTK::State initial = m.state;
+    integrator.initialize(initial);
+    for (long k = 0;; ++k) {
+      const double until = start + static_cast<double>(k) * step;
+      // The first call returns at once, at the start of the first interval.
+      while (integrator.getTime() < until) integrator.stepTo(until);
+      const SimTK::State& now = integrator.getState();
+      m.system.realize(now, SimTK::Stage::Acceleration);
+      sink(now.getTime(), ToEigen(now.getY()), m.Readings(now));
+      if (done()) return;
+    }
+  } catch (const SimTK::Exception::Base& failure) {
+    throw std::runtime_error("the simulation failed at t = " + std::to_string(integrator.getTime()) +
+                             " s: " + failure.getMessage());
+  }
+}
+
+}  // namespace fourpost

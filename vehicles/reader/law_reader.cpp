@@ -1,0 +1,218 @@
+#include "vehicles/reader/law_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/units.h"
+
+namespace fourpost {
+namespace {
+
+Scalar Times(double factor, const Scalar& scalar) {
+  return {.value = factor * scalar.value, .parameter = scalar.parameter, .factor = factor * scalar.factor};
+}
+
+}  // namespace
+
+std::optional<Tag> ChildOf(const Tag& tag, std::string_view name) {
+  const std::vector<Tag> found = TagsOf(*tag.element, std::string(tag.rule->path) + "/" + std::string(name));
+  if (found.empty()) return std::nullopt;
+  return found.front();
+}
+
+SpringDescription LawReader::ReadSpring(const Tag& law) {
+  SpringDescription description;
+  description.stiffness = parameters_.ReadScalar(law, "stiffness");
+  if (law.rule->Name() == "cubic") description.cubic = parameters_.ReadScalar(law, "cubic");
+  if (law.rule->Name() == "multirate") ReadKnees(law, description);
+  return description;
+}
+
+void LawReader::ReadKnees(const Tag& multirate, SpringDescription& law) {
+  std::array<Scalar, 2> last;
+  for (const Tag& tag : TagsOf(*multirate.element, "fp:spring/multirate/knee")) {
+    const int errors = faults_.errors();
+    const Scalar at = parameters_.ReadScalar(tag, "at");
+    const int side = at.value < 0 ? -1 : 1;
+    const SpringDescription::Knee knee{.side = side,
+                                       .at = Times(side, at),
+                                       .rate = parameters_.ReadScalar(tag, "stiffness"),
+                                       .cubic = {},
+                                       .adds = false};
+    Scalar& before = last[side > 0 ? 1 : 0];
+    if (faults_.errors() == errors && !parameters_.IsBelow(before, knee.at))
+      faults_.Error(tag.Line("at"), "at=\"" + tag.Text("at") + "\" of " + Describe(*tag.element) +
+                                        " must lie beyond the knee before it, on either side of zero: knees stand in "
+                                        "the order in which the spring meets them, over the whole range of parameters");
+    before = knee.at;
+    law.knees.push_back(knee);
+  }
+  if (law.knees.empty())
+    faults_.Error(multirate.Line(), Describe(*multirate.element) + " needs at least one <knee>, or make it <linear>");
+}
+
+SpringDescription LawReader::ReadStop(const Tag& stop) {
+  SpringDescription law;
+  for (const auto& [name, side] : {std::pair("bump", -1), std::pair("rebound", 1)})
+    if (const std::optional<Tag> tag = ChildOf(stop, name))
+      law.knees.push_back({.side = side,
+                           .at = parameters_.ReadScalar(*tag, "gap"),
+                           .rate = parameters_.ReadScalar(*tag, "stiffness"),
+                           .cubic = parameters_.ReadScalar(*tag, "cubic"),
+                           .adds = true});
+  if (law.knees.empty()) faults_.Error(stop.Line(), Describe(*stop.element) + " needs a <bump>, a <rebound> or both");
+  return law;
+}
+
+DashpotDescription LawReader::ReadDashpot(const Tag& damper, const Tag& law, const std::optional<Tag>& series) {
+  DashpotDescription dashpot;
+  const int errors = faults_.errors();
+  if (law.rule->Name() == "table") ReadTable(law, dashpot);
+  else ReadRates(law, dashpot);
+  dashpot.friction = ReadFriction(damper);
+  if (series && faults_.errors() == errors) CheckInvertible(damper, *series, dashpot);
+  return dashpot;
+}
+
+std::optional<DashpotDescription::Friction> LawReader::ReadFriction(const Tag& damper) {
+  const std::optional<Tag> friction = ChildOf(damper, "friction");
+  if (!friction) return std::nullopt;
+  return DashpotDescription::Friction{parameters_.ReadScalar(*friction, "force"),
+                                      parameters_.ReadScalar(*friction, "speed")};
+}
+
+void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {
+  if (law.rule->Name() == "linear") {
+    dashpot.compression = dashpot.rebound = parameters_.ReadScalar(law, "rate");
+    return;
+  }
+  dashpot.compression = parameters_.ReadScalar(law, "compression");
+  dashpot.rebound = parameters_.ReadScalar(law, "rebound");
+  if (law.rule->Name() == "smooth") {
+    dashpot.kind = DashpotDescription::Kind::kSmooth;
+    dashpot.transition = parameters_.ReadScalar(law, "speed");
+  }
+  if (law.rule->Name() == "digressive") {
+    dashpot.kind = DashpotDescription::Kind::kDigressive;
+    dashpot.compression_knee = {parameters_.ReadScalar(law, "compression_knee"),
+                                parameters_.ReadScalar(law, "compression_beyond")};
+    dashpot.rebound_knee = {parameters_.ReadScalar(law, "rebound_knee"), parameters_.ReadScalar(law, "rebound_beyond")};
+  }
+}
+
+void LawReader::ReadTable(const Tag& table, DashpotDescription& dashpot) {
+  dashpot.kind = DashpotDescription::Kind::kTable;
+  for (const Tag& tag : TagsOf(*table.element, "fp:damper/table/point")) {
+    const int errors = faults_.errors();
+    const DashpotDescription::TablePoint point{parameters_.ReadScalar(tag, "speed"),
+                                               parameters_.ReadScalar(tag, "force")};
+    if (faults_.errors() > errors) continue;
+    const auto fault = [&](const std::string& text) {
+      faults_.Error(tag.Line(),
+                    "the point at \"" + tag.Text("speed") + "\" of " + Describe(*table.element) + " " + text);
+    };
+    if (!Resists(point))
+      fault("pushes on its own motion: force and speed must have one sign, over the whole range of parameters");
+    if (!dashpot.table.empty()) {
+      const DashpotDescription::TablePoint& before = dashpot.table.back();
+      if (!parameters_.IsBelow(before.speed, point.speed) || !parameters_.IsBelow(before.force, point.force))
+        fault("must have more speed and more force than the point before it, over the whole range of parameters");
+    }
+    dashpot.table.push_back(point);
+  }
+  if (dashpot.table.size() < 2) faults_.Error(table.Line(), Describe(*table.element) + " needs at least two <point>s");
+}
+
+/// Whether the force never acts with the motion, nor at rest.
+bool LawReader::Resists(const DashpotDescription::TablePoint& point) const {
+  const double least = parameters_.Least(point.speed);
+  const double greatest = parameters_.Greatest(point.speed);
+  if (least > 0) return parameters_.Least(point.force) >= 0;
+  if (greatest < 0) return parameters_.Greatest(point.force) <= 0;
+  const bool is_origin = least == 0 && greatest == 0;
+  return is_origin && parameters_.Least(point.force) == 0 && parameters_.Greatest(point.force) == 0;
+}
+
+/// Whether the force stays the same over some range of speed.
+bool LawReader::CanStick(const DashpotDescription& dashpot) const {
+  using Kind = DashpotDescription::Kind;
+  const auto is_zero = [&](const Scalar& rate) { return parameters_.Least(rate) <= 0; };
+  if (dashpot.kind == Kind::kTable) return false;
+  if (is_zero(dashpot.compression) || is_zero(dashpot.rebound)) return true;
+  return dashpot.kind == Kind::kDigressive &&
+         (is_zero(dashpot.compression_knee.rate) || is_zero(dashpot.rebound_knee.rate));
+}
+
+/// Least slope of the force over all speeds, wherever the rates' parameters go: it is concave in the rates, hence least
+/// at a corner of their bounds.
+double LawReader::LeastRate(const DashpotDescription& dashpot) const {
+  std::vector<double> values = parameters_.Values();
+  double least = dashpot.At(values).LeastRate();
+  const auto set = [&](const Scalar& rate, bool to_upper) {
+    if (rate.parameter < 0) return;
+    const auto i = static_cast<std::size_t>(rate.parameter);
+    values[i] = to_upper ? parameters_.parameters()[i].upper : parameters_.parameters()[i].lower;
+  };
+  for (unsigned corner = 0; corner < 4; ++corner) {
+    set(dashpot.compression, (corner & 1U) != 0);
+    set(dashpot.rebound, (corner & 2U) != 0);
+    least = std::min(least, dashpot.At(values).LeastRate());
+  }
+  return least;
+}
+
+void LawReader::CheckInvertible(const Tag& damper, const Tag& series, const DashpotDescription& dashpot) {
+  if (CanStick(dashpot)) {
+    faults_.Error(series.Line(), Describe(*damper.element) + " has a series spring: its rates must be above zero");
+    return;
+  }
+  try {
+    if (LeastRate(dashpot) > 0) return;
+  } catch (const std::invalid_argument&) {
+    // A number is missing or its parameter is faulty, which is told there.
+    return;
+  }
+  faults_.Error(series.Line(), Describe(*damper.element) +
+                                   " has a series spring: its force must rise with speed everywhere; for a smooth "
+                                   "law neither rate may be more than eleven times the other");
+}
+
+SpringDescription LawReader::ReadSeries(const Tag& series) {
+  return {.stiffness = parameters_.ReadScalar(series, "stiffness"),
+          .cubic = parameters_.ReadScalar(series, "cubic"),
+          .knees = {}};
+}
+
+HydraulicDescription LawReader::ReadHydraulic(const Tag& law) {
+  const int errors = faults_.errors();
+  const auto read = [&](std::string_view name) { return parameters_.ReadScalar(law, name); };
+  HydraulicDescription damper{.bleed = read("bleed"),
+                              .rebound_valve = read("rebound_valve"),
+                              .compression_valve = read("compression_valve"),
+                              .bulk_modulus = read("bulk_modulus"),
+                              .piston_diameter = read("piston"),
+                              .rod_diameter = read("rod"),
+                              .rebound_column = read("rebound_column"),
+                              .compression_column = read("compression_column"),
+                              .gas_pressure = read("gas_pressure"),
+                              .gas_volume = read("gas_volume"),
+                              .gas_exponent = read("gas_exponent"),
+                              .density = read("density"),
+                              .cavitation = read("cavitation")};
+  if (faults_.errors() > errors) return damper;
+  if (!parameters_.IsBelow(damper.rod_diameter, damper.piston_diameter))
+    faults_.Error(law.Line("rod"), "rod=\"" + law.Text("rod") + "\" of " + Describe(*law.element) +
+                                       " must be thinner than the piston, \"" + law.Text("piston") + "\"");
+  if (!parameters_.IsBelow(damper.cavitation, damper.gas_pressure))
+    faults_.Error(law.Line("gas_pressure"), "gas_pressure=\"" + law.Text("gas_pressure") + "\" of " +
+                                                Describe(*law.element) + " must be above that of cavitation, \"" +
+                                                law.Text("cavitation") + "\"");
+  return damper;
+}
+
+}  // namespace fourpost

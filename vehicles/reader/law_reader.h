@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "vehicles/description/element_laws.h"
+#include "vehicles/reader/parameter_reader.h"
+#include "vehicles/tags/file_faults.h"
+#include "vehicles/tags/tag.h"
+
+namespace fourpost {
+
+/// Reads the laws of springs, stops and dampers, and says what is wrong with them.
+class LawReader {
+ public:
+  LawReader(ParameterReader& parameters, FileFaults& faults) : parameters_(parameters), faults_(faults) {}
+
+  /// Of a spring's law: `<linear>`, `<cubic>` or `<multirate>`.
+  SpringDescription ReadSpring(const Tag& law);
+  /// Of the `<bump>` and `<rebound>` of an `<fp:stop>`.
+  SpringDescription ReadStop(const Tag& stop);
+  /// Of a damper's law but `<hydraulic>`, with its friction; `series`: the spring it is in line with, if any.
+  DashpotDescription ReadDashpot(const Tag& damper, const Tag& law, const std::optional<Tag>& series);
+  std::optional<DashpotDescription::Friction> ReadFriction(const Tag& damper);
+  SpringDescription ReadSeries(const Tag& series);
+  HydraulicDescription ReadHydraulic(const Tag& law);
+
+ private:
+  void ReadKnees(const Tag& multirate, SpringDescription& law);
+  void ReadRates(const Tag& law, DashpotDescription& dashpot);
+  void ReadTable(const Tag& table, DashpotDescription& dashpot);
+  void CheckInvertible(const Tag& damper, const Tag& series, const DashpotDescription& dashpot);
+  bool Resists(const DashpotDescription::TablePoint& point) const;
+  double LeastRate(const DashpotDescription& dashpot) const;
+  bool CanStick(const DashpotDescription& dashpot) const;
+
+  ParameterReader& parameters_;
+  FileFaults& faults_;
+};
+
+/// The first child of this name; nothing when it is not given.
+std::optional<Tag> ChildOf(const Tag& tag, std::string_view name);
+
+}  // namespace fourpost

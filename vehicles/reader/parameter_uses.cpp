@@ -1,0 +1,98 @@
+#include "vehicles/reader/parameter_uses.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "analysis/number.h"
+#include "vehicles/reader/tree_binding.h"
+#include "vehicles/tags/tag.h"
+
+namespace fourpost {
+namespace {
+
+using tinyxml2::XMLElement;
+
+bool IsNameCharacter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+std::string_view NameAtBegin(std::string_view text) {
+  return text.substr(
+      0, static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), IsNameCharacter) - text.begin()));
+}
+
+/// The factor before a '$': "" is 1, "-" is -1, "0.5*" is 0.5.
+std::optional<double> ParseFactor(std::string_view text) {
+  if (text.empty()) return 1;
+  if (text == "-") return -1;
+  if (text.back() != '*') return std::nullopt;
+  return ParseNumber(Trimmed(text.substr(0, text.size() - 1)));
+}
+
+class UseFinder {
+ public:
+  void Walk(const XMLElement& element, const std::string& path) {
+    const TagRule* rule = FormOf(element, path);
+    if (rule && rule->opaque) return;
+    if (!IsMade(element))
+      for (const auto* given = element.FirstAttribute(); given; given = given->Next())
+        FindIn(given->Value(), rule ? FindAttribute(*rule, given->Name()) : nullptr, given->GetLineNum());
+    for (const XMLElement* child : Children(element)) Walk(*child, path + "/" + child->Name());
+  }
+
+  void AddBind(const XMLElement& parameter, const XMLElement& bind) {
+    if (IsMade(bind)) return;
+    uses_.push_back({AttributeText(parameter, "name").value_or(""),
+                     DimensionOfPath(AttributeText(bind, "to").value_or("")), LineOf(bind)});
+  }
+
+  std::vector<ParameterUse> uses() const { return uses_; }
+
+ private:
+  void FindIn(std::string_view text, const AttributeRule* rule, int line) {
+    if (rule && rule->kind != AttributeKind::kScalar) return;
+    if (const auto reference = ParseReference(text)) {
+      uses_.push_back({std::string(reference->name), rule ? std::optional(rule->dimension) : std::nullopt, line});
+      return;
+    }
+    if (const auto forgotten = ReferenceWithoutDollar(text))
+      uses_.push_back({std::string(forgotten->name), std::nullopt, line});
+    for (std::size_t at = text.find('$'); at != std::string_view::npos; at = text.find('$', at + 1))
+      uses_.push_back({std::string(NameAtBegin(text.substr(at + 1))), std::nullopt, line});
+  }
+
+  std::vector<ParameterUse> uses_;
+};
+
+}  // namespace
+
+std::optional<ParameterReference> ParseReference(std::string_view text) {
+  text = Trimmed(text);
+  const std::size_t dollar = text.find('$');
+  if (dollar == std::string_view::npos) return std::nullopt;
+  const std::optional<double> factor = ParseFactor(Trimmed(text.substr(0, dollar)));
+  const std::string_view name = text.substr(dollar + 1);
+  if (!factor || name.empty() || NameAtBegin(name) != name) return std::nullopt;
+  return ParameterReference{*factor, name};
+}
+
+std::optional<ParameterReference> ReferenceWithoutDollar(std::string_view text) {
+  text = Trimmed(text);
+  const auto begin = std::find_if_not(text.rbegin(), text.rend(), IsNameCharacter).base() - text.begin();
+  const std::string_view name = text.substr(static_cast<std::size_t>(begin));
+  const std::optional<double> factor = ParseFactor(Trimmed(text.substr(0, text.size() - name.size())));
+  if (!factor || name.empty() || std::isdigit(static_cast<unsigned char>(name.front()))) return std::nullopt;
+  return ParameterReference{*factor, name};
+}
+
+std::vector<ParameterUse> FindParameterUses(const XMLElement& robot) {
+  UseFinder finder;
+  for (const XMLElement* element : Children(robot)) {
+    if (std::string_view(element->Name()) != "fp:parameter") finder.Walk(*element, element->Name());
+    else
+      for (const XMLElement* bind : Children(*element, "fp:bind")) finder.AddBind(*element, *bind);
+  }
+  return finder.uses();
+}
+
+}  // namespace fourpost

@@ -1,0 +1,221 @@
+#include "vehicles/reader/tag_check.h"
+
+#include <map>
+#include <set>
+
+#include "analysis/nearest.h"
+#include "vehicles/reader/drake_tags.h"
+#include "vehicles/tags/attribute_check.h"
+#include "vehicles/tags/tag.h"
+
+namespace fourpost {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// "fp" of "fp:spring"; empty without a prefix.
+std::string_view PrefixOf(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? std::string_view() : name.substr(0, colon);
+}
+
+bool IsForeign(std::string_view name) { return !PrefixOf(name).empty() && PrefixOf(name) != "fp"; }
+
+/// Walks through the file for what concerns prefixes.
+class PrefixCheck {
+ public:
+  explicit PrefixCheck(FileFaults& faults) : faults_(faults) {}
+
+  void Walk(const XMLElement& element) {
+    if (IsForeign(element.Name())) {
+      Warn("<" + std::string(element.Name()) + ">", PrefixOf(element.Name()), LineOf(element));
+      return;
+    }
+    own_used_ = own_used_ || (PrefixOf(element.Name()) == "fp" && !IsMade(element));
+    for (const auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next()) {
+      const std::string_view prefix = PrefixOf(attribute->Name());
+      if (!prefix.empty() && prefix != "xmlns" && prefix != "xml" && prefix != "fp")
+        Warn("the attribute " + std::string(attribute->Name()), prefix, LineOf(element, attribute->Name()));
+    }
+    for (const XMLElement* child : Children(element)) Walk(*child);
+  }
+
+  void CheckDeclaration(const XMLElement& robot) {
+    const std::string wanted = std::string("xmlns:fp=\"") + kNamespace + "\"";
+    const std::optional<std::string> declared = AttributeText(robot, "xmlns:fp");
+    if (declared && *declared != kNamespace)
+      faults_.Error(LineOf(robot), "xmlns:fp is \"" + *declared + "\", expected " + wanted);
+    if (!declared && own_used_)
+      faults_.Error(LineOf(robot), "<robot> needs " + wanted + " since the file uses fp: tags");
+  }
+
+ private:
+  void Warn(const std::string& what, std::string_view prefix, int line) {
+    if (!seen_.insert(std::string(prefix)).second) return;
+    const std::string but = prefix == "drake" ? " but " + DrakeTagNames() : "";
+    faults_.Warning(line, what + " is ignored, as is all with the prefix '" + std::string(prefix) + ":'" + but);
+  }
+
+  FileFaults& faults_;
+  std::set<std::string> seen_;
+  bool own_used_ = false;
+};
+
+std::vector<std::string_view> NamesOf(const std::vector<const TagRule*>& rules) {
+  std::vector<std::string_view> names;
+  for (const TagRule* rule : rules)
+    if (names.empty() || names.back() != rule->Name()) names.push_back(rule->Name());
+  return names;
+}
+
+/// The legal name that an unknown one probably means.
+std::optional<std::string_view> Meant(std::string_view name, const std::vector<std::string_view>& legal) {
+  for (std::string_view candidate : legal)
+    if (candidate == "fp:" + std::string(name) || "fp:" + std::string(candidate) == name) return candidate;
+  return NearestName(name, legal);
+}
+
+std::vector<std::string_view> AttributeNames(const TagRule& rule) {
+  std::vector<std::string_view> names;
+  for (const AttributeRule& attribute : rule.attributes) names.push_back(attribute.name);
+  return names;
+}
+
+/// Attributes with a prefix of others are not ours to judge.
+bool IsForeignAttribute(std::string_view name) { return !PrefixOf(name).empty() && PrefixOf(name) != "fp"; }
+
+}  // namespace
+
+bool IsUnknownTag(const XMLElement& element) { return !IsForeign(element.Name()) && FindTags(element.Name()).empty(); }
+
+bool HasUnknownTag(const XMLElement& element, std::string_view path) {
+  for (const XMLElement* child : Children(element))
+    if (!IsForeign(child->Name()) && FindTags(std::string(path) + "/" + child->Name()).empty()) return true;
+  return false;
+}
+
+std::set<std::string, std::less<>> LostNames(const XMLElement& robot) {
+  std::set<std::string, std::less<>> names;
+  for (const XMLElement* element : Children(robot)) {
+    const std::optional<std::string> name = AttributeText(*element, "name");
+    if (IsUnknownTag(*element) && name) names.insert(*name);
+    const TagRule* rule = FormOf(*element, element->Name());
+    if (!rule || rule->opaque || name) continue;
+    for (const auto* given = element->FirstAttribute(); given; given = given->Next())
+      if (!FindAttribute(*rule, given->Name()) && Meant(given->Name(), AttributeNames(*rule)) == "name")
+        names.insert(given->Value());
+  }
+  return names;
+}
+
+std::string Suggestion(std::string_view name, const std::vector<std::string_view>& legal) {
+  if (const auto meant = Meant(name, legal)) return ", did you mean '" + std::string(*meant) + "'?";
+  return legal.empty() ? ": none is legal here" : "; legal: " + Joined(legal);
+}
+
+void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults& faults) {
+  const std::vector<std::string_view> legal = AttributeNames(rule);
+  // Those given, rightly spelt or not.
+  std::set<std::string_view> seen;
+  for (const auto* given = element.FirstAttribute(); given; given = given->Next()) {
+    const std::string_view name = given->Name();
+    if (IsForeignAttribute(name)) continue;
+    seen.insert(FindAttribute(rule, name) ? name : Meant(name, legal).value_or(name));
+    if (const AttributeRule* attribute = FindAttribute(rule, name)) {
+      CheckAttribute(element, *attribute, given->Value(), LineOf(element, given->Name()), faults);
+      continue;
+    }
+    faults.Error(LineOf(element, given->Name()),
+                 "unknown attribute '" + std::string(name) + "' of " + Describe(element) + Suggestion(name, legal));
+  }
+  for (const AttributeRule& attribute : rule.attributes)
+    if (attribute.required && !seen.contains(attribute.name))
+      faults.Error(LineOf(element), Describe(element) + " needs the attribute '" + std::string(attribute.name) + "'" +
+                                        Expectation(attribute));
+}
+
+namespace {
+
+/// The legal tags that the unknown children, which are told, were probably meant to be.
+std::set<std::string_view> MisspeltChildren(const XMLElement& element, std::string_view path) {
+  const std::vector<std::string_view> legal = NamesOf(TagsBelow(path));
+  std::set<std::string_view> meant;
+  for (const XMLElement* child : Children(element))
+    if (!IsForeign(child->Name()) && FindTags(std::string(path) + "/" + child->Name()).empty())
+      if (const auto name = Meant(child->Name(), legal)) meant.insert(*name);
+  return meant;
+}
+
+/// Children that stand too often or are missing.
+void CheckOccurrences(const XMLElement& element, std::string_view path, FileFaults& faults) {
+  const std::set<std::string_view> misspelt = MisspeltChildren(element, path);
+  std::vector<std::string_view> choices;
+  std::size_t chosen = 0;
+  bool has_misspelt_choice = false;
+  for (const TagRule* rule : TagsBelow(path)) {
+    const std::string name(rule->Name());
+    const std::vector<const XMLElement*> found = Children(element, name.c_str());
+    if (rule->occurs == Occurs::kOneOfAll) {
+      choices.push_back(rule->Name());
+      chosen += found.size();
+      has_misspelt_choice = has_misspelt_choice || misspelt.contains(name);
+    }
+    if (rule->occurs == Occurs::kOnce && found.empty() && !misspelt.contains(name))
+      faults.Error(LineOf(element), Describe(element) + " needs a <" + name + ">");
+    if (rule->occurs != Occurs::kAny && rule->occurs != Occurs::kOneOfAll && found.size() > 1)
+      faults.Error(LineOf(*found[1]), Describe(element) + " has more than one <" + name + ">");
+  }
+  if (!choices.empty() && chosen != 1 && !has_misspelt_choice)
+    faults.Error(LineOf(element), Describe(element) + " needs one law or shape, and no more: " + Joined(choices));
+}
+
+void ReportForm(const XMLElement& element, std::string_view path, FileFaults& faults) {
+  std::vector<std::string_view> types;
+  for (const TagRule* rule : FindTags(path)) types.push_back(rule->type);
+  const std::optional<std::string> type = AttributeText(element, "type");
+  if (!type) faults.Error(LineOf(element), Describe(element) + " needs the attribute 'type': " + Joined(types));
+  else faults.Error(LineOf(element), "unknown type '" + *type + "' of " + Describe(element) + Suggestion(*type, types));
+}
+
+void CheckElement(const XMLElement& element, const std::string& above, FileFaults& faults) {
+  if (IsForeign(element.Name())) return;
+  const std::string path = above.empty() ? element.Name() : above + "/" + element.Name();
+  if (FindTags(path).empty()) {
+    const std::string place = above.empty() ? "" : " in " + Describe(*element.Parent()->ToElement());
+    faults.Error(LineOf(element), "unknown tag <" + std::string(element.Name()) + ">" + place +
+                                      Suggestion(element.Name(), NamesOf(TagsBelow(above))));
+    return;
+  }
+  const TagRule* rule = FormOf(element, path);
+  if (!rule) return ReportForm(element, path, faults);
+  if (rule->opaque) return;
+  CheckAttributes(element, *rule, faults);
+  for (const XMLElement* child : Children(element)) CheckElement(*child, path, faults);
+  CheckOccurrences(element, path, faults);
+}
+
+void CheckNames(const XMLElement& robot, FileFaults& faults) {
+  std::map<std::pair<std::string, std::string>, int> lines;
+  for (const XMLElement* element : Children(robot)) {
+    const TagRule* rule = FormOf(*element, element->Name());
+    const std::optional<std::string> name = AttributeText(*element, "name");
+    if (!rule || rule->opaque || !name) continue;
+    const auto [first, is_new] = lines.try_emplace({element->Name(), *name}, LineOf(*element));
+    if (is_new) continue;
+    faults.Error(LineOf(*element), Describe(*element) + " is already defined in line " + std::to_string(first->second));
+  }
+}
+
+}  // namespace
+
+void CheckTags(const XMLElement& robot, FileFaults& faults) {
+  PrefixCheck prefixes(faults);
+  prefixes.Walk(robot);
+  prefixes.CheckDeclaration(robot);
+  if (AttributeText(robot, "name").value_or("").empty())
+    faults.Error(LineOf(robot), "<robot> needs the attribute 'name'");
+  for (const XMLElement* child : Children(robot)) CheckElement(*child, "", faults);
+  CheckNames(robot, faults);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "vehicles/description/vehicle.h"
+#include "vehicles/reader/urdf_tree.h"
+#include "vehicles/tags/file_faults.h"
+
+namespace fourpost {
+
+/// The mesh file that an attribute `filename` of a vehicle file means: an absolute path, relative ones start at the
+/// folder of the vehicle file.
+std::filesystem::path MeshPath(const std::filesystem::path& vehicle_file, const std::string& filename);
+
+/// Reports meshes that cannot be read.
+void CheckMeshes(const UrdfTree& tree, FileFaults& faults);
+
+/// Fills the vehicle's links and joints with what urdfdom reads from the file's text. What urdfdom says is reported;
+/// nothing is printed. The text must have passed the checks of tags and tree.
+void ReadUrdf(const std::string& text, const UrdfTree& tree, Vehicle& vehicle, FileFaults& faults);
+
+}  // namespace fourpost

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tinyxml2.h>
+
+#include "vehicles/tags/file_faults.h"
+
+namespace fourpost {
+
+/// The links and joints of a file in the order of Vehicle.
+struct UrdfTree {
+  /// The ground first.
+  std::vector<const tinyxml2::XMLElement*> links;
+  /// Parents before children.
+  std::vector<const tinyxml2::XMLElement*> joints;
+  /// Positions of the links by their names.
+  std::map<std::string, int, std::less<>> link_index;
+
+  /// Notes the positions of the links.
+  void IndexLinks();
+  std::vector<std::string> LinkNames() const;
+  /// ", did you mean 'body'?" to end a message with; empty when no name is near, or the message will not be shown.
+  std::string LinkMeant(std::string_view name, const FileFaults& faults) const;
+  /// Position of the link with this name; -1 when there is none.
+  int FindLink(std::string_view name) const;
+};
+
+/// How many coordinates the joints of a file may have: what a computer takes some seconds and some hundred megabytes
+/// for, which grow with the fourth and the third power. A car has some tens.
+inline constexpr int kMostJointCoordinates = 200;
+
+/// Orders links and joints; reports joints to unknown links, links with two parents, loops, all roots but one, and too
+/// many joint coordinates.
+UrdfTree ReadUrdfTree(const tinyxml2::XMLElement& robot, FileFaults& faults);
+
+}  // namespace fourpost

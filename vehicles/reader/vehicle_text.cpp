@@ -1,0 +1,161 @@
+#include <map>
+#include <stdexcept>
+
+#include <tinyxml2.h>
+
+#include "analysis/number.h"
+#include "vehicles/laws/count_check.h"
+#include "vehicles/reader/tree_binding.h"
+#include "vehicles/reader/vehicle_file.h"
+#include "vehicles/tags/tag.h"
+#include "vehicles/tags/xml_scanner.h"
+
+namespace fourpost {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// Replaces and removes attributes in a text and leaves all else as it is.
+class TextEdits {
+ public:
+  TextEdits(const std::string& text, const XMLElement& root) : text_(text), tags_(ScanTags(text)) { Number(root); }
+
+  void Replace(const XMLElement& element, std::string_view attribute, const std::string& value) {
+    for (const AttributePlace& place : tags_.at(index_.at(&element)).attributes)
+      if (place.name == attribute) edits_[place.begin] = {place.end, Escaped(value, place.quote)};
+  }
+
+  /// With the blanks before it.
+  void Remove(const XMLElement& element, std::string_view attribute) {
+    for (const AttributePlace& place : tags_.at(index_.at(&element)).attributes) {
+      if (place.name != attribute) continue;
+      const auto name = static_cast<std::size_t>(place.name.data() - text_.data());
+      edits_[text_.find_last_not_of(" \t\r\n", name - 1) + 1] = {place.end + 1, ""};
+    }
+  }
+
+  std::string Result() const {
+    std::string result;
+    std::size_t done = 0;
+    for (const auto& [begin, edit] : edits_) {
+      result += text_.substr(done, begin - done) + edit.value;
+      done = edit.end;
+    }
+    return result + text_.substr(done);
+  }
+
+ private:
+  struct Edit {
+    std::size_t end = 0;
+    std::string value;
+  };
+
+  void Number(const XMLElement& element) {
+    index_.emplace(&element, index_.size());
+    for (const XMLElement* child : Children(element)) Number(*child);
+  }
+
+  static std::string Escaped(const std::string& value, char quote) {
+    std::string escaped;
+    for (const char c : value) {
+      if (c == '&') escaped += "&amp;";
+      else if (c == '<') escaped += "&lt;";
+      else if (c == quote) escaped += quote == '"' ? "&quot;" : "&apos;";
+      else escaped += c;
+    }
+    return escaped;
+  }
+
+  const std::string& text_;
+  std::vector<TagPlaces> tags_;
+  std::map<const XMLElement*, std::size_t> index_;
+  std::map<std::size_t, Edit> edits_;
+};
+
+std::string NameOf(const XMLElement& element) { return AttributeText(element, "name").value_or(""); }
+
+void ReplaceParameters(const XMLElement& robot, const Vehicle& vehicle, std::span<const double> values,
+                       TextEdits& edits) {
+  const std::vector<const XMLElement*> elements = Children(robot, "fp:parameter");
+  for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
+    for (const XMLElement* element : elements) {
+      if (NameOf(*element) != vehicle.parameters[i].name) continue;
+      const std::optional<Quantity> written = ParseQuantity(Trimmed(AttributeText(*element, "value").value_or("")));
+      if (!written || written->si != values[i])
+        edits.Replace(*element, "value", FormatQuantity(values[i], vehicle.parameters[i].unit));
+      if (AttributeText(*element, "source") != vehicle.parameters[i].source)
+        edits.Replace(*element, "source", vehicle.parameters[i].source);
+      if (!vehicle.parameters[i].prior_sd) edits.Remove(*element, "prior_sd");
+    }
+  }
+}
+
+/// Writes a number of the tree that follows a parameter, unless it is right already.
+void ReplaceBound(const XMLElement* element, std::string_view attribute, const Scalar& number,
+                  std::span<const double> values, TextEdits& edits) {
+  if (!element || number.parameter < 0) return;
+  const std::optional<double> written = ParseNumber(Trimmed(AttributeText(*element, attribute).value_or("")));
+  if (!written || !Agrees(*written, number.At(values)))
+    edits.Replace(*element, attribute, FormatNumber(number.At(values)));
+}
+
+/// The centre of mass stands as three numbers in one attribute.
+void ReplaceCom(const XMLElement* origin, const Link& link, std::span<const double> values, TextEdits& edits) {
+  if (!origin) return;
+  const std::optional<Eigen::Vector3d> written = ParseVector(AttributeText(*origin, "xyz").value_or(""));
+  const Eigen::Vector3d com = link.ComAt(values);
+  const auto agrees = [&](Eigen::Index i) {
+    return link.com[static_cast<std::size_t>(i)].parameter < 0 || Agrees((*written)[i], com[i]);
+  };
+  if (!written || (agrees(0) && agrees(1) && agrees(2))) return;
+  edits.Replace(*origin, "xyz", FormatNumber(com.x()) + ' ' + FormatNumber(com.y()) + ' ' + FormatNumber(com.z()));
+}
+
+void ReplaceInertia(const XMLElement& inertial, const Link& link, std::span<const double> values, TextEdits& edits) {
+  ReplaceCom(inertial.FirstChildElement("origin"), link, values, edits);
+  ReplaceBound(inertial.FirstChildElement("mass"), "value", link.mass, values, edits);
+  for (std::size_t i = 0; i < link.inertia.size(); ++i)
+    ReplaceBound(inertial.FirstChildElement("inertia"), kInertiaNames[i], link.inertia[i], values, edits);
+}
+
+void ReplaceTree(const XMLElement& robot, const Vehicle& vehicle, std::span<const double> values, TextEdits& edits) {
+  for (const XMLElement* element : Children(robot, "link")) {
+    const XMLElement* inertial = element->FirstChildElement("inertial");
+    for (const Link& link : vehicle.links)
+      if (inertial && link.name == NameOf(*element)) ReplaceInertia(*inertial, link, values, edits);
+  }
+}
+
+/// Of a path that need not exist yet.
+std::filesystem::path CanonicalPath(const std::filesystem::path& path) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+}
+
+/// Mesh files stand relative to the vehicle file.
+void ReplaceMeshes(const XMLElement& element, const std::filesystem::path& from, const std::filesystem::path& to,
+                   TextEdits& edits) {
+  const std::optional<std::string> file = AttributeText(element, "filename");
+  if (file && std::string_view(element.Name()) == "mesh")
+    edits.Replace(element, "filename", (from / *file).lexically_normal().lexically_relative(to).generic_string());
+  for (const XMLElement* child : Children(element)) ReplaceMeshes(*child, from, to, edits);
+}
+
+}  // namespace
+
+std::string VehicleTextWithValues(const Vehicle& vehicle, std::span<const double> parameters,
+                                  const std::filesystem::path& folder) {
+  RequireCount("VehicleTextWithValues", "parameters", vehicle.parameters.size(), parameters.size());
+  tinyxml2::XMLDocument document;
+  if (document.Parse(vehicle.text.data(), vehicle.text.size()) != tinyxml2::XML_SUCCESS)
+    throw std::invalid_argument("VehicleTextWithValues: vehicle '" + vehicle.name + "' has no text of a file");
+  const XMLElement& robot = *document.RootElement();
+  TextEdits edits(vehicle.text, robot);
+  ReplaceParameters(robot, vehicle, parameters, edits);
+  ReplaceTree(robot, vehicle, parameters, edits);
+  const std::filesystem::path from = CanonicalPath(vehicle.file).parent_path();
+  const std::filesystem::path to = CanonicalPath(folder);
+  if (from != to) ReplaceMeshes(robot, from, to, edits);
+  return edits.Result();
+}
+
+}  // namespace fourpost

@@ -1,0 +1,170 @@
+#include "vehicles/response/linearised_cycle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+namespace fourpost {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Harmonics and samples of level 0, 1, ...: 5 and 32, 9 and 60, 17 and 116, ... Samples of one level are not among
+/// those of the next: a kink that falls on one of both would be wrong alike in both.
+int HarmonicsOf(std::size_t level) { return (4 << level) + 1; }
+int SamplesOf(std::size_t level) { return (28 << level) + 4; }
+
+}  // namespace
+
+LinearisedCycle::LinearisedCycle(const CondensedModel& model, const std::vector<double>& shape,
+                                 const HarmonicBalanceOptions& options)
+    : model_(model),
+      shape_(Eigen::Map<const Eigen::VectorXd>(shape.data(), static_cast<Eigen::Index>(shape.size()))),
+      options_(options),
+      ports_(PortsOf(model)),
+      receptance_(model, ports_, shape),
+      has_memory_(std::any_of(ports_.begin(), ports_.end(), [](const Port& port) { return UsesExtension(port.law); })),
+      root_mass_(model.mass.diagonal().cwiseSqrt()) {
+  const Eigen::VectorXd inverse = root_mass_.cwiseInverse();
+  const auto norm = [&](const Eigen::MatrixXd& rows) -> Eigen::VectorXd {
+    return (rows * inverse.asDiagonal()).rowwise().norm();
+  };
+  position_norm_ = norm(model.on_position);
+  velocity_norm_ = norm(model.on_velocity);
+  acceleration_norm_ = norm(model.on_acceleration);
+}
+
+bool LinearisedCycle::Solve(double frequency_Hz, double amplitude_m) {
+  omega_ = 2 * std::numbers::pi * frequency_Hz;
+  unit_driven_ = receptance_.Driven(omega_);
+  iterations_ = 0;
+  SetAmplitude(amplitude_m);
+  // From less, and where the motion of less has come to its end, from more.
+  solved_before_ =
+      TrySolve() ||
+      (!ports_.empty() && (SolveByWayOf({0.1, 0.2, 0.35, 0.5, 0.7, 0.85}) || SolveByWayOf({4, 3, 2, 1.5, 1.2})));
+  return solved_before_;
+}
+
+void LinearisedCycle::SetAmplitude(double amplitude_m) {
+  amplitude_ = amplitude_m;
+  driven_ = amplitude_m * unit_driven_;
+}
+
+/// From few harmonics to as many as the error needs.
+bool LinearisedCycle::TrySolve() {
+  Eigen::MatrixXcd start(2, driven_.size());
+  start << Eigen::VectorXcd::Zero(driven_.size()).transpose(), driven_.transpose();
+  if (has_memory_ && solved_before_) start = cycle().extension();
+  // Two below what the last frequency needed, so that fewer may do again.
+  std::size_t level = level_ > 2 ? level_ - 2 : 0;
+  if (ports_.empty()) return SolveLevel(level, start, options_.tolerance);
+  // No need to know better what more harmonics will change.
+  const double rough = std::max(options_.tolerance, options_.error);
+  if (!SolveLevel(level, start, rough)) return false;
+  First now = FirstHarmonic();
+  while (HarmonicsOf(level + 1) <= options_.most_harmonics) {
+    if (!SolveLevel(++level, cycle().extension(), options_.tolerance)) return false;
+    const First before = std::exchange(now, FirstHarmonic());
+    // What is left after this change is some third of it, or, where a kink fell on a sample, all of it.
+    if (Change(before, now) <= options_.error && cycle().ResolvesSteps()) return true;
+  }
+  return false;
+}
+
+/// By way of other amplitudes, each from the solution of the one before.
+bool LinearisedCycle::SolveByWayOf(const std::vector<double>& shares) {
+  const double amplitude = amplitude_;
+  const bool memory = std::exchange(has_memory_, true);
+  solved_before_ = false;
+  for (const double share : shares) {
+    SetAmplitude(share * amplitude);
+    solved_before_ = TrySolve();
+  }
+  SetAmplitude(amplitude);
+  solved_before_ = TrySolve();
+  has_memory_ = memory;
+  return solved_before_;
+}
+
+bool LinearisedCycle::SolveLevel(std::size_t level, const Eigen::MatrixXcd& start, double tolerance) {
+  // Held by value: the start may be this level's own.
+  const Eigen::MatrixXcd from = start;
+  while (levels_.size() <= level)
+    levels_.push_back(
+        std::make_unique<PortCycle>(ports_, receptance_, HarmonicsOf(levels_.size()), SamplesOf(levels_.size())));
+  level_ = level;
+  const bool converged = levels_[level]->Solve(omega_, driven_, from, tolerance, options_.max_iterations);
+  iterations_ += levels_[level]->iterations();
+  return converged;
+}
+
+Eigen::VectorXcd LinearisedCycle::Coordinates(int h) const {
+  Eigen::VectorXcd tensions = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(ports_.size()));
+  if (h <= harmonics()) tensions = cycle().remainder().row(h).transpose();
+  return receptance_.Motion(h * omega_, tensions, h == 1 ? amplitude_ : 0);
+}
+
+Eigen::VectorXcd LinearisedCycle::Readings(int h, const Eigen::VectorXcd& coordinates) const {
+  const double w = h * omega_;
+  const auto motion = coordinates.head(model_.mass.rows());
+  // Rows are real: position and acceleration act on one part of the motion, velocity turns it.
+  Eigen::MatrixXd rows = model_.on_position - w * w * model_.on_acceleration;
+  Eigen::VectorXcd readings(rows.rows());
+  readings.real() = rows * motion.real() - w * (model_.on_velocity * motion.imag());
+  readings.imag() = rows * motion.imag() + w * (model_.on_velocity * motion.real());
+  if (h == 1) {
+    readings.real() += amplitude_ * ((model_.on_post_height - w * w * model_.on_post_acceleration) * shape_);
+    readings.imag() += amplitude_ * w * (model_.on_post_velocity * shape_);
+  }
+  for (std::size_t j = 0; j < ports_.size(); ++j)
+    if (ports_[j].liftoff >= 0)
+      for (const int sensor : model_.liftoffs[static_cast<std::size_t>(ports_[j].liftoff)].load_cells)
+        readings[sensor] += cycle().remainder()(h, static_cast<Eigen::Index>(j));
+  return readings;
+}
+
+LinearisedCycle::First LinearisedCycle::FirstHarmonic() const {
+  First first;
+  first.coordinates = Coordinates(1);
+  first.readings = Readings(1, first.coordinates);
+  return first;
+}
+
+/// Largest change of a first harmonic, relative to it. Where a sensor is next to a node, or silent by symmetry, it is
+/// relative to 3 % of what it would read if all of the motion's kinetic energy were in what it sees.
+double LinearisedCycle::Change(const First& before, const First& now) const {
+  constexpr double kNode = 0.03;
+  const double motion = now.coordinates.head(root_mass_.size()).cwiseProduct(root_mass_).norm();
+  double largest = 0;
+  for (Eigen::Index i = 0; i < now.readings.size(); ++i) {
+    const double most =
+        motion * (position_norm_[i] + omega_ * velocity_norm_[i] + omega_ * omega_ * acceleration_norm_[i]);
+    const double size = std::max(std::sqrt(std::norm(now.readings[i])), kNode * most);
+    if (size > 0) largest = std::max(largest, std::sqrt(std::norm(now.readings[i] - before.readings[i])) / size);
+  }
+  return largest;
+}
+
+SensorHarmonics LinearisedCycle::Sensors() const {
+  SensorHarmonics out(model_.on_position.rows(), 3);
+  for (int h = 0; h <= 2; ++h) out.col(h) = Readings(h, Coordinates(h));
+  return out;
+}
+
+Eigen::MatrixXcd LinearisedCycle::Motion(int harmonics) const {
+  Eigen::MatrixXcd motion(harmonics + 1, model_.mass.rows());
+  for (int h = 0; h <= harmonics; ++h) motion.row(h) = Coordinates(h).head(motion.cols()).transpose();
+  return motion;
+}
+
+Eigen::MatrixXcd LinearisedCycle::SeriesExtensions(int harmonics) const {
+  const auto count = static_cast<Eigen::Index>(model_.SeriesDampers().size());
+  Eigen::MatrixXcd extensions(harmonics + 1, count);
+  for (int h = 0; h <= harmonics; ++h) extensions.row(h) = Coordinates(h).tail(count).transpose();
+  return extensions;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/response/harmonic_balance_options.h"
+#include "vehicles/response/port_cycle.h"
+#include "vehicles/response/response_recorder.h"
+
+namespace fourpost {
+
+/// One cycle of a condensed vehicle at one frequency, by the method of SolveHarmonicBalance; keeps its memory from one
+/// frequency to the next. Harmonics are those of y(t) = Re sum_h Y_h exp(i h w t).
+class LinearisedCycle {
+ public:
+  /// `shape`: of the posts, see Excitation. The model must outlive this object.
+  LinearisedCycle(const CondensedModel& model, const std::vector<double>& shape, const HarmonicBalanceOptions& options);
+
+  /// Whether the iteration converged and more harmonics would change nothing that matters. A vehicle whose springs or
+  /// tyres are not linear may have several answers: the one next to the frequency before is taken.
+  bool Solve(double frequency_Hz, double amplitude_m);
+
+  // For the last solution.
+
+  /// Sensors x 3: mean, first and second harmonic.
+  SensorHarmonics Sensors() const;
+  /// (H + 1) x n: small motion s.
+  Eigen::MatrixXcd Motion(int harmonics) const;
+  /// (H + 1) x dampers with a series spring, in file order: extension of that spring [m].
+  Eigen::MatrixXcd SeriesExtensions(int harmonics) const;
+  /// What it needed.
+  int harmonics() const { return cycle().harmonics(); }
+  int iterations() const { return iterations_; }
+
+ private:
+  const PortCycle& cycle() const { return *levels_[level_]; }
+  bool SolveLevel(std::size_t level, const Eigen::MatrixXcd& start, double tolerance);
+  bool TrySolve();
+  bool SolveByWayOf(const std::vector<double>& shares);
+  void SetAmplitude(double amplitude_m);
+  /// [s x] of one harmonic.
+  Eigen::VectorXcd Coordinates(int h) const;
+  Eigen::VectorXcd Readings(int h, const Eigen::VectorXcd& coordinates) const;
+  /// Of the first harmonic.
+  struct First {
+    Eigen::VectorXcd coordinates;
+    Eigen::VectorXcd readings;
+  };
+  First FirstHarmonic() const;
+  double Change(const First& before, const First& now) const;
+
+  const CondensedModel& model_;
+  Eigen::VectorXd shape_;
+  HarmonicBalanceOptions options_;
+  std::vector<Port> ports_;
+  Receptance receptance_;
+  /// Each with twice as many samples, and about twice as many harmonics, as the one before; made when needed.
+  std::vector<std::unique_ptr<PortCycle>> levels_;
+  std::size_t level_ = 0;
+  /// Whether a solution depends on where the iteration starts.
+  bool has_memory_ = false;
+  /// Square roots of the masses on the diagonal, and the norms of the sensors' rows per unit of root-mass motion.
+  Eigen::VectorXd root_mass_;
+  Eigen::VectorXd position_norm_;
+  Eigen::VectorXd velocity_norm_;
+  Eigen::VectorXd acceleration_norm_;
+  bool solved_before_ = false;
+  double omega_ = 0;
+  double amplitude_ = 0;
+  Eigen::VectorXcd unit_driven_;
+  Eigen::VectorXcd driven_;
+  int iterations_ = 0;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,301 @@
+#include "vehicles/response/march.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+#include "analysis/fourier.h"
+#include "analysis/number.h"
+#include "analysis/option_check.h"
+#include "vehicles/description/design_poses.h"
+#include "vehicles/description/post_pattern.h"
+#include "vehicles/response/response_recorder.h"
+#include "vehicles/ride/vehicle_summary.h"
+
+namespace fourpost {
+namespace {
+
+double LargestShare(const Excitation& excitation) {
+  double largest = 0;
+  for (const double share : excitation.shape) largest = std::max(largest, std::abs(share));
+  return largest;
+}
+
+/// Mean, first and second harmonic are recorded.
+constexpr int kHarmonics = 2;
+
+/// Raised cosine from 0 to 1, so that the posts start at rest, and its derivatives.
+struct Ramp {
+  double duration;
+
+  double Angle(double t) const { return std::numbers::pi * t / duration; }
+  double Value(double t) const { return t >= duration ? 1 : 0.5 * (1 - std::cos(Angle(t))); }
+  double Rate(double t) const { return t >= duration ? 0 : 0.5 * Angle(1) * std::sin(Angle(t)); }
+  double Curvature(double t) const { return t >= duration ? 0 : 0.5 * Angle(1) * Angle(1) * std::cos(Angle(t)); }
+};
+
+/// Posts that move as Re(amplitude exp(i w t)) once the ramp is over.
+PostMotion SteppedSine(const std::vector<double>& shape, double amplitude, double omega, Ramp ramp) {
+  return [=](double t, std::span<PostState> posts) {
+    const double c = std::cos(omega * t);
+    const double s = std::sin(omega * t);
+    const double z = amplitude * ramp.Value(t) * c;
+    const double v = amplitude * (ramp.Rate(t) * c - omega * ramp.Value(t) * s);
+    const double a = amplitude * (ramp.Curvature(t) * c - 2 * omega * ramp.Rate(t) * s) - omega * omega * z;
+    for (std::size_t p = 0; p < shape.size(); ++p) posts[p] = {shape[p] * z, shape[p] * v, shape[p] * a};
+  };
+}
+
+/// Largest distance of two posts over two, 1 for a lone one [m].
+double LeverOfPosts(const Vehicle& vehicle) {
+  const std::vector<Eigen::Isometry3d> poses = DesignPoses(vehicle);
+  double distance = 0;
+  for (const Post& one : vehicle.posts)
+    for (const Post& other : vehicle.posts) {
+      const Eigen::Vector3d between = PlaceOf(vehicle.tyres[static_cast<std::size_t>(one.tyre)].point, poses) -
+                                      PlaceOf(vehicle.tyres[static_cast<std::size_t>(other.tyre)].point, poses);
+      distance = std::max(distance, between.head<2>().norm());
+    }
+  return distance > 0 ? distance / 2 : 1;
+}
+
+double StiffestTyre(const Vehicle& vehicle) {
+  const std::vector<double> values = vehicle.ParameterValues();
+  double stiffness = 0;
+  for (const Tyre& tyre : vehicle.tyres) stiffness = std::max(stiffness, tyre.stiffness.At(values));
+  return stiffness;
+}
+
+/// First harmonic that posts of amplitude 1 m impose on each sensor, in its unit, as MarchOptions::tolerance says.
+class Imposed {
+ public:
+  explicit Imposed(const Vehicle& vehicle)
+      : sensors_(vehicle.sensors), lever_(LeverOfPosts(vehicle)), tyre_stiffness_(StiffestTyre(vehicle)) {}
+
+  Eigen::ArrayXd At(double omega) const {
+    Eigen::ArrayXd imposed(static_cast<Eigen::Index>(sensors_.size()));
+    for (std::size_t i = 0; i < sensors_.size(); ++i)
+      imposed[static_cast<Eigen::Index>(i)] = PerMetre(sensors_[i].type, omega);
+    return imposed;
+  }
+
+ private:
+  double PerMetre(Sensor::Type type, double omega) const {
+    switch (type) {
+      case Sensor::Type::kAccelerometer: return omega * omega;
+      case Sensor::Type::kDisplacement:
+      case Sensor::Type::kStrut: return 1;
+      case Sensor::Type::kGyro: return omega / lever_;
+      case Sensor::Type::kLoadCell: return tyre_stiffness_;
+    }
+    return 0;
+  }
+
+  const std::vector<Sensor>& sensors_;
+  double lever_;
+  double tyre_stiffness_;
+};
+
+/// Size of the loudest first harmonic among the sensors of each one's unit; `imposed` where all of them are silent.
+Eigen::ArrayXd Loudest(const std::vector<Sensor>& sensors, const Eigen::ArrayXd& size, const Eigen::ArrayXd& imposed) {
+  constexpr double kSilent = 1e-3;
+  Eigen::ArrayXd loudest = size;
+  for (Eigen::Index i = 0; i < size.size(); ++i) {
+    const std::string unit = UnitOf(sensors[static_cast<std::size_t>(i)].type);
+    for (Eigen::Index j = 0; j < size.size(); ++j)
+      if (UnitOf(sensors[static_cast<std::size_t>(j)].type) == unit) loudest[i] = std::max(loudest[i], size[j]);
+  }
+  return (loudest < kSilent * imposed).select(imposed, loudest);
+}
+
+/// One frequency: collects windows of samples until their means and first harmonics repeat.
+class SteadyState {
+ public:
+  /// `imposed`: the posts' own motion in each sensor's unit.
+  SteadyState(const std::vector<Sensor>& sensors, const Eigen::ArrayXd& imposed, double frequency_Hz,
+              const MarchOptions& options)
+      : options_(options),
+        sensors_(sensors),
+        imposed_(imposed),
+        cycles_(std::max(1, static_cast<int>(std::ceil(options.window_s * frequency_Hz)))),
+        step_(1 / (frequency_Hz * options.samples_per_cycle)),
+        window_(cycles_ * options.samples_per_cycle, static_cast<Eigen::Index>(sensors.size())) {}
+
+  double step() const { return step_; }
+  double window_duration() const { return step_ * static_cast<double>(window_.rows()); }
+  double time() const { return time_; }
+  bool steady() const { return steady_; }
+  const SensorHarmonics& harmonics() const { return harmonics_; }
+
+  /// What changed most in the last window.
+  UnsteadyMotion Worst() const {
+    UnsteadyMotion worst{.cycles = cycles_};
+    if (change_.size() == 0) return worst;
+    Eigen::Index sensor = 0;
+    Eigen::Index harmonic = 0;
+    worst.change = change_.maxCoeff(&sensor, &harmonic);
+    worst.sensor = sensors_[static_cast<std::size_t>(sensor)].name;
+    worst.is_mean = harmonic == 0;
+    return worst;
+  }
+
+  void Add(double t, const Eigen::VectorXd& sensors) {
+    time_ = t;
+    window_.row(filled_++) = sensors.transpose();
+    if (filled_ == window_.rows()) CloseWindow();
+  }
+
+  bool Done() const { return steady_ || (filled_ == 0 && time_ >= options_.longest_s); }
+
+ private:
+  void CloseWindow() {
+    filled_ = 0;
+    SensorHarmonics latest(window_.cols(), kHarmonics + 1);
+    for (Eigen::Index i = 0; i < window_.cols(); ++i) {
+      const std::span<const double> samples(window_.col(i).data(), static_cast<std::size_t>(window_.rows()));
+      latest.row(i) = Harmonics(samples, cycles_, kHarmonics).transpose();
+    }
+    change_ = Change(latest);
+    // The first window holds the ramp.
+    steady_ = ++windows_ > 2 && (change_ <= options_.tolerance).all();
+    harmonics_ = latest;
+  }
+
+  /// Changes of mean (0) and first harmonic (1) of each sensor since the window before, as shares of what
+  /// MarchOptions::tolerance compares them with. A mean may be next to nothing.
+  Eigen::ArrayXXd Change(const SensorHarmonics& latest) const {
+    constexpr double kFaint = 0.1;
+    const Eigen::ArrayXd first = latest.col(1).cwiseAbs();
+    const Eigen::ArrayXd least = kFaint * Loudest(sensors_, first, imposed_);
+    Eigen::ArrayXXd size(latest.rows(), 2);
+    size.col(1) = first.max(least);
+    size.col(0) = latest.col(0).cwiseAbs().array().max(size.col(1));
+    const Eigen::ArrayXXd change = (latest - harmonics_).leftCols<2>().cwiseAbs();
+    // No change of nothing: posts that stand still.
+    return (change > 0).select(change / size, 0);
+  }
+
+  const MarchOptions& options_;
+  const std::vector<Sensor>& sensors_;
+  Eigen::ArrayXd imposed_;
+  int cycles_;
+  double step_;
+  /// Samples x sensors.
+  Eigen::MatrixXd window_;
+  Eigen::Index filled_ = 0;
+  int windows_ = 0;
+  double time_ = 0;
+  bool steady_ = false;
+  SensorHarmonics harmonics_ = SensorHarmonics::Zero(window_.cols(), kHarmonics + 1);
+  Eigen::ArrayXXd change_;
+};
+
+/// "roll", or what each post does: "posts 1, 0.5".
+std::string ShapeText(const Vehicle& vehicle, const std::vector<double>& shape) {
+  for (const std::string_view pattern : kPostPatterns) {
+    try {
+      if (PostPattern(vehicle, pattern) == shape) return std::string(pattern);
+    } catch (const std::invalid_argument&) {
+      // These posts cannot make this one.
+    }
+  }
+  std::string text = "posts";
+  for (std::size_t p = 0; p < shape.size(); ++p) text += (p == 0 ? " " : ", ") + FormatNumber(shape[p]);
+  return text;
+}
+
+/// Three significant digits, for people.
+std::string Short(double value) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+/// The mode that dies away last; null for a vehicle without one.
+const Mode* SlowestMode(const std::vector<Mode>& modes) {
+  const auto slower = [](const Mode& a, const Mode& b) { return a.pole.real() > b.pole.real(); };
+  const auto slowest = std::min_element(modes.begin(), modes.end(), slower);
+  return slowest == modes.end() ? nullptr : &*slowest;
+}
+
+/// Why the motion may not repeat, and what to do.
+std::string Remedy(const Vehicle& vehicle, const MarchOptions& options) {
+  const VehicleSummary summary = Summarise(vehicle, vehicle.ParameterValues());
+  const Mode* mode = SlowestMode(summary.modes);
+  if (!mode) return "";
+  const std::string name = "the mode '" + mode->name + "'";
+  if (mode->kind == Mode::Kind::kFree || mode->kind == Mode::Kind::kDiverging)
+    return name + " is " + KindName(mode->kind) + ": see `fourpost check`";
+  const double settling_s = -std::log(options.tolerance) / -mode->pole.real();
+  const std::string what = name + " at " + Short(mode->frequency_Hz) + " Hz, damping ratio " +
+                           Short(mode->damping_ratio) + ", takes " + FormatNumber(std::ceil(settling_s)) +
+                           " s to die away";
+  if (settling_s < options.longest_s / 2)
+    return what + ", none longer: friction, stops or tyres that lift off may keep the motion from repeating; try " +
+           "another amplitude";
+  return what + ": see `fourpost check`, and give it damping or use harmonic balance, which has nothing to wait for";
+}
+
+}  // namespace
+
+void MarchOptions::Validate() const {
+  RequireOption(accuracy > 0 && accuracy < 1, "accuracy", accuracy, "between 0 and 1");
+  RequireOption(tolerance > 0 && tolerance < 1, "tolerance", tolerance, "between 0 and 1");
+  RequireOption(window_s > 0 && std::isfinite(window_s), "window_s", window_s, "positive and finite");
+  RequireOption(longest_s > window_s && std::isfinite(longest_s), "longest_s", longest_s,
+                "longer than window_s and finite");
+  RequireOption(samples_per_cycle > 2 * kHarmonics, "samples_per_cycle", samples_per_cycle, "at least 5");
+}
+
+MarchedResponse March(Multibody& multibody, const Excitation& excitation, const MarchOptions& options,
+                      const std::function<void(std::size_t done)>& progress) {
+  options.Validate();
+  excitation.Validate(multibody.vehicle().posts.size());
+  const std::vector<Sensor>& sensors = multibody.vehicle().sensors;
+  const Imposed imposed(multibody.vehicle());
+  ResponseRecorder recorder(sensors, excitation);
+  MarchedResponse out;
+  for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+    const double frequency = excitation.frequency_Hz[i];
+    const double amplitude = excitation.amplitude_m[i];
+    const double omega = 2 * std::numbers::pi * frequency;
+    SteadyState run(sensors, LargestShare(excitation) * amplitude * imposed.At(omega), frequency, options);
+    multibody.SetPostMotion(SteppedSine(excitation.shape, amplitude, omega, Ramp{run.window_duration()}));
+    multibody.Integrate(
+        multibody.RestState(), 0, run.step(), options.accuracy,
+        [&](double t, const Eigen::VectorXd&, const Eigen::VectorXd& readings) { run.Add(t, readings); },
+        [&] { return run.Done(); });
+    if (!run.steady()) {
+      out.unsteady.push_back(run.Worst());
+      out.unsteady.back().frequency_Hz = frequency;
+      out.unsteady.back().amplitude_m = amplitude;
+    }
+    out.simulated_s += run.time();
+    recorder.Record(i, run.harmonics());
+    if (progress) progress(i + 1);
+  }
+  multibody.SetPostMotion(nullptr);
+  out.response = recorder.Take();
+  return out;
+}
+
+std::string UnsteadyMessage(const Vehicle& vehicle, const Excitation& excitation, const UnsteadyMotion& motion,
+                            const MarchOptions& options) {
+  std::string text = ShapeText(vehicle, excitation.shape) + " at " + Short(motion.frequency_Hz) + " Hz, " +
+                     Short(1e3 * motion.amplitude_m) + " mm: no periodic motion within " +
+                     FormatNumber(options.longest_s) + " s";
+  if (!motion.sensor.empty())
+    text += "; '" + motion.sensor + "' still changes its " + (motion.is_mean ? "mean" : "first harmonic") + " by " +
+            Short(motion.change) + " per " +
+            (motion.cycles == 1 ? "cycle" : std::to_string(motion.cycles) + " cycles") + ", tolerance " +
+            Short(options.tolerance);
+  const std::string remedy = Remedy(vehicle, options);
+  return remedy.empty() ? text : text + "; " + remedy;
+}
+
+}  // namespace fourpost

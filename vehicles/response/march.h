@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analysis/frequency_response.h"
+#include "vehicles/multibody/multibody.h"
+#include "vehicles/response/excitation.h"
+
+namespace fourpost {
+
+struct MarchOptions {
+  /// Relative accuracy of the Runge-Kutta-Merson integrator. Simbody weighs states by about 1 (m, rad) while the rig
+  /// moves them by millimetres, hence the small number.
+  double accuracy = 1e-8;
+  /// Steady when, from one window to the next, no sensor's first harmonic changes by more than this share of itself,
+  /// nor its mean by more than this share of itself or of the first harmonic, whichever is larger. For a sensor below a
+  /// tenth of the loudest of its unit, that tenth takes the place of itself: what symmetry keeps silent reads the
+  /// integrator's noise, about 20 `accuracy` of the loudest, and never repeats. Where all sensors of a unit read less
+  /// than a thousandth of what the posts impose, that stands for the loudest: for displacements and struts the posts'
+  /// amplitude a, for accelerations a w^2, for angular velocities a w over half the largest distance of two posts (over
+  /// 1 m for a lone post), for tyre forces a times the stiffest tyre.
+  double tolerance = 1e-5;
+  /// Shortest window of whole cycles [s]: long against the decay of body modes within one cycle at high frequency.
+  double window_s = 0.5;
+  /// Gives up after this long [s].
+  double longest_s = 60;
+  /// The kinks of bilinear forces alias into accelerations: 64 samples left 1.5 % at a sensor near a node, 256 leave
+  /// 0.04 %.
+  int samples_per_cycle = 256;
+
+  /// Throws std::invalid_argument naming the field, its value and its bound.
+  void Validate() const;
+};
+
+/// A frequency at which the motion was not periodic within the time allowed.
+struct UnsteadyMotion {
+  double frequency_Hz = 0;
+  double amplitude_m = 0;
+  /// The one that changed most from the window before to the last; empty for a vehicle without sensors.
+  std::string sensor;
+  /// What changed: its mean, or its first harmonic.
+  bool is_mean = false;
+  /// By which share of what MarchOptions::tolerance is a share of.
+  double change = 0;
+  /// Cycles in a window.
+  int cycles = 0;
+};
+
+struct MarchedResponse {
+  FrequencyResponse response;
+  std::vector<UnsteadyMotion> unsteady;
+  /// Simulated time over all frequencies [s].
+  double simulated_s = 0;
+};
+
+/// Steady response of the full nonlinear multibody system to a stepped sine, found as the rig finds it: run until the
+/// motion repeats, then Fourier coefficients over whole cycles. The reference for SolveHarmonicBalance.
+/// Throws std::invalid_argument for options or an excitation that do not fit, std::runtime_error when the integration
+/// fails.
+/// `progress` hears how many frequencies are done.
+MarchedResponse March(Multibody& multibody, const Excitation& excitation, const MarchOptions& options = {},
+                      const std::function<void(std::size_t done)>& progress = {});
+
+/// What did not settle, how much it misses, and which mode takes long to die away: "roll at 2.4 Hz, 5 mm: no periodic
+/// motion within 60 s; ...". The vehicle and the excitation that were marched.
+std::string UnsteadyMessage(const Vehicle& vehicle, const Excitation& excitation, const UnsteadyMotion& motion,
+                            const MarchOptions& options = {});
+
+}  // namespace fourpost

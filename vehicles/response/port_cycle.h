@@ -1,0 +1,81 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/condensed/port.h"
+#include "vehicles/condensed/receptance.h"
+#include "vehicles/response/anderson_acceleration.h"
+#include "vehicles/response/cycle_transform.h"
+
+namespace fourpost {
+
+/// One cycle of the extensions of a vehicle's ports, with so many harmonics and samples: the harmonics E, (H + 1) x
+/// ports, for which
+///   E = driven + receptance R(E),
+/// R: harmonics of the remainders that the signals of E cause, sampled over the cycle.
+///
+/// Iterated as it stands while that converges fast, as it does for dashpots whose rates differ little. Otherwise, for
+/// knees, stops, lift-off and friction, by Newton's method with the remainders' slopes; with so many harmonics that its
+/// matrix would cost more than it saves, by Anderson acceleration.
+class PortCycle {
+ public:
+  /// Both must outlive this object.
+  PortCycle(const std::vector<Port>& ports, const Receptance& receptance, int harmonics, int samples);
+
+  int harmonics() const { return transform_.harmonics(); }
+
+  /// From `start` with any number of harmonics. `driven`: harmonic 1 of the extensions without remainders.
+  /// `tolerance`: see HarmonicBalanceOptions. Whether it converged; if not, the solution is the last iterate.
+  bool Solve(double omega, const Eigen::VectorXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
+             int max_iterations);
+
+  /// (H + 1) x ports: extensions [m] and remainders [N] of the last solution.
+  const Eigen::MatrixXcd& extension() const { return extension_; }
+  const Eigen::MatrixXcd& remainder() const { return remainder_; }
+
+  /// Whether steps of the remainders, as friction's, have a sample each time they are passed at full speed.
+  bool ResolvesSteps() const;
+
+  /// Iterations of the last solution.
+  int iterations() const { return iterations_; }
+
+ private:
+  void FindRemainders();
+  double FindStep();
+  double SizeOf(const Eigen::MatrixXcd& extension) const;
+  enum class Method { kPlain, kNewton, kAnderson };
+  static bool IsEnough(double change, double earlier, Method method, double tolerance);
+  Method Choose(double change, double earlier, double tolerance) const;
+  Method Newton() const;
+  bool IsTouched() const;
+  void NewtonStep();
+  void FollowNewton(double step);
+  void AndersonStep(AndersonAcceleration& acceleration);
+  /// Derivatives of R by E of one port, as coefficients of E and of its conjugate.
+  struct Coupling {
+    Eigen::Index port = 0;
+    Eigen::MatrixXcd direct;
+    Eigen::MatrixXcd conjugate;
+  };
+  std::vector<Coupling> Couplings() const;
+
+  const std::vector<Port>& ports_;
+  const Receptance& receptance_;
+  const CycleTransform& transform_;
+  bool uses_extension_ = false;
+  double omega_ = 0;
+  int iterations_ = 0;
+  Eigen::VectorXcd driven_;
+  Eigen::MatrixXcd ports_receptance_;
+  Eigen::MatrixXcd extension_;
+  Eigen::MatrixXcd rate_;
+  Eigen::MatrixXcd remainder_;
+  Eigen::MatrixXcd step_;
+  Eigen::MatrixXd extension_time_;
+  Eigen::MatrixXd rate_time_;
+  Eigen::MatrixXd remainder_time_;
+};
+
+}  // namespace fourpost

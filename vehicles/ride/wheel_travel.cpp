@@ -1,0 +1,101 @@
+#include "vehicles/ride/wheel_travel.h"
+
+#include <Eigen/SVD>
+
+namespace fourpost {
+namespace {
+
+constexpr Eigen::Index kChassisRows = 6;
+/// Singular values below this share of the largest count as zero; exact redundancy leaves about 1e-16, a joint's lever
+/// of a millimetre against metres 1e-3.
+constexpr double kRankTolerance = 1e-9;
+
+Eigen::MatrixXd Constraints(const Suspension& suspension, Eigen::Index coordinates) {
+  const auto wheels = static_cast<Eigen::Index>(suspension.wheels.size());
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(kChassisRows + wheels, coordinates);
+  if (suspension.chassis >= 0) {
+    const BodyMotion& chassis = suspension.bodies[static_cast<std::size_t>(suspension.chassis)];
+    rows.topRows<kChassisRows>() << chassis.com_jacobian, chassis.spin_jacobian;
+  }
+  for (Eigen::Index i = 0; i < wheels; ++i)
+    rows.row(kChassisRows + i) = suspension.wheels[static_cast<std::size_t>(i)].foot_rise.transpose();
+  return rows;
+}
+
+Eigen::MatrixXd NullSpace(const Eigen::MatrixXd& rows) {
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
+  svd.setThreshold(kRankTolerance);
+  return svd.matrixV().rightCols(rows.cols() - svd.rank());
+}
+
+/// They solve for the shortest of the best solutions.
+Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> Decomposed(const Eigen::MatrixXd& matrix) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+  factors.setThreshold(kRankTolerance);
+  if (matrix.size() > 0) factors.compute(matrix);
+  return factors;
+}
+
+}  // namespace
+
+HeldChassis::HeldChassis(const Suspension& suspension, Eigen::MatrixXd stiffness)
+    : stiffness_(std::move(stiffness)),
+      constraints_(Constraints(suspension, stiffness_.rows())),
+      free_(NullSpace(constraints_)),
+      leading_(Decomposed(constraints_)),
+      yielding_(Decomposed(free_.transpose() * stiffness_ * free_)),
+      holding_(Decomposed(constraints_.transpose())) {
+  for (const Wheel& wheel : suspension.wheels) wheel_y_.push_back(wheel.foot.y());
+}
+
+std::optional<WheelTravel> HeldChassis::Move(const Eigen::VectorXd& rise) const {
+  Eigen::VectorXd wanted(constraints_.rows());
+  wanted << Eigen::VectorXd::Zero(kChassisRows), rise;
+  const Eigen::VectorXd led = leading_.solve(wanted);
+  // Rounding of some ten coordinates is far below, a wheel that cannot move misses by a share of its rise.
+  constexpr double kMissed = 1e-6;
+  if ((constraints_ * led - wanted).norm() > kMissed * rise.norm()) return std::nullopt;
+  WheelTravel travel{.rise = rise, .motion = led, .force = {}};
+  if (free_.cols() > 0) travel.motion -= free_ * yielding_.solve(free_.transpose() * (stiffness_ * led));
+  travel.force = holding_.solve(stiffness_ * travel.motion).tail(rise.size());
+  return travel;
+}
+
+std::optional<WheelTravel> HeldChassis::MoveOne(std::size_t wheel) const {
+  const auto count = static_cast<Eigen::Index>(wheel_y_.size());
+  return Move(Eigen::VectorXd::Unit(count, static_cast<Eigen::Index>(wheel)));
+}
+
+std::optional<WheelTravel> HeldChassis::MoveTogether(const Axle& axle) const {
+  Eigen::VectorXd rise = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(wheel_y_.size()));
+  for (const std::size_t i : axle.wheels) rise[static_cast<Eigen::Index>(i)] = 1;
+  return Move(rise);
+}
+
+std::optional<WheelTravel> HeldChassis::MoveAll() const {
+  return Move(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(wheel_y_.size())));
+}
+
+std::optional<WheelTravel> HeldChassis::Roll(const Axle& axle) const {
+  double middle = 0;
+  for (const std::size_t i : axle.wheels) middle += wheel_y_[i] / static_cast<double>(axle.wheels.size());
+  Eigen::VectorXd rise = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(wheel_y_.size()));
+  for (const std::size_t i : axle.wheels) rise[static_cast<Eigen::Index>(i)] = wheel_y_[i] - middle;
+  return Move(rise);
+}
+
+Eigen::MatrixXd StiffnessWithoutTyres(const Vehicle& vehicle, const Kinematics& pose,
+                                      std::span<const double> parameters, const Eigen::MatrixXd& stiffness) {
+  Eigen::MatrixXd rest = stiffness;
+  for (const Tyre& tyre : vehicle.tyres) {
+    const double rates[] = {tyre.longitudinal.At(parameters), tyre.lateral.At(parameters),
+                            tyre.stiffness.At(parameters)};
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const Eigen::VectorXd direction = pose.FootPosition(tyre, Eigen::Vector3d::Unit(i)).gradient;
+      rest -= rates[i] * direction * direction.transpose();
+    }
+  }
+  return rest;
+}
+
+}  // namespace fourpost
