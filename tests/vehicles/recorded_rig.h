@@ -70,7 +70,7 @@ struct Prepared {
   }
   /// As good as a march and a thousand times as cheap: full_balance_test.cpp compares the two.
   FrequencyResponse Reference(const Excitation& excitation) {
-    const PeriodicResponse reference = Full(excitation, {.harmonics = 31, .samples = 256});
+    const PeriodicResponse reference = Full(excitation, {.harmonics = 15, .samples = 64});
     EXPECT_TRUE(reference.unconverged_Hz.empty());
     return reference.response;
   }

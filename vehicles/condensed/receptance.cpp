@@ -169,6 +169,16 @@ Eigen::VectorXcd Receptance::SumOverPoles(const Poles& poles, double omega, cons
   return poles.shapes * amplitudes + poles.shapes.conjugate() * conjugates;
 }
 
+Eigen::MatrixXcd Receptance::MotionBy(double omega, const Eigen::MatrixXcd& forces) const {
+  Eigen::MatrixXcd motion(forces.rows(), forces.cols());
+  for (Eigen::Index h = 0; h < forces.rows(); ++h)
+    motion.row(h) = vehicle_.Impedance(static_cast<double>(h) * omega)
+                        .partialPivLu()
+                        .solve(forces.row(h).transpose().eval())
+                        .transpose();
+  return motion;
+}
+
 Eigen::VectorXcd Receptance::Motion(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const {
   const Eigen::VectorXcd inputs = Inputs(omega, tensions, post_amplitude);
   if (poles_) return SumOverPoles(*poles_, omega, inputs);

@@ -32,6 +32,12 @@ class Receptance {
   /// [s x] at one frequency, from the tensions of the ports, and from posts of this amplitude.
   Eigen::VectorXcd Motion(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const;
 
+  /// Of [s x].
+  Eigen::Index size() const { return vehicle_.size(); }
+
+  /// [s x] of harmonics 0, 1, .. of `omega` by forces on it, in rows.
+  Eigen::MatrixXcd MotionBy(double omega, const Eigen::MatrixXcd& forces) const;
+
   /// Whether it goes by poles.
   bool by_poles() const { return poles_.has_value(); }
 

@@ -48,6 +48,39 @@ Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
   throw LoopsCannotFollow(multibody_);
 }
 
+Chart::Motion Chart::Follow(double t, const Eigen::VectorXd& s, const Eigen::VectorXd& rate,
+                            const Eigen::VectorXd& acceleration, const Eigen::VectorXd& z) {
+  Motion motion;
+  Eigen::VectorXd state;
+  const auto move = [&] {
+    state.resize(2 * motion.q.size() + z.size());
+    state << motion.q, motion.rate, z;
+    multibody_.SetState(t, state);
+  };
+  if (!has_loops_) {
+    motion.q = multibody_.design_pose() + basis_ * s;
+    motion.tangent = basis_;
+    motion.rate = basis_ * rate;
+    motion.acceleration = basis_ * acceleration;
+    move();
+    return motion;
+  }
+  motion.q = Close(s);
+  const Eigen::MatrixXd loops = multibody_.LoopJacobian();
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+  solver.setThreshold(kLoopRankTolerance);
+  solver.compute(Stacked(loops, basis_.transpose()));
+  Eigen::MatrixXd target = Eigen::MatrixXd::Zero(loops.rows() + size(), size());
+  target.bottomRows(size()).setIdentity();
+  motion.tangent = solver.solve(target);
+  motion.rate = motion.tangent * rate;
+  move();
+  Eigen::VectorXd bias = Eigen::VectorXd::Zero(target.rows());
+  bias.head(loops.rows()) = multibody_.LoopBias();
+  motion.acceleration = motion.tangent * acceleration - solver.solve(bias);
+  return motion;
+}
+
 Eigen::MatrixXd Chart::MoveTo(const Eigen::VectorXd& s) {
   Close(s);
   if (!has_loops_) return basis_;

@@ -20,6 +20,19 @@ class Chart {
   /// Throws FaultyInput, see LoopsCannotFollow, when the loops do not let it.
   Eigen::MatrixXd MoveTo(const Eigen::VectorXd& s);
 
+  /// The joint coordinates of a motion.
+  struct Motion {
+    Eigen::VectorXd q;
+    Eigen::VectorXd rate;
+    Eigen::VectorXd acceleration;
+    /// dq/ds.
+    Eigen::MatrixXd tangent;
+  };
+  /// Moves the multibody to time t and the state of this motion, with z appended. From the pose it has: near ones are
+  /// found sooner. Throws as MoveTo.
+  Motion Follow(double t, const Eigen::VectorXd& s, const Eigen::VectorXd& rate, const Eigen::VectorXd& acceleration,
+                const Eigen::VectorXd& z);
+
  private:
   Eigen::VectorXd Close(const Eigen::VectorXd& s);
 

@@ -36,6 +36,15 @@ struct SensorData {
   double rest = 0;
 };
 
+/// By SimTK::MobilizedBodyIndex: of the rotation and of the origin, in ground axes.
+using BodyMotions = SimTK::Vector_<SimTK::SpatialVec>;
+
+Vec3 StationAcceleration(const SensorData& sensor, const SimTK::State& at, const SimTK::SpatialVec& of_body) {
+  const Vec3 arm = sensor.body.getBodyRotation(at) * sensor.station;
+  const Vec3 spin = sensor.body.getBodyAngularVelocity(at);
+  return of_body[1] + of_body[0] % arm + spin % (spin % arm);
+}
+
 bool AreEqual(const SimTK::MassProperties& a, const SimTK::MassProperties& b) {
   return a.getMass() == b.getMass() && a.getMassCenter() == b.getMassCenter() &&
          a.getUnitInertia().toMat33() == b.getUnitInertia().toMat33();
@@ -66,8 +75,9 @@ struct Multibody::Impl {
   void SetPose(const Eigen::VectorXd& q);
   MobilizedBody& Body(int link) { return bodies[static_cast<std::size_t>(link)]; }
   void Realize(SimTK::Stage stage);
-  double Reading(const SensorData& sensor, const SimTK::State& at);
-  Eigen::VectorXd Readings(const SimTK::State& at);
+  double Reading(const SensorData& sensor, const SimTK::State& at, const BodyMotions& accelerations);
+  Eigen::VectorXd Readings(const SimTK::State& at, const BodyMotions& accelerations);
+  BodyMotions AccelerationsAt(const SimTK::State& at) const;
   const Platforms& PlatformsAt(double t);
   double LoadCell(const SensorData& sensor, const SimTK::State& at);
 
@@ -307,7 +317,7 @@ void Multibody::Impl::MeasureDesign() {
     if (sensor.type == Sensor::Type::kDisplacement) {
       // A displacement is measured from the ground, along the axis as it points in the design pose.
       sensor.axis = sensor.body.getBodyRotation(state) * sensor.axis;
-      sensor.rest = Reading(sensor, state);
+      sensor.rest = Reading(sensor, state, {});
     }
     // At rest an accelerometer shows gravity along its axis.
     if (sensor.type == Sensor::Type::kAccelerometer)
@@ -355,11 +365,11 @@ double Multibody::Impl::LoadCell(const SensorData& sensor, const SimTK::State& a
   return TyreForce::Compression(tyre, now, at) - tyre.preload + sensor.wheelpan * acceleration;
 }
 
-double Multibody::Impl::Reading(const SensorData& sensor, const SimTK::State& at) {
+double Multibody::Impl::Reading(const SensorData& sensor, const SimTK::State& at, const BodyMotions& accelerations) {
   switch (sensor.type) {
     case Sensor::Type::kAccelerometer: {
-      const Vec3 specific_force =
-          sensor.body.findStationAccelerationInGround(at, sensor.station) + Vec3(0, 0, kGravity);
+      const SimTK::SpatialVec& of_body = accelerations[sensor.body.getMobilizedBodyIndex()];
+      const Vec3 specific_force = StationAcceleration(sensor, at, of_body) + Vec3(0, 0, kGravity);
       return SimTK::dot(sensor.body.getBodyRotation(at) * sensor.axis, specific_force) - sensor.rest;
     }
     case Sensor::Type::kDisplacement:
@@ -372,10 +382,19 @@ double Multibody::Impl::Reading(const SensorData& sensor, const SimTK::State& at
   throw std::logic_error("sensor type without a reading");
 }
 
-Eigen::VectorXd Multibody::Impl::Readings(const SimTK::State& at) {
+Eigen::VectorXd Multibody::Impl::Readings(const SimTK::State& at, const BodyMotions& accelerations) {
   Eigen::VectorXd readings(sensors.size());
-  for (std::size_t i = 0; i < sensors.size(); ++i) readings[static_cast<Eigen::Index>(i)] = Reading(sensors[i], at);
+  for (std::size_t i = 0; i < sensors.size(); ++i)
+    readings[static_cast<Eigen::Index>(i)] = Reading(sensors[i], at, accelerations);
   return readings;
+}
+
+/// Those that the forces cause. Needs Stage::Acceleration.
+BodyMotions Multibody::Impl::AccelerationsAt(const SimTK::State& at) const {
+  BodyMotions accelerations(matter.getNumBodies());
+  for (SimTK::MobilizedBodyIndex b(0); b < matter.getNumBodies(); ++b)
+    accelerations[b] = matter.getMobilizedBody(b).getBodyAcceleration(at);
+  return accelerations;
 }
 
 Multibody::Multibody(const Vehicle& vehicle) : impl_(std::make_unique<Impl>(vehicle)) {}
@@ -487,31 +506,47 @@ Eigen::VectorXd Multibody::StateDerivative(double t, const Eigen::VectorXd& stat
   return ToEigen(impl_->state.getYDot());
 }
 
+void Multibody::SetState(double t, const Eigen::VectorXd& state) {
+  impl_->SetState(t, state);
+  impl_->Realize(SimTK::Stage::Velocity);
+}
+
+Eigen::VectorXd Multibody::LoopBias() const {
+  SimTK::Vector bias;
+  impl_->matter.calcBiasForAccelerationConstraints(impl_->state, bias);
+  return ToEigen(bias);
+}
+
 Eigen::VectorXd Multibody::Residual(double t, const Eigen::VectorXd& state, const Eigen::VectorXd& derivative) {
+  SetState(t, state);
+  return Residual(derivative);
+}
+
+Eigen::VectorXd Multibody::Residual(const Eigen::VectorXd& derivative) {
   Impl& m = *impl_;
-  m.SetState(t, state);
   m.Realize(SimTK::Stage::Dynamics);
   const int n = coordinate_count();
+  const SimTK::Vector& z = m.state.getZ();
   const SimTK::Vector acceleration(n, derivative.data() + n, true);
   SimTK::Vector lacking;
   m.matter.calcResidualForceIgnoringConstraints(m.state, m.system.getMobilityForces(m.state, SimTK::Stage::Dynamics),
                                                 m.system.getRigidBodyForces(m.state, SimTK::Stage::Dynamics),
                                                 acceleration, lacking);
-  Eigen::VectorXd residual(state.size() - n);
+  Eigen::VectorXd residual(state_size() - n);
   for (int i = 0; i < n; ++i) residual[i] = lacking[i];
-  Eigen::Index z = n;
+  // Place among the states z.
+  int i = 0;
   for (const DamperData& damper : m.dampers) {
     if (!damper.in_series) continue;
     const double rate = Motion(damper.line, m.state).rate;
-    residual[z] = damper.series.Force(state[n + z]) - damper.dashpot.Force(rate - derivative[n + z]);
-    ++z;
+    residual[n + i] = damper.series.Force(z[i]) - damper.dashpot.Force(rate - derivative[2 * n + i]);
+    ++i;
   }
   for (const HydraulicData& damper : m.hydraulics) {
-    const std::array<double, 2> rates =
-        HydraulicRates(damper, Motion(damper.line, m.state), {state[n + z], state[n + z + 1]});
+    const std::array<double, 2> rates = HydraulicRates(damper, Motion(damper.line, m.state), {z[i], z[i + 1]});
     for (const double rate : rates) {
-      residual[z] = derivative[n + z] - rate;
-      ++z;
+      residual[n + i] = derivative[2 * n + i] - rate;
+      ++i;
     }
   }
   return residual;
@@ -520,7 +555,15 @@ Eigen::VectorXd Multibody::Residual(double t, const Eigen::VectorXd& state, cons
 Eigen::VectorXd Multibody::Readings(double t, const Eigen::VectorXd& state) {
   impl_->SetState(t, state);
   impl_->Realize(SimTK::Stage::Acceleration);
-  return impl_->Readings(impl_->state);
+  return impl_->Readings(impl_->state, impl_->AccelerationsAt(impl_->state));
+}
+
+Eigen::VectorXd Multibody::Readings(const Eigen::VectorXd& derivative) {
+  Impl& m = *impl_;
+  const int n = coordinate_count();
+  BodyMotions accelerations;
+  m.matter.calcBodyAccelerationFromUDot(m.state, SimTK::Vector(n, derivative.data() + n, true), accelerations);
+  return m.Readings(m.state, accelerations);
 }
 
 Eigen::VectorXd Multibody::RestState() const {
@@ -544,7 +587,7 @@ void Multibody::Integrate(const Eigen::VectorXd& state, double start, double ste
       while (integrator.getTime() < until) integrator.stepTo(until);
       const SimTK::State& now = integrator.getState();
       m.system.realize(now, SimTK::Stage::Acceleration);
-      sink(now.getTime(), ToEigen(now.getY()), m.Readings(now));
+      sink(now.getTime(), ToEigen(now.getY()), m.Readings(now, m.AccelerationsAt(now)));
       if (done()) return;
     }
   } catch (const SimTK::Exception::Base& failure) {

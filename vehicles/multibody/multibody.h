@@ -70,6 +70,12 @@ class Multibody {
   Eigen::VectorXd LoopError() const;
   Eigen::MatrixXd LoopJacobian() const;
 
+  /// Moves the vehicle to time t and state [q u z], for the functions below that take none. Throws std::runtime_error
+  /// when Simbody cannot evaluate the state.
+  void SetState(double t, const Eigen::VectorXd& state);
+  /// Second derivatives of LoopError by time where u' = 0.
+  Eigen::VectorXd LoopBias() const;
+
   /// d[q u z]/dt at time t.
   Eigen::VectorXd StateDerivative(double t, const Eigen::VectorXd& state);
 
@@ -81,9 +87,12 @@ class Multibody {
   /// divides by the dashpots' rates. Forces of loop closures are left out.
   /// Throws std::runtime_error when Simbody cannot evaluate the state.
   Eigen::VectorXd Residual(double t, const Eigen::VectorXd& state, const Eigen::VectorXd& derivative);
+  Eigen::VectorXd Residual(const Eigen::VectorXd& derivative);
 
   /// What the sensors read at time t, in file order. Throws std::runtime_error when Simbody cannot evaluate the state.
   Eigen::VectorXd Readings(double t, const Eigen::VectorXd& state);
+  /// What they would read if it changed at the rate `derivative` = d[q u z]/dt.
+  Eigen::VectorXd Readings(const Eigen::VectorXd& derivative);
 
   /// State at rest in the design pose.
   Eigen::VectorXd RestState() const;

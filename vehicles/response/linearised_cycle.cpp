@@ -50,13 +50,26 @@ bool LinearisedCycle::Solve(double frequency_Hz, double amplitude_m) {
 
 void LinearisedCycle::SetAmplitude(double amplitude_m) {
   amplitude_ = amplitude_m;
-  driven_ = amplitude_m * unit_driven_;
+  driven_.setZero(2, unit_driven_.size());
+  driven_.row(1) = amplitude_m * unit_driven_.transpose();
+  added_.resize(0, 0);
+}
+
+bool LinearisedCycle::SolveWith(const Eigen::MatrixXcd& added) {
+  const double amplitude = amplitude_;
+  SetAmplitude(amplitude);
+  const Eigen::MatrixXcd through_posts = driven_;
+  driven_.setZero(std::max<Eigen::Index>(2, added.rows()), unit_driven_.size());
+  driven_.topRows(2) = through_posts;
+  for (std::size_t j = 0; j < ports_.size(); ++j)
+    driven_.col(static_cast<Eigen::Index>(j)).head(added.rows()) += added * ports_[j].direction;
+  added_ = added;
+  return SolveLevel(level_, cycle().extension(), options_.tolerance);
 }
 
 /// From few harmonics to as many as the error needs.
 bool LinearisedCycle::TrySolve() {
-  Eigen::MatrixXcd start(2, driven_.size());
-  start << Eigen::VectorXcd::Zero(driven_.size()).transpose(), driven_.transpose();
+  Eigen::MatrixXcd start = driven_;
   if (has_memory_ && solved_before_) start = cycle().extension();
   // Two below what the last frequency needed, so that fewer may do again.
   std::size_t level = level_ > 2 ? level_ - 2 : 0;
@@ -101,13 +114,16 @@ bool LinearisedCycle::SolveLevel(std::size_t level, const Eigen::MatrixXcd& star
   return converged;
 }
 
-Eigen::VectorXcd LinearisedCycle::Coordinates(int h) const {
+Eigen::VectorXcd LinearisedCycle::CoordinatesOf(int h) const {
   Eigen::VectorXcd tensions = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(ports_.size()));
   if (h <= harmonics()) tensions = cycle().remainder().row(h).transpose();
-  return receptance_.Motion(h * omega_, tensions, h == 1 ? amplitude_ : 0);
+  Eigen::VectorXcd coordinates = receptance_.Motion(h * omega_, tensions, h == 1 ? amplitude_ : 0);
+  if (h < added_.rows()) coordinates += added_.row(h).transpose();
+  return coordinates;
 }
 
-Eigen::VectorXcd LinearisedCycle::Readings(int h, const Eigen::VectorXcd& coordinates) const {
+Eigen::VectorXcd LinearisedCycle::Readings(int h, const Eigen::VectorXcd& coordinates,
+                                           const Eigen::MatrixXcd& remainder) const {
   const double w = h * omega_;
   const auto motion = coordinates.head(model_.mass.rows());
   // Rows are real: position and acceleration act on one part of the motion, velocity turns it.
@@ -122,14 +138,14 @@ Eigen::VectorXcd LinearisedCycle::Readings(int h, const Eigen::VectorXcd& coordi
   for (std::size_t j = 0; j < ports_.size(); ++j)
     if (ports_[j].liftoff >= 0)
       for (const int sensor : model_.liftoffs[static_cast<std::size_t>(ports_[j].liftoff)].load_cells)
-        readings[sensor] += cycle().remainder()(h, static_cast<Eigen::Index>(j));
+        readings[sensor] += remainder(h, static_cast<Eigen::Index>(j));
   return readings;
 }
 
 LinearisedCycle::First LinearisedCycle::FirstHarmonic() const {
   First first;
-  first.coordinates = Coordinates(1);
-  first.readings = Readings(1, first.coordinates);
+  first.coordinates = CoordinatesOf(1);
+  first.readings = Readings(1, first.coordinates, cycle().remainder());
   return first;
 }
 
@@ -148,23 +164,16 @@ double LinearisedCycle::Change(const First& before, const First& now) const {
   return largest;
 }
 
-SensorHarmonics LinearisedCycle::Sensors() const {
+SensorHarmonics LinearisedCycle::SensorsBy(const Eigen::MatrixXcd& remainder) const {
   SensorHarmonics out(model_.on_position.rows(), 3);
-  for (int h = 0; h <= 2; ++h) out.col(h) = Readings(h, Coordinates(h));
+  for (int h = 0; h <= 2; ++h) out.col(h) = Readings(h, CoordinatesOf(h), remainder);
   return out;
 }
 
-Eigen::MatrixXcd LinearisedCycle::Motion(int harmonics) const {
-  Eigen::MatrixXcd motion(harmonics + 1, model_.mass.rows());
-  for (int h = 0; h <= harmonics; ++h) motion.row(h) = Coordinates(h).head(motion.cols()).transpose();
-  return motion;
-}
-
-Eigen::MatrixXcd LinearisedCycle::SeriesExtensions(int harmonics) const {
-  const auto count = static_cast<Eigen::Index>(model_.SeriesDampers().size());
-  Eigen::MatrixXcd extensions(harmonics + 1, count);
-  for (int h = 0; h <= harmonics; ++h) extensions.row(h) = Coordinates(h).tail(count).transpose();
-  return extensions;
+Eigen::MatrixXcd LinearisedCycle::Coordinates(int harmonics) const {
+  Eigen::MatrixXcd coordinates(harmonics + 1, receptance_.size());
+  for (int h = 0; h <= harmonics; ++h) coordinates.row(h) = CoordinatesOf(h).transpose();
+  return coordinates;
 }
 
 }  // namespace fourpost

@@ -23,14 +23,24 @@ class LinearisedCycle {
   /// tyres are not linear may have several answers: the one next to the frequency before is taken.
   bool Solve(double frequency_Hz, double amplitude_m);
 
+  /// Solves again from the last solution, with as many harmonics, under more forces: `added` has the harmonics of the
+  /// motion [s x] that they would cause in the linear vehicle, (any number) x size. Whether it converged.
+  bool SolveWith(const Eigen::MatrixXcd& added);
+
   // For the last solution.
 
   /// Sensors x 3: mean, first and second harmonic.
-  SensorHarmonics Sensors() const;
-  /// (H + 1) x n: small motion s.
-  Eigen::MatrixXcd Motion(int harmonics) const;
-  /// (H + 1) x dampers with a series spring, in file order: extension of that spring [m].
-  Eigen::MatrixXcd SeriesExtensions(int harmonics) const;
+  SensorHarmonics Sensors() const { return SensorsBy(cycle().remainder()); }
+  /// The same where the ports' remainders have these harmonics in place of their own.
+  SensorHarmonics SensorsBy(const Eigen::MatrixXcd& remainder) const;
+  /// (H + 1) x size: small motion s and extensions x of the series springs, see LinearVehicle.
+  Eigen::MatrixXcd Coordinates(int harmonics) const;
+  /// (H + 1) x ports: harmonics of the ports' remainders, and what a transform of other samples would find them.
+  const Eigen::MatrixXcd& remainder() const { return cycle().remainder(); }
+  Eigen::MatrixXcd RemainderBy(const CycleTransform& transform) const { return cycle().RemainderBy(transform); }
+  const std::vector<Port>& ports() const { return ports_; }
+  /// What forces on [s x] cause in the linear vehicle at this frequency, harmonics in rows.
+  Eigen::MatrixXcd MotionBy(const Eigen::MatrixXcd& forces) const { return receptance_.MotionBy(omega_, forces); }
   /// What it needed.
   int harmonics() const { return cycle().harmonics(); }
   int iterations() const { return iterations_; }
@@ -42,8 +52,8 @@ class LinearisedCycle {
   bool SolveByWayOf(const std::vector<double>& shares);
   void SetAmplitude(double amplitude_m);
   /// [s x] of one harmonic.
-  Eigen::VectorXcd Coordinates(int h) const;
-  Eigen::VectorXcd Readings(int h, const Eigen::VectorXcd& coordinates) const;
+  Eigen::VectorXcd CoordinatesOf(int h) const;
+  Eigen::VectorXcd Readings(int h, const Eigen::VectorXcd& coordinates, const Eigen::MatrixXcd& remainder) const;
   /// Of the first harmonic.
   struct First {
     Eigen::VectorXcd coordinates;
@@ -71,7 +81,9 @@ class LinearisedCycle {
   double omega_ = 0;
   double amplitude_ = 0;
   Eigen::VectorXcd unit_driven_;
-  Eigen::VectorXcd driven_;
+  /// Harmonics of the ports' extensions and of [s x] that the posts, and added forces, cause in the linear vehicle.
+  Eigen::MatrixXcd driven_;
+  Eigen::MatrixXcd added_;
   int iterations_ = 0;
 };
 

@@ -26,6 +26,25 @@ std::span<double> Room(Eigen::MatrixXd& signals, Eigen::Index column) {
   return {signals.col(column).data(), static_cast<std::size_t>(signals.rows())};
 }
 
+/// With harmonics 0..H, where those that are missing are zero.
+Eigen::MatrixXcd Resized(const Eigen::MatrixXcd& harmonics, Eigen::Index last) {
+  Eigen::MatrixXcd resized = Eigen::MatrixXcd::Zero(last + 1, harmonics.cols());
+  const Eigen::Index known = std::min(harmonics.rows(), resized.rows());
+  resized.topRows(known) = harmonics.topRows(known);
+  return resized;
+}
+
+/// Of the signals whose harmonics are given.
+Eigen::MatrixXcd RateOf(const Eigen::MatrixXcd& extension, double omega) {
+  Eigen::MatrixXcd rate(extension.rows(), extension.cols());
+  for (Eigen::Index j = 0; j < extension.cols(); ++j)
+    for (Eigen::Index h = 0; h < extension.rows(); ++h) {
+      const double w = static_cast<double>(h) * omega;
+      rate(h, j) = Complex(-w * extension(h, j).imag(), w * extension(h, j).real());
+    }
+  return rate;
+}
+
 /// Harmonics 0, 1 .. H of a signal s(t) from m = -2 H .. 2 H of a real one: s = sum over m of two-sided c_m.
 class TwoSided {
  public:
@@ -77,14 +96,12 @@ PortCycle::PortCycle(const std::vector<Port>& ports, const Receptance& receptanc
   remainder_time_.resize(transform_.samples(), static_cast<Eigen::Index>(ports.size()));
 }
 
-bool PortCycle::Solve(double omega, const Eigen::VectorXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
+bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
                       int max_iterations) {
   omega_ = omega;
-  driven_ = driven;
+  driven_ = Resized(driven, harmonics());
+  extension_ = Resized(start, harmonics());
   receptance_.Ports(omega, harmonics(), ports_receptance_);
-  extension_.setZero(harmonics() + 1, driven.size());
-  const Eigen::Index known = std::min(start.rows(), extension_.rows());
-  extension_.topRows(known) = start.topRows(known);
   iterations_ = 0;
   FindRemainders();
   if (ports_.empty()) return true;
@@ -174,13 +191,7 @@ bool PortCycle::ResolvesSteps() const {
 }
 
 void PortCycle::FindRemainders() {
-  rate_.resizeLike(extension_);
-  for (Eigen::Index j = 0; j < extension_.cols(); ++j)
-    for (Eigen::Index h = 0; h < extension_.rows(); ++h) {
-      const double w = static_cast<double>(h) * omega_;
-      rate_(h, j) = Complex(-w * extension_(h, j).imag(), w * extension_(h, j).real());
-    }
-  transform_.ToTime(rate_, rate_time_);
+  transform_.ToTime(RateOf(extension_, omega_), rate_time_);
   if (uses_extension_) transform_.ToTime(extension_, extension_time_);
   for (std::size_t j = 0; j < ports_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(j);
@@ -190,11 +201,26 @@ void PortCycle::FindRemainders() {
   transform_.ToHarmonics(remainder_time_, remainder_);
 }
 
+Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
+  const Eigen::MatrixXcd extension = Resized(extension_, transform.harmonics());
+  Eigen::MatrixXd extensions;
+  Eigen::MatrixXd rates;
+  Eigen::MatrixXd remainders(transform.samples(), extension.cols());
+  transform.ToTime(extension, extensions);
+  transform.ToTime(RateOf(extension, omega_), rates);
+  for (std::size_t j = 0; j < ports_.size(); ++j) {
+    const auto column = static_cast<Eigen::Index>(j);
+    Remainders(ports_[j].law, Samples(extensions, column), Samples(rates, column), Room(remainders, column));
+  }
+  Eigen::MatrixXcd harmonics;
+  transform.ToHarmonics(remainders, harmonics);
+  return harmonics;
+}
+
 /// The plain iteration's next step from here; returns its size.
 double PortCycle::FindStep() {
   const Eigen::Index count = extension_.cols();
-  step_ = -extension_;
-  for (Eigen::Index j = 0; j < count; ++j) step_(1, j) += driven_[j];
+  step_ = driven_ - extension_;
   for (Eigen::Index j = 0; j < count; ++j)
     for (Eigen::Index i = 0; i < count; ++i)
       step_.col(i) += ports_receptance_.col(i + count * j).cwiseProduct(remainder_.col(j));

@@ -26,14 +26,17 @@ class PortCycle {
 
   int harmonics() const { return transform_.harmonics(); }
 
-  /// From `start` with any number of harmonics. `driven`: harmonic 1 of the extensions without remainders.
-  /// `tolerance`: see HarmonicBalanceOptions. Whether it converged; if not, the solution is the last iterate.
-  bool Solve(double omega, const Eigen::VectorXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
+  /// `driven`, `start`: harmonics 0, 1, .. of the extensions without remainders, and those to start from; any number of
+  /// them, beyond which they are zero. `tolerance`: see HarmonicBalanceOptions. Whether it converged; if not, the
+  /// solution is the last iterate.
+  bool Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
              int max_iterations);
 
   /// (H + 1) x ports: extensions [m] and remainders [N] of the last solution.
   const Eigen::MatrixXcd& extension() const { return extension_; }
   const Eigen::MatrixXcd& remainder() const { return remainder_; }
+  /// The remainders of the last solution's lower harmonics, sampled by another transform.
+  Eigen::MatrixXcd RemainderBy(const CycleTransform& transform) const;
 
   /// Whether steps of the remainders, as friction's, have a sample each time they are passed at full speed.
   bool ResolvesSteps() const;
@@ -67,10 +70,9 @@ class PortCycle {
   bool uses_extension_ = false;
   double omega_ = 0;
   int iterations_ = 0;
-  Eigen::VectorXcd driven_;
+  Eigen::MatrixXcd driven_;
   Eigen::MatrixXcd ports_receptance_;
   Eigen::MatrixXcd extension_;
-  Eigen::MatrixXcd rate_;
   Eigen::MatrixXcd remainder_;
   Eigen::MatrixXcd step_;
   Eigen::MatrixXd extension_time_;

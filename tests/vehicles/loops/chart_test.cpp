@@ -1,6 +1,7 @@
 #include "vehicles/loops/chart.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gmock/gmock.h>
 
@@ -101,6 +102,39 @@ TEST(Chart, KeepsItsLoopsClosed) {
   EXPECT_LT(multibody.LoopError().lpNorm<Eigen::Infinity>(), 1e-13);  // where the chart stops
   EXPECT_LT((multibody.LoopJacobian() * tangent).norm(), 1e-12);      // rounding of the solve
 }
+
+/// A motion of all coordinates at its own frequencies, at time t: position, or its first or second derivative.
+Eigen::VectorXd SomeMotion(int size, double t, int derivative) {
+  Eigen::VectorXd s(size);
+  for (int i = 0; i < size; ++i) {
+    const double w = 2.0 + i;
+    s[i] = 0.02 * std::pow(w, derivative) * std::cos(w * t + 1.0 + i + derivative * std::numbers::pi / 2);
+  }
+  return s;
+}
+
+void ExpectRatesOfDifferences(const Vehicle& vehicle) {
+  Multibody multibody(vehicle);
+  Chart chart(multibody);
+  const int n = chart.size();
+  const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(multibody.state_size() - 2 * multibody.coordinate_count());
+  const auto at = [&](double t) {
+    return chart.Follow(t, SomeMotion(n, t, 0), SomeMotion(n, t, 1), SomeMotion(n, t, 2), at_rest);
+  };
+  constexpr double kTime = 0.3;
+  const Chart::Motion before = at(kTime - kStep);
+  const Chart::Motion after = at(kTime + kStep);
+  const Chart::Motion now = at(kTime);
+  EXPECT_LT((now.rate - (after.q - before.q) / (2 * kStep)).lpNorm<Eigen::Infinity>(), kTolerance);
+  // Third derivatives of 0.02 (2 + i)^3.
+  EXPECT_LT((now.acceleration - (after.rate - before.rate) / (2 * kStep)).lpNorm<Eigen::Infinity>(), 10 * kTolerance);
+}
+
+TEST(Chart, FollowsAMotionOfATree) { ExpectRatesOfDifferences(ShippedVehicle("landrover110_model1")); }
+
+TEST(Chart, FollowsAMotionThroughALoop) { ExpectRatesOfDifferences(TiedCar()); }
+
+TEST(Chart, FollowsAMotionThroughManyLoops) { ExpectRatesOfDifferences(ShippedVehicle("landrover110_rigid")); }
 
 // A horizontal rod to a wheel that only moves up and down gives way at first, but not to any motion.
 TEST(Chart, TellsThatTheLoopsLockTheVehicle) {

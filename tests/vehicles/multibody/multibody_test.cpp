@@ -110,6 +110,27 @@ TEST(Multibody, ResidualIsZeroForTheForwardRatesOfSeriesDampers) {
   ExpectForwardAndInverseDynamicsAgree(vehicle);
 }
 
+/// Of the accelerations that the forces cause, as of the same ones given.
+void ExpectReadingsOfTheAccelerations(const Vehicle& vehicle) {
+  Multibody multibody = Resting(vehicle);
+  const Eigen::VectorXd state = SomeState(multibody);
+  const Eigen::VectorXd derivative = multibody.StateDerivative(0, state);
+  const Eigen::VectorXd caused = multibody.Readings(0, state);
+  multibody.SetState(0, state);
+  // Rounding of accelerations of 1e3 m/s^2 and of tyre forces of 1e4 N.
+  EXPECT_LT((multibody.Readings(derivative) - caused).lpNorm<Eigen::Infinity>(), 1e-10);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(state.size());
+  EXPECT_GT((multibody.Readings(none) - caused).lpNorm<Eigen::Infinity>(), 1);
+}
+
+TEST(Multibody, SensorsReadTheAccelerationsOfATree) {
+  ExpectReadingsOfTheAccelerations(ShippedVehicle("landrover110"));
+}
+
+TEST(Multibody, SensorsReadTheAccelerationsThroughLoops) {
+  ExpectReadingsOfTheAccelerations(ShippedVehicle("landrover110_rigid"));
+}
+
 // Of 2 kN on 22 kg.
 constexpr double kRounding = 1e-11;
 

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/loops/chart.h"
+#include "vehicles/multibody/multibody.h"
+#include "vehicles/response/cycle_transform.h"
+#include "vehicles/response/full_balance_options.h"
+#include "vehicles/response/linearised_cycle.h"
+#include "vehicles/response/response_recorder.h"
+
+namespace fourpost {
+
+/// One cycle of the full multibody system at one frequency, by the method of SolveFullBalance. Harmonics are those of
+/// y(t) = Re sum_h Y_h exp(i h w t), in rows; the motion is that of [s x], see LinearVehicle.
+class FullCycle {
+ public:
+  /// `shape`: of the posts, see Excitation. All must outlive this object.
+  FullCycle(Multibody& multibody, const CondensedModel& model, const std::vector<double>& shape,
+            const FullBalanceOptions& options);
+
+  /// Whether the iteration converged.
+  bool Solve(double frequency_Hz, double amplitude_m);
+
+  /// Of the last solution, sensors x 3: mean, first and second harmonic. Where there is none, those of the linearised
+  /// cycle.
+  const SensorHarmonics& Sensors() const { return sensors_; }
+
+ private:
+  bool Iterate();
+  Eigen::MatrixXcd Departure(const Eigen::MatrixXcd& motion, bool read);
+  /// What the full system lacks to move so at each sample, in the columns of [s x], and, if asked, what its sensors
+  /// read.
+  void SampleCycle(const Eigen::MatrixXcd& motion, bool read);
+  Eigen::VectorXd Lacking(const Chart::Motion& motion, const Eigen::VectorXd& derivative);
+  Eigen::VectorXcd Rates() const;
+
+  Multibody& multibody_;
+  const std::vector<double>& shape_;
+  const FullBalanceOptions& options_;
+  const CycleTransform& transform_;
+  Chart chart_;
+  LinearisedCycle linearised_;
+  /// Of the series dampers, n x their number.
+  Eigen::MatrixXd series_directions_;
+  /// Of the ports, size x ports.
+  Eigen::MatrixXd port_directions_;
+  /// See EnergyWeights.
+  Eigen::VectorXd stiffness_;
+  Eigen::VectorXd mass_;
+  double omega_ = 0;
+  /// Samples in rows.
+  Eigen::MatrixXd lacking_;
+  Eigen::MatrixXd readings_;
+  SensorHarmonics sensors_;
+  /// What the sensors read more in the full system.
+  SensorHarmonics sensor_departure_;
+};
+
+}  // namespace fourpost
