@@ -1,6 +1,7 @@
 #include "vehicles/condensed/port.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "vehicles/condensed/linear_vehicle.h"
@@ -25,6 +26,28 @@ double Compression(const LiftoffRemainder& port, double x, double v) {
 
 void Remainders(const LiftoffRemainder& port, Signal x, Signal v, std::span<double> remainder) {
   for (std::size_t k = 0; k < x.size(); ++k) remainder[k] = std::max(0.0, -Compression(port, x[k], v[k]));
+}
+
+std::vector<double> Compressions(const LiftoffRemainder& port, Signal x, Signal v) {
+  std::vector<double> compressions(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) compressions[k] = Compression(port, x[k], v[k]);
+  return compressions;
+}
+
+void MendKink(const PortKink& kink, Signal signal, std::span<double> remainder) {
+  const std::size_t count = signal.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t after = k + 1 < count ? k + 1 : 0;
+    if ((signal[k] > kink.at) == (signal[after] > kink.at)) continue;
+    const double share = (kink.at - signal[k]) / (signal[after] - signal[k]);
+    // From central differences, so that it vanishes where the signal only touches the kink: whether a sample lies
+    // beyond must not decide.
+    const double step = 0.5 * ((1 - share) * (signal[after] - signal[k > 0 ? k - 1 : count - 1]) +
+                               share * (signal[after + 1 < count ? after + 1 : 0] - signal[k]));
+    const double missing = 0.5 * kink.jump * std::abs(step) * (share * share - share + 1.0 / 6);
+    remainder[k] += (1 - share) * missing;
+    remainder[after] += share * missing;
+  }
 }
 
 struct Slopes {
@@ -52,6 +75,34 @@ double StepOfRate(const PortLaw& law) {
 
 void Remainders(const PortLaw& law, Signal extension, Signal rate, std::span<double> remainder) {
   std::visit([&](const auto& port) { Remainders(port, extension, rate, remainder); }, law);
+}
+
+std::vector<PortKink> KinksOf(const PortLaw& law) {
+  std::vector<PortKink> kinks;
+  if (const auto* dashpot = std::get_if<DashpotRemainder>(&law)) {
+    for (const DashpotLaw::Kink& kink : dashpot->law.Kinks())
+      kinks.push_back({PortKink::Signal::kRate, kink.speed, kink.jump});
+  } else if (const auto* spring = std::get_if<SpringRemainder>(&law)) {
+    for (const SpringLaw::Knee& knee : spring->law.knees)
+      kinks.push_back({PortKink::Signal::kExtension, knee.at, knee.side * knee.stiffness});
+  } else {
+    kinks.push_back({PortKink::Signal::kCompression, 0, 1});
+  }
+  return kinks;
+}
+
+void CycleRemainders(const PortLaw& law, std::span<const PortKink> kinks, Signal extension, Signal rate,
+                     std::span<double> remainder) {
+  Remainders(law, extension, rate, remainder);
+  for (const PortKink& kink : kinks) {
+    if (kink.jump == 0) continue;
+    switch (kink.signal) {
+      case PortKink::Signal::kExtension: MendKink(kink, extension, remainder); break;
+      case PortKink::Signal::kRate: MendKink(kink, rate, remainder); break;
+      case PortKink::Signal::kCompression:
+        MendKink(kink, Compressions(std::get<LiftoffRemainder>(law), extension, rate), remainder);
+    }
+  }
 }
 
 void RemainderSlopes(const PortLaw& law, Signal extension, Signal rate, std::span<double> by_extension,

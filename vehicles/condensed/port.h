@@ -38,6 +38,23 @@ double StepOfRate(const PortLaw& law);
 void Remainders(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
                 std::span<double> remainder);
 
+/// A value of a port's signal at which the slope of its remainder jumps.
+struct PortKink {
+  enum class Signal { kExtension, kRate, kCompression } signal = Signal::kRate;
+  double at = 0;
+  /// Towards larger values of the signal.
+  double jump = 0;
+};
+std::vector<PortKink> KinksOf(const PortLaw& law);
+
+/// Of a whole cycle, samples equally spaced: Remainders(), but at the samples next to a kink such that sums over the
+/// cycle are integrals to third order in the spacing, where plain samples of a kinked signal give the second.
+/// The trapezoidal rule errs at a corner of slope s' - s'' a share t into its cell of width h by
+///   (s' - s'') h^2 B(t) / 2, B(t) = t^2 - t + 1/6
+/// (Euler and Maclaurin's formula for a function with a corner).
+void CycleRemainders(const PortLaw& law, std::span<const PortKink> kinks, std::span<const double> extension,
+                     std::span<const double> rate, std::span<double> remainder);
+
 /// Derivatives of the remainder by extension [N/m] and by rate [N s/m].
 void RemainderSlopes(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
                      std::span<double> by_extension, std::span<double> by_rate);

@@ -193,6 +193,15 @@ double DashpotLaw::StepSpeed() const {
   return friction_ > 0 ? std::min(speed, friction_speed_) : speed;
 }
 
+std::vector<DashpotLaw::Kink> DashpotLaw::Kinks() const {
+  if (const auto* law = std::get_if<Bilinear>(&law_)) return {{0, law->rebound - law->compression}};
+  if (const auto* law = std::get_if<Kneed>(&law_))
+    return {{-law->compression.speed, law->inner.compression - law->compression.rate},
+            {0, law->inner.rebound - law->inner.compression},
+            {law->rebound.speed, law->rebound.rate - law->inner.rebound}};
+  return {};
+}
+
 double DashpotLaw::MeanRate() const {
   if (const auto* bilinear = std::get_if<Bilinear>(&law_)) return bilinear->Slope(0);
   constexpr double kSpeed = 0.1;

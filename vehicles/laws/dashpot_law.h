@@ -64,6 +64,14 @@ class DashpotLaw {
   /// without either.
   double StepSpeed() const;
 
+  /// A speed at which the slope jumps [m/s], and by how much towards larger v [N s/m].
+  struct Kink {
+    double speed = 0;
+    double jump = 0;
+  };
+  /// Where the law has corners: none of a smooth law or a table.
+  std::vector<Kink> Kinks() const;
+
   /// (f(V) - f(-V)) / 2V at V = 0.1 m/s without friction: what linear models use. Of a bilinear law the mean of both
   /// rates, which is also its exact first-harmonic rate for a sinusoidal v.
   double MeanRate() const;

@@ -11,10 +11,17 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Harmonics and samples of level 0, 1, ...: 5 and 32, 9 and 60, 17 and 116, ... Samples of one level are not among
-/// those of the next: a kink that falls on one of both would be wrong alike in both.
+/// Of level 0, 1, ...: 5, 9, 17, ...
 int HarmonicsOf(std::size_t level) { return (4 << level) + 1; }
-int SamplesOf(std::size_t level) { return (28 << level) + 4; }
+
+/// As few as slopes with twice the harmonics allow: with kinks mended, see CycleRemainders, more change nothing. Steps
+/// have to be resolved; samples of one level are then not among those of the next, so that no step falls between those
+/// of both.
+int SamplesOf(std::size_t level, bool has_steps) { return has_steps ? (28 << level) + 4 : 4 * HarmonicsOf(level) + 4; }
+
+bool HasSteps(const std::vector<Port>& ports) {
+  return std::any_of(ports.begin(), ports.end(), [](const Port& port) { return std::isfinite(StepOfRate(port.law)); });
+}
 
 }  // namespace
 
@@ -26,6 +33,8 @@ LinearisedCycle::LinearisedCycle(const CondensedModel& model, const std::vector<
       ports_(PortsOf(model)),
       receptance_(model, ports_, shape),
       has_memory_(std::any_of(ports_.begin(), ports_.end(), [](const Port& port) { return UsesExtension(port.law); })),
+      has_steps_(HasSteps(ports_)),
+      left_(has_steps_ ? 1 : 0.5),
       root_mass_(model.mass.diagonal().cwiseSqrt()) {
   const Eigen::VectorXd inverse = root_mass_.cwiseInverse();
   const auto norm = [&](const Eigen::MatrixXd& rows) -> Eigen::VectorXd {
@@ -81,8 +90,7 @@ bool LinearisedCycle::TrySolve() {
   while (HarmonicsOf(level + 1) <= options_.most_harmonics) {
     if (!SolveLevel(++level, cycle().extension(), options_.tolerance)) return false;
     const First before = std::exchange(now, FirstHarmonic());
-    // What is left after this change is some third of it, or, where a kink fell on a sample, all of it.
-    if (Change(before, now) <= options_.error && cycle().ResolvesSteps()) return true;
+    if (left_ * Change(before, now) <= options_.error && cycle().ResolvesSteps()) return true;
   }
   return false;
 }
@@ -106,8 +114,8 @@ bool LinearisedCycle::SolveLevel(std::size_t level, const Eigen::MatrixXcd& star
   // Held by value: the start may be this level's own.
   const Eigen::MatrixXcd from = start;
   while (levels_.size() <= level)
-    levels_.push_back(
-        std::make_unique<PortCycle>(ports_, receptance_, HarmonicsOf(levels_.size()), SamplesOf(levels_.size())));
+    levels_.push_back(std::make_unique<PortCycle>(ports_, receptance_, HarmonicsOf(levels_.size()),
+                                                  SamplesOf(levels_.size(), has_steps_)));
   level_ = level;
   const bool converged = levels_[level]->Solve(omega_, driven_, from, tolerance, options_.max_iterations);
   iterations_ += levels_[level]->iterations();

@@ -72,6 +72,10 @@ class LinearisedCycle {
   std::size_t level_ = 0;
   /// Whether a solution depends on where the iteration starts.
   bool has_memory_ = false;
+  bool has_steps_ = false;
+  /// Share of the last doubling's change that is left after it, at most. Harmonics of a kinked force fall with their
+  /// square, their way back through the motion takes more: a doubling leaves an eighth to a third of the error.
+  double left_ = 1;
   /// Square roots of the masses on the diagonal, and the norms of the sensors' rows per unit of root-mass motion.
   Eigen::VectorXd root_mass_;
   Eigen::VectorXd position_norm_;

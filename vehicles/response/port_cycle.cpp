@@ -93,6 +93,7 @@ PortCycle::PortCycle(const std::vector<Port>& ports, const Receptance& receptanc
       transform_(CycleTransform::Shared(harmonics, samples)),
       uses_extension_(
           std::any_of(ports.begin(), ports.end(), [](const Port& port) { return UsesExtension(port.law); })) {
+  for (const Port& port : ports) kinks_.push_back(KinksOf(port.law));
   remainder_time_.resize(transform_.samples(), static_cast<Eigen::Index>(ports.size()));
 }
 
@@ -195,8 +196,8 @@ void PortCycle::FindRemainders() {
   if (uses_extension_) transform_.ToTime(extension_, extension_time_);
   for (std::size_t j = 0; j < ports_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(j);
-    Remainders(ports_[j].law, Samples(extension_time_, column), Samples(rate_time_, column),
-               Room(remainder_time_, column));
+    CycleRemainders(ports_[j].law, kinks_[j], Samples(extension_time_, column), Samples(rate_time_, column),
+                    Room(remainder_time_, column));
   }
   transform_.ToHarmonics(remainder_time_, remainder_);
 }

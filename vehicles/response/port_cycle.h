@@ -67,6 +67,7 @@ class PortCycle {
   const std::vector<Port>& ports_;
   const Receptance& receptance_;
   const CycleTransform& transform_;
+  std::vector<std::vector<PortKink>> kinks_;
   bool uses_extension_ = false;
   double omega_ = 0;
   int iterations_ = 0;
