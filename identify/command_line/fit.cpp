@@ -189,7 +189,6 @@ int Run(const FitCommand& command) {
   if (!loaded) throw FaultyInput(diagnostics);
   Tell(diagnostics);
   const FourPostObjective objective = loaded->MakeObjective();
-  Tell(objective.condensed().simplifications());
   RequireInputsElsewhere(*loaded, command.output);
   OutputFolder output(command.output);
 

@@ -28,10 +28,7 @@ class Respondent {
     const std::vector<double> values = vehicle.ParameterValues();
     const CondensedVehicle condensed(vehicle);
     model_ = condensed.At(values);
-    if (engine == Engine::kLinearised) {
-      Tell(condensed.simplifications());
-      return;
-    }
+    if (engine == Engine::kLinearised) return;
     multibody_.emplace(vehicle);
     multibody_->SetParameters(values, model_.preloads);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "vehicles/condensed/condensed_model.h"
@@ -34,6 +36,14 @@ inline void ExpectSameModel(const CondensedModel& a, const CondensedModel& b) {
     EXPECT_EQ(a.stiffenings[i].direction, b.stiffenings[i].direction);
     for (const double x : {-0.1, -0.03, -0.01, 0.01, 0.03, 0.1})
       EXPECT_EQ(a.stiffenings[i].law.Force(x), b.stiffenings[i].law.Force(x));
+  }
+  ASSERT_EQ(a.hydraulics.size(), b.hydraulics.size());
+  for (std::size_t i = 0; i < a.hydraulics.size(); ++i) {
+    EXPECT_EQ(a.hydraulics[i].direction, b.hydraulics[i].direction);
+    const std::array<double, 2> pressures = {3e6, 1.5e6};
+    EXPECT_EQ(a.hydraulics[i].law.damper.PressureRates(0.01, 0.1, pressures),
+              b.hydraulics[i].law.damper.PressureRates(0.01, 0.1, pressures));
+    EXPECT_EQ(a.hydraulics[i].law.mount.stiffness, b.hydraulics[i].law.mount.stiffness);
   }
   ASSERT_EQ(a.liftoffs.size(), b.liftoffs.size());
   for (std::size_t i = 0; i < a.liftoffs.size(); ++i) {

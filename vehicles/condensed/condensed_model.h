@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "vehicles/laws/dashpot_law.h"
+#include "vehicles/laws/mounted_hydraulic_damper.h"
 #include "vehicles/laws/spring_law.h"
 #include "vehicles/multibody/multibody.h"
 
@@ -14,8 +15,8 @@ namespace fourpost {
 ///   mass s'' + damping s' + stiffness s + sum_j direction_j f_j = post_stiffness z + post_damping z'
 ///   y = on_position s + on_velocity s' + on_acceleration s''
 ///       + on_post_height z + on_post_velocity z' + on_post_acceleration z''
-/// with f_j the tension of damper j at its extension rate direction_j . s', and what springs and tyres add where they
-/// depart from their rates in the design pose.
+/// with f_j the tension of damper j at its extension rate direction_j . s', and what springs, tyres and hydraulic
+/// dampers add where they depart from their linear share in the design pose.
 struct CondensedModel {
   struct Dashpot {
     /// n; derivative of the damper's extension by s.
@@ -36,6 +37,13 @@ struct CondensedModel {
     /// n; derivative of the spring's length by s.
     Eigen::VectorXd direction;
     SpringLaw law;
+  };
+
+  /// A hydraulic damper without its friction, with its mount. `stiffness` and `dashpots` have its linear share.
+  struct Hydraulic {
+    /// n; derivative of the extension of damper and mount by s.
+    Eigen::VectorXd direction;
+    MountedHydraulicDamper law;
   };
 
   /// A tyre that cannot pull: its compression preload + stiffness e + damping e' of the squeeze e = direction . s + z,
@@ -61,6 +69,7 @@ struct CondensedModel {
   Eigen::MatrixXd post_damping;
   std::vector<Dashpot> dashpots;
   std::vector<Stiffening> stiffenings;
+  std::vector<Hydraulic> hydraulics;
   std::vector<Liftoff> liftoffs;
 
   /// sensors x n, sensors x posts.

@@ -5,6 +5,7 @@
 #include "vehicles/condensed/equilibrium.h"
 #include "vehicles/condensed/sensor_rows.h"
 #include "vehicles/laws/count_check.h"
+#include "vehicles/laws/hydraulic_oil.h"
 #include "vehicles/loops/chart.h"
 
 namespace fourpost {
@@ -88,7 +89,6 @@ CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
   AddBonds(undisturbed);
   sensors_ = SensorRows(undisturbed, vehicle, size_);
   SolvePreloads();
-  NoteSimplified();
 }
 
 void CondensedVehicle::AddBonds(const Kinematics& pose) {
@@ -174,18 +174,6 @@ void CondensedVehicle::SolvePreloads() {
   Diagnostics faults;
   CheckEquilibrium(vehicle_, loads, faults);
   if (faults.HasErrors()) throw FaultyInput(faults);
-}
-
-void CondensedVehicle::NoteSimplified() {
-  const auto note = [&](const std::string& element, int line, const char* what) {
-    simplifications_.Warning(
-        vehicle_.file, line,
-        element + " is taken for linear by this engine: it leaves out " + what + "; compare with --engine march");
-  };
-  for (const Damper& damper : vehicle_.dampers) {
-    const std::string element = Tagged("fp:damper", damper.name);
-    if (damper.hydraulic) note(element, damper.source_line, "its valves' curves and the oil's compression");
-  }
 }
 
 Eigen::VectorXd CondensedVehicle::GivenForces(std::span<const double> parameters) const {
@@ -307,21 +295,31 @@ std::vector<int> CondensedVehicle::LoadCellsUnder(std::size_t tyre) const {
 void CondensedVehicle::AddDashpots(std::span<const double> parameters, CondensedModel& model) const {
   for (std::size_t i = 0; i < vehicle_.dampers.size(); ++i) {
     const Damper& damper = vehicle_.dampers[i];
-    CondensedModel::Dashpot dashpot{.direction = damper_directions_[i], .law = {}};
     if (damper.hydraulic) {
-      const double rate = damper.HydraulicAt(parameters).MeanRate();
-      dashpot.law = DashpotLaw(rate, rate);
-    } else {
-      dashpot.law = damper.law.At(parameters);
+      AddHydraulic(damper, damper_directions_[i], parameters, model);
+      continue;
     }
+    CondensedModel::Dashpot dashpot{.direction = damper_directions_[i], .law = damper.law.At(parameters)};
     if (damper.series) dashpot.series = damper.series->At(parameters);
     model.dashpots.push_back(std::move(dashpot));
-    // Its friction acts between the ends of damper and mount.
-    if (damper.hydraulic && damper.law.friction) {
-      const DashpotDescription friction{.friction = damper.law.friction};
-      model.dashpots.push_back({.direction = damper_directions_[i], .law = friction.At(parameters)});
-    }
   }
+}
+
+void CondensedVehicle::AddHydraulic(const Damper& damper, const Eigen::VectorXd& direction,
+                                    std::span<const double> parameters, CondensedModel& model) const {
+  MountedHydraulicDamper law{.damper = damper.hydraulic->At(parameters), .mount = {}};
+  law.damper.friction = 0;
+  if (damper.series) law.mount = damper.series->At(parameters);
+  const HydraulicOil::LinearShare share = HydraulicOil(law).Linear();
+  AddRate(share.stiffness, direction, model.stiffness);
+  model.dashpots.push_back({.direction = direction,
+                            .law = DashpotLaw(share.rate, share.rate),
+                            .series = {.stiffness = share.series, .cubic = 0, .knees = {}}});
+  model.hydraulics.push_back({.direction = direction, .law = std::move(law)});
+  if (!damper.law.friction) return;
+  // It acts between the ends of damper and mount.
+  const DashpotDescription friction{.friction = damper.law.friction};
+  model.dashpots.push_back({.direction = direction, .law = friction.At(parameters)});
 }
 
 void CondensedVehicle::AddLoadCells(std::span<const double> parameters, CondensedModel& model) const {

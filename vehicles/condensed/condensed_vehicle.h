@@ -47,9 +47,6 @@ class CondensedVehicle {
 
   Preloads PreloadsAt(std::span<const double> parameters) const;
 
-  /// A warning for each element whose law At() replaces by a linear one: a hydraulic damper.
-  const Diagnostics& simplifications() const { return simplifications_; }
-
   /// Of all links but the ground, at these values.
   std::vector<LinkMotion> LinkMotions(std::span<const double> parameters) const;
 
@@ -82,7 +79,6 @@ class CondensedVehicle {
   void AddBonds(const Kinematics& pose);
   std::vector<IdleElement> IdleElements(std::span<const double> parameters) const;
   void SolvePreloads();
-  void NoteSimplified();
   Eigen::VectorXd HolderRates(std::span<const double> parameters) const;
   double PreloadOf(const Held& element, const Eigen::VectorXd& held, std::span<const double> parameters) const;
   Eigen::VectorXd GivenForces(std::span<const double> parameters) const;
@@ -90,6 +86,8 @@ class CondensedVehicle {
   void AddTyres(std::span<const double> parameters, CondensedModel& model) const;
   std::vector<int> LoadCellsUnder(std::size_t tyre) const;
   void AddDashpots(std::span<const double> parameters, CondensedModel& model) const;
+  void AddHydraulic(const Damper& damper, const Eigen::VectorXd& direction, std::span<const double> parameters,
+                    CondensedModel& model) const;
   void AddLoadCells(std::span<const double> parameters, CondensedModel& model) const;
 
   Vehicle vehicle_;
@@ -106,7 +104,6 @@ class CondensedVehicle {
   PreloadMap preload_map_;
   /// Sensor rows that do not depend on parameters.
   CondensedModel sensors_;
-  Diagnostics simplifications_;
 };
 
 }  // namespace fourpost

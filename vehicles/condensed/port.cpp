@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "vehicles/condensed/linear_vehicle.h"
+#include "vehicles/laws/hydraulic_cycle.h"
 
 namespace fourpost {
 namespace {
 
 using Signal = std::span<const double>;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 void Remainders(const DashpotRemainder& port, Signal, Signal v, std::span<double> remainder) {
   port.law.Forces(v, remainder);
@@ -50,6 +54,10 @@ void MendKink(const PortKink& kink, Signal signal, std::span<double> remainder) 
   }
 }
 
+void Remainders(const HydraulicRemainder&, Signal, Signal, std::span<double> remainder) {
+  std::fill(remainder.begin(), remainder.end(), kNan);
+}
+
 struct Slopes {
   double by_extension = 0;
   double by_rate = 0;
@@ -60,6 +68,8 @@ Slopes SlopesOf(const LiftoffRemainder& port, double x, double v) {
   if (Compression(port, x, v) >= 0) return {};
   return {-port.stiffness, -port.damping};
 }
+
+Slopes SlopesOf(const HydraulicRemainder&, double, double) { return {kNan, kNan}; }
 
 double At(Signal signal, std::size_t k) { return signal.empty() ? 0 : signal[k]; }
 
@@ -85,14 +95,14 @@ std::vector<PortKink> KinksOf(const PortLaw& law) {
   } else if (const auto* spring = std::get_if<SpringRemainder>(&law)) {
     for (const SpringLaw::Knee& knee : spring->law.knees)
       kinks.push_back({PortKink::Signal::kExtension, knee.at, knee.side * knee.stiffness});
-  } else {
+  } else if (std::holds_alternative<LiftoffRemainder>(law)) {
     kinks.push_back({PortKink::Signal::kCompression, 0, 1});
   }
   return kinks;
 }
 
-void CycleRemainders(const PortLaw& law, std::span<const PortKink> kinks, Signal extension, Signal rate,
-                     std::span<double> remainder) {
+void MendedRemainders(const PortLaw& law, std::span<const PortKink> kinks, Signal extension, Signal rate,
+                      std::span<double> remainder) {
   Remainders(law, extension, rate, remainder);
   for (const PortKink& kink : kinks) {
     if (kink.jump == 0) continue;
@@ -103,6 +113,31 @@ void CycleRemainders(const PortLaw& law, std::span<const PortKink> kinks, Signal
         MendKink(kink, Compressions(std::get<LiftoffRemainder>(law), extension, rate), remainder);
     }
   }
+}
+
+void CycleRemainders(const HydraulicRemainder& port, double period, Signal extension, Signal rate,
+                     std::span<double> remainder) {
+  const std::optional<HydraulicCycle> cycle = HydraulicCycle::Solve(port.law, period, extension, rate);
+  for (std::size_t k = 0; k < remainder.size(); ++k)
+    remainder[k] = cycle ? cycle->states()[k].tension - port.share.stiffness * extension[k] : kNan;
+}
+
+void CycleChanges(const HydraulicRemainder& port, double period, Signal extension, Signal rate,
+                  const Eigen::MatrixXd& extension_changes, const Eigen::MatrixXd& rate_changes,
+                  Eigen::MatrixXd& remainder_changes) {
+  remainder_changes.setConstant(extension_changes.rows(), extension_changes.cols(), kNan);
+  const std::optional<HydraulicCycle> cycle = HydraulicCycle::Solve(port.law, period, extension, rate);
+  if (!cycle) return;
+  const std::size_t samples = extension.size();
+  for (Eigen::Index j = 0; j < extension_changes.cols(); ++j)
+    cycle->Change({extension_changes.col(j).data(), samples}, {rate_changes.col(j).data(), samples},
+                  {remainder_changes.col(j).data(), samples});
+  remainder_changes -= port.share.stiffness * extension_changes;
+}
+
+std::complex<double> LaggingShare(const HydraulicRemainder& port, double w) {
+  const std::complex<double> dashpot(0, w * port.share.rate);
+  return port.share.series * dashpot / (port.share.series + dashpot);
 }
 
 void RemainderSlopes(const PortLaw& law, Signal extension, Signal rate, std::span<double> by_extension,
@@ -142,6 +177,9 @@ std::vector<Port> PortsOf(const CondensedModel& model) {
   for (const CondensedModel::Stiffening& spring : model.stiffenings)
     ports.push_back(
         {.direction = on_motion(spring.direction), .law = SpringRemainder{spring.law, spring.law.Slope(0)}});
+  for (const CondensedModel::Hydraulic& damper : model.hydraulics)
+    ports.push_back({.direction = on_motion(damper.direction),
+                     .law = HydraulicRemainder{damper.law, HydraulicOil(damper.law).Linear()}});
   for (std::size_t i = 0; i < model.liftoffs.size(); ++i) {
     const CondensedModel::Liftoff& tyre = model.liftoffs[i];
     ports.push_back({.direction = on_motion(tyre.direction),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <span>
 #include <variant>
 #include <vector>
@@ -7,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "vehicles/condensed/condensed_model.h"
+#include "vehicles/laws/hydraulic_oil.h"
 
 namespace fourpost {
 
@@ -25,7 +27,13 @@ struct LiftoffRemainder {
   double stiffness = 0;  // N/m
   double damping = 0;    // N s/m
 };
-using PortLaw = std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder>;
+/// Of a hydraulic damper with its mount. It remembers: a periodic tension follows from the whole cycle of the
+/// extension, see CycleRemainders.
+struct HydraulicRemainder {
+  MountedHydraulicDamper law;
+  HydraulicOil::LinearShare share;
+};
+using PortLaw = std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder, HydraulicRemainder>;
 
 /// Whether the extension, the rate decides on the remainder.
 bool UsesExtension(const PortLaw& law);
@@ -34,7 +42,8 @@ bool UsesRate(const PortLaw& law);
 /// Change of rate within which the remainder takes a step [m/s]; infinite: none.
 double StepOfRate(const PortLaw& law);
 
-/// Remainder at each sample [N]; all spans of one length, those of what the law does not use may be empty.
+/// Remainder at each sample [N]; all spans of one length, those of what the law does not use may be empty. NaN for a
+/// law with memory.
 void Remainders(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
                 std::span<double> remainder);
 
@@ -51,13 +60,27 @@ std::vector<PortKink> KinksOf(const PortLaw& law);
 /// cycle are integrals to third order in the spacing, where plain samples of a kinked signal give the second.
 /// The trapezoidal rule errs at a corner of slope s' - s'' a share t into its cell of width h by
 ///   (s' - s'') h^2 B(t) / 2, B(t) = t^2 - t + 1/6
-/// (Euler and Maclaurin's formula for a function with a corner).
-void CycleRemainders(const PortLaw& law, std::span<const PortKink> kinks, std::span<const double> extension,
-                     std::span<const double> rate, std::span<double> remainder);
+/// (Euler and Maclaurin's formula for a function with a corner). NaN for a law with memory.
+void MendedRemainders(const PortLaw& law, std::span<const PortKink> kinks, std::span<const double> extension,
+                      std::span<const double> rate, std::span<double> remainder);
 
-/// Derivatives of the remainder by extension [N/m] and by rate [N s/m].
+/// Derivatives of the remainder by extension [N/m] and by rate [N s/m]. NaN for a law with memory.
 void RemainderSlopes(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
                      std::span<double> by_extension, std::span<double> by_rate);
+
+/// What the tension departs by from the share's spring `stiffness` [N], at each sample of a cycle of `period` [s] over
+/// which all are spread evenly, three or more. That, less LaggingShare times the extension at each harmonic, is the
+/// remainder. NaN where the damper has no such cycle: where a chamber closes.
+void CycleRemainders(const HydraulicRemainder& port, double period, std::span<const double> extension,
+                     std::span<const double> rate, std::span<double> remainder);
+
+/// Its first-order changes by changes of extension and rate, samples x changes. NaN likewise.
+void CycleChanges(const HydraulicRemainder& port, double period, std::span<const double> extension,
+                  std::span<const double> rate, const Eigen::MatrixXd& extension_changes,
+                  const Eigen::MatrixXd& rate_changes, Eigen::MatrixXd& remainder_changes);
+
+/// Tension per extension [N/m] of the share's dashpot and spring in line at the angular frequency w.
+std::complex<double> LaggingShare(const HydraulicRemainder& port, double w);
 
 /// A place where a linear vehicle (LinearVehicle, centre rates) meets a force that is not linear: the element's
 /// extension is e = direction . [s x] + z of its post, its tension acts on [s x] as -direction f.

@@ -28,12 +28,13 @@ std::array<double, 2> HydraulicDamper::PressureRates(double x, double v, const s
   const std::array<double, 2> flow = Flows(rebound_pressure, compression_pressure);
   const double gas = GasVolume(compression_pressure);
   const double oil = compression + gas_volume - gas;
-  const double compliance = oil / bulk_modulus + gas / (gas_exponent * compression_pressure);
-  const double rebound_rate = bulk_modulus / rebound * (annulus_area * v - flow[0]);
-  const double compression_rate = (flow[1] - piston_area * v) / compliance;
-  // Where vapour fills the chamber its pressure falls no more.
-  return {p[0] <= cavitation_pressure ? std::max(rebound_rate, 0.0) : rebound_rate,
-          p[1] <= cavitation_pressure ? std::max(compression_rate, 0.0) : compression_rate};
+  // Gas at the pressure of vapour keeps its volume.
+  const double gas_compliance = p[1] < cavitation_pressure ? 0 : gas / (gas_exponent * compression_pressure);
+  // What flows counts more of the chamber's volume where vapour thins its content.
+  const double thinned_out = flow[0] * std::exp((rebound_pressure - p[0]) / bulk_modulus);
+  const double thinned_in = flow[1] * std::exp((compression_pressure - p[1]) / bulk_modulus);
+  return {bulk_modulus / rebound * (annulus_area * v - thinned_out),
+          (thinned_in - piston_area * v) / (oil / bulk_modulus + gas_compliance)};
 }
 
 double HydraulicDamper::Force(double v, const std::array<double, 2>& p) const {
@@ -43,11 +44,10 @@ double HydraulicDamper::Force(double v, const std::array<double, 2>& p) const {
 }
 
 double HydraulicDamper::Energy(double x, const std::array<double, 2>& p) const {
-  const double rebound = std::max(p[0], cavitation_pressure);
   const double compression = std::max(p[1], cavitation_pressure);
   const double above = rebound_volume - annulus_area * x;
   const double below = compression_volume + piston_area * x + gas_volume - GasVolume(compression);
-  return above * OilEnergy(rebound) + below * OilEnergy(compression) + GasEnergy(compression) -
+  return above * ChamberEnergy(p[0]) + below * ChamberEnergy(p[1]) + GasEnergy(compression) -
          gas_pressure * (annulus_area - piston_area) * x;
 }
 
@@ -59,6 +59,13 @@ double HydraulicDamper::Dissipation(double v, const std::array<double, 2>& p) co
 double HydraulicDamper::OilEnergy(double pressure) const {
   const double u = (pressure - gas_pressure) / bulk_modulus;
   return (gas_pressure + bulk_modulus) * std::expm1(u) - bulk_modulus * u;
+}
+
+// Vapour has taken its place against the pressure of cavitation.
+double HydraulicDamper::ChamberEnergy(double p) const {
+  const double pressure = std::max(p, cavitation_pressure);
+  const double oil = std::exp((p - pressure) / bulk_modulus);
+  return oil * OilEnergy(pressure) - (1 - oil) * pressure;
 }
 
 double HydraulicDamper::GasVolume(double pressure) const {

@@ -15,7 +15,9 @@ namespace fourpost {
 ///   V_g = V_g0 (P_g0 / P_c)^(1/gamma)
 ///   f = P_r A_a - P_c A_p - P_g0 (A_a - A_p) + friction tanh(x' / friction speed)
 /// Oil of density ~ exp(P / K) is neither lost nor gained: with one Q for both chambers a cycle of work W would lose
-/// the volume W / K, and the gas its pressure within a sweep. No chamber's pressure falls below that of cavitation. The
+/// the volume W / K, and the gas its pressure within a sweep. No chamber's pressure falls below that of cavitation: a P
+/// below it stands for oil of that pressure and for vapour, which fills the share 1 - exp((P - P_cavitation) / K) of
+/// the chamber and has to go before the pressure rises. There the Q of the chamber's P counts its mean density. The
 /// default geometry: bore 30 mm, rod 12.5 mm, 0.1 m from mid-stroke to either end.
 struct HydraulicDamper {
   double bleed_resistance = 4e4;                  // Pa^0.5 / (kg/s), adjustable, turbulent, both directions
@@ -38,14 +40,13 @@ struct HydraulicDamper {
   /// {P_r, P_c} at rest at mid-stroke [Pa].
   std::array<double, 2> Rest() const { return {gas_pressure, gas_pressure}; }
 
-  /// {P_r', P_c'} [Pa/s] at extension x, rate v and pressures {P_r, P_c}. NaN where x closes a chamber.
+  /// {P_r', P_c'} [Pa/s] at extension x, rate v and {P_r, P_c}. NaN where x closes a chamber.
   std::array<double, 2> PressureRates(double x, double v, const std::array<double, 2>& p) const;
 
   /// What oil and gas hold of the work done on them since they were at rest at mid-stroke [J], the static force's left
   /// out: per volume of oil (P_g0 + K) (e^u - 1) - K u with u = (P - P_g0) / K, that of density ~ exp(P / K); of the
   /// gas (P_c V_g - P_g0 V_g0) / (gamma - 1). With it
-  ///   Force v = d Energy / dt + Dissipation
-  /// but where vapour fills a chamber, of whose volume the pressures do not tell.
+  ///   Force v = d Energy / dt + Dissipation.
   double Energy(double x, const std::array<double, 2>& p) const;
 
   /// Power that the valves and the friction take [W], not negative: K |Q_r - Q_c| is what oil loses that flows to a
@@ -62,6 +63,13 @@ struct HydraulicDamper {
   /// Mean rate of the steady force without friction over the speeds that DashpotLaw::MeanRate looks at [N s/m].
   double MeanRate() const;
 
+  /// m' [kg/s] of the valves, and its slope [kg/(s Pa)].
+  double MassFlow(double pressure_difference) const;
+  double MassFlowSlope(double pressure_difference) const;
+
+  /// V_g [m^3].
+  double GasVolume(double pressure) const;
+
   /// All positive and finite, friction not negative, cavitation below gas pressure, annulus within the piston; else
   /// throws std::invalid_argument naming field, value and bound.
   void Validate() const;
@@ -69,13 +77,12 @@ struct HydraulicDamper {
  private:
   /// Volume flow from the rebound chamber and into the compression chamber [m^3/s].
   std::array<double, 2> Flows(double rebound_pressure, double compression_pressure) const;
-  double MassFlow(double pressure_difference) const;
-  double MassFlowSlope(double pressure_difference) const;
   double ValveResistance(double pressure_difference) const;
   double Friction(double v) const;
   /// Of oil, per volume [J/m^3].
   double OilEnergy(double pressure) const;
-  double GasVolume(double pressure) const;
+  /// Of what fills a chamber, per volume [J/m^3]; P as the pressures of a state.
+  double ChamberEnergy(double p) const;
   /// Work done on the gas [J].
   double GasEnergy(double pressure) const;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -8,10 +9,10 @@ namespace fourpost {
 
 /// Where the increasing function f equals `target` between `lower` and `upper`: Newton's method from `start`, which
 /// halves the bracket instead where a step would leave it or the one before gained less than half. f(x) returns {value,
-/// slope}. To rounding: |f - target| <= 4 ulp of the target, or steps of 4 ulp of x; at most 100 evaluations. NaN for a
-/// NaN.
+/// slope}. To rounding: |f - target| <= 4 ulp of the target, or steps of 4 ulp of x; `close`: or steps as small as
+/// this. At most 100 evaluations. NaN for a NaN.
 template <typename Function>
-double IncreasingRoot(const Function& f, double target, double lower, double upper, double start) {
+double IncreasingRoot(const Function& f, double target, double lower, double upper, double start, double close = 0) {
   constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
   constexpr int kMostEvaluations = 100;
   double x = start;
@@ -25,7 +26,7 @@ double IncreasingRoot(const Function& f, double target, double lower, double upp
     double next = x - residual / slope;
     const bool gains = std::abs(residual) <= 0.5 * last;
     if (!(gains && next >= lower && next <= upper)) next = lower + 0.5 * (upper - lower);
-    if (std::abs(next - x) <= kRounding * std::abs(x)) return next;
+    if (std::abs(next - x) <= std::max(kRounding * std::abs(x), close)) return next;
     last = std::abs(residual);
     x = next;
   }

@@ -20,22 +20,18 @@ double MountedHydraulicDamper::Energy(double x, const std::array<double, 2>& p) 
   return damper.Energy(x - extension, p) + mount.Energy(extension);
 }
 
+// The damper's pressures, and with them its force, change by a constant and a share of its own rate w, which rises with
+// w: oil is pressed harder.
 std::array<double, 2> MountedHydraulicDamper::PressureRates(double x, double v, const std::array<double, 2>& p) const {
   const double extension = MountExtension(p);
   const double stiffness = mount.Slope(extension);
-  // How fast the mount stretches when the damper's own rate is w: it rises with w, oil being pressed harder.
   const auto mount_rate = [&](double w) {
     const std::array<double, 2> rates = damper.PressureRates(x - extension, w, p);
-    return (damper.annulus_area * rates[0] - damper.piston_area * rates[1]) / stiffness;
+    const auto force_rate = [&](std::size_t i) { return p[i] < damper.cavitation_pressure ? 0 : rates[i]; };
+    return (damper.annulus_area * force_rate(0) - damper.piston_area * force_rate(1)) / stiffness;
   };
-  // Straight in w but for the floor of cavitation, so that a chord is the slope.
-  const auto both = [&](double w) {
-    const double rate = mount_rate(w);
-    return std::pair(w + rate, 1 + mount_rate(w + 1) - rate);
-  };
-  // Since the mount's rate rises with w, this far from v the sum is on the other side.
-  const double other = v - mount_rate(v);
-  const double own = IncreasingRoot(both, v, std::min(v, other), std::max(v, other), v);
+  const double standing = mount_rate(0);
+  const double own = (v - standing) / (1 + mount_rate(1) - standing);
   return damper.PressureRates(x - extension, own, p);
 }
 

@@ -15,7 +15,10 @@ namespace fourpost {
 /// no knees, cubic >= 0.
 struct MountedHydraulicDamper {
   HydraulicDamper damper;
+  /// Without stiffness: no mount; then the damper tells its own rates and energy.
   SpringLaw mount;
+
+  bool HasMount() const { return mount.stiffness > 0; }
 
   /// {P_r', P_c'} [Pa/s] at extension x and rate v of both together and pressures {P_r, P_c}.
   std::array<double, 2> PressureRates(double x, double v, const std::array<double, 2>& p) const;

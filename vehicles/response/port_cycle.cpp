@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include <Eigen/LU>
 
@@ -16,6 +18,12 @@ using Complex = std::complex<double>;
 
 /// Of Anderson acceleration.
 constexpr int kHistory = 8;
+
+/// Of a law with memory, whose steps err to the second order: with these no more than the samples do.
+int StepsPerSample(int samples) {
+  constexpr int kMany = 400;
+  return samples < kMany ? 4 : 2;
+}
 
 std::span<const double> Samples(const Eigen::MatrixXd& signals, Eigen::Index column) {
   if (signals.size() == 0) return {};
@@ -91,10 +99,13 @@ PortCycle::PortCycle(const std::vector<Port>& ports, const Receptance& receptanc
     : ports_(ports),
       receptance_(receptance),
       transform_(CycleTransform::Shared(harmonics, samples)),
+      steps_(CycleTransform::Shared(harmonics, StepsPerSample(samples) * samples)),
       uses_extension_(
           std::any_of(ports.begin(), ports.end(), [](const Port& port) { return UsesExtension(port.law); })) {
   for (const Port& port : ports) kinks_.push_back(KinksOf(port.law));
-  remainder_time_.resize(transform_.samples(), static_cast<Eigen::Index>(ports.size()));
+  has_memory_ = std::any_of(ports.begin(), ports.end(),
+                            [](const Port& port) { return std::holds_alternative<HydraulicRemainder>(port.law); });
+  remainder_time_.setZero(transform_.samples(), static_cast<Eigen::Index>(ports.size()));
 }
 
 bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
@@ -126,6 +137,7 @@ bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen:
       case Method::kNewton: NewtonStep(); continue;
       case Method::kAnderson:
         if (!acceleration) acceleration.emplace(kHistory);
+        if (has_memory_) FindNewtonStep();
         AndersonStep(*acceleration);
         break;
     }
@@ -152,9 +164,17 @@ PortCycle::Method PortCycle::Choose(double change, double earlier, double tolera
 
 /// Newton's method, or what stands in for it.
 PortCycle::Method PortCycle::Newton() const {
+  return NewtonRows() == extension_.rows() ? Method::kNewton : Method::kAnderson;
+}
+
+/// How many harmonics Newton's method can afford, from the mean on.
+Eigen::Index PortCycle::NewtonRows() const {
   constexpr Eigen::Index kMostUnknowns = 160;
+  // For lack of another method that leads there.
+  constexpr Eigen::Index kMostWithMemory = 480;
   const Eigen::Index active = (remainder_.cwiseAbs().colwise().maxCoeff().array() > 0).count();
-  return (2 * extension_.rows() - 1) * active <= kMostUnknowns ? Method::kNewton : Method::kAnderson;
+  const Eigen::Index most = has_memory_ ? kMostWithMemory : kMostUnknowns;
+  return std::min(extension_.rows(), (most / std::max<Eigen::Index>(active, 1) + 1) / 2);
 }
 
 /// Whether a knee, a stop or a lift takes part: then the plain iteration may leave the motion that it starts from.
@@ -191,15 +211,21 @@ bool PortCycle::ResolvesSteps() const {
   return true;
 }
 
+double PortCycle::Period() const { return 2 * std::numbers::pi / omega_; }
+
 void PortCycle::FindRemainders() {
   transform_.ToTime(RateOf(extension_, omega_), rate_time_);
   if (uses_extension_) transform_.ToTime(extension_, extension_time_);
   for (std::size_t j = 0; j < ports_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(j);
-    CycleRemainders(ports_[j].law, kinks_[j], Samples(extension_time_, column), Samples(rate_time_, column),
-                    Room(remainder_time_, column));
+    if (!std::holds_alternative<HydraulicRemainder>(ports_[j].law))
+      MendedRemainders(ports_[j].law, kinks_[j], Samples(extension_time_, column), Samples(rate_time_, column),
+                       Room(remainder_time_, column));
   }
   transform_.ToHarmonics(remainder_time_, remainder_);
+  for (std::size_t j = 0; j < ports_.size(); ++j)
+    if (const auto* hydraulic = std::get_if<HydraulicRemainder>(&ports_[j].law))
+      FindRemainder(*hydraulic, static_cast<Eigen::Index>(j));
 }
 
 Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
@@ -218,8 +244,27 @@ Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
   return harmonics;
 }
 
-/// The plain iteration's next step from here; returns its size.
+/// Less the linear vehicle's share, exactly at each harmonic.
+void PortCycle::FindRemainder(const HydraulicRemainder& law, Eigen::Index port) {
+  const SteppedMotion motion = StepsOf(port);
+  Eigen::MatrixXd remainder(steps_.samples(), 1);
+  CycleRemainders(law, Period(), Samples(motion.extension, 0), Samples(motion.rate, 0), Room(remainder, 0));
+  Eigen::MatrixXcd harmonics;
+  steps_.ToHarmonics(remainder, harmonics);
+  for (Eigen::Index h = 0; h < extension_.rows(); ++h)
+    remainder_(h, port) = harmonics(h, 0) - LaggingShare(law, static_cast<double>(h) * omega_) * extension_(h, port);
+}
+
+PortCycle::SteppedMotion PortCycle::StepsOf(Eigen::Index port) const {
+  SteppedMotion motion;
+  steps_.ToTime(extension_.col(port), motion.extension);
+  steps_.ToTime(RateOf(extension_.col(port), omega_), motion.rate);
+  return motion;
+}
+
+/// The plain iteration's next step from here; returns its size, NaN where a law has no answer.
 double PortCycle::FindStep() {
+  if (!remainder_.allFinite()) return std::numeric_limits<double>::quiet_NaN();
   const Eigen::Index count = extension_.cols();
   step_ = driven_ - extension_;
   for (Eigen::Index j = 0; j < count; ++j)
@@ -247,10 +292,16 @@ std::vector<PortCycle::Coupling> PortCycle::Couplings() const {
   Eigen::MatrixXd by_rate(transform_.samples(), 1);
   Eigen::MatrixXcd of_extension;
   Eigen::MatrixXcd of_rate;
-  const CycleTransform& transform = CycleTransform::Shared(2 * harmonics(), static_cast<int>(transform_.samples()));
+  const Eigen::Index size = NewtonRows();
+  const CycleTransform& transform =
+      CycleTransform::Shared(2 * static_cast<int>(size - 1), static_cast<int>(transform_.samples()));
   std::vector<Coupling> couplings;
   for (std::size_t j = 0; j < ports_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(j);
+    if (const auto* hydraulic = std::get_if<HydraulicRemainder>(&ports_[j].law)) {
+      couplings.push_back(CycleCoupling(*hydraulic, column, size));
+      continue;
+    }
     RemainderSlopes(ports_[j].law, Samples(extension_time_, column), Samples(rate_time_, column), Room(by_extension, 0),
                     Room(by_rate, 0));
     if (by_extension.isZero(0) && by_rate.isZero(0)) continue;
@@ -260,7 +311,6 @@ std::vector<PortCycle::Coupling> PortCycle::Couplings() const {
     const Eigen::VectorXcd rate_column = of_rate.col(0);
     const TwoSided a(extension_column);
     const TwoSided b(rate_column);
-    const Eigen::Index size = extension_.rows();
     Coupling coupling{column, Eigen::MatrixXcd::Zero(size, size), Eigen::MatrixXcd::Zero(size, size)};
     for (Eigen::Index l = 0; l < size; ++l) {
       const double share = l > 0 ? 1 : 0.5;
@@ -276,22 +326,60 @@ std::vector<PortCycle::Coupling> PortCycle::Couplings() const {
   return couplings;
 }
 
-/// Solves dE - receptance dR = step for the ports whose remainders change, the others follow; then goes that way as far
-/// as the plain iteration's step shrinks.
+/// By the remainder's change with the real and the imaginary part of each harmonic, r and i:
+///   dR = r dRe(E) + i dIm(E) = (r - j i) / 2 dE + (r + j i) / 2 conj(dE),   j: the imaginary unit
+PortCycle::Coupling PortCycle::CycleCoupling(const HydraulicRemainder& law, Eigen::Index port,
+                                             Eigen::Index size) const {
+  const Complex imaginary(0, 1);
+  Eigen::MatrixXcd units(size, 2 * size - 1);
+  units << Eigen::MatrixXcd::Identity(size, size),
+      imaginary * Eigen::MatrixXcd::Identity(size, size).rightCols(size - 1);
+  const Eigen::VectorXcd rates =
+      Complex(0, omega_) * Eigen::VectorXd::LinSpaced(size, 0, static_cast<double>(size - 1));
+  const CycleTransform& steps = CycleTransform::Shared(static_cast<int>(size - 1), static_cast<int>(steps_.samples()));
+  Eigen::MatrixXd extensions;
+  Eigen::MatrixXd extension_rates;
+  Eigen::MatrixXd remainders;
+  steps.ToTime(units, extensions);
+  steps.ToTime(rates.asDiagonal() * units, extension_rates);
+  const SteppedMotion motion = StepsOf(port);
+  CycleChanges(law, Period(), Samples(motion.extension, 0), Samples(motion.rate, 0), extensions, extension_rates,
+               remainders);
+  Eigen::MatrixXcd changes;
+  steps.ToHarmonics(remainders, changes);
+  const auto by_real = changes.middleCols(1, size - 1);
+  const auto by_imaginary = changes.rightCols(size - 1);
+  Coupling coupling{port, Eigen::MatrixXcd::Zero(size, size), Eigen::MatrixXcd::Zero(size, size)};
+  coupling.direct.col(0) = changes.col(0);
+  coupling.direct.rightCols(size - 1) = 0.5 * (by_real - imaginary * by_imaginary);
+  coupling.conjugate.rightCols(size - 1) = 0.5 * (by_real + imaginary * by_imaginary);
+  for (Eigen::Index h = 0; h < size; ++h) coupling.direct(h, h) -= LaggingShare(law, static_cast<double>(h) * omega_);
+  return coupling;
+}
+
 void PortCycle::NewtonStep() {
+  const double plain = SizeOf(step_);
+  FindNewtonStep();
+  FollowNewton(plain);
+}
+
+/// Solves dE - receptance dR = step for the ports whose remainders change, the others follow, and so do the harmonics
+/// beyond those it can afford.
+void PortCycle::FindNewtonStep() {
   const std::vector<Coupling> couplings = Couplings();
   const Eigen::Index count = extension_.cols();
-  const Eigen::Index unknowns = 2 * extension_.rows() - 1;
+  const Eigen::Index rows = NewtonRows();
+  const Eigen::Index unknowns = 2 * rows - 1;
   const auto active = static_cast<Eigen::Index>(couplings.size());
   const auto Through = [&](Eigen::Index i, const Coupling& coupling) {
-    const auto receptance = ports_receptance_.col(i + count * coupling.port).asDiagonal();
+    const auto receptance = ports_receptance_.col(i + count * coupling.port).head(rows).asDiagonal();
     return RealMatrix(receptance * coupling.direct, receptance * coupling.conjugate);
   };
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(active * unknowns, active * unknowns);
   Eigen::VectorXd right(active * unknowns);
   for (Eigen::Index p = 0; p < active; ++p) {
     const Eigen::Index port = couplings[static_cast<std::size_t>(p)].port;
-    right.segment(p * unknowns, unknowns) = Unfolded(step_.col(port));
+    right.segment(p * unknowns, unknowns) = Unfolded(step_.col(port).head(rows));
     for (Eigen::Index q = 0; q < active; ++q)
       matrix.block(p * unknowns, q * unknowns, unknowns, unknowns) -=
           Through(port, couplings[static_cast<std::size_t>(q)]);
@@ -300,13 +388,12 @@ void PortCycle::NewtonStep() {
   Eigen::MatrixXcd newton = step_;
   for (Eigen::Index i = 0; i < count; ++i)
     for (Eigen::Index q = 0; q < active; ++q)
-      newton.col(i) +=
+      newton.col(i).head(rows) +=
           Folded(Through(i, couplings[static_cast<std::size_t>(q)]) * solution.segment(q * unknowns, unknowns));
   step_.swap(newton);
-  FollowNewton(SizeOf(newton));
 }
 
-/// `step`: size of the plain step from here.
+/// Goes the way of Newton's step as far as the plain iteration's step shrinks, whose size from here is `step`.
 void PortCycle::FollowNewton(double step) {
   constexpr int kHalvings = 6;
   const Eigen::MatrixXcd from = extension_;

@@ -17,8 +17,9 @@ namespace fourpost {
 /// R: harmonics of the remainders that the signals of E cause, sampled over the cycle.
 ///
 /// Iterated as it stands while that converges fast, as it does for dashpots whose rates differ little. Otherwise, for
-/// knees, stops, lift-off and friction, by Newton's method with the remainders' slopes; with so many harmonics that its
-/// matrix would cost more than it saves, by Anderson acceleration.
+/// knees, stops, lift-off, friction and hydraulic dampers, by Newton's method with the remainders' slopes; with so many
+/// harmonics that its matrix would cost more than it saves, by Anderson acceleration: of the plain iteration, or with a
+/// hydraulic damper of Newton's method for the lowest harmonics.
 class PortCycle {
  public:
   /// Both must outlive this object.
@@ -46,6 +47,13 @@ class PortCycle {
 
  private:
   void FindRemainders();
+  void FindRemainder(const HydraulicRemainder& law, Eigen::Index port);
+  /// Of one port at each step, steps x 1.
+  struct SteppedMotion {
+    Eigen::MatrixXd extension;
+    Eigen::MatrixXd rate;
+  };
+  SteppedMotion StepsOf(Eigen::Index port) const;
   double FindStep();
   double SizeOf(const Eigen::MatrixXcd& extension) const;
   enum class Method { kPlain, kNewton, kAnderson };
@@ -54,6 +62,7 @@ class PortCycle {
   Method Newton() const;
   bool IsTouched() const;
   void NewtonStep();
+  void FindNewtonStep();
   void FollowNewton(double step);
   void AndersonStep(AndersonAcceleration& acceleration);
   /// Derivatives of R by E of one port, as coefficients of E and of its conjugate.
@@ -63,12 +72,18 @@ class PortCycle {
     Eigen::MatrixXcd conjugate;
   };
   std::vector<Coupling> Couplings() const;
+  Coupling CycleCoupling(const HydraulicRemainder& law, Eigen::Index port, Eigen::Index size) const;
+  Eigen::Index NewtonRows() const;
+  double Period() const;
 
   const std::vector<Port>& ports_;
   const Receptance& receptance_;
   const CycleTransform& transform_;
   std::vector<std::vector<PortKink>> kinks_;
+  /// With more samples, over which ports with memory step through the cycle.
+  const CycleTransform& steps_;
   bool uses_extension_ = false;
+  bool has_memory_ = false;
   double omega_ = 0;
   int iterations_ = 0;
   Eigen::MatrixXcd driven_;

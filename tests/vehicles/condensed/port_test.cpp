@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -57,6 +59,70 @@ TEST(Port, SpeedsOfStepsAreThoseOfFriction) {
   EXPECT_TRUE(std::isinf(StepOfRate(kTyre)));
 }
 
+/// Laminar valves, alike both ways: linear but for the gas and the lengths of the columns.
+const HydraulicRemainder kLaminar = [] {
+  const MountedHydraulicDamper law{
+      .damper = {.bleed_resistance = 1e12, .compression_valve_resistance = 1e7, .friction = 0}, .mount = {}};
+  return HydraulicRemainder{law, HydraulicOil(law).Linear()};
+}();
+
+// Of a small motion the linear share is all: what is left goes by the motion to the square.
+TEST(Port, ASmallMotionLeavesAHydraulicDamperItsLinearShare) {
+  constexpr int kSamples = 2048;
+  constexpr double kFrequency_Hz = 20;
+  constexpr double kAmplitude = 1e-6;  // m
+  const double w = 2 * std::numbers::pi * kFrequency_Hz;
+  std::vector<double> x;
+  std::vector<double> v;
+  std::vector<double> remainder(kSamples);
+  for (int k = 0; k < kSamples; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kSamples;
+    x.push_back(kAmplitude * std::cos(angle));
+    v.push_back(-kAmplitude * w * std::sin(angle));
+  }
+  CycleRemainders(kLaminar, 1 / kFrequency_Hz, x, v, remainder);
+  const std::complex<double> share = LaggingShare(kLaminar, w) * kAmplitude;
+  // The steps' error, (2 pi / 2048)^2 / 3.
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / kSamples;
+    EXPECT_NEAR(remainder[k], (share * std::polar(1.0, angle)).real(), 1e-5 * std::abs(share));
+  }
+}
+
+TEST(Port, AHydraulicDamperHasTheChangesOfItsCycle) {
+  const int samples = 64;
+  Eigen::VectorXd x(samples);
+  Eigen::VectorXd v(samples);
+  Eigen::MatrixXd dx(samples, 1);
+  Eigen::MatrixXd dv(samples, 1);
+  for (int k = 0; k < samples; ++k) {
+    const double angle = 2 * std::numbers::pi * k / samples;
+    x[k] = 0.01 * std::cos(angle);
+    v[k] = -0.01 * 2 * std::numbers::pi * std::sin(angle);
+    dx(k, 0) = 1e-6 * std::sin(2 * angle);
+    dv(k, 0) = 1e-6 * 4 * std::numbers::pi * std::cos(2 * angle);
+  }
+  const auto remainders = [&](const Eigen::VectorXd& extension, const Eigen::VectorXd& rate) {
+    Eigen::VectorXd out(samples);
+    CycleRemainders(kLaminar, 1, {extension.data(), 64}, {rate.data(), 64}, {out.data(), 64});
+    return out;
+  };
+  Eigen::MatrixXd changes;
+  CycleChanges(kLaminar, 1, {x.data(), 64}, {v.data(), 64}, dx, dv, changes);
+  const Eigen::VectorXd expected = 0.5 * (remainders(x + dx, v + dv) - remainders(x - dx, v - dv));
+  // 1e-6 of columns of 0.1 m.
+  EXPECT_LT((changes - expected).cwiseAbs().maxCoeff(), 1e-4 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(Port, HasNoRemainderWhereAHydraulicDampersChamberCloses) {
+  const std::vector<double> x(8, 0.12);
+  const std::vector<double> v(8, 0.0);
+  std::vector<double> remainder(8);
+  CycleRemainders(kLaminar, 1, x, v, remainder);
+  for (const double at : remainder) EXPECT_TRUE(std::isnan(at));
+  EXPECT_TRUE(std::isnan(RemainderAt(kLaminar, 0, 0)));
+}
+
 CondensedModel ModelOf(const Vehicle& vehicle) { return CondensedVehicle(vehicle).At(vehicle.ParameterValues()); }
 
 TEST(Port, ALinearVehicleHasNone) { EXPECT_TRUE(PortsOf(ModelOf(ShippedVehicle("quarter_car"))).empty()); }
@@ -66,7 +132,7 @@ TEST(Port, EveryElementThatIsNotLinearHasOne) {
   for (Tyre& tyre : vehicle.tyres) tyre.lifts_off = true;
   const CondensedModel model = ModelOf(vehicle);
   const std::vector<Port> ports = PortsOf(model);
-  std::array<std::size_t, 3> count{};
+  std::array<std::size_t, 4> count{};
   for (const Port& port : ports) {
     ++count[port.law.index()];
     EXPECT_GT(port.direction.norm(), 0);
@@ -82,6 +148,7 @@ TEST(Port, EveryElementThatIsNotLinearHasOne) {
   EXPECT_EQ(count[0], dashpots);
   EXPECT_EQ(count[1], model.stiffenings.size() + series);
   EXPECT_EQ(count[2], model.liftoffs.size());
+  EXPECT_EQ(count[3], 2U);
   EXPECT_GT(series, 0U);
   EXPECT_EQ(model.liftoffs.size(), vehicle.tyres.size());
 }

@@ -28,6 +28,14 @@ TEST(IncreasingRoot, HalvesTheBracketWhereNewtonGainsNothing) {
   EXPECT_NEAR(IncreasingRoot(root, 0, -1, 1, 0.9), 0.3, 8 * kUlp);
 }
 
+TEST(IncreasingRoot, StopsAtAStepThatIsCloseEnough) {
+  int evaluations = 0;
+  const auto parabola = [&](double x) { return ++evaluations, std::pair(x * x, 2 * x); };
+  // Newton's method for the root of 2 leaves half the square of its last step, over the root.
+  EXPECT_NEAR(IncreasingRoot(parabola, 2, 0, 2, 2, 0.1), std::sqrt(2.0), 0.01 / (2 * std::sqrt(2.0)));
+  EXPECT_LE(evaluations, 2);
+}
+
 TEST(IncreasingRoot, IsNanForNan) {
   EXPECT_TRUE(std::isnan(IncreasingRoot(ArcTangent, kNan, -1, 1, 0)));
   EXPECT_TRUE(std::isnan(IncreasingRoot(ArcTangent, 0.5, kNan, kNan, kNan)));

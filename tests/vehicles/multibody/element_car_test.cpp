@@ -2,7 +2,6 @@
 #include "tests/vehicles/element_car.h"
 
 #include <cmath>
-#include <set>
 
 #include <gmock/gmock.h>
 
@@ -305,17 +304,20 @@ TEST(ElementCar, EveryParameterMovesTheMultibody) {
   }
 }
 
-/// Of a hydraulic damper the condensed vehicle sees the steady force alone.
-const std::set<std::string> kOilAndGas = {"oil", "column", "p_gas", "V_gas"};
-
-TEST(ElementCar, EveryParameterButOilAndGasMovesTheCondensedVehicle) {
-  const Vehicle vehicle = ElementCar();
+TEST(ElementCar, EveryParameterMovesTheCondensedVehicle) {
+  Vehicle vehicle = ElementCar();
+  // Friction that a few harmonics resolve.
+  for (Parameter& parameter : vehicle.parameters)
+    if (parameter.name == "v_friction" || parameter.name == "v_seal") parameter.value = 0.1;
+  for (Damper& damper : vehicle.dampers)
+    if (damper.law.friction && damper.law.friction->speed.parameter < 0) damper.law.friction->speed.value = 0.1;
   const CondensedVehicle condensed(vehicle);
+  const HarmonicBalanceOptions rough{.error = 0.5};
   const auto answer = [&](const std::vector<double>& values) {
     const CondensedModel model = condensed.At(values);
     VectorXd response(2 * static_cast<Index>(vehicle.sensors.size()));
     const FrequencyResponse balanced =
-        SolveHarmonicBalance(model, vehicle.sensors, {{1.5}, {0.08}, {1, 0.5, -0.3, 0.2}}).response;
+        SolveHarmonicBalance(model, vehicle.sensors, {{1.5}, {0.08}, {1, 0.5, -0.3, 0.2}}, rough).response;
     for (std::size_t c = 0; c < balanced.channels.size(); ++c) {
       const std::complex<double> value = balanced.channels[c].response[0];
       response.segment<2>(2 * static_cast<Index>(c)) << value.real(), value.imag();
@@ -325,18 +327,8 @@ TEST(ElementCar, EveryParameterButOilAndGasMovesTheCondensedVehicle) {
   const VectorXd before = answer(vehicle.ParameterValues());
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
     const double change = (answer(Larger(vehicle, static_cast<int>(i))) - before).norm() / before.norm();
-    const std::string& name = vehicle.parameters[i].name;
-    if (kOilAndGas.contains(name)) EXPECT_EQ(change, 0) << name;
-    else EXPECT_GT(change, 1e-12) << name;
+    EXPECT_GT(change, 1e-12) << vehicle.parameters[i].name;
   }
-}
-
-TEST(ElementCar, TellsWhatTheCondensedVehicleTakesForLinear) {
-  const Vehicle vehicle = ElementCar();
-  const std::string told = CondensedVehicle(vehicle).simplifications().Format();
-  for (const char* element : {"fp:damper 'rr'", "fp:damper 'top'"})
-    EXPECT_THAT(told, testing::HasSubstr(std::string(element) + " is taken for linear")) << element;
-  EXPECT_EQ(CondensedVehicle(vehicle).simplifications().items().size(), 2U);
 }
 
 // At rest in the design pose whatever the parameters are.

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "vehicles/laws/hydraulic_oil.h"
+
+namespace fourpost {
+
+/// What a hydraulic damper does while its extension repeats every `period` [s]: the one periodic solution of
+/// HydraulicOil, at samples in equal steps h, by the second-order backward difference, which damps what is faster than
+/// its steps:
+///   (3 s_k - 4 s_{k-1} + s_{k-2}) / (2 h) = A_a x'_k - Q(s_k, x_k),   s: surplus
+class HydraulicCycle {
+ public:
+  /// Three samples or more of the extension [m] from mid-stroke, of damper and mount together, and of its rate [m/s].
+  /// Nothing where a chamber closes or for what is not finite.
+  static std::optional<HydraulicCycle> Solve(const MountedHydraulicDamper& damper, double period,
+                                             std::span<const double> extension, std::span<const double> rate);
+
+  /// At the samples.
+  const std::vector<HydraulicOil::State>& states() const { return states_; }
+
+  /// Change of the tension [N] by small changes of extension and rate, all of as many samples; to the first order.
+  void Change(std::span<const double> extension, std::span<const double> rate, std::span<double> tension) const;
+
+ private:
+  explicit HydraulicCycle(const MountedHydraulicDamper& damper) : oil_(damper) {}
+
+  HydraulicOil oil_;
+  double step_ = 0;
+  std::vector<HydraulicOil::State> states_;
+  std::vector<HydraulicOil::Slopes> slopes_;
+};
+
+}  // namespace fourpost
