@@ -26,11 +26,12 @@ struct NamedScale {
   Scale scale;
 };
 
-constexpr std::array<NamedScale, 20> kScales = {{
+constexpr std::array<NamedScale, 23> kScales = {{
     {"1", {kDimensionless}},
     {"%", {kDimensionless, -2}},
     {"rad", {kDimensionless}},
     {"deg", {kDimensionless, 0, std::numbers::pi / 180}},
+    {"km", {kLength, 3}},
     {"m", {kLength}},
     {"cm", {kLength, -2}},
     {"mm", {kLength, -3}},
@@ -39,6 +40,8 @@ constexpr std::array<NamedScale, 20> kScales = {{
     {"t", {kMass, 3}},
     {"s", {kTime}},
     {"ms", {kTime, -3}},
+    {"min", {kTime, 0, 60}},
+    {"h", {kTime, 0, 3600}},
     {"Hz", {kFrequency}},
     {"N", {kForce}},
     {"kN", {kForce, 3}},

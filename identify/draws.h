@@ -1,11 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
-namespace fourpost {
+#include "analysis/mix_bits.h"
 
-/// Mixes 64 bits one-to-one: output function of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014, "mix64variant13").
-std::uint64_t MixBits(std::uint64_t bits);
+namespace fourpost {
 
 /// What a stream of random draws is for; streams of different purpose are independent.
 enum class DrawPurpose : std::uint64_t { kInitial = 1, kFactor = 2, kTrial = 3, kMigration = 4 };

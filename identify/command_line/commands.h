@@ -2,7 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace fourpost {
 
@@ -31,6 +34,47 @@ struct ResponseCommand {
   Engine engine = Engine::kLinearised;
 };
 
+/// `fourpost simulate MODEL`; SI.
+struct SimulateCommand {
+  enum class Motion { kSweep, kStep, kRandom, kRoad, kRecording };
+
+  std::filesystem::path model;
+  Motion motion = Motion::kSweep;
+  /// Of a sweep, a sine (alike), or the band of a random motion or road.
+  double first_Hz = 0.5;
+  double last_Hz = 30;
+  bool linear_sweep = false;
+  /// Of a sweep or sine, height of a step, rms of a random motion.
+  double amplitude_m = 0;
+  double top_speed = std::numeric_limits<double>::infinity();
+  double rise_s = 0.05;
+  std::string road_class;
+  /// Of the vehicle.
+  double speed = 0;
+  std::filesystem::path recording;
+  std::string mode = "heave";
+  /// In place of the motion's own.
+  std::optional<double> duration_s;
+  double rate_Hz = 500;
+  /// All when empty.
+  std::vector<std::string> channels;
+  std::optional<double> filter_Hz;
+  int filter_order = 4;
+  double noise = 0;
+  std::uint64_t seed = 1;
+  /// From end to end.
+  double stroke_m = 0.15;
+  /// Of each channel's rms.
+  double error = 1e-3;
+  /// The multibody system in place of the condensed model.
+  bool full = false;
+  /// stdout when empty.
+  std::filesystem::path output;
+  /// None when empty.
+  std::filesystem::path chart;
+  bool json = false;
+};
+
 /// `fourpost fit STUDY -o DIR`
 struct FitCommand {
   std::filesystem::path study;
@@ -47,6 +91,7 @@ struct FitCommand {
 
 int Run(const CheckCommand& command);
 int Run(const ResponseCommand& command);
+int Run(const SimulateCommand& command);
 int Run(const FitCommand& command);
 
 }  // namespace fourpost

@@ -1,5 +1,3 @@
-#include <charconv>
-#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -13,6 +11,8 @@
 #include "analysis/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/simulate_options.h"
+#include "identify/command_line/whole_number.h"
 
 namespace {
 
@@ -35,18 +35,6 @@ int Guarded(const std::function<int()>& run) {
     std::fputs("a defect of fourpost, please report it: ", stderr);
     return tell(error, kDefect);
   }
-}
-
-/// Plain digits, the range of a study's seed: CLI11 itself takes "010" for 8 and "-1" for the largest of all.
-CLI::Validator WholeNumber() {
-  const auto fault = [](const std::string& text) -> std::string {
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool good = error == std::errc() && end == text.data() + text.size() && number <= (1ULL << 62);
-    const bool octal = text.size() > 1 && text[0] == '0';
-    return good && !octal ? "" : "must be a whole number from 0 to 2^62 without leading zeros, got " + text;
-  };
-  return {fault, "WHOLE NUMBER"};
 }
 
 }  // namespace
@@ -85,6 +73,9 @@ int main(int argc, char** argv) {
     response.engine = engines.at(engine);
     run = [&] { return Run(response); };
   });
+
+  SimulateCommand simulate;
+  AddSimulate(app, simulate)->callback([&] { run = [&] { return Run(simulate); }; });
 
   FitCommand fit;
   sub = app.add_subcommand("fit", "Fit a study's vehicle to the recordings");

@@ -48,6 +48,12 @@ TEST(Units, AnglesAndPercentagesArePureNumbers) {
   EXPECT_EQ(ParseUnit("%")->si, 0.01);
 }
 
+TEST(Units, ReadsSpeedsPerHour) {
+  EXPECT_EQ(ParseUnit("km/h")->dimension, kVelocity);
+  EXPECT_DOUBLE_EQ(ParseQuantity("36 km/h")->si, 10);
+  EXPECT_DOUBLE_EQ(ParseQuantity("2min")->si, 120);
+}
+
 TEST(Units, AreUnknownWhenAnyPartIs) {
   for (const char* text : {"", "furlong", "N/", "/s", "N//m", "N m", "m^", "m^0", "m^10", "m^x", "kn", "m^2^2", " m"})
     EXPECT_FALSE(ParseUnit(text)) << text;

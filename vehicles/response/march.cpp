@@ -12,10 +12,10 @@
 #include "analysis/fourier.h"
 #include "analysis/number.h"
 #include "analysis/option_check.h"
-#include "vehicles/description/design_poses.h"
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/response/response_recorder.h"
 #include "vehicles/ride/vehicle_summary.h"
+#include "vehicles/simulation/multibody_system.h"
 
 namespace fourpost {
 namespace {
@@ -51,36 +51,15 @@ PostMotion SteppedSine(const std::vector<double>& shape, double amplitude, doubl
   };
 }
 
-/// Largest distance of two posts over two, 1 for a lone one [m].
-double LeverOfPosts(const Vehicle& vehicle) {
-  const std::vector<Eigen::Isometry3d> poses = DesignPoses(vehicle);
-  double distance = 0;
-  for (const Post& one : vehicle.posts)
-    for (const Post& other : vehicle.posts) {
-      const Eigen::Vector3d between = PlaceOf(vehicle.tyres[static_cast<std::size_t>(one.tyre)].point, poses) -
-                                      PlaceOf(vehicle.tyres[static_cast<std::size_t>(other.tyre)].point, poses);
-      distance = std::max(distance, between.head<2>().norm());
-    }
-  return distance > 0 ? distance / 2 : 1;
-}
-
-double StiffestTyre(const Vehicle& vehicle) {
-  const std::vector<double> values = vehicle.ParameterValues();
-  double stiffness = 0;
-  for (const Tyre& tyre : vehicle.tyres) stiffness = std::max(stiffness, tyre.stiffness.At(values));
-  return stiffness;
-}
-
 /// First harmonic that posts of amplitude 1 m impose on each sensor, in its unit, as MarchOptions::tolerance says.
 class Imposed {
  public:
-  explicit Imposed(const Vehicle& vehicle)
-      : sensors_(vehicle.sensors), lever_(LeverOfPosts(vehicle)), tyre_stiffness_(StiffestTyre(vehicle)) {}
+  explicit Imposed(const RigView& rig) : rig_(rig) {}
 
   Eigen::ArrayXd At(double omega) const {
-    Eigen::ArrayXd imposed(static_cast<Eigen::Index>(sensors_.size()));
-    for (std::size_t i = 0; i < sensors_.size(); ++i)
-      imposed[static_cast<Eigen::Index>(i)] = PerMetre(sensors_[i].type, omega);
+    Eigen::ArrayXd imposed(static_cast<Eigen::Index>(rig_.sensors.size()));
+    for (std::size_t i = 0; i < rig_.sensors.size(); ++i)
+      imposed[static_cast<Eigen::Index>(i)] = PerMetre(rig_.sensors[i].type, omega);
     return imposed;
   }
 
@@ -90,15 +69,13 @@ class Imposed {
       case Sensor::Type::kAccelerometer: return omega * omega;
       case Sensor::Type::kDisplacement:
       case Sensor::Type::kStrut: return 1;
-      case Sensor::Type::kGyro: return omega / lever_;
-      case Sensor::Type::kLoadCell: return tyre_stiffness_;
+      case Sensor::Type::kGyro: return omega / rig_.post_lever_m;
+      case Sensor::Type::kLoadCell: return rig_.tyre_stiffness;
     }
     return 0;
   }
 
-  const std::vector<Sensor>& sensors_;
-  double lever_;
-  double tyre_stiffness_;
+  const RigView& rig_;
 };
 
 /// Size of the loudest first harmonic among the sensors of each one's unit; `imposed` where all of them are silent.
@@ -252,12 +229,12 @@ void MarchOptions::Validate() const {
   RequireOption(samples_per_cycle > 2 * kHarmonics, "samples_per_cycle", samples_per_cycle, "at least 5");
 }
 
-MarchedResponse March(Multibody& multibody, const Excitation& excitation, const MarchOptions& options,
+MarchedResponse March(TimeSystem& system, const Excitation& excitation, const MarchOptions& options,
                       const std::function<void(std::size_t done)>& progress) {
   options.Validate();
-  excitation.Validate(multibody.vehicle().posts.size());
-  const std::vector<Sensor>& sensors = multibody.vehicle().sensors;
-  const Imposed imposed(multibody.vehicle());
+  excitation.Validate(system.rig().post_count);
+  const std::vector<Sensor>& sensors = system.rig().sensors;
+  const Imposed imposed(system.rig());
   ResponseRecorder recorder(sensors, excitation);
   MarchedResponse out;
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
@@ -265,11 +242,9 @@ MarchedResponse March(Multibody& multibody, const Excitation& excitation, const 
     const double amplitude = excitation.amplitude_m[i];
     const double omega = 2 * std::numbers::pi * frequency;
     SteadyState run(sensors, LargestShare(excitation) * amplitude * imposed.At(omega), frequency, options);
-    multibody.SetPostMotion(SteppedSine(excitation.shape, amplitude, omega, Ramp{run.window_duration()}));
-    multibody.Integrate(
-        multibody.RestState(), 0, run.step(), options.accuracy,
-        [&](double t, const Eigen::VectorXd&, const Eigen::VectorXd& readings) { run.Add(t, readings); },
-        [&] { return run.Done(); });
+    system.Run(
+        SteppedSine(excitation.shape, amplitude, omega, Ramp{run.window_duration()}), 0, run.step(),
+        [&](double t, const Eigen::VectorXd& readings) { run.Add(t, readings); }, [&] { return run.Done(); });
     if (!run.steady()) {
       out.unsteady.push_back(run.Worst());
       out.unsteady.back().frequency_Hz = frequency;
@@ -279,9 +254,15 @@ MarchedResponse March(Multibody& multibody, const Excitation& excitation, const 
     recorder.Record(i, run.harmonics());
     if (progress) progress(i + 1);
   }
-  multibody.SetPostMotion(nullptr);
   out.response = recorder.Take();
   return out;
+}
+
+MarchedResponse March(Multibody& multibody, const Excitation& excitation, const MarchOptions& options,
+                      const std::function<void(std::size_t done)>& progress) {
+  options.Validate();
+  MultibodySystem system(multibody, options.accuracy);
+  return March(system, excitation, options, progress);
 }
 
 std::string UnsteadyMessage(const Vehicle& vehicle, const Excitation& excitation, const UnsteadyMotion& motion,

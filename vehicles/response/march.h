@@ -8,12 +8,13 @@
 #include "analysis/frequency_response.h"
 #include "vehicles/multibody/multibody.h"
 #include "vehicles/response/excitation.h"
+#include "vehicles/simulation/time_system.h"
 
 namespace fourpost {
 
 struct MarchOptions {
-  /// Relative accuracy of the Runge-Kutta-Merson integrator. Simbody weighs states by about 1 (m, rad) while the rig
-  /// moves them by millimetres, hence the small number.
+  /// Relative accuracy of the Runge-Kutta-Merson integrator of a Multibody; other systems have their own. Simbody
+  /// weighs states by about 1 (m, rad) while the rig moves them by millimetres, hence the small number.
   double accuracy = 1e-8;
   /// Steady when, from one window to the next, no sensor's first harmonic changes by more than this share of itself,
   /// nor its mean by more than this share of itself or of the first harmonic, whichever is larger. For a sensor below a
@@ -56,11 +57,13 @@ struct MarchedResponse {
   double simulated_s = 0;
 };
 
-/// Steady response of the full nonlinear multibody system to a stepped sine, found as the rig finds it: run until the
-/// motion repeats, then Fourier coefficients over whole cycles. The reference for SolveHarmonicBalance.
+/// Steady response to a stepped sine, found as the rig finds it: run until the motion repeats, then Fourier
+/// coefficients over whole cycles. Of the full nonlinear multibody system the reference for SolveHarmonicBalance.
 /// Throws std::invalid_argument for options or an excitation that do not fit, std::runtime_error when the integration
 /// fails.
 /// `progress` hears how many frequencies are done.
+MarchedResponse March(TimeSystem& system, const Excitation& excitation, const MarchOptions& options = {},
+                      const std::function<void(std::size_t done)>& progress = {});
 MarchedResponse March(Multibody& multibody, const Excitation& excitation, const MarchOptions& options = {},
                       const std::function<void(std::size_t done)>& progress = {});
 

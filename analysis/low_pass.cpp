@@ -1,0 +1,53 @@
+#include "analysis/low_pass.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "analysis/option_check.h"
+
+namespace fourpost {
+namespace {
+
+/// 1 / (s^2 + damping s + 1) with s = (1 - 1/z) / (1 + 1/z) / warped.
+LowPass::Section SecondOrder(double warped, double damping) {
+  const double square = warped * warped;
+  const double scale = 1 / (1 + damping * warped + square);
+  return {scale * square, 2 * scale * square, scale * square, 2 * scale * (square - 1),
+          scale * (1 - damping * warped + square)};
+}
+
+/// 1 / (s + 1).
+LowPass::Section FirstOrder(double warped) {
+  const double scale = 1 / (1 + warped);
+  return {scale * warped, scale * warped, 0, scale * (warped - 1), 0};
+}
+
+}  // namespace
+
+LowPass::LowPass(int order, double cutoff_Hz, double rate_Hz) {
+  RequireOption(order >= 1 && order <= 16, "LowPass: order", order, "1 to 16");
+  RequireOption(rate_Hz > 0 && std::isfinite(rate_Hz), "LowPass: rate_Hz", rate_Hz, "positive and finite");
+  RequireOption(cutoff_Hz > 0 && cutoff_Hz < rate_Hz / 2, "LowPass: cutoff_Hz", cutoff_Hz,
+                "above 0 and below half the sampling rate");
+  const double warped = std::tan(std::numbers::pi * cutoff_Hz / rate_Hz);
+  if (order % 2 == 1) sections_.push_back(FirstOrder(warped));
+  // Poles at equal angles on the unit circle's left half; those next to the real axis first.
+  for (int k = order / 2 - 1; k >= 0; --k)
+    sections_.push_back(SecondOrder(warped, 2 * std::sin(std::numbers::pi * (2 * k + 1) / (2 * order))));
+}
+
+void LowPass::Apply(std::span<double> signal) const {
+  for (const Section& section : sections_) {
+    // Direct form II transposed.
+    double first = 0;
+    double second = 0;
+    for (double& sample : signal) {
+      const double filtered = section.b0 * sample + first;
+      first = section.b1 * sample - section.a1 * filtered + second;
+      second = section.b2 * sample - section.a2 * filtered;
+      sample = filtered;
+    }
+  }
+}
+
+}  // namespace fourpost

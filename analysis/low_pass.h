@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace fourpost {
+
+/// A causal Butterworth low-pass filter for samples at a fixed rate: second-order sections of the bilinear transform
+/// with the cut-off prewarped (Oppenheim and Schafer, Discrete-Time Signal Processing, section 7.2), so that its gain
+/// at the cut-off is 1/sqrt(2) exactly and 1 at rest. It starts at rest, with all samples before the first zero.
+class LowPass {
+ public:
+  /// y[n] = b0 x[n] + b1 x[n-1] + b2 x[n-2] - a1 y[n-1] - a2 y[n-2].
+  struct Section {
+    double b0 = 1;
+    double b1 = 0;
+    double b2 = 0;
+    double a1 = 0;
+    double a2 = 0;
+  };
+
+  /// Throws std::invalid_argument unless order is 1 to 16 and 0 < cutoff_Hz < rate_Hz / 2.
+  LowPass(int order, double cutoff_Hz, double rate_Hz);
+
+  const std::vector<Section>& sections() const { return sections_; }
+
+  /// Replaces a signal by its filtered one.
+  void Apply(std::span<double> signal) const;
+
+ private:
+  std::vector<Section> sections_;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+namespace fourpost {
+
+/// Random numbers that are a pure function of (seed, stream, number of the draw), on any machine and in any order of
+/// the streams. SplitMix64 from a state that is the hash of the first two.
+class RandomStream {
+ public:
+  RandomStream(std::uint64_t seed, std::uint64_t stream);
+
+  /// Uniform in [0, 1), multiples of 2^-53.
+  double Uniform();
+  /// Normal with mean 0 and standard deviation 1 (Box and Muller 1958); takes two uniform numbers.
+  double Normal();
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,191 @@
+// `fourpost simulate` as a user meets it.
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "analysis/csv.h"
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+class Simulate : public testing::Test {
+ protected:
+  static std::string Shipped(const std::string& name) {
+    return (std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / (name + ".urdf")).string();
+  }
+
+  Outcome Run(const std::string& vehicle, const std::string& options) const {
+    return RunFile("'" + Shipped(vehicle) + "'", options);
+  }
+
+  Outcome RunFile(const std::string& vehicle, const std::string& options) const {
+    const std::string line = "cd '" + folder_.path().string() + "' && '" FOURPOST_PROGRAM "' simulate " + vehicle +
+                             " " + options + " >out.txt 2>err.txt";
+    const int status = std::system(line.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(folder_.path() / "out.txt"),
+            ReadText(folder_.path() / "err.txt")};
+  }
+
+  void ExpectRefused(const std::string& vehicle, const std::string& options, int code,
+                     const std::string& message) const {
+    const Outcome outcome = Run(vehicle, options);
+    EXPECT_EQ(outcome.code, code) << options;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_EQ(outcome.out, "");
+  }
+
+  static CsvTable Table(const std::string& text) {
+    Diagnostics diagnostics;
+    const std::optional<CsvTable> table = ParseCsv(text, "out", diagnostics, CsvHeader::kNamesAndUnits);
+    EXPECT_EQ(diagnostics.Format(), "");
+    return table.value();
+  }
+
+  static std::vector<double> Column(const CsvTable& table, const std::string& name) {
+    Diagnostics diagnostics;
+    return table.Numbers(table.FindColumn(name).value(), diagnostics);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Simulate, WritesPostsAndChannelsWithUnits) {
+  const Outcome outcome = Run("quarter_car", "--sine 2Hz --amplitude 5mm --duration 4s --rate 200Hz");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const CsvTable table = Table(outcome.out);
+  EXPECT_EQ(table.rows(), 801u);
+  EXPECT_EQ(table.names()[0], "time");
+  EXPECT_EQ(table.units()[0], "s");
+  EXPECT_THAT(table.names()[1], testing::StartsWith("post_"));
+  EXPECT_EQ(table.units()[1], "m");
+  EXPECT_GT(table.columns(), 3u);
+  EXPECT_EQ(Column(table, "time")[200], 1);
+  const std::vector<double> heights = Column(table, table.names()[1]);
+  EXPECT_NEAR(*std::max_element(heights.begin(), heights.end()), 0.005, 1e-5);
+}
+
+TEST_F(Simulate, TellsASummaryAndTheChannelsAskedFor) {
+  const Outcome outcome = RunFile("--channels a_cg,s_strut_rear '" + Shipped("landrover110_linkage") + "'",
+                                  "--step 20mm --json -o history.csv --chart history.svg");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json summary = Json::parse(outcome.out);
+  EXPECT_EQ(summary["engine"], "condensed");
+  EXPECT_EQ(summary["samples"], 2501);
+  EXPECT_LE(summary["error"], 1e-3);
+  ASSERT_EQ(summary["channels"].size(), 4u);
+  EXPECT_EQ(summary["channels"][0]["name"], "post_front");
+  EXPECT_EQ(summary["channels"][0]["peak"], 0.02);
+  EXPECT_EQ(summary["channels"][2]["name"], "a_cg");
+  EXPECT_EQ(summary["channels"][3]["unit"], "m");
+  EXPECT_THAT(ReadText(folder_.path() / "history.svg"), HasSubstr("s_strut_rear [mm]"));
+  const CsvTable table = Table(ReadText(folder_.path() / "history.csv"));
+  EXPECT_THAT(table.names(), testing::ElementsAre("time", "post_front", "post_rear", "a_cg", "s_strut_rear"));
+}
+
+TEST_F(Simulate, AnswersAlikeByBothEngines) {
+  const std::string options = "--sine 1.5Hz --amplitude 4mm --duration 3s --json --channels a_cg,F_tyre_front";
+  const Json condensed = Json::parse(Run("landrover110_linkage", options).out);
+  const Json full = Json::parse(Run("landrover110_linkage", options + " --engine full").out);
+  EXPECT_EQ(full["engine"], "full");
+  for (std::size_t i = 2; i < 4; ++i) {
+    const double ratio = condensed["channels"][i]["rms"].get<double>() / full["channels"][i]["rms"].get<double>();
+    // The engines' promise, 0.075 dB.
+    EXPECT_NEAR(ratio, 1, 0.009);
+  }
+}
+
+TEST_F(Simulate, ReplaysWhatItWrote) {
+  ASSERT_EQ(Run("landrover110_model3", "--road B --speed 72km/h --duration 6s --rate 1kHz -o a.csv").code, 2);
+  ASSERT_EQ(Run("landrover110_model3", "--road B --speed 72km/h --duration 6s --rate 1000Hz -o a.csv").code, 0);
+  const Outcome again = Run("landrover110_model3", "--recording a.csv --rate 1000Hz -o b.csv");
+  ASSERT_EQ(again.code, 0) << again.err;
+  const std::vector<double> first = Column(Table(ReadText(folder_.path() / "a.csv")), "a_body_FL");
+  const std::vector<double> second = Column(Table(ReadText(folder_.path() / "b.csv")), "a_body_FL");
+  ASSERT_EQ(first.size(), second.size());
+  double difference = 0;
+  double size = 0;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    difference += std::pow(first[k] - second[k], 2);
+    size += first[k] * first[k];
+  }
+  // Both integrations' 0.1 %, and a spline through every other of its samples.
+  EXPECT_LT(std::sqrt(difference / size), 3e-3);
+}
+
+TEST_F(Simulate, DrawsRoadsAndNoiseByTheSeed) {
+  const std::string options = "--random 3mm --duration 4s --noise 2% --filter 30Hz --order 4 --seed ";
+  const std::string one = Run("quarter_car", options + "1").out;
+  EXPECT_EQ(one, Run("quarter_car", options + "1").out);
+  EXPECT_NE(one, Run("quarter_car", options + "2").out);
+}
+
+TEST_F(Simulate, RefusesUsageItDoesNotKnow) {
+  ExpectRefused("quarter_car", "", 2, "--sweep,--sine,--step,--random,--road,--recording");
+  ExpectRefused("quarter_car", "--sine 2Hz", 2, "--sine requires --amplitude");
+  ExpectRefused("quarter_car", "--sine 2 --amplitude 5mm", 2, "--sine: '2' is no frequency with a unit");
+  ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5N", 2, "--amplitude: '5N' is no length");
+  ExpectRefused("quarter_car", "--sine 2Hz --amplitude=-5mm", 2, "'-5mm' must be above zero");
+  ExpectRefused("quarter_car", "--sweep 2Hz --amplitude 5mm", 2, "'2Hz' is no range of frequencies");
+  ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5mm --mode hevae", 2, "did you mean 'heave'?");
+  ExpectRefused("quarter_car", "--road I --speed 10m/s", 2, "no road class is called 'I'");
+  ExpectRefused("quarter_car", "--random 5mm --band 9Hz:3Hz", 2, "from a lower frequency to a higher one");
+  ExpectRefused("quarter_car", "--step 5mm --seed -1", 2, "--seed");
+}
+
+TEST_F(Simulate, RefusesWhatTheVehicleCannotDo) {
+  ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5mm --mode roll", 3, "the posts cannot make 'roll'");
+  ExpectRefused("landrover110_linkage", "--sine 2Hz --amplitude 5mm --channels a_cgg", 3,
+                "no sensor of the vehicle is called 'a_cgg', did you mean 'a_cg'?");
+  ExpectRefused("landrover110_linkage", "--sine 1Hz --amplitude 80mm", 3,
+                "post 'front' would go to 80.0 mm, beyond the 75.0 mm that a stroke of 150 mm allows");
+  EXPECT_EQ(Run("landrover110_linkage", "--sine 1Hz --amplitude 80mm --stroke 200mm").code, 0);
+  ExpectRefused("quarter_car", "--sweep 1Hz:40Hz --amplitude 1mm --rate 100Hz", 3, "too slow for motions up to 40 Hz");
+  ExpectRefused("quarter_car", "--step 5mm --filter 300Hz", 3, "must be below half the rate");
+  ExpectRefused("quarter_car", "--step 5mm --rate 1000000000Hz", 3, "are more than 20000000 samples");
+  ExpectRefused("quarter_car", "--random 1mm --band 1Hz:1.01Hz --duration 0.1s", 3,
+                "long enough for a frequency within the band");
+}
+
+TEST_F(Simulate, RefusesVehiclesWithoutEquilibriumAndWithoutPosts) {
+  const std::string broken =
+      (std::filesystem::path(FOURPOST_SOURCE_DIR) / "tests/data/broken/preload_not_balanced.urdf").string();
+  const Outcome outcome = RunFile(broken, "--step 5mm");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("preload_not_balanced.urdf:"));
+}
+
+TEST_F(Simulate, TellsTheFaultsOfARecording) {
+  folder_.Write("posts.csv", "time,post\ns,kN\n0,1\n0.1,2\n0.2,\n0.3,1\n");
+  ExpectRefused("quarter_car", "--recording posts.csv", 3, "posts.csv:");
+  ExpectRefused("quarter_car", "--recording nowhere.csv", 3, "nowhere.csv");
+}
+
+TEST_F(Simulate, DoesNotWriteOverItsInputsNorIntoNothing) {
+  std::filesystem::copy(Shipped("quarter_car"), folder_.path() / "car.urdf");
+  const Outcome outcome = RunFile("car.urdf", "--step 5mm -o car.urdf");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("it is an input"));
+  EXPECT_EQ(Run("quarter_car", "--step 5mm -o nowhere/history.csv").code, 5);
+  EXPECT_EQ(Run("quarter_car", "--step 5mm -o .").code, 5);
+}
+
+}  // namespace
+}  // namespace fourpost

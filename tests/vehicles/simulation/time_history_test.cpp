@@ -1,0 +1,139 @@
+#include "vehicles/simulation/time_history.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "tests/vehicles/recorded_rig.h"
+#include "tests/vehicles/shipped_vehicle.h"
+#include "tests/vehicles/simulation/written_out_cars.h"
+#include "vehicles/posts/height_signals.h"
+#include "vehicles/posts/post_motions.h"
+#include "vehicles/simulation/condensed_system.h"
+#include "vehicles/simulation/multibody_system.h"
+
+namespace fourpost {
+namespace {
+
+TEST(TimeGrid, CountsSamplesOfWholeAndBrokenDurations) {
+  EXPECT_EQ((TimeGrid{.start_s = 0, .end_s = 1, .rate_Hz = 500}.count()), 501);
+  EXPECT_EQ((TimeGrid{.start_s = 0.1, .end_s = 0.3, .rate_Hz = 10}.count()), 3);
+  EXPECT_EQ((TimeGrid{.start_s = 0, .end_s = 0.999, .rate_Hz = 500}.count()), 500);
+  EXPECT_EQ((TimeGrid{.start_s = 0, .end_s = 1, .rate_Hz = 100, .lead_s = 0.3}.lead_count()), 30);
+  EXPECT_EQ((TimeGrid{.start_s = 0, .end_s = 1, .rate_Hz = 100, .lead_s = 0.305}.lead_count()), 31);
+  EXPECT_THROW((TimeGrid{.start_s = 0, .end_s = 0, .rate_Hz = 10}.Validate()), std::invalid_argument);
+  EXPECT_THROW((TimeGrid{.start_s = 0, .end_s = 1, .rate_Hz = NAN}.Validate()), std::invalid_argument);
+  EXPECT_THROW((TimeGrid{.start_s = 0, .end_s = 1, .rate_Hz = 1, .lead_s = -1}.Validate()), std::invalid_argument);
+}
+
+TEST(TimeHistory, HoldsPostsAndSensorsAtTheSameTimes) {
+  CondensedModel model = ThesisHalfCar().Model();
+  CondensedSystem system(model, ReadAll(model));
+  const TimeGrid grid{.start_s = 1, .end_s = 2, .rate_Hz = 200, .lead_s = 1};
+  TimeHistory history = Simulate(system, HalfCarPosts, grid);
+  ASSERT_EQ(history.size(), 401);
+  EXPECT_EQ(history.start_s, 0);
+  std::array<PostState, 2> posts;
+  HalfCarPosts(1.5, posts);
+  EXPECT_EQ(history.TimeAt(300), 1.5);
+  EXPECT_EQ(history.posts(300, 1), posts[1].height);
+  // An acceleration is the second difference of its height; (2 pi 12 Hz / 200 Hz)^2 / 12 of what hop there is.
+  const Eigen::VectorXd heave = history.readings.col(0);
+  const double second = (heave[301] - 2 * heave[300] + heave[299]) * 200 * 200;
+  EXPECT_NEAR(second, history.readings(300, 4), 0.02 * history.readings.col(4).cwiseAbs().maxCoeff());
+  history.DropFirst(grid.lead_count());
+  EXPECT_EQ(history.start_s, 1);
+  EXPECT_EQ(history.size(), 201);
+  EXPECT_EQ(history.posts(100, 1), posts[1].height);
+}
+
+TEST(CondensedHistory, MeetsItsErrorAndSaysBySteps) {
+  CondensedModel model = ThesisHalfCar().Model();
+  const RigView rig = ReadAll(model);
+  const TimeGrid grid{.start_s = 0, .end_s = 3, .rate_Hz = 200};
+  const CondensedHistory exact = SimulateCondensed(model, rig, HalfCarPosts, grid, {.error = 1e-7});
+  EXPECT_LE(exact.change, 1e-7);
+  const CondensedHistory rough = SimulateCondensed(model, rig, HalfCarPosts, grid, {.error = 1e-3});
+  EXPECT_LE(rough.change, 1e-3);
+  EXPECT_GT(rough.step_s, 4 * exact.step_s);
+  const double error = Differences(rough.history, exact.history, rig.sensors).maxCoeff();
+  EXPECT_LT(error, rough.change);
+  EXPECT_GT(error, rough.change / 10);
+}
+
+TEST(CondensedHistory, SaysWhenHalvingDidNotHelp) {
+  CondensedModel model = ThesisHalfCar().Model();
+  const RigView rig = ReadAll(model);
+  const CondensedHistory rough = SimulateCondensed(model, rig, HalfCarPosts, {.start_s = 0, .end_s = 1, .rate_Hz = 200},
+                                                   {.error = 1e-12, .most_halvings = 2});
+  EXPECT_GT(rough.change, 1e-12);
+}
+
+// Stops of 40 kN/mm, 2 mm away, between 220 kg and the body: 70 Hz, of which 20 ms are more than a cycle.
+TEST(CondensedHistory, ShortensStepsThatStopsCannotTake) {
+  CondensedModel model = ThesisHalfCar().Model();
+  for (const CondensedModel::Dashpot& dashpot : std::vector(model.dashpots))
+    model.stiffenings.push_back(
+        {dashpot.direction,
+         {.knees = {{.at = -0.002, .side = -1, .stiffness = 4e7}, {.at = 0.002, .side = 1, .stiffness = 4e7}}}});
+  const RigView rig = ReadAll(model);
+  const PostMotion posts = [](double t, std::span<PostState> states) {
+    HalfCarPosts(t, states);
+    for (PostState& post : states) post = {2 * post.height, 2 * post.velocity, 2 * post.acceleration};
+  };
+  const TimeGrid grid{.start_s = 0, .end_s = 3, .rate_Hz = 50};
+  CondensedSystem coarse(model, rig, 0.02);
+  EXPECT_THROW(Simulate(coarse, posts, grid), std::runtime_error);
+  const CondensedHistory history =
+      SimulateCondensed(model, rig, posts, grid, {.error = 1e-2, .longest_step_s = 0.02, .most_halvings = 9});
+  EXPECT_LE(history.change, 1e-2);
+  EXPECT_LT(history.step_s, 0.006);
+}
+
+// A sweep of the linkage car by both engines: they differ by kinematics, as its responses do.
+TEST(TimeHistory, OfBothEnginesAgreeOnTheLinkageCar) {
+  Prepared car(ShippedVehicle("landrover110_linkage"));
+  const SweptSine sweep{.first_Hz = 0.7, .last_Hz = 15, .duration_s = 6, .amplitude_m = 0.004, .top_speed = 0.05};
+  const PostMotion posts = FollowPattern(sweep.Signal(), {1, 1});
+  const TimeGrid grid{.start_s = 0, .end_s = 6, .rate_Hz = 250};
+  const RigView rig = RigViewOf(car.vehicle);
+  const CondensedHistory condensed = SimulateCondensed(car.model, rig, posts, grid);
+  EXPECT_LE(condensed.change, 1e-3);
+  MultibodySystem system(car.multibody, 1e-7);
+  const TimeHistory full = Simulate(system, posts, grid);
+  const Eigen::ArrayXd differences = Differences(condensed.history, full, rig.sensors);
+  // 0.075 dB and 0.36 degrees are 1.1 %, promised for responses at the rig's amplitudes.
+  EXPECT_LT(differences.maxCoeff(), 0.02);
+  EXPECT_GT(differences.maxCoeff(), 1e-5);
+}
+
+/// Random heave of 1 mm by both engines; the largest difference of a channel.
+double DifferenceOfEngines(const std::string& name) {
+  Prepared car(ShippedVehicle(name));
+  const RandomHeights random{.rms_m = 0.001, .lower_Hz = 0.7, .upper_Hz = 25, .duration_s = 2, .seed = 1};
+  const PostMotion posts = FollowPattern(random.Signal(), std::vector<double>(car.vehicle.posts.size(), 1));
+  const TimeGrid grid{.start_s = 0, .end_s = 2, .rate_Hz = 250};
+  const RigView rig = RigViewOf(car.vehicle);
+  const CondensedHistory condensed = SimulateCondensed(car.model, rig, posts, grid);
+  EXPECT_LE(condensed.change, 1e-3);
+  MultibodySystem system(car.multibody, 1e-6);
+  return Differences(condensed.history, Simulate(system, posts, grid), rig.sensors).maxCoeff();
+}
+
+// Of one mass on another on one line there is no kinematics to differ by: the integrators' 0.1 % remain.
+TEST(TimeHistory, OfBothEnginesAgreesWithoutKinematics) {
+  for (const char* name : {"quarter_car", "single_wheel_station", "landrover110_model1"})
+    EXPECT_LT(DifferenceOfEngines(name), 1e-3) << name;
+}
+
+// Bushings, loops, friction, stops, mounts; kinematics differ by some mm over links of a metre.
+TEST(TimeHistory, OfBothEnginesAgreesWithKinematics) {
+  for (const char* name : {"landrover110", "landrover110_rigid", "independent_roadster"})
+    EXPECT_LT(DifferenceOfEngines(name), 1e-2) << name;
+}
+
+}  // namespace
+}  // namespace fourpost

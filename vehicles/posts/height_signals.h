@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "analysis/uniform_spline.h"
+
+namespace fourpost {
+
+// Motions of a reference post over time, from t = 0 to their duration; it rests before and after. All are splines
+// through samples, so that height, velocity and acceleration belong together.
+
+/// A sine whose frequency goes from one to another, at their ends faded in and out.
+struct SweptSine {
+  double first_Hz = 0;
+  /// That of the end; the same: a plain sine.
+  double last_Hz = 0;
+  double duration_s = 0;
+  double amplitude_m = 0;
+  /// Amplitude falls as 1/f where its peak velocity would be higher [m/s].
+  double top_speed = std::numeric_limits<double>::infinity();
+  /// So many octaves, or else so many hertz, in each second.
+  bool logarithmic = true;
+
+  double AmplitudeAt(double frequency_Hz) const;
+
+  /// Throws std::invalid_argument naming the field that is not positive and finite.
+  UniformSpline Signal() const;
+};
+
+/// From one height to another: 0 until `start_s`, then height (6 u^5 - 15 u^4 + 10 u^3) over u = 0 to 1, the share of
+/// the rise time. Peak velocity 1.875 height / rise.
+struct SmoothStep {
+  double height_m = 0;
+  double rise_s = 0;
+  double start_s = 0;
+
+  /// Throws std::invalid_argument for a height that is not finite or times that are not positive.
+  UniformSpline Signal() const;
+};
+
+/// Random heights of one-sided spectral density ~ 1/f^2 in a band, so of white velocity, as roads have it: sines of
+/// given size with random phases (Shinozuka and Deodatis, Applied Mechanics Reviews 44, 1991), faded in and out within
+/// a second.
+struct RandomHeights {
+  double rms_m = 0;
+  double lower_Hz = 0;
+  double upper_Hz = 0;
+  double duration_s = 0;
+  std::uint64_t seed = 0;
+
+  /// Throws std::invalid_argument naming the field that is out of bounds.
+  UniformSpline Signal() const;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,110 @@
+#include "vehicles/simulation/port_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace fourpost {
+namespace {
+
+/// Of the largest remainder so far: some hundred times what its rounding comes to.
+constexpr double kTolerance = 1e-11;
+constexpr int kMostIterations = 60;
+constexpr int kMostHalvings = 12;
+
+/// Gauss with row pivoting, in place: `matrix` is used up, `right` becomes the solution. Of a handful of unknowns,
+/// where a general factorisation costs more than its arithmetic.
+void SolveInPlace(Eigen::MatrixXd& matrix, Eigen::VectorXd& right) {
+  const Eigen::Index n = right.size();
+  for (Eigen::Index k = 0; k < n; ++k) {
+    Eigen::Index pivot = k;
+    for (Eigen::Index i = k + 1; i < n; ++i)
+      if (std::abs(matrix(i, k)) > std::abs(matrix(pivot, k))) pivot = i;
+    if (pivot != k) {
+      for (Eigen::Index j = k; j < n; ++j) std::swap(matrix(k, j), matrix(pivot, j));
+      std::swap(right[k], right[pivot]);
+    }
+    for (Eigen::Index i = k + 1; i < n; ++i) {
+      const double factor = matrix(i, k) / matrix(k, k);
+      if (factor == 0) continue;
+      for (Eigen::Index j = k + 1; j < n; ++j) matrix(i, j) -= factor * matrix(k, j);
+      right[i] -= factor * right[k];
+    }
+  }
+  for (Eigen::Index i = n - 1; i >= 0; --i) {
+    for (Eigen::Index j = i + 1; j < n; ++j) right[i] -= matrix(i, j) * right[j];
+    right[i] /= matrix(i, i);
+  }
+}
+
+std::span<const double> One(const Eigen::VectorXd& values, Eigen::Index j) { return {values.data() + j, 1}; }
+
+}  // namespace
+
+PortSolver::PortSolver(const std::vector<Port>& ports) {
+  for (const Port& port : ports) laws_.push_back(port.law);
+  const auto count = static_cast<Eigen::Index>(ports.size());
+  for (Eigen::VectorXd* vector : {&extension_, &rate_, &law_, &residual_, &trial_, &step_}) vector->setZero(count);
+  jacobian_.setZero(count, count);
+}
+
+void PortSolver::SetCompliance(const Eigen::MatrixXd& by_extension, const Eigen::MatrixXd& by_rate) {
+  by_extension_ = by_extension;
+  by_rate_ = by_rate;
+}
+
+double PortSolver::Evaluate(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate,
+                            const Eigen::VectorXd& remainder) {
+  extension_ = extension;
+  extension_.noalias() += by_extension_ * remainder;
+  rate_ = rate;
+  rate_.noalias() += by_rate_ * remainder;
+  double largest = 0;
+  for (Eigen::Index j = 0; j < remainder.size(); ++j) {
+    Remainders(laws_[static_cast<std::size_t>(j)], One(extension_, j), One(rate_, j), {law_.data() + j, 1});
+    residual_[j] = remainder[j] - law_[j];
+    largest = std::max(largest, std::abs(residual_[j]));
+    largest_ = std::max(largest_, std::abs(law_[j]));
+  }
+  return largest;
+}
+
+/// jacobian step = residual, jacobian = 1 - slopes compliance.
+void PortSolver::NewtonStep() {
+  step_ = residual_;
+  for (Eigen::Index j = 0; j < step_.size(); ++j) {
+    double by_extension = 0;
+    double by_rate = 0;
+    RemainderSlopes(laws_[static_cast<std::size_t>(j)], One(extension_, j), One(rate_, j), {&by_extension, 1},
+                    {&by_rate, 1});
+    jacobian_.row(j) = -by_extension * by_extension_.row(j) - by_rate * by_rate_.row(j);
+    jacobian_(j, j) += 1;
+  }
+  SolveInPlace(jacobian_, step_);
+}
+
+bool PortSolver::Solve(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate, Eigen::VectorXd& remainder) {
+  double miss = Evaluate(extension, rate, remainder);
+  for (int i = 0; i < kMostIterations; ++i) {
+    if (miss <= kTolerance * (1 + largest_)) {
+      // What the laws make of it, so that an exact law is met exactly.
+      remainder = law_;
+      return true;
+    }
+    NewtonStep();
+    double share = 1;
+    double next = 0;
+    for (int k = 0; k <= kMostHalvings; ++k, share /= 2) {
+      trial_ = remainder - share * step_;
+      next = Evaluate(extension, rate, trial_);
+      if (next < miss) break;
+    }
+    remainder = trial_;
+    miss = next;
+    if (!std::isfinite(miss)) return false;
+  }
+  return false;
+}
+
+}  // namespace fourpost

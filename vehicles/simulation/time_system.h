@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/description/vehicle.h"
+#include "vehicles/multibody/multibody.h"
+
+namespace fourpost {
+
+/// What a rig sees of a vehicle: its sensors, its posts, and how large motions are there.
+struct RigView {
+  /// In the order of the readings.
+  std::vector<Sensor> sensors;
+  std::size_t post_count = 0;
+  /// Half the largest distance of two posts; 1 m for a lone one.
+  double post_lever_m = 1;
+  /// Of the stiffest tyre [N/m].
+  double tyre_stiffness = 0;
+};
+
+/// Of a vehicle at its file's values.
+RigView RigViewOf(const Vehicle& vehicle);
+
+/// Hears the time [s] and what the sensors read.
+using ReadingSink = std::function<void(double t, const Eigen::VectorXd& readings)>;
+
+/// A vehicle on its posts that runs in time: the multibody system, or a condensed or closed-form model. What a march
+/// and time histories need of it.
+class TimeSystem {
+ public:
+  virtual ~TimeSystem() = default;
+  TimeSystem(const TimeSystem&) = delete;
+  TimeSystem& operator=(const TimeSystem&) = delete;
+
+  const RigView& rig() const { return rig_; }
+
+  /// Runs from rest in the design pose at `start`, reporting at start + k step for k = 0, 1, ... until `done`.
+  /// Throws std::runtime_error when the motion cannot be computed.
+  virtual void Run(const PostMotion& posts, double start, double step, const ReadingSink& sink,
+                   const std::function<bool()>& done) = 0;
+
+ protected:
+  explicit TimeSystem(RigView rig) : rig_(std::move(rig)) {}
+
+ private:
+  RigView rig_;
+};
+
+}  // namespace fourpost
