@@ -63,7 +63,9 @@ Json Bushings(const Vehicle& vehicle) {
 Json Posts(const Vehicle& vehicle) {
   Json posts = Json::array();
   for (const Post& post : vehicle.posts)
-    posts.push_back({{"name", post.name}, {"tyre", vehicle.tyres[static_cast<std::size_t>(post.tyre)].name}});
+    posts.push_back({{"name", post.name},
+                     {"tyre", vehicle.tyres[static_cast<std::size_t>(post.tyre)].name},
+                     {"stroke_m", OrNull(post.stroke)}});
   return posts;
 }
 

@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "identify/sweep.h"
+#include "vehicles/response/steady_response.h"
+
 namespace fourpost {
 
 /// `fourpost check MODEL`
@@ -17,21 +20,33 @@ struct CheckCommand {
   bool resolved = false;
 };
 
-/// How a periodic response is found.
-enum class Engine {
-  /// Harmonic balance on kinematics linearised about static equilibrium: what the fit uses.
-  kLinearised,
-  /// Harmonic balance on the full multibody system.
-  kFull,
-  /// The full multibody system integrated to steady state: the reference.
-  kMarch,
+/// `fourpost response MODEL` or `fourpost response STUDY`
+struct ResponseCommand {
+  /// A vehicle file or a study.
+  std::filesystem::path input;
+  bool json = false;
+  /// Empty: kAuto for a vehicle, kLinearised for a study, as its fit does.
+  std::optional<Engine> engine;
+  /// Empty: nothing is written.
+  std::filesystem::path output;
+  /// Of a vehicle.
+  SweepText sweep;
+  /// Of a vehicle: "name=value".
+  std::vector<std::string> set;
+  /// Options given that only a vehicle takes.
+  std::vector<std::string> vehicle_options;
 };
 
-/// `fourpost response STUDY`
-struct ResponseCommand {
-  std::filesystem::path study;
+/// `fourpost modes MODEL`
+struct ModesCommand {
+  std::filesystem::path model;
   bool json = false;
-  Engine engine = Engine::kLinearised;
+  /// "name=value"
+  std::vector<std::string> set;
+  /// "name" or "name=first:last:count"
+  std::vector<std::string> vary;
+  /// Empty: nothing is written.
+  std::filesystem::path output;
 };
 
 /// `fourpost simulate MODEL`; SI.
@@ -92,6 +107,7 @@ struct FitCommand {
 int Run(const CheckCommand& command);
 int Run(const ResponseCommand& command);
 int Run(const SimulateCommand& command);
+int Run(const ModesCommand& command);
 int Run(const FitCommand& command);
 
 }  // namespace fourpost

@@ -5,6 +5,7 @@
 #include "analysis/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/inputs_elsewhere.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/misfit_table.h"
 #include "identify/command_line/print.h"
@@ -115,16 +116,6 @@ std::string LoadTable(const LoadedStudy& loaded, const std::vector<double>& mode
   return table.Format() + '\n';
 }
 
-/// The folder must not hold what is being read.
-void RequireInputsElsewhere(const LoadedStudy& loaded, const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> inputs = {loaded.study.file, loaded.vehicle.file};
-  for (const StudyRecording& recording : loaded.study.recordings) inputs.push_back(recording.file);
-  for (const std::filesystem::path& input : inputs)
-    if (std::filesystem::weakly_canonical(std::filesystem::absolute(input)).parent_path() ==
-        std::filesystem::weakly_canonical(std::filesystem::absolute(folder / "result.json")).parent_path())
-      throw OutputError(folder.string() + " holds the input " + input.filename().string() + "; give another folder");
-}
-
 int CodeOf(FitEnd end) {
   switch (end) {
     case FitEnd::kConverged: return kGood;
@@ -189,7 +180,7 @@ int Run(const FitCommand& command) {
   if (!loaded) throw FaultyInput(diagnostics);
   Tell(diagnostics);
   const FourPostObjective objective = loaded->MakeObjective();
-  RequireInputsElsewhere(*loaded, command.output);
+  RequireInputsElsewhere(InputsOf(*loaded), command.output);
   OutputFolder output(command.output);
 
   const FitOptions options = OptionsOf(loaded->study.search, command);

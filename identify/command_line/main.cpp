@@ -1,7 +1,6 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
-#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +10,7 @@
 #include "analysis/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/options.h"
 #include "identify/command_line/simulate_options.h"
 #include "identify/command_line/whole_number.h"
 
@@ -57,22 +57,14 @@ int main(int argc, char** argv) {
   sub->callback([&] { run = [&] { return Run(check); }; });
 
   ResponseCommand response;
-  sub = app.add_subcommand("response", "Compare a study's vehicle, as its file has it, with the recordings");
-  sub->add_option("STUDY", response.study, "Study file (.yaml)")->required();
-  std::string engine = "linearised";
-  sub->add_option(
-         "--engine", engine,
-         "linearised: harmonic balance as in a fit; full: on the full multibody system, without loop closures; "
-         "march: integrate that to steady state (slow, the reference)")
-      ->check(CLI::IsMember({"linearised", "full", "march"}))
-      ->capture_default_str();
-  sub->add_flag("--json", response.json, "Print JSON");
-  sub->callback([&] {
-    const std::map<std::string, Engine> engines = {
-        {"linearised", Engine::kLinearised}, {"full", Engine::kFull}, {"march", Engine::kMarch}};
-    response.engine = engines.at(engine);
-    run = [&] { return Run(response); };
-  });
+  sub = app.add_subcommand("response", "Response of a vehicle to the posts; of a study, compared with its recordings");
+  AddOptions(*sub, response);
+  sub->callback([&] { run = [&] { return Run(response); }; });
+
+  ModesCommand modes;
+  sub = app.add_subcommand("modes", "Modes of a vehicle: poles, shapes, and what parameters make of them");
+  AddOptions(*sub, modes);
+  sub->callback([&] { run = [&] { return Run(modes); }; });
 
   SimulateCommand simulate;
   AddSimulate(app, simulate)->callback([&] { run = [&] { return Run(simulate); }; });

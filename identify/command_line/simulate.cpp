@@ -206,7 +206,6 @@ Answer Run(const SimulateCommand& command, const Vehicle& vehicle, const Drive& 
     MultibodySystem system(multibody, 1e-3 * command.error);
     return {Simulate(system, drive.motion, grid, progress), std::nullopt, std::nullopt};
   }
-  Tell(condensed.simplifications());
   CondensedHistory answer =
       SimulateCondensed(model, RigViewOf(vehicle), drive.motion, grid, {.error = command.error}, progress);
   return {std::move(answer.history), answer.step_s, answer.change};

@@ -1,8 +1,4 @@
 // The program as a user meets it: arguments in, text, files and exit code out.
-#include <sys/wait.h>
-
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -12,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/temporary_folder.h"
+#include "tests/identify/program.h"
 
 namespace fourpost {
 namespace {
@@ -24,38 +20,8 @@ using Json = nlohmann::json;
 constexpr const char* kVehicle = "urdf/landrover110_linkage.urdf";
 constexpr const char* kStudy = "studies/landrover110/model2.yaml";
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-/// A copy of the shipped data in a folder of its own, in which a test may break one thing.
-class CommandLine : public testing::Test {
+class CommandLine : public ProgramTest {
  protected:
-  CommandLine() {
-    for (const char* part : {"urdf", "meshes", "studies"})
-      fs::copy(fs::path(FOURPOST_SOURCE_DIR) / part, folder_ / part, fs::copy_options::recursive);
-  }
-
-  Outcome Run(const std::string& arguments) const {
-    return RunShell(std::string("'") + FOURPOST_PROGRAM + "' " + arguments);
-  }
-
-  Outcome RunShell(const std::string& line) const {
-    const fs::path out = folder_ / "stdout.txt";
-    const fs::path err = folder_ / "stderr.txt";
-    const std::string command =
-        "cd '" + folder_.string() + "' && (" + line + ") >'" + out.string() + "' 2>'" + err.string() + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(out), ReadText(err)};
-  }
-
-  void ReplaceIn(const fs::path& file, const std::string& what, const std::string& with) const {
-    const std::string text = Replace(ReadText(folder_ / file), what, with);
-    temporary_.Write(file, text);
-  }
-
   /// A fit that must fail for its input, with this message, and leave nothing behind.
   void ExpectRefused(const std::string& message) const {
     const Outcome outcome = Run("fit studies/landrover110/model2.yaml -o result");
@@ -64,9 +30,6 @@ class CommandLine : public testing::Test {
     EXPECT_EQ(outcome.out, "");
     EXPECT_FALSE(fs::exists(folder_ / "result"));
   }
-
-  TemporaryFolder temporary_;
-  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(CommandLine, FitWritesItsResultAndCheckAcceptsTheFittedVehicle) {

@@ -217,6 +217,10 @@ std::vector<ElementNumber> NumbersOf(const Vehicle& vehicle) {
     list.Add("damping", "fp:antiroll", "damping", bar.damping);
   }
   for (const Tyre& tyre : vehicle.tyres) AddTyre(tyre, list);
+  for (const Post& post : vehicle.posts) {
+    list.Begin(Called("fp:post", post.name), post.source_line);
+    if (post.stroke) list.Add("stroke", "fp:post", "stroke", {.value = *post.stroke});
+  }
   for (const Sensor& sensor : vehicle.sensors) {
     list.Begin(Called("fp:sensor", sensor.name), sensor.source_line);
     if (sensor.type == Sensor::Type::kLoadCell) list.Add("wheelpan", "fp:sensor", "wheelpan", sensor.wheelpan);

@@ -181,6 +181,8 @@ struct Tyre {
 struct Post {
   std::string name;
   int tyre = -1;
+  /// Whole travel [m], half of it up and half down from rest; empty: not told.
+  std::optional<double> stroke;
   int source_line = 0;
 };
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "vehicles/ride/stability.h"
 #include "vehicles/tags/file_faults.h"
 
 namespace fourpost {
@@ -19,20 +21,11 @@ std::string Short(double value) {
   return text.str();
 }
 
-/// "'rear wind-up' and 'roll'": the modes that grow; empty where the growth is a series spring's.
-std::string GrowingModes(const std::vector<Mode>& modes) {
-  std::string names;
-  for (const Mode& mode : modes)
-    if (mode.kind == Mode::Kind::kDiverging || mode.damping_ratio < 0)
-      names += (names.empty() ? "'" : " and '") + mode.name + "'";
-  return names;
-}
-
 void LintStability(const VehicleSummary& summary, FileFaults& findings) {
-  if (summary.IsStable()) return;
-  const std::string modes = GrowingModes(summary.modes);
-  findings.Warning(0, "the vehicle is unstable in its design pose: " + (modes.empty() ? "a motion" : modes) +
-                          " grows by exp(" + Short(summary.growth_rate) +
+  const std::optional<Growth> growth = GrowthOf(summary.modes, summary.growth_rate);
+  if (!growth) return;
+  findings.Warning(0, "the vehicle is unstable in its design pose: " + growth->modes + " grows by exp(" +
+                          Short(growth->rate_per_s) +
                           " t); a rod or a spring that holds it is missing, or positions, axes or rates are wrong");
 }
 

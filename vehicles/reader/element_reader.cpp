@@ -218,7 +218,8 @@ class ElementReader {
   }
 
   void ReadPost(const Tag& tag) {
-    const Post post{.name = tag.Text("name"), .tyre = ReadTyreName(tag, "under"), .source_line = tag.Line()};
+    Post post{.name = tag.Text("name"), .tyre = ReadTyreName(tag, "under"), .stroke = {}, .source_line = tag.Line()};
+    if (AttributeText(*tag.element, "stroke")) post.stroke = ReadConstant(tag, "stroke");
     for (const Post& other : vehicle_.posts)
       if (post.tyre >= 0 && other.tyre == post.tyre)
         faults_.Error(tag.Line("under"),

@@ -408,7 +408,17 @@ std::vector<TagRule> MakeTyreTags() {
            "A hydraulic post that drives the platform under a tyre; one a tyre at most. A study moves posts by their "
            "names, or together in heave, pitch, roll or warp, which the places of their tyres in the design pose "
            "tell apart.",
-       .attributes = {kNameRule, {.name = "under", .kind = Kind::kTyre, .doc = "tyre that it drives"}}},
+       .attributes = {kNameRule,
+                      {.name = "under", .kind = Kind::kTyre, .doc = "tyre that it drives"},
+                      {.name = "stroke",
+                       .kind = Kind::kScalar,
+                       .required = false,
+                       .doc = "its whole travel, half of it up and half down from rest; motions that need more are "
+                              "refused",
+                       .dimension = kLength,
+                       .sign = Sign::kPositive,
+                       .usual_least = "20 mm",
+                       .usual_greatest = "600 mm"}}},
   };
 }
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/diagnostics.h"
+#include "analysis/frequency_response.h"
+
+namespace fourpost {
+
+/// Name, unit, gain, phase [deg], mean and second harmonic of a modelled channel; what is not finite becomes null.
+nlohmann::ordered_json ChannelJson(const ChannelResponse& channel);
+
+/// File, line, severity and text of each finding.
+nlohmann::ordered_json FindingsJson(const Diagnostics& findings);
+
+}  // namespace fourpost

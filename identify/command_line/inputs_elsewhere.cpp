@@ -1,0 +1,22 @@
+#include "identify/command_line/inputs_elsewhere.h"
+
+#include "analysis/output_folder.h"
+
+namespace fourpost {
+
+std::vector<std::filesystem::path> InputsOf(const LoadedStudy& study) {
+  std::vector<std::filesystem::path> inputs = {study.study.file, study.vehicle.file};
+  for (const StudyRecording& recording : study.study.recordings) inputs.push_back(recording.file);
+  return inputs;
+}
+
+void RequireInputsElsewhere(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& folder) {
+  const auto folder_of = [](const std::filesystem::path& file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file)).parent_path();
+  };
+  for (const std::filesystem::path& input : inputs)
+    if (folder_of(input) == folder_of(folder / "result.json"))
+      throw OutputError(folder.string() + " holds the input " + input.filename().string() + "; give another folder");
+}
+
+}  // namespace fourpost

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "identify/command_line/commands.h"
+
+namespace fourpost {
+
+// Tell the options of a subcommand; both must live until it has been parsed.
+
+void AddOptions(CLI::App& subcommand, ResponseCommand& command);
+void AddOptions(CLI::App& subcommand, ModesCommand& command);
+
+}  // namespace fourpost

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "identify/command_line/progress_line.h"
+#include "vehicles/response/steady_response.h"
+
+namespace fourpost {
+
+/// Throws FaultyInput, naming the modes that grow, for a vehicle that has no steady response.
+void RequireStable(const Vehicle& vehicle, const SteadySolver& solver);
+
+/// Solves, shows how it gets on, and tells on stderr which frequencies were left to the march. `name`: of the sweep.
+/// Throws FaultyInput for a vehicle that the engine does not take, else as SteadySolver::Solve does.
+SteadyResponse SolveSweep(SteadySolver& solver, const std::string& name, const Excitation& excitation, Engine engine,
+                          const HarmonicBalanceOptions& options, ProgressLine& progress);
+
+}  // namespace fourpost

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/diagnostics.h"
+#include "vehicles/condensed/modes.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/ride/named_modes.h"
+#include "vehicles/ride/pole_path.h"
+
+namespace fourpost {
+
+/// Modes of a vehicle and how each moves its bodies.
+struct ShapedMode {
+  Mode mode;
+  std::vector<BodyShape> shape;
+};
+
+/// Modes with poles and shapes, paths of poles, the values of all parameters, `findings` and versions as JSON, in SI
+/// units; complex numbers are pairs.
+std::string ModesJson(const Vehicle& vehicle, const std::vector<ShapedMode>& modes, const std::vector<PolePaths>& paths,
+                      const Diagnostics& findings);
+
+/// Comma-separated text, one row per parameter, path and value; the parameter in SI units.
+std::string PolesCsv(const Vehicle& vehicle, const std::vector<PolePaths>& paths);
+
+/// The paths of one parameter as an SVG picture, see PoleSvg.
+std::string PolesSvg(const Vehicle& vehicle, const PolePaths& paths);
+
+}  // namespace fourpost

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/diagnostics.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/response/amplitude_law.h"
+#include "vehicles/response/excitation.h"
+#include "vehicles/response/steady_response.h"
+
+namespace fourpost {
+
+/// Stepped sines of a vehicle as a user writes them.
+struct SweepText {
+  /// Each heave, pitch, roll, warp, or the shares of posts: "FL=1,FR=-1"; posts not named stand still.
+  std::vector<std::string> modes = {"heave"};
+  /// See ParseFrequencies.
+  std::string frequencies = "0.5Hz:30Hz:40";
+  /// Limits of the reference post, peak; all empty: those of kUsualAmplitude.
+  std::string amplitude;
+  std::string velocity;
+  std::string acceleration;
+  /// Sensors to tell of; empty: all.
+  std::vector<std::string> channels;
+  bool falling = false;
+};
+
+/// That of the shipped recordings: what posts with 0.15 m/s of valve and a car that stays on them allow.
+inline constexpr AmplitudeLaw kUsualAmplitude{.displacement_m = 0.012, .velocity_mps = 0.15, .acceleration_mps2 = 6};
+
+/// One stepped sine of the posts.
+struct Sweep {
+  std::string mode;
+  /// Frequencies in the order in which they are taken.
+  Excitation excitation;
+};
+
+/// The same, ready to be answered.
+struct SweepRequest {
+  std::vector<Sweep> sweeps;
+  AmplitudeLaw amplitude;
+  bool falling = false;
+  /// Indices in Vehicle::sensors.
+  std::vector<std::size_t> channels;
+};
+
+/// Above this frequency the bodies of a road vehicle bend, which a model of rigid bodies does not know.
+inline constexpr double kHighestRigid_Hz = 30;
+
+/// Reads and checks all at once. Adds an error for each text that cannot be read, a pattern that the posts cannot make,
+/// a post or a channel that the vehicle has not, and a post that would leave its stroke; a warning for frequencies
+/// above kHighestRigid_Hz. Nothing after an error. Findings are about the option: "--mode".
+std::optional<SweepRequest> ReadSweep(const SweepText& text, const Vehicle& vehicle, Diagnostics& diagnostics);
+
+/// What a vehicle answered to a sweep, frequencies rising.
+struct SweptResponse {
+  std::string mode;
+  Excitation excitation;
+  SteadyResponse answer;
+};
+
+/// Brings a falling sweep's frequencies into rising order and leaves out all channels but these.
+SweptResponse Sorted(const Sweep& sweep, SteadyResponse answer, const std::vector<std::size_t>& channels);
+
+}  // namespace fourpost

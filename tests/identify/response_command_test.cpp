@@ -1,0 +1,151 @@
+// `fourpost response` of a vehicle file as a user meets it.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/identify/program.h"
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+constexpr const char* kCar = "urdf/quarter_car.urdf";
+
+class ResponseCommandLine : public ProgramTest {
+ protected:
+  /// Replaces the last line of the quarter car.
+  void Add(const std::string& tags) const { ReplaceIn(kCar, "</robot>", tags + "</robot>"); }
+
+  void ExpectRefused(const std::string& arguments, const std::string& message) const {
+    const Outcome outcome = Run("response " + arguments + " -o result");
+    EXPECT_EQ(outcome.code, 3) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "result"));
+  }
+};
+
+TEST_F(ResponseCommandLine, OfAVehicleIsATableAndAFolder) {
+  const Outcome outcome = Run("response urdf/quarter_car.urdf --frequencies 0.5Hz:20Hz:30 -o result");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "results: result\n");
+  for (const char* part :
+       {"heave: 30 frequencies from 0.5", "swept up, engine linearised\n", "at most 12.0 mm, 0.150 m/s, 6.00 m/s^2\n",
+        "linear kinematics are off by at most", "a_sprung", "F_tyre"})
+    EXPECT_THAT(outcome.out, HasSubstr(part));
+  const std::string table = ReadText(folder_ / "result/response.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 30 * 6 + 1);
+  EXPECT_THAT(ReadText(folder_ / "result/response.svg"), testing::StartsWith("<svg"));
+  const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
+  EXPECT_EQ(result["vehicle"], "quarter_car");
+  EXPECT_EQ(result["modes"][0]["posts"]["post"], 1);
+  EXPECT_EQ(result["modes"][0]["channels"].size(), 6u);
+  EXPECT_FALSE(result["modes"][0]["linear_kinematics_error"]["visible"]);
+}
+
+TEST_F(ResponseCommandLine, TellsModesChannelsAndSettingsAskedFor) {
+  const Outcome outcome =
+      Run("response urdf/landrover110_model3.urdf --mode roll --mode heave --channel a_cg --frequencies 1Hz,2Hz "
+          "--amplitude 3mm --set k_FL=50kN/m --sweep down --engine linearised --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json result = Json::parse(outcome.out);
+  ASSERT_EQ(result["modes"].size(), 2u);
+  EXPECT_EQ(result["modes"][0]["mode"], "roll");
+  EXPECT_EQ(result["modes"][1]["channels"].size(), 1u);
+  EXPECT_EQ(result["modes"][1]["frequency_Hz"], Json({1, 2}));
+  EXPECT_EQ(result["modes"][1]["post_amplitude_m"], Json({0.003, 0.003}));
+  EXPECT_EQ(result["parameters"]["k_FL"], 50e3);
+  EXPECT_EQ(result["sweep"], "down");
+}
+
+TEST_F(ResponseCommandLine, TellsFaultsOfOptionsAtOnce) {
+  const std::string options = " --mode heav --frequencies 5 --amplitude 5mn --channel a_spring --set m_sprun=1kg";
+  for (const char* message :
+       {"did you mean 'heave'?", "'5' is no frequency", "'5mn' is no length", "did you mean 'a_sprung'?",
+        "the vehicle has no parameter 'm_sprun', did you mean 'm_sprung'?"})
+    ExpectRefused(kCar + options, message);
+}
+
+TEST_F(ResponseCommandLine, TellsOptionsThatAStudyDoesNotTake) {
+  const std::string study = "studies/landrover110/model2.yaml --mode roll --amplitude 3mm";
+  ExpectRefused(study, "--mode: error: is for a vehicle file; model2.yaml is a study");
+  ExpectRefused(study, "--amplitude: error: is for a vehicle file");
+}
+
+TEST_F(ResponseCommandLine, TellsFaultsOfTheFile) {
+  ReplaceIn(kCar, "<mass value=\"22\"/>", "<mass value=\"-22\"/>");
+  ExpectRefused(kCar, "must not be negative");
+  ExpectRefused("nowhere.urdf", "nowhere.urdf");
+}
+
+TEST_F(ResponseCommandLine, TellsThatNothingHoldsTheDesignPose) {
+  ReplaceIn(kCar, "<linear stiffness=\"$k\"", "<linear stiffness=\"$k\" preload=\"-9 N\"");
+  ExpectRefused(kCar, "preload");
+}
+
+TEST_F(ResponseCommandLine, NamesTheModeThatGrows) {
+  ReplaceIn("urdf/landrover110_linkage.urdf", "<fp:tyre name=\"front_tyre\" link=\"front_axle\" xyz=\"0.870 0 -0.075\"",
+            "<fp:tyre name=\"front_tyre\" link=\"front_axle\" xyz=\"0.870 0 -15\"");
+  ExpectRefused("urdf/landrover110_linkage.urdf",
+                "landrover110_linkage.urdf: error: the vehicle is unstable in its design pose, so it has no steady "
+                "response: '");
+}
+
+TEST_F(ResponseCommandLine, RefusesMoreThanTheStroke) {
+  ReplaceIn(kCar, "<fp:post name=\"post\" under=\"tyre\"/>",
+            "<fp:post name=\"post\" under=\"tyre\" stroke=\"80 mm\"/>");
+  ExpectRefused(std::string(kCar) + " --amplitude 50mm",
+                "fp:post 'post' reaches 40 mm up and down, and heave at 0.5 Hz asks 50 mm of it");
+  EXPECT_EQ(Run(std::string("response ") + kCar).code, 0);
+}
+
+TEST_F(ResponseCommandLine, WarnsOfFrictionThatNeverSlides) {
+  ReplaceIn(kCar, "<bilinear compression=\"$c_bump\" rebound=\"$c_rebound\"/>",
+            "<bilinear compression=\"$c_bump\" rebound=\"$c_rebound\"/><friction force=\"5 kN\"/>");
+  const Outcome outcome = Run(std::string("response ") + kCar + " --frequencies 1Hz:10Hz:5 --amplitude 1mm");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("warning: fp:damper 'damper' never slides in heave: its friction of 5000 N holds"));
+}
+
+TEST_F(ResponseCommandLine, WarnsAboveTheModelsRange) {
+  const Outcome outcome = Run(std::string("response ") + kCar + " --frequencies 1Hz:60Hz:5");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("warning: above 30 Hz"));
+}
+
+TEST_F(ResponseCommandLine, TellsWhichFrequenciesHaveNoSteadyMotion) {
+  const Outcome outcome = Run(std::string("response ") + kCar +
+                              " --frequencies 3Hz --engine march --set c_bump=1N*s/m --set c_rebound=1N*s/m");
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_THAT(outcome.err, HasSubstr("outside its bounds"));
+  EXPECT_THAT(outcome.err, HasSubstr("heave at 3 Hz, 7.96 mm: no periodic motion within 60 s"));
+  EXPECT_EQ(outcome.out, "");
+}
+
+TEST_F(ResponseCommandLine, OfAStudyWritesAFolderToo) {
+  const Outcome outcome = Run("response studies/landrover110/model2.yaml -o result");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* file : {"response.csv", "response.svg", "result.json"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "result" / file)) << file;
+}
+
+TEST_F(ResponseCommandLine, DoesNotWriteOverItsInput) {
+  const Outcome outcome = Run(std::string("response ") + kCar + " -o urdf");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("urdf holds the input quarter_car.urdf"));
+}
+
+TEST_F(ResponseCommandLine, RefusesWordsItDoesNotKnow) {
+  for (const char* options : {"--sweep sideways", "--engine ful", "--frequencies"})
+    EXPECT_EQ(Run(std::string("response ") + kCar + " " + options).code, 2) << options;
+}
+
+}  // namespace
+}  // namespace fourpost

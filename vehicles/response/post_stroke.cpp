@@ -1,0 +1,32 @@
+#include "vehicles/response/post_stroke.h"
+
+#include <cmath>
+
+#include "analysis/number.h"
+#include "vehicles/laws/count_check.h"
+
+namespace fourpost {
+namespace {
+
+/// To a hundredth of a millimetre.
+std::string Millimetres(double metres) { return FormatNumber(std::round(metres * 1e5) / 1e2) + " mm"; }
+
+}  // namespace
+
+void CheckStroke(const Vehicle& vehicle, std::span<const double> excursion_m, const std::string& motion,
+                 Diagnostics& diagnostics) {
+  RequireCount("CheckStroke", "posts", vehicle.posts.size(), excursion_m.size());
+  // Rounding of an amplitude that uses the whole stroke.
+  constexpr double kSlack = 1e-9;
+  for (std::size_t p = 0; p < vehicle.posts.size(); ++p) {
+    const Post& post = vehicle.posts[p];
+    if (!post.stroke) continue;
+    const double reach = *post.stroke / 2;
+    if (excursion_m[p] <= reach * (1 + kSlack)) continue;
+    diagnostics.Error(vehicle.file, post.source_line,
+                      "fp:post '" + post.name + "' reaches " + Millimetres(reach) + " up and down, and " + motion +
+                          " asks " + Millimetres(excursion_m[p]) + " of it: ask less, or correct its stroke");
+  }
+}
+
+}  // namespace fourpost

@@ -1,0 +1,199 @@
+#include "vehicles/response/steady_response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/decibel.h"
+#include "vehicles/response/full_balance.h"
+#include "vehicles/response/march.h"
+
+namespace fourpost {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+double LargestGain(const ChannelResponse& channel) {
+  double largest = 0;
+  for (const std::complex<double>& value : channel.response)
+    if (std::isfinite(std::abs(value))) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+void Take(double value, double frequency_Hz, const std::string& channel, LargestDifference& largest) {
+  if (value > largest.value) largest = {.value = value, .frequency_Hz = frequency_Hz, .channel = channel};
+}
+
+/// Puts frequency `from` of `source` in the place of frequency `to`.
+void CopyFrequency(const FrequencyResponse& source, std::size_t from, std::size_t to, FrequencyResponse& target) {
+  for (std::size_t c = 0; c < target.channels.size(); ++c) {
+    target.channels[c].response[to] = source.channels[c].response[from];
+    target.channels[c].mean[to] = source.channels[c].mean[from];
+    target.channels[c].second_harmonic[to] = source.channels[c].second_harmonic[from];
+  }
+}
+
+void BlankFrequency(std::size_t index, FrequencyResponse& response) {
+  for (ChannelResponse& channel : response.channels) {
+    channel.response[index] = {kNone, kNone};
+    channel.mean[index] = channel.second_harmonic[index] = kNone;
+  }
+}
+
+std::vector<bool> Converged(const Excitation& excitation, const std::vector<double>& unconverged_Hz) {
+  std::vector<bool> converged;
+  for (const double frequency : excitation.frequency_Hz)
+    converged.push_back(std::find(unconverged_Hz.begin(), unconverged_Hz.end(), frequency) == unconverged_Hz.end());
+  return converged;
+}
+
+}  // namespace
+
+const char* EngineName(Engine engine) {
+  switch (engine) {
+    case Engine::kAuto: return "auto";
+    case Engine::kLinearised: return "linearised";
+    case Engine::kFull: return "full";
+    case Engine::kMarch: return "march";
+  }
+  return "";
+}
+
+KinematicsError CompareKinematics(const FrequencyResponse& linearised, const FrequencyResponse& full) {
+  constexpr double kNode = 0.03;
+  constexpr double kSilent = 0.01;
+  std::map<std::string, double> loudest;
+  for (const ChannelResponse& channel : full.channels)
+    loudest[channel.unit] = std::max(loudest[channel.unit], LargestGain(channel));
+  KinematicsError error;
+  for (std::size_t c = 0; c < full.channels.size(); ++c) {
+    const ChannelResponse& channel = full.channels[c];
+    const double largest = LargestGain(channel);
+    if (!(largest > kSilent * loudest[channel.unit])) continue;
+    for (std::size_t i = 0; i < channel.response.size(); ++i) {
+      const std::complex<double> ratio = linearised.channels[c].response[i] / channel.response[i];
+      if (!std::isfinite(std::abs(ratio)) || ratio == 0.0 || std::abs(channel.response[i]) < kNode * largest) continue;
+      Take(std::abs(DecibelFromGain(std::abs(ratio))), full.frequency_Hz[i], channel.name, error.gain_dB);
+      Take(std::abs(DegreesFromRadians(std::arg(ratio))), full.frequency_Hz[i], channel.name, error.phase_deg);
+    }
+  }
+  return error;
+}
+
+KinematicsError SteadySolver::Compare(Answer linearised, const Answer& full) {
+  for (std::size_t i = 0; i < full.converged.size(); ++i)
+    if (!full.converged[i] || !linearised.converged[i]) BlankFrequency(i, linearised.response);
+  return CompareKinematics(linearised.response, full.response);
+}
+
+SteadySolver::SteadySolver(const Vehicle& vehicle) : vehicle_(vehicle) {
+  const CondensedVehicle condensed(vehicle);
+  model_ = condensed.At(vehicle.ParameterValues());
+}
+
+Multibody& SteadySolver::FullSystem() {
+  if (!multibody_) {
+    multibody_.emplace(vehicle_);
+    multibody_->SetParameters(vehicle_.ParameterValues(), model_.preloads);
+  }
+  return *multibody_;
+}
+
+SteadySolver::Answer SteadySolver::Linearised(const Excitation& excitation, const HarmonicBalanceOptions& options) {
+  PeriodicResponse found = SolveHarmonicBalance(model_, vehicle_.sensors, excitation, options);
+  return {std::move(found.response), Converged(excitation, found.unconverged_Hz)};
+}
+
+SteadySolver::Answer SteadySolver::Full(const Excitation& excitation) {
+  PeriodicResponse found = SolveFullBalance(FullSystem(), model_, excitation);
+  return {std::move(found.response), Converged(excitation, found.unconverged_Hz)};
+}
+
+/// One balance; what it leaves open is marked for the march.
+SteadyResponse SteadySolver::Chosen(const Excitation& excitation, Engine engine,
+                                    const HarmonicBalanceOptions& options) {
+  Answer answer = engine == Engine::kFull ? Full(excitation) : Linearised(excitation, options);
+  SteadyResponse out{.response = std::move(answer.response), .engine = engine};
+  for (const bool converged : answer.converged) out.engine_at.push_back(converged ? engine : Engine::kMarch);
+  return out;
+}
+
+SteadyResponse SteadySolver::Checked(const Excitation& excitation, const HarmonicBalanceOptions& options) {
+  Answer linearised = Linearised(excitation, options);
+  Answer full;
+  SteadyResponse out{.engine = Engine::kLinearised};
+  try {
+    full = Full(excitation);
+    bool any = false;
+    for (std::size_t i = 0; i < full.converged.size(); ++i) any = any || (full.converged[i] && linearised.converged[i]);
+    if (any) out.kinematics_error = Compare(linearised, full);
+    else out.not_estimated = "the full balance converged at no frequency at which the linearised one did";
+    if (any && out.kinematics_error->IsVisible()) out.engine = Engine::kFull;
+  } catch (const std::invalid_argument& refusal) {
+    out.not_estimated = refusal.what();
+    full.converged.assign(excitation.frequency_Hz.size(), false);
+  }
+  const bool is_full = out.engine == Engine::kFull;
+  out.response = is_full ? full.response : linearised.response;
+  for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+    // Where the full balance fails and kinematics matter, the linearised one is no answer.
+    const bool converged = is_full ? full.converged[i] : linearised.converged[i];
+    const bool rescued = !converged && full.converged[i];
+    if (rescued) CopyFrequency(full.response, i, i, out.response);
+    out.engine_at.push_back(converged ? out.engine : rescued ? Engine::kFull : Engine::kMarch);
+  }
+  if (is_full) {
+    for (std::size_t i = 0; i < linearised.converged.size(); ++i)
+      if (!linearised.converged[i]) BlankFrequency(i, linearised.response);
+    out.linearised = std::move(linearised.response);
+  }
+  return out;
+}
+
+void SteadySolver::MarchMissing(const Excitation& excitation, const Progress& progress, SteadyResponse& out) {
+  std::vector<std::size_t> places;
+  Excitation missing{.shape = excitation.shape};
+  for (std::size_t i = 0; i < out.engine_at.size(); ++i) {
+    if (out.engine_at[i] != Engine::kMarch) continue;
+    places.push_back(i);
+    missing.frequency_Hz.push_back(excitation.frequency_Hz[i]);
+    missing.amplitude_m.push_back(excitation.amplitude_m[i]);
+  }
+  if (places.empty()) return;
+  const std::string total = std::to_string(places.size());
+  const MarchedResponse marched = March(FullSystem(), missing, {}, [&](std::size_t done) {
+    if (progress) progress("march: " + std::to_string(done) + " of " + total + " frequencies");
+  });
+  if (out.response.channels.empty()) out.response = marched.response;
+  for (std::size_t k = 0; k < places.size(); ++k) CopyFrequency(marched.response, k, places[k], out.response);
+  for (const UnsteadyMotion& motion : marched.unsteady) {
+    const auto k = static_cast<std::size_t>(
+        std::find(missing.frequency_Hz.begin(), missing.frequency_Hz.end(), motion.frequency_Hz) -
+        missing.frequency_Hz.begin());
+    BlankFrequency(places[k], out.response);
+    out.unanswered.push_back({motion.frequency_Hz, UnsteadyMessage(vehicle_, missing, motion)});
+  }
+}
+
+SteadyResponse SteadySolver::Solve(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options,
+                                   const Progress& progress) {
+  SteadyResponse out;
+  const bool is_long = engine == Engine::kAuto || engine == Engine::kFull;
+  if (progress && is_long) progress("balancing the full system");
+  switch (engine) {
+    case Engine::kAuto: out = Checked(excitation, options); break;
+    case Engine::kLinearised:
+    case Engine::kFull: out = Chosen(excitation, engine, options); break;
+    case Engine::kMarch:
+      out.engine = engine;
+      out.engine_at.assign(excitation.frequency_Hz.size(), engine);
+      break;
+  }
+  MarchMissing(excitation, progress, out);
+  return out;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/multibody/multibody.h"
+#include "vehicles/response/excitation.h"
+#include "vehicles/response/harmonic_balance.h"
+
+namespace fourpost {
+
+/// How a periodic response is found.
+enum class Engine {
+  /// Linearised, checked by the full one, which answers where the two visibly differ.
+  kAuto,
+  /// Harmonic balance on kinematics linearised about static equilibrium: what the fit uses.
+  kLinearised,
+  /// Harmonic balance on the full multibody system.
+  kFull,
+  /// The full multibody system integrated to steady state: the reference.
+  kMarch,
+};
+
+/// "auto", "linearised", "full", "march".
+const char* EngineName(Engine engine);
+
+/// A difference of two answers, and where it is.
+struct LargestDifference {
+  double value = 0;
+  double frequency_Hz = 0;
+  std::string channel;
+};
+
+/// By how much kinematics linearised about the design pose are off: the largest differences of gain and phase between
+/// the linearised and the full balance. Values of a channel below 3 % of its largest are left out, as next to a node a
+/// ratio says nothing, and channels that are silent: below a hundredth of the loudest of their unit.
+struct KinematicsError {
+  LargestDifference gain_dB;
+  LargestDifference phase_deg;
+
+  /// What a rig's gains and phases repeat within, and what a plot shows.
+  static constexpr double kVisible_dB = 0.05;
+  static constexpr double kVisible_deg = 0.3;
+  /// The larger of both differences over what is visible.
+  double Size() const { return std::max(gain_dB.value / kVisible_dB, phase_deg.value / kVisible_deg); }
+  bool IsVisible() const { return Size() > 1; }
+};
+
+/// Compares answers to one excitation, frequencies without a finite value left out.
+KinematicsError CompareKinematics(const FrequencyResponse& linearised, const FrequencyResponse& full);
+
+/// A frequency without an answer.
+struct Unanswered {
+  double frequency_Hz = 0;
+  std::string why;
+};
+
+struct SteadyResponse {
+  /// NaN where no periodic motion was found.
+  FrequencyResponse response;
+  /// Which engine answered most of the frequencies: the one asked for, or of kAuto the one it chose.
+  Engine engine = Engine::kLinearised;
+  /// One per frequency: a balance that does not converge leaves it to kMarch. The one that tried last where none did.
+  std::vector<Engine> engine_at;
+  std::vector<Unanswered> unanswered;
+  /// Of kAuto, over the frequencies at which both balances converged, if there are any.
+  std::optional<KinematicsError> kinematics_error;
+  /// What the linearised balance found; of kAuto when the full one answered.
+  std::optional<FrequencyResponse> linearised;
+  /// Of kAuto, why there is no kinematics_error; else empty.
+  std::string not_estimated;
+};
+
+/// A vehicle, at its file's values, that answers stepped sines by any engine.
+class SteadySolver {
+ public:
+  /// The vehicle must outlive this object. Throws FaultyInput when it cannot be assembled or held in its design pose.
+  explicit SteadySolver(const Vehicle& vehicle);
+
+  const CondensedModel& model() const { return model_; }
+
+  /// Hears what is being done, such as "march: 3 of 12 frequencies".
+  using Progress = std::function<void(const std::string& text)>;
+
+  /// Frequencies in the order of the sweep, see SolveHarmonicBalance. A march starts each of them from rest.
+  /// `options`: of the linearised balance.
+  /// Throws std::invalid_argument for an excitation that does not fit, and, of kFull only, for a vehicle that the full
+  /// balance does not take; std::runtime_error when an integration fails.
+  SteadyResponse Solve(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options = {},
+                       const Progress& progress = {});
+
+ private:
+  /// Answers and the frequencies that have none, by number.
+  struct Answer {
+    FrequencyResponse response;
+    std::vector<bool> converged;
+  };
+  Answer Linearised(const Excitation& excitation, const HarmonicBalanceOptions& options);
+  Answer Full(const Excitation& excitation);
+  SteadyResponse Chosen(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options);
+  /// Over the frequencies at which both converged.
+  static KinematicsError Compare(Answer linearised, const Answer& full);
+  SteadyResponse Checked(const Excitation& excitation, const HarmonicBalanceOptions& options);
+  void MarchMissing(const Excitation& excitation, const Progress& progress, SteadyResponse& response);
+  Multibody& FullSystem();
+
+  const Vehicle& vehicle_;
+  CondensedModel model_;
+  /// Made when needed.
+  std::optional<Multibody> multibody_;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,28 @@
+#include "vehicles/ride/stability.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "vehicles/loops/design_kinematics.h"
+#include "vehicles/ride/named_modes.h"
+
+namespace fourpost {
+
+std::optional<Growth> GrowthOf(const std::vector<Mode>& modes, double growth_rate) {
+  if (growth_rate < kSlowestMotion_per_s) return std::nullopt;
+  Growth growth{.rate_per_s = growth_rate};
+  for (const Mode& mode : modes)
+    if (mode.kind == Mode::Kind::kDiverging || mode.damping_ratio < 0)
+      growth.modes += (growth.modes.empty() ? "'" : " and '") + mode.name + "'";
+  if (growth.modes.empty()) growth.modes = "a motion";
+  return growth;
+}
+
+std::optional<Growth> GrowthOf(const Vehicle& vehicle, const CondensedModel& model) {
+  const double growth_rate = StateMatrix(model).eigenvalues().real().maxCoeff();
+  if (growth_rate < kSlowestMotion_per_s) return std::nullopt;
+  const std::vector<double> values = vehicle.ParameterValues();
+  const Kinematics pose = DesignKinematics(vehicle);
+  return GrowthOf(NamedModes(vehicle, pose, SuspensionOf(vehicle, pose, values), model, values), growth_rate);
+}
+
+}  // namespace fourpost

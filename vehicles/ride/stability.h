@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/condensed/modes.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// A vehicle that does not stay in its design pose.
+struct Growth {
+  /// exp(rate t) [1/s].
+  double rate_per_s = 0;
+  /// "'rear wind-up' and 'roll'"; "a motion" where the growth is a series spring's.
+  std::string modes;
+};
+
+/// `growth_rate`: largest real part of all poles; `modes` with their names. Nothing for a stable vehicle.
+std::optional<Growth> GrowthOf(const std::vector<Mode>& modes, double growth_rate);
+
+/// Of the vehicle at its file's values, which `model` has.
+std::optional<Growth> GrowthOf(const Vehicle& vehicle, const CondensedModel& model);
+
+}  // namespace fourpost
