@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "identify/lattice.h"
+#include "identify/search/lattice.h"
 
 namespace fourpost {
 

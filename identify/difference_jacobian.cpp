@@ -28,30 +28,46 @@ Eigen::VectorXd Shifted(const Eigen::VectorXd& x, Eigen::Index j, double offset)
 std::optional<Eigen::VectorXd> Slope(const Eigen::VectorXd& residuals, const Evaluation& at_a, const Evaluation& at_b,
                                      const Offsets& offsets) {
   const auto [a, b] = offsets;
+  if (b == 0) {
+    if (!at_a.ok()) return std::nullopt;
+    return (at_a.residuals - residuals) / a;
+  }
   if (!at_a.ok() && !at_b.ok()) return std::nullopt;
   if (!at_b.ok()) return (at_a.residuals - residuals) / a;
   if (!at_a.ok()) return (at_b.residuals - residuals) / b;
   return ((at_a.residuals - residuals) * (b / a) - (at_b.residuals - residuals) * (a / b)) / (b - a);
 }
 
+// A step of this axis that its values can show.
+double StepOf(const Lattice& lattice, const FitVariables& variables, const Eigen::VectorXd& x, Eigen::Index j,
+              double step) {
+  const LatticeAxis& axis = lattice.axes()[static_cast<std::size_t>(j)];
+  if (!axis.discrete) return step;
+  return std::max(step, axis.precision / variables.Slopes(variables.ToValues(x))[j]);
+}
+
 }  // namespace
 
 std::optional<Eigen::MatrixXd> DifferenceJacobian(Archive& archive, const FitVariables& variables,
                                                   const Eigen::VectorXd& x, const Eigen::VectorXd& residuals,
-                                                  double step) {
+                                                  double step, Differences differences) {
+  const bool central = differences == Differences::kCentral;
   std::vector<Offsets> offsets;
   std::vector<Eigen::VectorXd> points;
   for (Eigen::Index j = 0; j < x.size(); ++j) {
-    offsets.push_back(OffsetsInside(x[j], variables.lower()[j], variables.upper()[j], step));
+    offsets.push_back(OffsetsInside(x[j], variables.lower()[j], variables.upper()[j],
+                                    StepOf(archive.lattice(), variables, x, j, step)));
+    if (!central) offsets.back().b = 0;
     points.push_back(variables.ToValues(Shifted(x, j, offsets.back().a)));
-    points.push_back(variables.ToValues(Shifted(x, j, offsets.back().b)));
+    if (central) points.push_back(variables.ToValues(Shifted(x, j, offsets.back().b)));
   }
   const std::vector<Evaluation> evaluations = archive.EvaluateValues(points);
 
   Eigen::MatrixXd jacobian(residuals.size(), x.size());
   for (Eigen::Index j = 0; j < x.size(); ++j) {
     const auto k = static_cast<std::size_t>(j);
-    const auto column = Slope(residuals, evaluations[2 * k], evaluations[2 * k + 1], offsets[k]);
+    const auto column = central ? Slope(residuals, evaluations[2 * k], evaluations[2 * k + 1], offsets[k])
+                                : Slope(residuals, evaluations[k], evaluations[k], offsets[k]);
     if (!column) return std::nullopt;
     jacobian.col(j) = *column;
   }

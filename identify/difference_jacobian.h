@@ -4,17 +4,21 @@
 
 #include <Eigen/Core>
 
-#include "identify/archive.h"
 #include "identify/fit_variables.h"
+#include "identify/search/archive.h"
 
 namespace fourpost {
 
-/// d residuals / d x by differences, N x n, all points in one parallel batch of 2n evaluations. Each column is the
+/// How many evaluations a column of a Jacobian takes: two, with an error of second order in the step, or one.
+enum class Differences { kCentral, kForward };
+
+/// d residuals / d x by differences, N x n, all points in one parallel batch. Steps of discrete axes are at least one
+/// step of the lattice. Forward: the slope to x + step, or x - step at the upper bound. Central: each column is the
 /// slope at x of the parabola through x and two more points: x +- step (central differences), or x + step and x + 2
 /// step on the inner side of a bound. Where one of the two fails, the other gives the slope alone. `residuals` are
 /// those at x. Nothing when a column has no point that can be evaluated.
 std::optional<Eigen::MatrixXd> DifferenceJacobian(Archive& archive, const FitVariables& variables,
                                                   const Eigen::VectorXd& x, const Eigen::VectorXd& residuals,
-                                                  double step);
+                                                  double step, Differences differences = Differences::kCentral);
 
 }  // namespace fourpost

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "identify/fit_variables.h"
+#include "identify/search_method_list.h"
 
 namespace fourpost {
 namespace {
@@ -131,7 +132,10 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
   result.values = objective.vehicle().ParameterValues();
   result.residual_count = objective.residual_count();
   result.prior_count = objective.prior_count();
-  result.search = SearchDvhde(archive, options.search, {[&](const SearchGeneration&) { report("search"); }, stop});
+  Dvhde search(archive.lattice(), options.search, options.seed);
+  result.search = RunSearch(archive, search, options.stop, options.candidates,
+                            {[&](const SearchGeneration&) { report("search"); }, stop});
+  result.search_settings = Settings(options.search);
   result.evaluations = archive.counts();
   if (result.search.candidates.empty()) {
     result.end = stop() ? FitEnd::kInterrupted : FitEnd::kAllFailed;

@@ -5,18 +5,22 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "identify/archive.h"
 #include "identify/covariance.h"
-#include "identify/dvhde.h"
 #include "identify/four_post_objective.h"
 #include "identify/refine.h"
+#include "identify/search/archive.h"
+#include "identify/search/dvhde.h"
 
 namespace fourpost {
 
 struct FitOptions {
-  DvhdeOptions search;
+  DvhdeOptions search = ThesisDvhde();
+  std::uint64_t seed = 1;
+  StopRules stop;
+  CandidateRules candidates;
   RefineOptions refine;
   /// Distinct good points of the search that are refined, beside the vehicle's own values.
   int starts = 4;
@@ -68,6 +72,8 @@ struct FitResult {
   std::vector<std::string> weakest;
   EvaluationCounts evaluations;
   SearchResult search;
+  /// Every setting of the search and its value, in the words of a study.
+  std::vector<std::pair<std::string, std::string>> search_settings;
   /// Refinements run, and how many ended in the best optimum.
   int starts = 0;
   int agreeing = 0;

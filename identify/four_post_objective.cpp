@@ -40,7 +40,8 @@ Problem FourPostObjective::MakeProblem() const {
     const Parameter& parameter = vehicle_.parameters[index];
     axes.push_back({parameter.name, parameter.lower, parameter.upper, parameter.precision});
   }
-  return {Lattice(std::move(axes)), [this](const Eigen::VectorXd& values) { return Evaluate(values); }};
+  return {Lattice(std::move(axes)), [this](const Eigen::VectorXd& values) { return Evaluate(values); },
+          residual_count_};
 }
 
 std::vector<double> FourPostObjective::AllParameters(const Eigen::VectorXd& values) const {

@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "analysis/frequency_response.h"
-#include "identify/evaluation.h"
 #include "identify/four_post_data.h"
+#include "identify/search/evaluation.h"
 #include "identify/study.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/vehicle.h"

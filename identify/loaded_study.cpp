@@ -69,6 +69,11 @@ FourPostObjective LoadedStudy::MakeObjective() const {
 std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {
   const std::optional<Study> study = ReadStudy(file, diagnostics);
   if (!study) return std::nullopt;
+  if (study->problem) {
+    diagnostics.Error(study->file.string(), study->problem_line,
+                      "this is a test problem for `fourpost compare`; here a study needs a vehicle and recordings");
+    return std::nullopt;
+  }
   if (!HasFiles(*study, diagnostics)) return std::nullopt;
   const std::optional<Vehicle> vehicle = ReadVehicle(study->vehicle, diagnostics);
   if (!vehicle) {

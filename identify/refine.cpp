@@ -23,9 +23,13 @@ struct Residuals {
 // The residuals as Ceres wants them; remembers the latest ones and the latest Jacobian, for which Ceres asks apart.
 class ResidualFunction : public ceres::CostFunction {
  public:
-  ResidualFunction(Archive& archive, const FitVariables& variables, double step, const Eigen::VectorXd& x,
-                   const Eigen::VectorXd& residuals)
-      : archive_(archive), variables_(variables), step_(step), here_{x, residuals} {
+  ResidualFunction(Archive& archive, const FitVariables& variables, const RefineOptions& options,
+                   const Eigen::VectorXd& x, const Eigen::VectorXd& residuals)
+      : archive_(archive),
+        variables_(variables),
+        step_(options.step),
+        differences_(options.differences),
+        here_{x, residuals} {
     set_num_residuals(static_cast<int>(residuals.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(x.size()));
   }
@@ -69,7 +73,8 @@ class ResidualFunction : public ceres::CostFunction {
   // The Jacobian where MoveTo() went.
   bool Linearise() const {
     if (linearised_ && here_.x == linearised_->x) return true;
-    std::optional<Eigen::MatrixXd> jacobian = DifferenceJacobian(archive_, variables_, here_.x, here_.residuals, step_);
+    std::optional<Eigen::MatrixXd> jacobian =
+        DifferenceJacobian(archive_, variables_, here_.x, here_.residuals, step_, differences_);
     if (!jacobian) return false;
     linearised_ = here_;
     jacobian_ = *std::move(jacobian);
@@ -95,6 +100,7 @@ class ResidualFunction : public ceres::CostFunction {
   Archive& archive_;
   const FitVariables& variables_;
   double step_;
+  Differences differences_;
   // Ceres evaluates through const.
   mutable Residuals here_;
   mutable std::optional<Residuals> linearised_;
@@ -115,7 +121,13 @@ class StopCallback : public ceres::IterationCallback {
 };
 
 // Ceres reports refused steps as warnings on stderr, where they would break up a progress line.
-void QuietGlog() { FLAGS_minloglevel = google::GLOG_FATAL; }
+void QuietGlog() {
+  static const bool quiet = [] {
+    FLAGS_minloglevel = google::GLOG_FATAL;
+    return true;
+  }();
+  static_cast<void>(quiet);
+}
 
 ceres::Solver::Options SolverOptions(const RefineOptions& options) {
   ceres::Solver::Options solver;
@@ -206,7 +218,7 @@ RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const Refine
     return result;
   }
 
-  ResidualFunction function(archive, variables, options.step, x, first.residuals);
+  ResidualFunction function(archive, variables, options, x, first.residuals);
   const ceres::Solver::Summary summary = Solve(function, variables, options, stop, x);
   result.end = EndOf(summary.termination_type, !function.failure().empty());
   const bool refused = result.end == RefineEnd::kFailed && !function.failure().empty();

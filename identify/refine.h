@@ -8,7 +8,8 @@
 
 #include <Eigen/Core>
 
-#include "identify/archive.h"
+#include "identify/difference_jacobian.h"
+#include "identify/search/archive.h"
 
 namespace fourpost {
 
@@ -18,6 +19,7 @@ struct RefineOptions {
   /// Step of the differences in the fit variables: relative for logarithmic ones, else a share of the range; in (0,
   /// 0.1].
   double step = 1e-4;
+  Differences differences = Differences::kCentral;
   /// Converged when the cost falls by less than this share in an iteration; in (0, 1).
   double cost_tolerance = 1e-8;
   /// Converged when the variables move by less than this share of their norm; in (0, 1).

@@ -65,6 +65,12 @@ Json Identifiability(const std::optional<Covariance>& covariance, const std::vec
           {"sd_inflation", covariance->inflation}};
 }
 
+Json Search(const FitResult& fit) {
+  Json settings = Json::object();
+  for (const auto& [key, value] : fit.search_settings) settings[key] = value;
+  return {{"end", fit.search.reason}, {"settings", settings}};
+}
+
 }  // namespace
 
 std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit,
@@ -80,6 +86,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                      {"residuals", fit.residual_count},
                      {"seed", seed},
                      {"evaluations", Evaluations(fit.evaluations)},
+                     {"search", Search(fit)},
                      {"starts", {{"refined", fit.starts}, {"agreeing", fit.agreeing}}},
                      {"identifiability", Identifiability(fit.covariance, fit.weakest)},
                      {"parameters", Parameters(fit.parameters)},

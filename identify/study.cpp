@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "analysis/text_file.h"
+#include "identify/problems/test_problem.h"
+#include "identify/search_method_list.h"
 #include "identify/strict_yaml.h"
 #include "vehicles/description/post_pattern.h"
 
@@ -18,9 +20,10 @@ class StudyReader {
   }
 
   Study Read(const YAML::Node& root) {
-    const StrictMap top =
-        Map(root, "the study",
-            {"vehicle", "recordings", "channels", "static_loads", "free", "band", "model_error", "search"});
+    if (root.IsMap() && root["problem"].IsDefined()) return ReadTestProblem(root);
+    const StrictMap top = Map(root, "the study",
+                              {"vehicle", "recordings", "channels", "static_loads", "free", "band", "model_error",
+                               "search", "target", "methods"});
     ReadVehicle(top);
     ReadRecordings(top);
     if (const YAML::Node channels = top.Require("channels"); channels.IsDefined())
@@ -29,11 +32,58 @@ class StudyReader {
     if (top.Has("free")) ReadFree(top.Get("free"));
     ReadBand(top);
     if (top.Has("model_error")) ReadModelError(top.Get("model_error"));
-    if (top.Has("search")) ReadSearch(top.Get("search"));
+    ReadSearches(top);
     return study_;
   }
 
  private:
+  Study ReadTestProblem(const YAML::Node& root) {
+    const StrictMap top = Map(root, "the study", {"problem", "search", "target", "methods"});
+    study_.problem = top.Text("problem");
+    study_.problem_line = LineOf(top.Get("problem"));
+    const auto known = [&](std::string_view name) { return name == study_.problem; };
+    if (study_.problem && std::none_of(kTestProblems.begin(), kTestProblems.end(), known))
+      Fault(top.Get("problem"),
+            "unknown problem '" + *study_.problem + "'" + Suggestion(*study_.problem, kTestProblems));
+    ReadSearches(top);
+    return study_;
+  }
+
+  void ReadSearches(const StrictMap& top) {
+    if (top.Has("search")) ReadSearch(top.Get("search"));
+    study_.target_cost = top.Number("target", 0, 1e300);
+    if (top.Has("methods")) ReadMethods(top.Get("methods"));
+  }
+
+  void ReadMethods(const YAML::Node& node) {
+    if (!node.IsMap()) return Fault(node, "'methods' must map names to settings");
+    std::vector<std::string> names;
+    for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
+    const StrictMap unique = Map(node, "'methods'", {names.begin(), names.end()});
+    for (const auto& entry : node) ReadMethod(entry.first.as<std::string>(), entry.second);
+  }
+
+  void ReadMethod(const std::string& name, const YAML::Node& node) {
+    const std::string where = "method '" + name + "'";
+    if (!node.IsMap()) return Fault(node, where + " must be a list of settings");
+    std::vector<std::string> keys;
+    for (const auto& entry : node) keys.push_back(entry.first.as<std::string>());
+    const StrictMap map = Map(node, where, {keys.begin(), keys.end()});
+    StudyMethod method = {.name = name, .line = LineOf(node)};
+    const YAML::Node preset = map.Require("method");
+    method.preset = map.Text("method").value_or("");
+    if (!method.preset.empty() &&
+        std::find(kMethodNames.begin(), kMethodNames.end(), method.preset) == kMethodNames.end())
+      Fault(preset, "unknown method '" + method.preset + "'" + Suggestion(method.preset, kMethodNames));
+    for (const auto& entry : node) {
+      const auto key = entry.first.as<std::string>();
+      if (key == "method") continue;
+      if (!entry.second.IsScalar()) Fault(entry.second, "'" + key + "' of " + where + " must be a single value");
+      else method.settings.push_back({key, entry.second.Scalar(), LineOf(entry.second)});
+    }
+    study_.methods.push_back(method);
+  }
+
   StrictMap Map(const YAML::Node& node, const std::string& where, const std::vector<std::string_view>& keys) {
     return {node, where, keys, file_, diagnostics_};
   }
@@ -186,11 +236,12 @@ class StudyReader {
   }
 
   void ReadSearch(const YAML::Node& node) {
-    const StrictMap map = Map(node, "'search'", {"seed", "evaluations", "population", "starts"});
+    const StrictMap map = Map(node, "'search'", {"seed", "evaluations", "population", "starts", "generations"});
     StudySearch& search = study_.search;
     search.seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 1L << 62).value_or(static_cast<long>(search.seed)));
     search.evaluations = map.Integer("evaluations", 1, 1L << 40).value_or(search.evaluations);
     search.population = static_cast<int>(map.Integer("population", 4, 100000).value_or(search.population));
+    search.generations = static_cast<int>(map.Integer("generations", 1, 1L << 30).value_or(search.generations));
     search.starts = static_cast<int>(map.Integer("starts", 1, 1000).value_or(search.starts));
   }
 

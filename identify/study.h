@@ -45,11 +45,32 @@ struct StudySearch {
   std::int64_t evaluations = 300;
   int population = 20;
   int starts = 4;
+  /// Of a fit: the thesis's appendix A.
+  int generations = 150;
+};
+
+/// A setting of a method, as written.
+struct StudySetting {
+  std::string key;
+  std::string value;
+  int line = 0;
+};
+
+/// A search method to compare: a preset with some settings changed.
+struct StudyMethod {
+  std::string name;
+  /// As in kMethodNames.
+  std::string preset;
+  std::vector<StudySetting> settings;
+  int line = 0;
 };
 
 /// A study as its YAML file tells it; paths are resolved against the file's folder.
 struct Study {
   std::filesystem::path file;
+  /// One of kTestProblems in place of a vehicle and its recordings.
+  std::optional<std::string> problem;
+  int problem_line = 0;
   std::filesystem::path vehicle;
   int vehicle_line = 0;
   std::vector<StudyRecording> recordings;
@@ -66,6 +87,9 @@ struct Study {
   int band_line = 0;
   ModelError model_error;
   StudySearch search;
+  /// Cost at which a search has solved it; for comparisons.
+  std::optional<double> target_cost;
+  std::vector<StudyMethod> methods;
 };
 
 /// Reads a study. Adds every fault to `diagnostics` with file and line; nothing when there was an error.

@@ -101,6 +101,17 @@ struct FitCommand {
   int threads = 0;
 };
 
+/// `fourpost compare STUDY --methods a,b --runs N --seed S`
+struct CompareCommand {
+  std::filesystem::path study;
+  std::vector<std::string> methods = {"dvhde", "thesis", "de", "ds", "gb"};
+  int runs = 20;
+  std::uint64_t seed = 1;
+  /// 0: one per processor.
+  int threads = 0;
+  bool json = false;
+};
+
 // Each prints its result on stdout, all else on stderr, and returns an ExitCode. They throw FaultyInput for a user's
 // file that cannot be used, OutputError for a result that cannot be written.
 
@@ -109,5 +120,6 @@ int Run(const ResponseCommand& command);
 int Run(const SimulateCommand& command);
 int Run(const ModesCommand& command);
 int Run(const FitCommand& command);
+int Run(const CompareCommand& command);
 
 }  // namespace fourpost

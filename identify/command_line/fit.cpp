@@ -23,11 +23,11 @@ namespace {
 
 FitOptions OptionsOf(const StudySearch& search, const FitCommand& command) {
   FitOptions options;
-  options.search = ThesisDvhde();
-  options.search.seed = command.seed.value_or(search.seed);
-  options.search.max_evaluations = search.evaluations;
   options.search.population = search.population;
-  options.search.candidates = search.starts;
+  options.seed = command.seed.value_or(search.seed);
+  options.stop.max_evaluations = search.evaluations;
+  options.stop.max_generations = search.generations;
+  options.candidates.count = search.starts;
   options.starts = search.starts;
   options.threads = command.threads;
   return options;
@@ -46,7 +46,7 @@ FitResult FitWithProgress(const FourPostObjective& objective, const FitOptions& 
   ProgressLine line;
   FitHooks hooks;
   hooks.progress = [&](const FitProgress& progress) {
-    line.Show(ProgressText(progress, options.search.max_evaluations, line.seconds()));
+    line.Show(ProgressText(progress, options.stop.max_evaluations, line.seconds()));
   };
   hooks.stop = Interrupted;
   return Fit(objective, options, hooks);
@@ -87,7 +87,8 @@ std::string Summary(const FitResult& fit) {
   return "fit " + std::string(FitEndName(fit.end)) + ": cost " + Rounded(fit.cost, 5) + " for " +
          std::to_string(fit.residual_count) + " residuals" + PriorShare(fit) + "; " + std::to_string(counts.paid) +
          " evaluations paid, " + std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) +
-         " failed; " + std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " refinements agree\n";
+         " failed; " + std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " refinements agree\n" +
+         "search ended by " + fit.search.reason + "\n";
 }
 
 /// How large the misfit is, and what the data say worst, in words.
@@ -190,7 +191,7 @@ int Run(const FitCommand& command) {
                  fit.message.c_str());
     return CodeOf(fit.end);
   }
-  const FitReport report = Report(*loaded, objective, options.search.seed, fit, command.output);
+  const FitReport report = Report(*loaded, objective, options.seed, fit, command.output);
   output.Add("vehicle.urdf", report.vehicle);
   output.Add("response.csv", report.response_csv);
   output.Add("response.svg", report.response_svg);

@@ -80,6 +80,20 @@ int main(int argc, char** argv) {
   sub->add_flag("--json", fit.json, "Print result.json in place of tables");
   sub->callback([&] { run = [&] { return Run(fit); }; });
 
+  CompareCommand compare;
+  sub = app.add_subcommand("compare", "Compare search methods on a study by evaluations counted");
+  sub->add_option("STUDY", compare.study, "Study file (.yaml) of a vehicle or a test problem")->required();
+  sub->add_option("--methods", compare.methods,
+                  "Separated by commas: dvhde direct thesis de ds gb bfgs multistart adaptive cma, or the study's own")
+      ->delimiter(',')
+      ->default_str("dvhde,thesis,de,ds,gb");
+  sub->add_option("--runs", compare.runs, "Of each method")->check(CLI::Range(1, 1000000))->capture_default_str();
+  sub->add_option("--seed", compare.seed, "Of the first run; the others take those after it")->check(WholeNumber());
+  sub->add_option("--threads", compare.threads, "Runs at once, no influence on the result; 0: one per processor")
+      ->check(CLI::Range(0, 1024));
+  sub->add_flag("--json", compare.json, "Print JSON in place of tables");
+  sub->callback([&] { run = [&] { return Run(compare); }; });
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -403,5 +403,61 @@ TEST_F(CommandLine, AnswersHelpAndVersion) {
   EXPECT_THAT(Run("--version").out, HasSubstr("0.1.0"));
 }
 
+TEST_F(CommandLine, CompareCountsWhatEachMethodNeeds) {
+  const Outcome outcome =
+      Run("compare studies/test_problems/oscillator.yaml --methods dvhde,gb,de_15 --runs 5 --seed 3 --json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Json methods = Json::parse(outcome.out).at("methods");
+  ASSERT_EQ(methods.size(), 3u);
+  for (const Json& method : methods) {
+    EXPECT_EQ(method.at("runs"), 5);
+    EXPECT_EQ(method.at("successes"), 5) << method.at("name");
+    EXPECT_EQ(method.at("evaluations_mean"), method.at("expected_evaluations"));
+    EXPECT_LE(method.at("cost_worst"), 1e-6);
+  }
+  EXPECT_EQ(methods[2].at("name"), "de_15");
+  EXPECT_LT(methods[0].at("evaluations_mean"), 50);
+  const std::string same =
+      "compare studies/test_problems/oscillator.yaml --methods dvhde,gb,de_15 --runs 5 --seed 3 --json ";
+  EXPECT_EQ(Run(same + "--threads 1").out, outcome.out);
+  EXPECT_EQ(Run(same + "--threads 4").out, outcome.out);
+}
+
+TEST_F(CommandLine, ComparePrintsATableWithIntervalsAndAllSettings) {
+  const Outcome outcome = Run("compare studies/test_problems/gear_train.yaml --methods thesis_40,ds --runs 3");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("per success"));
+  EXPECT_THAT(outcome.out, HasSubstr("95 %"));
+  EXPECT_THAT(outcome.out, HasSubstr("thesis_40: ended by"));
+  EXPECT_THAT(outcome.out, HasSubstr("with population 40 base random factor_rule constant factor 0.8 crossover 0.7"));
+}
+
+TEST_F(CommandLine, CompareTakesTheStudyOfAVehicle) {
+  const Outcome outcome = Run("compare studies/landrover110/model2.yaml --methods gb,dvhde --runs 1 --json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  // Without a target of its own, the best of all runs and 1 %.
+  EXPECT_NEAR(json.at("target_cost"), 1.01 * 12534, 2);
+  EXPECT_EQ(json.at("methods").at(0).at("successes"), 1);
+}
+
+TEST_F(CommandLine, CompareNamesWhatItDoesNotKnow) {
+  const Outcome method = Run("compare studies/test_problems/gear_train.yaml --methods thesis_4");
+  EXPECT_EQ(method.code, 3);
+  EXPECT_THAT(method.err, HasSubstr("there is no method 'thesis_4', did you mean 'thesis_40'?"));
+  EXPECT_EQ(method.out, "");
+  ReplaceIn("studies/test_problems/gear_train.yaml", "problem: gear_train", "problem: gear_trains");
+  const Outcome problem = Run("compare studies/test_problems/gear_train.yaml");
+  EXPECT_EQ(problem.code, 3);
+  EXPECT_THAT(problem.err,
+              HasSubstr("gear_train.yaml:2: error: unknown problem 'gear_trains', did you mean 'gear_train'?"));
+}
+
+TEST_F(CommandLine, FitSendsATestProblemToCompare) {
+  const Outcome outcome = Run("fit studies/test_problems/gear_train.yaml -o result");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("this is a test problem for `fourpost compare`"));
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
-#include "identify/draws.h"
+#include "identify/search/draws.h"
 #include "tests/rounding.h"
 
 namespace fourpost {

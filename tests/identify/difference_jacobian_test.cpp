@@ -137,5 +137,38 @@ TEST(DifferenceJacobian, FitsItsStepIntoANarrowRange) {
   EXPECT_NEAR((*jacobian)(0, 0), 1.00001, 10 * kEpsilon / 5e-6);
 }
 
+TEST(DifferenceJacobian, TakesOneEvaluationPerColumnForward) {
+  Archive archive({Lattice({{"a", -1, 1, 0.1}, {"b", -1, 1, 0.1}}), [](const Eigen::VectorXd& p) {
+                     Evaluation evaluation;
+                     evaluation.residuals = Eigen::Vector2d(3 * p[0], p[0] - 2 * p[1]);
+                     return evaluation;
+                   }});
+  const FitVariables variables(archive.lattice());
+  // x = (p + 1) / 2; the second one at its upper bound.
+  const Eigen::Vector2d x(0.3, 1);
+  const Eigen::VectorXd here = archive.EvaluateValues({variables.ToValues(x)}).front().residuals;
+  const std::int64_t before = archive.counts().paid;
+  const auto jacobian = DifferenceJacobian(archive, variables, x, here, 1e-3, Differences::kForward);
+  EXPECT_EQ(archive.counts().paid - before, 2);
+  Eigen::Matrix2d expected;
+  expected << 6, 0, 2, -4;
+  // Rounding of residuals over the step.
+  EXPECT_LT((*jacobian - expected).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(DifferenceJacobian, StepsAWholeIndexOnADiscreteAxis) {
+  Archive archive({Lattice({{.name = "teeth", .lower = 0, .upper = 50, .precision = 1, .discrete = true}}),
+                   [](const Eigen::VectorXd& p) {
+                     Evaluation evaluation;
+                     evaluation.residuals = Eigen::VectorXd::Constant(1, 4 * p[0]);
+                     return evaluation;
+                   }});
+  const FitVariables variables(archive.lattice());
+  const Eigen::VectorXd x = Eigen::VectorXd::Constant(1, 0.5);
+  const Eigen::VectorXd here = archive.EvaluateValues({variables.ToValues(x)}).front().residuals;
+  const auto jacobian = DifferenceJacobian(archive, variables, x, here, 1e-5);
+  EXPECT_NEAR((*jacobian)(0, 0), 200, 1e-9);
+}
+
 }  // namespace
 }  // namespace fourpost

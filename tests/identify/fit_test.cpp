@@ -58,7 +58,7 @@ LoadedStudy Twin(const std::vector<double>& truth, double noise) {
 FitOptions Options(int threads = 2) {
   FitOptions options;
   options.search = ThesisDvhde();
-  options.search.max_evaluations = 120;
+  options.stop.max_evaluations = 120;
   options.starts = 1;
   options.threads = threads;
   return options;

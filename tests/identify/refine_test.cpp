@@ -11,10 +11,11 @@
 #include <Eigen/LU>
 
 #include "identify/covariance.h"
-#include "identify/draws.h"
-#include "identify/dvhde.h"
-#include "identify/dvhde_operators.h"
 #include "identify/fit_variables.h"
+#include "identify/search/draws.h"
+#include "identify/search/dvhde.h"
+#include "identify/search/dvhde_operators.h"
+#include "tests/identify/test_problems.h"
 
 namespace fourpost {
 namespace {
@@ -438,7 +439,7 @@ struct Twin {
 
 Twin SearchAndRefine(std::uint64_t noise_seed) {
   Archive archive(StationProblem(noise_seed));
-  DvhdeOptions options;
+  DvhdeSearch options;
   options.max_evaluations = 200;
   options.candidates = 3;
   std::vector<Eigen::VectorXd> starts;

@@ -29,6 +29,15 @@ TEST(ResultJson, TellsPriorsAndHowFarTheFitWentFromThem) {
   EXPECT_EQ(parameters[1]["prior"], expected);
 }
 
+TEST(ResultJson, TellsHowTheSearchEndedAndAllItsSettings) {
+  FitResult fit;
+  fit.search.reason = "evaluations used up: 300 of 300 evaluations";
+  fit.search_settings = {{"population", "20"}};
+  const Json search = Json::parse(ResultJson({}, 1, fit, {}, {}))["search"];
+  EXPECT_EQ(search["end"], fit.search.reason);
+  EXPECT_EQ(search["settings"]["population"], "20");
+}
+
 TEST(ResultJson, HasNoDeviationForWhatIsUndetermined) {
   FittedParameter open = Mass();
   open.sd = HUGE_VAL;

@@ -187,5 +187,40 @@ TEST_F(StudyTest, ReportsAFolderInPlaceOfAFile) {
   EXPECT_TRUE(diagnostics_.HasErrors());
 }
 
+TEST_F(StudyTest, ReadsMethodsAndATarget) {
+  const std::optional<Study> study =
+      Read("search:\n", "target: 12.5\nmethods:\n  bold: {method: thesis, factor: 0.9}\nsearch:\n  generations: 70\n");
+  ASSERT_TRUE(study) << diagnostics_.Format();
+  EXPECT_EQ(study->target_cost, 12.5);
+  EXPECT_EQ(study->search.generations, 70);
+  ASSERT_EQ(study->methods.size(), 1u);
+  EXPECT_EQ(study->methods[0].name, "bold");
+  EXPECT_EQ(study->methods[0].preset, "thesis");
+  ASSERT_EQ(study->methods[0].settings.size(), 1u);
+  EXPECT_EQ(study->methods[0].settings[0].key, "factor");
+  EXPECT_EQ(study->methods[0].settings[0].value, "0.9");
+}
+
+TEST_F(StudyTest, NamesFaultsOfMethods) {
+  EXPECT_THAT(Fault("search:\n", "methods: de\nsearch:\n"), HasSubstr("'methods' must map names to settings"));
+  EXPECT_THAT(Fault("search:\n", "methods: {a: de}\nsearch:\n"), HasSubstr("method 'a' must be a list of settings"));
+  EXPECT_THAT(Fault("search:\n", "methods: {a: {method: de, factor: [1]}}\nsearch:\n"),
+              HasSubstr("'factor' of method 'a' must be a single value"));
+  EXPECT_THAT(Fault("search:\n", "methods: {a: {method: de}, a: {method: ds}}\nsearch:\n"),
+              HasSubstr("key 'a' of 'methods' stands twice"));
+  EXPECT_THAT(Fault("search:\n", "target: -1\nsearch:\n"), HasSubstr("'target' of the study must be a number"));
+}
+
+TEST_F(StudyTest, ATestProblemHasNoVehicle) {
+  std::ofstream(file_) << "problem: coil_spring\nsearch: {evaluations: 9}\n";
+  const std::optional<Study> study = ReadStudy(file_, diagnostics_);
+  ASSERT_TRUE(study) << diagnostics_.Format();
+  EXPECT_EQ(study->problem, "coil_spring");
+  EXPECT_EQ(study->search.evaluations, 9);
+  std::ofstream(file_) << "problem: coil_spring\nvehicle: car.urdf\n";
+  EXPECT_FALSE(ReadStudy(file_, diagnostics_));
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr(":2: error: unknown key 'vehicle' in the study"));
+}
+
 }  // namespace
 }  // namespace fourpost

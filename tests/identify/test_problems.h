@@ -2,11 +2,16 @@
 
 #include <cmath>
 #include <complex>
+#include <cstdint>
+#include <optional>
 
-#include "identify/archive.h"
-#include "identify/dvhde.h"
-#include "identify/evaluation.h"
-#include "identify/lattice.h"
+#include "identify/problems/coil_spring.h"
+#include "identify/problems/gear_train.h"
+#include "identify/search/archive.h"
+#include "identify/search/dvhde.h"
+#include "identify/search/evaluation.h"
+#include "identify/search/lattice.h"
+#include "identify/search/run_search.h"
 
 namespace fourpost {
 
@@ -16,46 +21,10 @@ inline Evaluation OneResidual(double residual) {
   return evaluation;
 }
 
-// Four gears of 12 to 60 teeth for a ratio of 1 / 6.931 (Sandgren, J. Mechanical Design 112, 1990). All 49^4
-// enumerated: 2.7008571e-12 for 16, 19, 43, 49 teeth, the next is 2.3e-11.
-inline Problem GearTrain() {
-  const Lattice lattice({{"A", 12, 60, 1}, {"B", 12, 60, 1}, {"C", 12, 60, 1}, {"D", 12, 60, 1}});
-  return {lattice, [](const Eigen::VectorXd& z) { return OneResidual(1 / 6.931 - z[0] * z[1] / (z[2] * z[3])); }};
-}
-constexpr double kGearTarget = 2.70086e-12;
+inline Problem GearTrain() { return GearTrainProblem(); }
+constexpr double kGearTarget = kGearTrainTarget;
 
-constexpr std::array<double, 42> kWires_in = {
-    0.009, 0.0095, 0.0104, 0.0118, 0.0128, 0.0132, 0.014, 0.015, 0.0162, 0.0173, 0.018, 0.020, 0.023,  0.025,
-    0.028, 0.032,  0.035,  0.041,  0.047,  0.054,  0.063, 0.072, 0.080,  0.092,  0.105, 0.120, 0.135,  0.148,
-    0.162, 0.177,  0.192,  0.207,  0.225,  0.244,  0.263, 0.283, 0.307,  0.331,  0.362, 0.394, 0.4375, 0.500};
-
-// Volume of wire of a compression spring (Sandgren, as above): number of coils, wire by its place in the catalogue,
-// coil diameter; inches and pounds. The cost is the volume, so the residual its root.
-inline Evaluation CoilSpring(const Eigen::VectorXd& p) {
-  const double coils = p[0];
-  const double wire = kWires_in.at(static_cast<std::size_t>(p[1]) - 1);
-  const double diameter = p[2];
-  const double max_load = 1000;
-  const double preload = 300;
-  const double index = diameter / wire;
-  const double stress_factor = (4 * index - 1) / (4 * index - 4) + 0.615 / index;
-  const double rate = 11.5e6 * std::pow(wire, 4) / (8 * coils * std::pow(diameter, 3));
-  const double solid = 1.05 * (coils + 2) * wire;
-  const double free_length = max_load / rate + solid;
-  const std::array<double, 8> constraints = {
-      8 * stress_factor * max_load * diameter / (std::numbers::pi * std::pow(wire, 3)) - 189000, free_length - 14,
-      0.2 - wire, diameter - 3, 3 - index, preload / rate - 6,
-      // Zero by definition, but for rounding.
-      preload / rate + (max_load - preload) / rate + solid - free_length - 1e-9, 1.25 - (max_load - preload) / rate};
-  for (const double constraint : constraints) {
-    if (!(constraint <= 0)) return Failed(Failure::kInfeasible, "a constraint is violated");
-  }
-  return OneResidual(std::sqrt(std::pow(std::numbers::pi, 2) * diameter * wire * wire * (coils + 2) / 4));
-}
-
-inline Problem Spring(double diameter_step) {
-  return {Lattice({{"coils", 1, 70, 1}, {"wire", 1, 42, 1}, {"diameter", 0.6, 3, diameter_step}}), CoilSpring};
-}
+inline Problem Spring(double diameter_step) { return CoilSpringProblem(diameter_step); }
 
 // Transmitted motion and force of m z'' + d (z - u)' + k (z - u) = 0 at 20 frequencies, against those of 200 kg,
 // 15000 N/m, 1500 Ns/m, with a noise of 0.01 of the motion and 1 % of the force.
@@ -86,6 +55,24 @@ inline Problem Flat() {
   return {Lattice({{"a", 0, 1000, 1}, {"b", 0, 1000, 1}}), [](const Eigen::VectorXd&) { return OneResidual(1); }};
 }
 
+/// dvHDE with all that a search needs.
+struct DvhdeSearch : DvhdeOptions {
+  std::uint64_t seed = 1;
+  std::int64_t max_evaluations = 10000;
+  int max_generations = 1000;
+  std::optional<double> target_cost;
+  int candidates = 5;
+  double candidate_separation = 0.05;
+};
+
+inline SearchResult SearchDvhde(Archive& archive, const DvhdeSearch& options, const SearchHooks& hooks = {}) {
+  Dvhde method(archive.lattice(), options, options.seed);
+  const StopRules rules = {.target_cost = options.target_cost,
+                           .max_evaluations = options.max_evaluations,
+                           .max_generations = options.max_generations};
+  return RunSearch(archive, method, rules, {options.candidates, options.candidate_separation}, hooks);
+}
+
 // Runs over the seeds 1..n, each with an archive of its own.
 struct Tally {
   int solved = 0;
@@ -94,7 +81,7 @@ struct Tally {
   std::int64_t most_paid = 0;
 };
 
-inline Tally Runs(const Problem& problem, DvhdeOptions options, int n, double target) {
+inline Tally Runs(const Problem& problem, DvhdeSearch options, int n, double target) {
   options.target_cost = target;
   Tally tally;
   for (int seed = 1; seed <= n; ++seed) {

@@ -19,8 +19,11 @@ int HarmonicsOf(std::size_t level) { return (4 << level) + 1; }
 /// of both.
 int SamplesOf(std::size_t level, bool has_steps) { return has_steps ? (28 << level) + 4 : 4 * HarmonicsOf(level) + 4; }
 
+/// Friction does, and vapour that collapses in a hydraulic damper.
 bool HasSteps(const std::vector<Port>& ports) {
-  return std::any_of(ports.begin(), ports.end(), [](const Port& port) { return std::isfinite(StepOfRate(port.law)); });
+  return std::any_of(ports.begin(), ports.end(), [](const Port& port) {
+    return std::isfinite(StepOfRate(port.law)) || std::holds_alternative<HydraulicRemainder>(port.law);
+  });
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ TEST(LinearResponse, IsTheHarmonicBalanceOfLinearElements) {
   }
   model.stiffenings.clear();
   model.liftoffs.clear();
+  model.hydraulics.clear();
   Excitation excitation{.frequency_Hz = {0.7, 3, 11, 25}, .amplitude_m = {1, 1, 1, 1}, .shape = {}};
   for (std::size_t post = 0; post < vehicle.posts.size(); ++post) {
     excitation.shape.assign(vehicle.posts.size(), 0.0);

@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+
+#include "identify/command_line/commands.h"
+#include "identify/command_line/exit_code.h"
+#include "identify/command_line/interrupt.h"
+#include "identify/command_line/print.h"
+#include "identify/command_line/progress_line.h"
+#include "identify/command_line/text_table.h"
+#include "identify/comparison.h"
+#include "identify/comparison_json.h"
+#include "identify/loaded_study.h"
+#include "identify/problems/test_problem.h"
+#include "identify/search/idle_parameters.h"
+#include "identify/study_methods.h"
+
+namespace fourpost {
+namespace {
+
+/// What a study asks to solve, and what that refers to.
+struct StudyProblem {
+  std::optional<FourPostObjective> objective;
+  std::optional<Problem> problem;
+  std::optional<double> target_cost;
+};
+
+/// Throws FaultyInput.
+Study ReadStudyOrThrow(const std::filesystem::path& file) {
+  Diagnostics diagnostics;
+  std::optional<Study> study = ReadStudy(file, diagnostics);
+  if (!study) throw FaultyInput(diagnostics);
+  return *std::move(study);
+}
+
+/// In place: the problem of a vehicle refers to its objective.
+void Load(const Study& study, StudyProblem& out) {
+  if (study.problem) {
+    const TestProblem test = MakeTestProblem(*study.problem);
+    out.problem = test.problem;
+    out.target_cost = study.target_cost.value_or(test.target_cost);
+    return;
+  }
+  Diagnostics diagnostics;
+  const std::optional<LoadedStudy> loaded = LoadStudy(study.file, diagnostics);
+  if (!loaded) throw FaultyInput(diagnostics);
+  Tell(diagnostics);
+  out.objective.emplace(loaded->MakeObjective());
+  out.problem = out.objective->MakeProblem();
+  out.target_cost = study.target_cost;
+}
+
+void CheckEffectsOrThrow(const Study& study, const Problem& problem) {
+  Archive archive(problem);
+  Diagnostics diagnostics;
+  CheckEffects(archive, study.file.string(), diagnostics);
+  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+  Tell(diagnostics);
+}
+
+std::vector<ComparedMethod> MethodsOrThrow(const Study& study, const std::vector<std::string>& names,
+                                           const Problem& problem) {
+  Diagnostics diagnostics;
+  std::vector<ComparedMethod> methods = MethodsOf(study, names, problem, diagnostics);
+  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+  return methods;
+}
+
+Comparison CompareWithProgress(const Problem& problem, const std::vector<ComparedMethod>& methods,
+                               const ComparisonOptions& options) {
+  CatchInterrupts();
+  ProgressLine line;
+  ComparisonHooks hooks;
+  hooks.progress = [&](std::int64_t done, std::int64_t total) {
+    const double left = line.seconds() * static_cast<double>(total - done) / static_cast<double>(done);
+    line.Show(std::to_string(done) + " of " + std::to_string(total) + " runs, some " + Rounded(left, 2) + " s left");
+  };
+  hooks.stop = Interrupted;
+  return Compare(problem, methods, options, hooks);
+}
+
+std::string Range(const Interval& interval, int digits) {
+  return Rounded(interval.lower, digits) + " .. " + Rounded(interval.upper, digits);
+}
+
+std::string Table(const Comparison& comparison) {
+  TextTable table(
+      {"method", "runs", "solved", "95 %", "evaluations", "per success", "95 %", "median cost", "worst cost"});
+  for (const MethodSummary& method : comparison.methods) {
+    const auto runs = static_cast<double>(method.outcomes.size());
+    const Interval percent = {100 * method.success_share.lower, 100 * method.success_share.upper};
+    table.Add({method.name, std::to_string(method.outcomes.size()),
+               Rounded(100 * static_cast<double>(method.successes) / runs, 3) + " %", Range(percent, 3) + " %",
+               Rounded(method.evaluations_mean, 4), Rounded(method.expected_evaluations, 4),
+               Range(method.expected_interval, 4), Rounded(method.cost_median, 5), Rounded(method.cost_worst, 5)});
+  }
+  return table.Format();
+}
+
+std::string Details(const Comparison& comparison, const ComparisonOptions& options) {
+  std::string text = "solved: cost " + Rounded(comparison.target_cost, 6) + " or less";
+  if (!options.rules.target_cost) text += ", " + Rounded(100 * options.near_best, 2) + " % above the best of all runs";
+  text += "; at most " + std::to_string(options.rules.max_evaluations) + " evaluations; seeds from " +
+          std::to_string(options.seed) + "\n";
+  for (const MethodSummary& method : comparison.methods) {
+    text += method.name + ": ended by";
+    for (const auto& [end, count] : method.ends)
+      text += " " + std::string(SearchEndName(end)) + " (" + std::to_string(count) + ")";
+    text += "; with";
+    for (const auto& [key, value] : method.settings) text += " " + key + " " + value;
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+int Run(const CompareCommand& command) {
+  const Study study = ReadStudyOrThrow(command.study);
+  StudyProblem loaded;
+  Load(study, loaded);
+  const Problem& problem = *loaded.problem;
+  const std::vector<ComparedMethod> methods = MethodsOrThrow(study, command.methods, problem);
+  CheckEffectsOrThrow(study, problem);
+
+  ComparisonOptions options;
+  options.runs = command.runs;
+  options.seed = command.seed;
+  options.threads = command.threads;
+  options.rules.target_cost = loaded.target_cost;
+  options.rules.max_evaluations = study.search.evaluations;
+  options.rules.max_generations = study.search.generations;
+  const Comparison comparison = CompareWithProgress(problem, methods, options);
+  const bool nothing_succeeded = !std::isfinite(comparison.target_cost);
+  Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed)
+                     : Table(comparison) + '\n' + Details(comparison, options));
+  if (comparison.interrupted) return kInterrupted;
+  return nothing_succeeded ? kAllSimulationsFailed : kGood;
+}
+
+}  // namespace fourpost

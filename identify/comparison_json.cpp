@@ -1,0 +1,49 @@
+#include "identify/comparison_json.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json NumberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json IntervalJson(const Interval& interval) {
+  return Json::array({NumberOrNull(interval.lower), NumberOrNull(interval.upper)});
+}
+
+Json MethodJson(const MethodSummary& method) {
+  Json ends = Json::object();
+  for (const auto& [end, count] : method.ends) ends[std::string(SearchEndName(end))] = count;
+  Json settings = Json::object();
+  for (const auto& [key, value] : method.settings) settings[key] = value;
+  return {{"name", method.name},
+          {"runs", method.outcomes.size()},
+          {"successes", method.successes},
+          {"success_share_95", IntervalJson(method.success_share)},
+          {"evaluations_mean", method.evaluations_mean},
+          {"expected_evaluations", NumberOrNull(method.expected_evaluations)},
+          {"expected_evaluations_95", IntervalJson(method.expected_interval)},
+          {"cost_median", NumberOrNull(method.cost_median)},
+          {"cost_worst", NumberOrNull(method.cost_worst)},
+          {"ends", ends},
+          {"settings", settings}};
+}
+
+}  // namespace
+
+std::string ComparisonJson(const Comparison& comparison, const std::string& study, std::uint64_t seed) {
+  Json methods = Json::array();
+  for (const MethodSummary& method : comparison.methods) methods.push_back(MethodJson(method));
+  const Json json = {{"study", study},
+                     {"seed", seed},
+                     {"target_cost", NumberOrNull(comparison.target_cost)},
+                     {"interrupted", comparison.interrupted},
+                     {"methods", methods}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace fourpost

@@ -1,0 +1,123 @@
+#include "identify/search/archive.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <tuple>
+#include <unordered_set>
+#include <utility>
+
+#include "identify/search/draws.h"
+#include "identify/search/parallel.h"
+
+namespace fourpost {
+namespace {
+
+Score ScoreOf(const Evaluation& evaluation) {
+  if (!evaluation.ok()) return {.failure = evaluation.failure, .violation = evaluation.violation};
+  return {.cost = evaluation.cost()};
+}
+
+}  // namespace
+
+bool IsBetter(const Score& a, const Score& b) {
+  if (a.ok()) return !b.ok() || a.cost < b.cost;
+  if (b.ok() || a.violation == 0) return false;
+  return b.violation == 0 || a.violation < b.violation;
+}
+
+std::int64_t EvaluationCounts::failed() const {
+  std::int64_t sum = 0;
+  for (const auto& [failure, tally] : failures) sum += tally.count;
+  return sum;
+}
+
+std::size_t Archive::PointHash::operator()(const LatticePoint& point) const {
+  std::uint64_t hash = 0;
+  for (const std::int64_t index : point) hash = MixBits(hash ^ static_cast<std::uint64_t>(index));
+  return static_cast<std::size_t>(hash);
+}
+
+Archive::Archive(Problem problem, int threads) : problem_(std::move(problem)), threads_(ThreadCount(threads)) {}
+
+std::vector<Score> Archive::Evaluate(const std::vector<LatticePoint>& batch) {
+  const std::vector<LatticePoint> points = NewPoints(batch);
+  std::vector<Eigen::VectorXd> values;
+  for (const LatticePoint& point : points) values.push_back(lattice().Values(point));
+  const std::vector<Evaluation> evaluations = EvaluateValues(values);
+  for (std::size_t i = 0; i < points.size(); ++i) scores_.emplace(points[i], ScoreOf(evaluations[i]));
+  counts_.reused += static_cast<std::int64_t>(batch.size() - points.size());
+
+  std::vector<Score> scores;
+  for (const LatticePoint& point : batch) scores.push_back(scores_.at(point));
+  return scores;
+}
+
+std::vector<Evaluation> Archive::EvaluateValues(const std::vector<Eigen::VectorXd>& batch) {
+  std::vector<Evaluation> evaluations(batch.size());
+  ForEachInParallel(batch.size(), threads_, [&](std::size_t i) {
+    evaluations[i] = EvaluateGuarded(problem_, lattice().RoundDiscrete(batch[i]));
+  });
+  for (Evaluation& evaluation : evaluations) {
+    CheckSize(evaluation);
+    Count(evaluation);
+  }
+  return evaluations;
+}
+
+std::optional<Score> Archive::Find(const LatticePoint& point) const {
+  const auto found = scores_.find(point);
+  if (found == scores_.end()) return std::nullopt;
+  return found->second;
+}
+
+std::vector<Candidate> Archive::Best(int count, double separation) const {
+  using Entry = std::pair<const LatticePoint, Score>;
+  std::vector<const Entry*> entries;
+  for (const Entry& entry : scores_) {
+    if (entry.second.ok()) entries.push_back(&entry);
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry* a, const Entry* b) {
+    return std::tie(a->second.cost, a->first) < std::tie(b->second.cost, b->first);
+  });
+
+  std::vector<Candidate> best;
+  for (const Entry* entry : entries) {
+    if (static_cast<int>(best.size()) >= count) break;
+    const bool apart = std::all_of(best.begin(), best.end(), [&](const Candidate& better) {
+      return LatticeDistance(lattice(), better.point, entry->first) > separation;
+    });
+    if (apart) best.push_back({entry->first, lattice().Values(entry->first), entry->second.cost});
+  }
+  return best;
+}
+
+std::vector<LatticePoint> Archive::NewPoints(const std::vector<LatticePoint>& batch) const {
+  std::vector<LatticePoint> points;
+  std::unordered_set<LatticePoint, PointHash> seen;
+  for (const LatticePoint& point : batch) {
+    if (!scores_.contains(point) && seen.insert(point).second) points.push_back(point);
+  }
+  return points;
+}
+
+void Archive::CheckSize(Evaluation& evaluation) {
+  if (!evaluation.ok()) return;
+  const Eigen::Index size = evaluation.residuals.size();
+  if (residual_count_ == 0) residual_count_ = size;
+  if (size == residual_count_) return;
+  evaluation =
+      Failed(Failure::kWrongSize, std::to_string(size) + " residuals, elsewhere " + std::to_string(residual_count_));
+}
+
+void Archive::Count(const Evaluation& evaluation) {
+  ++counts_.paid;
+  if (evaluation.ok()) {
+    const double cost = evaluation.cost();
+    if (improvements_.empty() || cost < improvements_.back().cost) improvements_.push_back({counts_.paid, cost});
+    return;
+  }
+  FailureTally& tally = counts_.failures[evaluation.failure];
+  if (tally.count++ == 0) tally.example = evaluation.detail;
+}
+
+}  // namespace fourpost

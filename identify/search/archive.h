@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/search/evaluation.h"
+#include "identify/search/lattice.h"
+
+namespace fourpost {
+
+/// What the archive keeps of an evaluation; residuals can be computed again.
+struct Score {
+  /// Sum of squared residuals; means nothing for a failure.
+  double cost = 0;
+  Failure failure = Failure::kNone;
+  /// Of an infeasible point, see Evaluation.
+  double violation = 0;
+
+  bool ok() const { return failure == Failure::kNone; }
+  bool operator==(const Score&) const = default;
+};
+
+/// Strictly better: a failure is worse than any number. Of failures, infeasible points with a known violation are the
+/// better ones, the less violation the better (Deb, Comput. Methods Appl. Mech. Eng. 186, 2000); others are alike.
+bool IsBetter(const Score& a, const Score& b);
+
+/// Evaluations of one cause of failure.
+struct FailureTally {
+  std::int64_t count = 0;
+  /// Detail of the first one.
+  std::string example;
+};
+
+/// Where the evaluations went.
+struct EvaluationCounts {
+  /// Evaluations of the model: distinct lattice points, and all points off the lattice.
+  std::int64_t paid = 0;
+  /// Requests answered from memory.
+  std::int64_t reused = 0;
+  /// Paid evaluations that failed, by cause.
+  std::map<Failure, FailureTally> failures;
+
+  std::int64_t failed() const;
+};
+
+/// A cost below all before it.
+struct Improvement {
+  /// Evaluations paid for up to and including this one, in the order of the batches, whatever the threads.
+  std::int64_t paid = 0;
+  double cost = 0;
+};
+
+/// A point and what it costs.
+struct Candidate {
+  LatticePoint point;
+  Eigen::VectorXd values;
+  double cost = 0;
+};
+
+/// Evaluates a problem in parallel and remembers every lattice point, so that none is paid for twice. All results and
+/// counts are the same for any number of threads. To be called from one thread.
+class Archive {
+ public:
+  /// `threads`: how many evaluations run at once; 0 means one per processor. Throws std::invalid_argument for less.
+  explicit Archive(Problem problem, int threads = 1);
+
+  const Problem& problem() const { return problem_; }
+  const Lattice& lattice() const { return problem_.lattice; }
+  const EvaluationCounts& counts() const { return counts_; }
+  /// Costs each below the one before, on and off the lattice.
+  const std::vector<Improvement>& improvements() const { return improvements_; }
+  /// Number of lattice points remembered.
+  std::size_t size() const { return scores_.size(); }
+
+  /// Scores in the order of the batch; a point that is there twice is paid for once.
+  /// Throws std::invalid_argument for a point that is not on the lattice.
+  std::vector<Score> Evaluate(const std::vector<LatticePoint>& batch);
+
+  /// Evaluates values anywhere, as refinement needs, discrete ones rounded: always paid, not remembered.
+  std::vector<Evaluation> EvaluateValues(const std::vector<Eigen::VectorXd>& batch);
+
+  /// The remembered score; nothing for a new point.
+  std::optional<Score> Find(const LatticePoint& point) const;
+
+  /// Up to `count` points, best first, each further than `separation` (LatticeDistance) from every better one of them:
+  /// starting points for refinement that are not all in one place. Equal costs go by index.
+  std::vector<Candidate> Best(int count, double separation) const;
+
+ private:
+  struct PointHash {
+    std::size_t operator()(const LatticePoint& point) const;
+  };
+
+  std::vector<LatticePoint> NewPoints(const std::vector<LatticePoint>& batch) const;
+  // Sums over unlike numbers of residuals cannot be compared: the first evaluation decides how many there are.
+  void CheckSize(Evaluation& evaluation);
+  void Count(const Evaluation& evaluation);
+
+  Problem problem_;
+  int threads_;
+  std::unordered_map<LatticePoint, Score, PointHash> scores_;
+  EvaluationCounts counts_;
+  std::vector<Improvement> improvements_;
+  Eigen::Index residual_count_ = 0;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,62 @@
+#include "identify/search/evaluation.h"
+
+#include <cmath>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+namespace fourpost {
+namespace {
+
+Evaluation Checked(Evaluation evaluation) {
+  if (evaluation.failure == Failure::kInfeasible) return Infeasible(evaluation.violation, std::move(evaluation.detail));
+  if (!evaluation.ok()) return Failed(evaluation.failure, std::move(evaluation.detail));
+  if (evaluation.residuals.size() == 0) return Failed(Failure::kWrongSize, "the model gave no residuals");
+  if (!evaluation.residuals.allFinite()) return Failed(Failure::kNotFinite, "a residual is not finite");
+  if (!std::isfinite(evaluation.cost())) return Failed(Failure::kNotFinite, "the sum of squares overflows");
+  return evaluation;
+}
+
+}  // namespace
+
+std::string_view FailureName(Failure failure) {
+  switch (failure) {
+    case Failure::kNone: return "none";
+    case Failure::kNotFinite: return "not finite";
+    case Failure::kException: return "exception";
+    case Failure::kNotConverged: return "not converged";
+    case Failure::kInfeasible: return "infeasible";
+    case Failure::kWrongSize: return "wrong size";
+  }
+  return "unknown";
+}
+
+double Evaluation::cost() const {
+  if (!ok()) throw std::logic_error("a failed evaluation has no cost: " + detail);
+  return residuals.squaredNorm();
+}
+
+Evaluation Failed(Failure failure, std::string detail) {
+  Evaluation evaluation;
+  evaluation.failure = failure;
+  evaluation.detail = std::move(detail);
+  return evaluation;
+}
+
+Evaluation Infeasible(double violation, std::string detail) {
+  Evaluation evaluation = Failed(Failure::kInfeasible, std::move(detail));
+  evaluation.violation = violation;
+  return evaluation;
+}
+
+Evaluation EvaluateGuarded(const Problem& problem, const Eigen::VectorXd& values) {
+  try {
+    return Checked(problem.evaluate(values));
+  } catch (const std::exception& error) {
+    return Failed(Failure::kException, error.what());
+  } catch (...) {
+    return Failed(Failure::kException, "an exception of unknown type");
+  }
+}
+
+}  // namespace fourpost

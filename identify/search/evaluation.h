@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include <Eigen/Core>
+
+#include "identify/search/lattice.h"
+
+namespace fourpost {
+
+/// Why an evaluation has no cost.
+enum class Failure {
+  kNone,
+  /// A residual, or the sum of their squares, is NaN or infinite.
+  kNotFinite,
+  /// The model threw; `detail` is what it said.
+  kException,
+  /// An equilibrium, an integration or a periodic response was not reached.
+  kNotConverged,
+  /// The parameters make no vehicle, or violate a constraint.
+  kInfeasible,
+  /// There are no residuals, or not as many as the first evaluation gave.
+  kWrongSize,
+};
+
+/// "not finite", "exception", ... for tables and logs.
+std::string_view FailureName(Failure failure);
+
+/// What evaluating a model at one set of parameter values gives: residuals or a failure, never a number for a failure.
+struct Evaluation {
+  /// Whitened residuals: difference over standard deviation, so that each is worth one unit.
+  Eigen::VectorXd residuals;
+  Failure failure = Failure::kNone;
+  /// Failure in words.
+  std::string detail;
+  /// Of kInfeasible: how far constraints are violated, 0 when nobody says. It orders infeasible points among each
+  /// other and never enters a cost.
+  double violation = 0;
+
+  bool ok() const { return failure == Failure::kNone; }
+
+  /// Sum of the squared residuals, without a factor 1/2. Throws std::logic_error for a failure.
+  double cost() const;
+};
+
+/// A failed evaluation.
+Evaluation Failed(Failure failure, std::string detail);
+
+/// An infeasible one: `violation` > 0, the sum of what each constraint is exceeded by as a share of its scale.
+Evaluation Infeasible(double violation, std::string detail);
+
+/// What a search method or a refinement solves: find the values with the least sum of squared residuals.
+struct Problem {
+  Lattice lattice;
+  /// Residuals for values in the order of the lattice's axes. Called from several threads at once.
+  std::function<Evaluation(const Eigen::VectorXd& values)> evaluate;
+  /// How many residuals there are; 0 when nobody says. Least-squares methods need as many as parameters.
+  Eigen::Index residual_count = 0;
+};
+
+/// Evaluates under guard: exceptions and residuals that are not finite or not there become failures.
+Evaluation EvaluateGuarded(const Problem& problem, const Eigen::VectorXd& values);
+
+}  // namespace fourpost

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/diagnostics.h"
+#include "identify/search/archive.h"
+
+namespace fourpost {
+
+/// Names of parameters without effect: the cost stays the same, to the last bit, over four values across their range,
+/// about two points of the search space. All of them: the objective is constant. Pays for those points.
+std::vector<std::string> IdleParameters(Archive& archive);
+
+/// Tells what would make a search of this problem pointless, as findings about `file`: a constant objective is an
+/// error, a parameter without effect a warning. Pays as IdleParameters().
+void CheckEffects(Archive& archive, const std::string& file, Diagnostics& diagnostics);
+
+}  // namespace fourpost

@@ -1,0 +1,153 @@
+#include "identify/search/run_search.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "analysis/option_check.h"
+
+namespace fourpost {
+namespace {
+
+class SearchRun {
+ public:
+  SearchRun(Archive& archive, SearchMethod& method, const StopRules& rules, const SearchHooks& hooks)
+      : archive_(archive), method_(method), rules_(rules), hooks_(hooks), before_(archive.counts()) {}
+
+  SearchResult Run() {
+    while (Step()) {
+      if (!method_.EndsGeneration()) continue;
+      Log();
+      if (EndsAfterGeneration()) break;
+    }
+    // What came after the last whole generation.
+    if (result_.log.empty() || result_.log.back().paid != Paid() || result_.log.back().best_cost != best_.cost) Log();
+    result_.reason = Reason();
+    return result_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // Scores what the method asks for; false when the search ends within or before the batch.
+  bool Step() {
+    if (EndsBeforeBatch()) return false;
+    const std::vector<LatticePoint>& asked = method_.Ask();
+    const std::vector<LatticePoint> affordable(asked.begin(), FirstBeyondBudget(asked));
+    const std::vector<Score> scores = archive_.Evaluate(affordable);
+    for (const Score& score : scores) {
+      if (score.ok() && IsBetter(score, best_)) best_ = score;
+    }
+    if (affordable.size() < asked.size()) return !End(ReachesTarget() ? SearchEnd::kTarget : SearchEnd::kEvaluations);
+    method_.Tell(scores);
+    return true;
+  }
+
+  bool EndsBeforeBatch() {
+    if (hooks_.stop && hooks_.stop()) return End(SearchEnd::kStopped);
+    if (method_.Ask().empty()) return End(method_.state().collapsed ? SearchEnd::kCollapse : SearchEnd::kFinished);
+    if (Seconds() >= rules_.max_seconds) return End(SearchEnd::kOutOfTime);
+    return false;
+  }
+
+  bool EndsAfterGeneration() {
+    const MethodState state = method_.state();
+    if (ReachesTarget()) return End(SearchEnd::kTarget);
+    if (Paid() >= rules_.max_evaluations) return End(SearchEnd::kEvaluations);
+    if (state.generation >= rules_.max_generations) return End(SearchEnd::kGenerations);
+    free_generations_ = Paid() > paid_last_ ? 0 : free_generations_ + 1;
+    paid_last_ = Paid();
+    if (free_generations_ >= rules_.max_free_generations) return End(SearchEnd::kNothingNew);
+    if (rules_.on_collapse && state.collapsed) return End(SearchEnd::kCollapse);
+    const int patience = rules_.max_stagnant_generations;
+    if (patience > 0 && state.stagnant_generations >= patience) return End(SearchEnd::kStagnation);
+    return false;
+  }
+
+  bool End(SearchEnd end) {
+    result_.end = end;
+    return true;
+  }
+
+  bool ReachesTarget() const { return best_.ok() && rules_.target_cost && best_.cost <= *rules_.target_cost; }
+
+  std::vector<LatticePoint>::const_iterator FirstBeyondBudget(const std::vector<LatticePoint>& points) const {
+    const std::int64_t left = rules_.max_evaluations - Paid();
+    if (static_cast<std::int64_t>(points.size()) <= left) return points.end();
+    std::set<LatticePoint> fresh;
+    return std::find_if(points.begin(), points.end(), [&](const LatticePoint& point) {
+      if (!archive_.Find(point)) fresh.insert(point);
+      return static_cast<std::int64_t>(fresh.size()) > left;
+    });
+  }
+
+  void Log() {
+    const EvaluationCounts& counts = archive_.counts();
+    const MethodState state = method_.state();
+    const SearchGeneration generation = {.generation = state.generation,
+                                         .best_cost = best_.cost,
+                                         .paid = Paid(),
+                                         .reused = counts.reused - before_.reused,
+                                         .failed = counts.failed() - before_.failed(),
+                                         .diversity = state.diversity,
+                                         .accelerated = state.accelerated,
+                                         .migrated = state.migrated};
+    result_.log.push_back(generation);
+    if (hooks_.progress) hooks_.progress(generation);
+  }
+
+  std::string Reason() const {
+    std::ostringstream text;
+    text << SearchEndName(result_.end) << ": ";
+    switch (result_.end) {
+      case SearchEnd::kTarget: text << best_.cost << " for " << *rules_.target_cost << ", "; break;
+      case SearchEnd::kGenerations: text << rules_.max_generations << " generations, "; break;
+      case SearchEnd::kOutOfTime: text << Seconds() << " s of " << rules_.max_seconds << " s, "; break;
+      case SearchEnd::kStagnation: text << method_.state().stagnant_generations << " generations, "; break;
+      case SearchEnd::kNothingNew: text << free_generations_ << " generations without a new point, "; break;
+      default: break;
+    }
+    text << Paid() << " of " << rules_.max_evaluations << " evaluations";
+    return text.str();
+  }
+
+  double Seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  std::int64_t Paid() const { return archive_.counts().paid - before_.paid; }
+
+  Archive& archive_;
+  SearchMethod& method_;
+  const StopRules& rules_;
+  const SearchHooks& hooks_;
+  const EvaluationCounts before_;
+  const Clock::time_point start_ = Clock::now();
+  Score best_ = {std::numeric_limits<double>::infinity(), Failure::kNotFinite};
+  std::int64_t paid_last_ = 0;
+  int free_generations_ = 0;
+  SearchResult result_;
+};
+
+}  // namespace
+
+void CandidateRules::Validate() const {
+  RequireOption(count >= 1, "candidates", count, "1 or more");
+  RequireOption(separation >= 0 && separation < 1, "candidate_separation", separation, "in [0, 1)");
+}
+
+const Candidate& SearchResult::best() const {
+  if (candidates.empty()) throw std::logic_error("the search found no point that could be evaluated");
+  return candidates.front();
+}
+
+SearchResult RunSearch(Archive& archive, SearchMethod& method, const StopRules& rules, const CandidateRules& candidates,
+                       const SearchHooks& hooks) {
+  rules.Validate();
+  candidates.Validate();
+  SearchResult result = SearchRun(archive, method, rules, hooks).Run();
+  result.candidates = archive.Best(candidates.count, candidates.separation);
+  return result;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "identify/search/archive.h"
+#include "identify/search/lattice.h"
+
+namespace fourpost {
+
+/// Where a method has got to, for the log and for stopping rules.
+struct MethodState {
+  /// 0 is the initial population.
+  int generation = 0;
+  /// Generations in a row without a better best.
+  int stagnant_generations = 0;
+  /// Share of genes that differ from the best member's; 0 for methods without a population.
+  double diversity = 0;
+  /// All members on one point, from where the method alone finds nowhere else.
+  bool collapsed = false;
+  /// In this generation.
+  bool accelerated = false;
+  bool migrated = false;
+};
+
+/// A search over lattice points that asks for scores and is told them, so that whoever runs it decides when, where and
+/// whether points are evaluated, and may stop between any two batches and go on later. All randomness comes from the
+/// seed: the same scores lead to the same points.
+class SearchMethod {
+ public:
+  virtual ~SearchMethod() = default;
+
+  /// Points to score next; the same ones until they are told. None: the method has ended by itself.
+  virtual const std::vector<LatticePoint>& Ask() const = 0;
+
+  /// Scores of the points asked for, in their order.
+  virtual void Tell(const std::vector<Score>& scores) = 0;
+
+  /// Whether the scores told last completed a generation.
+  virtual bool EndsGeneration() const = 0;
+
+  virtual MethodState state() const = 0;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,159 @@
+#include "identify/problems/test_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "identify/problems/coil_spring.h"
+#include "identify/problems/gear_train.h"
+#include "identify/problems/half_car_twin.h"
+#include "identify/problems/oscillator.h"
+
+namespace fourpost {
+namespace {
+
+using Teeth = std::vector<int>;
+
+TEST(GearTrain, HasFourBestOfAllDesigns) {
+  std::set<Teeth> best;
+  double least = 1, next = 1;
+  std::int64_t designs = 0;
+  for (int a = 12; a <= 60; ++a)
+    for (int b = 12; b <= 60; ++b)
+      for (int c = 12; c <= 60; ++c)
+        for (int d = 12; d <= 60; ++d) {
+          ++designs;
+          const double cost = std::pow(1 / 6.931 - static_cast<double>(a * b) / static_cast<double>(c * d), 2);
+          if (cost <= kGearTrainTarget) best.insert({a, b, c, d});
+          else next = std::min(next, cost);
+          least = std::min(least, cost);
+        }
+  EXPECT_EQ(designs, 5764801);
+  EXPECT_THAT(best, testing::ElementsAre(Teeth{16, 19, 43, 49}, Teeth{16, 19, 49, 43}, Teeth{19, 16, 43, 49},
+                                         Teeth{19, 16, 49, 43}));
+  // Printed digits.
+  EXPECT_NEAR(least, 2.7008571e-12, 0.5e-19);
+  EXPECT_NEAR(next, 2.3078e-11, 0.5e-15);
+  EXPECT_EQ(GearTrainProblem().evaluate(Eigen::Vector4d(19, 16, 43, 49)).cost(), least);
+}
+
+TEST(CoilSpring, IsBestWhereItsDeflectionIsLeast) {
+  const Problem problem = CoilSpringProblem(1e-10);
+  // 700 / rate = 1.25 with 9 coils of 0.283.
+  const double diameter = std::cbrt(1.25 * 11.5e6 * std::pow(0.283, 4) / (8 * 9 * 700));
+  EXPECT_NEAR(diameter, 1.2230410100, 0.5e-10);
+  const Evaluation best = problem.evaluate(Eigen::Vector3d(9, 36, diameter + 1e-9));
+  ASSERT_TRUE(best.ok()) << best.detail;
+  EXPECT_NEAR(best.cost(), 2.6585591660, 1e-8);
+  const Evaluation beyond = problem.evaluate(Eigen::Vector3d(9, 36, diameter - 1e-4));
+  EXPECT_EQ(beyond.failure, Failure::kInfeasible);
+  EXPECT_GT(beyond.violation, 0);
+  EXPECT_GT(problem.evaluate(Eigen::Vector3d(9, 36, diameter - 1e-3)).violation, beyond.violation);
+}
+
+// The least diameter that coils and wire allow costs least; the next best wire costs 1.5 % more.
+TEST(CoilSpring, HasItsBestPairOfAllPairs) {
+  const Problem problem = CoilSpringProblem(1e-3);
+  const auto least_cost = [&](int coils, int wire) {
+    for (int i = 0; i <= 2400; ++i) {
+      const Evaluation evaluation = problem.evaluate(Eigen::Vector3d(coils, wire, 0.6 + 1e-3 * i));
+      if (evaluation.ok()) return evaluation.cost();
+    }
+    return 100.0;
+  };
+  std::vector<std::pair<double, std::pair<int, int>>> pairs;
+  for (int coils = 1; coils <= 70; ++coils)
+    for (int wire = 1; wire <= 42; ++wire)
+      if (const double cost = least_cost(coils, wire); cost < 100) pairs.push_back({cost, {coils, wire}});
+  std::sort(pairs.begin(), pairs.end());
+  EXPECT_EQ(pairs[0].second, std::make_pair(9, 36));
+  EXPECT_EQ(pairs[1].second, std::make_pair(5, 37));
+  EXPECT_NEAR(pairs[1].first / pairs[0].first, 1.015, 1e-3);
+}
+
+TEST(Oscillator, CostsNothingAtItsTruthAndOnlyThere) {
+  const Problem problem = OscillatorProblem();
+  EXPECT_EQ(problem.lattice.count(0), 50001);
+  EXPECT_EQ(problem.lattice.count(1), 100001);
+  EXPECT_EQ(problem.lattice.count(2), 50001);
+  EXPECT_EQ(problem.evaluate(Eigen::Vector3d(200, 15000, 1500)).cost(), 0);
+  // The motion alone would not tell these from the truth.
+  EXPECT_GT(problem.evaluate(Eigen::Vector3d(220, 16500, 1650)).cost(), 0.1);
+}
+
+// Ground of straight lines between samples.
+double GroundAt(int sample) {
+  const double t = sample * 0.01;
+  return 0.02 * std::sin(2 * std::numbers::pi * (0.5 * t + 4.5 * t * t / 10));
+}
+
+// z at the samples, by a hundred Runge-Kutta steps between two of them.
+Eigen::VectorXd MarchOscillator(double m, double k, double d) {
+  Eigen::VectorXd z(501);
+  Eigen::Vector2d x(0, 0);
+  for (int i = 0; i <= 500; ++i) {
+    z[i] = x[0];
+    const double slope = (GroundAt(i + 1) - GroundAt(i)) / 0.01;
+    const auto rate = [&](const Eigen::Vector2d& s, double t) {
+      return Eigen::Vector2d(s[1], (-k * (s[0] - GroundAt(i) - slope * t) - d * (s[1] - slope)) / m);
+    };
+    const double h = 1e-4;
+    for (int j = 0; j < 100; ++j) {
+      const double t = j * h;
+      const Eigen::Vector2d a = rate(x, t);
+      const Eigen::Vector2d b = rate(x + h / 2 * a, t + h / 2);
+      const Eigen::Vector2d c = rate(x + h / 2 * b, t + h / 2);
+      x += h / 6 * (a + 2 * b + 2 * c + rate(x + h * c, t + h));
+    }
+  }
+  return z;
+}
+
+TEST(Oscillator, MovesAsTheEquationOfMotionTells) {
+  const Eigen::VectorXd residuals = OscillatorProblem().evaluate(Eigen::Vector3d(150, 12000, 900)).residuals;
+  const Eigen::VectorXd truth = MarchOscillator(200, 15000, 1500);
+  const double sd = std::sqrt((truth.array() - truth.mean()).square().mean());
+  const Eigen::VectorXd expected = std::sqrt(100.0 / 501) / sd * (MarchOscillator(150, 12000, 900) - truth);
+  // Runge-Kutta's error, of fourth order in steps of 1/700 of the period.
+  EXPECT_LT((residuals.head(501) - expected).cwiseAbs().maxCoeff(), 1e-8 * expected.cwiseAbs().maxCoeff());
+}
+
+class HalfCarTwin : public testing::TestWithParam<std::string_view> {};
+
+// Noise of 1 % makes a cost of about the number of residuals, within four deviations of a chi-square.
+TEST_P(HalfCarTwin, CostsItsNoiseAtTheTruth) {
+  const TestProblem twin = MakeTestProblem(GetParam());
+  const Evaluation truth = twin.problem.evaluate(HalfCarTruth());
+  ASSERT_TRUE(truth.ok());
+  const auto n = static_cast<double>(truth.residuals.size());
+  EXPECT_NEAR(truth.cost(), n, 4 * std::sqrt(2 * n));
+  EXPECT_DOUBLE_EQ(twin.target_cost, 1.02 * truth.cost());
+  EXPECT_EQ(twin.problem.residual_count, truth.residuals.size());
+}
+
+TEST_P(HalfCarTwin, FeelsEveryParameterAndTheirCommonScale) {
+  const TestProblem twin = MakeTestProblem(GetParam());
+  for (Eigen::Index j = 0; j < 12; ++j) {
+    Eigen::VectorXd values = HalfCarTruth();
+    values[j] *= 1.1;
+    EXPECT_GT(twin.problem.evaluate(values).cost(), twin.target_cost) << j;
+  }
+  // Forces tell what accelerations alone cannot.
+  EXPECT_GT(twin.problem.evaluate(1.1 * HalfCarTruth()).cost(), 10 * twin.target_cost);
+}
+
+INSTANTIATE_TEST_SUITE_P(TestProblems, HalfCarTwin, testing::Values("half_car", "half_car_frequency"));
+
+TEST(TestProblems, AreAllThereByName) {
+  for (const std::string_view name : kTestProblems) EXPECT_NO_THROW(MakeTestProblem(name)) << name;
+  EXPECT_THROW(MakeTestProblem("gear"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fourpost
