@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -44,6 +45,8 @@ struct CondensedModel {
     /// n; derivative of the extension of damper and mount by s.
     Eigen::VectorXd direction;
     MountedHydraulicDamper law;
+    /// Index in `dashpots` of its linear share.
+    std::size_t dashpot = 0;
   };
 
   /// A tyre that cannot pull: its compression preload + stiffness e + damping e' of the squeeze e = direction . s + z,
@@ -83,7 +86,7 @@ struct CondensedModel {
   /// Forces that hold the vehicle in its design pose.
   Preloads preloads;
 
-  /// The dashpots with a series spring, in file order.
+  /// The dashpots with a series spring, in file order; those of hydraulic dampers too.
   std::vector<const Dashpot*> SeriesDampers() const;
 };
 

@@ -312,10 +312,10 @@ void CondensedVehicle::AddHydraulic(const Damper& damper, const Eigen::VectorXd&
   if (damper.series) law.mount = damper.series->At(parameters);
   const HydraulicOil::LinearShare share = HydraulicOil(law).Linear();
   AddRate(share.stiffness, direction, model.stiffness);
+  model.hydraulics.push_back({.direction = direction, .law = std::move(law), .dashpot = model.dashpots.size()});
   model.dashpots.push_back({.direction = direction,
                             .law = DashpotLaw(share.rate, share.rate),
                             .series = {.stiffness = share.series, .cubic = 0, .knees = {}}});
-  model.hydraulics.push_back({.direction = direction, .law = std::move(law)});
   if (!damper.law.friction) return;
   // It acts between the ends of damper and mount.
   const DashpotDescription friction{.friction = damper.law.friction};

@@ -163,6 +163,8 @@ std::vector<Port> PortsOf(const CondensedModel& model) {
     return all;
   };
   Eigen::Index x = n;
+  // Of each dashpot, its series spring.
+  std::vector<Eigen::Index> series(model.dashpots.size(), -1);
   for (std::size_t j = 0; j < model.dashpots.size(); ++j) {
     const CondensedModel::Dashpot& dashpot = model.dashpots[j];
     if (dashpot.law.LeastRate() < dashpot.law.GreatestRate())
@@ -172,14 +174,15 @@ std::vector<Port> PortsOf(const CondensedModel& model) {
     if (!dashpot.series.IsLinear())
       ports.push_back({.direction = Eigen::VectorXd::Unit(directions.rows(), x),
                        .law = SpringRemainder{dashpot.series, dashpot.series.Slope(0)}});
-    ++x;
+    series[j] = x++;
   }
   for (const CondensedModel::Stiffening& spring : model.stiffenings)
     ports.push_back(
         {.direction = on_motion(spring.direction), .law = SpringRemainder{spring.law, spring.law.Slope(0)}});
   for (const CondensedModel::Hydraulic& damper : model.hydraulics)
     ports.push_back({.direction = on_motion(damper.direction),
-                     .law = HydraulicRemainder{damper.law, HydraulicOil(damper.law).Linear()}});
+                     .law = HydraulicRemainder{damper.law, HydraulicOil(damper.law).Linear()},
+                     .lag = series[damper.dashpot]});
   for (std::size_t i = 0; i < model.liftoffs.size(); ++i) {
     const CondensedModel::Liftoff& tyre = model.liftoffs[i];
     ports.push_back({.direction = on_motion(tyre.direction),

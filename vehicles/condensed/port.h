@@ -91,6 +91,8 @@ struct Port {
   int post = -1;
   /// Index in CondensedModel::liftoffs; -1: no tyre's.
   int liftoff = -1;
+  /// Index in [s x] of the extension of the spring in a hydraulic damper's linear share; -1: no such damper's.
+  Eigen::Index lag = -1;
 };
 
 /// Of every element that is not linear.

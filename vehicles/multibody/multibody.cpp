@@ -489,6 +489,13 @@ Eigen::MatrixXd Multibody::LinkJacobian(int link) const {
   return jacobian;
 }
 
+Eigen::VectorXd Multibody::HydraulicExtensions() const {
+  Eigen::VectorXd extensions(impl_->hydraulics.size());
+  for (std::size_t i = 0; i < impl_->hydraulics.size(); ++i)
+    extensions[static_cast<Eigen::Index>(i)] = Extension(impl_->hydraulics[i].line, impl_->state);
+  return extensions;
+}
+
 const std::vector<LoopClosure>& Multibody::loop_closures() const { return impl_->loops; }
 
 Eigen::VectorXd Multibody::LoopError() const { return ToEigen(impl_->state.getQErr()); }

@@ -65,6 +65,8 @@ class Multibody {
   Eigen::Isometry3d LinkPose(int link) const;
   /// 6 x coordinates: angular velocity and velocity of the link's origin, in ground axes, per unit u.
   Eigen::MatrixXd LinkJacobian(int link) const;
+  /// Of each hydraulic damper with its mount, in file order: from the design pose on [m].
+  Eigen::VectorXd HydraulicExtensions() const;
   /// Loop closure errors [m, or rad] and their derivatives by q.
   const std::vector<LoopClosure>& loop_closures() const;
   Eigen::VectorXd LoopError() const;

@@ -1,8 +1,5 @@
 #include "vehicles/response/full_balance.h"
 
-#include <stdexcept>
-#include <string>
-
 #include "analysis/option_check.h"
 #include "vehicles/laws/count_check.h"
 #include "vehicles/response/full_cycle.h"
@@ -12,10 +9,6 @@ namespace fourpost {
 namespace {
 
 void CheckFit(const Vehicle& vehicle, const CondensedModel& model, const Excitation& excitation) {
-  for (const Damper& damper : vehicle.dampers)
-    if (damper.hydraulic)
-      throw std::invalid_argument("vehicle '" + vehicle.name + "': fp:damper '" + damper.name +
-                                  "' is hydraulic, which this engine does not support; use march");
   excitation.Validate(vehicle.posts.size());
   const auto count = [](Eigen::Index n) { return static_cast<std::size_t>(n); };
   RequireCount("SolveFullBalance: model", "posts", vehicle.posts.size(), count(model.post_stiffness.cols()));

@@ -19,11 +19,15 @@ namespace fourpost {
 /// acceleration, two to eight times. s: the coordinates of Chart about the design pose, which is the static
 /// equilibrium.
 ///
+/// Hydraulic dampers remember, and their tension has many harmonics: over a fine grid of the cycle each is stepped
+/// through the extension that the linearised one has, with all its harmonics, and the few by which the dozen samples
+/// of the full system depart from it.
+///
 /// `multibody` must carry the parameters and preloads of `model`. Its post motion is removed afterwards.
-/// Where the iteration does not converge, or leaves what Simbody can evaluate, the frequency is reported unconverged
+/// Where the iteration does not converge, leaves what Simbody can evaluate, or closes a chamber of a hydraulic damper,
+/// the frequency is reported unconverged
 /// and its values are those of SolveHarmonicBalance.
-/// Throws std::invalid_argument for a vehicle with a hydraulic damper, whose pressures it does not know, and for
-/// options, an excitation or a model that do not fit.
+/// Throws std::invalid_argument for options, an excitation or a model that do not fit.
 PeriodicResponse SolveFullBalance(Multibody& multibody, const CondensedModel& model, const Excitation& excitation,
                                   const FullBalanceOptions& options = {});
 

@@ -1,21 +1,29 @@
 #include "vehicles/response/full_cycle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "analysis/diagnostics.h"
 #include "vehicles/condensed/linear_vehicle.h"
+#include "vehicles/laws/count_check.h"
+#include "vehicles/laws/hydraulic_cycle.h"
 #include "vehicles/response/anderson_acceleration.h"
 
 namespace fourpost {
 namespace {
 
 using Complex = std::complex<double>;
+
+/// Of the multibody system's states.
+constexpr double kMegapascal = 1e6;
 
 /// Posts that move as Re(shape amplitude exp(i w t)).
 PostMotion SteadySine(const std::vector<double>& shape, double amplitude, double omega) {
@@ -47,10 +55,27 @@ double RelativeChange(const Eigen::MatrixXcd& before, const Eigen::MatrixXcd& no
   return (now - before).rowwise().norm().cwiseQuotient(sizes.cwiseMax(sizes[1])).maxCoeff();
 }
 
-Eigen::MatrixXd SeriesDirections(const CondensedModel& model) {
+/// Of [s x]; without the springs that stand for hydraulic dampers.
+std::vector<Eigen::Index> SeriesOf(const std::vector<Port>& ports, Eigen::Index n, Eigen::Index size) {
+  std::vector<Eigen::Index> series;
+  for (Eigen::Index x = n; x < size; ++x)
+    if (std::none_of(ports.begin(), ports.end(), [x](const Port& port) { return port.lag == x; })) series.push_back(x);
+  return series;
+}
+
+std::vector<std::size_t> HydraulicsOf(const std::vector<Port>& ports) {
+  std::vector<std::size_t> hydraulics;
+  for (std::size_t j = 0; j < ports.size(); ++j)
+    if (std::holds_alternative<HydraulicRemainder>(ports[j].law)) hydraulics.push_back(j);
+  return hydraulics;
+}
+
+Eigen::MatrixXd SeriesDirections(const CondensedModel& model, const std::vector<Eigen::Index>& series) {
   const std::vector<const CondensedModel::Dashpot*> dampers = model.SeriesDampers();
-  Eigen::MatrixXd directions(model.mass.rows(), static_cast<Eigen::Index>(dampers.size()));
-  for (std::size_t j = 0; j < dampers.size(); ++j) directions.col(static_cast<Eigen::Index>(j)) = dampers[j]->direction;
+  const Eigen::Index n = model.mass.rows();
+  Eigen::MatrixXd directions(n, static_cast<Eigen::Index>(series.size()));
+  for (std::size_t j = 0; j < series.size(); ++j)
+    directions.col(static_cast<Eigen::Index>(j)) = dampers[static_cast<std::size_t>(series[j] - n)]->direction;
   return directions;
 }
 
@@ -70,14 +95,22 @@ FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const st
       transform_(CycleTransform::Shared(options.harmonics, options.samples)),
       chart_(multibody),
       linearised_(model, shape, {.tolerance = options.tolerance}),
-      series_directions_(SeriesDirections(model)) {
+      hydraulics_(HydraulicsOf(linearised_.ports())) {
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
+  series_ = SeriesOf(linearised_.ports(), chart_.size(), linear.size());
+  series_directions_ = SeriesDirections(model, series_);
   port_directions_ = PortDirections(linearised_.ports(), linear.size());
   stiffness_ = linear.stiffness.diagonal().cwiseAbs();
   mass_ = Eigen::VectorXd::Zero(linear.size());
   mass_.head(linear.mass.rows()) = linear.mass.diagonal();
   lacking_.resize(options.samples, linear.size());
   readings_.resize(options.samples, model.on_position.rows());
+  const auto states = static_cast<Eigen::Index>(series_.size() + 2 * hydraulics_.size());
+  RequireCount("SolveFullBalance: model", "states of dampers",
+               static_cast<std::size_t>(multibody.state_size() - 2 * multibody.coordinate_count()),
+               static_cast<std::size_t>(states));
+  pressures_.setZero(options.samples, static_cast<Eigen::Index>(2 * hydraulics_.size()));
+  tension_aliases_.setZero(options.harmonics + 1, port_directions_.cols());
 }
 
 bool FullCycle::Solve(double frequency_Hz, double amplitude_m) {
@@ -139,44 +172,111 @@ Eigen::MatrixXcd FullCycle::Departure(const Eigen::MatrixXcd& motion, bool read)
   Eigen::MatrixXcd aliases = coarse;
   const Eigen::Index known = std::min(coarse.rows(), linearised_.remainder().rows());
   aliases.topRows(known) -= linearised_.remainder().topRows(known);
+  for (const std::size_t j : hydraulics_) {
+    const auto column = static_cast<Eigen::Index>(j);
+    aliases.col(column) = tension_aliases_.col(column);
+  }
   return linearised_.MotionBy(aliases * port_directions_.transpose() - lacking);
 }
 
 void FullCycle::SampleCycle(const Eigen::MatrixXcd& motion, bool read) {
-  const Eigen::MatrixXcd rates = Rates().asDiagonal() * motion;
+  const Eigen::VectorXcd rate = Rates(options_.harmonics);
+  const Eigen::MatrixXcd rates = rate.asDiagonal() * motion;
   Eigen::MatrixXd position;
   Eigen::MatrixXd velocity;
   Eigen::MatrixXd acceleration;
   transform_.ToTime(motion, position);
   transform_.ToTime(rates, velocity);
-  transform_.ToTime(Rates().asDiagonal() * rates, acceleration);
+  transform_.ToTime(rate.asDiagonal() * rates, acceleration);
+  if (!hydraulics_.empty()) FindPressures(position);
   const Eigen::Index n = chart_.size();
-  const Eigen::Index series = motion.cols() - n;
   for (Eigen::Index k = 0; k < options_.samples; ++k) {
     const double t = 2 * std::numbers::pi * static_cast<double>(k) / (omega_ * options_.samples);
     const Chart::Motion now =
         chart_.Follow(t, position.row(k).head(n).transpose(), velocity.row(k).head(n).transpose(),
-                      acceleration.row(k).head(n).transpose(), position.row(k).tail(series).transpose());
-    Eigen::VectorXd derivative(2 * now.q.size() + series);
-    derivative << now.rate, now.acceleration, velocity.row(k).tail(series).transpose();
+                      acceleration.row(k).head(n).transpose(), States(position.row(k), pressures_.row(k)));
+    // Rates of pressures follow from those, and move nothing.
+    Eigen::VectorXd derivative(multibody_.state_size());
+    derivative << now.rate, now.acceleration, States(velocity.row(k), Eigen::RowVectorXd::Zero(pressures_.cols()));
     lacking_.row(k) = Lacking(now, derivative).transpose();
     if (read) readings_.row(k) = multibody_.Readings(derivative).transpose();
   }
 }
 
+/// z of the multibody system.
+Eigen::VectorXd FullCycle::States(const Eigen::RowVectorXd& coordinates, const Eigen::RowVectorXd& pressures) const {
+  Eigen::VectorXd states(static_cast<Eigen::Index>(series_.size()) + pressures.size());
+  for (std::size_t j = 0; j < series_.size(); ++j) states[static_cast<Eigen::Index>(j)] = coordinates[series_[j]];
+  states.tail(pressures.size()) = pressures.transpose();
+  return states;
+}
+
+void FullCycle::FindPressures(const Eigen::MatrixXd& position) {
+  const Eigen::Index n = chart_.size();
+  Eigen::MatrixXd extensions(options_.samples, static_cast<Eigen::Index>(hydraulics_.size()));
+  for (Eigen::Index k = 0; k < options_.samples; ++k) {
+    chart_.MoveTo(position.row(k).head(n).transpose());
+    extensions.row(k) = multibody_.HydraulicExtensions().transpose();
+  }
+  Eigen::MatrixXcd full;
+  transform_.ToHarmonics(extensions, full);
+  const Eigen::MatrixXcd& linearised = linearised_.extension();
+  for (std::size_t i = 0; i < hydraulics_.size(); ++i) {
+    Eigen::VectorXcd extension = Eigen::VectorXcd::Zero(std::max(linearised.rows(), full.rows()));
+    extension.head(linearised.rows()) = linearised.col(static_cast<Eigen::Index>(hydraulics_[i]));
+    extension.head(full.rows()) = full.col(static_cast<Eigen::Index>(i));
+    FindPressures(i, extension);
+  }
+}
+
+/// By its cycle in at least as many steps as the linearised one needed, the samples among them.
+void FullCycle::FindPressures(std::size_t damper, const Eigen::VectorXcd& extension) {
+  const auto port = static_cast<Eigen::Index>(hydraulics_[damper]);
+  const auto& law = std::get<HydraulicRemainder>(linearised_.ports()[hydraulics_[damper]].law).law;
+  const Eigen::Index highest = extension.size() - 1;
+  const Eigen::Index stride = std::max(linearised_.steps(), 4 * highest + 4) / options_.samples + 1;
+  const Eigen::Index steps = stride * options_.samples;
+  const CycleTransform& fine = CycleTransform::Shared(static_cast<int>(highest), static_cast<int>(steps));
+  const Eigen::VectorXcd rates = Rates(highest);
+  Eigen::MatrixXd extensions;
+  Eigen::MatrixXd extension_rates;
+  fine.ToTime(extension, extensions);
+  fine.ToTime(rates.asDiagonal() * extension, extension_rates);
+  const auto count = static_cast<std::size_t>(steps);
+  const std::optional<HydraulicCycle> cycle = HydraulicCycle::Solve(
+      law, 2 * std::numbers::pi / omega_, {extensions.data(), count}, {extension_rates.data(), count});
+  if (!cycle) throw std::runtime_error("a chamber of a hydraulic damper closes");
+  Eigen::MatrixXd tensions(steps, 1);
+  for (Eigen::Index k = 0; k < steps; ++k) tensions(k, 0) = cycle->states()[static_cast<std::size_t>(k)].tension;
+  Eigen::MatrixXd sampled(options_.samples, 1);
+  for (Eigen::Index k = 0; k < options_.samples; ++k) {
+    sampled(k, 0) = tensions(k * stride, 0);
+    const std::array<double, 2>& pressures = cycle->states()[static_cast<std::size_t>(k * stride)].pressures;
+    for (std::size_t c = 0; c < 2; ++c)
+      pressures_(k, static_cast<Eigen::Index>(2 * damper + c)) = (pressures[c] - law.damper.Rest()[c]) / kMegapascal;
+  }
+  Eigen::MatrixXcd of_samples;
+  Eigen::MatrixXcd of_steps;
+  transform_.ToHarmonics(sampled, of_samples);
+  CycleTransform::Shared(options_.harmonics, static_cast<int>(steps)).ToHarmonics(tensions, of_steps);
+  tension_aliases_.col(port) = of_samples - of_steps;
+}
+
 /// A series damper pulls on s with its spring in the multibody system, with its dashpot in the linear vehicle; what the
-/// two differ by is lacking on x.
+/// two differ by is lacking on x. What stands for a hydraulic damper on x is linear in both, and lacks nothing.
 Eigen::VectorXd FullCycle::Lacking(const Chart::Motion& motion, const Eigen::VectorXd& derivative) {
   const Eigen::VectorXd residual = multibody_.Residual(derivative);
-  const Eigen::Index series = series_directions_.cols();
-  Eigen::VectorXd lacking(chart_.size() + series);
-  lacking << motion.tangent.transpose() * residual.head(motion.q.size()) - series_directions_ * residual.tail(series),
-      residual.tail(series);
+  const Eigen::VectorXd missing = residual.segment(motion.q.size(), series_directions_.cols());
+  Eigen::VectorXd lacking = Eigen::VectorXd::Zero(lacking_.cols());
+  lacking.head(chart_.size()) =
+      motion.tangent.transpose() * residual.head(motion.q.size()) - series_directions_ * missing;
+  for (std::size_t j = 0; j < series_.size(); ++j) lacking[series_[j]] = missing[static_cast<Eigen::Index>(j)];
   return lacking;
 }
 
-Eigen::VectorXcd FullCycle::Rates() const {
-  return Complex(0, omega_) * Eigen::VectorXd::LinSpaced(options_.harmonics + 1, 0, options_.harmonics);
+/// Of the harmonics 0, 1, .. to the highest, by amplitude.
+Eigen::VectorXcd FullCycle::Rates(Eigen::Index highest) const {
+  return Complex(0, omega_) * Eigen::VectorXd::LinSpaced(highest + 1, 0, static_cast<double>(highest));
 }
 
 }  // namespace fourpost

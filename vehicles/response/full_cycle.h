@@ -35,8 +35,12 @@ class FullCycle {
   /// What the full system lacks to move so at each sample, in the columns of [s x], and, if asked, what its sensors
   /// read.
   void SampleCycle(const Eigen::MatrixXcd& motion, bool read);
+  /// At each sample, what the pressures of the hydraulic dampers are. Throws std::runtime_error where they have none.
+  void FindPressures(const Eigen::MatrixXd& position);
+  void FindPressures(std::size_t damper, const Eigen::VectorXcd& extension);
+  Eigen::VectorXd States(const Eigen::RowVectorXd& coordinates, const Eigen::RowVectorXd& pressures) const;
   Eigen::VectorXd Lacking(const Chart::Motion& motion, const Eigen::VectorXd& derivative);
-  Eigen::VectorXcd Rates() const;
+  Eigen::VectorXcd Rates(Eigen::Index highest) const;
 
   Multibody& multibody_;
   const std::vector<double>& shape_;
@@ -44,8 +48,12 @@ class FullCycle {
   const CycleTransform& transform_;
   Chart chart_;
   LinearisedCycle linearised_;
+  /// Indices in [s x] of the extensions that are states of the multibody system: those of series dampers.
+  std::vector<Eigen::Index> series_;
   /// Of the series dampers, n x their number.
   Eigen::MatrixXd series_directions_;
+  /// Of the hydraulic dampers, as indices in the ports.
+  std::vector<std::size_t> hydraulics_;
   /// Of the ports, size x ports.
   Eigen::MatrixXd port_directions_;
   /// See EnergyWeights.
@@ -55,6 +63,10 @@ class FullCycle {
   /// Samples in rows.
   Eigen::MatrixXd lacking_;
   Eigen::MatrixXd readings_;
+  /// Of the hydraulic dampers at the samples, two each [MPa above rest].
+  Eigen::MatrixXd pressures_;
+  /// (H + 1) x ports: of the hydraulic dampers' tensions, by how much the samples' harmonics miss them.
+  Eigen::MatrixXcd tension_aliases_;
   SensorHarmonics sensors_;
   /// What the sensors read more in the full system.
   SensorHarmonics sensor_departure_;

@@ -35,7 +35,10 @@ class LinearisedCycle {
   SensorHarmonics SensorsBy(const Eigen::MatrixXcd& remainder) const;
   /// (H + 1) x size: small motion s and extensions x of the series springs, see LinearVehicle.
   Eigen::MatrixXcd Coordinates(int harmonics) const;
-  /// (H + 1) x ports: harmonics of the ports' remainders, and what a transform of other samples would find them.
+  /// (H + 1) x ports: harmonics of the ports' extensions.
+  const Eigen::MatrixXcd& extension() const { return cycle().extension(); }
+  /// (H + 1) x ports: harmonics of the ports' remainders, and what a transform of other samples would find them, but
+  /// for laws with memory.
   const Eigen::MatrixXcd& remainder() const { return cycle().remainder(); }
   Eigen::MatrixXcd RemainderBy(const CycleTransform& transform) const { return cycle().RemainderBy(transform); }
   const std::vector<Port>& ports() const { return ports_; }
@@ -43,6 +46,8 @@ class LinearisedCycle {
   Eigen::MatrixXcd MotionBy(const Eigen::MatrixXcd& forces) const { return receptance_.MotionBy(omega_, forces); }
   /// What it needed.
   int harmonics() const { return cycle().harmonics(); }
+  /// Steps of a cycle in which it took laws with memory through it.
+  Eigen::Index steps() const { return cycle().steps(); }
   int iterations() const { return iterations_; }
 
  private:

@@ -232,15 +232,22 @@ Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
   const Eigen::MatrixXcd extension = Resized(extension_, transform.harmonics());
   Eigen::MatrixXd extensions;
   Eigen::MatrixXd rates;
-  Eigen::MatrixXd remainders(transform.samples(), extension.cols());
+  Eigen::MatrixXd remainders = Eigen::MatrixXd::Zero(transform.samples(), extension.cols());
   transform.ToTime(extension, extensions);
   transform.ToTime(RateOf(extension, omega_), rates);
   for (std::size_t j = 0; j < ports_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(j);
+    if (std::holds_alternative<HydraulicRemainder>(ports_[j].law)) continue;
     Remainders(ports_[j].law, Samples(extensions, column), Samples(rates, column), Room(remainders, column));
   }
   Eigen::MatrixXcd harmonics;
   transform.ToHarmonics(remainders, harmonics);
+  const Eigen::Index known = std::min(harmonics.rows(), remainder_.rows());
+  for (std::size_t j = 0; j < ports_.size(); ++j) {
+    const auto column = static_cast<Eigen::Index>(j);
+    if (std::holds_alternative<HydraulicRemainder>(ports_[j].law))
+      harmonics.col(column).head(known) = remainder_.col(column).head(known);
+  }
   return harmonics;
 }
 

@@ -26,6 +26,8 @@ class PortCycle {
   PortCycle(const std::vector<Port>& ports, const Receptance& receptance, int harmonics, int samples);
 
   int harmonics() const { return transform_.harmonics(); }
+  /// Of a cycle, in which laws with memory go through it.
+  Eigen::Index steps() const { return steps_.samples(); }
 
   /// `driven`, `start`: harmonics 0, 1, .. of the extensions without remainders, and those to start from; any number of
   /// them, beyond which they are zero. `tolerance`: see HarmonicBalanceOptions. Whether it converged; if not, the
@@ -36,7 +38,8 @@ class PortCycle {
   /// (H + 1) x ports: extensions [m] and remainders [N] of the last solution.
   const Eigen::MatrixXcd& extension() const { return extension_; }
   const Eigen::MatrixXcd& remainder() const { return remainder_; }
-  /// The remainders of the last solution's lower harmonics, sampled by another transform.
+  /// The remainders of the last solution's lower harmonics, sampled by another transform; of laws with memory those
+  /// that remainder() has.
   Eigen::MatrixXcd RemainderBy(const CycleTransform& transform) const;
 
   /// Whether steps of the remainders, as friction's, have a sample each time they are passed at full speed.

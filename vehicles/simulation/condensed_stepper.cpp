@@ -35,7 +35,7 @@ const Eigen::Matrix4d& Hermite() {
 }  // namespace
 
 CondensedStepper::CondensedStepper(const CondensedModel& model, double step_s)
-    : step_s_(step_s), ports_(PortsOf(model)), at_start_(ports_), at_end_(ports_) {
+    : step_s_(step_s), ports_(PortsOf(model)), at_start_(ports_, step_s), at_end_(ports_, step_s) {
   RequireOption(step_s > 0 && std::isfinite(step_s), "CondensedStepper: step_s", step_s, "positive and finite");
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
   const MatrixXd state_matrix = linear.StateMatrix();
@@ -94,6 +94,11 @@ void CondensedStepper::MakePortRows(const CondensedModel& model, const MatrixXd&
     const Eigen::VectorXd& direction = ports_[static_cast<std::size_t>(j)].direction;
     extension_on_state_.row(j).head(n) = direction.head(n).transpose();
     extension_on_state_.row(j).tail(series) = direction.tail(series).transpose();
+    if (const Index lag = ports_[static_cast<std::size_t>(j)].lag; lag >= 0) {
+      // In place of its rate.
+      rate_on_state_(j, n + lag) = 1;
+      continue;
+    }
     rate_on_state_.row(j) = direction.tail(series).transpose() * state_matrix.bottomRows(series);
     rate_on_state_.row(j).segment(n, n) += direction.head(n).transpose();
     rate_on_remainder_.row(j) = direction.tail(series).transpose() * on_remainder_.bottomRows(series);
@@ -152,6 +157,8 @@ void CondensedStepper::Start(std::span<const PostState> posts) {
   extension_.setZero();
   rate_.setZero();
   unsolved_steps_ = 0;
+  at_start_.Rest();
+  at_end_.Rest();
   AddPostsToPorts();
   if (!at_start_.Solve(extension_, rate_, remainder_)) ++unsolved_steps_;
 }

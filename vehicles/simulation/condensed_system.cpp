@@ -38,12 +38,12 @@ void CondensedSystem::Run(const PostMotion& posts, double start, double step, co
   for (long k = 0;; ++k) {
     const double t = start + static_cast<double>(k) * step;
     stepper.Read(readings);
+    if (stepper.unsolved_steps() > 0)
+      throw std::runtime_error("the forces of the vehicle's elements were not found at t = " + std::to_string(t) +
+                               " s; take a shorter step, or less motion if a hydraulic damper's piston meets its end");
     // So written that it is true for NaN.
     if (!(stepper.state().norm() < kFarthest))
       throw std::runtime_error("the motion grows beyond all bounds before t = " + std::to_string(t) + " s");
-    if (stepper.unsolved_steps() > 0)
-      throw std::runtime_error("the forces of the vehicle's elements were not found at t = " + std::to_string(t) +
-                               " s; take a shorter step");
     sink(t, readings);
     if (done()) return;
     for (long part = 1; part <= parts; ++part) {

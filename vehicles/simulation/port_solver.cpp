@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
+#include <variant>
 
 namespace fourpost {
 namespace {
@@ -42,8 +44,15 @@ std::span<const double> One(const Eigen::VectorXd& values, Eigen::Index j) { ret
 
 }  // namespace
 
-PortSolver::PortSolver(const std::vector<Port>& ports) {
-  for (const Port& port : ports) laws_.push_back(port.law);
+PortSolver::PortSolver(const std::vector<Port>& ports, double step_s) {
+  for (const Port& port : ports) {
+    laws_.push_back(port.law);
+    hydraulics_.emplace_back();
+    const auto* hydraulic = std::get_if<HydraulicRemainder>(&port.law);
+    if (!hydraulic) continue;
+    hydraulics_.back().emplace(*hydraulic, step_s);
+    largest_ = std::max(largest_, hydraulics_.back()->Size());
+  }
   const auto count = static_cast<Eigen::Index>(ports.size());
   for (Eigen::VectorXd* vector : {&extension_, &rate_, &law_, &residual_, &trial_, &step_}) vector->setZero(count);
   jacobian_.setZero(count, count);
@@ -54,6 +63,11 @@ void PortSolver::SetCompliance(const Eigen::MatrixXd& by_extension, const Eigen:
   by_rate_ = by_rate;
 }
 
+void PortSolver::Rest() {
+  for (std::optional<HydraulicStep>& hydraulic : hydraulics_)
+    if (hydraulic) hydraulic->Rest();
+}
+
 double PortSolver::Evaluate(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate,
                             const Eigen::VectorXd& remainder) {
   extension_ = extension;
@@ -62,12 +76,14 @@ double PortSolver::Evaluate(const Eigen::VectorXd& extension, const Eigen::Vecto
   rate_.noalias() += by_rate_ * remainder;
   double largest = 0;
   for (Eigen::Index j = 0; j < remainder.size(); ++j) {
-    Remainders(laws_[static_cast<std::size_t>(j)], One(extension_, j), One(rate_, j), {law_.data() + j, 1});
+    const auto port = static_cast<std::size_t>(j);
+    if (hydraulics_[port]) law_[j] = hydraulics_[port]->Remainder(extension_[j], rate_[j]);
+    else Remainders(laws_[port], One(extension_, j), One(rate_, j), {law_.data() + j, 1});
     residual_[j] = remainder[j] - law_[j];
     largest = std::max(largest, std::abs(residual_[j]));
     largest_ = std::max(largest_, std::abs(law_[j]));
   }
-  return largest;
+  return residual_.allFinite() ? largest : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// jacobian step = residual, jacobian = 1 - slopes compliance.
@@ -76,8 +92,13 @@ void PortSolver::NewtonStep() {
   for (Eigen::Index j = 0; j < step_.size(); ++j) {
     double by_extension = 0;
     double by_rate = 0;
-    RemainderSlopes(laws_[static_cast<std::size_t>(j)], One(extension_, j), One(rate_, j), {&by_extension, 1},
-                    {&by_rate, 1});
+    const auto port = static_cast<std::size_t>(j);
+    if (hydraulics_[port]) {
+      by_extension = hydraulics_[port]->ByExtension();
+      by_rate = hydraulics_[port]->ByLag();
+    } else {
+      RemainderSlopes(laws_[port], One(extension_, j), One(rate_, j), {&by_extension, 1}, {&by_rate, 1});
+    }
     jacobian_.row(j) = -by_extension * by_extension_.row(j) - by_rate * by_rate_.row(j);
     jacobian_(j, j) += 1;
   }
@@ -90,6 +111,8 @@ bool PortSolver::Solve(const Eigen::VectorXd& extension, const Eigen::VectorXd& 
     if (miss <= kTolerance * (1 + largest_)) {
       // What the laws make of it, so that an exact law is met exactly.
       remainder = law_;
+      for (std::optional<HydraulicStep>& hydraulic : hydraulics_)
+        if (hydraulic) hydraulic->Advance();
       return true;
     }
     NewtonStep();

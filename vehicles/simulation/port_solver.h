@@ -1,33 +1,43 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "vehicles/condensed/port.h"
+#include "vehicles/simulation/hydraulic_step.h"
 
 namespace fourpost {
 
-/// Finds the remainders r of all ports at one instant, where extension and rate of each depend on them:
+/// Finds the remainders r of all ports at the end of a step, where extension and rate of each depend on them:
 ///   r_j = R_j(e_j, e'_j),  e = extension + by_extension r,  e' = rate + by_rate r
+/// A hydraulic damper's has the place of e' for the extension x of the spring in its linear share, see HydraulicStep.
 /// by Newton's method on r - R, from where it was the time before, halving steps that lead away. Where laws have kinks
 /// it ends after some iterations in the right pieces. Keeps its memory: nothing is allocated after construction.
 class PortSolver {
  public:
-  explicit PortSolver(const std::vector<Port>& ports);
+  /// `step_s`: by which ports with memory go on from one solution to the next.
+  PortSolver(const std::vector<Port>& ports, double step_s);
+
+  /// Ports with memory have been at rest ever since.
+  void Rest();
 
   /// ports x ports: what remainders do to extensions [m/N] and to rates [m/s/N].
   void SetCompliance(const Eigen::MatrixXd& by_extension, const Eigen::MatrixXd& by_rate);
 
-  /// Whether it converged; `remainder` holds the start and becomes the solution, or the best iterate.
+  /// Whether it converged; `remainder` holds the start and becomes the solution, or the best iterate. Then ports with
+  /// memory are a step further.
   bool Solve(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate, Eigen::VectorXd& remainder);
 
  private:
-  /// Residual at `remainder`; its largest entry.
+  /// Residual at `remainder`; its largest entry, NaN where a law has no answer.
   double Evaluate(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate, const Eigen::VectorXd& remainder);
   void NewtonStep();
 
   std::vector<PortLaw> laws_;
+  /// Of each port, if it is a hydraulic damper's.
+  std::vector<std::optional<HydraulicStep>> hydraulics_;
   Eigen::MatrixXd by_extension_;
   Eigen::MatrixXd by_rate_;
   Eigen::VectorXd extension_;
@@ -37,7 +47,7 @@ class PortSolver {
   Eigen::VectorXd trial_;
   Eigen::VectorXd step_;
   Eigen::MatrixXd jacobian_;
-  /// Largest remainder so far [N].
+  /// Largest remainder so far, or what those of ports with memory are rounded at [N].
   double largest_ = 0;
 };
 

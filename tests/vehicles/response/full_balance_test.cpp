@@ -127,27 +127,6 @@ TEST(FullBalance, SurvivesAMotionThatNoVehicleFollows) {
     for (const Complex value : channel.response) EXPECT_TRUE(std::isfinite(std::abs(value))) << channel.name;
 }
 
-TEST(FullBalance, RefusesHydraulicDampers) {
-  Vehicle vehicle = ShippedVehicle("quarter_car");
-  vehicle.dampers[0].hydraulic = HydraulicDescription{.bleed = {0.6e-6},
-                                                      .rebound_valve = {1e7},
-                                                      .compression_valve = {3e6},
-                                                      .bulk_modulus = {3e8},
-                                                      .piston_diameter = {0.03},
-                                                      .rod_diameter = {0.012},
-                                                      .rebound_column = {0.1},
-                                                      .compression_column = {0.1},
-                                                      .gas_pressure = {2e6},
-                                                      .gas_volume = {60e-6},
-                                                      .gas_exponent = {1.3},
-                                                      .density = {860},
-                                                      .cavitation = {5e3}};
-  Prepared prepared(vehicle);
-  const auto refuses = testing::ThrowsMessage<std::invalid_argument>(
-      HasSubstr("fp:damper '" + vehicle.dampers[0].name + "' is hydraulic, which this engine does not support"));
-  EXPECT_THAT([&] { prepared.Full(QuarterCarSine()); }, refuses);
-}
-
 // Laws, friction too, vary steeply; what the full system adds to them does not.
 TEST(FullBalance, NeedsADozenSamples) {
   for (const char* name : {"landrover110_linkage", "landrover110", "landrover110_rigid"}) {

@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <Eigen/Eigenvalues>
 
+#include "tests/vehicles/hydraulic_cars.h"
 #include "tests/vehicles/recorded_rig.h"
 #include "tests/vehicles/resting.h"
-#include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/modes.h"
 #include "vehicles/response/harmonic_balance.h"
 
@@ -32,36 +32,13 @@ struct DamperCase {
 
 std::ostream& operator<<(std::ostream& out, const DamperCase& damper) { return out << damper.name; }
 
-/// Columns of 150 mm, else the defaults of a file.
-HydraulicDescription Oil(double bleed, double rebound_valve, double compression_valve, double bulk_modulus = 300e6) {
-  return {.bleed = {bleed},
-          .rebound_valve = {rebound_valve},
-          .compression_valve = {compression_valve},
-          .bulk_modulus = {bulk_modulus},
-          .piston_diameter = {0.030},
-          .rod_diameter = {0.0125},
-          .rebound_column = {0.15},
-          .compression_column = {0.15},
-          .gas_pressure = {2e6},
-          .gas_volume = {60e-6},
-          .gas_exponent = {1.3},
-          .density = {860},
-          .cavitation = {5e3}};
-}
-
-/// The quarter car on this damper.
-Vehicle QuarterCar(const HydraulicDescription& oil, double mount = 0) {
-  Vehicle vehicle = ShippedVehicle("quarter_car");
-  vehicle.dampers[0].law = {};
-  vehicle.dampers[0].hydraulic = oil;
-  if (mount > 0) vehicle.dampers[0].series = SpringDescription{.stiffness = {mount}};
-  return vehicle;
-}
+/// Its valves tear the oil.
+const DamperCase kBoilingOnAMount{"BoilingOnAMount", Oil(0.05e-6, 1e7, 4e7), 400e3, {{3, 0.01}, {12, 0.006}}};
 
 class HydraulicBalance : public testing::TestWithParam<DamperCase> {};
 
 TEST_P(HydraulicBalance, AgreesWithTheMarch) {
-  Prepared prepared(QuarterCar(GetParam().oil, GetParam().mount));
+  Prepared prepared(QuarterCarOnOil(GetParam().oil, GetParam().mount));
   Excitation excitation{.shape = {1}};
   for (const auto& [frequency_Hz, height] : GetParam().heights) {
     excitation.frequency_Hz.push_back(frequency_Hz);
@@ -85,11 +62,11 @@ INSTANTIATE_TEST_SUITE_P(
                     DamperCase{"Boiling", Oil(0.05e-6, 1e7, 4e7), 0, {{1.2, 0.02}, {6, 0.01}, {12, 0.006}}},
                     DamperCase{"OnAMount", Oil(0.6e-6, 1e7, 2.6e6), 400e3, {{1.2, 0.02}, {12, 3e-3}}},
                     DamperCase{"SoftOilOnASoftMount", Oil(0.6e-6, 3e7, 2.6e6, 100e6), 100e3, {{1.2, 0.02}, {6, 0.01}}},
-                    DamperCase{"BoilingOnAMount", Oil(0.05e-6, 1e7, 4e7), 400e3, {{3, 0.01}, {12, 0.006}}}),
+                    kBoilingOnAMount),
     [](const auto& damper) { return damper.param.name; });
 
 TEST(HydraulicBalance, TakesFrictionBetweenTheEndsOfDamperAndMount) {
-  Vehicle vehicle = QuarterCar(Oil(0.6e-6, 1e7, 2.6e6), 400e3);
+  Vehicle vehicle = QuarterCarOnOil(Oil(0.6e-6, 1e7, 2.6e6), 400e3);
   vehicle.dampers[0].law.friction = DashpotDescription::Friction{{40}, {0.02}};
   Prepared prepared(vehicle);
   const Excitation excitation{{1.2, 12}, {0.01, 0.002}, {1}};
@@ -102,7 +79,58 @@ TEST(HydraulicBalance, TakesFrictionBetweenTheEndsOfDamperAndMount) {
 TEST(HydraulicBalance, TellsWhereAChamberCloses) {
   HydraulicDescription oil = Oil(20e-6, 1e5, 1e5);
   oil.rebound_column = oil.compression_column = {0.05};
-  const PeriodicResponse balanced = Prepared(QuarterCar(oil)).Linearised({{0.2, 1.3}, {0.01, 0.04}, {1}});
+  const PeriodicResponse balanced = Prepared(QuarterCarOnOil(oil)).Linearised({{0.2, 1.3}, {0.01, 0.04}, {1}});
+  EXPECT_THAT(balanced.unconverged_Hz, testing::ElementsAre(1.3));
+}
+
+/// How far the balance of linear kinematics is from a march that the full balance agrees with [dB].
+double LinearisedFromMarch(Prepared& prepared, const Excitation& excitation) {
+  const PeriodicResponse balanced = prepared.Full(excitation);
+  EXPECT_THAT(balanced.unconverged_Hz, testing::IsEmpty());
+  const FrequencyResponse marched = prepared.Marched(excitation, 256);
+  ExpectAgreement(balanced.response, marched, kGain_dB, kPhase_deg);
+  const FrequencyResponse linearised = prepared.Linearised(excitation).response;
+  double apart = 0;
+  for (std::size_t c = 0; c < marched.channels.size(); ++c)
+    apart = std::max(apart, LargestDeviation(linearised.channels[c], marched.channels[c]).gain_dB);
+  return apart;
+}
+
+TEST(HydraulicFullBalance, AgreesWithTheMarchWhereLinearKinematicsDoNot) {
+  Prepared prepared(LinkageCarOnOil());
+  EXPECT_LT(LinearisedFromMarch(prepared, {{1.2, 9.45}, {0.005, 0.0005}, {1, 1}}), 0.05);
+  EXPECT_GT(LinearisedFromMarch(prepared, {{1.2, 9.45}, {0.05, 0.005}, {1, -1}}), 2 * kGain_dB);
+}
+
+// States of the multibody: the extension of the rear's mount, then the front's pressures. Of [s x]: first what stands
+// for the front damper.
+TEST(HydraulicFullBalance, TellsStatesOfMixedDampersApart) {
+  Vehicle vehicle = LinkageCarOnOil();
+  const Vehicle shipped = ShippedVehicle("landrover110_linkage");
+  vehicle.dampers[0].series = SpringDescription{.stiffness = {800e3}};
+  vehicle.dampers[0].law.friction = DashpotDescription::Friction{{40}, {0.02}};
+  vehicle.dampers[1] = shipped.dampers[1];
+  vehicle.dampers[1].series = SpringDescription{.stiffness = {500e3}, .cubic = {1e11}};
+  Prepared prepared(vehicle);
+  LinearisedFromMarch(prepared, {{1.2, 9.45}, {0.03, 0.003}, {1, 0.5}});
+}
+
+// Its kinematics are linear: both balances solve the same equations.
+TEST(HydraulicFullBalance, IsTheLinearisedBalanceOfAQuarterCar) {
+  for (const DamperCase& damper : {DamperCase{"Usual", Oil(0.6e-6, 1e7, 2.6e6)}, kBoilingOnAMount}) {
+    Prepared prepared(QuarterCarOnOil(damper.oil, damper.mount));
+    const Excitation excitation{{1.2, 6, 12}, {0.02, 0.01, 0.006}, {1}};
+    const PeriodicResponse full = prepared.Full(excitation);
+    EXPECT_THAT(full.unconverged_Hz, testing::IsEmpty());
+    // Steps in time of two grids, of the second order each.
+    ExpectAgreement(full.response, prepared.Linearised(excitation).response, 0.005, 0.03);
+  }
+}
+
+TEST(HydraulicFullBalance, TellsWhereAChamberCloses) {
+  HydraulicDescription oil = Oil(20e-6, 1e5, 1e5);
+  oil.rebound_column = oil.compression_column = {0.05};
+  const PeriodicResponse balanced = Prepared(QuarterCarOnOil(oil)).Full({{0.2, 1.3}, {0.01, 0.04}, {1}});
   EXPECT_THAT(balanced.unconverged_Hz, testing::ElementsAre(1.3));
 }
 
@@ -123,7 +151,7 @@ Eigen::VectorXcd SimbodyPoles(const Vehicle& vehicle) {
 // With laminar valves, alike both ways, the mean rate is that of small motion.
 TEST(HydraulicBalance, LinearModelHasThePolesOfSimbody) {
   for (const double mount : {0.0, 200e3}) {
-    const Vehicle vehicle = QuarterCar(Oil(1e-17, 1e7, 1e7), mount);
+    const Vehicle vehicle = QuarterCarOnOil(Oil(1e-17, 1e7, 1e7), mount);
     const Eigen::VectorXcd simbody = SimbodyPoles(vehicle);
     const Eigen::VectorXcd condensed =
         StateMatrix(CondensedVehicle(vehicle).At(vehicle.ParameterValues())).eigenvalues();

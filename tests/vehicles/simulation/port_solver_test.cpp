@@ -22,7 +22,7 @@ TEST(PortSolver, FindsForcesThatTheirMotionsHave) {
   by_extension << -2e-9, 1e-9, 5e-10, 1e-9, -3e-9, 0, 5e-10, 0, -1e-8;
   Eigen::Matrix3d by_rate;
   by_rate << -4e-4, 1e-5, 2e-5, 1e-5, -5e-5, 0, 2e-5, 0, -3e-4;
-  PortSolver solver(ports);
+  PortSolver solver(ports, 1e-3);
   solver.SetCompliance(by_extension, by_rate);
   Eigen::VectorXd remainder = Eigen::VectorXd::Zero(3);
   for (const double size : {-3.0, -0.3, -1e-3, 0.0, 1e-3, 0.4, 2.0}) {
@@ -42,7 +42,8 @@ TEST(PortSolver, FindsForcesThatTheirMotionsHave) {
 
 // r = (500 - 2000) v and v = 0.1 - 1e-4 r.
 TEST(PortSolver, SolvesALineInOneStep) {
-  PortSolver solver({{.direction = Eigen::VectorXd::Ones(1), .law = DashpotRemainder{DashpotLaw(500, 500), 2000}}});
+  PortSolver solver({{.direction = Eigen::VectorXd::Ones(1), .law = DashpotRemainder{DashpotLaw(500, 500), 2000}}},
+                    1e-3);
   solver.SetCompliance(Eigen::MatrixXd::Zero(1, 1), Eigen::MatrixXd::Constant(1, 1, -1e-4));
   Eigen::VectorXd remainder = Eigen::VectorXd::Zero(1);
   ASSERT_TRUE(solver.Solve(Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 0.1), remainder));

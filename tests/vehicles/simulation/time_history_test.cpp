@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/vehicles/hydraulic_cars.h"
 #include "tests/vehicles/recorded_rig.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "tests/vehicles/simulation/written_out_cars.h"
@@ -110,10 +111,10 @@ TEST(TimeHistory, OfBothEnginesAgreeOnTheLinkageCar) {
   EXPECT_GT(differences.maxCoeff(), 1e-5);
 }
 
-/// Random heave of 1 mm by both engines; the largest difference of a channel.
-double DifferenceOfEngines(const std::string& name) {
-  Prepared car(ShippedVehicle(name));
-  const RandomHeights random{.rms_m = 0.001, .lower_Hz = 0.7, .upper_Hz = 25, .duration_s = 2, .seed = 1};
+/// Random heave by both engines; the largest difference of a channel.
+double DifferenceOfEngines(const Vehicle& vehicle, double rms_m = 0.001) {
+  Prepared car(vehicle);
+  const RandomHeights random{.rms_m = rms_m, .lower_Hz = 0.7, .upper_Hz = 25, .duration_s = 2, .seed = 1};
   const PostMotion posts = FollowPattern(random.Signal(), std::vector<double>(car.vehicle.posts.size(), 1));
   const TimeGrid grid{.start_s = 0, .end_s = 2, .rate_Hz = 250};
   const RigView rig = RigViewOf(car.vehicle);
@@ -126,13 +127,36 @@ double DifferenceOfEngines(const std::string& name) {
 // Of one mass on another on one line there is no kinematics to differ by: the integrators' 0.1 % remain.
 TEST(TimeHistory, OfBothEnginesAgreesWithoutKinematics) {
   for (const char* name : {"quarter_car", "single_wheel_station", "landrover110_model1"})
-    EXPECT_LT(DifferenceOfEngines(name), 1e-3) << name;
+    EXPECT_LT(DifferenceOfEngines(ShippedVehicle(name)), 1e-3) << name;
 }
 
 // Bushings, loops, friction, stops, mounts; kinematics differ by some mm over links of a metre.
 TEST(TimeHistory, OfBothEnginesAgreesWithKinematics) {
   for (const char* name : {"landrover110", "landrover110_rigid", "independent_roadster"})
-    EXPECT_LT(DifferenceOfEngines(name), 1e-2) << name;
+    EXPECT_LT(DifferenceOfEngines(ShippedVehicle(name)), 1e-2) << name;
+}
+
+// Stiff oil, oil that boils, and mounts.
+TEST(TimeHistory, OfBothEnginesAgreesOnHydraulicDampers) {
+  Vehicle rubbing = QuarterCarOnOil(Oil(0.6e-6, 1e7, 2.6e6), 400e3);
+  rubbing.dampers[0].law.friction = DashpotDescription::Friction{{40}, {0.02}};
+  EXPECT_LT(DifferenceOfEngines(QuarterCarOnOil(Oil(0.6e-6, 1e7, 2.6e6)), 0.004), 1e-3);
+  EXPECT_LT(DifferenceOfEngines(QuarterCarOnOil(Oil(0.6e-6, 3e7, 2.6e6, 100e6), 100e3), 0.004), 1e-3);
+  EXPECT_LT(DifferenceOfEngines(QuarterCarOnOil(Oil(0.05e-6, 1e7, 4e7)), 0.004), 1e-3);
+  EXPECT_LT(DifferenceOfEngines(rubbing, 0.004), 1e-3);
+}
+
+// The body's resonance drives the shut piston of a wide bleed to its end.
+TEST(TimeHistory, SaysWhereAPistonMeetsItsEnd) {
+  HydraulicDescription oil = Oil(20e-6, 1e5, 1e5);
+  oil.rebound_column = oil.compression_column = {0.05};
+  const Prepared car(QuarterCarOnOil(oil));
+  const SweptSine sweep{.first_Hz = 1.2, .last_Hz = 1.4, .duration_s = 4, .amplitude_m = 0.04, .top_speed = 1};
+  const auto simulate = [&] {
+    SimulateCondensed(car.model, RigViewOf(car.vehicle), FollowPattern(sweep.Signal(), {1}),
+                      {.start_s = 0, .end_s = 4, .rate_Hz = 250}, {.most_halvings = 3});
+  };
+  EXPECT_THAT(simulate, testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("piston meets its end")));
 }
 
 }  // namespace
