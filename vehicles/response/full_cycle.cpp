@@ -158,7 +158,8 @@ bool FullCycle::Iterate() {
 }
 
 /// What more must be added for the full system to move as the linearised one does now, from what it lacks to do so.
-/// Laws with kinks err by coarse samples; they err alike in both systems, and so not in the difference.
+/// Laws with kinks err by coarse samples; they err alike in both systems, and so not in the difference. How the tension
+/// of a hydraulic damper errs by them is known.
 Eigen::MatrixXcd FullCycle::Departure(const Eigen::MatrixXcd& motion, bool read) {
   SampleCycle(motion, read);
   Eigen::MatrixXcd lacking;
@@ -172,10 +173,8 @@ Eigen::MatrixXcd FullCycle::Departure(const Eigen::MatrixXcd& motion, bool read)
   Eigen::MatrixXcd aliases = coarse;
   const Eigen::Index known = std::min(coarse.rows(), linearised_.remainder().rows());
   aliases.topRows(known) -= linearised_.remainder().topRows(known);
-  for (const std::size_t j : hydraulics_) {
-    const auto column = static_cast<Eigen::Index>(j);
-    aliases.col(column) = tension_aliases_.col(column);
-  }
+  for (const std::size_t j : hydraulics_)
+    aliases.col(static_cast<Eigen::Index>(j)) = tension_aliases_.col(static_cast<Eigen::Index>(j));
   return linearised_.MotionBy(aliases * port_directions_.transpose() - lacking);
 }
 

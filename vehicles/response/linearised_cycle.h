@@ -37,8 +37,8 @@ class LinearisedCycle {
   Eigen::MatrixXcd Coordinates(int harmonics) const;
   /// (H + 1) x ports: harmonics of the ports' extensions.
   const Eigen::MatrixXcd& extension() const { return cycle().extension(); }
-  /// (H + 1) x ports: harmonics of the ports' remainders, and what a transform of other samples would find them, but
-  /// for laws with memory.
+  /// (H + 1) x ports: harmonics of the ports' remainders, and what a transform of other samples would find them; zero
+  /// of laws with memory.
   const Eigen::MatrixXcd& remainder() const { return cycle().remainder(); }
   Eigen::MatrixXcd RemainderBy(const CycleTransform& transform) const { return cycle().RemainderBy(transform); }
   const std::vector<Port>& ports() const { return ports_; }

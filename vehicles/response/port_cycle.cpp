@@ -242,12 +242,6 @@ Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
   }
   Eigen::MatrixXcd harmonics;
   transform.ToHarmonics(remainders, harmonics);
-  const Eigen::Index known = std::min(harmonics.rows(), remainder_.rows());
-  for (std::size_t j = 0; j < ports_.size(); ++j) {
-    const auto column = static_cast<Eigen::Index>(j);
-    if (std::holds_alternative<HydraulicRemainder>(ports_[j].law))
-      harmonics.col(column).head(known) = remainder_.col(column).head(known);
-  }
   return harmonics;
 }
 

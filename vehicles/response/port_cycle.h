@@ -38,8 +38,8 @@ class PortCycle {
   /// (H + 1) x ports: extensions [m] and remainders [N] of the last solution.
   const Eigen::MatrixXcd& extension() const { return extension_; }
   const Eigen::MatrixXcd& remainder() const { return remainder_; }
-  /// The remainders of the last solution's lower harmonics, sampled by another transform; of laws with memory those
-  /// that remainder() has.
+  /// The remainders of the last solution's lower harmonics, sampled by another transform; zero of laws with
+  /// memory.
   Eigen::MatrixXcd RemainderBy(const CycleTransform& transform) const;
 
   /// Whether steps of the remainders, as friction's, have a sample each time they are passed at full speed.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 #include "analysis/decibel.h"
@@ -123,19 +122,13 @@ SteadyResponse SteadySolver::Chosen(const Excitation& excitation, Engine engine,
 
 SteadyResponse SteadySolver::Checked(const Excitation& excitation, const HarmonicBalanceOptions& options) {
   Answer linearised = Linearised(excitation, options);
-  Answer full;
+  const Answer full = Full(excitation);
   SteadyResponse out{.engine = Engine::kLinearised};
-  try {
-    full = Full(excitation);
-    bool any = false;
-    for (std::size_t i = 0; i < full.converged.size(); ++i) any = any || (full.converged[i] && linearised.converged[i]);
-    if (any) out.kinematics_error = Compare(linearised, full);
-    else out.not_estimated = "the full balance converged at no frequency at which the linearised one did";
-    if (any && out.kinematics_error->IsVisible()) out.engine = Engine::kFull;
-  } catch (const std::invalid_argument& refusal) {
-    out.not_estimated = refusal.what();
-    full.converged.assign(excitation.frequency_Hz.size(), false);
-  }
+  bool any = false;
+  for (std::size_t i = 0; i < full.converged.size(); ++i) any = any || (full.converged[i] && linearised.converged[i]);
+  if (any) out.kinematics_error = Compare(linearised, full);
+  else out.not_estimated = "the full balance converged at no frequency at which the linearised one did";
+  if (any && out.kinematics_error->IsVisible()) out.engine = Engine::kFull;
   const bool is_full = out.engine == Engine::kFull;
   out.response = is_full ? full.response : linearised.response;
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {

@@ -90,8 +90,7 @@ class SteadySolver {
 
   /// Frequencies in the order of the sweep, see SolveHarmonicBalance. A march starts each of them from rest.
   /// `options`: of the linearised balance.
-  /// Throws std::invalid_argument for an excitation that does not fit, and, of kFull only, for a vehicle that the full
-  /// balance does not take; std::runtime_error when an integration fails.
+  /// Throws std::invalid_argument for an excitation that does not fit, std::runtime_error when an integration fails.
   SteadyResponse Solve(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options = {},
                        const Progress& progress = {});
 

@@ -19,9 +19,8 @@ namespace fourpost {
 /// for r that goes straight from its value at the start to that at the end, where all laws hold. Linear vehicles err by
 /// h^4 for what the posts do between, others by h^2. Dashpots of any rate leave the step stable at any length, for
 /// centre rates keep their remainders within what their linear shares damp. A stop that adds the rate k to a mass m
-/// wants h < 3.4 sqrt(m / k), as Newmark's method of linear acceleration does. The oil of hydraulic dampers is stepped
-/// along by HydraulicStep. Matrices are made once; a step allocates
-/// nothing.
+/// wants h < 3.4 sqrt(m / k), as Newmark's method of linear acceleration does. The oil of hydraulic dampers goes
+/// along by HydraulicStep. Matrices are made once; a step allocates nothing.
 class CondensedStepper {
  public:
   /// Throws std::invalid_argument unless the step is positive and finite.
