@@ -64,10 +64,16 @@ std::vector<double> Shape(const Vehicle& vehicle, const std::string& mode) {
   }
 }
 
+double Duration(const SimulateCommand& command) {
+  const bool is_sine = command.motion == SimulateCommand::Motion::kSweep && command.first_Hz == command.last_Hz;
+  const bool is_step = command.motion == SimulateCommand::Motion::kStep;
+  return command.duration_s.value_or(is_step ? 5 : is_sine ? 10 : 60);
+}
+
 Drive Swept(const SimulateCommand& command, const Vehicle& vehicle) {
   const SweptSine sweep{.first_Hz = command.first_Hz,
                         .last_Hz = command.last_Hz,
-                        .duration_s = command.duration_s.value_or(command.first_Hz == command.last_Hz ? 10 : 60),
+                        .duration_s = Duration(command),
                         .amplitude_m = command.amplitude_m,
                         .top_speed = command.top_speed,
                         .logarithmic = !command.linear_sweep};
@@ -77,14 +83,14 @@ Drive Swept(const SimulateCommand& command, const Vehicle& vehicle) {
 
 Drive Stepped(const SimulateCommand& command, const Vehicle& vehicle) {
   const SmoothStep step{.height_m = command.amplitude_m, .rise_s = command.rise_s, .start_s = 0.5};
-  return {FollowPattern(step.Signal(), Shape(vehicle, command.mode)), 0, command.duration_s.value_or(5), 0, 0};
+  return {FollowPattern(step.Signal(), Shape(vehicle, command.mode)), 0, Duration(command), 0, 0};
 }
 
 Drive Shaken(const SimulateCommand& command, const Vehicle& vehicle) {
   const RandomHeights random{.rms_m = command.amplitude_m,
                              .lower_Hz = command.first_Hz,
                              .upper_Hz = command.last_Hz,
-                             .duration_s = command.duration_s.value_or(60),
+                             .duration_s = Duration(command),
                              .seed = command.seed};
   return {FollowPattern(random.Signal(), Shape(vehicle, command.mode)), 0, random.duration_s, 0, random.upper_Hz};
 }
@@ -94,7 +100,7 @@ Drive Driven(const SimulateCommand& command, const Vehicle& vehicle) {
                         .speed = command.speed,
                         .lower_Hz = command.first_Hz,
                         .upper_Hz = command.last_Hz,
-                        .duration_s = command.duration_s.value_or(60),
+                        .duration_s = Duration(command),
                         .seed = command.seed};
   return {road.MotionOf(vehicle), 0, road.duration_s, 0, road.upper_Hz};
 }
@@ -140,10 +146,10 @@ void CheckSampling(const SimulateCommand& command) {
     faults.Error("--filter", 0,
                  FormatNumber(*command.filter_Hz) + " Hz must be below half the rate of " +
                      FormatNumber(command.rate_Hz) + " Hz");
-  if (!(command.rate_Hz * command.duration_s.value_or(60) <= kMostSamples))
+  if (!(command.rate_Hz * Duration(command) <= kMostSamples))
     faults.Error("--duration", 0,
-                 FormatNumber(command.duration_s.value_or(60)) + " s at " + FormatNumber(command.rate_Hz) +
-                     " Hz are more than " + FormatNumber(kMostSamples) + " samples; take less of either");
+                 FormatNumber(Duration(command)) + " s at " + FormatNumber(command.rate_Hz) + " Hz are more than " +
+                     FormatNumber(kMostSamples) + " samples; take less of either");
   if (faults.HasErrors()) throw FaultyInput(faults);
 }
 
@@ -155,12 +161,16 @@ void CheckStroke(const SimulateCommand& command, const Vehicle& vehicle, const D
   const std::vector<double> farthest =
       FarthestHeights(drive.motion, vehicle.posts.size(), drive.start_s - drive.lead_s, drive.end_s, step);
   Diagnostics faults;
-  for (std::size_t p = 0; p < farthest.size(); ++p)
-    if (std::abs(farthest[p]) > command.stroke_m / 2)
-      faults.Error(vehicle.file, vehicle.posts[p].source_line,
-                   "post '" + vehicle.posts[p].name + "' would go to " + InMillimetres(farthest[p]) + ", beyond the " +
-                       InMillimetres(command.stroke_m / 2) + " that a stroke of " + InMillimetres(command.stroke_m) +
-                       " allows to either side; move it less, or give the rig's --stroke");
+  for (std::size_t p = 0; p < farthest.size(); ++p) {
+    const Post& post = vehicle.posts[p];
+    const double stroke = post.stroke.value_or(command.stroke_m);
+    if (std::abs(farthest[p]) > stroke / 2)
+      faults.Error(vehicle.file, post.source_line,
+                   "post '" + post.name + "' would go to " + InMillimetres(farthest[p]) + ", beyond the " +
+                       InMillimetres(stroke / 2) + " that a stroke of " + InMillimetres(stroke) +
+                       " allows to either side; move it less, or " +
+                       (post.stroke ? "correct its stroke" : "give the rig's --stroke"));
+  }
   if (faults.HasErrors()) throw FaultyInput(faults);
 }
 
@@ -257,6 +267,7 @@ void CheckOutput(const std::filesystem::path& file, const SimulateCommand& comma
   if (file.empty()) return;
   const auto refuse = [&](const std::string& why) { throw OutputError("cannot write " + file.string() + ": " + why); };
   std::error_code failure;
+  if (command.output == command.chart) refuse("-o and --chart name the same file");
   for (const fs::path& input : {command.model, command.recording})
     if (!input.empty() && fs::equivalent(input, file, failure)) refuse("it is an input; give another file");
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");

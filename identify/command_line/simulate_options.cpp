@@ -22,7 +22,9 @@ double Parse(const std::string& option, const std::string& text, const Dimension
              bool may_be_negative = false) {
   const std::optional<Quantity> quantity = ParseQuantity(text);
   const std::string example = dimension == kLength ? "mm" : dimension == kDimensionless ? "%" : SiUnit(dimension);
-  if (!quantity || quantity->unit.dimension != dimension ||
+  // Also rad/s has the dimension of a frequency, and 2 pi of them make 1 Hz.
+  const bool is_wrong = quantity && dimension == kFrequency && !quantity->unit_text.ends_with("Hz");
+  if (!quantity || is_wrong || quantity->unit.dimension != dimension ||
       (quantity->unit_text.empty() && dimension != kDimensionless))
     throw CLI::ValidationError(
         option, "'" + text + "' is no " + DimensionName(dimension) + " with a unit such as '" + example + "'");
@@ -147,7 +149,8 @@ void AddDetails(CLI::App& app, SimulateCommand& command, const MotionOptions& mo
   forbid(mode, {motions.road, motions.recording});
   options.Add("--duration", kTime, "Default: 60 s, of a step 5 s, of a sine 10 s, of a recording its own",
               [&command](double value) { command.duration_s = value; });
-  options.Add("--stroke", kLength, "Of the posts, from end to end (default 150mm)",
+  options.Add("--stroke", kLength,
+              "Of posts whose stroke the vehicle file does not tell, from end to end (default 150mm)",
               [&command](double value) { command.stroke_m = value; });
 }
 

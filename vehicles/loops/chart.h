@@ -28,8 +28,8 @@ class Chart {
     /// dq/ds.
     Eigen::MatrixXd tangent;
   };
-  /// Moves the multibody to time t and the state of this motion, with z appended. From the pose it has: near ones are
-  /// found sooner. Throws as MoveTo.
+  /// Moves the multibody to time t and the state of this motion, with z appended. Throws as
+  /// MoveTo.
   Motion Follow(double t, const Eigen::VectorXd& s, const Eigen::VectorXd& rate, const Eigen::VectorXd& acceleration,
                 const Eigen::VectorXd& z);
 

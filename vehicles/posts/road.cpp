@@ -101,6 +101,8 @@ PostMotion RandomRoad::MotionOf(const Vehicle& vehicle) const {
   const double distance = places.empty() || leftmost - rightmost <= kInLine_m ? 0 : leftmost - rightmost;
   const SineGrid grid = SineGrid::For(upper_Hz, duration_s);
   const Tracks tracks = MakeTracks(*this, distance, grid);
+  const bool is_flat = std::all_of(tracks.left.begin(), tracks.left.end(), [](double z) { return z == 0; });
+  RequireOption(!is_flat, "RandomRoad: duration_s", duration_s, "long enough for a frequency within the band");
   const auto signal = [&](const std::vector<double>& heights) {
     return UniformSpline(0, grid.step_s, Faded(heights, grid.step_s, duration_s));
   };

@@ -15,6 +15,12 @@ void CheckFit(const Vehicle& vehicle, const CondensedModel& model, const Excitat
   RequireCount("SolveFullBalance: model", "sensors", vehicle.sensors.size(), count(model.on_position.rows()));
 }
 
+/// Leaves the posts at rest, also after an exception.
+struct PostsAtRestAfterwards {
+  Multibody& multibody;
+  ~PostsAtRestAfterwards() { multibody.SetPostMotion(nullptr); }
+};
+
 }  // namespace
 
 void FullBalanceOptions::Validate() const {
@@ -31,6 +37,7 @@ PeriodicResponse SolveFullBalance(Multibody& multibody, const CondensedModel& mo
   options.Validate();
   const Vehicle& vehicle = multibody.vehicle();
   CheckFit(vehicle, model, excitation);
+  const PostsAtRestAfterwards at_rest{multibody};
   FullCycle cycle(multibody, model, excitation.shape, options);
   ResponseRecorder recorder(vehicle.sensors, excitation);
   PeriodicResponse out;
@@ -39,7 +46,6 @@ PeriodicResponse SolveFullBalance(Multibody& multibody, const CondensedModel& mo
       out.unconverged_Hz.push_back(excitation.frequency_Hz[i]);
     recorder.Record(i, cycle.Sensors());
   }
-  multibody.SetPostMotion(nullptr);
   out.response = recorder.Take();
   return out;
 }

@@ -116,9 +116,9 @@ FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const st
 bool FullCycle::Solve(double frequency_Hz, double amplitude_m) {
   omega_ = 2 * std::numbers::pi * frequency_Hz;
   multibody_.SetPostMotion(SteadySine(shape_, amplitude_m, omega_));
-  // An unconverged start is a start too.
-  linearised_.Solve(frequency_Hz, amplitude_m);
+  const bool has_start = linearised_.Solve(frequency_Hz, amplitude_m);
   sensors_ = linearised_.Sensors();
+  if (!has_start) return false;
   try {
     return Iterate();
   } catch (const std::runtime_error&) {

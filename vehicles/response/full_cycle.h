@@ -22,7 +22,7 @@ class FullCycle {
   FullCycle(Multibody& multibody, const CondensedModel& model, const std::vector<double>& shape,
             const FullBalanceOptions& options);
 
-  /// Whether the iteration converged.
+  /// Whether the iterations of both the linearised cycle and this one converged.
   bool Solve(double frequency_Hz, double amplitude_m);
 
   /// Of the last solution, sensors x 3: mean, first and second harmonic. Where there is none, those of the linearised

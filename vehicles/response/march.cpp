@@ -154,7 +154,7 @@ class SteadyState {
     size.col(0) = latest.col(0).cwiseAbs().array().max(size.col(1));
     const Eigen::ArrayXXd change = (latest - harmonics_).leftCols<2>().cwiseAbs();
     // No change of nothing: posts that stand still.
-    return (change > 0).select(change / size, 0);
+    return (change == 0).select(0, change / size);
   }
 
   const MarchOptions& options_;

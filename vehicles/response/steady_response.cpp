@@ -9,6 +9,7 @@
 #include "analysis/decibel.h"
 #include "vehicles/response/full_balance.h"
 #include "vehicles/response/march.h"
+#include "vehicles/response/response_recorder.h"
 
 namespace fourpost {
 namespace {
@@ -146,28 +147,29 @@ SteadyResponse SteadySolver::Checked(const Excitation& excitation, const Harmoni
   return out;
 }
 
+/// One frequency at a time: where one fails, the others have answers.
 void SteadySolver::MarchMissing(const Excitation& excitation, const Progress& progress, SteadyResponse& out) {
-  std::vector<std::size_t> places;
-  Excitation missing{.shape = excitation.shape};
+  const auto total = std::count(out.engine_at.begin(), out.engine_at.end(), Engine::kMarch);
+  if (out.response.channels.empty()) out.response = ResponseRecorder(vehicle_.sensors, excitation).Take();
+  std::ptrdiff_t done = 0;
   for (std::size_t i = 0; i < out.engine_at.size(); ++i) {
     if (out.engine_at[i] != Engine::kMarch) continue;
-    places.push_back(i);
-    missing.frequency_Hz.push_back(excitation.frequency_Hz[i]);
-    missing.amplitude_m.push_back(excitation.amplitude_m[i]);
-  }
-  if (places.empty()) return;
-  const std::string total = std::to_string(places.size());
-  const MarchedResponse marched = March(FullSystem(), missing, {}, [&](std::size_t done) {
-    if (progress) progress("march: " + std::to_string(done) + " of " + total + " frequencies");
-  });
-  if (out.response.channels.empty()) out.response = marched.response;
-  for (std::size_t k = 0; k < places.size(); ++k) CopyFrequency(marched.response, k, places[k], out.response);
-  for (const UnsteadyMotion& motion : marched.unsteady) {
-    const auto k = static_cast<std::size_t>(
-        std::find(missing.frequency_Hz.begin(), missing.frequency_Hz.end(), motion.frequency_Hz) -
-        missing.frequency_Hz.begin());
-    BlankFrequency(places[k], out.response);
-    out.unanswered.push_back({motion.frequency_Hz, UnsteadyMessage(vehicle_, missing, motion)});
+    if (progress) progress("march: " + std::to_string(done) + " of " + std::to_string(total) + " frequencies");
+    ++done;
+    const Excitation one{.frequency_Hz = {excitation.frequency_Hz[i]},
+                         .amplitude_m = {excitation.amplitude_m[i]},
+                         .shape = excitation.shape};
+    std::string fault;
+    try {
+      const MarchedResponse marched = March(FullSystem(), one);
+      CopyFrequency(marched.response, 0, i, out.response);
+      if (!marched.unsteady.empty()) fault = UnsteadyMessage(vehicle_, one, marched.unsteady[0]);
+    } catch (const std::runtime_error& failure) {
+      fault = failure.what();
+    }
+    if (fault.empty()) continue;
+    BlankFrequency(i, out.response);
+    out.unanswered.push_back({excitation.frequency_Hz[i], fault});
   }
 }
 

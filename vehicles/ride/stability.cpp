@@ -11,7 +11,7 @@ std::optional<Growth> GrowthOf(const std::vector<Mode>& modes, double growth_rat
   if (growth_rate < kSlowestMotion_per_s) return std::nullopt;
   Growth growth{.rate_per_s = growth_rate};
   for (const Mode& mode : modes)
-    if (mode.kind == Mode::Kind::kDiverging || mode.damping_ratio < 0)
+    if (mode.pole.real() >= kSlowestMotion_per_s)
       growth.modes += (growth.modes.empty() ? "'" : " and '") + mode.name + "'";
   if (growth.modes.empty()) growth.modes = "a motion";
   return growth;

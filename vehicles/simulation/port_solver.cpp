@@ -81,7 +81,6 @@ double PortSolver::Evaluate(const Eigen::VectorXd& extension, const Eigen::Vecto
     else Remainders(laws_[port], One(extension_, j), One(rate_, j), {law_.data() + j, 1});
     residual_[j] = remainder[j] - law_[j];
     largest = std::max(largest, std::abs(residual_[j]));
-    largest_ = std::max(largest_, std::abs(law_[j]));
   }
   return residual_.allFinite() ? largest : std::numeric_limits<double>::quiet_NaN();
 }
@@ -108,7 +107,10 @@ void PortSolver::NewtonStep() {
 bool PortSolver::Solve(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate, Eigen::VectorXd& remainder) {
   double miss = Evaluate(extension, rate, remainder);
   for (int i = 0; i < kMostIterations; ++i) {
-    if (miss <= kTolerance * (1 + largest_)) {
+    // Of the forces so far, not of trials that went astray; and of one newton, for a vehicle at rest.
+    const double size = std::max({1.0, largest_, law_.size() > 0 ? law_.cwiseAbs().maxCoeff() : 0.0});
+    if (miss <= kTolerance * size) {
+      largest_ = size;
       // What the laws make of it, so that an exact law is met exactly.
       remainder = law_;
       for (std::optional<HydraulicStep>& hydraulic : hydraulics_)

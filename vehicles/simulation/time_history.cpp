@@ -81,7 +81,7 @@ Eigen::ArrayXd Differences(const TimeHistory& history, const TimeHistory& refere
   const Eigen::ArrayXd difference = RootMeanSquares(history.readings - reference.readings);
   const Eigen::ArrayXd size = Sizes(RootMeanSquares(reference.readings), sensors);
   // No difference of nothing.
-  return (difference > 0).select(difference / size, 0);
+  return (difference == 0).select(0, difference / size);
 }
 
 void CondensedHistoryOptions::Validate() const {
