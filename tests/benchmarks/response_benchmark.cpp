@@ -1,9 +1,11 @@
 // Cost of a whole frequency response, 40 frequencies from 0.5 to 30 Hz, all channels, one thread: by purely linear
-// complex solves (the floor), by harmonic balance on the condensed model, on the full system, and by the march.
+// complex solves (the floor), by harmonic balance on the condensed model, the same with all derivatives, on the full
+// system, and by the march.
 #include <cmath>
 #include <complex>
 #include <filesystem>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -13,6 +15,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/condensed/linear_vehicle.h"
 #include "vehicles/reader/vehicle_file.h"
+#include "vehicles/response/balance_sensitivity.h"
 #include "vehicles/response/full_balance.h"
 #include "vehicles/response/harmonic_balance.h"
 #include "vehicles/response/march.h"
@@ -95,6 +98,18 @@ void ByHarmonicBalance(benchmark::State& state, const std::string& name, Dampers
     benchmark::DoNotOptimize(SolveHarmonicBalance(condensed.At(values), vehicle.sensors, excitation));
 }
 
+/// The same with its derivatives by all parameters of the file.
+void BySensitivities(benchmark::State& state, const std::string& name) {
+  const Vehicle vehicle = Read(name);
+  const CondensedVehicle condensed(vehicle);
+  const std::vector<double> values = vehicle.ParameterValues();
+  std::vector<std::size_t> parameters(values.size());
+  std::iota(parameters.begin(), parameters.end(), std::size_t{0});
+  const Excitation excitation = Heave(vehicle);
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(SolveBalanceSensitivity(condensed, values, parameters, excitation));
+}
+
 void ByFullBalance(benchmark::State& state, const std::string& name) {
   const Vehicle vehicle = Read(name);
   const CondensedVehicle condensed(vehicle);
@@ -120,9 +135,11 @@ void ByMarch(benchmark::State& state, const std::string& name, Dampers dampers =
 
 BENCHMARK_CAPTURE(ByLinearSolves, model1, "landrover110_model1")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(ByHarmonicBalance, model1, "landrover110_model1")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BySensitivities, model1, "landrover110_model1")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(ByMarch, model1, "landrover110_model1")->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK_CAPTURE(ByLinearSolves, model2, "landrover110_linkage")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(ByHarmonicBalance, model2, "landrover110_linkage")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BySensitivities, model2, "landrover110_linkage")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(ByFullBalance, model2, "landrover110_linkage")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(ByMarch, model2, "landrover110_linkage")->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK_CAPTURE(ByLinearSolves, bushings, "landrover110")->Unit(benchmark::kMicrosecond);

@@ -41,6 +41,9 @@ class CondensedVehicle {
   /// Degrees of freedom.
   int size() const { return size_; }
 
+  /// What it was condensed from.
+  const Vehicle& vehicle() const { return vehicle_; }
+
   /// `parameters`: SI, in the order of Vehicle::parameters; here and below, any other number of them throws
   /// std::invalid_argument.
   CondensedModel At(std::span<const double> parameters) const;

@@ -54,6 +54,31 @@ void MendKink(const PortKink& kink, Signal signal, std::span<double> remainder) 
   }
 }
 
+/// Where between two samples, 0 .. 1, a signal passes a value, by the parabola through them with the mean bend at both.
+double ShareOfCell(double at, double before, double from, double to, double after) {
+  const double rise = to - from;
+  const double share = (at - from) / rise;
+  const double bend = 0.5 * (after - to - from + before);
+  return std::clamp(share + 0.5 * share * (1 - share) * bend / rise, 0.0, 1.0);
+}
+
+/// `jump`: of the slopes, towards larger values of the signal.
+void MendJump(double at, double jump, Signal signal, std::span<double> slopes) {
+  const std::size_t count = signal.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t after = k + 1 < count ? k + 1 : 0;
+    if ((signal[k] > at) == (signal[after] > at)) continue;
+    const double share = ShareOfCell(at, signal[k > 0 ? k - 1 : count - 1], signal[k], signal[after],
+                                     signal[after + 1 < count ? after + 1 : 0]);
+    const double in_time = signal[after] > signal[k] ? jump : -jump;
+    const double missing = in_time * (0.5 - share);
+    const double missing_of_rise = 0.5 * in_time * (share * share - share + 1.0 / 6);
+    const double to_after = missing_of_rise + share * missing;
+    slopes[k] += missing - to_after;
+    slopes[after] += to_after;
+  }
+}
+
 void Remainders(const HydraulicRemainder&, Signal, Signal, std::span<double> remainder) {
   std::fill(remainder.begin(), remainder.end(), kNan);
 }
@@ -151,6 +176,24 @@ void RemainderSlopes(const PortLaw& law, Signal extension, Signal rate, std::spa
         }
       },
       law);
+}
+
+void MendedSlopes(const PortLaw& law, std::span<const PortKink> kinks, Signal extension, Signal rate,
+                  std::span<double> by_extension, std::span<double> by_rate) {
+  RemainderSlopes(law, extension, rate, by_extension, by_rate);
+  for (const PortKink& kink : kinks) {
+    if (kink.jump == 0) continue;
+    switch (kink.signal) {
+      case PortKink::Signal::kExtension: MendJump(kink.at, kink.jump, extension, by_extension); break;
+      case PortKink::Signal::kRate: MendJump(kink.at, kink.jump, rate, by_rate); break;
+      case PortKink::Signal::kCompression: {
+        const auto& tyre = std::get<LiftoffRemainder>(law);
+        const std::vector<double> compressions = Compressions(tyre, extension, rate);
+        MendJump(kink.at, kink.jump * tyre.stiffness, compressions, by_extension);
+        MendJump(kink.at, kink.jump * tyre.damping, compressions, by_rate);
+      }
+    }
+  }
 }
 
 std::vector<Port> PortsOf(const CondensedModel& model) {

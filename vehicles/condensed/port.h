@@ -16,22 +16,31 @@ namespace fourpost {
 struct DashpotRemainder {
   DashpotLaw law;
   double rate = 0;  // N s/m, in the linear share
+
+  bool operator==(const DashpotRemainder&) const = default;
 };
 struct SpringRemainder {
   SpringLaw law;
   double stiffness = 0;  // N/m, in the linear share
+
+  bool operator==(const SpringRemainder&) const = default;
 };
 /// Minus the pull of a tyre that should have left its platform; all of its linear compression is the linear share.
 struct LiftoffRemainder {
   double preload = 0;    // N
   double stiffness = 0;  // N/m
   double damping = 0;    // N s/m
+
+  bool operator==(const LiftoffRemainder&) const = default;
 };
 /// Of a hydraulic damper with its mount. It remembers: a periodic tension follows from the whole cycle of the
 /// extension, see CycleRemainders.
 struct HydraulicRemainder {
   MountedHydraulicDamper law;
   HydraulicOil::LinearShare share;
+
+  /// The share follows from the law.
+  bool operator==(const HydraulicRemainder& other) const { return law == other.law; }
 };
 using PortLaw = std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder, HydraulicRemainder>;
 
@@ -67,6 +76,15 @@ void MendedRemainders(const PortLaw& law, std::span<const PortKink> kinks, std::
 /// Derivatives of the remainder by extension [N/m] and by rate [N s/m]. NaN for a law with memory.
 void RemainderSlopes(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
                      std::span<double> by_extension, std::span<double> by_rate);
+
+/// Of a whole cycle, samples equally spaced: RemainderSlopes(), but at the samples next to a kink such that sums over
+/// the cycle of a slope times any smooth signal are integrals to third order in the spacing, where plain samples of a
+/// slope that jumps give the first. Where it jumps by J a share t into a cell, the cell's integral over its width
+/// exceeds the trapezoidal rule's by
+///   J (1/2 - t) g + J B(t) / 2 g'
+/// of a signal of value g there, that rises by g' per cell; B as above. NaN for a law with memory.
+void MendedSlopes(const PortLaw& law, std::span<const PortKink> kinks, std::span<const double> extension,
+                  std::span<const double> rate, std::span<double> by_extension, std::span<double> by_rate);
 
 /// What the tension departs by from the share's spring `stiffness` [N], at each sample of a cycle of `period` [s] over
 /// which all are spread evenly, three or more. That, less LaggingShare times the extension at each harmonic, is the

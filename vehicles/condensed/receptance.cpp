@@ -39,6 +39,15 @@ Complex Weight(Complex pole, double omega) {
   return Inverse({std::norm(pole) - omega * omega, -2 * omega * pole.real()});
 }
 
+/// See Poles.
+struct RealResidue {
+  RealResidue(Complex pole, Complex residue)
+      : alpha(pole.imag() == 0 ? 0 : 2 * residue.real()),
+        beta(pole.imag() == 0 ? residue.real() : -2 * (residue * std::conj(pole)).real()) {}
+  double alpha;
+  double beta;
+};
+
 }  // namespace
 
 Receptance::Receptance(const CondensedModel& model, const std::vector<Port>& ports, const std::vector<double>& shape)
@@ -88,11 +97,9 @@ void Receptance::NoteResidues(Poles& poles) const {
   for (Eigen::Index k = 0; k < n; ++k)
     for (Eigen::Index j = 0; j < count; ++j)
       for (Eigen::Index i = 0; i < count; ++i) {
-        const Complex pole = poles.values[k];
-        const Complex residue = shapes(i, k) * poles.inputs(k, j);
-        const bool is_real = pole.imag() == 0;
-        poles.residues(k, i + count * j) = is_real ? 0 : 2 * residue.real();
-        poles.residues(n + k, i + count * j) = is_real ? residue.real() : -2 * (residue * std::conj(pole)).real();
+        const RealResidue residue(poles.values[k], shapes(i, k) * poles.inputs(k, j));
+        poles.residues(k, i + count * j) = residue.alpha;
+        poles.residues(n + k, i + count * j) = residue.beta;
       }
 }
 
@@ -125,7 +132,13 @@ void Receptance::Ports(double omega, int harmonics, Eigen::MatrixXcd& receptance
     }
     return;
   }
+  SumResidues(omega, harmonics, poles_->residues, receptance);
+}
+
+void Receptance::SumResidues(double omega, int harmonics, const Eigen::MatrixXd& residues,
+                             Eigen::MatrixXcd& sum) const {
   const Eigen::Index n = poles_->values.size();
+  sum.resize(harmonics + 1, residues.cols());
   Eigen::MatrixXd real(harmonics + 1, 2 * n);
   Eigen::MatrixXd imag(harmonics + 1, 2 * n);
   for (Eigen::Index k = 0; k < n; ++k)
@@ -138,13 +151,63 @@ void Receptance::Ports(double omega, int harmonics, Eigen::MatrixXcd& receptance
       imag(h, n + k) = weight.imag();
     }
   // Eigen's blocked product is slower than plain sums for so few numbers.
-  if (real.cols() * count * count < 512) {
-    receptance.real() = real.lazyProduct(poles_->residues);
-    receptance.imag() = imag.lazyProduct(poles_->residues);
+  if (residues.size() < 512) {
+    sum.real() = real.lazyProduct(residues);
+    sum.imag() = imag.lazyProduct(residues);
     return;
   }
-  receptance.real().noalias() = real * poles_->residues;
-  receptance.imag().noalias() = imag * poles_->residues;
+  sum.real().noalias() = real * residues;
+  sum.imag().noalias() = imag * residues;
+}
+
+void Receptance::Compliance(double omega, int harmonics, Eigen::MatrixXcd& compliance) {
+  if (!compliance_residues_) {
+    compliance_residues_ = ComplianceResidues();
+    if (!Inverts(*compliance_residues_)) compliance_residues_->resize(0, 0);
+  }
+  if (compliance_residues_->size() > 0) return SumResidues(omega, harmonics, *compliance_residues_, compliance);
+  compliance.resize(harmonics + 1, size() * size());
+  for (int h = 0; h <= harmonics; ++h)
+    compliance.row(h) = vehicle_.Impedance(h * omega).inverse().eval().reshaped().transpose();
+}
+
+/// Of a symmetric Z with single poles Z^-1 = sum over poles of u u' / (u' dZ/dl u (i w - l)).
+Eigen::MatrixXd Receptance::ComplianceResidues() const {
+  if (!poles_) return {};
+  const Eigen::Index n = poles_->values.size();
+  const Eigen::Index masses = vehicle_.mass.rows();
+  Eigen::MatrixXd residues(2 * n, size() * size());
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Eigen::VectorXcd u = poles_->shapes.col(k);
+    Eigen::VectorXcd slope = vehicle_.damping * u;
+    slope.head(masses) += 2.0 * poles_->values[k] * (vehicle_.mass * u.head(masses));
+    const Complex scale = 1.0 / (u.transpose() * slope).value();
+    for (Eigen::Index j = 0; j < size(); ++j)
+      for (Eigen::Index i = 0; i < size(); ++i) {
+        const RealResidue residue(poles_->values[k], scale * u[i] * u[j]);
+        residues(k, i + size() * j) = residue.alpha;
+        residues(n + k, i + size() * j) = residue.beta;
+      }
+  }
+  return residues;
+}
+
+/// Equal poles need not have the shapes that the residues take for granted.
+bool Receptance::Inverts(const Eigen::MatrixXd& residues) const {
+  // As Reproduces().
+  constexpr double kLargest = 1e-10;
+  if (residues.size() == 0) return false;
+  Eigen::MatrixXcd rows;
+  for (const double frequency_Hz : {0.5, 5.0, 50.0}) {
+    const double omega = 2 * std::numbers::pi * frequency_Hz;
+    SumResidues(omega, 1, residues, rows);
+    const Eigen::MatrixXcd compliance = rows.row(1).reshaped(size(), size());
+    const Eigen::MatrixXcd impedance = vehicle_.Impedance(omega);
+    const Eigen::MatrixXd scale = impedance.cwiseAbs() * compliance.cwiseAbs();
+    const Eigen::MatrixXd left = (impedance * compliance - Eigen::MatrixXcd::Identity(size(), size())).cwiseAbs();
+    if (!(left.array() <= kLargest * scale.maxCoeff()).all()) return false;
+  }
+  return true;
 }
 
 Eigen::VectorXcd Receptance::Driven(double omega) const {

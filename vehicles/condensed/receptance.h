@@ -38,6 +38,11 @@ class Receptance {
   /// [s x] of harmonics 0, 1, .. of `omega` by forces on it, in rows.
   Eigen::MatrixXcd MotionBy(double omega, const Eigen::MatrixXcd& forces) const;
 
+  /// Z^-1 of harmonics 0..H of `omega`: (H + 1) x size^2, column i + size j. The first call costs more.
+  void Compliance(double omega, int harmonics, Eigen::MatrixXcd& compliance);
+
+  const LinearVehicle& vehicle() const { return vehicle_; }
+
   /// Whether it goes by poles.
   bool by_poles() const { return poles_.has_value(); }
 
@@ -57,6 +62,9 @@ class Receptance {
   std::optional<Poles> FindPoles() const;
   void NoteResidues(Poles& poles) const;
   bool Reproduces(const Poles& poles) const;
+  Eigen::MatrixXd ComplianceResidues() const;
+  bool Inverts(const Eigen::MatrixXd& residues) const;
+  void SumResidues(double omega, int harmonics, const Eigen::MatrixXd& residues, Eigen::MatrixXcd& sum) const;
   static Eigen::VectorXcd SumOverPoles(const Poles& poles, double omega, const Eigen::VectorXcd& inputs);
   Eigen::VectorXcd Inputs(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const;
 
@@ -66,6 +74,8 @@ class Receptance {
   /// size x (ports, 1, 1): forces on [s x] per unit tension, post height and post velocity.
   Eigen::MatrixXd forces_;
   std::optional<Poles> poles_;
+  /// 2 poles x size^2: alpha, beta of Z^-1, once it has been asked for; empty where poles do not tell it.
+  std::optional<Eigen::MatrixXd> compliance_residues_;
 };
 
 }  // namespace fourpost

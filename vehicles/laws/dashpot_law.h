@@ -18,6 +18,8 @@ class DashpotLaw {
   struct Knee {
     double speed = 0;
     double rate = 0;
+
+    bool operator==(const Knee&) const = default;
   };
 
   /// No force.
@@ -76,11 +78,15 @@ class DashpotLaw {
   /// rates, which is also its exact first-harmonic rate for a sinusoidal v.
   double MeanRate() const;
 
+  /// Of one kind with the same numbers.
+  bool operator==(const DashpotLaw&) const = default;
+
  private:
   struct Bilinear {
     double compression;
     double rebound;
 
+    bool operator==(const Bilinear&) const = default;
     double Force(double v) const { return (v > 0 ? rebound : compression) * v; }
     double Slope(double v) const;
     double Velocity(double force) const { return force / (force > 0 ? rebound : compression); }
@@ -94,6 +100,7 @@ class DashpotLaw {
     double half_difference;
     double speed;
 
+    bool operator==(const Smoothed&) const = default;
     double Force(double v) const { return (mean + half_difference * std::tanh(v / speed)) * v; }
     double Slope(double v) const;
     double Velocity(double force) const;
@@ -106,6 +113,7 @@ class DashpotLaw {
     Knee compression;
     Knee rebound;
 
+    bool operator==(const Kneed&) const = default;
     double Force(double v) const;
     double Slope(double v) const;
     double Velocity(double force) const;
@@ -116,6 +124,7 @@ class DashpotLaw {
   struct Tabulated {
     MonotoneCurve curve;
 
+    bool operator==(const Tabulated&) const = default;
     double Force(double v) const { return curve.Value(v); }
     double Slope(double v) const { return curve.Slope(v); }
     double Velocity(double force) const { return curve.Argument(force); }

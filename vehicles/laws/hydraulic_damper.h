@@ -74,6 +74,8 @@ struct HydraulicDamper {
   /// throws std::invalid_argument naming field, value and bound.
   void Validate() const;
 
+  bool operator==(const HydraulicDamper&) const = default;
+
  private:
   /// Volume flow from the rebound chamber and into the compression chamber [m^3/s].
   std::array<double, 2> Flows(double rebound_pressure, double compression_pressure) const;

@@ -26,6 +26,8 @@ class MonotoneCurve {
   double LeastSlope() const;
   double GreatestSlope() const;
 
+  bool operator==(const MonotoneCurve&) const = default;
+
  private:
   /// y = y0 + (slope + (quadratic + cubic e) e) e, e = x - x0; (x0, y0) is the end nearer to x = 0, where a force law
   /// needs all digits.
@@ -36,6 +38,7 @@ class MonotoneCurve {
     double quadratic = 0;
     double cubic = 0;
 
+    bool operator==(const Piece&) const = default;
     double Rise(double e) const { return (slope + (quadratic + cubic * e) * e) * e; }
     double SlopeAt(double e) const { return slope + (2 * quadratic + 3 * cubic * e) * e; }
   };

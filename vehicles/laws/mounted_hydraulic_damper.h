@@ -28,6 +28,8 @@ struct MountedHydraulicDamper {
 
   /// x_s [m] at these pressures.
   double MountExtension(const std::array<double, 2>& p) const;
+
+  bool operator==(const MountedHydraulicDamper&) const = default;
 };
 
 }  // namespace fourpost

@@ -15,6 +15,8 @@ struct SpringLaw {
     int side = 1;          // +1: acts for x > at, -1: for x < at
     double stiffness = 0;  // N/m
     double cubic = 0;      // N/m^3
+
+    bool operator==(const Knee&) const = default;
   };
 
   double stiffness = 0;  // N/m
@@ -32,6 +34,8 @@ struct SpringLaw {
 
   /// All numbers finite, sides +1 or -1; else throws std::invalid_argument naming the field and its value.
   void Validate() const;
+
+  bool operator==(const SpringLaw&) const = default;
 };
 
 }  // namespace fourpost

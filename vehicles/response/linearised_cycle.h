@@ -44,6 +44,14 @@ class LinearisedCycle {
   const std::vector<Port>& ports() const { return ports_; }
   /// What forces on [s x] cause in the linear vehicle at this frequency, harmonics in rows.
   Eigen::MatrixXcd MotionBy(const Eigen::MatrixXcd& forces) const { return receptance_.MotionBy(omega_, forces); }
+  /// Its ports.
+  const PortCycle& cycle() const { return *levels_[level_]; }
+  double omega() const { return omega_; }
+  const LinearVehicle& vehicle() const { return receptance_.vehicle(); }
+  /// See Receptance.
+  void Compliance(int harmonics, Eigen::MatrixXcd& compliance) {
+    receptance_.Compliance(omega_, harmonics, compliance);
+  }
   /// What it needed.
   int harmonics() const { return cycle().harmonics(); }
   /// Steps of a cycle in which it took laws with memory through it.
@@ -51,7 +59,6 @@ class LinearisedCycle {
   int iterations() const { return iterations_; }
 
  private:
-  const PortCycle& cycle() const { return *levels_[level_]; }
   bool SolveLevel(std::size_t level, const Eigen::MatrixXcd& start, double tolerance);
   bool TrySolve();
   bool SolveByWayOf(const std::vector<double>& shares);

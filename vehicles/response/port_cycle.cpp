@@ -225,7 +225,7 @@ void PortCycle::FindRemainders() {
   transform_.ToHarmonics(remainder_time_, remainder_);
   for (std::size_t j = 0; j < ports_.size(); ++j)
     if (const auto* hydraulic = std::get_if<HydraulicRemainder>(&ports_[j].law))
-      FindRemainder(*hydraulic, static_cast<Eigen::Index>(j));
+      remainder_.col(static_cast<Eigen::Index>(j)) = RemainderOf(*hydraulic, static_cast<Eigen::Index>(j));
 }
 
 Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
@@ -246,14 +246,15 @@ Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
 }
 
 /// Less the linear vehicle's share, exactly at each harmonic.
-void PortCycle::FindRemainder(const HydraulicRemainder& law, Eigen::Index port) {
+Eigen::VectorXcd PortCycle::RemainderOf(const HydraulicRemainder& law, Eigen::Index port) const {
   const SteppedMotion motion = StepsOf(port);
   Eigen::MatrixXd remainder(steps_.samples(), 1);
   CycleRemainders(law, Period(), Samples(motion.extension, 0), Samples(motion.rate, 0), Room(remainder, 0));
   Eigen::MatrixXcd harmonics;
   steps_.ToHarmonics(remainder, harmonics);
   for (Eigen::Index h = 0; h < extension_.rows(); ++h)
-    remainder_(h, port) = harmonics(h, 0) - LaggingShare(law, static_cast<double>(h) * omega_) * extension_(h, port);
+    harmonics(h, 0) -= LaggingShare(law, static_cast<double>(h) * omega_) * extension_(h, port);
+  return harmonics;
 }
 
 PortCycle::SteppedMotion PortCycle::StepsOf(Eigen::Index port) const {

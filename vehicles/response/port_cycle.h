@@ -28,6 +28,7 @@ class PortCycle {
   int harmonics() const { return transform_.harmonics(); }
   /// Of a cycle, in which laws with memory go through it.
   Eigen::Index steps() const { return steps_.samples(); }
+  Eigen::Index samples() const { return transform_.samples(); }
 
   /// `driven`, `start`: harmonics 0, 1, .. of the extensions without remainders, and those to start from; any number of
   /// them, beyond which they are zero. `tolerance`: see HarmonicBalanceOptions. Whether it converged; if not, the
@@ -42,6 +43,26 @@ class PortCycle {
   /// memory.
   Eigen::MatrixXcd RemainderBy(const CycleTransform& transform) const;
 
+  /// Samples x ports of the last solution: extensions, empty where no port uses them, rates and remainders; the latter
+  /// mended, and zero of laws with memory.
+  const Eigen::MatrixXd& extension_time() const { return extension_time_; }
+  const Eigen::MatrixXd& rate_time() const { return rate_time_; }
+  const Eigen::MatrixXd& remainder_time() const { return remainder_time_; }
+  /// See Receptance::Ports.
+  const Eigen::MatrixXcd& receptance() const { return ports_receptance_; }
+  const std::vector<PortKink>& kinks(Eigen::Index port) const { return kinks_[static_cast<std::size_t>(port)]; }
+  /// Harmonics of the remainder of a law with memory, had this port it.
+  Eigen::VectorXcd RemainderOf(const HydraulicRemainder& law, Eigen::Index port) const;
+
+  /// Derivatives of R by E of one port, as coefficients of E and of its conjugate.
+  struct Coupling {
+    Eigen::Index port = 0;
+    Eigen::MatrixXcd direct;
+    Eigen::MatrixXcd conjugate;
+  };
+  /// Of a port whose law has memory, for `size` harmonics.
+  Coupling CycleCoupling(const HydraulicRemainder& law, Eigen::Index port, Eigen::Index size) const;
+
   /// Whether steps of the remainders, as friction's, have a sample each time they are passed at full speed.
   bool ResolvesSteps() const;
 
@@ -50,7 +71,6 @@ class PortCycle {
 
  private:
   void FindRemainders();
-  void FindRemainder(const HydraulicRemainder& law, Eigen::Index port);
   /// Of one port at each step, steps x 1.
   struct SteppedMotion {
     Eigen::MatrixXd extension;
@@ -68,14 +88,7 @@ class PortCycle {
   void FindNewtonStep();
   void FollowNewton(double step);
   void AndersonStep(AndersonAcceleration& acceleration);
-  /// Derivatives of R by E of one port, as coefficients of E and of its conjugate.
-  struct Coupling {
-    Eigen::Index port = 0;
-    Eigen::MatrixXcd direct;
-    Eigen::MatrixXcd conjugate;
-  };
   std::vector<Coupling> Couplings() const;
-  Coupling CycleCoupling(const HydraulicRemainder& law, Eigen::Index port, Eigen::Index size) const;
   Eigen::Index NewtonRows() const;
   double Period() const;
 

@@ -1,5 +1,6 @@
 #include "vehicles/response/response_recorder.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace fourpost {
@@ -40,7 +41,18 @@ void ResponseRecorder::Record(std::size_t frequency_index, const SensorHarmonics
     ChannelResponse& channel = response_.channels[i];
     channel.response[frequency_index] = harmonics(row, 1) / reference;
     channel.mean[frequency_index] = harmonics(row, 0).real();
-    channel.second_harmonic[frequency_index] = std::abs(harmonics(row, 2));
+    channel.second_harmonic[frequency_index] = std::sqrt(std::norm(harmonics(row, 2)));
+  }
+}
+
+void ResponseRecorder::RecordChange(std::size_t frequency_index, const SensorHarmonics& harmonics,
+                                    const SensorHarmonics& changes) {
+  Record(frequency_index, changes);
+  for (std::size_t i = 0; i < response_.channels.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double size = std::sqrt(std::norm(harmonics(row, 2)));
+    response_.channels[i].second_harmonic[frequency_index] =
+        size > 0 ? (std::conj(harmonics(row, 2)) * changes(row, 2)).real() / size : 0;
   }
 }
 

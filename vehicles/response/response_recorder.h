@@ -27,6 +27,9 @@ class ResponseRecorder {
   /// `harmonics` has at least the columns 0, 1, 2; the reference post moves as Re(amplitude exp(i w t)).
   void Record(std::size_t frequency_index, const SensorHarmonics& harmonics);
 
+  /// In place of a response a derivative of it, with that `changes` of the harmonics.
+  void RecordChange(std::size_t frequency_index, const SensorHarmonics& harmonics, const SensorHarmonics& changes);
+
   FrequencyResponse Take() { return std::move(response_); }
 
  private:

@@ -64,6 +64,39 @@ TEST(Receptance, OfPortsIsTheirMotionPerTension) {
     }
 }
 
+TEST(Receptance, InvertsTheImpedance) {
+  for (const char* name : {"landrover110_linkage", "landrover110_model3", "independent_roadster"}) {
+    const Vehicle vehicle = ShippedVehicle(name);
+    const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+    Receptance receptance(model, PortsOf(model), std::vector<double>(vehicle.posts.size(), 1));
+    Eigen::MatrixXcd compliance;
+    receptance.Compliance(20, 2, compliance);
+    for (int h = 0; h <= 2; ++h) {
+      const Eigen::MatrixXcd expected = receptance.vehicle().Impedance(20 * h).inverse();
+      const Eigen::MatrixXcd given = compliance.row(h).reshaped(receptance.size(), receptance.size());
+      // What linear models promise.
+      EXPECT_LT((given - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff()) << name << h;
+    }
+  }
+}
+
+// Two equal oscillators have equal poles, and shapes that any mixture of both could be.
+TEST(Receptance, InvertsTheImpedanceOfEqualOscillators) {
+  CondensedModel model;
+  model.mass = Eigen::MatrixXd::Identity(2, 2);
+  model.damping = 2 * Eigen::MatrixXd::Identity(2, 2);
+  model.stiffness = 100 * Eigen::MatrixXd::Identity(2, 2);
+  model.post_stiffness = model.stiffness;
+  model.post_damping = Eigen::MatrixXd::Zero(2, 2);
+  Receptance receptance(model, {}, {1, 1});
+  Eigen::MatrixXcd compliance;
+  receptance.Compliance(5, 1, compliance);
+  const Complex expected = 1.0 / Complex(100 - 25, 10);
+  EXPECT_LT(std::abs(compliance(1, 0) - expected), 1e-12 * std::abs(expected));  // rounding
+  EXPECT_LT(std::abs(compliance(1, 1)), 1e-12 * std::abs(expected));
+  EXPECT_LT(std::abs(compliance(1, 3) - expected), 1e-12 * std::abs(expected));
+}
+
 // A critically damped mode has one pole twice and only one shape: sums over poles cannot have its motion.
 TEST(Receptance, FactorisesWherePolesMeet) {
   CondensedModel model;

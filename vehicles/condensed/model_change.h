@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/condensed/linear_vehicle.h"
+#include "vehicles/condensed/port.h"
+
+namespace fourpost {
+
+class CondensedVehicle;
+
+/// Derivatives of a condensed vehicle by one of its parameters, by a difference: matrices are linear in most parameters
+/// and smooth in all. A matrix without rows does not change.
+struct ModelChange {
+  /// What a port's law becomes within the difference.
+  struct Law {
+    /// Index among the vehicle's ports; -1: an element that is linear without the difference, and no port.
+    int port = -1;
+    /// Nothing: an element that is linear with the difference, and no port any more.
+    std::optional<Port> changed;
+  };
+
+  /// Of LinearVehicle with centre rates: n x n, then size x size.
+  Eigen::MatrixXd mass;
+  Eigen::MatrixXd damping;
+  Eigen::MatrixXd stiffness;
+  /// n x posts.
+  Eigen::MatrixXd post_stiffness;
+  Eigen::MatrixXd post_damping;
+  /// sensors x n, sensors x posts.
+  Eigen::MatrixXd on_position;
+  Eigen::MatrixXd on_velocity;
+  Eigen::MatrixXd on_acceleration;
+  Eigen::MatrixXd on_post_height;
+  Eigen::MatrixXd on_post_velocity;
+  Eigen::MatrixXd on_post_acceleration;
+  /// Those that change.
+  std::vector<Law> laws;
+  /// Of the parameter, by which laws change.
+  double step = 0;
+};
+
+/// A condensed vehicle at some values of its parameters, and what it needs to tell the change with any of them.
+class ModelChanges {
+ public:
+  /// Both must outlive this object.
+  ModelChanges(const CondensedVehicle& vehicle, std::span<const double> values);
+
+  const CondensedModel& model() const { return model_; }
+
+  /// Throws std::invalid_argument for an index beyond the parameters, and where a damper gains or loses its series
+  /// spring with the parameter.
+  ModelChange By(std::size_t parameter) const;
+
+ private:
+  double StepOf(std::size_t parameter) const;
+  std::vector<ModelChange::Law> ChangedLaws(const std::vector<Port>& changed) const;
+
+  const CondensedVehicle& vehicle_;
+  std::vector<double> values_;
+  CondensedModel model_;
+  LinearVehicle linear_;
+  std::vector<Port> ports_;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,36 @@
+#include "vehicles/response/balance_sensitivity.h"
+
+#include "vehicles/condensed/model_change.h"
+#include "vehicles/response/balance_change.h"
+#include "vehicles/response/linearised_cycle.h"
+#include "vehicles/response/response_recorder.h"
+
+namespace fourpost {
+
+ResponseSensitivity SolveBalanceSensitivity(const CondensedVehicle& vehicle, std::span<const double> values,
+                                            const std::vector<std::size_t>& parameters, const Excitation& excitation,
+                                            const HarmonicBalanceOptions& options) {
+  options.Validate();
+  excitation.Validate(vehicle.vehicle().posts.size());
+  const ModelChanges model_changes(vehicle, values);
+  std::vector<ModelChange> changes;
+  for (const std::size_t parameter : parameters) changes.push_back(model_changes.By(parameter));
+  LinearisedCycle cycle(model_changes.model(), excitation.shape, options);
+  BalanceChange change(cycle, model_changes.model(), excitation.shape, changes, options.error);
+  ResponseRecorder recorder(vehicle.vehicle().sensors, excitation);
+  std::vector<ResponseRecorder> by_parameter(parameters.size(), recorder);
+  ResponseSensitivity out;
+  for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+    if (!cycle.Solve(excitation.frequency_Hz[i], excitation.amplitude_m[i]))
+      out.periodic.unconverged_Hz.push_back(excitation.frequency_Hz[i]);
+    const SensorHarmonics sensors = cycle.Sensors();
+    recorder.Record(i, sensors);
+    change.Find(excitation.amplitude_m[i]);
+    for (std::size_t p = 0; p < parameters.size(); ++p) by_parameter[p].RecordChange(i, sensors, change.Sensors(p));
+  }
+  out.periodic.response = recorder.Take();
+  for (ResponseRecorder& parameter : by_parameter) out.by_parameter.push_back(parameter.Take());
+  return out;
+}
+
+}  // namespace fourpost

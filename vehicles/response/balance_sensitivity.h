@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/response/excitation.h"
+#include "vehicles/response/harmonic_balance.h"
+#include "vehicles/response/harmonic_balance_options.h"
+
+namespace fourpost {
+
+struct ResponseSensitivity {
+  PeriodicResponse periodic;
+  /// Derivatives of the response per SI unit of each parameter asked for: channels' response, mean and second_harmonic.
+  /// The latter, an amplitude, has no derivative where it is zero, and gives zero there.
+  std::vector<FrequencyResponse> by_parameter;
+};
+
+/// The response of SolveHarmonicBalance and its derivatives by parameters, for some three times the cost of the
+/// response alone for a dozen of them: the balance is differentiated, see BalanceChange. By the default error they are
+/// within some 3e-3 of each channel's largest, second harmonics within some 3e-2, and by less of it in proportion; at a
+/// kink of a law, as where a motion begins to touch a stop, they are of one side. `values`: SI, in the order of
+/// Vehicle::parameters; `parameters`: indices of those to differentiate by. Throws as SolveHarmonicBalance and
+/// ModelChanges.
+ResponseSensitivity SolveBalanceSensitivity(const CondensedVehicle& vehicle, std::span<const double> values,
+                                            const std::vector<std::size_t>& parameters, const Excitation& excitation,
+                                            const HarmonicBalanceOptions& options = {});
+
+}  // namespace fourpost
