@@ -18,7 +18,7 @@ using Complex = std::complex<double>;
 
 /// What the harmonics that are left out may come to together, see Feedback(), per error of the balance: as much as that
 /// error leaves in the derivatives.
-constexpr double kLeftOut = 20;
+constexpr double kLeftOut = 25;
 constexpr int kLeast = 3;
 /// What a matrix of the ports' harmonics may have.
 constexpr Eigen::Index kMostUnknowns = 240;

@@ -68,16 +68,26 @@ FrequencyResponse Difference(const Vehicle& vehicle, std::size_t parameter, cons
   return change;
 }
 
-/// Largest deviation over frequencies, relative to the largest value; zero where that is no more than `noise`.
 template <typename Value>
-double Deviation(const std::vector<Value>& values, const std::vector<Value>& expected, double noise) {
+double Largest(const std::vector<Value>& values) {
   double largest = 0;
+  for (const Value& value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// Largest deviation over frequencies of derivatives by a parameter of this value, relative to the largest of them or,
+/// where that is next to nothing, to a twentieth of what the channel's own largest value has per parameter: where more
+/// than that cancels, the differences know little, too.
+template <typename Value>
+double Deviation(const std::vector<Value>& derivatives, const std::vector<Value>& expected,
+                 const std::vector<Value>& channel, double parameter) {
   double deviation = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    largest = std::max(largest, std::abs(expected[i]));
-    deviation = std::max(deviation, std::abs(values[i] - expected[i]));
-  }
-  return largest > noise ? deviation / largest : 0;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    deviation = std::max(deviation, std::abs(derivatives[i] - expected[i]));
+  // Of means that are zero: tensions of kilonewtons, over steps of 1e-4.
+  constexpr double kRounding = 1e-7;
+  if (deviation * parameter < kRounding) return 0;
+  return deviation / std::max(Largest(expected), 0.05 * Largest(channel) / parameter);
 }
 
 struct Tolerances {
@@ -97,11 +107,12 @@ void ExpectDifferences(const Vehicle& vehicle, const Excitation& excitation, con
       SCOPED_TRACE(vehicle.parameters[p].name + " " + expected.channels[c].name);
       const ChannelResponse& given = sensitivity.by_parameter[p].channels[c];
       const ChannelResponse& difference = expected.channels[c];
-      // 1e-10 of a tension of kilonewtons or a motion of a millimetre, over steps of 1e-4.
-      const double scale = 1 / vehicle.parameters[p].value;
-      EXPECT_LT(Deviation(given.response, difference.response, 0), tolerances.response);
-      EXPECT_LT(Deviation(given.mean, difference.mean, 1e-7 * scale), tolerances.mean);
-      EXPECT_LT(Deviation(given.second_harmonic, difference.second_harmonic, 1e-7 * scale), tolerances.second_harmonic);
+      const ChannelResponse& channel = sensitivity.periodic.response.channels[c];
+      const double value = vehicle.parameters[p].value;
+      EXPECT_LT(Deviation(given.response, difference.response, channel.response, value), tolerances.response);
+      EXPECT_LT(Deviation(given.mean, difference.mean, channel.mean, value), tolerances.mean);
+      EXPECT_LT(Deviation(given.second_harmonic, difference.second_harmonic, channel.second_harmonic, value),
+                tolerances.second_harmonic);
     }
   }
 }
@@ -150,9 +161,10 @@ TEST(BalanceSensitivity, TellsBumpFromReboundWhereBothAreEqual) {
     const FrequencyResponse expected = Difference(vehicle, p, excitation);
     for (std::size_t c = 0; c < expected.channels.size(); ++c) {
       const ChannelResponse& given = sensitivity.by_parameter[p].channels[c];
-      // Five harmonics of a corner.
-      EXPECT_LT(Deviation(given.response, expected.channels[c].response, 0), kDefault.response);
-      EXPECT_LT(Deviation(given.mean, expected.channels[c].mean, 1e-10), kDefault.mean);
+      const ChannelResponse& channel = sensitivity.periodic.response.channels[c];
+      const double value = vehicle.parameters[p].value;
+      EXPECT_LT(Deviation(given.response, expected.channels[c].response, channel.response, value), kDefault.response);
+      EXPECT_LT(Deviation(given.mean, expected.channels[c].mean, channel.mean, value), kDefault.mean);
     }
   }
 }
@@ -192,8 +204,9 @@ class BalanceSensitivityOfAnElement : public testing::TestWithParam<ElementCase>
 TEST_P(BalanceSensitivityOfAnElement, HasTheDifferences) {
   Vehicle vehicle = QuarterCar(800, 2600);
   GetParam().alter(vehicle);
-  // 1e-5 against 2e-4 of kDefault.
-  ExpectDifferences(vehicle, GetParam().excitation, {.response = 1e-3, .mean = 1e-3, .second_harmonic = 5e-3},
+  // By a twentieth of the default error. Of second harmonics in series with a spring, whose own harmonics fall slowly,
+  // the differences know no more: with steps of 1e-3 they change by as much.
+  ExpectDifferences(vehicle, GetParam().excitation, {.response = 2e-3, .mean = 6e-3, .second_harmonic = 4e-2},
                     {.error = 1e-5, .tolerance = 1e-6});
 }
 
