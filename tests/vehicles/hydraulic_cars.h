@@ -49,4 +49,16 @@ inline Vehicle LinkageCarOnOil() {
   return vehicle;
 }
 
+/// The same with a mount and friction in front; behind the shipped damper on a mount. States of the multibody: the
+/// extension of the rear's mount, then the front's pressures. Of the condensed model: first what stands for the front's
+/// oil.
+inline Vehicle LinkageCarOnMixedDampers() {
+  Vehicle vehicle = LinkageCarOnOil();
+  vehicle.dampers[0].series = SpringDescription{.stiffness = {800e3}};
+  vehicle.dampers[0].law.friction = DashpotDescription::Friction{{40}, {0.02}};
+  vehicle.dampers[1] = ShippedVehicle("landrover110_linkage").dampers[1];
+  vehicle.dampers[1].series = SpringDescription{.stiffness = {500e3}, .cubic = {1e11}};
+  return vehicle;
+}
+
 }  // namespace fourpost

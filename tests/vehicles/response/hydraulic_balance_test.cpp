@@ -102,16 +102,8 @@ TEST(HydraulicFullBalance, AgreesWithTheMarchWhereLinearKinematicsDoNot) {
   EXPECT_GT(LinearisedFromMarch(prepared, {{1.2, 9.45}, {0.05, 0.005}, {1, -1}}), 2 * kGain_dB);
 }
 
-// States of the multibody: the extension of the rear's mount, then the front's pressures. Of [s x]: first what stands
-// for the front damper.
 TEST(HydraulicFullBalance, TellsStatesOfMixedDampersApart) {
-  Vehicle vehicle = LinkageCarOnOil();
-  const Vehicle shipped = ShippedVehicle("landrover110_linkage");
-  vehicle.dampers[0].series = SpringDescription{.stiffness = {800e3}};
-  vehicle.dampers[0].law.friction = DashpotDescription::Friction{{40}, {0.02}};
-  vehicle.dampers[1] = shipped.dampers[1];
-  vehicle.dampers[1].series = SpringDescription{.stiffness = {500e3}, .cubic = {1e11}};
-  Prepared prepared(vehicle);
+  Prepared prepared(LinkageCarOnMixedDampers());
   LinearisedFromMarch(prepared, {{1.2, 9.45}, {0.03, 0.003}, {1, 0.5}});
 }
 

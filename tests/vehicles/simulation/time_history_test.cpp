@@ -144,6 +144,8 @@ TEST(TimeHistory, OfBothEnginesAgreesOnHydraulicDampers) {
   EXPECT_LT(DifferenceOfEngines(QuarterCarOnOil(Oil(0.6e-6, 3e7, 2.6e6, 100e6), 100e3), 0.004), 1e-3);
   EXPECT_LT(DifferenceOfEngines(QuarterCarOnOil(Oil(0.05e-6, 1e7, 4e7)), 0.004), 1e-3);
   EXPECT_LT(DifferenceOfEngines(rubbing, 0.004), 1e-3);
+  // With kinematics.
+  EXPECT_LT(DifferenceOfEngines(LinkageCarOnMixedDampers()), 2e-3);
 }
 
 // The body's resonance drives the shut piston of a wide bleed to its end.
