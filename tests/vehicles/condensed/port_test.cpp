@@ -1,5 +1,6 @@
 #include "vehicles/condensed/port.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -89,6 +90,54 @@ double ErrorOfMendedSlopes(int samples) {
 TEST(Port, MendedSlopesIntegrateAJumpToThirdOrder) {
   EXPECT_LT(ErrorOfMendedSlopes(40), 1e-3);
   EXPECT_LT(ErrorOfMendedSlopes(160), ErrorOfMendedSlopes(40) / 48);
+}
+
+/// Force of a bilinear dashpot, 800 and 2600 N s/m, at evenly spaced samples of one cycle of the rate cos(w t + phase),
+/// as the balance samples it: linear share and mended remainder.
+std::vector<double> ForceUnderASine(std::size_t samples, double phase) {
+  const DashpotLaw law(800, 2600);
+  const DashpotRemainder remainder{law, 1400};
+  std::vector<double> rate(samples);
+  for (std::size_t k = 0; k < samples; ++k)
+    rate[k] = std::cos(2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(samples) + phase);
+  std::vector<double> force(samples);
+  MendedRemainders(remainder, KinksOf(remainder), {}, rate, force);
+  for (std::size_t k = 0; k < samples; ++k) force[k] += remainder.rate * rate[k];
+  return force;
+}
+
+/// Harmonic h of y = Re sum Y_h exp(i h w t) from its samples.
+std::complex<double> Harmonic(const std::vector<double>& samples, int h) {
+  std::complex<double> sum;
+  const auto count = static_cast<double>(samples.size());
+  for (std::size_t k = 0; k < samples.size(); ++k)
+    sum += samples[k] * std::polar(1.0, -2 * std::numbers::pi * h * static_cast<double>(k) / count);
+  return sum * (h == 0 ? 1.0 : 2.0) / count;
+}
+
+constexpr double kPhases[] = {0, 0.02, 0.1, 0.7, 1.5707, 2.9};
+
+// (rebound + compression) / 2, whatever the samples: the rest of the force is even, alike in both halves of a cycle.
+TEST(Port, ABilinearDashpotUnderASineHasTheMeanOfItsRatesExactly) {
+  for (const std::size_t samples : {24u, 40u, 72u})
+    for (const double phase : kPhases) {
+      const std::complex<double> rate = Harmonic(ForceUnderASine(samples, phase), 1) / std::polar(1.0, phase);
+      EXPECT_NEAR(rate.real(), 1700, 1e-11);  // rounding
+      EXPECT_NEAR(rate.imag(), 0, 1e-11) << samples << " samples, phase " << phase;
+    }
+}
+
+// (rebound - compression) / pi times the amplitude of the rate; mended kinks leave the fourth order of the spacing.
+TEST(Port, ABilinearDashpotUnderASineHasItsMeanForce) {
+  const auto error = [](std::size_t samples) {
+    double largest = 0;
+    for (const double phase : kPhases)
+      largest = std::max(largest, std::abs(Harmonic(ForceUnderASine(samples, phase), 0) - 1800 / std::numbers::pi));
+    return largest;
+  };
+  EXPECT_LT(error(24), 1e-4 * 1800 / std::numbers::pi);
+  EXPECT_LT(error(96), error(24) / 100);
+  EXPECT_LT(error(1536), 1e-11 * 1800);  // 64 to the fourth
 }
 
 /// Laminar valves, alike both ways: linear but for the gas and the lengths of the columns.

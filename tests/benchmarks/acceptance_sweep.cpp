@@ -1,0 +1,81 @@
+// Both balances against the march: a row per vehicle, pattern of the posts and amplitude, 40 frequencies from 0.5 to
+// 30 Hz, the largest deviations of gain and phase over all channels that are not silent.
+//   acceptance_sweep VEHICLE:PATTERN[:N]...     such as landrover110_model3:roll; N: every N-th frequency only
+#include <cstddef>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/diagnostics.h"
+#include "tests/vehicles/acceptance.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/multibody/multibody.h"
+#include "vehicles/reader/vehicle_file.h"
+#include "vehicles/response/full_balance.h"
+#include "vehicles/response/harmonic_balance.h"
+#include "vehicles/response/march.h"
+
+namespace fourpost {
+namespace {
+
+Vehicle Read(const std::string& name) {
+  Diagnostics diagnostics;
+  std::optional<Vehicle> vehicle =
+      ReadVehicle(std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / (name + ".urdf"), diagnostics);
+  if (!vehicle) throw FaultyInput(diagnostics);
+  return std::move(vehicle).value();
+}
+
+void Print(const DeviationAt& deviation) {
+  std::cout << ',' << deviation.value << ',' << deviation.channel << ',' << deviation.frequency_Hz;
+}
+
+void Sweep(const std::string& name, const std::string& pattern, std::size_t every) {
+  const Vehicle vehicle = Read(name);
+  const std::vector<double> values = vehicle.ParameterValues();
+  const CondensedModel model = CondensedVehicle(vehicle).At(values);
+  Multibody multibody(vehicle);
+  multibody.SetParameters(values, model.preloads);
+  for (const double scale : kAcceptedScales) {
+    const Excitation excitation = AcceptanceSine(vehicle, pattern, scale, 0, every);
+    const std::clock_t start = std::clock();
+    // Some tenths of the accepted deviation at the kinks of dampers, which samples of the march alias.
+    const MarchedResponse marched =
+        March(multibody, excitation, {.accuracy = 1e-7, .tolerance = 1e-4, .samples_per_cycle = 128});
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const PeriodicResponse linearised = SolveHarmonicBalance(model, vehicle.sensors, excitation);
+    const PeriodicResponse full = SolveFullBalance(multibody, model, excitation);
+    for (const PeriodicResponse* balance : {&full, &linearised}) {
+      const EngineDeviation deviation = DeviationOf(balance->response, marched.response);
+      std::cout << name << ',' << pattern << ',' << scale << ',' << (balance == &full ? "full" : "linearised") << ','
+                << excitation.frequency_Hz.size() << ',' << deviation.channels;
+      Print(deviation.gain_dB);
+      Print(deviation.phase_deg);
+      std::cout << ',' << balance->unconverged_Hz.size() << ',' << marched.unsteady.size() << ',' << seconds
+                << std::endl;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fourpost
+
+int main(int count, char** arguments) {
+  std::cout << "vehicle,pattern,scale,balance,frequencies,channels,gain_dB,gain_channel,gain_Hz,phase_deg,"
+               "phase_channel,phase_Hz,unconverged,unsteady,march_cpu_s"
+            << std::endl;
+  for (int i = 1; i < count; ++i) {
+    std::istringstream argument(arguments[i]);
+    std::string vehicle;
+    std::string pattern;
+    std::string every = "1";
+    std::getline(std::getline(argument, vehicle, ':'), pattern, ':');
+    std::getline(argument, every);
+    fourpost::Sweep(vehicle, pattern, std::stoul(every.empty() ? "1" : every));
+  }
+}
