@@ -39,10 +39,18 @@ FrequencyResponse FullOf(Prepared& prepared, const Excitation& excitation) {
   return full.response;
 }
 
+/// At a quarter of the rig's amplitude 0.5 Hz does not repeat to the tolerance at an accuracy of 1e-7.
+FrequencyResponse MarchOf(Prepared& prepared, const Excitation& excitation) {
+  const MarchedResponse marched =
+      March(prepared.multibody, excitation, {.accuracy = 1e-8, .tolerance = 1e-4, .samples_per_cycle = 128});
+  EXPECT_TRUE(marched.unsteady.empty());
+  return marched.response;
+}
+
 struct AcceptanceCase {
   const char* vehicle;
   const char* pattern;
-  /// Of the 40 frequencies every so many-th, at one amplitude after the other.
+  /// Of the 40 frequencies every so many-th, at each of the amplitudes in turn.
   std::size_t every = 1;
 };
 
@@ -57,17 +65,17 @@ TEST_P(Acceptance, FullBalanceIsTheMarchAtThreeAmplitudes) {
     SCOPED_TRACE(kAcceptedScales[k]);
     const Excitation excitation = AcceptanceSine(prepared.vehicle, GetParam().pattern, kAcceptedScales[k], k * every,
                                                  kAcceptedScales.size() * every);
-    ExpectAccepted(FullOf(prepared, excitation), prepared.Marched(excitation, 128));
+    ExpectAccepted(FullOf(prepared, excitation), MarchOf(prepared, excitation));
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(
     ShippedVehicles, Acceptance,
-    testing::Values(AcceptanceCase{"quarter_car", "heave"}, AcceptanceCase{"single_wheel_station", "heave", 2},
-                    AcceptanceCase{"landrover110_model1", "heave", 2},
-                    AcceptanceCase{"landrover110_linkage", "pitch", 2},
-                    AcceptanceCase{"landrover110_model3", "roll", 2}, AcceptanceCase{"landrover110_rigid", "heave", 8},
-                    AcceptanceCase{"landrover110", "heave", 10}, AcceptanceCase{"independent_roadster", "roll", 8}),
+    testing::Values(AcceptanceCase{"quarter_car", "heave", 2}, AcceptanceCase{"single_wheel_station", "heave", 3},
+                    AcceptanceCase{"landrover110_model1", "heave", 3},
+                    AcceptanceCase{"landrover110_linkage", "pitch", 3},
+                    AcceptanceCase{"landrover110_model3", "roll", 4}, AcceptanceCase{"landrover110_rigid", "heave", 8},
+                    AcceptanceCase{"landrover110", "heave", 13}, AcceptanceCase{"independent_roadster", "roll", 13}),
     testing::PrintToStringParamName());
 
 class AcceptanceOfALaw : public testing::TestWithParam<DamperLaw> {};
@@ -81,7 +89,7 @@ TEST_P(AcceptanceOfALaw, FullBalanceIsTheMarchAtThreeAmplitudes) {
     SCOPED_TRACE(kAcceptedScales[k]);
     // 0.94, 3.3 and 11.7 Hz.
     const Excitation excitation = AcceptanceSine(vehicle, "heave", kAcceptedScales[k], 6 + 12 * k, 40);
-    ExpectAccepted(FullOf(prepared, excitation), prepared.Marched(excitation, 128));
+    ExpectAccepted(FullOf(prepared, excitation), MarchOf(prepared, excitation));
   }
 }
 
@@ -130,7 +138,7 @@ void ExpectAcceptedLiftoff(Vehicle vehicle, const Excitation& excitation, bool i
   const Extremes extremes = ExtremesOf(system, cell, excitation, 30);
   EXPECT_NEAR(extremes.least, -load, 1e-9 * load);  // rounding
   EXPECT_GT(extremes.largest, load);
-  const FrequencyResponse marched = prepared.Marched(excitation, 512);
+  const FrequencyResponse marched = prepared.Marched(excitation, 256);
   ExpectAccepted(FullOf(prepared, excitation), marched);
   if (is_linear) ExpectAccepted(prepared.Linearised(excitation).response, marched);
 }
