@@ -20,6 +20,7 @@
 #include "vehicles/response/full_balance.h"
 #include "vehicles/response/harmonic_balance.h"
 #include "vehicles/response/march.h"
+#include "vehicles/simulation/condensed_system.h"
 
 namespace fourpost {
 namespace {
@@ -105,7 +106,7 @@ void BySensitivities(benchmark::State& state, const std::string& name) {
   const std::vector<double> values = vehicle.ParameterValues();
   std::vector<std::size_t> parameters(values.size());
   std::iota(parameters.begin(), parameters.end(), std::size_t{0});
-  const Excitation excitation = Heave(vehicle);
+  const Excitation excitation = Heave(vehicle.posts.size());
   for ([[maybe_unused]] auto _ : state)
     benchmark::DoNotOptimize(SolveBalanceSensitivity(condensed, values, parameters, excitation));
 }
@@ -131,6 +132,18 @@ void ByMarch(benchmark::State& state, const std::string& name, Dampers dampers =
   for ([[maybe_unused]] auto _ : state)
     benchmark::DoNotOptimize(
         March(multibody, excitation, {.accuracy = 1e-5, .tolerance = 1e-3, .samples_per_cycle = 64}));
+}
+
+/// Its own equations of motion in place of Simbody's.
+void ByMarchOfTheCondensed(benchmark::State& state, const std::string& name) {
+  const Vehicle vehicle = Read(name);
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  const Excitation excitation = Heave(vehicle.posts.size());
+  for ([[maybe_unused]] auto _ : state) {
+    // Steps as long as keep the error below that of the march's end, 1e-3.
+    CondensedSystem system(model, RigViewOf(vehicle), 2e-3);
+    benchmark::DoNotOptimize(March(system, excitation, {.tolerance = 1e-3, .samples_per_cycle = 64}));
+  }
 }
 
 /// So many frequencies of the same band.
@@ -202,6 +215,7 @@ void OnThreads(benchmark::State& state, const std::string& name) { Frequencies(s
 BENCHMARK_CAPTURE(ByLinearSolves, model1, "landrover110_model1")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(ByHarmonicBalance, model1, "landrover110_model1")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(BySensitivities, model1, "landrover110_model1")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(ByMarchOfTheCondensed, model1, "landrover110_model1")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(ByMarch, model1, "landrover110_model1")->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK_CAPTURE(ByLinearSolves, model2, "landrover110_linkage")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(ByHarmonicBalance, model2, "landrover110_linkage")->Unit(benchmark::kMicrosecond);
