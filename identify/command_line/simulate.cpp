@@ -30,6 +30,7 @@
 #include "vehicles/posts/road.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/response/response_recorder.h"
+#include "vehicles/ride/stability.h"
 #include "vehicles/simulation/multibody_system.h"
 #include "vehicles/simulation/sensor_model.h"
 #include "vehicles/simulation/time_history.h"
@@ -193,6 +194,17 @@ std::vector<std::size_t> ChosenSensors(const SimulateCommand& command, const Veh
   return chosen;
 }
 
+/// A history has a start: it can be drawn all the same.
+void WarnOfGrowth(const Vehicle& vehicle, const CondensedModel& model) {
+  const std::optional<Growth> growth = GrowthOf(vehicle, model);
+  if (!growth) return;
+  Diagnostics findings;
+  findings.Warning(vehicle.file, 0,
+                   "the vehicle is unstable in its design pose: " + growth->modes + " grows by exp(" +
+                       Rounded(growth->rate_per_s, 3) + " t), whatever the posts do; see `fourpost check`");
+  Tell(findings);
+}
+
 /// What an engine answers, and what is to be said about it.
 struct Answer {
   TimeHistory history;
@@ -205,6 +217,7 @@ Answer Run(const SimulateCommand& command, const Vehicle& vehicle, const Drive& 
   const std::vector<double> values = vehicle.ParameterValues();
   const CondensedVehicle condensed(vehicle);
   const CondensedModel model = condensed.At(values);
+  WarnOfGrowth(vehicle, model);
   const TimeGrid grid{drive.start_s, drive.end_s, command.rate_Hz, drive.lead_s};
   ProgressLine line;
   const std::string end = Rounded(drive.end_s, 3) + " s";

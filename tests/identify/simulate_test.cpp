@@ -141,6 +141,8 @@ TEST_F(Simulate, RefusesUsageItDoesNotKnow) {
   ExpectRefused("quarter_car", "", 2, "--sweep,--sine,--step,--random,--road,--recording");
   ExpectRefused("quarter_car", "--sine 2Hz", 2, "--sine requires --amplitude");
   ExpectRefused("quarter_car", "--sine 2 --amplitude 5mm", 2, "--sine: '2' is no frequency with a unit");
+  ExpectRefused("quarter_car", "--sine 2rad/s --amplitude 5mm", 2, "'2rad/s' is no frequency with a unit");
+  ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5mm -o a.csv --chart a.csv", 5, "name the same file");
   ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5N", 2, "--amplitude: '5N' is no length");
   ExpectRefused("quarter_car", "--sine 2Hz --amplitude=-5mm", 2, "'-5mm' must be above zero");
   ExpectRefused("quarter_car", "--sweep 2Hz --amplitude 5mm", 2, "'2Hz' is no range of frequencies");
@@ -170,6 +172,33 @@ TEST_F(Simulate, RefusesVehiclesWithoutEquilibriumAndWithoutPosts) {
   const Outcome outcome = RunFile(broken, "--step 5mm");
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("preload_not_balanced.urdf:"));
+}
+
+/// A shipped vehicle file with one text replaced, in the test's folder, meshes left where they are.
+std::string Altered(const std::string& name, const std::string& what, const std::string& with) {
+  const std::filesystem::path root(FOURPOST_SOURCE_DIR);
+  std::string text = ReadText(root / "urdf" / (name + ".urdf"));
+  const std::size_t place = text.find(what);
+  EXPECT_NE(place, std::string::npos);
+  text.replace(place, what.size(), with);
+  for (std::size_t at = 0; (at = text.find("../meshes/", at)) != std::string::npos;)
+    text.replace(at, 10, (root / "meshes/").string());
+  return text;
+}
+
+TEST_F(Simulate, KeepsToTheStrokeThatTheFileTells) {
+  folder_.Write("short.urdf", Altered("quarter_car", "under=\"tyre\"", "under=\"tyre\" stroke=\"20 mm\""));
+  const Outcome outcome = RunFile("short.urdf", "--sine 1Hz --amplitude 12mm");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("beyond the 10.0 mm that a stroke of 20.0 mm allows"));
+  EXPECT_EQ(RunFile("short.urdf", "--sine 1Hz --amplitude 8mm").code, 0);
+}
+
+TEST_F(Simulate, WarnsOfAVehicleThatFallsOver) {
+  folder_.Write("tall.urdf", Altered("landrover110_linkage", "link=\"front_axle\" xyz=\"0.870 0 -0.075\" ",
+                                     "link=\"front_axle\" xyz=\"0.870 0 -15\" "));
+  const Outcome outcome = RunFile("tall.urdf", "--step 1mm --duration 1s");
+  EXPECT_THAT(outcome.err, HasSubstr("warning: the vehicle is unstable in its design pose: '"));
 }
 
 TEST_F(Simulate, TellsTheFaultsOfARecording) {
