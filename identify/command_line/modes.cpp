@@ -48,9 +48,7 @@ std::vector<ShapedMode> ModesOfVehicle(const Vehicle& vehicle, Diagnostics& find
   const std::vector<double> values = vehicle.ParameterValues();
   const CondensedModel model = CondensedVehicle(vehicle).At(values);
   if (const std::optional<Growth> growth = GrowthOf(vehicle, model))
-    findings.Warning(vehicle.file, 0,
-                     "the vehicle is unstable in its design pose: " + growth->modes + " grows by exp(" +
-                         Rounded(growth->rate_per_s, 3) + " t)");
+    findings.Warning(vehicle.file, 0, "the vehicle is unstable in its design pose: " + growth->Text());
   const Kinematics pose = DesignKinematics(vehicle);
   const Suspension suspension = SuspensionOf(vehicle, pose, values);
   std::vector<ShapedMode> shaped;

@@ -29,6 +29,7 @@
 #include "vehicles/posts/recorded_posts.h"
 #include "vehicles/posts/road.h"
 #include "vehicles/reader/vehicle_file.h"
+#include "vehicles/response/post_stroke.h"
 #include "vehicles/response/response_recorder.h"
 #include "vehicles/ride/stability.h"
 #include "vehicles/simulation/multibody_system.h"
@@ -154,24 +155,14 @@ void CheckSampling(const SimulateCommand& command) {
   if (faults.HasErrors()) throw FaultyInput(faults);
 }
 
-std::string InMillimetres(double metres) { return Rounded(1e3 * metres, 3) + " mm"; }
-
-void CheckStroke(const SimulateCommand& command, const Vehicle& vehicle, const Drive& drive) {
+void RequireStroke(const SimulateCommand& command, const Vehicle& vehicle, const Drive& drive) {
   // Of twenty samples in a period of the highest frequency a peak is missed by 1.2 % at the most.
   const double step = 1 / std::max(1000.0, 20 * drive.upper_Hz);
-  const std::vector<double> farthest =
+  std::vector<double> farthest =
       FarthestHeights(drive.motion, vehicle.posts.size(), drive.start_s - drive.lead_s, drive.end_s, step);
+  for (double& height : farthest) height = std::abs(height);
   Diagnostics faults;
-  for (std::size_t p = 0; p < farthest.size(); ++p) {
-    const Post& post = vehicle.posts[p];
-    const double stroke = post.stroke.value_or(command.stroke_m);
-    if (std::abs(farthest[p]) > stroke / 2)
-      faults.Error(vehicle.file, post.source_line,
-                   "post '" + post.name + "' would go to " + InMillimetres(farthest[p]) + ", beyond the " +
-                       InMillimetres(stroke / 2) + " that a stroke of " + InMillimetres(stroke) +
-                       " allows to either side; move it less, or " +
-                       (post.stroke ? "correct its stroke" : "give the rig's --stroke"));
-  }
+  CheckStroke(vehicle, farthest, "this motion", faults, command.stroke_m);
   if (faults.HasErrors()) throw FaultyInput(faults);
 }
 
@@ -200,8 +191,8 @@ void WarnOfGrowth(const Vehicle& vehicle, const CondensedModel& model) {
   if (!growth) return;
   Diagnostics findings;
   findings.Warning(vehicle.file, 0,
-                   "the vehicle is unstable in its design pose: " + growth->modes + " grows by exp(" +
-                       Rounded(growth->rate_per_s, 3) + " t), whatever the posts do; see `fourpost check`");
+                   "the vehicle is unstable in its design pose: " + growth->Text() +
+                       ", whatever the posts do; see `fourpost check`");
   Tell(findings);
 }
 
@@ -352,7 +343,7 @@ int Run(const SimulateCommand& command) {
   const std::vector<std::size_t> sensors = ChosenSensors(command, *vehicle);
   CheckSampling(command);
   const Drive drive = DriveOf(command, *vehicle);
-  CheckStroke(command, *vehicle, drive);
+  RequireStroke(command, *vehicle, drive);
   Answer answer = Run(command, *vehicle, drive);
   Record(command, drive, answer.history);
   if (answer.change && *answer.change > command.error)

@@ -37,8 +37,8 @@ void RequireStable(const Vehicle& vehicle, const SteadySolver& solver) {
   if (!growth) return;
   Diagnostics faults;
   faults.Error(vehicle.file, 0,
-               "the vehicle is unstable in its design pose, so it has no steady response: " + growth->modes +
-                   " grows by exp(" + Rounded(growth->rate_per_s, 3) + " t); see `fourpost check`");
+               "the vehicle is unstable in its design pose, so it has no steady response: " + growth->Text() +
+                   "; see `fourpost check`");
   throw FaultyInput(faults);
 }
 

@@ -1,9 +1,6 @@
 // `fourpost simulate` as a user meets it.
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -12,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/csv.h"
-#include "tests/temporary_folder.h"
+#include "tests/identify/program.h"
 
 namespace fourpost {
 namespace {
@@ -20,28 +17,14 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-class Simulate : public testing::Test {
+class Simulate : public ProgramTest {
  protected:
-  static std::string Shipped(const std::string& name) {
-    return (std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / (name + ".urdf")).string();
-  }
-
   Outcome Run(const std::string& vehicle, const std::string& options) const {
-    return RunFile("'" + Shipped(vehicle) + "'", options);
+    return RunFile("urdf/" + vehicle + ".urdf", options);
   }
 
   Outcome RunFile(const std::string& vehicle, const std::string& options) const {
-    const std::string line = "cd '" + folder_.path().string() + "' && '" FOURPOST_PROGRAM "' simulate " + vehicle +
-                             " " + options + " >out.txt 2>err.txt";
-    const int status = std::system(line.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadText(folder_.path() / "out.txt"),
-            ReadText(folder_.path() / "err.txt")};
+    return ProgramTest::Run("simulate " + vehicle + " " + options);
   }
 
   void ExpectRefused(const std::string& vehicle, const std::string& options, int code,
@@ -63,8 +46,6 @@ class Simulate : public testing::Test {
     Diagnostics diagnostics;
     return table.Numbers(table.FindColumn(name).value(), diagnostics);
   }
-
-  TemporaryFolder folder_;
 };
 
 TEST_F(Simulate, WritesPostsAndChannelsWithUnits) {
@@ -83,7 +64,7 @@ TEST_F(Simulate, WritesPostsAndChannelsWithUnits) {
 }
 
 TEST_F(Simulate, TellsASummaryAndTheChannelsAskedFor) {
-  const Outcome outcome = RunFile("--channels a_cg,s_strut_rear '" + Shipped("landrover110_linkage") + "'",
+  const Outcome outcome = RunFile("--channels a_cg,s_strut_rear urdf/landrover110_linkage.urdf",
                                   "--step 20mm --json -o history.csv --chart history.svg");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json summary = Json::parse(outcome.out);
@@ -95,8 +76,8 @@ TEST_F(Simulate, TellsASummaryAndTheChannelsAskedFor) {
   EXPECT_EQ(summary["channels"][0]["peak"], 0.02);
   EXPECT_EQ(summary["channels"][2]["name"], "a_cg");
   EXPECT_EQ(summary["channels"][3]["unit"], "m");
-  EXPECT_THAT(ReadText(folder_.path() / "history.svg"), HasSubstr("s_strut_rear [mm]"));
-  const CsvTable table = Table(ReadText(folder_.path() / "history.csv"));
+  EXPECT_THAT(ReadText(folder_ / "history.svg"), HasSubstr("s_strut_rear [mm]"));
+  const CsvTable table = Table(ReadText(folder_ / "history.csv"));
   EXPECT_THAT(table.names(), testing::ElementsAre("time", "post_front", "post_rear", "a_cg", "s_strut_rear"));
 }
 
@@ -117,8 +98,8 @@ TEST_F(Simulate, ReplaysWhatItWrote) {
   ASSERT_EQ(Run("landrover110_model3", "--road B --speed 72km/h --duration 6s --rate 1000Hz -o a.csv").code, 0);
   const Outcome again = Run("landrover110_model3", "--recording a.csv --rate 1000Hz -o b.csv");
   ASSERT_EQ(again.code, 0) << again.err;
-  const std::vector<double> first = Column(Table(ReadText(folder_.path() / "a.csv")), "a_body_FL");
-  const std::vector<double> second = Column(Table(ReadText(folder_.path() / "b.csv")), "a_body_FL");
+  const std::vector<double> first = Column(Table(ReadText(folder_ / "a.csv")), "a_body_FL");
+  const std::vector<double> second = Column(Table(ReadText(folder_ / "b.csv")), "a_body_FL");
   ASSERT_EQ(first.size(), second.size());
   double difference = 0;
   double size = 0;
@@ -131,10 +112,12 @@ TEST_F(Simulate, ReplaysWhatItWrote) {
 }
 
 TEST_F(Simulate, DrawsRoadsAndNoiseByTheSeed) {
-  const std::string options = "--random 3mm --duration 4s --noise 2% --filter 30Hz --order 4 --seed ";
-  const std::string one = Run("quarter_car", options + "1").out;
-  EXPECT_EQ(one, Run("quarter_car", options + "1").out);
-  EXPECT_NE(one, Run("quarter_car", options + "2").out);
+  for (const std::string motion : {"--random 3mm", "--road B --speed 20m/s", "--sine 2Hz --amplitude 3mm --noise 2%"}) {
+    const std::string options = motion + " --duration 4s --filter 30Hz --order 4 --seed ";
+    const std::string one = Run("quarter_car", options + "1").out;
+    EXPECT_EQ(one, Run("quarter_car", options + "1").out) << motion;
+    EXPECT_NE(one, Run("quarter_car", options + "2").out) << motion;
+  }
 }
 
 TEST_F(Simulate, RefusesUsageItDoesNotKnow) {
@@ -156,8 +139,9 @@ TEST_F(Simulate, RefusesWhatTheVehicleCannotDo) {
   ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5mm --mode roll", 3, "the posts cannot make 'roll'");
   ExpectRefused("landrover110_linkage", "--sine 2Hz --amplitude 5mm --channels a_cgg", 3,
                 "no sensor of the vehicle is called 'a_cgg', did you mean 'a_cg'?");
-  ExpectRefused("landrover110_linkage", "--sine 1Hz --amplitude 80mm", 3,
-                "post 'front' would go to 80.0 mm, beyond the 75.0 mm that a stroke of 150 mm allows");
+  ExpectRefused(
+      "landrover110_linkage", "--sine 1Hz --amplitude 80mm", 3,
+      "fp:post 'front' reaches 75 mm up and down, and this motion asks 80 mm of it: ask less, or tell the stroke");
   EXPECT_EQ(Run("landrover110_linkage", "--sine 1Hz --amplitude 80mm --stroke 200mm").code, 0);
   ExpectRefused("quarter_car", "--sweep 1Hz:40Hz --amplitude 1mm --rate 100Hz", 3, "too slow for motions up to 40 Hz");
   ExpectRefused("quarter_car", "--step 5mm --filter 300Hz", 3, "must be below half the rate");
@@ -166,7 +150,7 @@ TEST_F(Simulate, RefusesWhatTheVehicleCannotDo) {
                 "long enough for a frequency within the band");
 }
 
-TEST_F(Simulate, RefusesVehiclesWithoutEquilibriumAndWithoutPosts) {
+TEST_F(Simulate, RefusesVehiclesWithoutEquilibrium) {
   const std::string broken =
       (std::filesystem::path(FOURPOST_SOURCE_DIR) / "tests/data/broken/preload_not_balanced.urdf").string();
   const Outcome outcome = RunFile(broken, "--step 5mm");
@@ -174,42 +158,29 @@ TEST_F(Simulate, RefusesVehiclesWithoutEquilibriumAndWithoutPosts) {
   EXPECT_THAT(outcome.err, HasSubstr("preload_not_balanced.urdf:"));
 }
 
-/// A shipped vehicle file with one text replaced, in the test's folder, meshes left where they are.
-std::string Altered(const std::string& name, const std::string& what, const std::string& with) {
-  const std::filesystem::path root(FOURPOST_SOURCE_DIR);
-  std::string text = ReadText(root / "urdf" / (name + ".urdf"));
-  const std::size_t place = text.find(what);
-  EXPECT_NE(place, std::string::npos);
-  text.replace(place, what.size(), with);
-  for (std::size_t at = 0; (at = text.find("../meshes/", at)) != std::string::npos;)
-    text.replace(at, 10, (root / "meshes/").string());
-  return text;
-}
-
 TEST_F(Simulate, KeepsToTheStrokeThatTheFileTells) {
-  folder_.Write("short.urdf", Altered("quarter_car", "under=\"tyre\"", "under=\"tyre\" stroke=\"20 mm\""));
-  const Outcome outcome = RunFile("short.urdf", "--sine 1Hz --amplitude 12mm");
+  ReplaceIn("urdf/quarter_car.urdf", "under=\"tyre\"", "under=\"tyre\" stroke=\"20 mm\"");
+  const Outcome outcome = Run("quarter_car", "--sine 1Hz --amplitude 12mm");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("beyond the 10.0 mm that a stroke of 20.0 mm allows"));
-  EXPECT_EQ(RunFile("short.urdf", "--sine 1Hz --amplitude 8mm").code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("fp:post 'post' reaches 10 mm up and down, and this motion asks 12 mm of it"));
+  EXPECT_EQ(Run("quarter_car", "--sine 1Hz --amplitude 8mm").code, 0);
 }
 
 TEST_F(Simulate, WarnsOfAVehicleThatFallsOver) {
-  folder_.Write("tall.urdf", Altered("landrover110_linkage", "link=\"front_axle\" xyz=\"0.870 0 -0.075\" ",
-                                     "link=\"front_axle\" xyz=\"0.870 0 -15\" "));
-  const Outcome outcome = RunFile("tall.urdf", "--step 1mm --duration 1s");
+  ReplaceIn("urdf/landrover110_linkage.urdf", "link=\"front_axle\" xyz=\"0.870 0 -0.075\" ",
+            "link=\"front_axle\" xyz=\"0.870 0 -15\" ");
+  const Outcome outcome = Run("landrover110_linkage", "--step 1mm --duration 1s");
   EXPECT_THAT(outcome.err, HasSubstr("warning: the vehicle is unstable in its design pose: '"));
 }
 
 TEST_F(Simulate, TellsTheFaultsOfARecording) {
-  folder_.Write("posts.csv", "time,post\ns,kN\n0,1\n0.1,2\n0.2,\n0.3,1\n");
+  temporary_.Write("posts.csv", "time,post\ns,kN\n0,1\n0.1,2\n0.2,\n0.3,1\n");
   ExpectRefused("quarter_car", "--recording posts.csv", 3, "posts.csv:");
   ExpectRefused("quarter_car", "--recording nowhere.csv", 3, "nowhere.csv");
 }
 
 TEST_F(Simulate, DoesNotWriteOverItsInputsNorIntoNothing) {
-  std::filesystem::copy(Shipped("quarter_car"), folder_.path() / "car.urdf");
-  const Outcome outcome = RunFile("car.urdf", "--step 5mm -o car.urdf");
+  const Outcome outcome = Run("quarter_car", "--step 5mm -o urdf/quarter_car.urdf");
   EXPECT_EQ(outcome.code, 5);
   EXPECT_THAT(outcome.err, HasSubstr("it is an input"));
   EXPECT_EQ(Run("quarter_car", "--step 5mm -o nowhere/history.csv").code, 5);

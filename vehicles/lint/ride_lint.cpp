@@ -24,9 +24,8 @@ std::string Short(double value) {
 void LintStability(const VehicleSummary& summary, FileFaults& findings) {
   const std::optional<Growth> growth = GrowthOf(summary.modes, summary.growth_rate);
   if (!growth) return;
-  findings.Warning(0, "the vehicle is unstable in its design pose: " + growth->modes + " grows by exp(" +
-                          Short(growth->rate_per_s) +
-                          " t); a rod or a spring that holds it is missing, or positions, axes or rates are wrong");
+  findings.Warning(0, "the vehicle is unstable in its design pose: " + growth->Text() +
+                          "; a rod or a spring that holds it is missing, or positions, axes or rates are wrong");
 }
 
 void LintWheelRates(const Vehicle& vehicle, const VehicleSummary& summary, FileFaults& findings) {

@@ -14,11 +14,22 @@ Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& low
   return stacked;
 }
 
-/// Least-norm solution. Equations that repeat others say the same but for rounding, which must not be divided by.
-Eigen::MatrixXd Solve(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+using LeastNorm = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+
+/// Equations that repeat others say the same but for rounding, which must not be divided by.
+LeastNorm Decomposed(const Eigen::MatrixXd& matrix) {
+  LeastNorm solver;
   solver.setThreshold(kLoopRankTolerance);
-  return solver.compute(matrix).solve(right);
+  solver.compute(matrix);
+  return solver;
+}
+
+/// Errors of the loops and of s in one column per case.
+Eigen::MatrixXd OfLoops(const Eigen::MatrixXd& errors, Eigen::Index size) {
+  return Stacked(errors, Eigen::MatrixXd::Zero(size, errors.cols()));
+}
+Eigen::MatrixXd OfCoordinates(Eigen::Index loops, Eigen::Index size) {
+  return Stacked(Eigen::MatrixXd::Zero(loops, size), Eigen::MatrixXd::Identity(size, size));
 }
 
 }  // namespace
@@ -42,7 +53,7 @@ Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
     Eigen::VectorXd error(loop_error.size() + s.size());
     error << loop_error, basis_.transpose() * (q - multibody_.design_pose()) - s;
     if (error.lpNorm<Eigen::Infinity>() < kClosed) return q;
-    q -= Solve(Stacked(multibody_.LoopJacobian(), basis_.transpose()), error);
+    q -= Decomposed(Stacked(multibody_.LoopJacobian(), basis_.transpose())).solve(error);
     multibody_.SetPose(q);
   }
   throw LoopsCannotFollow(multibody_);
@@ -67,17 +78,11 @@ Chart::Motion Chart::Follow(double t, const Eigen::VectorXd& s, const Eigen::Vec
   }
   motion.q = Close(s);
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-  solver.setThreshold(kLoopRankTolerance);
-  solver.compute(Stacked(loops, basis_.transpose()));
-  Eigen::MatrixXd target = Eigen::MatrixXd::Zero(loops.rows() + size(), size());
-  target.bottomRows(size()).setIdentity();
-  motion.tangent = solver.solve(target);
+  const LeastNorm solver = Decomposed(Stacked(loops, basis_.transpose()));
+  motion.tangent = solver.solve(OfCoordinates(loops.rows(), size()));
   motion.rate = motion.tangent * rate;
   move();
-  Eigen::VectorXd bias = Eigen::VectorXd::Zero(target.rows());
-  bias.head(loops.rows()) = multibody_.LoopBias();
-  motion.acceleration = motion.tangent * acceleration - solver.solve(bias);
+  motion.acceleration = motion.tangent * acceleration - solver.solve(OfLoops(multibody_.LoopBias(), size()));
   return motion;
 }
 
@@ -85,9 +90,7 @@ Eigen::MatrixXd Chart::MoveTo(const Eigen::VectorXd& s) {
   Close(s);
   if (!has_loops_) return basis_;
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
-  Eigen::MatrixXd target = Eigen::MatrixXd::Zero(loops.rows() + size(), size());
-  target.bottomRows(size()).setIdentity();
-  return Solve(Stacked(loops, basis_.transpose()), target);
+  return Decomposed(Stacked(loops, basis_.transpose())).solve(OfCoordinates(loops.rows(), size()));
 }
 
 }  // namespace fourpost

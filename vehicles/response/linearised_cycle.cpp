@@ -68,15 +68,16 @@ void LinearisedCycle::SetAmplitude(double amplitude_m) {
 }
 
 bool LinearisedCycle::SolveWith(const Eigen::MatrixXcd& added) {
-  const double amplitude = amplitude_;
-  SetAmplitude(amplitude);
+  SetAmplitude(amplitude_);
   const Eigen::MatrixXcd through_posts = driven_;
   driven_.setZero(std::max<Eigen::Index>(2, added.rows()), unit_driven_.size());
   driven_.topRows(2) = through_posts;
   for (std::size_t j = 0; j < ports_.size(); ++j)
     driven_.col(static_cast<Eigen::Index>(j)).head(added.rows()) += added * ports_[j].direction;
   added_ = added;
-  return SolveLevel(level_, cycle().extension(), options_.tolerance);
+  // What did not converge is no start for the next frequency.
+  solved_before_ = SolveLevel(level_, cycle().extension(), options_.tolerance);
+  return solved_before_;
 }
 
 /// From few harmonics to as many as the error needs.

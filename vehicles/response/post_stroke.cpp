@@ -14,18 +14,20 @@ std::string Millimetres(double metres) { return FormatNumber(std::round(metres *
 }  // namespace
 
 void CheckStroke(const Vehicle& vehicle, std::span<const double> excursion_m, const std::string& motion,
-                 Diagnostics& diagnostics) {
+                 Diagnostics& diagnostics, std::optional<double> otherwise_m) {
   RequireCount("CheckStroke", "posts", vehicle.posts.size(), excursion_m.size());
   // Rounding of an amplitude that uses the whole stroke.
   constexpr double kSlack = 1e-9;
   for (std::size_t p = 0; p < vehicle.posts.size(); ++p) {
     const Post& post = vehicle.posts[p];
-    if (!post.stroke) continue;
-    const double reach = *post.stroke / 2;
+    const std::optional<double> stroke = post.stroke ? post.stroke : otherwise_m;
+    if (!stroke) continue;
+    const double reach = *stroke / 2;
     if (excursion_m[p] <= reach * (1 + kSlack)) continue;
     diagnostics.Error(vehicle.file, post.source_line,
                       "fp:post '" + post.name + "' reaches " + Millimetres(reach) + " up and down, and " + motion +
-                          " asks " + Millimetres(excursion_m[p]) + " of it: ask less, or correct its stroke");
+                          " asks " + Millimetres(excursion_m[p]) + " of it: ask less, or " +
+                          (post.stroke ? "correct its stroke" : "tell the stroke it has"));
   }
 }
 

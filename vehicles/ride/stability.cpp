@@ -1,18 +1,27 @@
 #include "vehicles/ride/stability.h"
 
+#include <cmath>
+
 #include <Eigen/Eigenvalues>
 
+#include "analysis/number.h"
 #include "vehicles/loops/design_kinematics.h"
 #include "vehicles/ride/named_modes.h"
 
 namespace fourpost {
 
+std::string Growth::Text() const {
+  return modes + (is_one ? " grows" : " grow") + " by exp(" + FormatNumber(std::round(1e3 * rate_per_s) / 1e3) + " t)";
+}
+
 std::optional<Growth> GrowthOf(const std::vector<Mode>& modes, double growth_rate) {
   if (growth_rate < kSlowestMotion_per_s) return std::nullopt;
   Growth growth{.rate_per_s = growth_rate};
   for (const Mode& mode : modes)
-    if (mode.pole.real() >= kSlowestMotion_per_s)
-      growth.modes += (growth.modes.empty() ? "'" : " and '") + mode.name + "'";
+    if (mode.pole.real() >= kSlowestMotion_per_s) {
+      growth.is_one = growth.modes.empty();
+      growth.modes += (growth.is_one ? "'" : " and '") + mode.name + "'";
+    }
   if (growth.modes.empty()) growth.modes = "a motion";
   return growth;
 }

@@ -16,6 +16,10 @@ struct Growth {
   double rate_per_s = 0;
   /// "'rear wind-up' and 'roll'"; "a motion" where the growth is a series spring's.
   std::string modes;
+  bool is_one = true;
+
+  /// "'heave' grows by exp(4.91 t)".
+  std::string Text() const;
 };
 
 /// `growth_rate`: largest real part of all poles; `modes` with their names. Nothing for a stable vehicle.
