@@ -66,7 +66,7 @@ class Reader {
     const double first = Frequency(parts[0]);
     const double last = Frequency(parts[1]);
     if (!faulty_ && !(first < last))
-      Fault("the range " + std::string(text_) + " does not rise; `--sweep down` takes it from above");
+      Fault("the range " + std::string(text_) + " does not rise; `--direction down` takes it from above");
     if (const std::optional<double> count = ParseNumber(parts[2])) return Steps(first, last, *count);
     return EverySo(first, last, Frequency(parts[2]));
   }

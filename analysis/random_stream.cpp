@@ -7,7 +7,19 @@
 
 namespace fourpost {
 
-RandomStream::RandomStream(std::uint64_t seed, std::uint64_t stream) : state_(MixBits(MixBits(seed) ^ stream)) {}
+namespace {
+
+/// FNV-1a (Fowler, Noll, Vo).
+std::uint64_t Hash(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3u;
+  return hash;
+}
+
+}  // namespace
+
+RandomStream::RandomStream(std::uint64_t seed, std::string_view purpose, std::uint64_t stream)
+    : state_(MixBits(MixBits(MixBits(seed) ^ Hash(purpose)) ^ stream)) {}
 
 double RandomStream::Uniform() {
   const std::uint64_t bits = MixBits(state_);

@@ -113,16 +113,20 @@ std::string Head(const SvgSheet& sheet) {
 
 std::string Row(const SvgRow& row, double top) {
   std::string text = svg::Heading(kLeft, top - kTitleAbove, row.title, row.note);
-  for (std::size_t c = 0; c < row.panels.size(); ++c)
-    text += Panel(row.panels[c], kLeft + kColumnPitch * static_cast<double>(c), top);
+  for (std::size_t c = 0; c < row.panels.size(); ++c) {
+    const SvgPanel& panel = row.panels[c];
+    const double left = kLeft + kColumnPitch * static_cast<double>(c);
+    if (!panel.title.empty()) text += svg::Heading(left, top - kTitleAbove, panel.title, panel.note);
+    text += Panel(panel, left, top);
+  }
   return text;
 }
 
 void Check(const SvgSheet& sheet) {
   if (sheet.columns.empty()) throw std::invalid_argument("a sheet needs a column");
   for (const SvgRow& row : sheet.rows) {
-    if (row.panels.size() != sheet.columns.size())
-      throw std::invalid_argument("row '" + row.title + "' needs one panel per column");
+    if (row.panels.size() > sheet.columns.size())
+      throw std::invalid_argument("row '" + row.title + "' has more panels than there are columns");
     for (const SvgPanel& panel : row.panels) {
       panel.x.Validate();
       panel.y.Validate();

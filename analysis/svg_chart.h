@@ -28,6 +28,9 @@ struct SvgSeries {
 
 /// One diagram. What leaves the axes' limits is cut off.
 struct SvgPanel {
+  /// Above it, in place of its row's; room for two panels' width.
+  std::string title;
+  std::string note;
   ChartAxis x;
   ChartAxis y;
   /// Left and right of these the panel is shaded.
@@ -37,7 +40,7 @@ struct SvgPanel {
   std::vector<SvgSeries> series;
 };
 
-/// Panels side by side, with a title and what is to be said about them.
+/// Panels side by side, with a title and what is to be said about them; at most one per column.
 struct SvgRow {
   std::string title;
   std::string note;
@@ -57,7 +60,7 @@ struct SvgSheet {
 };
 
 /// The sheet as an SVG document on a white ground, lengths in pixels rounded to a tenth. Throws std::invalid_argument
-/// for a sheet without columns, a row that has not one panel per column, a series with unlike numbers of x and y, and
+/// for a sheet without columns, a row of more panels than columns, a series with unlike numbers of x and y, and
 /// for an axis that ChartAxis::Validate refuses.
 std::string SvgText(const SvgSheet& sheet);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/number.h"
 #include "analysis/svg_chart.h"
@@ -77,18 +79,56 @@ HistoryChannel Readable(HistoryChannel channel) {
   return channel;
 }
 
-SvgRow Row(const HistoryChannel& channel, double start_s, double rate_Hz) {
-  const Index count = channel.values.size();
-  if (count < 2) throw std::invalid_argument("a chart of a history needs two samples");
-  Index peak = 0;
-  const double size = channel.values.cwiseAbs().maxCoeff(&peak);
+/// Samples first to first + count - 1.
+struct Window {
+  Index first = 0;
+  Index count = 0;
+};
+
+/// The second in which most happens: the sum of all channels' squares, each over its mean square, is largest.
+Window LiveliestSecond(const std::vector<HistoryChannel>& channels, double rate_Hz) {
+  const Index count = channels.front().values.size();
   const Index second = std::clamp<Index>(std::lround(rate_Hz), 2, count);
-  const Index first = std::clamp<Index>(peak - second / 2, 0, count - second);
-  return {
-      .title = channel.name + " [" + channel.unit + "]",
-      .note = "rms " + Short(std::sqrt(channel.values.squaredNorm() / static_cast<double>(count))) + ", peak " +
-              Short(size),
-      .panels = {Panel(channel, start_s, rate_Hz, 0, count), Panel(channel, start_s, rate_Hz, first, first + second)}};
+  Eigen::ArrayXd power = Eigen::ArrayXd::Zero(count);
+  for (const HistoryChannel& channel : channels) {
+    const Eigen::ArrayXd square = (channel.values.array() - channel.values.mean()).square();
+    if (square.sum() > 0) power += square / square.sum();
+  }
+  double sum = power.head(second).sum();
+  double most = sum;
+  Index first = 0;
+  for (Index k = second; k < count; ++k) {
+    sum += power[k] - power[k - second];
+    if (sum <= most) continue;
+    most = sum;
+    first = k - second + 1;
+  }
+  return {first, second};
+}
+
+std::string Size(const HistoryChannel& channel) {
+  const Extent extent = ExtentOf(channel.values);
+  return "rms " + Short(extent.rms) + ", peak " + Short(extent.peak);
+}
+
+/// The whole history and, of a longer one, the window.
+std::vector<SvgPanel> Panels(const HistoryChannel& channel, double start_s, double rate_Hz,
+                             const std::optional<Window>& window) {
+  std::vector<SvgPanel> panels = {Panel(channel, start_s, rate_Hz, 0, channel.values.size())};
+  panels[0].title = channel.name + " [" + channel.unit + "]";
+  panels[0].note = Size(channel);
+  if (window) panels.push_back(Panel(channel, start_s, rate_Hz, window->first, window->first + window->count));
+  return panels;
+}
+
+/// What the columns of one channel show.
+std::vector<std::string> Heads(double start_s, double rate_Hz, const std::optional<Window>& window) {
+  std::vector<std::string> heads = {"all of it"};
+  if (!window) return heads;
+  const double from = start_s + static_cast<double>(window->first) / rate_Hz;
+  const auto shown = [](double t) { return FormatNumber(std::round(100 * t) / 100); };
+  heads.push_back(shown(from) + " to " + shown(from + static_cast<double>(window->count) / rate_Hz) + " s");
+  return heads;
 }
 
 }  // namespace
@@ -96,8 +136,22 @@ SvgRow Row(const HistoryChannel& channel, double start_s, double rate_Hz) {
 std::string HistorySvg(const std::string& title, double start_s, double rate_Hz,
                        const std::vector<HistoryChannel>& channels) {
   if (channels.empty()) throw std::invalid_argument("a chart of a history needs a channel");
-  SvgSheet sheet{.title = title, .columns = {"all of it", "the second about its peak"}, .x_label = "time [s]"};
-  for (const HistoryChannel& channel : channels) sheet.rows.push_back(Row(Readable(channel), start_s, rate_Hz));
+  const Index count = channels.front().values.size();
+  if (count < 2) throw std::invalid_argument("a chart of a history needs two samples");
+  // A second of two is no detail.
+  std::optional<Window> window;
+  if (static_cast<double>(count) > 2 * rate_Hz) window = LiveliestSecond(channels, rate_Hz);
+  // As many channels in a row as make four panels, but of few channels one: no sheet is empty on the right.
+  constexpr std::size_t kFew = 3;
+  const std::vector<std::string> heads = Heads(start_s, rate_Hz, window);
+  const std::size_t in_row = channels.size() <= kFew ? 1 : 4 / heads.size();
+  SvgSheet sheet{.title = title, .x_label = "time [s]"};
+  for (std::size_t i = 0; i < in_row; ++i) sheet.columns.insert(sheet.columns.end(), heads.begin(), heads.end());
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    if (c % in_row == 0) sheet.rows.emplace_back();
+    std::vector<SvgPanel>& panels = sheet.rows.back().panels;
+    for (SvgPanel& panel : Panels(Readable(channels[c]), start_s, rate_Hz, window)) panels.push_back(std::move(panel));
+  }
   return SvgText(sheet);
 }
 

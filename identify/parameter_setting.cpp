@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "analysis/nearest.h"
 #include "analysis/number.h"
@@ -101,6 +103,15 @@ std::vector<double> Written(std::size_t index, const std::string& text, SettingR
   return EqualSteps(first, last, static_cast<int>(*count));
 }
 
+/// Of "name=..." the name: each may stand once.
+void CheckOnce(const std::vector<std::string>& texts, const std::string& option, Diagnostics& diagnostics) {
+  std::map<std::string, int> count;
+  for (const std::string& text : texts) {
+    const std::string name = text.substr(0, text.find('='));
+    if (++count[name] == 2) diagnostics.Error(option, 0, "'" + name + "' is given twice");
+  }
+}
+
 }  // namespace
 
 void SetParameter(const std::string& text, const std::string& option, Vehicle& vehicle, Diagnostics& diagnostics) {
@@ -124,6 +135,21 @@ std::optional<ParameterRange> ReadParameterRange(const std::string& text, const 
                                                            : Written(*index, text.substr(equals + 1), reader);
   if (reader.faulty()) return std::nullopt;
   return ParameterRange{*index, std::move(values)};
+}
+
+void SetParameters(const std::vector<std::string>& texts, Vehicle& vehicle, Diagnostics& diagnostics) {
+  CheckOnce(texts, "--set", diagnostics);
+  for (const std::string& text : texts) SetParameter(text, "--set", vehicle, diagnostics);
+}
+
+std::vector<ParameterRange> ReadParameterRanges(const std::vector<std::string>& texts, const Vehicle& vehicle,
+                                                Diagnostics& diagnostics) {
+  CheckOnce(texts, "--vary", diagnostics);
+  std::vector<ParameterRange> ranges;
+  for (const std::string& text : texts)
+    if (std::optional<ParameterRange> range = ReadParameterRange(text, "--vary", vehicle, diagnostics))
+      ranges.push_back(std::move(*range));
+  return ranges;
 }
 
 }  // namespace fourpost

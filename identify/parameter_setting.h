@@ -15,6 +15,9 @@ namespace fourpost {
 /// file's value has not; a warning for any other value outside. `option` is what the findings are about: "--set".
 void SetParameter(const std::string& text, const std::string& option, Vehicle& vehicle, Diagnostics& diagnostics);
 
+/// Several of them; adds an error for a parameter that is set twice.
+void SetParameters(const std::vector<std::string>& texts, Vehicle& vehicle, Diagnostics& diagnostics);
+
 /// A parameter and the values it shall go through.
 struct ParameterRange {
   /// Index in Vehicle::parameters.
@@ -27,5 +30,9 @@ struct ParameterRange {
 /// of SetParameter.
 std::optional<ParameterRange> ReadParameterRange(const std::string& text, const std::string& option,
                                                  const Vehicle& vehicle, Diagnostics& diagnostics);
+
+/// Several of them, those without a fault; adds an error for a parameter that is varied twice.
+std::vector<ParameterRange> ReadParameterRanges(const std::vector<std::string>& texts, const Vehicle& vehicle,
+                                                Diagnostics& diagnostics);
 
 }  // namespace fourpost

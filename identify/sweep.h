@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/diagnostics.h"
+#include "identify/amplitude_limits.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/response/amplitude_law.h"
 #include "vehicles/response/excitation.h"
@@ -15,21 +16,17 @@ namespace fourpost {
 
 /// Stepped sines of a vehicle as a user writes them.
 struct SweepText {
-  /// Each heave, pitch, roll, warp, or the shares of posts: "FL=1,FR=-1"; posts not named stand still.
+  /// See ReadPostShape.
   std::vector<std::string> modes = {"heave"};
   /// See ParseFrequencies.
   std::string frequencies = "0.5Hz:30Hz:40";
-  /// Limits of the reference post, peak; all empty: those of kUsualAmplitude.
-  std::string amplitude;
-  std::string velocity;
-  std::string acceleration;
+  LimitText limits;
   /// Sensors to tell of; empty: all.
   std::vector<std::string> channels;
   bool falling = false;
+  /// Of posts whose stroke the vehicle file does not tell, from end to end.
+  std::string stroke;
 };
-
-/// That of the shipped recordings: what posts with 0.15 m/s of valve and a car that stays on them allow.
-inline constexpr AmplitudeLaw kUsualAmplitude{.displacement_m = 0.012, .velocity_mps = 0.15, .acceleration_mps2 = 6};
 
 /// One stepped sine of the posts.
 struct Sweep {
@@ -47,12 +44,9 @@ struct SweepRequest {
   std::vector<std::size_t> channels;
 };
 
-/// Above this frequency the bodies of a road vehicle bend, which a model of rigid bodies does not know.
-inline constexpr double kHighestRigid_Hz = 30;
-
 /// Reads and checks all at once. Adds an error for each text that cannot be read, a pattern that the posts cannot make,
 /// a post or a channel that the vehicle has not, and a post that would leave its stroke; a warning for frequencies
-/// above kHighestRigid_Hz. Nothing after an error. Findings are about the option: "--mode".
+/// above kHighestRigid_Hz, and of WarnBeyondUsual. Nothing after an error. Findings are about the option: "--mode".
 std::optional<SweepRequest> ReadSweep(const SweepText& text, const Vehicle& vehicle, Diagnostics& diagnostics);
 
 /// What a vehicle answered to a sweep, frequencies rising.

@@ -132,7 +132,7 @@ std::string SweepJson(const Vehicle& vehicle, const SweepRequest& request, const
   for (const auto& [name, version] : Versions()) versions[name] = version;
   const Json json = {{"vehicle", vehicle.name},
                      {"parameters", parameters},
-                     {"sweep", request.falling ? "down" : "up"},
+                     {"direction", request.falling ? "down" : "up"},
                      {"amplitude_law",
                       {{"displacement_m", limit(request.amplitude.displacement_m)},
                        {"velocity_m_per_s", limit(request.amplitude.velocity_mps)},

@@ -2,11 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "analysis/diagnostics.h"
+#include "identify/amplitude_limits.h"
 #include "identify/sweep.h"
 #include "vehicles/response/steady_response.h"
 
@@ -51,7 +52,7 @@ struct ModesCommand {
 
 /// `fourpost simulate MODEL`; SI.
 struct SimulateCommand {
-  enum class Motion { kSweep, kStep, kRandom, kRoad, kRecording };
+  enum class Motion { kSweep, kSine, kStep, kRandom, kRoad, kRecording };
 
   std::filesystem::path model;
   Motion motion = Motion::kSweep;
@@ -59,26 +60,29 @@ struct SimulateCommand {
   double first_Hz = 0.5;
   double last_Hz = 30;
   bool linear_sweep = false;
-  /// Of a sweep or sine, height of a step, rms of a random motion.
-  double amplitude_m = 0;
-  double top_speed = std::numeric_limits<double>::infinity();
+  /// Of a sweep or sine.
+  LimitText limits;
+  /// Of a step, or rms of a random motion.
+  double height_m = 0;
   double rise_s = 0.05;
   std::string road_class;
   /// Of the vehicle.
   double speed = 0;
   std::filesystem::path recording;
+  /// See ReadPostShape.
   std::string mode = "heave";
   /// In place of the motion's own.
   std::optional<double> duration_s;
   double rate_Hz = 500;
   /// All when empty.
   std::vector<std::string> channels;
+  /// "name=value".
+  std::vector<std::string> set;
   std::optional<double> filter_Hz;
   int filter_order = 4;
   double noise = 0;
   std::uint64_t seed = 1;
-  /// From end to end.
-  double stroke_m = 0.15;
+  std::string stroke;
   /// Of each channel's rms.
   double error = 1e-3;
   /// The multibody system in place of the condensed model.
@@ -88,6 +92,8 @@ struct SimulateCommand {
   /// None when empty.
   std::filesystem::path chart;
   bool json = false;
+  /// What is wrong with the values of options.
+  Diagnostics faults;
 };
 
 /// `fourpost fit STUDY -o DIR`
@@ -113,7 +119,7 @@ struct CompareCommand {
 };
 
 // Each prints its result on stdout, all else on stderr, and returns an ExitCode. They throw FaultyInput for a user's
-// file that cannot be used, OutputError for a result that cannot be written.
+// file or option that cannot be used, OutputError for a result that cannot be written.
 
 int Run(const CheckCommand& command);
 int Run(const ResponseCommand& command);

@@ -1,15 +1,19 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "analysis/diagnostics.h"
+#include "analysis/nearest.h"
 #include "analysis/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/file_kind.h"
 #include "identify/command_line/options.h"
 #include "identify/command_line/simulate_options.h"
 #include "identify/command_line/whole_number.h"
@@ -17,6 +21,14 @@
 namespace {
 
 using namespace fourpost;
+
+/// Whether all that is wrong is the values of options: findings are about "--amplitude" then, else about a file.
+bool IsUsage(const Diagnostics& diagnostics) {
+  const std::vector<Diagnostic>& items = diagnostics.items();
+  return std::all_of(items.begin(), items.end(), [](const Diagnostic& item) {
+    return item.severity == Severity::kWarning || item.file.starts_with("--");
+  });
+}
 
 int Guarded(const std::function<int()>& run) {
   const auto tell = [](const std::exception& error, int code) {
@@ -26,7 +38,7 @@ int Guarded(const std::function<int()>& run) {
   try {
     return run();
   } catch (const FaultyInput& error) {
-    return tell(error, kUnreadableInput);
+    return tell(error, IsUsage(error.diagnostics()) ? kUsage : kUnreadableInput);
   } catch (const OutputError& error) {
     return tell(error, kCannotWrite);
   } catch (const std::runtime_error& error) {
@@ -35,6 +47,27 @@ int Guarded(const std::function<int()>& run) {
     std::fputs("a defect of fourpost, please report it: ", stderr);
     return tell(error, kDefect);
   }
+}
+
+void AddOptionNames(const CLI::App& app, std::vector<std::string>& names) {
+  for (const CLI::Option* option : app.get_options()) names.push_back(option->get_name());
+  // Groups of options.
+  for (const CLI::App* group : app.get_subcommands({})) AddOptionNames(*group, names);
+}
+
+/// Words that are no options, arguments or commands, and what they were likely meant to be.
+void TellUnknown(const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  std::vector<std::string> known;
+  if (!given.empty()) AddOptionNames(*given.front(), known);
+  else
+    for (const CLI::App* sub : app.get_subcommands({})) known.push_back(sub->get_name());
+  const std::string of = given.empty() ? "fourpost" : "fourpost " + given.front()->get_name();
+  for (const std::string& word : app.remaining(true)) {
+    const std::string name = word.substr(0, word.find('='));
+    std::fprintf(stderr, "%s takes no '%s'%s\n", of.c_str(), name.c_str(), DidYouMean(name, known).c_str());
+  }
+  std::fprintf(stderr, "run `%s --help` for what it takes\n", of.c_str());
 }
 
 }  // namespace
@@ -54,7 +87,12 @@ int main(int argc, char** argv) {
   sub->add_flag("--resolved", check.resolved,
                 "Print the file with every default of fp: tags filled in, meshes named for a file in this folder")
       ->excludes(check_json);
-  sub->callback([&] { run = [&] { return Run(check); }; });
+  sub->callback([&] {
+    run = [&] {
+      RequireVehicleFile(check.model);
+      return Run(check);
+    };
+  });
 
   ResponseCommand response;
   sub = app.add_subcommand("response", "Response of a vehicle to the posts; of a study, compared with its recordings");
@@ -78,7 +116,12 @@ int main(int argc, char** argv) {
   sub->add_option("--threads", fit.threads, "Evaluations at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--json", fit.json, "Print result.json in place of tables");
-  sub->callback([&] { run = [&] { return Run(fit); }; });
+  sub->callback([&] {
+    run = [&] {
+      RequireStudyFile(fit.study);
+      return Run(fit);
+    };
+  });
 
   CompareCommand compare;
   sub = app.add_subcommand("compare", "Compare search methods on a study by evaluations counted");
@@ -92,10 +135,18 @@ int main(int argc, char** argv) {
   sub->add_option("--threads", compare.threads, "Runs at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--json", compare.json, "Print JSON in place of tables");
-  sub->callback([&] { run = [&] { return Run(compare); }; });
+  sub->callback([&] {
+    run = [&] {
+      RequireStudyFile(compare.study);
+      return Run(compare);
+    };
+  });
 
   try {
     app.parse(argc, argv);
+  } catch (const CLI::ExtrasError& error) {
+    TellUnknown(app);
+    return kUsage;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kGood : kUsage;
   }

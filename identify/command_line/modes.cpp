@@ -9,6 +9,7 @@
 #include "analysis/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/file_kind.h"
 #include "identify/command_line/inputs_elsewhere.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
@@ -32,14 +33,12 @@ struct Job {
 };
 
 Job ReadJob(const ModesCommand& command) {
+  RequireVehicleFile(command.model);
   Diagnostics findings;
   std::optional<Vehicle> vehicle = ReadVehicle(command.model, findings);
   if (!vehicle) throw FaultyInput(findings);
-  for (const std::string& text : command.set) SetParameter(text, "--set", *vehicle, findings);
-  std::vector<ParameterRange> ranges;
-  for (const std::string& text : command.vary)
-    if (std::optional<ParameterRange> range = ReadParameterRange(text, "--vary", *vehicle, findings))
-      ranges.push_back(std::move(*range));
+  SetParameters(command.set, *vehicle, findings);
+  std::vector<ParameterRange> ranges = ReadParameterRanges(command.vary, *vehicle, findings);
   if (findings.HasErrors()) throw FaultyInput(findings);
   return {std::move(*vehicle), std::move(ranges), std::move(findings)};
 }

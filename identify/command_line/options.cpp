@@ -1,40 +1,44 @@
 #include "identify/command_line/options.h"
 
-#include <map>
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "identify/command_line/common_options.h"
 
 namespace fourpost {
 namespace {
 
-/// An option that may be given several times, with one value each: a file that follows is none of them.
-CLI::Option* AddList(CLI::App& subcommand, const char* name, std::vector<std::string>& values, const char* help) {
-  return subcommand.add_option(name, values, help)->expected(1)->take_all();
+constexpr std::array<std::string_view, 4> kEngines = {"auto", "linearised", "full", "march"};
+constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
+
+Engine EngineCalled(const std::string& name) {
+  constexpr std::array<Engine, 4> kOf = {Engine::kAuto, Engine::kLinearised, Engine::kFull, Engine::kMarch};
+  return kOf[static_cast<std::size_t>(std::find(kEngines.begin(), kEngines.end(), name) - kEngines.begin())];
 }
 
 /// Options that tell how the posts of a vehicle move, and what of it changes.
 std::vector<CLI::Option*> AddSweep(CLI::App& subcommand, ResponseCommand& command) {
   SweepText& sweep = command.sweep;
-  return {
-      AddList(subcommand, "--mode", sweep.modes,
-              "heave, pitch, roll, warp, or shares of posts such as FL=1,FR=-1; may be given several times")
+  std::vector<CLI::Option*> options = {
+      AddList(subcommand, "--mode", sweep.modes, (std::string(kModeHelp) + "; may be given several times").c_str())
           ->default_str("heave"),
       subcommand
           .add_option("--frequencies", sweep.frequencies,
                       "first:last:how many (0.5Hz:30Hz:40), first:last:step (1Hz:5Hz:0.5Hz) or a list (1Hz,2Hz)")
           ->capture_default_str(),
-      subcommand.add_option("--amplitude", sweep.amplitude,
-                            "Most the reference post moves, peak (12mm). The least of the three limits counts at each "
-                            "frequency; without any: 12 mm, 0.15 m/s and 6 m/s^2"),
-      subcommand.add_option("--velocity", sweep.velocity, "Most it may move at, peak (0.15m/s)"),
-      subcommand.add_option("--acceleration", sweep.acceleration, "Most it may be accelerated, peak (6m/s^2)"),
-      AddList(subcommand, "--channel", sweep.channels, "Sensor to tell of; may be given several times; without: all"),
+      AddChannels(subcommand, sweep.channels),
       subcommand
           .add_option_function<std::string>(
-              "--sweep", [&sweep](const std::string& way) { sweep.falling = way == "down"; },
-              "Order of the frequencies: where several motions are possible, each follows the one before")
-          ->check(CLI::IsMember({"up", "down"}))
+              "--direction", [&sweep](const std::string& way) { sweep.falling = way == "down"; },
+              "Order of the frequencies, up or down: where several motions are possible, each follows the one before")
+          ->check(OneOf("direction", kDirections))
           ->default_str("up"),
-      AddList(subcommand, "--set", command.set, "name=value: another value of a parameter; may be given several times"),
+      AddStroke(subcommand, sweep.stroke),
+      AddSettings(subcommand, command.set),
   };
+  for (CLI::Option* limit : AddLimits(subcommand, sweep.limits)) options.push_back(limit);
+  return options;
 }
 
 }  // namespace
@@ -44,19 +48,11 @@ void AddOptions(CLI::App& subcommand, ResponseCommand& command) {
   const std::vector<CLI::Option*> of_vehicle = AddSweep(subcommand, command);
   subcommand
       .add_option_function<std::string>(
-          "--engine",
-          [&command](const std::string& name) {
-            const std::map<std::string, Engine> engines = {{"auto", Engine::kAuto},
-                                                           {"linearised", Engine::kLinearised},
-                                                           {"full", Engine::kFull},
-                                                           {"march", Engine::kMarch}};
-            command.engine = engines.at(name);
-          },
+          "--engine", [&command](const std::string& name) { command.engine = EngineCalled(name); },
           "linearised: harmonic balance as in a fit (default of a study); full: on the full multibody system; march: "
           "integrate that to steady state (slow, the reference); auto: linearised, checked by full, which answers "
-          "where "
-          "they visibly differ (default of a vehicle)")
-      ->check(CLI::IsMember({"auto", "linearised", "full", "march"}));
+          "where they visibly differ (default of a vehicle)")
+      ->check(OneOf("engine", kEngines));
   subcommand.add_option("-o,--output", command.output, "Folder for response.csv, response.svg and result.json");
   subcommand.add_flag("--json", command.json, "Print JSON");
   subcommand.parse_complete_callback([&command, of_vehicle] {
@@ -66,8 +62,8 @@ void AddOptions(CLI::App& subcommand, ResponseCommand& command) {
 }
 
 void AddOptions(CLI::App& subcommand, ModesCommand& command) {
-  subcommand.add_option("MODEL", command.model, "Vehicle file (.urdf)")->required();
-  AddList(subcommand, "--set", command.set, "name=value: another value of a parameter; may be given several times");
+  AddVehicle(subcommand, command.model);
+  AddSettings(subcommand, command.set);
   AddList(subcommand, "--vary", command.vary,
           "name, from bound to bound, or name=first:last:how many (k=20kN/m:80kN/m:13): follow the poles while this "
           "parameter changes; may be given several times");

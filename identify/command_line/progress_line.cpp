@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace fourpost {
@@ -31,5 +32,15 @@ void ProgressLine::Show(const std::string& text) {
 }
 
 double ProgressLine::seconds() const { return Seconds(Clock::now() - start_); }
+
+std::string TimeLeft(double share, double seconds) {
+  // What begins is not yet what goes on.
+  if (!(share > 0.02) || seconds < 1) return "";
+  const double left = seconds * std::max(0.0, 1 / share - 1);
+  char text[48];
+  std::snprintf(text, sizeof text, left < 120 ? ", about %.0f s left" : ", about %.0f min left",
+                left < 120 ? left : left / 60);
+  return text;
+}
 
 }  // namespace fourpost

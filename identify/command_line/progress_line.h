@@ -30,4 +30,7 @@ class ProgressLine {
   Clock::time_point shown_;
 };
 
+/// ", about 40 s left" of work of which this share has taken so long; empty as long as that says little.
+std::string TimeLeft(double share, double seconds);
+
 }  // namespace fourpost

@@ -1,12 +1,11 @@
 #include <string>
 
 #include "identify/command_line/commands.h"
+#include "identify/command_line/file_kind.h"
 #include "identify/command_line/responses.h"
 
 namespace fourpost {
 namespace {
-
-bool IsStudy(const std::filesystem::path& file) { return file.extension() == ".yaml" || file.extension() == ".yml"; }
 
 /// A study's recordings tell what the posts did.
 void RequireNoVehicleOptions(const ResponseCommand& command) {
@@ -21,7 +20,7 @@ void RequireNoVehicleOptions(const ResponseCommand& command) {
 }  // namespace
 
 int Run(const ResponseCommand& command) {
-  if (!IsStudy(command.input)) return RespondOfVehicle(command);
+  if (!IsStudyNotVehicle(command.input)) return RespondOfVehicle(command);
   RequireNoVehicleOptions(command);
   return RespondToStudy(command);
 }

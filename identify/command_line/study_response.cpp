@@ -8,6 +8,7 @@
 #include "identify/channel_json.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/inputs_elsewhere.h"
+#include "identify/command_line/interrupt.h"
 #include "identify/command_line/misfit_table.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
@@ -40,11 +41,27 @@ std::string AsJson(const std::vector<MeasuredRun>& runs, const std::vector<Frequ
   return Json{{"recordings", recordings}, {"channels", channels}}.dump(2) + '\n';
 }
 
-/// A misfit needs an answer at every frequency.
-FrequencyResponse WholeAnswer(const MeasuredRun& run, SteadySolver& solver, Engine engine, ProgressLine& progress) {
-  SteadyResponse answer = SolveSweep(solver, run.name, run.excitation, engine, kFitBalance, progress);
-  if (!answer.unanswered.empty()) throw std::runtime_error("'" + run.name + "': " + answer.unanswered.front().why);
-  return std::move(answer.response);
+/// A misfit needs an answer at every frequency; nothing when interrupted before.
+std::optional<FrequencyResponse> WholeAnswer(const MeasuredRun& run, SteadySolver& solver, Engine engine,
+                                             ProgressLine& progress) {
+  std::optional<SteadyResponse> answer = SolveSweep(solver, run.name, run.excitation, engine, kFitBalance, progress);
+  if (!answer) return std::nullopt;
+  if (answer->unanswered.empty()) return std::move(answer->response);
+  if (Interrupted()) return std::nullopt;
+  throw std::runtime_error("'" + run.name + "': " + answer->unanswered.front().why);
+}
+
+/// Those of the recordings that come before an interruption.
+std::vector<FrequencyResponse> WholeAnswers(const std::vector<MeasuredRun>& runs, SteadySolver& solver, Engine engine) {
+  CatchInterrupts();
+  ProgressLine progress;
+  std::vector<FrequencyResponse> modelled;
+  for (const MeasuredRun& run : runs) {
+    std::optional<FrequencyResponse> answer = WholeAnswer(run, solver, engine, progress);
+    if (answer) modelled.push_back(std::move(*answer));
+    if (Interrupted()) break;
+  }
+  return modelled;
 }
 
 void Write(const ResponseCommand& command, const LoadedStudy& loaded, const std::vector<MeasuredRun>& runs,
@@ -71,19 +88,19 @@ int RespondToStudy(const ResponseCommand& command) {
     OutputFolder{command.output};
   }
   const Engine engine = command.engine.value_or(Engine::kLinearised);
-  const std::vector<MeasuredRun> runs =
-      InBand(loaded->data.runs, loaded->study.band_lower_Hz, loaded->study.band_upper_Hz);
+  std::vector<MeasuredRun> runs = InBand(loaded->data.runs, loaded->study.band_lower_Hz, loaded->study.band_upper_Hz);
   SteadySolver solver(loaded->vehicle);
   RequireStable(loaded->vehicle, solver);
-  std::vector<FrequencyResponse> modelled;
-  {
-    ProgressLine progress;
-    for (const MeasuredRun& run : runs) modelled.push_back(WholeAnswer(run, solver, engine, progress));
-  }
+  const std::vector<FrequencyResponse> modelled = WholeAnswers(runs, solver, engine);
+  const bool is_whole = modelled.size() == runs.size();
+  if (!is_whole)
+    std::fprintf(stderr, "interrupted: %zu of %zu recordings are answered\n", modelled.size(), runs.size());
+  if (modelled.empty()) return kInterrupted;
+  runs.resize(modelled.size());
   const std::vector<ChannelMisfit> misfits = Misfits(runs, modelled);
   if (!command.output.empty()) Write(command, *loaded, runs, modelled, misfits);
   Print(command.json ? AsJson(runs, modelled, misfits) : MisfitTable(misfits));
-  return kGood;
+  return is_whole ? kGood : kInterrupted;
 }
 
 }  // namespace fourpost

@@ -42,7 +42,7 @@ TEST(FrequencyGrid, TellsEveryFault) {
   EXPECT_THAT(Faults("5rad/s"), HasSubstr("is no frequency"));
   EXPECT_THAT(Faults("-1Hz"), HasSubstr("'-1Hz' is no frequency above zero"));
   EXPECT_THAT(Faults("0Hz"), HasSubstr("above zero"));
-  EXPECT_THAT(Faults("30Hz:1Hz:5"), HasSubstr("does not rise; `--sweep down`"));
+  EXPECT_THAT(Faults("30Hz:1Hz:5"), HasSubstr("does not rise; `--direction down`"));
   EXPECT_THAT(Faults("1Hz:30Hz"), HasSubstr("is no range"));
   EXPECT_THAT(Faults("1Hz:30Hz:1"), HasSubstr("from 2 to 10000, not 1"));
   EXPECT_THAT(Faults("1Hz:30Hz:2.5"), HasSubstr("not 2.5"));

@@ -9,19 +9,21 @@ namespace fourpost {
 namespace {
 
 TEST(RandomStream, IsAFunctionOfSeedAndStream) {
-  RandomStream first(1, 2);
-  RandomStream again(1, 2);
-  RandomStream other_seed(2, 2);
-  RandomStream other_stream(1, 3);
+  RandomStream first(1, "noise", 2);
+  RandomStream again(1, "noise", 2);
+  RandomStream other_seed(2, "noise", 2);
+  RandomStream other_stream(1, "noise", 3);
+  RandomStream other_purpose(1, "road", 2);
   const double draw = first.Uniform();
   EXPECT_EQ(draw, again.Uniform());
   EXPECT_NE(draw, other_seed.Uniform());
   EXPECT_NE(draw, other_stream.Uniform());
+  EXPECT_NE(draw, other_purpose.Uniform());
   EXPECT_NE(draw, first.Uniform());
 }
 
 TEST(RandomStream, IsUniform) {
-  RandomStream stream(3, 0);
+  RandomStream stream(3, "test");
   std::vector<int> tenth(10);
   for (int k = 0; k < 100000; ++k) ++tenth[static_cast<std::size_t>(10 * stream.Uniform())];
   // Five standard deviations of sqrt(100000 x 0.1 x 0.9) = 95.
@@ -29,7 +31,7 @@ TEST(RandomStream, IsUniform) {
 }
 
 TEST(RandomStream, IsNormal) {
-  RandomStream stream(4, 0);
+  RandomStream stream(4, "test");
   constexpr int kCount = 100000;
   double mean = 0;
   double square = 0;

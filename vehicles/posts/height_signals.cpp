@@ -45,15 +45,18 @@ double FrequencyAt(const SweptSine& sweep, double t) {
 }  // namespace
 
 double SweptSine::AmplitudeAt(double frequency_Hz) const {
-  return std::min(amplitude_m, top_speed / (2 * pi * frequency_Hz));
+  const double omega = 2 * pi * frequency_Hz;
+  return std::min({amplitude_m, top_speed / omega, top_acceleration / (omega * omega)});
 }
 
 UniformSpline SweptSine::Signal() const {
   RequirePositive("SweptSine: first_Hz", first_Hz);
   RequirePositive("SweptSine: last_Hz", last_Hz);
   RequirePositive("SweptSine: duration_s", duration_s);
-  RequirePositive("SweptSine: amplitude_m", amplitude_m);
+  RequireOption(amplitude_m > 0, "SweptSine: amplitude_m", amplitude_m, "positive");
   RequireOption(top_speed > 0, "SweptSine: top_speed", top_speed, "positive");
+  RequireOption(top_acceleration > 0, "SweptSine: top_acceleration", top_acceleration, "positive");
+  RequirePositive("SweptSine: the amplitude of the lowest frequency", AmplitudeAt(std::min(first_Hz, last_Hz)));
   const double step = SineGrid::For(std::max(first_Hz, last_Hz), duration_s).step_s;
   const auto count = static_cast<std::size_t>(std::ceil(duration_s / step)) + 1;
   // A cycle, half a second at least.
@@ -89,7 +92,7 @@ UniformSpline RandomHeights::Signal() const {
   RequireOption(upper_Hz > lower_Hz && std::isfinite(upper_Hz), "RandomHeights: upper_Hz", upper_Hz,
                 "above lower_Hz and finite");
   const SineGrid grid = SineGrid::For(upper_Hz, duration_s);
-  RandomStream draws(seed, 0);
+  RandomStream draws(seed, "random heights");
   double power = 0;
   std::vector<double> heights = SumOfSines(grid, lower_Hz, upper_Hz, [&](double frequency) {
     power += 0.5 / (frequency * frequency);

@@ -19,6 +19,8 @@ struct SweptSine {
   double amplitude_m = 0;
   /// Amplitude falls as 1/f where its peak velocity would be higher [m/s].
   double top_speed = std::numeric_limits<double>::infinity();
+  /// And as 1/f^2 where its peak acceleration would be higher [m/s^2].
+  double top_acceleration = std::numeric_limits<double>::infinity();
   /// So many octaves, or else so many hertz, in each second.
   bool logarithmic = true;
 

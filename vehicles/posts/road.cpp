@@ -47,8 +47,8 @@ struct Tracks {
 
 /// Both are made of the same two random signals a and b: left = c a + s b, right = c a - s b, c^2 - s^2 the coherence.
 Tracks MakeTracks(const RandomRoad& road, double distance, const SineGrid& grid) {
-  const auto phasors = [&](std::uint64_t stream, double share_of_rest) {
-    RandomStream draws(road.seed, stream);
+  const auto phasors = [&](const char* purpose, double share_of_rest) {
+    RandomStream draws(road.seed, purpose);
     return SumOfSines(grid, road.lower_Hz, road.upper_Hz, [&, draws, share_of_rest](double frequency) mutable {
       const double n = frequency / road.speed;
       const double density = road.roughness_m3 * kReference_cpm * kReference_cpm / (n * n) / road.speed;  // m^2/Hz
@@ -58,9 +58,9 @@ Tracks MakeTracks(const RandomRoad& road, double distance, const SineGrid& grid)
     });
   };
   Tracks tracks;
-  tracks.left = phasors(1, 1);
+  tracks.left = phasors("road alike", 1);
   tracks.right = tracks.left;
-  const std::vector<double> apart = phasors(2, -1);
+  const std::vector<double> apart = phasors("road apart", -1);
   for (std::size_t k = 0; k < apart.size(); ++k) {
     tracks.left[k] += apart[k];
     tracks.right[k] -= apart[k];

@@ -25,7 +25,7 @@ void SensorModel::Apply(TimeHistory& history) const {
     for (Eigen::Index i = 0; i < columns->cols(); ++i, ++channel) {
       const std::span<double> signal(columns->col(i).data(), static_cast<std::size_t>(columns->rows()));
       if (filter) LowPass(filter->order, filter->cutoff_Hz, history.rate_Hz).Apply(signal);
-      if (noise > 0) AddNoise(noise, RandomStream(seed, channel), signal);
+      if (noise > 0) AddNoise(noise, RandomStream(seed, "channel noise", channel), signal);
     }
 }
 

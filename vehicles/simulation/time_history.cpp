@@ -55,8 +55,7 @@ void TimeHistory::DropFirst(Index count) {
   readings = readings.bottomRows(readings.rows() - count).eval();
 }
 
-TimeHistory Simulate(TimeSystem& system, const PostMotion& posts, const TimeGrid& grid,
-                     const std::function<void(double t)>& progress) {
+TimeHistory Simulate(TimeSystem& system, const PostMotion& posts, const TimeGrid& grid, const GoOn& go_on) {
   grid.Validate();
   const Index lead = grid.lead_count();
   TimeHistory history{.start_s = grid.start_s - static_cast<double>(lead) / grid.rate_Hz, .rate_Hz = grid.rate_Hz};
@@ -65,14 +64,17 @@ TimeHistory Simulate(TimeSystem& system, const PostMotion& posts, const TimeGrid
   history.readings.resize(count, static_cast<Index>(system.rig().sensors.size()));
   std::vector<PostState> now(system.rig().post_count);
   Index filled = 0;
+  bool ended = false;
   const auto sink = [&](double t, const Eigen::VectorXd& readings) {
     posts(t, now);
     for (std::size_t p = 0; p < now.size(); ++p) history.posts(filled, static_cast<Index>(p)) = now[p].height;
     history.readings.row(filled) = readings.transpose();
-    if (progress && filled % 256 == 0) progress(t);
+    if (go_on && filled % 256 == 0) ended = !go_on(t);
     ++filled;
   };
-  system.Run(posts, history.start_s, 1 / grid.rate_Hz, sink, [&] { return filled == count; });
+  system.Run(posts, history.start_s, 1 / grid.rate_Hz, sink, [&] { return ended || filled == count; });
+  history.posts.conservativeResize(filled, Eigen::NoChange);
+  history.readings.conservativeResize(filled, Eigen::NoChange);
   return history;
 }
 
@@ -92,16 +94,20 @@ void CondensedHistoryOptions::Validate() const {
 }
 
 CondensedHistory SimulateCondensed(const CondensedModel& model, const RigView& rig, const PostMotion& posts,
-                                   const TimeGrid& grid, const CondensedHistoryOptions& options,
-                                   const std::function<void(double t)>& progress) {
+                                   const TimeGrid& grid, const CondensedHistoryOptions& options, const GoOn& go_on) {
   options.Validate();
   grid.Validate();
+  bool ended = false;
+  const auto watched = [&](double t) {
+    ended = go_on && !go_on(t);
+    return !ended;
+  };
   const auto run = [&](double longest_step) {
     CondensedSystem system(model, rig, longest_step);
-    return Simulate(system, posts, grid, progress);
+    return Simulate(system, posts, grid, watched);
   };
   const double parts = std::ceil(1 / (grid.rate_Hz * options.longest_step_s));
-  CondensedHistory out{.step_s = 1 / (grid.rate_Hz * parts)};
+  CondensedHistory out{.step_s = 1 / (grid.rate_Hz * parts), .change = std::numeric_limits<double>::infinity()};
   std::optional<TimeHistory> before;
   for (int i = 0; i <= options.most_halvings; ++i, out.step_s /= 2) {
     std::optional<TimeHistory> now;
@@ -110,6 +116,12 @@ CondensedHistory SimulateCondensed(const CondensedModel& model, const RigView& r
     } catch (const std::runtime_error&) {
       // A stop may want a shorter step; what grows at the shortest grows by itself.
       if (i == options.most_halvings) throw;
+    }
+    if (ended) {
+      out.ended = true;
+      if (before) out.step_s *= 2;
+      out.history = std::move(before ? *before : now.value());
+      return out;
     }
     if (before && now) {
       const Eigen::ArrayXd differences = Differences(*before, *now, rig.sensors);

@@ -43,11 +43,13 @@ struct TimeHistory {
   void DropFirst(Eigen::Index count);
 };
 
-/// Runs a vehicle from rest and samples it, the lead included. `progress` hears the time now and then.
+/// Hears the time now and then; false ends the history there.
+using GoOn = std::function<bool(double t)>;
+
+/// Runs a vehicle from rest and samples it, the lead included. The samples up to then where `go_on` ends it.
 /// Throws std::invalid_argument for a grid that is out of bounds, std::runtime_error when the motion cannot be
 /// computed.
-TimeHistory Simulate(TimeSystem& system, const PostMotion& posts, const TimeGrid& grid,
-                     const std::function<void(double t)>& progress = {});
+TimeHistory Simulate(TimeSystem& system, const PostMotion& posts, const TimeGrid& grid, const GoOn& go_on = {});
 
 /// Root mean square difference of each sensor of two histories, as a share of its root mean square in the second; of
 /// that of a tenth of the loudest sensor of its unit where that is more.
@@ -72,14 +74,16 @@ struct CondensedHistory {
   /// The step it came to [s].
   double step_s = 0;
   /// By how much the last halving changed the sensor that it changed most; more than the error asked for where halving
-  /// did not help, infinite where no longer step than the last could be taken.
+  /// did not help, infinite where there are no two steps to compare.
   double change = 0;
+  /// Ended from outside: the last whole history, with its step and change; without one what there is of the first.
+  bool ended = false;
 };
 
 /// The history of a condensed or closed-form model to a stated error. Throws as Simulate() does, where that is so at
 /// the shortest step as well.
 CondensedHistory SimulateCondensed(const CondensedModel& model, const RigView& rig, const PostMotion& posts,
                                    const TimeGrid& grid, const CondensedHistoryOptions& options = {},
-                                   const std::function<void(double t)>& progress = {});
+                                   const GoOn& go_on = {});
 
 }  // namespace fourpost

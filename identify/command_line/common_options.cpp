@@ -1,0 +1,51 @@
+#include "identify/command_line/common_options.h"
+
+#include "analysis/nearest.h"
+
+namespace fourpost {
+
+CLI::Option* AddList(CLI::App& app, const char* name, std::vector<std::string>& values, const char* help) {
+  return app.add_option(name, values, help)->expected(1)->take_all();
+}
+
+void AddVehicle(CLI::App& app, std::filesystem::path& file) {
+  app.add_option("MODEL", file, "Vehicle file (.urdf)")->required();
+}
+
+CLI::Option* AddSettings(CLI::App& app, std::vector<std::string>& settings) {
+  return AddList(app, "--set", settings, "name=value: another value of a parameter; may be given several times");
+}
+
+CLI::Option* AddChannels(CLI::App& app, std::vector<std::string>& channels) {
+  return app.add_option("--channels", channels, "Sensors to tell of, all by default: a_body_FL,a_body_FR")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
+std::vector<CLI::Option*> AddLimits(CLI::App& app, LimitText& limits) {
+  return {app.add_option("--amplitude", limits.amplitude,
+                         "Most the reference post moves, peak (12mm). The least of the three limits counts at each "
+                         "frequency; without any: 12 mm, 0.15 m/s and 6 m/s^2"),
+          app.add_option("--velocity", limits.velocity, "Most it may move at, peak (0.15m/s)"),
+          app.add_option("--acceleration", limits.acceleration, "Most it may be accelerated, peak (6m/s^2, or 0.5g)")};
+}
+
+CLI::Option* AddStroke(CLI::App& app, std::string& stroke) {
+  return app.add_option("--stroke", stroke,
+                        "Of posts whose stroke the vehicle file does not tell, from end to end (default 150mm)");
+}
+
+CLI::Validator OneOf(const char* what, std::span<const std::string_view> legal) {
+  const auto fault = [what, legal](const std::string& text) -> std::string {
+    std::string all;
+    for (const std::string_view name : legal) {
+      if (name == text) return "";
+      all += (all.empty() ? "" : ", ") + std::string(name);
+    }
+    return "no " + std::string(what) + " is called '" + text + "'" + DidYouMean(text, legal) + "; there are " + all;
+  };
+  return {fault, ""};
+}
+
+}  // namespace fourpost

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "identify/amplitude_limits.h"
+
+namespace fourpost {
+
+// Options that several commands share, alike in name and meaning; what they fill must live until all is parsed.
+
+/// An option that may be given several times, with one value each: a file that follows is none of them.
+CLI::Option* AddList(CLI::App& app, const char* name, std::vector<std::string>& values, const char* help);
+
+/// MODEL
+void AddVehicle(CLI::App& app, std::filesystem::path& file);
+
+/// --set
+CLI::Option* AddSettings(CLI::App& app, std::vector<std::string>& settings);
+
+/// --channels
+CLI::Option* AddChannels(CLI::App& app, std::vector<std::string>& channels);
+
+/// --amplitude, --velocity, --acceleration
+std::vector<CLI::Option*> AddLimits(CLI::App& app, LimitText& limits);
+
+/// --stroke
+CLI::Option* AddStroke(CLI::App& app, std::string& stroke);
+
+inline constexpr const char* kModeHelp = "heave, pitch, roll, warp, or shares of posts such as FL=1,FR=-1";
+
+/// Takes one of these words; of another tells which is near, and all.
+CLI::Validator OneOf(const char* what, std::span<const std::string_view> legal);
+
+}  // namespace fourpost

@@ -1,0 +1,29 @@
+#include "identify/command_line/output_file.h"
+
+#include <fstream>
+#include <system_error>
+
+#include "analysis/output_folder.h"
+
+namespace fourpost {
+
+void RequireWritable(const std::filesystem::path& file, const std::vector<std::filesystem::path>& inputs) {
+  namespace fs = std::filesystem;
+  if (file.empty()) return;
+  std::error_code failure;
+  const auto refuse = [&](const std::string& why) { throw OutputError("cannot write " + file.string() + ": " + why); };
+  for (const fs::path& input : inputs)
+    if (!input.empty() && fs::equivalent(input, file, failure)) refuse("it is an input; give another file");
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, failure)) refuse("there is no folder " + folder.string());
+  if (fs::is_directory(file, failure)) refuse("it is a folder; name a file");
+}
+
+void WriteFile(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw OutputError("cannot write " + file.string() + ": may it be written to, and is there room?");
+}
+
+}  // namespace fourpost

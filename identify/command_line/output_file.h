@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fourpost {
+
+/// Before the work, so that none is in vain: throws OutputError for a file that is one of the inputs, that lies in no
+/// folder, or that is one. An empty path is none.
+void RequireWritable(const std::filesystem::path& file, const std::vector<std::filesystem::path>& inputs);
+
+/// Throws OutputError when that fails.
+void WriteFile(const std::filesystem::path& file, const std::string& text);
+
+}  // namespace fourpost
