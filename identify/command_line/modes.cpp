@@ -162,6 +162,8 @@ std::string PathTable(const Vehicle& vehicle, const PolePaths& traced) {
   for (const PolePath& path : traced.paths) {
     const Complex& a = path.pole.front();
     const Complex& b = path.pole.back();
+    // Real in between only.
+    if (!std::isfinite(a.real()) && !std::isfinite(b.real())) continue;
     if (std::abs(b - a) < kMoves * std::abs(a)) ++still;
     else table.Add({path.mode, Hertz(a), Hertz(b), Ratio(a), Ratio(b)});
   }

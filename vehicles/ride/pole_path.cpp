@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -72,64 +73,123 @@ std::vector<Eigen::Index> Continuation(const Spectrum& a, const Spectrum& b) {
   return to;
 }
 
+std::size_t NearestTo(double wanted, const std::vector<double>& values) {
+  const auto nearest = std::min_element(
+      values.begin(), values.end(), [&](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
+  return static_cast<std::size_t>(nearest - values.begin());
+}
+
 /// The vehicle with one parameter free to change.
 class Follower {
  public:
   Follower(const Vehicle& vehicle, std::size_t parameter)
-      : vehicle_(vehicle), parameter_(parameter), condensed_(vehicle), values_(vehicle.ParameterValues()) {}
+      : vehicle_(vehicle),
+        parameter_(parameter),
+        own_(vehicle.parameters[parameter].value),
+        condensed_(vehicle),
+        values_(vehicle.ParameterValues()) {}
 
   CondensedModel At(double value) {
     values_[parameter_] = value;
     return condensed_.At(values_);
   }
 
-  /// Poles at each value, in the order of those at the first.
+  /// Poles at each value, in the order of those of the first spectrum: outward from where that belongs, in both
+  /// directions.
   std::vector<Eigen::VectorXcd> Follow(const std::vector<double>& values) {
-    // Poles move little in an eighth of a step of a plot.
-    constexpr int kSteps = 8;
-    Spectrum spectrum = SpectrumOf(At(values.front()));
-    std::vector<Eigen::Index> place(static_cast<std::size_t>(spectrum.poles.size()));
-    std::iota(place.begin(), place.end(), 0);
-    std::vector<Eigen::VectorXcd> poles = {spectrum.poles};
-    for (std::size_t v = 1; v < values.size(); ++v) {
-      for (int k = 1; k <= kSteps; ++k) {
-        Spectrum next = SpectrumOf(At(std::lerp(values[v - 1], values[v], static_cast<double>(k) / kSteps)));
-        const std::vector<Eigen::Index> to = Continuation(spectrum, next);
-        for (Eigen::Index& p : place) p = to[static_cast<std::size_t>(p)];
-        spectrum = std::move(next);
+    const std::size_t nearest = NearestTo(own_, values);
+    const double step = StepOf(values);
+    Walk start{.at = own_, .spectrum = SpectrumOf(At(own_))};
+    start.place.resize(static_cast<std::size_t>(start.spectrum.poles.size()));
+    std::iota(start.place.begin(), start.place.end(), 0);
+    GoTo(values[nearest], step, start);
+    std::vector<Eigen::VectorXcd> poles(values.size());
+    for (const bool up : {true, false}) {
+      Walk walk = start;
+      for (std::size_t v = nearest; v < values.size(); up ? ++v : --v) {
+        GoTo(values[v], step, walk);
+        poles[v] = walk.spectrum.poles(walk.place);
       }
-      poles.emplace_back(spectrum.poles(place));
     }
     return poles;
   }
 
-  std::vector<Mode> ModesAt(double value) {
-    const CondensedModel model = At(value);
+  /// At the file's value, in the order of Follow().
+  Eigen::VectorXcd OwnPoles() { return SpectrumOf(At(own_)).poles; }
+
+  std::vector<Mode> OwnModes() {
+    const CondensedModel model = At(own_);
     const Kinematics pose = DesignKinematics(vehicle_);
     return NamedModes(vehicle_, pose, SuspensionOf(vehicle_, pose, values_), model, values_);
   }
 
  private:
+  /// Where a walk is: its pole i is the spectrum's number place[i].
+  struct Walk {
+    double at = 0;
+    Spectrum spectrum;
+    std::vector<Eigen::Index> place;
+  };
+
+  /// Of a plot's values the mean distance.
+  static double StepOf(const std::vector<double>& values) {
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    return (*greatest - *least) / std::max<double>(1, static_cast<double>(values.size()) - 1);
+  }
+
+  /// In steps in which poles move little: an eighth of a plot's.
+  void GoTo(double value, double plot_step, Walk& walk) {
+    constexpr double kPerStep = 8;
+    // A file's value may lie far from all of the plot's.
+    constexpr double kMost = 1000;
+    if (value == walk.at) return;
+    const double wanted = plot_step > 0 ? kPerStep * std::abs(value - walk.at) / plot_step : kPerStep;
+    const int steps = static_cast<int>(std::clamp(std::ceil(wanted - 1e-9), 1.0, kMost));
+    const double from = walk.at;
+    for (int k = 1; k <= steps; ++k) {
+      walk.at = k == steps ? value : std::lerp(from, value, static_cast<double>(k) / steps);
+      Spectrum next = SpectrumOf(At(walk.at));
+      const std::vector<Eigen::Index> to = Continuation(walk.spectrum, next);
+      for (Eigen::Index& place : walk.place) place = to[static_cast<std::size_t>(place)];
+      walk.spectrum = std::move(next);
+    }
+  }
+
   const Vehicle& vehicle_;
   std::size_t parameter_;
+  /// The file's value.
+  double own_;
   CondensedVehicle condensed_;
   std::vector<double> values_;
 };
 
-std::string NameOf(Complex pole, const std::vector<Mode>& modes) {
-  // Rounding of eigenvalues that lie close together.
-  constexpr double kSame = 1e-4;
-  const Complex upper(pole.real(), std::abs(pole.imag()));
-  for (const Mode& mode : modes)
-    for (const Complex& own : PolesOf(mode))
-      if (mode.kind != Mode::Kind::kFree && std::abs(own - upper) <= kSame * std::abs(upper)) return mode.name;
-  return "creep";
+/// "heave" of the mode's pole number i, on or above the real axis.
+std::string NameOfPole(const Mode& mode, std::size_t i, bool is_conjugate) {
+  if (mode.kind == Mode::Kind::kOverdamped) return mode.name + (i == 0 ? ", slow pole" : ", fast pole");
+  return mode.name + (is_conjugate ? ", conjugate pole" : "");
 }
 
-std::size_t NearestTo(double wanted, const std::vector<double>& values) {
-  const auto nearest = std::min_element(
-      values.begin(), values.end(), [&](double a, double b) { return std::abs(a - wanted) < std::abs(b - wanted); });
-  return static_cast<std::size_t>(nearest - values.begin());
+std::string NameOf(Complex pole, const std::vector<Mode>& modes) {
+  const Complex upper(pole.real(), std::abs(pole.imag()));
+  // Rounding of eigenvalues that lie close together.
+  double nearest = 1e-4 * std::abs(upper);
+  std::string name = "creep";
+  for (const Mode& mode : modes) {
+    if (mode.kind == Mode::Kind::kFree) continue;
+    const std::vector<Complex> own = PolesOf(mode);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (std::abs(own[i] - upper) > nearest) continue;
+      nearest = std::abs(own[i] - upper);
+      name = NameOfPole(mode, i, pole.imag() < 0);
+    }
+  }
+  return name;
+}
+
+void NumberNames(std::vector<PolePath>& paths) {
+  std::map<std::string, int> seen;
+  for (PolePath& path : paths)
+    if (const int count = ++seen[path.mode]; count > 1) path.mode += " " + std::to_string(count);
 }
 
 }  // namespace
@@ -138,12 +198,12 @@ PolePaths FollowPoles(const Vehicle& vehicle, std::size_t parameter, const std::
   if (values.empty()) throw std::invalid_argument("a path of poles needs a value of its parameter");
   Follower follower(vehicle, parameter);
   const std::vector<Eigen::VectorXcd> poles = follower.Follow(values);
-  const std::size_t named = NearestTo(vehicle.parameters[parameter].value, values);
-  const std::vector<Mode> modes = follower.ModesAt(values[named]);
+  const Eigen::VectorXcd own = follower.OwnPoles();
+  const std::vector<Mode> modes = follower.OwnModes();
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   PolePaths out{.parameter = parameter, .values = values};
   for (Eigen::Index i = 0; i < poles.front().size(); ++i) {
-    PolePath path{.mode = NameOf(poles[named][i], modes)};
+    PolePath path{.mode = NameOf(own[i], modes)};
     bool held = false;
     bool upper = false;
     for (const Eigen::VectorXcd& at : poles) {
@@ -160,6 +220,7 @@ PolePaths FollowPoles(const Vehicle& vehicle, std::size_t parameter, const std::
   };
   std::stable_sort(out.paths.begin(), out.paths.end(),
                    [&](const PolePath& a, const PolePath& b) { return start(a) < start(b); });
+  NumberNames(out.paths);
   return out;
 }
 

@@ -7,7 +7,10 @@
 #include <gmock/gmock.h>
 
 #include "tests/vehicles/shipped_vehicle.h"
+#include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/condensed/modes.h"
+#include "vehicles/loops/design_kinematics.h"
+#include "vehicles/ride/named_modes.h"
 
 namespace fourpost {
 namespace {
@@ -64,6 +67,51 @@ TEST(PolePath, DoesNotJumpFromModeToMode) {
   for (const PolePath& path : paths.paths)
     for (std::size_t i = 1; i < values.size(); ++i)
       EXPECT_LT(std::abs(path.pole[i] - path.pole[i - 1]), 0.1 * std::abs(path.pole[i])) << path.mode << " " << i;
+}
+
+// Hops of equal axles exchange their shapes within a per cent of a rate.
+TEST(PolePath, HasTheNamesOfTheModesAtTheFilesValue) {
+  Vehicle vehicle = ShippedVehicle("landrover110_model1");
+  const std::vector<double> own = vehicle.ParameterValues();
+  const Kinematics pose = DesignKinematics(vehicle);
+  const std::vector<Mode> modes =
+      NamedModes(vehicle, pose, SuspensionOf(vehicle, pose, own), CondensedVehicle(vehicle).At(own), own);
+  for (const char* name : {"k_front", "m_front", "kt_rear"}) {
+    const std::size_t index = IndexOf(vehicle, name);
+    const double value = own[index];
+    // Neither a value of the plot, nor within it.
+    for (const std::vector<double>& values :
+         {std::vector{0.9 * value, 1.05 * value}, std::vector{1.1 * value, 1.2 * value}}) {
+      std::vector<double> with_own = values;
+      with_own.push_back(value);
+      const PolePaths paths = FollowPoles(vehicle, index, values);
+      const PolePaths through = FollowPoles(vehicle, index, with_own);
+      ASSERT_EQ(paths.paths.size(), modes.size()) << name;
+      for (const Mode& mode : modes) {
+        const auto named = [&](const PolePath& path) { return path.mode == mode.name; };
+        const auto path = std::find_if(paths.paths.begin(), paths.paths.end(), named);
+        const auto same = std::find_if(through.paths.begin(), through.paths.end(), named);
+        ASSERT_NE(path, paths.paths.end()) << mode.name;
+        ASSERT_NE(same, through.paths.end()) << mode.name;
+        // Rounding of eigenvalues.
+        EXPECT_LT(std::abs(same->pole.back() - mode.pole), 1e-9 * std::abs(mode.pole)) << name << " " << mode.name;
+        EXPECT_LT(std::abs(path->pole[0] - same->pole[0]), 1e-9 * std::abs(mode.pole)) << name << " " << mode.name;
+      }
+    }
+  }
+}
+
+TEST(PolePath, NamesThePolesOfAnOverdampedModeApart) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  Set(vehicle, "k", 10e3);
+  Set(vehicle, "c_bump", 4000);
+  Set(vehicle, "c_rebound", 6000);
+  const PolePaths overdamped = FollowPoles(vehicle, IndexOf(vehicle, "k"), {10e3, 20e3});
+  EXPECT_THAT(Names(overdamped), ElementsAre("wheel hop, slow pole", "heave", "wheel hop, fast pole"));
+  Set(vehicle, "c_bump", 1500);
+  Set(vehicle, "c_rebound", 1500);
+  const PolePaths parting = FollowPoles(vehicle, IndexOf(vehicle, "c_bump"), {1000, 9000});
+  EXPECT_THAT(Names(parting), ElementsAre("heave", "heave, conjugate pole", "wheel hop"));
 }
 
 TEST(PolePath, NeedsAValue) { EXPECT_THROW(FollowPoles(ShippedVehicle("quarter_car"), 0, {}), std::invalid_argument); }
