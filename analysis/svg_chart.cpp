@@ -112,7 +112,7 @@ std::string Head(const SvgSheet& sheet) {
 }
 
 std::string Row(const SvgRow& row, double top) {
-  std::string text = svg::Heading(kLeft, top - kTitleAbove, row.title, row.note);
+  std::string text = row.title.empty() ? "" : svg::Heading(kLeft, top - kTitleAbove, row.title, row.note);
   for (std::size_t c = 0; c < row.panels.size(); ++c) {
     const SvgPanel& panel = row.panels[c];
     const double left = kLeft + kColumnPitch * static_cast<double>(c);

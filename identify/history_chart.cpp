@@ -1,8 +1,8 @@
 #include "identify/history_chart.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -85,25 +85,31 @@ struct Window {
   Index count = 0;
 };
 
-/// The second in which most happens: the sum of all channels' squares, each over its mean square, is largest.
+/// Sums of so many neighbours, from each to the last that has them.
+Eigen::ArrayXd RunningSums(const Eigen::ArrayXd& values, Index length) {
+  Eigen::ArrayXd sums(values.size() - length + 1);
+  double sum = values.head(length).sum();
+  sums[0] = sum;
+  for (Index k = 1; k < sums.size(); ++k) {
+    sum += values[k + length - 1] - values[k - 1];
+    sums[k] = sum;
+  }
+  return sums;
+}
+
+/// The second about which most happens, half of a history shorter than two: the sum of all channels' squares, each over
+/// its mean square and weighed by a triangle, so that a peak comes to the middle, is largest.
 Window LiveliestSecond(const std::vector<HistoryChannel>& channels, double rate_Hz) {
   const Index count = channels.front().values.size();
-  const Index second = std::clamp<Index>(std::lround(rate_Hz), 2, count);
+  const Index half = std::max<Index>(1, std::min<Index>(std::lround(rate_Hz / 2), count / 4));
   Eigen::ArrayXd power = Eigen::ArrayXd::Zero(count);
   for (const HistoryChannel& channel : channels) {
     const Eigen::ArrayXd square = (channel.values.array() - channel.values.mean()).square();
     if (square.sum() > 0) power += square / square.sum();
   }
-  double sum = power.head(second).sum();
-  double most = sum;
   Index first = 0;
-  for (Index k = second; k < count; ++k) {
-    sum += power[k] - power[k - second];
-    if (sum <= most) continue;
-    most = sum;
-    first = k - second + 1;
-  }
-  return {first, second};
+  RunningSums(RunningSums(power, half), half).maxCoeff(&first);
+  return {first, 2 * half};
 }
 
 std::string Size(const HistoryChannel& channel) {
@@ -111,46 +117,38 @@ std::string Size(const HistoryChannel& channel) {
   return "rms " + Short(extent.rms) + ", peak " + Short(extent.peak);
 }
 
-/// The whole history and, of a longer one, the window.
-std::vector<SvgPanel> Panels(const HistoryChannel& channel, double start_s, double rate_Hz,
-                             const std::optional<Window>& window) {
-  std::vector<SvgPanel> panels = {Panel(channel, start_s, rate_Hz, 0, channel.values.size())};
-  panels[0].title = channel.name + " [" + channel.unit + "]";
-  panels[0].note = Size(channel);
-  if (window) panels.push_back(Panel(channel, start_s, rate_Hz, window->first, window->first + window->count));
-  return panels;
+/// The whole history and the window.
+std::array<SvgPanel, 2> Panels(const HistoryChannel& channel, double start_s, double rate_Hz, const Window& window) {
+  SvgPanel all = Panel(channel, start_s, rate_Hz, 0, channel.values.size());
+  all.title = channel.name + " [" + channel.unit + "]";
+  all.note = Size(channel);
+  return {std::move(all), Panel(channel, start_s, rate_Hz, window.first, window.first + window.count)};
 }
 
-/// What the columns of one channel show.
-std::vector<std::string> Heads(double start_s, double rate_Hz, const std::optional<Window>& window) {
-  std::vector<std::string> heads = {"all of it"};
-  if (!window) return heads;
-  const double from = start_s + static_cast<double>(window->first) / rate_Hz;
+/// "15 to 16 s"
+std::string Span(double start_s, double rate_Hz, const Window& window) {
+  const double from = start_s + static_cast<double>(window.first) / rate_Hz;
   const auto shown = [](double t) { return FormatNumber(std::round(100 * t) / 100); };
-  heads.push_back(shown(from) + " to " + shown(from + static_cast<double>(window->count) / rate_Hz) + " s");
-  return heads;
+  return shown(from) + " to " + shown(from + static_cast<double>(window.count) / rate_Hz) + " s";
 }
 
 }  // namespace
 
-std::string HistorySvg(const std::string& title, double start_s, double rate_Hz,
+std::string HistorySvg(const std::string& title, const std::string& note, double start_s, double rate_Hz,
                        const std::vector<HistoryChannel>& channels) {
   if (channels.empty()) throw std::invalid_argument("a chart of a history needs a channel");
-  const Index count = channels.front().values.size();
-  if (count < 2) throw std::invalid_argument("a chart of a history needs two samples");
-  // A second of two is no detail.
-  std::optional<Window> window;
-  if (static_cast<double>(count) > 2 * rate_Hz) window = LiveliestSecond(channels, rate_Hz);
-  // As many channels in a row as make four panels, but of few channels one: no sheet is empty on the right.
-  constexpr std::size_t kFew = 3;
-  const std::vector<std::string> heads = Heads(start_s, rate_Hz, window);
-  const std::size_t in_row = channels.size() <= kFew ? 1 : 4 / heads.size();
-  SvgSheet sheet{.title = title, .x_label = "time [s]"};
-  for (std::size_t i = 0; i < in_row; ++i) sheet.columns.insert(sheet.columns.end(), heads.begin(), heads.end());
+  if (channels.front().values.size() < 2) throw std::invalid_argument("a chart of a history needs two samples");
+  const Window window = LiveliestSecond(channels, rate_Hz);
+  const std::size_t in_row = std::min<std::size_t>(2, channels.size());
+  SvgSheet sheet{.title = title, .note = note, .x_label = "time [s]"};
+  for (std::size_t i = 0; i < in_row; ++i) {
+    sheet.columns.emplace_back("all of it");
+    sheet.columns.push_back(Span(start_s, rate_Hz, window));
+  }
   for (std::size_t c = 0; c < channels.size(); ++c) {
     if (c % in_row == 0) sheet.rows.emplace_back();
-    std::vector<SvgPanel>& panels = sheet.rows.back().panels;
-    for (SvgPanel& panel : Panels(Readable(channels[c]), start_s, rate_Hz, window)) panels.push_back(std::move(panel));
+    for (SvgPanel& panel : Panels(Readable(channels[c]), start_s, rate_Hz, window))
+      sheet.rows.back().panels.push_back(std::move(panel));
   }
   return SvgText(sheet);
 }

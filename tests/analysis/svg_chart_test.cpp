@@ -109,9 +109,23 @@ TEST(SvgChart, RefusesASeriesOfUnlikeLengths) {
 
 TEST(SvgChart, RefusesARowThatDoesNotFitTheColumns) {
   SvgSheet sheet = Sheet(Panel(SvgMark::kLine, {}, {}));
-  sheet.columns.push_back("second");
+  sheet.rows[0].panels.push_back(sheet.rows[0].panels[0]);
   EXPECT_THROW(SvgText(sheet), std::invalid_argument);
   EXPECT_THROW(SvgText({}), std::invalid_argument);
+}
+
+TEST(SvgChart, TitlesPanelsAndLetsTheLastRowEndEarly) {
+  SvgPanel panel = Panel(SvgMark::kLine, {0, 1}, {0, 1});
+  panel.title = "one";
+  SvgPanel other = panel;
+  other.title = "two";
+  SvgSheet sheet{.title = "Sheet", .columns = {"a", "b"}, .rows = {{.panels = {panel, other}}, {.panels = {panel}}}};
+  const std::string text = SvgText(sheet);
+  EXPECT_THAT(text, HasSubstr(">one<"));
+  // Over the second column.
+  EXPECT_THAT(text, HasSubstr("<text x=\"264\" y=\"115\" fill=\"#222\"><tspan font-weight=\"bold\">two<"));
+  sheet.rows[1].panels = {panel, panel, panel};
+  EXPECT_THROW(SvgText(sheet), std::invalid_argument);
 }
 
 }  // namespace
