@@ -43,10 +43,8 @@ double Duration(const SimulateCommand& command) {
 }
 
 std::vector<double> Shape(const SimulateCommand& command, const Vehicle& vehicle) {
-  Diagnostics faults;
-  std::vector<double> shape = ReadPostShape(command.mode, vehicle, faults);
-  if (faults.HasErrors()) throw FaultyInput(faults);
-  return shape;
+  Diagnostics known;
+  return ReadPostShape(command.mode, vehicle, known);
 }
 
 /// Evenly in octaves, ends included.
@@ -61,7 +59,6 @@ std::vector<double> FrequenciesOf(const SimulateCommand& command) {
 
 Drive Swept(const SimulateCommand& command, const Vehicle& vehicle, Diagnostics& findings) {
   const AmplitudeLaw law = ReadLimits(command.limits, findings);
-  if (findings.HasErrors()) throw FaultyInput(findings);
   WarnBeyondUsual(law, FrequenciesOf(command), findings);
   const SweptSine sweep{.first_Hz = command.first_Hz,
                         .last_Hz = command.last_Hz,
@@ -147,8 +144,6 @@ void RequireStroke(const SimulateCommand& command, const Vehicle& vehicle, const
   if (faults.HasErrors()) throw FaultyInput(faults);
 }
 
-}  // namespace
-
 void CheckSampling(const SimulateCommand& command, Diagnostics& diagnostics) {
   // As analysers sample: more would alias peaks away.
   constexpr double kLeastSamplesPerPeriod = 2.56;
@@ -174,6 +169,18 @@ void CheckSampling(const SimulateCommand& command, Diagnostics& diagnostics) {
                       FormatNumber(Duration(command)) + " s end before the step does, which begins at " +
                           FormatNumber(kStepStart_s) + " s and rises for " + FormatNumber(command.rise_s) +
                           " s; take more than " + FormatNumber(step_end) + " s");
+}
+
+}  // namespace
+
+void CheckMotion(const SimulateCommand& command, const Vehicle& vehicle, Diagnostics& diagnostics) {
+  const bool has_mode = command.motion != Motion::kRoad && command.motion != Motion::kRecording;
+  if (vehicle.posts.empty())
+    diagnostics.Error(vehicle.file, 0, "the vehicle has no fp:post to move; add one under each tyre");
+  else if (has_mode) ReadPostShape(command.mode, vehicle, diagnostics);
+  ReadLimits(command.limits, diagnostics);
+  ReadStroke(command.stroke, diagnostics);
+  CheckSampling(command, diagnostics);
 }
 
 Drive DriveOf(const SimulateCommand& command, const Vehicle& vehicle, Diagnostics& findings) {

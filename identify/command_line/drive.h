@@ -20,14 +20,14 @@ struct Drive {
   double upper_Hz = 0;
 };
 
-/// Adds an error for each option whose value does not go with the others: too low a rate, a filter beyond it, more
-/// samples than can be, a duration that ends before a step does. Before any motion is made; a recording, whose duration
-/// is not known yet, holds what it holds.
-void CheckSampling(const SimulateCommand& command, Diagnostics& diagnostics);
+/// Adds an error for each option that this vehicle's posts cannot follow or that does not go with the others: mode,
+/// limits, stroke; too low a rate, a filter beyond it, more samples than can be, a duration that ends before a step
+/// does. Before any motion is made; a recording, whose duration is not known yet, holds what it holds.
+void CheckMotion(const SimulateCommand& command, const Vehicle& vehicle, Diagnostics& diagnostics);
 
-/// The motion asked for. Adds warnings of what lies outside the model's range, see WarnAboveRigid and WarnBeyondUsual.
-/// Throws FaultyInput for what the posts of this vehicle cannot do, that they would leave their stroke included, and
-/// for a recording that cannot be read.
+/// The motion asked for, of which CheckMotion found no fault. Adds warnings of what lies outside the model's range, see
+/// WarnAboveRigid and WarnBeyondUsual. Throws FaultyInput for what the posts of this vehicle cannot do, that they would
+/// leave their stroke included, and for a recording that cannot be read.
 Drive DriveOf(const SimulateCommand& command, const Vehicle& vehicle, Diagnostics& findings);
 
 }  // namespace fourpost

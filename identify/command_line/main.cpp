@@ -144,11 +144,11 @@ int main(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
-  } catch (const CLI::ExtrasError& error) {
+  } catch (const CLI::ParseError& error) {
+    const bool is_help = error.get_exit_code() == 0;
+    if (is_help || app.remaining(true).empty()) return app.exit(error) == 0 ? kGood : kUsage;
     TellUnknown(app);
     return kUsage;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kGood : kUsage;
   }
   return Guarded(run);
 }

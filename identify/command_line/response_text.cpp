@@ -93,10 +93,16 @@ std::string Heading(const SweptResponse& swept, const SweepRequest& request) {
          EngineName(swept.answer.engine) + "\nthe reference post moves at most " + LimitsText(request.amplitude) + "\n";
 }
 
+/// Neighbours of one cause in one line.
 std::string WhyUnanswered(const SteadyResponse& answer) {
   std::string text;
-  for (const Unanswered& none : answer.unanswered)
-    text += "no answer at " + Rounded(none.frequency_Hz, 3) + " Hz: " + none.why + '\n';
+  for (std::size_t i = 0; i < answer.unanswered.size();) {
+    const std::string& why = answer.unanswered[i].why;
+    text += "no answer at " + Rounded(answer.unanswered[i].frequency_Hz, 3);
+    for (++i; i < answer.unanswered.size() && answer.unanswered[i].why == why; ++i)
+      text += ", " + Rounded(answer.unanswered[i].frequency_Hz, 3);
+    text += " Hz: " + why + '\n';
+  }
   return text;
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -38,10 +39,8 @@ Job ReadJob(const SimulateCommand& command) {
   std::optional<Vehicle> vehicle = ReadVehicle(command.model, findings);
   if (!vehicle) throw FaultyInput(findings);
   SetParameters(command.set, *vehicle, findings);
-  if (vehicle->posts.empty())
-    findings.Error(vehicle->file, 0, "the vehicle has no fp:post to move; add one under each tyre");
   std::vector<std::size_t> sensors = ChosenSensors(command.channels, *vehicle, findings);
-  CheckSampling(command, findings);
+  CheckMotion(command, *vehicle, findings);
   if (findings.HasErrors()) throw FaultyInput(findings);
   Drive drive = DriveOf(command, *vehicle, findings);
   return {std::move(*vehicle), std::move(sensors), std::move(drive), std::move(findings)};
@@ -85,10 +84,11 @@ std::string ErrorText(const HistoryOrigin& origin) {
   if (!origin.step_s)
     return "full system, its integrator at " + Rounded(1e-3 * origin.error, 2) +
            " of its states; what that makes of the channels is not measured\n";
-  const std::string step = Rounded(1e6 * *origin.step_s, 3) + " us";
+  const std::string step = Rounded(1e3 * *origin.step_s, 3) + " ms";
   if (!origin.change) return "step " + step + ", not compared with another\n";
-  return "halving the step to " + step + " changed no channel by more than " + Percent(*origin.change, 2) +
-         " of its rms\n";
+  // Less says nothing to a user.
+  const double change = std::max(1e-5, *origin.change);
+  return "halving the step to " + step + " changed no channel by more than " + Percent(change, 2) + " of its rms\n";
 }
 
 std::string Text(const HistoryOrigin& origin, const std::vector<HistoryChannel>& channels) {
@@ -139,8 +139,8 @@ int Run(const SimulateCommand& command) {
   const std::vector<HistoryChannel> channels = ChannelsOf(job.vehicle, history, job.sensors);
   if (!command.output.empty()) WriteFile(command.output, HistoryCsv(history, channels));
   if (!command.chart.empty())
-    WriteFile(command.chart,
-              HistorySvg(job.vehicle.name + ": " + origin.motion, history.start_s, history.rate_Hz, channels));
+    WriteFile(command.chart, HistorySvg("Time history of " + job.vehicle.name, origin.motion, history.start_s,
+                                        history.rate_Hz, channels));
   if (command.json) Print(HistoryJson(job.vehicle, origin, history, channels, job.findings));
   else Print(command.output.empty() ? HistoryCsv(history, channels) : Text(origin, channels));
   return solved.interrupted ? kInterrupted : kGood;

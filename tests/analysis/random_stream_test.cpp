@@ -48,5 +48,15 @@ TEST(RandomStream, IsNormal) {
   EXPECT_NEAR(beyond_two, 4550, 330);
 }
 
+TEST(RandomStream, OfTwoPurposesHasNothingInCommon) {
+  RandomStream noise(5, "channel noise", 1);
+  RandomStream road(5, "road alike", 1);
+  constexpr int kCount = 100000;
+  double product = 0;
+  for (int k = 0; k < kCount; ++k) product += noise.Normal() * road.Normal() / kCount;
+  // Five standard deviations of 1/sqrt(N).
+  EXPECT_NEAR(product, 0, 0.016);
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -68,5 +68,15 @@ TEST_F(ParameterSetting, TellsTheFaultsOfARange) {
     EXPECT_THAT(faults, HasSubstr(part));
 }
 
+TEST_F(ParameterSetting, RefusesWhatIsGivenTwice) {
+  SetParameters({"k=20kN/m", "kt=200kN/m", "k=21kN/m"}, vehicle_, diagnostics_);
+  EXPECT_EQ(diagnostics_.Format(), "--set: error: 'k' is given twice");
+  diagnostics_ = {};
+  EXPECT_EQ(ReadParameterRanges({"k", "kt"}, vehicle_, diagnostics_).size(), 2u);
+  EXPECT_EQ(diagnostics_.Format(), "");
+  ReadParameterRanges({"k", "k=10kN/m:20kN/m:3"}, vehicle_, diagnostics_);
+  EXPECT_EQ(diagnostics_.Format(), "--vary: error: 'k' is given twice");
+}
+
 }  // namespace
 }  // namespace fourpost

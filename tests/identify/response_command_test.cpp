@@ -1,6 +1,8 @@
 // `fourpost response` of a vehicle file as a user meets it.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -22,9 +24,10 @@ class ResponseCommandLine : public ProgramTest {
   /// Replaces the last line of the quarter car.
   void Add(const std::string& tags) const { ReplaceIn(kCar, "</robot>", tags + "</robot>"); }
 
-  void ExpectRefused(const std::string& arguments, const std::string& message) const {
+  /// 3: a file that cannot be used; 2: options.
+  void ExpectRefused(const std::string& arguments, const std::string& message, int code = 3) const {
     const Outcome outcome = Run("response " + arguments + " -o result");
-    EXPECT_EQ(outcome.code, 3) << arguments;
+    EXPECT_EQ(outcome.code, code) << arguments;
     EXPECT_THAT(outcome.err, HasSubstr(message)) << arguments;
     EXPECT_EQ(outcome.out, "");
     EXPECT_FALSE(std::filesystem::exists(folder_ / "result"));
@@ -36,7 +39,7 @@ TEST_F(ResponseCommandLine, OfAVehicleIsATableAndAFolder) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "results: result\n");
   for (const char* part :
-       {"heave: 30 frequencies from 0.5", "swept up, engine linearised\n", "at most 12.0 mm, 0.150 m/s, 6.00 m/s^2\n",
+       {"heave: 30 frequencies from 0.5", "swept up, engine linearised\n", "at most 12 mm, 0.15 m/s, 6 m/s^2\n",
         "linear kinematics are off by at most", "a_sprung", "F_tyre"})
     EXPECT_THAT(outcome.out, HasSubstr(part));
   const std::string table = ReadText(folder_ / "result/response.csv");
@@ -51,8 +54,8 @@ TEST_F(ResponseCommandLine, OfAVehicleIsATableAndAFolder) {
 
 TEST_F(ResponseCommandLine, TellsModesChannelsAndSettingsAskedFor) {
   const Outcome outcome =
-      Run("response urdf/landrover110_model3.urdf --mode roll --mode heave --channel a_cg --frequencies 1Hz,2Hz "
-          "--amplitude 3mm --set k_FL=50kN/m --sweep down --engine linearised --json");
+      Run("response urdf/landrover110_model3.urdf --mode roll --mode heave --channels a_cg,a_cg --frequencies 1Hz,2Hz "
+          "--amplitude 3mm --set k_FL=50kN/m --direction down --engine linearised --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json result = Json::parse(outcome.out);
   ASSERT_EQ(result["modes"].size(), 2u);
@@ -61,21 +64,21 @@ TEST_F(ResponseCommandLine, TellsModesChannelsAndSettingsAskedFor) {
   EXPECT_EQ(result["modes"][1]["frequency_Hz"], Json({1, 2}));
   EXPECT_EQ(result["modes"][1]["post_amplitude_m"], Json({0.003, 0.003}));
   EXPECT_EQ(result["parameters"]["k_FL"], 50e3);
-  EXPECT_EQ(result["sweep"], "down");
+  EXPECT_EQ(result["direction"], "down");
 }
 
 TEST_F(ResponseCommandLine, TellsFaultsOfOptionsAtOnce) {
-  const std::string options = " --mode heav --frequencies 5 --amplitude 5mn --channel a_spring --set m_sprun=1kg";
+  const std::string options = " --mode heav --frequencies 5 --amplitude 5mn --channels a_spring --set m_sprun=1kg";
   for (const char* message :
        {"did you mean 'heave'?", "'5' is no frequency", "'5mn' is no length", "did you mean 'a_sprung'?",
         "the vehicle has no parameter 'm_sprun', did you mean 'm_sprung'?"})
-    ExpectRefused(kCar + options, message);
+    ExpectRefused(kCar + options, message, 2);
 }
 
 TEST_F(ResponseCommandLine, TellsOptionsThatAStudyDoesNotTake) {
   const std::string study = "studies/landrover110/model2.yaml --mode roll --amplitude 3mm";
-  ExpectRefused(study, "--mode: error: is for a vehicle file; model2.yaml is a study");
-  ExpectRefused(study, "--amplitude: error: is for a vehicle file");
+  ExpectRefused(study, "--mode: error: is for a vehicle file; model2.yaml is a study", 2);
+  ExpectRefused(study, "--amplitude: error: is for a vehicle file", 2);
 }
 
 TEST_F(ResponseCommandLine, TellsFaultsOfTheFile) {
@@ -125,8 +128,54 @@ TEST_F(ResponseCommandLine, TellsWhichFrequenciesHaveNoSteadyMotion) {
                               " --frequencies 3Hz --engine march --set c_bump=1N*s/m --set c_rebound=1N*s/m");
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("outside its bounds"));
-  EXPECT_THAT(outcome.err, HasSubstr("heave at 3 Hz, 7.96 mm: no periodic motion within 60 s"));
-  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("heave: no answer at 1 of 1 frequencies"));
+  EXPECT_THAT(outcome.out, HasSubstr("no answer at 3.00 Hz: heave at 3 Hz, 7.96 mm: no periodic motion within 60 s"));
+  const Outcome json =
+      Run(std::string("response ") + kCar +
+          " --frequencies 3Hz --engine march --set c_bump=1N*s/m --set c_rebound=1N*s/m --json -o none");
+  EXPECT_EQ(json.code, 4);
+  EXPECT_THAT(Json::parse(json.out)["modes"][0]["unanswered"][0]["why"].get<std::string>(),
+              HasSubstr("no periodic motion within 60 s"));
+  EXPECT_THAT(ReadText(folder_ / "none/response.svg"), Not(HasSubstr("nan")));
+}
+
+TEST_F(ResponseCommandLine, ShowsAllOfFewFrequenciesAndSpreadsTheColumnsOverMany) {
+  const Outcome few = Run(std::string("response ") + kCar + " --frequencies 1Hz,1.1Hz,1.2Hz,1.3Hz,1.4Hz,9Hz");
+  for (const char* column : {" 1.00 Hz", " 1.10 Hz", " 1.20 Hz", " 1.30 Hz", " 1.40 Hz", " 9.00 Hz"})
+    EXPECT_THAT(few.out, HasSubstr(column));
+  const Outcome many = Run(std::string("response ") + kCar + " --frequencies 2Hz:4Hz:50");
+  const std::string head =
+      many.out.substr(many.out.find("at Hz"), many.out.find('\n', many.out.find("at Hz")) - many.out.find("at Hz"));
+  EXPECT_THAT(head, HasSubstr(" 2.00 Hz"));
+  EXPECT_THAT(head, testing::EndsWith(" 4.00 Hz"));
+  EXPECT_EQ(std::count(head.begin(), head.end(), 'H'), 9) << head;
+}
+
+TEST_F(ResponseCommandLine, AnInterruptedMarchKeepsWhatItHas) {
+  const Outcome outcome = RunShell(std::string("timeout --preserve-status -s INT 2 '") + FOURPOST_PROGRAM +
+                                   "' response urdf/landrover110_linkage.urdf --engine march --mode heave --mode pitch "
+                                   "--frequencies 1Hz:3Hz:400 -o result");
+  EXPECT_EQ(outcome.code, 130) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("interrupted: "));
+  EXPECT_THAT(outcome.out, HasSubstr(": interrupted before\n"));
+  const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
+  ASSERT_EQ(result["modes"].size(), 1u);
+  EXPECT_FALSE(result["modes"][0]["channels"][0]["gain"][0].is_null());
+  EXPECT_TRUE(result["modes"][0]["channels"][0]["gain"][399].is_null());
+}
+
+TEST_F(ResponseCommandLine, TellsWhatKindOfFileItWasGiven) {
+  ExpectRefused("studies", "studies: error: is a folder; a vehicle file (.urdf) or a study (.yaml) is wanted here");
+  ExpectRefused("studies/landrover110/bounce_frf.csv", "is a table; ");
+  EXPECT_THAT(Run("modes studies/landrover110/model2.yaml").err, HasSubstr("is a study; a vehicle file (.urdf)"));
+  EXPECT_THAT(Run("fit urdf/quarter_car.urdf -o result").err, HasSubstr("is a vehicle file; a study (.yaml)"));
+}
+
+TEST_F(ResponseCommandLine, TakesAccelerationsInG) {
+  const Outcome outcome = Run(std::string("response ") + kCar + " --frequencies 10Hz --acceleration 0.5g --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const double amplitude = Json::parse(outcome.out)["modes"][0]["post_amplitude_m"][0];
+  EXPECT_NEAR(amplitude * std::pow(2 * std::numbers::pi * 10, 2), 0.5 * 9.80665, 1e-12);  // rounding
 }
 
 TEST_F(ResponseCommandLine, OfAStudyWritesAFolderToo) {
@@ -143,8 +192,11 @@ TEST_F(ResponseCommandLine, DoesNotWriteOverItsInput) {
 }
 
 TEST_F(ResponseCommandLine, RefusesWordsItDoesNotKnow) {
-  for (const char* options : {"--sweep sideways", "--engine ful", "--frequencies"})
+  for (const char* options : {"--direction sideways", "--engine ful", "--frequencies", "--sweep up"})
     EXPECT_EQ(Run(std::string("response ") + kCar + " " + options).code, 2) << options;
+  EXPECT_THAT(Run(std::string("response ") + kCar + " --engine ful").err, HasSubstr("did you mean 'full'?"));
+  EXPECT_THAT(Run(std::string("response ") + kCar + " --amplitud 3mm").err, HasSubstr("did you mean '--amplitude'?"));
+  EXPECT_THAT(Run("respons").err, HasSubstr("did you mean 'response'?"));
 }
 
 }  // namespace

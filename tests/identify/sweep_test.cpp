@@ -38,7 +38,8 @@ TEST_F(SweepReading, HasTheMotionOfTheShippedRigByDefault) {
 
 TEST_F(SweepReading, TakesPatternsAndShares) {
   const std::string shares = vehicle_.posts[1].name + "=-1," + vehicle_.posts[0].name + "=0.5";
-  const auto request = Read({.modes = {"roll", shares, "roll"}, .frequencies = "1Hz,2Hz", .amplitude = "5mm"});
+  const auto request =
+      Read({.modes = {"roll", shares, "roll"}, .frequencies = "1Hz,2Hz", .limits = {.amplitude = "5mm"}});
   ASSERT_TRUE(request) << diagnostics_.Format();
   ASSERT_EQ(request->sweeps.size(), 2u);
   EXPECT_THAT(request->sweeps[1].excitation.shape, ElementsAre(0.5, -1, 0, 0));
@@ -46,7 +47,7 @@ TEST_F(SweepReading, TakesPatternsAndShares) {
 }
 
 TEST_F(SweepReading, TakesTheFrequenciesOfAFallingSweepFromAbove) {
-  const auto request = Read({.frequencies = "1Hz,2Hz", .velocity = "0.1m/s", .falling = true});
+  const auto request = Read({.frequencies = "1Hz,2Hz", .limits = {.velocity = "0.1m/s"}, .falling = true});
   ASSERT_TRUE(request);
   EXPECT_THAT(request->sweeps[0].excitation.frequency_Hz, ElementsAre(2, 1));
   EXPECT_LT(request->sweeps[0].excitation.amplitude_m[0], request->sweeps[0].excitation.amplitude_m[1]);
@@ -55,9 +56,7 @@ TEST_F(SweepReading, TakesTheFrequenciesOfAFallingSweepFromAbove) {
 TEST_F(SweepReading, TellsAllFaultsAtOnce) {
   EXPECT_FALSE(Read({.modes = {"heav", "XX=1", vehicle_.posts[0].name + "=a", vehicle_.posts[0].name + "=0.3"},
                      .frequencies = "1:2",
-                     .amplitude = "5",
-                     .velocity = "-1m/s",
-                     .acceleration = "1m/s",
+                     .limits = {.amplitude = "5", .velocity = "-1m/s", .acceleration = "1m/s"},
                      .channels = {"a_nothing"}}));
   const std::string faults = diagnostics_.Format();
   for (const char* part :
@@ -65,7 +64,7 @@ TEST_F(SweepReading, TellsAllFaultsAtOnce) {
         "the vehicle has no post 'XX'", "is no share of a post",
         "--frequencies: error: ", "--amplitude: error: '5' is no length: write a number with its unit, such as 5 mm",
         "--velocity: error: '-1m/s' must be above zero", "--acceleration: error: '1m/s' is no acceleration",
-        "--channel: error: the vehicle has no sensor 'a_nothing'"})
+        "--channels: error: the vehicle has no sensor 'a_nothing'"})
     EXPECT_THAT(faults, HasSubstr(part));
 }
 
@@ -84,7 +83,7 @@ TEST_F(SweepReading, NeedsPostsAndSensors) {
 
 TEST_F(SweepReading, RefusesMoreThanThePostsCan) {
   vehicle_.posts[2].stroke = 0.05;
-  EXPECT_FALSE(Read({.frequencies = "1Hz,2Hz", .amplitude = "30mm"}));
+  EXPECT_FALSE(Read({.frequencies = "1Hz,2Hz", .limits = {.amplitude = "30mm"}}));
   EXPECT_THAT(diagnostics_.Format(), HasSubstr("reaches 25 mm up and down, and heave at 1 Hz asks 30 mm of it"));
 }
 
@@ -94,6 +93,21 @@ TEST_F(SweepReading, WarnsAboveWhatRigidBodiesKnow) {
   EXPECT_TRUE(Read({.frequencies = "1Hz:50Hz:5"}));
   EXPECT_THAT(diagnostics_.Format(),
               HasSubstr("--frequencies: warning: above 30 Hz the bodies of a road vehicle bend"));
+}
+
+TEST_F(SweepReading, TakesTheUsualStrokeOfPostsThatTellNone) {
+  EXPECT_FALSE(Read({.frequencies = "1Hz,2Hz", .limits = {.amplitude = "80mm"}}));
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("reaches 75 mm up and down, and heave at 1 Hz asks 80 mm of it"));
+  EXPECT_TRUE(Read({.frequencies = "1Hz,2Hz", .limits = {.amplitude = "80mm"}, .stroke = "160mm"}));
+}
+
+TEST_F(SweepReading, WarnsWhereUsualLimitsNoLongerCount) {
+  EXPECT_TRUE(Read({.frequencies = "1Hz:30Hz:5", .limits = {.amplitude = "3mm", .acceleration = "6m/s^2"}}));
+  EXPECT_EQ(diagnostics_.Format(), "");
+  EXPECT_TRUE(Read({.frequencies = "1Hz:30Hz:5", .limits = {.amplitude = "3mm"}}));
+  // 3 mm at 30 Hz.
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("usual 6 m/s^2 does not count: the post reaches 107 m/s^2"));
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("usual 0.15 m/s does not count: the post reaches 0.565 m/s"));
 }
 
 /// Two frequencies, from above, of two sensors.

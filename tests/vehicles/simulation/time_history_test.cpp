@@ -51,6 +51,46 @@ TEST(TimeHistory, HoldsPostsAndSensorsAtTheSameTimes) {
   EXPECT_EQ(history.posts(100, 1), posts[1].height);
 }
 
+TEST(TimeHistory, EndsWhereItIsAskedTo) {
+  CondensedModel model = ThesisHalfCar().Model();
+  CondensedSystem system(model, ReadAll(model));
+  const TimeGrid grid{.start_s = 0, .end_s = 20, .rate_Hz = 200};
+  const TimeHistory whole = Simulate(system, HalfCarPosts, grid, [](double) { return true; });
+  const TimeHistory part = Simulate(system, HalfCarPosts, grid, [](double t) { return t < 9; });
+  EXPECT_EQ(whole.size(), 4001);
+  // It is asked every 256 samples.
+  EXPECT_NEAR(part.TimeAt(part.size() - 1), 9, 256 / 200.0);
+  EXPECT_EQ(part.readings, whole.readings.topRows(part.size()));
+  EXPECT_EQ(part.posts.rows(), part.size());
+}
+
+TEST(CondensedHistory, KeepsTheLastWholeOneWhereItIsEnded) {
+  CondensedModel model = ThesisHalfCar().Model();
+  const RigView rig = ReadAll(model);
+  const TimeGrid grid{.start_s = 0, .end_s = 20, .rate_Hz = 200};
+  const auto end_in_run = [&](int last) {
+    int run = 0;
+    double before = HUGE_VAL;
+    return SimulateCondensed(model, rig, HalfCarPosts, grid, {.error = 1e-9}, [&, last](double t) {
+      run += t < before ? 1 : 0;
+      before = t;
+      return run < last || t < 9;
+    });
+  };
+  const CondensedHistory first = end_in_run(1);
+  EXPECT_TRUE(first.ended);
+  EXPECT_LT(first.history.size(), 2500);
+  EXPECT_EQ(first.change, HUGE_VAL);
+  const CondensedHistory second = end_in_run(2);
+  EXPECT_TRUE(second.ended);
+  EXPECT_EQ(second.history.size(), 4001);
+  EXPECT_EQ(second.step_s, first.step_s);
+  EXPECT_EQ(second.change, HUGE_VAL);
+  const CondensedHistory third = end_in_run(3);
+  EXPECT_EQ(third.step_s, first.step_s / 2);
+  EXPECT_LT(third.change, 1);
+}
+
 TEST(CondensedHistory, MeetsItsErrorAndSaysBySteps) {
   CondensedModel model = ThesisHalfCar().Model();
   const RigView rig = ReadAll(model);

@@ -1,0 +1,59 @@
+#include "vehicles/response/friction_lock.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+
+#include "tests/vehicles/shipped_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr double kRate_Hz = 1000;
+
+/// Its damper holds up to 100 N, and slides from 10 mm/s on.
+Vehicle RubbingCar() {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.dampers[0].law.friction = DashpotDescription::Friction{.force = {100}, .speed = {0.01}};
+  return vehicle;
+}
+
+/// Three seconds of 2 Hz.
+Eigen::MatrixXd Sine(double amplitude) {
+  Eigen::MatrixXd extensions(3000, 1);
+  for (Eigen::Index k = 0; k < extensions.rows(); ++k)
+    extensions(k, 0) = amplitude * std::sin(4 * std::numbers::pi * static_cast<double>(k) / kRate_Hz);
+  return extensions;
+}
+
+TEST(FrictionLock, OfAHistoryIsToldByItsLargestRate) {
+  const double sliding = 0.01 / (4 * std::numbers::pi);
+  EXPECT_THAT(FindLockedFriction(RubbingCar(), Sine(1.01 * sliding), kRate_Hz), IsEmpty());
+  const auto locked = FindLockedFriction(RubbingCar(), Sine(0.25 * sliding), kRate_Hz);
+  ASSERT_THAT(locked, SizeIs(1));
+  EXPECT_EQ(locked[0].friction_N, 100);
+  EXPECT_EQ(locked[0].frequency_Hz, 0);
+  // Differences of samples miss (w / rate)^2 / 24 of a rate.
+  EXPECT_NEAR(locked[0].factor, 4, 1e-4);
+}
+
+TEST(FrictionLock, OfAHistoryBehindAMountIsToldByItsLargestExtension) {
+  Vehicle vehicle = RubbingCar();
+  vehicle.dampers[0].series = SpringDescription{.stiffness = {100e3}};
+  EXPECT_THAT(FindLockedFriction(vehicle, Sine(1.01e-3), kRate_Hz), IsEmpty());
+  EXPECT_THAT(FindLockedFriction(vehicle, Sine(0.99e-3), kRate_Hz), SizeIs(1));
+}
+
+TEST(FrictionLock, OfAHistoryLeavesOutWhatTheMotionDoesNotReach) {
+  EXPECT_THAT(FindLockedFriction(RubbingCar(), Sine(1e-12), kRate_Hz), IsEmpty());
+  EXPECT_THAT(FindLockedFriction(ShippedVehicle("quarter_car"), Eigen::MatrixXd(3000, 0), kRate_Hz), IsEmpty());
+  EXPECT_THROW(FindLockedFriction(RubbingCar(), Eigen::MatrixXd(3000, 2), kRate_Hz), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fourpost
