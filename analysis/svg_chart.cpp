@@ -23,6 +23,8 @@ constexpr double kBottom = 42;
 /// Letters are 12 px; of the base line below or above an edge.
 constexpr double kLabelBelow = 15;
 constexpr double kTitleAbove = 7;
+/// Its note may reach over the next panel's uppermost tick.
+constexpr double kPanelTitleAbove = 13;
 
 constexpr const char* kShade = "#ececec";
 
@@ -116,7 +118,7 @@ std::string Row(const SvgRow& row, double top) {
   for (std::size_t c = 0; c < row.panels.size(); ++c) {
     const SvgPanel& panel = row.panels[c];
     const double left = kLeft + kColumnPitch * static_cast<double>(c);
-    if (!panel.title.empty()) text += svg::Heading(left, top - kTitleAbove, panel.title, panel.note);
+    if (!panel.title.empty()) text += svg::Heading(left, top - kPanelTitleAbove, panel.title, panel.note);
     text += Panel(panel, left, top);
   }
   return text;
@@ -148,9 +150,13 @@ std::string SvgText(const SvgSheet& sheet) {
   std::string text = Head(sheet);
   for (std::size_t r = 0; r < sheet.rows.size(); ++r)
     text += Row(sheet.rows[r], kTop + kRowPitch * static_cast<double>(r));
-  for (std::size_t c = 0; c < sheet.columns.size(); ++c)
-    text += svg::Text(kLeft + kColumnPitch * static_cast<double>(c) + kPanelWidth / 2, height - 9, "middle", svg::kText,
-                      sheet.x_label);
+  for (std::size_t c = 0; c < sheet.columns.size(); ++c) {
+    // Below the column's last panel.
+    const auto is_short = [c](const SvgRow& row) { return row.panels.size() <= c; };
+    const auto missing = std::count_if(sheet.rows.begin(), sheet.rows.end(), is_short);
+    text += svg::Text(kLeft + kColumnPitch * static_cast<double>(c) + kPanelWidth / 2,
+                      height - 9 - kRowPitch * static_cast<double>(missing), "middle", svg::kText, sheet.x_label);
+  }
   return svg::Document(width, height, sheet.title, text);
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/nearest.h"
+#include "identify/known_names.h"
 
 namespace fourpost {
 
@@ -15,7 +15,7 @@ std::vector<std::size_t> ChosenSensors(const std::vector<std::string>& names, co
     const auto found = std::find(known.begin(), known.end(), name);
     const auto index = static_cast<std::size_t>(found - known.begin());
     if (found == known.end())
-      diagnostics.Error("--channels", 0, "the vehicle has no sensor '" + name + "'" + DidYouMean(name, known));
+      diagnostics.Error("--channels", 0, "the vehicle has no sensor '" + name + "'" + KnownNames(name, known));
     else if (std::find(chosen.begin(), chosen.end(), index) == chosen.end()) chosen.push_back(index);
   }
   return chosen;

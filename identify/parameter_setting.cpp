@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
-#include "analysis/nearest.h"
 #include "analysis/number.h"
 #include "analysis/units.h"
+#include "identify/known_names.h"
 
 namespace fourpost {
 namespace {
@@ -31,7 +31,7 @@ class SettingReader {
       if (vehicle_.parameters[i].name == name) return i;
       names.push_back(vehicle_.parameters[i].name);
     }
-    Fault("the vehicle has no parameter '" + name + "'" + DidYouMean(name, names));
+    Fault("the vehicle has no parameter '" + name + "'" + KnownNames(name, names));
     return std::nullopt;
   }
 

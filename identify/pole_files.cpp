@@ -119,7 +119,11 @@ std::string PolesSvg(const Vehicle& vehicle, const PolePaths& paths) {
                   .last = Shown(paths.values.back(), parameter),
                   .marked = Marked(parameter, paths.values)};
   if (chart.marked) chart.marked_value = "next to its value, " + Shown(parameter.value, parameter);
-  for (const PolePath& path : paths.paths) chart.curves.push_back({.name = path.mode, .pole = path.pole});
+  const auto is_there = [](const Complex& pole) { return std::isfinite(pole.real()); };
+  for (const PolePath& path : paths.paths)
+    // One point is no path.
+    if (paths.values.size() == 1 || std::count_if(path.pole.begin(), path.pole.end(), is_there) > 1)
+      chart.curves.push_back({.name = path.mode, .pole = path.pole});
   return PoleSvg(chart);
 }
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/nearest.h"
 #include "analysis/number.h"
+#include "identify/known_names.h"
 #include "vehicles/description/post_pattern.h"
 
 namespace fourpost {
@@ -50,7 +50,7 @@ class ShareReader {
     const std::optional<double> share = equals < part.size() ? ParseNumber(part.substr(equals + 1)) : std::nullopt;
     const auto post = std::find(posts_.begin(), posts_.end(), name);
     std::optional<double>* const place = post == posts_.end() ? nullptr : &shares_[post - posts_.begin()];
-    if (!place) Fault("the vehicle has no post '" + name + "'" + DidYouMean(name, posts_));
+    if (!place) Fault("the vehicle has no post '" + name + "'" + KnownNames(name, posts_));
     else if (!share) Fault("'" + part + "' is no share of a post: write " + name + "=1, or -1 against it");
     else if (*place) Fault("post '" + name + "' is named twice");
     else *place = share;

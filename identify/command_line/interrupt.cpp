@@ -1,5 +1,7 @@
 #include "identify/command_line/interrupt.h"
 
+#include <unistd.h>
+
 #include <csignal>
 #include <ctime>
 
@@ -14,6 +16,9 @@ void AskToStop(int signal) {
   if (interrupted == 0) {
     interrupted = 1;
     first_time = now;
+    constexpr char kMessage[] = "\nstopping; another Ctrl-C in two seconds or later ends at once, with nothing kept\n";
+    // Safe in a handler, unlike what formats.
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
   } else if (now - first_time > 1) {
     // Programs such as timeout(1) send one interrupt twice, to the process and to its group.
     std::signal(signal, SIG_DFL);

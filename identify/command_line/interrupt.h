@@ -2,7 +2,7 @@
 
 namespace fourpost {
 
-/// From now on the first Ctrl-C (or SIGTERM) only asks to stop; another one, two seconds
+/// From now on the first Ctrl-C (or SIGTERM) only asks to stop, and says so; another one, two seconds
 /// later or more, ends the program at once.
 void CatchInterrupts();
 

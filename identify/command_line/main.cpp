@@ -63,7 +63,12 @@ void TellUnknown(const CLI::App& app) {
   else
     for (const CLI::App* sub : app.get_subcommands({})) known.push_back(sub->get_name());
   const std::string of = given.empty() ? "fourpost" : "fourpost " + given.front()->get_name();
-  for (const std::string& word : app.remaining(true)) {
+  const std::vector<std::string> words = app.remaining(true);
+  const auto is_option = [](const std::string& word) { return word.starts_with("-"); };
+  const bool has_option = std::any_of(words.begin(), words.end(), is_option);
+  for (const std::string& word : words) {
+    // Else it is an unknown option's value.
+    if (has_option && !is_option(word)) continue;
     const std::string name = word.substr(0, word.find('='));
     std::fprintf(stderr, "%s takes no '%s'%s\n", of.c_str(), name.c_str(), DidYouMean(name, known).c_str());
   }

@@ -61,7 +61,7 @@ TEST_F(SweepReading, TellsAllFaultsAtOnce) {
   const std::string faults = diagnostics_.Format();
   for (const char* part :
        {"--mode: error: no pattern of posts is called 'heav', did you mean 'heave'?; or tell the share of each post",
-        "the vehicle has no post 'XX'", "is no share of a post",
+        "the vehicle has no post 'XX'; it has FL, FR, RL and RR", "is no share of a post",
         "--frequencies: error: ", "--amplitude: error: '5' is no length: write a number with its unit, such as 5 mm",
         "--velocity: error: '-1m/s' must be above zero", "--acceleration: error: '1m/s' is no acceleration",
         "--channels: error: the vehicle has no sensor 'a_nothing'"})
