@@ -9,6 +9,7 @@
 
 #include "analysis/number.h"
 #include "identify/amplitude_limits.h"
+#include "identify/command_line/file_kind.h"
 #include "identify/command_line/text_table.h"
 #include "identify/post_shape.h"
 #include "identify/rigid_range.h"
@@ -108,10 +109,13 @@ Drive Driven(const SimulateCommand& command, const Vehicle& vehicle) {
           .upper_Hz = road.upper_Hz};
 }
 
-Drive Replayed(const SimulateCommand& command, const Vehicle& vehicle) {
+Drive Replayed(const SimulateCommand& command, const Vehicle& vehicle, Diagnostics& findings) {
+  RequireTable(command.recording);
   Diagnostics diagnostics;
   std::optional<RecordedPosts> record = ReadRecordedPosts(command.recording, vehicle, diagnostics);
   if (!record) throw FaultyInput(diagnostics);
+  if (const double length = record->end_s - record->start_s; command.duration_s.value_or(0) > length * (1 + 1e-9))
+    findings.Warning("--duration", 0, "the recording ends after " + FormatNumber(length) + " s");
   const double end =
       command.duration_s ? std::min(record->end_s, record->start_s + *command.duration_s) : record->end_s;
   return {.name = "recording " + command.recording.filename().string(),
@@ -128,7 +132,7 @@ Drive MotionAskedFor(const SimulateCommand& command, const Vehicle& vehicle, Dia
     case Motion::kStep: return Stepped(command, vehicle);
     case Motion::kRandom: return Shaken(command, vehicle);
     case Motion::kRoad: return Driven(command, vehicle);
-    case Motion::kRecording: return Replayed(command, vehicle);
+    case Motion::kRecording: return Replayed(command, vehicle, findings);
   }
   throw std::logic_error("no such motion");
 }

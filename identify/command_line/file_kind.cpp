@@ -57,6 +57,11 @@ void RequireStudyFile(const std::filesystem::path& file) {
   if (kind != FileKind::kStudy && kind != FileKind::kUnknown) Refuse(file, kind, "a study (.yaml)");
 }
 
+void RequireTable(const std::filesystem::path& file) {
+  const FileKind kind = KindOf(file);
+  if (kind != FileKind::kTable && kind != FileKind::kUnknown) Refuse(file, kind, "a table (.csv)");
+}
+
 bool IsStudyNotVehicle(const std::filesystem::path& file) {
   const FileKind kind = KindOf(file);
   if (kind == FileKind::kStudy) return true;

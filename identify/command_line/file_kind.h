@@ -9,6 +9,7 @@ namespace fourpost {
 
 void RequireVehicleFile(const std::filesystem::path& file);
 void RequireStudyFile(const std::filesystem::path& file);
+void RequireTable(const std::filesystem::path& file);
 /// Whether it is a study; else it is a vehicle file.
 bool IsStudyNotVehicle(const std::filesystem::path& file);
 

@@ -8,6 +8,7 @@
 
 #include "analysis/output_folder.h"
 #include "identify/command_line/commands.h"
+#include "identify/command_line/condensed_at_values.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
 #include "identify/command_line/inputs_elsewhere.h"
@@ -16,7 +17,6 @@
 #include "identify/command_line/text_table.h"
 #include "identify/parameter_setting.h"
 #include "identify/pole_files.h"
-#include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/loops/design_kinematics.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/ride/stability.h"
@@ -45,7 +45,7 @@ Job ReadJob(const ModesCommand& command) {
 
 std::vector<ShapedMode> ModesOfVehicle(const Vehicle& vehicle, Diagnostics& findings) {
   const std::vector<double> values = vehicle.ParameterValues();
-  const CondensedModel model = CondensedVehicle(vehicle).At(values);
+  const CondensedModel model = CondensedAtValues(vehicle);
   if (const std::optional<Growth> growth = GrowthOf(vehicle, model))
     findings.Warning(vehicle.file, 0, "the vehicle is unstable in its design pose: " + growth->Text());
   const Kinematics pose = DesignKinematics(vehicle);

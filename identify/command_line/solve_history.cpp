@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "identify/command_line/condensed_at_values.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/text_table.h"
-#include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/ride/stability.h"
 #include "vehicles/simulation/multibody_system.h"
 
@@ -65,7 +65,7 @@ SolvedHistory SolveHistory(const SimulateCommand& command, const Vehicle& vehicl
   Vehicle probed = vehicle;
   for (Sensor& sensor : ExtensionSensors(vehicle, RubbingDampers(vehicle))) probed.sensors.push_back(std::move(sensor));
   const std::vector<double> values = vehicle.ParameterValues();
-  const CondensedModel model = CondensedVehicle(probed).At(values);
+  const CondensedModel model = CondensedAtValues(probed);
   WarnOfGrowth(vehicle, model, findings);
   const TimeGrid grid{drive.start_s, drive.end_s, command.rate_Hz, drive.lead_s};
   HistoryProgress progress(drive);

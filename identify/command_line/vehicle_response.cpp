@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <optional>
-#include <stdexcept>
 
 #include "analysis/output_folder.h"
+#include "identify/command_line/condensed_at_values.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/inputs_elsewhere.h"
 #include "identify/command_line/interrupt.h"
@@ -36,17 +36,6 @@ Job ReadJob(const ResponseCommand& command) {
   std::optional<SweepRequest> request = ReadSweep(command.sweep, *vehicle, findings);
   if (findings.HasErrors() || !request) throw FaultyInput(findings);
   return {std::move(*vehicle), std::move(*request), std::move(findings)};
-}
-
-SteadySolver MakeSolver(const Vehicle& vehicle) {
-  try {
-    return SteadySolver(vehicle);
-  } catch (const std::invalid_argument& fault) {
-    // The file's own values have been checked against each other.
-    Diagnostics faults;
-    faults.Error("--set", 0, std::string("these values do not go together: ") + fault.what());
-    throw FaultyInput(faults);
-  }
 }
 
 void Write(const std::filesystem::path& folder, const std::string& json, const Vehicle& vehicle,
@@ -106,7 +95,8 @@ int RespondOfVehicle(const ResponseCommand& command) {
     RequireInputsElsewhere({command.input}, command.output);
     OutputFolder{command.output};
   }
-  SteadySolver solver = MakeSolver(job.vehicle);
+  CondensedAtValues(job.vehicle);
+  SteadySolver solver(job.vehicle);
   RequireStable(job.vehicle, solver);
   for (const Sweep& sweep : job.request.sweeps)
     WarnOfLocked(job.vehicle, FindLockedFriction(job.vehicle, sweep.excitation), sweep.mode, job.findings);

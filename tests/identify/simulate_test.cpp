@@ -248,6 +248,30 @@ TEST_F(Simulate, WarnsOfAVehicleThatFallsOver) {
   EXPECT_THAT(outcome.err, HasSubstr("warning: the vehicle is unstable in its design pose: '"));
 }
 
+// A rod thicker than its piston, which the file's own is not.
+TEST_F(Simulate, RefusesValuesThatDoNotGoTogether) {
+  const std::filesystem::path source(FOURPOST_SOURCE_DIR);
+  const std::string thick = ReadText(source / "tests/data/broken/hydraulic_rod_too_thick.urdf");
+  const std::string rod = "<fp:parameter name=\"rod\" value=\"11 mm\" source=\"estimate\"/>";
+  temporary_.Write("urdf/corner.urdf", Replace(Replace(thick, "rod=\"4 cm\"/>", "rod=\"$rod\"/>"),
+                                               "<fp:parameter name=\"k\"", rod + "<fp:parameter name=\"k\""));
+  ASSERT_EQ(Run("corner", "--step 1mm --duration 1s").code, 0) << Run("corner", "--step 1mm").err;
+  ExpectRefused("corner", "--step 1mm --set rod=40mm", 2, "--set: error: these values do not go together: ");
+  for (const char* command : {"modes", "response"}) {
+    const Outcome outcome = ProgramTest::Run(std::string(command) + " urdf/corner.urdf --set rod=40mm");
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_THAT(outcome.err, HasSubstr("these values do not go together: "));
+  }
+}
+
+TEST_F(Simulate, SaysWhereARecordingEnds) {
+  ASSERT_EQ(Run("quarter_car", "--step 5mm --duration 2s -o a.csv").code, 0);
+  EXPECT_THAT(Run("quarter_car", "--recording a.csv --duration 3s").err,
+              HasSubstr("--duration: warning: the recording ends after 2 s"));
+  EXPECT_EQ(Run("quarter_car", "--recording a.csv --duration 2s").err, "");
+  ExpectRefused("quarter_car", "--recording urdf/quarter_car.urdf", 3, "is a vehicle file; a table (.csv) is wanted");
+}
+
 TEST_F(Simulate, TellsTheFaultsOfARecording) {
   temporary_.Write("posts.csv", "time,post\ns,kN\n0,1\n0.1,2\n0.2,\n0.3,1\n");
   ExpectRefused("quarter_car", "--recording posts.csv", 3, "posts.csv:");
