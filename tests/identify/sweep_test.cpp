@@ -68,6 +68,11 @@ TEST_F(SweepReading, TellsAllFaultsAtOnce) {
     EXPECT_THAT(faults, HasSubstr(part));
 }
 
+TEST_F(SweepReading, TakesEachPostOnce) {
+  EXPECT_FALSE(Read({.modes = {"FL=1,RL=1,FL=-1"}}));
+  EXPECT_EQ(diagnostics_.Format(), "--mode: error: post 'FL' is named twice");
+}
+
 TEST_F(SweepReading, NeedsAReferencePost) {
   EXPECT_FALSE(Read({.modes = {vehicle_.posts[0].name + "=0.3"}}));
   EXPECT_THAT(diagnostics_.Format(), HasSubstr("one post is the reference, whose share is 1 or -1"));

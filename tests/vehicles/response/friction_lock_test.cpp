@@ -38,8 +38,8 @@ TEST(FrictionLock, OfAHistoryIsToldByItsLargestRate) {
   ASSERT_THAT(locked, SizeIs(1));
   EXPECT_EQ(locked[0].friction_N, 100);
   EXPECT_EQ(locked[0].frequency_Hz, 0);
-  // Differences of samples miss (w / rate)^2 / 24 of a rate.
-  EXPECT_NEAR(locked[0].factor, 4, 1e-4);
+  // Differences of samples, half a sample from the largest rate, miss (w / rate)^2 / 6 of it.
+  EXPECT_NEAR(locked[0].factor, 4, 4 * std::pow(4 * std::numbers::pi / kRate_Hz, 2) / 5);
 }
 
 TEST(FrictionLock, OfAHistoryBehindAMountIsToldByItsLargestExtension) {
