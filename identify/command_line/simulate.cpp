@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/number.h"
 #include "analysis/output_folder.h"
 #include "identify/chosen_sensors.h"
 #include "identify/command_line/commands.h"
@@ -82,7 +83,7 @@ std::string Percent(double share, int digits) { return Rounded(100 * share, digi
 /// What is known of the integration's error.
 std::string ErrorText(const HistoryOrigin& origin) {
   if (!origin.step_s)
-    return "full system, its integrator at " + Rounded(1e-3 * origin.error, 2) +
+    return "full system, integrated to " + FormatNumber(1e-3 * origin.error) +
            " of its states; what that makes of the channels is not measured\n";
   const std::string step = Rounded(1e3 * *origin.step_s, 3) + " ms";
   if (!origin.change) return "step " + step + ", not compared with another\n";
