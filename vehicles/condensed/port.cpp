@@ -38,19 +38,27 @@ std::vector<double> Compressions(const LiftoffRemainder& port, Signal x, Signal 
   return compressions;
 }
 
-void MendKink(const PortKink& kink, Signal signal, std::span<double> remainder) {
+/// Adds what the samples next to a passage of the kink between k and the sample after miss.
+void MendPassage(const PortKink& kink, Signal signal, std::size_t k, std::span<double> remainder) {
   const std::size_t count = signal.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t after = k + 1 < count ? k + 1 : 0;
-    if ((signal[k] > kink.at) == (signal[after] > kink.at)) continue;
-    const double share = (kink.at - signal[k]) / (signal[after] - signal[k]);
-    // From central differences, so that it vanishes where the signal only touches the kink: whether a sample lies
-    // beyond must not decide.
-    const double step = 0.5 * ((1 - share) * (signal[after] - signal[k > 0 ? k - 1 : count - 1]) +
-                               share * (signal[after + 1 < count ? after + 1 : 0] - signal[k]));
-    const double missing = 0.5 * kink.jump * std::abs(step) * (share * share - share + 1.0 / 6);
-    remainder[k] += (1 - share) * missing;
-    remainder[after] += share * missing;
+  const std::size_t after = k + 1 < count ? k + 1 : 0;
+  const double share = (kink.at - signal[k]) / (signal[after] - signal[k]);
+  // From central differences, so that it vanishes where the signal only touches the kink: whether a sample lies
+  // beyond must not decide.
+  const double step = 0.5 * ((1 - share) * (signal[after] - signal[k > 0 ? k - 1 : count - 1]) +
+                             share * (signal[after + 1 < count ? after + 1 : 0] - signal[k]));
+  const double missing = 0.5 * kink.jump * std::abs(step) * (share * share - share + 1.0 / 6);
+  remainder[k] += (1 - share) * missing;
+  remainder[after] += share * missing;
+}
+
+void MendKink(const PortKink& kink, Signal signal, std::span<double> remainder) {
+  bool above = signal.back() > kink.at;
+  std::size_t before = signal.size() - 1;
+  for (std::size_t k = 0; k < signal.size(); before = k++) {
+    if ((signal[k] > kink.at) == above) continue;
+    above = !above;
+    MendPassage(kink, signal, before, remainder);
   }
 }
 

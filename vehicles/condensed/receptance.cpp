@@ -84,23 +84,24 @@ std::optional<Receptance::Poles> Receptance::FindPoles() const {
   poles.inputs = inputs(kept, Eigen::all);
   poles.shapes.resize(vehicle_.size(), static_cast<Eigen::Index>(kept.size()));
   poles.shapes << vectors.topRows(n)(Eigen::all, kept), vectors.bottomRows(vehicle_.series())(Eigen::all, kept);
-  NoteResidues(poles);
+  poles.residues = ResiduesOf(poles, directions_.transpose() * poles.shapes, directions_.cols());
+  poles.motion_residues = ResiduesOf(poles, poles.shapes, forces_.cols());
   if (!Reproduces(poles)) return {};
   return poles;
 }
 
-void Receptance::NoteResidues(Poles& poles) const {
-  const Eigen::Index count = directions_.cols();
+/// Of the rows of `shapes` by the first inputs: row i by input j in column i + rows j.
+Eigen::MatrixXd Receptance::ResiduesOf(const Poles& poles, const Eigen::MatrixXcd& shapes, Eigen::Index inputs) {
   const Eigen::Index n = poles.values.size();
-  const Eigen::MatrixXcd shapes = directions_.transpose() * poles.shapes;
-  poles.residues.resize(2 * n, count * count);
+  Eigen::MatrixXd residues(2 * n, shapes.rows() * inputs);
   for (Eigen::Index k = 0; k < n; ++k)
-    for (Eigen::Index j = 0; j < count; ++j)
-      for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < inputs; ++j)
+      for (Eigen::Index i = 0; i < shapes.rows(); ++i) {
         const RealResidue residue(poles.values[k], shapes(i, k) * poles.inputs(k, j));
-        poles.residues(k, i + count * j) = residue.alpha;
-        poles.residues(n + k, i + count * j) = residue.beta;
+        residues(k, i + shapes.rows() * j) = residue.alpha;
+        residues(n + k, i + shapes.rows() * j) = residue.beta;
       }
+  return residues;
 }
 
 /// Whether Z times the motion by poles gives the forces back, over the frequencies of a rig and its harmonics.
@@ -132,32 +133,33 @@ void Receptance::Ports(double omega, int harmonics, Eigen::MatrixXcd& receptance
     }
     return;
   }
-  SumResidues(omega, harmonics, poles_->residues, receptance);
+  SumResidues(omega, 0, harmonics, poles_->residues, receptance);
 }
 
-void Receptance::SumResidues(double omega, int harmonics, const Eigen::MatrixXd& residues,
+void Receptance::SumResidues(double omega, int first, int last, const Eigen::MatrixXd& residues,
                              Eigen::MatrixXcd& sum) const {
   const Eigen::Index n = poles_->values.size();
-  sum.resize(harmonics + 1, residues.cols());
-  Eigen::MatrixXd real(harmonics + 1, 2 * n);
-  Eigen::MatrixXd imag(harmonics + 1, 2 * n);
+  const Eigen::Index rows = last - first + 1;
+  sum.resize(rows, residues.cols());
+  // Real parts above, imaginary ones below.
+  Eigen::MatrixXd weights(2 * rows, 2 * n);
   for (Eigen::Index k = 0; k < n; ++k)
-    for (int h = 0; h <= harmonics; ++h) {
-      const double w = h * omega;
+    for (Eigen::Index i = 0; i < rows; ++i) {
+      const double w = static_cast<double>(first + i) * omega;
       const Complex weight = Weight(poles_->values[k], w);
-      real(h, k) = -w * weight.imag();
-      imag(h, k) = w * weight.real();
-      real(h, n + k) = weight.real();
-      imag(h, n + k) = weight.imag();
+      weights(i, k) = -w * weight.imag();
+      weights(rows + i, k) = w * weight.real();
+      weights(i, n + k) = weight.real();
+      weights(rows + i, n + k) = weight.imag();
     }
   // Eigen's blocked product is slower than plain sums for so few numbers.
   if (residues.size() < 512) {
-    sum.real() = real.lazyProduct(residues);
-    sum.imag() = imag.lazyProduct(residues);
+    sum.real() = weights.topRows(rows).lazyProduct(residues);
+    sum.imag() = weights.bottomRows(rows).lazyProduct(residues);
     return;
   }
-  sum.real().noalias() = real * residues;
-  sum.imag().noalias() = imag * residues;
+  sum.real().noalias() = weights.topRows(rows) * residues;
+  sum.imag().noalias() = weights.bottomRows(rows) * residues;
 }
 
 void Receptance::Compliance(double omega, int harmonics, Eigen::MatrixXcd& compliance) {
@@ -165,7 +167,7 @@ void Receptance::Compliance(double omega, int harmonics, Eigen::MatrixXcd& compl
     compliance_residues_ = ComplianceResidues();
     if (!Inverts(*compliance_residues_)) compliance_residues_->resize(0, 0);
   }
-  if (compliance_residues_->size() > 0) return SumResidues(omega, harmonics, *compliance_residues_, compliance);
+  if (compliance_residues_->size() > 0) return SumResidues(omega, 0, harmonics, *compliance_residues_, compliance);
   compliance.resize(harmonics + 1, size() * size());
   for (int h = 0; h <= harmonics; ++h)
     compliance.row(h) = vehicle_.Impedance(h * omega).inverse().eval().reshaped().transpose();
@@ -200,8 +202,8 @@ bool Receptance::Inverts(const Eigen::MatrixXd& residues) const {
   Eigen::MatrixXcd rows;
   for (const double frequency_Hz : {0.5, 5.0, 50.0}) {
     const double omega = 2 * std::numbers::pi * frequency_Hz;
-    SumResidues(omega, 1, residues, rows);
-    const Eigen::MatrixXcd compliance = rows.row(1).reshaped(size(), size());
+    SumResidues(omega, 1, 1, residues, rows);
+    const Eigen::MatrixXcd compliance = rows.row(0).reshaped(size(), size());
     const Eigen::MatrixXcd impedance = vehicle_.Impedance(omega);
     const Eigen::MatrixXd scale = impedance.cwiseAbs() * compliance.cwiseAbs();
     const Eigen::MatrixXd left = (impedance * compliance - Eigen::MatrixXcd::Identity(size(), size())).cwiseAbs();
@@ -210,8 +212,24 @@ bool Receptance::Inverts(const Eigen::MatrixXd& residues) const {
   return true;
 }
 
-Eigen::VectorXcd Receptance::Driven(double omega) const {
-  return directions_.transpose() * Motion(omega, Eigen::VectorXcd::Zero(directions_.cols()), 1) + post_share_;
+Eigen::MatrixXcd Receptance::UnitMotions(double omega) const {
+  const Eigen::Index count = directions_.cols();
+  Eigen::MatrixXcd motions;
+  if (poles_) {
+    Eigen::MatrixXcd row;
+    SumResidues(omega, 1, 1, poles_->motion_residues, row);
+    motions = row.row(0).reshaped(size(), count + 2);
+  } else {
+    motions = vehicle_.Impedance(omega).partialPivLu().solve(forces_.cast<Complex>());
+  }
+  // Posts act by height and velocity.
+  motions.col(count) += Complex(0, omega) * motions.col(count + 1);
+  motions.conservativeResize(Eigen::NoChange, count + 1);
+  return motions;
+}
+
+Eigen::VectorXcd Receptance::Driven(const Eigen::VectorXcd& motion) const {
+  return directions_.transpose() * motion + post_share_;
 }
 
 Eigen::VectorXcd Receptance::Inputs(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const {

@@ -26,8 +26,11 @@ class Receptance {
   /// tension of port j.
   void Ports(double omega, int harmonics, Eigen::MatrixXcd& receptance) const;
 
-  /// Extensions of the ports per unit amplitude of the posts.
-  Eigen::VectorXcd Driven(double omega) const;
+  /// [s x] per unit tension of each port, and per unit amplitude of the posts: size x (ports + 1).
+  Eigen::MatrixXcd UnitMotions(double omega) const;
+
+  /// Extensions of the ports per unit amplitude of the posts, which moves [s x] so.
+  Eigen::VectorXcd Driven(const Eigen::VectorXcd& motion) const;
 
   /// [s x] at one frequency, from the tensions of the ports, and from posts of this amplitude.
   Eigen::VectorXcd Motion(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const;
@@ -55,16 +58,18 @@ class Receptance {
     /// size x poles, of [s x]; poles x (ports, posts' heights, posts' velocities).
     Eigen::MatrixXcd shapes;
     Eigen::MatrixXcd inputs;
-    /// 2 poles x ports^2: alpha, beta of Ports().
+    /// 2 poles x ports^2, 2 poles x size (ports + 2): alpha, beta of Ports() and of the motion per unit input.
     Eigen::MatrixXd residues;
+    Eigen::MatrixXd motion_residues;
   };
 
   std::optional<Poles> FindPoles() const;
-  void NoteResidues(Poles& poles) const;
+  static Eigen::MatrixXd ResiduesOf(const Poles& poles, const Eigen::MatrixXcd& shapes, Eigen::Index inputs);
   bool Reproduces(const Poles& poles) const;
   Eigen::MatrixXd ComplianceResidues() const;
   bool Inverts(const Eigen::MatrixXd& residues) const;
-  void SumResidues(double omega, int harmonics, const Eigen::MatrixXd& residues, Eigen::MatrixXcd& sum) const;
+  /// Of harmonics `first`..`last`, in rows.
+  void SumResidues(double omega, int first, int last, const Eigen::MatrixXd& residues, Eigen::MatrixXcd& sum) const;
   static Eigen::VectorXcd SumOverPoles(const Poles& poles, double omega, const Eigen::VectorXcd& inputs);
   Eigen::VectorXcd Inputs(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const;
 

@@ -40,7 +40,8 @@ HydraulicOil::Balance HydraulicOil::At(double x, const std::array<double, 2>& pr
   const double annulus = d.rebound_volume - d.annulus_area * own;
   const double gas = d.GasVolume(p[1]);
   const double bore = d.compression_volume + d.piston_area * own + d.gas_volume - gas;
-  out.is_open = annulus > 0;
+  out.is_rebound_open = annulus > 0;
+  out.is_compression_open = d.compression_volume + d.piston_area * own > 0;
   const auto density = [&](double pressure) { return std::exp((pressure - d.gas_pressure) / d.bulk_modulus); };
   const double above = density(pressures[0]);
   const double below = density(pressures[1]);
@@ -94,7 +95,7 @@ HydraulicOil::State HydraulicOil::Find(double x, double surplus_share, double fl
   std::array<double, 2> p = near.pressures;
   for (int i = 0; i < kMostSteps; ++i) {
     const Balance at = At(x, p);
-    if (!at.is_open) break;
+    if (!at.is_rebound_open || !at.is_compression_open) break;
     const double surplus = at.rebound - d.rebound_volume + d.annulus_area * x;
     const double missing = target - surplus_share * surplus - flow_share * at.flow;
     const double oil = AllOil() - at.rebound - at.compression;
@@ -114,7 +115,8 @@ HydraulicOil::State HydraulicOil::Find(double x, double surplus_share, double fl
 HydraulicOil::State HydraulicOil::Search(double x, double surplus_share, double flow_share, double target,
                                          const State& near) const {
   const HydraulicDamper& d = law_.damper;
-  if (!law_.HasMount() && !(d.rebound_volume - d.annulus_area * x > 0)) return {.tension = kNan};
+  if (const Balance at = At(x, near.pressures); !law_.HasMount() && !(at.is_rebound_open && at.is_compression_open))
+    return {.tension = kNan};
   std::array<double, 2> found = near.pressures;
   double turn = 0;
   const auto sum = [&](double pressure) {
@@ -123,8 +125,8 @@ HydraulicOil::State HydraulicOil::Search(double x, double surplus_share, double 
     const double compression = CompressionPressure(x, pressure, start);
     const Balance at = At(x, {pressure, compression});
     // The mount yields until a chamber is closed, or full of all the oil there is.
-    if (!at.is_open) return std::pair(-kInfinity, 1.0);
-    if (at.rebound >= AllOil()) return std::pair(kInfinity, 1.0);
+    if (!at.is_rebound_open) return std::pair(-kInfinity, 1.0);
+    if (!at.is_compression_open || at.rebound >= AllOil()) return std::pair(kInfinity, 1.0);
     found = {pressure, compression};
     turn = -(at.rebound_by[0] + at.compression_by[0]) / (at.rebound_by[1] + at.compression_by[1]);
     const double surplus = at.rebound - d.rebound_volume + d.annulus_area * x;

@@ -67,7 +67,8 @@ class HydraulicOil {
     std::array<double, 2> tension_by{};
     double rebound_by_extension = 0;
     double compression_by_extension = 0;
-    bool is_open = false;
+    bool is_rebound_open = false;
+    bool is_compression_open = false;
   };
   Balance At(double x, const std::array<double, 2>& pressures) const;
   State StateAt(double x, const std::array<double, 2>& pressures) const;

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <span>
 #include <variant>
 
 #include <Eigen/LU>
 
 #include "vehicles/response/cycle_transform.h"
+#include "vehicles/response/port_newton.h"
 
 namespace fourpost {
 namespace {
@@ -22,15 +22,6 @@ constexpr double kLeftOut = 25;
 constexpr int kLeast = 3;
 /// What a matrix of the ports' harmonics may have.
 constexpr Eigen::Index kMostUnknowns = 240;
-
-std::span<const double> Samples(const Eigen::MatrixXd& signals, Eigen::Index column) {
-  if (signals.size() == 0) return {};
-  return {signals.col(column).data(), static_cast<std::size_t>(signals.rows())};
-}
-
-std::span<double> Room(Eigen::MatrixXd& signals, Eigen::Index column) {
-  return {signals.col(column).data(), static_cast<std::size_t>(signals.rows())};
-}
 
 /// Half of that of the slopes by rate; no bound is told of laws of the extension.
 double SlopeRange(const PortLaw& law) {
@@ -77,7 +68,7 @@ Eigen::MatrixXd SlopeMatrix(const Eigen::MatrixXcd& slopes, double omega, Eigen:
   return matrix;
 }
 
-Eigen::MatrixXd SlopeMatrix(const PortCycle::Coupling& coupling) {
+Eigen::MatrixXd SlopeMatrix(const PortCoupling& coupling) {
   const Eigen::Index rows = coupling.direct.rows();
   Eigen::MatrixXd matrix(2 * rows, 2 * rows);
   for (Eigen::Index h = 0; h < rows; ++h)
@@ -259,7 +250,7 @@ void BalanceChange::FindSlopes() {
     const PortLaw& law = cycle_.ports()[j].law;
     if (const auto* hydraulic = std::get_if<HydraulicRemainder>(&law)) {
       active_.push_back(port);
-      slopes_.push_back(SlopeMatrix(cycle.CycleCoupling(*hydraulic, port, harmonics_ + 1)));
+      slopes_.push_back(SlopeMatrix(CycleCoupling(cycle, *hydraulic, port, harmonics_ + 1)));
       continue;
     }
     MendedSlopes(law, cycle.kinks(port), Samples(cycle.extension_time(), port), Samples(cycle.rate_time(), port),

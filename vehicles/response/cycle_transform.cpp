@@ -96,13 +96,13 @@ void CycleTransform::ToHarmonics(const Eigen::MatrixXd& time, Eigen::MatrixXcd& 
       folds(k, 3) = -far_difference - difference;
     }
     Complex* out = harmonics.col(j).data();
-    sums.noalias() = even_cosine_.transpose() * folds.col(0);
+    sums = even_cosine_.transpose().lazyProduct(folds.col(0));
     for (Eigen::Index h = 0; h < even_cosine_.cols(); ++h) out[2 * h].real(sums[h]);
-    sums.noalias() = even_sine_.transpose() * folds.col(2);
+    sums = even_sine_.transpose().lazyProduct(folds.col(2));
     for (Eigen::Index h = 0; h < even_sine_.cols(); ++h) out[2 * h].imag(sums[h]);
-    sums.head(odd_cosine_.cols()).noalias() = odd_cosine_.transpose() * folds.col(1);
+    sums.head(odd_cosine_.cols()) = odd_cosine_.transpose().lazyProduct(folds.col(1));
     for (Eigen::Index h = 0; h < odd_cosine_.cols(); ++h) out[2 * h + 1].real(sums[h]);
-    sums.head(odd_sine_.cols()).noalias() = odd_sine_.transpose() * folds.col(3);
+    sums.head(odd_sine_.cols()) = odd_sine_.transpose().lazyProduct(folds.col(3));
     for (Eigen::Index h = 0; h < odd_sine_.cols(); ++h) out[2 * h + 1].imag(sums[h]);
     out[0] *= 0.5;
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include <Eigen/Core>
 
 namespace fourpost {
@@ -32,5 +34,14 @@ class CycleTransform {
   Eigen::MatrixXd even_sine_;
   Eigen::MatrixXd odd_sine_;
 };
+
+/// One of the signals, samples x signals; empty where there are none.
+inline std::span<const double> Samples(const Eigen::MatrixXd& signals, Eigen::Index column) {
+  if (signals.size() == 0) return {};
+  return {signals.col(column).data(), static_cast<std::size_t>(signals.rows())};
+}
+inline std::span<double> Room(Eigen::MatrixXd& signals, Eigen::Index column) {
+  return {signals.col(column).data(), static_cast<std::size_t>(signals.rows())};
+}
 
 }  // namespace fourpost

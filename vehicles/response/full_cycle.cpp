@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -49,11 +50,24 @@ Eigen::MatrixXcd Unstacked(const Eigen::VectorXd& stacked, Eigen::Index rows) {
   return harmonics;
 }
 
-/// Largest change of a harmonic, relative to that harmonic or to the first one, whichever is larger.
-double RelativeChange(const Eigen::MatrixXcd& before, const Eigen::MatrixXcd& now) {
-  const Eigen::VectorXd sizes = now.rowwise().norm();
-  return (now - before).rowwise().norm().cwiseQuotient(sizes.cwiseMax(sizes[1])).maxCoeff();
+/// Largest harmonic of a change, relative to that harmonic of the motion or to the first one, whichever is larger.
+double RelativeSize(const Eigen::MatrixXcd& change, const Eigen::MatrixXcd& motion) {
+  const Eigen::VectorXd sizes = motion.rowwise().norm();
+  return change.rowwise().norm().cwiseQuotient(sizes.cwiseMax(sizes[1])).maxCoeff();
 }
+
+/// Of sizes that shrink from one iteration to the next.
+class Convergence {
+ public:
+  /// What the next one will be, were it to shrink as this one did.
+  double Next(double size) {
+    const double before = std::exchange(before_, size);
+    return before > 0 ? size * std::min(1.0, size / before) : size;
+  }
+
+ private:
+  double before_ = 0;
+};
 
 /// Of [s x]; without the springs that stand for hydraulic dampers.
 std::vector<Eigen::Index> SeriesOf(const std::vector<Port>& ports, Eigen::Index n, Eigen::Index size) {
@@ -61,6 +75,10 @@ std::vector<Eigen::Index> SeriesOf(const std::vector<Port>& ports, Eigen::Index 
   for (Eigen::Index x = n; x < size; ++x)
     if (std::none_of(ports.begin(), ports.end(), [x](const Port& port) { return port.lag == x; })) series.push_back(x);
   return series;
+}
+
+bool HasFriction(const std::vector<Port>& ports) {
+  return std::any_of(ports.begin(), ports.end(), [](const Port& port) { return std::isfinite(StepOfRate(port.law)); });
 }
 
 std::vector<std::size_t> HydraulicsOf(const std::vector<Port>& ports) {
@@ -92,9 +110,10 @@ FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const st
     : multibody_(multibody),
       shape_(shape),
       options_(options),
-      transform_(CycleTransform::Shared(options.harmonics, options.samples)),
       chart_(multibody),
       linearised_(model, shape, {.tolerance = options.tolerance}),
+      fine_{std::max(options.harmonics, options.fine_harmonics), std::max(options.samples, options.fine_samples)},
+      coarse_(HasFriction(linearised_.ports()) ? fine_ : Sampling{options.harmonics, options.samples}),
       hydraulics_(HydraulicsOf(linearised_.ports())) {
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
   series_ = SeriesOf(linearised_.ports(), chart_.size(), linear.size());
@@ -103,22 +122,74 @@ FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const st
   stiffness_ = linear.stiffness.diagonal().cwiseAbs();
   mass_ = Eigen::VectorXd::Zero(linear.size());
   mass_.head(linear.mass.rows()) = linear.mass.diagonal();
-  lacking_.resize(options.samples, linear.size());
-  readings_.resize(options.samples, model.on_position.rows());
   const auto states = static_cast<Eigen::Index>(series_.size() + 2 * hydraulics_.size());
   RequireCount("SolveFullBalance: model", "states of dampers",
                static_cast<std::size_t>(multibody.state_size() - 2 * multibody.coordinate_count()),
                static_cast<std::size_t>(states));
-  pressures_.setZero(options.samples, static_cast<Eigen::Index>(2 * hydraulics_.size()));
-  tension_aliases_.setZero(options.harmonics + 1, port_directions_.cols());
+}
+
+void FullCycle::Take(const Sampling& sampling) {
+  transform_ = &CycleTransform::Shared(sampling.harmonics, sampling.samples);
+  lacking_.resize(sampling.samples, mass_.size());
+  readings_.resize(sampling.samples, sensors_.rows());
+  pressures_.setZero(sampling.samples, static_cast<Eigen::Index>(2 * hydraulics_.size()));
+  tension_aliases_.setZero(sampling.harmonics + 1, port_directions_.cols());
+  const Eigen::MatrixXcd before = std::exchange(added_, Eigen::MatrixXcd::Zero(sampling.harmonics + 1, mass_.size()));
+  const Eigen::Index known = std::min(before.rows(), added_.rows());
+  added_.topRows(known) = before.topRows(known);
 }
 
 bool FullCycle::Solve(double frequency_Hz, double amplitude_m) {
   omega_ = 2 * std::numbers::pi * frequency_Hz;
-  multibody_.SetPostMotion(SteadySine(shape_, amplitude_m, omega_));
   const bool has_start = linearised_.Solve(frequency_Hz, amplitude_m);
-  sensors_ = linearised_.Sensors();
+  const SensorHarmonics linearised = sensors_ = linearised_.Sensors();
   if (!has_start) return false;
+  added_.resize(0, mass_.size());
+  Take(coarse_);
+  bool converged = TryAt(amplitude_m) || SolveByWayOfLess(frequency_Hz, amplitude_m);
+  if (converged && coarse_.samples < fine_.samples && DepartsFrom(linearised)) {
+    Take(fine_);
+    converged = TryAt(amplitude_m);
+  }
+  if (!converged) sensors_ = linearised;
+  return converged;
+}
+
+/// Whether any sensor does by so much that the share of it that coarse sampling errs by could be seen.
+bool FullCycle::DepartsFrom(const SensorHarmonics& linearised) const {
+  constexpr double kMuch = 0.01;
+  // Next to a node less is not seen.
+  constexpr double kNode = 0.01;
+  const std::vector<Sensor>& sensors = multibody_.vehicle().sensors;
+  std::map<Sensor::Type, double> loudest;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    double& size = loudest[sensors[i].type];
+    size = std::max(size, std::abs(linearised(static_cast<Eigen::Index>(i), 1)));
+  }
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double size = std::max(std::abs(linearised(row, 1)), kNode * loudest[sensors[i].type]);
+    if (std::abs(sensors_(row, 1) - linearised(row, 1)) > kMuch * size) return true;
+  }
+  return false;
+}
+
+/// By way of smaller amplitudes, each from what the one before added.
+bool FullCycle::SolveByWayOfLess(double frequency_Hz, double amplitude_m) {
+  double before = 1;
+  added_.setZero();
+  for (const double share : {0.25, 0.45, 0.6, 0.75, 0.9, 1.0}) {
+    // Departures are of second order.
+    added_ *= std::pow(share / before, 2);
+    before = share;
+    if (!linearised_.Solve(frequency_Hz, share * amplitude_m) || !linearised_.SolveWith(added_)) return false;
+    if (!TryAt(share * amplitude_m)) return false;
+  }
+  return true;
+}
+
+bool FullCycle::TryAt(double amplitude_m) {
+  multibody_.SetPostMotion(SteadySine(shape_, amplitude_m, omega_));
   try {
     return Iterate();
   } catch (const std::runtime_error&) {
@@ -134,25 +205,24 @@ bool FullCycle::Iterate() {
     return motion * weights.asDiagonal();
   };
   AndersonAcceleration acceleration(options_.history);
-  // Motion that the forces which linear kinematics leave out would cause in the linear vehicle.
-  Eigen::MatrixXcd added = Eigen::MatrixXcd::Zero(options_.harmonics + 1, weights.size());
-  Eigen::MatrixXcd motion = linearised_.Coordinates(options_.harmonics);
-  double earlier = 0;
+  Eigen::MatrixXcd motion = linearised_.Coordinates(transform_->harmonics());
+  Convergence of_motion;
+  Convergence of_departure;
   for (int iteration = 0; iteration < options_.max_iterations; ++iteration) {
     if (!motion.allFinite()) return false;
     // The first is never the last: its sensors need not be read.
     const Eigen::MatrixXcd step = Departure(motion, iteration > 0);
-    added = Unstacked(acceleration.Next(Stacked(weighted(added)), Stacked(weighted(step))), added.rows()) *
-            weights.cwiseInverse().asDiagonal();
-    if (!linearised_.SolveWith(added)) return false;
-    const Eigen::MatrixXcd before = std::exchange(motion, linearised_.Coordinates(options_.harmonics));
-    const double change = RelativeChange(weighted(before), weighted(motion));
-    const double next = change * (earlier > 0 ? std::min(1.0, change / earlier) : 1);
-    if (next <= options_.tolerance && iteration > 0) {
+    const double left = of_departure.Next(RelativeSize(weighted(step), weighted(motion)));
+    added_ = Unstacked(acceleration.Next(Stacked(weighted(added_)), Stacked(weighted(step))), added_.rows()) *
+             weights.cwiseInverse().asDiagonal();
+    if (!linearised_.SolveWith(added_)) return false;
+    const Eigen::MatrixXcd before = std::exchange(motion, linearised_.Coordinates(transform_->harmonics()));
+    const double next = of_motion.Next(RelativeSize(weighted(motion - before), weighted(motion)));
+    // Acceleration may stand still far from where the two systems agree.
+    if (iteration > 0 && next <= options_.tolerance && left <= options_.tolerance) {
       sensors_ = linearised_.Sensors() + sensor_departure_;
       return true;
     }
-    earlier = change;
   }
   return false;
 }
@@ -163,11 +233,11 @@ bool FullCycle::Iterate() {
 Eigen::MatrixXcd FullCycle::Departure(const Eigen::MatrixXcd& motion, bool read) {
   SampleCycle(motion, read);
   Eigen::MatrixXcd lacking;
-  transform_.ToHarmonics(lacking_, lacking);
-  const Eigen::MatrixXcd coarse = linearised_.RemainderBy(transform_);
+  transform_->ToHarmonics(lacking_, lacking);
+  const Eigen::MatrixXcd coarse = linearised_.RemainderBy(*transform_);
   if (read) {
     Eigen::MatrixXcd readings;
-    transform_.ToHarmonics(readings_, readings);
+    transform_->ToHarmonics(readings_, readings);
     sensor_departure_ = readings.topRows(3).transpose() - linearised_.SensorsBy(coarse);
   }
   Eigen::MatrixXcd aliases = coarse;
@@ -179,18 +249,19 @@ Eigen::MatrixXcd FullCycle::Departure(const Eigen::MatrixXcd& motion, bool read)
 }
 
 void FullCycle::SampleCycle(const Eigen::MatrixXcd& motion, bool read) {
-  const Eigen::VectorXcd rate = Rates(options_.harmonics);
+  const Eigen::Index samples = transform_->samples();
+  const Eigen::VectorXcd rate = Rates(transform_->harmonics());
   const Eigen::MatrixXcd rates = rate.asDiagonal() * motion;
   Eigen::MatrixXd position;
   Eigen::MatrixXd velocity;
   Eigen::MatrixXd acceleration;
-  transform_.ToTime(motion, position);
-  transform_.ToTime(rates, velocity);
-  transform_.ToTime(rate.asDiagonal() * rates, acceleration);
+  transform_->ToTime(motion, position);
+  transform_->ToTime(rates, velocity);
+  transform_->ToTime(rate.asDiagonal() * rates, acceleration);
   if (!hydraulics_.empty()) FindPressures(position);
   const Eigen::Index n = chart_.size();
-  for (Eigen::Index k = 0; k < options_.samples; ++k) {
-    const double t = 2 * std::numbers::pi * static_cast<double>(k) / (omega_ * options_.samples);
+  for (Eigen::Index k = 0; k < samples; ++k) {
+    const double t = 2 * std::numbers::pi * static_cast<double>(k) / (omega_ * static_cast<double>(samples));
     const Chart::Motion now =
         chart_.Follow(t, position.row(k).head(n).transpose(), velocity.row(k).head(n).transpose(),
                       acceleration.row(k).head(n).transpose(), States(position.row(k), pressures_.row(k)));
@@ -211,14 +282,15 @@ Eigen::VectorXd FullCycle::States(const Eigen::RowVectorXd& coordinates, const E
 }
 
 void FullCycle::FindPressures(const Eigen::MatrixXd& position) {
+  const Eigen::Index samples = transform_->samples();
   const Eigen::Index n = chart_.size();
-  Eigen::MatrixXd extensions(options_.samples, static_cast<Eigen::Index>(hydraulics_.size()));
-  for (Eigen::Index k = 0; k < options_.samples; ++k) {
+  Eigen::MatrixXd extensions(samples, static_cast<Eigen::Index>(hydraulics_.size()));
+  for (Eigen::Index k = 0; k < samples; ++k) {
     chart_.MoveTo(position.row(k).head(n).transpose());
     extensions.row(k) = multibody_.HydraulicExtensions().transpose();
   }
   Eigen::MatrixXcd full;
-  transform_.ToHarmonics(extensions, full);
+  transform_->ToHarmonics(extensions, full);
   const Eigen::MatrixXcd& linearised = linearised_.extension();
   for (std::size_t i = 0; i < hydraulics_.size(); ++i) {
     Eigen::VectorXcd extension = Eigen::VectorXcd::Zero(std::max(linearised.rows(), full.rows()));
@@ -230,11 +302,12 @@ void FullCycle::FindPressures(const Eigen::MatrixXd& position) {
 
 /// By its cycle in at least as many steps as the linearised one needed, the samples among them.
 void FullCycle::FindPressures(std::size_t damper, const Eigen::VectorXcd& extension) {
+  const Eigen::Index samples = transform_->samples();
   const auto port = static_cast<Eigen::Index>(hydraulics_[damper]);
   const auto& law = std::get<HydraulicRemainder>(linearised_.ports()[hydraulics_[damper]].law).law;
   const Eigen::Index highest = extension.size() - 1;
-  const Eigen::Index stride = std::max(linearised_.steps(), 4 * highest + 4) / options_.samples + 1;
-  const Eigen::Index steps = stride * options_.samples;
+  const Eigen::Index stride = std::max(linearised_.steps(), 4 * highest + 4) / samples + 1;
+  const Eigen::Index steps = stride * samples;
   const CycleTransform& fine = CycleTransform::Shared(static_cast<int>(highest), static_cast<int>(steps));
   const Eigen::VectorXcd rates = Rates(highest);
   Eigen::MatrixXd extensions;
@@ -247,8 +320,8 @@ void FullCycle::FindPressures(std::size_t damper, const Eigen::VectorXcd& extens
   if (!cycle) throw std::runtime_error("a chamber of a hydraulic damper closes");
   Eigen::MatrixXd tensions(steps, 1);
   for (Eigen::Index k = 0; k < steps; ++k) tensions(k, 0) = cycle->states()[static_cast<std::size_t>(k)].tension;
-  Eigen::MatrixXd sampled(options_.samples, 1);
-  for (Eigen::Index k = 0; k < options_.samples; ++k) {
+  Eigen::MatrixXd sampled(samples, 1);
+  for (Eigen::Index k = 0; k < samples; ++k) {
     sampled(k, 0) = tensions(k * stride, 0);
     const std::array<double, 2>& pressures = cycle->states()[static_cast<std::size_t>(k * stride)].pressures;
     for (std::size_t c = 0; c < 2; ++c)
@@ -256,8 +329,8 @@ void FullCycle::FindPressures(std::size_t damper, const Eigen::VectorXcd& extens
   }
   Eigen::MatrixXcd of_samples;
   Eigen::MatrixXcd of_steps;
-  transform_.ToHarmonics(sampled, of_samples);
-  CycleTransform::Shared(options_.harmonics, static_cast<int>(steps)).ToHarmonics(tensions, of_steps);
+  transform_->ToHarmonics(sampled, of_samples);
+  CycleTransform::Shared(transform_->harmonics(), static_cast<int>(steps)).ToHarmonics(tensions, of_steps);
   tension_aliases_.col(port) = of_samples - of_steps;
 }
 

@@ -30,6 +30,16 @@ class FullCycle {
   const SensorHarmonics& Sensors() const { return sensors_; }
 
  private:
+  /// Per cycle.
+  struct Sampling {
+    int harmonics = 0;
+    int samples = 0;
+  };
+
+  bool SolveByWayOfLess(double frequency_Hz, double amplitude_m);
+  bool TryAt(double amplitude_m);
+  void Take(const Sampling& sampling);
+  bool DepartsFrom(const SensorHarmonics& linearised) const;
   bool Iterate();
   Eigen::MatrixXcd Departure(const Eigen::MatrixXcd& motion, bool read);
   /// What the full system lacks to move so at each sample, in the columns of [s x], and, if asked, what its sensors
@@ -45,9 +55,13 @@ class FullCycle {
   Multibody& multibody_;
   const std::vector<double>& shape_;
   const FullBalanceOptions& options_;
-  const CycleTransform& transform_;
   Chart chart_;
   LinearisedCycle linearised_;
+  Sampling fine_;
+  /// Where that will do.
+  Sampling coarse_;
+  /// By the sampling taken.
+  const CycleTransform* transform_ = nullptr;
   /// Indices in [s x] of the extensions that are states of the multibody system: those of series dampers.
   std::vector<Eigen::Index> series_;
   /// Of the series dampers, n x their number.
@@ -60,6 +74,8 @@ class FullCycle {
   Eigen::VectorXd stiffness_;
   Eigen::VectorXd mass_;
   double omega_ = 0;
+  /// (H + 1) x size: motion that the forces which linear kinematics leave out would cause in the linear vehicle.
+  Eigen::MatrixXcd added_;
   /// Samples in rows.
   Eigen::MatrixXd lacking_;
   Eigen::MatrixXd readings_;

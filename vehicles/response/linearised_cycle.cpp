@@ -39,6 +39,8 @@ LinearisedCycle::LinearisedCycle(const CondensedModel& model, const std::vector<
       has_steps_(HasSteps(ports_)),
       left_(has_steps_ ? 1 : 0.5),
       root_mass_(model.mass.diagonal().cwiseSqrt()) {
+  sensors_.resize(3 * model.on_position.rows(), model.mass.rows());
+  sensors_ << model.on_position, model.on_velocity, model.on_acceleration;
   const Eigen::VectorXd inverse = root_mass_.cwiseInverse();
   const auto norm = [&](const Eigen::MatrixXd& rows) -> Eigen::VectorXd {
     return (rows * inverse.asDiagonal()).rowwise().norm();
@@ -50,7 +52,7 @@ LinearisedCycle::LinearisedCycle(const CondensedModel& model, const std::vector<
 
 bool LinearisedCycle::Solve(double frequency_Hz, double amplitude_m) {
   omega_ = 2 * std::numbers::pi * frequency_Hz;
-  unit_driven_ = receptance_.Driven(omega_);
+  NoteUnits();
   iterations_ = 0;
   SetAmplitude(amplitude_m);
   // From less, and where the motion of less has come to its end, from more.
@@ -58,6 +60,16 @@ bool LinearisedCycle::Solve(double frequency_Hz, double amplitude_m) {
       TrySolve() ||
       (!ports_.empty() && (SolveByWayOf({0.1, 0.2, 0.35, 0.5, 0.7, 0.85}) || SolveByWayOf({4, 3, 2, 1.5, 1.2})));
   return solved_before_;
+}
+
+void LinearisedCycle::NoteUnits() {
+  unit_motion_ = receptance_.UnitMotions(omega_);
+  unit_driven_ = receptance_.Driven(unit_motion_.rightCols(1));
+  post_readings_.resize(model_.on_post_height.rows());
+  post_readings_.real() = (model_.on_post_height - omega_ * omega_ * model_.on_post_acceleration) * shape_;
+  post_readings_.imag() = omega_ * (model_.on_post_velocity * shape_);
+  unit_readings_ = ReadingsOf(Eigen::RowVectorXd::Constant(unit_motion_.cols(), omega_), unit_motion_);
+  unit_readings_.rightCols(1) += post_readings_;
 }
 
 void LinearisedCycle::SetAmplitude(double amplitude_m) {
@@ -115,49 +127,62 @@ bool LinearisedCycle::SolveByWayOf(const std::vector<double>& shares) {
 }
 
 bool LinearisedCycle::SolveLevel(std::size_t level, const Eigen::MatrixXcd& start, double tolerance) {
-  // Held by value: the start may be this level's own.
-  const Eigen::MatrixXcd from = start;
   while (levels_.size() <= level)
     levels_.push_back(std::make_unique<PortCycle>(ports_, receptance_, HarmonicsOf(levels_.size()),
                                                   SamplesOf(levels_.size(), has_steps_)));
   level_ = level;
-  const bool converged = levels_[level]->Solve(omega_, driven_, from, tolerance, options_.max_iterations);
+  const bool converged = levels_[level]->Solve(omega_, driven_, start, tolerance, options_.max_iterations);
   iterations_ += levels_[level]->iterations();
   return converged;
 }
 
 Eigen::VectorXcd LinearisedCycle::CoordinatesOf(int h) const {
-  Eigen::VectorXcd tensions = Eigen::VectorXcd::Zero(static_cast<Eigen::Index>(ports_.size()));
+  const Eigen::Index count = unit_driven_.size();
+  Eigen::VectorXcd tensions = Eigen::VectorXcd::Zero(count);
   if (h <= harmonics()) tensions = cycle().remainder().row(h).transpose();
-  Eigen::VectorXcd coordinates = receptance_.Motion(h * omega_, tensions, h == 1 ? amplitude_ : 0);
+  Eigen::VectorXcd coordinates;
+  if (h == 1) coordinates = unit_motion_.leftCols(count) * tensions + amplitude_ * unit_motion_.col(count);
+  else coordinates = receptance_.Motion(h * omega_, tensions, 0);
   if (h < added_.rows()) coordinates += added_.row(h).transpose();
   return coordinates;
 }
 
-Eigen::VectorXcd LinearisedCycle::Readings(int h, const Eigen::VectorXcd& coordinates,
-                                           const Eigen::MatrixXcd& remainder) const {
-  const double w = h * omega_;
-  const auto motion = coordinates.head(model_.mass.rows());
-  // Rows are real: position and acceleration act on one part of the motion, velocity turns it.
-  Eigen::MatrixXd rows = model_.on_position - w * w * model_.on_acceleration;
-  Eigen::VectorXcd readings(rows.rows());
-  readings.real() = rows * motion.real() - w * (model_.on_velocity * motion.imag());
-  readings.imag() = rows * motion.imag() + w * (model_.on_velocity * motion.real());
-  if (h == 1) {
-    readings.real() += amplitude_ * ((model_.on_post_height - w * w * model_.on_post_acceleration) * shape_);
-    readings.imag() += amplitude_ * w * (model_.on_post_velocity * shape_);
-  }
+// Rows are real: position and acceleration act on one part of the motion, velocity turns it.
+Eigen::MatrixXcd LinearisedCycle::ReadingsOf(const Eigen::RowVectorXd& w, const Eigen::MatrixXcd& coordinates) const {
+  const Eigen::Index n = model_.mass.rows();
+  const Eigen::Index columns = coordinates.cols();
+  const Eigen::Index sensors = sensors_.rows() / 3;
+  Eigen::MatrixXd parts(n, 2 * columns);
+  parts << coordinates.topRows(n).real(), coordinates.topRows(n).imag();
+  const Eigen::MatrixXd read = sensors_.lazyProduct(parts);
+  Eigen::MatrixXcd readings(sensors, columns);
+  for (Eigen::Index j = 0; j < columns; ++j)
+    for (Eigen::Index i = 0; i < sensors; ++i) {
+      const auto on = [&](Eigen::Index derivative) {
+        const Eigen::Index row = derivative * sensors + i;
+        return Complex(read(row, j), read(row, columns + j));
+      };
+      readings(i, j) = on(0) + Complex(0, w[j]) * on(1) - w[j] * w[j] * on(2);
+    }
+  return readings;
+}
+
+void LinearisedCycle::AddLiftoffs(int h, const Eigen::MatrixXcd& remainder,
+                                  Eigen::Ref<Eigen::VectorXcd> readings) const {
   for (std::size_t j = 0; j < ports_.size(); ++j)
     if (ports_[j].liftoff >= 0)
       for (const int sensor : model_.liftoffs[static_cast<std::size_t>(ports_[j].liftoff)].load_cells)
         readings[sensor] += remainder(h, static_cast<Eigen::Index>(j));
-  return readings;
 }
 
 LinearisedCycle::First LinearisedCycle::FirstHarmonic() const {
+  const Eigen::Index count = unit_driven_.size();
+  Eigen::VectorXcd causes(count + 1);
+  causes << cycle().remainder().row(1).transpose(), amplitude_;
   First first;
-  first.coordinates = CoordinatesOf(1);
-  first.readings = Readings(1, first.coordinates, cycle().remainder());
+  first.motion = unit_motion_.topRows(root_mass_.size()).lazyProduct(causes).cwiseProduct(root_mass_).norm();
+  first.readings = unit_readings_.lazyProduct(causes);
+  AddLiftoffs(1, cycle().remainder(), first.readings);
   return first;
 }
 
@@ -165,11 +190,10 @@ LinearisedCycle::First LinearisedCycle::FirstHarmonic() const {
 /// relative to 3 % of what it would read if all of the motion's kinetic energy were in what it sees.
 double LinearisedCycle::Change(const First& before, const First& now) const {
   constexpr double kNode = 0.03;
-  const double motion = now.coordinates.head(root_mass_.size()).cwiseProduct(root_mass_).norm();
   double largest = 0;
   for (Eigen::Index i = 0; i < now.readings.size(); ++i) {
     const double most =
-        motion * (position_norm_[i] + omega_ * velocity_norm_[i] + omega_ * omega_ * acceleration_norm_[i]);
+        now.motion * (position_norm_[i] + omega_ * velocity_norm_[i] + omega_ * omega_ * acceleration_norm_[i]);
     const double size = std::max(std::sqrt(std::norm(now.readings[i])), kNode * most);
     if (size > 0) largest = std::max(largest, std::sqrt(std::norm(now.readings[i] - before.readings[i])) / size);
   }
@@ -177,8 +201,9 @@ double LinearisedCycle::Change(const First& before, const First& now) const {
 }
 
 SensorHarmonics LinearisedCycle::SensorsBy(const Eigen::MatrixXcd& remainder) const {
-  SensorHarmonics out(model_.on_position.rows(), 3);
-  for (int h = 0; h <= 2; ++h) out.col(h) = Readings(h, CoordinatesOf(h), remainder);
+  SensorHarmonics out = ReadingsOf(Eigen::RowVector3d(0, omega_, 2 * omega_), Coordinates(2).transpose());
+  out.col(1) += amplitude_ * post_readings_;
+  for (int h = 0; h <= 2; ++h) AddLiftoffs(h, remainder, out.col(h));
   return out;
 }
 

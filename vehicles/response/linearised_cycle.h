@@ -65,10 +65,14 @@ class LinearisedCycle {
   void SetAmplitude(double amplitude_m);
   /// [s x] of one harmonic.
   Eigen::VectorXcd CoordinatesOf(int h) const;
-  Eigen::VectorXcd Readings(int h, const Eigen::VectorXcd& coordinates, const Eigen::MatrixXcd& remainder) const;
-  /// Of the first harmonic.
+  /// What the sensors read of motions [s x] in columns, each at its frequency w; the posts' own apart.
+  Eigen::MatrixXcd ReadingsOf(const Eigen::RowVectorXd& w, const Eigen::MatrixXcd& coordinates) const;
+  void NoteUnits();
+  /// Tyres in the air press nothing: that is missing in what the linear vehicle reads.
+  void AddLiftoffs(int h, const Eigen::MatrixXcd& remainder, Eigen::Ref<Eigen::VectorXcd> readings) const;
+  /// Of the first harmonic: the norm of its motion by root masses, and what the sensors read.
   struct First {
-    Eigen::VectorXcd coordinates;
+    double motion = 0;
     Eigen::VectorXcd readings;
   };
   First FirstHarmonic() const;
@@ -88,6 +92,8 @@ class LinearisedCycle {
   /// Share of the last doubling's change that is left after it, at most. Harmonics of a kinked force fall with their
   /// square, their way back through the motion takes more: a doubling leaves an eighth to a third of the error.
   double left_ = 1;
+  /// The sensors' rows on position, velocity and acceleration, one below the other.
+  Eigen::MatrixXd sensors_;
   /// Square roots of the masses on the diagonal, and the norms of the sensors' rows per unit of root-mass motion.
   Eigen::VectorXd root_mass_;
   Eigen::VectorXd position_norm_;
@@ -97,6 +103,12 @@ class LinearisedCycle {
   double omega_ = 0;
   double amplitude_ = 0;
   Eigen::VectorXcd unit_driven_;
+  /// Of the first harmonic, per unit tension of each port and per unit amplitude of the posts: [s x], and what the
+  /// sensors read.
+  Eigen::MatrixXcd unit_motion_;
+  Eigen::MatrixXcd unit_readings_;
+  /// The posts' own share of the latter.
+  Eigen::VectorXcd post_readings_;
   /// Harmonics of the ports' extensions and of [s x] that the posts, and added forces, cause in the linear vehicle.
   Eigen::MatrixXcd driven_;
   Eigen::MatrixXcd added_;

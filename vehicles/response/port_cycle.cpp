@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include <Eigen/LU>
+#include "vehicles/response/port_newton.h"
 
 namespace fourpost {
 namespace {
@@ -25,72 +25,27 @@ int StepsPerSample(int samples) {
   return samples < kMany ? 4 : 2;
 }
 
-std::span<const double> Samples(const Eigen::MatrixXd& signals, Eigen::Index column) {
-  if (signals.size() == 0) return {};
-  return {signals.col(column).data(), static_cast<std::size_t>(signals.rows())};
-}
-
-std::span<double> Room(Eigen::MatrixXd& signals, Eigen::Index column) {
-  return {signals.col(column).data(), static_cast<std::size_t>(signals.rows())};
-}
-
 /// With harmonics 0..H, where those that are missing are zero.
-Eigen::MatrixXcd Resized(const Eigen::MatrixXcd& harmonics, Eigen::Index last) {
-  Eigen::MatrixXcd resized = Eigen::MatrixXcd::Zero(last + 1, harmonics.cols());
-  const Eigen::Index known = std::min(harmonics.rows(), resized.rows());
+void Resize(const Eigen::MatrixXcd& harmonics, Eigen::Index last, Eigen::MatrixXcd& resized) {
+  const Eigen::Index known = std::min(harmonics.rows(), last + 1);
+  resized.resize(last + 1, harmonics.cols());
   resized.topRows(known) = harmonics.topRows(known);
-  return resized;
+  resized.bottomRows(last + 1 - known).setZero();
 }
 
 /// Of the signals whose harmonics are given.
-Eigen::MatrixXcd RateOf(const Eigen::MatrixXcd& extension, double omega) {
-  Eigen::MatrixXcd rate(extension.rows(), extension.cols());
+void FindRates(const Eigen::MatrixXcd& extension, double omega, Eigen::MatrixXcd& rate) {
+  rate.resize(extension.rows(), extension.cols());
   for (Eigen::Index j = 0; j < extension.cols(); ++j)
     for (Eigen::Index h = 0; h < extension.rows(); ++h) {
       const double w = static_cast<double>(h) * omega;
       rate(h, j) = Complex(-w * extension(h, j).imag(), w * extension(h, j).real());
     }
+}
+Eigen::MatrixXcd RateOf(const Eigen::MatrixXcd& extension, double omega) {
+  Eigen::MatrixXcd rate;
+  FindRates(extension, omega, rate);
   return rate;
-}
-
-/// Harmonics 0, 1 .. H of a signal s(t) from m = -2 H .. 2 H of a real one: s = sum over m of two-sided c_m.
-class TwoSided {
- public:
-  explicit TwoSided(const Eigen::VectorXcd& harmonics) : harmonics_(harmonics) {}
-  Complex operator()(Eigen::Index m) const {
-    if (m == 0) return harmonics_[0];
-    return 0.5 * (m > 0 ? harmonics_[m] : std::conj(harmonics_[-m]));
-  }
-
- private:
-  const Eigen::VectorXcd& harmonics_;
-};
-
-/// Real unknowns of the harmonics 0..H: the mean, then real and imaginary parts.
-Eigen::VectorXd Unfolded(const Eigen::VectorXcd& harmonics) {
-  Eigen::VectorXd real(2 * harmonics.size() - 1);
-  real << harmonics.real(), harmonics.imag().tail(harmonics.size() - 1);
-  return real;
-}
-Eigen::VectorXcd Folded(const Eigen::VectorXd& real) {
-  const Eigen::Index count = (real.size() + 1) / 2;
-  Eigen::VectorXcd harmonics(count);
-  harmonics.real() = real.head(count);
-  harmonics.imag()[0] = 0;
-  harmonics.imag().tail(count - 1) = real.tail(count - 1);
-  return harmonics;
-}
-
-/// The real matrix of E -> direct E + conjugate conj(E), on Unfolded().
-Eigen::MatrixXd RealMatrix(const Eigen::MatrixXcd& direct, const Eigen::MatrixXcd& conjugate) {
-  const Eigen::Index count = direct.rows();
-  const Eigen::Index rest = count - 1;
-  const Eigen::MatrixXcd sum = direct + conjugate;
-  const Eigen::MatrixXcd difference = direct - conjugate;
-  Eigen::MatrixXd real(count + rest, count + rest);
-  real << sum.real(), -difference.imag().rightCols(rest), sum.imag().bottomRows(rest),
-      difference.real().bottomRightCorner(rest, rest);
-  return real;
 }
 
 }  // namespace
@@ -111,8 +66,9 @@ PortCycle::PortCycle(const std::vector<Port>& ports, const Receptance& receptanc
 bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
                       int max_iterations) {
   omega_ = omega;
-  driven_ = Resized(driven, harmonics());
-  extension_ = Resized(start, harmonics());
+  Resize(driven, harmonics(), driven_);
+  // The start may be this cycle's own solution.
+  if (&start != &extension_) Resize(start, harmonics(), extension_);
   receptance_.Ports(omega, harmonics(), ports_receptance_);
   iterations_ = 0;
   FindRemainders();
@@ -134,10 +90,10 @@ bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen:
     earlier = std::exchange(before, change);
     switch (method) {
       case Method::kPlain: extension_ += step_; break;
-      case Method::kNewton: NewtonStep(); continue;
+      case Method::kNewton: TakeNewtonStep(); continue;
       case Method::kAnderson:
         if (!acceleration) acceleration.emplace(kHistory);
-        if (has_memory_) FindNewtonStep();
+        if (has_memory_) step_ = NewtonStep(*this, step_, NewtonRows());
         AndersonStep(*acceleration);
         break;
     }
@@ -214,7 +170,8 @@ bool PortCycle::ResolvesSteps() const {
 double PortCycle::Period() const { return 2 * std::numbers::pi / omega_; }
 
 void PortCycle::FindRemainders() {
-  transform_.ToTime(RateOf(extension_, omega_), rate_time_);
+  FindRates(extension_, omega_, rate_);
+  transform_.ToTime(rate_, rate_time_);
   if (uses_extension_) transform_.ToTime(extension_, extension_time_);
   for (std::size_t j = 0; j < ports_.size(); ++j) {
     const auto column = static_cast<Eigen::Index>(j);
@@ -229,7 +186,8 @@ void PortCycle::FindRemainders() {
 }
 
 Eigen::MatrixXcd PortCycle::RemainderBy(const CycleTransform& transform) const {
-  const Eigen::MatrixXcd extension = Resized(extension_, transform.harmonics());
+  Eigen::MatrixXcd extension;
+  Resize(extension_, transform.harmonics(), extension);
   Eigen::MatrixXd extensions;
   Eigen::MatrixXd rates;
   Eigen::MatrixXd remainders = Eigen::MatrixXd::Zero(transform.samples(), extension.cols());
@@ -286,113 +244,10 @@ double PortCycle::SizeOf(const Eigen::MatrixXcd& extension) const {
   return std::sqrt(largest);
 }
 
-/// With two-sided harmonics a of the slope by extension and b of that by rate:
-///   dR_l = sum over h > 0 of (a_{l-h} + i h w b_{l-h}) dE_h + (a_{l+h} - i h w b_{l+h}) conj(dE_h), and 2 a_l dE_0
-/// for l > 0, half of it for l = 0.
-std::vector<PortCycle::Coupling> PortCycle::Couplings() const {
-  Eigen::MatrixXd by_extension(transform_.samples(), 1);
-  Eigen::MatrixXd by_rate(transform_.samples(), 1);
-  Eigen::MatrixXcd of_extension;
-  Eigen::MatrixXcd of_rate;
-  const Eigen::Index size = NewtonRows();
-  const CycleTransform& transform =
-      CycleTransform::Shared(2 * static_cast<int>(size - 1), static_cast<int>(transform_.samples()));
-  std::vector<Coupling> couplings;
-  for (std::size_t j = 0; j < ports_.size(); ++j) {
-    const auto column = static_cast<Eigen::Index>(j);
-    if (const auto* hydraulic = std::get_if<HydraulicRemainder>(&ports_[j].law)) {
-      couplings.push_back(CycleCoupling(*hydraulic, column, size));
-      continue;
-    }
-    RemainderSlopes(ports_[j].law, Samples(extension_time_, column), Samples(rate_time_, column), Room(by_extension, 0),
-                    Room(by_rate, 0));
-    if (by_extension.isZero(0) && by_rate.isZero(0)) continue;
-    transform.ToHarmonics(by_extension, of_extension);
-    transform.ToHarmonics(by_rate, of_rate);
-    const Eigen::VectorXcd extension_column = of_extension.col(0);
-    const Eigen::VectorXcd rate_column = of_rate.col(0);
-    const TwoSided a(extension_column);
-    const TwoSided b(rate_column);
-    Coupling coupling{column, Eigen::MatrixXcd::Zero(size, size), Eigen::MatrixXcd::Zero(size, size)};
-    for (Eigen::Index l = 0; l < size; ++l) {
-      const double share = l > 0 ? 1 : 0.5;
-      coupling.direct(l, 0) = 2 * share * a(l);
-      for (Eigen::Index h = 1; h < size; ++h) {
-        const Complex iw(0, static_cast<double>(h) * omega_);
-        coupling.direct(l, h) = share * (a(l - h) + iw * b(l - h));
-        coupling.conjugate(l, h) = share * (a(l + h) - iw * b(l + h));
-      }
-    }
-    couplings.push_back(std::move(coupling));
-  }
-  return couplings;
-}
-
-/// By the remainder's change with the real and the imaginary part of each harmonic, r and i:
-///   dR = r dRe(E) + i dIm(E) = (r - j i) / 2 dE + (r + j i) / 2 conj(dE),   j: the imaginary unit
-PortCycle::Coupling PortCycle::CycleCoupling(const HydraulicRemainder& law, Eigen::Index port,
-                                             Eigen::Index size) const {
-  const Complex imaginary(0, 1);
-  Eigen::MatrixXcd units(size, 2 * size - 1);
-  units << Eigen::MatrixXcd::Identity(size, size),
-      imaginary * Eigen::MatrixXcd::Identity(size, size).rightCols(size - 1);
-  const Eigen::VectorXcd rates =
-      Complex(0, omega_) * Eigen::VectorXd::LinSpaced(size, 0, static_cast<double>(size - 1));
-  const CycleTransform& steps = CycleTransform::Shared(static_cast<int>(size - 1), static_cast<int>(steps_.samples()));
-  Eigen::MatrixXd extensions;
-  Eigen::MatrixXd extension_rates;
-  Eigen::MatrixXd remainders;
-  steps.ToTime(units, extensions);
-  steps.ToTime(rates.asDiagonal() * units, extension_rates);
-  const SteppedMotion motion = StepsOf(port);
-  CycleChanges(law, Period(), Samples(motion.extension, 0), Samples(motion.rate, 0), extensions, extension_rates,
-               remainders);
-  Eigen::MatrixXcd changes;
-  steps.ToHarmonics(remainders, changes);
-  const auto by_real = changes.middleCols(1, size - 1);
-  const auto by_imaginary = changes.rightCols(size - 1);
-  Coupling coupling{port, Eigen::MatrixXcd::Zero(size, size), Eigen::MatrixXcd::Zero(size, size)};
-  coupling.direct.col(0) = changes.col(0);
-  coupling.direct.rightCols(size - 1) = 0.5 * (by_real - imaginary * by_imaginary);
-  coupling.conjugate.rightCols(size - 1) = 0.5 * (by_real + imaginary * by_imaginary);
-  for (Eigen::Index h = 0; h < size; ++h) coupling.direct(h, h) -= LaggingShare(law, static_cast<double>(h) * omega_);
-  return coupling;
-}
-
-void PortCycle::NewtonStep() {
+void PortCycle::TakeNewtonStep() {
   const double plain = SizeOf(step_);
-  FindNewtonStep();
+  step_ = NewtonStep(*this, step_, NewtonRows());
   FollowNewton(plain);
-}
-
-/// Solves dE - receptance dR = step for the ports whose remainders change, the others follow, and so do the harmonics
-/// beyond those it can afford.
-void PortCycle::FindNewtonStep() {
-  const std::vector<Coupling> couplings = Couplings();
-  const Eigen::Index count = extension_.cols();
-  const Eigen::Index rows = NewtonRows();
-  const Eigen::Index unknowns = 2 * rows - 1;
-  const auto active = static_cast<Eigen::Index>(couplings.size());
-  const auto Through = [&](Eigen::Index i, const Coupling& coupling) {
-    const auto receptance = ports_receptance_.col(i + count * coupling.port).head(rows).asDiagonal();
-    return RealMatrix(receptance * coupling.direct, receptance * coupling.conjugate);
-  };
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(active * unknowns, active * unknowns);
-  Eigen::VectorXd right(active * unknowns);
-  for (Eigen::Index p = 0; p < active; ++p) {
-    const Eigen::Index port = couplings[static_cast<std::size_t>(p)].port;
-    right.segment(p * unknowns, unknowns) = Unfolded(step_.col(port).head(rows));
-    for (Eigen::Index q = 0; q < active; ++q)
-      matrix.block(p * unknowns, q * unknowns, unknowns, unknowns) -=
-          Through(port, couplings[static_cast<std::size_t>(q)]);
-  }
-  const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
-  Eigen::MatrixXcd newton = step_;
-  for (Eigen::Index i = 0; i < count; ++i)
-    for (Eigen::Index q = 0; q < active; ++q)
-      newton.col(i).head(rows) +=
-          Folded(Through(i, couplings[static_cast<std::size_t>(q)]) * solution.segment(q * unknowns, unknowns));
-  step_.swap(newton);
 }
 
 /// Goes the way of Newton's step as far as the plain iteration's step shrinks, whose size from here is `step`.

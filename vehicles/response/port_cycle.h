@@ -51,17 +51,18 @@ class PortCycle {
   /// See Receptance::Ports.
   const Eigen::MatrixXcd& receptance() const { return ports_receptance_; }
   const std::vector<PortKink>& kinks(Eigen::Index port) const { return kinks_[static_cast<std::size_t>(port)]; }
+  /// Of one port at each step of a law with memory, steps x 1.
+  struct SteppedMotion {
+    Eigen::MatrixXd extension;
+    Eigen::MatrixXd rate;
+  };
+  SteppedMotion StepsOf(Eigen::Index port) const;
+  double omega() const { return omega_; }
+  double Period() const;
+  const std::vector<Port>& ports() const { return ports_; }
+
   /// Harmonics of the remainder of a law with memory, had this port it.
   Eigen::VectorXcd RemainderOf(const HydraulicRemainder& law, Eigen::Index port) const;
-
-  /// Derivatives of R by E of one port, as coefficients of E and of its conjugate.
-  struct Coupling {
-    Eigen::Index port = 0;
-    Eigen::MatrixXcd direct;
-    Eigen::MatrixXcd conjugate;
-  };
-  /// Of a port whose law has memory, for `size` harmonics.
-  Coupling CycleCoupling(const HydraulicRemainder& law, Eigen::Index port, Eigen::Index size) const;
 
   /// Whether steps of the remainders, as friction's, have a sample each time they are passed at full speed.
   bool ResolvesSteps() const;
@@ -71,12 +72,6 @@ class PortCycle {
 
  private:
   void FindRemainders();
-  /// Of one port at each step, steps x 1.
-  struct SteppedMotion {
-    Eigen::MatrixXd extension;
-    Eigen::MatrixXd rate;
-  };
-  SteppedMotion StepsOf(Eigen::Index port) const;
   double FindStep();
   double SizeOf(const Eigen::MatrixXcd& extension) const;
   enum class Method { kPlain, kNewton, kAnderson };
@@ -84,13 +79,10 @@ class PortCycle {
   Method Choose(double change, double earlier, double tolerance) const;
   Method Newton() const;
   bool IsTouched() const;
-  void NewtonStep();
-  void FindNewtonStep();
+  void TakeNewtonStep();
   void FollowNewton(double step);
   void AndersonStep(AndersonAcceleration& acceleration);
-  std::vector<Coupling> Couplings() const;
   Eigen::Index NewtonRows() const;
-  double Period() const;
 
   const std::vector<Port>& ports_;
   const Receptance& receptance_;
@@ -107,6 +99,8 @@ class PortCycle {
   Eigen::MatrixXcd extension_;
   Eigen::MatrixXcd remainder_;
   Eigen::MatrixXcd step_;
+  /// Harmonics of the extensions' rates.
+  Eigen::MatrixXcd rate_;
   Eigen::MatrixXd extension_time_;
   Eigen::MatrixXd rate_time_;
   Eigen::MatrixXd remainder_time_;

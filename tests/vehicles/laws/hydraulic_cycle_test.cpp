@@ -166,6 +166,8 @@ TEST(HydraulicCycle, StandsAgainstTheGasWhereNothingMoves) {
 TEST(HydraulicCycle, HasNoneWhereAChamberCloses) {
   const Cycle cycle({.frequency_Hz = 1, .speed = 0.7, .mean = 0}, 64);  // 0.11 m of columns of 0.1 m
   EXPECT_FALSE(HydraulicCycle::Solve({.damper = {}, .mount = {}}, cycle.period, cycle.x, cycle.v).has_value());
+  const Cycle lower({.frequency_Hz = 1, .speed = 0.56, .mean = -0.02}, 64);  // from -0.109 to 0.069 m
+  EXPECT_FALSE(HydraulicCycle::Solve({.damper = {}, .mount = {}}, lower.period, lower.x, lower.v).has_value());
   std::vector<double> nan = cycle.x;
   nan[3] = std::nan("");
   EXPECT_FALSE(HydraulicCycle::Solve({.damper = {}, .mount = {}}, cycle.period, nan, cycle.v).has_value());

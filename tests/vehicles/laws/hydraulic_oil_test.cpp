@@ -123,7 +123,10 @@ TEST(HydraulicOil, MountIsInLineWithTheLinearShare) {
 
 TEST(HydraulicOil, IsNanWhereAChamberCloses) {
   const HydraulicOil oil({.damper = {}, .mount = {}});
+  // Columns of 0.1 m, either way.
   EXPECT_TRUE(std::isnan(At(oil, 0.1001, 0).tension));
+  EXPECT_TRUE(std::isnan(At(oil, -0.1001, 0).tension));
+  EXPECT_FALSE(std::isnan(At(oil, -0.0999, 0).tension));
   EXPECT_TRUE(std::isnan(At(oil, std::nan(""), 0).tension));
 }
 
