@@ -147,7 +147,7 @@ bool FullCycle::Solve(double frequency_Hz, double amplitude_m) {
   added_.resize(0, mass_.size());
   Take(coarse_);
   bool converged = TryAt(amplitude_m) || SolveByWayOfLess(frequency_Hz, amplitude_m);
-  if (converged && coarse_.samples < fine_.samples && DepartsFrom(linearised)) {
+  if (converged && coarse_.samples < fine_.samples && DepartsFrom(linearised, amplitude_m)) {
     Take(fine_);
     converged = TryAt(amplitude_m);
   }
@@ -156,7 +156,7 @@ bool FullCycle::Solve(double frequency_Hz, double amplitude_m) {
 }
 
 /// Whether any sensor does by so much that the share of it that coarse sampling errs by could be seen.
-bool FullCycle::DepartsFrom(const SensorHarmonics& linearised) const {
+bool FullCycle::DepartsFrom(const SensorHarmonics& linearised, double amplitude_m) const {
   constexpr double kMuch = 0.01;
   // Next to a node less is not seen.
   constexpr double kNode = 0.01;
@@ -164,7 +164,8 @@ bool FullCycle::DepartsFrom(const SensorHarmonics& linearised) const {
   std::map<Sensor::Type, double> loudest;
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     double& size = loudest[sensors[i].type];
-    size = std::max(size, std::abs(linearised(static_cast<Eigen::Index>(i), 1)));
+    // A unit may be silent as a whole.
+    size = std::max({size, amplitude_m, std::abs(linearised(static_cast<Eigen::Index>(i), 1))});
   }
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);

@@ -39,7 +39,7 @@ class FullCycle {
   bool SolveByWayOfLess(double frequency_Hz, double amplitude_m);
   bool TryAt(double amplitude_m);
   void Take(const Sampling& sampling);
-  bool DepartsFrom(const SensorHarmonics& linearised) const;
+  bool DepartsFrom(const SensorHarmonics& linearised, double amplitude_m) const;
   bool Iterate();
   Eigen::MatrixXcd Departure(const Eigen::MatrixXcd& motion, bool read);
   /// What the full system lacks to move so at each sample, in the columns of [s x], and, if asked, what its sensors

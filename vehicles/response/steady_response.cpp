@@ -67,7 +67,7 @@ KinematicsError CompareKinematics(const FrequencyResponse& linearised, const Fre
   constexpr double kSilent = 0.01;
   std::map<std::string, double> loudest;
   for (const ChannelResponse& channel : full.channels)
-    loudest[channel.unit] = std::max(loudest[channel.unit], LargestGain(channel));
+    loudest[channel.unit] = std::max({1.0, loudest[channel.unit], LargestGain(channel)});
   KinematicsError error;
   for (std::size_t c = 0; c < full.channels.size(); ++c) {
     const ChannelResponse& channel = full.channels[c];

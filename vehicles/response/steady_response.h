@@ -39,7 +39,8 @@ struct LargestDifference {
 
 /// By how much kinematics linearised about the design pose are off: the largest differences of gain and phase between
 /// the linearised and the full balance. Values of a channel below 3 % of its largest are left out, as next to a node a
-/// ratio says nothing, and channels that are silent: below a hundredth of the loudest of their unit.
+/// ratio says nothing, and channels that are silent: below a hundredth of the loudest of their unit, and of one unit per
+/// metre, so that a unit may be silent as a whole.
 struct KinematicsError {
   LargestDifference gain_dB;
   LargestDifference phase_deg;

@@ -6,6 +6,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/vehicles/quarter_cars.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
 namespace fourpost {
@@ -13,6 +14,40 @@ namespace {
 
 using testing::IsEmpty;
 using testing::SizeIs;
+
+Vehicle StiffRubbingCar(double force) {
+  Vehicle vehicle = Describe(BilinearCar());
+  vehicle.dampers[0].law.friction = DashpotDescription::Friction{.force = {force}, .speed = {0.01}};
+  return vehicle;
+}
+
+TEST(FrictionLock, IsFoundWhereFrictionHoldsAndNotWhereItSlides) {
+  const Excitation excitation{{1, 2}, {0.002, 0.002}, {1}};
+  const auto locked = FindLockedFriction(StiffRubbingCar(2000), excitation);
+  ASSERT_EQ(locked.size(), 1u);
+  EXPECT_EQ(locked[0].damper, 0u);
+  EXPECT_EQ(locked[0].friction_N, 2000);
+  EXPECT_GT(locked[0].factor, 1);
+  EXPECT_EQ(locked[0].frequency_Hz, 2);
+  EXPECT_THAT(FindLockedFriction(StiffRubbingCar(5), excitation), IsEmpty());
+  EXPECT_THAT(FindLockedFriction(Describe(BilinearCar()), excitation), IsEmpty());
+  // So many times the motion makes it slide: somewhat more does, somewhat less does not.
+  const auto scaled = [&](double scale) {
+    Excitation other = excitation;
+    for (double& amplitude : other.amplitude_m) amplitude *= scale * locked[0].factor;
+    return FindLockedFriction(StiffRubbingCar(2000), other);
+  };
+  EXPECT_THAT(scaled(1.5), IsEmpty());
+  EXPECT_THAT(scaled(0.7), testing::SizeIs(1));
+}
+
+// The mount yields while the damper behind it holds.
+TEST(FrictionLock, IsFoundBehindAMount) {
+  Vehicle vehicle = StiffRubbingCar(2000);
+  vehicle.dampers[0].series = SpringDescription{.stiffness = {150e3}};
+  EXPECT_EQ(FindLockedFriction(vehicle, {{1, 2}, {0.002, 0.002}, {1}}).size(), 1u);
+  EXPECT_THAT(FindLockedFriction(vehicle, {{1, 2}, {0.1, 0.1}, {1}}), IsEmpty());
+}
 
 constexpr double kRate_Hz = 1000;
 

@@ -11,6 +11,7 @@
 
 #include "tests/vehicles/quarter_cars.h"
 #include "tests/vehicles/recorded_rig.h"
+#include "vehicles/description/post_pattern.h"
 
 namespace fourpost {
 namespace {
@@ -146,6 +147,37 @@ TEST(FullBalance, NeedsADozenSamples) {
         }
     }
   }
+}
+
+Excitation RollOfTheCar(double frequency_Hz, double amplitude_m) {
+  return {{frequency_Hz}, {amplitude_m}, PostPattern(ShippedVehicle("landrover110"), "roll")};
+}
+
+// Rolling by some degrees, the full geometry moves sensors amidships by a tenth.
+TEST(FullBalance, TakesMoreSamplesWhereTheyCount) {
+  Prepared prepared(ShippedVehicle("landrover110"));
+  const Excitation excitation = RollOfTheCar(1.76, 0.012);
+  const auto reading = [&](const FullBalanceOptions& options) {
+    return prepared.Full(excitation, options).response.Find("a_cross_member")->response[0];
+  };
+  const Complex exact = reading({.fine_harmonics = 31, .fine_samples = 256});
+  EXPECT_LT(std::abs(reading({}) / exact - 1.0), 5e-4);
+  EXPECT_GT(std::abs(reading({.fine_harmonics = 5, .fine_samples = 12}) / exact - 1.0), 2e-3);
+}
+
+// Next to the resonance of roll its acceleration leads nowhere from rest.
+TEST(FullBalance, ComesFromSmallerAmplitudesToLargeOnes) {
+  Prepared prepared(ShippedVehicle("landrover110"));
+  const Excitation excitation = RollOfTheCar(1.57, 0.0117);
+  const PeriodicResponse with_short_memory = prepared.Full(excitation, {.history = 8});
+  const PeriodicResponse with_long_memory = prepared.Full(excitation);
+  EXPECT_THAT(with_short_memory.unconverged_Hz, IsEmpty());
+  EXPECT_THAT(with_long_memory.unconverged_Hz, IsEmpty());
+  // Ten times the tolerance: near a resonance steps shrink slowly.
+  EXPECT_LT(std::abs(with_short_memory.response.Find("a_body_FL")->response[0] /
+                         with_long_memory.response.Find("a_body_FL")->response[0] -
+                     1.0),
+            1e-4);
 }
 
 TEST(FullBalance, AgreesWithTheMarchThroughLoops) {

@@ -2,15 +2,11 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include <gmock/gmock.h>
 
 #include "tests/vehicles/quarter_cars.h"
-#include "vehicles/response/amplitude_law.h"
-#include "vehicles/response/friction_lock.h"
 #include "vehicles/response/march.h"
-#include "vehicles/response/post_stroke.h"
 
 namespace fourpost {
 namespace {
@@ -19,15 +15,6 @@ using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-TEST(AmplitudeLaw, TheLeastLimitCounts) {
-  const double w = 2 * std::numbers::pi;
-  const AmplitudeLaw law{.displacement_m = 0.01, .velocity_mps = 0.01 * w, .acceleration_mps2 = 0.02 * w * w};
-  EXPECT_EQ(law.At(0.5), 0.01);
-  EXPECT_NEAR(law.At(1.5), 0.01 / 1.5, 1e-15);  // rounding
-  EXPECT_NEAR(law.At(4), 0.02 / 16, 1e-15);
-  EXPECT_EQ(AmplitudeLaw{.displacement_m = 1}.At(100), 1);
-}
 
 TEST(SteadyResponse, OfLinearKinematicsIsTheLinearisedOne) {
   const Vehicle vehicle = Describe(BilinearCar());
@@ -120,56 +107,9 @@ TEST(KinematicsError, LeavesOutNodesSilenceAndWhatHasNoAnswer) {
   one.channels.push_back({.name = "silent", .unit = "m", .response = {1e-9, 1e-9}});
   other.channels.push_back({.name = "silent", .unit = "m", .response = {2e-9, 1e-9}});
   EXPECT_FALSE(CompareKinematics(one, other).IsVisible());
-}
-
-Vehicle RubbingCar(double force) {
-  Vehicle vehicle = Describe(BilinearCar());
-  vehicle.dampers[0].law.friction = DashpotDescription::Friction{.force = {force}, .speed = {0.01}};
-  return vehicle;
-}
-
-TEST(FrictionLock, IsFoundWhereFrictionHoldsAndNotWhereItSlides) {
-  const Excitation excitation{{1, 2}, {0.002, 0.002}, {1}};
-  const auto locked = FindLockedFriction(RubbingCar(2000), excitation);
-  ASSERT_EQ(locked.size(), 1u);
-  EXPECT_EQ(locked[0].damper, 0u);
-  EXPECT_EQ(locked[0].friction_N, 2000);
-  EXPECT_GT(locked[0].factor, 1);
-  EXPECT_EQ(locked[0].frequency_Hz, 2);
-  EXPECT_THAT(FindLockedFriction(RubbingCar(5), excitation), IsEmpty());
-  EXPECT_THAT(FindLockedFriction(Describe(BilinearCar()), excitation), IsEmpty());
-  // So many times the motion makes it slide: somewhat more does, somewhat less does not.
-  const auto scaled = [&](double scale) {
-    Excitation other = excitation;
-    for (double& amplitude : other.amplitude_m) amplitude *= scale * locked[0].factor;
-    return FindLockedFriction(RubbingCar(2000), other);
-  };
-  EXPECT_THAT(scaled(1.5), IsEmpty());
-  EXPECT_THAT(scaled(0.7), testing::SizeIs(1));
-}
-
-// The mount yields while the damper behind it holds.
-TEST(FrictionLock, IsFoundBehindAMount) {
-  Vehicle vehicle = RubbingCar(2000);
-  vehicle.dampers[0].series = SpringDescription{.stiffness = {150e3}};
-  EXPECT_EQ(FindLockedFriction(vehicle, {{1, 2}, {0.002, 0.002}, {1}}).size(), 1u);
-  EXPECT_THAT(FindLockedFriction(vehicle, {{1, 2}, {0.1, 0.1}, {1}}), IsEmpty());
-}
-
-TEST(PostStroke, IsHalfUpAndHalfDown) {
-  Vehicle vehicle = ShippedVehicle("quarter_car");
-  Diagnostics diagnostics;
-  const auto check = [&](double excursion) {
-    CheckStroke(vehicle, std::vector{excursion}, "heave at 1 Hz", diagnostics);
-  };
-  check(5);
-  vehicle.posts[0].stroke = 0.1;
-  check(0.05);
-  EXPECT_EQ(diagnostics.Format(), "");
-  check(0.0512);
-  EXPECT_THAT(diagnostics.Format(),
-              HasSubstr("fp:post 'post' reaches 50 mm up and down, and heave at 1 Hz asks 51.2 mm of it"));
-  EXPECT_THROW(CheckStroke(vehicle, {}, "", diagnostics), std::invalid_argument);
+  // Nor by a unit without any other sensor.
+  one.channels.back().unit = other.channels.back().unit = "rad/s";
+  EXPECT_FALSE(CompareKinematics(one, other).IsVisible());
 }
 
 }  // namespace
