@@ -34,62 +34,26 @@ void TellMarched(const std::string& name, const Excitation& excitation, const St
                name.c_str(), marched.size(), answer.engine_at.size(), List(marched).c_str());
 }
 
-/// The user asked to stop.
-struct Interruption {};
+/// One line for what takes long, with the time left, until the user asks to stop.
+class SweepProgress {
+ public:
+  SweepProgress(ProgressLine& line, const std::string& name) : line_(line), name_(name) {}
 
-template <typename Value>
-void Append(const std::vector<Value>& values, std::vector<Value>& all) {
-  all.insert(all.end(), values.begin(), values.end());
-}
-
-void Append(const SteadyResponse& part, SteadyResponse& all) {
-  Append(part.response.frequency_Hz, all.response.frequency_Hz);
-  Append(part.response.amplitude_m, all.response.amplitude_m);
-  for (std::size_t c = 0; c < all.response.channels.size(); ++c) {
-    Append(part.response.channels[c].response, all.response.channels[c].response);
-    Append(part.response.channels[c].mean, all.response.channels[c].mean);
-    Append(part.response.channels[c].second_harmonic, all.response.channels[c].second_harmonic);
+  bool operator()(const SteadySolver::Stage& stage) {
+    if (stage.work != work_) began_ = line_.seconds();
+    work_ = stage.work;
+    const double share = static_cast<double>(stage.done) / static_cast<double>(stage.total);
+    line_.Show(name_ + ": " + work_ + ": " + std::to_string(stage.done) + " of " + std::to_string(stage.total) +
+               " frequencies" + TimeLeft(share, line_.seconds() - began_));
+    return !Interrupted();
   }
-  Append(part.engine_at, all.engine_at);
-  Append(part.unanswered, all.unanswered);
-}
 
-/// A frequency that was not tried; channels as those of `like`.
-SteadyResponse NotTried(double frequency_Hz, double amplitude_m, const SteadyResponse& like) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  SteadyResponse none{.response = {.frequency_Hz = {frequency_Hz}, .amplitude_m = {amplitude_m}},
-                      .engine_at = {Engine::kMarch},
-                      .unanswered = {{frequency_Hz, "interrupted before"}}};
-  for (const ChannelResponse& channel : like.response.channels)
-    none.response.channels.push_back({.name = channel.name,
-                                      .unit = channel.unit,
-                                      .response = {{kNone, kNone}},
-                                      .mean = {kNone},
-                                      .second_harmonic = {kNone}});
-  return none;
-}
-
-/// A march starts each frequency from rest: one by one they may be ended, and keep what is done.
-SteadyResponse MarchEach(SteadySolver& solver, const std::string& name, const Excitation& excitation,
-                         ProgressLine& progress) {
-  const std::size_t count = excitation.frequency_Hz.size();
-  const double began = progress.seconds();
-  std::optional<SteadyResponse> all;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double frequency = excitation.frequency_Hz[i];
-    const double amplitude = excitation.amplitude_m[i];
-    progress.Show(name + ": march: " + std::to_string(i) + " of " + std::to_string(count) + " frequencies" +
-                  TimeLeft(static_cast<double>(i) / static_cast<double>(count), progress.seconds() - began));
-    const bool stop = all && Interrupted();
-    const SteadyResponse part =
-        stop ? NotTried(frequency, amplitude, *all)
-             : solver.Solve({.frequency_Hz = {frequency}, .amplitude_m = {amplitude}, .shape = excitation.shape},
-                            Engine::kMarch);
-    if (all) Append(part, *all);
-    else all = part;
-  }
-  return std::move(all).value();
-}
+ private:
+  ProgressLine& line_;
+  std::string name_;
+  std::string work_;
+  double began_ = 0;
+};
 
 }  // namespace
 
@@ -105,17 +69,11 @@ void RequireStable(const Vehicle& vehicle, const SteadySolver& solver) {
 
 std::optional<SteadyResponse> SolveSweep(SteadySolver& solver, const std::string& name, const Excitation& excitation,
                                          Engine engine, const HarmonicBalanceOptions& options, ProgressLine& progress) {
-  const auto show = [&](const std::string& text) {
-    progress.Show(name + ": " + text);
-    if (Interrupted()) throw Interruption();
-  };
   try {
-    if (engine == Engine::kMarch) return MarchEach(solver, name, excitation, progress);
-    SteadyResponse answer = solver.Solve(excitation, engine, options, show);
-    TellMarched(name, excitation, answer);
+    SteadyResponse answer = solver.Solve(excitation, engine, options, SweepProgress(progress, name));
+    if (answer.unanswered.size() == excitation.frequency_Hz.size() && Interrupted()) return std::nullopt;
+    if (engine != Engine::kMarch) TellMarched(name, excitation, answer);
     return answer;
-  } catch (const Interruption&) {
-    return std::nullopt;
   } catch (const std::invalid_argument& refusal) {
     Diagnostics faults;
     faults.Error("--engine", 0, refusal.what());

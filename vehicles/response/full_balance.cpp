@@ -35,7 +35,8 @@ void FullBalanceOptions::Validate() const {
 }
 
 PeriodicResponse SolveFullBalance(Multibody& multibody, const CondensedModel& model, const Excitation& excitation,
-                                  const FullBalanceOptions& options) {
+                                  const FullBalanceOptions& options,
+                                  const std::function<void(std::size_t done)>& progress) {
   options.Validate();
   const Vehicle& vehicle = multibody.vehicle();
   CheckFit(vehicle, model, excitation);
@@ -44,6 +45,7 @@ PeriodicResponse SolveFullBalance(Multibody& multibody, const CondensedModel& mo
   ResponseRecorder recorder(vehicle.sensors, excitation);
   PeriodicResponse out;
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+    if (progress) progress(i);
     if (!cycle.Solve(excitation.frequency_Hz[i], excitation.amplitude_m[i]))
       out.unconverged_Hz.push_back(excitation.frequency_Hz[i]);
     recorder.Record(i, cycle.Sensors());

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
+
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/multibody/multibody.h"
 #include "vehicles/response/excitation.h"
@@ -25,10 +28,11 @@ namespace fourpost {
 ///
 /// `multibody` must carry the parameters and preloads of `model`. Its post motion is removed afterwards.
 /// Where the iteration does not converge, leaves what Simbody can evaluate, or closes a chamber of a hydraulic damper,
-/// the frequency is reported unconverged
-/// and its values are those of SolveHarmonicBalance.
+/// the frequency is reported unconverged and its values are those of SolveHarmonicBalance.
+/// `progress` hears how many frequencies are done, and may throw to end the work.
 /// Throws std::invalid_argument for options, an excitation or a model that do not fit.
 PeriodicResponse SolveFullBalance(Multibody& multibody, const CondensedModel& model, const Excitation& excitation,
-                                  const FullBalanceOptions& options = {});
+                                  const FullBalanceOptions& options = {},
+                                  const std::function<void(std::size_t done)>& progress = {});
 
 }  // namespace fourpost

@@ -50,6 +50,10 @@ std::vector<bool> Converged(const Excitation& excitation, const std::vector<doub
   return converged;
 }
 
+/// The work was not to go on.
+struct Ended {};
+constexpr const char* kInterrupted = "interrupted before";
+
 }  // namespace
 
 const char* EngineName(Engine engine) {
@@ -107,23 +111,27 @@ SteadySolver::Answer SteadySolver::Linearised(const Excitation& excitation, cons
   return {std::move(found.response), Converged(excitation, found.unconverged_Hz)};
 }
 
-SteadySolver::Answer SteadySolver::Full(const Excitation& excitation) {
-  PeriodicResponse found = SolveFullBalance(FullSystem(), model_, excitation);
+SteadySolver::Answer SteadySolver::Full(const Excitation& excitation, const Progress& progress) {
+  const auto watch = [&](std::size_t done) {
+    if (progress && !progress({"full balance", done, excitation.frequency_Hz.size()})) throw Ended();
+  };
+  PeriodicResponse found = SolveFullBalance(FullSystem(), model_, excitation, {}, watch);
   return {std::move(found.response), Converged(excitation, found.unconverged_Hz)};
 }
 
 /// One balance; what it leaves open is marked for the march.
-SteadyResponse SteadySolver::Chosen(const Excitation& excitation, Engine engine,
-                                    const HarmonicBalanceOptions& options) {
-  Answer answer = engine == Engine::kFull ? Full(excitation) : Linearised(excitation, options);
+SteadyResponse SteadySolver::Chosen(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options,
+                                    const Progress& progress) {
+  Answer answer = engine == Engine::kFull ? Full(excitation, progress) : Linearised(excitation, options);
   SteadyResponse out{.response = std::move(answer.response), .engine = engine};
   for (const bool converged : answer.converged) out.engine_at.push_back(converged ? engine : Engine::kMarch);
   return out;
 }
 
-SteadyResponse SteadySolver::Checked(const Excitation& excitation, const HarmonicBalanceOptions& options) {
+SteadyResponse SteadySolver::Checked(const Excitation& excitation, const HarmonicBalanceOptions& options,
+                                     const Progress& progress) {
   Answer linearised = Linearised(excitation, options);
-  const Answer full = Full(excitation);
+  const Answer full = Full(excitation, progress);
   SteadyResponse out{.engine = Engine::kLinearised};
   bool any = false;
   for (std::size_t i = 0; i < full.converged.size(); ++i) any = any || (full.converged[i] && linearised.converged[i]);
@@ -149,43 +157,52 @@ SteadyResponse SteadySolver::Checked(const Excitation& excitation, const Harmoni
 
 /// One frequency at a time: where one fails, the others have answers.
 void SteadySolver::MarchMissing(const Excitation& excitation, const Progress& progress, SteadyResponse& out) {
-  const auto total = std::count(out.engine_at.begin(), out.engine_at.end(), Engine::kMarch);
-  if (out.response.channels.empty()) out.response = ResponseRecorder(vehicle_.sensors, excitation).Take();
-  std::ptrdiff_t done = 0;
+  const auto total = static_cast<std::size_t>(std::count(out.engine_at.begin(), out.engine_at.end(), Engine::kMarch));
+  std::size_t done = 0;
+  bool goes_on = true;
   for (std::size_t i = 0; i < out.engine_at.size(); ++i) {
     if (out.engine_at[i] != Engine::kMarch) continue;
-    if (progress) progress("march: " + std::to_string(done) + " of " + std::to_string(total) + " frequencies");
+    goes_on = goes_on && (!progress || progress({"march", done, total}));
     ++done;
-    const Excitation one{.frequency_Hz = {excitation.frequency_Hz[i]},
-                         .amplitude_m = {excitation.amplitude_m[i]},
-                         .shape = excitation.shape};
-    std::string fault;
-    try {
-      const MarchedResponse marched = March(FullSystem(), one);
-      CopyFrequency(marched.response, 0, i, out.response);
-      if (!marched.unsteady.empty()) fault = UnsteadyMessage(vehicle_, one, marched.unsteady[0]);
-    } catch (const std::runtime_error& failure) {
-      fault = failure.what();
-    }
+    const std::string fault = goes_on ? MarchOne(excitation, i, out) : kInterrupted;
     if (fault.empty()) continue;
     BlankFrequency(i, out.response);
     out.unanswered.push_back({excitation.frequency_Hz[i], fault});
   }
 }
 
+/// Why there is no answer, if there is none.
+std::string SteadySolver::MarchOne(const Excitation& excitation, std::size_t index, SteadyResponse& out) {
+  const Excitation one{.frequency_Hz = {excitation.frequency_Hz[index]},
+                       .amplitude_m = {excitation.amplitude_m[index]},
+                       .shape = excitation.shape};
+  try {
+    const MarchedResponse marched = March(FullSystem(), one);
+    CopyFrequency(marched.response, 0, index, out.response);
+    return marched.unsteady.empty() ? "" : UnsteadyMessage(vehicle_, one, marched.unsteady[0]);
+  } catch (const std::exception& failure) {
+    return failure.what();
+  }
+}
+
+SteadyResponse SteadySolver::Balanced(const Excitation& excitation, Engine engine,
+                                      const HarmonicBalanceOptions& options, const Progress& progress) {
+  const bool is_checked = engine == Engine::kAuto;
+  return is_checked ? Checked(excitation, options, progress) : Chosen(excitation, engine, options, progress);
+}
+
 SteadyResponse SteadySolver::Solve(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options,
                                    const Progress& progress) {
-  SteadyResponse out;
-  const bool is_long = engine == Engine::kAuto || engine == Engine::kFull;
-  if (progress && is_long) progress("balancing the full system");
-  switch (engine) {
-    case Engine::kAuto: out = Checked(excitation, options); break;
-    case Engine::kLinearised:
-    case Engine::kFull: out = Chosen(excitation, engine, options); break;
-    case Engine::kMarch:
-      out.engine = engine;
-      out.engine_at.assign(excitation.frequency_Hz.size(), engine);
-      break;
+  SteadyResponse out{.response = ResponseRecorder(vehicle_.sensors, excitation).Take(), .engine = engine};
+  out.engine_at.assign(excitation.frequency_Hz.size(), engine);
+  try {
+    if (engine != Engine::kMarch) out = Balanced(excitation, engine, options, progress);
+  } catch (const Ended&) {
+    for (std::size_t i = 0; i < out.engine_at.size(); ++i) {
+      BlankFrequency(i, out.response);
+      out.unanswered.push_back({excitation.frequency_Hz[i], kInterrupted});
+    }
+    return out;
   }
   MarchMissing(excitation, progress, out);
   return out;

@@ -39,8 +39,8 @@ struct LargestDifference {
 
 /// By how much kinematics linearised about the design pose are off: the largest differences of gain and phase between
 /// the linearised and the full balance. Values of a channel below 3 % of its largest are left out, as next to a node a
-/// ratio says nothing, and channels that are silent: below a hundredth of the loudest of their unit, and of one unit per
-/// metre, so that a unit may be silent as a whole.
+/// ratio says nothing, and channels that are silent: below a hundredth of the loudest of their unit, and of one unit
+/// per metre, so that a unit may be silent as a whole.
 struct KinematicsError {
   LargestDifference gain_dB;
   LargestDifference phase_deg;
@@ -86,12 +86,19 @@ class SteadySolver {
 
   const CondensedModel& model() const { return model_; }
 
-  /// Hears what is being done, such as "march: 3 of 12 frequencies".
-  using Progress = std::function<void(const std::string& text)>;
+  /// So many of the frequencies, by "full balance" or "march".
+  struct Stage {
+    const char* work = "";
+    std::size_t done = 0;
+    std::size_t total = 0;
+  };
+  /// Hears what is being done, and says whether to go on. Where it does not, the frequencies that are left are told
+  /// unanswered.
+  using Progress = std::function<bool(const Stage& stage)>;
 
   /// Frequencies in the order of the sweep, see SolveHarmonicBalance. A march starts each of them from rest.
   /// `options`: of the linearised balance.
-  /// Throws std::invalid_argument for an excitation that does not fit, std::runtime_error when an integration fails.
+  /// Throws std::invalid_argument for an excitation that does not fit.
   SteadyResponse Solve(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options = {},
                        const Progress& progress = {});
 
@@ -102,12 +109,16 @@ class SteadySolver {
     std::vector<bool> converged;
   };
   Answer Linearised(const Excitation& excitation, const HarmonicBalanceOptions& options);
-  Answer Full(const Excitation& excitation);
-  SteadyResponse Chosen(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options);
+  Answer Full(const Excitation& excitation, const Progress& progress);
+  SteadyResponse Chosen(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options,
+                        const Progress& progress);
+  SteadyResponse Balanced(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options,
+                          const Progress& progress);
   /// Over the frequencies at which both converged.
   static KinematicsError Compare(Answer linearised, const Answer& full);
-  SteadyResponse Checked(const Excitation& excitation, const HarmonicBalanceOptions& options);
+  SteadyResponse Checked(const Excitation& excitation, const HarmonicBalanceOptions& options, const Progress& progress);
   void MarchMissing(const Excitation& excitation, const Progress& progress, SteadyResponse& response);
+  std::string MarchOne(const Excitation& excitation, std::size_t index, SteadyResponse& response);
   Multibody& FullSystem();
 
   const Vehicle& vehicle_;

@@ -53,13 +53,34 @@ TEST(SteadyResponse, MarchesWhereTheBalanceDoesNotConverge) {
   std::vector<std::string> heard;
   const SteadyResponse answer =
       solver.Solve(excitation, Engine::kLinearised, {.error = 1e-15, .most_harmonics = 9, .max_iterations = 1},
-                   [&](const std::string& text) { heard.push_back(text); });
+                   [&](const SteadySolver::Stage& stage) {
+                     heard.push_back(std::string(stage.work) + ": " + std::to_string(stage.done) + " of " +
+                                     std::to_string(stage.total));
+                     return true;
+                   });
   EXPECT_THAT(answer.engine_at, ElementsAre(Engine::kMarch, Engine::kMarch));
-  EXPECT_THAT(heard, ElementsAre("march: 0 of 2 frequencies", "march: 1 of 2 frequencies"));
+  EXPECT_THAT(heard, ElementsAre("march: 0 of 2", "march: 1 of 2"));
   const SteadyResponse marched = solver.Solve(excitation, Engine::kMarch);
   EXPECT_EQ(marched.engine, Engine::kMarch);
   EXPECT_EQ(answer.response.channels[0].response, marched.response.channels[0].response);
   EXPECT_EQ(answer.response.channels[0].mean, marched.response.channels[0].mean);
+}
+
+TEST(SteadyResponse, EndsWhenAskedTo) {
+  const Vehicle vehicle = Describe(BilinearCar());
+  const Excitation excitation{{2, 5, 8}, {0.01, 0.005, 0.001}, {1}};
+  int heard = 0;
+  const auto go_on = [&](const SteadySolver::Stage&) { return ++heard < 2; };
+  const SteadyResponse marched = SteadySolver(vehicle).Solve(excitation, Engine::kMarch, {}, go_on);
+  ASSERT_EQ(marched.unanswered.size(), 2u);
+  EXPECT_EQ(marched.unanswered[0].frequency_Hz, 5);
+  EXPECT_THAT(marched.unanswered[0].why, HasSubstr("interrupted"));
+  EXPECT_FALSE(std::isnan(std::abs(marched.response.channels[0].response[0])));
+  EXPECT_TRUE(std::isnan(std::abs(marched.response.channels[0].response[1])));
+  heard = 0;
+  const SteadyResponse balanced = SteadySolver(vehicle).Solve(excitation, Engine::kFull, {}, go_on);
+  EXPECT_EQ(heard, 2);
+  EXPECT_EQ(balanced.unanswered.size(), 3u);
 }
 
 // Where nothing was compared no error is known.
