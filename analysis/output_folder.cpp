@@ -1,6 +1,7 @@
 #include "analysis/output_folder.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kMark = "result.json";
+/// Written to see whether that is possible. A program killed at that moment, or another one, may leave it.
+constexpr const char* kProbe = ".fourpost.partial";
 
 [[noreturn]] void ThrowErrno(const fs::path& path) {
   const std::error_code reason(errno, std::generic_category());
@@ -48,6 +51,12 @@ class Descriptor {
     }
   }
 
+  /// Until this object goes, programs that lock the same file wait; where the file system knows no locks, they do not.
+  void Lock() const {
+    while (flock(number_, LOCK_EX) != 0 && errno == EINTR) {
+    }
+  }
+
   void Flush() const {
     if (fsync(number_) != 0) ThrowErrno(path_);
   }
@@ -66,8 +75,14 @@ std::vector<fs::path> MissingFolders(const fs::path& folder) {
   return missing;
 }
 
-void CheckContent(const fs::path& folder) {
-  if (fs::is_empty(folder) || fs::is_regular_file(folder / kMark)) return;
+bool IsEmpty(const fs::path& folder) {
+  const fs::directory_iterator entries(folder);
+  return std::all_of(begin(entries), end(entries), [](const auto& entry) { return entry.path().filename() == kProbe; });
+}
+
+void CheckContent(const fs::path& folder, const std::string& trace) {
+  if (IsEmpty(folder) || fs::is_regular_file(folder / kMark)) return;
+  if (!trace.empty() && fs::is_regular_file(folder / trace)) return;
   ThrowUnusable(folder, "holds files, but no " + std::string(kMark) + " of an earlier run",
                 "name a new or an empty folder");
 }
@@ -78,8 +93,8 @@ void RemoveFolders(const std::vector<fs::path>& outermost_first) {
 }
 
 /// By trying: permissions do not tell of file systems that are read-only, full, or not real.
-void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing) {
-  const fs::path probe = folder / ".fourpost.partial";
+void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing, bool keep) {
+  const fs::path probe = folder / kProbe;
   std::error_code ignored;
   try {
     fs::create_directories(folder);
@@ -90,27 +105,27 @@ void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing)
     throw;
   }
   fs::remove(probe, ignored);
-  RemoveFolders(missing);
+  if (!keep) RemoveFolders(missing);
 }
 
-void CheckUsable(const fs::path& folder) {
+void CheckUsable(const fs::path& folder, const std::string& trace) {
   const std::vector<fs::path> missing = MissingFolders(folder);
   const fs::path existing = missing.empty() ? folder : missing.front().parent_path();
   if (!fs::is_directory(existing)) ThrowUnusable(existing, "is not a folder", "name another one for the results");
-  if (missing.empty()) CheckContent(folder);
-  CheckWritable(folder, missing);
+  if (missing.empty()) CheckContent(folder, trace);
+  CheckWritable(folder, missing, !trace.empty());
 }
 
 fs::path WithoutTrailingSlash(const fs::path& folder) { return folder.has_filename() ? folder : folder.parent_path(); }
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& folder) {
+OutputFolder::OutputFolder(const fs::path& folder, const std::string& trace) {
   if (folder.empty()) throw OutputError("the folder for the results has no name; name one");
   try {
     // Whole, since a program may change its working directory.
     folder_ = WithoutTrailingSlash(fs::weakly_canonical(fs::absolute(folder)));
-    CheckUsable(folder_);
+    CheckUsable(folder_, trace);
   } catch (const fs::filesystem_error& error) {
     ThrowUnusable(folder, "cannot be written to (" + error.code().message() + ")", "allow it or name another folder");
   }
@@ -130,6 +145,9 @@ void OutputFolder::Commit() {
   try {
     created = MissingFolders(folder_);
     fs::create_directories(folder_);
+    // Two runs into one folder write one after the other.
+    const Descriptor folder(folder_, O_RDONLY | O_DIRECTORY);
+    folder.Lock();
     CheckTargets();
     WriteFiles();
     RenameFiles();

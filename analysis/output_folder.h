@@ -19,8 +19,10 @@ class OutputError : public std::runtime_error {
 class OutputFolder {
  public:
   /// Checks at once what hours of work would otherwise find out at their end. Throws OutputError unless the folder can
-  /// be created, or is empty, or holds the result.json of an earlier run, and may be written to.
-  explicit OutputFolder(const std::filesystem::path& folder);
+  /// be created, or is empty, or holds the result.json of an earlier run, and may be written to. With a `trace`, a file
+  /// that the run itself keeps there from its beginning, that file marks the folder as well, and the folder is created
+  /// at once.
+  explicit OutputFolder(const std::filesystem::path& folder, const std::string& trace = "");
 
   /// Throws std::invalid_argument for a name that has been added already or is not that of a file in the folder.
   void Add(std::string name, std::string content);

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <set>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -96,6 +97,43 @@ TEST(OutputFolder, RefusesTheNameOfAFile) {
   const fs::path file = temporary.Write("run", "");
   EXPECT_EQ(OutputErrorOf([&] { OutputFolder output(file); }),
             file.string() + ": is not a folder; name another one for the results");
+}
+
+TEST(OutputFolder, IsTakenForOursByTheTraceOfARun) {
+  const TemporaryFolder temporary;
+  temporary.Write("archive.sqlite", "");
+  EXPECT_THROW(OutputFolder output(temporary.path()), OutputError);
+  EXPECT_THROW(OutputFolder(temporary.path(), "another"), OutputError);
+  EXPECT_NO_THROW(OutputFolder(temporary.path(), "archive.sqlite"));
+  // Created at once, for the trace.
+  OutputFolder(temporary.path() / "new", "archive.sqlite");
+  EXPECT_TRUE(fs::is_empty(temporary.path() / "new"));
+}
+
+TEST(OutputFolder, IsEmptyToOneThatWasKilledWhileItLooked) {
+  const TemporaryFolder temporary;
+  temporary.Write(".fourpost.partial", "probe");
+  TwoFiles(temporary.path()).Commit();
+  EXPECT_TRUE(fs::exists(temporary.path() / "result.json"));
+}
+
+TEST(OutputFolder, OfTwoAtOnceIsThatOfOneOfThem) {
+  const TemporaryFolder temporary;
+  const std::string long_text(100000, 'x');
+  const auto commit = [&](const std::string& mark) {
+    for (int i = 0; i < 50; ++i) {
+      OutputFolder output(temporary.path() / "run");
+      output.Add("table.csv", mark + long_text);
+      output.Add("result.json", mark);
+      output.Commit();
+    }
+  };
+  fs::create_directory(temporary.path() / "run");
+  temporary.Write("run/result.json", "of an earlier run");
+  std::thread other([&] { commit("a"); });
+  commit("b");
+  other.join();
+  EXPECT_EQ(ReadText(temporary.path() / "run/table.csv"), ReadText(temporary.path() / "run/result.json") + long_text);
 }
 
 TEST(OutputFolder, RefusesAPathThroughAFile) {

@@ -24,6 +24,7 @@ PeriodicResponse SolveHarmonicBalance(const CondensedModel& model, const std::ve
   ResponseRecorder recorder(sensors, excitation);
   PeriodicResponse out;
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+    options.deadline.Check();
     if (!cycle.Solve(excitation.frequency_Hz[i], excitation.amplitude_m[i]))
       out.unconverged_Hz.push_back(excitation.frequency_Hz[i]);
     recorder.Record(i, cycle.Sensors());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "analysis/deadline.h"
+
 namespace fourpost {
 
 struct HarmonicBalanceOptions {
@@ -13,6 +15,8 @@ struct HarmonicBalanceOptions {
   double tolerance = 2e-5;
   /// At each number of harmonics.
   int max_iterations = 60;
+  /// Asked at each frequency and in each iteration; throws TimedOut.
+  Deadline deadline;
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;

@@ -131,7 +131,8 @@ bool LinearisedCycle::SolveLevel(std::size_t level, const Eigen::MatrixXcd& star
     levels_.push_back(std::make_unique<PortCycle>(ports_, receptance_, HarmonicsOf(levels_.size()),
                                                   SamplesOf(levels_.size(), has_steps_)));
   level_ = level;
-  const bool converged = levels_[level]->Solve(omega_, driven_, start, tolerance, options_.max_iterations);
+  const bool converged =
+      levels_[level]->Solve(omega_, driven_, start, tolerance, options_.max_iterations, options_.deadline);
   iterations_ += levels_[level]->iterations();
   return converged;
 }

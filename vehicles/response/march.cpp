@@ -244,7 +244,11 @@ MarchedResponse March(TimeSystem& system, const Excitation& excitation, const Ma
     SteadyState run(sensors, LargestShare(excitation) * amplitude * imposed.At(omega), frequency, options);
     system.Run(
         SteppedSine(excitation.shape, amplitude, omega, Ramp{run.window_duration()}), 0, run.step(),
-        [&](double t, const Eigen::VectorXd& readings) { run.Add(t, readings); }, [&] { return run.Done(); });
+        [&](double t, const Eigen::VectorXd& readings) {
+          options.deadline.Check();
+          run.Add(t, readings);
+        },
+        [&] { return run.Done(); });
     if (!run.steady()) {
       out.unsteady.push_back(run.Worst());
       out.unsteady.back().frequency_Hz = frequency;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/deadline.h"
 #include "analysis/frequency_response.h"
 #include "vehicles/multibody/multibody.h"
 #include "vehicles/response/excitation.h"
@@ -31,6 +32,8 @@ struct MarchOptions {
   /// The kinks of bilinear forces alias into accelerations: 64 samples left 1.5 % at a sensor near a node, 256 leave
   /// 0.04 %.
   int samples_per_cycle = 256;
+  /// Asked at each sample; throws TimedOut.
+  Deadline deadline;
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;

@@ -64,7 +64,7 @@ PortCycle::PortCycle(const std::vector<Port>& ports, const Receptance& receptanc
 }
 
 bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
-                      int max_iterations) {
+                      int max_iterations, const Deadline& deadline) {
   omega_ = omega;
   Resize(driven, harmonics(), driven_);
   // The start may be this cycle's own solution.
@@ -84,6 +84,7 @@ bool PortCycle::Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen:
     if (IsEnough(change, earlier, method, tolerance)) return true;
     if (iterations_ == max_iterations) return false;
     ++iterations_;
+    deadline.Check();
     constexpr double kGrowth = 4;
     if (method == Method::kPlain && iterations_ > 1 && change > kGrowth * before) method = Newton();
     if (method == Method::kPlain && iterations_ > 3) method = Choose(change, earlier, tolerance);

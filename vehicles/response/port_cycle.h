@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "analysis/deadline.h"
 #include "vehicles/condensed/port.h"
 #include "vehicles/condensed/receptance.h"
 #include "vehicles/response/anderson_acceleration.h"
@@ -32,9 +33,9 @@ class PortCycle {
 
   /// `driven`, `start`: harmonics 0, 1, .. of the extensions without remainders, and those to start from; any number of
   /// them, beyond which they are zero. `tolerance`: see HarmonicBalanceOptions. Whether it converged; if not, the
-  /// solution is the last iterate.
+  /// solution is the last iterate. Throws TimedOut after the deadline.
   bool Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
-             int max_iterations);
+             int max_iterations, const Deadline& deadline = {});
 
   /// (H + 1) x ports: extensions [m] and remainders [N] of the last solution.
   const Eigen::MatrixXcd& extension() const { return extension_; }

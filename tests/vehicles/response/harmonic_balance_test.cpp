@@ -89,6 +89,20 @@ TEST(HarmonicBalance, ReboundDampingJacksTheBodyDown) {
   EXPECT_LT(QuarterCarResponse(800, 2600, 0.01).Find("s_strut")->mean[0], -1e-4);
 }
 
+TEST(HarmonicBalance, EndsAtItsDeadline) {
+  const Vehicle vehicle = ShippedVehicle("quarter_car");
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  const auto solve = [&](const Excitation& excitation, HarmonicBalanceOptions options) {
+    options.deadline = Deadline::In(0.01);
+    return SolveHarmonicBalance(model, vehicle.sensors, excitation, options);
+  };
+  const auto many = static_cast<std::size_t>(1e6);
+  EXPECT_THROW(solve({std::vector<double>(many, 1.2), std::vector<double>(many, 0.01), {1}}, {}), TimedOut);
+  // Within one frequency, too: an iteration that nothing ends.
+  EXPECT_THROW(solve({{1.2}, {0.01}, {1}}, {.tolerance = 1e-300, .max_iterations = 1 << 30}), TimedOut);
+  EXPECT_NO_THROW(solve({{1.2}, {0.01}, {1}}, {.error = 1}));
+}
+
 TEST(HarmonicBalance, TellsWhereItsHarmonicsDoNotSuffice) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
   Set(vehicle, "c_bump", 800);

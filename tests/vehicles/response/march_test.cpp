@@ -54,6 +54,13 @@ void KeepSensors(Vehicle& vehicle, const std::vector<std::string>& names) {
   });
 }
 
+TEST(March, EndsAtItsDeadline) {
+  Prepared car(ShippedVehicle("quarter_car"));
+  // Some 1e5 s of motion.
+  const MarchOptions hanging = {.tolerance = 1e-15, .longest_s = 1e5, .deadline = Deadline::In(0.05)};
+  EXPECT_THROW(March(car.multibody, {{8}, {0.001}, {1}}, hanging), TimedOut);
+}
+
 // The results themselves are tested against closed forms in quarter_car_test.cpp and harmonic_balance_test.cpp.
 TEST(March, TellsWhereTheMotionIsNotYetPeriodic) {
   Prepared car(ShippedVehicle("quarter_car"));
