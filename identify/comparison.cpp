@@ -23,8 +23,8 @@ struct FinishedRun {
 };
 
 FinishedRun RunOnce(const Problem& problem, const MethodOptions& method, std::uint64_t seed, const StopRules& rules,
-                    const std::function<bool()>& stop) {
-  Archive archive(problem);
+                    const std::function<bool()>& stop, EvaluationStore* store) {
+  Archive archive(problem, 1, store, Repeats::kPaid);
   FinishedRun run;
   run.end = RunMethod(method, archive, seed, rules, {.count = 1}, {.stop = stop}).end;
   run.improvements = archive.improvements();
@@ -117,7 +117,7 @@ Interval WilsonInterval(std::int64_t successes, std::int64_t runs) {
 }
 
 Comparison Compare(const Problem& problem, const std::vector<ComparedMethod>& methods, const ComparisonOptions& options,
-                   const ComparisonHooks& hooks) {
+                   const ComparisonHooks& hooks, EvaluationStore* store) {
   options.Validate();
   for (const ComparedMethod& method : methods) Validate(method.options);
   const auto runs = static_cast<std::size_t>(options.runs);
@@ -128,7 +128,8 @@ Comparison Compare(const Problem& problem, const std::vector<ComparedMethod>& me
     const std::size_t method = task % methods.size();
     const std::size_t run = task / methods.size();
     if (hooks.stop && hooks.stop()) return;
-    finished[method][run] = RunOnce(problem, methods[method].options, options.seed + run, options.rules, hooks.stop);
+    finished[method][run] =
+        RunOnce(problem, methods[method].options, options.seed + run, options.rules, hooks.stop, store);
     const std::lock_guard lock(mutex);
     if (hooks.progress) hooks.progress(++done, static_cast<std::int64_t>(methods.size() * runs));
   });

@@ -84,8 +84,9 @@ struct ComparisonHooks {
 };
 
 /// Runs every method on the problem `runs` times, each run with an archive of its own. Equal for any number of threads,
-/// unless a rule limits time. Throws std::invalid_argument for options out of bounds.
+/// unless a rule limits time, and with a `store` of the problem's evaluations that all runs share. Throws
+/// std::invalid_argument for options out of bounds.
 Comparison Compare(const Problem& problem, const std::vector<ComparedMethod>& methods, const ComparisonOptions& options,
-                   const ComparisonHooks& hooks = {});
+                   const ComparisonHooks& hooks = {}, EvaluationStore* store = nullptr);
 
 }  // namespace fourpost

@@ -1,7 +1,6 @@
 #include "identify/fit.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +12,7 @@ namespace {
 
 /// Within this share of its range a parameter counts as being at the bound: refinement stops at steps of 1e-8.
 constexpr double kAtBound = 1e-6;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 Eigen::VectorXd StartValues(const FourPostObjective& objective) {
   Eigen::VectorXd values(static_cast<Eigen::Index>(objective.free().size()));
@@ -73,30 +73,6 @@ FitEnd EndOf(const RefineResult& best, bool interrupted) {
   return best.end == RefineEnd::kConverged ? FitEnd::kConverged : FitEnd::kNotConverged;
 }
 
-/// Remembers the lowest cost of all evaluations, from whichever thread.
-class LowestCost {
- public:
-  void Add(double cost) {
-    double lowest = lowest_;
-    while (cost < lowest && !lowest_.compare_exchange_weak(lowest, cost)) {
-    }
-  }
-  double value() const { return lowest_; }
-
- private:
-  std::atomic<double> lowest_ = std::numeric_limits<double>::infinity();
-};
-
-Problem Watched(const FourPostObjective& objective, LowestCost& lowest) {
-  Problem problem = objective.MakeProblem();
-  problem.evaluate = [evaluate = problem.evaluate, &lowest](const Eigen::VectorXd& values) {
-    Evaluation evaluation = evaluate(values);
-    if (evaluation.ok()) lowest.Add(evaluation.residuals.squaredNorm());
-    return evaluation;
-  };
-  return problem;
-}
-
 /// Distinct good points of the search, and the vehicle's own values.
 std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const FourPostObjective& objective, int count) {
   std::vector<Eigen::VectorXd> starts;
@@ -119,13 +95,16 @@ std::string_view FitEndName(FitEnd end) {
   return "";
 }
 
-FitResult Fit(const FourPostObjective& objective, const FitOptions& options, const FitHooks& hooks) {
-  LowestCost lowest;
-  Archive archive(Watched(objective, lowest), options.threads);
+FitResult Fit(const FourPostObjective& objective, const FitOptions& options, const FitHooks& hooks,
+              EvaluationStore* store) {
+  Problem problem = objective.MakeProblem();
+  problem.deadline_s = options.deadline_s;
+  Archive archive(std::move(problem), options.threads, store);
   const std::function<bool()> stop = hooks.stop ? hooks.stop : [] { return false; };
   const auto report = [&](std::string_view stage) {
     const EvaluationCounts& counts = archive.counts();
-    if (hooks.progress) hooks.progress({stage, lowest.value(), counts.paid, counts.reused, counts.failed()});
+    const double best = archive.improvements().empty() ? kInfinite : archive.improvements().back().cost;
+    if (hooks.progress) hooks.progress({stage, best, counts.paid, counts.reused, counts.failed(), counts.restored});
   };
 
   FitResult result;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,8 @@ struct FitOptions {
   int starts = 4;
   /// Evaluations at once; 0: one per processor. No influence on the result.
   int threads = 1;
+  /// What an evaluation may take [s]; see Problem.
+  double deadline_s = std::numeric_limits<double>::infinity();
 };
 
 enum class FitEnd { kNotRun, kConverged, kNotConverged, kInterrupted, kAllFailed };
@@ -87,6 +90,8 @@ struct FitProgress {
   std::int64_t paid = 0;
   std::int64_t reused = 0;
   std::int64_t failed = 0;
+  /// Of the paid ones, those that were stored.
+  std::int64_t restored = 0;
 };
 
 struct FitHooks {
@@ -95,7 +100,10 @@ struct FitHooks {
   std::function<bool()> stop;
 };
 
-/// dvHDE over the lattice of the free parameters, then Levenberg-Marquardt from its distinct best points.
-FitResult Fit(const FourPostObjective& objective, const FitOptions& options, const FitHooks& hooks = {});
+/// dvHDE over the lattice of the free parameters, then Levenberg-Marquardt from its distinct best points. `store`:
+/// where evaluations of this objective are kept; what it holds shortens the fit and does not change it. Throws
+/// OutputError when it cannot be written.
+FitResult Fit(const FourPostObjective& objective, const FitOptions& options, const FitHooks& hooks = {},
+              EvaluationStore* store = nullptr);
 
 }  // namespace fourpost

@@ -40,7 +40,8 @@ Problem FourPostObjective::MakeProblem() const {
     const Parameter& parameter = vehicle_.parameters[index];
     axes.push_back({parameter.name, parameter.lower, parameter.upper, parameter.precision});
   }
-  return {Lattice(std::move(axes)), [this](const Eigen::VectorXd& values) { return Evaluate(values); },
+  return {Lattice(std::move(axes)),
+          [this](const Eigen::VectorXd& values, const Deadline& deadline) { return Evaluate(values, deadline); },
           residual_count_};
 }
 
@@ -50,13 +51,15 @@ std::vector<double> FourPostObjective::AllParameters(const Eigen::VectorXd& valu
   return all;
 }
 
-Evaluation FourPostObjective::Evaluate(const Eigen::VectorXd& values) const {
+Evaluation FourPostObjective::Evaluate(const Eigen::VectorXd& values, const Deadline& deadline) const {
+  HarmonicBalanceOptions balance = kFitBalance;
+  balance.deadline = deadline;
   const CondensedModel model = condensed_.At(AllParameters(values));
   Evaluation evaluation;
   evaluation.residuals.resize(residual_count_);
   double* out = evaluation.residuals.data();
   for (const MeasuredRun& run : runs_) {
-    const PeriodicResponse modelled = SolveHarmonicBalance(model, vehicle_.sensors, run.excitation, kFitBalance);
+    const PeriodicResponse modelled = SolveHarmonicBalance(model, vehicle_.sensors, run.excitation, balance);
     if (!modelled.unconverged_Hz.empty())
       return Failed(Failure::kNotConverged, "no periodic response at " + std::to_string(modelled.unconverged_Hz[0]) +
                                                 " Hz of '" + run.name + "'");

@@ -34,8 +34,8 @@ class FourPostObjective {
   /// The search problem over the free parameters. The objective must outlive it.
   Problem MakeProblem() const;
 
-  /// `values`: SI, one per free parameter.
-  Evaluation Evaluate(const Eigen::VectorXd& values) const;
+  /// `values`: SI, one per free parameter. Throws TimedOut.
+  Evaluation Evaluate(const Eigen::VectorXd& values, const Deadline& deadline = {}) const;
 
   /// The residuals of the priors alone, with which those of Evaluate() end.
   Eigen::VectorXd PriorResiduals(const Eigen::VectorXd& values) const;

@@ -236,13 +236,16 @@ class StudyReader {
   }
 
   void ReadSearch(const YAML::Node& node) {
-    const StrictMap map = Map(node, "'search'", {"seed", "evaluations", "population", "starts", "generations"});
+    const StrictMap map =
+        Map(node, "'search'", {"seed", "evaluations", "population", "starts", "generations", "deadline"});
     StudySearch& search = study_.search;
     search.seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 1L << 62).value_or(static_cast<long>(search.seed)));
     search.evaluations = map.Integer("evaluations", 1, 1L << 40).value_or(search.evaluations);
     search.population = static_cast<int>(map.Integer("population", 4, 100000).value_or(search.population));
     search.generations = static_cast<int>(map.Integer("generations", 1, 1L << 30).value_or(search.generations));
     search.starts = static_cast<int>(map.Integer("starts", 1, 1000).value_or(search.starts));
+    search.deadline_s = map.Quantity("deadline", kTime, 0).value_or(search.deadline_s);
+    if (search.deadline_s == 0) map.Fault(map.Get("deadline"), "'deadline' of 'search' must be above zero");
   }
 
   std::string file_;

@@ -47,6 +47,9 @@ struct StudySearch {
   int starts = 4;
   /// Of a fit: the thesis's appendix A.
   int generations = 150;
+  /// What one evaluation may take: some thousand times what it takes as a rule, so that only one that hangs ends by it,
+  /// however busy the machine is.
+  double deadline_s = 10;
 };
 
 /// A setting of a method, as written.

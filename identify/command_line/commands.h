@@ -105,6 +105,8 @@ struct FitCommand {
   std::optional<std::uint64_t> seed;
   /// 0: one per processor.
   int threads = 0;
+  /// Refuse to start anew.
+  bool resume = false;
 };
 
 /// `fourpost compare STUDY --methods a,b --runs N --seed S`
@@ -115,6 +117,8 @@ struct CompareCommand {
   std::uint64_t seed = 1;
   /// 0: one per processor.
   int threads = 0;
+  /// Of evaluations, shared by all runs; empty: nothing is kept.
+  std::filesystem::path archive;
   bool json = false;
 };
 

@@ -14,7 +14,9 @@
 #include "identify/comparison_json.h"
 #include "identify/loaded_study.h"
 #include "identify/problems/test_problem.h"
+#include "identify/search/evaluation_store.h"
 #include "identify/search/idle_parameters.h"
+#include "identify/study_context.h"
 #include "identify/study_methods.h"
 
 namespace fourpost {
@@ -25,6 +27,7 @@ struct StudyProblem {
   std::optional<FourPostObjective> objective;
   std::optional<Problem> problem;
   std::optional<double> target_cost;
+  EvaluationContext context;
 };
 
 /// Throws FaultyInput.
@@ -35,11 +38,12 @@ Study ReadStudyOrThrow(const std::filesystem::path& file) {
   return *std::move(study);
 }
 
-/// In place: the problem of a vehicle refers to its objective.
-void Load(const Study& study, StudyProblem& out) {
+/// In place: the problem of a vehicle refers to its objective. All but the deadline.
+void LoadModel(const Study& study, StudyProblem& out) {
   if (study.problem) {
     const TestProblem test = MakeTestProblem(*study.problem);
     out.problem = test.problem;
+    out.context = ContextOfProblem(*study.problem, study.search.deadline_s);
     out.target_cost = study.target_cost.value_or(test.target_cost);
     return;
   }
@@ -49,11 +53,17 @@ void Load(const Study& study, StudyProblem& out) {
   Tell(diagnostics);
   out.objective.emplace(loaded->MakeObjective());
   out.problem = out.objective->MakeProblem();
+  out.context = ContextOf(*loaded);
   out.target_cost = study.target_cost;
 }
 
-void CheckEffectsOrThrow(const Study& study, const Problem& problem) {
-  Archive archive(problem);
+void Load(const Study& study, StudyProblem& out) {
+  LoadModel(study, out);
+  out.problem->deadline_s = study.search.deadline_s;
+}
+
+void CheckEffectsOrThrow(const Study& study, const Problem& problem, EvaluationStore* store) {
+  Archive archive(problem, 1, store);
   Diagnostics diagnostics;
   CheckEffects(archive, study.file.string(), diagnostics);
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
@@ -69,7 +79,7 @@ std::vector<ComparedMethod> MethodsOrThrow(const Study& study, const std::vector
 }
 
 Comparison CompareWithProgress(const Problem& problem, const std::vector<ComparedMethod>& methods,
-                               const ComparisonOptions& options) {
+                               const ComparisonOptions& options, EvaluationStore* store) {
   CatchInterrupts();
   ProgressLine line;
   ComparisonHooks hooks;
@@ -78,7 +88,7 @@ Comparison CompareWithProgress(const Problem& problem, const std::vector<Compare
     line.Show(std::to_string(done) + " of " + std::to_string(total) + " runs, some " + Rounded(left, 2) + " s left");
   };
   hooks.stop = Interrupted;
-  return Compare(problem, methods, options, hooks);
+  return Compare(problem, methods, options, hooks, store);
 }
 
 std::string Range(const Interval& interval, int digits) {
@@ -123,7 +133,10 @@ int Run(const CompareCommand& command) {
   Load(study, loaded);
   const Problem& problem = *loaded.problem;
   const std::vector<ComparedMethod> methods = MethodsOrThrow(study, command.methods, problem);
-  CheckEffectsOrThrow(study, problem);
+  std::optional<EvaluationStore> opened;
+  if (!command.archive.empty()) opened.emplace(command.archive, loaded.context);
+  EvaluationStore* const store = opened ? &*opened : nullptr;
+  CheckEffectsOrThrow(study, problem, store);
 
   ComparisonOptions options;
   options.runs = command.runs;
@@ -132,7 +145,7 @@ int Run(const CompareCommand& command) {
   options.rules.target_cost = loaded.target_cost;
   options.rules.max_evaluations = study.search.evaluations;
   options.rules.max_generations = study.search.generations;
-  const Comparison comparison = CompareWithProgress(problem, methods, options);
+  const Comparison comparison = CompareWithProgress(problem, methods, options, store);
   const bool nothing_succeeded = !std::isfinite(comparison.target_cost);
   Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed)
                      : Table(comparison) + '\n' + Details(comparison, options));

@@ -16,10 +16,45 @@
 #include "identify/modelled_response.h"
 #include "identify/response_chart.h"
 #include "identify/result_json.h"
+#include "identify/study_context.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 namespace {
+
+/// In the folder of the results, from the first evaluation on.
+constexpr const char* kArchive = "archive.sqlite";
+
+/// What a part of an EvaluationContext stands for.
+std::string InWords(const std::string& part) {
+  if (part == "vehicle") return "the vehicle";
+  if (part == "data") return "the recordings, their channels, the static loads or the band";
+  if (part == "settings") return "the free parameters, the model error or the deadline";
+  return "the version of fourpost";
+}
+
+/// Throws FaultyInput when the archive is one of something else.
+void RequireSameContext(const FitCommand& command, const EvaluationContext& context) {
+  if (!std::filesystem::exists(command.output / kArchive))
+    std::fprintf(stderr, "there is no %s to resume from: starting from the beginning\n",
+                 (command.output / kArchive).c_str());
+  std::string changed;
+  for (const std::string& part : ChangedParts(command.output / kArchive, context))
+    changed += (changed.empty() ? "" : "; ") + InWords(part);
+  if (changed.empty()) return;
+  Diagnostics diagnostics;
+  diagnostics.Error(command.study.string(), 0,
+                    "cannot resume, for what " + (command.output / kArchive).string() +
+                        " holds was evaluated with another state of: " + changed +
+                        "; undo the change, or leave --resume out to fit anew beside it");
+  throw FaultyInput(diagnostics);
+}
+
+void TellRestored(const EvaluationCounts& counts, const EvaluationStore& store) {
+  if (counts.restored == 0) return;
+  std::fprintf(stderr, "%lld of %lld evaluations come from %s\n", static_cast<long long>(counts.restored),
+               static_cast<long long>(counts.paid), store.file().c_str());
+}
 
 FitOptions OptionsOf(const StudySearch& search, const FitCommand& command) {
   FitOptions options;
@@ -30,18 +65,20 @@ FitOptions OptionsOf(const StudySearch& search, const FitCommand& command) {
   options.candidates.count = search.starts;
   options.starts = search.starts;
   options.threads = command.threads;
+  options.deadline_s = search.deadline_s;
   return options;
 }
 
 std::string ProgressText(const FitProgress& progress, std::int64_t search_evaluations, double seconds) {
-  const double rate = static_cast<double>(progress.paid) / std::max(seconds, 1e-3);
+  const double rate = static_cast<double>(progress.paid - progress.restored) / std::max(seconds, 1e-3);
   const std::string budget = progress.stage == "search" ? " of " + std::to_string(search_evaluations) : "";
   return std::string(progress.stage) + ": " + std::to_string(progress.paid) + budget + " evaluations (" +
-         std::to_string(progress.reused) + " reused, " + std::to_string(progress.failed) + " failed), " +
-         Rounded(rate, 3) + " per second, best cost " + Rounded(progress.best_cost, 5);
+         std::to_string(progress.reused) + " reused, " + std::to_string(progress.failed) + " failed, " +
+         std::to_string(progress.restored) + " from the archive), " + Rounded(rate, 3) + " per second, best cost " +
+         Rounded(progress.best_cost, 5);
 }
 
-FitResult FitWithProgress(const FourPostObjective& objective, const FitOptions& options) {
+FitResult FitWithProgress(const FourPostObjective& objective, const FitOptions& options, EvaluationStore& store) {
   CatchInterrupts();
   ProgressLine line;
   FitHooks hooks;
@@ -49,7 +86,7 @@ FitResult FitWithProgress(const FourPostObjective& objective, const FitOptions& 
     line.Show(ProgressText(progress, options.stop.max_evaluations, line.seconds()));
   };
   hooks.stop = Interrupted;
-  return Fit(objective, options, hooks);
+  return Fit(objective, options, hooks, &store);
 }
 
 /// In the unit of the vehicle file, at the digits that deviations of some per mille make sense of.
@@ -182,12 +219,16 @@ int Run(const FitCommand& command) {
   Tell(diagnostics);
   const FourPostObjective objective = loaded->MakeObjective();
   RequireInputsElsewhere(InputsOf(*loaded), command.output);
-  OutputFolder output(command.output);
+  OutputFolder output(command.output, kArchive);
+  const EvaluationContext context = ContextOf(*loaded);
+  if (command.resume) RequireSameContext(command, context);
+  EvaluationStore store(command.output / kArchive, context);
 
   const FitOptions options = OptionsOf(loaded->study.search, command);
-  const FitResult fit = FitWithProgress(objective, options);
+  const FitResult fit = FitWithProgress(objective, options, store);
+  TellRestored(fit.evaluations, store);
   if (fit.parameters.empty()) {
-    std::fprintf(stderr, "fit %s: %s nothing is written\n", std::string(FitEndName(fit.end)).c_str(),
+    std::fprintf(stderr, "fit %s: %s no results are written\n", std::string(FitEndName(fit.end)).c_str(),
                  fit.message.c_str());
     return CodeOf(fit.end);
   }

@@ -115,11 +115,14 @@ int main(int argc, char** argv) {
   FitCommand fit;
   sub = app.add_subcommand("fit", "Fit a study's vehicle to the recordings");
   sub->add_option("STUDY", fit.study, "Study file (.yaml)")->required();
-  sub->add_option("-o,--output", fit.output, "Folder for result.json, vehicle.urdf, response.csv and response.svg")
+  sub->add_option("-o,--output", fit.output,
+                  "Folder for result.json, vehicle.urdf, response.csv, response.svg and archive.sqlite")
       ->required();
   sub->add_option("--seed", fit.seed, "Seed of the search, in place of the study's")->check(WholeNumber());
   sub->add_option("--threads", fit.threads, "Evaluations at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
+  sub->add_flag("--resume", fit.resume,
+                "Go on with a fit that was ended: refuse when vehicle, recordings, settings or program have changed");
   sub->add_flag("--json", fit.json, "Print result.json in place of tables");
   sub->callback([&] {
     run = [&] {
@@ -139,6 +142,8 @@ int main(int argc, char** argv) {
   sub->add_option("--seed", compare.seed, "Of the first run; the others take those after it")->check(WholeNumber());
   sub->add_option("--threads", compare.threads, "Runs at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
+  sub->add_option("--archive", compare.archive,
+                  "File to keep evaluations in, such as the archive.sqlite of a fit; no influence on the result");
   sub->add_flag("--json", compare.json, "Print JSON in place of tables");
   sub->callback([&] {
     run = [&] {

@@ -12,6 +12,11 @@
 namespace fourpost {
 namespace {
 
+// Tells values apart that print alike.
+std::string BytesOf(const Eigen::VectorXd& values) {
+  return {reinterpret_cast<const char*>(values.data()), static_cast<std::size_t>(values.size()) * sizeof(double)};
+}
+
 Score ScoreOf(const Evaluation& evaluation) {
   if (!evaluation.ok()) return {.failure = evaluation.failure, .violation = evaluation.violation};
   return {.cost = evaluation.cost()};
@@ -37,7 +42,8 @@ std::size_t Archive::PointHash::operator()(const LatticePoint& point) const {
   return static_cast<std::size_t>(hash);
 }
 
-Archive::Archive(Problem problem, int threads) : problem_(std::move(problem)), threads_(ThreadCount(threads)) {}
+Archive::Archive(Problem problem, int threads, EvaluationStore* store, Repeats repeats)
+    : problem_(std::move(problem)), threads_(ThreadCount(threads)), store_(store), repeats_(repeats) {}
 
 std::vector<Score> Archive::Evaluate(const std::vector<LatticePoint>& batch) {
   const std::vector<LatticePoint> points = NewPoints(batch);
@@ -53,15 +59,49 @@ std::vector<Score> Archive::Evaluate(const std::vector<LatticePoint>& batch) {
 }
 
 std::vector<Evaluation> Archive::EvaluateValues(const std::vector<Eigen::VectorXd>& batch) {
+  std::vector<Eigen::VectorXd> values;
+  for (const Eigen::VectorXd& asked : batch) values.push_back(lattice().RoundDiscrete(asked));
+  if (store_ != nullptr) return EvaluateStored(values);
   std::vector<Evaluation> evaluations(batch.size());
-  ForEachInParallel(batch.size(), threads_, [&](std::size_t i) {
-    evaluations[i] = EvaluateGuarded(problem_, lattice().RoundDiscrete(batch[i]));
-  });
+  ForEachInParallel(batch.size(), threads_, [&](std::size_t i) { evaluations[i] = Ask(values[i]).evaluation; });
   for (Evaluation& evaluation : evaluations) {
     CheckSize(evaluation);
     Count(evaluation);
   }
   return evaluations;
+}
+
+// Each distinct point once.
+std::vector<Evaluation> Archive::EvaluateStored(const std::vector<Eigen::VectorXd>& batch) {
+  std::unordered_map<std::string, std::size_t> place_of;
+  std::vector<std::size_t> distinct;
+  std::vector<std::size_t> place;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const auto [found, is_new] = place_of.emplace(BytesOf(batch[i]), distinct.size());
+    if (is_new) distinct.push_back(i);
+    place.push_back(found->second);
+  }
+  std::vector<Answer> answers(distinct.size());
+  ForEachInParallel(distinct.size(), threads_, [&](std::size_t k) { answers[k] = Ask(batch[distinct[k]]); });
+  for (Answer& answer : answers) CheckSize(answer.evaluation);
+
+  std::vector<Evaluation> evaluations;
+  for (std::size_t i = 0; i < batch.size(); ++i) {
+    const Answer& answer = answers[place[i]];
+    const bool is_first = needed_.insert(BytesOf(batch[i])).second;
+    counts_.restored += is_first && answer.restored;
+    if (is_first || repeats_ == Repeats::kPaid) Count(answer.evaluation);
+    else ++counts_.reused;
+    evaluations.push_back(answer.evaluation);
+  }
+  return evaluations;
+}
+
+// What is paid for is stored before anything is made of it.
+Archive::Answer Archive::Ask(const Eigen::VectorXd& values) const {
+  if (store_ == nullptr) return {EvaluateGuarded(problem_, values)};
+  if (std::optional<Evaluation> stored = store_->Find(values)) return {*std::move(stored), true};
+  return {store_->Put(values, EvaluateGuarded(problem_, values))};
 }
 
 std::optional<Score> Archive::Find(const LatticePoint& point) const {

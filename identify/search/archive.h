@@ -5,11 +5,13 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "identify/search/evaluation.h"
+#include "identify/search/evaluation_store.h"
 #include "identify/search/lattice.h"
 
 namespace fourpost {
@@ -37,12 +39,15 @@ struct FailureTally {
   std::string example;
 };
 
-/// Where the evaluations went.
+/// Where the evaluations went. All but `restored` are the same whatever was stored before.
 struct EvaluationCounts {
-  /// Evaluations of the model: distinct lattice points, and all points off the lattice.
+  /// Evaluations of the model that the run needed: distinct points with a store; without one distinct lattice points,
+  /// and all points off the lattice.
   std::int64_t paid = 0;
-  /// Requests answered from memory.
+  /// Requests for a point that was paid for.
   std::int64_t reused = 0;
+  /// Of the paid ones, those that the store had, from an earlier run or one beside: they cost nothing.
+  std::int64_t restored = 0;
   /// Paid evaluations that failed, by cause.
   std::map<Failure, FailureTally> failures;
 
@@ -63,12 +68,19 @@ struct Candidate {
   double cost = 0;
 };
 
-/// Evaluates a problem in parallel and remembers every lattice point, so that none is paid for twice. All results and
-/// counts are the same for any number of threads. To be called from one thread.
+/// With a store: whether a point off the lattice that a run asks for again counts as paid for again, as it does without
+/// one, so that counts do not tell whether there is a store.
+enum class Repeats { kReused, kPaid };
+
+/// Evaluates a problem in parallel and remembers every lattice point, so that none is paid for twice; with a store
+/// points off the lattice as well, and across runs. All results and counts are the same for any number of threads and
+/// whatever was stored before. To be called from one thread.
 class Archive {
  public:
   /// `threads`: how many evaluations run at once; 0 means one per processor. Throws std::invalid_argument for less.
-  explicit Archive(Problem problem, int threads = 1);
+  /// `store`: where evaluations of this problem are kept; may be shared, and must outlive this object.
+  explicit Archive(Problem problem, int threads = 1, EvaluationStore* store = nullptr,
+                   Repeats repeats = Repeats::kReused);
 
   const Problem& problem() const { return problem_; }
   const Lattice& lattice() const { return problem_.lattice; }
@@ -79,10 +91,11 @@ class Archive {
   std::size_t size() const { return scores_.size(); }
 
   /// Scores in the order of the batch; a point that is there twice is paid for once.
-  /// Throws std::invalid_argument for a point that is not on the lattice.
+  /// Throws std::invalid_argument for a point that is not on the lattice, OutputError when the store cannot be written.
   std::vector<Score> Evaluate(const std::vector<LatticePoint>& batch);
 
-  /// Evaluates values anywhere, as refinement needs, discrete ones rounded: always paid, not remembered.
+  /// Evaluates values anywhere, as refinement needs, discrete ones rounded: without a store always paid, not
+  /// remembered. Throws OutputError when the store cannot be written.
   std::vector<Evaluation> EvaluateValues(const std::vector<Eigen::VectorXd>& batch);
 
   /// The remembered score; nothing for a new point.
@@ -97,13 +110,25 @@ class Archive {
     std::size_t operator()(const LatticePoint& point) const;
   };
 
+  // An evaluation, and whether it came from the store.
+  struct Answer {
+    Evaluation evaluation;
+    bool restored = false;
+  };
+
   std::vector<LatticePoint> NewPoints(const std::vector<LatticePoint>& batch) const;
+  Answer Ask(const Eigen::VectorXd& values) const;
+  std::vector<Evaluation> EvaluateStored(const std::vector<Eigen::VectorXd>& batch);
   // Sums over unlike numbers of residuals cannot be compared: the first evaluation decides how many there are.
   void CheckSize(Evaluation& evaluation);
   void Count(const Evaluation& evaluation);
 
   Problem problem_;
   int threads_;
+  EvaluationStore* store_;
+  Repeats repeats_;
+  // The bytes of all values that this run needed, with a store.
+  std::unordered_set<std::string> needed_;
   std::unordered_map<LatticePoint, Score, PointHash> scores_;
   EvaluationCounts counts_;
   std::vector<Improvement> improvements_;

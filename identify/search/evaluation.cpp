@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/number.h"
+
 namespace fourpost {
 namespace {
 
@@ -25,6 +27,7 @@ std::string_view FailureName(Failure failure) {
     case Failure::kNotFinite: return "not finite";
     case Failure::kException: return "exception";
     case Failure::kNotConverged: return "not converged";
+    case Failure::kTimedOut: return "timed out";
     case Failure::kInfeasible: return "infeasible";
     case Failure::kWrongSize: return "wrong size";
   }
@@ -51,7 +54,9 @@ Evaluation Infeasible(double violation, std::string detail) {
 
 Evaluation EvaluateGuarded(const Problem& problem, const Eigen::VectorXd& values) {
   try {
-    return Checked(problem.evaluate(values));
+    return Checked(problem.evaluate(values, Deadline::In(problem.deadline_s)));
+  } catch (const TimedOut&) {
+    return Failed(Failure::kTimedOut, "took longer than " + FormatNumber(problem.deadline_s) + " s");
   } catch (const std::exception& error) {
     return Failed(Failure::kException, error.what());
   } catch (...) {

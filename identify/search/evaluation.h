@@ -1,10 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 #include <Eigen/Core>
+
+#include "analysis/deadline.h"
 
 #include "identify/search/lattice.h"
 
@@ -19,6 +24,8 @@ enum class Failure {
   kException,
   /// An equilibrium, an integration or a periodic response was not reached.
   kNotConverged,
+  /// It took longer than its deadline.
+  kTimedOut,
   /// The parameters make no vehicle, or violate a constraint.
   kInfeasible,
   /// There are no residuals, or not as many as the first evaluation gave.
@@ -51,16 +58,44 @@ Evaluation Failed(Failure failure, std::string detail);
 /// An infeasible one: `violation` > 0, the sum of what each constraint is exceeded by as a share of its scale.
 Evaluation Infeasible(double violation, std::string detail);
 
+/// A model as the search sees it: from values, in the order of the lattice's axes, to an evaluation. Made of a function
+/// of the values and a Deadline, or of the values alone where no evaluation can take long.
+class ModelFunction {
+ public:
+  template <typename F>
+  requires(!std::is_same_v<F, ModelFunction> &&
+           std::is_invocable_r_v<Evaluation, F&, const Eigen::VectorXd&, const Deadline&>) ModelFunction(F function)
+      : function_(std::move(function)) {}
+
+  template <typename F>
+  requires(!std::is_same_v<F, ModelFunction> && std::is_invocable_r_v<Evaluation, F&, const Eigen::VectorXd&>)
+      ModelFunction(F function)
+      : function_([function = std::move(function)](const Eigen::VectorXd& values, const Deadline&) {
+          return function(values);
+        }) {}
+
+  Evaluation operator()(const Eigen::VectorXd& values, const Deadline& deadline = {}) const {
+    return function_(values, deadline);
+  }
+
+ private:
+  std::function<Evaluation(const Eigen::VectorXd& values, const Deadline& deadline)> function_;
+};
+
 /// What a search method or a refinement solves: find the values with the least sum of squared residuals.
 struct Problem {
   Lattice lattice;
-  /// Residuals for values in the order of the lattice's axes. Called from several threads at once.
-  std::function<Evaluation(const Eigen::VectorXd& values)> evaluate;
+  /// Called from several threads at once.
+  ModelFunction evaluate;
   /// How many residuals there are; 0 when nobody says. Least-squares methods need as many as parameters.
   Eigen::Index residual_count = 0;
+  /// What an evaluation may take [s]. A fixed number, not one derived from evaluations so far: which of them fail must
+  /// not depend on their order.
+  double deadline_s = std::numeric_limits<double>::infinity();
 };
 
-/// Evaluates under guard: exceptions and residuals that are not finite or not there become failures.
+/// Evaluates under guard: exceptions, passed deadlines and residuals that are not finite or not there become failures.
+/// A model that never asks its deadline cannot be ended.
 Evaluation EvaluateGuarded(const Problem& problem, const Eigen::VectorXd& values);
 
 }  // namespace fourpost

@@ -107,6 +107,16 @@ TEST(FourPostObjective, RefusesAPriorWithoutDeviation) {
   }
 }
 
+TEST(FourPostObjective, EndsAtItsDeadline) {
+  const FourPostObjective objective = ShippedStudy().MakeObjective();
+  Problem problem = objective.MakeProblem();
+  const Eigen::VectorXd values = problem.lattice.Values(LatticePoint(problem.lattice.size(), 2));
+  problem.deadline_s = 1e-6;
+  EXPECT_EQ(EvaluateGuarded(problem, values).failure, Failure::kTimedOut);
+  problem.deadline_s = 60;
+  EXPECT_TRUE(EvaluateGuarded(problem, values).ok());
+}
+
 // Specification section 5: without a force, masses, rates and dampings may all be scaled alike.
 TEST(FourPostObjective, OnlyForcesPinTheScale) {
   const LoadedStudy twin = Twin(ShippedStudy().vehicle.ParameterValues());

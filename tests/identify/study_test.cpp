@@ -35,6 +35,7 @@ search:
   evaluations: 400
   population: 30
   starts: 3
+  deadline: 250 ms
 )";
 
 class StudyTest : public testing::Test {
@@ -92,6 +93,7 @@ TEST_F(StudyTest, ReadsEveryKey) {
   EXPECT_EQ(study->search.evaluations, 400);
   EXPECT_EQ(study->search.population, 30);
   EXPECT_EQ(study->search.starts, 3);
+  EXPECT_EQ(study->search.deadline_s, 0.25);
 }
 
 TEST_F(StudyTest, ReportsAnUnknownKeyWithTheNearest) {
@@ -147,6 +149,12 @@ TEST_F(StudyTest, ReportsPostsWithoutReference) {
 
 TEST_F(StudyTest, ReportsAModelErrorOfMeansThatIsZero) {
   EXPECT_THAT(Fault("0.2 mm", "0 mm"), HasSubstr("'mean' of 'model_error' must be above zero"));
+}
+
+TEST_F(StudyTest, ReportsADeadlineThatIsNoTime) {
+  EXPECT_THAT(Fault("250 ms", "0 s"), HasSubstr("'deadline' of 'search' must be above zero"));
+  EXPECT_THAT(Fault("250 ms", "250"), HasSubstr("'deadline'"));
+  EXPECT_THAT(Fault("250 ms", "250 mm"), HasSubstr("'deadline'"));
 }
 
 TEST_F(StudyTest, ReportsStaticLoadsWithoutFile) {

@@ -15,6 +15,9 @@
 
 #include "identify/search/draws.h"
 #include "identify/search/dvhde_operators.h"
+#include "identify/search_method_list.h"
+#include "tests/identify/test_problems.h"
+#include "tests/temporary_folder.h"
 
 namespace fourpost {
 namespace {
@@ -22,12 +25,6 @@ namespace {
 using testing::ElementsAre;
 using testing::StrEq;
 using testing::ThrowsMessage;
-
-Evaluation OneResidual(double residual) {
-  Evaluation evaluation;
-  evaluation.residuals = Eigen::VectorXd::Constant(1, residual);
-  return evaluation;
-}
 
 // Values 0..10 on both axes.
 Lattice Square() { return Lattice({{"a", 0, 10, 1}, {"b", 0, 10, 1}}); }
@@ -264,6 +261,120 @@ TEST(Archive, RanksInfeasiblePointsByTheirViolation) {
   EXPECT_FALSE(IsBetter(failed, far));
   EXPECT_FALSE(IsBetter(unknown, failed));
   EXPECT_FALSE(IsBetter(failed, unknown));
+}
+
+class StoredArchive : public testing::Test {
+ protected:
+  std::filesystem::path FileOf(const std::string& name) const { return folder_.path() / (name + ".sqlite"); }
+
+  TemporaryFolder folder_;
+  EvaluationStore store_ = {FileOf("archive"), {}};
+  std::atomic<int> calls_ = 0;
+  Problem unreliable_ = {Square(), [this](const Eigen::VectorXd& p) {
+                           ++calls_;
+                           return Unreliable(p);
+                         }};
+};
+
+TEST_F(StoredArchive, PaysForNoPointThatAnEarlierOnePaidFor) {
+  const std::vector<Eigen::VectorXd> between = {Eigen::Vector2d(7.5, 1), Eigen::Vector2d(2.5, 1)};
+  Archive first(unreliable_, 2, &store_);
+  const std::vector<Score> scores = first.Evaluate(AllPoints());
+  first.EvaluateValues(between);
+  EXPECT_EQ(calls_, 123);
+  EXPECT_EQ(first.counts().restored, 0);
+
+  Archive second(unreliable_, 2, &store_);
+  EXPECT_EQ(second.Evaluate(AllPoints()), scores);
+  EXPECT_EQ(second.EvaluateValues(between).front().cost(), 7.5 * 7.5);
+  EXPECT_EQ(calls_, 123);
+  // Counted as if nothing had been there.
+  EXPECT_EQ(second.counts().restored, 123);
+  EXPECT_EQ(second.counts().paid, first.counts().paid);
+  EXPECT_EQ(second.counts().reused, first.counts().reused);
+  EXPECT_EQ(second.improvements().size(), first.improvements().size());
+  for (const auto& [failure, tally] : first.counts().failures) {
+    EXPECT_EQ(second.counts().failures.at(failure).count, tally.count);
+    EXPECT_EQ(second.counts().failures.at(failure).example, tally.example);
+  }
+}
+
+TEST_F(StoredArchive, RemembersValuesOffTheLattice) {
+  Archive archive(unreliable_, 1, &store_);
+  const Eigen::VectorXd values = Eigen::Vector2d(7.5, 1);
+  archive.EvaluateValues({values, values});
+  EXPECT_EQ(archive.EvaluateValues({values}).front().cost(), 7.5 * 7.5);
+  EXPECT_EQ(calls_, 1);
+  EXPECT_EQ(archive.counts().paid, 1);
+  EXPECT_EQ(archive.counts().reused, 2);
+  // A lattice point is the same wherever it is asked for.
+  archive.Evaluate({{8, 1}});
+  archive.EvaluateValues({Eigen::Vector2d(7, 0)});
+  EXPECT_EQ(calls_, 2);
+  EXPECT_EQ(archive.counts().reused, 3);
+}
+
+TEST_F(StoredArchive, CountsAsWithoutAStoreWhereThatIsAskedFor) {
+  const auto counts = [&](EvaluationStore* store) {
+    Archive archive(unreliable_, 1, store, Repeats::kPaid);
+    const Eigen::VectorXd values = Eigen::Vector2d(7.5, 1);
+    archive.EvaluateValues({values, values});
+    archive.Evaluate({{8, 1}, {8, 1}, {1, 1}});
+    archive.EvaluateValues({values, Eigen::Vector2d(7, 0), Eigen::Vector2d(2.5, 0)});
+    return archive.counts();
+  };
+  const EvaluationCounts without = counts(nullptr);
+  EXPECT_EQ(without.paid, 7);
+  EXPECT_EQ(without.reused, 1);
+  for (int round = 0; round < 2; ++round) {
+    const EvaluationCounts with = counts(&store_);
+    EXPECT_EQ(with.paid, without.paid);
+    EXPECT_EQ(with.reused, without.reused);
+    EXPECT_EQ(with.failed(), without.failed());
+  }
+}
+
+TEST_F(StoredArchive, FailsAnEvaluationWithAnotherNumberOfResidualsAlsoWhenItWasStored) {
+  const Problem problem = {Square(), [](const Eigen::VectorXd& p) {
+                             Evaluation evaluation;
+                             evaluation.residuals = Eigen::VectorXd::Ones(p[0] > 5 ? 1 : 3);
+                             return evaluation;
+                           }};
+  for (int run = 0; run < 2; ++run) {
+    Archive archive(problem, 1, &store_);
+    EXPECT_EQ(archive.Evaluate({{1, 1}, {11, 1}}).back().failure, Failure::kWrongSize);
+  }
+}
+
+TEST_F(StoredArchive, HoldsTheSameForAnyNumberOfThreads) {
+  const Problem problem = MassSpringDamper();
+  std::vector<std::string> digests;
+  for (const int threads : {1, 2, 4}) {
+    const std::filesystem::path file = FileOf(std::to_string(threads));
+    EvaluationStore store(file, {});
+    Archive archive(problem, threads, &store);
+    RunMethod(MethodPreset("dvhde", problem), archive, 3, {.max_evaluations = 300}, {});
+    const StoredContent content = ReadStoredContent(file);
+    EXPECT_EQ(content.evaluations, archive.counts().paid);
+    EXPECT_EQ(content.paid, content.evaluations);
+    digests.push_back(content.digest);
+  }
+  EXPECT_GE(ReadStoredContent(FileOf("1")).evaluations, 300);
+  EXPECT_EQ(digests[1], digests[0]);
+  EXPECT_EQ(digests[2], digests[0]);
+}
+
+TEST_F(StoredArchive, ServesOneMethodWithWhatAnotherPaidFor) {
+  const Problem problem = MassSpringDamper();
+  const auto run = [&](const char* method) {
+    Archive archive(problem, 1, &store_);
+    RunMethod(MethodPreset(method, problem), archive, 3, {.max_evaluations = 100}, {});
+    return archive.counts();
+  };
+  EXPECT_EQ(run("thesis").restored, 0);
+  // Both begin with the same population.
+  EXPECT_GE(run("de").restored, 20);
+  EXPECT_EQ(run("de").restored, run("de").paid);
 }
 
 }  // namespace

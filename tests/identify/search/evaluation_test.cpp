@@ -1,8 +1,10 @@
 #include "identify/search/evaluation.h"
 
+#include <chrono>
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,28 @@ TEST(Evaluation, GuardTurnsAnExceptionIntoAFailureWithItsWords) {
   EXPECT_EQ(Guarded({}).failure, Failure::kException);
 }
 
+TEST(Evaluation, GuardEndsAModelThatAsksItsDeadline) {
+  const Lattice lattice({{"p", 0, 1, 0.1}});
+  const auto hang = [](const Eigen::VectorXd&, const Deadline& deadline) -> Evaluation {
+    while (true) deadline.Check();
+  };
+  const Eigen::VectorXd values = Eigen::VectorXd::Constant(1, 0.5);
+  const Evaluation ended = EvaluateGuarded({.lattice = lattice, .evaluate = hang, .deadline_s = 0.01}, values);
+  EXPECT_EQ(ended.failure, Failure::kTimedOut);
+  EXPECT_EQ(ended.detail, "took longer than 0.01 s");
+}
+
+// What was paid for is used, however late it comes.
+TEST(Evaluation, GuardKeepsAnEvaluationThatDoesNotAsk) {
+  const auto slow = [](const Eigen::VectorXd&) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return Residuals(1, 2);
+  };
+  EXPECT_TRUE(EvaluateGuarded({.lattice = Lattice({{"p", 0, 1, 0.1}}), .evaluate = slow, .deadline_s = 1e-3},
+                              Eigen::VectorXd::Constant(1, 0.5))
+                  .ok());
+}
+
 TEST(Evaluation, GuardTurnsNoResidualsIntoAFailure) {
   EXPECT_EQ(Guarded([](const Eigen::VectorXd&) { return Evaluation(); }).failure, Failure::kWrongSize);
 }
@@ -71,10 +95,10 @@ TEST(Evaluation, GuardKeepsAModelsOwnFailureAndDropsItsResiduals) {
 TEST(Evaluation, FailuresHaveNamesOfTheirOwn) {
   std::set<std::string_view> names;
   for (const Failure failure : {Failure::kNone, Failure::kNotFinite, Failure::kException, Failure::kNotConverged,
-                                Failure::kInfeasible, Failure::kWrongSize}) {
+                                Failure::kTimedOut, Failure::kInfeasible, Failure::kWrongSize}) {
     names.insert(FailureName(failure));
   }
-  EXPECT_EQ(names.size(), 6u);
+  EXPECT_EQ(names.size(), 7u);
   EXPECT_FALSE(names.contains("unknown"));
 }
 

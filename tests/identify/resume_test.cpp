@@ -1,0 +1,262 @@
+// Fits that are killed, starved and started twice: what they paid for is kept, and in the end the result is the same.
+#include <chrono>
+#include <filesystem>
+#include <random>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "identify/search/evaluation_store.h"
+#include "tests/identify/program.h"
+
+namespace fourpost {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kStudy = "studies/landrover110/model2.yaml";
+
+class Resume : public ProgramTest {
+ protected:
+  Resume() {
+    // Some tenths of a second.
+    ReplaceIn(kStudy, "band: [0.5 Hz, 12 Hz]", "band: [1.5 Hz, 4 Hz]");
+    ReplaceIn(kStudy, "  evaluations: 300\n", "  evaluations: 200\n");
+    ReplaceIn(kStudy, "  starts: 4", "  starts: 2");
+  }
+
+  static std::string Fit(const std::string& folder) {
+    return std::string("fit ") + kStudy + " --threads 2 -o " + folder;
+  }
+
+  StoredContent ArchiveIn(const std::string& folder) const {
+    return ReadStoredContent(folder_ / folder / "archive.sqlite");
+  }
+
+  void ExpectSameResults(const std::string& folder, const std::string& as) const {
+    for (const char* file : {"result.json", "vehicle.urdf", "response.csv", "response.svg"})
+      EXPECT_EQ(ReadText(folder_ / folder / file), ReadText(folder_ / as / file)) << folder << ' ' << file;
+    EXPECT_EQ(ArchiveIn(folder).digest, ArchiveIn(as).digest) << folder;
+  }
+
+  void ExpectPaidOnce(const std::string& folder) const {
+    const StoredContent content = ArchiveIn(folder);
+    EXPECT_EQ(content.paid, content.evaluations) << folder;
+    const auto result = nlohmann::json::parse(ReadText(folder_ / folder / "result.json"));
+    EXPECT_EQ(result["evaluations"]["paid"], content.evaluations) << folder;
+  }
+
+  /// The program under a shell that first does `before`, where one may be had that mounts.
+  Outcome RunMounted(const std::string& before, const std::string& arguments) const {
+    const std::string program = std::string("\"") + FOURPOST_PROGRAM + "\" " + arguments;
+    return RunShell("unshare -rm sh -c '" + before + " && exec " + program + "'");
+  }
+  bool CanMount() const { return RunShell("unshare -rm mount -t tmpfs none studies").code == 0; }
+};
+
+TEST_F(Resume, AfterFiftyKillsGivesTheResultOfAnUninterruptedFitAndPaysForNothingTwice) {
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(Run(Fit("whole")).code, 0);
+  const double whole_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ExpectPaidOnce("whole");
+
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<double> instant(0, whole_s);
+  int kills = 0;
+  std::int64_t rows_at_kills = 0;
+  for (int run = 0; kills < 50; ++run) {
+    ASSERT_LT(run, 50);
+    const std::string folder = "run" + std::to_string(run);
+    for (int i = 0; i < 5; ++i) {
+      const std::string command = std::string("timeout -s KILL ") + std::to_string(instant(engine)) + " '" +
+                                  FOURPOST_PROGRAM + "' " + Fit(folder) + " --resume";
+      const Outcome outcome = RunShell(command);
+      // 128 + SIGKILL; or it was done before.
+      ASSERT_THAT(outcome.code, AnyOf(137, 0)) << outcome.err;
+      if (outcome.code == 0) break;
+      ++kills;
+      rows_at_kills += ArchiveIn(folder).evaluations;
+    }
+    const Outcome resumed = Run(Fit(folder) + " --resume");
+    ASSERT_EQ(resumed.code, 0) << resumed.err;
+    ExpectSameResults(folder, "whole");
+    ExpectPaidOnce(folder);
+  }
+  // They were killed at work: neither before the first evaluation nor after the last, on the whole.
+  EXPECT_GT(rows_at_kills, kills * ArchiveIn("whole").evaluations / 20);
+  EXPECT_LT(rows_at_kills, kills * ArchiveIn("whole").evaluations * 19 / 20);
+}
+
+TEST_F(Resume, AfterCtrlCGoesOn) {
+  ASSERT_EQ(Run(Fit("whole")).code, 0);
+  const Outcome interrupted =
+      RunShell(std::string("timeout -s INT 0.12 '") + FOURPOST_PROGRAM + "' " + Fit("run") + "; test $? = 124");
+  ASSERT_EQ(interrupted.code, 0) << interrupted.err;
+  const Outcome resumed = Run(Fit("run") + " --resume");
+  ASSERT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_THAT(resumed.err, testing::ContainsRegex("[1-9][0-9]* of [0-9]+ evaluations come from run/archive.sqlite"));
+  ExpectSameResults("run", "whole");
+  ExpectPaidOnce("run");
+}
+
+TEST_F(Resume, OfAFinishedFitCostsNothingWithOrWithoutTheOption) {
+  const Outcome first = Run(Fit("run"));
+  const std::string result = ReadText(folder_ / "run/result.json");
+  for (const char* option : {" --resume", ""}) {
+    const Outcome again = Run(Fit("run") + option);
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(again.out, first.out);
+    EXPECT_EQ(ReadText(folder_ / "run/result.json"), result);
+    const std::string all = std::to_string(ArchiveIn("run").evaluations);
+    EXPECT_THAT(again.err, HasSubstr(all + " of " + all + " evaluations come from"));
+  }
+  ExpectPaidOnce("run");
+}
+
+TEST_F(Resume, ReusesWhatAnotherSeedOrBudgetPaidFor) {
+  ASSERT_EQ(Run(Fit("run")).code, 0);
+  const std::int64_t before = ArchiveIn("run").evaluations;
+  ReplaceIn(kStudy, "  evaluations: 200\n", "  evaluations: 240\n");
+  const Outcome longer = Run(Fit("run") + " --resume");
+  EXPECT_EQ(longer.code, 0) << longer.err;
+  EXPECT_THAT(longer.err, HasSubstr("evaluations come from"));
+  EXPECT_GT(ArchiveIn("run").evaluations, before);
+  EXPECT_EQ(ArchiveIn("run").paid, ArchiveIn("run").evaluations);
+}
+
+TEST_F(Resume, NamesWhatChangedAndLeavesTheArchive) {
+  ASSERT_EQ(Run(Fit("run")).code, 0);
+  const std::string digest = ArchiveIn("run").digest;
+  const auto expect_refused = [&](const std::string& change) {
+    const Outcome outcome = Run(Fit("run") + " --resume");
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("cannot resume"));
+    EXPECT_THAT(outcome.err, HasSubstr("another state of: " + change + "; undo the change"));
+    EXPECT_EQ(ArchiveIn("run").digest, digest);
+  };
+  ReplaceIn(kStudy, "[1.5 Hz, 4 Hz]", "[1.5 Hz, 3 Hz]");
+  expect_refused("the recordings, their channels, the static loads or the band");
+  ReplaceIn(kStudy, "[1.5 Hz, 3 Hz]", "[1.5 Hz, 4 Hz]");
+  ReplaceIn(kStudy, "  mean: 0.3 mm", "  mean: 0.4 mm");
+  expect_refused("the free parameters, the model error or the deadline");
+  // Still so when asked again.
+  expect_refused("the free parameters, the model error or the deadline");
+  ReplaceIn(kStudy, "  mean: 0.4 mm", "  mean: 0.3 mm");
+  const fs::path vehicle = "urdf/landrover110_linkage.urdf";
+  ReplaceIn(vehicle, "lower=\"1450 kg\"", "lower=\"1451 kg\"");
+  expect_refused("the vehicle");
+
+  // Without the option it is fitted anew, beside what was there.
+  ASSERT_EQ(Run(Fit("run")).code, 0);
+  EXPECT_NE(ArchiveIn("run").digest, digest);
+  ReplaceIn(vehicle, "lower=\"1451 kg\"", "lower=\"1450 kg\"");
+  const std::int64_t both = ArchiveIn("run").evaluations;
+  EXPECT_EQ(Run(Fit("run") + " --resume").code, 0);
+  EXPECT_EQ(ArchiveIn("run").evaluations, both);
+}
+
+TEST_F(Resume, WithNothingToResumeStartsAndSaysSo) {
+  const Outcome outcome = Run(Fit("run") + " --resume");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("there is no run/archive.sqlite to resume from: starting from the beginning"));
+  EXPECT_THAT(Run(Fit("run") + " --resume").err, Not(HasSubstr("from the beginning")));
+}
+
+TEST_F(Resume, TwoFitsOfOneArchiveAtOnceGiveTheSame) {
+  ASSERT_EQ(Run(Fit("whole")).code, 0);
+  const std::string fit = std::string("'") + FOURPOST_PROGRAM + "' " + Fit("both");
+  for (int round = 0; round < 3; ++round) {
+    fs::remove_all(folder_ / "both");
+    const Outcome both = RunShell(fit + " >one.txt & one=$!; " + fit + " >two.txt && wait $one");
+    ASSERT_EQ(both.code, 0) << both.err;
+    EXPECT_EQ(ReadText(folder_ / "one.txt"), ReadText(folder_ / "two.txt"));
+    ExpectSameResults("both", "whole");
+  }
+}
+
+TEST_F(Resume, AFileThatMayNotGrowEndsTheFitAndKeepsWhatIsThere) {
+  ASSERT_EQ(Run(Fit("whole")).code, 0);
+  // In blocks of 512 bytes; the largest one at the first transfer of the log into the file.
+  for (const int blocks : {1, 200, 2000, 6000}) {
+    const std::string folder = "run" + std::to_string(blocks);
+    const Outcome starved = RunShell("trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; exec '" +
+                                     FOURPOST_PROGRAM + "' " + Fit(folder));
+    EXPECT_EQ(starved.code, 5) << blocks << starved.err;
+    EXPECT_THAT(starved.err, HasSubstr("archive.sqlite: ")) << blocks;
+    EXPECT_FALSE(fs::exists(folder_ / folder / "result.json"));
+    const std::int64_t kept = ArchiveIn(folder).evaluations;
+    EXPECT_GE(kept, blocks >= 200 ? 1 : 0) << blocks;
+    const Outcome resumed = Run(Fit(folder) + " --resume");
+    EXPECT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_THAT(resumed.err, HasSubstr(kept > 0 ? std::to_string(kept) + " of " : "results: "));
+    ExpectSameResults(folder, "whole");
+    ExpectPaidOnce(folder);
+  }
+}
+
+TEST_F(Resume, AFullDiskEndsTheFitAndKeepsWhatIsThere) {
+  if (!CanMount()) GTEST_SKIP() << "no disk can be mounted here";
+  ASSERT_EQ(Run(Fit("whole")).code, 0);
+  fs::create_directory(folder_ / "full");
+  fs::create_directory(folder_ / "run");
+  const Outcome starved = RunShell(std::string("unshare -rm sh -c 'mount -t tmpfs -o size=1m none full && \"") +
+                                   FOURPOST_PROGRAM + "\" " + Fit("full") + "; code=$?; cp full/* run; exit $code'");
+  EXPECT_EQ(starved.code, 5) << starved.err;
+  EXPECT_THAT(starved.err, HasSubstr("database or disk is full; make room on the disk"));
+  // Moved to where there is room.
+  const Outcome resumed = Run(Fit("run") + " --resume");
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_THAT(resumed.err, testing::ContainsRegex("[1-9][0-9]* of [0-9]+ evaluations come from"));
+  ExpectSameResults("run", "whole");
+  ExpectPaidOnce("run");
+}
+
+TEST_F(Resume, AFolderThatIsReadOnlyEndsTheFitAndKeepsWhatIsThere) {
+  if (!CanMount()) GTEST_SKIP() << "no folder can be made read-only here";
+  ASSERT_EQ(Run(Fit("run")).code, 0);
+  const std::string digest = ArchiveIn("run").digest;
+  const std::string result = ReadText(folder_ / "run/result.json");
+  for (const char* option : {"", " --resume", " --seed 9"}) {
+    const Outcome refused = RunMounted("mount --bind run run && mount -o remount,bind,ro run", Fit("run") + option);
+    EXPECT_EQ(refused.code, 5) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("run: cannot be written to"));
+  }
+  // The archive alone.
+  const Outcome refused =
+      RunMounted("mount --bind run/archive.sqlite run/archive.sqlite && mount -o remount,bind,ro run/archive.sqlite",
+                 Fit("run") + " --seed 9");
+  EXPECT_EQ(refused.code, 5) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("run/archive.sqlite: "));
+  EXPECT_EQ(ArchiveIn("run").digest, digest);
+  EXPECT_EQ(ReadText(folder_ / "run/result.json"), result);
+}
+
+TEST_F(Resume, EvaluationsBeyondTheDeadlineAreCountedAndNamed) {
+  ReplaceIn(kStudy, "  evaluations: 200\n", "  evaluations: 200\n  deadline: 0.001 ms\n");
+  for (int round = 0; round < 2; ++round) {
+    const Outcome outcome = Run(Fit("run"));
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("fit all_failed: every evaluation failed: 200 timed out (took longer than "));
+    EXPECT_FALSE(fs::exists(folder_ / "run/result.json"));
+    EXPECT_EQ(ArchiveIn("run").evaluations, 200);
+  }
+}
+
+TEST_F(Resume, ComparedMethodsShareAnArchiveAndTheCountsDoNot) {
+  const std::string compare =
+      std::string("compare ") + kStudy + " --methods dvhde,thesis,gb,bfgs --runs 2 --threads 2 --json";
+  const Outcome without = Run(compare);
+  ASSERT_EQ(without.code, 0) << without.err;
+  EXPECT_EQ(Run(compare + " --archive shared.sqlite").out, without.out);
+  const StoredContent content = ReadStoredContent(folder_ / "shared.sqlite");
+  EXPECT_GT(content.evaluations, 300);
+  EXPECT_EQ(Run(compare + " --archive shared.sqlite").out, without.out);
+  EXPECT_EQ(ReadStoredContent(folder_ / "shared.sqlite").digest, content.digest);
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,174 @@
+#include "identify/search/evaluation_store.h"
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/output_folder.h"
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const EvaluationContext kContext = {.vehicle = "car", .data = "rig", .settings = "band", .version = "1"};
+
+Evaluation Residuals(const std::vector<double>& numbers) {
+  Evaluation evaluation;
+  evaluation.residuals = Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+  return evaluation;
+}
+
+Eigen::VectorXd At(double value) { return Eigen::VectorXd::Constant(1, value); }
+
+class EvaluationStoreTest : public testing::Test {
+ protected:
+  std::string OutputErrorOf(const std::filesystem::path& file) const {
+    try {
+      const EvaluationStore store(file, kContext);
+    } catch (const OutputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_.path() / "run/archive.sqlite";
+};
+
+TEST_F(EvaluationStoreTest, KeepsResidualsToTheLastBit) {
+  const Evaluation odd =
+      Residuals({1.0 / 3, -0.0, std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()});
+  EvaluationStore(file_, kContext).Put(At(0.1), odd);
+  const std::optional<Evaluation> found = EvaluationStore(file_, kContext).Find(At(0.1));
+  ASSERT_TRUE(found && found->ok());
+  ASSERT_EQ(found->residuals.size(), 4);
+  EXPECT_EQ(std::memcmp(found->residuals.data(), odd.residuals.data(), 4 * sizeof(double)), 0);
+}
+
+TEST_F(EvaluationStoreTest, KeepsFailuresWithTheirCauseAndWords) {
+  {
+    EvaluationStore store(file_, kContext);
+    store.Put(At(1), Failed(Failure::kTimedOut, "took \"longer\" than 10 s\n\xc3\xa4"));
+    store.Put(At(2), Infeasible(1.0 / 3, "no vehicle"));
+    for (const Failure failure : {Failure::kNotFinite, Failure::kException, Failure::kNotConverged, Failure::kTimedOut,
+                                  Failure::kInfeasible, Failure::kWrongSize})
+      store.Put(At(10 + static_cast<int>(failure)), Failed(failure, ""));
+  }
+  const EvaluationStore store(file_, kContext);
+  EXPECT_EQ(store.Find(At(1))->detail, "took \"longer\" than 10 s\n\xc3\xa4");
+  EXPECT_EQ(store.Find(At(1))->failure, Failure::kTimedOut);
+  EXPECT_EQ(store.Find(At(2))->violation, 1.0 / 3);
+  for (const Failure failure : {Failure::kNotFinite, Failure::kException, Failure::kNotConverged, Failure::kTimedOut,
+                                Failure::kInfeasible, Failure::kWrongSize})
+    EXPECT_EQ(store.Find(At(10 + static_cast<int>(failure)))->failure, failure);
+}
+
+TEST_F(EvaluationStoreTest, TellsValuesApartByTheirBits) {
+  EvaluationStore store(file_, kContext);
+  store.Put(At(1), Residuals({1}));
+  EXPECT_TRUE(store.Find(At(1)));
+  EXPECT_FALSE(store.Find(At(std::nextafter(1.0, 2.0))));
+  EXPECT_FALSE(store.Find(Eigen::Vector2d(1, 1)));
+}
+
+TEST_F(EvaluationStoreTest, UsesNoOtherContextAndKeepsIt) {
+  EvaluationStore(file_, kContext).Put(At(1), Residuals({1}));
+  EvaluationContext other = kContext;
+  other.version = "2";
+  {
+    EvaluationStore store(file_, other);
+    EXPECT_FALSE(store.Find(At(1)));
+    store.Put(At(1), Residuals({2}));
+  }
+  EXPECT_EQ(EvaluationStore(file_, kContext).Find(At(1))->residuals[0], 1);
+  EXPECT_EQ(ReadStoredContent(file_).evaluations, 2);
+}
+
+TEST_F(EvaluationStoreTest, NamesWhatChangedSinceItWasUsedLast) {
+  EXPECT_THAT(ChangedParts(file_, kContext), IsEmpty());
+  EvaluationContext other = kContext;
+  other.settings = "another";
+  { const EvaluationStore store(file_, other); }
+  EXPECT_THAT(ChangedParts(file_, kContext), ElementsAre("settings"));
+  EvaluationContext third = kContext;
+  third.vehicle = "bus";
+  third.data = "road";
+  third.version = "2";
+  { const EvaluationStore store(file_, third); }
+  EXPECT_THAT(ChangedParts(file_, kContext), ElementsAre("vehicle", "data", "version"));
+  { const EvaluationStore store(file_, other); }
+  EXPECT_THAT(ChangedParts(file_, kContext), ElementsAre("settings"));
+  // What it holds may be gone on with, whatever came after.
+  EXPECT_THAT(ChangedParts(file_, third), IsEmpty());
+}
+
+TEST_F(EvaluationStoreTest, GivesTheFirstOfTwoAndCountsBoth) {
+  EvaluationStore here(file_, kContext);
+  EvaluationStore there(file_, kContext);
+  EXPECT_EQ(here.Put(At(1), Residuals({1})).residuals[0], 1);
+  EXPECT_EQ(there.Put(At(1), Residuals({2})).residuals[0], 1);
+  EXPECT_EQ(here.Find(At(1))->residuals[0], 1);
+  EXPECT_EQ(ReadStoredContent(file_).evaluations, 1);
+  EXPECT_EQ(ReadStoredContent(file_).paid, 2);
+}
+
+TEST_F(EvaluationStoreTest, DigestIsThatOfTheContentInWhicheverOrder) {
+  const std::filesystem::path turned = folder_.path() / "turned.sqlite";
+  for (int i = 0; i < 20; ++i) {
+    EvaluationStore(file_, kContext).Put(At(i), Residuals({1.0 * i}));
+    EvaluationStore(turned, kContext).Put(At(19 - i), Residuals({19.0 - i}));
+  }
+  EXPECT_EQ(ReadStoredContent(file_).digest, ReadStoredContent(turned).digest);
+  EvaluationStore(turned, kContext).Put(At(20), Residuals({20}));
+  EXPECT_NE(ReadStoredContent(file_).digest, ReadStoredContent(turned).digest);
+  EvaluationStore(file_, kContext).Put(At(20), Residuals({20.5}));
+  EXPECT_NE(ReadStoredContent(file_).digest, ReadStoredContent(turned).digest);
+}
+
+TEST_F(EvaluationStoreTest, ServesSeveralThreadsAndSeveralConnections) {
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&] {
+      EvaluationStore store(file_, kContext);
+      for (int i = 0; i < 200; ++i)
+        if (!store.Find(At(i))) store.Put(At(i), Residuals({1.0 * i, 2}));
+    });
+  for (std::thread& thread : threads) thread.join();
+  const EvaluationStore store(file_, kContext);
+  for (int i = 0; i < 200; ++i) EXPECT_EQ(store.Find(At(i))->residuals[0], i);
+  EXPECT_EQ(ReadStoredContent(file_).evaluations, 200);
+}
+
+TEST_F(EvaluationStoreTest, LeavesAFileThatIsNotItsOwnAsItIs) {
+  const std::string text(5000, 'x');
+  const std::filesystem::path file = folder_.Write("archive.sqlite", text);
+  EXPECT_THAT(OutputErrorOf(file), HasSubstr("move it away"));
+  EXPECT_THROW(ChangedParts(file, kContext), OutputError);
+  EXPECT_EQ(ReadText(file), text);
+}
+
+TEST_F(EvaluationStoreTest, TakesAnEmptyFileForANewOne) {
+  const std::filesystem::path file = folder_.Write("archive.sqlite", "");
+  EXPECT_THAT(ChangedParts(file, kContext), IsEmpty());
+  EXPECT_EQ(OutputErrorOf(file), "");
+}
+
+TEST_F(EvaluationStoreTest, SaysWhereItCannotWrite) {
+  EXPECT_THAT(OutputErrorOf("/proc/fourpost/archive.sqlite"), HasSubstr("/proc/fourpost"));
+  std::filesystem::create_directories(file_);
+  EXPECT_THAT(OutputErrorOf(file_), HasSubstr("archive.sqlite: unable to open"));
+}
+
+}  // namespace
+}  // namespace fourpost
