@@ -44,12 +44,12 @@ std::vector<FittedParameter> Describe(const FourPostObjective& objective, const 
   return out;
 }
 
-/// The priors' residuals come last.
-Covariance CovarianceOf(const RefineResult& best, Eigen::Index prior_count, const Lattice& lattice) {
+/// The priors' residuals come last. With a loss the cost is that of squares that would leave the same variance.
+Covariance CovarianceOf(const RefineResult& best, const RobustLoss& loss, Eigen::Index prior_count,
+                        const Lattice& lattice) {
   const Eigen::Index data = best.jacobian.rows() - prior_count;
-  // A difference of two sums may lie below zero by rounding.
-  const double data_cost = std::max(0.0, best.cost - best.residuals.tail(prior_count).squaredNorm());
-  return EstimateCovariance(best.jacobian.topRows(data), FitVariables(lattice).Slopes(best.values), data_cost, {},
+  const double cost = loss.EquivalentCost(best.residuals.head(data));
+  return EstimateCovariance(best.jacobian.topRows(data), FitVariables(lattice).Slopes(best.values), cost, {},
                             best.jacobian.bottomRows(prior_count));
 }
 
@@ -111,6 +111,7 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
   result.values = objective.vehicle().ParameterValues();
   result.residual_count = objective.residual_count();
   result.prior_count = objective.prior_count();
+  result.loss = options.refine.loss;
   Dvhde search(archive.lattice(), options.search, options.seed);
   result.search = RunSearch(archive, search, options.stop, options.candidates,
                             {[&](const SearchGeneration&) { report("search"); }, stop});
@@ -142,7 +143,8 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
     result.end = EndOf(best, stop());
     result.message = best.message;
     if (best.jacobian.size() > 0) {
-      result.covariance = CovarianceOf(best, result.prior_count, archive.lattice());
+      result.covariance = CovarianceOf(best, result.loss, result.prior_count, archive.lattice());
+      result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();
       result.weakest = Weakest(archive.lattice(), *result.covariance);
     }
   }

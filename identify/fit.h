@@ -59,8 +59,11 @@ struct FittedParameter {
 struct FitResult {
   FitEnd end = FitEnd::kNotRun;
   std::string message;
-  /// Sum of squared whitened residuals, and how many there are; priors included.
+  /// Sum of squared whitened residuals, or of the refinement's loss of them, and how many there are; priors included.
   double cost = 0;
+  RobustLoss loss;
+  /// Sum of squares of the data's residuals, whatever the loss; with the covariance.
+  double data_squares = 0;
   Eigen::Index residual_count = 0;
   /// Those of the priors among them.
   double prior_cost = 0;

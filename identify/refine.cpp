@@ -29,6 +29,7 @@ class ResidualFunction : public ceres::CostFunction {
         variables_(variables),
         step_(options.step),
         differences_(options.differences),
+        loss_(options.loss),
         here_{x, residuals} {
     set_num_residuals(static_cast<int>(residuals.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(x.size()));
@@ -38,14 +39,17 @@ class ResidualFunction : public ceres::CostFunction {
   bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
     const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], parameter_block_sizes()[0]);
     if (!MoveTo(x)) return false;
-    Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = here_.residuals;
+    const Eigen::VectorXd transformed = loss_.Transformed(here_.residuals);
+    Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = transformed;
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
     if (!Linearise()) return false;
+    const Eigen::VectorXd slopes = loss_.Slopes(here_.residuals);
+    const Eigen::VectorXd gradient = jacobian_.transpose() * slopes.cwiseProduct(transformed);
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     Eigen::Map<RowMajor> free(jacobians[0], num_residuals(), x.size());
-    free = jacobian_;
+    free = slopes.asDiagonal() * jacobian_;
     for (Eigen::Index j = 0; j < x.size(); ++j) {
-      if (IsHeld(j)) free.col(j).setZero();
+      if (IsHeld(j, gradient[j])) free.col(j).setZero();
     }
     return true;
   }
@@ -67,7 +71,7 @@ class ResidualFunction : public ceres::CostFunction {
 
   // To the better of the two points remembered.
   void MoveToBest() const {
-    if (linearised_ && linearised_->residuals.squaredNorm() < here_.residuals.squaredNorm()) here_ = *linearised_;
+    if (linearised_ && loss_.Cost(linearised_->residuals) < loss_.Cost(here_.residuals)) here_ = *linearised_;
   }
 
   // The Jacobian where MoveTo() went.
@@ -92,8 +96,7 @@ class ResidualFunction : public ceres::CostFunction {
   // At a bound, and the cost falls beyond it. Ceres computes a step as if there were no bounds and cuts it off there,
   // which leaves the other variables short of their optimum; without its column in the Jacobian, this one has no part
   // in it.
-  bool IsHeld(Eigen::Index j) const {
-    const double gradient = jacobian_.col(j).dot(here_.residuals);
+  bool IsHeld(Eigen::Index j, double gradient) const {
     return gradient > 0 ? here_.x[j] <= variables_.lower()[j] : here_.x[j] >= variables_.upper()[j];
   }
 
@@ -101,6 +104,7 @@ class ResidualFunction : public ceres::CostFunction {
   const FitVariables& variables_;
   double step_;
   Differences differences_;
+  const RobustLoss& loss_;
   // Ceres evaluates through const.
   mutable Residuals here_;
   mutable std::optional<Residuals> linearised_;
@@ -201,9 +205,10 @@ std::string_view RefineEndName(RefineEnd end) {
   return "unknown";
 }
 
-RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options,
-                    const std::function<bool()>& stop) {
-  options.Validate();
+namespace {
+
+RefineResult RefineWithLoss(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options,
+                            const std::function<bool()>& stop) {
   const FitVariables variables(archive.lattice());
   Eigen::VectorXd x = variables.FromValues(start);
   const std::int64_t paid_before = archive.counts().paid;
@@ -233,9 +238,33 @@ RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const Refine
   if (function.Linearise()) result.jacobian = function.jacobian();
   result.values = variables.ToValues(function.x());
   result.residuals = function.residuals();
-  result.start_cost = first.cost();
-  result.cost = result.residuals.squaredNorm();
+  result.start_cost = options.loss.Cost(first.residuals);
+  result.cost = options.loss.Cost(result.residuals);
   result.evaluations = archive.counts().paid - paid_before;
+  return result;
+}
+
+/// The loss that leads to the one of the options from anywhere; nothing where that one does itself.
+std::optional<RobustLoss> Leading(const RefineOptions& options) {
+  const LossKind kind = options.loss.kind();
+  if (kind != LossKind::kCauchy && kind != LossKind::kTukey) return std::nullopt;
+  return options.loss.As(LossKind::kHuber);
+}
+
+}  // namespace
+
+RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options,
+                    const std::function<bool()>& stop) {
+  options.Validate();
+  const std::optional<RobustLoss> leading = Leading(options);
+  if (!leading) return RefineWithLoss(archive, start, options, stop);
+  RefineOptions lead = options;
+  lead.loss = *leading;
+  const RefineResult led = RefineWithLoss(archive, start, lead, stop);
+  if (!led.has_cost()) return led;
+  RefineResult result = RefineWithLoss(archive, led.values, options, stop);
+  result.iterations += led.iterations;
+  result.evaluations += led.evaluations;
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "identify/difference_jacobian.h"
+#include "identify/robust_loss.h"
 #include "identify/search/archive.h"
 
 namespace fourpost {
@@ -27,6 +28,9 @@ struct RefineOptions {
   /// Two runs agree when the excess of the worse cost over the better is below this share of it; in (0, 1). A cost
   /// below 1e-12 of the highest starting cost counts as zero, since all that is left of it is rounding.
   double agreement = 1e-6;
+  /// Of the residuals; the cost is its sum. Where most residuals are outliers, that of Cauchy and Tukey is so flat that
+  /// no way leads down: Huber's of the same scale, which is convex, goes before.
+  RobustLoss loss;
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;
@@ -53,7 +57,7 @@ struct RefineResult {
   std::string message;
   /// Parameters at the end, within their bounds; the start when that failed.
   Eigen::VectorXd values;
-  /// Sums of squared residuals; meaningful unless `end` is kNotRun or kStartFailed.
+  /// Sums of the loss, by default of squares; meaningful unless `end` is kNotRun or kStartFailed.
   double start_cost = 0;
   double cost = 0;
   Eigen::VectorXd residuals;

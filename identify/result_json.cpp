@@ -71,6 +71,13 @@ Json Search(const FitResult& fit) {
   return {{"end", fit.search.reason}, {"settings", settings}};
 }
 
+/// Only a loss has a scale.
+Json Refinement(const RobustLoss& loss) {
+  Json refinement = {{"loss", loss.name()}};
+  if (loss.kind() != LossKind::kNone) refinement["scale"] = loss.scale();
+  return refinement;
+}
+
 }  // namespace
 
 std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit,
@@ -87,6 +94,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                      {"seed", seed},
                      {"evaluations", Evaluations(fit.evaluations)},
                      {"search", Search(fit)},
+                     {"refine", Refinement(fit.loss)},
                      {"starts", {{"refined", fit.starts}, {"agreeing", fit.agreeing}}},
                      {"identifiability", Identifiability(fit.covariance, fit.weakest)},
                      {"parameters", Parameters(fit.parameters)},

@@ -23,7 +23,7 @@ class StudyReader {
     if (root.IsMap() && root["problem"].IsDefined()) return ReadTestProblem(root);
     const StrictMap top = Map(root, "the study",
                               {"vehicle", "recordings", "channels", "static_loads", "free", "band", "model_error",
-                               "search", "target", "methods"});
+                               "search", "refine", "target", "methods"});
     ReadVehicle(top);
     ReadRecordings(top);
     if (const YAML::Node channels = top.Require("channels"); channels.IsDefined())
@@ -32,6 +32,7 @@ class StudyReader {
     if (top.Has("free")) ReadFree(top.Get("free"));
     ReadBand(top);
     if (top.Has("model_error")) ReadModelError(top.Get("model_error"));
+    if (top.Has("refine")) ReadRefine(top.Get("refine"));
     ReadSearches(top);
     return study_;
   }
@@ -233,6 +234,18 @@ class StudyReader {
     error.phase_rad = map.Quantity("phase", kDimensionless, 0).value_or(error.phase_rad);
     error.mean_m = map.Quantity("mean", kLength, 0).value_or(error.mean_m);
     if (error.mean_m == 0) map.Fault(map.Get("mean"), "'mean' of 'model_error' must be above zero");
+  }
+
+  void ReadRefine(const YAML::Node& node) {
+    const StrictMap map = Map(node, "'refine'", {"loss", "scale"});
+    map.Require("loss");
+    study_.refine.scale = map.Number("scale", 1e-6, 1e6);
+    const std::optional<std::string> name = map.Text("loss");
+    if (!name) return;
+    const auto* const found = std::find(kLossNames.begin(), kLossNames.end(), *name);
+    if (found == kLossNames.end())
+      return Fault(map.Get("loss"), "unknown loss '" + *name + "'" + Suggestion(*name, kLossNames));
+    study_.refine.loss = static_cast<LossKind>(found - kLossNames.begin());
   }
 
   void ReadSearch(const YAML::Node& node) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analysis/diagnostics.h"
+#include "identify/robust_loss.h"
 
 namespace fourpost {
 
@@ -52,6 +53,13 @@ struct StudySearch {
   double deadline_s = 10;
 };
 
+/// The refinement of a fit.
+struct StudyRefine {
+  LossKind loss = LossKind::kNone;
+  /// In standard deviations; empty: UsualScale().
+  std::optional<double> scale;
+};
+
 /// A setting of a method, as written.
 struct StudySetting {
   std::string key;
@@ -90,6 +98,7 @@ struct Study {
   int band_line = 0;
   ModelError model_error;
   StudySearch search;
+  StudyRefine refine;
   /// Cost at which a search has solved it; for comparisons.
   std::optional<double> target_cost;
   std::vector<StudyMethod> methods;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "analysis/number.h"
 #include "analysis/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
@@ -56,7 +57,8 @@ void TellRestored(const EvaluationCounts& counts, const EvaluationStore& store) 
                static_cast<long long>(counts.paid), store.file().c_str());
 }
 
-FitOptions OptionsOf(const StudySearch& search, const FitCommand& command) {
+FitOptions OptionsOf(const Study& study, const FourPostObjective& objective, const FitCommand& command) {
+  const StudySearch& search = study.search;
   FitOptions options;
   options.search.population = search.population;
   options.seed = command.seed.value_or(search.seed);
@@ -66,6 +68,8 @@ FitOptions OptionsOf(const StudySearch& search, const FitCommand& command) {
   options.starts = search.starts;
   options.threads = command.threads;
   options.deadline_s = search.deadline_s;
+  const LossKind loss = study.refine.loss;
+  options.refine.loss = RobustLoss(loss, study.refine.scale.value_or(UsualScale(loss)), objective.prior_count());
   return options;
 }
 
@@ -119,9 +123,14 @@ std::string PriorShare(const FitResult& fit) {
   return ", of which priors " + Rounded(fit.prior_cost, 3) + " for " + std::to_string(fit.prior_count);
 }
 
+std::string LossWords(const RobustLoss& loss) {
+  if (loss.kind() == LossKind::kNone) return "";
+  return " by " + std::string(loss.name()) + " beyond " + FormatNumber(loss.scale()) + " sd";
+}
+
 std::string Summary(const FitResult& fit) {
   const EvaluationCounts& counts = fit.evaluations;
-  return "fit " + std::string(FitEndName(fit.end)) + ": cost " + Rounded(fit.cost, 5) + " for " +
+  return "fit " + std::string(FitEndName(fit.end)) + ": cost " + Rounded(fit.cost, 5) + LossWords(fit.loss) + " for " +
          std::to_string(fit.residual_count) + " residuals" + PriorShare(fit) + "; " + std::to_string(counts.paid) +
          " evaluations paid, " + std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) +
          " failed; " + std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " refinements agree\n" +
@@ -133,8 +142,7 @@ std::string Judgement(const FitResult& fit) {
   if (!fit.covariance) return "ended before deviations could be computed\n";
   const Covariance& covariance = *fit.covariance;
   const Eigen::Index data = fit.residual_count - fit.prior_count;
-  const double excess =
-      std::sqrt(std::max(0.0, fit.cost - fit.prior_cost) / static_cast<double>(data - covariance.rank));
+  const double excess = std::sqrt(fit.data_squares / static_cast<double>(data - covariance.rank));
   std::string text = "the misfit is " + Rounded(excess, 2) + " times what noise and the stated model error explain\n";
   text +=
       covariance.rank < covariance.directions.cols()
@@ -224,7 +232,7 @@ int Run(const FitCommand& command) {
   if (command.resume) RequireSameContext(command, context);
   EvaluationStore store(command.output / kArchive, context);
 
-  const FitOptions options = OptionsOf(loaded->study.search, command);
+  const FitOptions options = OptionsOf(loaded->study, objective, command);
   const FitResult fit = FitWithProgress(objective, options, store);
   TellRestored(fit.evaluations, store);
   if (fit.parameters.empty()) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -78,6 +79,8 @@ void TellUnknown(const CLI::App& app) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A limit of the size of files then is an error like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app("fourpost identifies vehicle suspension models from rig tests.", "fourpost");
   app.set_version_flag("--version", FOURPOST_VERSION);
   app.require_subcommand(1);

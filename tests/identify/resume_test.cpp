@@ -128,6 +128,21 @@ TEST_F(Resume, ReusesWhatAnotherSeedOrBudgetPaidFor) {
   EXPECT_EQ(ArchiveIn("run").paid, ArchiveIn("run").evaluations);
 }
 
+TEST_F(Resume, ReusesEvaluationsForAnotherLoss) {
+  ASSERT_EQ(Run(Fit("run")).code, 0);
+  const auto before = nlohmann::json::parse(ReadText(folder_ / "run/result.json"));
+  EXPECT_EQ(before["refine"], nlohmann::json({{"loss", "none"}}));
+  ReplaceIn(kStudy, "search:\n", "refine: {loss: huber, scale: 2}\nsearch:\n");
+  const Outcome robust = Run(Fit("run") + " --resume");
+  ASSERT_EQ(robust.code, 0) << robust.err;
+  EXPECT_THAT(robust.out, HasSubstr(" by huber beyond 2 sd for "));
+  // Those of the search at least.
+  EXPECT_THAT(robust.err, testing::ContainsRegex("[2-9][0-9][0-9] of [0-9]+ evaluations come from"));
+  const auto after = nlohmann::json::parse(ReadText(folder_ / "run/result.json"));
+  EXPECT_EQ(after["refine"], nlohmann::json({{"loss", "huber"}, {"scale", 2.0}}));
+  EXPECT_LT(after["cost"], before["cost"]);
+}
+
 TEST_F(Resume, NamesWhatChangedAndLeavesTheArchive) {
   ASSERT_EQ(Run(Fit("run")).code, 0);
   const std::string digest = ArchiveIn("run").digest;
@@ -183,8 +198,8 @@ TEST_F(Resume, AFileThatMayNotGrowEndsTheFitAndKeepsWhatIsThere) {
   // In blocks of 512 bytes; the largest one at the first transfer of the log into the file.
   for (const int blocks : {1, 200, 2000, 6000}) {
     const std::string folder = "run" + std::to_string(blocks);
-    const Outcome starved = RunShell("trap '' XFSZ; ulimit -f " + std::to_string(blocks) + "; exec '" +
-                                     FOURPOST_PROGRAM + "' " + Fit(folder));
+    const Outcome starved =
+        RunShell("ulimit -f " + std::to_string(blocks) + "; exec '" + FOURPOST_PROGRAM + "' " + Fit(folder));
     EXPECT_EQ(starved.code, 5) << blocks << starved.err;
     EXPECT_THAT(starved.err, HasSubstr("archive.sqlite: ")) << blocks;
     EXPECT_FALSE(fs::exists(folder_ / folder / "result.json"));

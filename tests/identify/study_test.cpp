@@ -36,6 +36,7 @@ search:
   population: 30
   starts: 3
   deadline: 250 ms
+refine: {loss: cauchy, scale: 3}
 )";
 
 class StudyTest : public testing::Test {
@@ -94,6 +95,8 @@ TEST_F(StudyTest, ReadsEveryKey) {
   EXPECT_EQ(study->search.population, 30);
   EXPECT_EQ(study->search.starts, 3);
   EXPECT_EQ(study->search.deadline_s, 0.25);
+  EXPECT_EQ(study->refine.loss, LossKind::kCauchy);
+  EXPECT_EQ(study->refine.scale, 3);
 }
 
 TEST_F(StudyTest, ReportsAnUnknownKeyWithTheNearest) {
@@ -149,6 +152,19 @@ TEST_F(StudyTest, ReportsPostsWithoutReference) {
 
 TEST_F(StudyTest, ReportsAModelErrorOfMeansThatIsZero) {
   EXPECT_THAT(Fault("0.2 mm", "0 mm"), HasSubstr("'mean' of 'model_error' must be above zero"));
+}
+
+TEST_F(StudyTest, TakesTheUsualScaleOfALossWithoutOne) {
+  const std::optional<Study> study = Read("cauchy, scale: 3", "soft_l1");
+  ASSERT_TRUE(study);
+  EXPECT_EQ(study->refine.loss, LossKind::kSoftL1);
+  EXPECT_FALSE(study->refine.scale);
+}
+
+TEST_F(StudyTest, ReportsALossThatIsNone) {
+  EXPECT_THAT(Fault("cauchy", "cauchi"), HasSubstr("unknown loss 'cauchi', did you mean 'cauchy'?"));
+  EXPECT_THAT(Fault("scale: 3", "scale: 0"), HasSubstr("'scale' of 'refine' must be a number from"));
+  EXPECT_THAT(Fault("{loss: cauchy, scale: 3}", "{scale: 3}"), HasSubstr("needs the key 'loss'"));
 }
 
 TEST_F(StudyTest, ReportsADeadlineThatIsNoTime) {
