@@ -22,11 +22,12 @@ struct FinishedRun {
   double cost() const { return improvements.empty() ? kInfinite : improvements.back().cost; }
 };
 
-FinishedRun RunOnce(const Problem& problem, const MethodOptions& method, std::uint64_t seed, const StopRules& rules,
+FinishedRun RunOnce(const Problem& problem, const ComparedMethod& method, std::uint64_t seed, const StopRules& rules,
                     const std::function<bool()>& stop, EvaluationStore* store) {
   Archive archive(problem, 1, store, Repeats::kPaid);
   FinishedRun run;
-  run.end = RunMethod(method, archive, seed, rules, {.count = 1}, {.stop = stop}).end;
+  run.end = method.foreign ? method.foreign->run(archive, seed, rules, stop)
+                           : RunMethod(method.options, archive, seed, rules, {.count = 1}, {.stop = stop}).end;
   run.improvements = archive.improvements();
   run.paid = archive.counts().paid;
   return run;
@@ -68,8 +69,12 @@ Interval BootstrapExpected(const std::vector<RunOutcome>& outcomes) {
   return {expected[kSamples / 40], expected[kSamples - 1 - kSamples / 40]};
 }
 
+std::vector<std::pair<std::string, std::string>> SettingsOf(const ComparedMethod& method) {
+  return method.foreign ? method.foreign->settings : Settings(method.options);
+}
+
 MethodSummary Summarise(const ComparedMethod& method, const std::vector<FinishedRun>& runs, double target) {
-  MethodSummary summary = {.name = method.name, .settings = Settings(method.options)};
+  MethodSummary summary = {.name = method.name, .settings = SettingsOf(method)};
   std::vector<double> costs;
   double evaluations = 0;
   for (const FinishedRun& run : runs) {
@@ -119,7 +124,8 @@ Interval WilsonInterval(std::int64_t successes, std::int64_t runs) {
 Comparison Compare(const Problem& problem, const std::vector<ComparedMethod>& methods, const ComparisonOptions& options,
                    const ComparisonHooks& hooks, EvaluationStore* store) {
   options.Validate();
-  for (const ComparedMethod& method : methods) Validate(method.options);
+  for (const ComparedMethod& method : methods)
+    if (!method.foreign) Validate(method.options);
   const auto runs = static_cast<std::size_t>(options.runs);
   std::vector<std::vector<FinishedRun>> finished(methods.size(), std::vector<FinishedRun>(runs));
   std::mutex mutex;
@@ -128,8 +134,7 @@ Comparison Compare(const Problem& problem, const std::vector<ComparedMethod>& me
     const std::size_t method = task % methods.size();
     const std::size_t run = task / methods.size();
     if (hooks.stop && hooks.stop()) return;
-    finished[method][run] =
-        RunOnce(problem, methods[method].options, options.seed + run, options.rules, hooks.stop, store);
+    finished[method][run] = RunOnce(problem, methods[method], options.seed + run, options.rules, hooks.stop, store);
     const std::lock_guard lock(mutex);
     if (hooks.progress) hooks.progress(++done, static_cast<std::int64_t>(methods.size() * runs));
   });

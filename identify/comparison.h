@@ -12,10 +12,22 @@
 
 namespace fourpost {
 
+/// An optimiser that runs its own loop, as other people's do.
+struct ForeignMethod {
+  /// In words, for tables.
+  std::vector<std::pair<std::string, std::string>> settings;
+  /// Runs it on an archive until a rule ends it, or `stop` does. From several threads at once.
+  std::function<SearchEnd(Archive& archive, std::uint64_t seed, const StopRules& rules,
+                          const std::function<bool()>& stop)>
+      run;
+};
+
 /// A method to compare, by the name it goes by in tables.
 struct ComparedMethod {
   std::string name;
   MethodOptions options;
+  /// In place of `options`.
+  std::optional<ForeignMethod> foreign;
 };
 
 struct ComparisonOptions {

@@ -18,6 +18,9 @@
 #include "identify/search/idle_parameters.h"
 #include "identify/study_context.h"
 #include "identify/study_methods.h"
+#ifdef FOURPOST_PEERS
+#include "identify/peers/peer_methods.h"
+#endif
 
 namespace fourpost {
 namespace {
@@ -70,10 +73,15 @@ void CheckEffectsOrThrow(const Study& study, const Problem& problem, EvaluationS
   Tell(diagnostics);
 }
 
-std::vector<ComparedMethod> MethodsOrThrow(const Study& study, const std::vector<std::string>& names,
-                                           const Problem& problem) {
+/// Ours, then other people's.
+std::vector<ComparedMethod> MethodsOrThrow(const Study& study, std::vector<std::string> names, const Problem& problem) {
   Diagnostics diagnostics;
+  std::vector<ComparedMethod> peers;
+#ifdef FOURPOST_PEERS
+  peers = TakePeers(names, diagnostics);
+#endif
   std::vector<ComparedMethod> methods = MethodsOf(study, names, problem, diagnostics);
+  methods.insert(methods.end(), peers.begin(), peers.end());
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
   return methods;
 }

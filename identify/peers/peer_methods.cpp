@@ -1,0 +1,147 @@
+#include "identify/peers/peer_methods.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "analysis/nearest.h"
+#include "analysis/number.h"
+#include "analysis/option_check.h"
+#include "identify/peers/nlopt_search.h"
+#include "identify/peers/pagmo_search.h"
+#include "identify/peers/scipy_search.h"
+
+namespace fourpost {
+namespace {
+
+struct Peer {
+  std::string_view name;
+  void (*minimise)(PeerObjective&, const PeerSettings&, std::uint32_t seed);
+  /// As the library has them, where it has any.
+  PeerSettings settings;
+};
+
+const std::vector<Peer>& Peers() {
+  constexpr double kMost = 100000;
+  const auto with = [](double population, PeerSettings own) {
+    // pagmo's sade needs 7 members.
+    own.insert(own.begin(), {"population", population, 7, kMost});
+    own.push_back({"patience", 50, 0, kMost});
+    own.push_back({"logarithmic", 0, 0, 1});
+    return own;
+  };
+  static const std::vector<Peer> peers = {
+      {"pagmo_de", MinimiseByPagmoDe,
+       with(20, {{"factor", 0.8, 0, 1}, {"crossover", 0.9, 0, 1}, {"variant", 2, 1, 10}})},
+      {"pagmo_sade", MinimiseByPagmoSade, with(20, {{"variant", 2, 1, 18}, {"adaptation", 1, 1, 2}})},
+      {"pagmo_cmaes", MinimiseByPagmoCmaes, with(20, {{"deviation", 0.5, 1e-6, 1}})},
+      {"nlopt_crs2", MinimiseByNloptCrs2, with(50, {})},
+      {"nlopt_isres", MinimiseByNloptIsres, with(100, {})},
+      {"scipy_de", MinimiseByScipyDe,
+       with(60,
+            {{"factor_lower", 0.5, 0, 2}, {"factor_upper", 1, 0, 2}, {"crossover", 0.7, 0, 1}, {"variant", 1, 1, 6}})}};
+  return peers;
+}
+
+std::vector<std::string> Split(std::string_view text) {
+  std::vector<std::string> parts;
+  std::istringstream stream{std::string(text)};
+  for (std::string part; std::getline(stream, part, ':');) parts.push_back(part);
+  return parts;
+}
+
+// "population=40"
+void Change(PeerSettings& settings, const std::string& change) {
+  const std::size_t sign = change.find('=');
+  const std::string name = change.substr(0, sign);
+  std::vector<std::string> legal;
+  for (const PeerSetting& setting : settings) legal.push_back(setting.name);
+  const auto found = std::find(legal.begin(), legal.end(), name);
+  if (found == legal.end()) throw std::invalid_argument("unknown setting '" + name + "'" + DidYouMean(name, legal));
+  PeerSetting& setting = settings[static_cast<std::size_t>(found - legal.begin())];
+  setting.value =
+      sign == std::string::npos ? std::nan("") : ParseNumber(change.substr(sign + 1)).value_or(std::nan(""));
+  std::ostringstream bound;
+  bound << setting.lower << " to " << setting.upper;
+  RequireOption(setting.value >= setting.lower && setting.value <= setting.upper, name, setting.value, bound.str());
+}
+
+PeerRules RulesOf(const PeerSettings& settings) {
+  const double patience = ValueOf(settings, "patience") * ValueOf(settings, "population");
+  return {.patience = patience > 0 ? static_cast<std::int64_t>(patience) : std::numeric_limits<std::int64_t>::max(),
+          .logarithmic = ValueOf(settings, "logarithmic") != 0};
+}
+
+SearchEnd RunPeer(const Peer& peer, const PeerSettings& settings, Archive& archive, std::uint64_t seed,
+                  const StopRules& rules, const std::function<bool()>& stop) {
+  rules.Validate();
+  const PeerRules peer_rules = RulesOf(settings);
+  PeerObjective objective(archive, rules, peer_rules, stop);
+  for (std::int64_t start = 0; objective.end() == SearchEnd::kNotRun; ++start) {
+    const std::int64_t before = objective.requests();
+    objective.StartAnew();
+    try {
+      peer.minimise(objective, settings, static_cast<std::uint32_t>(Draws(seed, DrawPurpose::kStart, start, 1).Bits()));
+    } catch (const PeerStop&) {
+      continue;
+    }
+    if (objective.requests() == before) throw std::logic_error(std::string(peer.name) + " asked for nothing");
+  }
+  return objective.end();
+}
+
+std::string Text(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<std::string_view> PeerNames() {
+  std::vector<std::string_view> names;
+  for (const Peer& peer : Peers()) names.push_back(peer.name);
+  return names;
+}
+
+ComparedMethod PeerMethod(std::string_view text) {
+  const std::vector<std::string> parts = Split(text);
+  const std::string name = parts.empty() ? "" : parts[0];
+  const auto peer = std::find_if(Peers().begin(), Peers().end(), [&](const Peer& p) { return p.name == name; });
+  if (peer == Peers().end())
+    throw std::invalid_argument("there is no peer '" + name + "'" + DidYouMean(name, PeerNames()));
+  PeerSettings settings = peer->settings;
+  for (std::size_t i = 1; i < parts.size(); ++i) Change(settings, parts[i]);
+
+  ForeignMethod foreign;
+  for (const PeerSetting& setting : settings) foreign.settings.emplace_back(setting.name, Text(setting.value));
+  foreign.run = [&peer = *peer, settings](Archive& archive, std::uint64_t seed, const StopRules& rules,
+                                          const std::function<bool()>& stop) {
+    return RunPeer(peer, settings, archive, seed, rules, stop);
+  };
+  return {.name = std::string(text), .foreign = std::move(foreign)};
+}
+
+std::vector<ComparedMethod> TakePeers(std::vector<std::string>& names, Diagnostics& diagnostics) {
+  const auto is_peer = [](const std::string& name) {
+    return name.starts_with("pagmo_") || name.starts_with("nlopt_") || name.starts_with("scipy_");
+  };
+  std::vector<ComparedMethod> methods;
+  std::set<std::string> seen;
+  for (const std::string& name : names) {
+    if (!is_peer(name)) continue;
+    try {
+      if (!seen.insert(name).second) throw std::invalid_argument("it is asked for twice");
+      methods.push_back(PeerMethod(name));
+    } catch (const std::invalid_argument& error) {
+      diagnostics.Error("", 0, "method '" + name + "': " + error.what());
+    }
+  }
+  std::erase_if(names, is_peer);
+  return methods;
+}
+
+}  // namespace fourpost
