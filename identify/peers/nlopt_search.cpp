@@ -1,5 +1,6 @@
 #include "identify/peers/nlopt_search.h"
 
+#include <algorithm>
 #include <exception>
 #include <vector>
 
@@ -40,7 +41,8 @@ void Minimise(nlopt::algorithm algorithm, PeerObjective& objective, const PeerSe
   search.set_min_objective(Cost, &call);
   search.set_lower_bounds(0.0);
   search.set_upper_bounds(1.0);
-  search.set_population(CountOf(settings, "population"));
+  const auto fewest = static_cast<unsigned>(objective.size()) + 1;
+  search.set_population(std::max(CountOf(settings, "population"), fewest));
   std::vector<double> unit = RandomPoint(objective.size(), seed);
   double cost = 0;
   try {

@@ -26,22 +26,22 @@ struct Peer {
 
 const std::vector<Peer>& Peers() {
   constexpr double kMost = 100000;
-  const auto with = [](double population, PeerSettings own) {
-    // pagmo's sade needs 7 members.
-    own.insert(own.begin(), {"population", population, 7, kMost});
+  // The fewest members are those that pagmo and scipy ask for.
+  const auto with = [](double population, double fewest, PeerSettings own) {
+    own.insert(own.begin(), {"population", population, fewest, kMost});
     own.push_back({"patience", 50, 0, kMost});
     own.push_back({"logarithmic", 0, 0, 1});
     return own;
   };
   static const std::vector<Peer> peers = {
       {"pagmo_de", MinimiseByPagmoDe,
-       with(20, {{"factor", 0.8, 0, 1}, {"crossover", 0.9, 0, 1}, {"variant", 2, 1, 10}})},
-      {"pagmo_sade", MinimiseByPagmoSade, with(20, {{"variant", 2, 1, 18}, {"adaptation", 1, 1, 2}})},
-      {"pagmo_cmaes", MinimiseByPagmoCmaes, with(20, {{"deviation", 0.5, 1e-6, 1}})},
-      {"nlopt_crs2", MinimiseByNloptCrs2, with(50, {})},
-      {"nlopt_isres", MinimiseByNloptIsres, with(100, {})},
+       with(20, 5, {{"factor", 0.8, 0, 1}, {"crossover", 0.9, 0, 1}, {"variant", 2, 1, 10}})},
+      {"pagmo_sade", MinimiseByPagmoSade, with(20, 7, {{"variant", 2, 1, 18}, {"adaptation", 1, 1, 2}})},
+      {"pagmo_cmaes", MinimiseByPagmoCmaes, with(20, 5, {{"deviation", 0.5, 1e-6, 1}})},
+      {"nlopt_crs2", MinimiseByNloptCrs2, with(50, 1, {})},
+      {"nlopt_isres", MinimiseByNloptIsres, with(100, 1, {})},
       {"scipy_de", MinimiseByScipyDe,
-       with(60,
+       with(60, 5,
             {{"factor_lower", 0.5, 0, 2}, {"factor_upper", 1, 0, 2}, {"crossover", 0.7, 0, 1}, {"variant", 1, 1, 6}})}};
   return peers;
 }

@@ -104,6 +104,25 @@ TEST(Comparison, LeavesOutRunsThatWereStopped) {
   EXPECT_LT(comparison.methods[0].outcomes.size(), 50u);
 }
 
+TEST(Comparison, RunsMethodsOfOtherPeople) {
+  ForeignMethod first;
+  first.settings = {{"points", "1"}};
+  first.run = [](Archive& archive, std::uint64_t seed, const StopRules& rules, const std::function<bool()>&) {
+    archive.Evaluate({LatticePoint(archive.lattice().size(), static_cast<std::int64_t>(seed))});
+    return archive.improvements().back().cost <= rules.target_cost ? SearchEnd::kTarget : SearchEnd::kFinished;
+  };
+  const Problem problem = {Flat().lattice, [](const Eigen::VectorXd& values) { return OneResidual(values[0]); }};
+  const ComparisonOptions options = {.runs = 3, .seed = 2, .rules = {.target_cost = 4.0}};
+  const Comparison comparison = Compare(problem, {{.name = "first", .foreign = first}}, options);
+  const MethodSummary& method = comparison.methods[0];
+  // Seeds 2, 3, 4 cost 1, 4, 9.
+  EXPECT_EQ(method.successes, 2);
+  EXPECT_EQ(method.cost_worst, 9);
+  EXPECT_EQ(method.ends.at(SearchEnd::kFinished), 1);
+  EXPECT_EQ(method.expected_evaluations, 1.5);
+  EXPECT_THAT(method.settings, ElementsAre(testing::Pair("points", "1")));
+}
+
 TEST(Comparison, HasTheKeysOfItsJson) {
   const Problem problem = GearTrain();
   ComparisonOptions options = GearOptions(4, 1);
