@@ -1,6 +1,7 @@
 #include "identify/difference_jacobian.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace fourpost {
@@ -48,10 +49,19 @@ double StepOf(const Lattice& lattice, const FitVariables& variables, const Eigen
 
 }  // namespace
 
+double StepFor(double accuracy, Differences differences) {
+  return differences == Differences::kForward ? std::sqrt(accuracy) : std::cbrt(accuracy);
+}
+
 std::optional<Eigen::MatrixXd> DifferenceJacobian(Archive& archive, const FitVariables& variables,
                                                   const Eigen::VectorXd& x, const Eigen::VectorXd& residuals,
                                                   double step, Differences differences) {
-  const bool central = differences == Differences::kCentral;
+  const bool central = differences != Differences::kForward;
+  if (differences == Differences::kAutomatic) {
+    const Eigen::VectorXd values = variables.ToValues(x);
+    if (const std::optional<Eigen::MatrixXd> own = archive.Differentiate(values))
+      return *own * variables.Slopes(values).asDiagonal();
+  }
   std::vector<Offsets> offsets;
   std::vector<Eigen::VectorXd> points;
   for (Eigen::Index j = 0; j < x.size(); ++j) {

@@ -40,9 +40,12 @@ Problem FourPostObjective::MakeProblem() const {
     const Parameter& parameter = vehicle_.parameters[index];
     axes.push_back({parameter.name, parameter.lower, parameter.upper, parameter.precision});
   }
-  return {Lattice(std::move(axes)),
-          [this](const Eigen::VectorXd& values, const Deadline& deadline) { return Evaluate(values, deadline); },
-          residual_count_};
+  return {.lattice = Lattice(std::move(axes)),
+          .evaluate = [this](const Eigen::VectorXd& values,
+                             const Deadline& deadline) { return Evaluate(values, deadline); },
+          .residual_count = residual_count_,
+          // What the balance's iteration leaves: 3e-7 of a response in the mean, some 1e-6 at the most.
+          .accuracy = kFitBalance.tolerance};
 }
 
 std::vector<double> FourPostObjective::AllParameters(const Eigen::VectorXd& values) const {

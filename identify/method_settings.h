@@ -14,7 +14,7 @@ inline constexpr std::array<std::string_view, 2> kMutationBaseWords = {"random",
 inline constexpr std::array<std::string_view, 3> kMutationFactorWords = {"constant", "per_generation", "per_gene"};
 inline constexpr std::array<std::string_view, 2> kDiversityWords = {"range", "index"};
 inline constexpr std::array<std::string_view, 2> kDescentWords = {"levenberg_marquardt", "quasi_newton"};
-inline constexpr std::array<std::string_view, 2> kDifferencesWords = {"central", "forward"};
+inline constexpr std::array<std::string_view, 3> kDifferencesWords = {"central", "forward", "automatic"};
 
 // VisitSettings calls number(key, field) for numbers and flags, word(key, field, words) for enumerations: one table of
 // keys for reading and printing.

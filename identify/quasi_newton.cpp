@@ -47,8 +47,8 @@ class CostFunction : public ceres::FirstOrderFunction {
     if (!here.ok()) return false;
     *cost = here.cost();
     if (gradient == nullptr) return true;
-    const auto jacobian =
-        DifferenceJacobian(archive_, variables_, x, here.residuals, options_.step, options_.differences);
+    const auto jacobian = DifferenceJacobian(archive_, variables_, x, here.residuals,
+                                             options_.DifferenceStep(archive_.problem()), options_.differences);
     if (!jacobian) return false;
     Eigen::Map<Eigen::VectorXd>(gradient, x.size()) =
         2 * (jacobian->transpose() * here.residuals).cwiseProduct(bounds_.Slopes(angle));

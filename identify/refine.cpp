@@ -27,7 +27,7 @@ class ResidualFunction : public ceres::CostFunction {
                    const Eigen::VectorXd& x, const Eigen::VectorXd& residuals)
       : archive_(archive),
         variables_(variables),
-        step_(options.step),
+        step_(options.DifferenceStep(archive.problem())),
         differences_(options.differences),
         loss_(options.loss),
         here_{x, residuals} {
@@ -187,7 +187,7 @@ bool Agrees(double cost, double best, double zero, double agreement) {
 
 void RefineOptions::Validate() const {
   RequireOption(max_iterations >= 0, "max_iterations", max_iterations, "0 or more");
-  RequireOption(step > 0 && step <= 0.1, "step", step, "in (0, 0.1]");
+  RequireOption(step >= 0 && step <= 0.1, "step", step, "in [0, 0.1]");
   RequireOption(cost_tolerance > 0 && cost_tolerance < 1, "cost_tolerance", cost_tolerance, "in (0, 1)");
   RequireOption(step_tolerance > 0 && step_tolerance < 1, "step_tolerance", step_tolerance, "in (0, 1)");
   RequireOption(agreement > 0 && agreement < 1, "agreement", agreement, "in (0, 1)");

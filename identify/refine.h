@@ -17,9 +17,9 @@ namespace fourpost {
 /// Settings of the refinement.
 struct RefineOptions {
   int max_iterations = 100;
-  /// Step of the differences in the fit variables: relative for logarithmic ones, else a share of the range; in (0,
-  /// 0.1].
-  double step = 1e-4;
+  /// Step of the differences in the fit variables: relative for logarithmic ones, else a share of the range; in [0,
+  /// 0.1]. 0: what the problem's accuracy asks for, see DifferenceStep().
+  double step = 0;
   Differences differences = Differences::kCentral;
   /// Converged when the cost falls by less than this share in an iteration; in (0, 1).
   double cost_tolerance = 1e-8;
@@ -31,6 +31,10 @@ struct RefineOptions {
   /// Of the residuals; the cost is its sum. Where most residuals are outliers, that of Cauchy and Tukey is so flat that
   /// no way leads down: Huber's of the same scale, which is convex, goes before.
   RobustLoss loss;
+
+  double DifferenceStep(const Problem& problem) const {
+    return step > 0 ? step : StepFor(problem.accuracy, differences);
+  }
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;

@@ -1,5 +1,6 @@
 #include "identify/problems/half_car_twin.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -9,6 +10,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <ceres/jet.h>
 
 #include "identify/search/draws.h"
 #include "vehicles/closed_form/half_car.h"
@@ -86,35 +89,71 @@ struct Sweep {
   }
 };
 
-using Signals = Eigen::Matrix<double, Eigen::Dynamic, kChannels>;
+using Jet = ceres::Jet<double, kTruth.size()>;
 
-// Body over the front and rear axle, both axles, both tyre forces.
-Eigen::Matrix<double, 1, kChannels> Read(const HalfCar& car, const Eigen::Vector4d& q, const Eigen::Vector4d& a,
-                                         const Eigen::Vector2d& ground) {
-  Eigen::Matrix<double, 1, kChannels> y;
-  y << a[0] - car.front_length * a[1], a[0] + car.rear_length * a[1], a[2], a[3],
-      car.front_tyre_stiffness * (ground[0] - q[2]), car.rear_tyre_stiffness * (ground[1] - q[3]);
-  return y;
-}
+template <typename T>
+using SignalsOf = Eigen::Matrix<T, Eigen::Dynamic, kChannels>;
+using Signals = SignalsOf<double>;
 
-Signals Simulate(const HalfCar& car, const Sweep& sweep) {
-  Signals signals(kSteps + 1, kChannels);
-  Eigen::Vector4d q = Eigen::Vector4d::Zero(), v = Eigen::Vector4d::Zero();
-  const double h = kStep_s;
+template <typename T>
+using Vector4 = Eigen::Matrix<T, 4, 1>;
+
+// HalfCar's motion for numbers that carry derivatives.
+template <typename T>
+struct MovingCar {
+  // In the order of kNames.
+  std::array<T, kNames.size()> p;
+
+  Vector4<T> Acceleration(const Vector4<T>& q, const Vector4<T>& rate, const Eigen::Vector2d& ground) const {
+    const auto& [ms, is, mf, mr, kf, kr, ktf, ktr, dfb, dfr, drb, drr] = p;
+    const T front_rate = rate[0] - kFrontLength_m * rate[1] - rate[2];
+    const T rear_rate = rate[0] + kRearLength_m * rate[1] - rate[3];
+    const T front = kf * (q[0] - kFrontLength_m * q[1] - q[2]) + (front_rate > T(0) ? dfr : dfb) * front_rate;
+    const T rear = kr * (q[0] + kRearLength_m * q[1] - q[3]) + (rear_rate > T(0) ? drr : drb) * rear_rate;
+    return {-(front + rear) / ms, (kFrontLength_m * front - kRearLength_m * rear) / is,
+            (front - ktf * (q[2] - ground[0])) / mf, (rear - ktr * (q[3] - ground[1])) / mr};
+  }
+
+  // Body over the front and rear axle, both axles, both tyre forces.
+  Eigen::Matrix<T, 1, kChannels> Read(const Vector4<T>& q, const Vector4<T>& a, const Eigen::Vector2d& ground) const {
+    Eigen::Matrix<T, 1, kChannels> y;
+    y << a[0] - kFrontLength_m * a[1], a[0] + kRearLength_m * a[1], a[2], a[3], p[6] * (ground[0] - q[2]),
+        p[7] * (ground[1] - q[3]);
+    return y;
+  }
+};
+
+template <typename T>
+SignalsOf<T> Simulate(const MovingCar<T>& car, const Sweep& sweep) {
+  SignalsOf<T> signals(kSteps + 1, kChannels);
+  Vector4<T> q = Vector4<T>::Zero(), v = Vector4<T>::Zero();
+  const T h(kStep_s);
   for (int i = 0;; ++i) {
     const std::size_t k = 2 * static_cast<std::size_t>(i);
-    const Eigen::Vector4d a1 = car.Acceleration(q, v, sweep.height[k]);
-    signals.row(i) = Read(car, q, a1, sweep.height[k]);
+    const Vector4<T> a1 = car.Acceleration(q, v, sweep.height[k]);
+    signals.row(i) = car.Read(q, a1, sweep.height[k]);
     if (i == kSteps) return signals;
-    const Eigen::Vector4d v2 = v + h / 2 * a1;
-    const Eigen::Vector4d a2 = car.Acceleration(q + h / 2 * v, v2, sweep.height[k + 1]);
-    const Eigen::Vector4d v3 = v + h / 2 * a2;
-    const Eigen::Vector4d a3 = car.Acceleration(q + h / 2 * v2, v3, sweep.height[k + 1]);
-    const Eigen::Vector4d v4 = v + h * a3;
-    const Eigen::Vector4d a4 = car.Acceleration(q + h * v3, v4, sweep.height[k + 2]);
-    q += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
-    v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    const Vector4<T> v2 = v + h / 2.0 * a1;
+    const Vector4<T> a2 = car.Acceleration(q + h / 2.0 * v, v2, sweep.height[k + 1]);
+    const Vector4<T> v3 = v + h / 2.0 * a2;
+    const Vector4<T> a3 = car.Acceleration(q + h / 2.0 * v2, v3, sweep.height[k + 1]);
+    const Vector4<T> v4 = v + h * a3;
+    const Vector4<T> a4 = car.Acceleration(q + h * v3, v4, sweep.height[k + 2]);
+    q += h / 6.0 * (v + T(2) * v2 + T(2) * v3 + v4);
+    v += h / 6.0 * (a1 + T(2) * a2 + T(2) * a3 + a4);
   }
+}
+
+MovingCar<double> Moving(const Eigen::VectorXd& values) {
+  MovingCar<double> car;
+  std::copy(values.begin(), values.end(), car.p.begin());
+  return car;
+}
+
+MovingCar<Jet> Differentiated(const Eigen::VectorXd& values) {
+  MovingCar<Jet> car;
+  for (int j = 0; j < values.size(); ++j) car.p[static_cast<std::size_t>(j)] = Jet(values[j], j);
+  return car;
 }
 
 struct TimeRecording {
@@ -122,15 +161,24 @@ struct TimeRecording {
   Signals signals;
   Eigen::Matrix<double, 1, kChannels> sd;
 
-  TimeRecording() : signals(Simulate(Car(HalfCarTruth()), sweep)) {
+  TimeRecording() : signals(Simulate(Moving(HalfCarTruth()), sweep)) {
     sd = kNoise * (signals.colwise().squaredNorm() / static_cast<double>(signals.rows())).cwiseSqrt();
     for (Eigen::Index i = 0; i < signals.rows(); ++i)
       for (Eigen::Index c = 0; c < kChannels; ++c) signals(i, c) += sd[c] * Noise(i, static_cast<std::size_t>(c));
   }
 
   Eigen::VectorXd Residuals(const Eigen::VectorXd& values) const {
-    const Signals scaled = (Simulate(Car(values), sweep) - signals).array().rowwise() / sd.array();
+    const Signals scaled = (Simulate(Moving(values), sweep) - signals).array().rowwise() / sd.array();
     return scaled.reshaped();
+  }
+
+  Eigen::MatrixXd Jacobian(const Eigen::VectorXd& values) const {
+    const SignalsOf<Jet> modelled = Simulate(Differentiated(values), sweep);
+    Eigen::MatrixXd jacobian(modelled.size(), values.size());
+    for (Eigen::Index c = 0; c < kChannels; ++c)
+      for (Eigen::Index i = 0; i < modelled.rows(); ++i)
+        jacobian.row(c * modelled.rows() + i) = modelled(i, c).v.transpose() / sd[c];
+    return jacobian;
   }
 };
 
@@ -229,11 +277,13 @@ Eigen::VectorXd HalfCarTruth() { return Eigen::Map<const Eigen::VectorXd>(kTruth
 
 TestProblem HalfCarInTime() {
   const auto recording = std::make_shared<const TimeRecording>();
-  return Twin([recording](const Eigen::VectorXd& values) {
+  TestProblem twin = Twin([recording](const Eigen::VectorXd& values) {
     Evaluation evaluation;
     evaluation.residuals = recording->Residuals(values);
     return evaluation;
   });
+  twin.problem.differentiate = [recording](const Eigen::VectorXd& values) { return recording->Jacobian(values); };
+  return twin;
 }
 
 TestProblem HalfCarInFrequency() {

@@ -5,13 +5,21 @@
 #include <memory>
 #include <numbers>
 
+#include <ceres/jet.h>
+
 namespace fourpost {
 namespace {
 
 constexpr int kSamples = 501;
 constexpr double kStep_s = 0.01;
 
-using Matrix4 = Eigen::Matrix4d;
+using Jet = ceres::Jet<double, 3>;
+
+double ValueOf(double x) { return x; }
+double ValueOf(const Jet& x) { return x.a; }
+
+template <typename T>
+using Matrix4 = Eigen::Matrix<T, 4, 4>;
 
 Eigen::VectorXd Chirp() {
   const double amplitude = 0.02, first_Hz = 0.5, last_Hz = 5, duration_s = (kSamples - 1) * kStep_s;
@@ -24,13 +32,19 @@ Eigen::VectorXd Chirp() {
 }
 
 // Scaling and squaring: twelve terms of the series leave 1e-25 of a matrix below 1/16 in norm.
-Matrix4 Exponential(const Matrix4& matrix) {
-  const int halvings =
-      4 + std::max(0, static_cast<int>(std::ceil(std::log2(matrix.cwiseAbs().rowwise().sum().maxCoeff()))));
-  const Matrix4 small = std::ldexp(1.0, -halvings) * matrix;
-  Matrix4 sum = Matrix4::Identity(), term = Matrix4::Identity();
+template <typename T>
+Matrix4<T> Exponential(const Matrix4<T>& matrix) {
+  double norm = 0;
+  for (int i = 0; i < 4; ++i) {
+    double row = 0;
+    for (int j = 0; j < 4; ++j) row += std::abs(ValueOf(matrix(i, j)));
+    norm = std::max(norm, row);
+  }
+  const int halvings = 4 + std::max(0, static_cast<int>(std::ceil(std::log2(norm))));
+  const Matrix4<T> small = T(std::ldexp(1.0, -halvings)) * matrix;
+  Matrix4<T> sum = Matrix4<T>::Identity(), term = Matrix4<T>::Identity();
   for (int k = 1; k <= 12; ++k) {
-    term = (term * small / k).eval();
+    term = (term * small / T(k)).eval();
     sum += term;
   }
   for (int k = 0; k < halvings; ++k) sum = (sum * sum).eval();
@@ -38,20 +52,23 @@ Matrix4 Exponential(const Matrix4& matrix) {
 }
 
 // Columns: z [m] and m z'' [N]. State (z, v, u, u') with v = z' - (d/m) u, so that u' does not enter the motion.
-Eigen::MatrixX2d Response(double m, double k, double d, const Eigen::VectorXd& u) {
-  Matrix4 rates = Matrix4::Zero();
-  rates.row(0) << 0, 1, d / m, 0;
-  rates.row(1) << -k / m, -d / m, k / m - d * d / (m * m), 0;
-  rates(2, 3) = 1;
-  const Matrix4 step = Exponential(kStep_s * rates);
-  Eigen::MatrixX2d response(u.size(), 2);
-  Eigen::Vector4d state(0, -d / m * u[0], 0, 0);
+template <typename T>
+Eigen::Matrix<T, Eigen::Dynamic, 2> Response(const T& m, const T& k, const T& d, const Eigen::VectorXd& u) {
+  Matrix4<T> rates = Matrix4<T>::Zero();
+  rates.row(0) << T(0), T(1), d / m, T(0);
+  rates.row(1) << -k / m, -d / m, k / m - d * d / (m * m), T(0);
+  rates(2, 3) = T(1);
+  const Matrix4<T> step = Exponential<T>(T(kStep_s) * rates);
+  Eigen::Matrix<T, Eigen::Dynamic, 2> response(u.size(), 2);
+  Eigen::Matrix<T, 4, 1> state(T(0), -d / m * T(u[0]), T(0), T(0));
   for (Eigen::Index i = 0; i < u.size(); ++i) {
     const double slope = i + 1 < u.size() ? (u[i + 1] - u[i]) / kStep_s : 0;
-    state.tail<2>() << u[i], slope;
-    const double relative_rate = state[1] + d / m * u[i] - slope;
-    response.row(i) << state[0], -k * (state[0] - u[i]) - d * relative_rate;
-    state = step * state;
+    state[2] = T(u[i]);
+    state[3] = T(slope);
+    const T relative_rate = state[1] + d / m * u[i] - T(slope);
+    response(i, 0) = state[0];
+    response(i, 1) = -k * (state[0] - u[i]) - d * relative_rate;
+    state = (step * state).eval();
   }
   return response;
 }
@@ -61,7 +78,7 @@ Eigen::MatrixX2d Response(double m, double k, double d, const Eigen::VectorXd& u
 Problem OscillatorProblem() {
   struct Truth {
     Eigen::VectorXd u = Chirp();
-    Eigen::MatrixX2d response = Response(200, 15000, 1500, u);
+    Eigen::MatrixX2d response = Response<double>(200, 15000, 1500, u);
     Eigen::RowVector2d sd;
     Truth() {
       const Eigen::RowVector2d mean = response.colwise().mean();
@@ -70,14 +87,26 @@ Problem OscillatorProblem() {
   };
   const auto truth = std::make_shared<const Truth>();
   const auto evaluate = [truth](const Eigen::VectorXd& p) {
-    const Eigen::MatrixX2d error = Response(p[0], p[1], p[2], truth->u) - truth->response;
+    const Eigen::MatrixX2d error = Response<double>(p[0], p[1], p[2], truth->u) - truth->response;
     const double scale = std::sqrt(100.0 / kSamples);
     Evaluation evaluation;
     evaluation.residuals.resize(2 * kSamples);
     evaluation.residuals << scale / truth->sd[0] * error.col(0), scale / truth->sd[1] * error.col(1);
     return evaluation;
   };
-  return {Lattice({{"m", 100, 600, 0.01}, {"k", 5000, 25000, 0.2}, {"d", 500, 3000, 0.05}}), evaluate, 2 * kSamples};
+  const auto differentiate = [truth](const Eigen::VectorXd& p) {
+    const auto response = Response(Jet(p[0], 0), Jet(p[1], 1), Jet(p[2], 2), truth->u);
+    const double scale = std::sqrt(100.0 / kSamples);
+    Eigen::MatrixXd jacobian(2 * kSamples, 3);
+    for (Eigen::Index c = 0; c < 2; ++c)
+      for (Eigen::Index i = 0; i < kSamples; ++i)
+        jacobian.row(c * kSamples + i) = scale / truth->sd[c] * response(i, c).v.transpose();
+    return jacobian;
+  };
+  Problem problem{Lattice({{"m", 100, 600, 0.01}, {"k", 5000, 25000, 0.2}, {"d", 500, 3000, 0.05}}), evaluate,
+                  2 * kSamples};
+  problem.differentiate = differentiate;
+  return problem;
 }
 
 }  // namespace fourpost

@@ -1,6 +1,7 @@
 #include "identify/search/archive.h"
 
 #include <algorithm>
+#include <exception>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_set>
@@ -102,6 +103,18 @@ Archive::Answer Archive::Ask(const Eigen::VectorXd& values) const {
   if (store_ == nullptr) return {EvaluateGuarded(problem_, values)};
   if (std::optional<Evaluation> stored = store_->Find(values)) return {*std::move(stored), true};
   return {store_->Put(values, EvaluateGuarded(problem_, values))};
+}
+
+std::optional<Eigen::MatrixXd> Archive::Differentiate(const Eigen::VectorXd& values) {
+  if (!problem_.differentiate) return std::nullopt;
+  ++counts_.differentiated;
+  try {
+    Eigen::MatrixXd jacobian = problem_.differentiate(values);
+    if (jacobian.allFinite()) return jacobian;
+  } catch (const std::exception&) {
+    // As an evaluation that fails: nothing is known here.
+  }
+  return std::nullopt;
 }
 
 std::optional<Score> Archive::Find(const LatticePoint& point) const {

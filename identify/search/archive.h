@@ -48,6 +48,8 @@ struct EvaluationCounts {
   std::int64_t reused = 0;
   /// Of the paid ones, those that the store had, from an earlier run or one beside: they cost nothing.
   std::int64_t restored = 0;
+  /// Jacobians that the model gave by itself.
+  std::int64_t differentiated = 0;
   /// Paid evaluations that failed, by cause.
   std::map<Failure, FailureTally> failures;
 
@@ -97,6 +99,9 @@ class Archive {
   /// Evaluates values anywhere, as refinement needs, discrete ones rounded: without a store always paid, not
   /// remembered. Throws OutputError when the store cannot be written.
   std::vector<Evaluation> EvaluateValues(const std::vector<Eigen::VectorXd>& batch);
+
+  /// The model's own derivatives, d residuals / d values; nothing where it has none, or not here.
+  std::optional<Eigen::MatrixXd> Differentiate(const Eigen::VectorXd& values);
 
   /// The remembered score; nothing for a new point.
   std::optional<Score> Find(const LatticePoint& point) const;

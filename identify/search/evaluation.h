@@ -92,6 +92,11 @@ struct Problem {
   /// What an evaluation may take [s]. A fixed number, not one derived from evaluations so far: which of them fail must
   /// not depend on their order.
   double deadline_s = std::numeric_limits<double>::infinity();
+  /// Of the residuals, relative: how far the solver behind them goes. It decides on the steps of differences.
+  double accuracy = 1e-15;
+  /// d residuals / d values, N x n, by the model itself, as automatic differentiation gives them; empty where only
+  /// differences tell. May throw, as `evaluate` may.
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd& values)> differentiate = {};
 };
 
 /// Evaluates under guard: exceptions, passed deadlines and residuals that are not finite or not there become failures.

@@ -28,7 +28,7 @@ double Wait(double ms) {
 /// Log-normal lengths of 1 ms in the middle: one in a hundred takes ten times as long.
 Problem Uneven(double (*take)(double ms)) {
   return {Lattice({{"number", 0, 1e6, 1}}), [take](const Eigen::VectorXd& p) {
-            RandomStream stream(1, static_cast<std::uint64_t>(p[0]));
+            RandomStream stream(1, "evaluations", static_cast<std::uint64_t>(p[0]));
             Evaluation evaluation;
             evaluation.residuals = Eigen::VectorXd::Constant(1, take(std::exp(stream.Normal())));
             return evaluation;

@@ -170,5 +170,33 @@ TEST(DifferenceJacobian, StepsAWholeIndexOnADiscreteAxis) {
   EXPECT_NEAR((*jacobian)(0, 0), 200, 1e-9);
 }
 
+/// Rounded to `accuracy`, as by a solver that goes no further.
+Evaluation RoughDecay(const Eigen::VectorXd& p, double accuracy) {
+  Evaluation evaluation = Decay(p);
+  for (double& r : evaluation.residuals) r *= 1 + accuracy * std::sin(1e9 * (r + p[1]));
+  return evaluation;
+}
+
+TEST(DifferenceStep, IsTiedToTheAccuracyOfTheSolver) {
+  constexpr double kAccuracy = 1e-6;
+  const Problem problem{.lattice = Lattice({{"a", 0.1, 1, 0.01}, {"k", 0.1, 0.5, 0.01}}),
+                        .evaluate = [](const Eigen::VectorXd& p) { return RoughDecay(p, kAccuracy); },
+                        .accuracy = kAccuracy};
+  Archive archive(problem);
+  const FitVariables variables(problem.lattice);
+  const Eigen::Vector2d values(0.5, 0.3);
+  const auto error = [&](double step) {
+    const auto jacobian = DifferenceJacobian(archive, variables, variables.FromValues(values),
+                                             RoughDecay(values, kAccuracy).residuals, step);
+    return (jacobian.value() - DecayJacobian(values)).cwiseAbs().maxCoeff();
+  };
+  const double tied = error(StepFor(kAccuracy, Differences::kCentral));
+  // The accuracy over the step, and the step squared times the third derivative over 6.
+  EXPECT_LT(tied, 1e-6 / 1e-2 + 2 * 1e-4 / 6);
+  EXPECT_GT(error(1e-5), 20 * tied);
+  EXPECT_GT(error(0.1), 20 * tied);
+  EXPECT_EQ(StepFor(1e-6, Differences::kForward), 1e-3);
+}
+
 }  // namespace
 }  // namespace fourpost

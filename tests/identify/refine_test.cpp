@@ -362,8 +362,8 @@ TEST(Refine, RefusesOptionsOutOfBoundsByName) {
   };
   EXPECT_EQ(message([](RefineOptions&) {}), "");
   EXPECT_EQ(message([](RefineOptions& o) { o.max_iterations = -1; }), "max_iterations = -1, must be 0 or more");
-  EXPECT_EQ(message([](RefineOptions& o) { o.step = 0.2; }), "step = 0.2, must be in (0, 0.1]");
-  EXPECT_EQ(message([](RefineOptions& o) { o.step = std::nan(""); }), "step = nan, must be in (0, 0.1]");
+  EXPECT_EQ(message([](RefineOptions& o) { o.step = 0.2; }), "step = 0.2, must be in [0, 0.1]");
+  EXPECT_EQ(message([](RefineOptions& o) { o.step = std::nan(""); }), "step = nan, must be in [0, 0.1]");
   EXPECT_EQ(message([](RefineOptions& o) { o.cost_tolerance = 0; }), "cost_tolerance = 0, must be in (0, 1)");
   EXPECT_EQ(message([](RefineOptions& o) { o.step_tolerance = 1; }), "step_tolerance = 1, must be in (0, 1)");
   EXPECT_EQ(message([](RefineOptions& o) { o.agreement = -1; }), "agreement = -1, must be in (0, 1)");

@@ -27,8 +27,8 @@ void FullBalanceOptions::Validate() const {
   RequireOption(harmonics >= 2, "harmonics", harmonics, "at least 2");
   RequireOption(samples % 4 == 0 && samples > 2 * harmonics, "samples", samples,
                 "a multiple of 4 and more than twice the harmonics");
-  RequireOption(fine_samples % 4 == 0 && fine_samples > 2 * fine_harmonics, "fine_samples", fine_samples,
-                "a multiple of 4 and more than twice fine_harmonics");
+  RequireOption(fine_samples % 8 == 0 && fine_samples > 2 * fine_harmonics, "fine_samples", fine_samples,
+                "a multiple of 8 and more than twice fine_harmonics");
   RequireOption(tolerance > 0, "tolerance", tolerance, "positive");
   RequireOption(max_iterations >= 1, "max_iterations", max_iterations, "at least 1");
   RequireOption(history >= 0, "history", history, "at least 0");

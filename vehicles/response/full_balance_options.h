@@ -7,10 +7,11 @@ struct FullBalanceOptions {
   /// see HarmonicBalanceOptions. It varies smoothly: 12 samples miss some percent of it.
   int harmonics = 5;
   int samples = 12;
-  /// In place of fewer where that could be seen: where the full system moves a sensor by more than 1 %, and where a
-  /// damper has friction, which changes its sign at other instants in the two systems.
-  int fine_harmonics = 15;
-  int fine_samples = 64;
+  /// In place of fewer where the full system moves a sensor by more than 1 %, so that some percent of that could be
+  /// seen. Half of them at once where a damper has friction, which changes its sign at other instants in the two
+  /// systems.
+  int fine_harmonics = 31;
+  int fine_samples = 128;
   /// Largest change of any harmonic that the next iteration would make, and largest motion by what the full system
   /// would still lack, relative to that harmonic or to the first one, whichever is larger; coordinates weighed by the
   /// work of moving each alone.

@@ -113,7 +113,8 @@ FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const st
       chart_(multibody),
       linearised_(model, shape, {.tolerance = options.tolerance}),
       fine_{std::max(options.harmonics, options.fine_harmonics), std::max(options.samples, options.fine_samples)},
-      coarse_(HasFriction(linearised_.ports()) ? fine_ : Sampling{options.harmonics, options.samples}),
+      coarse_(HasFriction(linearised_.ports()) ? Sampling{fine_.harmonics / 2, fine_.samples / 2}
+                                               : Sampling{options.harmonics, options.samples}),
       hydraulics_(HydraulicsOf(linearised_.ports())) {
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
   series_ = SeriesOf(linearised_.ports(), chart_.size(), linear.size());

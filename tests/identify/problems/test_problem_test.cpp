@@ -10,10 +10,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "identify/difference_jacobian.h"
 #include "identify/problems/coil_spring.h"
 #include "identify/problems/gear_train.h"
 #include "identify/problems/half_car_twin.h"
 #include "identify/problems/oscillator.h"
+#include "identify/refine.h"
 
 namespace fourpost {
 namespace {
@@ -149,6 +151,60 @@ TEST_P(HalfCarTwin, FeelsEveryParameterAndTheirCommonScale) {
 }
 
 INSTANTIATE_TEST_SUITE_P(TestProblems, HalfCarTwin, testing::Values("half_car", "half_car_frequency"));
+
+class DifferentiatedProblem : public testing::TestWithParam<std::string_view> {};
+
+// Away from the truth, where residuals are large.
+TEST_P(DifferentiatedProblem, TellsTheDerivativesThatDifferencesShow) {
+  const Problem problem = MakeTestProblem(GetParam()).problem;
+  Archive archive(problem);
+  const FitVariables variables(problem.lattice);
+  const Eigen::VectorXd x = 0.45 * variables.lower() + 0.55 * variables.upper();
+  const Eigen::VectorXd residuals = problem.evaluate(variables.ToValues(x)).residuals;
+  const auto by = [&](Differences differences) {
+    return DifferenceJacobian(archive, variables, x, residuals, 1e-5, differences).value();
+  };
+  const Eigen::MatrixXd automatic = by(Differences::kAutomatic);
+  EXPECT_EQ(archive.counts().paid, 0);
+  EXPECT_EQ(archive.counts().differentiated, 1);
+  const Eigen::MatrixXd central = by(Differences::kCentral);
+  // Steps of h = 1e-5 in the logarithm err by h^2 / 6 of the third derivative, rounding by 1e-16 / h; where a damper's
+  // rate passes zero at another instant, by h of a kink.
+  for (Eigen::Index j = 0; j < x.size(); ++j)
+    EXPECT_LT((automatic.col(j) - central.col(j)).norm(), 1e-6 * automatic.col(j).norm()) << j;
+}
+
+TEST_P(DifferentiatedProblem, IsRefinedToTheSameByEither) {
+  const Problem problem = MakeTestProblem(GetParam()).problem;
+  const auto refined = [&](Differences differences) {
+    Archive archive(problem);
+    const FitVariables variables(problem.lattice);
+    return Refine(archive, variables.ToValues(0.45 * variables.lower() + 0.55 * variables.upper()),
+                  {.differences = differences});
+  };
+  const RefineResult automatic = refined(Differences::kAutomatic);
+  const RefineResult central = refined(Differences::kCentral);
+  EXPECT_EQ(automatic.end, RefineEnd::kConverged);
+  // Step and cost tolerances of 1e-8.
+  EXPECT_LT((automatic.values - central.values).cwiseQuotient(central.values).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_LT(automatic.evaluations, central.evaluations / 4);
+}
+
+INSTANTIATE_TEST_SUITE_P(TestProblems, DifferentiatedProblem, testing::Values("oscillator", "half_car"));
+
+// The model does not tell any.
+TEST(HalfCarTwinInFrequency, IsDifferentiatedByDifferences) {
+  const Problem problem = MakeTestProblem("half_car_frequency").problem;
+  EXPECT_FALSE(problem.differentiate);
+  Archive archive(problem);
+  const FitVariables variables(problem.lattice);
+  const Eigen::VectorXd x = variables.FromValues(HalfCarTruth());
+  const Eigen::VectorXd residuals = problem.evaluate(HalfCarTruth()).residuals;
+  const auto by = [&](Differences differences) {
+    return DifferenceJacobian(archive, variables, x, residuals, 1e-5, differences).value();
+  };
+  EXPECT_EQ(by(Differences::kAutomatic), by(Differences::kCentral));
+}
 
 TEST(TestProblems, AreAllThereByName) {
   for (const std::string_view name : kTestProblems) EXPECT_NO_THROW(MakeTestProblem(name)) << name;

@@ -160,9 +160,9 @@ TEST(FullBalance, TakesMoreSamplesWhereTheyCount) {
   const auto reading = [&](const FullBalanceOptions& options) {
     return prepared.Full(excitation, options).response.Find("a_cross_member")->response[0];
   };
-  const Complex exact = reading({.fine_harmonics = 31, .fine_samples = 256});
+  const Complex exact = reading({.fine_harmonics = 63, .fine_samples = 512});
   EXPECT_LT(std::abs(reading({}) / exact - 1.0), 5e-4);
-  EXPECT_GT(std::abs(reading({.fine_harmonics = 5, .fine_samples = 12}) / exact - 1.0), 2e-3);
+  EXPECT_GT(std::abs(reading({.fine_harmonics = 5, .fine_samples = 16}) / exact - 1.0), 2e-3);
 }
 
 // Next to the resonance of roll its acceleration leads nowhere from rest.
