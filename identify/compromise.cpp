@@ -1,7 +1,7 @@
 #include "identify/compromise.h"
 
 #include <cmath>
-#include <utility>
+#include <string>
 
 #include "analysis/option_check.h"
 
@@ -35,23 +35,41 @@ Eigen::VectorXd Weighed(const Eigen::VectorXd& residuals, const std::vector<Outp
   return weighed;
 }
 
+/// d (w |r| r) = w (|r| + r r' / |r|) dr.
+Eigen::MatrixXd Weighed(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residuals,
+                        const std::vector<OutputResiduals>& outputs) {
+  Eigen::MatrixXd weighed = Eigen::MatrixXd::Zero(CountOf(outputs), jacobian.cols());
+  Eigen::Index at = 0;
+  for (const OutputResiduals& output : outputs) {
+    const auto own = residuals.segment(output.first, output.count);
+    const auto slopes = jacobian.middleRows(output.first, output.count);
+    const double size = own.norm();
+    auto rows = weighed.middleRows(at, output.count);
+    if (size > 0) rows = output.weight * (size * slopes + own * (own.transpose() * slopes) / size);
+    at += output.count;
+  }
+  return weighed;
+}
+
 }  // namespace
 
-Problem CompromiseOf(Problem problem, std::vector<OutputResiduals> outputs) {
+Problem CompromiseOf(const Problem& problem, const std::vector<OutputResiduals>& outputs) {
   Check(problem, outputs);
-  Problem compromise = std::move(problem);
-  const Eigen::Index count = compromise.residual_count;
+  Problem compromise = problem;
   compromise.residual_count = CountOf(outputs);
-  compromise.evaluate = [evaluate = std::move(compromise.evaluate), outputs = std::move(outputs),
-                         count](const Eigen::VectorXd& values) {
-    Evaluation evaluation = evaluate(values);
+  compromise.evaluate = [problem, outputs](const Eigen::VectorXd& values, const Deadline& deadline) {
+    Evaluation evaluation = problem.evaluate(values, deadline);
     if (!evaluation.ok()) return evaluation;
-    if (evaluation.residuals.size() != count)
-      return Failed(Failure::kWrongSize,
-                    std::to_string(evaluation.residuals.size()) + " residuals in place of " + std::to_string(count));
+    if (evaluation.residuals.size() != problem.residual_count)
+      return Failed(Failure::kWrongSize, std::to_string(evaluation.residuals.size()) + " residuals in place of " +
+                                             std::to_string(problem.residual_count));
     evaluation.residuals = Weighed(evaluation.residuals, outputs);
     return evaluation;
   };
+  if (problem.differentiate)
+    compromise.differentiate = [problem, outputs](const Eigen::VectorXd& values) {
+      return Weighed(problem.differentiate(values), problem.evaluate(values).residuals, outputs);
+    };
   return compromise;
 }
 

@@ -167,6 +167,10 @@ void CheckSampling(const SimulateCommand& command, Diagnostics& diagnostics) {
     diagnostics.Error("--duration", 0,
                       FormatNumber(Duration(command)) + " s at " + FormatNumber(command.rate_Hz) +
                           " Hz are more than " + FormatNumber(kMostSamples) + " samples; take less of either");
+  if (!(command.rate_Hz * Duration(command) >= 1))
+    diagnostics.Error("--duration", 0,
+                      FormatNumber(Duration(command)) + " s hold no two samples at " + FormatNumber(command.rate_Hz) +
+                          " Hz; take more of either");
   const double step_end = kStepStart_s + command.rise_s;
   if (command.motion == Motion::kStep && !(Duration(command) > step_end))
     diagnostics.Error("--duration", 0,

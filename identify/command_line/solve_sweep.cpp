@@ -28,10 +28,25 @@ void TellMarched(const std::string& name, const Excitation& excitation, const St
   for (std::size_t i = 0; i < answer.engine_at.size(); ++i)
     if (answer.engine_at[i] == Engine::kMarch) marched.push_back(excitation.frequency_Hz[i]);
   if (marched.empty()) return;
+  std::fprintf(stderr, "%s: the %s balance converged to no periodic motion at %zu of %zu frequencies, %s: %s\n",
+               name.c_str(), EngineName(answer.engine), marched.size(), answer.engine_at.size(), List(marched).c_str(),
+               Interrupted() ? "left to the march, which was interrupted" : "these were marched from rest");
+}
+
+void TellOtherMotions(const std::string& name, const SteadyResponse& answer) {
+  if (answer.other_motions.empty()) return;
+  std::vector<double> frequencies;
+  OtherMotion most;
+  for (const OtherMotion& other : answer.other_motions) {
+    frequencies.push_back(other.frequency_Hz);
+    if (other.difference > most.difference) most = other;
+  }
   std::fprintf(stderr,
-               "%s: harmonic balance found no periodic motion at %zu of %zu frequencies, %s: these were marched from "
-               "rest\n",
-               name.c_str(), marched.size(), answer.engine_at.size(), List(marched).c_str());
+               "%s: warning: set in motion from rest, the vehicle takes another motion at %s ('%s' at %s Hz differs by "
+               "%s %%): the periodic one told is unstable, or one of several; compare --engine march or `fourpost "
+               "simulate`\n",
+               name.c_str(), List(frequencies).c_str(), most.channel.c_str(), Rounded(most.frequency_Hz, 3).c_str(),
+               Rounded(100 * most.difference, 2).c_str());
 }
 
 /// One line for what takes long, with the time left, until the user asks to stop.
@@ -40,8 +55,10 @@ class SweepProgress {
   SweepProgress(ProgressLine& line, const std::string& name) : line_(line), name_(name) {}
 
   bool operator()(const SteadySolver::Stage& stage) {
+    if (stage.work == work_ && stage.done == done_) return !Interrupted();
     if (stage.work != work_) began_ = line_.seconds();
     work_ = stage.work;
+    done_ = stage.done;
     const double share = static_cast<double>(stage.done) / static_cast<double>(stage.total);
     line_.Show(name_ + ": " + work_ + ": " + std::to_string(stage.done) + " of " + std::to_string(stage.total) +
                " frequencies" + TimeLeft(share, line_.seconds() - began_));
@@ -52,6 +69,7 @@ class SweepProgress {
   ProgressLine& line_;
   std::string name_;
   std::string work_;
+  std::size_t done_ = 0;
   double began_ = 0;
 };
 
@@ -73,6 +91,7 @@ std::optional<SteadyResponse> SolveSweep(SteadySolver& solver, const std::string
     SteadyResponse answer = solver.Solve(excitation, engine, options, SweepProgress(progress, name));
     if (answer.unanswered.size() == excitation.frequency_Hz.size() && Interrupted()) return std::nullopt;
     if (engine != Engine::kMarch) TellMarched(name, excitation, answer);
+    TellOtherMotions(name, answer);
     return answer;
   } catch (const std::invalid_argument& refusal) {
     Diagnostics faults;

@@ -96,32 +96,50 @@ using SignalsOf = Eigen::Matrix<T, Eigen::Dynamic, kChannels>;
 using Signals = SignalsOf<double>;
 
 template <typename T>
-using Vector4 = Eigen::Matrix<T, 4, 1>;
+using Vector4 = Eigen::Vector<T, 4>;
 
-// HalfCar's motion for numbers that carry derivatives.
+template <typename T>
+struct BilinearDamper {
+  T compression;
+  T rebound;
+  T Force(const T& rate) const { return (rate > T(0) ? rebound : compression) * rate; }
+};
+
+// A HalfCar of numbers that may carry derivatives.
 template <typename T>
 struct MovingCar {
+  T sprung_mass, pitch_inertia, front_mass, rear_mass, front_stiffness, rear_stiffness;
+  T front_tyre_stiffness, rear_tyre_stiffness;
+  BilinearDamper<T> front_damper, rear_damper;
+  double front_length = kFrontLength_m, rear_length = kRearLength_m;
+
   // In the order of kNames.
-  std::array<T, kNames.size()> p;
+  explicit MovingCar(const std::array<T, kTruth.size()>& p)
+      : sprung_mass(p[0]),
+        pitch_inertia(p[1]),
+        front_mass(p[2]),
+        rear_mass(p[3]),
+        front_stiffness(p[4]),
+        rear_stiffness(p[5]),
+        front_tyre_stiffness(p[6]),
+        rear_tyre_stiffness(p[7]),
+        front_damper{p[8], p[9]},
+        rear_damper{p[10], p[11]} {}
 
   Vector4<T> Acceleration(const Vector4<T>& q, const Vector4<T>& rate, const Eigen::Vector2d& ground) const {
-    const auto& [ms, is, mf, mr, kf, kr, ktf, ktr, dfb, dfr, drb, drr] = p;
-    const T front_rate = rate[0] - kFrontLength_m * rate[1] - rate[2];
-    const T rear_rate = rate[0] + kRearLength_m * rate[1] - rate[3];
-    const T front = kf * (q[0] - kFrontLength_m * q[1] - q[2]) + (front_rate > T(0) ? dfr : dfb) * front_rate;
-    const T rear = kr * (q[0] + kRearLength_m * q[1] - q[3]) + (rear_rate > T(0) ? drr : drb) * rear_rate;
-    return {-(front + rear) / ms, (kFrontLength_m * front - kRearLength_m * rear) / is,
-            (front - ktf * (q[2] - ground[0])) / mf, (rear - ktr * (q[3] - ground[1])) / mr};
-  }
-
-  // Body over the front and rear axle, both axles, both tyre forces.
-  Eigen::Matrix<T, 1, kChannels> Read(const Vector4<T>& q, const Vector4<T>& a, const Eigen::Vector2d& ground) const {
-    Eigen::Matrix<T, 1, kChannels> y;
-    y << a[0] - kFrontLength_m * a[1], a[0] + kRearLength_m * a[1], a[2], a[3], p[6] * (ground[0] - q[2]),
-        p[7] * (ground[1] - q[3]);
-    return y;
+    return HalfCarAcceleration<T>(*this, q, rate, ground);
   }
 };
+
+// Body over the front and rear axle, both axles, both tyre forces.
+template <typename T>
+Eigen::Matrix<T, 1, kChannels> Read(const MovingCar<T>& car, const Vector4<T>& q, const Vector4<T>& a,
+                                    const Eigen::Vector2d& ground) {
+  Eigen::Matrix<T, 1, kChannels> y;
+  y << a[0] - car.front_length * a[1], a[0] + car.rear_length * a[1], a[2], a[3],
+      car.front_tyre_stiffness * (ground[0] - q[2]), car.rear_tyre_stiffness * (ground[1] - q[3]);
+  return y;
+}
 
 template <typename T>
 SignalsOf<T> Simulate(const MovingCar<T>& car, const Sweep& sweep) {
@@ -131,7 +149,7 @@ SignalsOf<T> Simulate(const MovingCar<T>& car, const Sweep& sweep) {
   for (int i = 0;; ++i) {
     const std::size_t k = 2 * static_cast<std::size_t>(i);
     const Vector4<T> a1 = car.Acceleration(q, v, sweep.height[k]);
-    signals.row(i) = car.Read(q, a1, sweep.height[k]);
+    signals.row(i) = Read(car, q, a1, sweep.height[k]);
     if (i == kSteps) return signals;
     const Vector4<T> v2 = v + h / 2.0 * a1;
     const Vector4<T> a2 = car.Acceleration(q + h / 2.0 * v, v2, sweep.height[k + 1]);
@@ -145,15 +163,15 @@ SignalsOf<T> Simulate(const MovingCar<T>& car, const Sweep& sweep) {
 }
 
 MovingCar<double> Moving(const Eigen::VectorXd& values) {
-  MovingCar<double> car;
-  std::copy(values.begin(), values.end(), car.p.begin());
-  return car;
+  std::array<double, kTruth.size()> p;
+  std::copy(values.begin(), values.end(), p.begin());
+  return MovingCar<double>(p);
 }
 
 MovingCar<Jet> Differentiated(const Eigen::VectorXd& values) {
-  MovingCar<Jet> car;
-  for (int j = 0; j < values.size(); ++j) car.p[static_cast<std::size_t>(j)] = Jet(values[j], j);
-  return car;
+  std::array<Jet, kTruth.size()> p;
+  for (int j = 0; j < values.size(); ++j) p[static_cast<std::size_t>(j)] = Jet(values[j], j);
+  return MovingCar<Jet>(p);
 }
 
 struct TimeRecording {

@@ -107,10 +107,11 @@ Archive::Answer Archive::Ask(const Eigen::VectorXd& values) const {
 
 std::optional<Eigen::MatrixXd> Archive::Differentiate(const Eigen::VectorXd& values) {
   if (!problem_.differentiate) return std::nullopt;
-  ++counts_.differentiated;
+  counts_.paid += values.size();
   try {
     Eigen::MatrixXd jacobian = problem_.differentiate(values);
-    if (jacobian.allFinite()) return jacobian;
+    const bool fits = jacobian.cols() == values.size() && (residual_count_ == 0 || jacobian.rows() == residual_count_);
+    if (fits && jacobian.allFinite()) return jacobian;
   } catch (const std::exception&) {
     // As an evaluation that fails: nothing is known here.
   }

@@ -48,8 +48,6 @@ struct EvaluationCounts {
   std::int64_t reused = 0;
   /// Of the paid ones, those that the store had, from an earlier run or one beside: they cost nothing.
   std::int64_t restored = 0;
-  /// Jacobians that the model gave by itself.
-  std::int64_t differentiated = 0;
   /// Paid evaluations that failed, by cause.
   std::map<Failure, FailureTally> failures;
 
@@ -100,7 +98,8 @@ class Archive {
   /// remembered. Throws OutputError when the store cannot be written.
   std::vector<Evaluation> EvaluateValues(const std::vector<Eigen::VectorXd>& batch);
 
-  /// The model's own derivatives, d residuals / d values; nothing where it has none, or not here.
+  /// The model's own derivatives, d residuals / d values; nothing where it has none, or not here. Paid for as one
+  /// evaluation per parameter, which is what it takes.
   std::optional<Eigen::MatrixXd> Differentiate(const Eigen::VectorXd& values);
 
   /// The remembered score; nothing for a new point.

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "identify/difference_jacobian.h"
+#include "identify/fit_variables.h"
 #include "identify/problems/oscillator.h"
 #include "identify/refine.h"
 #include "identify/search/downhill_simplex.h"
@@ -66,6 +68,22 @@ TEST(Compromise, IsRefinedToWhereADirectSearchEnds) {
   Archive plain_archive(problem);
   const RefineResult plain = Refine(plain_archive, start);
   EXPECT_GT(compromise.evaluate(plain.values).cost(), 1.0001 * refined.cost);
+}
+
+TEST(Compromise, HasTheDerivativesThatDifferencesShow) {
+  // The force alone, so that outputs leave residuals out.
+  const Problem problem = OscillatorProblem();
+  const Eigen::Index half = problem.residual_count / 2;
+  Archive archive(CompromiseOf(problem, {{half, half, 2}}));
+  const FitVariables variables(archive.lattice());
+  const Eigen::VectorXd x = variables.FromValues(Eigen::Vector3d(220, 14000, 1600));
+  const Eigen::VectorXd residuals = archive.EvaluateValues({variables.ToValues(x)}).front().residuals;
+  const auto by = [&](Differences differences) {
+    return DifferenceJacobian(archive, variables, x, residuals, 1e-5, differences).value();
+  };
+  const Eigen::MatrixXd automatic = by(Differences::kAutomatic);
+  // Rounding over the step.
+  EXPECT_LT((automatic - by(Differences::kCentral)).norm(), 1e-8 * automatic.norm());
 }
 
 TEST(Compromise, PassesFailuresOnAndRefusesOutputsThatAreNotThere) {

@@ -193,8 +193,8 @@ TEST(DifferenceStep, IsTiedToTheAccuracyOfTheSolver) {
   const double tied = error(StepFor(kAccuracy, Differences::kCentral));
   // The accuracy over the step, and the step squared times the third derivative over 6.
   EXPECT_LT(tied, 1e-6 / 1e-2 + 2 * 1e-4 / 6);
-  EXPECT_GT(error(1e-5), 20 * tied);
-  EXPECT_GT(error(0.1), 20 * tied);
+  EXPECT_GT(error(1e-5), 10 * tied);
+  EXPECT_GT(error(0.1), 10 * tied);
   EXPECT_EQ(StepFor(1e-6, Differences::kForward), 1e-3);
 }
 

@@ -22,13 +22,7 @@ CondensedModel HalfCar::Model() const {
 
 Eigen::Vector4d HalfCar::Acceleration(const Eigen::Vector4d& q, const Eigen::Vector4d& rate,
                                       const Eigen::Vector2d& ground) const {
-  const double front_rate = rate[0] - front_length * rate[1] - rate[2];
-  const double rear_rate = rate[0] + rear_length * rate[1] - rate[3];
-  const double front = front_stiffness * (q[0] - front_length * q[1] - q[2]) + front_damper.Force(front_rate);
-  const double rear = rear_stiffness * (q[0] + rear_length * q[1] - q[3]) + rear_damper.Force(rear_rate);
-  return {-(front + rear) / sprung_mass, (front_length * front - rear_length * rear) / pitch_inertia,
-          (front - front_tyre_stiffness * (q[2] - ground[0])) / front_mass,
-          (rear - rear_tyre_stiffness * (q[3] - ground[1])) / rear_mass};
+  return HalfCarAcceleration<double>(*this, q, rate, ground);
 }
 
 }  // namespace fourpost

@@ -31,4 +31,17 @@ struct HalfCar {
                                const Eigen::Vector2d& ground) const;
 };
 
+/// The same for numbers T that may carry derivatives, of a car with HalfCar's members, whose dampers tell Force(rate).
+template <typename T, typename Car>
+Eigen::Vector<T, 4> HalfCarAcceleration(const Car& car, const Eigen::Vector<T, 4>& q, const Eigen::Vector<T, 4>& rate,
+                                        const Eigen::Vector2d& ground) {
+  const T front_rate = rate[0] - car.front_length * rate[1] - rate[2];
+  const T rear_rate = rate[0] + car.rear_length * rate[1] - rate[3];
+  const T front = car.front_stiffness * (q[0] - car.front_length * q[1] - q[2]) + car.front_damper.Force(front_rate);
+  const T rear = car.rear_stiffness * (q[0] + car.rear_length * q[1] - q[3]) + car.rear_damper.Force(rear_rate);
+  return {-(front + rear) / car.sprung_mass, (car.front_length * front - car.rear_length * rear) / car.pitch_inertia,
+          (front - car.front_tyre_stiffness * (q[2] - ground[0])) / car.front_mass,
+          (rear - car.rear_tyre_stiffness * (q[3] - ground[1])) / car.rear_mass};
+}
+
 }  // namespace fourpost

@@ -115,7 +115,7 @@ bool Receptance::Reproduces(const Poles& poles) const {
       const Eigen::VectorXcd motion = SumOverPoles(poles, omega, Eigen::VectorXcd::Unit(forces_.cols(), j));
       const Eigen::VectorXcd left = impedance * motion - forces_.col(j);
       const double scale = (impedance.cwiseAbs() * motion.cwiseAbs()).maxCoeff();
-      if (!(left.cwiseAbs().maxCoeff() <= kLargest * scale) && scale > 0) return false;
+      if (!(left.cwiseAbs().maxCoeff() <= kLargest * scale)) return false;
     }
   }
   return true;

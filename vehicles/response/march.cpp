@@ -237,6 +237,9 @@ MarchedResponse March(TimeSystem& system, const Excitation& excitation, const Ma
   const Imposed imposed(system.rig());
   ResponseRecorder recorder(sensors, excitation);
   MarchedResponse out;
+  // Some milliseconds of work.
+  constexpr int kSamplesPerQuestion = 64;
+  int samples = 0;
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
     const double frequency = excitation.frequency_Hz[i];
     const double amplitude = excitation.amplitude_m[i];
@@ -246,6 +249,7 @@ MarchedResponse March(TimeSystem& system, const Excitation& excitation, const Ma
         SteppedSine(excitation.shape, amplitude, omega, Ramp{run.window_duration()}), 0, run.step(),
         [&](double t, const Eigen::VectorXd& readings) {
           options.deadline.Check();
+          if (options.stop && ++samples % kSamplesPerQuestion == 0 && options.stop()) throw MarchStopped();
           run.Add(t, readings);
         },
         [&] { return run.Done(); });

@@ -34,10 +34,15 @@ struct MarchOptions {
   int samples_per_cycle = 256;
   /// Asked at each sample; throws TimedOut.
   Deadline deadline;
+  /// Asked now and then; true ends the march by MarchStopped.
+  std::function<bool()> stop = {};
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;
 };
+
+/// Thrown where MarchOptions::stop asks for it.
+struct MarchStopped {};
 
 /// A frequency at which the motion was not periodic within the time allowed.
 struct UnsteadyMotion {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <new>
+#include <stdexcept>
 #include <utility>
 
 #include "analysis/decibel.h"
@@ -79,7 +81,7 @@ KinematicsError CompareKinematics(const FrequencyResponse& linearised, const Fre
     if (!(largest > kSilent * loudest[channel.unit])) continue;
     for (std::size_t i = 0; i < channel.response.size(); ++i) {
       const std::complex<double> ratio = linearised.channels[c].response[i] / channel.response[i];
-      if (!std::isfinite(std::abs(ratio)) || ratio == 0.0 || std::abs(channel.response[i]) < kNode * largest) continue;
+      if (!std::isfinite(std::abs(ratio)) || std::abs(channel.response[i]) < kNode * largest) continue;
       Take(std::abs(DecibelFromGain(std::abs(ratio))), full.frequency_Hz[i], channel.name, error.gain_dB);
       Take(std::abs(DegreesFromRadians(std::arg(ratio))), full.frequency_Hz[i], channel.name, error.phase_deg);
     }
@@ -155,6 +157,21 @@ SteadyResponse SteadySolver::Checked(const Excitation& excitation, const Harmoni
   return out;
 }
 
+void SteadySolver::FindOtherMotions(const Excitation& excitation, const Progress& progress, SteadyResponse& out) {
+  if (!MayHaveSeveralMotions(model_)) return;
+  const auto watch = [&](std::size_t done) {
+    if (progress && !progress({"from rest", done, excitation.frequency_Hz.size()})) throw Ended();
+  };
+  FrequencyResponse found = out.linearised.value_or(out.response);
+  for (std::size_t i = 0; i < out.engine_at.size(); ++i)
+    if (out.engine_at[i] == Engine::kMarch) BlankFrequency(i, found);
+  try {
+    out.other_motions = OtherMotionsFromRest(model_, vehicle_, excitation, found, watch);
+  } catch (const Ended&) {
+    // The answers are there; the march asks once more whether to go on.
+  }
+}
+
 /// One frequency at a time: where one fails, the others have answers.
 void SteadySolver::MarchMissing(const Excitation& excitation, const Progress& progress, SteadyResponse& out) {
   const auto total = static_cast<std::size_t>(std::count(out.engine_at.begin(), out.engine_at.end(), Engine::kMarch));
@@ -164,7 +181,11 @@ void SteadySolver::MarchMissing(const Excitation& excitation, const Progress& pr
     if (out.engine_at[i] != Engine::kMarch) continue;
     goes_on = goes_on && (!progress || progress({"march", done, total}));
     ++done;
-    const std::string fault = goes_on ? MarchOne(excitation, i, out) : kInterrupted;
+    const auto stop = [&, stage = Stage{"march", done - 1, total}] {
+      goes_on = !progress || progress(stage);
+      return !goes_on;
+    };
+    const std::string fault = goes_on ? MarchOne(excitation, i, stop, out) : kInterrupted;
     if (fault.empty()) continue;
     BlankFrequency(i, out.response);
     out.unanswered.push_back({excitation.frequency_Hz[i], fault});
@@ -172,16 +193,24 @@ void SteadySolver::MarchMissing(const Excitation& excitation, const Progress& pr
 }
 
 /// Why there is no answer, if there is none.
-std::string SteadySolver::MarchOne(const Excitation& excitation, std::size_t index, SteadyResponse& out) {
+std::string SteadySolver::MarchOne(const Excitation& excitation, std::size_t index, const std::function<bool()>& stop,
+                                   SteadyResponse& out) {
   const Excitation one{.frequency_Hz = {excitation.frequency_Hz[index]},
                        .amplitude_m = {excitation.amplitude_m[index]},
                        .shape = excitation.shape};
+  Multibody& system = FullSystem();
   try {
-    const MarchedResponse marched = March(FullSystem(), one);
+    const MarchedResponse marched = March(system, one, {.stop = stop});
     CopyFrequency(marched.response, 0, index, out.response);
     return marched.unsteady.empty() ? "" : UnsteadyMessage(vehicle_, one, marched.unsteady[0]);
+  } catch (const MarchStopped&) {
+    return kInterrupted;
+  } catch (const std::logic_error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& failure) {
-    return failure.what();
+    return failure.what();  // Simbody's own are no runtime_error.
   }
 }
 
@@ -197,6 +226,7 @@ SteadyResponse SteadySolver::Solve(const Excitation& excitation, Engine engine, 
   out.engine_at.assign(excitation.frequency_Hz.size(), engine);
   try {
     if (engine != Engine::kMarch) out = Balanced(excitation, engine, options, progress);
+    if (engine == Engine::kAuto || engine == Engine::kLinearised) FindOtherMotions(excitation, progress, out);
   } catch (const Ended&) {
     for (std::size_t i = 0; i < out.engine_at.size(); ++i) {
       BlankFrequency(i, out.response);

@@ -12,6 +12,7 @@
 #include "vehicles/multibody/multibody.h"
 #include "vehicles/response/excitation.h"
 #include "vehicles/response/harmonic_balance.h"
+#include "vehicles/response/motion_from_rest.h"
 
 namespace fourpost {
 
@@ -65,11 +66,13 @@ struct Unanswered {
 struct SteadyResponse {
   /// NaN where no periodic motion was found.
   FrequencyResponse response;
-  /// Which engine answered most of the frequencies: the one asked for, or of kAuto the one it chose.
+  /// The one asked for, or of kAuto the one it chose; what it left to the march is told by engine_at.
   Engine engine = Engine::kLinearised;
   /// One per frequency: a balance that does not converge leaves it to kMarch. The one that tried last where none did.
   std::vector<Engine> engine_at;
   std::vector<Unanswered> unanswered;
+  /// Where the linearised balance found another motion than that from rest; not looked for by kFull and kMarch.
+  std::vector<OtherMotion> other_motions;
   /// Of kAuto, over the frequencies at which both balances converged, if there are any.
   std::optional<KinematicsError> kinematics_error;
   /// What the linearised balance found; of kAuto when the full one answered.
@@ -86,7 +89,7 @@ class SteadySolver {
 
   const CondensedModel& model() const { return model_; }
 
-  /// So many of the frequencies, by "full balance" or "march".
+  /// So many of the frequencies, by "full balance", "from rest" or "march".
   struct Stage {
     const char* work = "";
     std::size_t done = 0;
@@ -117,8 +120,10 @@ class SteadySolver {
   /// Over the frequencies at which both converged.
   static KinematicsError Compare(Answer linearised, const Answer& full);
   SteadyResponse Checked(const Excitation& excitation, const HarmonicBalanceOptions& options, const Progress& progress);
+  void FindOtherMotions(const Excitation& excitation, const Progress& progress, SteadyResponse& response);
   void MarchMissing(const Excitation& excitation, const Progress& progress, SteadyResponse& response);
-  std::string MarchOne(const Excitation& excitation, std::size_t index, SteadyResponse& response);
+  std::string MarchOne(const Excitation& excitation, std::size_t index, const std::function<bool()>& stop,
+                       SteadyResponse& response);
   Multibody& FullSystem();
 
   const Vehicle& vehicle_;

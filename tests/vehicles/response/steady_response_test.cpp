@@ -54,8 +54,9 @@ TEST(SteadyResponse, MarchesWhereTheBalanceDoesNotConverge) {
   const SteadyResponse answer =
       solver.Solve(excitation, Engine::kLinearised, {.error = 1e-15, .most_harmonics = 9, .max_iterations = 1},
                    [&](const SteadySolver::Stage& stage) {
-                     heard.push_back(std::string(stage.work) + ": " + std::to_string(stage.done) + " of " +
-                                     std::to_string(stage.total));
+                     const std::string text = std::string(stage.work) + ": " + std::to_string(stage.done) + " of " +
+                                              std::to_string(stage.total);
+                     if (heard.empty() || text != heard.back()) heard.push_back(text);
                      return true;
                    });
   EXPECT_THAT(answer.engine_at, ElementsAre(Engine::kMarch, Engine::kMarch));
@@ -69,18 +70,42 @@ TEST(SteadyResponse, MarchesWhereTheBalanceDoesNotConverge) {
 TEST(SteadyResponse, EndsWhenAskedTo) {
   const Vehicle vehicle = Describe(BilinearCar());
   const Excitation excitation{{2, 5, 8}, {0.01, 0.005, 0.001}, {1}};
-  int heard = 0;
-  const auto go_on = [&](const SteadySolver::Stage&) { return ++heard < 2; };
-  const SteadyResponse marched = SteadySolver(vehicle).Solve(excitation, Engine::kMarch, {}, go_on);
+  const auto first_only = [](const SteadySolver::Stage& stage) { return stage.done < 1; };
+  const SteadyResponse marched = SteadySolver(vehicle).Solve(excitation, Engine::kMarch, {}, first_only);
   ASSERT_EQ(marched.unanswered.size(), 2u);
   EXPECT_EQ(marched.unanswered[0].frequency_Hz, 5);
   EXPECT_THAT(marched.unanswered[0].why, HasSubstr("interrupted"));
   EXPECT_FALSE(std::isnan(std::abs(marched.response.channels[0].response[0])));
   EXPECT_TRUE(std::isnan(std::abs(marched.response.channels[0].response[1])));
-  heard = 0;
-  const SteadyResponse balanced = SteadySolver(vehicle).Solve(excitation, Engine::kFull, {}, go_on);
-  EXPECT_EQ(heard, 2);
-  EXPECT_EQ(balanced.unanswered.size(), 3u);
+  EXPECT_EQ(SteadySolver(vehicle).Solve(excitation, Engine::kFull, {}, first_only).unanswered.size(), 3u);
+  // In the middle of a frequency too.
+  int asked = 0;
+  const auto soon = [&](const SteadySolver::Stage&) { return ++asked < 3; };
+  EXPECT_EQ(SteadySolver(vehicle).Solve(excitation, Engine::kMarch, {}, soon).unanswered.size(), 3u);
+  EXPECT_EQ(asked, 3);
+}
+
+Vehicle HoppingCar() {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.tyres[0].lifts_off = true;
+  Set(vehicle, "c_bump", 300);
+  Set(vehicle, "c_rebound", 900);
+  return vehicle;
+}
+
+// A wheel that leaves the ground takes every other cycle; the balance, which knows of whole cycles only, does not.
+TEST(SteadyResponse, WarnsWhereTheMotionFromRestIsAnother) {
+  const Vehicle vehicle = HoppingCar();
+  const auto others = [&](Engine engine, double amplitude) {
+    return SteadySolver(vehicle).Solve({{25}, {amplitude}, {1}}, engine).other_motions;
+  };
+  for (const Engine engine : {Engine::kAuto, Engine::kLinearised}) {
+    const std::vector<OtherMotion> found = others(engine, 0.01);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].frequency_Hz, 25);
+    EXPECT_GT(found[0].difference, 0.1);
+    EXPECT_THAT(others(engine, 0.001), IsEmpty());
+  }
 }
 
 // Where nothing was compared no error is known.

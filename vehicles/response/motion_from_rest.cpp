@@ -1,0 +1,65 @@
+#include "vehicles/response/motion_from_rest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <stdexcept>
+
+#include "vehicles/condensed/port.h"
+#include "vehicles/response/march.h"
+#include "vehicles/simulation/condensed_system.h"
+
+namespace fourpost {
+namespace {
+
+constexpr double kOther = 0.05;
+constexpr double kNode = 0.03;
+
+std::optional<FrequencyResponse> FromRest(CondensedSystem& system, const Excitation& excitation) {
+  try {
+    // A window is as good an answer as any where the motion wanders.
+    return March(system, excitation, {.tolerance = 1e-3, .longest_s = 20, .samples_per_cycle = 64}).response;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+double LargestGain(const ChannelResponse& channel) {
+  double largest = 0;
+  for (const std::complex<double>& value : channel.response)
+    if (std::isfinite(std::abs(value))) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+}  // namespace
+
+bool MayHaveSeveralMotions(const CondensedModel& model) {
+  const std::vector<Port> ports = PortsOf(model);
+  return std::any_of(ports.begin(), ports.end(), [](const Port& port) { return UsesExtension(port.law); });
+}
+
+std::vector<OtherMotion> OtherMotionsFromRest(const CondensedModel& model, const Vehicle& vehicle,
+                                              const Excitation& excitation, const FrequencyResponse& found,
+                                              const std::function<void(std::size_t done)>& progress) {
+  CondensedSystem system(model, RigViewOf(vehicle));
+  std::vector<OtherMotion> others;
+  for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+    if (progress) progress(i);
+    const Excitation one{{excitation.frequency_Hz[i]}, {excitation.amplitude_m[i]}, excitation.shape};
+    const std::optional<FrequencyResponse> run = FromRest(system, one);
+    if (!run) continue;
+    OtherMotion other{.frequency_Hz = one.frequency_Hz[0]};
+    for (std::size_t c = 0; c < found.channels.size(); ++c) {
+      const std::complex<double> value = found.channels[c].response[i];
+      // A channel that is silent altogether has nothing to differ by.
+      const double size = std::max({std::abs(value), kNode * LargestGain(found.channels[c]), 1e-6});
+      const double difference = std::abs(run->channels[c].response[0] - value) / size;
+      if (difference > other.difference) other = {other.frequency_Hz, found.channels[c].name, difference};
+    }
+    if (other.difference > kOther) others.push_back(other);
+  }
+  return others;
+}
+
+}  // namespace fourpost
