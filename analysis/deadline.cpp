@@ -1,17 +1,27 @@
 #include "analysis/deadline.h"
 
+#include <ctime>
+
 #include "analysis/option_check.h"
 
 namespace fourpost {
+namespace {
+
+double ThreadTime_s() {
+  timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
 
 Deadline Deadline::In(double seconds) {
   RequireOption(seconds > 0, "deadline", seconds, "above 0");
-  // Longer ones would overflow the clock, and nobody sees their end.
-  constexpr double kNever_s = 1e9;
   Deadline deadline;
-  if (seconds < kNever_s)
-    deadline.time_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  deadline.end_s_ = ThreadTime_s() + seconds;
   return deadline;
 }
+
+bool Deadline::HasPassed() const { return end_s_ != kNever && ThreadTime_s() >= end_s_; }
 
 }  // namespace fourpost

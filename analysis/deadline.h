@@ -1,7 +1,7 @@
 #pragma once
 
-#include <chrono>
 #include <exception>
+#include <limits>
 
 namespace fourpost {
 
@@ -12,17 +12,18 @@ class TimedOut : public std::exception {
   const char* what() const noexcept override { return "out of time"; }
 };
 
-/// When a computation has to end. Whoever computes for long takes one and asks it now and then, every few milliseconds;
-/// it cannot end a computation that never asks.
+/// When a computation has to end, in processor time of the thread that computes: what a stopped process or a busy
+/// machine takes from it does not count. Whoever computes for long takes one and asks it now and then, every few
+/// milliseconds; it cannot end a computation that never asks.
 class Deadline {
  public:
   /// Never.
   constexpr Deadline() = default;
 
-  /// `seconds` from now, above 0; infinite: never.
+  /// After `seconds` of processor time, above 0; infinite: never. To be made and asked on one thread.
   static Deadline In(double seconds);
 
-  bool HasPassed() const { return time_ != Clock::time_point::max() && Clock::now() >= time_; }
+  bool HasPassed() const;
 
   /// Throws TimedOut when it has passed.
   void Check() const {
@@ -30,9 +31,10 @@ class Deadline {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
 
-  Clock::time_point time_ = Clock::time_point::max();
+  // Since the thread began.
+  double end_s_ = kNever;
 };
 
 }  // namespace fourpost
