@@ -3,13 +3,12 @@
 #include <sqlite3.h>
 
 #include <bit>
-#include <chrono>
-#include <cstring>
-#include <thread>
 #include <utility>
 
 #include "analysis/output_folder.h"
 #include "analysis/sha256.h"
+
+#include "identify/search/sqlite_database.h"
 
 namespace fourpost {
 namespace {
@@ -46,134 +45,6 @@ Failure FailureOf(std::string_view name) {
   // Stored by another version, in whose context nobody looks for it.
   return Failure::kException;
 }
-
-std::string Remedy(int code) {
-  switch (code) {
-    case SQLITE_FULL: return "make room on the disk; what is there has been kept";
-    case SQLITE_NOTADB:
-    case SQLITE_CORRUPT: return "it is no archive of evaluations, or damaged: move it away";
-    case SQLITE_BUSY: return "another program holds it";
-    default: return "allow writing, make room, or name another folder; what is there has been kept";
-  }
-}
-
-/// A connection to SQLite whose errors are OutputErrors.
-class Database {
- public:
-  Database(fs::path file, int flags) : file_(std::move(file)) {
-    const int code = sqlite3_open_v2(file_.c_str(), &handle_, flags | SQLITE_OPEN_NOMUTEX, nullptr);
-    if (code != SQLITE_OK) {
-      const std::string reason = handle_ != nullptr ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
-      sqlite3_close(handle_);
-      Throw(code, reason);
-    }
-    sqlite3_busy_timeout(handle_, kPatience_ms);
-  }
-  ~Database() { sqlite3_close_v2(handle_); }
-  Database(const Database&) = delete;
-  Database& operator=(const Database&) = delete;
-
-  /// Tries again where SQLite gives up at once, as it does while another program opens the file.
-  void Execute(const char* sql) const {
-    constexpr int kPause_ms = 10;
-    int code = sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr);
-    for (int waited = 0; (code & 0xff) == SQLITE_BUSY && waited < kPatience_ms; waited += kPause_ms) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(kPause_ms));
-      code = sqlite3_exec(handle_, sql, nullptr, nullptr, nullptr);
-    }
-    Check(code);
-  }
-
-  void Check(int code) const {
-    if (code != SQLITE_OK && code != SQLITE_ROW && code != SQLITE_DONE) Throw(code & 0xff, sqlite3_errmsg(handle_));
-  }
-
-  [[noreturn]] void Throw(int code, const std::string& reason) const {
-    throw OutputError(file_.string() + ": " + reason + "; " + Remedy(code));
-  }
-
-  sqlite3* handle() const { return handle_; }
-
- private:
-  /// Other programs write for a millisecond each.
-  static constexpr int kPatience_ms = 60000;
-
-  fs::path file_;
-  sqlite3* handle_ = nullptr;
-};
-
-/// A prepared statement. What is bound must live until the last Step().
-class Statement {
- public:
-  Statement(const Database& database, const char* sql) : database_(database) {
-    database_.Check(sqlite3_prepare_v2(database_.handle(), sql, -1, &statement_, nullptr));
-  }
-  ~Statement() { sqlite3_finalize(statement_); }
-  Statement(const Statement&) = delete;
-  Statement& operator=(const Statement&) = delete;
-
-  Statement& Bind(int place, std::int64_t number) {
-    database_.Check(sqlite3_bind_int64(statement_, place, number));
-    return *this;
-  }
-  Statement& Bind(int place, double number) {
-    database_.Check(sqlite3_bind_double(statement_, place, number));
-    return *this;
-  }
-  Statement& Bind(int place, std::string_view text) {
-    database_.Check(sqlite3_bind_text(statement_, place, text.data(), static_cast<int>(text.size()), SQLITE_STATIC));
-    return *this;
-  }
-  Statement& Bind(int place, const Eigen::VectorXd& numbers) {
-    const auto size = static_cast<sqlite3_uint64>(numbers.size()) * sizeof(double);
-    database_.Check(sqlite3_bind_blob64(statement_, place, numbers.data(), size, SQLITE_STATIC));
-    return *this;
-  }
-
-  /// Whether there is a row.
-  bool Step() {
-    const int code = sqlite3_step(statement_);
-    database_.Check(code);
-    return code == SQLITE_ROW;
-  }
-
-  /// Lets go of the row, of the bound values and of the file.
-  void Reset() {
-    sqlite3_reset(statement_);
-    sqlite3_clear_bindings(statement_);
-  }
-
-  std::int64_t Integer(int column) const { return sqlite3_column_int64(statement_, column); }
-  double Real(int column) const { return sqlite3_column_double(statement_, column); }
-  bool IsNull(int column) const { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
-  std::string Text(int column) const {
-    const void* bytes = sqlite3_column_blob(statement_, column);
-    return {static_cast<const char*>(bytes), static_cast<std::size_t>(sqlite3_column_bytes(statement_, column))};
-  }
-  Eigen::VectorXd Numbers(int column) const {
-    const void* bytes = sqlite3_column_blob(statement_, column);
-    Eigen::VectorXd numbers(sqlite3_column_bytes(statement_, column) / static_cast<int>(sizeof(double)));
-    if (numbers.size() > 0)
-      std::memcpy(numbers.data(), bytes, static_cast<std::size_t>(numbers.size()) * sizeof(double));
-    return numbers;
-  }
-
- private:
-  const Database& database_;
-  sqlite3_stmt* statement_ = nullptr;
-};
-
-/// Resets a statement that is used again, whatever happens.
-class Use {
- public:
-  explicit Use(Statement& statement) : statement_(statement) {}
-  ~Use() { statement_.Reset(); }
-  Use(const Use&) = delete;
-  Use& operator=(const Use&) = delete;
-
- private:
-  Statement& statement_;
-};
 
 int LayoutOf(const Database& database) {
   Statement statement(database, "PRAGMA user_version");
@@ -281,7 +152,7 @@ EvaluationStore::~EvaluationStore() = default;
 std::optional<Evaluation> EvaluationStore::Find(const Eigen::VectorXd& values) const {
   const std::lock_guard lock(mutex_);
   Statement& find = connection_->find;
-  const Use use(find);
+  const StatementUse use(find);
   find.Bind(1, context_).Bind(2, values);
   if (!find.Step()) return std::nullopt;
   return EvaluationAt(find, 0);
@@ -291,7 +162,7 @@ Evaluation EvaluationStore::Put(const Eigen::VectorXd& values, Evaluation evalua
   {
     const std::lock_guard lock(mutex_);
     Statement& put = connection_->put;
-    const Use use(put);
+    const StatementUse use(put);
     put.Bind(1, context_).Bind(2, values);
     if (evaluation.ok()) {
       put.Bind(3, evaluation.residuals);
