@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <bit>
+#include <fstream>
 #include <utility>
 
 #include "analysis/output_folder.h"
@@ -14,6 +15,10 @@ namespace fourpost {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Where every SQLite file says whose it is, 68 bytes from its start (SQLite Database File Format, section 1.3).
+constexpr std::string_view kApplication = "4pst";
+constexpr std::size_t kApplicationAt = 68;
 
 /// Of this layout; another one gets another number.
 constexpr int kLayout = 1;
@@ -36,6 +41,8 @@ CREATE TABLE evaluation (
   failure TEXT, detail TEXT, violation REAL,
   paid INTEGER NOT NULL DEFAULT 1,
   PRIMARY KEY (context, parameters));
+-- The bytes 4pst.
+PRAGMA application_id = 0x34707374;
 PRAGMA user_version = 1;
 )";
 
@@ -44,6 +51,19 @@ Failure FailureOf(std::string_view name) {
     if (FailureName(static_cast<Failure>(code)) == name) return static_cast<Failure>(code);
   // Stored by another version, in whose context nobody looks for it.
   return Failure::kException;
+}
+
+/// Throws for the file of another program. Not by SQLite, which takes in the log of whatever it opens.
+void RequireOurs(const fs::path& file) {
+  std::string head(kApplicationAt + kApplication.size(), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  // A new one, or one that cannot be read at all, of which SQLite tells more.
+  if (stream.gcount() == 0) return;
+  if (!head.starts_with("SQLite format 3") || !head.ends_with(kApplication))
+    throw OutputError(
+        file.string() +
+        ": it is no archive of evaluations: move it away, or name another one; it has been left as it is");
 }
 
 int LayoutOf(const Database& database) {
@@ -58,7 +78,8 @@ bool IsEmpty(const Database& database) {
   return statement.Integer(0) == 0;
 }
 
-/// Makes the tables of a new file; other programs may be about to do the same.
+/// Makes the tables of a new file; other programs may be about to do the same. Before there is a log, so that the file
+/// itself tells whose it is from its first byte on.
 void MakeTables(const Database& database) {
   database.Execute("BEGIN IMMEDIATE");
   if (IsEmpty(database)) database.Execute(kSchema);
@@ -69,14 +90,13 @@ void RequireLayout(const Database& database) {
   if (LayoutOf(database) != kLayout) database.Throw(SQLITE_NOTADB, "not the layout that this program knows");
 }
 
-/// Makes a file ready for use; leaves one that is not ours as it is.
+/// Makes a file ready for use.
 const Database& Prepare(const Database& database) {
-  if (!IsEmpty(database)) RequireLayout(database);
+  if (IsEmpty(database)) MakeTables(database);
+  RequireLayout(database);
   database.Execute("PRAGMA journal_mode = WAL");
   // Flushes at checkpoints only: a killed program loses nothing by it.
   database.Execute("PRAGMA synchronous = NORMAL");
-  if (IsEmpty(database)) MakeTables(database);
-  RequireLayout(database);
   return database;
 }
 
@@ -114,6 +134,7 @@ Evaluation EvaluationAt(const Statement& row, int column) {
 std::unique_ptr<Database> OpenToRead(const fs::path& file) {
   std::error_code ignored;
   if (!fs::exists(file, ignored) || fs::file_size(file, ignored) == 0) return nullptr;
+  RequireOurs(file);
   // A log that a killed program left behind is taken in, for which even readers write.
   auto database = std::make_unique<Database>(file, SQLITE_OPEN_READWRITE);
   if (IsEmpty(*database)) return nullptr;
@@ -143,6 +164,7 @@ EvaluationStore::EvaluationStore(const fs::path& file, const EvaluationContext& 
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (error)
     throw OutputError(file.parent_path().string() + ": " + error.message() + "; allow it or name another folder");
+  RequireOurs(file);
   connection_ = std::make_unique<Connection>(file);
   context_ = UseContext(connection_->database, context);
 }

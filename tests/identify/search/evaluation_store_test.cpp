@@ -1,5 +1,7 @@
 #include "identify/search/evaluation_store.h"
 
+#include <sqlite3.h>
+
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/output_folder.h"
+#include "identify/search/sqlite_database.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
@@ -156,6 +159,30 @@ TEST_F(EvaluationStoreTest, LeavesAFileThatIsNotItsOwnAsItIs) {
   EXPECT_THAT(OutputErrorOf(file), HasSubstr("move it away"));
   EXPECT_THROW(ChangedParts(file, kContext), OutputError);
   EXPECT_EQ(ReadText(file), text);
+}
+
+TEST_F(EvaluationStoreTest, LeavesAnotherProgramsDatabaseAsItIs) {
+  const std::filesystem::path file = folder_.path() / "notes.sqlite";
+  const std::filesystem::path log = folder_.path() / "notes.sqlite-wal";
+  // Not even their layout's number tells them apart; part of it is in a log, which opening would take in.
+  const Database theirs(file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  theirs.Execute("CREATE TABLE note (text); PRAGMA user_version = 1; PRAGMA journal_mode = WAL");
+  theirs.Execute("INSERT INTO note VALUES ('years of work')");
+  const std::filesystem::path copy = folder_.path() / "copy.sqlite";
+  std::filesystem::copy_file(file, copy);
+  std::filesystem::copy_file(log, folder_.path() / "copy.sqlite-wal");
+  EXPECT_THAT(OutputErrorOf(copy), HasSubstr("copy.sqlite: it is no archive of evaluations: move it away"));
+  EXPECT_THROW(ChangedParts(copy, kContext), OutputError);
+  EXPECT_THROW(ReadStoredContent(copy), OutputError);
+  EXPECT_EQ(ReadText(copy), ReadText(file));
+  EXPECT_EQ(ReadText(folder_.path() / "copy.sqlite-wal"), ReadText(log));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "copy.sqlite-shm"));
+}
+
+TEST_F(EvaluationStoreTest, RefusesALayoutThatItDoesNotKnow) {
+  { const EvaluationStore store(file_, kContext); }
+  Database(file_, SQLITE_OPEN_READWRITE).Execute("PRAGMA user_version = 2");
+  EXPECT_THAT(OutputErrorOf(file_), HasSubstr("not the layout that this program knows"));
 }
 
 TEST_F(EvaluationStoreTest, TakesAnEmptyFileForANewOne) {
