@@ -13,6 +13,8 @@ enum ExitCode {
   kCannotWrite = 5,
   /// A defect of the program: EX_SOFTWARE of sysexits.h.
   kDefect = 70,
+  /// The system has no memory left: EX_OSERR of sysexits.h.
+  kOutOfMemory = 71,
   /// 128 + SIGINT, as shells report it.
   kInterrupted = 130,
 };

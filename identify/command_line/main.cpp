@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -44,6 +45,9 @@ int Guarded(const std::function<int()>& run) {
     return tell(error, kCannotWrite);
   } catch (const std::runtime_error& error) {
     return tell(error, kAllSimulationsFailed);
+  } catch (const std::bad_alloc&) {
+    std::fputs("out of memory; take fewer --threads, or free some: evaluations in an archive are kept\n", stderr);
+    return kOutOfMemory;
   } catch (const std::exception& error) {
     std::fputs("a defect of fourpost, please report it: ", stderr);
     return tell(error, kDefect);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <tuple>
 #include <unordered_set>
@@ -112,6 +113,8 @@ std::optional<Eigen::MatrixXd> Archive::Differentiate(const Eigen::VectorXd& val
     Eigen::MatrixXd jacobian = problem_.differentiate(values);
     const bool fits = jacobian.cols() == values.size() && (residual_count_ == 0 || jacobian.rows() == residual_count_);
     if (fits && jacobian.allFinite()) return jacobian;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception&) {
     // As an evaluation that fails: nothing is known here.
   }

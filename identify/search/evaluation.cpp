@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -10,8 +11,16 @@
 namespace fourpost {
 namespace {
 
+// One that is not a number would not order infeasible points.
+Evaluation CheckedViolation(Evaluation evaluation) {
+  const double violation = evaluation.violation;
+  if (std::isfinite(violation) && violation >= 0) return Infeasible(violation, std::move(evaluation.detail));
+  return Failed(Failure::kException, "the violation must be finite and 0 or more, not " + std::to_string(violation) +
+                                         " (" + evaluation.detail + ")");
+}
+
 Evaluation Checked(Evaluation evaluation) {
-  if (evaluation.failure == Failure::kInfeasible) return Infeasible(evaluation.violation, std::move(evaluation.detail));
+  if (evaluation.failure == Failure::kInfeasible) return CheckedViolation(std::move(evaluation));
   if (!evaluation.ok()) return Failed(evaluation.failure, std::move(evaluation.detail));
   if (evaluation.residuals.size() == 0) return Failed(Failure::kWrongSize, "the model gave no residuals");
   if (!evaluation.residuals.allFinite()) return Failed(Failure::kNotFinite, "a residual is not finite");
@@ -57,6 +66,8 @@ Evaluation EvaluateGuarded(const Problem& problem, const Eigen::VectorXd& values
     return Checked(problem.evaluate(values, Deadline::In(problem.deadline_s)));
   } catch (const TimedOut&) {
     return Failed(Failure::kTimedOut, "took longer than " + FormatNumber(problem.deadline_s) + " s");
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     return Failed(Failure::kException, error.what());
   } catch (...) {

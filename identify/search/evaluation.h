@@ -89,8 +89,8 @@ struct Problem {
   ModelFunction evaluate;
   /// How many residuals there are; 0 when nobody says. Least-squares methods need as many as parameters.
   Eigen::Index residual_count = 0;
-  /// What an evaluation may take [s]. A fixed number, not one derived from evaluations so far: which of them fail must
-  /// not depend on their order.
+  /// What an evaluation may take [s], in processor time of its thread. A fixed number, not one derived from evaluations
+  /// so far: which of them fail must not depend on their order.
   double deadline_s = std::numeric_limits<double>::infinity();
   /// Of the residuals, relative: how far the solver behind them goes. It decides on the steps of differences.
   double accuracy = 1e-15;
@@ -99,8 +99,9 @@ struct Problem {
   std::function<Eigen::MatrixXd(const Eigen::VectorXd& values)> differentiate = {};
 };
 
-/// Evaluates under guard: exceptions, passed deadlines and residuals that are not finite or not there become failures.
-/// A model that never asks its deadline cannot be ended.
+/// Evaluates under guard: exceptions, passed deadlines, residuals that are not finite or not there, and violations that
+/// are not finite or below 0 become failures. A model that never asks its deadline cannot be ended. A lack of memory is
+/// none of the values: throws std::bad_alloc.
 Evaluation EvaluateGuarded(const Problem& problem, const Eigen::VectorXd& values);
 
 }  // namespace fourpost

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <thread>
@@ -54,6 +55,25 @@ TEST(Evaluation, GuardTurnsAnExceptionIntoAFailureWithItsWords) {
   EXPECT_EQ(Guarded({}).failure, Failure::kException);
 }
 
+// Nothing is wrong with the values then: stored as their failure it would stay.
+TEST(Evaluation, GuardLetsALackOfMemoryPass) {
+  EXPECT_THROW(Guarded([](const Eigen::VectorXd&) -> Evaluation { throw std::bad_alloc(); }), std::bad_alloc);
+}
+
+TEST(Evaluation, GuardRefusesAViolationThatOrdersNothing) {
+  for (const double bad : {std::nan(""), kInfinity, -1.0}) {
+    const Evaluation evaluation = Guarded([bad](const Eigen::VectorXd&) { return Infeasible(bad, "too long"); });
+    EXPECT_EQ(evaluation.failure, Failure::kException);
+    EXPECT_EQ(evaluation.violation, 0);
+    EXPECT_NE(evaluation.detail.find("violation"), std::string::npos) << evaluation.detail;
+  }
+  for (const double good : {0.0, 1e300}) {
+    const Evaluation evaluation = Guarded([good](const Eigen::VectorXd&) { return Infeasible(good, "too long"); });
+    EXPECT_EQ(evaluation.failure, Failure::kInfeasible);
+    EXPECT_EQ(evaluation.violation, good);
+  }
+}
+
 TEST(Evaluation, GuardEndsAModelThatAsksItsDeadline) {
   const Lattice lattice({{"p", 0, 1, 0.1}});
   const auto hang = [](const Eigen::VectorXd&, const Deadline& deadline) -> Evaluation {
@@ -67,11 +87,23 @@ TEST(Evaluation, GuardEndsAModelThatAsksItsDeadline) {
 
 // What was paid for is used, however late it comes.
 TEST(Evaluation, GuardKeepsAnEvaluationThatDoesNotAsk) {
-  const auto slow = [](const Eigen::VectorXd&) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const auto slow = [](const Eigen::VectorXd&, const Deadline& deadline) {
+    while (!deadline.HasPassed()) continue;
     return Residuals(1, 2);
   };
   EXPECT_TRUE(EvaluateGuarded({.lattice = Lattice({{"p", 0, 1, 0.1}}), .evaluate = slow, .deadline_s = 1e-3},
+                              Eigen::VectorXd::Constant(1, 0.5))
+                  .ok());
+}
+
+// Waiting is no computing.
+TEST(Evaluation, GuardDoesNotCountWhatTheThreadWaits) {
+  const auto waiting = [](const Eigen::VectorXd&, const Deadline& deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    deadline.Check();
+    return Residuals(1, 2);
+  };
+  EXPECT_TRUE(EvaluateGuarded({.lattice = Lattice({{"p", 0, 1, 0.1}}), .evaluate = waiting, .deadline_s = 0.1},
                               Eigen::VectorXd::Constant(1, 0.5))
                   .ok());
 }
