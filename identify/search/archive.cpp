@@ -14,11 +14,6 @@
 namespace fourpost {
 namespace {
 
-// Tells values apart that print alike.
-std::string BytesOf(const Eigen::VectorXd& values) {
-  return {reinterpret_cast<const char*>(values.data()), static_cast<std::size_t>(values.size()) * sizeof(double)};
-}
-
 Score ScoreOf(const Evaluation& evaluation) {
   if (!evaluation.ok()) return {.failure = evaluation.failure, .violation = evaluation.violation};
   return {.cost = evaluation.cost()};
@@ -83,15 +78,15 @@ std::vector<Evaluation> Archive::EvaluateStored(const std::vector<Eigen::VectorX
     if (is_new) distinct.push_back(i);
     place.push_back(found->second);
   }
-  std::vector<Answer> answers(distinct.size());
+  std::vector<EvaluationStore::Answer> answers(distinct.size());
   ForEachInParallel(distinct.size(), threads_, [&](std::size_t k) { answers[k] = Ask(batch[distinct[k]]); });
-  for (Answer& answer : answers) CheckSize(answer.evaluation);
+  for (EvaluationStore::Answer& answer : answers) CheckSize(answer.evaluation);
 
   std::vector<Evaluation> evaluations;
   for (std::size_t i = 0; i < batch.size(); ++i) {
-    const Answer& answer = answers[place[i]];
+    const EvaluationStore::Answer& answer = answers[place[i]];
     const bool is_first = needed_.insert(BytesOf(batch[i])).second;
-    counts_.restored += is_first && answer.restored;
+    counts_.restored += is_first && answer.was_stored;
     if (is_first || repeats_ == Repeats::kPaid) Count(answer.evaluation);
     else ++counts_.reused;
     evaluations.push_back(answer.evaluation);
@@ -99,11 +94,10 @@ std::vector<Evaluation> Archive::EvaluateStored(const std::vector<Eigen::VectorX
   return evaluations;
 }
 
-// What is paid for is stored before anything is made of it.
-Archive::Answer Archive::Ask(const Eigen::VectorXd& values) const {
-  if (store_ == nullptr) return {EvaluateGuarded(problem_, values)};
-  if (std::optional<Evaluation> stored = store_->Find(values)) return {*std::move(stored), true};
-  return {store_->Put(values, EvaluateGuarded(problem_, values))};
+EvaluationStore::Answer Archive::Ask(const Eigen::VectorXd& values) const {
+  const auto evaluate = [&] { return EvaluateGuarded(problem_, values); };
+  if (store_ == nullptr) return {evaluate()};
+  return store_->FindOrEvaluate(values, evaluate);
 }
 
 std::optional<Eigen::MatrixXd> Archive::Differentiate(const Eigen::VectorXd& values) {

@@ -114,14 +114,8 @@ class Archive {
     std::size_t operator()(const LatticePoint& point) const;
   };
 
-  // An evaluation, and whether it came from the store.
-  struct Answer {
-    Evaluation evaluation;
-    bool restored = false;
-  };
-
   std::vector<LatticePoint> NewPoints(const std::vector<LatticePoint>& batch) const;
-  Answer Ask(const Eigen::VectorXd& values) const;
+  EvaluationStore::Answer Ask(const Eigen::VectorXd& values) const;
   std::vector<Evaluation> EvaluateStored(const std::vector<Eigen::VectorXd>& batch);
   // Sums over unlike numbers of residuals cannot be compared: the first evaluation decides how many there are.
   void CheckSize(Evaluation& evaluation);

@@ -61,6 +61,10 @@ Evaluation Infeasible(double violation, std::string detail) {
   return evaluation;
 }
 
+std::string BytesOf(const Eigen::VectorXd& values) {
+  return {reinterpret_cast<const char*>(values.data()), static_cast<std::size_t>(values.size()) * sizeof(double)};
+}
+
 Evaluation EvaluateGuarded(const Problem& problem, const Eigen::VectorXd& values) {
   try {
     return Checked(problem.evaluate(values, Deadline::In(problem.deadline_s)));

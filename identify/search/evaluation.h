@@ -58,6 +58,9 @@ Evaluation Failed(Failure failure, std::string detail);
 /// An infeasible one: `violation` > 0, the sum of what each constraint is exceeded by as a share of its scale.
 Evaluation Infeasible(double violation, std::string detail);
 
+/// Tells values apart that print alike.
+std::string BytesOf(const Eigen::VectorXd& values);
+
 /// A model as the search sees it: from values, in the order of the lattice's axes, to an evaluation. Made of a function
 /// of the values and a Deadline, or of the values alone where no evaluation can take long.
 class ModelFunction {

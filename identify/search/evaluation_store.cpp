@@ -171,6 +171,35 @@ EvaluationStore::EvaluationStore(const fs::path& file, const EvaluationContext& 
 
 EvaluationStore::~EvaluationStore() = default;
 
+/// While it lives no other thread has these values.
+class EvaluationStore::Claim {
+ public:
+  Claim(EvaluationStore& store, const Eigen::VectorXd& values) : store_(store), bytes_(BytesOf(values)) {
+    std::unique_lock lock(store_.claims_mutex_);
+    store_.released_.wait(lock, [&] { return store_.claimed_.insert(bytes_).second; });
+  }
+  ~Claim() {
+    {
+      const std::lock_guard lock(store_.claims_mutex_);
+      store_.claimed_.erase(bytes_);
+    }
+    store_.released_.notify_all();
+  }
+  Claim(const Claim&) = delete;
+  Claim& operator=(const Claim&) = delete;
+
+ private:
+  EvaluationStore& store_;
+  std::string bytes_;
+};
+
+EvaluationStore::Answer EvaluationStore::FindOrEvaluate(const Eigen::VectorXd& values,
+                                                        const std::function<Evaluation()>& evaluate) {
+  const Claim claim(*this, values);
+  if (std::optional<Evaluation> stored = Find(values)) return {*std::move(stored), true};
+  return {Put(values, evaluate()), false};
+}
+
 std::optional<Evaluation> EvaluationStore::Find(const Eigen::VectorXd& values) const {
   const std::lock_guard lock(mutex_);
   Statement& find = connection_->find;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <condition_variable>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include <Eigen/Core>
@@ -42,16 +45,32 @@ class EvaluationStore {
   /// Of these values, compared bit by bit. Throws OutputError when the file cannot be read.
   std::optional<Evaluation> Find(const Eigen::VectorXd& values) const;
 
+  struct Answer {
+    Evaluation evaluation;
+    /// Before it was asked for, or by another thread meanwhile.
+    bool was_stored = false;
+  };
+
+  /// What is stored of these values, or else what `evaluate` makes of them, which is stored before anything is made of
+  /// it. Of threads that ask for the same at once one evaluates and the others wait, so `evaluate` must not ask in
+  /// turn. Throws what `evaluate`, Find() and Put() throw.
+  Answer FindOrEvaluate(const Eigen::VectorXd& values, const std::function<Evaluation()>& evaluate);
+
   /// Stores it, and returns what is stored: where another program was faster, its evaluation. Throws OutputError when
   /// it cannot be written, as on a full disk; what was there before stays.
   Evaluation Put(const Eigen::VectorXd& values, Evaluation evaluation);
 
  private:
   struct Connection;
+  class Claim;
   std::filesystem::path file_;
   std::unique_ptr<Connection> connection_;
   std::int64_t context_ = 0;
   mutable std::mutex mutex_;
+  // The bytes of the values that a thread evaluates.
+  std::unordered_set<std::string> claimed_;
+  std::mutex claims_mutex_;
+  std::condition_variable released_;
 };
 
 /// The parts in which this context differs from the one that the file was used with last: "vehicle", "data",

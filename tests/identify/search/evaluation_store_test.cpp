@@ -2,10 +2,13 @@
 
 #include <sqlite3.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
@@ -183,6 +186,31 @@ TEST_F(EvaluationStoreTest, RefusesALayoutThatItDoesNotKnow) {
   { const EvaluationStore store(file_, kContext); }
   Database(file_, SQLITE_OPEN_READWRITE).Execute("PRAGMA user_version = 2");
   EXPECT_THAT(OutputErrorOf(file_), HasSubstr("not the layout that this program knows"));
+}
+
+TEST_F(EvaluationStoreTest, ThreadsThatAskAtOncePayOnce) {
+  EvaluationStore store(file_, kContext);
+  std::atomic<int> evaluated = 0;
+  std::atomic<int> found = 0;
+  const auto evaluate = [&] {
+    ++evaluated;
+    // So that the others come meanwhile.
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return Residuals({1});
+  };
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t) threads.emplace_back([&] { found += store.FindOrEvaluate(At(1), evaluate).was_stored; });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(evaluated, 1);
+  EXPECT_EQ(found, 3);
+  EXPECT_EQ(ReadStoredContent(file_).paid, 1);
+}
+
+TEST_F(EvaluationStoreTest, GivesWayAfterAnEvaluationThatThrows) {
+  EvaluationStore store(file_, kContext);
+  EXPECT_THROW(store.FindOrEvaluate(At(1), []() -> Evaluation { throw std::bad_alloc(); }), std::bad_alloc);
+  EXPECT_FALSE(store.Find(At(1)));
+  EXPECT_EQ(store.FindOrEvaluate(At(1), [] { return Residuals({3}); }).evaluation.residuals[0], 3);
 }
 
 TEST_F(EvaluationStoreTest, TakesAnEmptyFileForANewOne) {
