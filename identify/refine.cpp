@@ -207,23 +207,12 @@ std::string_view RefineEndName(RefineEnd end) {
 
 namespace {
 
-RefineResult RefineWithLoss(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options,
-                            const std::function<bool()>& stop) {
-  const FitVariables variables(archive.lattice());
-  Eigen::VectorXd x = variables.FromValues(start);
-  const std::int64_t paid_before = archive.counts().paid;
-
+// From `here`, which it moves to the optimum.
+RefineResult Descend(Archive& archive, const FitVariables& variables, const RefineOptions& options,
+                     const std::function<bool()>& stop, Residuals& here) {
   RefineResult result;
-  result.values = start;
-  const Evaluation first = archive.EvaluateValues({variables.ToValues(x)}).front();
-  result.evaluations = archive.counts().paid - paid_before;
-  if (!first.ok()) {
-    result.end = RefineEnd::kStartFailed;
-    result.message = first.detail;
-    return result;
-  }
-
-  ResidualFunction function(archive, variables, options, x, first.residuals);
+  ResidualFunction function(archive, variables, options, here.x, here.residuals);
+  Eigen::VectorXd x = here.x;
   const ceres::Solver::Summary summary = Solve(function, variables, options, stop, x);
   result.end = EndOf(summary.termination_type, !function.failure().empty());
   const bool refused = result.end == RefineEnd::kFailed && !function.failure().empty();
@@ -236,11 +225,10 @@ RefineResult RefineWithLoss(Archive& archive, const Eigen::VectorXd& start, cons
     function.MoveToBest();
   }
   if (function.Linearise()) result.jacobian = function.jacobian();
-  result.values = variables.ToValues(function.x());
-  result.residuals = function.residuals();
-  result.start_cost = options.loss.Cost(first.residuals);
-  result.cost = options.loss.Cost(result.residuals);
-  result.evaluations = archive.counts().paid - paid_before;
+  here = {function.x(), function.residuals()};
+  result.values = variables.ToValues(here.x);
+  result.residuals = here.residuals;
+  result.cost = options.loss.Cost(here.residuals);
   return result;
 }
 
@@ -256,15 +244,26 @@ std::optional<RobustLoss> Leading(const RefineOptions& options) {
 RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options,
                     const std::function<bool()>& stop) {
   options.Validate();
-  const std::optional<RobustLoss> leading = Leading(options);
-  if (!leading) return RefineWithLoss(archive, start, options, stop);
-  RefineOptions lead = options;
-  lead.loss = *leading;
-  const RefineResult led = RefineWithLoss(archive, start, lead, stop);
-  if (!led.has_cost()) return led;
-  RefineResult result = RefineWithLoss(archive, led.values, options, stop);
-  result.iterations += led.iterations;
-  result.evaluations += led.evaluations;
+  const FitVariables variables(archive.lattice());
+  const std::int64_t paid_before = archive.counts().paid;
+  Residuals here = {.x = variables.FromValues(start)};
+  const Evaluation first = archive.EvaluateValues({variables.ToValues(here.x)}).front();
+  if (!first.ok())
+    return {.end = RefineEnd::kStartFailed,
+            .message = first.detail,
+            .values = start,
+            .evaluations = archive.counts().paid - paid_before};
+  here.residuals = first.residuals;
+  int iterations = 0;
+  if (const std::optional<RobustLoss> leading = Leading(options)) {
+    RefineOptions lead = options;
+    lead.loss = *leading;
+    iterations = Descend(archive, variables, lead, stop, here).iterations;
+  }
+  RefineResult result = Descend(archive, variables, options, stop, here);
+  result.start_cost = options.loss.Cost(first.residuals);
+  result.iterations += iterations;
+  result.evaluations = archive.counts().paid - paid_before;
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "identify/robust_loss.h"
 
 #include <cmath>
+#include <limits>
 
 #include <ceres/loss_function.h>
 
@@ -55,6 +56,7 @@ double RobustLoss::EquivalentCost(const Eigen::VectorXd& residuals) const {
     slope += first + 2 * r * r * second;
   }
   slope /= static_cast<double>(residuals.size());
+  if (!(slope > 0)) return std::numeric_limits<double>::infinity();
   return squares / (slope * slope);
 }
 

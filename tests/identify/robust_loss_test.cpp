@@ -112,6 +112,14 @@ TEST(RobustLoss, EquivalentCostIsThatOfTheNoiseWhateverTheLoss) {
   }
 }
 
+TEST(RobustLoss, ResidualsThatAreAllRejectedDetermineNothing) {
+  const RobustLoss tukey(LossKind::kTukey, 1, 0);
+  EXPECT_EQ(tukey.EquivalentCost(Eigen::Vector3d(5, -7, 9)), std::numeric_limits<double>::infinity());
+  // Where Tukey's psi falls, at the scale over sqrt(5) and beyond.
+  EXPECT_EQ(tukey.EquivalentCost(Eigen::Vector2d(0.5, -0.6)), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isfinite(tukey.EquivalentCost(Eigen::Vector2d(0.4, -7))));
+}
+
 TEST(RobustLoss, RefusesAScaleThatIsNone) {
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")})
     EXPECT_THROW(RobustLoss(LossKind::kHuber, bad, 0), std::invalid_argument);
@@ -151,6 +159,7 @@ TEST(RobustLoss, KeepsOutliersFromPullingALine) {
     const double most = kind == LossKind::kHuber || kind == LossKind::kSoftL1 ? 8 : 4;
     EXPECT_NEAR(line.values[1], 0.5, most * sd) << loss.name();
     EXPECT_NEAR(line.cost, loss.Cost(line.residuals), 1e-12 * line.cost);
+    EXPECT_EQ(line.start_cost, loss.Cost(SoiledLine().evaluate(Eigen::Vector2d(0, 0)).residuals)) << loss.name();
     // The residuals are those of the model, and so is the Jacobian: by the offset, a share of its range of 200.
     EXPECT_NEAR(line.residuals.cwiseAbs().maxCoeff(), 40, 6) << loss.name();
     EXPECT_NEAR(line.jacobian(3, 0), 200, 1e-4) << loss.name();
