@@ -82,6 +82,13 @@ std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const FourPostOb
   return starts;
 }
 
+/// By the refinement's loss; of the search squares are known, no residuals. NaN when it fails now.
+double CostOf(Archive& archive, const Candidate& candidate, const RobustLoss& loss) {
+  if (loss.kind() == LossKind::kNone) return candidate.cost;
+  const Evaluation again = archive.EvaluateValues({candidate.values}).front();
+  return again.ok() ? loss.Cost(again.residuals) : std::numeric_limits<double>::quiet_NaN();
+}
+
 }  // namespace
 
 std::string_view FitEndName(FitEnd end) {
@@ -111,7 +118,8 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
   result.values = objective.vehicle().ParameterValues();
   result.residual_count = objective.residual_count();
   result.prior_count = objective.prior_count();
-  result.loss = options.refine.loss;
+  result.options = options;
+  result.options.refine.step = options.refine.DifferenceStep(archive.problem());
   Dvhde search(archive.lattice(), options.search, options.seed);
   result.search = RunSearch(archive, search, options.stop, options.candidates,
                             {[&](const SearchGeneration&) { report("search"); }, stop});
@@ -129,12 +137,10 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
   };
   const MultiStartResult refined =
       RefineFrom(archive, Starts(result.search, objective, options.starts), options.refine, report_and_ask);
-  result.evaluations = archive.counts();
   result.starts = static_cast<int>(refined.runs.size());
   result.agreeing = refined.agreeing;
 
   Eigen::VectorXd values = result.search.candidates.front().values;
-  result.cost = result.search.candidates.front().cost;
   result.end = stop() ? FitEnd::kInterrupted : FitEnd::kNotConverged;
   if (refined.best >= 0) {
     const RefineResult& best = refined.runs[static_cast<std::size_t>(refined.best)];
@@ -143,11 +149,14 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
     result.end = EndOf(best, stop());
     result.message = best.message;
     if (best.jacobian.size() > 0) {
-      result.covariance = CovarianceOf(best, result.loss, result.prior_count, archive.lattice());
+      result.covariance = CovarianceOf(best, options.refine.loss, result.prior_count, archive.lattice());
       result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();
       result.weakest = Weakest(archive.lattice(), *result.covariance);
     }
+  } else {
+    result.cost = CostOf(archive, result.search.candidates.front(), options.refine.loss);
   }
+  result.evaluations = archive.counts();
   result.prior_cost = objective.PriorResiduals(values).squaredNorm();
   result.parameters = Describe(objective, values, result.covariance);
   result.values = objective.AllParameters(values);

@@ -61,7 +61,8 @@ struct FitResult {
   std::string message;
   /// Sum of squared whitened residuals, or of the refinement's loss of them, and how many there are; priors included.
   double cost = 0;
-  RobustLoss loss;
+  /// With which it was run; the step of differences is the one that was used.
+  FitOptions options;
   /// Sum of squares of the data's residuals, whatever the loss; with the covariance.
   double data_squares = 0;
   Eigen::Index residual_count = 0;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "identify/method_settings.h"
 #include "identify/versions.h"
 
 namespace fourpost {
@@ -65,16 +66,37 @@ Json Identifiability(const std::optional<Covariance>& covariance, const std::vec
           {"sd_inflation", covariance->inflation}};
 }
 
+/// Infinite and none: null.
+Json Stop(const StopRules& rules) {
+  return {{"target_cost", rules.target_cost ? Json(*rules.target_cost) : Json(nullptr)},
+          {"evaluations", rules.max_evaluations},
+          {"generations", rules.max_generations},
+          {"seconds", NumberOrNull(rules.max_seconds)},
+          {"stagnant_generations", rules.max_stagnant_generations},
+          {"free_generations", rules.max_free_generations},
+          {"on_collapse", rules.on_collapse}};
+}
+
 Json Search(const FitResult& fit) {
   Json settings = Json::object();
   for (const auto& [key, value] : fit.search_settings) settings[key] = value;
-  return {{"end", fit.search.reason}, {"settings", settings}};
+  const CandidateRules& candidates = fit.options.candidates;
+  return {{"end", fit.search.reason},
+          {"settings", settings},
+          {"stop", Stop(fit.options.stop)},
+          {"candidates", {{"count", candidates.count}, {"separation", candidates.separation}}}};
 }
 
 /// Only a loss has a scale.
-Json Refinement(const RobustLoss& loss) {
-  Json refinement = {{"loss", loss.name()}};
-  if (loss.kind() != LossKind::kNone) refinement["scale"] = loss.scale();
+Json Refinement(const RefineOptions& options) {
+  Json refinement = {{"loss", options.loss.name()}};
+  if (options.loss.kind() != LossKind::kNone) refinement["scale"] = options.loss.scale();
+  refinement["differences"] = kDifferencesWords[static_cast<std::size_t>(options.differences)];
+  refinement["step"] = options.step;
+  refinement["iterations"] = options.max_iterations;
+  refinement["cost_tolerance"] = options.cost_tolerance;
+  refinement["step_tolerance"] = options.step_tolerance;
+  refinement["agreement"] = options.agreement;
   return refinement;
 }
 
@@ -94,8 +116,9 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                      {"seed", seed},
                      {"evaluations", Evaluations(fit.evaluations)},
                      {"search", Search(fit)},
-                     {"refine", Refinement(fit.loss)},
-                     {"starts", {{"refined", fit.starts}, {"agreeing", fit.agreeing}}},
+                     {"refine", Refinement(fit.options.refine)},
+                     {"starts", {{"asked", fit.options.starts}, {"refined", fit.starts}, {"agreeing", fit.agreeing}}},
+                     {"deadline_s", NumberOrNull(fit.options.deadline_s)},
                      {"identifiability", Identifiability(fit.covariance, fit.weakest)},
                      {"parameters", Parameters(fit.parameters)},
                      {"channels", Channels(misfits)},

@@ -130,11 +130,11 @@ std::string LossWords(const RobustLoss& loss) {
 
 std::string Summary(const FitResult& fit) {
   const EvaluationCounts& counts = fit.evaluations;
-  return "fit " + std::string(FitEndName(fit.end)) + ": cost " + Rounded(fit.cost, 5) + LossWords(fit.loss) + " for " +
-         std::to_string(fit.residual_count) + " residuals" + PriorShare(fit) + "; " + std::to_string(counts.paid) +
-         " evaluations paid, " + std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) +
-         " failed; " + std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " refinements agree\n" +
-         "search ended by " + fit.search.reason + "\n";
+  return "fit " + std::string(FitEndName(fit.end)) + ": cost " + Rounded(fit.cost, 5) +
+         LossWords(fit.options.refine.loss) + " for " + std::to_string(fit.residual_count) + " residuals" +
+         PriorShare(fit) + "; " + std::to_string(counts.paid) + " evaluations paid, " + std::to_string(counts.reused) +
+         " reused, " + std::to_string(counts.failed()) + " failed; " + std::to_string(fit.agreeing) + " of " +
+         std::to_string(fit.starts) + " refinements agree\n" + "search ended by " + fit.search.reason + "\n";
 }
 
 /// How large the misfit is, and what the data say worst, in words.

@@ -217,6 +217,20 @@ TEST(Fit, EndsWithWhatItHasWhenAsked) {
   EXPECT_EQ(fit.residual_count, objective.residual_count());
 }
 
+TEST(Fit, CostsTheLossWhereNothingWasRefined) {
+  const LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 0);
+  const FourPostObjective objective = twin.MakeObjective();
+  FitOptions options = Options();
+  options.refine.loss = RobustLoss(LossKind::kHuber, 2, objective.prior_count());
+  int asked = 0;
+  const FitResult fit = Fit(objective, options, {.stop = [&] { return ++asked > 3; }});
+  ASSERT_EQ(fit.end, FitEnd::kInterrupted);
+  ASSERT_EQ(fit.starts, 0);
+  const Candidate& best = fit.search.candidates.front();
+  EXPECT_EQ(fit.cost, options.refine.loss.Cost(objective.Evaluate(best.values).residuals));
+  EXPECT_LT(fit.cost, best.cost);
+}
+
 TEST(Fit, TellsWhenEveryEvaluationFails) {
   LoadedStudy study = ShippedStudy();
   for (MeasuredRun& run : study.data.runs) run.excitation.amplitude_m.assign(run.excitation.amplitude_m.size(), 1e308);
