@@ -4,10 +4,15 @@
 #include <link.h>
 
 #include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 #include <string_view>
 
 #include <ceres/version.h>
 #include <Eigen/Core>
+
+#include "analysis/sha256.h"
 
 #include "vehicles/multibody/simbody_version.h"
 
@@ -63,7 +68,16 @@ std::vector<std::pair<std::string, std::string>> Versions() {
 std::string BuildId() {
   std::string id;
   dl_iterate_phdr(TakeFirst, &id);
-  return id;
+  return id.empty() ? ProgramDigest() : id;
+}
+
+std::string ProgramDigest() {
+  std::ifstream stream("/proc/self/exe", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+  if (bytes.empty()) throw std::runtime_error("cannot read /proc/self/exe, which tells builds of fourpost apart");
+  Sha256 digest;
+  digest.Add(bytes);
+  return digest.Hex();
 }
 
 }  // namespace fourpost

@@ -9,8 +9,11 @@ namespace fourpost {
 /// This program and the libraries that its results depend on: name and version.
 std::vector<std::pair<std::string, std::string>> Versions();
 
-/// What the linker made of the running program's code, in hexadecimal digits: equal for equal builds, another one as
-/// soon as the code differs. Empty where the linker left none.
+/// Of the running program, in hexadecimal digits: equal for equal builds, another one as soon as the code differs. What
+/// the linker left for it, else ProgramDigest().
 std::string BuildId();
+
+/// SHA-256 of the running program's file. Throws std::runtime_error when it cannot be read.
+std::string ProgramDigest();
 
 }  // namespace fourpost
