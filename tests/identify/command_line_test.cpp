@@ -1,14 +1,19 @@
 // The program as a user meets it: arguments in, text, files and exit code out.
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/identify/archive_copy.h"
 #include "tests/identify/program.h"
+#include "tests/identify/running_program.h"
 
 namespace fourpost {
 namespace {
@@ -384,10 +389,14 @@ TEST_F(CommandLine, DoesNotWriteOverItsInputs) {
 TEST_F(CommandLine, TellsWhenStdoutIsFull) { EXPECT_EQ(Run("check urdf/quarter_car.urdf --json >/dev/full").code, 5); }
 
 TEST_F(CommandLine, AnInterruptedFitKeepsTheBestSoFar) {
-  ReplaceIn(kStudy, "evaluations: 300", "evaluations: 100000000");
-  // `timeout` interrupts while the search runs, sometimes twice: the process and its group.
-  const Outcome outcome = RunShell(std::string("timeout --preserve-status -s INT 2 '") + FOURPOST_PROGRAM +
-                                   "' fit studies/landrover110/model2.yaml -o result");
+  ReplaceIn(kStudy, "  evaluations: 300\n", "  evaluations: 100000000\n  generations: 1000000\n");
+  RunningProgram program(folder_, "fit studies/landrover110/model2.yaml -o result");
+  // In the search, on any machine; twice, as timeout(1) does with the process and its group.
+  while (program.IsRunning() && RowsOfCopy(folder_ / "result/archive.sqlite") < 25)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  program.Signal(SIGINT);
+  program.Signal(SIGINT);
+  const Outcome outcome = {program.Wait(), program.out(), program.err()};
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("fit interrupted"));
   EXPECT_THAT(outcome.out, HasSubstr("ended before deviations could be computed"));
