@@ -129,7 +129,8 @@ int main(int argc, char** argv) {
   sub->add_option("--threads", fit.threads, "Evaluations at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--resume", fit.resume,
-                "Go on with a fit that was ended: refuse when vehicle, recordings, settings or program have changed");
+                "Go on with a fit that was ended: refuse when vehicle, recordings, program, or settings that residuals "
+                "depend on, have changed");
   sub->add_flag("--json", fit.json, "Print result.json in place of tables");
   sub->callback([&] {
     run = [&] {

@@ -18,9 +18,9 @@ namespace fourpost {
 /// The condensed vehicle moves as the full system does if the forces are added by which the two differ:
 ///   g(t) = what the condensed vehicle needs to move as s(t) - what Multibody::Residual needs to, along dq/ds.
 /// Linear shares of both cancel, and so do most of the kinks of their laws: g is small and smooth, a dozen samples of a
-/// cycle tell its harmonics. The linearised cycle is solved under g, g found at its solution, and so on with Anderson
-/// acceleration, two to eight times. s: the coordinates of Chart about the design pose, which is the static
-/// equilibrium.
+/// cycle tell its harmonics, and some more where it is large. The linearised cycle is solved under g, g found at its
+/// solution, and so on with Anderson acceleration, two to eight times. s: the coordinates of Chart about the design
+/// pose, which is the static equilibrium.
 ///
 /// Hydraulic dampers remember, and their tension has many harmonics: over a fine grid of the cycle each is stepped
 /// through the extension that the linearised one has, with all its harmonics, and the few by which the dozen samples
