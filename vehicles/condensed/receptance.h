@@ -46,6 +46,9 @@ class Receptance {
 
   const LinearVehicle& vehicle() const { return vehicle_; }
 
+  /// Of the ports, size x ports.
+  const Eigen::MatrixXd& directions() const { return directions_; }
+
   /// Whether it goes by poles.
   bool by_poles() const { return poles_.has_value(); }
 

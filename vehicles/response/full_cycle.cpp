@@ -97,12 +97,6 @@ Eigen::MatrixXd SeriesDirections(const CondensedModel& model, const std::vector<
   return directions;
 }
 
-Eigen::MatrixXd PortDirections(const std::vector<Port>& ports, Eigen::Index size) {
-  Eigen::MatrixXd directions(size, static_cast<Eigen::Index>(ports.size()));
-  for (std::size_t j = 0; j < ports.size(); ++j) directions.col(static_cast<Eigen::Index>(j)) = ports[j].direction;
-  return directions;
-}
-
 }  // namespace
 
 FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const std::vector<double>& shape,
@@ -119,7 +113,6 @@ FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const st
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
   series_ = SeriesOf(linearised_.ports(), chart_.size(), linear.size());
   series_directions_ = SeriesDirections(model, series_);
-  port_directions_ = PortDirections(linearised_.ports(), linear.size());
   stiffness_ = linear.stiffness.diagonal().cwiseAbs();
   mass_ = Eigen::VectorXd::Zero(linear.size());
   mass_.head(linear.mass.rows()) = linear.mass.diagonal();
@@ -134,7 +127,7 @@ void FullCycle::Take(const Sampling& sampling) {
   lacking_.resize(sampling.samples, mass_.size());
   readings_.resize(sampling.samples, sensors_.rows());
   pressures_.setZero(sampling.samples, static_cast<Eigen::Index>(2 * hydraulics_.size()));
-  tension_aliases_.setZero(sampling.harmonics + 1, port_directions_.cols());
+  tension_aliases_.setZero(sampling.harmonics + 1, linearised_.directions().cols());
   const Eigen::MatrixXcd before = std::exchange(added_, Eigen::MatrixXcd::Zero(sampling.harmonics + 1, mass_.size()));
   const Eigen::Index known = std::min(before.rows(), added_.rows());
   added_.topRows(known) = before.topRows(known);
@@ -247,7 +240,7 @@ Eigen::MatrixXcd FullCycle::Departure(const Eigen::MatrixXcd& motion, bool read)
   aliases.topRows(known) -= linearised_.remainder().topRows(known);
   for (const std::size_t j : hydraulics_)
     aliases.col(static_cast<Eigen::Index>(j)) = tension_aliases_.col(static_cast<Eigen::Index>(j));
-  return linearised_.MotionBy(aliases * port_directions_.transpose() - lacking);
+  return linearised_.MotionBy(aliases * linearised_.directions().transpose() - lacking);
 }
 
 void FullCycle::SampleCycle(const Eigen::MatrixXcd& motion, bool read) {

@@ -68,8 +68,6 @@ class FullCycle {
   Eigen::MatrixXd series_directions_;
   /// Of the hydraulic dampers, as indices in the ports.
   std::vector<std::size_t> hydraulics_;
-  /// Of the ports, size x ports.
-  Eigen::MatrixXd port_directions_;
   /// See EnergyWeights.
   Eigen::VectorXd stiffness_;
   Eigen::VectorXd mass_;

@@ -48,6 +48,8 @@ class LinearisedCycle {
   const PortCycle& cycle() const { return *levels_[level_]; }
   double omega() const { return omega_; }
   const LinearVehicle& vehicle() const { return receptance_.vehicle(); }
+  /// Of the ports, size x ports.
+  const Eigen::MatrixXd& directions() const { return receptance_.directions(); }
   /// See Receptance.
   void Compliance(int harmonics, Eigen::MatrixXcd& compliance) {
     receptance_.Compliance(omega_, harmonics, compliance);
