@@ -14,14 +14,7 @@ namespace {
 constexpr double kAtBound = 1e-6;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-Eigen::VectorXd StartValues(const FourPostObjective& objective) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(objective.free().size()));
-  for (std::size_t i = 0; i < objective.free().size(); ++i)
-    values[static_cast<Eigen::Index>(i)] = objective.vehicle().parameters[objective.free()[i]].value;
-  return values;
-}
-
-std::vector<FittedParameter> Describe(const FourPostObjective& objective, const Eigen::VectorXd& values,
+std::vector<FittedParameter> Describe(const VehicleObjective& objective, const Eigen::VectorXd& values,
                                       const std::optional<Covariance>& covariance) {
   std::vector<FittedParameter> out;
   for (std::size_t i = 0; i < objective.free().size(); ++i) {
@@ -74,11 +67,11 @@ FitEnd EndOf(const RefineResult& best, bool interrupted) {
 }
 
 /// Distinct good points of the search, and the vehicle's own values.
-std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const FourPostObjective& objective, int count) {
+std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const VehicleObjective& objective, int count) {
   std::vector<Eigen::VectorXd> starts;
   for (const Candidate& candidate : search.candidates)
     if (static_cast<int>(starts.size()) < count) starts.push_back(candidate.values);
-  starts.push_back(StartValues(objective));
+  starts.push_back(objective.FileValues());
   return starts;
 }
 
@@ -102,7 +95,7 @@ std::string_view FitEndName(FitEnd end) {
   return "";
 }
 
-FitResult Fit(const FourPostObjective& objective, const FitOptions& options, const FitHooks& hooks,
+FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
               EvaluationStore* store) {
   Problem problem = objective.MakeProblem();
   problem.deadline_s = options.deadline_s;
@@ -120,8 +113,7 @@ FitResult Fit(const FourPostObjective& objective, const FitOptions& options, con
   result.prior_count = objective.prior_count();
   result.options = options;
   result.options.refine.step = options.refine.DifferenceStep(archive.problem());
-  Dvhde search(archive.lattice(), options.search, options.seed);
-  result.search = RunSearch(archive, search, options.stop, options.candidates,
+  result.search = RunMethod(options.search, archive, options.seed, options.stop, options.candidates,
                             {[&](const SearchGeneration&) { report("search"); }, stop});
   result.search_settings = Settings(options.search);
   result.evaluations = archive.counts();

@@ -10,15 +10,16 @@
 #include <vector>
 
 #include "identify/covariance.h"
-#include "identify/four_post_objective.h"
 #include "identify/refine.h"
 #include "identify/search/archive.h"
-#include "identify/search/dvhde.h"
+#include "identify/search_method_list.h"
+#include "identify/vehicle_objective.h"
 
 namespace fourpost {
 
 struct FitOptions {
-  DvhdeOptions search = ThesisDvhde();
+  /// How it explores before it refines.
+  MethodOptions search = PlainEvolution();
   std::uint64_t seed = 1;
   StopRules stop;
   CandidateRules candidates;
@@ -104,10 +105,10 @@ struct FitHooks {
   std::function<bool()> stop;
 };
 
-/// dvHDE over the lattice of the free parameters, then Levenberg-Marquardt from its distinct best points. `store`:
+/// A search over the lattice of the free parameters, then Levenberg-Marquardt from its distinct best points. `store`:
 /// where evaluations of this objective are kept; what it holds shortens the fit and does not change it. Throws
 /// OutputError when it cannot be written.
-FitResult Fit(const FourPostObjective& objective, const FitOptions& options, const FitHooks& hooks = {},
+FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks = {},
               EvaluationStore* store = nullptr);
 
 }  // namespace fourpost

@@ -1,9 +1,11 @@
 #include "identify/loaded_study.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "analysis/frequency_response_file.h"
 #include "analysis/nearest.h"
+#include "identify/four_post_residuals.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -61,9 +63,13 @@ bool HasFiles(const Study& study, Diagnostics& diagnostics) {
 
 }  // namespace
 
-FourPostObjective LoadedStudy::MakeObjective() const {
-  return {vehicle, InBand(data.runs, study.band_lower_Hz, study.band_upper_Hz), data.static_loads, free,
-          study.model_error};
+VehicleObjective LoadedStudy::MakeObjective() const {
+  const auto condensed = std::make_shared<const CondensedVehicle>(vehicle);
+  std::vector<ResidualBlock> blocks;
+  blocks.push_back(
+      FourPostResiduals(condensed, InBand(data.runs, study.band_lower_Hz, study.band_upper_Hz), study.model_error));
+  blocks.push_back(StaticLoadResiduals(condensed, data.static_loads));
+  return {vehicle, free, std::move(blocks)};
 }
 
 std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {

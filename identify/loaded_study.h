@@ -6,8 +6,8 @@
 
 #include "analysis/diagnostics.h"
 #include "identify/four_post_data.h"
-#include "identify/four_post_objective.h"
 #include "identify/study.h"
+#include "identify/vehicle_objective.h"
 #include "vehicles/description/vehicle.h"
 
 namespace fourpost {
@@ -21,7 +21,7 @@ struct LoadedStudy {
   std::vector<std::size_t> free;
 
   /// The misfit over the study's band. Throws FaultyInput when the vehicle cannot be assembled or held.
-  FourPostObjective MakeObjective() const;
+  VehicleObjective MakeObjective() const;
 };
 
 /// Reads a study, its vehicle and its recordings. Adds every fault of all of them to `diagnostics`; nothing when there

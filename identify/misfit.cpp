@@ -27,8 +27,8 @@ void Add(const MeasuredChannel& measured, const ChannelResponse& modelled, Sums&
 
 }  // namespace
 
-std::vector<ChannelMisfit> Misfits(const std::vector<MeasuredRun>& runs,
-                                   const std::vector<FrequencyResponse>& modelled) {
+std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
+                                           const std::vector<FrequencyResponse>& modelled) {
   std::vector<ChannelMisfit> misfits;
   std::vector<Sums> sums;
   for (std::size_t r = 0; r < runs.size(); ++r)

@@ -15,9 +15,27 @@ struct ChannelMisfit {
   double rms_deg = 0;
 };
 
+/// Of a channel of a time recording.
+struct HistoryMisfit {
+  std::string recording;
+  std::string name;
+  /// 100/(N var) sum of squared errors, var: the variance of the measured channel (thesis eq. 3.9); and the share of
+  /// that variance that the model accounts for, 100 (1 - var(error)/var).
+  double nmse_percent = 0;
+  double vaf_percent = 0;
+};
+
+/// How far a fitted vehicle is from all the data of its study.
+struct Misfits {
+  std::vector<ChannelMisfit> responses;
+  std::vector<HistoryMisfit> histories;
+  /// Modelled load of each tyre of the vehicle at rest [N]; empty where it was not needed.
+  std::vector<double> tyre_loads;
+};
+
 /// `modelled`: one response per run, at its frequencies, one channel per sensor of the vehicle.
-std::vector<ChannelMisfit> Misfits(const std::vector<MeasuredRun>& runs,
-                                   const std::vector<FrequencyResponse>& modelled);
+std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
+                                           const std::vector<FrequencyResponse>& modelled);
 
 /// Root mean square over channels whose names begin with `prefix`; all of them for an empty one.
 ChannelMisfit GroupMisfit(const std::vector<ChannelMisfit>& channels, const std::string& prefix);

@@ -39,9 +39,14 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
   return list;
 }
 
-Json Channels(const std::vector<ChannelMisfit>& misfits) {
+Json Channels(const Misfits& misfits) {
   Json list = Json::array();
-  for (const ChannelMisfit& misfit : misfits)
+  for (const HistoryMisfit& misfit : misfits.histories)
+    list.push_back({{"recording", misfit.recording},
+                    {"name", misfit.name},
+                    {"nmse_percent", NumberOrNull(misfit.nmse_percent)},
+                    {"vaf_percent", NumberOrNull(misfit.vaf_percent)}});
+  for (const ChannelMisfit& misfit : misfits.responses)
     list.push_back(
         {{"name", misfit.name}, {"rms_dB", NumberOrNull(misfit.rms_dB)}, {"rms_deg", NumberOrNull(misfit.rms_deg)}});
   return list;
@@ -102,8 +107,7 @@ Json Refinement(const RefineOptions& options) {
 
 }  // namespace
 
-std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit,
-                       const std::vector<ChannelMisfit>& misfits, const std::vector<double>& tyre_loads) {
+std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit, const Misfits& misfits) {
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   const Json json = {{"termination", FitEndName(fit.end)},
@@ -122,7 +126,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                      {"identifiability", Identifiability(fit.covariance, fit.weakest)},
                      {"parameters", Parameters(fit.parameters)},
                      {"channels", Channels(misfits)},
-                     {"static_loads", StaticLoads(study, tyre_loads)},
+                     {"static_loads", StaticLoads(study, misfits.tyre_loads)},
                      {"versions", versions}};
   return json.dump(2) + '\n';
 }

@@ -13,7 +13,6 @@ namespace fourpost {
 /// `identifiability` with all deviations when the fit ended before they could be computed. A parameter has a `prior`
 /// when its vehicle file gives it one.
 /// `seed`: that of the search; `tyre_loads`: at rest, one per tyre of the vehicle [N].
-std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit,
-                       const std::vector<ChannelMisfit>& misfits, const std::vector<double>& tyre_loads);
+std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit, const Misfits& misfits);
 
 }  // namespace fourpost

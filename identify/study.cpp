@@ -250,11 +250,16 @@ class StudyReader {
 
   void ReadSearch(const YAML::Node& node) {
     const StrictMap map =
-        Map(node, "'search'", {"seed", "evaluations", "population", "starts", "generations", "deadline"});
+        Map(node, "'search'",
+            {"seed", "method", "evaluations", "population", "starts", "generations", "stagnation", "time", "deadline"});
     StudySearch& search = study_.search;
     search.seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 1L << 62).value_or(static_cast<long>(search.seed)));
-    search.evaluations = map.Integer("evaluations", 1, 1L << 40).value_or(search.evaluations);
-    search.population = static_cast<int>(map.Integer("population", 4, 100000).value_or(search.population));
+    search.evaluations = map.Integer("evaluations", 1, 1L << 40);
+    search.method = map.Text("method").value_or(search.method);
+    search.method_line = map.Has("method") ? LineOf(map.Get("method")) : map.line();
+    if (const auto population = map.Integer("population", 4, 100000)) search.population = static_cast<int>(*population);
+    search.stagnation = static_cast<int>(map.Integer("stagnation", 1, 1L << 30).value_or(search.stagnation));
+    search.time_s = map.Quantity("time", kTime, 0).value_or(search.time_s);
     search.generations = static_cast<int>(map.Integer("generations", 1, 1L << 30).value_or(search.generations));
     search.starts = static_cast<int>(map.Integer("starts", 1, 1000).value_or(search.starts));
     search.deadline_s = map.Quantity("deadline", kTime, 0).value_or(search.deadline_s);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -43,11 +44,20 @@ struct ModelError {
 /// Settings of the search and the refinement that a study may change.
 struct StudySearch {
   std::uint64_t seed = 1;
-  std::int64_t evaluations = 300;
-  int population = 20;
+  /// One of kMethodNames or of the study's own; of one that refines, what it does before.
+  std::string method = "dvhde";
+  int method_line = 0;
+  /// Empty: 100 of a fit, which refines after them; 3000 of a comparison.
+  std::optional<std::int64_t> evaluations;
+  /// Empty: the method's own.
+  std::optional<int> population;
   int starts = 4;
   /// Of a fit: the thesis's appendix A.
   int generations = 150;
+  /// Generations without a better cost after which it ends; 0: never.
+  int stagnation = 0;
+  /// Wall time after which it ends: then results depend on the machine.
+  double time_s = std::numeric_limits<double>::infinity();
   /// What one evaluation may take: some thousand times what it takes as a rule, so that only one that hangs ends by it,
   /// however busy the machine is.
   double deadline_s = 10;

@@ -65,6 +65,14 @@ std::string Set(MethodOptions& options, const StudySetting& setting) {
   return known ? fault : fault + DidYouMean(setting.key, keys);
 }
 
+void SetPopulation(MethodOptions& options, int population) {
+  std::visit(
+      [&](auto& o) {
+        if constexpr (requires { o.population; }) o.population = population;
+      },
+      options);
+}
+
 MethodOptions OptionsOf(const StudyMethod& method, const std::string& file, const Problem& problem,
                         Diagnostics& diagnostics) {
   MethodOptions options = MethodPreset(method.preset, problem);
@@ -101,6 +109,27 @@ std::vector<ComparedMethod> MethodsOf(const Study& study, const std::vector<std:
                         "there is no method '" + name + "'" + DidYouMean(name, legal) + "; there are " + Listed(legal));
   }
   return methods;
+}
+
+MethodOptions ExplorationOf(const Study& study, const Problem& problem, Diagnostics& diagnostics) {
+  const std::string file = study.file.string();
+  Diagnostics faults;
+  const std::vector<ComparedMethod> methods = MethodsOf(study, {study.search.method}, problem, faults);
+  for (const Diagnostic& fault : faults.items())
+    diagnostics.Error(file, fault.line > 0 ? fault.line : study.search.method_line, fault.message);
+  if (faults.HasErrors()) return MethodPreset("dvhde", problem);
+  MethodOptions options = methods.front().options;
+  if (const auto* refining = std::get_if<MultiStartOptions>(&options)) {
+    if (refining->explore_evaluations == 0)
+      diagnostics.Error(file, study.search.method_line,
+                        "'" + study.search.method +
+                            "' refines random points, and a fit refines by itself: choose how it explores before, such "
+                            "as dvhde, thesis, de or direct");
+    const DvhdeOptions explore = refining->explore;
+    options.emplace<DvhdeOptions>(explore);
+  }
+  if (study.search.population) SetPopulation(options, *study.search.population);
+  return options;
 }
 
 }  // namespace fourpost

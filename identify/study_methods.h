@@ -15,4 +15,7 @@ namespace fourpost {
 std::vector<ComparedMethod> MethodsOf(const Study& study, const std::vector<std::string>& names, const Problem& problem,
                                       Diagnostics& diagnostics);
 
+/// How a fit explores before it refines: by `search: method`, with its population. Adds every fault to `diagnostics`.
+MethodOptions ExplorationOf(const Study& study, const Problem& problem, Diagnostics& diagnostics);
+
 }  // namespace fourpost

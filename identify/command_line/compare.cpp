@@ -27,7 +27,7 @@ namespace {
 
 /// What a study asks to solve, and what that refers to.
 struct StudyProblem {
-  std::optional<FourPostObjective> objective;
+  std::optional<VehicleObjective> objective;
   std::optional<Problem> problem;
   std::optional<double> target_cost;
   EvaluationContext context;
@@ -151,8 +151,10 @@ int Run(const CompareCommand& command) {
   options.seed = command.seed;
   options.threads = command.threads;
   options.rules.target_cost = loaded.target_cost;
-  options.rules.max_evaluations = study.search.evaluations;
+  options.rules.max_evaluations = study.search.evaluations.value_or(3000);
   options.rules.max_generations = study.search.generations;
+  options.rules.max_stagnant_generations = study.search.stagnation;
+  options.rules.max_seconds = study.search.time_s;
   const Comparison comparison = CompareWithProgress(problem, methods, options, store);
   const bool nothing_succeeded = !std::isfinite(comparison.target_cost);
   Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed)

@@ -6,18 +6,17 @@
 #include "analysis/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/fit_section.h"
 #include "identify/command_line/inputs_elsewhere.h"
 #include "identify/command_line/interrupt.h"
-#include "identify/command_line/misfit_table.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/text_table.h"
 #include "identify/fit.h"
 #include "identify/loaded_study.h"
-#include "identify/modelled_response.h"
-#include "identify/response_chart.h"
 #include "identify/result_json.h"
 #include "identify/study_context.h"
+#include "identify/study_methods.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -57,13 +56,17 @@ void TellRestored(const EvaluationCounts& counts, const EvaluationStore& store) 
                static_cast<long long>(counts.paid), store.file().c_str());
 }
 
-FitOptions OptionsOf(const Study& study, const FourPostObjective& objective, const FitCommand& command) {
+FitOptions OptionsOf(const Study& study, const VehicleObjective& objective, const FitCommand& command) {
   const StudySearch& search = study.search;
   FitOptions options;
-  options.search.population = search.population;
+  Diagnostics diagnostics;
+  options.search = ExplorationOf(study, objective.MakeProblem(), diagnostics);
+  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
   options.seed = command.seed.value_or(search.seed);
-  options.stop.max_evaluations = search.evaluations;
+  options.stop.max_evaluations = search.evaluations.value_or(100);
   options.stop.max_generations = search.generations;
+  options.stop.max_stagnant_generations = search.stagnation;
+  options.stop.max_seconds = search.time_s;
   options.candidates.count = search.starts;
   options.starts = search.starts;
   options.threads = command.threads;
@@ -82,7 +85,7 @@ std::string ProgressText(const FitProgress& progress, std::int64_t search_evalua
          Rounded(progress.best_cost, 5);
 }
 
-FitResult FitWithProgress(const FourPostObjective& objective, const FitOptions& options, EvaluationStore& store) {
+FitResult FitWithProgress(const VehicleObjective& objective, const FitOptions& options, EvaluationStore& store) {
   CatchInterrupts();
   ProgressLine line;
   FitHooks hooks;
@@ -153,15 +156,6 @@ std::string Judgement(const FitResult& fit) {
   return text;
 }
 
-std::string LoadTable(const LoadedStudy& loaded, const std::vector<double>& modelled) {
-  if (loaded.data.static_loads.empty()) return "";
-  TextTable table({"static load", "measured, N", "sd", "modelled, N"});
-  for (const MeasuredLoad& load : loaded.data.static_loads)
-    table.Add({loaded.vehicle.tyres[load.tyre].name, Rounded(load.load_N, 5), Rounded(load.sd_N, 3),
-               Rounded(modelled[load.tyre], 5)});
-  return table.Format() + '\n';
-}
-
 int CodeOf(FitEnd end) {
   switch (end) {
     case FitEnd::kConverged: return kGood;
@@ -191,31 +185,14 @@ Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResu
   return vehicle;
 }
 
-/// All that the folder will hold, and what is shown.
-struct FitReport {
-  std::string result_json;
-  std::string vehicle;
-  std::string response_csv;
-  std::string response_svg;
-  std::string text;
-};
-
-FitReport Report(const LoadedStudy& loaded, const FourPostObjective& objective, std::uint64_t seed,
-                 const FitResult& fit, const std::filesystem::path& folder) {
-  const double lower = loaded.study.band_lower_Hz;
-  const double upper = loaded.study.band_upper_Hz;
-  const std::vector<MeasuredRun>& runs = loaded.data.runs;
-  const std::vector<MeasuredRun> in_band = InBand(runs, lower, upper);
-  const CondensedModel model = objective.condensed().At(fit.values);
-  const std::vector<Sensor>& sensors = loaded.vehicle.sensors;
-  const std::vector<FrequencyResponse> modelled = ModelledResponses(model, sensors, runs);
-  const std::vector<ChannelMisfit> misfits = Misfits(in_band, ModelledResponses(model, sensors, in_band));
-  return {.result_json = ResultJson(loaded, seed, fit, misfits, model.preloads.tyre),
-          .vehicle = VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, folder),
-          .response_csv = ResponseCsv(runs, modelled, lower, upper),
-          .response_svg = ResponseSvg(runs, modelled, misfits, lower, upper),
-          .text = ParameterTable(fit.parameters) + '\n' + MisfitTable(misfits) + '\n' +
-                  LoadTable(loaded, model.preloads.tyre) + Summary(fit) + Judgement(fit)};
+/// What the folder will hold, result.json last, and what is shown.
+FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit,
+                  const std::filesystem::path& folder) {
+  FitSection report = FourPostSection(loaded, fit);
+  report.text = ParameterTable(fit.parameters) + '\n' + report.text + Summary(fit) + Judgement(fit);
+  report.files.emplace_back("vehicle.urdf", VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, folder));
+  report.files.emplace_back("result.json", ResultJson(loaded, seed, fit, report.misfits));
+  return report;
 }
 
 }  // namespace
@@ -225,7 +202,7 @@ int Run(const FitCommand& command) {
   const std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
   Tell(diagnostics);
-  const FourPostObjective objective = loaded->MakeObjective();
+  const VehicleObjective objective = loaded->MakeObjective();
   RequireInputsElsewhere(InputsOf(*loaded), command.output);
   OutputFolder output(command.output, kArchive);
   const EvaluationContext context = ContextOf(*loaded);
@@ -240,14 +217,11 @@ int Run(const FitCommand& command) {
                  fit.message.c_str());
     return CodeOf(fit.end);
   }
-  const FitReport report = Report(*loaded, objective, options.seed, fit, command.output);
-  output.Add("vehicle.urdf", report.vehicle);
-  output.Add("response.csv", report.response_csv);
-  output.Add("response.svg", report.response_svg);
-  output.Add("result.json", report.result_json);
+  const FitSection report = Report(*loaded, options.seed, fit, command.output);
+  for (const auto& [name, text] : report.files) output.Add(name, text);
   output.Commit();
   std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
-  Print(command.json ? report.result_json : report.text);
+  Print(command.json ? report.files.back().second : report.text);
   return CodeOf(fit.end);
 }
 

@@ -97,7 +97,7 @@ int RespondToStudy(const ResponseCommand& command) {
     std::fprintf(stderr, "interrupted: %zu of %zu recordings are answered\n", modelled.size(), runs.size());
   if (modelled.empty()) return kInterrupted;
   runs.resize(modelled.size());
-  const std::vector<ChannelMisfit> misfits = Misfits(runs, modelled);
+  const std::vector<ChannelMisfit> misfits = ResponseMisfits(runs, modelled);
   if (!command.output.empty()) Write(command, *loaded, runs, modelled, misfits);
   Print(command.json ? AsJson(runs, modelled, misfits) : MisfitTable(misfits));
   return is_whole ? kGood : kInterrupted;

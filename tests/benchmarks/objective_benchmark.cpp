@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "identify/loaded_study.h"
+#include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/response/march.h"
 
 namespace fourpost {
@@ -19,7 +20,7 @@ LoadedStudy Study() {
 }
 
 void ByHarmonicBalance(benchmark::State& state) {
-  const FourPostObjective objective = Study().MakeObjective();
+  const VehicleObjective objective = Study().MakeObjective();
   Eigen::VectorXd values(static_cast<Eigen::Index>(objective.free().size()));
   for (std::size_t i = 0; i < objective.free().size(); ++i)
     values[static_cast<Eigen::Index>(i)] = objective.vehicle().parameters[objective.free()[i]].value;

@@ -389,7 +389,7 @@ TEST_F(CommandLine, DoesNotWriteOverItsInputs) {
 TEST_F(CommandLine, TellsWhenStdoutIsFull) { EXPECT_EQ(Run("check urdf/quarter_car.urdf --json >/dev/full").code, 5); }
 
 TEST_F(CommandLine, AnInterruptedFitKeepsTheBestSoFar) {
-  ReplaceIn(kStudy, "  evaluations: 300\n", "  evaluations: 100000000\n  generations: 1000000\n");
+  ReplaceIn(kStudy, "  evaluations: 100\n", "  evaluations: 100000000\n  generations: 1000000\n");
   RunningProgram program(folder_, "fit studies/landrover110/model2.yaml -o result");
   // In the search, on any machine; twice, as timeout(1) does with the process and its group.
   while (program.IsRunning() && RowsOfCopy(folder_ / "result/archive.sqlite") < 25)

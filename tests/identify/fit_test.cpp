@@ -9,6 +9,7 @@
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
 #include "tests/identify/shipped_study.h"
+#include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
 namespace {
@@ -67,7 +68,7 @@ FitOptions Options(int threads = 2) {
 TEST(Fit, RecoversTheParametersOfATwinWithoutNoise) {
   const std::vector<double> truth = Truth(ShippedStudy().vehicle);
   const LoadedStudy twin = Twin(truth, 0);
-  const FourPostObjective objective = twin.MakeObjective();
+  const VehicleObjective objective = twin.MakeObjective();
   const FitResult fit = Fit(objective, Options());
   EXPECT_EQ(fit.end, FitEnd::kConverged) << fit.message;
   ASSERT_EQ(fit.values.size(), truth.size());
@@ -80,7 +81,7 @@ TEST(Fit, RecoversTheParametersOfATwinWithoutNoise) {
 TEST(Fit, RecoversTheParametersOfANoisyTwinWithinTheirDeviations) {
   const std::vector<double> truth = Truth(ShippedStudy().vehicle);
   const LoadedStudy twin = Twin(truth, 1);
-  const FourPostObjective objective = twin.MakeObjective();
+  const VehicleObjective objective = twin.MakeObjective();
   const FitResult fit = Fit(objective, Options());
   EXPECT_EQ(fit.covariance.value().rank, static_cast<int>(truth.size()));
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -100,7 +101,7 @@ TEST(Fit, APriorOnOneMassDeterminesTheScaleThatAccelerationsLeaveOpen) {
   const std::vector<double> truth = Truth(ShippedStudy().vehicle);
   LoadedStudy twin = Twin(truth, 0);
   LeaveOutForces(twin);
-  const FourPostObjective without = twin.MakeObjective();
+  const VehicleObjective without = twin.MakeObjective();
   const FitResult open = Fit(without, Options());
   EXPECT_EQ(open.covariance.value().rank, static_cast<int>(truth.size()) - 1);
   EXPECT_TRUE(std::isinf(open.parameters[0].sd));
@@ -112,7 +113,7 @@ TEST(Fit, APriorOnOneMassDeterminesTheScaleThatAccelerationsLeaveOpen) {
   // So wide that differences of the data alone would hide it.
   const double prior_sd = 0.3 * mass.value;
   twin.vehicle.parameters[twin.free[0]].prior_sd = prior_sd;
-  const FourPostObjective with = twin.MakeObjective();
+  const VehicleObjective with = twin.MakeObjective();
   const FitResult fit = Fit(with, Options());
   EXPECT_EQ(fit.end, FitEnd::kConverged) << fit.message;
   EXPECT_EQ(fit.residual_count, open.residual_count + 1);
@@ -135,12 +136,12 @@ TEST(Fit, APriorOnTheOpenScaleDoesNotChangeTheMisfit) {
   LeaveOutForces(twin);
   const auto misfits = [&](const FitResult& fit) {
     const CondensedModel model = CondensedVehicle(twin.vehicle).At(fit.values);
-    return Misfits(twin.data.runs, ModelledResponses(model, twin.vehicle.sensors, twin.data.runs));
+    return ResponseMisfits(twin.data.runs, ModelledResponses(model, twin.vehicle.sensors, twin.data.runs));
   };
-  const FourPostObjective without = twin.MakeObjective();
+  const VehicleObjective without = twin.MakeObjective();
   const FitResult open = Fit(without, Options());
   twin.vehicle.parameters[twin.free[0]].prior_sd = 1;
-  const FourPostObjective with = twin.MakeObjective();
+  const VehicleObjective with = twin.MakeObjective();
   const FitResult fit = Fit(with, Options());
   // The refinement stops when the cost falls by less than 1e-8 of itself.
   EXPECT_NEAR(fit.cost / open.cost, 1, 1e-6);
@@ -154,11 +155,11 @@ TEST(Fit, APriorOnTheOpenScaleDoesNotChangeTheMisfit) {
 TEST(Fit, WeighsAPriorAgainstTheData) {
   const std::vector<double> truth = Truth(ShippedStudy().vehicle);
   LoadedStudy twin = Twin(truth, 0);
-  const FourPostObjective without = twin.MakeObjective();
+  const VehicleObjective without = twin.MakeObjective();
   const double data_sd = Fit(without, Options()).parameters[0].sd;
   // As good as the data, and as far from the truth as the file's value is.
   twin.vehicle.parameters[twin.free[0]].prior_sd = data_sd;
-  const FourPostObjective with = twin.MakeObjective();
+  const VehicleObjective with = twin.MakeObjective();
   const FitResult fit = Fit(with, Options());
   const double start = twin.vehicle.parameters[twin.free[0]].value;
   const double off = start - truth[twin.free[0]];
@@ -171,7 +172,7 @@ TEST(Fit, WeighsAPriorAgainstTheData) {
 
 TEST(Fit, IsTheSameForOneAndTwoThreads) {
   const LoadedStudy study = Twin(Truth(ShippedStudy().vehicle), 1);
-  const FourPostObjective objective = study.MakeObjective();
+  const VehicleObjective objective = study.MakeObjective();
   const FitResult one = Fit(objective, Options(1));
   const FitResult two = Fit(objective, Options(2));
   EXPECT_EQ(one.cost, two.cost);
@@ -187,7 +188,7 @@ TEST(Fit, SaysWhichParametersLieAtTheirBounds) {
   Parameter& mass = twin.vehicle.parameters[twin.free[0]];
   mass.upper = 0.5 * (mass.lower + truth[twin.free[0]]);
   mass.value = mass.lower;
-  const FourPostObjective objective = twin.MakeObjective();
+  const VehicleObjective objective = twin.MakeObjective();
   const FitResult fit = Fit(objective, Options());
   EXPECT_TRUE(fit.parameters[0].at_bound);
   EXPECT_EQ(fit.parameters[0].value, mass.upper);
@@ -195,7 +196,7 @@ TEST(Fit, SaysWhichParametersLieAtTheirBounds) {
 
 TEST(Fit, TellsTheLowestCostSoFar) {
   const LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 1);
-  const FourPostObjective objective = twin.MakeObjective();
+  const VehicleObjective objective = twin.MakeObjective();
   std::vector<double> costs;
   FitHooks hooks;
   hooks.progress = [&](const FitProgress& progress) { costs.push_back(progress.best_cost); };
@@ -206,7 +207,7 @@ TEST(Fit, TellsTheLowestCostSoFar) {
 
 TEST(Fit, EndsWithWhatItHasWhenAsked) {
   const LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 0);
-  const FourPostObjective objective = twin.MakeObjective();
+  const VehicleObjective objective = twin.MakeObjective();
   int asked = 0;
   const FitResult fit = Fit(objective, Options(), {.stop = [&] { return ++asked > 3; }});
   EXPECT_EQ(fit.end, FitEnd::kInterrupted);
@@ -219,7 +220,7 @@ TEST(Fit, EndsWithWhatItHasWhenAsked) {
 
 TEST(Fit, CostsTheLossWhereNothingWasRefined) {
   const LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 0);
-  const FourPostObjective objective = twin.MakeObjective();
+  const VehicleObjective objective = twin.MakeObjective();
   FitOptions options = Options();
   options.refine.loss = RobustLoss(LossKind::kHuber, 2, objective.prior_count());
   int asked = 0;
@@ -234,7 +235,7 @@ TEST(Fit, CostsTheLossWhereNothingWasRefined) {
 TEST(Fit, TellsWhenEveryEvaluationFails) {
   LoadedStudy study = ShippedStudy();
   for (MeasuredRun& run : study.data.runs) run.excitation.amplitude_m.assign(run.excitation.amplitude_m.size(), 1e308);
-  const FourPostObjective objective = study.MakeObjective();
+  const VehicleObjective objective = study.MakeObjective();
   const FitResult fit = Fit(objective, Options());
   EXPECT_EQ(fit.end, FitEnd::kAllFailed);
   EXPECT_THAT(fit.message, testing::HasSubstr("every evaluation failed"));

@@ -243,7 +243,7 @@ TEST_F(GyroTwin, FitsItsOwnRecordingInRadiansAndInDegrees) {
   for (const auto& [unit, per_rad] : {std::pair("rad/s", 1.0), std::pair("deg/s", DegreesFromRadians(1))}) {
     const auto study = Load(Recording(unit, per_rad), "pitch_rate: pitch_rate\n  nose_up_rate: nose_up_rate");
     ASSERT_TRUE(study) << diagnostics_.Format();
-    for (const ChannelMisfit& misfit : Misfits(study->data.runs, {Modelled()})) {
+    for (const ChannelMisfit& misfit : ResponseMisfits(study->data.runs, {Modelled()})) {
       EXPECT_LT(misfit.rms_dB, 1e-12) << misfit.name;  // rounding
       EXPECT_LT(misfit.rms_deg, 1e-10) << misfit.name;
     }

@@ -23,7 +23,7 @@ FrequencyResponse Modelled(std::vector<std::complex<double>> response) {
 TEST(Misfit, IsTheRootMeanSquareOverFrequenciesAndRecordings) {
   const double quarter = std::numbers::pi / 4;
   const std::vector<ChannelMisfit> misfits =
-      Misfits({Measured({1, 1}), Measured({2, 2})}, {Modelled({10, 1}), Modelled({2, std::polar(2.0, quarter)})});
+      ResponseMisfits({Measured({1, 1}), Measured({2, 2})}, {Modelled({10, 1}), Modelled({2, std::polar(2.0, quarter)})});
   ASSERT_EQ(misfits.size(), 1u);
   EXPECT_EQ(misfits[0].name, "a_body");
   // One of four points is 20 dB off, one of four 45 degrees.
@@ -32,7 +32,7 @@ TEST(Misfit, IsTheRootMeanSquareOverFrequenciesAndRecordings) {
 }
 
 TEST(Misfit, TakesTheShortWayRoundTheCircle) {
-  const auto misfits = Misfits({Measured({std::polar(1.0, 3.1)})}, {Modelled({std::polar(1.0, -3.1)})});
+  const auto misfits = ResponseMisfits({Measured({std::polar(1.0, 3.1)})}, {Modelled({std::polar(1.0, -3.1)})});
   EXPECT_NEAR(misfits[0].rms_deg, (2 * std::numbers::pi - 6.2) * 180 / std::numbers::pi, 1e-12);  // rounding
 }
 

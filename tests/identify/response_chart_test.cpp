@@ -126,7 +126,7 @@ TEST(ResponseChart, OfTheShippedStudyHasARowPerChannelAndIsSmall) {
   const std::vector<MeasuredRun>& runs = study.data.runs;
   const std::vector<FrequencyResponse> modelled =
       ModelledResponses(condensed.At(study.vehicle.ParameterValues()), study.vehicle.sensors, runs);
-  const std::string svg = ResponseSvg(runs, modelled, Misfits(runs, modelled), 0.5, 12);
+  const std::string svg = ResponseSvg(runs, modelled, ResponseMisfits(runs, modelled), 0.5, 12);
   // 11 channels, each with gain and phase in two recordings.
   EXPECT_EQ(Dots(svg).size(), 44u);
   EXPECT_EQ(Lines(svg).size(), 44u);

@@ -17,7 +17,7 @@ FittedParameter Mass() {
 Json ParametersOf(std::vector<FittedParameter> parameters) {
   FitResult fit;
   fit.parameters = std::move(parameters);
-  return Json::parse(ResultJson({}, 1, fit, {}, {}))["parameters"];
+  return Json::parse(ResultJson({}, 1, fit, {}))["parameters"];
 }
 
 TEST(ResultJson, TellsPriorsAndHowFarTheFitWentFromThem) {
@@ -33,7 +33,7 @@ TEST(ResultJson, TellsHowTheSearchEndedAndAllItsSettings) {
   FitResult fit;
   fit.search.reason = "evaluations used up: 300 of 300 evaluations";
   fit.search_settings = {{"population", "20"}};
-  const Json search = Json::parse(ResultJson({}, 1, fit, {}, {}))["search"];
+  const Json search = Json::parse(ResultJson({}, 1, fit, {}))["search"];
   EXPECT_EQ(search["end"], fit.search.reason);
   EXPECT_EQ(search["settings"]["population"], "20");
 }
@@ -45,7 +45,7 @@ TEST(ResultJson, TellsEverySettingBesideTheMethods) {
   fit.options.refine = {.max_iterations = 50, .step = 1e-5, .differences = Differences::kForward};
   fit.options.starts = 6;
   fit.options.deadline_s = 10;
-  const Json result = Json::parse(ResultJson({}, 1, fit, {}, {}));
+  const Json result = Json::parse(ResultJson({}, 1, fit, {}));
   EXPECT_EQ(result["search"]["stop"], Json::parse(R"({"target_cost": null, "evaluations": 300, "generations": 150,
       "seconds": null, "stagnant_generations": 0, "free_generations": 1000, "on_collapse": true})"));
   EXPECT_EQ(result["search"]["candidates"], Json::parse(R"({"count": 7, "separation": 0.25})"));

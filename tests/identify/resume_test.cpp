@@ -31,7 +31,7 @@ class Resume : public ProgramTest {
   Resume() {
     // Some tenths of a second.
     ReplaceIn(kStudy, "band: [0.5 Hz, 12 Hz]", "band: [1.5 Hz, 4 Hz]");
-    ReplaceIn(kStudy, "  evaluations: 300\n", "  evaluations: 200\n");
+    ReplaceIn(kStudy, "  evaluations: 100\n", "  evaluations: 200\n");
     ReplaceIn(kStudy, "  starts: 4", "  starts: 2");
   }
 

@@ -62,6 +62,33 @@ TEST_F(StudyMethods, ReadsBackEverySettingItPrints) {
   }
 }
 
+TEST_F(StudyMethods, AFitExploresByTheMethodOfItsSearch) {
+  const Problem problem = MakeTestProblem("oscillator").problem;
+  Study study;
+  EXPECT_EQ(std::get<DvhdeOptions>(ExplorationOf(study, problem, diagnostics_)).simplex_iterations, 0);
+  study.search.method = "thesis";
+  study.search.population = 33;
+  const auto thesis = std::get<DvhdeOptions>(ExplorationOf(study, problem, diagnostics_));
+  EXPECT_EQ(thesis.simplex_iterations, ThesisDvhde().simplex_iterations);
+  EXPECT_EQ(thesis.population, 33);
+  EXPECT_FALSE(diagnostics_.HasErrors()) << diagnostics_.Format();
+}
+
+TEST_F(StudyMethods, AFitRefusesMethodsThatOnlyRefineAndUnknownOnes) {
+  const Problem problem = MakeTestProblem("oscillator").problem;
+  Study study;
+  study.file = "study.yaml";
+  study.search.method_line = 7;
+  study.search.method = "gb";
+  ExplorationOf(study, problem, diagnostics_);
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("study.yaml:7: error: 'gb' refines random points"));
+  diagnostics_ = {};
+  study.search.method = "dvhd";
+  ExplorationOf(study, problem, diagnostics_);
+  EXPECT_THAT(diagnostics_.Format(),
+              HasSubstr("study.yaml:7: error: there is no method 'dvhd', did you mean 'dvhde'?"));
+}
+
 TEST_F(StudyMethods, NamesFaultsWithTheirLine) {
   EXPECT_THAT(Fault("method: thesis, popluation: 33"),
               HasSubstr("3: error: method 'mine': unknown setting 'popluation', "

@@ -178,7 +178,7 @@ TEST_F(StudyTest, ReportsStaticLoadsWithoutFile) {
 }
 
 TEST_F(StudyTest, ListsTheKeysWhenNoneIsNear) {
-  EXPECT_THAT(Fault("seed: 7", "xyz: 7"), HasSubstr("; legal: seed, evaluations, population, starts"));
+  EXPECT_THAT(Fault("seed: 7", "xyz: 7"), HasSubstr("; legal: seed, method, evaluations, population, starts"));
 }
 
 TEST_F(StudyTest, ReportsANumberOutOfRange) {

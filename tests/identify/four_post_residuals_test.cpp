@@ -1,4 +1,4 @@
-#include "identify/four_post_objective.h"
+#include "identify/vehicle_objective.h"
 
 #include <cmath>
 
@@ -7,6 +7,7 @@
 #include "analysis/decibel.h"
 #include "identify/modelled_response.h"
 #include "tests/identify/shipped_study.h"
+#include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
 namespace {
@@ -25,7 +26,7 @@ LoadedStudy Twin(const std::vector<double>& parameters) {
   return study;
 }
 
-Eigen::VectorXd FreeValues(const FourPostObjective& objective) {
+Eigen::VectorXd FreeValues(const VehicleObjective& objective) {
   const std::vector<double> all = objective.vehicle().ParameterValues();
   Eigen::VectorXd values(static_cast<Eigen::Index>(objective.free().size()));
   for (std::size_t i = 0; i < objective.free().size(); ++i)
@@ -33,9 +34,9 @@ Eigen::VectorXd FreeValues(const FourPostObjective& objective) {
   return values;
 }
 
-TEST(FourPostObjective, IsZeroForTheVehicleThatMadeTheData) {
+TEST(FourPostResiduals, IsZeroForTheVehicleThatMadeTheData) {
   const LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
-  const FourPostObjective objective = study.MakeObjective();
+  const VehicleObjective objective = study.MakeObjective();
   const Evaluation evaluation = objective.Evaluate(FreeValues(objective));
   ASSERT_TRUE(evaluation.ok()) << evaluation.detail;
   EXPECT_GT(evaluation.residuals.size(), 1000);
@@ -43,7 +44,7 @@ TEST(FourPostObjective, IsZeroForTheVehicleThatMadeTheData) {
 }
 
 // A model error of one decibel, or five degrees, is worth one unit.
-TEST(FourPostObjective, WeighsGainAndPhaseByTheModelError) {
+TEST(FourPostResiduals, WeighsGainAndPhaseByTheModelError) {
   LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
   study.study.model_error = {.gain_dB = 1, .phase_rad = RadiansFromDegrees(5)};
   const double high = GainFromDecibel(1);
@@ -56,31 +57,31 @@ TEST(FourPostObjective, WeighsGainAndPhaseByTheModelError) {
       channel.mean.clear();
     }
   study.data.static_loads.clear();
-  const FourPostObjective objective = study.MakeObjective();
+  const VehicleObjective objective = study.MakeObjective();
   const Evaluation evaluation = objective.Evaluate(FreeValues(objective));
   ASSERT_TRUE(evaluation.ok());
   for (const double residual : evaluation.residuals) EXPECT_NEAR(residual, 1, 1e-9);  // rounding
 }
 
-TEST(FourPostObjective, WeighsStaticLoadsByTheirDeviation) {
+TEST(FourPostResiduals, WeighsStaticLoadsByTheirDeviation) {
   LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
   ASSERT_EQ(study.data.static_loads.size(), 2u);
   for (MeasuredLoad& load : study.data.static_loads) load.load_N -= 2 * load.sd_N;
-  const FourPostObjective objective = study.MakeObjective();
+  const VehicleObjective objective = study.MakeObjective();
   const Evaluation evaluation = objective.Evaluate(FreeValues(objective));
   EXPECT_NEAR(evaluation.residuals.tail(2).minCoeff(), 2, 1e-9);  // rounding of 10 kN over 28 N
   EXPECT_NEAR(evaluation.residuals.tail(2).maxCoeff(), 2, 1e-9);
 }
 
-TEST(FourPostObjective, EndsWithOneResidualPerPriorOfAFreeParameter) {
+TEST(FourPostResiduals, EndsWithOneResidualPerPriorOfAFreeParameter) {
   LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
-  const FourPostObjective without = study.MakeObjective();
+  const VehicleObjective without = study.MakeObjective();
   study.vehicle.parameters[study.free[1]].prior_sd = 200;
   study.vehicle.parameters[study.free[3]].prior_sd = 50;
   // Held: it cannot depart from what is known of it.
   study.vehicle.parameters[study.free.back()].prior_sd = 1;
   study.free.pop_back();
-  const FourPostObjective with = study.MakeObjective();
+  const VehicleObjective with = study.MakeObjective();
   EXPECT_EQ(without.prior_count(), 0);
   EXPECT_EQ(with.prior_count(), 2);
   EXPECT_EQ(with.residual_count(), without.residual_count() + 2);
@@ -98,7 +99,7 @@ TEST(FourPostObjective, EndsWithOneResidualPerPriorOfAFreeParameter) {
   EXPECT_EQ(evaluation.residuals.head(without.residual_count()), without.Evaluate(all_values).residuals);
 }
 
-TEST(FourPostObjective, RefusesAPriorWithoutDeviation) {
+TEST(FourPostResiduals, RefusesAPriorWithoutDeviation) {
   LoadedStudy study = ShippedStudy();
   for (const double bad : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
     study.vehicle.parameters[study.free[0]].prior_sd = bad;
@@ -107,8 +108,8 @@ TEST(FourPostObjective, RefusesAPriorWithoutDeviation) {
   }
 }
 
-TEST(FourPostObjective, EndsAtItsDeadline) {
-  const FourPostObjective objective = ShippedStudy().MakeObjective();
+TEST(FourPostResiduals, EndsAtItsDeadline) {
+  const VehicleObjective objective = ShippedStudy().MakeObjective();
   Problem problem = objective.MakeProblem();
   const Eigen::VectorXd values = problem.lattice.Values(LatticePoint(problem.lattice.size(), 2));
   problem.deadline_s = 1e-6;
@@ -118,13 +119,13 @@ TEST(FourPostObjective, EndsAtItsDeadline) {
 }
 
 // Specification section 5: without a force, masses, rates and dampings may all be scaled alike.
-TEST(FourPostObjective, OnlyForcesPinTheScale) {
+TEST(FourPostResiduals, OnlyForcesPinTheScale) {
   const LoadedStudy twin = Twin(ShippedStudy().vehicle.ParameterValues());
-  const FourPostObjective with_forces = twin.MakeObjective();
+  const VehicleObjective with_forces = twin.MakeObjective();
   LoadedStudy motions = twin;
   motions.data.static_loads.clear();
   for (MeasuredRun& run : motions.data.runs) std::erase_if(run.channels, [](const auto& c) { return c.unit == "N"; });
-  const FourPostObjective without_forces = motions.MakeObjective();
+  const VehicleObjective without_forces = motions.MakeObjective();
   const Eigen::VectorXd scaled = 1.05 * FreeValues(with_forces);
   EXPECT_LT(without_forces.Evaluate(scaled).residuals.cwiseAbs().maxCoeff(), 1e-6);  // rounding
   EXPECT_GT(with_forces.Evaluate(scaled).residuals.cwiseAbs().maxCoeff(), 1);

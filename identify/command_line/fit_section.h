@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "identify/fit.h"
+#include "identify/loaded_study.h"
+#include "identify/misfit.h"
+
+namespace fourpost {
+
+/// What one kind of data adds to the results of a fit.
+struct FitSection {
+  /// Tables for the terminal.
+  std::string text;
+  Misfits misfits;
+  /// Names in the folder of the results, and what they hold.
+  std::vector<std::pair<std::string, std::string>> files;
+};
+
+/// Of stepped-sine responses and static loads; empty for a study without.
+FitSection FourPostSection(const LoadedStudy& study, const FitResult& fit);
+
+}  // namespace fourpost

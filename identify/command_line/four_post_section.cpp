@@ -1,0 +1,44 @@
+#include <string>
+#include <vector>
+
+#include "analysis/number.h"
+#include "identify/command_line/fit_section.h"
+#include "identify/command_line/misfit_table.h"
+#include "identify/command_line/text_table.h"
+#include "identify/modelled_response.h"
+#include "identify/response_chart.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+std::string LoadTable(const LoadedStudy& loaded, const std::vector<double>& modelled) {
+  if (loaded.data.static_loads.empty()) return "";
+  TextTable table({"static load", "measured, N", "sd", "modelled, N"});
+  for (const MeasuredLoad& load : loaded.data.static_loads)
+    table.Add({loaded.vehicle.tyres[load.tyre].name, Rounded(load.load_N, 5), Rounded(load.sd_N, 3),
+               Rounded(modelled[load.tyre], 5)});
+  return table.Format() + '\n';
+}
+
+}  // namespace
+
+FitSection FourPostSection(const LoadedStudy& loaded, const FitResult& fit) {
+  const std::vector<MeasuredRun>& runs = loaded.data.runs;
+  if (runs.empty()) return {};
+  const double lower = loaded.study.band_lower_Hz;
+  const double upper = loaded.study.band_upper_Hz;
+  const std::vector<MeasuredRun> in_band = InBand(runs, lower, upper);
+  const CondensedModel model = CondensedVehicle(loaded.vehicle).At(fit.values);
+  const std::vector<Sensor>& sensors = loaded.vehicle.sensors;
+  const std::vector<FrequencyResponse> modelled = ModelledResponses(model, sensors, runs);
+  FitSection section;
+  section.misfits.responses = ResponseMisfits(in_band, ModelledResponses(model, sensors, in_band));
+  section.misfits.tyre_loads = model.preloads.tyre;
+  section.text = MisfitTable(section.misfits.responses) + '\n' + LoadTable(loaded, model.preloads.tyre);
+  section.files = {{"response.csv", ResponseCsv(runs, modelled, lower, upper)},
+                   {"response.svg", ResponseSvg(runs, modelled, section.misfits.responses, lower, upper)}};
+  return section;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "identify/four_post_data.h"
+#include "identify/residual_block.h"
+#include "identify/study.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+
+namespace fourpost {
+
+/// How far the vehicle is from stepped-sine responses:
+/// - per channel, recording and frequency the difference of the complex responses, resolved along and across the
+///   measured phasor: to first order the error of gain and of phase, but without a jump at 180 degrees and finite where
+///   a gain passes through zero. Each is divided by the root of the measured variance plus the model error squared;
+/// - mean strut offsets over the model error of means: they alone tell bump from rebound.
+/// `runs` hold only the frequencies to fit.
+ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
+                                const ModelError& model_error);
+
+/// Loads under tyres at rest over their standard deviations: they pin the common scale of masses and rates, which
+/// ratios of accelerations leave open.
+ResidualBlock StaticLoadResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredLoad> loads);
+
+}  // namespace fourpost
