@@ -36,6 +36,15 @@ LowPass::LowPass(int order, double cutoff_Hz, double rate_Hz) {
     sections_.push_back(SecondOrder(warped, 2 * std::sin(std::numbers::pi * (2 * k + 1) / (2 * order))));
 }
 
+std::complex<double> LowPass::Response(double cycles_per_sample) const {
+  const std::complex<double> back = std::polar(1.0, -2 * std::numbers::pi * cycles_per_sample);
+  std::complex<double> response = 1;
+  for (const Section& section : sections_)
+    response *=
+        (section.b0 + back * (section.b1 + back * section.b2)) / (1.0 + back * (section.a1 + back * section.a2));
+  return response;
+}
+
 void LowPass::Apply(std::span<double> signal) const {
   for (const Section& section : sections_) {
     // Direct form II transposed.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,10 @@ class LowPass {
   LowPass(int order, double cutoff_Hz, double rate_Hz);
 
   const std::vector<Section>& sections() const { return sections_; }
+
+  /// What it makes of a sine, of that many cycles per sample: product over the sections of
+  /// (b0 + b1 z^-1 + b2 z^-2) / (1 + a1 z^-1 + a2 z^-2), z = exp(2 pi i cycles).
+  std::complex<double> Response(double cycles_per_sample) const;
 
   /// Replaces a signal by its filtered one.
   void Apply(std::span<double> signal) const;

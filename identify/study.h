@@ -9,18 +9,10 @@
 #include <vector>
 
 #include "analysis/diagnostics.h"
+#include "identify/channel_source.h"
 #include "identify/robust_loss.h"
 
 namespace fourpost {
-
-/// Which measured channels a quantity of the model stands for. A planar vehicle stands for both sides: it is compared
-/// with the mean of left and right accelerations, or with the sum of left and right tyre forces.
-struct ChannelSource {
-  enum class Combine { kMean, kSum };
-  Combine combine = Combine::kMean;
-  std::vector<std::string> channels;
-  int line = 0;
-};
 
 /// A recording and the motion of the posts that made it.
 struct StudyRecording {

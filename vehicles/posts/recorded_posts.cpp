@@ -1,10 +1,13 @@
 #include "vehicles/posts/recorded_posts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "analysis/low_pass.h"
 #include "analysis/time_recording.h"
+#include "analysis/unfiltered.h"
 #include "analysis/uniform_spline.h"
 #include "vehicles/posts/post_motions.h"
 
@@ -14,10 +17,16 @@ namespace {
 /// Long against a car's body modes.
 constexpr double kLead_s = 2;
 
+std::vector<double> TakenBack(const std::vector<double>& heights, double step, const LowPassDesign& filter) {
+  const double cutoff = filter.cutoff_Hz * step;
+  return Unfiltered(heights, LowPass(filter.order, filter.cutoff_Hz, 1 / step), std::min(0.4, 1.5 * cutoff),
+                    std::min(0.5, 2.5 * cutoff));
+}
+
 /// Lead-in and record as one spline: from rest by the polynomial of least order that meets height and velocity with no
 /// acceleration at both ends.
-UniformSpline WithLead(const std::vector<double>& heights, double start, double step, std::size_t lead) {
-  const std::vector<double> backward(heights.rbegin(), heights.rend());
+UniformSpline WithLead(const std::vector<double>& heights, double start, double step, std::size_t lead,
+                       const LowPassDesign* filter) {
   const double slope = SlopeAtStart(heights, step);
   const double duration = step * static_cast<double>(lead);
   std::vector<double> all;
@@ -27,10 +36,25 @@ UniformSpline WithLead(const std::vector<double>& heights, double start, double 
     all.push_back(heights[0] * cube * (10 - 15 * u + 6 * u * u) + slope * duration * cube * (-4 + 7 * u - 3 * u * u));
   }
   all.insert(all.end(), heights.begin(), heights.end());
+  if (filter) all = TakenBack(all, step, *filter);
+  const std::vector<double> backward(all.rbegin(), all.rend());
   return {start - duration, step, std::move(all), 0, -SlopeAtStart(backward, step)};
 }
 
 }  // namespace
+
+RecordedPosts FollowHeights(const std::vector<std::vector<double>>& heights, double start_s, double step_s,
+                            const LowPassDesign* filter) {
+  const auto lead = static_cast<std::size_t>(std::ceil(kLead_s / step_s));
+  std::vector<DelayedTrack> tracks;
+  for (const std::vector<double>& post : heights) tracks.push_back({WithLead(post, start_s, step_s, lead, filter), 0});
+  return {FollowTracks(std::move(tracks)),
+          heights.size(),
+          start_s,
+          start_s + step_s * static_cast<double>(heights.at(0).size() - 1),
+          step_s,
+          step_s * static_cast<double>(lead)};
+}
 
 std::optional<RecordedPosts> ReadRecordedPosts(const std::filesystem::path& file, const Vehicle& vehicle,
                                                Diagnostics& diagnostics) {
@@ -39,13 +63,7 @@ std::optional<RecordedPosts> ReadRecordedPosts(const std::filesystem::path& file
     wanted.push_back({{post.name, "post_" + post.name}, kLength, "the height of a post"});
   const std::optional<TimeRecording> recording = ReadTimeRecording(file, wanted, diagnostics);
   if (!recording) return std::nullopt;
-  const double step = recording->step_s;
-  const auto lead = static_cast<std::size_t>(std::ceil(kLead_s / step));
-  std::vector<DelayedTrack> tracks;
-  for (const std::vector<double>& post : recording->channels)
-    tracks.push_back({WithLead(post, recording->start_s, step, lead), 0});
-  return RecordedPosts{FollowTracks(std::move(tracks)), recording->start_s, recording->end_s, step,
-                       step * static_cast<double>(lead)};
+  return FollowHeights(recording->channels, recording->start_s, recording->step_s);
 }
 
 }  // namespace fourpost

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "analysis/diagnostics.h"
 #include "vehicles/description/vehicle.h"
@@ -9,12 +11,22 @@
 
 namespace fourpost {
 
+/// A causal Butterworth low-pass.
+struct LowPassDesign {
+  int order = 4;
+  double cutoff_Hz = 0;
+
+  /// How much of a record's end a filter keeps back, and some more: four periods of the cut-off [s].
+  double UnknownEnd_s() const { return 4 / cutoff_Hz; }
+};
+
 /// Heights of posts that a rig recorded.
 struct RecordedPosts {
   /// Each post follows the spline of continuous curvature through its samples (UniformSpline), with the slopes at both
   /// ends of the cubic through the four samples there. Before the record it rises from rest at height 0 to the height
   /// and velocity of the first sample.
   PostMotion motion;
+  std::size_t count = 0;
   /// Of the first and the last sample.
   double start_s = 0;
   double end_s = 0;
@@ -22,6 +34,13 @@ struct RecordedPosts {
   /// How long before start_s the posts begin to move.
   double lead_s = 0;
 };
+
+/// Posts through samples of their heights at start + k step, one vector per post. `filter`: the low-pass that the
+/// heights went through when they were recorded. It is taken back (Unfiltered) up to 1.5 times its cut-off, faded out
+/// to 2.5 times, so that the posts move as they did on the rig, not as the record shows them; the last
+/// UnknownEnd_s() of the record is not told by it then.
+RecordedPosts FollowHeights(const std::vector<std::vector<double>>& heights, double start_s, double step_s,
+                            const LowPassDesign* filter = nullptr);
 
 /// Reads a CSV file of names and, below them, units: a column `time`, and one for each post of the vehicle, `FL` or
 /// `post_FL` for the post 'FL', in a unit of length, upward from where the posts stand under the resting vehicle. Other

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "analysis/diagnostics.h"
+#include "identify/history_study.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/posts/recorded_posts.h"
+
+namespace fourpost {
+
+/// What was measured for one sensor of the vehicle, without its offset.
+struct MeasuredSignal {
+  std::size_t sensor = 0;
+  std::string name;
+  std::string unit;
+  /// Samples of the window, their mean taken away.
+  Eigen::VectorXd values;
+  /// Of the noise that the study states; 0: none.
+  double noise_sd = 0;
+
+  double Deviation() const;
+};
+
+/// A recording over time in the terms of the vehicle. Sensors, posts too, have offsets that say nothing: those of posts
+/// are their means over the record, those of outputs their means over the window, of model and measurement alike.
+struct MeasuredHistory {
+  std::string name;
+  double rate_Hz = 0;
+  /// With the rig's filter taken back.
+  RecordedPosts posts;
+  std::optional<LowPassDesign> filter;
+  /// First sample compared, of the record; and how many are. Samples that the filter keeps back at the end are left
+  /// out.
+  Eigen::Index first = 0;
+  Eigen::Index count = 0;
+  std::vector<MeasuredSignal> signals;
+
+  double TimeAt(Eigen::Index k) const { return posts.start_s + static_cast<double>(first + k) / rate_Hz; }
+
+  /// Residuals take every so manieth sample: a filtered record sampled at three times the cut-off has all that passes
+  /// it, and noise that is nearly independent from sample to sample.
+  Eigen::Index Stride() const;
+};
+
+/// Reads the recordings and maps their channels to the vehicle's sensors and posts. Adds every fault to `diagnostics`;
+/// nothing when there was an error.
+std::optional<std::vector<MeasuredHistory>> LoadHistories(const std::vector<StudyHistory>& histories,
+                                                          const std::string& study_file, const Vehicle& vehicle,
+                                                          Diagnostics& diagnostics);
+
+}  // namespace fourpost

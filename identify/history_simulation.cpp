@@ -1,0 +1,83 @@
+#include "identify/history_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "analysis/low_pass.h"
+#include "vehicles/simulation/condensed_stepper.h"
+#include "vehicles/simulation/time_history.h"
+
+namespace fourpost {
+namespace {
+
+using Eigen::Index;
+
+/// Metres and metres per second that no vehicle on a rig comes to.
+constexpr double kFarthest = 1e6;
+/// Steps between looks at the clock: a few milliseconds.
+constexpr Index kBetweenChecks = 1000;
+
+Index LeadSamples(const MeasuredHistory& history) { return std::lround(history.posts.lead_s * history.rate_Hz); }
+
+}  // namespace
+
+HistorySimulation::HistorySimulation(const MeasuredHistory& history, double step_s)
+    : history_(&history),
+      parts_(std::max(1L, std::lround(std::ceil(1 / (history.rate_Hz * step_s) - 1e-9)))),
+      samples_(LeadSamples(history) + history.first + history.count) {
+  const double start = history.posts.start_s - history.posts.lead_s;
+  const Index steps = (samples_ - 1) * parts_ + 1;
+  post_count_ = static_cast<Index>(history.posts.count);
+  posts_.resize(static_cast<std::size_t>(steps * post_count_));
+  for (Index k = 0; k < steps; ++k)
+    history.posts.motion(start + static_cast<double>(k) * this->step_s(),
+                         {posts_.data() + k * post_count_, static_cast<std::size_t>(post_count_)});
+}
+
+Eigen::MatrixXd HistorySimulation::Run(const CondensedModel& model, const Deadline& deadline) const {
+  CondensedStepper stepper(model, step_s());
+  const auto posts_at = [&](Index k) {
+    return std::span(posts_.data() + k * post_count_, static_cast<std::size_t>(post_count_));
+  };
+  Eigen::MatrixXd readings(stepper.sensor_count(), samples_);
+  stepper.Start(posts_at(0));
+  for (Index k = 0; k < samples_; ++k) {
+    if (k % kBetweenChecks == 0) deadline.Check();
+    for (long part = 0; part < parts_ && k > 0; ++part) stepper.Step(posts_at((k - 1) * parts_ + part + 1));
+    stepper.Read(readings.col(k));
+    // So written that it is true for NaN.
+    if (!(stepper.state().norm() < kFarthest)) throw std::runtime_error("the motion grows beyond all bounds");
+  }
+  if (stepper.unsolved_steps() > 0)
+    throw std::runtime_error("the forces of the vehicle's elements were not found in " +
+                             std::to_string(stepper.unsolved_steps()) + " steps");
+  return Signals(readings);
+}
+
+Eigen::MatrixXd HistorySimulation::Signals(const Eigen::MatrixXd& readings) const {
+  const auto signals = static_cast<Index>(history_->signals.size());
+  Eigen::MatrixXd out(history_->count, signals);
+  Eigen::VectorXd all(samples_);
+  for (Index i = 0; i < signals; ++i) {
+    all = readings.row(static_cast<Index>(history_->signals[static_cast<std::size_t>(i)].sensor));
+    if (const auto& filter = history_->filter)
+      LowPass(filter->order, filter->cutoff_Hz, history_->rate_Hz)
+          .Apply({all.data(), static_cast<std::size_t>(all.size())});
+    out.col(i) = all.tail(history_->count);
+    out.col(i).array() -= out.col(i).mean();
+  }
+  return out;
+}
+
+double HistoryStep(const MeasuredHistory& history, const CondensedModel& model, const RigView& rig, double error) {
+  const TimeGrid grid{.start_s = history.posts.start_s,
+                      .end_s = history.TimeAt(history.count - 1),
+                      .rate_Hz = history.rate_Hz,
+                      .lead_s = history.posts.lead_s};
+  return SimulateCondensed(model, rig, history.posts.motion, grid, {.error = error}).step_s;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "analysis/deadline.h"
+#include "identify/history_data.h"
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/simulation/time_system.h"
+
+namespace fourpost {
+
+/// A model through a measured history: the posts move as the rig's did, what the sensors read goes through the rig's
+/// filter, once, and loses its mean over the window. Filtering the model's outputs is right although the record's post
+/// heights are filtered too: FollowHeights takes that back. To drive the model with filtered heights in place of that
+/// is the same for a linear model only; friction and dampers see the amplitude, which the filter takes away.
+/// Immutable; serves any number of threads.
+class HistorySimulation {
+ public:
+  /// `step_s`: of the condensed stepper; whole parts of a sample are taken, none longer. The history must outlive this.
+  HistorySimulation(const MeasuredHistory& history, double step_s);
+
+  /// Samples of the window x signals. Throws std::runtime_error where the motion cannot be computed, and TimedOut.
+  Eigen::MatrixXd Run(const CondensedModel& model, const Deadline& deadline = {}) const;
+
+  double step_s() const { return 1 / (history_->rate_Hz * static_cast<double>(parts_)); }
+
+ private:
+  /// Of readings, sensors x samples.
+  Eigen::MatrixXd Signals(const Eigen::MatrixXd& readings) const;
+
+  const MeasuredHistory* history_;
+  long parts_ = 1;
+  Eigen::Index post_count_ = 0;
+  /// Posts of each step, one step after the other, from the start of the lead to the end of the window.
+  std::vector<PostState> posts_;
+  Eigen::Index samples_ = 0;
+};
+
+/// The step at which a model errs by no more than `error` of any channel's rms, by halving (SimulateCondensed).
+double HistoryStep(const MeasuredHistory& history, const CondensedModel& model, const RigView& rig, double error);
+
+}  // namespace fourpost

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+#include "analysis/diagnostics.h"
+#include "identify/channel_source.h"
+#include "vehicles/posts/recorded_posts.h"
+
+namespace fourpost {
+
+/// The standard deviation of what a sensor reads at rest, as written: "20 N".
+struct StudyNoise {
+  std::string sensor;
+  std::string sd;
+  int line = 0;
+};
+
+/// A recording over time of a vehicle on moving posts, as a study tells it.
+struct StudyHistory {
+  std::string name;
+  std::filesystem::path file;
+  /// Post of the vehicle, and the channels of its height.
+  std::vector<std::pair<std::string, ChannelSource>> posts;
+  /// Sensor of the vehicle, and what was measured for it.
+  std::vector<std::pair<std::string, ChannelSource>> channels;
+  /// Through which the rig sent all channels, heights of posts included.
+  std::optional<LowPassDesign> filter;
+  /// What sensors read at rest.
+  std::vector<StudyNoise> noise;
+  /// Samples before and after do not count; the vehicle goes through them all the same.
+  std::optional<double> start_s;
+  std::optional<double> end_s;
+  int line = 0;
+};
+
+/// What the residuals of histories are.
+enum class HistoryCost {
+  /// Differences over their deviations.
+  kWhitened,
+  /// The thesis's (4.29): mean square errors of the outputs weigh themselves, see CompromiseOf.
+  kCompromise,
+};
+inline constexpr std::array<std::string_view, 2> kHistoryCostNames{"whitened", "compromise"};
+
+/// The list under `histories`. Adds every fault to `diagnostics`.
+std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const std::filesystem::path& study,
+                                        Diagnostics& diagnostics);
+
+}  // namespace fourpost
