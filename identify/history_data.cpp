@@ -156,7 +156,26 @@ class HistoryLoader {
       if (signal.Deviation() == 0)
         Fault(source.line, "'" + name + "' does not change in " + study_.file.filename().string() +
                                ": a dead channel tells nothing; leave it out");
+      CheckSaturation(name, source, all);
       history.signals.push_back(std::move(signal));
+    }
+  }
+
+  /// A sensor at the end of its range repeats its extreme; a signal turns there within a sample or two.
+  void CheckSaturation(const std::string& name, const ChannelSource& source, const Eigen::VectorXd& values) {
+    constexpr Index kAtOnce = 8;
+    for (const double extreme : {values.minCoeff(), values.maxCoeff()}) {
+      Index longest = 0;
+      Index now = 0;
+      for (const double value : values) {
+        now = value == extreme ? now + 1 : 0;
+        longest = std::max(longest, now);
+      }
+      if (longest >= kAtOnce)
+        diagnostics_.Warning(file_, source.line,
+                             "'" + name + "' stands at its extreme " + FormatNumber(extreme) + " for " +
+                                 std::to_string(longest) + " samples at once in " + study_.file.filename().string() +
+                                 ", as a saturated sensor does: cut the record there, or leave the channel out");
     }
   }
 

@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <span>
+#include <stdexcept>
 #include <utility>
-
-#include <Eigen/QR>
 
 #include "analysis/fit_quality.h"
 #include "analysis/option_check.h"
+#include "analysis/signal_timing.h"
 
 namespace fourpost {
 namespace {
@@ -20,28 +20,15 @@ std::span<const double> Span(const Eigen::VectorXd& values) {
   return {values.data(), static_cast<std::size_t>(values.size())};
 }
 
-/// Least squares of measured = gain modelled - gain delay modelled'; exact for delays short against a period, and
-/// repeated from the shifted model for others.
-void FitGainAndDelay(const Eigen::VectorXd& measured, const Eigen::VectorXd& modelled, double rate_Hz,
-                     HistoryMisfit& misfit) {
-  const Index inner = measured.size() - 2;
-  Eigen::MatrixX2d columns(inner, 2);
-  columns.col(0) = modelled.segment(1, inner);
-  columns.col(1) = 0.5 * rate_Hz * (modelled.tail(inner) - modelled.head(inner));
-  const Eigen::Vector2d solution = columns.colPivHouseholderQr().solve(measured.segment(1, inner));
-  misfit.gain = solution[0];
-  misfit.delay_s = -solution[1] / solution[0];
-}
-
 }  // namespace
 
-HistoryResiduals::HistoryResiduals(const Vehicle& vehicle, std::vector<MeasuredHistory> histories,
-                                   const Options& options)
-    : condensed_(vehicle), histories_(std::move(histories)), options_(options) {
+HistoryResiduals::HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
+                                   std::vector<MeasuredHistory> histories, const Options& options)
+    : condensed_(std::move(vehicle)), histories_(std::move(histories)), options_(options) {
   RequireOption(options.model_error >= 0 && std::isfinite(options.model_error), "HistoryResiduals: model_error",
                 options.model_error, "finite and not negative");
-  const CondensedModel model = condensed_.At(vehicle.ParameterValues());
-  const RigView rig = RigViewOf(vehicle);
+  const CondensedModel model = condensed_->At(condensed_->vehicle().ParameterValues());
+  const RigView rig = RigViewOf(condensed_->vehicle());
   simulations_.reserve(histories_.size());
   for (const MeasuredHistory& history : histories_) {
     simulations_.emplace_back(history, HistoryStep(history, model, rig, options.error));
@@ -52,7 +39,7 @@ HistoryResiduals::HistoryResiduals(const Vehicle& vehicle, std::vector<MeasuredH
 }
 
 Eigen::VectorXd HistoryResiduals::At(const std::vector<double>& values, const Deadline& deadline) const {
-  const CondensedModel model = condensed_.At(values);
+  const CondensedModel model = condensed_->At(values);
   Eigen::VectorXd residuals(count_);
   Index at = 0;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
@@ -80,7 +67,7 @@ void HistoryResiduals::AddSignal(const MeasuredHistory& history, const MeasuredS
 }
 
 std::vector<Eigen::MatrixXd> HistoryResiduals::Modelled(const std::vector<double>& values) const {
-  const CondensedModel model = condensed_.At(values);
+  const CondensedModel model = condensed_->At(values);
   std::vector<Eigen::MatrixXd> modelled;
   for (const HistorySimulation& simulation : simulations_) modelled.push_back(simulation.Run(model));
   return modelled;
@@ -92,6 +79,22 @@ std::vector<double> HistoryResiduals::Steps() const {
   return steps;
 }
 
+ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
+                           const HistoryResiduals::Options& options) {
+  const auto residuals = std::make_shared<const HistoryResiduals>(std::move(vehicle), std::move(histories), options);
+  return {.name = "time histories",
+          .count = residuals->count(),
+          // What the elements' forces are solved to, times what a step's error may grow to.
+          .accuracy = 1e-9,
+          .evaluate = [residuals](const std::vector<double>& values, const Deadline& deadline) {
+            try {
+              return Evaluation{.residuals = residuals->At(values, deadline)};
+            } catch (const std::runtime_error& fault) {
+              return Failed(Failure::kNotConverged, fault.what());
+            }
+          }};
+}
+
 std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,
                                           const std::vector<Eigen::MatrixXd>& modelled) {
   std::vector<HistoryMisfit> misfits;
@@ -101,10 +104,12 @@ std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& hi
       const Eigen::VectorXd model = modelled[h].col(static_cast<Index>(i));
       HistoryMisfit misfit{.recording = histories[h].name,
                            .name = signal.name,
-                           .unit = signal.unit,
                            .nmse_percent = NormalisedMse_percent(Span(signal.values), Span(model)),
                            .vaf_percent = VarianceAccountedFor_percent(Span(signal.values), Span(model))};
-      FitGainAndDelay(signal.values, model, histories[h].rate_Hz, misfit);
+      const SignalTiming timing = TimingOf(signal.values, model, histories[h].rate_Hz);
+      misfit.gain = timing.gain;
+      misfit.delay_s = timing.delay_s;
+      misfit.timed_nmse_percent = timing.nmse_percent;
       misfits.push_back(std::move(misfit));
     }
   return misfits;

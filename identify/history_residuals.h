@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include "analysis/deadline.h"
 #include "identify/history_data.h"
 #include "identify/history_simulation.h"
+#include "identify/misfit.h"
+#include "identify/residual_block.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
@@ -23,12 +26,14 @@ class HistoryResiduals {
     HistoryCost cost = HistoryCost::kWhitened;
     /// What the model leaves out, as a share of each signal's deviation.
     double model_error = 0.02;
-    /// Of the integration, of each channel's rms; a thousandth changes no mean square error in its third digit.
-    double error = 1e-3;
+    /// Of the integration, of each channel's rms; the error left is about a third of it, a ten-thousandth of a per cent
+    /// of a mean square.
+    double error = 3e-3;
   };
 
   /// Steps are those that the vehicle needs at its file's values. Throws FaultyInput as CondensedVehicle does.
-  HistoryResiduals(const Vehicle& vehicle, std::vector<MeasuredHistory> histories, const Options& options);
+  HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
+                   const Options& options);
 
   Eigen::Index count() const { return count_; }
 
@@ -47,27 +52,18 @@ class HistoryResiduals {
   void AddSignal(const MeasuredHistory& history, const MeasuredSignal& signal, const Eigen::VectorXd& modelled,
                  Eigen::Ref<Eigen::VectorXd> out) const;
 
-  CondensedVehicle condensed_;
+  std::shared_ptr<const CondensedVehicle> condensed_;
   std::vector<MeasuredHistory> histories_;
   Options options_;
   std::vector<HistorySimulation> simulations_;
   Eigen::Index count_ = 0;
 };
 
-/// How well a model shows a signal of a history.
-struct HistoryMisfit {
-  std::string recording;
-  std::string name;
-  std::string unit;
-  double nmse_percent = 0;
-  double vaf_percent = 0;
-  /// What a straight line of the model makes of the measurement: measured = gain modelled(t - delay). A gain below 0
-  /// is a wrong sign.
-  double gain = 1;
-  /// By how much the measurement comes later than the model [s].
-  double delay_s = 0;
-};
+/// As a block of a study, "time histories".
+ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
+                           const HistoryResiduals::Options& options);
 
+/// How well models show each signal of each history; `modelled` as HistoryResiduals::Modelled gives it.
 std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,
                                           const std::vector<Eigen::MatrixXd>& modelled);
 

@@ -58,17 +58,24 @@ bool HasFiles(const Study& study, Diagnostics& diagnostics) {
   };
   check(study.vehicle, study.vehicle_line);
   for (const StudyRecording& recording : study.recordings) check(recording.file, recording.line);
+  for (const StudyHistory& history : study.histories) check(history.file, history.line);
   return all;
 }
 
 }  // namespace
 
+HistoryResiduals::Options LoadedStudy::HistoryOptions() const {
+  return {.cost = study.history_cost, .model_error = study.model_error.history};
+}
+
 VehicleObjective LoadedStudy::MakeObjective() const {
   const auto condensed = std::make_shared<const CondensedVehicle>(vehicle);
   std::vector<ResidualBlock> blocks;
-  blocks.push_back(
-      FourPostResiduals(condensed, InBand(data.runs, study.band_lower_Hz, study.band_upper_Hz), study.model_error));
-  blocks.push_back(StaticLoadResiduals(condensed, data.static_loads));
+  if (!data.runs.empty())
+    blocks.push_back(
+        FourPostResiduals(condensed, InBand(data.runs, study.band_lower_Hz, study.band_upper_Hz), study.model_error));
+  if (!histories.empty()) blocks.push_back(HistoryBlock(condensed, histories, HistoryOptions()));
+  if (!data.static_loads.empty()) blocks.push_back(StaticLoadResiduals(condensed, data.static_loads));
   return {vehicle, free, std::move(blocks)};
 }
 
@@ -90,8 +97,10 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
   std::vector<std::size_t> free = FreeParameters(*study, *vehicle, diagnostics);
   std::optional<FourPostData> data = LoadFourPostData(*study, *vehicle, diagnostics);
   if (data) CheckBand(*study, *data, diagnostics);
+  std::optional<std::vector<MeasuredHistory>> histories =
+      LoadHistories(study->histories, study->file.string(), *vehicle, diagnostics);
   if (diagnostics.HasErrors()) return std::nullopt;
-  return LoadedStudy{*study, *vehicle, std::move(*data), std::move(free)};
+  return LoadedStudy{*study, *vehicle, std::move(*data), std::move(free), std::move(*histories)};
 }
 
 }  // namespace fourpost

@@ -6,6 +6,8 @@
 
 #include "analysis/diagnostics.h"
 #include "identify/four_post_data.h"
+#include "identify/history_data.h"
+#include "identify/history_residuals.h"
 #include "identify/study.h"
 #include "identify/vehicle_objective.h"
 #include "vehicles/description/vehicle.h"
@@ -19,6 +21,10 @@ struct LoadedStudy {
   FourPostData data;
   /// Parameters to fit, as indices into Vehicle::parameters.
   std::vector<std::size_t> free;
+  /// Recordings over time.
+  std::vector<MeasuredHistory> histories = {};
+
+  HistoryResiduals::Options HistoryOptions() const;
 
   /// The misfit over the study's band. Throws FaultyInput when the vehicle cannot be assembled or held.
   VehicleObjective MakeObjective() const;

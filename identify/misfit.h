@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,12 @@ struct HistoryMisfit {
   /// that variance that the model accounts for, 100 (1 - var(error)/var).
   double nmse_percent = 0;
   double vaf_percent = 0;
+  /// Of a vehicle's: the least-squares answer of measured(t) = gain modelled(t - delay). A gain below zero is a wrong
+  /// sign.
+  std::optional<double> gain = {};
+  std::optional<double> delay_s = {};
+  /// What the error would be with these.
+  std::optional<double> timed_nmse_percent = {};
 };
 
 /// How far a fitted vehicle is from all the data of its study.

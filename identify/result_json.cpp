@@ -41,11 +41,14 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
 
 Json Channels(const Misfits& misfits) {
   Json list = Json::array();
-  for (const HistoryMisfit& misfit : misfits.histories)
+  for (const HistoryMisfit& misfit : misfits.histories) {
     list.push_back({{"recording", misfit.recording},
                     {"name", misfit.name},
                     {"nmse_percent", NumberOrNull(misfit.nmse_percent)},
                     {"vaf_percent", NumberOrNull(misfit.vaf_percent)}});
+    if (misfit.gain) list.back()["gain"] = NumberOrNull(*misfit.gain);
+    if (misfit.delay_s) list.back()["delay_s"] = NumberOrNull(*misfit.delay_s);
+  }
   for (const ChannelMisfit& misfit : misfits.responses)
     list.push_back(
         {{"name", misfit.name}, {"rms_dB", NumberOrNull(misfit.rms_dB)}, {"rms_deg", NumberOrNull(misfit.rms_deg)}});

@@ -23,14 +23,13 @@ class StudyReader {
     if (root.IsMap() && root["problem"].IsDefined()) return ReadTestProblem(root);
     const StrictMap top = Map(root, "the study",
                               {"vehicle", "recordings", "channels", "static_loads", "free", "band", "model_error",
-                               "search", "refine", "target", "methods"});
+                               "search", "refine", "target", "methods", "histories", "cost"});
     ReadVehicle(top);
-    ReadRecordings(top);
-    if (const YAML::Node channels = top.Require("channels"); channels.IsDefined())
-      study_.channels = Sources(channels, "'channels'");
+    if (top.Has("histories")) ReadHistories(top);
+    const bool has_responses = study_.histories.empty() || top.Has("recordings");
+    if (has_responses) ReadResponses(top);
     if (top.Has("static_loads")) ReadStaticLoads(top.Get("static_loads"));
     if (top.Has("free")) ReadFree(top.Get("free"));
-    ReadBand(top);
     if (top.Has("model_error")) ReadModelError(top.Get("model_error"));
     if (top.Has("refine")) ReadRefine(top.Get("refine"));
     ReadSearches(top);
@@ -48,6 +47,23 @@ class StudyReader {
             "unknown problem '" + *study_.problem + "'" + Suggestion(*study_.problem, kTestProblems));
     ReadSearches(top);
     return study_;
+  }
+
+  void ReadResponses(const StrictMap& top) {
+    ReadRecordings(top);
+    if (const YAML::Node channels = top.Require("channels"); channels.IsDefined())
+      study_.channels = Sources(channels, "'channels'");
+    ReadBand(top);
+  }
+
+  void ReadHistories(const StrictMap& top) {
+    study_.histories = fourpost::ReadHistories(top.Get("histories"), study_.file, diagnostics_);
+    const std::optional<std::string> cost = top.Text("cost");
+    if (!cost) return;
+    const auto* const found = std::find(kHistoryCostNames.begin(), kHistoryCostNames.end(), *cost);
+    if (found == kHistoryCostNames.end())
+      return Fault(top.Get("cost"), "unknown cost '" + *cost + "'" + Suggestion(*cost, kHistoryCostNames));
+    study_.history_cost = static_cast<HistoryCost>(found - kHistoryCostNames.begin());
   }
 
   void ReadSearches(const StrictMap& top) {
@@ -228,11 +244,12 @@ class StudyReader {
   }
 
   void ReadModelError(const YAML::Node& node) {
-    const StrictMap map = Map(node, "'model_error'", {"gain_dB", "phase", "mean"});
+    const StrictMap map = Map(node, "'model_error'", {"gain_dB", "phase", "mean", "history"});
     ModelError& error = study_.model_error;
     error.gain_dB = map.Number("gain_dB", 0, 100).value_or(error.gain_dB);
     error.phase_rad = map.Quantity("phase", kDimensionless, 0).value_or(error.phase_rad);
     error.mean_m = map.Quantity("mean", kLength, 0).value_or(error.mean_m);
+    error.history = map.Quantity("history", kDimensionless, 0).value_or(error.history);
     if (error.mean_m == 0) map.Fault(map.Get("mean"), "'mean' of 'model_error' must be above zero");
   }
 

@@ -10,6 +10,7 @@
 
 #include "analysis/diagnostics.h"
 #include "identify/channel_source.h"
+#include "identify/history_study.h"
 #include "identify/robust_loss.h"
 
 namespace fourpost {
@@ -31,6 +32,8 @@ struct ModelError {
   double gain_dB = 1;
   double phase_rad = 0.087266462599716474;  // 5 degrees
   double mean_m = 0.3e-3;
+  /// Of time histories: share of a channel's deviation.
+  double history = 0.02;
 };
 
 /// Settings of the search and the refinement that a study may change.
@@ -87,6 +90,8 @@ struct Study {
   std::filesystem::path vehicle;
   int vehicle_line = 0;
   std::vector<StudyRecording> recordings;
+  std::vector<StudyHistory> histories;
+  HistoryCost history_cost = HistoryCost::kWhitened;
   /// Sensor of the vehicle, and what was measured for it.
   std::vector<std::pair<std::string, ChannelSource>> channels;
   std::optional<std::filesystem::path> static_loads_file;

@@ -54,6 +54,27 @@ void Add(Sha256& digest, const MeasuredChannel& channel) {
   digest.Add(channel.mean);
 }
 
+void Add(Sha256& digest, const Eigen::VectorXd& values) {
+  digest.Add(std::vector<double>(values.begin(), values.end()));
+}
+
+void Add(Sha256& digest, const MeasuredHistory& history) {
+  digest.Add(history.name);
+  for (const double number : {history.rate_Hz, history.TimeAt(0), history.filter ? history.filter->cutoff_Hz : 0.0,
+                              history.filter ? static_cast<double>(history.filter->order) : 0.0})
+    digest.Add(number);
+  std::vector<PostState> posts(history.posts.count);
+  for (Eigen::Index k = -history.first; k < history.count; ++k) {
+    history.posts.motion(history.TimeAt(k), posts);
+    for (const PostState& post : posts) digest.Add(post.height);
+  }
+  for (const MeasuredSignal& signal : history.signals) {
+    digest.Add(static_cast<double>(signal.sensor));
+    digest.Add(signal.noise_sd);
+    Add(digest, signal.values);
+  }
+}
+
 std::string DataDigest(const LoadedStudy& study) {
   Sha256 digest;
   for (const MeasuredRun& run : InBand(study.data.runs, study.study.band_lower_Hz, study.study.band_upper_Hz)) {
@@ -63,6 +84,7 @@ std::string DataDigest(const LoadedStudy& study) {
     digest.Add(run.excitation.shape);
     for (const MeasuredChannel& channel : run.channels) Add(digest, channel);
   }
+  for (const MeasuredHistory& history : study.histories) Add(digest, history);
   for (const MeasuredLoad& load : study.data.static_loads) {
     digest.Add(static_cast<double>(load.tyre));
     digest.Add(load.load_N);
@@ -76,6 +98,10 @@ std::string SettingsDigest(const LoadedStudy& study) {
   for (const std::size_t index : study.free) digest.Add(study.vehicle.parameters[index].name);
   const ModelError& error = study.study.model_error;
   for (const double number : {error.gain_dB, error.phase_rad, error.mean_m}) digest.Add(number);
+  if (!study.histories.empty()) {
+    digest.Add(error.history);
+    digest.Add(static_cast<double>(study.study.history_cost));
+  }
   digest.Add(study.study.search.deadline_s);
   return digest.Hex();
 }

@@ -109,6 +109,16 @@ struct FitCommand {
   bool resume = false;
 };
 
+/// `fourpost predict RUN --recording FILE`
+struct PredictCommand {
+  /// The folder of a fit.
+  std::filesystem::path run;
+  std::filesystem::path recording;
+  bool json = false;
+  /// Empty: nothing is written.
+  std::filesystem::path output;
+};
+
 /// `fourpost compare STUDY --methods a,b --runs N --seed S`
 struct CompareCommand {
   std::filesystem::path study;
@@ -130,6 +140,7 @@ int Run(const ResponseCommand& command);
 int Run(const SimulateCommand& command);
 int Run(const ModesCommand& command);
 int Run(const FitCommand& command);
+int Run(const PredictCommand& command);
 int Run(const CompareCommand& command);
 
 }  // namespace fourpost

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <utility>
 
 #include "analysis/number.h"
 #include "analysis/output_folder.h"
+#include "analysis/text_file.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/fit_section.h"
@@ -28,7 +31,7 @@ constexpr const char* kArchive = "archive.sqlite";
 /// What a part of an EvaluationContext stands for.
 std::string InWords(const std::string& part) {
   if (part == "vehicle") return "the vehicle";
-  if (part == "data") return "the recordings, their channels, the static loads or the band";
+  if (part == "data") return "the recordings, their channels, the static loads, the band or the window";
   if (part == "settings") return "the free parameters, the model error or the deadline";
   return "the version of fourpost";
 }
@@ -185,10 +188,23 @@ Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResu
   return vehicle;
 }
 
+std::string TextOf(const std::filesystem::path& file) {
+  Diagnostics diagnostics;
+  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
+  if (!text) throw FaultyInput(diagnostics);
+  return *text;
+}
+
 /// What the folder will hold, result.json last, and what is shown.
 FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit,
                   const std::filesystem::path& folder) {
   FitSection report = FourPostSection(loaded, fit);
+  FitSection histories = HistorySection(loaded, fit);
+  report.text += histories.text;
+  report.misfits.histories = std::move(histories.misfits.histories);
+  std::move(histories.files.begin(), histories.files.end(), std::back_inserter(report.files));
+  // Predictions of other recordings take from it how they are made.
+  if (!loaded.histories.empty()) report.files.emplace_back("study.yaml", TextOf(loaded.study.file));
   report.text = ParameterTable(fit.parameters) + '\n' + report.text + Summary(fit) + Judgement(fit);
   report.files.emplace_back("vehicle.urdf", VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, folder));
   report.files.emplace_back("result.json", ResultJson(loaded, seed, fit, report.misfits));

@@ -22,4 +22,7 @@ struct FitSection {
 /// Of stepped-sine responses and static loads; empty for a study without.
 FitSection FourPostSection(const LoadedStudy& study, const FitResult& fit);
 
+/// Of time histories; empty for a study without.
+FitSection HistorySection(const LoadedStudy& study, const FitResult& fit);
+
 }  // namespace fourpost

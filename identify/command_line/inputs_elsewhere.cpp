@@ -7,6 +7,7 @@ namespace fourpost {
 std::vector<std::filesystem::path> InputsOf(const LoadedStudy& study) {
   std::vector<std::filesystem::path> inputs = {study.study.file, study.vehicle.file};
   for (const StudyRecording& recording : study.study.recordings) inputs.push_back(recording.file);
+  for (const StudyHistory& history : study.study.histories) inputs.push_back(history.file);
   return inputs;
 }
 

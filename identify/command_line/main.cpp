@@ -122,8 +122,10 @@ int main(int argc, char** argv) {
   FitCommand fit;
   sub = app.add_subcommand("fit", "Fit a study's vehicle to the recordings");
   sub->add_option("STUDY", fit.study, "Study file (.yaml)")->required();
-  sub->add_option("-o,--output", fit.output,
-                  "Folder for result.json, vehicle.urdf, response.csv, response.svg and archive.sqlite")
+  sub->add_option(
+         "-o,--output", fit.output,
+         "Folder for result.json, vehicle.urdf, archive.sqlite, and what the data make of the model: response.csv and "
+         "response.svg, history.csv and history.svg")
       ->required();
   sub->add_option("--seed", fit.seed, "Seed of the search, in place of the study's")->check(WholeNumber());
   sub->add_option("--threads", fit.threads, "Evaluations at once, no influence on the result; 0: one per processor")
@@ -136,6 +138,16 @@ int main(int argc, char** argv) {
     run = [&] {
       RequireStudyFile(fit.study);
       return Run(fit);
+    };
+  });
+
+  PredictCommand predict;
+  sub = app.add_subcommand("predict", "Predict another recording with a fitted vehicle, and tell how well");
+  AddOptions(*sub, predict);
+  sub->callback([&] {
+    run = [&] {
+      RequireTable(predict.recording);
+      return Run(predict);
     };
   });
 

@@ -71,4 +71,14 @@ void AddOptions(CLI::App& subcommand, ModesCommand& command) {
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 
+void AddOptions(CLI::App& subcommand, PredictCommand& command) {
+  subcommand.add_option("RUN", command.run, "Folder that `fourpost fit` wrote")->required();
+  subcommand
+      .add_option("--recording", command.recording,
+                  "A recording (.csv) of the same layout as those fitted, of another excitation")
+      ->required();
+  subcommand.add_option("-o,--output", command.output, "Folder for history.csv, history.svg and result.json");
+  subcommand.add_flag("--json", command.json, "Print JSON");
+}
+
 }  // namespace fourpost

@@ -10,5 +10,6 @@ namespace fourpost {
 
 void AddOptions(CLI::App& subcommand, ResponseCommand& command);
 void AddOptions(CLI::App& subcommand, ModesCommand& command);
+void AddOptions(CLI::App& subcommand, PredictCommand& command);
 
 }  // namespace fourpost

@@ -1,0 +1,33 @@
+#include "identify/command_line/history_table.h"
+
+#include <cmath>
+
+#include "identify/command_line/text_table.h"
+
+namespace fourpost {
+
+std::string HistoryTable(const std::vector<HistoryMisfit>& misfits) {
+  TextTable table({"recording", "channel", "NMSE, %", "VAF, %", "gain", "delay, ms"});
+  for (const HistoryMisfit& misfit : misfits)
+    table.Add({misfit.recording, misfit.name, Rounded(misfit.nmse_percent, 3), Rounded(misfit.vaf_percent, 5),
+               misfit.gain ? Rounded(*misfit.gain, 4) : "", misfit.delay_s ? Rounded(1e3 * *misfit.delay_s, 2) : ""});
+  return table.Format();
+}
+
+std::string HistoryRemarks(const std::vector<HistoryMisfit>& misfits, double sample_s) {
+  // A model that is wrong in shape gains less by a shift.
+  constexpr double kMuch = 0.25;
+  std::string remarks;
+  for (const HistoryMisfit& misfit : misfits) {
+    if (!misfit.gain || !(*misfit.timed_nmse_percent < kMuch * misfit.nmse_percent)) continue;
+    const std::string channel = "'" + misfit.name + "' of '" + misfit.recording + "'";
+    const std::string left = ": its error would be " + Rounded(*misfit.timed_nmse_percent, 2) + " % without that\n";
+    if (*misfit.gain < 0) remarks += channel + " goes against the model, as if its sign were wrong" + left;
+    else if (std::abs(*misfit.delay_s) > sample_s)
+      remarks += channel + " comes " + Rounded(1e3 * std::abs(*misfit.delay_s), 3) + " ms " +
+                 (*misfit.delay_s > 0 ? "later" : "earlier") + " than the model, as if it were not synchronised" + left;
+  }
+  return remarks;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,131 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/csv.h"
+#include "analysis/output_folder.h"
+#include "identify/command_line/commands.h"
+#include "identify/command_line/exit_code.h"
+#include "identify/command_line/history_table.h"
+#include "identify/command_line/inputs_elsewhere.h"
+#include "identify/command_line/print.h"
+#include "identify/history_fit_files.h"
+#include "identify/history_residuals.h"
+#include "identify/study.h"
+#include "identify/versions.h"
+#include "vehicles/reader/vehicle_file.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A fit's vehicle, and the study that it was fitted by.
+struct FittedModel {
+  Vehicle vehicle;
+  Study study;
+};
+
+[[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& message) {
+  Diagnostics faults;
+  faults.Error(file.string(), 0, message);
+  throw FaultyInput(faults);
+}
+
+/// Throws FaultyInput.
+FittedModel LoadModel(const std::filesystem::path& run) {
+  for (const char* name : {"vehicle.urdf", "study.yaml"})
+    if (!std::filesystem::exists(run / name))
+      Refuse(run, std::string("holds no ") + name + ": the folder of a `fourpost fit` of time histories is wanted");
+  Diagnostics diagnostics;
+  std::optional<Vehicle> vehicle = ReadVehicle(run / "vehicle.urdf", diagnostics);
+  std::optional<Study> study = ReadStudy(run / "study.yaml", diagnostics);
+  if (!vehicle || !study) throw FaultyInput(diagnostics);
+  return {std::move(*vehicle), std::move(*study)};
+}
+
+enum class RecordingKind { kTime, kFrequency };
+
+/// By its header. Throws FaultyInput.
+RecordingKind KindOf(const std::filesystem::path& recording) {
+  Diagnostics diagnostics;
+  const std::optional<CsvTable> table = ReadCsv(recording, diagnostics);
+  if (!table) throw FaultyInput(diagnostics);
+  if (table->FindColumn("time")) return RecordingKind::kTime;
+  if (table->FindColumn("frequency_Hz")) return RecordingKind::kFrequency;
+  Refuse(recording, "has neither a column 'time' nor 'frequency_Hz': it is no recording");
+}
+
+/// The first of the study's histories, of this recording.
+StudyHistory Layout(const Study& study, const std::filesystem::path& recording) {
+  if (study.histories.empty())
+    Refuse(recording,
+           "is a recording over time, but the model was fitted to none: nothing tells which channels are its "
+           "posts and sensors");
+  StudyHistory history = study.histories.front();
+  history.file = recording;
+  history.name = recording.stem().string();
+  history.end_s.reset();
+  return history;
+}
+
+std::string AsJson(const PredictCommand& command, const FittedModel& model, const MeasuredHistory& history,
+                   const std::vector<HistoryMisfit>& misfits) {
+  Json channels = Json::array();
+  for (const HistoryMisfit& misfit : misfits)
+    channels.push_back({{"recording", misfit.recording},
+                        {"name", misfit.name},
+                        {"nmse_percent", misfit.nmse_percent},
+                        {"vaf_percent", misfit.vaf_percent},
+                        {"gain", *misfit.gain},
+                        {"delay_s", *misfit.delay_s}});
+  Json versions = Json::object();
+  for (const auto& [name, version] : Versions()) versions[name] = version;
+  return Json{{"vehicle", model.vehicle.name}, {"recording", command.recording.filename().string()},
+              {"start_s", history.TimeAt(0)},  {"end_s", history.TimeAt(history.count - 1)},
+              {"samples", history.count},      {"channels", channels},
+              {"versions", versions}}
+             .dump(2) +
+         '\n';
+}
+
+int PredictHistory(const PredictCommand& command, const FittedModel& model) {
+  Diagnostics diagnostics;
+  const std::optional<std::vector<MeasuredHistory>> histories = LoadHistories(
+      {Layout(model.study, command.recording)}, (command.run / "study.yaml").string(), model.vehicle, diagnostics);
+  if (!histories) throw FaultyInput(diagnostics);
+  Tell(diagnostics);
+  const HistoryResiduals residuals(std::make_shared<const CondensedVehicle>(model.vehicle), *histories, {});
+  const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(model.vehicle.ParameterValues());
+  const std::vector<HistoryMisfit> misfits = HistoryMisfits(*histories, modelled);
+  const MeasuredHistory& history = histories->front();
+  const std::string json = AsJson(command, model, history, misfits);
+  if (!command.output.empty()) {
+    RequireInputsElsewhere({command.run / "vehicle.urdf", command.recording}, command.output);
+    OutputFolder output(command.output);
+    output.Add("history.csv", HistoryFitCsv(*histories, modelled));
+    output.Add("history.svg", HistoryFitSvg(history, modelled.front(), misfits));
+    output.Add("result.json", json);
+    output.Commit();
+    std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
+  }
+  Print(command.json ? json : HistoryTable(misfits) + HistoryRemarks(misfits, 1 / history.rate_Hz));
+  return kGood;
+}
+
+}  // namespace
+
+int Run(const PredictCommand& command) {
+  const FittedModel model = LoadModel(command.run);
+  switch (KindOf(command.recording)) {
+    case RecordingKind::kTime: return PredictHistory(command, model);
+    case RecordingKind::kFrequency: break;
+  }
+  Refuse(command.recording, "is a frequency response; recordings over time can be predicted");
+}
+
+}  // namespace fourpost
