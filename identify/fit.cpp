@@ -75,6 +75,15 @@ std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const VehicleObj
   return starts;
 }
 
+/// The model's own derivatives may be good enough for steps only: differences end what they began, and tell deviations.
+RefineResult Polished(Archive& archive, const RefineResult& best, RefineOptions options,
+                      const std::function<bool()>& stop) {
+  if (options.differences != Differences::kAutomatic || !archive.problem().differentiate || stop()) return best;
+  options.differences = Differences::kCentral;
+  RefineResult polished = Refine(archive, best.values, options, stop);
+  return polished.has_cost() && polished.cost <= best.cost ? polished : best;
+}
+
 /// By the refinement's loss; of the search squares are known, no residuals. NaN when it fails now.
 double CostOf(Archive& archive, const Candidate& candidate, const RobustLoss& loss) {
   if (loss.kind() == LossKind::kNone) return candidate.cost;
@@ -135,7 +144,8 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   Eigen::VectorXd values = result.search.candidates.front().values;
   result.end = stop() ? FitEnd::kInterrupted : FitEnd::kNotConverged;
   if (refined.best >= 0) {
-    const RefineResult& best = refined.runs[static_cast<std::size_t>(refined.best)];
+    const RefineResult best =
+        Polished(archive, refined.runs[static_cast<std::size_t>(refined.best)], options.refine, report_and_ask);
     values = best.values;
     result.cost = best.cost;
     result.end = EndOf(best, stop());

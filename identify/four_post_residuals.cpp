@@ -1,5 +1,6 @@
 #include "identify/four_post_residuals.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "analysis/decibel.h"
 #include "identify/modelled_response.h"
+#include "vehicles/response/balance_sensitivity.h"
 
 namespace fourpost {
 namespace {
@@ -18,20 +20,92 @@ Eigen::Index CountOf(const std::vector<MeasuredRun>& runs) {
   return static_cast<Eigen::Index>(count);
 }
 
-void AddRun(const MeasuredRun& run, const FrequencyResponse& modelled, const ModelError& model_error, double*& out) {
+/// Largest gain of all channels of this unit at a frequency.
+double Loudest(const MeasuredRun& run, const std::string& unit, std::size_t frequency) {
+  double loudest = 0;
+  for (const MeasuredChannel& channel : run.channels)
+    if (channel.unit == unit) loudest = std::max(loudest, std::abs(channel.response[frequency]));
+  return loudest;
+}
+
+/// What each response of a channel is compared by: error times `turn`, over the deviations.
+struct Scale {
+  std::complex<double> turn;
+  double radial_sd = 0;
+  double tangential_sd = 0;
+};
+
+Scale ScaleOf(const MeasuredRun& run, const MeasuredChannel& channel, const ModelError& model_error, std::size_t i) {
+  const double gain = std::abs(channel.response[i]);
   const double gain_error = GainFromDecibel(model_error.gain_dB) - 1;
+  const double floor = model_error.floor * Loudest(run, channel.unit, i);
+  return {.turn = std::conj(channel.response[i]) / gain,
+          .radial_sd = std::hypot(channel.radial_sd[i], gain * gain_error, floor),
+          .tangential_sd = std::hypot(channel.tangential_sd[i], gain * model_error.phase_rad, floor)};
+}
+
+void AddRun(const MeasuredRun& run, const FrequencyResponse& modelled, const ModelError& model_error, double*& out) {
   for (const MeasuredChannel& channel : run.channels) {
     const ChannelResponse& model = modelled.channels[channel.sensor];
     for (std::size_t i = 0; i < channel.response.size(); ++i) {
-      const double gain = std::abs(channel.response[i]);
-      const std::complex<double> error =
-          (model.response[i] - channel.response[i]) * std::conj(channel.response[i]) / gain;
-      *out++ = error.real() / std::hypot(channel.radial_sd[i], gain * gain_error);
-      *out++ = error.imag() / std::hypot(channel.tangential_sd[i], gain * model_error.phase_rad);
+      const Scale scale = ScaleOf(run, channel, model_error, i);
+      const std::complex<double> error = (model.response[i] - channel.response[i]) * scale.turn;
+      *out++ = error.real() / scale.radial_sd;
+      *out++ = error.imag() / scale.tangential_sd;
     }
     for (std::size_t i = 0; i < channel.mean.size(); ++i)
       *out++ = (model.mean[i] - channel.mean[i]) / model_error.mean_m;
   }
+}
+
+/// One column of the Jacobian.
+void AddSlopes(const MeasuredRun& run, const FrequencyResponse& slopes, const ModelError& model_error, double*& out) {
+  for (const MeasuredChannel& channel : run.channels) {
+    const ChannelResponse& slope = slopes.channels[channel.sensor];
+    for (std::size_t i = 0; i < channel.response.size(); ++i) {
+      const Scale scale = ScaleOf(run, channel, model_error, i);
+      const std::complex<double> change = slope.response[i] * scale.turn;
+      *out++ = change.real() / scale.radial_sd;
+      *out++ = change.imag() / scale.tangential_sd;
+    }
+    for (std::size_t i = 0; i < channel.mean.size(); ++i) *out++ = slope.mean[i] / model_error.mean_m;
+  }
+}
+
+Eigen::MatrixXd Differentiate(const CondensedVehicle& vehicle, const std::vector<MeasuredRun>& runs, Eigen::Index count,
+                              const ModelError& model_error, const std::vector<double>& values,
+                              const std::vector<std::size_t>& parameters) {
+  Eigen::MatrixXd jacobian(count, static_cast<Eigen::Index>(parameters.size()));
+  Eigen::Index first = 0;
+  for (const MeasuredRun& run : runs) {
+    const ResponseSensitivity sensitivity =
+        SolveBalanceSensitivity(vehicle, values, parameters, run.excitation, kFitBalance);
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+      double* out = jacobian.col(static_cast<Eigen::Index>(p)).data() + first;
+      AddSlopes(run, sensitivity.by_parameter[p], model_error, out);
+    }
+    first += CountOf({run});
+  }
+  return jacobian;
+}
+
+/// Loads are linear in masses and smooth in all else, and exact to rounding.
+Eigen::MatrixXd LoadSlopes(const CondensedVehicle& vehicle, const std::vector<MeasuredLoad>& loads,
+                           const std::vector<double>& values, const std::vector<std::size_t>& parameters) {
+  Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(loads.size()), static_cast<Eigen::Index>(parameters.size()));
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    const double value = values[parameters[p]];
+    const double step = 1e-5 * (value != 0 ? std::abs(value) : 1);
+    std::vector<double> moved = values;
+    moved[parameters[p]] = value + step;
+    const Preloads above = vehicle.PreloadsAt(moved);
+    moved[parameters[p]] = value - step;
+    const Preloads below = vehicle.PreloadsAt(moved);
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      jacobian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(p)) =
+          (above.tyre[loads[i].tyre] - below.tyre[loads[i].tyre]) / (2 * step * loads[i].sd_N);
+  }
+  return jacobian;
 }
 
 Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredRun>& runs, Eigen::Index count,
@@ -61,25 +135,34 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
           .count = count,
           // What the balance's iteration leaves: 3e-7 of a response in the mean, some 1e-6 at the most.
           .accuracy = kFitBalance.tolerance,
-          .evaluate = [vehicle = std::move(vehicle), runs = std::move(runs), count, model_error](
-                          const std::vector<double>& values, const Deadline& deadline) {
-            return Evaluate(*vehicle, runs, count, model_error, values, deadline);
-          }};
+          .evaluate =
+              [vehicle, runs, count, model_error](const std::vector<double>& values, const Deadline& deadline) {
+                return Evaluate(*vehicle, runs, count, model_error, values, deadline);
+              },
+          .differentiate =
+              [vehicle, runs, count, model_error](const std::vector<double>& values,
+                                                  const std::vector<std::size_t>& parameters) {
+                return Differentiate(*vehicle, runs, count, model_error, values, parameters);
+              }};
 }
 
 ResidualBlock StaticLoadResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredLoad> loads) {
   const auto count = static_cast<Eigen::Index>(loads.size());
   return {.name = "static loads",
           .count = count,
-          .evaluate = [vehicle = std::move(vehicle), loads = std::move(loads)](const std::vector<double>& values,
-                                                                               const Deadline&) {
-            const Preloads preloads = vehicle->PreloadsAt(values);
-            Evaluation evaluation;
-            evaluation.residuals.resize(static_cast<Eigen::Index>(loads.size()));
-            double* out = evaluation.residuals.data();
-            for (const MeasuredLoad& load : loads) *out++ = (preloads.tyre[load.tyre] - load.load_N) / load.sd_N;
-            return evaluation;
-          }};
+          .evaluate =
+              [vehicle, loads](const std::vector<double>& values, const Deadline&) {
+                const Preloads preloads = vehicle->PreloadsAt(values);
+                Evaluation evaluation;
+                evaluation.residuals.resize(static_cast<Eigen::Index>(loads.size()));
+                double* out = evaluation.residuals.data();
+                for (const MeasuredLoad& load : loads) *out++ = (preloads.tyre[load.tyre] - load.load_N) / load.sd_N;
+                return evaluation;
+              },
+          .differentiate =
+              [vehicle, loads](const std::vector<double>& values, const std::vector<std::size_t>& parameters) {
+                return LoadSlopes(*vehicle, loads, values, parameters);
+              }};
 }
 
 }  // namespace fourpost

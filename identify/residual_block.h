@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -21,6 +22,10 @@ struct ResidualBlock {
   double accuracy = 1e-15;
   /// `values`: all parameters of the vehicle, SI. Called from several threads at once. Throws TimedOut.
   std::function<Evaluation(const std::vector<double>& values, const Deadline& deadline)> evaluate;
+  /// Derivatives by these parameters (indices) per SI unit, count x parameters, for less than differences would cost
+  /// and good enough for steps of a refinement; empty where only differences tell. Throws what it cannot do.
+  std::function<Eigen::MatrixXd(const std::vector<double>& values, const std::vector<std::size_t>& parameters)>
+      differentiate = {};
 };
 
 }  // namespace fourpost

@@ -34,6 +34,9 @@ struct ModelError {
   double mean_m = 0.3e-3;
   /// Of time histories: share of a channel's deviation.
   double history = 0.02;
+  /// Of responses, as a share of the loudest channel of that unit at that frequency: next to a node, where a channel
+  /// all but rests, a model that has the node elsewhere would else be wrong by many times the gain.
+  double floor = 0.03;
 };
 
 /// Settings of the search and the refinement that a study may change.

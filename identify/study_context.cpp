@@ -97,7 +97,7 @@ std::string SettingsDigest(const LoadedStudy& study) {
   Sha256 digest;
   for (const std::size_t index : study.free) digest.Add(study.vehicle.parameters[index].name);
   const ModelError& error = study.study.model_error;
-  for (const double number : {error.gain_dB, error.phase_rad, error.mean_m}) digest.Add(number);
+  for (const double number : {error.gain_dB, error.phase_rad, error.mean_m, error.floor}) digest.Add(number);
   if (!study.histories.empty()) {
     digest.Add(error.history);
     digest.Add(static_cast<double>(study.study.history_cost));

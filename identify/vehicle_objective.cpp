@@ -36,7 +36,22 @@ Problem VehicleObjective::MakeProblem() const {
                                      const Deadline& deadline) { return Evaluate(values, deadline); },
                   .residual_count = residual_count_};
   for (const ResidualBlock& block : blocks_) problem.accuracy = std::max(problem.accuracy, block.accuracy);
+  const auto differentiates = [](const ResidualBlock& block) { return static_cast<bool>(block.differentiate); };
+  if (std::all_of(blocks_.begin(), blocks_.end(), differentiates))
+    problem.differentiate = [this](const Eigen::VectorXd& values) { return Jacobian(values); };
   return problem;
+}
+
+Eigen::MatrixXd VehicleObjective::Jacobian(const Eigen::VectorXd& values) const {
+  const std::vector<double> all = AllParameters(values);
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(residual_count_, values.size());
+  Eigen::Index first = 0;
+  for (const ResidualBlock& block : blocks_) {
+    jacobian.middleRows(first, block.count) = block.differentiate(all, free_);
+    first += block.count;
+  }
+  for (const Prior& prior : priors_) jacobian(first++, prior.index) = 1 / prior.sd;
+  return jacobian;
 }
 
 std::vector<double> VehicleObjective::AllParameters(const Eigen::VectorXd& values) const {

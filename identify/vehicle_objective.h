@@ -23,6 +23,9 @@ class VehicleObjective {
   /// `values`: SI, one per free parameter. Throws TimedOut.
   Evaluation Evaluate(const Eigen::VectorXd& values, const Deadline& deadline = {}) const;
 
+  /// d residuals / d values, N x n. To be called only where all blocks differentiate.
+  Eigen::MatrixXd Jacobian(const Eigen::VectorXd& values) const;
+
   /// The residuals of the priors alone, with which those of Evaluate() end.
   Eigen::VectorXd PriorResiduals(const Eigen::VectorXd& values) const;
 

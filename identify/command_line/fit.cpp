@@ -74,6 +74,7 @@ FitOptions OptionsOf(const Study& study, const VehicleObjective& objective, cons
   options.starts = search.starts;
   options.threads = command.threads;
   options.deadline_s = search.deadline_s;
+  options.refine.differences = Differences::kAutomatic;
   const LossKind loss = study.refine.loss;
   options.refine.loss = RobustLoss(loss, study.refine.scale.value_or(UsualScale(loss)), objective.prior_count());
   return options;

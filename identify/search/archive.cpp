@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <tuple>
@@ -102,17 +103,31 @@ EvaluationStore::Answer Archive::Ask(const Eigen::VectorXd& values) const {
 
 std::optional<Eigen::MatrixXd> Archive::Differentiate(const Eigen::VectorXd& values) {
   if (!problem_.differentiate) return std::nullopt;
-  counts_.paid += values.size();
-  try {
-    Eigen::MatrixXd jacobian = problem_.differentiate(values);
-    const bool fits = jacobian.cols() == values.size() && (residual_count_ == 0 || jacobian.rows() == residual_count_);
-    if (fits && jacobian.allFinite()) return jacobian;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception&) {
-    // As an evaluation that fails: nothing is known here.
+  const Eigen::Index n = values.size();
+  const auto differentiate = [&] {
+    Problem columns = problem_;
+    columns.evaluate = [&](const Eigen::VectorXd& at) {
+      return Evaluation{.residuals = problem_.differentiate(at).reshaped()};
+    };
+    return EvaluateGuarded(columns, values);
+  };
+  // Stored as the evaluation of a point that is none: one component more.
+  Eigen::VectorXd key(n + 1);
+  key << values, std::numeric_limits<double>::quiet_NaN();
+  EvaluationStore::Answer answer;
+  if (store_ == nullptr) answer.evaluation = differentiate();
+  else answer = store_->FindOrEvaluate(key, differentiate);
+  const bool is_first = store_ == nullptr || needed_.insert(BytesOf(key)).second || repeats_ == Repeats::kPaid;
+  if (is_first) {
+    counts_.paid += n;
+    if (answer.was_stored) counts_.restored += n;
+  } else {
+    counts_.reused += n;
   }
-  return std::nullopt;
+  const Eigen::VectorXd& columns = answer.evaluation.residuals;
+  if (!answer.evaluation.ok() || columns.size() % n != 0) return std::nullopt;
+  if (residual_count_ != 0 && columns.size() != residual_count_ * n) return std::nullopt;
+  return columns.reshaped(columns.size() / n, n);
 }
 
 std::optional<Score> Archive::Find(const LatticePoint& point) const {

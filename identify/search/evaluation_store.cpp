@@ -3,7 +3,10 @@
 #include <sqlite3.h>
 
 #include <bit>
+#include <cmath>
+#include <cstring>
 #include <fstream>
+#include <string_view>
 #include <utility>
 
 #include "analysis/output_folder.h"
@@ -247,6 +250,18 @@ std::vector<std::string> ChangedParts(const fs::path& file, const EvaluationCont
   return changed;
 }
 
+namespace {
+
+/// Evaluations that a row stands for, by its values' bytes: one for each parameter where it is a Jacobian's.
+std::int64_t WorthOf(std::string_view bytes) {
+  double last = 0;
+  if (bytes.size() < sizeof last) return 1;
+  std::memcpy(&last, bytes.data() + bytes.size() - sizeof last, sizeof last);
+  return std::isnan(last) ? static_cast<std::int64_t>(bytes.size() / sizeof last) - 1 : 1;
+}
+
+}  // namespace
+
 StoredContent ReadStoredContent(const fs::path& file) {
   StoredContent content;
   Sha256 digest;
@@ -256,8 +271,9 @@ StoredContent ReadStoredContent(const fs::path& file) {
                    "FROM evaluation JOIN context ON context.id = evaluation.context "
                    "ORDER BY vehicle, data, settings, version, parameters");
     while (rows.Step()) {
-      ++content.evaluations;
-      content.paid += rows.Integer(5);
+      const std::int64_t worth = WorthOf(rows.Text(4));
+      content.evaluations += worth;
+      content.paid += worth * rows.Integer(5);
       for (const int column : {6, 7, 8, 9, 4, 0, 1, 2}) digest.Add(rows.Text(column));
       digest.Add(rows.Real(3));
     }

@@ -80,6 +80,7 @@ std::vector<std::string> ChangedParts(const std::filesystem::path& file, const E
 
 /// All that a file holds, over all contexts.
 struct StoredContent {
+  /// A Jacobian, stored under its point's values and NaN, counts as one for each parameter, as in EvaluationCounts.
   std::int64_t evaluations = 0;
   /// How often one of them was paid for; above `evaluations` where programs that ran at once paid for the same.
   std::int64_t paid = 0;

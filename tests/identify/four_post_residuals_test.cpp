@@ -46,7 +46,7 @@ TEST(FourPostResiduals, IsZeroForTheVehicleThatMadeTheData) {
 // A model error of one decibel, or five degrees, is worth one unit.
 TEST(FourPostResiduals, WeighsGainAndPhaseByTheModelError) {
   LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
-  study.study.model_error = {.gain_dB = 1, .phase_rad = RadiansFromDegrees(5)};
+  study.study.model_error = {.gain_dB = 1, .phase_rad = RadiansFromDegrees(5), .floor = 0};
   const double high = GainFromDecibel(1);
   for (MeasuredRun& run : study.data.runs)
     for (MeasuredChannel& channel : run.channels) {

@@ -173,15 +173,15 @@ TEST_F(Resume, ReusesEvaluationsForAnotherLoss) {
   const auto before = nlohmann::json::parse(ReadText(folder_ / "run/result.json"));
   EXPECT_EQ(before["refine"]["loss"], "none");
   EXPECT_FALSE(before["refine"].contains("scale"));
-  ReplaceIn(kStudy, "search:\n", "refine: {loss: huber, scale: 2}\nsearch:\n");
+  ReplaceIn(kStudy, "search:\n", "refine: {loss: huber, scale: 1}\nsearch:\n");
   const Outcome robust = Run(Fit("run") + " --resume");
   ASSERT_EQ(robust.code, 0) << robust.err;
-  EXPECT_THAT(robust.out, HasSubstr(" by huber beyond 2 sd for "));
+  EXPECT_THAT(robust.out, HasSubstr(" by huber beyond 1 sd for "));
   // Those of the search at least.
   EXPECT_THAT(robust.err, testing::ContainsRegex("[2-9][0-9][0-9] of [0-9]+ evaluations come from"));
   const auto after = nlohmann::json::parse(ReadText(folder_ / "run/result.json"));
   EXPECT_EQ(after["refine"]["loss"], "huber");
-  EXPECT_EQ(after["refine"]["scale"], 2.0);
+  EXPECT_EQ(after["refine"]["scale"], 1.0);
   EXPECT_GT(after["refine"]["step"], 0);
   EXPECT_LT(after["cost"], before["cost"]);
 }

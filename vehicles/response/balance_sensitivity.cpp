@@ -1,5 +1,7 @@
 #include "vehicles/response/balance_sensitivity.h"
 
+#include <algorithm>
+
 #include "vehicles/condensed/model_change.h"
 #include "vehicles/response/balance_change.h"
 #include "vehicles/response/linearised_cycle.h"
@@ -16,7 +18,9 @@ ResponseSensitivity SolveBalanceSensitivity(const CondensedVehicle& vehicle, std
   std::vector<ModelChange> changes;
   for (const std::size_t parameter : parameters) changes.push_back(model_changes.By(parameter));
   LinearisedCycle cycle(model_changes.model(), excitation.shape, options);
-  BalanceChange change(cycle, model_changes.model(), excitation.shape, changes, options.error);
+  // A balance of few harmonics is content with any error; its derivatives are not.
+  const double error = std::min(options.error, HarmonicBalanceOptions{}.error);
+  BalanceChange change(cycle, model_changes.model(), excitation.shape, changes, error);
   ResponseRecorder recorder(vehicle.vehicle().sensors, excitation);
   std::vector<ResponseRecorder> by_parameter(parameters.size(), recorder);
   ResponseSensitivity out;
