@@ -116,6 +116,22 @@ Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::Vect
   return covariance;
 }
 
+Eigen::MatrixXd Correlations(const Covariance& covariance) {
+  const int rank = covariance.rank;
+  const Eigen::MatrixXd scaled =
+      covariance.directions.leftCols(rank) * covariance.singular_values.head(rank).cwiseInverse().asDiagonal();
+  Eigen::MatrixXd correlations(scaled.rows(), scaled.rows());
+  for (Eigen::Index i = 0; i < scaled.rows(); ++i)
+    for (Eigen::Index j = 0; j < scaled.rows(); ++j) {
+      const bool known = std::isfinite(covariance.variable_sd[i]) && std::isfinite(covariance.variable_sd[j]);
+      const double product = scaled.row(i).norm() * scaled.row(j).norm();
+      correlations(i, j) = !known   ? std::numeric_limits<double>::quiet_NaN()
+                           : i == j ? 1.0
+                                    : scaled.row(i).dot(scaled.row(j)) / product;
+    }
+  return correlations;
+}
+
 std::string DescribeDirection(const Lattice& lattice, const Eigen::VectorXd& direction) {
   constexpr double kLeastShare = 0.05;
   const FitVariables variables(lattice);

@@ -54,6 +54,9 @@ struct Covariance {
 Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, double cost,
                               const CovarianceOptions& options = {}, const Eigen::MatrixXd& priors = {});
 
+/// Correlations of the parameters, n x n, ones on the diagonal; NaN in the rows and columns of what is not determined.
+Eigen::MatrixXd Correlations(const Covariance& covariance);
+
 /// A direction in words: "m_body +1 %, k_front +0.98 %", what each parameter changes by when the strongest changes by
 /// 1 % ("1 % of range" where FitVariables are not logarithmic); strongest first, below a twentieth of it left out.
 std::string DescribeDirection(const Lattice& lattice, const Eigen::VectorXd& direction);

@@ -84,6 +84,23 @@ RefineResult Polished(Archive& archive, const RefineResult& best, RefineOptions 
   return polished.has_cost() && polished.cost <= best.cost ? polished : best;
 }
 
+/// The vehicle's own values come last; after an interruption they may be left out.
+std::vector<RefinedStart> Summarised(const std::vector<RefineResult>& runs, std::size_t starts) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<RefinedStart> refined;
+  for (const RefineResult& run : runs) {
+    const bool is_last = refined.size() + 1 == starts;
+    refined.push_back({.from = is_last ? "vehicle file" : "search",
+                       .end = run.end,
+                       .start_cost = run.has_cost() ? run.start_cost : kNone,
+                       .cost = run.has_cost() ? run.cost : kNone,
+                       .iterations = run.iterations,
+                       .evaluations = run.evaluations,
+                       .values = {run.values.begin(), run.values.end()}});
+  }
+  return refined;
+}
+
 /// By the refinement's loss; of the search squares are known, no residuals. NaN when it fails now.
 double CostOf(Archive& archive, const Candidate& candidate, const RobustLoss& loss) {
   if (loss.kind() == LossKind::kNone) return candidate.cost;
@@ -136,10 +153,11 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
     report("refine");
     return stop();
   };
-  const MultiStartResult refined =
-      RefineFrom(archive, Starts(result.search, objective, options.starts), options.refine, report_and_ask);
+  const std::vector<Eigen::VectorXd> starts = Starts(result.search, objective, options.starts);
+  const MultiStartResult refined = RefineFrom(archive, starts, options.refine, report_and_ask);
   result.starts = static_cast<int>(refined.runs.size());
   result.agreeing = refined.agreeing;
+  result.refined = Summarised(refined.runs, starts.size());
 
   Eigen::VectorXd values = result.search.candidates.front().values;
   result.end = stop() ? FitEnd::kInterrupted : FitEnd::kNotConverged;

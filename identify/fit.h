@@ -57,6 +57,19 @@ struct FittedParameter {
   double FromPrior() const { return prior_sd ? (value - start) / *prior_sd : 0; }
 };
 
+/// What a refinement made of its start.
+struct RefinedStart {
+  /// "search" or "vehicle file"
+  std::string from;
+  RefineEnd end = RefineEnd::kNotRun;
+  double start_cost = 0;
+  double cost = 0;
+  int iterations = 0;
+  std::int64_t evaluations = 0;
+  /// Of the free parameters, SI.
+  std::vector<double> values;
+};
+
 struct FitResult {
   FitEnd end = FitEnd::kNotRun;
   std::string message;
@@ -85,6 +98,8 @@ struct FitResult {
   /// Refinements run, and how many ended in the best optimum.
   int starts = 0;
   int agreeing = 0;
+  /// Each of them, in the order of the starts: good points of the search, then the vehicle's own values.
+  std::vector<RefinedStart> refined;
 };
 
 /// What a running fit tells.

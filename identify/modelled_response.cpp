@@ -22,8 +22,15 @@ void Blank(double frequency_Hz, FrequencyResponse& response) {
   }
 }
 
-void AddRow(const MeasuredRun& run, const MeasuredChannel& measured, const ChannelResponse& modelled, std::size_t i,
-            bool in_band, CsvWriter& csv) {
+/// What the deviation across a phasor is as an angle; NaN where there were no repeats.
+double PhaseSdDeg(const MeasuredChannel& measured, std::size_t i) {
+  if (!(measured.tangential_sd[i] > 0)) return std::numeric_limits<double>::quiet_NaN();
+  return DegreesFromRadians(measured.tangential_sd[i] / std::abs(measured.response[i]));
+}
+
+/// `start`: null where it is not told.
+void AddRow(const MeasuredRun& run, const MeasuredChannel& measured, const ChannelResponse& modelled,
+            const ChannelResponse* start, std::size_t i, bool in_band, CsvWriter& csv) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const bool has_mean = !measured.mean.empty();
   csv.Add(run.name).Add(measured.name).Add(measured.unit).Add(run.excitation.frequency_Hz[i]);
@@ -31,6 +38,8 @@ void AddRow(const MeasuredRun& run, const MeasuredChannel& measured, const Chann
   csv.Add(std::abs(measured.response[i])).Add(std::abs(modelled.response[i]));
   csv.Add(PhaseDeg(measured.response[i])).Add(PhaseDeg(modelled.response[i]));
   csv.Add(has_mean ? measured.mean[i] : none).Add(has_mean ? modelled.mean[i] : none);
+  csv.Add(measured.radial_sd[i] > 0 ? measured.radial_sd[i] : none).Add(PhaseSdDeg(measured, i));
+  csv.Add(start ? std::abs(start->response[i]) : none).Add(start ? PhaseDeg(start->response[i]) : none);
 }
 
 }  // namespace
@@ -47,14 +56,17 @@ std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, co
 }
 
 std::string ResponseCsv(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
-                        double lower_Hz, double upper_Hz) {
+                        double lower_Hz, double upper_Hz, const std::vector<FrequencyResponse>& start) {
   CsvWriter csv({"recording", "channel", "unit", "frequency_Hz", "post_amplitude_m", "in_band", "gain_measured",
-                 "gain_modelled", "phase_measured_deg", "phase_modelled_deg", "mean_measured", "mean_modelled"});
+                 "gain_modelled", "phase_measured_deg", "phase_modelled_deg", "mean_measured", "mean_modelled",
+                 "gain_sd", "phase_sd_deg", "gain_start", "phase_start_deg"});
   for (std::size_t r = 0; r < runs.size(); ++r)
     for (const MeasuredChannel& channel : runs[r].channels)
       for (std::size_t i = 0; i < channel.response.size(); ++i) {
         const double f = runs[r].excitation.frequency_Hz[i];
-        AddRow(runs[r], channel, modelled[r].channels[channel.sensor], i, f >= lower_Hz && f <= upper_Hz, csv);
+        const ChannelResponse* at_start = start.empty() ? nullptr : &start[r].channels[channel.sensor];
+        AddRow(runs[r], channel, modelled[r].channels[channel.sensor], at_start, i, f >= lower_Hz && f <= upper_Hz,
+               csv);
       }
   return csv.text();
 }

@@ -28,6 +28,7 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
   Json list = Json::array();
   for (const FittedParameter& parameter : parameters) {
     list.push_back({{"name", parameter.name},
+                    {"start", parameter.start},
                     {"value", parameter.value},
                     {"unit", SiUnit(parameter.dimension)},
                     {"lower", parameter.lower},
@@ -65,13 +66,25 @@ Json StaticLoads(const LoadedStudy& study, const std::vector<double>& modelled) 
   return list;
 }
 
+/// Row by row.
+Json Matrix(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(NumberOrNull(matrix(i, j)));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
 Json Identifiability(const std::optional<Covariance>& covariance, const std::vector<std::string>& weakest) {
   if (!covariance) return nullptr;
   return {{"rank", covariance->rank},
           {"parameters", covariance->directions.cols()},
           {"condition", NumberOrNull(covariance->condition)},
           {"weakest", weakest},
-          {"sd_inflation", covariance->inflation}};
+          {"sd_inflation", covariance->inflation},
+          {"correlation", Matrix(Correlations(*covariance))}};
 }
 
 /// Infinite and none: null.
@@ -85,11 +98,46 @@ Json Stop(const StopRules& rules) {
           {"on_collapse", rules.on_collapse}};
 }
 
+/// One entry per generation.
+Json Log(const SearchResult& search) {
+  Json log = Json::array();
+  for (const SearchGeneration& generation : search.log)
+    log.push_back({{"evaluations", generation.paid},
+                   {"best_cost", NumberOrNull(generation.best_cost)},
+                   {"diversity", NumberOrNull(generation.diversity)}});
+  return log;
+}
+
+Json Starts(const FitResult& fit) {
+  Json runs = Json::array();
+  for (const RefinedStart& run : fit.refined)
+    runs.push_back({{"from", run.from},
+                    {"end", RefineEndName(run.end)},
+                    {"start_cost", NumberOrNull(run.start_cost)},
+                    {"cost", NumberOrNull(run.cost)},
+                    {"iterations", run.iterations},
+                    {"evaluations", run.evaluations},
+                    {"values", run.values}});
+  return {{"asked", fit.options.starts}, {"refined", fit.starts}, {"agreeing", fit.agreeing}, {"runs", runs}};
+}
+
+Json Recordings(const LoadedStudy& study) {
+  Json list = Json::array();
+  for (const MeasuredRun& run : study.data.runs) {
+    Json posts = Json::object();
+    for (std::size_t p = 0; p < study.vehicle.posts.size(); ++p)
+      posts[study.vehicle.posts[p].name] = run.excitation.shape[p];
+    list.push_back({{"name", run.name}, {"posts", posts}});
+  }
+  return list;
+}
+
 Json Search(const FitResult& fit) {
   Json settings = Json::object();
   for (const auto& [key, value] : fit.search_settings) settings[key] = value;
   const CandidateRules& candidates = fit.options.candidates;
   return {{"end", fit.search.reason},
+          {"log", Log(fit.search)},
           {"settings", settings},
           {"stop", Stop(fit.options.stop)},
           {"candidates", {{"count", candidates.count}, {"separation", candidates.separation}}}};
@@ -118,13 +166,14 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                      {"study", study.study.file.filename().string()},
                      {"vehicle", study.vehicle.name},
                      {"band_Hz", {study.study.band_lower_Hz, study.study.band_upper_Hz}},
+                     {"recordings", Recordings(study)},
                      {"cost", NumberOrNull(fit.cost)},
                      {"residuals", fit.residual_count},
                      {"seed", seed},
                      {"evaluations", Evaluations(fit.evaluations)},
                      {"search", Search(fit)},
                      {"refine", Refinement(fit.options.refine)},
-                     {"starts", {{"asked", fit.options.starts}, {"refined", fit.starts}, {"agreeing", fit.agreeing}}},
+                     {"starts", Starts(fit)},
                      {"deadline_s", NumberOrNull(fit.options.deadline_s)},
                      {"identifiability", Identifiability(fit.covariance, fit.weakest)},
                      {"parameters", Parameters(fit.parameters)},

@@ -119,6 +119,14 @@ struct PredictCommand {
   std::filesystem::path output;
 };
 
+/// `fourpost report RUN`
+struct ReportCommand {
+  std::filesystem::path run;
+  /// report.html in the run's folder when empty.
+  std::filesystem::path output;
+  bool json = false;
+};
+
 /// `fourpost compare STUDY --methods a,b --runs N --seed S`
 struct CompareCommand {
   std::filesystem::path study;
@@ -141,6 +149,7 @@ int Run(const SimulateCommand& command);
 int Run(const ModesCommand& command);
 int Run(const FitCommand& command);
 int Run(const PredictCommand& command);
+int Run(const ReportCommand& command);
 int Run(const CompareCommand& command);
 
 }  // namespace fourpost

@@ -17,6 +17,7 @@
 #include "identify/command_line/text_table.h"
 #include "identify/fit.h"
 #include "identify/loaded_study.h"
+#include "identify/report/report_page.h"
 #include "identify/result_json.h"
 #include "identify/study_context.h"
 #include "identify/study_methods.h"
@@ -196,6 +197,13 @@ std::string TextOf(const std::filesystem::path& file) {
   return *text;
 }
 
+/// The page that shows what the folder will hold.
+std::string Page(const LoadedStudy& loaded, const FitResult& fit, const FitSection& report) {
+  Vehicle fitted = loaded.vehicle;
+  for (std::size_t i = 0; i < fit.values.size(); ++i) fitted.parameters[i].value = fit.values[i];
+  return ReportPage({.files = {report.files.begin(), report.files.end()}, .vehicle = std::move(fitted)});
+}
+
 /// What the folder will hold, result.json last, and what is shown.
 FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit,
                   const std::filesystem::path& folder) {
@@ -236,6 +244,7 @@ int Run(const FitCommand& command) {
   }
   const FitSection report = Report(*loaded, options.seed, fit, command.output);
   for (const auto& [name, text] : report.files) output.Add(name, text);
+  output.Add("report.html", Page(*loaded, fit, report));
   output.Commit();
   std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   Print(command.json ? report.files.back().second : report.text);

@@ -29,14 +29,17 @@ FitSection FourPostSection(const LoadedStudy& loaded, const FitResult& fit) {
   const double lower = loaded.study.band_lower_Hz;
   const double upper = loaded.study.band_upper_Hz;
   const std::vector<MeasuredRun> in_band = InBand(runs, lower, upper);
-  const CondensedModel model = CondensedVehicle(loaded.vehicle).At(fit.values);
+  const CondensedVehicle vehicle(loaded.vehicle);
+  const CondensedModel model = vehicle.At(fit.values);
   const std::vector<Sensor>& sensors = loaded.vehicle.sensors;
   const std::vector<FrequencyResponse> modelled = ModelledResponses(model, sensors, runs);
+  const std::vector<FrequencyResponse> start =
+      ModelledResponses(vehicle.At(loaded.vehicle.ParameterValues()), sensors, runs);
   FitSection section;
   section.misfits.responses = ResponseMisfits(in_band, ModelledResponses(model, sensors, in_band));
   section.misfits.tyre_loads = model.preloads.tyre;
   section.text = MisfitTable(section.misfits.responses) + '\n' + LoadTable(loaded, model.preloads.tyre);
-  section.files = {{"response.csv", ResponseCsv(runs, modelled, lower, upper)},
+  section.files = {{"response.csv", ResponseCsv(runs, modelled, lower, upper, start)},
                    {"response.svg", ResponseSvg(runs, modelled, section.misfits.responses, lower, upper)}};
   return section;
 }

@@ -151,6 +151,13 @@ int main(int argc, char** argv) {
     };
   });
 
+  ReportCommand report;
+  sub = app.add_subcommand("report", "Write the report of a fit anew: one HTML file that opens anywhere, offline");
+  sub->add_option("RUN", report.run, "Folder that `fourpost fit -o` wrote")->required();
+  sub->add_option("-o,--output", report.output, "HTML file, in place of report.html in that folder");
+  sub->add_flag("--json", report.json, "Print JSON: the file and its size");
+  sub->callback([&] { run = [&] { return Run(report); }; });
+
   CompareCommand compare;
   sub = app.add_subcommand("compare", "Compare search methods on a study by evaluations counted");
   sub->add_option("STUDY", compare.study, "Study file (.yaml) of a vehicle or a test problem")->required();

@@ -1,0 +1,57 @@
+#include "analysis/report/html.h"
+
+namespace fourpost::html {
+
+std::string Escaped(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&') escaped += "&amp;";
+    else if (c == '<') escaped += "&lt;";
+    else if (c == '>') escaped += "&gt;";
+    else if (c == '"') escaped += "&quot;";
+    else if (c == '\'') escaped += "&#39;";
+    else
+      // Control characters have no place in a page.
+      escaped += static_cast<unsigned char>(c) < ' ' && c != '\n' ? ' ' : c;
+  }
+  return escaped;
+}
+
+std::string ScriptJson(const std::string& json) {
+  std::string safe;
+  safe.reserve(json.size());
+  for (const char c : json) {
+    // In JSON they stand in strings only.
+    if (c == '<') safe += "\\u003c";
+    else if (c == '>') safe += "\\u003e";
+    else if (c == '&') safe += "\\u0026";
+    else safe += c;
+  }
+  return safe;
+}
+
+std::string Element(const std::string& tag, const std::string& name, const std::string& html) {
+  return '<' + tag + (name.empty() ? "" : " class=\"" + Escaped(name) + '"') + '>' + html + "</" + tag + '>';
+}
+
+Cell TextCell(const std::string& text) { return {Escaped(text), ""}; }
+Cell NumberCell(const std::string& text) { return {Escaped(text), "n"}; }
+
+std::string Table(const std::vector<std::string>& head, const std::vector<std::vector<Cell>>& rows) {
+  std::string html = "<div class=\"table\"><table><thead><tr>";
+  for (std::size_t i = 0; i < head.size(); ++i)
+    html += Element("th", rows.empty() ? "" : rows.front()[i].name, Escaped(head[i]));
+  html += "</tr></thead><tbody>\n";
+  for (const std::vector<Cell>& row : rows) {
+    html += "<tr>";
+    for (const Cell& cell : row) html += Element("td", cell.name, cell.html);
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string Section(const std::string& id, const std::string& title, const std::string& html) {
+  return "<section id=\"" + Escaped(id) + "\">\n<h2>" + Escaped(title) + "</h2>\n" + html + "</section>\n";
+}
+
+}  // namespace fourpost::html

@@ -1,0 +1,24 @@
+#include "analysis/report/report_document.h"
+
+#include "analysis/report/html.h"
+#include "analysis/report/report_bundle.h"
+
+namespace fourpost {
+
+std::string ReportDocument(const std::string& title, const std::string& body, const std::string& data_json) {
+  std::string page =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      // Nothing may be fetched, whatever a name in the data says.
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+      "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n"
+      "<meta name=\"color-scheme\" content=\"light dark\">\n";
+  page += "<title>" + html::Escaped(title) + "</title>\n<style>\n";
+  page += kReportStyle;
+  page += "</style>\n</head>\n<body>\n" + body;
+  page += "<script type=\"application/json\" id=\"data\">" + html::ScriptJson(data_json) + "</script>\n<script>\n";
+  page += kReportScript;
+  return page + "</script>\n</body>\n</html>\n";
+}
+
+}  // namespace fourpost

@@ -1,0 +1,88 @@
+import uPlot from 'uplot';
+import { chart, linearAxis } from './chart.js';
+import { choice, el } from './dom.js';
+import { legend } from './legend.js';
+import { extent, shown } from './number.js';
+import { colours } from './theme.js';
+
+const column = (recording, name) => recording.columns.find((candidate) => candidate.name === name)?.values;
+
+/** Columns of a recording: displacement, velocity, force_measured, force_modelled. */
+function xy(place, title, recordings, across, label) {
+  const parts = recordings.map((recording) => ({
+    x: column(recording, across),
+    measured: column(recording, 'force_measured'),
+    modelled: column(recording, 'force_modelled'),
+  })).filter((part) => part.x && part.measured);
+  if (!parts.length) return null;
+  const box = el('div');
+  const card = el('div', { class: 'chart' }, el('h3', {}, title, el('span', {}, `N over ${label}`)), box);
+  const series = parts.flatMap((part) => [
+    { points: [part.x, part.measured], colour: 'measured', width: 1.4 },
+    ...(part.modelled ? [{ points: [part.x, part.modelled], colour: 'model', width: 1.2 }] : []),
+  ]);
+  const margin = (range) => { const [low, high] = range ?? [0, 1]; const m = 0.06 * (high - low || 1); return [low - m, high + m]; };
+  const loop = (u, index) =>
+    uPlot.orient(u, index, (s, xs, ys, scaleX, scaleY, toX, toY, left, top, width, height) => {
+      const [x, y] = u.data[index];
+      const { ctx } = u;
+      ctx.save();
+      ctx.beginPath();
+      ctx.rect(u.bbox.left, u.bbox.top, u.bbox.width, u.bbox.height);
+      ctx.clip();
+      ctx.beginPath();
+      for (let i = 0; i < x.length; ++i) {
+        if (x[i] == null || y[i] == null) continue;
+        ctx.lineTo(toX(x[i], scaleX, width, left), toY(y[i], scaleY, height, top));
+      }
+      ctx.strokeStyle = colours()[series[index - 1].colour];
+      ctx.lineWidth = series[index - 1].width * devicePixelRatio;
+      ctx.lineJoin = 'round';
+      ctx.stroke();
+      ctx.restore();
+      return null;
+    });
+  return {
+    card,
+    draw: () =>
+      chart(
+        box,
+        280,
+        () => ({
+          mode: 2,
+          scales: {
+            x: { time: false, range: () => margin(extent(...parts.map((part) => part.x))) },
+            y: { range: () => margin(extent(...parts.map((part) => part.measured), ...parts.map((part) => part.modelled ?? []))) },
+          },
+          axes: [linearAxis({ scale: 'x', side: 2, size: 24 }), linearAxis({ size: 54 })],
+          series: [null, ...series.map(() => ({ paths: loop, facets: [{ scale: 'x', auto: true }, { scale: 'y', auto: true }] }))],
+          cursor: { show: false },
+        }),
+        [null, ...series.map((one) => one.points)],
+      ),
+  };
+}
+
+/** Work diagrams (force over displacement) and characteristics (force over velocity) of one recording or all. */
+export function drawBench(place, data) {
+  const charts = el('div', { class: 'charts wide' });
+  const redraw = (name) => {
+    const chosen = data.bench.filter((recording) => name === '' || recording.recording === name);
+    const parts = [
+      xy(charts, 'Work diagram', chosen, 'displacement', 'm'),
+      xy(charts, 'Characteristic', chosen, 'velocity', 'm/s'),
+    ].filter((part) => part);
+    charts.replaceChildren(...parts.map(({ card }) => card));
+    for (const { draw } of parts) draw();
+  };
+  const names = data.bench.map((recording) => recording.recording);
+  if (names.length > 1) {
+    const select = el('select', { onchange: () => redraw(select.value) }, el('option', { value: '' }, 'all recordings'), ...names.map((name) => el('option', { value: name }, name)));
+    place.append(el('div', { class: 'controls' }, el('label', {}, 'recording', select)));
+  }
+  place.append(legend(['line', 'measured', 'measured'], ['line', 'model', 'fit']), charts);
+  redraw('');
+  const rows = data.bench.reduce((sum, recording) => sum + recording.rows, 0);
+  const shownRows = data.bench.reduce((sum, recording) => sum + recording.shown_rows, 0);
+  if (shownRows < rows) place.append(el('p', { class: 'note' }, `${shown(shownRows, 7)} of ${shown(rows, 7)} samples are shown.`));
+}

@@ -1,0 +1,86 @@
+import { chart, curve, linearAxis, logAxis } from './chart.js';
+import { el } from './dom.js';
+import { legend } from './legend.js';
+import { extent, shown } from './number.js';
+
+function drawLog(place, log) {
+  const x = log.map((entry) => entry.evaluations);
+  const cost = log.map((entry) => (entry.best_cost > 0 ? entry.best_cost : null));
+  const diversity = log.map((entry) => entry.diversity);
+  const box = el('div', { class: 'chart' });
+  place.append(
+    legend(['line', 'model', 'best cost'], ['dash', 'measured', 'diversity of the population']),
+    box,
+    el('p', { class: 'note' }, 'Over evaluations of the search.'),
+  );
+  chart(
+    box,
+    220,
+    () => ({
+      scales: {
+        x: { time: false },
+        y: { distr: 3, range: () => { const [low, high] = extent(cost) ?? [1, 10]; return [low / 1.3, high * 1.3]; } },
+        d: { range: () => [0, Math.max(1e-9, 1.05 * Math.max(...diversity.map((d) => d ?? 0)))] },
+      },
+      axes: [
+        linearAxis({ scale: 'x', side: 2, size: 24 }),
+        logAxis(),
+        linearAxis({ scale: 'd', side: 1, grid: false }),
+      ],
+      series: [
+        {},
+        curve('best cost', 'model', { scale: 'y', paths: undefined }),
+        curve('diversity', 'measured', { scale: 'd', dash: [4, 3], width: 1.2 }),
+      ],
+      cursor: { y: false },
+    }),
+    [x, cost, diversity],
+  );
+}
+
+/** Where each refinement ended, parameter by parameter, between the bounds. */
+function drawAgreement(place, result) {
+  const runs = (result.starts?.runs ?? []).filter((run) => run.cost != null && run.values);
+  if (runs.length < 2) return;
+  const best = Math.min(...runs.map((run) => run.cost));
+  const agrees = (run) => run.cost - best <= (result.refine?.agreement ?? 1e-6) * Math.max(best, 1e-300);
+  const share = (parameter, value) => `${(100 * Math.min(1, Math.max(0, (value - parameter.lower) / (parameter.upper - parameter.lower)))).toFixed(2)}%`;
+  const rows = (result.parameters ?? []).map((parameter, i) =>
+    el(
+      'tr',
+      {},
+      el('td', {}, el('code', {}, parameter.name)),
+      el(
+        'td',
+        {},
+        el(
+          'span',
+          { class: 'bar wide' },
+          ...runs.map((run, k) =>
+            el('i', {
+              class: agrees(run) ? 'value ring' : 'value ring other',
+              title: `start ${k + 1}: cost ${shown(run.cost, 6)}`,
+              style: { left: share(parameter, run.values[i]) },
+            }),
+          ),
+        ),
+      ),
+    ),
+  );
+  const others = runs.filter((run) => !agrees(run)).length;
+  place.append(
+    el('h3', {}, 'Where the refinements ended'),
+    el('div', { class: 'table' }, el('table', {}, el('tbody', {}, ...rows))),
+    el(
+      'p',
+      { class: 'note' },
+      `Each ring is a refinement, between the parameter's bounds${others ? `; ${others} in grey ended at a higher cost` : '; all agree'}.`,
+    ),
+  );
+}
+
+export function drawConvergence(place, data) {
+  const log = (data.result.search?.log ?? []).filter((entry) => entry.best_cost != null);
+  if (log.length > 1) drawLog(place, log);
+  drawAgreement(place, data.result);
+}

@@ -1,0 +1,83 @@
+import { el, svg } from './dom.js';
+import { extent, multiples, niceStep, shown } from './number.js';
+
+const width = 640;
+const height = 360;
+const margin = { left: 52, right: 18, top: 14, bottom: 40 };
+
+/** [{name, re, im}] of the upper half plane. */
+function polesOf(modes) {
+  return modes.flatMap((mode) => {
+    const list = [];
+    for (let i = 0; i + 1 < mode.poles.length; i += 2) list.push({ name: mode.name, re: mode.poles[i], im: Math.abs(mode.poles[i + 1]) });
+    return list;
+  });
+}
+
+/** Labels moved apart downwards and upwards from their poles. */
+function placed(points) {
+  const taken = [];
+  return points
+    .sort((a, b) => a.y - b.y || a.x - b.x)
+    .map((point) => {
+      const length = 6.4 * point.name.length + 8;
+      const toLeft = point.x + length > width - margin.right;
+      for (const shift of [0, -13, 13, -26, 26, -39, 39]) {
+        const box = { x: toLeft ? point.x - length : point.x + 6, y: point.y + shift - 6, length };
+        const inside = box.y > margin.top - 8 && box.y < height - margin.bottom - 4;
+        const free = taken.every((other) => Math.abs(other.y - box.y) > 12 || other.x > box.x + box.length || box.x > other.x + other.length);
+        if (!inside || !free) continue;
+        taken.push(box);
+        return { ...point, labelX: toLeft ? point.x - 7 : point.x + 7, labelY: point.y + shift, anchor: toLeft ? 'end' : 'start' };
+      }
+      return point;
+    });
+}
+
+/** The s plane, imaginary parts in Hz, with rays of constant damping ratio. */
+export function drawPoles(place, data) {
+  const poles = polesOf(data.scene?.modes ?? []).filter((pole) => Number.isFinite(pole.re));
+  if (!poles.length) return;
+  const hz = (im) => im / (2 * Math.PI);
+  const [least, greatest] = extent(poles.map((pole) => pole.re), [0]);
+  const low = least * 1.08 || -1;
+  const high = Math.max(greatest * 1.1, -0.04 * low);
+  const top = Math.max(1, 1.12 * Math.max(...poles.map((pole) => hz(pole.im))));
+  const x = (re) => margin.left + ((re - low) / (high - low)) * (width - margin.left - margin.right);
+  const y = (f) => height - margin.bottom - (f / top) * (height - margin.top - margin.bottom);
+  const picture = svg('svg', { viewBox: `0 0 ${width} ${height}`, width, role: 'img', 'aria-label': 'pole map' });
+  const line = (x1, y1, x2, y2, dash) => {
+    const path = svg('line', { x1, y1, x2, y2, 'stroke-width': 0.8, ...(dash ? { 'stroke-dasharray': '3 4' } : {}) });
+    path.style.stroke = 'var(--line)';
+    return path;
+  };
+  const text = (at, options, words) => svg('text', { x: at[0], y: at[1], 'font-size': 11, ...options }, words);
+  for (const re of multiples(low, high, niceStep(high - low, 7)))
+    picture.append(line(x(re), y(0), x(re), y(top)), text([x(re), y(0) + 15], { 'text-anchor': 'middle', class: 'dim' }, shown(re, 3)));
+  for (const f of multiples(0, top, niceStep(top, 6)))
+    picture.append(line(x(low), y(f), x(high), y(f)), text([margin.left - 7, y(f) + 4], { 'text-anchor': 'end', class: 'dim' }, shown(f, 3)));
+  for (const ratio of [0.1, 0.2, 0.4, 0.7]) {
+    // im = -re sqrt(1 - ratio^2) / ratio
+    const slope = Math.sqrt(1 - ratio * ratio) / ratio;
+    const re = Math.max(low, (-top * 2 * Math.PI) / slope);
+    const f = (-re * slope) / (2 * Math.PI);
+    picture.append(line(x(0), y(0), x(re), y(f), true));
+    const at = [x(re) + (re === low ? 3 : 0), y(f) + (re === low ? -3 : 11)];
+    picture.append(text(at, { class: 'dim', 'text-anchor': re === low ? 'start' : 'end' }, `\u03b6 ${ratio}`));
+  }
+  const axis = line(x(0), y(0), x(0), y(top));
+  axis.style.stroke = 'var(--muted)';
+  picture.append(axis);
+  for (const pole of placed(poles.map((pole) => ({ ...pole, x: x(pole.re), y: y(hz(pole.im)) })))) {
+    const cross = svg('path', { d: `M${pole.x - 4} ${pole.y - 4}l8 8m0-8l-8 8`, 'stroke-width': 1.8, fill: 'none' });
+    cross.style.stroke = 'var(--model)';
+    cross.append(svg('title', {}, `${pole.name}: ${shown(pole.re, 4)} + ${shown(pole.im, 4)}i 1/s`));
+    picture.append(cross);
+    if (pole.labelX) picture.append(text([pole.labelX, pole.labelY + 4], { 'text-anchor': pole.anchor }, pole.name));
+  }
+  picture.append(
+    text([(margin.left + width) / 2, height - 6], { 'text-anchor': 'middle', class: 'dim' }, 'real part, 1/s'),
+    text([12, margin.top + 8], { class: 'dim' }, 'Hz'),
+  );
+  place.append(el('div', { class: 'picture' }, picture));
+}

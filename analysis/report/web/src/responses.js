@@ -1,0 +1,159 @@
+import uPlot from 'uplot';
+import { chart, curve, dots, errorBars, frequencyAxis, linearAxis, outside } from './chart.js';
+import { choice, el, tick } from './dom.js';
+import { legend } from './legend.js';
+import { decibel, extent, fixed, shown } from './number.js';
+
+/** What the bars reach to, in standard deviations: 95 % of a normal distribution. */
+const reach = 1.96;
+
+/** Phases [deg] without jumps of a turn; nulls stay. */
+export function unwrapped(phases) {
+  let turns = 0;
+  let last = null;
+  return phases.map((phase) => {
+    if (phase == null) return null;
+    if (last != null) turns -= 360 * Math.round((phase + turns - last) / 360);
+    last = phase + turns;
+    return last;
+  });
+}
+
+/** Each phase moved by whole turns to be nearest to its neighbour of `reference`. */
+export function near(phases, reference) {
+  return phases.map((phase, i) =>
+    phase == null || reference[i] == null ? phase : phase - 360 * Math.round((phase - reference[i]) / 360),
+  );
+}
+
+const orNone = (list, like) => (list && list.length ? list : like.map(() => null));
+
+/** The series of a channel as they are drawn. */
+function seriesOf(channel) {
+  const gain = {
+    measured: channel.gain_measured.map(decibel),
+    modelled: channel.gain_modelled.map(decibel),
+    start: orNone(channel.gain_start, channel.gain_measured).map(decibel),
+  };
+  const sd = orNone(channel.gain_sd, channel.gain_measured);
+  gain.low = channel.gain_measured.map((value, i) => (sd[i] ? decibel(Math.max(value - reach * sd[i], value / 100)) : null));
+  gain.high = channel.gain_measured.map((value, i) => (sd[i] ? decibel(value + reach * sd[i]) : null));
+  const measured = unwrapped(orNone(channel.phase_measured, channel.gain_measured));
+  const angle = orNone(channel.phase_sd, channel.gain_measured);
+  const phase = {
+    measured,
+    modelled: near(orNone(channel.phase_modelled, measured), measured),
+    start: near(orNone(channel.phase_start, measured), measured),
+    low: measured.map((value, i) => (angle[i] ? value - reach * angle[i] : null)),
+    high: measured.map((value, i) => (angle[i] ? value + reach * angle[i] : null)),
+  };
+  return { x: channel.frequency_Hz, gain, phase };
+}
+
+/** A range around the values, at least this wide. */
+function rangeOf(part, least, withStart) {
+  const [low, high] = extent(part.measured, part.modelled, withStart ? part.start : []) ?? [0, 1];
+  const margin = Math.max(0.06 * (high - low), (least - (high - low)) / 2);
+  return [low - margin, high + margin];
+}
+
+function panel(place, height, series, part, { step, least, labelled, band, sync, withStart, read }) {
+  const [low, high] = extent(series.x);
+  const edge = (high / low) ** 0.025;
+  return chart(
+    place,
+    height,
+    () => ({
+      scales: {
+        x: { time: false, distr: 3, range: (u, min, max) => (min === low && max === high ? [low / edge, high * edge] : [min, max]) },
+        y: { range: () => rangeOf(part, least, withStart) },
+      },
+      axes: [frequencyAxis(labelled), linearAxis({ step })],
+      series: [
+        {},
+        dots('measured'),
+        ...(withStart ? [curve('start', 'start', { dash: [4, 3], width: 1.2 })] : []),
+        curve('fit', 'model'),
+      ],
+      cursor: {
+        y: false,
+        sync: { key: sync.key },
+        points: { size: 6 },
+        drag: { x: true, y: false },
+      },
+      plugins: [outside(...band), errorBars(part.low, part.high)],
+      hooks: { setCursor: [(u) => read(u.cursor.idx)] },
+    }),
+    [series.x, part.measured, ...(withStart ? [part.start] : []), part.modelled],
+  );
+}
+
+function card(channel, misfit, band, sync, withStart) {
+  const series = seriesOf(channel);
+  const reading = el('div', { class: 'reading' });
+  const gain = el('div');
+  const phase = el('div');
+  const head = misfit && misfit.rms_dB != null ? `${fixed(misfit.rms_dB, 2)} dB, ${fixed(misfit.rms_deg, 1)}\u00b0 rms` : '';
+  const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), el('span', {}, head)), gain, phase, reading);
+  const read = (i) => {
+    if (i == null) reading.textContent = '';
+    else {
+      const pair = (part, unit, decimals) =>
+        `${fixed(part.modelled[i], decimals)} for ${fixed(part.measured[i], decimals)}${unit}`;
+      reading.textContent = `${shown(series.x[i], 3)} Hz: fit ${pair(series.gain, ' dB', 1)}, ${pair(series.phase, '\u00b0', 0)}`;
+    }
+  };
+  const hasPhase = series.phase.measured.some((value) => value != null);
+  const draw = () => {
+    panel(gain, hasPhase ? 128 : 200, series, series.gain, { step: null, least: 6, labelled: !hasPhase, band, sync, withStart, read });
+    if (hasPhase) panel(phase, 112, series, series.phase, { step: 45, least: 60, labelled: true, band, sync, withStart, read });
+  };
+  return { box, draw };
+}
+
+/** Bode charts of every channel of one recording, with one cursor for all. */
+export function drawResponses(place, data) {
+  const recordings = [...new Set(data.responses.map((channel) => channel.recording))];
+  const misfits = new Map((data.result.channels ?? []).map((channel) => [channel.name, channel]));
+  const hasStart = data.responses.some((channel) => channel.gain_start?.some((value) => value != null));
+  const hasBars = data.responses.some((channel) => channel.gain_sd?.some((value) => value != null));
+  const band = data.result.band_Hz ?? [0, Infinity];
+  const state = { recording: recordings[0], start: hasStart };
+  const charts = el('div', { class: 'charts' });
+
+  const redraw = () => {
+    const sync = uPlot.sync(`responses ${state.recording}`);
+    const cards = data.responses
+      .filter((channel) => channel.recording === state.recording)
+      .map((channel) => card(channel, misfits.get(channel.name), band, sync, state.start));
+    charts.replaceChildren(...cards.map(({ box }) => box));
+    for (const { draw } of cards) draw();
+  };
+  const controls = el('div', { class: 'controls' });
+  if (recordings.length > 1)
+    controls.append(
+      choice('recording', recordings.map((name) => [name, name]), state.recording, (name) => {
+        state.recording = name;
+        redraw();
+      }),
+    );
+  if (hasStart)
+    controls.append(
+      tick('start', state.start, (on) => {
+        state.start = on;
+        redraw();
+      }),
+    );
+  place.append(
+    controls,
+    legend(
+      ['dot', 'measured', hasBars ? 'measured, bars: 95 %' : 'measured'],
+      ['line', 'model', 'fit'],
+      ...(hasStart ? [['dash', 'start', 'start']] : []),
+      ['patch', 'line', 'not fitted'],
+    ),
+    el('p', { class: 'note' }, 'Gain in dB above phase in degrees, over frequency in Hz. Drag to zoom all, double click to go back.'),
+    charts,
+  );
+  redraw();
+}

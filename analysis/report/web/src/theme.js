@@ -1,0 +1,43 @@
+const listeners = [];
+const names = ['ground', 'raised', 'line', 'faint', 'text', 'muted', 'measured', 'model', 'start', 'band', 'good', 'poor'];
+
+/** The colours of the page as it is now. */
+export function colours() {
+  const style = getComputedStyle(document.documentElement);
+  return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+}
+
+export function isDark() {
+  return document.documentElement.dataset.theme === 'dark';
+}
+
+/** Calls back whenever the colours change. */
+export function onTheme(listener) {
+  listeners.push(listener);
+}
+
+function set(dark) {
+  document.documentElement.dataset.theme = dark ? 'dark' : 'light';
+  const button = document.getElementById('theme');
+  if (button) button.textContent = dark ? 'light' : 'dark';
+  for (const listener of listeners) listener();
+}
+
+/** The system's theme until the reader chooses another; paper is white. */
+export function startTheme() {
+  const system = matchMedia('(prefers-color-scheme: dark)');
+  let chosen = null;
+  const wanted = () => chosen ?? system.matches;
+  set(wanted());
+  system.addEventListener('change', () => set(wanted()));
+  const button = document.getElementById('theme');
+  if (button) {
+    button.hidden = false;
+    button.addEventListener('click', () => {
+      chosen = !isDark();
+      set(chosen);
+    });
+  }
+  addEventListener('beforeprint', () => set(false));
+  addEventListener('afterprint', () => set(wanted()));
+}

@@ -1,0 +1,60 @@
+/**
+ * Small motion of links from complex coordinates s: the velocity of link k's origin and its turn are `motion` (6 x n,
+ * column by column) times s. `coordinates`: re, im, re, im ...
+ */
+
+/** s at a phase [rad] as real numbers: Re(s e^(i phase)). */
+export function coordinatesAt(coordinates, phase) {
+  const cos = Math.cos(phase);
+  const sin = Math.sin(phase);
+  const s = new Float64Array(coordinates.length / 2);
+  for (let i = 0; i < s.length; ++i) s[i] = coordinates[2 * i] * cos - coordinates[2 * i + 1] * sin;
+  return s;
+}
+
+/** Six components of a link's motion: displacement [m] and turn [rad], ground axes. */
+export function linkMotion(link, s) {
+  const out = new Float64Array(6);
+  for (let j = 0; j < s.length; ++j) for (let i = 0; i < 6; ++i) out[i] += link.motion[6 * j + i] * s[j];
+  return out;
+}
+
+/** The greatest displacement over a cycle of any link's centre of mass or of points that elements hold [m]. */
+export function greatestMotion(scene, coordinates, points) {
+  let greatest = 0;
+  for (let step = 0; step < 16; ++step) {
+    const s = coordinatesAt(coordinates, (step * Math.PI) / 8);
+    scene.links.forEach((link, k) => {
+      const m = linkMotion(link, s);
+      for (const [x, y, z] of points[k]) {
+        const dx = m[0] + m[4] * z - m[5] * y;
+        const dy = m[1] + m[5] * x - m[3] * z;
+        const dz = m[2] + m[3] * y - m[4] * x;
+        greatest = Math.max(greatest, Math.hypot(dx, dy, dz));
+      }
+    });
+  }
+  return greatest;
+}
+
+/** What can be played: modes, and responses to the recorded motions of the posts. */
+export function motionsOf(scene) {
+  const modes = scene.modes
+    .filter((mode) => mode.shape.length)
+    .map((mode, i) => ({ id: `mode ${i}`, kind: 'mode', mode, name: mode.name }));
+  const responses = scene.motions.map((motion, i) => ({ id: `response ${i}`, kind: 'response', motion, name: motion.name }));
+  return [...modes, ...responses];
+}
+
+/**
+ * Coordinates and heights of the posts (one complex number each) of a motion; of a response at frequency number `at`.
+ * Posts move as A sin(wt) = Re(-i A e^(iwt)), and the coordinates are told relative to A.
+ */
+export function phasors(scene, chosen, at) {
+  if (chosen.kind === 'mode') return { coordinates: chosen.mode.shape, posts: scene.posts.map(() => [0, 0]) };
+  const { motion } = chosen;
+  const amplitude = motion.amplitude_m[at];
+  const told = motion.coordinates[at];
+  const coordinates = told.map((_, k) => amplitude * (k % 2 ? -(told[k - 1] ?? 0) : told[k + 1] ?? 0));
+  return { coordinates, posts: motion.posts.map((share) => [0, -share * amplitude]) };
+}

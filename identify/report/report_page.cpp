@@ -1,0 +1,202 @@
+#include "identify/report/report_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/diagnostics.h"
+#include "analysis/report/html.h"
+#include "analysis/report/report_document.h"
+#include "identify/report/history_table.h"
+#include "identify/report/picture_number.h"
+#include "identify/report/report_summary.h"
+#include "identify/report/report_tables.h"
+#include "identify/report/response_table.h"
+#include "identify/report/run_result.h"
+#include "identify/report/scene_json.h"
+#include "identify/report/shown_number.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;
+
+Json ParseResult(const RunContents& run) {
+  Diagnostics faults;
+  const auto file = run.files.find("result.json");
+  if (file == run.files.end())
+    faults.Error("result.json", 0, "is not there: a report needs a folder of `fourpost fit`");
+  else {
+    const Json result = Json::parse(file->second, nullptr, false);
+    if (result.is_discarded()) faults.Error("result.json", 0, "is no JSON; fit again");
+    else if (!result.is_object() || !result.contains("termination") || !result.contains("parameters"))
+      faults.Error("result.json", 0, "is not that of a fit: `fourpost report` shows folders that `fourpost fit` wrote");
+    else return result;
+  }
+  throw FaultyInput(faults);
+}
+
+std::vector<ComparedChannel> ChannelsOf(const RunContents& run) {
+  const auto file = run.files.find("response.csv");
+  if (file == run.files.end()) return {};
+  return ReadResponseTable(file->second, "response.csv");
+}
+
+OrderedJson ChannelsJson(const std::vector<ComparedChannel>& channels) {
+  OrderedJson list = OrderedJson::array();
+  const auto numbers = [](const std::vector<double>& values) {
+    return PictureNumbers(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  for (const ComparedChannel& channel : channels) {
+    OrderedJson json = {{"recording", channel.recording},
+                        {"name", channel.name},
+                        {"unit", channel.unit},
+                        {"frequency_Hz", numbers(channel.frequency_Hz)},
+                        {"in_band", channel.in_band},
+                        {"gain_measured", numbers(channel.gain_measured)},
+                        {"gain_modelled", numbers(channel.gain_modelled)},
+                        {"gain_start", numbers(channel.gain_start)},
+                        {"gain_sd", numbers(channel.gain_sd)},
+                        {"phase_measured", numbers(channel.phase_measured_deg)},
+                        {"phase_modelled", numbers(channel.phase_modelled_deg)},
+                        {"phase_start", numbers(channel.phase_start_deg)},
+                        {"phase_sd", numbers(channel.phase_sd_deg)}};
+    const auto finite = [](double value) { return std::isfinite(value); };
+    if (std::any_of(channel.mean_measured.begin(), channel.mean_measured.end(), finite)) {
+      json["mean_measured"] = numbers(channel.mean_measured);
+      json["mean_modelled"] = numbers(channel.mean_modelled);
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+/// The recordings whose posts' motion is told, with the frequencies of their channels.
+std::vector<RecordedMotion> MotionsOf(const Json& result, const std::vector<ComparedChannel>& channels,
+                                      const Vehicle& vehicle) {
+  std::vector<RecordedMotion> motions;
+  for (const Json& recording : ListAt(result, "recordings")) {
+    const std::string name = TextAt(recording, "name");
+    const auto channel = std::find_if(channels.begin(), channels.end(),
+                                      [&](const ComparedChannel& candidate) { return candidate.recording == name; });
+    if (channel == channels.end()) continue;
+    const Json posts = recording.value("posts", Json());
+    RecordedMotion motion{.name = name, .excitation = {channel->frequency_Hz, channel->post_amplitude_m, {}}};
+    for (const Post& post : vehicle.posts) {
+      const double share = NumberAt(posts, post.name);
+      motion.excitation.shape.push_back(std::isfinite(share) ? share : 0);
+    }
+    motions.push_back(std::move(motion));
+  }
+  return motions;
+}
+
+/// Null, and the reason in `fault`, where there is nothing to show.
+OrderedJson SceneOf(const Json& result, const std::vector<ComparedChannel>& channels, const RunContents& run,
+                    std::string& fault) {
+  fault = run.vehicle_fault;
+  if (!run.vehicle) return nullptr;
+  try {
+    return SceneJson(*run.vehicle, MotionsOf(result, channels, *run.vehicle));
+  } catch (const std::runtime_error& error) {
+    fault = error.what();
+  } catch (const std::invalid_argument& error) {
+    fault = error.what();
+  }
+  return nullptr;
+}
+
+std::string Header(const Json& result) {
+  const std::string vehicle = html::Escaped(TextAt(result, "vehicle"));
+  std::string facts;
+  const auto add = [&](const std::string& html) { facts += (facts.empty() ? "" : "<span>\u00b7</span>") + html; };
+  if (const std::string study = TextAt(result, "study"); !study.empty()) add(html::Escaped(study));
+  const std::vector<Json> band = ListAt(result, "band_Hz");
+  if (band.size() == 2 && band[0].is_number() && band[1].is_number())
+    add(ShownNumber(band[0], 3) + "\u2013" + ShownNumber(band[1], 3) + " Hz");
+  add(ShownNumber(NumberAt(result, "residuals"), 7) + " residuals");
+  add(ShownNumber(NumberAt(result.value("evaluations", Json()), "paid"), 7) + " evaluations");
+  if (const std::string version = TextAt(result.value("versions", Json()), "fourpost"); !version.empty())
+    add("fourpost " + html::Escaped(version));
+  return "<header>\n<h1>" + vehicle + "</h1>\n<p class=\"facts\">" + facts +
+         "</p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
+}
+
+/// A place that the scripts fill, and what stands there without them.
+std::string Drawn(const std::string& id, const std::string& without = "") {
+  return "<div class=\"drawn\" data-draw=\"" + id + "\">" +
+         (without.empty() ? "" : "<noscript><p class=\"note\">" + without + "</p></noscript>") + "</div>\n";
+}
+
+std::string Directions(const Json& result) {
+  const Json identifiability = result.value("identifiability", Json());
+  std::string items;
+  for (const Json& direction : ListAt(identifiability, "weakest"))
+    if (direction.is_string()) items += html::Element("li", "", html::Escaped(direction.get<std::string>()));
+  if (items.empty()) return "";
+  const bool open = NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters");
+  const double condition = NumberAt(identifiability, "condition");
+  return "<p>" +
+         std::string(open ? "The data do not change when these change together:"
+                          : "The data tell least about these changing together") +
+         (open                       ? ""
+          : std::isfinite(condition) ? " (condition " + ShownNumber(condition, 2) + "):"
+                                     : ":") +
+         "</p><ul class=\"directions\">" + items + "</ul>\n";
+}
+
+std::string Body(const Json& result, const std::vector<ComparedChannel>& channels, const OrderedJson& scene,
+                 const std::string& scene_fault, bool has_histories, bool has_bench) {
+  const std::vector<ReportedParameter> none;
+  std::string body;
+  const std::string viewer =
+      scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(scene_fault) + "</p>\n"
+                      : Drawn("viewer", "The moving vehicle needs JavaScript and WebGL.");
+  body += html::Section("vehicle", "The vehicle on its posts", viewer);
+  if (!channels.empty())
+    body += html::Section("responses", "Frequency responses",
+                          Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them.") +
+                              ChannelTableHtml(result)) +
+            html::Section("residuals", "Residuals by band", Drawn("residuals"));
+  if (has_histories)
+    body += html::Section("histories", "Time histories",
+                          Drawn("histories") + (channels.empty() ? ChannelTableHtml(result) : ""));
+  if (has_bench)
+    body += html::Section("bench", "Damper bench",
+                          Drawn("bench") + (channels.empty() && !has_histories ? ChannelTableHtml(result) : ""));
+  if (const std::string loads = StaticLoadTableHtml(result); !loads.empty())
+    body += html::Section("loads", "Static loads", loads);
+  body += html::Section("determined", "What the data determine", Directions(result) + Drawn("correlation"));
+  if (!scene.is_null())
+    body += html::Section("modes", "Modes and poles",
+                          ModeTableHtml(Json(scene["modes"])) + Drawn("poles") +
+                              "<p class=\"note\">About static equilibrium, dampers at their mean rates.</p>\n");
+  return body + html::Section("search", "Search and refinement",
+                              Drawn("convergence") + StartTableHtml(result) + SettingsHtml(result));
+}
+
+}  // namespace
+
+std::string ReportPage(const RunContents& run) {
+  const Json result = ParseResult(run);
+  const std::vector<ComparedChannel> channels = ChannelsOf(run);
+  const std::vector<ReportedParameter> parameters = ReportedParameters(result, run);
+  std::string scene_fault;
+  const OrderedJson scene = SceneOf(result, channels, run, scene_fault);
+  const OrderedJson histories = HistoriesJson(result, run, "histories");
+  const OrderedJson bench = HistoriesJson(result, run, "bench");
+
+  const std::string body = Header(result) + "<nav id=\"contents\"></nav>\n<main>\n" +
+                           html::Section("summary", "Summary", SummaryHtml(result, parameters, channels)) +
+                           html::Section("parameters", "Parameters", ParameterTableHtml(parameters)) +
+                           Body(result, channels, scene, scene_fault, !histories.empty(), !bench.empty()) + "</main>\n";
+  const OrderedJson data = {{"result", OrderedJson(result)},
+                            {"responses", ChannelsJson(channels)},
+                            {"scene", scene},
+                            {"histories", histories},
+                            {"bench", bench}};
+  const std::string text = data.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  return ReportDocument(TextAt(result, "vehicle") + " \u2013 fourpost report", body, text);
+}
+
+}  // namespace fourpost

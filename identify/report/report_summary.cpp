@@ -1,0 +1,292 @@
+#include "identify/report/report_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "analysis/report/html.h"
+#include "identify/report/shown_number.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::json;
+
+// Where a chassis engineer stops calling two response curves the same, and where they are different stories.
+constexpr double kClose_dB = 1;
+constexpr double kClose_deg = 10;
+constexpr double kFar_dB = 2;
+constexpr double kFar_deg = 20;
+// Of time histories, NMSE: model and measurement look alike, and do not.
+constexpr double kClose_percent = 5;
+constexpr double kFar_percent = 20;
+// Relative standard deviations.
+constexpr double kWellKnown = 0.02;
+constexpr double kWeaklyKnown = 0.1;
+// Times what noise and stated model error explain.
+constexpr double kMisses = 1.5;
+constexpr double kTied = 0.95;
+
+enum class Follows { kWell, kRoughly, kNot };
+
+struct JudgedChannel {
+  std::string name;
+  std::string numbers;
+  Follows follows = Follows::kWell;
+  double score = 0;
+};
+
+Follows Judge(double score_close, double score_far) {
+  if (score_close <= 1) return Follows::kWell;
+  return score_far <= 1 ? Follows::kRoughly : Follows::kNot;
+}
+
+std::optional<JudgedChannel> JudgeChannel(const Json& channel) {
+  JudgedChannel judged{.name = TextAt(channel, "name")};
+  const double dB = NumberAt(channel, "rms_dB");
+  const double deg = NumberAt(channel, "rms_deg");
+  const double nmse = NumberAt(channel, "nmse_percent");
+  if (std::isfinite(nmse)) {
+    const std::string recording = TextAt(channel, "recording");
+    if (!recording.empty()) judged.name += " in " + recording;
+    judged.numbers = ShownNumber(nmse, 2) + " % NMSE";
+    judged.score = nmse / kClose_percent;
+    judged.follows = Judge(nmse / kClose_percent, nmse / kFar_percent);
+    return judged;
+  }
+  if (!std::isfinite(dB) || !std::isfinite(deg)) return std::nullopt;
+  judged.numbers = ShownNumber(dB, 2) + " dB, " + ShownNumber(deg, 2) + "\u00b0";
+  judged.score = std::max(dB / kClose_dB, deg / kClose_deg);
+  judged.follows = Judge(judged.score, std::max(dB / kFar_dB, deg / kFar_deg));
+  return judged;
+}
+
+std::vector<JudgedChannel> JudgeChannels(const Json& result) {
+  std::vector<JudgedChannel> judged;
+  for (const Json& channel : ListAt(result, "channels"))
+    if (std::optional<JudgedChannel> one = JudgeChannel(channel)) judged.push_back(std::move(*one));
+  std::stable_sort(judged.begin(), judged.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
+  return judged;
+}
+
+std::string Code(const std::string& name) { return html::Element("code", "", html::Escaped(name)); }
+
+/// "a, b and c" of html.
+std::string Listed(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
+  return text;
+}
+
+std::vector<std::string> Named(const std::vector<JudgedChannel>& channels, Follows follows, bool with_numbers) {
+  std::vector<std::string> names;
+  for (const JudgedChannel& channel : channels)
+    if (channel.follows == follows)
+      names.push_back(Code(channel.name) + (with_numbers ? " (" + html::Escaped(channel.numbers) + ")" : ""));
+  return names;
+}
+
+/// The octave from this frequency on in which most of the band's misfit lies.
+struct Octave {
+  double lower_Hz = 0;
+  std::string channel;
+  double rms_dB = 0;
+};
+
+std::optional<Octave> WorstOctave(const std::vector<ComparedChannel>& channels) {
+  std::optional<Octave> worst;
+  for (const ComparedChannel& channel : channels) {
+    std::map<int, std::pair<double, int>> squares;
+    for (std::size_t i = 0; i < channel.frequency_Hz.size(); ++i) {
+      if (!channel.in_band[i] || channel.phase_measured_deg.empty() || channel.phase_modelled_deg.empty()) continue;
+      const auto phasor = [](double gain, double deg) { return std::polar(gain, deg * std::numbers::pi / 180); };
+      const std::complex<double> measured = phasor(channel.gain_measured[i], channel.phase_measured_deg[i]);
+      const std::complex<double> modelled = phasor(channel.gain_modelled[i], channel.phase_modelled_deg[i]);
+      const double error = std::norm(modelled / measured - 1.0);
+      if (!std::isfinite(error)) continue;
+      auto& [sum, count] = squares[static_cast<int>(std::floor(std::log2(channel.frequency_Hz[i])))];
+      sum += error;
+      ++count;
+    }
+    for (const auto& [octave, tally] : squares) {
+      const double rms = std::sqrt(tally.first / tally.second);
+      if (tally.second >= 3 && (!worst || rms > worst->rms_dB)) worst = {std::exp2(octave), channel.name, rms};
+    }
+  }
+  return worst;
+}
+
+struct Verdict {
+  std::string name;
+  std::string html;
+};
+
+Verdict HowItEnded(const Json& result) {
+  const std::string end = TextAt(result, "termination");
+  const Json starts = result.value("starts", Json());
+  const double agreeing = NumberAt(starts, "agreeing");
+  const double refined = NumberAt(starts, "refined");
+  std::string name = "good";
+  std::string text;
+  if (end == "converged") text = "<strong>The fit converged.</strong> ";
+  else if (end == "interrupted") text = "<strong>The fit was interrupted;</strong> this is the best it had found. ";
+  else if (end == "all_failed") text = "<strong>Every simulation failed;</strong> nothing was fitted. ";
+  else text = "<strong>The fit did not converge;</strong> a better point may lie near. ";
+  if (end != "converged") name = "poor";
+  if (refined > 0) {
+    const std::string count = ShownNumber(agreeing, 3) + " of " + ShownNumber(refined, 3);
+    text += count + " refinements, each from its own start, end in the same optimum" +
+            (agreeing < refined ? "; the others ended higher. " : ". ");
+    if (refined > 1 && agreeing < 2 && name == "good") name = "fair";
+  }
+  const double inflation = NumberAt(result.value("identifiability", Json()), "sd_inflation");
+  if (std::isfinite(inflation)) {
+    text += inflation > kMisses ? "The model misses the data by " + ShownNumber(inflation, 2) +
+                                      " times what noise and the stated model error explain."
+                                : "Noise and the stated model error explain what is left of the misfit.";
+    if (inflation > kMisses && name == "good") name = "fair";
+  }
+  return {name, text};
+}
+
+std::string Item(const std::string& title, const std::string& html) {
+  return html.empty() ? "" : "<dt>" + title + "</dt><dd>" + html + "</dd>\n";
+}
+
+std::string WhatFits(const std::vector<JudgedChannel>& channels) {
+  const std::vector<std::string> well = Named(channels, Follows::kWell, false);
+  if (channels.empty()) return "";
+  const std::string within = "within " + ShownNumber(kClose_dB, 1) + " dB and " + ShownNumber(kClose_deg, 2) +
+                             "\u00b0 rms, or " + ShownNumber(kClose_percent, 1) + " % NMSE";
+  if (well.empty()) return "No channel is " + within + ".";
+  return Listed(well) + (well.size() == 1 ? " is " : " are ") + within + ".";
+}
+
+std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::optional<Octave>& worst) {
+  const std::vector<std::string> roughly = Named(channels, Follows::kRoughly, true);
+  const std::vector<std::string> far = Named(channels, Follows::kNot, true);
+  std::string text;
+  if (!far.empty()) text += "Not followed: " + Listed(far) + ". ";
+  if (!roughly.empty()) text += "Roughly followed: " + Listed(roughly) + ". ";
+  if (!text.empty() && worst)
+    text += "The largest relative error is at " + Code(worst->channel) + " between " + ShownNumber(worst->lower_Hz, 2) +
+            " and " + ShownNumber(2 * worst->lower_Hz, 2) + " Hz.";
+  return text.empty() && !channels.empty() ? "Every channel is followed." : text;
+}
+
+std::string WhatIsDetermined(const std::vector<ReportedParameter>& parameters) {
+  std::vector<std::string> weak;
+  int well = 0;
+  int known = 0;
+  for (const ReportedParameter& parameter : parameters) {
+    const double sd = parameter.RelativeSd();
+    if (!std::isfinite(sd)) continue;
+    ++known;
+    if (sd <= kWellKnown) ++well;
+    if (sd > kWeaklyKnown) weak.push_back(Code(parameter.name) + " (" + ShownNumber(100 * sd, 2) + " %)");
+  }
+  if (known == 0) return "";
+  std::string text = std::to_string(known) + " of " + std::to_string(parameters.size()) +
+                     " parameters are determined, " + std::to_string(well) + " of them within " +
+                     ShownNumber(100 * kWellKnown, 1) + " % (one standard deviation).";
+  if (!weak.empty()) text += " Weakly: " + Listed(weak) + ".";
+  return text;
+}
+
+std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& parameters) {
+  std::vector<std::string> open;
+  std::vector<std::string> bound;
+  bool computed = false;
+  for (const ReportedParameter& parameter : parameters) {
+    computed = computed || !std::isnan(parameter.sd);
+    if (std::isinf(parameter.sd)) open.push_back(Code(parameter.name));
+    if (parameter.at_bound) bound.push_back(Code(parameter.name));
+  }
+  if (!computed && !parameters.empty()) return "The run ended before standard deviations could be computed.";
+  std::string text;
+  if (!open.empty()) text += Listed(open) + ": the data do not tell. ";
+  if (!bound.empty()) text += Listed(bound) + (bound.size() == 1 ? " is" : " are") + " at the bound. ";
+  const Json identifiability = result.value("identifiability", Json());
+  if (NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters"))
+    for (const Json& direction : ListAt(identifiability, "weakest"))
+      if (direction.is_string())
+        text += "Changing together, without the data noticing: " + html::Escaped(direction.get<std::string>()) + ". ";
+  return text.empty() ? "Nothing: every parameter has a finite deviation and is off its bounds." : text;
+}
+
+bool HasForce(const std::vector<ComparedChannel>& channels, const Json& result) {
+  const auto is_force = [](const ComparedChannel& channel) { return channel.unit == "N" || channel.unit == "kN"; };
+  return !ListAt(result, "static_loads").empty() || std::any_of(channels.begin(), channels.end(), is_force);
+}
+
+bool HasMean(const std::vector<ComparedChannel>& channels) {
+  return std::any_of(channels.begin(), channels.end(), [](const ComparedChannel& channel) {
+    return std::any_of(channel.mean_measured.begin(), channel.mean_measured.end(),
+                       [](double mean) { return std::isfinite(mean); });
+  });
+}
+
+std::vector<std::string> WhatNext(const Json& result, const std::vector<ReportedParameter>& parameters,
+                                  const std::vector<ComparedChannel>& channels, const std::optional<Octave>& worst) {
+  std::vector<std::string> advice;
+  const Json identifiability = result.value("identifiability", Json());
+  const bool open = NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters");
+  if (open && !channels.empty() && !HasForce(channels, result))
+    advice.push_back(
+        "Measure a force, static corner loads or the wheel pans: accelerations alone leave the common "
+        "scale of masses, rates and damping open.");
+  else if (open)
+    advice.push_back(
+        "Fix one parameter of each open combination or give it a prior, or measure a channel that it moves.");
+  for (const ReportedParameter& parameter : parameters)
+    if (parameter.at_bound)
+      advice.push_back("Look at the bounds of " + Code(parameter.name) +
+                       ": widen them if they are a guess; if they are sure, the model lacks something that this "
+                       "parameter stands in for.");
+  for (const ReportedParameter& parameter : parameters)
+    if (std::isfinite(parameter.sd) && std::abs(parameter.correlation) > kTied && parameter.name < parameter.partner)
+      advice.push_back(Code(parameter.name) + " and " + Code(parameter.partner) + " are tied (correlation " +
+                       ShownNumber(parameter.correlation, 2) +
+                       "): the data know a combination of them. Weigh a part, or add a channel that feels one alone.");
+  if (!channels.empty() && !HasMean(channels))
+    advice.push_back("Record the mean offset of the struts beside gain and phase: it tells bump from rebound damping.");
+  const double inflation = NumberAt(identifiability, "sd_inflation");
+  if (inflation > kMisses && worst)
+    advice.push_back("The model is short of something near " + ShownNumber(std::sqrt(2.0) * worst->lower_Hz, 2) +
+                     " Hz at " + Code(worst->channel) +
+                     (worst->lower_Hz < 2
+                          ? "; there strokes are small and slow, as where dry friction of the suspension "
+                            "counts. Repeat the low frequencies at another amplitude: friction shows in "
+                            "how gain depends on it."
+                          : ". Repeat the recording at another amplitude to tell a nonlinear law from "
+                            "a missing degree of freedom."));
+  if (TextAt(result, "termination") != "converged")
+    advice.push_back(
+        "Run the same command again: it goes on from its archive, and a larger budget of evaluations or "
+        "iterations lets it finish.");
+  if (advice.empty()) advice.push_back("Nothing is missing for this model; a richer one would ask for more.");
+  return advice;
+}
+
+}  // namespace
+
+std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>& parameters,
+                        const std::vector<ComparedChannel>& channels) {
+  const std::vector<JudgedChannel> judged = JudgeChannels(result);
+  const std::optional<Octave> worst = WorstOctave(channels);
+  const Verdict verdict = HowItEnded(result);
+  std::string next;
+  for (const std::string& advice : WhatNext(result, parameters, channels, worst))
+    next += html::Element("li", "", advice);
+  return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
+         Item("What fits", WhatFits(judged)) + Item("What does not", WhatDoesNot(judged, worst)) +
+         Item("What is known", WhatIsDetermined(parameters)) +
+         Item("What is not determined", WhatIsNot(result, parameters)) +
+         Item("What to measure next", html::Element("ul", "", next)) + "</dl>\n";
+}
+
+}  // namespace fourpost

@@ -1,0 +1,196 @@
+#include "identify/report/report_tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/report/html.h"
+#include "identify/report/shown_number.h"
+
+namespace fourpost {
+namespace {
+
+using html::Cell;
+using html::NumberCell;
+using html::TextCell;
+using Json = nlohmann::json;
+using Rows = std::vector<std::vector<Cell>>;
+
+/// Of a normal distribution, in standard deviations.
+constexpr double k95Percent = 1.96;
+
+std::string Percent(double share) { return ShownDecimals(100 * share, 2) + '%'; }
+
+/// Where a value lies between the bounds, 0 to 1.
+double Place(const ReportedParameter& parameter, double value) {
+  return std::clamp((value - parameter.lower) / (parameter.upper - parameter.lower), 0.0, 1.0);
+}
+
+Cell BarCell(const ReportedParameter& parameter) {
+  if (!(parameter.upper > parameter.lower)) return TextCell("");
+  // Open: anything between the bounds.
+  const double reach = std::isfinite(parameter.sd) ? k95Percent * parameter.sd : parameter.upper - parameter.lower;
+  const double from = Place(parameter, parameter.value - reach);
+  const double to = Place(parameter, parameter.value + reach);
+  std::string bar = "<span class=\"bar\" title=\"between the bounds: interval of 95 %, fitted value, start\">";
+  if (!std::isnan(parameter.sd))
+    bar += "<i class=\"interval" + std::string(std::isinf(parameter.sd) ? " open" : "") +
+           "\" style=\"left:" + Percent(from) + ";width:" + Percent(to - from) + "\"></i>";
+  if (std::isfinite(parameter.start))
+    bar += "<i class=\"start\" style=\"left:" + Percent(Place(parameter, parameter.start)) + "\"></i>";
+  bar += "<i class=\"value\" style=\"left:" + Percent(Place(parameter, parameter.value)) + "\"></i></span>";
+  return {bar, "barcell"};
+}
+
+std::string Determined(const ReportedParameter& parameter) {
+  if (std::isnan(parameter.sd)) return "";
+  if (std::isinf(parameter.sd)) return "not determined";
+  const double sd = parameter.RelativeSd();
+  return sd <= 0.02 ? "well determined" : sd <= 0.1 ? "determined" : "weakly determined";
+}
+
+Cell RemarkCell(const ReportedParameter& parameter) {
+  std::string remark = Determined(parameter);
+  if (parameter.at_bound) remark += (remark.empty() ? "" : ", ") + std::string("at its bound");
+  std::string cell = html::Escaped(remark);
+  if (std::abs(parameter.correlation) > 0.8 && std::isfinite(parameter.sd))
+    cell += (cell.empty() ? "" : "; ") + std::string("tied to ") +
+            html::Element("code", "", html::Escaped(parameter.partner)) + " (" +
+            ShownDecimals(parameter.correlation, 2) + ")";
+  const bool calls = parameter.at_bound || std::isinf(parameter.sd) || parameter.RelativeSd() > 0.1;
+  return {cell, calls ? "remark calls" : "remark"};
+}
+
+std::vector<Cell> ParameterRow(const ReportedParameter& parameter) {
+  const int decimals = DecimalsFor(parameter.value, parameter.sd);
+  const int coarse = DecimalsFor(parameter.value, NAN);
+  const auto number = [](double value, int places) { return NumberCell(ShownDecimals(value, places)); };
+  const std::string sd = std::isinf(parameter.sd) ? "open" : ShownDecimals(parameter.sd, decimals);
+  return {{html::Element("code", "", html::Escaped(parameter.name)), ""},
+          number(parameter.start, std::min(decimals, coarse)),
+          {html::Element("b", "", ShownDecimals(parameter.value, decimals)), "n"},
+          {"\u00b1\u2009" + sd, "n pm"},
+          TextCell(parameter.unit),
+          NumberCell(ShownNumber(100 * parameter.RelativeSd(), 2)),
+          NumberCell(ShownNumber(parameter.lower, 4)),
+          BarCell(parameter),
+          {html::Escaped(ShownNumber(parameter.upper, 4)), ""},
+          RemarkCell(parameter)};
+}
+
+void AddRows(const std::string& group, const Json& object, Rows& rows) {
+  if (!object.is_object()) return;
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) AddRows(group.empty() ? key : group + '.' + key, value, rows);
+    else if (!value.is_array())
+      rows.push_back(
+          {TextCell(group.empty() ? key : group + '.' + key), TextCell(value.is_string() ? value.get<std::string>()
+                                                                       : value.is_null() ? "none"
+                                                                                         : value.dump())});
+  }
+}
+
+/// The poles of a mode; of a pair of conjugates one.
+std::string PolesText(const Json& mode) {
+  const std::vector<Json> poles = ListAt(mode, "poles");
+  std::string text;
+  for (std::size_t i = 0; i + 1 < poles.size(); i += 2) {
+    const double re = poles[i].is_number() ? poles[i].get<double>() : NAN;
+    const double im = poles[i + 1].is_number() ? poles[i + 1].get<double>() : NAN;
+    text += (i == 0 ? "" : ", ") + ShownNumber(re, 4);
+    if (im != 0) text += " \u00b1 " + ShownNumber(std::abs(im), 4) + "i";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters) {
+  Rows rows;
+  for (const ReportedParameter& parameter : parameters) rows.push_back(ParameterRow(parameter));
+  if (rows.empty()) return "";
+  return html::Table({"parameter", "start", "fitted", "sd", "unit", "sd, %", "lower", "between the bounds", "upper",
+                      "what the data say"},
+                     rows) +
+         "<p class=\"note\">Bar: interval of 95 %; dot: fitted value; tick: start. Deviations are scaled up by what "
+         "the "
+         "model misses beyond noise and stated model error.</p>\n";
+}
+
+std::string ChannelTableHtml(const Json& result) {
+  Rows responses;
+  Rows histories;
+  for (const Json& channel : ListAt(result, "channels")) {
+    const Cell name = {html::Element("code", "", html::Escaped(TextAt(channel, "name"))), ""};
+    if (channel.contains("nmse_percent"))
+      histories.push_back({TextCell(TextAt(channel, "recording")), name,
+                           NumberCell(ShownNumber(NumberAt(channel, "nmse_percent"), 3)),
+                           NumberCell(ShownNumber(NumberAt(channel, "vaf_percent"), 4))});
+    else
+      responses.push_back({name, NumberCell(ShownDecimals(NumberAt(channel, "rms_dB"), 2)),
+                           NumberCell(ShownDecimals(NumberAt(channel, "rms_deg"), 1))});
+  }
+  std::string text;
+  if (!responses.empty()) text += html::Table({"channel", "rms, dB", "rms, deg"}, responses);
+  if (!histories.empty()) text += html::Table({"recording", "channel", "NMSE, %", "VAF, %"}, histories);
+  return text;
+}
+
+std::string StaticLoadTableHtml(const Json& result) {
+  Rows rows;
+  for (const Json& load : ListAt(result, "static_loads")) {
+    const double measured = NumberAt(load, "measured_N");
+    const double modelled = NumberAt(load, "modelled_N");
+    rows.push_back({{html::Element("code", "", html::Escaped(TextAt(load, "tyre"))), ""},
+                    NumberCell(ShownDecimals(measured, 0)),
+                    {"\u00b1\u2009" + ShownDecimals(NumberAt(load, "sd_N"), 0), "n pm"},
+                    NumberCell(ShownDecimals(modelled, 0)),
+                    NumberCell(ShownDecimals(100 * (modelled / measured - 1), 2))});
+  }
+  return rows.empty() ? "" : html::Table({"static load", "measured, N", "sd", "modelled, N", "off by, %"}, rows);
+}
+
+std::string ModeTableHtml(const Json& modes) {
+  Rows rows;
+  if (modes.is_array())
+    for (const Json& mode : modes) {
+      std::string shares;
+      for (const Json& share : ListAt(mode, "energy"))
+        if (NumberAt(share, "share") >= 0.05)
+          shares += (shares.empty() ? "" : ", ") + TextAt(share, "motion") + ' ' +
+                    ShownDecimals(100 * NumberAt(share, "share"), 0) + " %";
+      rows.push_back({TextCell(TextAt(mode, "name")), NumberCell(ShownDecimals(NumberAt(mode, "frequency_Hz"), 2)),
+                      NumberCell(ShownDecimals(NumberAt(mode, "damping_ratio"), 3)), NumberCell(PolesText(mode)),
+                      TextCell(shares)});
+    }
+  return rows.empty() ? "" : html::Table({"mode", "Hz", "damping ratio", "poles, 1/s", "kinetic energy"}, rows);
+}
+
+std::string StartTableHtml(const Json& result) {
+  Rows rows;
+  const std::vector<Json> runs = ListAt(result.value("starts", Json()), "runs");
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Json& run = runs[i];
+    rows.push_back({NumberCell(std::to_string(i + 1)), TextCell(TextAt(run, "from")),
+                    NumberCell(ShownNumber(NumberAt(run, "start_cost"), 6)),
+                    NumberCell(ShownNumber(NumberAt(run, "cost"), 6)),
+                    NumberCell(ShownDecimals(NumberAt(run, "iterations"), 0)),
+                    NumberCell(ShownDecimals(NumberAt(run, "evaluations"), 0)), TextCell(TextAt(run, "end"))});
+  }
+  if (rows.empty()) return "";
+  return html::Table({"", "start", "cost there", "cost after", "iterations", "evaluations", "end"}, rows);
+}
+
+std::string SettingsHtml(const Json& result) {
+  Rows rows;
+  for (const char* key : {"seed", "deadline_s", "evaluations", "search", "refine", "versions"}) {
+    const auto found = result.find(key);
+    if (found == result.end()) continue;
+    if (found->is_object()) AddRows(key, *found, rows);
+    else AddRows("", Json{{key, *found}}, rows);
+  }
+  return rows.empty() ? ""
+                      : "<details><summary>Every setting and version</summary>" +
+                            html::Table({"setting", "value"}, rows) + "</details>\n";
+}
+
+}  // namespace fourpost

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "identify/report/run_result.h"
+
+namespace fourpost {
+
+// Tables of a report as HTML; empty where there is nothing to tell.
+
+/// Start, value, deviation, and the interval of 95 % inside the bounds as a bar.
+std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters);
+
+/// What differs between model and measurement, by channel.
+std::string ChannelTableHtml(const nlohmann::json& result);
+
+std::string StaticLoadTableHtml(const nlohmann::json& result);
+
+/// `modes`: of SceneJson().
+std::string ModeTableHtml(const nlohmann::json& modes);
+
+/// The refinements, each from its own start.
+std::string StartTableHtml(const nlohmann::json& result);
+
+/// Every setting, and the versions.
+std::string SettingsHtml(const nlohmann::json& result);
+
+}  // namespace fourpost

@@ -1,0 +1,85 @@
+#include "identify/report/run_result.h"
+
+#include <cmath>
+#include <limits>
+
+#include "analysis/units.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// As the vehicle file writes it; in SI where there is none.
+std::string UnitOf(const Json& parameter, const RunContents& run) {
+  const std::string name = TextAt(parameter, "name");
+  if (run.vehicle)
+    for (const Parameter& known : run.vehicle->parameters)
+      if (known.name == name && ParseUnit(known.unit)) return known.unit;
+  return TextAt(parameter, "unit");
+}
+
+double SdOf(const Json& parameter, bool has_covariance) {
+  const double sd = NumberAt(parameter, "sd");
+  return std::isnan(sd) && has_covariance ? std::numeric_limits<double>::infinity() : sd;
+}
+
+/// Row `i` of the correlations.
+void FindPartner(const Json& correlations, std::size_t i, const std::vector<Json>& parameters,
+                 ReportedParameter& reported) {
+  if (!correlations.is_array() || i >= correlations.size() || correlations[i].size() != parameters.size()) return;
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    const Json& entry = correlations[i][j];
+    if (j == i || !entry.is_number() || !(std::abs(entry.get<double>()) > std::abs(reported.correlation))) continue;
+    reported.correlation = entry;
+    reported.partner = TextAt(parameters[j], "name");
+  }
+}
+
+}  // namespace
+
+double ReportedParameter::RelativeSd() const { return sd / (lower > 0 ? std::abs(value) : upper - lower); }
+
+double NumberAt(const Json& object, const std::string& key) {
+  if (!object.is_object()) return kNone;
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<double>() : kNone;
+}
+
+std::string TextAt(const Json& object, const std::string& key) {
+  if (!object.is_object()) return "";
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::vector<Json> ListAt(const Json& object, const std::string& key) {
+  if (!object.is_object()) return {};
+  const auto found = object.find(key);
+  return found != object.end() && found->is_array() ? found->get<std::vector<Json>>() : std::vector<Json>();
+}
+
+std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunContents& run) {
+  const Json identifiability = result.value("identifiability", Json());
+  const Json correlations = identifiability.is_object() ? identifiability.value("correlation", Json()) : Json();
+  const std::vector<Json> parameters = ListAt(result, "parameters");
+  std::vector<ReportedParameter> list;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Json& parameter = parameters[i];
+    ReportedParameter reported{.name = TextAt(parameter, "name"), .unit = UnitOf(parameter, run)};
+    const std::optional<Unit> unit = ParseUnit(reported.unit);
+    const double si = unit ? unit->si : 1;
+    reported.value = NumberAt(parameter, "value") / si;
+    reported.start = NumberAt(parameter, "start") / si;
+    reported.lower = NumberAt(parameter, "lower") / si;
+    reported.upper = NumberAt(parameter, "upper") / si;
+    reported.sd = SdOf(parameter, identifiability.is_object()) / si;
+    reported.at_bound = parameter.is_object() && parameter.value("at_bound", false);
+    FindPartner(correlations, i, parameters, reported);
+    list.push_back(std::move(reported));
+  }
+  return list;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "identify/report/run_contents.h"
+
+namespace fourpost {
+
+/// A parameter of a run, in the unit that its vehicle file writes.
+struct ReportedParameter {
+  std::string name;
+  std::string unit;
+  double value = 0;
+  /// NaN where the run does not tell.
+  double start = 0;
+  double lower = 0;
+  double upper = 0;
+  /// Standard deviation; infinite where nothing determines it, NaN where it was not computed.
+  double sd = 0;
+  bool at_bound = false;
+  /// The other parameter that it is most correlated with; empty where that is not told.
+  std::string partner;
+  double correlation = 0;
+
+  /// Standard deviation as a share of the value, or of the range where the lower bound is not above zero.
+  double RelativeSd() const;
+};
+
+/// A number of an object of JSON; NaN where it is null, missing or no number.
+double NumberAt(const nlohmann::json& object, const std::string& key);
+/// Likewise a text; empty where there is none.
+std::string TextAt(const nlohmann::json& object, const std::string& key);
+/// Likewise a list.
+std::vector<nlohmann::json> ListAt(const nlohmann::json& object, const std::string& key);
+
+std::vector<ReportedParameter> ReportedParameters(const nlohmann::json& result, const RunContents& run);
+
+}  // namespace fourpost

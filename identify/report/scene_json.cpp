@@ -1,0 +1,258 @@
+#include "identify/report/scene_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "identify/modelled_response.h"
+#include "identify/report/picture_number.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/loops/design_kinematics.h"
+#include "vehicles/response/harmonic_balance.h"
+#include "vehicles/ride/named_modes.h"
+#include "vehicles/ride/suspension.h"
+#include "vehicles/shapes/mesh.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Meshes above this make a page that nobody wants to open.
+constexpr Eigen::Index kMostTriangles = 60000;
+
+Json PoseJson(const Eigen::Vector3d& place, const Eigen::Matrix3d& rotation) {
+  const Eigen::Quaterniond turn(rotation);
+  return {{"place", PictureNumbers(place)}, {"turn", PictureNumbers(turn.coeffs())}};
+}
+
+/// Meshes that several visuals share are told once.
+class MeshList {
+ public:
+  /// Index of the file; -1 where it cannot be shown.
+  int Add(const std::string& file) {
+    const auto known = std::find(files_.begin(), files_.end(), file);
+    if (known != files_.end()) return indices_[static_cast<std::size_t>(known - files_.begin())];
+    files_.push_back(file);
+    indices_.push_back(Read(file));
+    return indices_.back();
+  }
+
+  const Json& meshes() const { return meshes_; }
+  const Json& missing() const { return missing_; }
+
+ private:
+  int Read(const std::string& file) {
+    const std::string name = std::filesystem::path(file).filename().string();
+    try {
+      const Mesh mesh = ReadMesh(file);
+      if (mesh.triangles.cols() > kMostTriangles)
+        throw std::runtime_error(std::to_string(mesh.triangles.cols()) + " triangles; up to " +
+                                 std::to_string(kMostTriangles) + " are shown");
+      meshes_.push_back({{"vertices", PictureNumbers(mesh.vertices)}, {"triangles", PictureNumbers(mesh.triangles)}});
+      return static_cast<int>(meshes_.size()) - 1;
+    } catch (const std::runtime_error& fault) {
+      missing_.push_back(name + ": " + fault.what());
+      return -1;
+    }
+  }
+
+  std::vector<std::string> files_;
+  std::vector<int> indices_;
+  Json meshes_ = Json::array();
+  Json missing_ = Json::array();
+};
+
+Json ShapesOf(const Link& link, MeshList& meshes) {
+  constexpr std::array<const char*, 4> kShapes = {"mesh", "box", "cylinder", "sphere"};
+  Json shapes = Json::array();
+  for (const Visual& visual : link.visuals) {
+    Json shape = PoseJson(visual.pose.translation(), visual.pose.linear());
+    shape["kind"] = kShapes[static_cast<std::size_t>(visual.shape)];
+    shape["size"] = PictureNumbers(visual.size);
+    if (visual.shape == Visual::Shape::kMesh) {
+      const int mesh = meshes.Add(visual.mesh_file);
+      if (mesh < 0) continue;
+      shape["mesh"] = mesh;
+    }
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
+/// `motion`: 6 x n column by column, velocity of the link's origin above its angular velocity, ground axes.
+Json LinksJson(const Vehicle& vehicle, const Kinematics& pose, const std::vector<double>& values, MeshList& meshes) {
+  Json links = Json::array();
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+    const Link& link = vehicle.links[i];
+    const Point origin{.link = static_cast<int>(i)};
+    const Eigen::MatrixXd linear = pose.PointJacobian(origin);
+    Eigen::MatrixXd motion(6, linear.cols());
+    motion << linear, pose.AngularJacobian(origin.link);
+    Json json = PoseJson(pose.Location(origin), pose.Rotation(origin.link));
+    json["name"] = link.name;
+    json["mass"] = PictureNumber(link.mass.At(values));
+    json["com"] = PictureNumbers(link.ComAt(values));
+    json["motion"] = PictureNumbers(motion);
+    json["shapes"] = ShapesOf(link, meshes);
+    links.push_back(std::move(json));
+  }
+  return links;
+}
+
+Json PointJson(const Point& point) { return {{"link", point.link}, {"xyz", PictureNumbers(point.xyz)}}; }
+
+Json LineJson(const std::string& name, const Point& parent, const Point& child) {
+  return {{"name", name}, {"ends", {PointJson(parent), PointJson(child)}}};
+}
+
+template <typename Element>
+Json LinesJson(const std::vector<Element>& elements) {
+  Json list = Json::array();
+  for (const Element& element : elements) {
+    if constexpr (requires { element.line; })
+      list.push_back(LineJson(element.name, element.line.parent, element.line.child));
+    else list.push_back(LineJson(element.name, element.parent, element.child));
+  }
+  return list;
+}
+
+Json SpringsJson(const Vehicle& vehicle) {
+  constexpr std::array<const char*, 3> kKinds = {"coil", "stop", "gas"};
+  Json list = Json::array();
+  for (const Spring& spring : vehicle.springs) {
+    list.push_back(LineJson(spring.name, spring.line.parent, spring.line.child));
+    list.back()["kind"] = kKinds[static_cast<std::size_t>(spring.kind)];
+  }
+  return list;
+}
+
+Json BarsJson(const Vehicle& vehicle) {
+  Json list = Json::array();
+  for (const AntiRollBar& bar : vehicle.antiroll_bars) {
+    list.push_back(LineJson(bar.name, bar.left.parent, bar.right.parent));
+    list.back()["drops"] = {LineJson(bar.name, bar.left.parent, bar.left.child),
+                            LineJson(bar.name, bar.right.parent, bar.right.child)};
+  }
+  return list;
+}
+
+Json TyresJson(const Vehicle& vehicle) {
+  Json list = Json::array();
+  for (const Tyre& tyre : vehicle.tyres)
+    list.push_back({{"name", tyre.name}, {"point", PointJson(tyre.point)}, {"radius", tyre.radius}});
+  return list;
+}
+
+Json PostsJson(const Vehicle& vehicle) {
+  Json list = Json::array();
+  for (const Post& post : vehicle.posts) list.push_back({{"name", post.name}, {"tyre", post.tyre}});
+  return list;
+}
+
+Json SensorsJson(const Vehicle& vehicle) {
+  constexpr std::array<const char*, 5> kTypes = {"accelerometer", "displacement", "strut", "load cell", "gyro"};
+  Json list = Json::array();
+  for (const Sensor& sensor : vehicle.sensors) {
+    Json json = {{"name", sensor.name}, {"type", kTypes[static_cast<std::size_t>(sensor.type)]}};
+    if (sensor.type == Sensor::Type::kLoadCell) json["tyre"] = sensor.tyre;
+    else if (sensor.type == Sensor::Type::kStrut) json["point"] = PointJson(sensor.line.parent);
+    else {
+      json["point"] = PointJson(sensor.point);
+      json["axis"] = PictureNumbers(sensor.axis);
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+template <typename Complex>
+Json ComplexJson(const Complex& values) {
+  Json list = Json::array();
+  for (const std::complex<double>& value : values) {
+    list.push_back(PictureNumber(value.real()));
+    list.push_back(PictureNumber(value.imag()));
+  }
+  return list;
+}
+
+Json ModesJson(const Vehicle& vehicle, const Kinematics& pose, const CondensedModel& model,
+               const std::vector<double>& values) {
+  Json list = Json::array();
+  const Suspension suspension = SuspensionOf(vehicle, pose, values);
+  for (const Mode& mode : NamedModes(vehicle, pose, suspension, model, values)) {
+    Json energy = Json::array();
+    for (const MotionShare& share : mode.energy)
+      energy.push_back({{"motion", share.motion}, {"share", PictureNumber(share.share)}});
+    list.push_back({{"name", mode.name},
+                    {"kind", KindName(mode.kind)},
+                    {"frequency_Hz", PictureNumber(mode.frequency_Hz)},
+                    {"damping_ratio", PictureNumber(mode.damping_ratio)},
+                    {"poles", ComplexJson(PolesOf(mode))},
+                    {"shape", ComplexJson(mode.shape)},
+                    {"energy", energy}});
+  }
+  return list;
+}
+
+/// The model with its coordinates as sensors.
+CondensedModel WithCoordinatesAsSensors(CondensedModel model) {
+  const Eigen::Index n = model.mass.rows();
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
+  const Eigen::MatrixXd no_post = Eigen::MatrixXd::Zero(n, model.post_stiffness.cols());
+  model.on_position = Eigen::MatrixXd::Identity(n, n);
+  model.on_velocity = model.on_acceleration = none;
+  model.on_post_height = model.on_post_velocity = model.on_post_acceleration = no_post;
+  for (CondensedModel::Liftoff& liftoff : model.liftoffs) liftoff.load_cells.clear();
+  return model;
+}
+
+Json MotionsJson(const CondensedModel& model, const std::vector<RecordedMotion>& motions) {
+  Json list = Json::array();
+  const std::vector<Sensor> coordinates(static_cast<std::size_t>(model.mass.rows()),
+                                        Sensor{.type = Sensor::Type::kDisplacement});
+  const CondensedModel seen = WithCoordinatesAsSensors(model);
+  for (const RecordedMotion& motion : motions) {
+    const FrequencyResponse response = SolveHarmonicBalance(seen, coordinates, motion.excitation, kFitBalance).response;
+    Json answers = Json::array();
+    for (std::size_t i = 0; i < response.frequency_Hz.size(); ++i) {
+      std::vector<std::complex<double>> answer;
+      for (const ChannelResponse& channel : response.channels) answer.push_back(channel.response[i]);
+      answers.push_back(ComplexJson(answer));
+    }
+    list.push_back({{"name", motion.name},
+                    {"frequency_Hz", motion.excitation.frequency_Hz},
+                    {"amplitude_m", motion.excitation.amplitude_m},
+                    {"posts", motion.excitation.shape},
+                    {"coordinates", answers}});
+  }
+  return list;
+}
+
+}  // namespace
+
+Json SceneJson(const Vehicle& vehicle, const std::vector<RecordedMotion>& motions) {
+  const std::vector<double> values = vehicle.ParameterValues();
+  const CondensedModel model = CondensedVehicle(vehicle).At(values);
+  const Kinematics pose = DesignKinematics(vehicle);
+  MeshList meshes;
+  Json links = LinksJson(vehicle, pose, values, meshes);
+  return {{"name", vehicle.name},
+          {"coordinates", model.mass.rows()},
+          {"links", std::move(links)},
+          {"meshes", meshes.meshes()},
+          {"missing", meshes.missing()},
+          {"springs", SpringsJson(vehicle)},
+          {"dampers", LinesJson(vehicle.dampers)},
+          {"bushings", LinesJson(vehicle.bushings)},
+          {"rods", LinesJson(vehicle.rods)},
+          {"bars", BarsJson(vehicle)},
+          {"tyres", TyresJson(vehicle)},
+          {"posts", PostsJson(vehicle)},
+          {"sensors", SensorsJson(vehicle)},
+          {"modes", ModesJson(vehicle, pose, model, values)},
+          {"motions", MotionsJson(model, motions)}};
+}
+
+}  // namespace fourpost

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "vehicles/description/vehicle.h"
+#include "vehicles/response/excitation.h"
+
+namespace fourpost {
+
+/// A motion of the posts that was recorded.
+struct RecordedMotion {
+  std::string name;
+  Excitation excitation;
+};
+
+/// The vehicle at its file's values for a viewer: links with poses and shapes, elements between points of links, how
+/// each link moves per unit of the independent coordinates s, modes as s, and s as it answers to the posts' motions at
+/// each frequency (of displacement, per unit of the reference post). analysis/report/README.md tells the shape. A mesh
+/// that cannot be read is left out and named under "missing". Throws FaultyInput when the vehicle cannot be assembled
+/// or held.
+nlohmann::ordered_json SceneJson(const Vehicle& vehicle, const std::vector<RecordedMotion>& motions);
+
+}  // namespace fourpost

@@ -1,0 +1,48 @@
+#include "identify/report/shown_number.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace fourpost {
+namespace {
+
+/// Decimal exponent of the leading digit.
+int Exponent(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
+
+/// Of five digits and more before the point.
+std::string WithThousandsApart(std::string text) {
+  const std::size_t first = text[0] == '-' ? 1 : 0;
+  const std::size_t point = std::min(text.find('.'), text.size());
+  if (point - first > 4)
+    for (std::size_t i = point; i > first + 3; i -= 3) text.insert(i - 3, "\u2009");
+  if (first == 1) text.replace(0, 1, "\u2212");
+  return text;
+}
+
+}  // namespace
+
+std::string ShownDecimals(double value, int decimals) {
+  if (!std::isfinite(value)) return std::isnan(value) ? "\u2013" : value > 0 ? "\u221e" : "\u2212\u221e";
+  char text[400];
+  // No "-0".
+  std::snprintf(text, sizeof text, "%.*f", std::clamp(decimals, 0, 30), value + 0.0);
+  return WithThousandsApart(text);
+}
+
+std::string ShownNumber(double value, int digits) {
+  if (!std::isfinite(value) || value == 0) return ShownDecimals(value, 0);
+  const int exponent = Exponent(value);
+  if (exponent >= -4 && exponent < 7) return ShownDecimals(value, std::max(0, digits - 1 - exponent));
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+  return text;
+}
+
+int DecimalsFor(double value, double sd) {
+  if (std::isfinite(sd) && sd > 0) return std::clamp(1 - Exponent(sd), 0, 12);
+  if (value == 0 || !std::isfinite(value)) return 0;
+  return std::clamp(3 - Exponent(value), 0, 12);
+}
+
+}  // namespace fourpost

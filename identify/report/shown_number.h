@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace fourpost {
+
+/// At so many significant digits, without an exponent from 1e-4 to 1e7, thousands apart by a thin space, and with a
+/// minus sign: "12 534", "-0.031"; "–" for NaN.
+std::string ShownNumber(double value, int digits);
+
+/// At so many decimals.
+std::string ShownDecimals(double value, int decimals);
+
+/// Decimals at which a value is told that is known to this deviation: two digits of the deviation; four digits of the
+/// value where the deviation is not finite.
+int DecimalsFor(double value, double sd);
+
+}  // namespace fourpost
