@@ -16,16 +16,8 @@ namespace fourpost {
 namespace {
 
 constexpr const char* kResult = "result.json";
-
-/// The files that result.json names under `key`, as far as they lie in the folder.
-void AddNamedFiles(const nlohmann::json& result, const char* key, std::vector<std::string>& names) {
-  if (!result.is_object() || !result.contains(key) || !result[key].is_array()) return;
-  for (const nlohmann::json& entry : result[key]) {
-    if (!entry.is_object() || !entry.contains("file") || !entry["file"].is_string()) continue;
-    const std::filesystem::path name = entry["file"].get<std::string>();
-    if (name == name.filename()) names.push_back(name.string());
-  }
-}
+/// What a report reads as text.
+constexpr std::array<const char*, 4> kFiles = {kResult, "response.csv", "history.csv", "bench.csv"};
 
 /// The first finding, which is what keeps a vehicle from being shown.
 std::string Reason(const Diagnostics& findings) {
@@ -58,12 +50,7 @@ RunContents ReadRun(const std::filesystem::path& folder) {
     throw FaultyInput(faults);
   }
   RunContents run;
-  std::vector<std::string> names = {kResult, "response.csv"};
-  const std::optional<std::string> result = ReadTextFile(folder / kResult, faults);
-  if (!result) throw FaultyInput(faults);
-  for (const char* key : {"histories", "bench"})
-    AddNamedFiles(nlohmann::json::parse(*result, nullptr, false), key, names);
-  for (const std::string& name : names) {
+  for (const char* name : kFiles) {
     if (!std::filesystem::exists(folder / name)) continue;
     if (std::optional<std::string> text = ReadTextFile(folder / name, faults)) run.files[name] = std::move(*text);
   }
@@ -90,9 +77,8 @@ void Replace(const std::filesystem::path& file, const std::string& page) {
 
 int Run(const ReportCommand& command) {
   const std::filesystem::path file = command.output.empty() ? command.run / "report.html" : command.output;
-  const std::array<const char*, 4> inputs = {kResult, "response.csv", "vehicle.urdf", "archive.sqlite"};
-  std::vector<std::filesystem::path> paths;
-  for (const char* name : inputs) paths.push_back(command.run / name);
+  std::vector<std::filesystem::path> paths = {command.run / "vehicle.urdf", command.run / "archive.sqlite"};
+  for (const char* name : kFiles) paths.push_back(command.run / name);
   const RunContents run = ReadRun(command.run);
   RequireWritable(file, paths);
   if (!run.vehicle_fault.empty())

@@ -2,68 +2,107 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "analysis/csv.h"
 #include "identify/report/picture_number.h"
-#include "identify/report/run_result.h"
 
 namespace fourpost {
 namespace {
 
-using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
-/// Ten times what a screen is wide.
+/// Some ten times what a screen is wide.
 constexpr std::size_t kMostRows = 20000;
 
-/// Rows that tell the picture: the extremes of each stretch of the column.
-std::vector<std::size_t> RowsToShow(const std::vector<double>& column) {
-  std::vector<std::size_t> rows;
-  const std::size_t stretch = column.size() <= kMostRows ? 1 : (2 * column.size() + kMostRows - 1) / kMostRows;
-  for (std::size_t first = 0; first < column.size(); first += stretch) {
-    const auto begin = column.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = column.begin() + static_cast<std::ptrdiff_t>(std::min(first + stretch, column.size()));
-    const auto [low, high] = std::minmax_element(begin, end);
-    const std::size_t a = static_cast<std::size_t>(std::min(low, high) - column.begin());
-    const std::size_t b = static_cast<std::size_t>(std::max(low, high) - column.begin());
-    rows.push_back(a);
-    if (b != a) rows.push_back(b);
+struct Column {
+  std::string name;
+  std::string unit;
+  std::vector<double> values;
+
+  bool HasNumbers() const {
+    return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
   }
-  return rows;
+};
+
+struct Recording {
+  std::string name;
+  /// In the table, one past the last.
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// Rows of a recording stand together.
+std::vector<Recording> RecordingsOf(const CsvTable& table, std::size_t column) {
+  std::vector<Recording> recordings;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string& name = table.Text(row, column);
+    if (recordings.empty() || recordings.back().name != name) recordings.push_back({.name = name, .first = row});
+    recordings.back().last = row + 1;
+  }
+  return recordings;
 }
 
-/// The first column after the time.
-std::size_t LeadingColumn(const CsvTable& table) { return table.columns() > 1 ? 1 : 0; }
-
-void AddColumns(const CsvTable& table, OrderedJson& recording) {
-  Diagnostics faults;
-  const std::vector<std::size_t> rows = RowsToShow(table.Numbers(LeadingColumn(table), faults));
-  OrderedJson columns = OrderedJson::array();
+std::vector<Column> ColumnsOf(const CsvTable& table, std::size_t names, const Recording& recording) {
+  std::vector<Column> columns;
   for (std::size_t c = 0; c < table.columns(); ++c) {
-    OrderedJson values = OrderedJson::array();
-    for (const std::size_t row : rows) values.push_back(PictureNumber(table.Number(row, c).value_or(NAN)));
-    columns.push_back({{"name", table.names()[c]}, {"values", std::move(values)}});
+    if (c == names) continue;
+    Column column{.name = table.names()[c], .unit = table.units()[c]};
+    for (std::size_t row = recording.first; row < recording.last; ++row)
+      column.values.push_back(table.Number(row, c).value_or(NAN));
+    if (column.HasNumbers()) columns.push_back(std::move(column));
   }
-  recording["columns"] = std::move(columns);
-  recording["rows"] = table.rows();
-  recording["shown_rows"] = rows.size();
+  return columns;
+}
+
+/// The rows that tell the picture.
+std::set<std::size_t> RowsToShow(const std::vector<Column>& columns, std::size_t rows) {
+  std::set<std::size_t> shown;
+  const std::size_t stretch = rows <= kMostRows ? 1 : 2 * columns.size() * rows / kMostRows + 1;
+  for (std::size_t first = 0; first < rows; first += stretch) {
+    shown.insert(first);
+    for (const Column& column : columns) {
+      if (stretch == 1) break;
+      const auto begin = column.values.begin() + static_cast<std::ptrdiff_t>(first);
+      const auto end = column.values.begin() + static_cast<std::ptrdiff_t>(std::min(first + stretch, rows));
+      const auto [low, high] = std::minmax_element(begin, end);
+      shown.insert(static_cast<std::size_t>(low - column.values.begin()));
+      shown.insert(static_cast<std::size_t>(high - column.values.begin()));
+    }
+  }
+  return shown;
+}
+
+OrderedJson RecordingJson(const CsvTable& table, std::size_t names, const Recording& recording) {
+  const std::vector<Column> columns = ColumnsOf(table, names, recording);
+  const std::set<std::size_t> rows = RowsToShow(columns, recording.last - recording.first);
+  OrderedJson list = OrderedJson::array();
+  for (const Column& column : columns) {
+    OrderedJson values = OrderedJson::array();
+    for (const std::size_t row : rows) values.push_back(PictureNumber(column.values[row]));
+    list.push_back({{"name", column.name}, {"unit", column.unit}, {"values", std::move(values)}});
+  }
+  return {{"recording", recording.name},
+          {"columns", std::move(list)},
+          {"rows", recording.last - recording.first},
+          {"shown_rows", rows.size()}};
 }
 
 }  // namespace
 
-OrderedJson HistoriesJson(const Json& result, const RunContents& run, const std::string& key) {
-  OrderedJson list = OrderedJson::array();
-  for (const Json& told : ListAt(result, key)) {
-    const auto file = run.files.find(TextAt(told, "file"));
-    if (file == run.files.end()) continue;
-    Diagnostics faults;
-    const std::optional<CsvTable> table = ParseCsv(file->second, file->first, faults);
-    if (!table || table->rows() == 0) continue;
-    OrderedJson recording = told;
-    AddColumns(*table, recording);
-    list.push_back(std::move(recording));
+OrderedJson HistoriesJson(const std::string& text, const std::string& file) {
+  Diagnostics faults;
+  const std::optional<CsvTable> table = ParseCsv(text, file, faults, CsvHeader::kNamesAndUnits);
+  if (!table) throw FaultyInput(faults);
+  const std::optional<std::size_t> names = table->FindColumn("recording");
+  if (!names) {
+    faults.Error(file, 1, "has no column 'recording'; fit again");
+    throw FaultyInput(faults);
   }
+  OrderedJson list = OrderedJson::array();
+  for (const Recording& recording : RecordingsOf(*table, *names))
+    list.push_back(RecordingJson(*table, *names, recording));
   return list;
 }
 

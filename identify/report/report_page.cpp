@@ -42,6 +42,11 @@ std::vector<ComparedChannel> ChannelsOf(const RunContents& run) {
   return ReadResponseTable(file->second, "response.csv");
 }
 
+OrderedJson OverTime(const RunContents& run, const std::string& name) {
+  const auto file = run.files.find(name);
+  return file == run.files.end() ? OrderedJson::array() : HistoriesJson(file->second, name);
+}
+
 OrderedJson ChannelsJson(const std::vector<ComparedChannel>& channels) {
   OrderedJson list = OrderedJson::array();
   const auto numbers = [](const std::vector<double>& values) {
@@ -113,9 +118,9 @@ std::string Header(const Json& result) {
   if (const std::string study = TextAt(result, "study"); !study.empty()) add(html::Escaped(study));
   const std::vector<Json> band = ListAt(result, "band_Hz");
   if (band.size() == 2 && band[0].is_number() && band[1].is_number())
-    add(ShownNumber(band[0], 3) + "\u2013" + ShownNumber(band[1], 3) + " Hz");
-  add(ShownNumber(NumberAt(result, "residuals"), 7) + " residuals");
-  add(ShownNumber(NumberAt(result.value("evaluations", Json()), "paid"), 7) + " evaluations");
+    add(ShownShort(band[0], 3) + "\u2013" + ShownShort(band[1], 3) + " Hz");
+  add(ShownDecimals(NumberAt(result, "residuals"), 0) + " residuals");
+  add(ShownDecimals(NumberAt(result.value("evaluations", Json()), "paid"), 0) + " evaluations");
   if (const std::string version = TextAt(result.value("versions", Json()), "fourpost"); !version.empty())
     add("fourpost " + html::Escaped(version));
   return "<header>\n<h1>" + vehicle + "</h1>\n<p class=\"facts\">" + facts +
@@ -126,6 +131,11 @@ std::string Header(const Json& result) {
 std::string Drawn(const std::string& id, const std::string& without = "") {
   return "<div class=\"drawn\" data-draw=\"" + id + "\">" +
          (without.empty() ? "" : "<noscript><p class=\"note\">" + without + "</p></noscript>") + "</div>\n";
+}
+
+/// Two blocks, side by side where there is room.
+std::string Pair(const std::string& left, const std::string& right) {
+  return "<div class=\"pair\"><div>" + left + "</div><div>" + right + "</div></div>\n";
 }
 
 std::string Directions(const Json& result) {
@@ -147,7 +157,6 @@ std::string Directions(const Json& result) {
 
 std::string Body(const Json& result, const std::vector<ComparedChannel>& channels, const OrderedJson& scene,
                  const std::string& scene_fault, bool has_histories, bool has_bench) {
-  const std::vector<ReportedParameter> none;
   std::string body;
   const std::string viewer =
       scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(scene_fault) + "</p>\n"
@@ -166,13 +175,15 @@ std::string Body(const Json& result, const std::vector<ComparedChannel>& channel
                           Drawn("bench") + (channels.empty() && !has_histories ? ChannelTableHtml(result) : ""));
   if (const std::string loads = StaticLoadTableHtml(result); !loads.empty())
     body += html::Section("loads", "Static loads", loads);
-  body += html::Section("determined", "What the data determine", Directions(result) + Drawn("correlation"));
+  body += html::Section("determination", "What the data determine", Pair(Directions(result), Drawn("correlation")));
   if (!scene.is_null())
     body += html::Section("modes", "Modes and poles",
-                          ModeTableHtml(Json(scene["modes"])) + Drawn("poles") +
-                              "<p class=\"note\">About static equilibrium, dampers at their mean rates.</p>\n");
-  return body + html::Section("search", "Search and refinement",
-                              Drawn("convergence") + StartTableHtml(result) + SettingsHtml(result));
+                          Pair(ModeTableHtml(Json(scene["modes"])) +
+                                   "<p class=\"note\">About static equilibrium, dampers at their mean rates.</p>\n",
+                               Drawn("poles")));
+  return body +
+         html::Section("search", "Search and refinement",
+                       Drawn("convergence") + Pair(StartTableHtml(result), Drawn("agreement")) + SettingsHtml(result));
 }
 
 }  // namespace
@@ -183,8 +194,8 @@ std::string ReportPage(const RunContents& run) {
   const std::vector<ReportedParameter> parameters = ReportedParameters(result, run);
   std::string scene_fault;
   const OrderedJson scene = SceneOf(result, channels, run, scene_fault);
-  const OrderedJson histories = HistoriesJson(result, run, "histories");
-  const OrderedJson bench = HistoriesJson(result, run, "bench");
+  const OrderedJson histories = OverTime(run, "history.csv");
+  const OrderedJson bench = OverTime(run, "bench.csv");
 
   const std::string body = Header(result) + "<nav id=\"contents\"></nav>\n<main>\n" +
                            html::Section("summary", "Summary", SummaryHtml(result, parameters, channels)) +

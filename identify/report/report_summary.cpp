@@ -138,7 +138,7 @@ Verdict HowItEnded(const Json& result) {
   else text = "<strong>The fit did not converge;</strong> a better point may lie near. ";
   if (end != "converged") name = "poor";
   if (refined > 0) {
-    const std::string count = ShownNumber(agreeing, 3) + " of " + ShownNumber(refined, 3);
+    const std::string count = ShownDecimals(agreeing, 0) + " of " + ShownDecimals(refined, 0);
     text += count + " refinements, each from its own start, end in the same optimum" +
             (agreeing < refined ? "; the others ended higher. " : ". ");
     if (refined > 1 && agreeing < 2 && name == "good") name = "fair";
@@ -256,7 +256,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
     advice.push_back("Record the mean offset of the struts beside gain and phase: it tells bump from rebound damping.");
   const double inflation = NumberAt(identifiability, "sd_inflation");
   if (inflation > kMisses && worst)
-    advice.push_back("The model is short of something near " + ShownNumber(std::sqrt(2.0) * worst->lower_Hz, 2) +
+    advice.push_back("The model is short of something near " + ShownShort(std::sqrt(2.0) * worst->lower_Hz, 2) +
                      " Hz at " + Code(worst->channel) +
                      (worst->lower_Hz < 2
                           ? "; there strokes are small and slow, as where dry friction of the suspension "

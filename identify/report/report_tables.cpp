@@ -69,11 +69,11 @@ std::vector<Cell> ParameterRow(const ReportedParameter& parameter) {
           number(parameter.start, std::min(decimals, coarse)),
           {html::Element("b", "", ShownDecimals(parameter.value, decimals)), "n"},
           {"\u00b1\u2009" + sd, "n pm"},
-          TextCell(parameter.unit),
+          TextCell(ShownUnit(parameter.unit)),
           NumberCell(ShownNumber(100 * parameter.RelativeSd(), 2)),
-          NumberCell(ShownNumber(parameter.lower, 4)),
+          NumberCell(ShownShort(parameter.lower, 4)),
           BarCell(parameter),
-          {html::Escaped(ShownNumber(parameter.upper, 4)), ""},
+          {html::Escaped(ShownShort(parameter.upper, 4)), ""},
           RemarkCell(parameter)};
 }
 

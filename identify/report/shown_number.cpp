@@ -1,6 +1,7 @@
 #include "identify/report/shown_number.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -36,6 +37,30 @@ std::string ShownNumber(double value, int digits) {
   if (exponent >= -4 && exponent < 7) return ShownDecimals(value, std::max(0, digits - 1 - exponent));
   char text[64];
   std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
+  return text;
+}
+
+std::string ShownShort(double value, int digits) {
+  std::string text = ShownNumber(value, digits);
+  if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+std::string ShownUnit(const std::string& unit) {
+  constexpr std::array<const char*, 10> kRaised = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                                   "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text;
+  bool is_power = false;
+  for (const char c : unit) {
+    if (c == '^') is_power = true;
+    else if (c == '*') text += "\u00b7";
+    else if (is_power && c == '-') text += "\u207b";
+    else if (is_power && c >= '0' && c <= '9') text += kRaised[static_cast<std::size_t>(c - '0')];
+    else text += c;
+    is_power = is_power && (c == '^' || c == '-' || (c >= '0' && c <= '9'));
+  }
   return text;
 }
 

@@ -8,11 +8,17 @@ namespace fourpost {
 /// minus sign: "12 534", "-0.031"; "–" for NaN.
 std::string ShownNumber(double value, int digits);
 
+/// Likewise, without zeros at the end: as a user would write a round number.
+std::string ShownShort(double value, int digits);
+
 /// At so many decimals.
 std::string ShownDecimals(double value, int decimals);
 
 /// Decimals at which a value is told that is known to this deviation: two digits of the deviation; four digits of the
 /// value where the deviation is not finite.
 int DecimalsFor(double value, double sd);
+
+/// A unit with dots and raised powers: "kg\u00b7m\u00b2" for "kg*m^2".
+std::string ShownUnit(const std::string& unit);
 
 }  // namespace fourpost

@@ -7,7 +7,7 @@ import { colours } from './theme.js';
 
 const column = (recording, name) => recording.columns.find((candidate) => candidate.name === name)?.values;
 
-/** Columns of a recording: displacement, velocity, force_measured, force_modelled. */
+/** A chart of force over another column: displacement or velocity. */
 function xy(place, title, recordings, across, label) {
   const parts = recordings.map((recording) => ({
     x: column(recording, across),

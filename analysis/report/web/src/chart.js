@@ -33,6 +33,7 @@ export function frequencyAxis(labelled) {
   return axis({
     size: labelled ? 22 : 6,
     splits: (u) => decades(u.scales.x.min, u.scales.x.max),
+    filter: (u, splits) => splits,
     values: (u, splits) => (labelled ? thinned(u, splits) : splits.map(() => '')),
   });
 }
@@ -48,8 +49,8 @@ function thinned(u, splits) {
   });
 }
 
-/** A linear axis with a grid at steps of `step`, or of 1, 2, 5 times a power of ten. */
-export function linearAxis({ scale = 'y', side = 3, step = null, size = axisWidth, grid = true } = {}) {
+/** A linear axis with a grid at the first of `steps` that leaves room, or at 1, 2, 5 times a power of ten. */
+export function linearAxis({ scale = 'y', side = 3, steps = [], size = axisWidth, grid = true } = {}) {
   return axis({
     scale,
     side,
@@ -58,9 +59,9 @@ export function linearAxis({ scale = 'y', side = 3, step = null, size = axisWidt
     splits: (u) => {
       const { min, max } = u.scales[scale];
       const room = side % 2 ? u.height : u.width;
-      const wanted = niceStep(max - min, Math.max(2, room / (side % 2 ? 32 : 80)));
-      const width = step ? step * Math.max(1, Math.ceil(wanted / step)) : wanted;
-      return multiples(min, max, width);
+      const count = Math.max(2, room / (side % 2 ? 30 : 80));
+      const step = steps.find((candidate) => (max - min) / candidate <= count) ?? niceStep(max - min, count);
+      return multiples(min, max, step);
     },
     values: (u, splits) => {
       const gap = splits.length > 1 ? splits[1] - splits[0] : 1;
@@ -79,6 +80,7 @@ export function logAxis() {
       const all = decades(min, max);
       return max / min > 1e3 ? all.filter((value) => Math.abs(Math.log10(value) % 1) < 1e-9) : all;
     },
+    filter: (u, splits) => splits,
     values: (u, splits) => splits.map((value) => shown(value, 3)),
   });
 }

@@ -39,7 +39,7 @@ function drawLog(place, log) {
 }
 
 /** Where each refinement ended, parameter by parameter, between the bounds. */
-function drawAgreement(place, result) {
+export function drawAgreement(place, { result }) {
   const runs = (result.starts?.runs ?? []).filter((run) => run.cost != null && run.values);
   if (runs.length < 2) return;
   const best = Math.min(...runs.map((run) => run.cost));
@@ -79,8 +79,8 @@ function drawAgreement(place, result) {
   );
 }
 
+/** Best cost and diversity over the search's evaluations. */
 export function drawConvergence(place, data) {
   const log = (data.result.search?.log ?? []).filter((entry) => entry.best_cost != null);
   if (log.length > 1) drawLog(place, log);
-  drawAgreement(place, data.result);
 }

@@ -4,26 +4,31 @@ import { choice, el } from './dom.js';
 import { legend } from './legend.js';
 import { extent, fixed, shown } from './number.js';
 
-/** The channels of a recording: columns "NAME measured" and "NAME modelled". */
+/** Units as a chassis engineer reads them: [factor, unit]. */
+const shownUnits = { m: [1000, 'mm'], 'm/s': [1000, 'mm/s'] };
+
+/** The channels of a recording: columns NAME_measured and NAME_modelled. */
 export function channelsOf(recording) {
-  const columns = new Map(recording.columns.map((column) => [column.name, column.values]));
-  const names = recording.columns
-    .map((column) => /^(.*) (measured|modelled)$/.exec(column.name)?.[1])
-    .filter((name) => name != null);
-  return [...new Set(names)].map((name) => ({ name, measured: columns.get(`${name} measured`), modelled: columns.get(`${name} modelled`) }));
+  const channels = new Map();
+  for (const column of recording.columns) {
+    const [, name, kind] = /^(.*)_(measured|modelled)$/.exec(column.name) ?? [];
+    if (name == null) continue;
+    const [factor, unit] = shownUnits[column.unit] ?? [1, column.unit];
+    if (!channels.has(name)) channels.set(name, { name, unit });
+    channels.get(name)[kind] = column.values.map((value) => (value == null ? null : factor * value));
+  }
+  return [...channels.values()];
 }
 
-function card(recording, channel, time, misfit, sync) {
-  const reading = el('div', { class: 'reading' });
+function card(channel, time, misfit, sync) {
   const place = el('div');
   const head = misfit?.nmse_percent == null ? '' : `NMSE ${shown(misfit.nmse_percent, 3)} %`;
-  const unit = recording.units?.[channel.name];
+  const reading = el('span', { class: 'reading' }, head);
   const box = el(
     'div',
     { class: 'chart', 'data-channel': channel.name },
-    el('h3', {}, el('span', {}, el('code', {}, channel.name), unit ? `, ${unit}` : ''), el('span', {}, head)),
+    el('h3', {}, el('span', {}, el('code', {}, channel.name), channel.unit && channel.unit !== '1' ? `, ${channel.unit}` : ''), reading),
     place,
-    reading,
   );
   const none = time.map(() => null);
   const data = [time, channel.measured ?? none, channel.modelled ?? none];
@@ -40,7 +45,7 @@ function card(recording, channel, time, misfit, sync) {
           setCursor: [
             (u) => {
               const i = u.cursor.idx;
-              reading.textContent = i == null ? '' : `${fixed(time[i], 3)} s: fit ${shown(data[2][i], 4)} for ${shown(data[1][i], 4)}`;
+              reading.textContent = i == null ? head : `${fixed(time[i], 3)} s: ${shown(data[2][i], 4)} for ${shown(data[1][i], 4)}`;
             },
           ],
         },
@@ -57,11 +62,11 @@ export function drawHistories(place, data) {
   const note = el('p', { class: 'note' });
   const redraw = (name) => {
     const recording = recordings.find((candidate) => candidate.recording === name);
-    const time = recording.columns[0].values;
+    const time = recording.columns.find((column) => column.name === 'time').values;
     const sync = uPlot.sync(`history ${name}`);
     const misfit = (channel) =>
       (data.result.channels ?? []).find((entry) => entry.recording === name && entry.name === channel.name);
-    const cards = channelsOf(recording).map((channel) => card(recording, channel, time, misfit(channel), sync));
+    const cards = channelsOf(recording).map((channel) => card(channel, time, misfit(channel), sync));
     charts.replaceChildren(...cards.map(({ box }) => box));
     for (const { draw } of cards) draw();
     const thinned =

@@ -1,8 +1,8 @@
 import { el, svg } from './dom.js';
 import { extent, multiples, niceStep, shown } from './number.js';
 
-const width = 640;
-const height = 360;
+const width = 560;
+const height = 340;
 const margin = { left: 52, right: 18, top: 14, bottom: 40 };
 
 /** [{name, re, im}] of the upper half plane. */
@@ -14,18 +14,23 @@ function polesOf(modes) {
   });
 }
 
+/** Beside the pole first, then above and below. */
+function places(isLeft) {
+  const sides = [isLeft, !isLeft];
+  return [...sides.map((side) => [side, 0]), ...[-13, 13, -26, 26, -39, 39].map((shift) => [isLeft, shift])];
+}
+
 /** Labels moved apart downwards and upwards from their poles. */
 function placed(points) {
-  const taken = [];
+  const taken = points.map(({ x, y }) => ({ x: x - 6, y: y - 6, length: 12 }));
   return points
     .sort((a, b) => a.y - b.y || a.x - b.x)
     .map((point) => {
       const length = 6.4 * point.name.length + 8;
-      const toLeft = point.x + length > width - margin.right;
-      for (const shift of [0, -13, 13, -26, 26, -39, 39]) {
-        const box = { x: toLeft ? point.x - length : point.x + 6, y: point.y + shift - 6, length };
+      for (const [toLeft, shift] of places(point.x + length > width - margin.right)) {
+        const box = { x: toLeft ? point.x - length - 6 : point.x + 7, y: point.y + shift - 6, length };
         const inside = box.y > margin.top - 8 && box.y < height - margin.bottom - 4;
-        const free = taken.every((other) => Math.abs(other.y - box.y) > 12 || other.x > box.x + box.length || box.x > other.x + other.length);
+        const free = taken.every((other) => Math.abs(other.y - box.y) > 11 || other.x > box.x + box.length || box.x > other.x + other.length);
         if (!inside || !free) continue;
         taken.push(box);
         return { ...point, labelX: toLeft ? point.x - 7 : point.x + 7, labelY: point.y + shift, anchor: toLeft ? 'end' : 'start' };

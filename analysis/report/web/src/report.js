@@ -1,7 +1,7 @@
 import { el } from './dom.js';
 import { startTheme } from './theme.js';
 import { drawBench } from './bench.js';
-import { drawConvergence } from './convergence.js';
+import { drawAgreement, drawConvergence } from './convergence.js';
 import { drawCorrelation } from './correlation.js';
 import { drawHistories } from './histories.js';
 import { drawPoles } from './poles.js';
@@ -18,13 +18,14 @@ const drawers = {
   correlation: drawCorrelation,
   poles: drawPoles,
   convergence: drawConvergence,
+  agreement: drawAgreement,
 };
 
 /** Links to the sections, the one in view marked. */
 function drawContents() {
   const links = new Map();
   for (const section of document.querySelectorAll('main > section'))
-    links.set(section, el('a', { href: `#${section.id}` }, section.querySelector('h2').textContent));
+    links.set(section, el('a', { href: `#${section.id}` }, section.id[0].toUpperCase() + section.id.slice(1)));
   document.getElementById('contents').append(el('div', {}, ...links.values()));
   const mark = () => {
     let here = null;

@@ -57,7 +57,7 @@ function rangeOf(part, least, withStart) {
   return [low - margin, high + margin];
 }
 
-function panel(place, height, series, part, { step, least, labelled, band, sync, withStart, read }) {
+function panel(place, height, series, part, { steps, least, labelled, band, sync, withStart, read }) {
   const [low, high] = extent(series.x);
   const edge = (high / low) ** 0.025;
   return chart(
@@ -68,7 +68,7 @@ function panel(place, height, series, part, { step, least, labelled, band, sync,
         x: { time: false, distr: 3, range: (u, min, max) => (min === low && max === high ? [low / edge, high * edge] : [min, max]) },
         y: { range: () => rangeOf(part, least, withStart) },
       },
-      axes: [frequencyAxis(labelled), linearAxis({ step })],
+      axes: [frequencyAxis(labelled), linearAxis({ steps })],
       series: [
         {},
         dots('measured'),
@@ -90,23 +90,23 @@ function panel(place, height, series, part, { step, least, labelled, band, sync,
 
 function card(channel, misfit, band, sync, withStart) {
   const series = seriesOf(channel);
-  const reading = el('div', { class: 'reading' });
   const gain = el('div');
   const phase = el('div');
   const head = misfit && misfit.rms_dB != null ? `${fixed(misfit.rms_dB, 2)} dB, ${fixed(misfit.rms_deg, 1)}\u00b0 rms` : '';
-  const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), el('span', {}, head)), gain, phase, reading);
+  const reading = el('span', { class: 'reading' }, head);
+  const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), reading), gain, phase);
   const read = (i) => {
-    if (i == null) reading.textContent = '';
+    if (i == null) reading.textContent = head;
     else {
       const pair = (part, unit, decimals) =>
         `${fixed(part.modelled[i], decimals)} for ${fixed(part.measured[i], decimals)}${unit}`;
-      reading.textContent = `${shown(series.x[i], 3)} Hz: fit ${pair(series.gain, ' dB', 1)}, ${pair(series.phase, '\u00b0', 0)}`;
+      reading.textContent = `${shown(series.x[i], 3)} Hz: ${pair(series.gain, ' dB', 1)}, ${pair(series.phase, '\u00b0', 0)}`;
     }
   };
   const hasPhase = series.phase.measured.some((value) => value != null);
   const draw = () => {
-    panel(gain, hasPhase ? 128 : 200, series, series.gain, { step: null, least: 6, labelled: !hasPhase, band, sync, withStart, read });
-    if (hasPhase) panel(phase, 112, series, series.phase, { step: 45, least: 60, labelled: true, band, sync, withStart, read });
+    panel(gain, hasPhase ? 128 : 200, series, series.gain, { steps: [5, 10, 20, 40], least: 6, labelled: !hasPhase, band, sync, withStart, read });
+    if (hasPhase) panel(phase, 112, series, series.phase, { steps: [45, 90, 180, 360], least: 60, labelled: true, band, sync, withStart, read });
   };
   return { box, draw };
 }
@@ -152,7 +152,7 @@ export function drawResponses(place, data) {
       ...(hasStart ? [['dash', 'start', 'start']] : []),
       ['patch', 'line', 'not fitted'],
     ),
-    el('p', { class: 'note' }, 'Gain in dB above phase in degrees, over frequency in Hz. Drag to zoom all, double click to go back.'),
+    el('p', { class: 'note' }, 'Gain in dB above phase in degrees, over frequency in Hz. The cursor reads fit for measured. Drag to zoom all, double click to go back.'),
     charts,
   );
   redraw();

@@ -123,23 +123,39 @@ export class Stage {
         const edges = place(new LineSegments(new EdgesGeometry(geometry, 25), this.materials.edges), shape);
         group.add(edges, mesh);
       }
-      if (!link.shapes.length && link.mass > 0) this.#addSkeleton(k, link, group);
+      if (link.mass > 0 && !(k === heaviest && link.shapes.length)) this.#addSkeleton(k, link, group);
       this.world.add(group);
       this.links.push(group);
     });
     this.world.updateMatrixWorld(true);
   }
 
-  /** A link without a shape: its centre of mass, and lines to what it holds. */
+  /** From a link's centre of mass to its joint and to what it holds, where no shape hides that. */
   #addSkeleton(k, link, group) {
     const com = vector(link.com);
-    const radius = Math.min(0.06, 0.03 + 0.0006 * link.mass) * Math.min(1, this.size);
-    const ball = new Mesh(new SphereGeometry(radius, 16, 12), this.materials.part);
-    ball.position.copy(com);
-    group.add(ball);
-    const ends = this.#points().filter((point) => point.link === k);
-    const places = ends.flatMap((point) => [com, vector(point.xyz)]);
-    if (places.length) group.add(new LineSegments(new BufferGeometry().setFromPoints(places), this.materials.edges));
+    const radius = 0.5 * this.#thickness();
+    if (!link.shapes.length) {
+      const ball = new Mesh(new SphereGeometry(3 * radius, 16, 12), this.materials.part);
+      ball.position.copy(com);
+      group.add(ball);
+    }
+    const ends = [new Vector3(), ...this.#points().filter((point) => point.link === k).map((point) => vector(point.xyz))];
+    for (const end of ends) {
+      const along = end.clone().sub(com);
+      const length = along.length();
+      if (length < 0.02) continue;
+      const arm = new Mesh(bar(radius), this.materials.part);
+      arm.position.copy(com);
+      arm.quaternion.setFromUnitVectors(up, along.divideScalar(length));
+      arm.scale.z = length;
+      arm.userData.isArm = true;
+      group.add(arm);
+    }
+  }
+
+  /** Of springs' wire, dampers and rods [m]. */
+  #thickness() {
+    return Math.min(0.026, 0.014 * this.size);
   }
 
   #end({ link, xyz }) {
@@ -164,7 +180,7 @@ export class Stage {
 
   #addElements() {
     const { springs, dampers, rods, bushings, bars } = this.scene;
-    const thick = Math.min(0.02, 0.012 * this.size);
+    const thick = this.#thickness();
     for (const spring of springs) {
       const isCoil = spring.kind === 'coil';
       const geometry = isCoil ? coilGeometry(3 * thick, 0.5 * thick) : bar(0.8 * thick);
@@ -191,7 +207,7 @@ export class Stage {
     const centre = this.at(tyre.point);
     const foot = centre.clone().addScaledVector(up, -tyre.radius);
     const wheels = this.links[tyre.point.link].children
-      .filter((child) => child.isMesh)
+      .filter((child) => child.isMesh && !child.userData.isArm)
       .map((mesh) => new Box3().setFromObject(mesh))
       .filter((box) => box.min.z < centre.z - 0.02 && Math.abs(box.getCenter(new Vector3()).x - centre.x) < 0.3);
     const near = wheels.filter((box) => Math.abs(box.getCenter(new Vector3()).y - centre.y) < 0.3);
@@ -302,12 +318,18 @@ export class Stage {
     const direction = vector(directions[name]).normalize();
     const centre = this.box.getCenter(new Vector3());
     const span = this.box.getSize(new Vector3());
-    // What the box is wide and high as seen from there.
     const right = new Vector3().crossVectors(name === 'top' ? new Vector3(0, 1, 0) : up, direction).normalize();
     const over = new Vector3().crossVectors(direction, right);
-    const seen = (axis) => Math.abs(axis.x) * span.x + Math.abs(axis.y) * span.y + Math.abs(axis.z) * span.z;
-    const half = Math.tan((this.camera.fov * Math.PI) / 360);
-    const distance = Math.max(seen(over) / (2 * half), seen(right) / (2 * half * this.camera.aspect)) * 1.12 + 0.5 * seen(direction);
+    const tangent = Math.tan((this.camera.fov * Math.PI) / 360);
+    // Far enough for every corner of the box.
+    let distance = 0;
+    for (const x of [-0.5, 0.5])
+      for (const y of [-0.5, 0.5])
+        for (const z of [-0.5, 0.5]) {
+          const corner = new Vector3(x, y, z).multiply(span);
+          const half = Math.max(Math.abs(corner.dot(over)), Math.abs(corner.dot(right)) / this.camera.aspect);
+          distance = Math.max(distance, corner.dot(direction) + (1.08 * half) / tangent);
+        }
     this.camera.position.copy(centre).addScaledVector(direction, distance);
     if (this.controls) this.controls.target.copy(centre);
     this.camera.lookAt(centre);

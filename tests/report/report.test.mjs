@@ -1,0 +1,324 @@
+// Reports in a browser: what they show, and that nothing in them fails.
+import assert from 'node:assert/strict';
+import { readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { launch, open } from './browser.mjs';
+import { compare } from './picture.mjs';
+import { changed, fitted } from './runs.mjs';
+
+const hostile = '</script><b class="hostile">x</b>';
+
+let browser;
+let run;
+let report;
+
+before(async () => {
+  browser = await launch();
+  run = fitted('landrover110/model2.yaml');
+  report = join(run, 'report.html');
+});
+after(() => browser?.close());
+
+/** How many pixels of a canvas have a colour near this one. */
+function coloured(canvas, [red, green, blue]) {
+  return canvas.evaluate(
+    (element, [r, g, b]) => {
+      const { data } = element.getContext('2d').getImageData(0, 0, element.width, element.height);
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4)
+        if (data[i + 3] > 128 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 60) ++count;
+      return count;
+    },
+    [red, green, blue],
+  );
+}
+
+const measuredColour = [0x00, 0x72, 0xb2];
+const modelColour = [0xd5, 0x5e, 0x00];
+
+describe('the report of a fit to frequency responses', () => {
+  test('opens from disk without a fault and asks for nothing', async () => {
+    const page = await open(browser, report);
+    assert.deepEqual(page.faults, []);
+    assert.equal(await page.title(), 'landrover110_linkage \u2013 fourpost report');
+    for (const id of ['summary', 'parameters', 'vehicle', 'responses', 'residuals', 'loads', 'determination', 'modes', 'search'])
+      assert.equal(await page.locator(`section#${id}`).count(), 1, id);
+    await page.context().close();
+  });
+
+  test('is no larger than it may be', () => {
+    const { responses, scene, result } = JSON.parse(dataOf(report));
+    const data = JSON.stringify({ responses, scene, result }).length;
+    // Beside its data: the bundle, and the tables as text.
+    assert.ok(statSync(report).size - data < 720_000, `${statSync(report).size} bytes of which ${data} are data`);
+  });
+
+  test('draws measured dots and modelled curves of every channel', async () => {
+    const page = await open(browser, report);
+    const charts = page.locator('#responses .chart');
+    assert.equal(await charts.count(), 11);
+    for (let i = 0; i < 11; ++i) {
+      const canvases = charts.nth(i).locator('canvas');
+      assert.equal(await canvases.count(), 2);
+      for (let k = 0; k < 2; ++k) {
+        assert.ok((await coloured(canvases.nth(k), measuredColour)) > 300, `dots of chart ${i}`);
+        assert.ok((await coloured(canvases.nth(k), modelColour)) > 100, `curve of chart ${i}`);
+      }
+    }
+    await page.context().close();
+  });
+
+  test('shows another recording when asked', async () => {
+    const page = await open(browser, report);
+    const before = await page.locator('#responses canvas').first().evaluate((canvas) => canvas.toDataURL());
+    await page.locator('#responses button', { hasText: 'pitch' }).click();
+    const after = await page.locator('#responses canvas').first().evaluate((canvas) => canvas.toDataURL());
+    assert.notEqual(before, after);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+
+  test('reads all channels at one cursor', async () => {
+    const page = await open(browser, report);
+    const first = page.locator('#responses .u-over').first();
+    await first.scrollIntoViewIfNeeded();
+    const box = await first.boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    const readings = await page.locator('#responses .reading').allTextContents();
+    assert.equal(readings.length, 11);
+    const frequencies = new Set(readings.map((text) => /^([\d.]+) Hz: \S+ for \S+ dB, \S+ for \S+\u00b0$/.exec(text)?.[1]));
+    assert.equal(frequencies.size, 1, readings.join('\n'));
+    assert.ok(![...frequencies].includes(undefined), readings[0]);
+    await page.context().close();
+  });
+
+  test('moves the vehicle: plays, pauses, scrubs', async () => {
+    const page = await open(browser, report);
+    const canvas = page.locator('.viewer canvas');
+    await canvas.scrollIntoViewIfNeeded();
+    const picture = () => canvas.evaluate((element) => element.toDataURL());
+    const still = await picture();
+    const scrub = page.locator('input.scrub');
+    await page.locator('button.play').click();
+    await page.waitForFunction((start) => Number(document.querySelector('input.scrub').value) !== start, 0);
+    await page.locator('button.play').click();
+    assert.notEqual(await picture(), still);
+    const paused = await picture();
+    await page.waitForTimeout(150);
+    assert.equal(await picture(), paused, 'a paused vehicle stands still');
+    await scrub.fill('0');
+    assert.equal(await picture(), still, 'the phase alone tells the picture');
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+
+  test('shows every mode, and responses at each frequency', async () => {
+    const page = await open(browser, report);
+    const select = page.locator('#vehicle select');
+    const options = await select.locator('option').allTextContents();
+    assert.equal(options.length, 6);
+    assert.match(options[0], /^heave, 1\.8\d Hz/);
+    const pictures = new Set();
+    for (let i = 0; i < options.length; ++i) {
+      await select.selectOption({ index: i });
+      pictures.add(await page.locator('.viewer canvas').evaluate((element) => element.toDataURL()));
+    }
+    assert.equal(pictures.size, options.length);
+    const caption = page.locator('.viewer .caption');
+    const before = await caption.textContent();
+    await page.locator('input[aria-label=frequency]').fill('40');
+    assert.notEqual(await caption.textContent(), before);
+    for (const view of ['side', 'front', 'top', 'corner']) await page.locator('#vehicle button', { hasText: view }).click();
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+
+  test('is readable without JavaScript', async () => {
+    const page = await open(browser, report, { javaScript: false });
+    await page.locator('.verdict', { hasText: 'The fit converged.' }).waitFor();
+    assert.equal(await page.locator('#parameters tbody tr').count(), 12);
+    assert.equal(await page.locator('#responses tbody tr').count(), 11);
+    assert.equal(await page.locator('#modes tbody tr').count(), 4);
+    await page.context().close();
+  });
+
+  test('is readable without WebGL', async () => {
+    const plain = await launch({ webgl: false });
+    try {
+      const page = await open(plain, report);
+      await page.locator('#vehicle', { hasText: 'needs WebGL' }).waitFor();
+      assert.equal(await page.locator('#responses canvas').count(), 22);
+    } finally {
+      await plain.close();
+    }
+  });
+
+  test('changes to dark and back', async () => {
+    const page = await open(browser, report);
+    const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    assert.equal(await ground(), 'rgb(255, 255, 255)');
+    await page.locator('#theme').click();
+    assert.notEqual(await ground(), 'rgb(255, 255, 255)');
+    assert.ok((await coloured(page.locator('#responses canvas').first(), [0xf0, 0x88, 0x3e])) > 100);
+    await page.emulateMedia({ media: 'print' });
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    assert.equal(await ground(), 'rgb(255, 255, 255)', 'paper is white');
+    await page.context().close();
+  });
+
+  test('fits a narrow screen', async () => {
+    const page = await open(browser, report, { width: 390, height: 800 });
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(width <= 390, `the page is ${width} wide`);
+    await page.context().close();
+  });
+});
+
+describe('pictures', () => {
+  for (const [name, options, id] of [
+    ['summary_light', {}, 'summary'],
+    ['vehicle_light', {}, 'vehicle'],
+    ['responses_light', {}, 'responses'],
+    ['responses_dark', { dark: true }, 'responses'],
+    ['parameters_narrow', { width: 390, height: 800 }, 'parameters'],
+    ['determination_light', {}, 'determination'],
+    ['modes_dark', { dark: true }, 'modes'],
+  ])
+    test(name, async () => {
+      const page = await open(browser, report, options);
+      await page.evaluate((section) => document.getElementById(section).scrollIntoView({ behavior: 'instant' }), id);
+      // The vehicle's first frame, and fonts.
+      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      const fault = compare(name, await page.screenshot());
+      assert.equal(fault, null, fault);
+      await page.context().close();
+    });
+});
+
+describe('reports of other runs', () => {
+  test('a hostile name is text', async () => {
+    const file = changed(run, 'hostile', ({ read, write }) => {
+      const result = JSON.parse(read('result.json'));
+      result.vehicle = hostile;
+      result.study = hostile;
+      result.parameters[0].name = hostile;
+      result.channels[0].name = hostile;
+      result.recordings[0].name = hostile;
+      result.identifiability.weakest = [hostile];
+      result.search.settings.base = hostile;
+      write('result.json', JSON.stringify(result));
+      const quoted = `"${hostile.replaceAll('"', '""')}"`;
+      write('response.csv', read('response.csv').replaceAll('a_body_front', quoted).replaceAll(/^bounce/gm, quoted));
+    });
+    const page = await open(browser, file);
+    assert.deepEqual(page.faults, []);
+    assert.equal(await page.locator('.hostile').count(), 0, 'no element comes of a name');
+    assert.equal(await page.locator('h1').textContent(), hostile);
+    assert.equal(await page.locator('#parameters tbody td').first().textContent(), hostile);
+    assert.equal(await page.locator('#responses .chart code').first().textContent(), hostile);
+    assert.equal(await page.locator('#responses button').first().textContent(), hostile);
+    await page.context().close();
+  });
+
+  test('a run of an older version shows what it has', async () => {
+    const file = changed(run, 'older', ({ read, write }) => {
+      const { termination, vehicle, parameters, channels, cost } = JSON.parse(read('result.json'));
+      const old = parameters.map(({ start, ...rest }) => rest);
+      write('result.json', JSON.stringify({ termination, vehicle, parameters: old, channels, cost }));
+      const rows = read('response.csv').trim().split('\n').map((row) => row.split(',').slice(0, 12).join(','));
+      write('response.csv', `${rows.join('\n')}\n`);
+    });
+    const page = await open(browser, file);
+    assert.deepEqual(page.faults, []);
+    assert.equal(await page.locator('#parameters tbody tr').count(), 12);
+    assert.equal(await page.locator('#responses canvas').count(), 22);
+    await page.context().close();
+  });
+
+  test('an interrupted run without its vehicle shows the rest', async () => {
+    const file = changed(run, 'interrupted', ({ read, write, remove }) => {
+      const result = JSON.parse(read('result.json'));
+      result.termination = 'interrupted';
+      result.identifiability = null;
+      for (const parameter of result.parameters) parameter.sd = null;
+      result.starts.runs = [];
+      write('result.json', JSON.stringify(result));
+      remove('vehicle.urdf');
+    });
+    const page = await open(browser, file);
+    assert.deepEqual(page.faults, []);
+    assert.match(await page.locator('.verdict').textContent(), /interrupted/);
+    assert.match(await page.locator('#vehicle').textContent(), /no vehicle\.urdf/);
+    assert.equal(await page.locator('#responses canvas').count(), 22);
+    await page.context().close();
+  });
+
+  test('time histories are drawn, long ones thinned', async () => {
+    const samples = 50_000;
+    const file = changed(run, 'histories', ({ read, write, remove }) => {
+      const result = JSON.parse(read('result.json'));
+      result.channels = [{ recording: 'sweep', name: 'a_body', nmse_percent: 3.2, vaf_percent: 96.8 }];
+      write('result.json', JSON.stringify(result));
+      const rows = ['recording,time,a_body_measured,a_body_modelled,s_strut_measured,s_strut_modelled', ',s,m/s^2,m/s^2,m,m'];
+      for (let k = 0; k < samples; ++k) {
+        const t = k / 1000;
+        const wave = (shift) => Math.sin(2 * Math.PI * (0.5 * t + 0.05 * t * t) + shift);
+        rows.push(['sweep', t, wave(0), wave(0.2), 0.02 * wave(1), 0.02 * wave(1.1)].join(','));
+      }
+      write('history.csv', `${rows.join('\n')}\n`);
+      remove('response.csv');
+    });
+    const page = await open(browser, file);
+    assert.deepEqual(page.faults, []);
+    assert.equal(await page.locator('#histories .chart').count(), 2);
+    assert.match(await page.locator('#histories').textContent(), /of 50000 samples are shown/);
+    assert.match(await page.locator('.verdict + dl').textContent(), /a_body in sweep/);
+    const canvas = page.locator('#histories canvas').first();
+    const before = await canvas.evaluate((element) => element.toDataURL());
+    const box = await page.locator('#histories .u-over').first().boundingBox();
+    await page.mouse.move(box.x + 0.2 * box.width, box.y + 30);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.4 * box.width, box.y + 30, { steps: 4 });
+    await page.mouse.up();
+    assert.notEqual(await canvas.evaluate((element) => element.toDataURL()), before, 'dragging zooms');
+    await page.context().close();
+  });
+
+  test('damper diagrams are drawn', async () => {
+    const file = changed(run, 'bench', ({ write, remove, read }) => {
+      const result = JSON.parse(read('result.json'));
+      result.channels = [{ recording: '1 Hz', name: 'force', nmse_percent: 1.5, vaf_percent: 98.5 }];
+      write('result.json', JSON.stringify(result));
+      const rows = ['recording,time,displacement,velocity,force_measured,force_modelled', ',s,m,m/s,N,N'];
+      for (const frequency of [1, 3])
+        for (let k = 0; k <= 400; ++k) {
+          const phase = (2 * Math.PI * k) / 400;
+          const velocity = 2 * Math.PI * frequency * 0.025 * Math.cos(phase);
+          const force = velocity > 0 ? 1800 * velocity : 700 * velocity;
+          rows.push([`${frequency} Hz`, phase / (2 * Math.PI * frequency), 0.025 * Math.sin(phase), velocity, force + 20, force].join(','));
+        }
+      write('bench.csv', `${rows.join('\n')}\n`);
+      remove('response.csv');
+    });
+    const page = await open(browser, file);
+    assert.deepEqual(page.faults, []);
+    const canvases = page.locator('#bench canvas');
+    assert.equal(await canvases.count(), 2);
+    for (let k = 0; k < 2; ++k) {
+      assert.ok((await coloured(canvases.nth(k), measuredColour)) > 200, `measured of diagram ${k}`);
+      assert.ok((await coloured(canvases.nth(k), modelColour)) > 200, `modelled of diagram ${k}`);
+    }
+    await page.locator('#bench select').selectOption({ index: 1 });
+    assert.equal(await page.locator('#bench canvas').count(), 2);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+});
+
+/** The JSON in a report's file. */
+function dataOf(file) {
+  const text = readFileSync(file, 'utf8');
+  const begin = text.indexOf('>', text.indexOf('id="data"')) + 1;
+  return text.slice(begin, text.indexOf('</script>', begin));
+}

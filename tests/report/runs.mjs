@@ -1,0 +1,35 @@
+// Runs of the program whose reports are tested, in a folder that is removed at the end.
+import { execFileSync } from 'node:child_process';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { root } from './browser.mjs';
+
+const program = process.env.FOURPOST ?? join(root, 'build', 'release', 'fourpost');
+export const scratch = mkdtempSync(join(tmpdir(), 'fourpost report '));
+process.on('exit', () => rmSync(scratch, { recursive: true, force: true }));
+
+export function fourpost(...args) {
+  return execFileSync(program, args, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+}
+
+/** Fits a study of studies/ and gives the run's folder. */
+export function fitted(study) {
+  const folder = join(scratch, study.replaceAll('/', '_'));
+  fourpost('fit', join(root, 'studies', study), '-o', folder, '--threads', '2');
+  return folder;
+}
+
+/** A copy of a run with files changed, and its report written anew: the report's file. */
+export function changed(folder, name, change) {
+  const copy = join(scratch, name);
+  // The archive is large and no part of a report.
+  cpSync(folder, copy, { recursive: true, filter: (file) => !file.endsWith('.sqlite') });
+  change({
+    read: (file) => readFileSync(join(copy, file), 'utf8'),
+    write: (file, text) => writeFileSync(join(copy, file), text),
+    remove: (file) => rmSync(join(copy, file)),
+  });
+  fourpost('report', copy);
+  return join(copy, 'report.html');
+}
