@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
   sub->add_option("STUDY", fit.study, "Study file (.yaml)")->required();
   sub->add_option(
          "-o,--output", fit.output,
-         "Folder for result.json, vehicle.urdf, archive.sqlite, and what the data make of the model: response.csv and "
+         "Folder for report.html, result.json, vehicle.urdf, archive.sqlite, and what the data make of the model: response.csv and "
          "response.svg, history.csv and history.svg")
       ->required();
   sub->add_option("--seed", fit.seed, "Seed of the search, in place of the study's")->check(WholeNumber());

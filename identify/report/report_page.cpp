@@ -175,7 +175,7 @@ std::string Body(const Json& result, const std::vector<ComparedChannel>& channel
                           Drawn("bench") + (channels.empty() && !has_histories ? ChannelTableHtml(result) : ""));
   if (const std::string loads = StaticLoadTableHtml(result); !loads.empty())
     body += html::Section("loads", "Static loads", loads);
-  body += html::Section("determination", "What the data determine", Pair(Directions(result), Drawn("correlation")));
+  body += html::Section("determination", "What the data determine", Directions(result) + Drawn("correlation"));
   if (!scene.is_null())
     body += html::Section("modes", "Modes and poles",
                           Pair(ModeTableHtml(Json(scene["modes"])) +

@@ -37,6 +37,7 @@ struct JudgedChannel {
   std::string numbers;
   Follows follows = Follows::kWell;
   double score = 0;
+  bool is_history = false;
 };
 
 Follows Judge(double score_close, double score_far) {
@@ -53,6 +54,7 @@ std::optional<JudgedChannel> JudgeChannel(const Json& channel) {
     const std::string recording = TextAt(channel, "recording");
     if (!recording.empty()) judged.name += " in " + recording;
     judged.numbers = ShownNumber(nmse, 2) + " % NMSE";
+    judged.is_history = true;
     judged.score = nmse / kClose_percent;
     judged.follows = Judge(nmse / kClose_percent, nmse / kFar_percent);
     return judged;
@@ -157,11 +159,21 @@ std::string Item(const std::string& title, const std::string& html) {
   return html.empty() ? "" : "<dt>" + title + "</dt><dd>" + html + "</dd>\n";
 }
 
+/// What a channel that is followed stays within, of the kinds of channels there are.
+std::string Limits(const std::vector<JudgedChannel>& channels) {
+  const auto is_history = [](const JudgedChannel& channel) { return channel.is_history; };
+  std::vector<std::string> limits;
+  if (!std::all_of(channels.begin(), channels.end(), is_history))
+    limits.push_back(ShownNumber(kClose_dB, 1) + " dB and " + ShownNumber(kClose_deg, 2) + "\u00b0 rms");
+  if (std::any_of(channels.begin(), channels.end(), is_history))
+    limits.push_back(ShownNumber(kClose_percent, 1) + " % NMSE");
+  return limits.size() == 1 ? limits[0] : limits[0] + ", or " + limits[1];
+}
+
 std::string WhatFits(const std::vector<JudgedChannel>& channels) {
   const std::vector<std::string> well = Named(channels, Follows::kWell, false);
   if (channels.empty()) return "";
-  const std::string within = "within " + ShownNumber(kClose_dB, 1) + " dB and " + ShownNumber(kClose_deg, 2) +
-                             "\u00b0 rms, or " + ShownNumber(kClose_percent, 1) + " % NMSE";
+  const std::string within = "within " + Limits(channels);
   if (well.empty()) return "No channel is " + within + ".";
   return Listed(well) + (well.size() == 1 ? " is " : " are ") + within + ".";
 }
@@ -173,8 +185,8 @@ std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::o
   if (!far.empty()) text += "Not followed: " + Listed(far) + ". ";
   if (!roughly.empty()) text += "Roughly followed: " + Listed(roughly) + ". ";
   if (!text.empty() && worst)
-    text += "The largest relative error is at " + Code(worst->channel) + " between " + ShownNumber(worst->lower_Hz, 2) +
-            " and " + ShownNumber(2 * worst->lower_Hz, 2) + " Hz.";
+    text += "The largest relative error is at " + Code(worst->channel) + " between " + ShownShort(worst->lower_Hz, 3) +
+            " and " + ShownShort(2 * worst->lower_Hz, 3) + " Hz.";
   return text.empty() && !channels.empty() ? "Every channel is followed." : text;
 }
 
@@ -197,14 +209,20 @@ std::string WhatIsDetermined(const std::vector<ReportedParameter>& parameters) {
   return text;
 }
 
+std::vector<std::string> AtBounds(const std::vector<ReportedParameter>& parameters) {
+  std::vector<std::string> names;
+  for (const ReportedParameter& parameter : parameters)
+    if (parameter.at_bound) names.push_back(Code(parameter.name));
+  return names;
+}
+
 std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& parameters) {
   std::vector<std::string> open;
-  std::vector<std::string> bound;
+  const std::vector<std::string> bound = AtBounds(parameters);
   bool computed = false;
   for (const ReportedParameter& parameter : parameters) {
     computed = computed || !std::isnan(parameter.sd);
     if (std::isinf(parameter.sd)) open.push_back(Code(parameter.name));
-    if (parameter.at_bound) bound.push_back(Code(parameter.name));
   }
   if (!computed && !parameters.empty()) return "The run ended before standard deviations could be computed.";
   std::string text;
@@ -242,11 +260,10 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
   else if (open)
     advice.push_back(
         "Fix one parameter of each open combination or give it a prior, or measure a channel that it moves.");
-  for (const ReportedParameter& parameter : parameters)
-    if (parameter.at_bound)
-      advice.push_back("Look at the bounds of " + Code(parameter.name) +
-                       ": widen them if they are a guess; if they are sure, the model lacks something that this "
-                       "parameter stands in for.");
+  if (const std::vector<std::string> bound = AtBounds(parameters); !bound.empty())
+    advice.push_back("Look at the bounds of " + Listed(bound) +
+                     ": widen them if they are a guess; if they are sure, the model lacks something that " +
+                     (bound.size() == 1 ? "this parameter stands" : "these parameters stand") + " in for.");
   for (const ReportedParameter& parameter : parameters)
     if (std::isfinite(parameter.sd) && std::abs(parameter.correlation) > kTied && parameter.name < parameter.partner)
       advice.push_back(Code(parameter.name) + " and " + Code(parameter.partner) + " are tied (correlation " +

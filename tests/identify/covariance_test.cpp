@@ -46,6 +46,25 @@ TEST(Covariance, OfFullRankIsTheInverseOfTheNormalMatrix) {
   EXPECT_DOUBLE_EQ(covariance.condition, covariance.singular_values[0] / covariance.singular_values[3]);
 }
 
+TEST(Covariance, CorrelationsAreThoseOfTheInverse) {
+  const Eigen::MatrixXd jacobian = RandomMatrix(30, 4);
+  const Eigen::MatrixXd inverse = (jacobian.transpose() * jacobian).inverse();
+  const Eigen::VectorXd scale = inverse.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd expected = scale.asDiagonal() * inverse * scale.asDiagonal();
+  // Rounding times the square of a condition below 10.
+  EXPECT_TRUE(Correlations(EstimateCovariance(jacobian, Ones(4), 0)).isApprox(expected, 1e-13));
+}
+
+TEST(Covariance, UndeterminedParametersHaveNoCorrelation) {
+  Eigen::MatrixXd jacobian = RandomMatrix(30, 3);
+  jacobian.col(1).setZero();
+  const Eigen::MatrixXd correlations = Correlations(EstimateCovariance(jacobian, Ones(3), 0));
+  EXPECT_TRUE(std::isnan(correlations(1, 1)));
+  EXPECT_TRUE(std::isnan(correlations(0, 1)));
+  EXPECT_EQ(correlations(0, 0), 1);
+  EXPECT_LT(std::abs(correlations(0, 2)), 1);
+}
+
 TEST(Covariance, DirectionsDecomposeTheNormalMatrix) {
   const Eigen::MatrixXd jacobian = RandomMatrix(30, 4);
   const Covariance covariance = EstimateCovariance(jacobian, Ones(4), 0);

@@ -70,7 +70,7 @@ export function drawAgreement(place, { result }) {
   const others = runs.filter((run) => !agrees(run)).length;
   place.append(
     el('h3', {}, 'Where the refinements ended'),
-    el('div', { class: 'table' }, el('table', {}, el('tbody', {}, ...rows))),
+    el('div', { class: 'table agreement' }, el('table', {}, el('tbody', {}, ...rows))),
     el(
       'p',
       { class: 'note' },

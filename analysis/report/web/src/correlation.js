@@ -1,6 +1,5 @@
 import { el, svg } from './dom.js';
 import { fixed } from './number.js';
-import { colours, onTheme } from './theme.js';
 
 /** Orange for +1, blue for -1, the ground for 0. */
 function fill(value) {
@@ -14,7 +13,7 @@ export function drawCorrelation(place, data) {
   const names = (data.result.parameters ?? []).map((parameter) => parameter.name);
   if (!matrix || matrix.length !== names.length || names.length < 2) return;
   const n = names.length;
-  const side = Math.max(10, Math.min(34, 620 / n));
+  const side = Math.max(10, Math.min(36, 880 / n));
   const letters = Math.max(...names.map((name) => name.length));
   const size = Math.min(12, side);
   const left = Math.min(220, letters * size * 0.62 + 12);

@@ -28,7 +28,7 @@ function rms(channel, [low, high], model) {
 }
 
 function cell(value, fitted) {
-  const strength = value == null ? 0 : Math.min(1, Math.sqrt(value / 1.5));
+  const strength = value == null ? 0 : (fitted ? 1 : 0.4) * Math.min(1, Math.sqrt(value / 1.5));
   return el(
     'td',
     {

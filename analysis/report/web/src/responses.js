@@ -88,11 +88,22 @@ function panel(place, height, series, part, { steps, least, labelled, band, sync
   );
 }
 
-function card(channel, misfit, band, sync, withStart) {
+/** Root mean square of what fit and measurement differ by, where they were fitted. */
+function misfitOf({ gain, phase }, inBand) {
+  const rms = (part) => {
+    const errors = part.measured.map((value, i) => (inBand[i] && value != null && part.modelled[i] != null ? part.modelled[i] - value : null)).filter((error) => error != null);
+    return errors.length ? Math.sqrt(errors.reduce((sum, error) => sum + error * error, 0) / errors.length) : null;
+  };
+  const [dB, deg] = [rms(gain), rms(phase)];
+  if (dB == null) return '';
+  return `${fixed(dB, 2)} dB${deg == null ? '' : `, ${fixed(deg, 1)}\u00b0`} rms`;
+}
+
+function card(channel, band, sync, withStart) {
   const series = seriesOf(channel);
   const gain = el('div');
   const phase = el('div');
-  const head = misfit && misfit.rms_dB != null ? `${fixed(misfit.rms_dB, 2)} dB, ${fixed(misfit.rms_deg, 1)}\u00b0 rms` : '';
+  const head = misfitOf(series, channel.in_band);
   const reading = el('span', { class: 'reading' }, head);
   const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), reading), gain, phase);
   const read = (i) => {
@@ -114,7 +125,6 @@ function card(channel, misfit, band, sync, withStart) {
 /** Bode charts of every channel of one recording, with one cursor for all. */
 export function drawResponses(place, data) {
   const recordings = [...new Set(data.responses.map((channel) => channel.recording))];
-  const misfits = new Map((data.result.channels ?? []).map((channel) => [channel.name, channel]));
   const hasStart = data.responses.some((channel) => channel.gain_start?.some((value) => value != null));
   const hasBars = data.responses.some((channel) => channel.gain_sd?.some((value) => value != null));
   const band = data.result.band_Hz ?? [0, Infinity];
@@ -125,7 +135,7 @@ export function drawResponses(place, data) {
     const sync = uPlot.sync(`responses ${state.recording}`);
     const cards = data.responses
       .filter((channel) => channel.recording === state.recording)
-      .map((channel) => card(channel, misfits.get(channel.name), band, sync, state.start));
+      .map((channel) => card(channel, band, sync, state.start));
     charts.replaceChildren(...cards.map(({ box }) => box));
     for (const { draw } of cards) draw();
   };

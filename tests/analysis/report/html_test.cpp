@@ -1,0 +1,51 @@
+#include "analysis/report/html.h"
+
+#include <gmock/gmock.h>
+
+#include "analysis/report/report_document.h"
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr const char* kHostile = "</script><b a='x' c=\"y\">&";
+
+TEST(Html, EscapesText) {
+  EXPECT_EQ(html::Escaped(kHostile), "&lt;/script&gt;&lt;b a=&#39;x&#39; c=&quot;y&quot;&gt;&amp;");
+  EXPECT_EQ(html::Escaped(std::string("a\x01\tb\nc")), "a  b\nc");
+  EXPECT_EQ(html::TextCell("<i>").html, "&lt;i&gt;");
+}
+
+TEST(Html, JsonCannotEndItsElement) {
+  EXPECT_EQ(html::ScriptJson(R"({"a":"</script><!--&"})"), R"({"a":"\u003c/script\u003e\u003c!--\u0026"})");
+}
+
+TEST(Html, TableHasAClassPerColumnInItsHead) {
+  const std::string table = html::Table({"name", "mass"}, {{html::TextCell("body"), html::NumberCell("7")}});
+  EXPECT_THAT(table, HasSubstr("<th>name</th><th class=\"n\">mass</th>"));
+  EXPECT_THAT(table, HasSubstr("<td>body</td><td class=\"n\">7</td>"));
+}
+
+TEST(ReportDocument, HoldsAllItNeedsAndFetchesNothing) {
+  const std::string page = ReportDocument(kHostile, "<main></main>", R"({"name":"</script>"})");
+  EXPECT_THAT(page, StartsWith("<!doctype html>"));
+  EXPECT_THAT(page, HasSubstr("<title>&lt;/script&gt;"));
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(page, HasSubstr("id=\"data\">{\"name\":\"\\u003c/script\\u003e\"}</script>"));
+  // The scripts' licences and the style.
+  EXPECT_THAT(page, HasSubstr("three.js authors"));
+  EXPECT_THAT(page, HasSubstr(".u-over"));
+  EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
+  // One end for each of the two scripts: of the data and of what draws them.
+  std::size_t ends = 0;
+  for (std::size_t at = page.find("</script"); at != std::string::npos; at = page.find("</script", at + 1)) ++ends;
+  EXPECT_EQ(ends, 2u);
+  // Fixed parts of a page are bounded.
+  EXPECT_LT(page.size(), 702'000u);
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,47 @@
+#include "identify/report/history_table.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "analysis/diagnostics.h"
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+using Json = nlohmann::ordered_json;
+
+TEST(HistoriesJson, PartsRecordingsAndLeavesOutWhatTheyHaveNot) {
+  const Json histories = HistoriesJson(
+      "recording,time,a_measured,s_measured\n,s,m/s^2,m\nslow,0,1,\nslow,0.5,2,\nfast,0,,3\n", "history.csv");
+  ASSERT_EQ(histories.size(), 2u);
+  EXPECT_EQ(histories[0]["recording"], "slow");
+  EXPECT_EQ(histories[0]["columns"], Json::parse(R"([{"name": "time", "unit": "s", "values": [0, 0.5]},
+                                                     {"name": "a_measured", "unit": "m/s^2", "values": [1, 2]}])"));
+  EXPECT_EQ(histories[1]["columns"][1]["name"], "s_measured");
+  EXPECT_EQ(histories[1]["rows"], 1);
+}
+
+TEST(HistoriesJson, ThinsLongRecordingsAndKeepsTheirExtremes) {
+  std::string text = "recording,time,a_measured\n,s,m/s^2\n";
+  constexpr int kRows = 100000;
+  for (int k = 0; k < kRows; ++k)
+    text += "sweep," + std::to_string(k) + "," + (k == 54321 ? "7" : k == 54322 ? "-7" : "0") + "\n";
+  const Json sweep = HistoriesJson(text, "history.csv")[0];
+  EXPECT_EQ(sweep["rows"], kRows);
+  EXPECT_LT(sweep["shown_rows"], 20000);
+  EXPECT_EQ(sweep["columns"][0]["values"].size(), sweep["shown_rows"].get<std::size_t>());
+  const auto values = sweep["columns"][1]["values"].get<std::vector<double>>();
+  EXPECT_EQ(*std::max_element(values.begin(), values.end()), 7);
+  EXPECT_EQ(*std::min_element(values.begin(), values.end()), -7);
+}
+
+TEST(HistoriesJson, TellsWhatAFileLacks) {
+  EXPECT_THAT([] { HistoriesJson("time,a\ns,m\n0,1\n", "history.csv"); },
+              ThrowsMessage<FaultyInput>(HasSubstr("history.csv:1: error: has no column 'recording'")));
+}
+
+}  // namespace
+}  // namespace fourpost

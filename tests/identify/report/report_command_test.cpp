@@ -1,0 +1,81 @@
+// `fourpost report` as a user meets it.
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/identify/program.h"
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+class ReportCommandLine : public ProgramTest {
+ protected:
+  void Fit() {
+    const Outcome outcome = Run("fit studies/landrover110/model2.yaml -o run");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+};
+
+TEST_F(ReportCommandLine, WritesWhatTheFitWrote) {
+  Fit();
+  const std::string page = ReadText(folder_ / "run/report.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("<h1>landrover110_linkage</h1>"), HasSubstr("The fit converged."),
+                          HasSubstr("<code>c_front_bump</code>"), HasSubstr("rear hop")));
+  const Outcome outcome = Run("report run -o again.html --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out)["bytes"], std::filesystem::file_size(folder_ / "again.html"));
+  // The fitted vehicle comes from its file here, in whose digits nothing is lost.
+  EXPECT_TRUE(ReadText(folder_ / "again.html") == page);
+}
+
+TEST_F(ReportCommandLine, ShowsARunWhoseVehicleIsGone) {
+  Fit();
+  std::filesystem::remove(folder_ / "run/vehicle.urdf");
+  const Outcome outcome = Run("report run");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("does not show the vehicle: the folder has no vehicle.urdf"));
+  EXPECT_THAT(ReadText(folder_ / "run/report.html"), Not(HasSubstr("data-draw=\"viewer\"")));
+}
+
+TEST_F(ReportCommandLine, SaysWhatItNeeds) {
+  std::filesystem::create_directory(folder_ / "empty");
+  Outcome outcome = Run("report empty");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("empty: error: holds no result.json, which a fit writes at its end"));
+  outcome = Run("report urdf/quarter_car.urdf");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("is no folder"));
+  ASSERT_EQ(Run("modes urdf/quarter_car.urdf -o modes").code, 0);
+  outcome = Run("report modes");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("is not that of a fit"));
+  temporary_.Write("empty/result.json", "{");
+  EXPECT_THAT(Run("report empty").err, HasSubstr("is no JSON; fit again"));
+}
+
+TEST_F(ReportCommandLine, KeepsAnOlderReportOnAFullDisk) {
+  Fit();
+  const std::string before = ReadText(folder_ / "run/report.html");
+  // A limit of 100 blocks of 512 bytes stands for a full disk.
+  const Outcome outcome = RunShell(std::string("ulimit -f 100; '") + FOURPOST_PROGRAM + "' report run");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot write"));
+  EXPECT_TRUE(ReadText(folder_ / "run/report.html") == before);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "run/report.html.partial"));
+}
+
+TEST_F(ReportCommandLine, DoesNotOverwriteWhatItReads) {
+  Fit();
+  EXPECT_EQ(Run("report run -o run/result.json").code, 5);
+  EXPECT_THAT(ReadText(folder_ / "run/result.json"), HasSubstr("termination"));
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,87 @@
+#include "identify/report/report_summary.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+Json Good() {
+  return Json::parse(R"({
+    "termination": "converged", "starts": {"refined": 5, "agreeing": 5},
+    "identifiability": {"rank": 2, "parameters": 2, "sd_inflation": 1.2, "weakest": ["m +1 %"]},
+    "channels": [{"name": "a_body", "rms_dB": 0.5, "rms_deg": 4}, {"name": "s_strut", "rms_dB": 3.2, "rms_deg": 9}],
+    "static_loads": [{"tyre": "front"}]})");
+}
+
+std::vector<ReportedParameter> Known() {
+  return {{.name = "m", .value = 100, .lower = 50, .upper = 150, .sd = 1},
+          {.name = "k", .value = 10, .lower = 5, .upper = 15, .sd = 0.5}};
+}
+
+TEST(Summary, TellsWhatFitsAndWhatDoesNot) {
+  const std::string text = SummaryHtml(Good(), Known(), {});
+  EXPECT_THAT(text, AllOf(HasSubstr("verdict good"), HasSubstr("The fit converged."), HasSubstr("5 of 5 refinements"),
+                          HasSubstr("<code>a_body</code> is within 1 dB"),
+                          HasSubstr("Not followed: <code>s_strut</code> (3.2 dB, 9.0\u00b0)"),
+                          HasSubstr("2 of 2 parameters are determined, 1 of them within 2 %")));
+  EXPECT_THAT(text, Not(HasSubstr("NMSE")));
+}
+
+TEST(Summary, TellsHistoriesByTheirNmse) {
+  Json result = Good();
+  result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "a", "nmse_percent": 2, "vaf_percent": 98},
+                                       {"recording": "sweep", "name": "s", "nmse_percent": 60, "vaf_percent": 40}])");
+  EXPECT_THAT(SummaryHtml(result, Known(), {}), AllOf(HasSubstr("<code>a in sweep</code> is within 5 % NMSE"),
+                                                      HasSubstr("Not followed: <code>s in sweep</code> (60 % NMSE)")));
+}
+
+TEST(Summary, TellsWhatIsOpenAndWhatToMeasure) {
+  Json result = Good();
+  result["identifiability"]["rank"] = 1;
+  result["static_loads"] = Json::array();
+  std::vector<ReportedParameter> parameters = Known();
+  parameters[0].sd = HUGE_VAL;
+  parameters[1].at_bound = true;
+  const ComparedChannel acceleration = {.recording = "bounce", .name = "a_body", .unit = "m/s^2"};
+  EXPECT_THAT(SummaryHtml(result, parameters, {acceleration}),
+              AllOf(HasSubstr("<code>m</code>: the data do not tell"), HasSubstr("<code>k</code> is at the bound"),
+                    HasSubstr("Measure a force"), HasSubstr("Look at the bounds of <code>k</code>"),
+                    HasSubstr("Record the mean offset")));
+}
+
+TEST(Summary, TellsTiesOnce) {
+  std::vector<ReportedParameter> parameters = Known();
+  parameters[0].partner = "k";
+  parameters[1].partner = "m";
+  parameters[0].correlation = parameters[1].correlation = 0.99;
+  const std::string text = SummaryHtml(Good(), parameters, {});
+  EXPECT_THAT(text, HasSubstr("<code>k</code> and <code>m</code> are tied (correlation 0.99)"));
+  EXPECT_THAT(text, Not(HasSubstr("<code>m</code> and <code>k</code> are tied")));
+}
+
+TEST(Summary, SaysThatARunHasNotEnded) {
+  Json result = Good();
+  result["termination"] = "interrupted";
+  result["identifiability"] = nullptr;
+  std::vector<ReportedParameter> parameters = Known();
+  for (ReportedParameter& parameter : parameters) parameter.sd = NAN;
+  EXPECT_THAT(SummaryHtml(result, parameters, {}),
+              AllOf(HasSubstr("verdict poor"), HasSubstr("interrupted"), HasSubstr("before standard deviations"),
+                    HasSubstr("Run the same command again")));
+}
+
+TEST(Summary, EscapesNames) {
+  Json result = Good();
+  result["channels"][0]["name"] = "<b>";
+  EXPECT_THAT(SummaryHtml(result, Known(), {}), AllOf(HasSubstr("<code>&lt;b&gt;</code>"), Not(HasSubstr("<b>"))));
+}
+
+}  // namespace
+}  // namespace fourpost
