@@ -122,10 +122,10 @@ int main(int argc, char** argv) {
   FitCommand fit;
   sub = app.add_subcommand("fit", "Fit a study's vehicle to the recordings");
   sub->add_option("STUDY", fit.study, "Study file (.yaml)")->required();
-  sub->add_option(
-         "-o,--output", fit.output,
-         "Folder for report.html, result.json, vehicle.urdf, archive.sqlite, and what the data make of the model: response.csv and "
-         "response.svg, history.csv and history.svg")
+  sub->add_option("-o,--output", fit.output,
+                  "Folder for report.html, result.json, vehicle.urdf, archive.sqlite, and what the data make of the "
+                  "model: response.csv and "
+                  "response.svg, history.csv and history.svg")
       ->required();
   sub->add_option("--seed", fit.seed, "Seed of the search, in place of the study's")->check(WholeNumber());
   sub->add_option("--threads", fit.threads, "Evaluations at once, no influence on the result; 0: one per processor")
