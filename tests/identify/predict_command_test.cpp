@@ -1,0 +1,108 @@
+// `fourpost fit` of time histories and `fourpost predict` as a user meets them.
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/identify/program.h"
+#include "tests/identify/recorded_station.h"
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+constexpr const char* kStudy = R"(vehicle: urdf/single_wheel_station.urdf
+histories:
+  - file: sweep.csv
+    posts: {ground: z_ground}
+    channels: {z_sprung: z_sprung, z_unsprung: z_unsprung, a_sprung: a_sprung, F_tyre: F_tyre}
+    filter: {order: 4, cutoff: 30 Hz}
+free: [m_sprung, c_bump, c_rebound]
+search: {evaluations: 10, starts: 1}
+)";
+
+class PredictCommandLine : public ProgramTest {
+ protected:
+  PredictCommandLine() {
+    temporary_.Write("study.yaml", kStudy);
+    temporary_.Write("sweep.csv", Recording(0.01));
+    temporary_.Write("other.csv", Recording(0.006));
+  }
+
+  /// Of a station that is not as its file says.
+  std::string Recording(double amplitude_m) const {
+    Vehicle vehicle = ShippedVehicle("single_wheel_station");
+    Set(vehicle, "m_sprung", 190);
+    Set(vehicle, "c_bump", 800);
+    return StationCsv(RecordStation(vehicle, SensorModel::Filter{4, 30}, amplitude_m), vehicle);
+  }
+
+  void Fit() const {
+    const Outcome outcome = Run("fit study.yaml -o run");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+
+  void ExpectRefused(const std::string& arguments, const std::string& message, int code = 3) const {
+    const Outcome outcome = Run("predict " + arguments);
+    EXPECT_EQ(outcome.code, code) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_EQ(outcome.out, "");
+  }
+};
+
+TEST_F(PredictCommandLine, ShowsWhatAFitIsWorthOnARecordingThatItHasNotSeen) {
+  Fit();
+  const Json fit = Json::parse(ReadText(folder_ / "run/result.json"));
+  EXPECT_NEAR(fit["parameters"][0]["value"].get<double>(), 190, 0.01);
+  EXPECT_NEAR(fit["parameters"][1]["value"].get<double>(), 800, 0.1);
+  ASSERT_EQ(fit["channels"].size(), 4u);
+  EXPECT_EQ(fit["channels"][0]["recording"], "sweep");
+  EXPECT_EQ(ReadText(folder_ / "run/study.yaml"), kStudy);
+  EXPECT_THAT(ReadText(folder_ / "run/history.svg"), testing::StartsWith("<svg"));
+  EXPECT_THAT(ReadText(folder_ / "run/history.csv"), HasSubstr("z_sprung_measured,z_sprung_modelled"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "run/response.csv"));
+
+  const Outcome told = Run("predict run --recording other.csv -o predicted --json");
+  ASSERT_EQ(told.code, 0) << told.err;
+  const Json prediction = Json::parse(told.out);
+  EXPECT_EQ(Json::parse(ReadText(folder_ / "predicted/result.json")), prediction);
+  ASSERT_EQ(prediction["channels"].size(), 4u);
+  for (const Json& channel : prediction["channels"]) {
+    EXPECT_EQ(channel["recording"], "other");
+    // The integration's error squared.
+    EXPECT_LT(channel["nmse_percent"].get<double>(), 1e-2) << channel["name"];
+    EXPECT_GT(channel["vaf_percent"].get<double>(), 99.99);
+  }
+}
+
+TEST_F(PredictCommandLine, TellsOfAChannelThatIsNotSynchronised) {
+  Fit();
+  TimeHistory history = RecordStation(ShippedVehicle("single_wheel_station"), SensorModel::Filter{4, 30});
+  const Eigen::Index kept = history.size() - 20;
+  history.readings.col(4).tail(kept) = history.readings.col(4).head(kept).eval();
+  temporary_.Write("late.csv", StationCsv(history, ShippedVehicle("single_wheel_station")));
+  const Outcome told = Run("predict run --recording late.csv");
+  EXPECT_THAT(told.out, HasSubstr("'F_tyre' of 'late' comes 4"));
+  EXPECT_THAT(told.out, HasSubstr("as if it were not synchronised"));
+  EXPECT_THAT(Run("predict run --recording other.csv").out, Not(HasSubstr("synchronised")));
+}
+
+TEST_F(PredictCommandLine, RefusesWhatIsNoFitOrNoRecording) {
+  ExpectRefused("urdf --recording other.csv", "holds no vehicle.urdf");
+  Fit();
+  ExpectRefused("run --recording none.csv", "none.csv");
+  ExpectRefused("run --recording study.yaml", "is a study");
+  ExpectRefused("run", "--recording is required", 2);
+  temporary_.Write("odd.csv", "t,z\n1,2\n");
+  ExpectRefused("run --recording odd.csv", "has neither a column 'time' nor 'frequency_Hz'");
+  ExpectRefused("run --recording studies/landrover110/bounce_frf.csv", "is a frequency response");
+  temporary_.Write("less.csv", "time,z_ground\ns,m\n0,0\n1,0\n2,0\n3,0\n");
+  ExpectRefused("run --recording less.csv", "F_tyre");
+}
+
+}  // namespace
+}  // namespace fourpost
