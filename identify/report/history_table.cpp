@@ -13,8 +13,8 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// Some ten times what a screen is wide.
-constexpr std::size_t kMostRows = 20000;
+/// So that each recording takes some megabytes at the most, and a zoom still shows each cycle.
+constexpr std::size_t kMostRows = 50000;
 
 struct Column {
   std::string name;

@@ -7,6 +7,8 @@ import { launch, open } from './browser.mjs';
 import { compare } from './picture.mjs';
 import { changed, fitted } from './runs.mjs';
 
+/** Gain and phase of eleven channels, the mean offset of two. */
+const canvasCount = 24;
 const hostile = '</script><b class="hostile">x</b>';
 
 let browser;
@@ -60,8 +62,10 @@ describe('the report of a fit to frequency responses', () => {
     assert.equal(await charts.count(), 11);
     for (let i = 0; i < 11; ++i) {
       const canvases = charts.nth(i).locator('canvas');
-      assert.equal(await canvases.count(), 2);
-      for (let k = 0; k < 2; ++k) {
+      // Gain and phase; of struts the mean offset as well.
+      const name = await charts.nth(i).locator('code').textContent();
+      assert.equal(await canvases.count(), name.startsWith('s_strut') ? 3 : 2, name);
+      for (let k = 0; k < (await canvases.count()); ++k) {
         assert.ok((await coloured(canvases.nth(k), measuredColour)) > 300, `dots of chart ${i}`);
         assert.ok((await coloured(canvases.nth(k), modelColour)) > 100, `curve of chart ${i}`);
       }
@@ -87,7 +91,7 @@ describe('the report of a fit to frequency responses', () => {
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     const readings = await page.locator('#responses .reading').allTextContents();
     assert.equal(readings.length, 11);
-    const frequencies = new Set(readings.map((text) => /^([\d.]+) Hz: \S+ for \S+ dB, \S+ for \S+\u00b0$/.exec(text)?.[1]));
+    const frequencies = new Set(readings.map((text) => /^([\d.]+) Hz: \S+ for \S+ dB, \S+ for \S+\u00b0(, \S+ for \S+ mm)?$/.exec(text)?.[1]));
     assert.equal(frequencies.size, 1, readings.join('\n'));
     assert.ok(![...frequencies].includes(undefined), readings[0]);
     await page.context().close();
@@ -148,7 +152,7 @@ describe('the report of a fit to frequency responses', () => {
     try {
       const page = await open(plain, report);
       await page.locator('#vehicle', { hasText: 'needs WebGL' }).waitFor();
-      assert.equal(await page.locator('#responses canvas').count(), 22);
+      assert.equal(await page.locator('#responses canvas').count(), canvasCount);
     } finally {
       await plain.close();
     }
@@ -232,7 +236,7 @@ describe('reports of other runs', () => {
     const page = await open(browser, file);
     assert.deepEqual(page.faults, []);
     assert.equal(await page.locator('#parameters tbody tr').count(), 12);
-    assert.equal(await page.locator('#responses canvas').count(), 22);
+    assert.equal(await page.locator('#responses canvas').count(), canvasCount);
     await page.context().close();
   });
 
@@ -250,12 +254,12 @@ describe('reports of other runs', () => {
     assert.deepEqual(page.faults, []);
     assert.match(await page.locator('.verdict').textContent(), /interrupted/);
     assert.match(await page.locator('#vehicle').textContent(), /no vehicle\.urdf/);
-    assert.equal(await page.locator('#responses canvas').count(), 22);
+    assert.equal(await page.locator('#responses canvas').count(), canvasCount);
     await page.context().close();
   });
 
   test('time histories are drawn, long ones thinned', async () => {
-    const samples = 50_000;
+    const samples = 60_000;
     const file = changed(run, 'histories', ({ read, write, remove }) => {
       const result = JSON.parse(read('result.json'));
       result.channels = [{ recording: 'sweep', name: 'a_body', nmse_percent: 3.2, vaf_percent: 96.8 }];
@@ -272,7 +276,7 @@ describe('reports of other runs', () => {
     const page = await open(browser, file);
     assert.deepEqual(page.faults, []);
     assert.equal(await page.locator('#histories .chart').count(), 2);
-    assert.match(await page.locator('#histories').textContent(), /of 50000 samples are shown/);
+    assert.match(await page.locator('#histories').textContent(), /of 60000 samples are shown/);
     assert.match(await page.locator('.verdict + dl').textContent(), /a_body in sweep/);
     const canvas = page.locator('#histories canvas').first();
     const before = await canvas.evaluate((element) => element.toDataURL());

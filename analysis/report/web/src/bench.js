@@ -7,10 +7,10 @@ import { colours } from './theme.js';
 
 const column = (recording, name) => recording.columns.find((candidate) => candidate.name === name)?.values;
 
-/** A chart of force over another column: displacement or velocity. */
-function xy(place, title, recordings, across, label) {
+/** A chart of force over another column, displacement or velocity, times a factor. */
+function xy(place, title, recordings, across, factor, label) {
   const parts = recordings.map((recording) => ({
-    x: column(recording, across),
+    x: column(recording, across)?.map((value) => (value == null ? null : factor * value)),
     measured: column(recording, 'force_measured'),
     modelled: column(recording, 'force_modelled'),
   })).filter((part) => part.x && part.measured);
@@ -69,8 +69,8 @@ export function drawBench(place, data) {
   const redraw = (name) => {
     const chosen = data.bench.filter((recording) => name === '' || recording.recording === name);
     const parts = [
-      xy(charts, 'Work diagram', chosen, 'displacement', 'm'),
-      xy(charts, 'Characteristic', chosen, 'velocity', 'm/s'),
+      xy(charts, 'Work diagram', chosen, 'displacement', 1000, 'mm'),
+      xy(charts, 'Characteristic', chosen, 'velocity', 1, 'm/s'),
     ].filter((part) => part);
     charts.replaceChildren(...parts.map(({ card }) => card));
     for (const { draw } of parts) draw();

@@ -13,7 +13,7 @@ export function channelsOf(recording) {
   for (const column of recording.columns) {
     const [, name, kind] = /^(.*)_(measured|modelled)$/.exec(column.name) ?? [];
     if (name == null) continue;
-    const [factor, unit] = shownUnits[column.unit] ?? [1, column.unit];
+    const [factor, unit] = shownUnits[column.unit] ?? [1, column.unit.replace('^2', '\u00b2').replaceAll('*', '\u00b7')];
     if (!channels.has(name)) channels.set(name, { name, unit });
     channels.get(name)[kind] = column.values.map((value) => (value == null ? null : factor * value));
   }
@@ -39,7 +39,7 @@ function card(channel, time, misfit, sync) {
       () => ({
         scales: { x: { time: false }, y: { range: (u, low, high) => (low < high ? [low - 0.06 * (high - low), high + 0.06 * (high - low)] : [low - 1, low + 1]) } },
         axes: [linearAxis({ scale: 'x', side: 2, size: 24 }), linearAxis()],
-        series: [{}, curve('measured', 'measured', { width: 1.4 }), curve('fit', 'model', { width: 1.2 })],
+        series: [{}, curve('measured', 'measured', { width: 2.2 }), curve('fit', 'model', { width: 1 })],
         cursor: { y: false, sync: { key: sync.key }, drag: { x: true, y: false } },
         hooks: {
           setCursor: [
@@ -55,20 +55,42 @@ function card(channel, time, misfit, sync) {
   return { box, draw };
 }
 
+/** The stretch of time, an eighth or at most 2 s, about the largest measured value over its own rms. */
+export function busiest(time, channels) {
+  let best = [0, 0];
+  for (const { measured } of channels) {
+    if (!measured) continue;
+    const rms = Math.sqrt(measured.reduce((sum, value) => sum + (value ?? 0) ** 2, 0) / measured.length) || 1;
+    measured.forEach((value, i) => {
+      if (Math.abs(value ?? 0) / rms > best[0]) best = [Math.abs(value) / rms, i];
+    });
+  }
+  const [from, to] = extent(time);
+  const span = Math.min(2, (to - from) / 8);
+  const begin = Math.min(Math.max(from, time[best[1]] - span / 2), to - span);
+  return [begin, begin + span];
+}
+
 /** Measured and modelled time histories of one recording; dragging zooms all of them. */
 export function drawHistories(place, data) {
   const recordings = data.histories;
   const charts = el('div', { class: 'charts wide' });
   const note = el('p', { class: 'note' });
+  let show = () => {};
   const redraw = (name) => {
     const recording = recordings.find((candidate) => candidate.recording === name);
     const time = recording.columns.find((column) => column.name === 'time').values;
     const sync = uPlot.sync(`history ${name}`);
     const misfit = (channel) =>
       (data.result.channels ?? []).find((entry) => entry.recording === name && entry.name === channel.name);
-    const cards = channelsOf(recording).map((channel) => card(channel, time, misfit(channel), sync));
+    const channels = channelsOf(recording);
+    const cards = channels.map((channel) => card(channel, time, misfit(channel), sync));
     charts.replaceChildren(...cards.map(({ box }) => box));
-    for (const { draw } of cards) draw();
+    const states = cards.map(({ draw }) => draw());
+    show = (part) => {
+      const [min, max] = part === 'all' ? extent(time) : busiest(time, channels);
+      for (const { plot } of states) plot.setScale('x', { min, max });
+    };
     const thinned =
       recording.shown_rows < recording.rows
         ? ` ${recording.shown_rows} of ${recording.rows} samples are shown, the extremes of each stretch.`
@@ -76,7 +98,14 @@ export function drawHistories(place, data) {
     note.textContent = `Over time in s. Drag to zoom all, double click to go back.${thinned}`;
   };
   const names = recordings.map((recording) => recording.recording);
-  if (names.length > 1) place.append(el('div', { class: 'controls' }, choice('recording', names.map((name) => [name, name]), names[0], redraw)));
+  place.append(
+    el(
+      'div',
+      { class: 'controls' },
+      names.length > 1 ? choice('recording', names.map((name) => [name, name]), names[0], redraw) : null,
+      choice('stretch', [['all', 'all of it'], ['close', 'where most happens']], 'all', (part) => show(part)),
+    ),
+  );
   place.append(legend(['line', 'measured', 'measured'], ['line', 'model', 'fit']), note, charts);
   redraw(names[0]);
 }

@@ -47,7 +47,16 @@ function seriesOf(channel) {
     low: measured.map((value, i) => (angle[i] ? value - reach * angle[i] : null)),
     high: measured.map((value, i) => (angle[i] ? value + reach * angle[i] : null)),
   };
-  return { x: channel.frequency_Hz, gain, phase };
+  return { x: channel.frequency_Hz, gain, phase, mean: meanOf(channel) };
+}
+
+/** The mean offset, of lengths in mm; null where none was measured. */
+function meanOf(channel) {
+  if (!channel.mean_measured) return null;
+  const factor = channel.unit === 'm' ? 1000 : 1;
+  const scaled = (list) => list.map((value) => (value == null ? null : factor * value));
+  const none = channel.mean_measured.map(() => null);
+  return { measured: scaled(channel.mean_measured), modelled: scaled(channel.mean_modelled), low: none, high: none, unit: factor === 1 ? channel.unit : 'mm' };
 }
 
 /** A range around the values, at least this wide. */
@@ -103,21 +112,26 @@ function card(channel, band, sync, withStart) {
   const series = seriesOf(channel);
   const gain = el('div');
   const phase = el('div');
+  const mean = el('div');
   const head = misfitOf(series, channel.in_band);
   const reading = el('span', { class: 'reading' }, head);
-  const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), reading), gain, phase);
+  const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), reading), gain, phase, mean);
   const read = (i) => {
     if (i == null) reading.textContent = head;
     else {
       const pair = (part, unit, decimals) =>
         `${fixed(part.modelled[i], decimals)} for ${fixed(part.measured[i], decimals)}${unit}`;
-      reading.textContent = `${shown(series.x[i], 3)} Hz: ${pair(series.gain, ' dB', 1)}, ${pair(series.phase, '\u00b0', 0)}`;
+      reading.textContent = `${shown(series.x[i], 3)} Hz: ${pair(series.gain, ' dB', 1)}, ${pair(series.phase, '\u00b0', 0)}${series.mean ? `, ${pair(series.mean, ` ${series.mean.unit}`, 1)}` : ''}`;
     }
   };
-  const hasPhase = series.phase.measured.some((value) => value != null);
   const draw = () => {
-    panel(gain, hasPhase ? 128 : 200, series, series.gain, { steps: [5, 10, 20, 40], least: 6, labelled: !hasPhase, band, sync, withStart, read });
-    if (hasPhase) panel(phase, 112, series, series.phase, { steps: [45, 90, 180, 360], least: 60, labelled: true, band, sync, withStart, read });
+    const panels = [[gain, 128, series.gain, { steps: [5, 10, 20, 40], least: 6 }]];
+    if (series.phase.measured.some((value) => value != null)) panels.push([phase, 96, series.phase, { steps: [45, 90, 180, 360], least: 60 }]);
+    if (series.mean) panels.push([mean, 84, series.mean, { least: 1 }]);
+    panels.forEach(([place, height, part, options], i) => {
+      const labelled = i === panels.length - 1;
+      panel(place, height + (labelled ? 16 : 0), series, part, { steps: [], labelled, band, sync, withStart: withStart && part.start, read, ...options });
+    });
   };
   return { box, draw };
 }
@@ -162,7 +176,7 @@ export function drawResponses(place, data) {
       ...(hasStart ? [['dash', 'start', 'start']] : []),
       ['patch', 'line', 'not fitted'],
     ),
-    el('p', { class: 'note' }, 'Gain in dB above phase in degrees, over frequency in Hz. The cursor reads fit for measured. Drag to zoom all, double click to go back.'),
+    el('p', { class: 'note' }, 'Gain in dB, phase in degrees and, where it was measured, mean offset in mm, over frequency in Hz. The cursor reads fit for measured. Drag to zoom all, double click to go back.'),
     charts,
   );
   redraw();

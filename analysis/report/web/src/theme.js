@@ -38,6 +38,13 @@ export function startTheme() {
       set(chosen);
     });
   }
-  addEventListener('beforeprint', () => set(false));
-  addEventListener('afterprint', () => set(wanted()));
+  // Charts are drawn anew with the theme, as wide as the page is then.
+  addEventListener('beforeprint', () => {
+    document.documentElement.classList.add('printing');
+    set(false);
+  });
+  addEventListener('afterprint', () => {
+    document.documentElement.classList.remove('printing');
+    set(wanted());
+  });
 }

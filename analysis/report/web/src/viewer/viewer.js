@@ -51,7 +51,7 @@ class Viewer {
     place.append(this.#controls(), this.frame, this.#transport());
     onTheme(() => {
       this.stage.setPalette(palette());
-      this.draw();
+      this.#fit();
     });
     this.stage.controls.addEventListener('change', () => this.draw());
     new ResizeObserver(() => this.#fit()).observe(this.frame);
