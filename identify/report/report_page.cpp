@@ -160,7 +160,7 @@ std::string Body(const Json& result, const std::vector<ComparedChannel>& channel
   std::string body;
   const std::string viewer =
       scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(scene_fault) + "</p>\n"
-                      : Drawn("viewer", "The moving vehicle needs JavaScript and WebGL.");
+                      : Drawn("viewer", "The moving vehicle needs JavaScript.");
   body += html::Section("vehicle", "The vehicle on its posts", viewer);
   if (!channels.empty())
     body += html::Section("responses", "Frequency responses",

@@ -147,12 +147,18 @@ describe('the report of a fit to frequency responses', () => {
     await page.context().close();
   });
 
-  test('is readable without WebGL', async () => {
+  test('shows the vehicle by its edges without WebGL', async () => {
     const plain = await launch({ webgl: false });
     try {
       const page = await open(plain, report);
-      await page.locator('#vehicle', { hasText: 'needs WebGL' }).waitFor();
+      assert.equal(await page.evaluate(() => document.createElement('canvas').getContext('webgl2')), null);
+      const canvas = page.locator('.viewer canvas');
+      assert.ok((await coloured(canvas, modelColour)) > 200, 'springs');
+      const still = await canvas.evaluate((element) => element.toDataURL());
+      await page.locator('input.scrub').fill('120');
+      assert.ok((await canvas.evaluate((element) => element.toDataURL())) !== still, 'the vehicle moves');
       assert.equal(await page.locator('#responses canvas').count(), canvasCount);
+      assert.deepEqual(page.faults, []);
     } finally {
       await plain.close();
     }

@@ -6,6 +6,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { linkMotion } from './motion.js';
+import { WireRenderer } from './wire.js';
 
 const up = new Vector3(0, 0, 1);
 const vector = ([x, y, z]) => new Vector3(x, y, z);
@@ -49,11 +50,18 @@ function coilGeometry(radius, wire) {
 /** A cylinder of unit length from 0 along z. */
 const bar = (radius) => new CylinderGeometry(radius, radius, 1, 16).rotateX(Math.PI / 2).translate(0, 0, 0.5);
 
-/** The vehicle in three dimensions. Throws where there is no WebGL. */
+/** Solid by WebGL; its edges on a plain canvas where there is none. */
+function rendererFor(canvas) {
+  const probe = document.createElement('canvas');
+  if (!probe.getContext('webgl2')) return new WireRenderer(canvas);
+  return new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+}
+
+/** The vehicle in three dimensions. */
 export class Stage {
   constructor(canvas, scene, palette) {
     this.scene = scene;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer = rendererFor(canvas);
     this.world = new Scene();
     this.camera = new PerspectiveCamera(28, 2, 0.05, 200);
     this.camera.up.copy(up);
@@ -121,6 +129,7 @@ export class Stage {
         const isBody = k === heaviest;
         const mesh = place(new Mesh(geometry, isBody ? this.materials.body : this.materials.part), shape);
         const edges = place(new LineSegments(new EdgesGeometry(geometry, 25), this.materials.edges), shape);
+        mesh.userData.hasEdges = true;
         group.add(edges, mesh);
       }
       if (link.mass > 0 && !(k === heaviest && link.shapes.length)) this.#addSkeleton(k, link, group);

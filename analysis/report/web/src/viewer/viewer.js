@@ -182,11 +182,7 @@ class Viewer {
   }
 }
 
-/** The vehicle, moving; where there is no WebGL a note says so. */
+/** The vehicle, moving. */
 export function drawViewer(place, data) {
-  try {
-    new Viewer(place, data.scene);
-  } catch (error) {
-    place.replaceChildren(el('p', { class: 'note' }, `The moving vehicle needs WebGL, which this browser does not give: ${error.message}. The modes are in the table below.`));
-  }
+  new Viewer(place, data.scene);
 }

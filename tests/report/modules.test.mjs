@@ -1,0 +1,58 @@
+// What the page's scripts compute, without a browser.
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
+import { describe, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { root } from './browser.mjs';
+
+const source = (name) => import(pathToFileURL(join(root, 'analysis', 'report', 'web', 'src', name)).href);
+const { extent, fixed, multiples, niceStep, shown } = await source('number.js');
+const { coordinatesAt, greatestMotion, linkMotion, phasors } = await source('viewer/motion.js');
+
+describe('numbers', () => {
+  test('have significant digits and a minus sign', () => {
+    assert.equal(shown(1.8432, 3), '1.84');
+    assert.equal(shown(-0.031, 2), '\u22120.031');
+    assert.equal(shown(14123.4, 3), '14123');
+    assert.equal(shown(1.5e-7, 2), '1.5\u00b710\u207b\u2077');
+    assert.equal(shown(null), '\u2013');
+    assert.equal(fixed(-0.001, 2), '0.00');
+  });
+
+  test('make axes', () => {
+    assert.equal(niceStep(10, 5), 2);
+    assert.equal(niceStep(0.9, 5), 0.2);
+    assert.deepEqual(multiples(-0.9, 1.1, 0.5), [-0.5, 0, 0.5, 1]);
+    assert.deepEqual(extent([null, 3, -1], [7, NaN]), [-1, 7]);
+    assert.equal(extent([null]), null);
+  });
+});
+
+describe('motion', () => {
+  // One link, one coordinate: up by 1 and about y by 2 per unit.
+  const link = { motion: [0, 0, 1, 0, 2, 0] };
+
+  test('is the real part of a turning phasor', () => {
+    // Of 3 + 4i a quarter of a cycle on: -4.
+    assert.ok(Math.abs(coordinatesAt([3, 4], Math.PI / 2)[0] + 4) < 1e-15);
+    assert.deepEqual([...linkMotion(link, [0.5])], [0, 0, 0.5, 0, 1, 0]);
+  });
+
+  test('is greatest where the turn adds to the rise', () => {
+    // A point 1 m behind the origin rises by 1 + 2, and 0.1 m above it moves by 0.2 along x.
+    const greatest = greatestMotion({ links: [link] }, [1, 0], [[[-1, 0, 0.1]]]);
+    assert.ok(Math.abs(greatest - Math.hypot(3, 0.2)) < 1e-12);
+  });
+
+  test('of a response has posts that move as a sine', () => {
+    const motion = { amplitude_m: [0.01], coordinates: [[1, 0]], posts: [1, -1] };
+    const { coordinates, posts } = phasors({ posts: [{}, {}] }, { kind: 'response', motion }, 0);
+    // A coordinate that follows the post has its phasor.
+    const at = (pair, phase) => pair[0] * Math.cos(phase) - pair[1] * Math.sin(phase);
+    for (const phase of [0, 0.7, 2]) {
+      assert.ok(Math.abs(at(posts[0], phase) - 0.01 * Math.sin(phase)) < 1e-17);
+      assert.ok(Math.abs(at(posts[1], phase) + 0.01 * Math.sin(phase)) < 1e-17);
+      assert.ok(Math.abs(at(coordinates, phase) - at(posts[0], phase)) < 1e-17);
+    }
+  });
+});
