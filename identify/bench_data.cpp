@@ -1,0 +1,107 @@
+#include "identify/bench_data.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/nearest.h"
+#include "analysis/number.h"
+#include "analysis/restored_signal.h"
+#include "analysis/time_recording.h"
+#include "vehicles/bench/recording_check.h"
+
+namespace fourpost {
+namespace {
+
+/// Place in Vehicle::dampers.
+std::optional<std::size_t> FindDamper(const BenchStudy& study, const std::string& file, const Vehicle& vehicle,
+                                      Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const Damper& damper : vehicle.dampers) names.push_back(damper.name);
+  if (!study.damper && names.size() == 1) return 0;
+  if (!study.damper) {
+    diagnostics.Error(file, study.line,
+                      names.empty() ? "the vehicle has no fp:damper"
+                                    : "the vehicle has " + std::to_string(names.size()) +
+                                          " dampers: name the one on the bench with 'damper'");
+    return std::nullopt;
+  }
+  const auto found = std::find(names.begin(), names.end(), *study.damper);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  diagnostics.Error(file, study.line,
+                    "the vehicle has no damper '" + *study.damper + "'" + DidYouMean(*study.damper, names));
+  return std::nullopt;
+}
+
+/// Samples at the start over which the filter forgets that it did not see what was before.
+std::size_t SettlingSamples(const RigFilter& filter, double sample_s) {
+  constexpr double kPeriods = 3;
+  return static_cast<std::size_t>(std::ceil(kPeriods / filter.cutoff_Hz / sample_s));
+}
+
+std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Recording& from,
+                                   Diagnostics& diagnostics) {
+  const std::array<RecordedChannel, 2> wanted = {
+      RecordedChannel{{study.displacement}, kLength, "the damper's extension"},
+      RecordedChannel{{study.force}, kForce, "the damper's tension"}};
+  std::optional<TimeRecording> read = ReadTimeRecording(from.file, wanted, diagnostics);
+  if (!read || !CheckBenchRecording(*read, from.file.string(), diagnostics)) return std::nullopt;
+  BenchRecording recording{.name = from.name,
+                           .start_s = read->start_s,
+                           .sample_s = read->step_s,
+                           .motion = {},
+                           .force = std::move(read->channels[1]),
+                           .filter = {},
+                           .end = read->samples()};
+  std::vector<double> displacement = std::move(read->channels[0]);
+  if (study.rig_filter) {
+    const double rate_Hz = 1 / recording.sample_s;
+    if (!(study.rig_filter->cutoff_Hz < rate_Hz / 2)) {
+      diagnostics.Error(from.file.string(), 0,
+                        "is sampled at " + FormatNumber(std::round(rate_Hz)) +
+                            " Hz; the cutoff of 'rig_filter' must be below half of that");
+      return std::nullopt;
+    }
+    recording.cutoff_Hz = study.rig_filter->cutoff_Hz;
+    recording.filter = LowPass(study.rig_filter->order, study.rig_filter->cutoff_Hz, rate_Hz);
+    displacement = RestoredSignal(*recording.filter, displacement);
+    recording.first = SettlingSamples(*study.rig_filter, recording.sample_s);
+    recording.end -= std::min<std::size_t>(recording.end, kRestoringReach);
+    if (recording.first >= recording.end) {
+      diagnostics.Error(from.file.string(), 0, "is over before the filter of the rig has settled; record longer");
+      return std::nullopt;
+    }
+  }
+  recording.motion = MotionThrough(displacement, recording.sample_s);
+  return recording;
+}
+
+}  // namespace
+
+std::optional<BenchData> LoadBenchData(const BenchStudy& study, const std::string& study_file, const Vehicle& vehicle,
+                                       Diagnostics& diagnostics) {
+  BenchData data;
+  const std::optional<std::size_t> damper = FindDamper(study, study_file, vehicle, diagnostics);
+  bool good = damper.has_value();
+  data.damper = damper.value_or(0);
+  const auto load = [&](const std::vector<BenchStudy::Recording>& from, std::vector<BenchRecording>& to) {
+    for (const BenchStudy::Recording& recording : from) {
+      std::optional<BenchRecording> loaded = Load(study, recording, diagnostics);
+      if (loaded) to.push_back(*std::move(loaded));
+      else good = false;
+    }
+  };
+  load(study.recordings, data.fitted);
+  load(study.validation, data.validation);
+  if (!good) return std::nullopt;
+  return data;
+}
+
+std::vector<double> ModelledForce(const BenchDamper& damper, const BenchRecording& recording,
+                                  const std::vector<double>& values) {
+  std::vector<double> force = damper.Tensions(recording.motion, values);
+  if (recording.filter) recording.filter->Apply(force);
+  return force;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,85 @@
+#include "identify/bench_residuals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace fourpost {
+namespace {
+
+/// A recording's force at the samples that are compared, over what is expected of the model.
+struct Target {
+  BenchRecording recording;
+  std::size_t stride = 1;
+  std::size_t count = 0;
+  /// Of a residual [1/N].
+  double weight = 1;
+};
+
+double StandardDeviation(const BenchRecording& recording) {
+  double sum = 0;
+  double squares = 0;
+  for (std::size_t k = recording.first; k < recording.end; ++k) sum += recording.force[k];
+  const auto count = static_cast<double>(recording.end - recording.first);
+  const double mean = sum / count;
+  for (std::size_t k = recording.first; k < recording.end; ++k)
+    squares += (recording.force[k] - mean) * (recording.force[k] - mean);
+  return std::sqrt(squares / count);
+}
+
+Target TargetOf(const BenchRecording& recording, double model_error) {
+  Target target{.recording = recording, .stride = ResidualStride(recording)};
+  target.count = (recording.end - recording.first + target.stride - 1) / target.stride;
+  target.weight = std::sqrt(IndependentSamples(recording) / static_cast<double>(target.count)) /
+                  (model_error * StandardDeviation(recording));
+  return target;
+}
+
+Evaluation Evaluate(const BenchDamper& damper, const std::vector<Target>& targets, Eigen::Index count,
+                    const std::vector<double>& values, const Deadline& deadline) {
+  Evaluation evaluation;
+  evaluation.residuals.resize(count);
+  double* out = evaluation.residuals.data();
+  for (const Target& target : targets) {
+    deadline.Check();
+    const BenchRecording& recording = target.recording;
+    const std::vector<double> force = ModelledForce(damper, recording, values);
+    if (force.empty()) return Infeasible(1, "a chamber of the damper closes in '" + recording.name + "'");
+    for (std::size_t k = recording.first; k < recording.end; k += target.stride)
+      *out++ = target.weight * (force[k] - recording.force[k]);
+  }
+  return evaluation;
+}
+
+}  // namespace
+
+std::size_t ResidualStride(const BenchRecording& recording) {
+  if (!recording.filter) return 1;
+  return static_cast<std::size_t>(std::max(1.0, std::floor(1 / (4 * recording.cutoff_Hz * recording.sample_s))));
+}
+
+double IndependentSamples(const BenchRecording& recording) {
+  const auto samples = static_cast<double>(recording.end - recording.first);
+  return recording.filter ? samples * std::min(1.0, 2 * recording.cutoff_Hz * recording.sample_s) : samples;
+}
+
+ResidualBlock BenchResiduals(const Vehicle& vehicle, const BenchData& data, double model_error) {
+  std::vector<Target> targets;
+  std::size_t count = 0;
+  for (const BenchRecording& recording : data.fitted) {
+    targets.push_back(TargetOf(recording, model_error));
+    count += targets.back().count;
+  }
+  const auto residuals = static_cast<Eigen::Index>(count);
+  return {.name = "bench recordings",
+          .count = residuals,
+          // Roots of the laws' steps, relative to their rates.
+          .accuracy = 1e-8,
+          .evaluate = [damper = BenchDamper(vehicle, data.damper), targets = std::move(targets), residuals](
+                          const std::vector<double>& values, const Deadline& deadline) {
+            return Evaluate(damper, targets, residuals, values, deadline);
+          }};
+}
+
+}  // namespace fourpost

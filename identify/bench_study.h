@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "identify/strict_yaml.h"
+
+namespace fourpost {
+
+/// The low-pass of a rig's amplifiers, a Butterworth filter of even order.
+struct RigFilter {
+  int order = 4;
+  double cutoff_Hz = 30;
+};
+
+/// What the file of a study tells under 'bench': recordings of a damper on its bench. Paths are resolved.
+struct BenchStudy {
+  struct Recording {
+    std::string name;
+    std::filesystem::path file;
+    int line = 0;
+  };
+  /// Of the vehicle; its only one when empty.
+  std::optional<std::string> damper;
+  int line = 0;
+  /// Columns of the recordings.
+  std::string displacement = "displacement";
+  std::string force = "force";
+  /// Through which both channels have passed on the rig.
+  std::optional<RigFilter> rig_filter;
+  /// What the model may miss, as a share of the measured force's standard deviation.
+  double model_error = 0.05;
+  std::vector<Recording> recordings;
+  /// Those that the fit does not see.
+  std::vector<Recording> validation;
+};
+
+BenchStudy ReadBenchStudy(const YAML::Node& node, const std::string& file, Diagnostics& diagnostics);
+
+}  // namespace fourpost

@@ -1,0 +1,161 @@
+#include "vehicles/bench/recording_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include <gmock/gmock.h>
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// Ten cycles at 1 Hz of 20 mm: 750 N s/m in compression, 1900 in rebound.
+TimeRecording Good() {
+  TimeRecording recording{.start_s = 0, .end_s = 10, .step_s = 0.002, .channels = {{}, {}}};
+  const double w = 2 * std::numbers::pi;
+  for (int k = 0; k <= 5000; ++k) {
+    const double v = 0.02 * w * std::cos(w * 0.002 * k);
+    recording.channels[0].push_back(0.02 * std::sin(w * 0.002 * k));
+    recording.channels[1].push_back((v > 0 ? 1900 : 750) * v);
+  }
+  return recording;
+}
+
+void Apply(std::vector<double>& signal, const std::function<double(double)>& change) {
+  std::transform(signal.begin(), signal.end(), signal.begin(), change);
+}
+
+/// All that is said of a recording that cannot be used.
+std::string FaultOf(const TimeRecording& recording) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(CheckBenchRecording(recording, "bench.csv", diagnostics));
+  return diagnostics.Format();
+}
+
+/// All that is said of one that can.
+std::string WarningOf(const TimeRecording& recording) {
+  Diagnostics diagnostics;
+  EXPECT_TRUE(CheckBenchRecording(recording, "bench.csv", diagnostics));
+  return diagnostics.Format();
+}
+
+TEST(RecordingCheck, PassesAGoodOne) { EXPECT_EQ(WarningOf(Good()), ""); }
+
+TEST(RecordingCheck, PassesTheShippedOnes) {
+  const std::array<RecordedChannel, 2> wanted = {RecordedChannel{{"displacement"}, kLength, "x"},
+                                                 RecordedChannel{{"force"}, kForce, "F"}};
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(FOURPOST_SOURCE_DIR "/studies/damper")) {
+    if (entry.path().extension() != ".csv") continue;
+    ++files;
+    Diagnostics diagnostics;
+    const auto recording = ReadTimeRecording(entry.path(), wanted, diagnostics);
+    ASSERT_TRUE(recording) << diagnostics.Format();
+    EXPECT_TRUE(CheckBenchRecording(*recording, entry.path().string(), diagnostics));
+    EXPECT_EQ(diagnostics.Format(), "");
+  }
+  EXPECT_EQ(files, 16);
+}
+
+TEST(RecordingCheck, TellsSwappedColumns) {
+  TimeRecording recording = Good();
+  std::swap(recording.channels[0], recording.channels[1]);
+  EXPECT_EQ(FaultOf(recording),
+            "bench.csv: error: displacement spans 333 m and force 0.04 N, and their product gives off work: the two "
+            "columns look swapped; exchange their names");
+}
+
+TEST(RecordingCheck, TellsAWrongSign) {
+  for (const std::size_t channel : {0, 1}) {
+    TimeRecording recording = Good();
+    Apply(recording.channels[channel], [](double value) { return -value; });
+    EXPECT_EQ(FaultOf(recording),
+              "bench.csv: error: force acts along the motion: the damper would give off 10.5 W; change the sign of "
+              "force or of displacement, extension and tension are positive");
+  }
+}
+
+TEST(RecordingCheck, SuspectsTwoWrongSigns) {
+  TimeRecording recording = Good();
+  for (std::vector<double>& channel : recording.channels) Apply(channel, [](double value) { return -value; });
+  EXPECT_THAT(WarningOf(recording), HasSubstr("warning: takes 2.53 times as much work in compression as in rebound"));
+}
+
+TEST(RecordingCheck, TellsMillimetresForMetres) {
+  TimeRecording recording = Good();
+  Apply(recording.channels[0], [](double value) { return 1000 * value; });
+  EXPECT_EQ(FaultOf(recording),
+            "bench.csv: error: displacement spans 40 m, more than any damper's stroke: it looks like mm; correct the "
+            "row of units");
+}
+
+TEST(RecordingCheck, TellsMetresForMillimetres) {
+  TimeRecording recording = Good();
+  Apply(recording.channels[0], [](double value) { return 1e-4 * value; });
+  EXPECT_THAT(WarningOf(recording), HasSubstr("displacement spans 4e-6 m only"));
+}
+
+TEST(RecordingCheck, TellsClippedForce) {
+  TimeRecording recording = Good();
+  Apply(recording.channels[1], [](double value) { return std::min(value, 200.0); });
+  EXPECT_THAT(FaultOf(recording), AllOf(HasSubstr("force is clipped: "), HasSubstr("samples stand at 200 N exactly"),
+                                        HasSubstr("wider range")));
+}
+
+TEST(RecordingCheck, TellsClippedDisplacementFromBelow) {
+  TimeRecording recording = Good();
+  Apply(recording.channels[0], [](double value) { return std::max(value, -0.015); });
+  EXPECT_THAT(FaultOf(recording), HasSubstr("displacement is clipped: "));
+}
+
+/// To a multiple of `level`.
+std::function<double(double)> Levels(double level) {
+  return [level](double value) { return level * std::round(value / level); };
+}
+
+// A crest rounded to levels is flat as well, and not clipped.
+TEST(RecordingCheck, DoesNotTakeLevelsForClipping) {
+  TimeRecording recording = Good();
+  Apply(recording.channels[0], Levels(5e-6));
+  Apply(recording.channels[1], Levels(1));
+  EXPECT_EQ(WarningOf(recording), "");
+}
+
+TEST(RecordingCheck, TellsCoarseLevels) {
+  TimeRecording recording = Good();
+  Apply(recording.channels[0], Levels(2e-4));
+  Apply(recording.channels[1], Levels(60));
+  EXPECT_THAT(WarningOf(recording),
+              AllOf(HasSubstr("displacement comes in levels of 0.0002 m"), HasSubstr("of the speed's rms"),
+                    HasSubstr("force comes in levels of 60 N of a span of 360 N")));
+}
+
+TEST(RecordingCheck, TellsDrift) {
+  TimeRecording recording = Good();
+  for (std::size_t k = 0; k < recording.samples(); ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(recording.samples());
+    recording.channels[0][k] += 0.008 * share;
+    recording.channels[1][k] += 80 * share;
+  }
+  EXPECT_THAT(WarningOf(recording), AllOf(HasSubstr("displacement drifts by 0.005"),
+                                          HasSubstr("force at the turning points drifts by 5"), HasSubstr("warm")));
+}
+
+TEST(RecordingCheck, TellsLessThanOneCycle) {
+  TimeRecording recording = Good();
+  for (std::vector<double>& channel : recording.channels) channel.resize(350);
+  recording.end_s = 0.7;
+  EXPECT_EQ(FaultOf(recording),
+            "bench.csv: error: holds less than one cycle: displacement turns back once only within 0.7 s; record at "
+            "least one cycle, better ten");
+}
+
+}  // namespace
+}  // namespace fourpost

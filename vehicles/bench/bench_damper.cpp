@@ -1,0 +1,78 @@
+#include "vehicles/bench/bench_damper.h"
+
+#include <cmath>
+
+#include "vehicles/bench/series_history.h"
+#include "vehicles/simulation/hydraulic_step.h"
+
+namespace fourpost {
+namespace {
+
+bool IsSame(const Point& a, const Point& b) { return a.link == b.link && a.xyz == b.xyz; }
+
+bool IsSame(const ForceLine& a, const ForceLine& b) {
+  return IsSame(a.parent, b.parent) && IsSame(a.child, b.child) && a.axis == b.axis;
+}
+
+/// Adds what a dashpot alone does, of rates at the samples.
+void AddDashpot(const DashpotLaw& law, const BenchMotion& motion, std::vector<double>& tensions) {
+  for (std::size_t k = 0; k < tensions.size(); ++k) tensions[k] += law.Force(motion.rate[k * motion.steps]);
+}
+
+void Add(const std::vector<double>& forces, std::vector<double>& tensions) {
+  for (std::size_t k = 0; k < tensions.size(); ++k) tensions[k] += forces[k];
+}
+
+/// Whether no chamber closes.
+bool AddHydraulic(const MountedHydraulicDamper& law, const BenchMotion& motion, std::vector<double>& tensions) {
+  HydraulicStep step({.law = law, .share = {}}, motion.step_s);
+  std::vector<double> forces(tensions.size());
+  for (std::size_t k = 1; k < motion.extension.size(); ++k) {
+    const double tension = step.Remainder(motion.extension[k], 0);
+    if (!std::isfinite(tension)) return false;
+    if (k % motion.steps == 0) forces[k / motion.steps] = tension;
+    step.Advance();
+  }
+  Add(forces, tensions);
+  const DashpotLaw friction = DashpotLaw().WithFriction(law.damper.friction, law.damper.friction_speed);
+  AddDashpot(friction, motion, tensions);
+  return true;
+}
+
+/// Whether no chamber closes.
+bool AddDamper(const Damper& damper, const BenchMotion& motion, std::span<const double> values,
+               std::vector<double>& tensions) {
+  const SpringLaw series = damper.series ? damper.series->At(values) : SpringLaw{};
+  if (damper.hydraulic) return AddHydraulic({damper.HydraulicAt(values), series}, motion, tensions);
+  if (damper.series) Add(SeriesForces({damper.law.At(values), series}, motion), tensions);
+  else AddDashpot(damper.law.At(values), motion, tensions);
+  return true;
+}
+
+void AddSpring(const Spring& spring, const BenchMotion& motion, std::span<const double> values,
+               std::vector<double>& tensions) {
+  const SpringLaw law = spring.law.At(values);
+  const double preload = spring.preload ? spring.preload->At(values) : 0;
+  for (std::size_t k = 0; k < tensions.size(); ++k)
+    tensions[k] += preload + law.Force(motion.extension[k * motion.steps]);
+}
+
+}  // namespace
+
+BenchDamper::BenchDamper(const Vehicle& vehicle, std::size_t damper) : vehicle_(vehicle) {
+  const ForceLine& line = vehicle.dampers[damper].line;
+  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i)
+    if (IsSame(vehicle.dampers[i].line, line)) dampers_.push_back(i);
+  for (std::size_t i = 0; i < vehicle.springs.size(); ++i)
+    if (IsSame(vehicle.springs[i].line, line)) springs_.push_back(i);
+}
+
+std::vector<double> BenchDamper::Tensions(const BenchMotion& motion, std::span<const double> values) const {
+  std::vector<double> tensions(motion.samples());
+  for (const std::size_t i : dampers_)
+    if (!AddDamper(vehicle_.dampers[i], motion, values, tensions)) return {};
+  for (const std::size_t i : springs_) AddSpring(vehicle_.springs[i], motion, values, tensions);
+  return tensions;
+}
+
+}  // namespace fourpost

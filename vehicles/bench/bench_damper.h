@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "vehicles/bench/bench_motion.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// A damper of a vehicle between the clamps of a bench, with whatever else acts between the same two points: its gas,
+/// springs, stops, further dampers. Immutable; may be used from several threads at once.
+class BenchDamper {
+ public:
+  /// `damper`: its place in Vehicle::dampers. The vehicle must outlive it.
+  BenchDamper(const Vehicle& vehicle, std::size_t damper);
+
+  /// Tension [N] at the samples of a motion, with the laws that the multibody elements have, at these values of all
+  /// parameters (SI). The preload of springs, and with it the static force of the gas in the design pose, is left out
+  /// where the vehicle's equilibrium would decide on it. Series springs begin without force, hydraulic dampers at rest
+  /// at mid-stroke. Empty where a chamber of a hydraulic damper closes. Throws std::invalid_argument for values that
+  /// make no law.
+  std::vector<double> Tensions(const BenchMotion& motion, std::span<const double> values) const;
+
+ private:
+  const Vehicle& vehicle_;
+  std::vector<std::size_t> dampers_;
+  std::vector<std::size_t> springs_;
+};
+
+}  // namespace fourpost

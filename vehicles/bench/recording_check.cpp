@@ -1,0 +1,241 @@
+#include "vehicles/bench/recording_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "analysis/number.h"
+
+namespace fourpost {
+namespace {
+
+using Signal = std::vector<double>;
+
+/// Longer than any damper of a road vehicle, and shorter than a micrometre's worth of mm.
+constexpr double kLongestStroke_m = 1;
+constexpr double kShortestStroke_m = 2e-5;
+/// Of the signal's rms: rounding to levels that is worth a word.
+constexpr double kCoarse = 0.05;
+/// Of the signal's span.
+constexpr double kDrift = 0.05;
+/// Samples in a row at one extreme that a smooth signal does not have.
+constexpr std::size_t kClippedRun = 4;
+
+/// With three digits.
+std::string Shown(double value) {
+  if (value == 0) return "0";
+  const double scale = std::pow(10, std::floor(std::log10(std::abs(value))) - 2);
+  return FormatNumber(std::round(value / scale), static_cast<int>(std::lround(std::log10(scale))));
+}
+
+double Span(const Signal& signal) {
+  const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
+  return *most - *least;
+}
+
+double Mean(const Signal& signal) {
+  double sum = 0;
+  for (const double value : signal) sum += value;
+  return sum / static_cast<double>(signal.size());
+}
+
+double Rms(const Signal& signal) {
+  const double mean = Mean(signal);
+  double sum = 0;
+  for (const double value : signal) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / static_cast<double>(signal.size()));
+}
+
+/// Central differences; 0 at the ends.
+Signal Rates(const Signal& x, double step) {
+  Signal rates(x.size());
+  for (std::size_t k = 1; k + 1 < x.size(); ++k) rates[k] = (x[k + 1] - x[k - 1]) / (2 * step);
+  return rates;
+}
+
+/// Where a signal turns back by more than `least`: maxima and minima in turn.
+std::vector<std::size_t> TurningPoints(const Signal& x, double least) {
+  std::vector<std::size_t> turns;
+  std::size_t high = 0;
+  std::size_t low = 0;
+  int going = 0;
+  for (std::size_t k = 1; k < x.size(); ++k) {
+    if (x[k] > x[high]) high = k;
+    if (x[k] < x[low]) low = k;
+    if (going >= 0 && x[high] - x[k] > least) {
+      if (going > 0) turns.push_back(high);
+      going = -1;
+      low = k;
+    } else if (going <= 0 && x[k] - x[low] > least) {
+      if (going < 0) turns.push_back(low);
+      going = 1;
+      high = k;
+    }
+  }
+  return turns;
+}
+
+/// Smallest difference of two values; 0 of a constant.
+double LevelOf(Signal signal) {
+  std::sort(signal.begin(), signal.end());
+  const double span = signal.back() - signal.front();
+  double least = span;
+  for (std::size_t k = 1; k < signal.size(); ++k)
+    // What differs by less is rounding of the same level.
+    if (const double gap = signal[k] - signal[k - 1]; gap > 1e-9 * span) least = std::min(least, gap);
+  return least;
+}
+
+/// Samples in runs at the greatest value that begin or end steeply: a rounded crest leaves it by one level.
+std::size_t ClippedAtTop(const Signal& signal, double level) {
+  const double top = *std::max_element(signal.begin(), signal.end());
+  std::size_t clipped = 0;
+  for (std::size_t k = 0; k < signal.size();) {
+    std::size_t end = k;
+    while (end < signal.size() && signal[end] == top) ++end;
+    const bool steep =
+        (k > 0 && top - signal[k - 1] > 1.5 * level) || (end < signal.size() && top - signal[end] > 1.5 * level);
+    if (end - k >= kClippedRun && steep) clipped += end - k;
+    k = end + 1;
+  }
+  return clipped;
+}
+
+class Checker {
+ public:
+  Checker(const TimeRecording& recording, const std::string& file, Diagnostics& diagnostics)
+      : x_(recording.channels[0]),
+        force_(recording.channels[1]),
+        rate_(Rates(x_, recording.step_s)),
+        recording_(recording),
+        file_(file),
+        diagnostics_(diagnostics) {}
+
+  bool Check() {
+    CheckClipping(x_, "displacement", "m");
+    CheckClipping(force_, "force", "N");
+    turns_ = TurningPoints(x_, 0.02 * Span(x_));
+    if (turns_.size() < 2) {
+      Fault("holds less than one cycle: displacement turns back " +
+            std::string(turns_.empty() ? "nowhere" : "once only") + " within " +
+            Shown(recording_.end_s - recording_.start_s) + " s; record at least one cycle, better ten");
+      return good_;
+    }
+    CheckStroke();
+    if (good_) CheckWork();
+    CheckLevels();
+    if (good_) CheckDrift();
+    return good_;
+  }
+
+ private:
+  void Fault(const std::string& message) {
+    diagnostics_.Error(file_, 0, message);
+    good_ = false;
+  }
+
+  void Warn(const std::string& message) { diagnostics_.Warning(file_, 0, message); }
+
+  /// Mean power that the damper takes [W].
+  double Power() const {
+    const double mean = Mean(force_);
+    double sum = 0;
+    for (std::size_t k = 0; k < force_.size(); ++k) sum += (force_[k] - mean) * rate_[k];
+    return sum / static_cast<double>(force_.size());
+  }
+
+  void CheckStroke() {
+    const double span = Span(x_);
+    // What is swapped has the rate of force times displacement for power: that of force times rate, with the other
+    // sign.
+    if (span > kLongestStroke_m && Power() < 0)
+      return Fault("displacement spans " + Shown(span) + " m and force " + Shown(Span(force_)) +
+                   " N, and their product gives off work: the two columns look swapped; exchange their names");
+    if (span > kLongestStroke_m)
+      return Fault("displacement spans " + Shown(span) +
+                   " m, more than any damper's stroke: it looks like mm; correct the row of units");
+    if (span < kShortestStroke_m)
+      Warn("displacement spans " + Shown(span) + " m only, less than any bench is set to: check the row of units");
+  }
+
+  void CheckWork() {
+    const double power = Power();
+    if (power < 0)
+      return Fault("force acts along the motion: the damper would give off " + Shown(-power) +
+                   " W; change the sign of force or of displacement, extension and tension are positive");
+    // Mean forces at like speeds.
+    double rebound = 0;
+    double compression = 0;
+    for (std::size_t k = 0; k < force_.size(); ++k) (rate_[k] > 0 ? rebound : compression) += rate_[k] * force_[k];
+    if (compression > 1.2 * rebound)
+      Warn("takes " + Shown(compression / rebound) +
+           " times as much work in compression as in rebound, which few dampers do: are both signs changed? extension "
+           "and tension are positive");
+  }
+
+  void CheckClipping(const Signal& signal, const std::string& name, const std::string& unit) {
+    const double level = LevelOf(signal);
+    Signal mirrored(signal.size());
+    std::transform(signal.begin(), signal.end(), mirrored.begin(), [](double value) { return -value; });
+    const std::size_t top = ClippedAtTop(signal, level);
+    const std::size_t bottom = ClippedAtTop(mirrored, level);
+    if (top + bottom == 0) return;
+    const double at = top >= bottom ? *std::max_element(signal.begin(), signal.end())
+                                    : *std::min_element(signal.begin(), signal.end());
+    Fault(name + " is clipped: " + std::to_string(std::max(top, bottom)) + " samples stand at " + Shown(at) + " " +
+          unit + " exactly; record with a wider range, or cut these parts out");
+  }
+
+  void CheckLevels() {
+    // A level's rounding has the deviation level/sqrt(12); central differences take two of it over two steps.
+    const double rounding = LevelOf(x_) / std::sqrt(12.0);
+    const double rate_rounding = rounding / (std::sqrt(2.0) * recording_.step_s);
+    if (rate_rounding > kCoarse * Rms(rate_))
+      Warn("displacement comes in levels of " + Shown(LevelOf(x_)) + " m, which is " +
+           Shown(100 * rate_rounding / Rms(rate_)) +
+           " % of the speed's rms: record with a finer range, or more slowly sampled");
+    if (LevelOf(force_) / std::sqrt(12.0) > kCoarse * Rms(force_))
+      Warn("force comes in levels of " + Shown(LevelOf(force_)) + " N of a span of " + Shown(Span(force_)) +
+           " N: record with a finer range");
+  }
+
+  /// Of what stands at the turning points of the displacement, where the speed is zero.
+  void CheckDrift() {
+    constexpr std::size_t kFewest = 12;
+    if (turns_.size() < kFewest) return;
+    Signal middles;
+    Signal resting;
+    for (std::size_t i = 1; i < turns_.size(); ++i) {
+      middles.push_back(0.5 * (x_[turns_[i]] + x_[turns_[i - 1]]));
+      resting.push_back(0.5 * (force_[turns_[i]] + force_[turns_[i - 1]]));
+    }
+    TellDrift(middles, Span(x_), "displacement", "m");
+    TellDrift(resting, Span(force_), "force at the turning points", "N");
+  }
+
+  void TellDrift(const Signal& values, double span, const std::string& name, const std::string& unit) {
+    const auto third = static_cast<std::ptrdiff_t>(values.size() / 3);
+    const double before = Mean({values.begin(), values.begin() + third});
+    const double after = Mean({values.end() - third, values.end()});
+    if (std::abs(after - before) < kDrift * span) return;
+    Warn(name + " drifts by " + Shown(after - before) + " " + unit + " of a span of " + Shown(span) + " " + unit +
+         ": warm the amplifier and the damper up, or take the drift out");
+  }
+
+  const Signal& x_;
+  const Signal& force_;
+  Signal rate_;
+  const TimeRecording& recording_;
+  const std::string& file_;
+  Diagnostics& diagnostics_;
+  std::vector<std::size_t> turns_;
+  bool good_ = true;
+};
+
+}  // namespace
+
+bool CheckBenchRecording(const TimeRecording& recording, const std::string& file, Diagnostics& diagnostics) {
+  return Checker(recording, file, diagnostics).Check();
+}
+
+}  // namespace fourpost
