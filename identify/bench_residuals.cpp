@@ -31,8 +31,7 @@ double StandardDeviation(const BenchRecording& recording) {
 Target TargetOf(const BenchRecording& recording, double model_error) {
   Target target{.recording = recording, .stride = ResidualStride(recording)};
   target.count = (recording.end - recording.first + target.stride - 1) / target.stride;
-  target.weight = std::sqrt(IndependentSamples(recording) / static_cast<double>(target.count)) /
-                  (model_error * StandardDeviation(recording));
+  target.weight = 1 / (model_error * StandardDeviation(recording));
   return target;
 }
 
@@ -56,12 +55,7 @@ Evaluation Evaluate(const BenchDamper& damper, const std::vector<Target>& target
 
 std::size_t ResidualStride(const BenchRecording& recording) {
   if (!recording.filter) return 1;
-  return static_cast<std::size_t>(std::max(1.0, std::floor(1 / (4 * recording.cutoff_Hz * recording.sample_s))));
-}
-
-double IndependentSamples(const BenchRecording& recording) {
-  const auto samples = static_cast<double>(recording.end - recording.first);
-  return recording.filter ? samples * std::min(1.0, 2 * recording.cutoff_Hz * recording.sample_s) : samples;
+  return static_cast<std::size_t>(std::max(1.0, std::floor(1 / (2 * recording.cutoff_Hz * recording.sample_s))));
 }
 
 ResidualBlock BenchResiduals(const Vehicle& vehicle, const BenchData& data, double model_error) {

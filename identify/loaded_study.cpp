@@ -5,6 +5,7 @@
 
 #include "analysis/frequency_response_file.h"
 #include "analysis/nearest.h"
+#include "identify/bench_residuals.h"
 #include "identify/four_post_residuals.h"
 #include "vehicles/reader/vehicle_file.h"
 
@@ -59,6 +60,9 @@ bool HasFiles(const Study& study, Diagnostics& diagnostics) {
   check(study.vehicle, study.vehicle_line);
   for (const StudyRecording& recording : study.recordings) check(recording.file, recording.line);
   for (const StudyHistory& history : study.histories) check(history.file, history.line);
+  if (study.bench)
+    for (const auto* list : {&study.bench->recordings, &study.bench->validation})
+      for (const BenchStudy::Recording& recording : *list) check(recording.file, recording.line);
   return all;
 }
 
@@ -69,6 +73,7 @@ HistoryResiduals::Options LoadedStudy::HistoryOptions() const {
 }
 
 VehicleObjective LoadedStudy::MakeObjective() const {
+  if (bench) return {vehicle, free, {BenchResiduals(vehicle, *bench, study.bench->model_error)}};
   const auto condensed = std::make_shared<const CondensedVehicle>(vehicle);
   std::vector<ResidualBlock> blocks;
   if (!data.runs.empty())
@@ -95,12 +100,14 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
     return std::nullopt;
   }
   std::vector<std::size_t> free = FreeParameters(*study, *vehicle, diagnostics);
+  std::optional<BenchData> bench;
+  if (study->bench) bench = LoadBenchData(*study->bench, study->file.string(), *vehicle, diagnostics);
   std::optional<FourPostData> data = LoadFourPostData(*study, *vehicle, diagnostics);
   if (data) CheckBand(*study, *data, diagnostics);
   std::optional<std::vector<MeasuredHistory>> histories =
       LoadHistories(study->histories, study->file.string(), *vehicle, diagnostics);
   if (diagnostics.HasErrors()) return std::nullopt;
-  return LoadedStudy{*study, *vehicle, std::move(*data), std::move(free), std::move(*histories)};
+  return LoadedStudy{*study, *vehicle, std::move(*data), std::move(free), std::move(*histories), std::move(bench)};
 }
 
 }  // namespace fourpost

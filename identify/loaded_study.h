@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/diagnostics.h"
+#include "identify/bench_data.h"
 #include "identify/four_post_data.h"
 #include "identify/history_data.h"
 #include "identify/history_residuals.h"
@@ -23,6 +24,7 @@ struct LoadedStudy {
   std::vector<std::size_t> free;
   /// Recordings over time.
   std::vector<MeasuredHistory> histories = {};
+  std::optional<BenchData> bench = {};
 
   HistoryResiduals::Options HistoryOptions() const;
 

@@ -6,6 +6,7 @@
 
 #include "analysis/frequency_response.h"
 #include "identify/four_post_data.h"
+#include "identify/model_criteria.h"
 
 namespace fourpost {
 
@@ -36,6 +37,10 @@ struct HistoryMisfit {
 struct Misfits {
   std::vector<ChannelMisfit> responses;
   std::vector<HistoryMisfit> histories;
+  /// Of recordings that the fit has not seen.
+  std::vector<HistoryMisfit> validation;
+  /// Of a damper on a bench.
+  std::optional<ModelCriteria> criteria;
   /// Modelled load of each tyre of the vehicle at rest [N]; empty where it was not needed.
   std::vector<double> tyre_loads;
 };

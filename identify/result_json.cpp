@@ -40,9 +40,9 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
   return list;
 }
 
-Json Channels(const Misfits& misfits) {
+Json Histories(const std::vector<HistoryMisfit>& misfits) {
   Json list = Json::array();
-  for (const HistoryMisfit& misfit : misfits.histories) {
+  for (const HistoryMisfit& misfit : misfits) {
     list.push_back({{"recording", misfit.recording},
                     {"name", misfit.name},
                     {"nmse_percent", NumberOrNull(misfit.nmse_percent)},
@@ -50,6 +50,18 @@ Json Channels(const Misfits& misfits) {
     if (misfit.gain) list.back()["gain"] = NumberOrNull(*misfit.gain);
     if (misfit.delay_s) list.back()["delay_s"] = NumberOrNull(*misfit.delay_s);
   }
+  return list;
+}
+
+Json Criteria(const ModelCriteria& criteria) {
+  return {{"residuals", criteria.residuals},
+          {"parameters", criteria.parameters},
+          {"aicc", NumberOrNull(criteria.aicc)},
+          {"bic", NumberOrNull(criteria.bic)}};
+}
+
+Json Channels(const Misfits& misfits) {
+  Json list = Histories(misfits.histories);
   for (const ChannelMisfit& misfit : misfits.responses)
     list.push_back(
         {{"name", misfit.name}, {"rms_dB", NumberOrNull(misfit.rms_dB)}, {"rms_deg", NumberOrNull(misfit.rms_deg)}});
@@ -161,25 +173,28 @@ Json Refinement(const RefineOptions& options) {
 std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit, const Misfits& misfits) {
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
-  const Json json = {{"termination", FitEndName(fit.end)},
-                     {"message", fit.message},
-                     {"study", study.study.file.filename().string()},
-                     {"vehicle", study.vehicle.name},
-                     {"band_Hz", {study.study.band_lower_Hz, study.study.band_upper_Hz}},
-                     {"recordings", Recordings(study)},
-                     {"cost", NumberOrNull(fit.cost)},
-                     {"residuals", fit.residual_count},
-                     {"seed", seed},
-                     {"evaluations", Evaluations(fit.evaluations)},
-                     {"search", Search(fit)},
-                     {"refine", Refinement(fit.options.refine)},
-                     {"starts", Starts(fit)},
-                     {"deadline_s", NumberOrNull(fit.options.deadline_s)},
-                     {"identifiability", Identifiability(fit.covariance, fit.weakest)},
-                     {"parameters", Parameters(fit.parameters)},
-                     {"channels", Channels(misfits)},
-                     {"static_loads", StaticLoads(study, misfits.tyre_loads)},
-                     {"versions", versions}};
+  Json json = {{"termination", FitEndName(fit.end)},
+               {"message", fit.message},
+               {"study", study.study.file.filename().string()},
+               {"vehicle", study.vehicle.name},
+               {"band_Hz", {study.study.band_lower_Hz, study.study.band_upper_Hz}},
+               {"recordings", Recordings(study)},
+               {"cost", NumberOrNull(fit.cost)},
+               {"residuals", fit.residual_count},
+               {"seed", seed},
+               {"evaluations", Evaluations(fit.evaluations)},
+               {"search", Search(fit)},
+               {"refine", Refinement(fit.options.refine)},
+               {"starts", Starts(fit)},
+               {"deadline_s", NumberOrNull(fit.options.deadline_s)},
+               {"identifiability", Identifiability(fit.covariance, fit.weakest)},
+               {"parameters", Parameters(fit.parameters)},
+               {"channels", Channels(misfits)},
+               {"static_loads", StaticLoads(study, misfits.tyre_loads)},
+               {"versions", versions}};
+  if (study.bench) json.erase("band_Hz");
+  if (!misfits.validation.empty()) json["validation"] = Histories(misfits.validation);
+  if (misfits.criteria) json["criteria"] = Criteria(*misfits.criteria);
   return json.dump(2) + '\n';
 }
 

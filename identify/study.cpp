@@ -21,6 +21,7 @@ class StudyReader {
 
   Study Read(const YAML::Node& root) {
     if (root.IsMap() && root["problem"].IsDefined()) return ReadTestProblem(root);
+    if (root.IsMap() && root["bench"].IsDefined()) return ReadBench(root);
     const StrictMap top = Map(root, "the study",
                               {"vehicle", "recordings", "channels", "static_loads", "free", "band", "model_error",
                                "search", "refine", "target", "methods", "histories", "cost"});
@@ -64,6 +65,16 @@ class StudyReader {
     if (found == kHistoryCostNames.end())
       return Fault(top.Get("cost"), "unknown cost '" + *cost + "'" + Suggestion(*cost, kHistoryCostNames));
     study_.history_cost = static_cast<HistoryCost>(found - kHistoryCostNames.begin());
+  }
+
+  Study ReadBench(const YAML::Node& root) {
+    const StrictMap top = Map(root, "the study", {"vehicle", "bench", "free", "search", "refine", "target", "methods"});
+    ReadVehicle(top);
+    study_.bench = ReadBenchStudy(top.Get("bench"), file_, diagnostics_);
+    if (top.Has("free")) ReadFree(top.Get("free"));
+    if (top.Has("refine")) ReadRefine(top.Get("refine"));
+    ReadSearches(top);
+    return study_;
   }
 
   void ReadSearches(const StrictMap& top) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/diagnostics.h"
+#include "identify/bench_study.h"
 #include "identify/channel_source.h"
 #include "identify/history_study.h"
 #include "identify/robust_loss.h"
@@ -98,6 +99,8 @@ struct Study {
   /// Sensor of the vehicle, and what was measured for it.
   std::vector<std::pair<std::string, ChannelSource>> channels;
   std::optional<std::filesystem::path> static_loads_file;
+  /// Of a damper, in place of those of a vehicle.
+  std::optional<BenchStudy> bench;
   /// Tyre of the vehicle, and the measured loads under it.
   std::vector<std::pair<std::string, ChannelSource>> static_loads;
   /// Parameters of the vehicle to fit; empty: every one that has a range.

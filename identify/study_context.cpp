@@ -75,6 +75,17 @@ void Add(Sha256& digest, const MeasuredHistory& history) {
   }
 }
 
+void Add(Sha256& digest, const BenchData& bench) {
+  digest.Add(static_cast<double>(bench.damper));
+  for (const BenchRecording& recording : bench.fitted) {
+    digest.Add(recording.name);
+    digest.Add(recording.sample_s);
+    digest.Add(recording.cutoff_Hz);
+    digest.Add(recording.motion.extension);
+    digest.Add(recording.force);
+  }
+}
+
 std::string DataDigest(const LoadedStudy& study) {
   Sha256 digest;
   for (const MeasuredRun& run : InBand(study.data.runs, study.study.band_lower_Hz, study.study.band_upper_Hz)) {
@@ -90,6 +101,7 @@ std::string DataDigest(const LoadedStudy& study) {
     digest.Add(load.load_N);
     digest.Add(load.sd_N);
   }
+  if (study.bench) Add(digest, *study.bench);
   return digest.Hex();
 }
 
@@ -102,6 +114,7 @@ std::string SettingsDigest(const LoadedStudy& study) {
     digest.Add(error.history);
     digest.Add(static_cast<double>(study.study.history_cost));
   }
+  if (study.study.bench) digest.Add(study.study.bench->model_error);
   digest.Add(study.study.search.deadline_s);
   return digest.Hex();
 }

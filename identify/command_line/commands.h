@@ -140,6 +140,13 @@ struct CompareCommand {
   bool json = false;
 };
 
+/// `fourpost rank RUN...`
+struct RankCommand {
+  /// Folders of fits.
+  std::vector<std::filesystem::path> runs;
+  bool json = false;
+};
+
 // Each prints its result on stdout, all else on stderr, and returns an ExitCode. They throw FaultyInput for a user's
 // file or option that cannot be used, OutputError for a result that cannot be written.
 
@@ -151,5 +158,6 @@ int Run(const FitCommand& command);
 int Run(const PredictCommand& command);
 int Run(const ReportCommand& command);
 int Run(const CompareCommand& command);
+int Run(const RankCommand& command);
 
 }  // namespace fourpost

@@ -207,7 +207,7 @@ std::string Page(const LoadedStudy& loaded, const FitResult& fit, const FitSecti
 /// What the folder will hold, result.json last, and what is shown.
 FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit,
                   const std::filesystem::path& folder) {
-  FitSection report = FourPostSection(loaded, fit);
+  FitSection report = loaded.bench ? BenchSection(loaded, fit) : FourPostSection(loaded, fit);
   FitSection histories = HistorySection(loaded, fit);
   report.text += histories.text;
   report.misfits.histories = std::move(histories.misfits.histories);

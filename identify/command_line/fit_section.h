@@ -25,4 +25,7 @@ FitSection FourPostSection(const LoadedStudy& study, const FitResult& fit);
 /// Of time histories; empty for a study without.
 FitSection HistorySection(const LoadedStudy& study, const FitResult& fit);
 
+/// Of a damper on its bench; empty for a study without.
+FitSection BenchSection(const LoadedStudy& study, const FitResult& fit);
+
 }  // namespace fourpost

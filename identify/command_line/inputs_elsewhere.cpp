@@ -8,6 +8,9 @@ std::vector<std::filesystem::path> InputsOf(const LoadedStudy& study) {
   std::vector<std::filesystem::path> inputs = {study.study.file, study.vehicle.file};
   for (const StudyRecording& recording : study.study.recordings) inputs.push_back(recording.file);
   for (const StudyHistory& history : study.study.histories) inputs.push_back(history.file);
+  if (study.study.bench)
+    for (const auto* list : {&study.study.bench->recordings, &study.study.bench->validation})
+      for (const BenchStudy::Recording& recording : *list) inputs.push_back(recording.file);
   return inputs;
 }
 

@@ -179,6 +179,12 @@ int main(int argc, char** argv) {
     };
   });
 
+  RankCommand rank;
+  sub = app.add_subcommand("rank", "Compare models fitted to the same bench recordings, and choose one");
+  sub->add_option("RUN", rank.runs, "Folders that `fourpost fit` wrote")->required();
+  sub->add_flag("--json", rank.json, "Print JSON in place of tables");
+  sub->callback([&] { run = [&] { return Run(rank); }; });
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -59,19 +59,19 @@ void AddSpring(const Spring& spring, const BenchMotion& motion, std::span<const 
 
 }  // namespace
 
-BenchDamper::BenchDamper(const Vehicle& vehicle, std::size_t damper) : vehicle_(vehicle) {
+BenchDamper::BenchDamper(const Vehicle& vehicle, std::size_t damper) {
   const ForceLine& line = vehicle.dampers[damper].line;
-  for (std::size_t i = 0; i < vehicle.dampers.size(); ++i)
-    if (IsSame(vehicle.dampers[i].line, line)) dampers_.push_back(i);
-  for (std::size_t i = 0; i < vehicle.springs.size(); ++i)
-    if (IsSame(vehicle.springs[i].line, line)) springs_.push_back(i);
+  for (const Damper& other : vehicle.dampers)
+    if (IsSame(other.line, line)) dampers_.push_back(other);
+  for (const Spring& spring : vehicle.springs)
+    if (IsSame(spring.line, line)) springs_.push_back(spring);
 }
 
 std::vector<double> BenchDamper::Tensions(const BenchMotion& motion, std::span<const double> values) const {
   std::vector<double> tensions(motion.samples());
-  for (const std::size_t i : dampers_)
-    if (!AddDamper(vehicle_.dampers[i], motion, values, tensions)) return {};
-  for (const std::size_t i : springs_) AddSpring(vehicle_.springs[i], motion, values, tensions);
+  for (const Damper& damper : dampers_)
+    if (!AddDamper(damper, motion, values, tensions)) return {};
+  for (const Spring& spring : springs_) AddSpring(spring, motion, values, tensions);
   return tensions;
 }
 

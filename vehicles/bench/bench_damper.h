@@ -13,7 +13,7 @@ namespace fourpost {
 /// springs, stops, further dampers. Immutable; may be used from several threads at once.
 class BenchDamper {
  public:
-  /// `damper`: its place in Vehicle::dampers. The vehicle must outlive it.
+  /// `damper`: its place in Vehicle::dampers.
   BenchDamper(const Vehicle& vehicle, std::size_t damper);
 
   /// Tension [N] at the samples of a motion, with the laws that the multibody elements have, at these values of all
@@ -23,10 +23,12 @@ class BenchDamper {
   /// make no law.
   std::vector<double> Tensions(const BenchMotion& motion, std::span<const double> values) const;
 
+  /// The damper and those beside it.
+  const std::vector<Damper>& dampers() const { return dampers_; }
+
  private:
-  const Vehicle& vehicle_;
-  std::vector<std::size_t> dampers_;
-  std::vector<std::size_t> springs_;
+  std::vector<Damper> dampers_;
+  std::vector<Spring> springs_;
 };
 
 }  // namespace fourpost

@@ -1,0 +1,194 @@
+#include "identify/bench_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "analysis/number.h"
+#include "analysis/svg_chart.h"
+#include "identify/bench_cycle.h"
+
+namespace fourpost {
+namespace {
+
+const std::array<double, 7> kFrequencies_Hz = {1, 2, 5, 10, 15, 20, 25};
+/// Of them, dark to light, told apart by those who see colours otherwise, too.
+const std::array<const char*, 7> kColors = {"#000000", "#0072B2", "#56B4E9", "#009E73",
+                                            "#E69F00", "#D55E00", "#CC79A7"};
+
+const SvgStyle kMeasured{.label = "measured", .color = "#888888", .mark = SvgMark::kDots};
+const SvgStyle kModelled{.label = "modelled", .color = "#D55E00", .mark = SvgMark::kLine};
+
+std::string Short(double value) {
+  if (value == 0) return "0";
+  const double scale = std::pow(10, 2 - std::floor(std::log10(std::abs(value))));
+  return FormatNumber(std::round(value * scale) / scale);
+}
+
+/// A cycle of a recording that stands for a frequency.
+struct ChosenCycle {
+  const ModelledRecording* of = nullptr;
+  BenchCycle cycle;
+  std::size_t frequency = 0;
+};
+
+/// The cycle next to a frequency, at most 8 % off.
+std::optional<BenchCycle> CycleAt(const std::vector<BenchCycle>& cycles, double frequency_Hz) {
+  std::optional<BenchCycle> best;
+  double least = 0.08;
+  for (const BenchCycle& cycle : cycles) {
+    const double off = std::abs(std::log(cycle.frequency_Hz / frequency_Hz));
+    if (off >= least) continue;
+    least = off;
+    best = cycle;
+  }
+  return best;
+}
+
+std::vector<ChosenCycle> ChosenCycles(const std::vector<ModelledRecording>& recordings) {
+  std::vector<ChosenCycle> chosen;
+  for (const ModelledRecording& recording : recordings) {
+    std::vector<BenchCycle> cycles = CyclesOf(recording.recording);
+    // A sine grows at first.
+    if (cycles.size() > 4) cycles.erase(cycles.begin(), cycles.begin() + 2);
+    for (std::size_t i = 0; i < kFrequencies_Hz.size(); ++i)
+      if (const std::optional<BenchCycle> cycle = CycleAt(cycles, kFrequencies_Hz[i]))
+        chosen.push_back({&recording, *cycle, i});
+  }
+  return chosen;
+}
+
+enum class Over { kDisplacement, kSpeed };
+
+/// Force of a cycle over displacement [mm] or speed [m/s] as the rig would have recorded them.
+SvgSeries Curve(const ChosenCycle& chosen, const std::vector<double>& force, Over over, SvgStyle style) {
+  const BenchRecording& recording = chosen.of->recording;
+  const BenchMotion& motion = recording.motion;
+  std::vector<double> x(recording.force.size());
+  for (std::size_t k = 0; k < x.size(); ++k)
+    x[k] = over == Over::kSpeed ? motion.rate[k * motion.steps] : 1e3 * motion.extension[k * motion.steps];
+  if (recording.filter) recording.filter->Apply(x);
+  SvgSeries series{.style = std::move(style)};
+  for (std::size_t k = chosen.cycle.first; k < chosen.cycle.end; ++k) {
+    series.x.push_back(x[k]);
+    series.y.push_back(force[k]);
+  }
+  return series;
+}
+
+ChartAxis AxisOf(const std::vector<SvgSeries>& series, std::vector<double> SvgSeries::*values) {
+  double lower = std::numeric_limits<double>::infinity();
+  double upper = -lower;
+  for (const SvgSeries& one : series) {
+    for (const double value : one.*values) {
+      lower = std::min(lower, value);
+      upper = std::max(upper, value);
+    }
+  }
+  return LinearAxis(std::min(lower, 0.0), std::max(upper, std::min(lower, 0.0) + 1e-9), 5);
+}
+
+SvgPanel PanelOf(std::vector<SvgSeries> series) {
+  SvgPanel panel;
+  panel.x = AxisOf(series, &SvgSeries::x);
+  panel.y = AxisOf(series, &SvgSeries::y);
+  panel.series = std::move(series);
+  return panel;
+}
+
+double AmplitudeOf(const ChosenCycle& chosen) {
+  const BenchMotion& motion = chosen.of->recording.motion;
+  const auto begin = motion.extension.begin();
+  const auto at = [&](std::size_t k) { return begin + static_cast<std::ptrdiff_t>(k * motion.steps); };
+  const auto [least, most] = std::minmax_element(at(chosen.cycle.first), at(chosen.cycle.end - 1));
+  return 0.5 * (*most - *least);
+}
+
+SvgRow DiagramRow(const ChosenCycle& chosen) {
+  SvgRow row;
+  row.title = chosen.of->recording.name;
+  row.note = Short(chosen.cycle.frequency_Hz) + " Hz, " + Short(1e3 * AmplitudeOf(chosen)) + " mm; force [N]";
+  for (const Over over : {Over::kDisplacement, Over::kSpeed})
+    row.panels.push_back(PanelOf({Curve(chosen, chosen.of->recording.force, over, kMeasured),
+                                  Curve(chosen, chosen.of->force, over, kModelled)}));
+  return row;
+}
+
+SvgStyle FrequencyStyle(std::size_t frequency) {
+  return {.label = Short(kFrequencies_Hz[frequency]) + " Hz", .color = kColors[frequency], .mark = SvgMark::kLine};
+}
+
+/// The panel of all, and one of a quantity of the equivalents.
+template <typename Value>
+SvgPanel EquivalentPanel(const std::vector<LinearEquivalent>& cycles, const std::string& title, Value value) {
+  SvgSeries measured{.style = kMeasured};
+  SvgSeries modelled{.style = {.label = "modelled", .color = "#D55E00", .mark = SvgMark::kDots}};
+  for (const LinearEquivalent& cycle : cycles) {
+    for (auto [series, stiffness] : {std::pair(&measured, cycle.measured), std::pair(&modelled, cycle.modelled)}) {
+      series->x.push_back(cycle.frequency_Hz);
+      series->y.push_back(value(cycle, stiffness));
+    }
+  }
+  SvgPanel panel = PanelOf({measured, modelled});
+  panel.title = title;
+  const auto [least, most] = std::minmax_element(measured.x.begin(), measured.x.end());
+  panel.x = LogAxis(0.95 * *least, 1.05 * *most);
+  return panel;
+}
+
+}  // namespace
+
+std::string DiagramSvg(const std::string& title, const std::vector<ModelledRecording>& recordings) {
+  SvgSheet sheet{.title = title, .legend = {kMeasured, kModelled}};
+  sheet.columns = {"work: over displacement [mm]", "characteristic: over speed [m/s]"};
+  for (const ChosenCycle& chosen : ChosenCycles(recordings)) sheet.rows.push_back(DiagramRow(chosen));
+  return SvgText(sheet);
+}
+
+std::string FrequencySvg(const std::string& title, const std::vector<ModelledRecording>& recordings) {
+  SvgSheet sheet{.title = title, .columns = {"measured", "modelled"}, .x_label = "speed [m/s]"};
+  std::vector<SvgSeries> measured;
+  std::vector<SvgSeries> modelled;
+  std::vector<ChosenCycle> cycles = ChosenCycles(recordings);
+  std::stable_sort(cycles.begin(), cycles.end(),
+                   [](const ChosenCycle& a, const ChosenCycle& b) { return a.frequency < b.frequency; });
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    const SvgStyle style = FrequencyStyle(cycles[i].frequency);
+    if (i == 0 || cycles[i].frequency != cycles[i - 1].frequency) sheet.legend.push_back(style);
+    measured.push_back(Curve(cycles[i], cycles[i].of->recording.force, Over::kSpeed, style));
+    modelled.push_back(Curve(cycles[i], cycles[i].of->force, Over::kSpeed, style));
+  }
+  if (measured.empty()) return SvgText(sheet);
+  SvgRow row{.title = "force [N]"};
+  row.panels = {PanelOf(std::move(measured)), PanelOf(std::move(modelled))};
+  row.panels[1].x = row.panels[0].x;
+  row.panels[1].y = row.panels[0].y;
+  sheet.rows = {row};
+  return SvgText(sheet);
+}
+
+std::string EquivalentSvg(const std::string& title, const std::vector<ModelledRecording>& recordings) {
+  SvgSheet sheet{.title = title, .legend = {kMeasured, kModelled}};
+  sheet.legend[1].mark = SvgMark::kDots;
+  sheet.columns = {"equivalent damping [N s/m]", "dynamic stiffness [N/mm]"};
+  sheet.x_label = "frequency [Hz]";
+  std::vector<LinearEquivalent> cycles;
+  for (const ModelledRecording& recording : recordings) {
+    const std::vector<LinearEquivalent> some = LinearEquivalents(recording);
+    cycles.insert(cycles.end(), some.begin(), some.end());
+  }
+  if (cycles.size() < 2) return SvgText(sheet);
+  SvgRow row;
+  row.panels = {
+      EquivalentPanel(cycles, "",
+                      [](const LinearEquivalent& cycle, const std::complex<double>& k) { return cycle.Damping(k); }),
+      EquivalentPanel(cycles, "",
+                      [](const LinearEquivalent&, const std::complex<double>& k) { return 1e-3 * std::abs(k); })};
+  sheet.rows = {row};
+  return SvgText(sheet);
+}
+
+}  // namespace fourpost

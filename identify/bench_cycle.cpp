@@ -1,0 +1,90 @@
+#include "identify/bench_cycle.h"
+
+#include <algorithm>
+#include <numbers>
+#include <span>
+
+#include "analysis/csv_writer.h"
+#include "analysis/fourier.h"
+
+namespace fourpost {
+namespace {
+
+/// Extension at the samples.
+std::vector<double> Extension(const BenchRecording& recording) {
+  std::vector<double> extension(recording.motion.samples());
+  for (std::size_t k = 0; k < extension.size(); ++k)
+    extension[k] = recording.motion.extension[k * recording.motion.steps];
+  return extension;
+}
+
+/// As the rig would have recorded it.
+std::vector<double> Recorded(const BenchRecording& recording) {
+  std::vector<double> extension = Extension(recording);
+  if (recording.filter) recording.filter->Apply(extension);
+  return extension;
+}
+
+/// Where the rate passes through zero from above, in samples and parts of one.
+std::vector<double> Crests(const BenchRecording& recording) {
+  const BenchMotion& motion = recording.motion;
+  std::vector<double> crests;
+  for (std::size_t k = recording.first; k + 1 < recording.end; ++k) {
+    const double before = motion.rate[k * motion.steps];
+    const double after = motion.rate[(k + 1) * motion.steps];
+    if (before > 0 && after <= 0) crests.push_back(static_cast<double>(k) + before / (before - after));
+  }
+  return crests;
+}
+
+std::complex<double> FirstHarmonic(const std::vector<double>& signal, const BenchCycle& cycle, double per_cycle) {
+  return HarmonicsByLeastSquares(std::span(signal).subspan(cycle.first, cycle.end - cycle.first), per_cycle, 1)[1];
+}
+
+}  // namespace
+
+std::vector<BenchCycle> CyclesOf(const BenchRecording& recording) {
+  std::vector<BenchCycle> cycles;
+  const std::vector<double> crests = Crests(recording);
+  for (std::size_t i = 1; i < crests.size(); ++i)
+    cycles.push_back({.first = static_cast<std::size_t>(crests[i - 1]),
+                      .end = std::min(recording.end, static_cast<std::size_t>(crests[i]) + 2),
+                      .frequency_Hz = 1 / ((crests[i] - crests[i - 1]) * recording.sample_s)});
+  return cycles;
+}
+
+double LinearEquivalent::Damping(const std::complex<double>& stiffness) const {
+  return stiffness.imag() / (2 * std::numbers::pi * frequency_Hz);
+}
+
+std::vector<LinearEquivalent> LinearEquivalents(const ModelledRecording& modelled) {
+  constexpr double kFewest = 8;
+  const BenchRecording& recording = modelled.recording;
+  const std::vector<double> extension = Recorded(recording);
+  std::vector<LinearEquivalent> equivalents;
+  for (const BenchCycle& cycle : CyclesOf(recording)) {
+    const double per_cycle = 1 / (cycle.frequency_Hz * recording.sample_s);
+    if (per_cycle < kFewest) continue;
+    const std::complex<double> x = FirstHarmonic(extension, cycle, per_cycle);
+    equivalents.push_back({.frequency_Hz = cycle.frequency_Hz,
+                           .amplitude_m = std::abs(x),
+                           .measured = FirstHarmonic(recording.force, cycle, per_cycle) / x,
+                           .modelled = FirstHarmonic(modelled.force, cycle, per_cycle) / x});
+  }
+  return equivalents;
+}
+
+std::string CyclesCsv(const std::vector<ModelledRecording>& recordings) {
+  CsvWriter csv({"recording", "frequency_Hz", "amplitude_m", "damping_measured_Nspm", "damping_modelled_Nspm",
+                 "stiffness_measured_Npm", "stiffness_modelled_Npm"});
+  for (const ModelledRecording& recording : recordings) {
+    for (const LinearEquivalent& cycle : LinearEquivalents(recording)) {
+      csv.Add(recording.recording.name).Add(cycle.frequency_Hz).Add(cycle.amplitude_m);
+      csv.Add(cycle.Damping(cycle.measured)).Add(cycle.Damping(cycle.modelled));
+      csv.Add(std::abs(cycle.measured)).Add(std::abs(cycle.modelled));
+    }
+  }
+  return csv.text();
+}
+
+}  // namespace fourpost

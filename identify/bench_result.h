@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/bench_data.h"
+#include "identify/misfit.h"
+
+namespace fourpost {
+
+/// A bench recording and what the rig would have recorded of the model [N].
+struct ModelledRecording {
+  BenchRecording recording;
+  std::vector<double> force;
+};
+
+/// Throws std::runtime_error where a chamber of the damper closes.
+std::vector<ModelledRecording> ModelledRecordings(const BenchDamper& damper,
+                                                  const std::vector<BenchRecording>& recordings,
+                                                  const std::vector<double>& values);
+
+/// Over the samples that are compared.
+std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& recordings);
+
+/// A row per sample compared: recording, time, displacement, speed, measured and modelled force.
+std::string BenchCsv(const std::vector<ModelledRecording>& recordings);
+
+}  // namespace fourpost

@@ -1,0 +1,55 @@
+#include <string>
+#include <vector>
+
+#include "identify/bench_chart.h"
+#include "identify/bench_cycle.h"
+#include "identify/bench_result.h"
+#include "identify/command_line/fit_section.h"
+#include "identify/command_line/text_table.h"
+#include "vehicles/reader/damper_text.h"
+
+namespace fourpost {
+namespace {
+
+void AddRows(const std::vector<HistoryMisfit>& misfits, const std::string& use, TextTable& table) {
+  for (const HistoryMisfit& misfit : misfits)
+    table.Add({misfit.recording, use, Rounded(misfit.nmse_percent, 3), Rounded(misfit.vaf_percent, 4)});
+}
+
+std::string CriteriaText(const ModelCriteria& criteria) {
+  return "AICc " + Rounded(criteria.aicc, 6) + ", BIC " + Rounded(criteria.bic, 6) + " of " +
+         std::to_string(criteria.parameters) + " parameters for " + std::to_string(criteria.residuals) +
+         " residuals; `fourpost rank` compares them with those of other models\n";
+}
+
+}  // namespace
+
+FitSection BenchSection(const LoadedStudy& loaded, const FitResult& fit) {
+  if (!loaded.bench) return {};
+  const BenchDamper damper(loaded.vehicle, loaded.bench->damper);
+  const std::vector<ModelledRecording> fitted = ModelledRecordings(damper, loaded.bench->fitted, fit.values);
+  std::vector<ModelledRecording> all = ModelledRecordings(damper, loaded.bench->validation, fit.values);
+  FitSection section;
+  section.misfits.histories = BenchMisfits(fitted);
+  section.misfits.validation = BenchMisfits(all);
+  section.misfits.criteria =
+      CriteriaOf(fit.data_squares, static_cast<std::size_t>(fit.residual_count - fit.prior_count), loaded.free.size());
+  TextTable table({"recording", "", "NMSE, %", "VAF, %"});
+  AddRows(section.misfits.histories, "fitted", table);
+  AddRows(section.misfits.validation, "validation", table);
+  section.text = table.Format() + CriteriaText(*section.misfits.criteria) + '\n';
+
+  all.insert(all.begin(), fitted.begin(), fitted.end());
+  const std::string& title = loaded.vehicle.name;
+  section.files = {{"bench.csv", BenchCsv(all)},
+                   {"cycles.csv", CyclesCsv(all)},
+                   {"diagrams.svg", DiagramSvg(title + ": work and characteristic diagrams", all)},
+                   {"frequency.svg", FrequencySvg(title + ": force, speed and frequency", fitted)},
+                   {"equivalent.svg", EquivalentSvg(title + ": linear equivalents of every cycle", fitted)}};
+  std::string elements;
+  for (const Damper& one : damper.dampers()) elements += DamperText(loaded.vehicle, one.name, fit.values);
+  if (!elements.empty()) section.files.emplace_back("damper.xml", elements);
+  return section;
+}
+
+}  // namespace fourpost

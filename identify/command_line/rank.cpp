@@ -1,0 +1,51 @@
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "identify/command_line/commands.h"
+#include "identify/command_line/exit_code.h"
+#include "identify/command_line/print.h"
+#include "identify/command_line/text_table.h"
+#include "identify/model_ranking.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string Table(const ModelRanking& ranking) {
+  TextTable table({"model", "parameters", "fitted NMSE, %", "validation NMSE, %", "AICc", "BIC"});
+  for (const FittedModel& model : ranking.models)
+    table.Add({model.name, std::to_string(model.criteria.parameters), Rounded(model.fitted_percent, 3),
+               Rounded(model.validation_percent, 3), Rounded(model.criteria.aicc, 5), Rounded(model.criteria.bic, 5)});
+  return table.Format();
+}
+
+/// What is not finite becomes null.
+Json NumberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+std::string RankingJson(const ModelRanking& ranking) {
+  Json models = Json::array();
+  for (const FittedModel& model : ranking.models)
+    models.push_back({{"name", model.name},
+                      {"parameters", model.criteria.parameters},
+                      {"fitted_nmse_percent", NumberOrNull(model.fitted_percent)},
+                      {"validation_nmse_percent", NumberOrNull(model.validation_percent)},
+                      {"aicc", NumberOrNull(model.criteria.aicc)},
+                      {"bic", NumberOrNull(model.criteria.bic)}});
+  const Json json = {{"chosen", ranking.models.front().name}, {"reason", ranking.reason}, {"models", models}};
+  return json.dump(2) + '\n';
+}
+
+}  // namespace
+
+int Run(const RankCommand& command) {
+  Diagnostics diagnostics;
+  std::vector<FittedModel> models = ReadFittedModels(command.runs, diagnostics);
+  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+  const ModelRanking ranking = Rank(std::move(models));
+  Print(command.json ? RankingJson(ranking) : Table(ranking) + "\n" + ranking.reason + "\n");
+  return kGood;
+}
+
+}  // namespace fourpost

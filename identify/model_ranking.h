@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/diagnostics.h"
+#include "identify/model_criteria.h"
+
+namespace fourpost {
+
+/// A fitted model as the result.json of its run tells it.
+struct FittedModel {
+  /// Its study, without the ending.
+  std::string name;
+  /// Mean normalised mean square errors of the recordings that were fitted, and of those that were not [%]; NaN without
+  /// validation.
+  double fitted_percent = 0;
+  double validation_percent = 0;
+  ModelCriteria criteria;
+};
+
+/// Models of the same recordings, the one to choose first.
+struct ModelRanking {
+  std::vector<FittedModel> models;
+  /// Why it is the first.
+  std::string reason;
+};
+
+/// Reads the runs of `fourpost fit`, folders with a result.json, of bench recordings. Reports all of: files that cannot
+/// be read, runs of something else, runs of other recordings than the first one's.
+std::vector<FittedModel> ReadFittedModels(const std::vector<std::filesystem::path>& runs, Diagnostics& diagnostics);
+
+/// By the error of recordings that the fit has not seen, least first; without validation by BIC. Of models within 10 %
+/// of the least error the one of fewest parameters comes first: more is not worth what it costs in certainty.
+ModelRanking Rank(std::vector<FittedModel> models);
+
+}  // namespace fourpost

@@ -1,0 +1,160 @@
+#include "identify/bench_data.h"
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "identify/bench_cycle.h"
+#include "identify/bench_residuals.h"
+#include "identify/bench_result.h"
+#include "identify/loaded_study.h"
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr double kBump = 800;
+constexpr double kRebound = 2000;
+
+/// Rod in tube with a bilinear damper.
+constexpr const char* kVehicle = R"(<?xml version="1.0"?>
+<robot name="bench" xmlns:fp="urn:fourpost:vehicle:1">
+  <link name="tube"/>
+  <link name="rod"><inertial><mass value="1"/>
+    <inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <joint name="stroke" type="prismatic"><parent link="tube"/><child link="rod"/>
+    <origin xyz="0.4 0 0"/><axis xyz="1 0 0"/><limit lower="-1" upper="1" effort="0" velocity="0"/></joint>
+  <fp:parameter name="bump" value="800 N*s/m" lower="100 N*s/m" upper="5 kN*s/m" precision="1 N*s/m" source="test"/>
+  <fp:parameter name="rebound" value="2 kN*s/m" lower="100 N*s/m" upper="5 kN*s/m" precision="1 N*s/m" source="test"/>
+  <fp:damper name="strut" parent="tube" child="rod"><bilinear compression="$bump" rebound="$rebound"/></fp:damper>
+</robot>
+)";
+
+constexpr const char* kStudy =
+    "vehicle: damper.urdf\nbench:\n  rig_filter: {order: 4, cutoff: 30 Hz}\n  recordings: [sine.csv]\n"
+    "  validation: [fast.csv]\n";
+
+/// The bench of kVehicle, 2 s, through the rig's filter.
+std::string Recording(double frequency_Hz, double amplitude_m) {
+  const double w = 2 * std::numbers::pi * frequency_Hz;
+  std::vector<double> x;
+  std::vector<double> force;
+  for (int k = 0; k < 1000; ++k) {
+    const double t = 0.002 * k;
+    const double rise = 0.5 - 0.5 * std::cos(std::numbers::pi * std::min(1.0, 2 * t));
+    const double slope = t < 0.5 ? std::numbers::pi * std::sin(2 * std::numbers::pi * t) : 0;
+    const double v = amplitude_m * (rise * w * std::cos(w * t) + slope * std::sin(w * t));
+    x.push_back(amplitude_m * rise * std::sin(w * t));
+    force.push_back((v > 0 ? kRebound : kBump) * v);
+  }
+  const LowPass filter(4, 30, 500);
+  filter.Apply(x);
+  filter.Apply(force);
+  std::ostringstream text;
+  text.precision(12);
+  text << "time,displacement,force\ns,m,N\n";
+  for (std::size_t k = 0; k < x.size(); ++k)
+    text << 0.002 * static_cast<double>(k) << ',' << x[k] << ',' << force[k] << '\n';
+  return text.str();
+}
+
+class BenchDataTest : public testing::Test {
+ protected:
+  BenchDataTest() {
+    folder_.Write("damper.urdf", kVehicle);
+    folder_.Write("sine.csv", Recording(2, 0.01));
+    folder_.Write("fast.csv", Recording(20, 0.001));
+  }
+  std::optional<LoadedStudy> Load(const std::string& study = kStudy) {
+    return LoadStudy(folder_.Write("study.yaml", study), diagnostics_);
+  }
+  std::string Faults(const std::string& study = kStudy) {
+    EXPECT_FALSE(Load(study));
+    return diagnostics_.Format();
+  }
+
+  TemporaryFolder folder_;
+  Diagnostics diagnostics_;
+};
+
+// Measured and modelled forces have passed the same filter, and the displacement none: what is left is the spline's
+// rate and the kink at rest between two samples.
+TEST_F(BenchDataTest, TheModelThatMadeARecordingMissesNothingOfIt) {
+  const std::optional<LoadedStudy> study = Load();
+  ASSERT_TRUE(study) << diagnostics_.Format();
+  const BenchDamper damper(study->vehicle, study->bench->damper);
+  for (const auto* recordings : {&study->bench->fitted, &study->bench->validation}) {
+    const auto modelled = ModelledRecordings(damper, *recordings, study->vehicle.ParameterValues());
+    EXPECT_LT(BenchMisfits(modelled)[0].nmse_percent, 1e-4) << recordings->front().name;
+    EXPECT_GT(BenchMisfits(modelled)[0].vaf_percent, 99.9999);
+  }
+}
+
+// Without restoring what the filter took, 20 Hz would be another speed and another phase.
+TEST_F(BenchDataTest, TheRigsFilterMatters) {
+  const std::optional<LoadedStudy> study = Load(Replace(kStudy, "  rig_filter: {order: 4, cutoff: 30 Hz}\n", ""));
+  ASSERT_TRUE(study) << diagnostics_.Format();
+  const BenchDamper damper(study->vehicle, study->bench->damper);
+  const auto modelled = ModelledRecordings(damper, study->bench->validation, study->vehicle.ParameterValues());
+  EXPECT_GT(BenchMisfits(modelled)[0].nmse_percent, 1);
+}
+
+TEST_F(BenchDataTest, ResidualsSumToTheNormalisedError) {
+  const std::optional<LoadedStudy> study = Load();
+  ASSERT_TRUE(study) << diagnostics_.Format();
+  std::vector<double> values = study->vehicle.ParameterValues();
+  values[0] = 700;
+  const ResidualBlock block = BenchResiduals(study->vehicle, *study->bench, 0.05);
+  const Evaluation evaluation = block.evaluate(values, {});
+  ASSERT_TRUE(evaluation.ok());
+  ASSERT_EQ(evaluation.residuals.size(), block.count);
+  const auto modelled =
+      ModelledRecordings(BenchDamper(study->vehicle, study->bench->damper), study->bench->fitted, values);
+  const double per_residual = BenchMisfits(modelled)[0].nmse_percent / 100 / (0.05 * 0.05);
+  // A residual for every eighth sample.
+  EXPECT_EQ(ResidualStride(study->bench->fitted[0]), 8);
+  EXPECT_NEAR(evaluation.cost() / static_cast<double>(block.count), per_residual, 0.02 * per_residual);
+}
+
+TEST_F(BenchDataTest, TellsFaultsOfAllRecordings) {
+  folder_.Write("sine.csv", Replace(Recording(2, 0.01), "force", "push"));
+  folder_.Write("fast.csv", Replace(Recording(20, 0.001), "s,m,N", "s,N,N"));
+  EXPECT_THAT(Faults(), AllOf(HasSubstr("sine.csv:1: error: column 'force', the damper's tension, is missing"),
+                              HasSubstr("fast.csv:2: error: column 'displacement', the damper's extension, has 'N'")));
+}
+
+TEST_F(BenchDataTest, TellsFilesThatAreMissing) {
+  EXPECT_THAT(Faults(Replace(kStudy, "fast.csv", "slow.csv")), HasSubstr("study.yaml:5: error: there is no file"));
+}
+
+TEST_F(BenchDataTest, TellsDampersThatAreMissing) {
+  EXPECT_THAT(Faults(Replace(kStudy, "bench:\n", "bench:\n  damper: strud\n")),
+              HasSubstr("the vehicle has no damper 'strud', did you mean 'strut'?"));
+}
+
+TEST_F(BenchDataTest, TellsCutoffsBeyondTheSamplingRate) {
+  EXPECT_THAT(Faults(Replace(kStudy, "30 Hz", "300 Hz")), HasSubstr("is sampled at 500 Hz"));
+}
+
+// A linear dashpot is its own equivalent; a bilinear one has the mean of its rates at every frequency.
+TEST_F(BenchDataTest, CyclesTellEquivalentDamping) {
+  const std::optional<LoadedStudy> study = Load();
+  ASSERT_TRUE(study) << diagnostics_.Format();
+  const BenchDamper damper(study->vehicle, study->bench->damper);
+  const auto modelled = ModelledRecordings(damper, study->bench->validation, study->vehicle.ParameterValues());
+  const std::vector<LinearEquivalent> cycles = LinearEquivalents(modelled[0]);
+  ASSERT_GT(cycles.size(), 30);
+  // In the middle, the sine has grown up; 25 samples a cycle err by less than 1 %.
+  const LinearEquivalent& cycle = cycles[25];
+  EXPECT_NEAR(cycle.frequency_Hz, 20, 0.02);
+  EXPECT_NEAR(cycle.Damping(cycle.modelled), 0.5 * (kBump + kRebound), 0.01 * kRebound);
+  EXPECT_NEAR(cycle.Damping(cycle.measured), cycle.Damping(cycle.modelled), 2);
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,55 @@
+#include "vehicles/reader/damper_text.h"
+
+#include <stdexcept>
+#include <vector>
+
+#include <tinyxml2.h>
+
+#include "analysis/number.h"
+#include "analysis/units.h"
+#include "vehicles/laws/count_check.h"
+#include "vehicles/tags/tag.h"
+
+namespace fourpost {
+namespace {
+
+using tinyxml2::XMLElement;
+
+/// What "$k", "-$k" or "0.5*$k" comes to; nothing for any other text.
+std::optional<std::string> Resolved(std::string_view text, const Vehicle& vehicle, std::span<const double> values) {
+  const std::size_t dollar = text.find('$');
+  if (dollar == std::string_view::npos) return std::nullopt;
+  std::string_view factor = Trimmed(text.substr(0, dollar));
+  if (factor.ends_with('*')) factor = Trimmed(factor.substr(0, factor.size() - 1));
+  const double share = factor == "-" ? -1 : ParseNumber(factor).value_or(1);
+  for (std::size_t i = 0; i < vehicle.parameters.size(); ++i)
+    if (vehicle.parameters[i].name == Trimmed(text.substr(dollar + 1)))
+      return FormatQuantity(share * values[i], vehicle.parameters[i].unit);
+  return std::nullopt;
+}
+
+void Resolve(XMLElement& element, const Vehicle& vehicle, std::span<const double> values) {
+  for (const tinyxml2::XMLAttribute* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next())
+    if (const std::optional<std::string> number = Resolved(attribute->Value(), vehicle, values))
+      element.SetAttribute(attribute->Name(), number->c_str());
+  for (XMLElement* child : Children(element)) Resolve(*child, vehicle, values);
+}
+
+}  // namespace
+
+std::string DamperText(const Vehicle& vehicle, const std::string& damper, std::span<const double> parameters) {
+  RequireCount("DamperText", "parameters", vehicle.parameters.size(), parameters.size());
+  tinyxml2::XMLDocument document;
+  if (document.Parse(vehicle.text.data(), vehicle.text.size()) != tinyxml2::XML_SUCCESS)
+    throw std::invalid_argument("DamperText: vehicle '" + vehicle.name + "' has no text of a file");
+  for (XMLElement* element : Children(*document.RootElement(), "fp:damper")) {
+    if (AttributeText(*element, "name") != damper) continue;
+    Resolve(*element, vehicle, parameters);
+    tinyxml2::XMLPrinter printer;
+    element->Accept(&printer);
+    return printer.CStr();
+  }
+  return "";
+}
+
+}  // namespace fourpost
