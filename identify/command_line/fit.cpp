@@ -210,10 +210,11 @@ FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult
   FitSection report = loaded.bench ? BenchSection(loaded, fit) : FourPostSection(loaded, fit);
   FitSection histories = HistorySection(loaded, fit);
   report.text += histories.text;
-  report.misfits.histories = std::move(histories.misfits.histories);
+  std::move(histories.misfits.histories.begin(), histories.misfits.histories.end(),
+            std::back_inserter(report.misfits.histories));
   std::move(histories.files.begin(), histories.files.end(), std::back_inserter(report.files));
   // Predictions of other recordings take from it how they are made.
-  if (!loaded.histories.empty()) report.files.emplace_back("study.yaml", TextOf(loaded.study.file));
+  report.files.emplace_back("study.yaml", TextOf(loaded.study.file));
   report.text = ParameterTable(fit.parameters) + '\n' + report.text + Summary(fit) + Judgement(fit);
   report.files.emplace_back("vehicle.urdf", VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, folder));
   report.files.emplace_back("result.json", ResultJson(loaded, seed, fit, report.misfits));

@@ -197,7 +197,7 @@ TEST_F(Resume, NamesWhatChangedAndLeavesTheArchive) {
     EXPECT_EQ(ArchiveIn("run").digest, digest);
   };
   ReplaceIn(kStudy, "[1.5 Hz, 4 Hz]", "[1.5 Hz, 3 Hz]");
-  expect_refused("the recordings, their channels, the static loads or the band");
+  expect_refused("the recordings, their channels, the static loads, the band or the window");
   ReplaceIn(kStudy, "[1.5 Hz, 3 Hz]", "[1.5 Hz, 4 Hz]");
   ReplaceIn(kStudy, "  mean: 0.3 mm", "  mean: 0.4 mm");
   expect_refused("the free parameters, the model error or the deadline");

@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
               {.stiffness = 4e5, .cubic = 1e12}},
              5e-4},
         Case{"table", {DashpotLaw::Table({-0.3, -0.1, 0.1, 0.3}, {-250, -110, 210, 560}), {.stiffness = 6e5}}, 5e-4}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& curve) { return curve.param.name; });
 
 // A linear dashpot of rate c on a spring k at frequency w: force c i w x / (1 + i w c / k).
 TEST(SeriesHistoryLinear, HasTheGainAndTheLagOfTheMaxwellElement) {
