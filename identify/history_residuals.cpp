@@ -32,10 +32,16 @@ HistoryResiduals::HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehic
   simulations_.reserve(histories_.size());
   for (const MeasuredHistory& history : histories_) {
     simulations_.emplace_back(history, HistoryStep(history, model, rig, options.error));
-    const Index each =
-        options.cost == HistoryCost::kCompromise ? history.count : Strided(history.count, history.Stride());
-    count_ += each * static_cast<Index>(history.signals.size());
+    if (options.cost == HistoryCost::kPrediction) {
+      predictors_.emplace_back(history);
+      noise_.push_back(predictors_.back().Estimate(model));
+    }
+    count_ += CountOf(history) * static_cast<Index>(history.signals.size());
   }
+}
+
+Index HistoryResiduals::CountOf(const MeasuredHistory& history) const {
+  return options_.cost == HistoryCost::kWhitened ? Strided(history.count, history.Stride()) : history.count;
 }
 
 Eigen::VectorXd HistoryResiduals::At(const std::vector<double>& values, const Deadline& deadline) const {
@@ -44,9 +50,14 @@ Eigen::VectorXd HistoryResiduals::At(const std::vector<double>& values, const De
   Index at = 0;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
     const MeasuredHistory& history = histories_[h];
+    const Index each = CountOf(history);
+    if (options_.cost == HistoryCost::kPrediction) {
+      const Eigen::MatrixXd whitened = predictors_[h].Run(model, noise_[h], deadline).whitened;
+      residuals.segment(at, whitened.size()) = whitened.reshaped();
+      at += whitened.size();
+      continue;
+    }
     const Eigen::MatrixXd modelled = simulations_[h].Run(model, deadline);
-    const Index each =
-        options_.cost == HistoryCost::kCompromise ? history.count : Strided(history.count, history.Stride());
     for (std::size_t i = 0; i < history.signals.size(); ++i, at += each)
       AddSignal(history, history.signals[i], modelled.col(static_cast<Index>(i)), residuals.segment(at, each));
   }
@@ -73,6 +84,15 @@ std::vector<Eigen::MatrixXd> HistoryResiduals::Modelled(const std::vector<double
   return modelled;
 }
 
+std::vector<KalmanPrediction> HistoryResiduals::Predicted(const std::vector<double>& values,
+                                                          const Deadline& deadline) const {
+  const CondensedModel model = condensed_->At(values);
+  std::vector<KalmanPrediction> predicted;
+  for (std::size_t h = 0; h < predictors_.size(); ++h)
+    predicted.push_back(predictors_[h].Run(model, noise_[h], deadline));
+  return predicted;
+}
+
 std::vector<double> HistoryResiduals::Steps() const {
   std::vector<double> steps;
   for (const HistorySimulation& simulation : simulations_) steps.push_back(simulation.step_s());
@@ -93,6 +113,17 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
               return Failed(Failure::kNotConverged, fault.what());
             }
           }};
+}
+
+void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,
+                      std::vector<HistoryMisfit>& misfits) {
+  auto misfit = misfits.begin();
+  for (std::size_t h = 0; h < histories.size(); ++h)
+    for (std::size_t i = 0; i < histories[h].signals.size(); ++i, ++misfit) {
+      const Eigen::VectorXd predicted = predictions[h].predicted.col(static_cast<Index>(i));
+      misfit->one_step_nmse_percent = NormalisedMse_percent(Span(histories[h].signals[i].values), Span(predicted));
+      misfit->innovation_correlation = WhitenessOf(predictions[h].innovations.col(static_cast<Index>(i))).next;
+    }
 }
 
 std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,

@@ -9,6 +9,7 @@
 #include "analysis/deadline.h"
 #include "identify/history_data.h"
 #include "identify/history_simulation.h"
+#include "identify/kalman_predictor.h"
 #include "identify/misfit.h"
 #include "identify/residual_block.h"
 #include "vehicles/condensed/condensed_vehicle.h"
@@ -19,7 +20,9 @@ namespace fourpost {
 ///   (modelled - measured) / sqrt(noise^2 + (model error s)^2) at every MeasuredHistory::Stride-th sample,
 /// s: the signal's own deviation; no noise is white behind a filter at the full rate. By compromise (thesis 4.29):
 ///   J_k r_k / |r_k|, J_k = |r_k|^2 the signal's normalised mean square error [%],
-/// whose squares add up to the sum of all J_k^2, with weights 1 and aims 0. Immutable; serves any number of threads.
+/// whose squares add up to the sum of all J_k^2, with weights 1 and aims 0. By prediction: the whitened
+/// innovations of a KalmanPredictor, its noise that under which those of the file's values are likeliest. Immutable;
+/// serves any number of threads.
 class HistoryResiduals {
  public:
   struct Options {
@@ -44,11 +47,17 @@ class HistoryResiduals {
   /// Per history, samples of the window x signals.
   std::vector<Eigen::MatrixXd> Modelled(const std::vector<double>& values) const;
 
+  /// Of a cost by prediction; of each history.
+  std::vector<KalmanPrediction> Predicted(const std::vector<double>& values, const Deadline& deadline = {}) const;
+  const std::vector<KalmanNoise>& noise() const { return noise_; }
+
   const std::vector<MeasuredHistory>& histories() const { return histories_; }
   /// Of each history [s].
   std::vector<double> Steps() const;
 
  private:
+  /// Residuals of a signal.
+  Eigen::Index CountOf(const MeasuredHistory& history) const;
   void AddSignal(const MeasuredHistory& history, const MeasuredSignal& signal, const Eigen::VectorXd& modelled,
                  Eigen::Ref<Eigen::VectorXd> out) const;
 
@@ -56,12 +65,18 @@ class HistoryResiduals {
   std::vector<MeasuredHistory> histories_;
   Options options_;
   std::vector<HistorySimulation> simulations_;
+  std::vector<KalmanPredictor> predictors_;
+  std::vector<KalmanNoise> noise_;
   Eigen::Index count_ = 0;
 };
 
 /// As a block of a study, "time histories".
 ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
                            const HistoryResiduals::Options& options);
+
+/// Adds the errors of one-step predictions.
+void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,
+                      std::vector<HistoryMisfit>& misfits);
 
 /// How well models show each signal of each history; `modelled` as HistoryResiduals::Modelled gives it.
 std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,

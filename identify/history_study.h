@@ -47,8 +47,10 @@ enum class HistoryCost {
   kWhitened,
   /// The thesis's (4.29): mean square errors of the outputs weigh themselves, see CompromiseOf.
   kCompromise,
+  /// Innovations of a Kalman filter, whitened, see KalmanPredictor.
+  kPrediction,
 };
-inline constexpr std::array<std::string_view, 2> kHistoryCostNames{"whitened", "compromise"};
+inline constexpr std::array<std::string_view, 3> kHistoryCostNames{"whitened", "compromise", "prediction"};
 
 /// The list under `histories`. Adds every fault to `diagnostics`.
 std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const std::filesystem::path& study,

@@ -31,6 +31,11 @@ struct HistoryMisfit {
   std::optional<double> delay_s = {};
   /// What the error would be with these.
   std::optional<double> timed_nmse_percent = {};
+  /// Of a Kalman filter that is corrected after each sample and predicts the next: always less than that of a
+  /// simulation, also of a poor model. And the correlation of its errors from one sample to the next, 0 if they are
+  /// white.
+  std::optional<double> one_step_nmse_percent = {};
+  std::optional<double> innovation_correlation = {};
 };
 
 /// How far a fitted vehicle is from all the data of its study.

@@ -49,6 +49,10 @@ Json Histories(const std::vector<HistoryMisfit>& misfits) {
                     {"vaf_percent", NumberOrNull(misfit.vaf_percent)}});
     if (misfit.gain) list.back()["gain"] = NumberOrNull(*misfit.gain);
     if (misfit.delay_s) list.back()["delay_s"] = NumberOrNull(*misfit.delay_s);
+    if (misfit.one_step_nmse_percent)
+      list.back()["one_step_nmse_percent"] = NumberOrNull(*misfit.one_step_nmse_percent);
+    if (misfit.innovation_correlation)
+      list.back()["innovation_correlation"] = NumberOrNull(*misfit.innovation_correlation);
   }
   return list;
 }

@@ -114,6 +114,8 @@ struct PredictCommand {
   /// The folder of a fit.
   std::filesystem::path run;
   std::filesystem::path recording;
+  /// A Kalman filter's one-step predictions as well.
+  bool kalman = false;
   bool json = false;
   /// Empty: nothing is written.
   std::filesystem::path output;

@@ -18,6 +18,8 @@ FitSection HistorySection(const LoadedStudy& loaded, const FitResult& fit) {
   const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
   FitSection section;
   section.misfits.histories = HistoryMisfits(histories, modelled);
+  if (loaded.study.history_cost == HistoryCost::kPrediction)
+    AddOneStepErrors(histories, residuals.Predicted(fit.values), section.misfits.histories);
   double sample_s = 0;
   for (const MeasuredHistory& history : histories) sample_s = std::max(sample_s, 1 / history.rate_Hz);
   section.text = HistoryTable(section.misfits.histories) + HistoryRemarks(section.misfits.histories, sample_s) + '\n';

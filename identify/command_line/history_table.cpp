@@ -6,12 +6,30 @@
 
 namespace fourpost {
 
+namespace {
+
+/// Empty without predictions.
+std::string OneStepTable(const std::vector<HistoryMisfit>& misfits) {
+  TextTable table({"recording", "channel", "simulated, %", "one step ahead, %", "innovations' correlation"});
+  for (const HistoryMisfit& misfit : misfits) {
+    if (!misfit.one_step_nmse_percent) return "";
+    table.Add({misfit.recording, misfit.name, Rounded(misfit.nmse_percent, 3),
+               Rounded(*misfit.one_step_nmse_percent, 3), Rounded(*misfit.innovation_correlation, 2)});
+  }
+  return "\nKalman filter as predictor; one step ahead any model's error is smaller than that of its simulation, for "
+         "it "
+         "starts\nfrom the measurement at each sample, so the two do not compare:\n" +
+         table.Format();
+}
+
+}  // namespace
+
 std::string HistoryTable(const std::vector<HistoryMisfit>& misfits) {
   TextTable table({"recording", "channel", "NMSE, %", "VAF, %", "gain", "delay, ms"});
   for (const HistoryMisfit& misfit : misfits)
     table.Add({misfit.recording, misfit.name, Rounded(misfit.nmse_percent, 3), Rounded(misfit.vaf_percent, 5),
                misfit.gain ? Rounded(*misfit.gain, 4) : "", misfit.delay_s ? Rounded(1e3 * *misfit.delay_s, 2) : ""});
-  return table.Format();
+  return table.Format() + OneStepTable(misfits);
 }
 
 std::string HistoryRemarks(const std::vector<HistoryMisfit>& misfits, double sample_s) {

@@ -77,6 +77,10 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
       .add_option("--recording", command.recording,
                   "A recording (.csv) of the same layout as those fitted, of another excitation")
       ->required();
+  subcommand.add_flag(
+      "--kalman", command.kalman,
+      "Tell the errors of a Kalman filter's one-step predictions as well; a simulation's are then those "
+      "of the recording as it is, its filter not taken back");
   subcommand.add_option("-o,--output", command.output, "Folder for history.csv, history.svg and result.json");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }

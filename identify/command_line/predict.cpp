@@ -61,7 +61,7 @@ RecordingKind KindOf(const std::filesystem::path& recording) {
 }
 
 /// The first of the study's histories, of this recording.
-StudyHistory Layout(const Study& study, const std::filesystem::path& recording) {
+StudyHistory Layout(const Study& study, const std::filesystem::path& recording, bool as_recorded) {
   if (study.histories.empty())
     Refuse(recording,
            "is a recording over time, but the model was fitted to none: nothing tells which channels are its "
@@ -70,19 +70,24 @@ StudyHistory Layout(const Study& study, const std::filesystem::path& recording) 
   history.file = recording;
   history.name = recording.stem().string();
   history.end_s.reset();
+  if (as_recorded) history.filter.reset();
   return history;
 }
 
 std::string AsJson(const PredictCommand& command, const FittedModel& model, const MeasuredHistory& history,
                    const std::vector<HistoryMisfit>& misfits) {
   Json channels = Json::array();
-  for (const HistoryMisfit& misfit : misfits)
+  for (const HistoryMisfit& misfit : misfits) {
     channels.push_back({{"recording", misfit.recording},
                         {"name", misfit.name},
                         {"nmse_percent", misfit.nmse_percent},
                         {"vaf_percent", misfit.vaf_percent},
                         {"gain", *misfit.gain},
                         {"delay_s", *misfit.delay_s}});
+    if (!misfit.one_step_nmse_percent) continue;
+    channels.back()["one_step_nmse_percent"] = *misfit.one_step_nmse_percent;
+    channels.back()["innovation_correlation"] = *misfit.innovation_correlation;
+  }
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   return Json{{"vehicle", model.vehicle.name}, {"recording", command.recording.filename().string()},
@@ -95,13 +100,16 @@ std::string AsJson(const PredictCommand& command, const FittedModel& model, cons
 
 int PredictHistory(const PredictCommand& command, const FittedModel& model) {
   Diagnostics diagnostics;
-  const std::optional<std::vector<MeasuredHistory>> histories = LoadHistories(
-      {Layout(model.study, command.recording)}, (command.run / "study.yaml").string(), model.vehicle, diagnostics);
+  const std::optional<std::vector<MeasuredHistory>> histories =
+      LoadHistories({Layout(model.study, command.recording, command.kalman)}, (command.run / "study.yaml").string(),
+                    model.vehicle, diagnostics);
   if (!histories) throw FaultyInput(diagnostics);
   Tell(diagnostics);
-  const HistoryResiduals residuals(std::make_shared<const CondensedVehicle>(model.vehicle), *histories, {});
+  const HistoryResiduals residuals(std::make_shared<const CondensedVehicle>(model.vehicle), *histories,
+                                   {.cost = command.kalman ? HistoryCost::kPrediction : HistoryCost::kWhitened});
   const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(model.vehicle.ParameterValues());
-  const std::vector<HistoryMisfit> misfits = HistoryMisfits(*histories, modelled);
+  std::vector<HistoryMisfit> misfits = HistoryMisfits(*histories, modelled);
+  if (command.kalman) AddOneStepErrors(*histories, residuals.Predicted(model.vehicle.ParameterValues()), misfits);
   const MeasuredHistory& history = histories->front();
   const std::string json = AsJson(command, model, history, misfits);
   if (!command.output.empty()) {

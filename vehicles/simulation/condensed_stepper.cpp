@@ -163,6 +163,18 @@ void CondensedStepper::Start(std::span<const PostState> posts) {
   if (!at_start_.Solve(extension_, rate_, remainder_)) ++unsolved_steps_;
 }
 
+void CondensedStepper::SetState(const Eigen::VectorXd& state, std::span<const PostState> posts) {
+  RequireCount("CondensedStepper", "states", static_cast<std::size_t>(state_.size()),
+               static_cast<std::size_t>(state.size()));
+  SetPosts(posts);
+  state_ = state;
+  if (remainder_.size() == 0) return;
+  extension_.noalias() = extension_on_state_ * state_;
+  rate_.noalias() = rate_on_state_ * state_;
+  AddPostsToPorts();
+  if (!at_start_.Solve(extension_, rate_, remainder_)) ++unsolved_steps_;
+}
+
 void CondensedStepper::Step(std::span<const PostState> posts) {
   const Index n = state_.size();
   const Index ports = remainder_.size();

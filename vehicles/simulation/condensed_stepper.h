@@ -33,6 +33,10 @@ class CondensedStepper {
   /// The vehicle at rest in its design pose, the posts as given.
   void Start(std::span<const PostState> posts);
 
+  /// Another state, as a filter corrects it, the posts as given. Of vehicles without hydraulic dampers, whose oil has a
+  /// memory of its own.
+  void SetState(const Eigen::VectorXd& state, std::span<const PostState> posts);
+
   /// One step, to these posts.
   void Step(std::span<const PostState> posts);
 

@@ -1,0 +1,215 @@
+#include "identify/kalman_predictor.h"
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include <Eigen/Cholesky>
+
+#include "analysis/option_check.h"
+#include "vehicles/condensed/port.h"
+#include "vehicles/simulation/condensed_stepper.h"
+
+namespace fourpost {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index kBetweenChecks = 100;
+/// Differences of states: a micrometre, a micrometre a second.
+constexpr double kStep = 1e-6;
+
+/// The stepper as maps of the state alone, and their derivatives.
+class Maps {
+ public:
+  Maps(const CondensedModel& model, const MeasuredHistory& history)
+      : stepper_(model, 1 / history.rate_Hz),
+        history_(history),
+        readings_(stepper_.sensor_count()),
+        linear_(PortsOf(model).empty()) {}
+
+  Index states() const { return stepper_.state().size(); }
+  bool linear() const { return linear_; }
+
+  VectorXd Start(std::span<const PostState> posts) {
+    stepper_.Start(posts);
+    return stepper_.state();
+  }
+
+  VectorXd Step(const VectorXd& state, std::span<const PostState> from, std::span<const PostState> to) {
+    stepper_.SetState(state, from);
+    stepper_.Step(to);
+    if (stepper_.unsolved_steps() > 0 || !stepper_.state().allFinite())
+      throw std::runtime_error("the motion of a Kalman filter's model cannot be computed");
+    return stepper_.state();
+  }
+
+  VectorXd Read(const VectorXd& state, std::span<const PostState> posts) {
+    stepper_.SetState(state, posts);
+    stepper_.Read(readings_);
+    VectorXd signals(static_cast<Index>(history_.signals.size()));
+    for (Index i = 0; i < signals.size(); ++i)
+      signals[i] = readings_[static_cast<Index>(history_.signals[static_cast<std::size_t>(i)].sensor)];
+    return signals;
+  }
+
+  MatrixXd StepSlopes(const VectorXd& state, std::span<const PostState> from, std::span<const PostState> to) {
+    return Slopes(state, [&](const VectorXd& x) { return Step(x, from, to); });
+  }
+
+  MatrixXd ReadSlopes(const VectorXd& state, std::span<const PostState> posts) {
+    return Slopes(state, [&](const VectorXd& x) { return Read(x, posts); });
+  }
+
+ private:
+  template <typename Map>
+  static MatrixXd Slopes(const VectorXd& state, const Map& map) {
+    const VectorXd here = map(state);
+    MatrixXd slopes(here.size(), state.size());
+    VectorXd moved = state;
+    for (Index j = 0; j < state.size(); ++j) {
+      moved[j] += kStep;
+      slopes.col(j) = (map(moved) - here) / kStep;
+      moved[j] = state[j];
+    }
+    return slopes;
+  }
+
+  CondensedStepper stepper_;
+  const MeasuredHistory& history_;
+  VectorXd readings_;
+  bool linear_;
+};
+
+}  // namespace
+
+KalmanPredictor::KalmanPredictor(const MeasuredHistory& history)
+    : history_(&history), samples_(history.first + history.count) {
+  if (history.filter)
+    throw std::invalid_argument("a Kalman predictor takes recordings as they are: leave 'filter' out of history '" +
+                                history.name + "'");
+  posts_.resize(static_cast<std::size_t>(samples_) * history.posts.count);
+  for (Index k = 0; k < samples_; ++k)
+    history.posts.motion(history.TimeAt(k - history.first),
+                         {posts_.data() + static_cast<std::size_t>(k) * history.posts.count, history.posts.count});
+}
+
+KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanNoise& noise,
+                                      const Deadline& deadline) const {
+  const auto signals = static_cast<Index>(history_->signals.size());
+  const Index coordinates = model.mass.rows();
+  RequireOption(noise.process_sd.size() == coordinates && noise.process_sd.minCoeff() > 0,
+                "KalmanPredictor: process_sd", noise.process_sd.size() > 0 ? noise.process_sd.minCoeff() : 0.0,
+                "above 0, one per coordinate");
+  RequireOption(noise.sensor_sd.size() == signals && noise.sensor_sd.minCoeff() > 0, "KalmanPredictor: sensor_sd",
+                noise.sensor_sd.size() > 0 ? noise.sensor_sd.minCoeff() : 0.0, "above 0, one per signal");
+  const auto posts_at = [&](Index k) {
+    return std::span(posts_.data() + static_cast<std::size_t>(k) * history_->posts.count, history_->posts.count);
+  };
+  Maps maps(model, *history_);
+  // Offsets: those of the model left to itself.
+  MatrixXd simulated(history_->count, signals);
+  VectorXd state = maps.Start(posts_at(0));
+  for (Index k = 0; k < samples_; ++k) {
+    if (k > 0) state = maps.Step(state, posts_at(k - 1), posts_at(k));
+    if (k >= history_->first) simulated.row(k - history_->first) = maps.Read(state, posts_at(k));
+  }
+  const Eigen::RowVectorXd offset = simulated.colwise().mean();
+
+  const Index n = maps.states();
+  // A force that is constant over a sample moves the coordinate by half of the velocity it gives times the sample.
+  MatrixXd process = MatrixXd::Zero(n, n);
+  const double h = 1 / history_->rate_Hz;
+  for (Index i = 0; i < coordinates; ++i) {
+    VectorXd push = VectorXd::Zero(n);
+    push[i] = 0.5 * h * h * noise.process_sd[i];
+    push[coordinates + i] = h * noise.process_sd[i];
+    process += push * push.transpose();
+  }
+  const MatrixXd sensor = noise.sensor_sd.array().square().matrix().asDiagonal();
+
+  KalmanPrediction out{.predicted = MatrixXd(history_->count, signals),
+                       .innovations = MatrixXd(history_->count, signals),
+                       .whitened = MatrixXd(history_->count, signals)};
+  state = maps.Start(posts_at(0));
+  MatrixXd covariance = process;
+  MatrixXd step;
+  MatrixXd read;
+  for (Index k = 0; k < samples_; ++k) {
+    if (k % kBetweenChecks == 0) deadline.Check();
+    if (k > 0) {
+      if (step.size() == 0 || !maps.linear()) step = maps.StepSlopes(state, posts_at(k - 1), posts_at(k));
+      state = maps.Step(state, posts_at(k - 1), posts_at(k));
+      covariance = step * covariance * step.transpose() + process;
+    }
+    if (k < history_->first) continue;
+    const Index row = k - history_->first;
+    if (read.size() == 0 || !maps.linear()) read = maps.ReadSlopes(state, posts_at(k));
+    VectorXd innovation(signals);
+    for (Index i = 0; i < signals; ++i)
+      innovation[i] = history_->signals[static_cast<std::size_t>(i)].values[row] + offset[i];
+    out.predicted.row(row) = maps.Read(state, posts_at(k));
+    innovation -= out.predicted.row(row).transpose();
+    out.predicted.row(row) -= offset;
+    const MatrixXd spread = read * covariance * read.transpose() + sensor;
+    const Eigen::LLT<MatrixXd> root(spread);
+    const VectorXd whitened = root.matrixL().solve(innovation);
+    out.innovations.row(row) = innovation;
+    out.whitened.row(row) = whitened;
+    out.deviance += 2 * root.matrixLLT().diagonal().array().log().sum() + whitened.squaredNorm();
+    const MatrixXd gain = root.solve(read * covariance).transpose();
+    state += gain * innovation;
+    const MatrixXd kept = MatrixXd::Identity(n, n) - gain * read;
+    covariance = kept * covariance * kept.transpose() + gain * sensor * gain.transpose();
+  }
+  if (!std::isfinite(out.deviance)) throw std::runtime_error("a Kalman filter's covariance is not finite");
+  return out;
+}
+
+KalmanNoise KalmanPredictor::Estimate(const CondensedModel& model) const {
+  KalmanNoise noise;
+  noise.process_sd = VectorXd::Constant(model.mass.rows(), 0.1);
+  noise.sensor_sd.resize(static_cast<Index>(history_->signals.size()));
+  for (Index i = 0; i < noise.sensor_sd.size(); ++i)
+    noise.sensor_sd[i] = 0.02 * history_->signals[static_cast<std::size_t>(i)].Deviation();
+  double least = Run(model, noise).deviance;
+  for (const double factor : {10.0, 3.0, 1.5}) {
+    bool better = true;
+    for (int round = 0; round < 3 && better; ++round) {
+      better = false;
+      for (VectorXd* part : {&noise.process_sd, &noise.sensor_sd})
+        for (double& sd : *part)
+          for (const double change : {factor, 1 / factor}) {
+            const double before = sd;
+            sd *= change;
+            const double deviance = Run(model, noise).deviance;
+            if (deviance < least) {
+              least = deviance;
+              better = true;
+              break;
+            }
+            sd = before;
+          }
+    }
+  }
+  return noise;
+}
+
+Whiteness WhitenessOf(const VectorXd& series) {
+  constexpr Index kLags = 25;
+  const VectorXd about = series.array() - series.mean();
+  const double bound = 1.96 / std::sqrt(static_cast<double>(series.size()));
+  Whiteness whiteness;
+  for (Index lag = 1; lag <= kLags; ++lag) {
+    const Index count = about.size() - lag;
+    const double correlation = about.head(count).dot(about.tail(count)) / about.squaredNorm();
+    if (lag == 1) whiteness.next = correlation;
+    if (std::abs(correlation) > bound) whiteness.beyond += 1.0 / kLags;
+  }
+  return whiteness;
+}
+
+}  // namespace fourpost
