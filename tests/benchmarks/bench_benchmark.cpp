@@ -52,7 +52,7 @@ void SeriesHistoryOfModel3(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(SeriesForces(damper, study.bench->fitted[0].motion));
 }
 
-void Evaluate(benchmark::State& state, const std::string& name) {
+void EvaluationOf(benchmark::State& state, const std::string& name) {
   const LoadedStudy study = Load(name);
   const VehicleObjective objective = study.MakeObjective();
   const Eigen::VectorXd values = objective.FileValues();
@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
   benchmark::RegisterBenchmark("LawAlone", fourpost::LawAlone)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("SeriesHistoryOfModel3", fourpost::SeriesHistoryOfModel3)->Unit(benchmark::kMicrosecond);
   for (const char* name : {"model1", "model2", "model3", "model4", "model5", "friction_knees"})
-    benchmark::RegisterBenchmark(("Evaluation/" + std::string(name)).c_str(), fourpost::Evaluate, std::string(name))
+    benchmark::RegisterBenchmark(("Evaluation/" + std::string(name)).c_str(), fourpost::EvaluationOf, std::string(name))
         ->Unit(benchmark::kMicrosecond);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();

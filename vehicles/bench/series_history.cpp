@@ -13,84 +13,132 @@ namespace {
 /// Of speeds of the dashpot: what the rule itself misses is some 1e-4 of them.
 constexpr double kClose = 1e-9;  // m/s
 
-/// The damper from one step to the next.
-class SeriesStepper {
+/// What is known before a step of h: y1 = known + bend v1 - share u, bend = h^2/12 of the ratio of slopes, share = h/2
+/// + bend.
+double Known(double h, double y, double ratio, double u, double v0, double a0, double v1, double a1) {
+  const double rate = v0 - u;
+  return y + 0.5 * h * (rate + v1) + h * h / 12 * (a0 - ratio * rate - a1);
+}
+
+/// A bilinear dashpot in line with a linear spring: in closed form, without a division.
+class BilinearStepper {
  public:
-  SeriesStepper(const SeriesDamper& damper, double step)
-      : dashpot_(damper.dashpot), spring_(damper.spring), linear_(spring_.IsLinear()), step_(step) {
-    const std::vector<DashpotLaw::Kink> kinks = dashpot_.Kinks();
-    bilinear_ = kinks.size() == 1 && std::isinf(dashpot_.StepSpeed());
-    if (bilinear_) rates_ = {dashpot_.Slope(-1), dashpot_.Slope(0), dashpot_.Slope(1)};
-    Note();
+  BilinearStepper(const SeriesDamper& damper, double step) : stiffness_(damper.spring.stiffness), step_(step) {
+    for (const int sign : {-1, 0, 1}) {
+      const double rate = damper.dashpot.Slope(sign);
+      Side& side = sides_[static_cast<std::size_t>(sign + 1)];
+      side.ratio = stiffness_ / rate;
+      side.bend = step * step / 12 * side.ratio;
+      side.share = 0.5 * step + side.bend;
+      side.speed = stiffness_ / (rate + stiffness_ * side.share);
+    }
   }
 
-  double force() const { return linear_ ? spring_.stiffness * extension_ : spring_.Force(extension_); }
+  double force() const { return stiffness_ * extension_; }
 
   /// To rate v1 and acceleration a1 from v0 and a0.
   void Step(double v0, double a0, double v1, double a1) {
-    const double rate = v0 - speed_;
-    const double known = extension_ + 0.5 * step_ * (rate + v1) + step_ * step_ / 12 * (a0 - ratio_ * rate - a1);
-    double ratio = ratio_;
-    Find(known, ratio, v1);
-    Note();
-    if (ratio_ == ratio) return;
-    ratio = ratio_;
-    Find(known, ratio, v1);
-    Note();
+    const double known = Known(step_, extension_, sides_[side_].ratio, speed_, v0, a0, v1, a1);
+    const std::size_t before = side_;
+    Solve(known, v1);
+    if (side_ != before) Solve(known, v1);
   }
 
  private:
-  /// Speed and extension at the end of the step; `ratio`: of the slopes there.
-  void Find(double known, double ratio, double v1) {
-    const double bend = step_ * step_ / 12 * ratio;
+  /// Of compression, rest, rebound: the spring's stiffness over the dashpot's rate, what follows from it, and u over
+  /// what the spring's extension would be without u.
+  struct Side {
+    double ratio = 0;
+    double bend = 0;
+    double share = 0;
+    double speed = 0;
+  };
+
+  /// The dashpot's speed has the sign of the force that it balances; its own slope counts then.
+  void Solve(double known, double v1) {
+    const Side& slopes = sides_[side_];
+    const double start = known + slopes.bend * v1;
+    const std::size_t side = start > 0 ? 2 : start < 0 ? 0 : 1;
+    speed_ = side == side_ ? slopes.speed * start : start / (1 / sides_[side].ratio + slopes.share);
+    extension_ = start - slopes.share * speed_;
+    side_ = side;
+  }
+
+  std::array<Side, 3> sides_;
+  std::size_t side_ = 1;
+  double stiffness_;
+  double step_;
+  double extension_ = 0;
+  double speed_ = 0;
+};
+
+/// Any dashpot in line with any spring.
+class SeriesStepper {
+ public:
+  SeriesStepper(const SeriesDamper& damper, double step)
+      : dashpot_(damper.dashpot), spring_(damper.spring), has_knees_(!damper.spring.knees.empty()), step_(step) {
+    Note();
+  }
+
+  double force() const { return Tension(extension_); }
+
+  /// To rate v1 and acceleration a1 from v0 and a0.
+  void Step(double v0, double a0, double v1, double a1) {
+    const double known = Known(step_, extension_, ratio_, speed_, v0, a0, v1, a1);
+    // On a stiff spring the dashpot does what both do.
+    Solve(known, v1, speed_ + v1 - v0, true);
+    Solve(known, v1, speed_, false);
+  }
+
+ private:
+  /// u where dashpot(u) = spring(start - share u) with the ratio of slopes noted last, from a likely u.
+  void Solve(double known, double v1, double likely, bool once) {
+    const double bend = step_ * step_ / 12 * ratio_;
     const double start = known + bend * v1;
     const double share = 0.5 * step_ + bend;
-    speed_ = linear_ && bilinear_ ? spring_.stiffness * start / (Rate(start) + spring_.stiffness * share)
-                                  : Balance(start, share);
-    extension_ = start - share * speed_;
-  }
-
-  /// u where dashpot(u) = spring(start - share u): between rest and where the spring is slack.
-  double Balance(double start, double share) const {
-    const double slack = start / share;
+    // Between rest and where the spring is slack.
+    const auto [lower, upper] = std::minmax({0.0, start / share});
     const auto excess = [&](double u) {
       const double y = start - share * u;
-      return std::pair(dashpot_.Force(u) - spring_.Force(y), Rate(u) + share * spring_.Slope(y));
+      return std::pair(dashpot_.Force(u) - Tension(y), dashpot_.Slope(u) + share * Stiffness(y));
     };
-    const auto [lower, upper] = std::minmax(0.0, slack);
-    return IncreasingRoot(excess, 0, lower, upper, std::clamp(speed_, lower, upper), kClose);
+    const double from = std::clamp(likely, lower, upper);
+    if (once) {
+      const auto [value, slope] = excess(from);
+      speed_ = std::clamp(from - value / slope, lower, upper);
+    } else {
+      speed_ = IncreasingRoot(excess, 0, lower, upper, from, kClose);
+    }
+    extension_ = start - share * speed_;
+    Note();
   }
 
-  /// Slope of the dashpot.
-  double Rate(double u) const {
-    if (!bilinear_) return dashpot_.Slope(u);
-    return u == 0 ? rates_[1] : rates_[u > 0 ? 2 : 0];
+  double Tension(double y) const {
+    return has_knees_ ? spring_.Force(y) : (spring_.stiffness + spring_.cubic * y * y) * y;
+  }
+
+  double Stiffness(double y) const {
+    return has_knees_ ? spring_.Slope(y) : spring_.stiffness + 3 * spring_.cubic * y * y;
   }
 
   /// The ratio of slopes where the damper is.
-  void Note() {
-    const double stiffness = linear_ ? spring_.stiffness : spring_.Slope(extension_);
-    ratio_ = stiffness / Rate(speed_);
-  }
+  void Note() { ratio_ = Stiffness(extension_) / dashpot_.Slope(speed_); }
 
   const DashpotLaw& dashpot_;
   const SpringLaw& spring_;
-  bool linear_;
+  bool has_knees_;
   double step_;
-  bool bilinear_ = false;
-  /// Of a bilinear dashpot: in compression, at rest, in rebound.
-  std::array<double, 3> rates_{};
   double extension_ = 0;
   double speed_ = 0;
   double ratio_ = 0;
 };
 
-}  // namespace
+/// Bilinear without friction.
+bool IsBilinear(const DashpotLaw& law) { return law.Kinks().size() == 1 && std::isinf(law.StepSpeed()); }
 
-std::vector<double> SeriesForces(const SeriesDamper& damper, const BenchMotion& motion) {
+template <typename Stepper>
+std::vector<double> Forces(Stepper stepper, const BenchMotion& motion) {
   std::vector<double> forces(motion.samples());
-  if (forces.empty()) return forces;
-  SeriesStepper stepper(damper, motion.step_s);
   std::size_t k = 0;
   for (std::size_t sample = 1; sample < forces.size(); ++sample) {
     for (std::size_t j = 0; j < motion.steps; ++j, ++k)
@@ -98,6 +146,14 @@ std::vector<double> SeriesForces(const SeriesDamper& damper, const BenchMotion& 
     forces[sample] = stepper.force();
   }
   return forces;
+}
+
+}  // namespace
+
+std::vector<double> SeriesForces(const SeriesDamper& damper, const BenchMotion& motion) {
+  if (damper.spring.IsLinear() && IsBilinear(damper.dashpot))
+    return Forces<BilinearStepper>({damper, motion.step_s}, motion);
+  return Forces<SeriesStepper>({damper, motion.step_s}, motion);
 }
 
 }  // namespace fourpost

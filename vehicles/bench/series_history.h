@@ -12,7 +12,7 @@ namespace fourpost {
 /// stiffness:
 ///   y1 = y0 + h/2 (y0' + y1') + h^2/12 (y0'' - y1''),  y' = v - u,  y'' = v' - spring'(y)/dashpot'(u) y'
 /// with the dashpot's rate u for unknown, so that no law is inverted: spring(y1(u)) = dashpot(u), where y1(u) is linear
-/// once the ratio of slopes is known. That ratio is taken at u of the step before, then at the u found with it.
+/// once the ratio of slopes is known. That ratio is taken at u of the step before for a first u, then at that one.
 /// In steps of 1 ms the force of dampers with time constants of 0.5 ms and more errs by less than 1e-3 of its rms;
 /// about a kink of the dashpot, where y'' jumps, the rule is of second order.
 std::vector<double> SeriesForces(const SeriesDamper& damper, const BenchMotion& motion);
