@@ -1,6 +1,7 @@
 #include "identify/history_study.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "identify/strict_yaml.h"
 
@@ -16,7 +17,7 @@ class HistoryReader {
 
   StudyHistory Read(const YAML::Node& node) {
     const StrictMap map =
-        Map(node, "the history", {"name", "file", "posts", "channels", "filter", "noise", "start", "end"});
+        Map(node, "the history", {"name", "file", "posts", "channels", "filter", "noise", "start", "end", "use"});
     StudyHistory history;
     history.line = map.line();
     map.Require("file");
@@ -27,6 +28,11 @@ class HistoryReader {
     history.channels = ReadSources(map.Require("channels"), "'channels' of " + where_, "sensors");
     if (map.Has("filter")) history.filter = Filter(map.Get("filter"));
     if (map.Has("noise")) history.noise = Noise(map.Get("noise"));
+    if (const auto use = map.Text("use")) {
+      history.is_validation = *use == "validation";
+      if (*use != "fit" && *use != "validation")
+        map.Fault(map.Get("use"), "'use' of " + where_ + " must be fit or validation");
+    }
     history.start_s = map.Quantity("start", kTime, -1e9);
     history.end_s = map.Quantity("end", kTime, -1e9);
     if (history.start_s && history.end_s && !(*history.start_s < *history.end_s))
@@ -114,6 +120,13 @@ class HistoryReader {
 };
 
 }  // namespace
+
+std::vector<StudyHistory> HistoriesOf(const std::vector<StudyHistory>& all, bool validation) {
+  std::vector<StudyHistory> some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some),
+               [&](const StudyHistory& history) { return history.is_validation == validation; });
+  return some;
+}
 
 std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const std::filesystem::path& study,
                                         Diagnostics& diagnostics) {

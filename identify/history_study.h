@@ -38,6 +38,8 @@ struct StudyHistory {
   /// Samples before and after do not count; the vehicle goes through them all the same.
   std::optional<double> start_s;
   std::optional<double> end_s;
+  /// Not fitted, only predicted.
+  bool is_validation = false;
   int line = 0;
 };
 
@@ -51,6 +53,9 @@ enum class HistoryCost {
   kPrediction,
 };
 inline constexpr std::array<std::string_view, 3> kHistoryCostNames{"whitened", "compromise", "prediction"};
+
+/// Those to fit, or those only to predict.
+std::vector<StudyHistory> HistoriesOf(const std::vector<StudyHistory>& all, bool validation);
 
 /// The list under `histories`. Adds every fault to `diagnostics`.
 std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const std::filesystem::path& study,

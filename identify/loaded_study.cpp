@@ -105,14 +105,20 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
   std::optional<FourPostData> data = LoadFourPostData(*study, *vehicle, diagnostics);
   if (data) CheckBand(*study, *data, diagnostics);
   std::optional<std::vector<MeasuredHistory>> histories =
-      LoadHistories(study->histories, study->file.string(), *vehicle, diagnostics);
+      LoadHistories(HistoriesOf(study->histories, false), study->file.string(), *vehicle, diagnostics);
+  std::optional<std::vector<MeasuredHistory>> validation =
+      LoadHistories(HistoriesOf(study->histories, true), study->file.string(), *vehicle, diagnostics);
   for (const StudyHistory& history : study->histories)
     if (study->history_cost == HistoryCost::kPrediction && history.filter)
       diagnostics.Error(
           study->file.string(), history.line,
           "the cost 'prediction' takes recordings as they are: leave 'filter' of history '" + history.name + "' out");
   if (diagnostics.HasErrors()) return std::nullopt;
-  return LoadedStudy{*study, *vehicle, std::move(*data), std::move(free), std::move(*histories), std::move(bench)};
+  LoadedStudy loaded{*study, *vehicle, std::move(*data), std::move(free)};
+  loaded.histories = std::move(*histories);
+  loaded.validation = std::move(*validation);
+  loaded.bench = std::move(bench);
+  return loaded;
 }
 
 }  // namespace fourpost

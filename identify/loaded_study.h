@@ -24,6 +24,8 @@ struct LoadedStudy {
   std::vector<std::size_t> free;
   /// Recordings over time.
   std::vector<MeasuredHistory> histories = {};
+  /// Those that the fit does not see.
+  std::vector<MeasuredHistory> validation = {};
   std::optional<BenchData> bench = {};
 
   HistoryResiduals::Options HistoryOptions() const;

@@ -11,6 +11,8 @@ namespace {
 struct Sums {
   double square_dB = 0;
   double square_deg = 0;
+  double square_error = 0;
+  double square_measured = 0;
   double count = 0;
 };
 
@@ -21,6 +23,8 @@ void Add(const MeasuredChannel& measured, const ChannelResponse& modelled, Sums&
     const double deg = DegreesFromRadians(std::arg(ratio));
     sums.square_dB += dB * dB;
     sums.square_deg += deg * deg;
+    sums.square_error += std::norm(modelled.response[i] - measured.response[i]);
+    sums.square_measured += std::norm(measured.response[i]);
     sums.count += 1;
   }
 }
@@ -45,19 +49,23 @@ std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
   for (std::size_t i = 0; i < misfits.size(); ++i) {
     misfits[i].rms_dB = std::sqrt(sums[i].square_dB / sums[i].count);
     misfits[i].rms_deg = std::sqrt(sums[i].square_deg / sums[i].count);
+    misfits[i].nmse_percent = 100 * sums[i].square_error / sums[i].square_measured;
   }
   return misfits;
 }
 
 ChannelMisfit GroupMisfit(const std::vector<ChannelMisfit>& channels, const std::string& prefix) {
   Sums sums;
+  double nmse_percent = 0;
   for (const ChannelMisfit& channel : channels) {
     if (!channel.name.starts_with(prefix)) continue;
     sums.square_dB += channel.rms_dB * channel.rms_dB;
     sums.square_deg += channel.rms_deg * channel.rms_deg;
+    nmse_percent += channel.nmse_percent;
     sums.count += 1;
   }
-  return {prefix, std::sqrt(sums.square_dB / sums.count), std::sqrt(sums.square_deg / sums.count)};
+  return {prefix, std::sqrt(sums.square_dB / sums.count), std::sqrt(sums.square_deg / sums.count),
+          nmse_percent / sums.count};
 }
 
 }  // namespace fourpost

@@ -15,6 +15,9 @@ struct ChannelMisfit {
   std::string name;
   double rms_dB = 0;
   double rms_deg = 0;
+  /// Squared differences of the complex responses over the squares of those measured: next to a node, where decibels
+  /// and degrees jump, it stays small.
+  double nmse_percent = 0;
 };
 
 /// Of a channel of a time recording.
@@ -54,7 +57,8 @@ struct Misfits {
 std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
                                            const std::vector<FrequencyResponse>& modelled);
 
-/// Root mean square over channels whose names begin with `prefix`; all of them for an empty one.
+/// Root mean square over channels whose names begin with `prefix`, of the errors in percent their mean; all of them for
+/// an empty one.
 ChannelMisfit GroupMisfit(const std::vector<ChannelMisfit>& channels, const std::string& prefix);
 
 }  // namespace fourpost

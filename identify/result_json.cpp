@@ -67,8 +67,11 @@ Json Criteria(const ModelCriteria& criteria) {
 Json Channels(const Misfits& misfits) {
   Json list = Histories(misfits.histories);
   for (const ChannelMisfit& misfit : misfits.responses)
-    list.push_back(
-        {{"name", misfit.name}, {"rms_dB", NumberOrNull(misfit.rms_dB)}, {"rms_deg", NumberOrNull(misfit.rms_deg)}});
+    list.push_back({{"name", misfit.name},
+                    {"rms_dB", NumberOrNull(misfit.rms_dB)},
+                    {"rms_deg", NumberOrNull(misfit.rms_deg)},
+                    {"nmse_percent", NumberOrNull(misfit.nmse_percent)},
+                    {"vaf_percent", NumberOrNull(100 - misfit.nmse_percent)}});
   return list;
 }
 

@@ -27,7 +27,7 @@ class StudyReader {
                                "search", "refine", "target", "methods", "histories", "cost"});
     ReadVehicle(top);
     if (top.Has("histories")) ReadHistories(top);
-    const bool has_responses = study_.histories.empty() || top.Has("recordings");
+    const bool has_responses = HistoriesOf(study_.histories, false).empty() || top.Has("recordings");
     if (has_responses) ReadResponses(top);
     if (top.Has("static_loads")) ReadStaticLoads(top.Get("static_loads"));
     if (top.Has("free")) ReadFree(top.Get("free"));

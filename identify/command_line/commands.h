@@ -114,6 +114,11 @@ struct PredictCommand {
   /// The folder of a fit.
   std::filesystem::path run;
   std::filesystem::path recording;
+  /// Of a stepped sine, see ReadPostShape; empty: the pattern that fits best.
+  std::string mode;
+  /// "250 kg", and "X,Y,Z" in metres where it is; empty: none.
+  std::string add_mass;
+  std::string at;
   /// A Kalman filter's one-step predictions as well.
   bool kalman = false;
   bool json = false;

@@ -210,6 +210,7 @@ FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult
   FitSection report = loaded.bench ? BenchSection(loaded, fit) : FourPostSection(loaded, fit);
   FitSection histories = HistorySection(loaded, fit);
   report.text += histories.text;
+  if (!loaded.bench) report.misfits.validation = std::move(histories.misfits.validation);
   std::move(histories.misfits.histories.begin(), histories.misfits.histories.end(),
             std::back_inserter(report.misfits.histories));
   std::move(histories.files.begin(), histories.files.end(), std::back_inserter(report.files));

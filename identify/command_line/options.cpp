@@ -77,6 +77,15 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
       .add_option("--recording", command.recording,
                   "A recording (.csv) of the same layout as those fitted, of another excitation")
       ->required();
+  subcommand.add_option("--mode", command.mode,
+                        "Of a stepped sine: how the posts moved, heave, pitch, roll, warp or the share of each "
+                        "(FL=1,FR=-1); default: the pattern that fits the lowest frequencies best");
+  CLI::Option* const mass = subcommand.add_option("--add-mass", command.add_mass,
+                                                  "A load that the fitted vehicle did not have, as \"250 kg\"");
+  CLI::Option* const at = subcommand.add_option(
+      "--at", command.at, "Where it lies, X,Y,Z in metres from the vehicle file's origin, x forward, y left, z up");
+  mass->needs(at);
+  at->needs(mass);
   subcommand.add_flag(
       "--kalman", command.kalman,
       "Tell the errors of a Kalman filter's one-step predictions as well; a simulation's are then those "

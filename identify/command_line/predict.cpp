@@ -1,34 +1,33 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "analysis/csv.h"
+#include "analysis/number.h"
 #include "analysis/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/history_table.h"
 #include "identify/command_line/inputs_elsewhere.h"
+#include "identify/command_line/predictions.h"
 #include "identify/command_line/print.h"
 #include "identify/history_fit_files.h"
 #include "identify/history_residuals.h"
+#include "identify/option_quantity.h"
 #include "identify/study.h"
 #include "identify/versions.h"
+#include "vehicles/description/added_mass.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A fit's vehicle, and the study that it was fitted by.
-struct FittedModel {
-  Vehicle vehicle;
-  Study study;
-};
 
 [[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& message) {
   Diagnostics faults;
@@ -40,7 +39,7 @@ struct FittedModel {
 FittedModel LoadModel(const std::filesystem::path& run) {
   for (const char* name : {"vehicle.urdf", "study.yaml"})
     if (!std::filesystem::exists(run / name))
-      Refuse(run, std::string("holds no ") + name + ": the folder of a `fourpost fit` of time histories is wanted");
+      Refuse(run, std::string("holds no ") + name + ": the folder that `fourpost fit -o` wrote is wanted");
   Diagnostics diagnostics;
   std::optional<Vehicle> vehicle = ReadVehicle(run / "vehicle.urdf", diagnostics);
   std::optional<Study> study = ReadStudy(run / "study.yaml", diagnostics);
@@ -125,15 +124,39 @@ int PredictHistory(const PredictCommand& command, const FittedModel& model) {
   return kGood;
 }
 
+/// Throws FaultyInput.
+void AddLoad(const PredictCommand& command, Vehicle& vehicle) {
+  Diagnostics diagnostics;
+  const std::optional<double> mass = ReadQuantity(command.add_mass, kMass, "--add-mass", diagnostics);
+  Eigen::Vector3d place;
+  std::istringstream text(command.at);
+  for (int k = 0; k < 3; ++k) {
+    std::string number;
+    std::getline(text, number, ',');
+    const std::optional<double> metres = ParseNumber(number);
+    if (!metres) {
+      diagnostics.Error("--at", 0, "wants three numbers in metres such as -1.2,0,0.9, got '" + command.at + "'");
+      break;
+    }
+    place[k] = *metres;
+  }
+  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+  vehicle = WithMass(vehicle, vehicle.ParameterValues(), *mass, place);
+}
+
 }  // namespace
 
 int Run(const PredictCommand& command) {
-  const FittedModel model = LoadModel(command.run);
+  FittedModel model = LoadModel(command.run);
+  if (!command.add_mass.empty()) AddLoad(command, model.vehicle);
   switch (KindOf(command.recording)) {
     case RecordingKind::kTime: return PredictHistory(command, model);
     case RecordingKind::kFrequency: break;
   }
-  Refuse(command.recording, "is a frequency response; recordings over time can be predicted");
+  if (model.study.recordings.empty())
+    Refuse(command.recording,
+           "is a frequency response, but the model was fitted to none: nothing tells which channels are its sensors");
+  return PredictResponses(command, model);
 }
 
 }  // namespace fourpost

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/output_folder.h"
+#include "identify/command_line/exit_code.h"
+#include "identify/command_line/inputs_elsewhere.h"
+#include "identify/command_line/misfit_table.h"
+#include "identify/command_line/predictions.h"
+#include "identify/command_line/print.h"
+#include "identify/four_post_data.h"
+#include "identify/misfit.h"
+#include "identify/modelled_response.h"
+#include "identify/post_shape.h"
+#include "identify/response_chart.h"
+#include "identify/versions.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/description/post_pattern.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The recording in place of those fitted; its posts are told later.
+MeasuredRun LoadRun(const PredictCommand& command, const FittedModel& model) {
+  Study study = model.study;
+  study.file = command.run / "study.yaml";
+  study.static_loads_file.reset();
+  StudyRecording recording = study.recordings.front();
+  recording.file = command.recording;
+  recording.name = command.recording.stem().string();
+  study.recordings = {recording};
+  Diagnostics diagnostics;
+  const std::optional<FourPostData> data = LoadFourPostData(study, model.vehicle, diagnostics);
+  if (!data) throw FaultyInput(diagnostics);
+  return data->runs.front();
+}
+
+double SquaredMisfit(const MeasuredRun& run, const FrequencyResponse& modelled) {
+  double square = 0;
+  for (const MeasuredChannel& channel : run.channels) {
+    double error = 0;
+    double measured = 0;
+    for (std::size_t i = 0; i < channel.response.size(); ++i) {
+      error += std::norm(modelled.channels[channel.sensor].response[i] - channel.response[i]);
+      measured += std::norm(channel.response[i]);
+    }
+    square += measured > 0 ? error / measured : 0;
+  }
+  return square;
+}
+
+FrequencyResponse Respond(const FittedModel& model, const CondensedModel& condensed, const MeasuredRun& run) {
+  return ModelledResponses(condensed, model.vehicle.sensors, {run}).front();
+}
+
+/// The pattern whose responses are nearest, and the posts of `run` set to it. At the lowest frequencies a car follows
+/// its posts, whatever its parameters are.
+std::string GuessPattern(const FittedModel& model, const CondensedModel& condensed, MeasuredRun& run) {
+  constexpr std::size_t kFrequencies = 8;
+  const std::vector<double>& all = run.excitation.frequency_Hz;
+  const double last = all[std::min(kFrequencies, all.size()) - 1];
+  MeasuredRun low = InBand({run}, all.front(), last).front();
+  std::string best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::string_view pattern : kPostPatterns) {
+    try {
+      low.excitation.shape = PostPattern(model.vehicle, std::string(pattern));
+    } catch (const std::invalid_argument&) {
+      continue;  // Posts in a line make no roll.
+    }
+    const double misfit = SquaredMisfit(low, Respond(model, condensed, low));
+    if (!(misfit < least)) continue;
+    least = misfit;
+    best = pattern;
+  }
+  if (best.empty()) throw std::runtime_error("no pattern of the posts has a response; tell --mode");
+  run.excitation.shape = PostPattern(model.vehicle, best);
+  std::fprintf(stderr, "posts: %s, which fits best up to %.3g Hz; --mode tells another\n", best.c_str(), last);
+  return best;
+}
+
+std::string SetPosts(const PredictCommand& command, const FittedModel& model, const CondensedModel& condensed,
+                     MeasuredRun& run) {
+  if (command.mode.empty()) return GuessPattern(model, condensed, run);
+  Diagnostics diagnostics;
+  run.excitation.shape = ReadPostShape(command.mode, model.vehicle, diagnostics);
+  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+  return command.mode;
+}
+
+std::string AsJson(const PredictCommand& command, const FittedModel& model, const std::string& mode,
+                   const std::vector<ChannelMisfit>& misfits) {
+  Json channels = Json::array();
+  for (const ChannelMisfit& misfit : misfits)
+    channels.push_back({{"name", misfit.name},
+                        {"rms_dB", misfit.rms_dB},
+                        {"rms_deg", misfit.rms_deg},
+                        {"nmse_percent", misfit.nmse_percent},
+                        {"vaf_percent", 100 - misfit.nmse_percent}});
+  Json versions = Json::object();
+  for (const auto& [name, version] : Versions()) versions[name] = version;
+  return Json{{"vehicle", model.vehicle.name},
+              {"recording", command.recording.filename().string()},
+              {"posts", mode},
+              {"band_Hz", {model.study.band_lower_Hz, model.study.band_upper_Hz}},
+              {"channels", channels},
+              {"versions", versions}}
+             .dump(2) +
+         '\n';
+}
+
+}  // namespace
+
+int PredictResponses(const PredictCommand& command, const FittedModel& model) {
+  MeasuredRun whole = LoadRun(command, model);
+  const double lower = model.study.band_lower_Hz;
+  const double upper = model.study.band_upper_Hz;
+  if (InBand({whole}, lower, upper).front().excitation.frequency_Hz.empty()) {
+    Diagnostics faults;
+    faults.Error(command.recording.string(), 0, "has no frequency within the band of the study that was fitted");
+    throw FaultyInput(faults);
+  }
+  const CondensedModel condensed = CondensedVehicle(model.vehicle).At(model.vehicle.ParameterValues());
+  const std::string mode = SetPosts(command, model, condensed, whole);
+  const std::vector<MeasuredRun> in_band = InBand({whole}, lower, upper);
+  const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, {Respond(model, condensed, in_band.front())});
+  const std::string json = AsJson(command, model, mode, misfits);
+  if (!command.output.empty()) {
+    RequireInputsElsewhere({command.run / "vehicle.urdf", command.recording}, command.output);
+    const std::vector<FrequencyResponse> modelled = {Respond(model, condensed, whole)};
+    OutputFolder output(command.output);
+    output.Add("response.csv", ResponseCsv({whole}, modelled, lower, upper));
+    output.Add("response.svg", ResponseSvg({whole}, modelled, misfits, lower, upper));
+    output.Add("result.json", json);
+    output.Commit();
+    std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
+  }
+  Print(command.json ? json : MisfitTable(misfits));
+  return kGood;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "identify/command_line/commands.h"
+#include "identify/study.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// A fit's vehicle, and the study that it was fitted by.
+struct FittedModel {
+  Vehicle vehicle;
+  Study study;
+};
+
+/// Tells how well the model predicts a stepped sine, within the study's band. Returns an ExitCode. Throws FaultyInput.
+int PredictResponses(const PredictCommand& command, const FittedModel& model);
+
+}  // namespace fourpost

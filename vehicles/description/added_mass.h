@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// A vehicle with a point mass fixed to its heaviest link, its body: mass, centre of mass and inertia of that link
+/// become numbers, at these values of the parameters. `place`: in the ground, in the design pose [m]. The vehicle keeps
+/// its design pose: preloads that equilibrium sets carry the load, as if springs had been screwed up to level it.
+/// Throws std::invalid_argument for a mass that is not above zero and finite.
+Vehicle WithMass(const Vehicle& vehicle, std::span<const double> parameters, double mass, const Eigen::Vector3d& place);
+
+}  // namespace fourpost
