@@ -46,14 +46,6 @@ Covariance CovarianceOf(const RefineResult& best, const RobustLoss& loss, Eigen:
                             best.jacobian.bottomRows(prior_count));
 }
 
-std::vector<std::string> Weakest(const Lattice& lattice, const Covariance& covariance) {
-  const Eigen::Index n = covariance.directions.cols();
-  std::vector<std::string> weakest;
-  for (Eigen::Index i = std::min<Eigen::Index>(covariance.rank, n - 1); i < n; ++i)
-    weakest.push_back(DescribeDirection(lattice, covariance.directions.col(i)));
-  return weakest;
-}
-
 std::string FailureCauses(const EvaluationCounts& counts) {
   std::string text = "every evaluation failed:";
   for (const auto& [cause, tally] : counts.failures)
@@ -117,6 +109,7 @@ std::string_view FitEndName(FitEnd end) {
     case FitEnd::kNotConverged: return "not_converged";
     case FitEnd::kInterrupted: return "interrupted";
     case FitEnd::kAllFailed: return "all_failed";
+    case FitEnd::kUnidentified: return "unidentified";
   }
   return "";
 }
@@ -139,6 +132,15 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   result.prior_count = objective.prior_count();
   result.options = options;
   result.options.refine.step = options.refine.DifferenceStep(archive.problem());
+  if (options.identify_first) {
+    report("identifiability");
+    result.before = IdentifiabilityBefore(archive, objective, options.seed);
+    if (result.before && result.before->HasUndetermined() && !options.accept_unidentified) {
+      result.end = FitEnd::kUnidentified;
+      result.evaluations = archive.counts();
+      return result;
+    }
+  }
   result.search = RunMethod(options.search, archive, options.seed, options.stop, options.candidates,
                             {[&](const SearchGeneration&) { report("search"); }, stop});
   result.search_settings = Settings(options.search);
@@ -171,7 +173,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
     if (best.jacobian.size() > 0) {
       result.covariance = CovarianceOf(best, options.refine.loss, result.prior_count, archive.lattice());
       result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();
-      result.weakest = Weakest(archive.lattice(), *result.covariance);
+      result.weakest = WeakestDirections(archive.lattice(), *result.covariance);
     }
   } else {
     result.cost = CostOf(archive, result.search.candidates.front(), options.refine.loss);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "identify/covariance.h"
+#include "identify/identifiability.h"
 #include "identify/refine.h"
 #include "identify/search/archive.h"
 #include "identify/search_method_list.h"
@@ -28,11 +29,14 @@ struct FitOptions {
   int starts = 4;
   /// Evaluations at once; 0: one per processor. No influence on the result.
   int threads = 1;
+  /// Look first at what the data can tell, and end there where they leave something open that is not accepted.
+  bool identify_first = false;
+  bool accept_unidentified = false;
   /// What an evaluation may take [s]; see Problem.
   double deadline_s = std::numeric_limits<double>::infinity();
 };
 
-enum class FitEnd { kNotRun, kConverged, kNotConverged, kInterrupted, kAllFailed };
+enum class FitEnd { kNotRun, kConverged, kNotConverged, kInterrupted, kAllFailed, kUnidentified };
 
 /// "converged", "interrupted", ... as in result.json.
 std::string_view FitEndName(FitEnd end);
@@ -86,6 +90,8 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   /// All parameters of the vehicle, the free ones at their fitted values.
   std::vector<double> values;
+  /// Nothing when it was not asked for, or could not be computed at the file's values.
+  std::optional<Identifiability> before;
   /// Nothing when the fit ended before it could be computed.
   std::optional<Covariance> covariance;
   /// Combinations of parameters that data and priors do not determine, in words; if there is none, the one they

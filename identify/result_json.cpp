@@ -96,7 +96,16 @@ Json Matrix(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-Json Identifiability(const std::optional<Covariance>& covariance, const std::vector<std::string>& weakest) {
+Json Before(const FitResult& fit) {
+  if (!fit.before) return nullptr;
+  const Covariance& covariance = fit.before->covariance;
+  return {{"rank", covariance.rank},
+          {"parameters", covariance.directions.cols()},
+          {"condition", NumberOrNull(covariance.condition)},
+          {"weakest", fit.before->weakest}};
+}
+
+Json After(const std::optional<Covariance>& covariance, const std::vector<std::string>& weakest) {
   if (!covariance) return nullptr;
   return {{"rank", covariance->rank},
           {"parameters", covariance->directions.cols()},
@@ -194,7 +203,8 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"refine", Refinement(fit.options.refine)},
                {"starts", Starts(fit)},
                {"deadline_s", NumberOrNull(fit.options.deadline_s)},
-               {"identifiability", Identifiability(fit.covariance, fit.weakest)},
+               {"identifiability_before", Before(fit)},
+               {"identifiability", After(fit.covariance, fit.weakest)},
                {"parameters", Parameters(fit.parameters)},
                {"channels", Channels(misfits)},
                {"static_loads", StaticLoads(study, misfits.tyre_loads)},

@@ -107,6 +107,8 @@ struct FitCommand {
   int threads = 0;
   /// Refuse to start anew.
   bool resume = false;
+  /// Fit although the data leave combinations of parameters open.
+  bool accept_unidentified = false;
 };
 
 /// `fourpost predict RUN --recording FILE`

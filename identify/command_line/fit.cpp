@@ -74,6 +74,8 @@ FitOptions OptionsOf(const Study& study, const VehicleObjective& objective, cons
   options.candidates.count = search.starts;
   options.starts = search.starts;
   options.threads = command.threads;
+  options.identify_first = true;
+  options.accept_unidentified = command.accept_unidentified;
   options.deadline_s = search.deadline_s;
   options.refine.differences = Differences::kAutomatic;
   const LossKind loss = study.refine.loss;
@@ -161,11 +163,24 @@ std::string Judgement(const FitResult& fit) {
   return text;
 }
 
+/// Throws FaultyInput.
+[[noreturn]] void RefuseUnidentified(const LoadedStudy& loaded, const Identifiability& before) {
+  Diagnostics diagnostics;
+  const Eigen::MatrixXd& directions = before.covariance.directions;
+  for (std::size_t i = 0; i < before.weakest.size(); ++i)
+    diagnostics.Error(loaded.study.file.string(), loaded.study.free_line,
+                      "the data do not change when these change together: " + before.weakest[i] + "; " +
+                          RemedyFor(directions.col(before.covariance.rank + static_cast<Eigen::Index>(i))) +
+                          "; --accept-unidentified fits all the same");
+  throw FaultyInput(diagnostics);
+}
+
 int CodeOf(FitEnd end) {
   switch (end) {
     case FitEnd::kConverged: return kGood;
     case FitEnd::kAllFailed: return kAllSimulationsFailed;
     case FitEnd::kInterrupted: return kInterrupted;
+    case FitEnd::kUnidentified: return kUnreadableInput;
     case FitEnd::kNotRun:
     case FitEnd::kNotConverged: return kNotGood;
   }
@@ -239,6 +254,7 @@ int Run(const FitCommand& command) {
   const FitOptions options = OptionsOf(loaded->study, objective, command);
   const FitResult fit = FitWithProgress(objective, options, store);
   TellRestored(fit.evaluations, store);
+  if (fit.end == FitEnd::kUnidentified) RefuseUnidentified(*loaded, *fit.before);
   if (fit.parameters.empty()) {
     std::fprintf(stderr, "fit %s: %s no results are written\n", std::string(FitEndName(fit.end)).c_str(),
                  fit.message.c_str());

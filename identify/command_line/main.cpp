@@ -130,6 +130,8 @@ int main(int argc, char** argv) {
   sub->add_option("--seed", fit.seed, "Seed of the search, in place of the study's")->check(WholeNumber());
   sub->add_option("--threads", fit.threads, "Evaluations at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
+  sub->add_flag("--accept-unidentified", fit.accept_unidentified,
+                "Fit although data and priors leave combinations of parameters open");
   sub->add_flag("--resume", fit.resume,
                 "Go on with a fit that was ended: refuse when vehicle, recordings, program, or settings that residuals "
                 "depend on, have changed");

@@ -50,7 +50,7 @@ std::optional<JudgedChannel> JudgeChannel(const Json& channel) {
   const double dB = NumberAt(channel, "rms_dB");
   const double deg = NumberAt(channel, "rms_deg");
   const double nmse = NumberAt(channel, "nmse_percent");
-  if (std::isfinite(nmse)) {
+  if (std::isfinite(nmse) && !std::isfinite(dB)) {
     const std::string recording = TextAt(channel, "recording");
     if (!recording.empty()) judged.name += " in " + recording;
     judged.numbers = ShownNumber(nmse, 2) + " % NMSE";
