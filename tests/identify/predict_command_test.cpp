@@ -104,5 +104,47 @@ TEST_F(PredictCommandLine, RefusesWhatIsNoFitOrNoRecording) {
   ExpectRefused("run --recording less.csv", "F_tyre");
 }
 
+class PredictResponsesCommandLine : public ProgramTest {
+ protected:
+  void Fit() const {
+    ReplaceIn("studies/landrover110/model1.yaml", "  - name: pitch\n    file: pitch_frf.csv\n    posts: pitch\n", "");
+    const Outcome outcome = Run("fit studies/landrover110/model1.yaml -o run");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+  }
+};
+
+TEST_F(PredictResponsesCommandLine, ShowsWhatAFitIsWorthOnAPatternThatItHasNotSeen) {
+  Fit();
+  const Outcome outcome = Run("predict run --recording studies/landrover110/pitch_frf.csv --json -o prediction");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("posts: pitch, which fits best"));
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["posts"], "pitch");
+  EXPECT_EQ(json["channels"].size(), 11u);
+  for (const auto& channel : json["channels"]) {
+    EXPECT_TRUE(channel["rms_dB"].is_number());
+    EXPECT_TRUE(channel["rms_deg"].is_number());
+    EXPECT_NEAR(channel["nmse_percent"].get<double>() + channel["vaf_percent"].get<double>(), 100, 1e-9);
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "prediction/response.svg"));
+  // Told, the pattern is not guessed.
+  const Outcome told = Run("predict run --recording studies/landrover110/pitch_frf.csv --mode pitch --json");
+  EXPECT_EQ(told.out, outcome.out);
+  EXPECT_EQ(told.err, "");
+}
+
+TEST_F(PredictResponsesCommandLine, TakesALoad) {
+  Fit();
+  const std::string predict = "predict run --recording studies/landrover110/bounce_frf.csv --mode heave";
+  const Outcome empty = Run(predict);
+  const Outcome loaded = Run(predict + " --add-mass '250 kg' --at -2.5,0,0.9");
+  EXPECT_EQ(loaded.code, 0) << loaded.err;
+  EXPECT_NE(loaded.out, empty.out);
+  const Outcome bad = Run(predict + " --add-mass '250 N' --at -2.5,0");
+  EXPECT_EQ(bad.code, 3);
+  EXPECT_THAT(bad.err, HasSubstr("--add-mass: error: '250 N' is no mass"));
+  EXPECT_THAT(bad.err, HasSubstr("--at: error: wants three numbers"));
+}
+
 }  // namespace
 }  // namespace fourpost

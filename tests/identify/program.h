@@ -2,6 +2,7 @@
 
 #include <sys/wait.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -24,8 +25,19 @@ class ProgramTest : public testing::Test {
  protected:
   ProgramTest() {
     for (const char* part : {"urdf", "meshes", "studies"})
-      std::filesystem::copy(std::filesystem::path(FOURPOST_SOURCE_DIR) / part, folder_ / part,
-                            std::filesystem::copy_options::recursive);
+      Copy(std::filesystem::path(FOURPOST_SOURCE_DIR) / part, folder_ / part);
+  }
+
+  /// Large recordings, which no test changes, as links.
+  static void Copy(const std::filesystem::path& from, const std::filesystem::path& to) {
+    constexpr std::uintmax_t kLarge = 300000;
+    std::filesystem::create_directories(to);
+    for (const auto& entry : std::filesystem::directory_iterator(from)) {
+      const std::filesystem::path target = to / entry.path().filename();
+      if (entry.is_directory()) Copy(entry.path(), target);
+      else if (entry.file_size() > kLarge) std::filesystem::create_symlink(entry.path(), target);
+      else std::filesystem::copy_file(entry.path(), target);
+    }
   }
 
   Outcome Run(const std::string& arguments) const {

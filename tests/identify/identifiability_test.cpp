@@ -1,0 +1,55 @@
+#include "identify/identifiability.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "tests/identify/shipped_study.h"
+
+namespace fourpost {
+namespace {
+
+LoadedStudy WithoutForces() {
+  LoadedStudy study = ShippedStudy();
+  study.data.static_loads.clear();
+  for (MeasuredRun& run : study.data.runs) std::erase_if(run.channels, [](const auto& c) { return c.unit == "N"; });
+  return study;
+}
+
+Identifiability Before(const LoadedStudy& study) {
+  const VehicleObjective objective = study.MakeObjective();
+  Archive archive(objective.MakeProblem(), 2);
+  const auto before = IdentifiabilityBefore(archive, objective, 1);
+  EXPECT_TRUE(before.has_value());
+  return *before;
+}
+
+TEST(Identifiability, ForcesDetermineAllOfTheLandRover) {
+  const Identifiability before = Before(ShippedStudy());
+  EXPECT_FALSE(before.HasUndetermined());
+  EXPECT_EQ(before.covariance.rank, 12);
+  EXPECT_EQ(before.weakest.size(), 1u);
+}
+
+// All accelerations and strut motions are ratios: every mass, rate and damping times 1.01 changes none of them.
+TEST(Identifiability, AccelerationsLeaveExactlyTheCommonScaleOpen) {
+  const Identifiability before = Before(WithoutForces());
+  ASSERT_EQ(before.covariance.rank, 11);
+  const Eigen::VectorXd open = before.covariance.directions.col(11);
+  // Differences of slopes of the balance: a hundredth.
+  for (const double component : open) EXPECT_NEAR(component, 1 / std::sqrt(12), 0.01);
+  EXPECT_THAT(RemedyFor(open), testing::HasSubstr("measure a force"));
+}
+
+TEST(Identifiability, OneKnownMassClosesTheScale) {
+  LoadedStudy study = WithoutForces();
+  study.vehicle.parameters[study.free[0]].prior_sd = 10;
+  EXPECT_FALSE(Before(study).HasUndetermined());
+}
+
+TEST(Identifiability, OfAFewParametersTheRemedyIsNoForce) {
+  EXPECT_THAT(RemedyFor(Eigen::Vector3d(0.8, -0.6, 0)), testing::HasSubstr("out of `free`"));
+}
+
+}  // namespace
+}  // namespace fourpost
