@@ -22,6 +22,18 @@ LowPass::Section FirstOrder(double warped) {
   return {scale * warped, scale * warped, 0, scale * (warped - 1), 0};
 }
 
+/// Direct form II transposed, after a signal that stood at `before` since ever.
+void ApplySection(const LowPass::Section& section, double before, std::span<double> signal) {
+  double first = (1 - section.b0) * before;
+  double second = (section.b2 - section.a2) * before;
+  for (double& sample : signal) {
+    const double filtered = section.b0 * sample + first;
+    first = section.b1 * sample - section.a1 * filtered + second;
+    second = section.b2 * sample - section.a2 * filtered;
+    sample = filtered;
+  }
+}
+
 }  // namespace
 
 LowPass::LowPass(int order, double cutoff_Hz, double rate_Hz) {
@@ -46,17 +58,14 @@ std::complex<double> LowPass::Response(double cycles_per_sample) const {
 }
 
 void LowPass::Apply(std::span<double> signal) const {
-  for (const Section& section : sections_) {
-    // Direct form II transposed.
-    double first = 0;
-    double second = 0;
-    for (double& sample : signal) {
-      const double filtered = section.b0 * sample + first;
-      first = section.b1 * sample - section.a1 * filtered + second;
-      second = section.b2 * sample - section.a2 * filtered;
-      sample = filtered;
-    }
-  }
+  for (const Section& section : sections_) ApplySection(section, 0, signal);
+}
+
+// Each section gives on what it was given where that stands still.
+void LowPass::ApplySettled(std::span<double> signal) const {
+  if (signal.empty()) return;
+  const double before = signal.front();
+  for (const Section& section : sections_) ApplySection(section, before, signal);
 }
 
 }  // namespace fourpost

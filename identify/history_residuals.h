@@ -38,6 +38,11 @@ class HistoryResiduals {
   HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
                    const Options& options);
 
+  /// Simulations refer to the histories.
+  HistoryResiduals(const HistoryResiduals&) = delete;
+  HistoryResiduals& operator=(const HistoryResiduals&) = delete;
+  HistoryResiduals(HistoryResiduals&&) = default;
+
   Eigen::Index count() const { return count_; }
 
   /// `values`: all parameters of the vehicle, SI. Throws TimedOut, and std::runtime_error where the motion cannot be

@@ -141,7 +141,7 @@ TEST_F(PredictResponsesCommandLine, TakesALoad) {
   EXPECT_EQ(loaded.code, 0) << loaded.err;
   EXPECT_NE(loaded.out, empty.out);
   const Outcome bad = Run(predict + " --add-mass '250 N' --at -2.5,0");
-  EXPECT_EQ(bad.code, 3);
+  EXPECT_EQ(bad.code, 2);
   EXPECT_THAT(bad.err, HasSubstr("--add-mass: error: '250 N' is no mass"));
   EXPECT_THAT(bad.err, HasSubstr("--at: error: wants three numbers"));
 }
