@@ -5,7 +5,6 @@
 #include <set>
 #include <vector>
 
-#include "analysis/csv.h"
 #include "identify/report/picture_number.h"
 
 namespace fourpost {
@@ -48,7 +47,7 @@ std::vector<Column> ColumnsOf(const CsvTable& table, std::size_t names, const Re
   std::vector<Column> columns;
   for (std::size_t c = 0; c < table.columns(); ++c) {
     if (c == names) continue;
-    Column column{.name = table.names()[c], .unit = table.units()[c]};
+    Column column{.name = table.names()[c], .unit = table.units().empty() ? "" : table.units()[c]};
     for (std::size_t row = recording.first; row < recording.last; ++row)
       column.values.push_back(table.Number(row, c).value_or(NAN));
     if (column.HasNumbers()) columns.push_back(std::move(column));
@@ -91,9 +90,9 @@ OrderedJson RecordingJson(const CsvTable& table, std::size_t names, const Record
 
 }  // namespace
 
-OrderedJson HistoriesJson(const std::string& text, const std::string& file) {
+OrderedJson HistoriesJson(const std::string& text, const std::string& file, CsvHeader header) {
   Diagnostics faults;
-  const std::optional<CsvTable> table = ParseCsv(text, file, faults, CsvHeader::kNamesAndUnits);
+  const std::optional<CsvTable> table = ParseCsv(text, file, faults, header);
   if (!table) throw FaultyInput(faults);
   const std::optional<std::size_t> names = table->FindColumn("recording");
   if (!names) {

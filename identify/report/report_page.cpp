@@ -42,9 +42,9 @@ std::vector<ComparedChannel> ChannelsOf(const RunContents& run) {
   return ReadResponseTable(file->second, "response.csv");
 }
 
-OrderedJson OverTime(const RunContents& run, const std::string& name) {
+OrderedJson OverTime(const RunContents& run, const std::string& name, CsvHeader header) {
   const auto file = run.files.find(name);
-  return file == run.files.end() ? OrderedJson::array() : HistoriesJson(file->second, name);
+  return file == run.files.end() ? OrderedJson::array() : HistoriesJson(file->second, name, header);
 }
 
 OrderedJson ChannelsJson(const std::vector<ComparedChannel>& channels) {
@@ -117,7 +117,7 @@ std::string Header(const Json& result) {
   const auto add = [&](const std::string& html) { facts += (facts.empty() ? "" : "<span>\u00b7</span>") + html; };
   if (const std::string study = TextAt(result, "study"); !study.empty()) add(html::Escaped(study));
   const std::vector<Json> band = ListAt(result, "band_Hz");
-  if (band.size() == 2 && band[0].is_number() && band[1].is_number())
+  if (band.size() == 2 && band[0].is_number() && band[1].is_number() && band[1] > 0)
     add(ShownShort(band[0], 3) + "\u2013" + ShownShort(band[1], 3) + " Hz");
   add(ShownDecimals(NumberAt(result, "residuals"), 0) + " residuals");
   add(ShownDecimals(NumberAt(result.value("evaluations", Json()), "paid"), 0) + " evaluations");
@@ -161,7 +161,8 @@ std::string Body(const Json& result, const std::vector<ComparedChannel>& channel
   const std::string viewer =
       scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(scene_fault) + "</p>\n"
                       : Drawn("viewer", "The moving vehicle needs JavaScript.");
-  body += html::Section("vehicle", "The vehicle on its posts", viewer);
+  body += html::Section(
+      "vehicle", has_bench && channels.empty() && !has_histories ? "The vehicle" : "The vehicle on its posts", viewer);
   if (!channels.empty())
     body += html::Section("responses", "Frequency responses",
                           Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them.") +
@@ -194,8 +195,8 @@ std::string ReportPage(const RunContents& run) {
   const std::vector<ReportedParameter> parameters = ReportedParameters(result, run);
   std::string scene_fault;
   const OrderedJson scene = SceneOf(result, channels, run, scene_fault);
-  const OrderedJson histories = OverTime(run, "history.csv");
-  const OrderedJson bench = OverTime(run, "bench.csv");
+  const OrderedJson histories = OverTime(run, "history.csv", CsvHeader::kNamesAndUnits);
+  const OrderedJson bench = OverTime(run, "bench.csv", CsvHeader::kNames);
 
   const std::string body = Header(result) + "<nav id=\"contents\"></nav>\n<main>\n" +
                            html::Section("summary", "Summary", SummaryHtml(result, parameters, channels)) +

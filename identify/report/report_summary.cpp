@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "analysis/report/html.h"
 #include "identify/report/shown_number.h"
@@ -34,6 +35,8 @@ enum class Follows { kWell, kRoughly, kNot };
 
 struct JudgedChannel {
   std::string name;
+  /// Of a channel over time.
+  std::string recording;
   std::string numbers;
   Follows follows = Follows::kWell;
   double score = 0;
@@ -51,8 +54,7 @@ std::optional<JudgedChannel> JudgeChannel(const Json& channel) {
   const double deg = NumberAt(channel, "rms_deg");
   const double nmse = NumberAt(channel, "nmse_percent");
   if (std::isfinite(nmse) && !std::isfinite(dB)) {
-    const std::string recording = TextAt(channel, "recording");
-    if (!recording.empty()) judged.name += " in " + recording;
+    judged.recording = TextAt(channel, "recording");
     judged.numbers = ShownNumber(nmse, 2) + " % NMSE";
     judged.is_history = true;
     judged.score = nmse / kClose_percent;
@@ -66,10 +68,22 @@ std::optional<JudgedChannel> JudgeChannel(const Json& channel) {
   return judged;
 }
 
-std::vector<JudgedChannel> JudgeChannels(const Json& result) {
+/// Best first. Where all have one name, such as a damper's force, their recordings tell them apart; where all are of
+/// one recording, their names do.
+std::vector<JudgedChannel> JudgeChannels(const std::vector<Json>& channels) {
   std::vector<JudgedChannel> judged;
-  for (const Json& channel : ListAt(result, "channels"))
+  for (const Json& channel : channels)
     if (std::optional<JudgedChannel> one = JudgeChannel(channel)) judged.push_back(std::move(*one));
+  std::set<std::string> names;
+  std::set<std::string> recordings;
+  for (const JudgedChannel& channel : judged) {
+    names.insert(channel.name);
+    recordings.insert(channel.recording);
+  }
+  for (JudgedChannel& channel : judged) {
+    if (channel.recording.empty() || recordings.size() == 1) continue;
+    channel.name = names.size() == 1 ? channel.recording : channel.name + " in " + channel.recording;
+  }
   std::stable_sort(judged.begin(), judged.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
   return judged;
 }
@@ -190,6 +204,15 @@ std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::o
   return text.empty() && !channels.empty() ? "Every channel is followed." : text;
 }
 
+/// Of recordings that the fit has not seen.
+std::string WhatItPredicts(const std::vector<JudgedChannel>& channels) {
+  if (channels.empty()) return "";
+  const std::vector<std::string> well = Named(channels, Follows::kWell, false);
+  return std::to_string(well.size()) + " of " + std::to_string(channels.size()) +
+         " recordings that the fit has not seen are within " + Limits(channels) + "; furthest off is " +
+         Code(channels.back().name) + " (" + html::Escaped(channels.back().numbers) + ").";
+}
+
 std::string WhatIsDetermined(const std::vector<ReportedParameter>& parameters) {
   std::vector<std::string> weak;
   int well = 0;
@@ -248,6 +271,22 @@ bool HasMean(const std::vector<ComparedChannel>& channels) {
   });
 }
 
+/// Parameters of which the data know combinations better than each; empty where there are none.
+std::string Ties(const std::vector<ReportedParameter>& parameters) {
+  std::vector<std::string> tied;
+  double closest = 0;
+  for (const ReportedParameter& parameter : parameters) {
+    if (!std::isfinite(parameter.sd) || !(std::abs(parameter.correlation) > kTied)) continue;
+    tied.push_back(Code(parameter.name));
+    if (std::abs(parameter.correlation) > std::abs(closest)) closest = parameter.correlation;
+  }
+  if (tied.empty()) return "";
+  return Listed(tied) + (tied.size() == 1 ? " is" : " are") + " tied to others (correlation " +
+         (tied.size() > 2 ? "up to " : "") + ShownDecimals(closest, 2) +
+         "): the data know combinations of them better than each. Weigh a part, or add a channel that feels one alone, "
+         "such as a force or a load at rest.";
+}
+
 std::vector<std::string> WhatNext(const Json& result, const std::vector<ReportedParameter>& parameters,
                                   const std::vector<ComparedChannel>& channels, const std::optional<Octave>& worst) {
   std::vector<std::string> advice;
@@ -264,11 +303,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
     advice.push_back("Look at the bounds of " + Listed(bound) +
                      ": widen them if they are a guess; if they are sure, the model lacks something that " +
                      (bound.size() == 1 ? "this parameter stands" : "these parameters stand") + " in for.");
-  for (const ReportedParameter& parameter : parameters)
-    if (std::isfinite(parameter.sd) && std::abs(parameter.correlation) > kTied && parameter.name < parameter.partner)
-      advice.push_back(Code(parameter.name) + " and " + Code(parameter.partner) + " are tied (correlation " +
-                       ShownNumber(parameter.correlation, 2) +
-                       "): the data know a combination of them. Weigh a part, or add a channel that feels one alone.");
+  if (const std::string ties = Ties(parameters); !ties.empty()) advice.push_back(ties);
   if (!channels.empty() && !HasMean(channels))
     advice.push_back("Record the mean offset of the struts beside gain and phase: it tells bump from rebound damping.");
   const double inflation = NumberAt(identifiability, "sd_inflation");
@@ -293,7 +328,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
 
 std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>& parameters,
                         const std::vector<ComparedChannel>& channels) {
-  const std::vector<JudgedChannel> judged = JudgeChannels(result);
+  const std::vector<JudgedChannel> judged = JudgeChannels(ListAt(result, "channels"));
   const std::optional<Octave> worst = WorstOctave(channels);
   const Verdict verdict = HowItEnded(result);
   std::string next;
@@ -301,6 +336,7 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
     next += html::Element("li", "", advice);
   return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
          Item("What fits", WhatFits(judged)) + Item("What does not", WhatDoesNot(judged, worst)) +
+         Item("What it predicts", WhatItPredicts(JudgeChannels(ListAt(result, "validation")))) +
          Item("What is known", WhatIsDetermined(parameters)) +
          Item("What is not determined", WhatIsNot(result, parameters)) +
          Item("What to measure next", html::Element("ul", "", next)) + "</dl>\n";

@@ -89,6 +89,26 @@ void AddRows(const std::string& group, const Json& object, Rows& rows) {
   }
 }
 
+/// Of channels over time; gain and delay where they are told.
+std::string HistoryTable(const std::string& title, const std::vector<Json>& channels) {
+  if (channels.empty()) return "";
+  const bool has_gain = std::any_of(channels.begin(), channels.end(),
+                                    [](const Json& channel) { return std::isfinite(NumberAt(channel, "gain")); });
+  Rows rows;
+  for (const Json& channel : channels) {
+    rows.push_back({TextCell(TextAt(channel, "recording")),
+                    {html::Element("code", "", html::Escaped(TextAt(channel, "name"))), ""},
+                    NumberCell(ShownNumber(NumberAt(channel, "nmse_percent"), 3)),
+                    NumberCell(ShownDecimals(NumberAt(channel, "vaf_percent"), 2))});
+    if (!has_gain) continue;
+    rows.back().push_back(NumberCell(ShownDecimals(NumberAt(channel, "gain"), 3)));
+    rows.back().push_back(NumberCell(ShownDecimals(1e3 * NumberAt(channel, "delay_s"), 2)));
+  }
+  std::vector<std::string> head = {title, "channel", "NMSE, %", "VAF, %"};
+  if (has_gain) head.insert(head.end(), {"gain", "delay, ms"});
+  return html::Table(head, rows);
+}
+
 /// The poles of a mode; of a pair of conjugates one.
 std::string PolesText(const Json& mode) {
   const std::vector<Json> poles = ListAt(mode, "poles");
@@ -118,21 +138,17 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters)
 
 std::string ChannelTableHtml(const Json& result) {
   Rows responses;
-  Rows histories;
-  for (const Json& channel : ListAt(result, "channels")) {
-    const Cell name = {html::Element("code", "", html::Escaped(TextAt(channel, "name"))), ""};
-    if (channel.contains("nmse_percent"))
-      histories.push_back({TextCell(TextAt(channel, "recording")), name,
-                           NumberCell(ShownNumber(NumberAt(channel, "nmse_percent"), 3)),
-                           NumberCell(ShownNumber(NumberAt(channel, "vaf_percent"), 4))});
+  std::vector<Json> histories;
+  for (const Json& channel : ListAt(result, "channels"))
+    if (channel.contains("nmse_percent")) histories.push_back(channel);
     else
-      responses.push_back({name, NumberCell(ShownDecimals(NumberAt(channel, "rms_dB"), 2)),
+      responses.push_back({{html::Element("code", "", html::Escaped(TextAt(channel, "name"))), ""},
+                           NumberCell(ShownDecimals(NumberAt(channel, "rms_dB"), 2)),
                            NumberCell(ShownDecimals(NumberAt(channel, "rms_deg"), 1))});
-  }
   std::string text;
   if (!responses.empty()) text += html::Table({"channel", "rms, dB", "rms, deg"}, responses);
-  if (!histories.empty()) text += html::Table({"recording", "channel", "NMSE, %", "VAF, %"}, histories);
-  return text;
+  return text + HistoryTable("fitted recording", histories) +
+         HistoryTable("not seen by the fit", ListAt(result, "validation"));
 }
 
 std::string StaticLoadTableHtml(const Json& result) {
@@ -158,9 +174,11 @@ std::string ModeTableHtml(const Json& modes) {
         if (NumberAt(share, "share") >= 0.05)
           shares += (shares.empty() ? "" : ", ") + TextAt(share, "motion") + ' ' +
                     ShownDecimals(100 * NumberAt(share, "share"), 0) + " %";
-      rows.push_back({TextCell(TextAt(mode, "name")), NumberCell(ShownDecimals(NumberAt(mode, "frequency_Hz"), 2)),
-                      NumberCell(ShownDecimals(NumberAt(mode, "damping_ratio"), 3)), NumberCell(PolesText(mode)),
-                      TextCell(shares)});
+      rows.push_back({TextCell(TextAt(mode, "name")),
+                      NumberCell(ShownDecimals(NumberAt(mode, "frequency_Hz"), 2)),
+                      NumberCell(ShownDecimals(NumberAt(mode, "damping_ratio"), 3)),
+                      NumberCell(PolesText(mode)),
+                      {html::Escaped(shares), "wrap"}});
     }
   return rows.empty() ? "" : html::Table({"mode", "Hz", "damping ratio", "poles, 1/s", "kinetic energy"}, rows);
 }
@@ -182,7 +200,7 @@ std::string StartTableHtml(const Json& result) {
 
 std::string SettingsHtml(const Json& result) {
   Rows rows;
-  for (const char* key : {"seed", "deadline_s", "evaluations", "search", "refine", "versions"}) {
+  for (const char* key : {"seed", "deadline_s", "evaluations", "search", "refine", "criteria", "versions"}) {
     const auto found = result.find(key);
     if (found == result.end()) continue;
     if (found->is_object()) AddRows(key, *found, rows);

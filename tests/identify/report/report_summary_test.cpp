@@ -38,8 +38,20 @@ TEST(Summary, TellsHistoriesByTheirNmse) {
   Json result = Good();
   result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "a", "nmse_percent": 2, "vaf_percent": 98},
                                        {"recording": "sweep", "name": "s", "nmse_percent": 60, "vaf_percent": 40}])");
-  EXPECT_THAT(SummaryHtml(result, Known(), {}), AllOf(HasSubstr("<code>a in sweep</code> is within 5 % NMSE"),
-                                                      HasSubstr("Not followed: <code>s in sweep</code> (60 % NMSE)")));
+  EXPECT_THAT(SummaryHtml(result, Known(), {}), AllOf(HasSubstr("<code>a</code> is within 5 % NMSE"),
+                                                      HasSubstr("Not followed: <code>s</code> (60 % NMSE)")));
+}
+
+TEST(Summary, TellsRecordingsApartAndWhatItPredicts) {
+  Json result = Good();
+  result["channels"] = Json::parse(R"([{"recording": "1 Hz", "name": "force", "nmse_percent": 2},
+                                       {"recording": "5 Hz", "name": "force", "nmse_percent": 3}])");
+  result["validation"] = Json::parse(R"([{"recording": "sweep", "name": "force", "nmse_percent": 8},
+                                         {"recording": "10 Hz", "name": "force", "nmse_percent": 1}])");
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("<code>1 Hz</code> and <code>5 Hz</code> are within 5 % NMSE"),
+                    HasSubstr("1 of 2 recordings that the fit has not seen are within 5 % NMSE; furthest off is "
+                              "<code>sweep</code> (8.0 % NMSE)")));
 }
 
 TEST(Summary, TellsWhatIsOpenAndWhatToMeasure) {
@@ -58,12 +70,11 @@ TEST(Summary, TellsWhatIsOpenAndWhatToMeasure) {
 
 TEST(Summary, TellsTiesOnce) {
   std::vector<ReportedParameter> parameters = Known();
-  parameters[0].partner = "k";
-  parameters[1].partner = "m";
-  parameters[0].correlation = parameters[1].correlation = 0.99;
-  const std::string text = SummaryHtml(Good(), parameters, {});
-  EXPECT_THAT(text, HasSubstr("<code>k</code> and <code>m</code> are tied (correlation 0.99)"));
-  EXPECT_THAT(text, Not(HasSubstr("<code>m</code> and <code>k</code> are tied")));
+  parameters[0].correlation = parameters[1].correlation = -0.987;
+  EXPECT_THAT(SummaryHtml(Good(), parameters, {}),
+              HasSubstr("<code>m</code> and <code>k</code> are tied to others (correlation \u22120.99)"));
+  parameters[0].correlation = parameters[1].correlation = 0.9;
+  EXPECT_THAT(SummaryHtml(Good(), parameters, {}), Not(HasSubstr("tied")));
 }
 
 TEST(Summary, SaysThatARunHasNotEnded) {

@@ -1,5 +1,5 @@
 import uPlot from 'uplot';
-import { chart, linearAxis } from './chart.js';
+import { chart, curve, linearAxis } from './chart.js';
 import { choice, el } from './dom.js';
 import { legend } from './legend.js';
 import { extent, shown } from './number.js';
@@ -11,8 +11,8 @@ const column = (recording, name) => recording.columns.find((candidate) => candid
 function xy(place, title, recordings, across, factor, label) {
   const parts = recordings.map((recording) => ({
     x: column(recording, across)?.map((value) => (value == null ? null : factor * value)),
-    measured: column(recording, 'force_measured'),
-    modelled: column(recording, 'force_modelled'),
+    measured: column(recording, 'measured_N'),
+    modelled: column(recording, 'modelled_N'),
   })).filter((part) => part.x && part.measured);
   if (!parts.length) return null;
   const box = el('div');
@@ -63,25 +63,51 @@ function xy(place, title, recordings, across, factor, label) {
   };
 }
 
+/** Force over the time of one recording. */
+function overTime(place, recording) {
+  const [time, measured, modelled] = ['time_s', 'measured_N', 'modelled_N'].map((name) => column(recording, name));
+  if (!time || !measured) return null;
+  const box = el('div');
+  return {
+    card: el('div', { class: 'chart whole' }, el('h3', {}, 'Force over time', el('span', {}, 'N over s')), box),
+    draw: () =>
+      chart(
+        box,
+        220,
+        () => ({
+          scales: { x: { time: false } },
+          axes: [linearAxis({ scale: 'x', side: 2, size: 24 }), linearAxis({ size: 54 })],
+          series: [{}, curve('measured', 'measured', { width: 2.2 }), curve('fit', 'model', { width: 1 })],
+          cursor: { y: false },
+        }),
+        [time, measured, modelled ?? time.map(() => null)],
+      ),
+  };
+}
+
 /** Work diagrams (force over displacement) and characteristics (force over velocity) of one recording or all. */
 export function drawBench(place, data) {
   const charts = el('div', { class: 'charts wide' });
   const redraw = (name) => {
     const chosen = data.bench.filter((recording) => name === '' || recording.recording === name);
     const parts = [
-      xy(charts, 'Work diagram', chosen, 'displacement', 1000, 'mm'),
-      xy(charts, 'Characteristic', chosen, 'velocity', 1, 'm/s'),
+      xy(charts, 'Work diagram', chosen, 'displacement_m', 1000, 'mm'),
+      xy(charts, 'Characteristic', chosen, 'speed_mps', 1, 'm/s'),
+      chosen.length === 1 ? overTime(charts, chosen[0]) : null,
     ].filter((part) => part);
     charts.replaceChildren(...parts.map(({ card }) => card));
     for (const { draw } of parts) draw();
   };
   const names = data.bench.map((recording) => recording.recording);
+  // Of some, all at once say most; many, or a sweep among them, hide each other.
+  const first = names.length > 3 || names.length === 1 ? names[0] : '';
   if (names.length > 1) {
-    const select = el('select', { onchange: () => redraw(select.value) }, el('option', { value: '' }, 'all recordings'), ...names.map((name) => el('option', { value: name }, name)));
+    const select = el('select', { 'aria-label': 'recording', onchange: () => redraw(select.value) }, ...names.map((name) => el('option', { value: name }, name)), el('option', { value: '' }, 'all recordings'));
+    select.value = first;
     place.append(el('div', { class: 'controls' }, el('label', {}, 'recording', select)));
   }
   place.append(legend(['line', 'measured', 'measured'], ['line', 'model', 'fit']), charts);
-  redraw('');
+  redraw(first);
   const rows = data.bench.reduce((sum, recording) => sum + recording.rows, 0);
   const shownRows = data.bench.reduce((sum, recording) => sum + recording.shown_rows, 0);
   if (shownRows < rows) place.append(el('p', { class: 'note' }, `${shown(shownRows, 7)} of ${shown(rows, 7)} samples are shown.`));
