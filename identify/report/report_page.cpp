@@ -158,11 +158,12 @@ std::string Directions(const Json& result) {
 std::string Body(const Json& result, const std::vector<ComparedChannel>& channels, const OrderedJson& scene,
                  const std::string& scene_fault, bool has_histories, bool has_bench) {
   std::string body;
+  const bool is_shown = scene.is_null() || !scene["posts"].empty();
   const std::string viewer =
       scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(scene_fault) + "</p>\n"
                       : Drawn("viewer", "The moving vehicle needs JavaScript.");
-  body += html::Section(
-      "vehicle", has_bench && channels.empty() && !has_histories ? "The vehicle" : "The vehicle on its posts", viewer);
+  // A damper between clamps does nothing worth a picture.
+  if (is_shown) body += html::Section("vehicle", "The vehicle on its posts", viewer);
   if (!channels.empty())
     body += html::Section("responses", "Frequency responses",
                           Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them.") +
@@ -177,7 +178,7 @@ std::string Body(const Json& result, const std::vector<ComparedChannel>& channel
   if (const std::string loads = StaticLoadTableHtml(result); !loads.empty())
     body += html::Section("loads", "Static loads", loads);
   body += html::Section("determination", "What the data determine", Directions(result) + Drawn("correlation"));
-  if (!scene.is_null())
+  if (!scene.is_null() && is_shown)
     body += html::Section("modes", "Modes and poles",
                           Pair(ModeTableHtml(Json(scene["modes"])) +
                                    "<p class=\"note\">About static equilibrium, dampers at their mean rates.</p>\n",

@@ -206,6 +206,18 @@ describe('pictures', () => {
     });
 });
 
+test('the report of a fit to time histories opens without a fault', async () => {
+  const page = await open(browser, join(fitted('single_wheel_station/model2.yaml'), 'report.html'));
+  assert.deepEqual(page.faults, []);
+  assert.equal(await page.locator('#histories .chart').count(), 5);
+  for (let k = 0; k < 5; ++k)
+    assert.ok((await coloured(page.locator('#histories canvas').nth(k), modelColour)) > 500, `curve of chart ${k}`);
+  await page.locator('#histories button', { hasText: 'where most happens' }).click();
+  assert.equal(await page.locator('#responses').count(), 0);
+  assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
 describe('reports of other runs', () => {
   test('a hostile name is text', async () => {
     const file = changed(run, 'hostile', ({ read, write }) => {

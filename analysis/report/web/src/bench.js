@@ -85,6 +85,14 @@ function overTime(place, recording) {
   };
 }
 
+/** The recording of the largest force among the shorter half: the cycles of a sweep hide each other. */
+function liveliest(recordings) {
+  const rows = recordings.map((recording) => recording.rows).sort((a, b) => a - b);
+  const short = recordings.filter((recording) => recording.rows <= rows[rows.length >> 1]);
+  const size = (recording) => Math.max(...(extent(column(recording, 'measured_N') ?? [0]) ?? [0]).map(Math.abs));
+  return short.reduce((best, recording) => (size(recording) > size(best) ? recording : best)).recording;
+}
+
 /** Work diagrams (force over displacement) and characteristics (force over velocity) of one recording or all. */
 export function drawBench(place, data) {
   const charts = el('div', { class: 'charts wide' });
@@ -99,8 +107,8 @@ export function drawBench(place, data) {
     for (const { draw } of parts) draw();
   };
   const names = data.bench.map((recording) => recording.recording);
-  // Of some, all at once say most; many, or a sweep among them, hide each other.
-  const first = names.length > 3 || names.length === 1 ? names[0] : '';
+  // Of some, all at once say most; many hide each other.
+  const first = names.length > 3 || names.length === 1 ? liveliest(data.bench) : '';
   if (names.length > 1) {
     const select = el('select', { 'aria-label': 'recording', onchange: () => redraw(select.value) }, ...names.map((name) => el('option', { value: name }, name)), el('option', { value: '' }, 'all recordings'));
     select.value = first;
