@@ -41,6 +41,8 @@ export async function open(browser, file, { width = 1280, height = 900, dark = f
     javaScriptEnabled: javaScript,
     offline: true,
   });
+  // A busy machine may take long; what hangs takes for ever.
+  context.setDefaultTimeout(180_000);
   const page = await context.newPage();
   page.faults = [];
   page.on('console', (message) => {

@@ -85,6 +85,13 @@ function overTime(place, recording) {
   };
 }
 
+/** How far the fit is off in a recording, and whether it has seen it. */
+function misfitOf(result, name) {
+  const find = (key) => (result[key] ?? []).find((entry) => entry.recording === name && entry.nmse_percent != null);
+  const entry = find('channels') ?? find('validation');
+  return entry ? `NMSE ${shown(entry.nmse_percent, 3)} %, ${find('channels') ? 'fitted' : 'not seen by the fit'}` : '';
+}
+
 /** The recording of the largest force among the shorter half: the cycles of a sweep hide each other. */
 function liveliest(recordings) {
   const rows = recordings.map((recording) => recording.rows).sort((a, b) => a - b);
@@ -96,7 +103,9 @@ function liveliest(recordings) {
 /** Work diagrams (force over displacement) and characteristics (force over velocity) of one recording or all. */
 export function drawBench(place, data) {
   const charts = el('div', { class: 'charts wide' });
+  const misfit = el('output');
   const redraw = (name) => {
+    misfit.textContent = misfitOf(data.result, name);
     const chosen = data.bench.filter((recording) => name === '' || recording.recording === name);
     const parts = [
       xy(charts, 'Work diagram', chosen, 'displacement_m', 1000, 'mm'),
@@ -112,7 +121,7 @@ export function drawBench(place, data) {
   if (names.length > 1) {
     const select = el('select', { 'aria-label': 'recording', onchange: () => redraw(select.value) }, ...names.map((name) => el('option', { value: name }, name)), el('option', { value: '' }, 'all recordings'));
     select.value = first;
-    place.append(el('div', { class: 'controls' }, el('label', {}, 'recording', select)));
+    place.append(el('div', { class: 'controls' }, el('label', {}, 'recording', select), misfit));
   }
   place.append(legend(['line', 'measured', 'measured'], ['line', 'model', 'fit']), charts);
   redraw(first);
