@@ -107,14 +107,16 @@ double AmplitudeOf(const ChosenCycle& chosen) {
   return 0.5 * (*most - *least);
 }
 
-SvgRow DiagramRow(const ChosenCycle& chosen) {
-  SvgRow row;
-  row.title = chosen.of->recording.name;
-  row.note = Short(chosen.cycle.frequency_Hz) + " Hz, " + Short(1e3 * AmplitudeOf(chosen)) + " mm; force [N]";
-  for (const Over over : {Over::kDisplacement, Over::kSpeed})
-    row.panels.push_back(PanelOf({Curve(chosen, chosen.of->recording.force, over, kMeasured),
-                                  Curve(chosen, chosen.of->force, over, kModelled)}));
-  return row;
+/// Both diagrams of a cycle.
+std::array<SvgPanel, 2> DiagramPanels(const ChosenCycle& chosen) {
+  const auto panel = [&](Over over) {
+    return PanelOf(
+        {Curve(chosen, chosen.of->recording.force, over, kMeasured), Curve(chosen, chosen.of->force, over, kModelled)});
+  };
+  SvgPanel work = panel(Over::kDisplacement);
+  work.title = chosen.of->recording.name;
+  work.note = Short(chosen.cycle.frequency_Hz) + " Hz, " + Short(1e3 * AmplitudeOf(chosen)) + " mm";
+  return {std::move(work), panel(Over::kSpeed)};
 }
 
 SvgStyle FrequencyStyle(std::size_t frequency) {
@@ -143,30 +145,42 @@ SvgPanel EquivalentPanel(const std::vector<LinearEquivalent>& cycles, const std:
 
 std::string DiagramSvg(const std::string& title, const std::vector<ModelledRecording>& recordings) {
   SvgSheet sheet{.title = title, .legend = {kMeasured, kModelled}};
-  sheet.columns = {"work: over displacement [mm]", "characteristic: over speed [m/s]"};
-  for (const ChosenCycle& chosen : ChosenCycles(recordings)) sheet.rows.push_back(DiagramRow(chosen));
+  sheet.note = "Force [N] over displacement [mm] and over speed [m/s], one cycle each.";
+  for (int i = 0; i < 2; ++i)
+    for (const char* column : {"over displacement [mm]", "over speed [m/s]"}) sheet.columns.emplace_back(column);
+  for (const ChosenCycle& chosen : ChosenCycles(recordings)) {
+    if (sheet.rows.empty() || sheet.rows.back().panels.size() == 4) sheet.rows.emplace_back();
+    for (SvgPanel& panel : DiagramPanels(chosen)) sheet.rows.back().panels.push_back(std::move(panel));
+  }
   return SvgText(sheet);
 }
 
 std::string FrequencySvg(const std::string& title, const std::vector<ModelledRecording>& recordings) {
-  SvgSheet sheet{.title = title, .columns = {"measured", "modelled"}, .x_label = "speed [m/s]"};
-  std::vector<SvgSeries> measured;
-  std::vector<SvgSeries> modelled;
+  SvgSheet sheet{.title = title, .note = "Force [N], one cycle for each frequency."};
   std::vector<ChosenCycle> cycles = ChosenCycles(recordings);
   std::stable_sort(cycles.begin(), cycles.end(),
                    [](const ChosenCycle& a, const ChosenCycle& b) { return a.frequency < b.frequency; });
-  for (std::size_t i = 0; i < cycles.size(); ++i) {
-    const SvgStyle style = FrequencyStyle(cycles[i].frequency);
-    if (i == 0 || cycles[i].frequency != cycles[i - 1].frequency) sheet.legend.push_back(style);
-    measured.push_back(Curve(cycles[i], cycles[i].of->recording.force, Over::kSpeed, style));
-    modelled.push_back(Curve(cycles[i], cycles[i].of->force, Over::kSpeed, style));
+  for (std::size_t i = 0; i < cycles.size(); ++i)
+    if (i == 0 || cycles[i].frequency != cycles[i - 1].frequency)
+      sheet.legend.push_back(FrequencyStyle(cycles[i].frequency));
+  SvgRow row;
+  for (const Over over : {Over::kSpeed, Over::kDisplacement}) {
+    std::vector<SvgSeries> measured;
+    std::vector<SvgSeries> modelled;
+    for (const ChosenCycle& cycle : cycles) {
+      measured.push_back(Curve(cycle, cycle.of->recording.force, over, FrequencyStyle(cycle.frequency)));
+      modelled.push_back(Curve(cycle, cycle.of->force, over, FrequencyStyle(cycle.frequency)));
+    }
+    const std::string what = over == Over::kSpeed ? "over speed [m/s]" : "over displacement [mm]";
+    sheet.columns.push_back("measured, " + what);
+    sheet.columns.push_back("modelled, " + what);
+    if (cycles.empty()) continue;
+    row.panels.push_back(PanelOf(std::move(measured)));
+    row.panels.push_back(PanelOf(std::move(modelled)));
+    row.panels.back().x = row.panels[row.panels.size() - 2].x;
+    row.panels.back().y = row.panels[row.panels.size() - 2].y;
   }
-  if (measured.empty()) return SvgText(sheet);
-  SvgRow row{.title = "force [N]"};
-  row.panels = {PanelOf(std::move(measured)), PanelOf(std::move(modelled))};
-  row.panels[1].x = row.panels[0].x;
-  row.panels[1].y = row.panels[0].y;
-  sheet.rows = {row};
+  if (!cycles.empty()) sheet.rows = {row};
   return SvgText(sheet);
 }
 

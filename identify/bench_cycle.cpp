@@ -6,6 +6,7 @@
 
 #include "analysis/csv_writer.h"
 #include "analysis/fourier.h"
+#include "analysis/turning_points.h"
 
 namespace fourpost {
 namespace {
@@ -25,14 +26,15 @@ std::vector<double> Recorded(const BenchRecording& recording) {
   return extension;
 }
 
-/// Where the rate passes through zero from above, in samples and parts of one.
+/// Greatest extensions, in samples and parts of one: the crest of the parabola through three.
 std::vector<double> Crests(const BenchRecording& recording) {
-  const BenchMotion& motion = recording.motion;
+  const std::vector<double> x = Extension(recording);
   std::vector<double> crests;
-  for (std::size_t k = recording.first; k + 1 < recording.end; ++k) {
-    const double before = motion.rate[k * motion.steps];
-    const double after = motion.rate[(k + 1) * motion.steps];
-    if (before > 0 && after <= 0) crests.push_back(static_cast<double>(k) + before / (before - after));
+  for (const std::size_t k : TurningPoints(x)) {
+    if (k < std::max<std::size_t>(recording.first, 1) || k + 1 >= recording.end) continue;
+    const double bend = x[k - 1] - 2 * x[k] + x[k + 1];
+    if (x[k] >= x[k - 1] && x[k] >= x[k + 1] && bend < 0)
+      crests.push_back(static_cast<double>(k) + 0.5 * (x[k - 1] - x[k + 1]) / bend);
   }
   return crests;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/number.h"
+#include "analysis/turning_points.h"
 
 namespace fourpost {
 namespace {
@@ -53,28 +54,6 @@ Signal Rates(const Signal& x, double step) {
   return rates;
 }
 
-/// Where a signal turns back by more than `least`: maxima and minima in turn.
-std::vector<std::size_t> TurningPoints(const Signal& x, double least) {
-  std::vector<std::size_t> turns;
-  std::size_t high = 0;
-  std::size_t low = 0;
-  int going = 0;
-  for (std::size_t k = 1; k < x.size(); ++k) {
-    if (x[k] > x[high]) high = k;
-    if (x[k] < x[low]) low = k;
-    if (going >= 0 && x[high] - x[k] > least) {
-      if (going > 0) turns.push_back(high);
-      going = -1;
-      low = k;
-    } else if (going <= 0 && x[k] - x[low] > least) {
-      if (going < 0) turns.push_back(low);
-      going = 1;
-      high = k;
-    }
-  }
-  return turns;
-}
-
 /// Smallest difference of two values; 0 of a constant.
 double LevelOf(Signal signal) {
   std::sort(signal.begin(), signal.end());
@@ -114,7 +93,7 @@ class Checker {
   bool Check() {
     CheckClipping(x_, "displacement", "m");
     CheckClipping(force_, "force", "N");
-    turns_ = TurningPoints(x_, 0.02 * Span(x_));
+    turns_ = TurningPoints(x_);
     if (turns_.size() < 2) {
       Fault("holds less than one cycle: displacement turns back " +
             std::string(turns_.empty() ? "nowhere" : "once only") + " within " +

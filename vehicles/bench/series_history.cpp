@@ -72,7 +72,24 @@ class BilinearStepper {
   double speed_ = 0;
 };
 
+/// Bilinear without friction.
+bool IsBilinear(const DashpotLaw& law) { return law.Kinks().size() == 1 && std::isinf(law.StepSpeed()); }
+
+/// The numbers of a bilinear law, for the compiler to see.
+class BilinearRates {
+ public:
+  explicit BilinearRates(const DashpotLaw& law) : compression_(law.Slope(-1)), rebound_(law.Slope(1)) {}
+
+  double Force(double u) const { return (u > 0 ? rebound_ : compression_) * u; }
+  double Slope(double u) const { return u > 0 ? rebound_ : u < 0 ? compression_ : 0.5 * (compression_ + rebound_); }
+
+ private:
+  double compression_;
+  double rebound_;
+};
+
 /// Any dashpot in line with any spring.
+template <typename Dashpot>
 class SeriesStepper {
  public:
   SeriesStepper(const SeriesDamper& damper, double step)
@@ -124,7 +141,7 @@ class SeriesStepper {
   /// The ratio of slopes where the damper is.
   void Note() { ratio_ = Stiffness(extension_) / dashpot_.Slope(speed_); }
 
-  const DashpotLaw& dashpot_;
+  Dashpot dashpot_;
   const SpringLaw& spring_;
   bool has_knees_;
   double step_;
@@ -132,9 +149,6 @@ class SeriesStepper {
   double speed_ = 0;
   double ratio_ = 0;
 };
-
-/// Bilinear without friction.
-bool IsBilinear(const DashpotLaw& law) { return law.Kinks().size() == 1 && std::isinf(law.StepSpeed()); }
 
 template <typename Stepper>
 std::vector<double> Forces(Stepper stepper, const BenchMotion& motion) {
@@ -151,9 +165,10 @@ std::vector<double> Forces(Stepper stepper, const BenchMotion& motion) {
 }  // namespace
 
 std::vector<double> SeriesForces(const SeriesDamper& damper, const BenchMotion& motion) {
-  if (damper.spring.IsLinear() && IsBilinear(damper.dashpot))
-    return Forces<BilinearStepper>({damper, motion.step_s}, motion);
-  return Forces<SeriesStepper>({damper, motion.step_s}, motion);
+  const bool bilinear = IsBilinear(damper.dashpot);
+  if (bilinear && damper.spring.IsLinear()) return Forces<BilinearStepper>({damper, motion.step_s}, motion);
+  if (bilinear) return Forces<SeriesStepper<BilinearRates>>({damper, motion.step_s}, motion);
+  return Forces<SeriesStepper<const DashpotLaw&>>({damper, motion.step_s}, motion);
 }
 
 }  // namespace fourpost
