@@ -15,6 +15,17 @@ Json IntervalJson(const Interval& interval) {
   return Json::array({NumberOrNull(interval.lower), NumberOrNull(interval.upper)});
 }
 
+/// Of the runs' evaluations, or of their costs: mean, and standard deviation about it; null when a run has none.
+template <typename Number>
+Json Spread(const std::vector<RunOutcome>& outcomes, Number RunOutcome::*number) {
+  const auto count = static_cast<double>(outcomes.size());
+  double mean = 0;
+  double squares = 0;
+  for (const RunOutcome& outcome : outcomes) mean += static_cast<double>(outcome.*number) / count;
+  for (const RunOutcome& outcome : outcomes) squares += std::pow(static_cast<double>(outcome.*number) - mean, 2);
+  return {{"mean", NumberOrNull(mean)}, {"sd", NumberOrNull(std::sqrt(squares / (count - 1)))}};
+}
+
 Json MethodJson(const MethodSummary& method) {
   Json ends = Json::object();
   for (const auto& [end, count] : method.ends) ends[std::string(SearchEndName(end))] = count;
@@ -29,6 +40,8 @@ Json MethodJson(const MethodSummary& method) {
           {"expected_evaluations_95", IntervalJson(method.expected_interval)},
           {"cost_median", NumberOrNull(method.cost_median)},
           {"cost_worst", NumberOrNull(method.cost_worst)},
+          {"cost", Spread(method.outcomes, &RunOutcome::cost)},
+          {"evaluations", Spread(method.outcomes, &RunOutcome::evaluations)},
           {"ends", ends},
           {"settings", settings}};
 }
