@@ -21,26 +21,33 @@ std::string LoadTable(const LoadedStudy& loaded, const std::vector<double>& mode
   return table.Format() + '\n';
 }
 
-}  // namespace
-
-FitSection FourPostSection(const LoadedStudy& loaded, const FitResult& fit) {
+void AddResponses(const LoadedStudy& loaded, const CondensedVehicle& vehicle, const CondensedModel& model,
+                  FitSection& section) {
   const std::vector<MeasuredRun>& runs = loaded.data.runs;
-  if (runs.empty()) return {};
   const double lower = loaded.study.band_lower_Hz;
   const double upper = loaded.study.band_upper_Hz;
   const std::vector<MeasuredRun> in_band = InBand(runs, lower, upper);
-  const CondensedVehicle vehicle(loaded.vehicle);
-  const CondensedModel model = vehicle.At(fit.values);
   const std::vector<Sensor>& sensors = loaded.vehicle.sensors;
   const std::vector<FrequencyResponse> modelled = ModelledResponses(model, sensors, runs);
   const std::vector<FrequencyResponse> start =
       ModelledResponses(vehicle.At(loaded.vehicle.ParameterValues()), sensors, runs);
-  FitSection section;
   section.misfits.responses = ResponseMisfits(in_band, ModelledResponses(model, sensors, in_band));
-  section.misfits.tyre_loads = model.preloads.tyre;
-  section.text = MisfitTable(section.misfits.responses) + '\n' + LoadTable(loaded, model.preloads.tyre);
+  section.text = MisfitTable(section.misfits.responses) + '\n';
   section.files = {{"response.csv", ResponseCsv(runs, modelled, lower, upper, start)},
                    {"response.svg", ResponseSvg(runs, modelled, section.misfits.responses, lower, upper)}};
+}
+
+}  // namespace
+
+FitSection FourPostSection(const LoadedStudy& loaded, const FitResult& fit) {
+  const std::vector<MeasuredRun>& runs = loaded.data.runs;
+  if (runs.empty() && loaded.data.static_loads.empty()) return {};
+  const CondensedVehicle vehicle(loaded.vehicle);
+  const CondensedModel model = vehicle.At(fit.values);
+  FitSection section;
+  section.misfits.tyre_loads = model.preloads.tyre;
+  if (!runs.empty()) AddResponses(loaded, vehicle, model, section);
+  section.text += LoadTable(loaded, model.preloads.tyre);
   return section;
 }
 

@@ -104,6 +104,15 @@ TEST_F(PredictCommandLine, RefusesWhatIsNoFitOrNoRecording) {
   ExpectRefused("run --recording less.csv", "F_tyre");
 }
 
+// Loads at rest beside recordings over time, and no frequency response.
+TEST_F(PredictCommandLine, AFitTakesStaticLoadsBesideHistories) {
+  temporary_.Write("static.csv", "quantity,unit,value,sd\nload,N,2040,20\n");
+  temporary_.Write("study.yaml", std::string(kStudy) + "static_loads: {file: static.csv, tyres: {tyre: load}}\n");
+  const Outcome outcome = Run("fit study.yaml -o run");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("static load"));
+}
+
 class PredictResponsesCommandLine : public ProgramTest {
  protected:
   void Fit() const {
