@@ -333,8 +333,10 @@ describe('reports of other runs', () => {
       assert.ok((await coloured(canvases.nth(k), measuredColour)) > 200, `measured of diagram ${k}`);
       assert.ok((await coloured(canvases.nth(k), modelColour)) > 200, `modelled of diagram ${k}`);
     }
-    await page.locator('#bench select').selectOption({ index: 1 });
-    assert.equal(await page.locator('#bench canvas').count(), 2);
+    // Of one recording force over time as well.
+    await page.locator('#bench select').selectOption('1 Hz');
+    assert.equal(await page.locator('#bench canvas').count(), 3);
+    assert.equal(await page.locator('#bench output').textContent(), 'NMSE 1.5 %, fitted');
     assert.deepEqual(page.faults, []);
     await page.context().close();
   });
