@@ -169,30 +169,39 @@ KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanN
   return out;
 }
 
+std::vector<double*> KalmanPredictor::Unknown(KalmanNoise& noise) const {
+  std::vector<double*> unknown;
+  for (double& sd : noise.process_sd) unknown.push_back(&sd);
+  for (Index i = 0; i < noise.sensor_sd.size(); ++i)
+    if (history_->signals[static_cast<std::size_t>(i)].noise_sd == 0) unknown.push_back(&noise.sensor_sd[i]);
+  return unknown;
+}
+
 KalmanNoise KalmanPredictor::Estimate(const CondensedModel& model) const {
   KalmanNoise noise;
   noise.process_sd = VectorXd::Constant(model.mass.rows(), 0.1);
   noise.sensor_sd.resize(static_cast<Index>(history_->signals.size()));
-  for (Index i = 0; i < noise.sensor_sd.size(); ++i)
-    noise.sensor_sd[i] = 0.02 * history_->signals[static_cast<std::size_t>(i)].Deviation();
+  for (Index i = 0; i < noise.sensor_sd.size(); ++i) {
+    const MeasuredSignal& signal = history_->signals[static_cast<std::size_t>(i)];
+    noise.sensor_sd[i] = signal.noise_sd > 0 ? signal.noise_sd : 0.02 * signal.Deviation();
+  }
   double least = Run(model, noise).deviance;
   for (const double factor : {10.0, 3.0, 1.5}) {
     bool better = true;
     for (int round = 0; round < 3 && better; ++round) {
       better = false;
-      for (VectorXd* part : {&noise.process_sd, &noise.sensor_sd})
-        for (double& sd : *part)
-          for (const double change : {factor, 1 / factor}) {
-            const double before = sd;
-            sd *= change;
-            const double deviance = Run(model, noise).deviance;
-            if (deviance < least) {
-              least = deviance;
-              better = true;
-              break;
-            }
-            sd = before;
+      for (double* sd : Unknown(noise))
+        for (const double change : {factor, 1 / factor}) {
+          const double before = *sd;
+          *sd *= change;
+          const double deviance = Run(model, noise).deviance;
+          if (deviance < least) {
+            least = deviance;
+            better = true;
+            break;
           }
+          *sd = before;
+        }
     }
   }
   return noise;

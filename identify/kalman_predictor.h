@@ -45,10 +45,15 @@ class KalmanPredictor {
   /// another size or not above zero.
   KalmanPrediction Run(const CondensedModel& model, const KalmanNoise& noise, const Deadline& deadline = {}) const;
 
-  /// The noise under which the innovations are likeliest, by search along each logarithm in turn.
+  /// The noise under which the innovations are likeliest, by search along each logarithm in turn; of sensors whose
+  /// noise the study states, that. State it where channels went through a filter: noise that changes slowly from sample
+  /// to sample would pass for motion.
   KalmanNoise Estimate(const CondensedModel& model) const;
 
  private:
+  /// What Estimate() searches.
+  std::vector<double*> Unknown(KalmanNoise& noise) const;
+
   const MeasuredHistory* history_;
   /// Of the record's samples from its first one to the end of the window.
   std::vector<PostState> posts_;

@@ -16,9 +16,9 @@ std::string OneStepTable(const std::vector<HistoryMisfit>& misfits) {
     table.Add({misfit.recording, misfit.name, Rounded(misfit.nmse_percent, 3),
                Rounded(*misfit.one_step_nmse_percent, 3), Rounded(*misfit.innovation_correlation, 2)});
   }
-  return "\nKalman filter as predictor; one step ahead any model's error is smaller than that of its simulation, for "
-         "it "
-         "starts\nfrom the measurement at each sample, so the two do not compare:\n" +
+  return "\nKalman filter as predictor. It is corrected by each sample before it predicts the next, so that a channel "
+         "that it\n"
+         "trusts has a far smaller error than in a simulation, whatever the model is worth: the two do not compare.\n" +
          table.Format();
 }
 
