@@ -175,10 +175,13 @@ std::string FrequencySvg(const std::string& title, const std::vector<ModelledRec
     sheet.columns.push_back("measured, " + what);
     sheet.columns.push_back("modelled, " + what);
     if (cycles.empty()) continue;
-    row.panels.push_back(PanelOf(std::move(measured)));
-    row.panels.push_back(PanelOf(std::move(modelled)));
-    row.panels.back().x = row.panels[row.panels.size() - 2].x;
-    row.panels.back().y = row.panels[row.panels.size() - 2].y;
+    std::vector<SvgSeries> all = measured;
+    all.insert(all.end(), modelled.begin(), modelled.end());
+    SvgPanel panel = PanelOf(std::move(all));
+    for (std::vector<SvgSeries>* series : {&measured, &modelled}) {
+      panel.series = std::move(*series);
+      row.panels.push_back(panel);
+    }
   }
   if (!cycles.empty()) sheet.rows = {row};
   return SvgText(sheet);
