@@ -58,17 +58,6 @@ TEST_F(KalmanPredictorTest, HasWhiteInnovationsOfTheirStatedSizeForTheTrueModel)
   }
 }
 
-TEST_F(KalmanPredictorTest, PredictsBetterThanASimulationByAWrongModel) {
-  Record(0.001);
-  Set(vehicle_, "c_bump", 1400);
-  const KalmanPrediction corrected = KalmanPredictor(histories_[0]).Run(Model(), Noise(1));
-  const KalmanPrediction simulated = KalmanPredictor(histories_[0]).Run(Model(), Noise(1e-9));
-  for (const Eigen::Index i : {0, 1}) {
-    EXPECT_LT(corrected.innovations.col(i).squaredNorm(), 0.1 * simulated.innovations.col(i).squaredNorm()) << i;
-    EXPECT_GT(WhitenessOf(simulated.innovations.col(i)).next, 0.9) << i;
-  }
-}
-
 TEST_F(KalmanPredictorTest, EstimatesTheNoiseOfSensors) {
   Record(0.03);
   const KalmanNoise noise = KalmanPredictor(histories_[0]).Estimate(Model());
