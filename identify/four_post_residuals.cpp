@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -80,6 +81,8 @@ Eigen::MatrixXd Differentiate(const CondensedVehicle& vehicle, const std::vector
   for (const MeasuredRun& run : runs) {
     const ResponseSensitivity sensitivity =
         SolveBalanceSensitivity(vehicle, values, parameters, run.excitation, kFitBalance);
+    if (!sensitivity.periodic.unconverged_Hz.empty())
+      throw std::runtime_error("no periodic response of '" + run.name + "' to differentiate");
     for (std::size_t p = 0; p < parameters.size(); ++p) {
       double* out = jacobian.col(static_cast<Eigen::Index>(p)).data() + first;
       AddSlopes(run, sensitivity.by_parameter[p], model_error, out);

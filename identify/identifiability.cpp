@@ -1,6 +1,10 @@
 #include "identify/identifiability.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
 
 #include "identify/difference_jacobian.h"
 #include "identify/fit_variables.h"
@@ -17,14 +21,21 @@ std::optional<Eigen::MatrixXd> JacobianAt(Archive& archive, const Eigen::VectorX
   cost = here.cost();
   const FitVariables variables(archive.lattice());
   const double step = StepFor(archive.problem().accuracy, Differences::kCentral);
+  // A model's own derivatives may be good for steps only; too rough to tell a small slope from none.
   return DifferenceJacobian(archive, variables, variables.FromValues(values), here.residuals, step,
-                            Differences::kAutomatic);
+                            Differences::kCentral);
 }
 
 /// `data` about these values; variances are not looked at, so no inflation.
 Covariance Judge(const Archive& archive, const Eigen::VectorXd& values, const Eigen::MatrixXd& data, double cost,
                  const Eigen::MatrixXd& priors) {
   return EstimateCovariance(data, FitVariables(archive.lattice()).Slopes(values), cost, {.inflate = false}, priors);
+}
+
+/// Largest singular value.
+double Largest(const Eigen::MatrixXd& jacobian) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squares(jacobian.transpose() * jacobian, Eigen::EigenvaluesOnly);
+  return std::max(std::sqrt(squares.eigenvalues().maxCoeff()), std::numeric_limits<double>::min());
 }
 
 }  // namespace
@@ -65,7 +76,8 @@ std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const Veh
     const auto there = JacobianAt(archive, archive.lattice().Values(point), there_cost);
     if (!there) continue;
     Eigen::MatrixXd both(data.rows() + count, data.cols());
-    both << data, there->topRows(count);
+    // A point of large slopes must not make those of another look small.
+    both << data / Largest(data), there->topRows(count) / Largest(there->topRows(count));
     data = std::move(both);
     covariance = Judge(archive, values, data, cost, priors);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "analysis/option_check.h"
@@ -75,6 +76,9 @@ Evaluation VehicleObjective::Evaluate(const Eigen::VectorXd& values, const Deadl
   for (const ResidualBlock& block : blocks_) {
     Evaluation part = block.evaluate(all, deadline);
     if (!part.ok()) return part;
+    if (part.residuals.size() != block.count)
+      return Failed(Failure::kWrongSize, block.name + " gave " + std::to_string(part.residuals.size()) +
+                                             " residuals in place of " + std::to_string(block.count));
     whole.residuals.segment(first, block.count) = part.residuals;
     first += block.count;
   }

@@ -36,7 +36,7 @@ using Json = nlohmann::ordered_json;
 }
 
 /// Throws FaultyInput.
-FittedModel LoadModel(const std::filesystem::path& run) {
+FittedRun LoadModel(const std::filesystem::path& run) {
   for (const char* name : {"vehicle.urdf", "study.yaml"})
     if (!std::filesystem::exists(run / name))
       Refuse(run, std::string("holds no ") + name + ": the folder that `fourpost fit -o` wrote is wanted");
@@ -73,7 +73,7 @@ StudyHistory Layout(const Study& study, const std::filesystem::path& recording, 
   return history;
 }
 
-std::string AsJson(const PredictCommand& command, const FittedModel& model, const MeasuredHistory& history,
+std::string AsJson(const PredictCommand& command, const FittedRun& model, const MeasuredHistory& history,
                    const std::vector<HistoryMisfit>& misfits) {
   Json channels = Json::array();
   for (const HistoryMisfit& misfit : misfits) {
@@ -97,7 +97,7 @@ std::string AsJson(const PredictCommand& command, const FittedModel& model, cons
          '\n';
 }
 
-int PredictHistory(const PredictCommand& command, const FittedModel& model) {
+int PredictHistory(const PredictCommand& command, const FittedRun& model) {
   Diagnostics diagnostics;
   const std::optional<std::vector<MeasuredHistory>> histories =
       LoadHistories({Layout(model.study, command.recording, command.kalman)}, (command.run / "study.yaml").string(),
@@ -140,6 +140,8 @@ void AddLoad(const PredictCommand& command, Vehicle& vehicle) {
     }
     place[k] = *metres;
   }
+  if (!diagnostics.HasErrors() && text.peek() != std::istringstream::traits_type::eof())
+    diagnostics.Error("--at", 0, "wants three numbers in metres such as -1.2,0,0.9, got '" + command.at + "'");
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
   vehicle = WithMass(vehicle, vehicle.ParameterValues(), *mass, place);
 }
@@ -147,7 +149,7 @@ void AddLoad(const PredictCommand& command, Vehicle& vehicle) {
 }  // namespace
 
 int Run(const PredictCommand& command) {
-  FittedModel model = LoadModel(command.run);
+  FittedRun model = LoadModel(command.run);
   if (!command.add_mass.empty()) AddLoad(command, model.vehicle);
   switch (KindOf(command.recording)) {
     case RecordingKind::kTime: return PredictHistory(command, model);

@@ -29,7 +29,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The recording in place of those fitted; its posts are told later.
-MeasuredRun LoadRun(const PredictCommand& command, const FittedModel& model) {
+MeasuredRun LoadRun(const PredictCommand& command, const FittedRun& model) {
   Study study = model.study;
   study.file = command.run / "study.yaml";
   study.static_loads_file.reset();
@@ -57,13 +57,13 @@ double SquaredMisfit(const MeasuredRun& run, const FrequencyResponse& modelled) 
   return square;
 }
 
-FrequencyResponse Respond(const FittedModel& model, const CondensedModel& condensed, const MeasuredRun& run) {
+FrequencyResponse Respond(const FittedRun& model, const CondensedModel& condensed, const MeasuredRun& run) {
   return ModelledResponses(condensed, model.vehicle.sensors, {run}).front();
 }
 
 /// The pattern whose responses are nearest, and the posts of `run` set to it. At the lowest frequencies a car follows
 /// its posts, whatever its parameters are.
-std::string GuessPattern(const FittedModel& model, const CondensedModel& condensed, MeasuredRun& run) {
+std::string GuessPattern(const FittedRun& model, const CondensedModel& condensed, MeasuredRun& run) {
   constexpr std::size_t kFrequencies = 8;
   const std::vector<double>& all = run.excitation.frequency_Hz;
   const double last = all[std::min(kFrequencies, all.size()) - 1];
@@ -87,7 +87,7 @@ std::string GuessPattern(const FittedModel& model, const CondensedModel& condens
   return best;
 }
 
-std::string SetPosts(const PredictCommand& command, const FittedModel& model, const CondensedModel& condensed,
+std::string SetPosts(const PredictCommand& command, const FittedRun& model, const CondensedModel& condensed,
                      MeasuredRun& run) {
   if (command.mode.empty()) return GuessPattern(model, condensed, run);
   Diagnostics diagnostics;
@@ -96,7 +96,7 @@ std::string SetPosts(const PredictCommand& command, const FittedModel& model, co
   return command.mode;
 }
 
-std::string AsJson(const PredictCommand& command, const FittedModel& model, const std::string& mode,
+std::string AsJson(const PredictCommand& command, const FittedRun& model, const std::string& mode,
                    const std::vector<ChannelMisfit>& misfits) {
   Json channels = Json::array();
   for (const ChannelMisfit& misfit : misfits)
@@ -119,7 +119,7 @@ std::string AsJson(const PredictCommand& command, const FittedModel& model, cons
 
 }  // namespace
 
-int PredictResponses(const PredictCommand& command, const FittedModel& model) {
+int PredictResponses(const PredictCommand& command, const FittedRun& model) {
   MeasuredRun whole = LoadRun(command, model);
   const double lower = model.study.band_lower_Hz;
   const double upper = model.study.band_upper_Hz;

@@ -7,12 +7,12 @@
 namespace fourpost {
 
 /// A fit's vehicle, and the study that it was fitted by.
-struct FittedModel {
+struct FittedRun {
   Vehicle vehicle;
   Study study;
 };
 
 /// Tells how well the model predicts a stepped sine, within the study's band. Returns an ExitCode. Throws FaultyInput.
-int PredictResponses(const PredictCommand& command, const FittedModel& model);
+int PredictResponses(const PredictCommand& command, const FittedRun& model);
 
 }  // namespace fourpost

@@ -140,7 +140,7 @@ std::string ChannelTableHtml(const Json& result) {
   Rows responses;
   std::vector<Json> histories;
   for (const Json& channel : ListAt(result, "channels"))
-    if (channel.contains("nmse_percent")) histories.push_back(channel);
+    if (!channel.contains("rms_dB")) histories.push_back(channel);
     else
       responses.push_back({{html::Element("code", "", html::Escaped(TextAt(channel, "name"))), ""},
                            NumberCell(ShownDecimals(NumberAt(channel, "rms_dB"), 2)),

@@ -322,7 +322,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "the loop cannot be closed"},
         BrokenInput{"ANegativeMass", kVehicle, "<mass value=\"1725\"/>", "<mass value=\"-1725\"/>",
                     "must not be negative"},
-        BrokenInput{"AMissingChannel", kStudy, "a_cg: a_cg", "a_cg: a_gc",
+        BrokenInput{"AMissingChannel", kStudy, "\n  a_cg: a_cg", "\n  a_cg: a_gc",
                     "has no channel 'a_gc', did you mean 'a_cg'?"},
         BrokenInput{"NaNInTheData", "studies/landrover110/bounce_frf.csv", "a_body_FL,1.01946", "a_body_FL,nan",
                     "bounce_frf.csv:2: error: "},

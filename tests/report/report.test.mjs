@@ -142,7 +142,8 @@ describe('the report of a fit to frequency responses', () => {
     const page = await open(browser, report, { javaScript: false });
     await page.locator('.verdict', { hasText: 'The fit converged.' }).waitFor();
     assert.equal(await page.locator('#parameters tbody tr').count(), 12);
-    assert.equal(await page.locator('#responses tbody tr').count(), 11);
+    // Eleven channels that were fitted, and eleven of the swept sine that was not.
+    assert.equal(await page.locator('#responses tbody tr').count(), 22);
     assert.equal(await page.locator('#modes tbody tr').count(), 4);
     await page.context().close();
   });

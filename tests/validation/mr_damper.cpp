@@ -110,7 +110,7 @@ double Missed(const Vehicle& vehicle, const BenchData& data) {
   FitOptions options;
   options.stop.max_evaluations = 200;
   const FitResult fit = Fit(objective, options);
-  if (fit.values.empty()) throw std::runtime_error("could not be fitted: " + fit.message);
+  if (fit.parameters.empty()) throw std::runtime_error("could not be fitted: " + fit.message);
   return BenchMisfits(ModelledRecordings(BenchDamper(vehicle, 0), data.fitted, fit.values))[0].nmse_percent;
 }
 

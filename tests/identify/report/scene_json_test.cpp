@@ -39,7 +39,7 @@ TEST(SceneJson, HasModesAndElements) {
   EXPECT_EQ(scene["springs"].size(), 2u);
   EXPECT_EQ(scene["dampers"].size(), 2u);
   EXPECT_EQ(scene["posts"].size(), 2u);
-  EXPECT_EQ(scene["sensors"].size(), 11u);
+  EXPECT_EQ(scene["sensors"].size(), 13u);
   // Body, and one wheel for four places.
   EXPECT_EQ(scene["meshes"].size(), 2u);
   EXPECT_EQ(scene["missing"].size(), 0u);

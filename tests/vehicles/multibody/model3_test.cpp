@@ -175,7 +175,9 @@ TEST(Model3, SensorsCarryTheNamesOfTheRecordedChannels) {
   ASSERT_TRUE(measured) << diagnostics.Format();
   const Vehicle vehicle = Model3();
   std::vector<std::string> channels = {"a_engine"};
-  for (const Sensor& sensor : vehicle.sensors) channels.push_back(sensor.name);
+  // Load cells with their pans are those of recordings over time.
+  for (const Sensor& sensor : vehicle.sensors)
+    if (!sensor.name.starts_with("F_pan")) channels.push_back(sensor.name);
   std::vector<std::string> recorded;
   for (const auto& channel : measured->channels) recorded.push_back(channel.name);
   EXPECT_THAT(channels, testing::UnorderedElementsAreArray(recorded));

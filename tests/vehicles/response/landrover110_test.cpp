@@ -170,7 +170,9 @@ TEST_P(BothCars, SensorsCarryTheNamesOfTheRecordedChannels) {
       std::filesystem::path(FOURPOST_SOURCE_DIR) / "studies" / "landrover110" / "bounce_frf.csv", diagnostics);
   ASSERT_TRUE(measured) << diagnostics.Format();
   std::vector<std::string> channels = {"a_engine"};
-  for (const Sensor& sensor : vehicle_.sensors) channels.push_back(sensor.name);
+  // Load cells with their pans are those of recordings over time.
+  for (const Sensor& sensor : vehicle_.sensors)
+    if (!sensor.name.starts_with("F_pan")) channels.push_back(sensor.name);
   std::vector<std::string> recorded;
   for (const auto& channel : measured->channels) recorded.push_back(channel.name);
   EXPECT_THAT(channels, testing::UnorderedElementsAreArray(recorded));

@@ -95,7 +95,7 @@ TEST(Observability, FindsTheTestThatShowsAParameter) {
   EXPECT_EQ(ViewOf(views, "I_pitch").channels.at(0).excitation, "pitch");
   EXPECT_EQ(ViewOf(views, "I_roll").channels.at(0).excitation, "roll");
   EXPECT_EQ(ViewOf(views, "I_front_roll").channels.at(0).excitation, "warp");
-  EXPECT_EQ(ViewOf(views, "m_front").channels.at(0).sensor.substr(0, 2), "s_");
+  EXPECT_EQ(ViewOf(views, "m_front").channels.at(0).sensor.substr(0, 2), "F_");
   // Of roll inertia a sensor in the plane of symmetry knows nothing.
   EXPECT_EQ(ChannelOf(ViewOf(views, "I_roll"), "a_cg"), nullptr);
   for (const ParameterView& view : views) EXPECT_FALSE(view.channels.empty()) << view.parameter;
