@@ -45,7 +45,9 @@ std::string RemedyFor(const Eigen::VectorXd& direction) {
   const bool is_scale = direction.size() > 2 && direction.minCoeff() > kAlike * direction.maxCoeff();
   if (is_scale)
     return "accelerations and strut motions do not change when all masses and rates are scaled alike: measure a force "
-           "(tyre forces or static loads), leave a mass out of `free`, or give one a prior_sd";
+           "(tyre forces or static loads), leave a mass out of `free`, or give one a prior_sd; where a force is "
+           "measured "
+           "already, another channel outweighs it by far: check the units";
   return "leave one of them out of `free`, give it a prior_sd, or measure a channel or a pattern of the posts that "
          "tells them apart";
 }

@@ -1,5 +1,6 @@
 #include "identify/command_line/history_table.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "identify/command_line/text_table.h"
@@ -35,12 +36,18 @@ std::string HistoryTable(const std::vector<HistoryMisfit>& misfits) {
 std::string HistoryRemarks(const std::vector<HistoryMisfit>& misfits, double sample_s) {
   // A model that is wrong in shape gains less by a shift.
   constexpr double kMuch = 0.25;
+  // Less than g; no model that has the shape right is so far off.
+  constexpr double kOtherUnit = 5;
   std::string remarks;
   for (const HistoryMisfit& misfit : misfits) {
     if (!misfit.gain || !(*misfit.timed_nmse_percent < kMuch * misfit.nmse_percent)) continue;
     const std::string channel = "'" + misfit.name + "' of '" + misfit.recording + "'";
     const std::string left = ": its error would be " + Rounded(*misfit.timed_nmse_percent, 2) + " % without that\n";
-    if (*misfit.gain < 0) remarks += channel + " goes against the model, as if its sign were wrong" + left;
+    const double ratio = std::max(std::abs(*misfit.gain), 1 / std::abs(*misfit.gain));
+    if (ratio > kOtherUnit)
+      remarks += channel + " and the model differ by a factor of " + Rounded(ratio, 3) +
+                 ", as if its unit were wrong (1000: mm for m, 9.81: g for m/s^2)" + left;
+    else if (*misfit.gain < 0) remarks += channel + " goes against the model, as if its sign were wrong" + left;
     else if (std::abs(*misfit.delay_s) > sample_s)
       remarks += channel + " comes " + Rounded(1e3 * std::abs(*misfit.delay_s), 3) + " ms " +
                  (*misfit.delay_s > 0 ? "later" : "earlier") + " than the model, as if it were not synchronised" + left;

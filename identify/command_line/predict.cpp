@@ -150,6 +150,9 @@ void AddLoad(const PredictCommand& command, Vehicle& vehicle) {
 
 int Run(const PredictCommand& command) {
   FittedRun model = LoadModel(command.run);
+  if (model.study.bench)
+    Refuse(command.run,
+           "is a fit of a damper on its bench: list other recordings under `bench: validation` of its study");
   if (!command.add_mass.empty()) AddLoad(command, model.vehicle);
   switch (KindOf(command.recording)) {
     case RecordingKind::kTime: return PredictHistory(command, model);

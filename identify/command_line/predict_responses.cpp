@@ -81,7 +81,16 @@ std::string GuessPattern(const FittedRun& model, const CondensedModel& condensed
     least = misfit;
     best = pattern;
   }
-  if (best.empty()) throw std::runtime_error("no pattern of the posts has a response; tell --mode");
+  // Of a pattern that is right, a car misses some per cent.
+  constexpr double kNoFit = 0.5;
+  if (!(least < kNoFit * static_cast<double>(run.channels.size()))) {
+    Diagnostics faults;
+    faults.Error(run.name, 0,
+                 "no pattern that the posts of " + model.vehicle.name +
+                     " can make is like this recording at its lowest frequencies: tell --mode, or check that the "
+                     "vehicle can move so");
+    throw FaultyInput(faults);
+  }
   run.excitation.shape = PostPattern(model.vehicle, best);
   std::fprintf(stderr, "posts: %s, which fits best up to %.3g Hz; --mode tells another\n", best.c_str(), last);
   return best;

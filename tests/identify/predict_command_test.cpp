@@ -104,6 +104,20 @@ TEST_F(PredictCommandLine, RefusesWhatIsNoFitOrNoRecording) {
   ExpectRefused("run --recording less.csv", "F_tyre");
 }
 
+TEST_F(PredictCommandLine, TellsOfAChannelInAnotherUnit) {
+  Fit();
+  std::string text = ReadText(folder_ / "other.csv");
+  const std::string units = "m/s^2";
+  const std::size_t unit = text.find(units);
+  ASSERT_NE(unit, std::string::npos);
+  // A thousandth of what it should be.
+  temporary_.Write("other.csv", text.replace(unit, units.size(), "mm/s^2"));
+  const Outcome outcome = Run("predict run --recording other.csv");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("'a_sprung' of 'other' and the model differ by a factor of 1"));
+  EXPECT_THAT(outcome.out, HasSubstr("as if its unit were wrong"));
+}
+
 // Loads at rest beside recordings over time, and no frequency response.
 TEST_F(PredictCommandLine, AFitTakesStaticLoadsBesideHistories) {
   temporary_.Write("static.csv", "quantity,unit,value,sd\nload,N,2040,20\n");
@@ -140,6 +154,13 @@ TEST_F(PredictResponsesCommandLine, ShowsWhatAFitIsWorthOnAPatternThatItHasNotSe
   const Outcome told = Run("predict run --recording studies/landrover110/pitch_frf.csv --mode pitch --json");
   EXPECT_EQ(told.out, outcome.out);
   EXPECT_EQ(told.err, "");
+}
+
+TEST_F(PredictResponsesCommandLine, APatternThatAPlanarCarCannotMakeIsNotGuessed) {
+  Fit();
+  const Outcome outcome = Run("predict run --recording studies/landrover110/roll_frf.csv");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("no pattern that the posts of landrover110_model1 can make"));
 }
 
 TEST_F(PredictResponsesCommandLine, TakesALoad) {
