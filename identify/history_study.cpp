@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "identify/channel_source_reader.h"
 #include "identify/strict_yaml.h"
 
 namespace fourpost {
 namespace {
-
-using Sources = std::vector<std::pair<std::string, ChannelSource>>;
 
 class HistoryReader {
  public:
@@ -24,8 +23,9 @@ class HistoryReader {
     if (const auto file = map.Text("file")) history.file = (study_.parent_path() / *file).lexically_normal();
     history.name = map.Text("name").value_or(history.file.stem().string());
     where_ = "history '" + history.name + "'";
-    history.posts = ReadSources(map.Require("posts"), "'posts' of " + where_, "posts");
-    history.channels = ReadSources(map.Require("channels"), "'channels' of " + where_, "sensors");
+    history.posts = ReadChannelSources(map.Require("posts"), "'posts' of " + where_, "posts", file_, diagnostics_);
+    history.channels =
+        ReadChannelSources(map.Require("channels"), "'channels' of " + where_, "sensors", file_, diagnostics_);
     if (map.Has("filter")) history.filter = Filter(map.Get("filter"));
     if (map.Has("noise")) history.noise = Noise(map.Get("noise"));
     if (const auto use = map.Text("use")) {
@@ -55,40 +55,6 @@ class HistoryReader {
     for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
     const StrictMap unique = Map(node, where, {names.begin(), names.end()});
     return names;
-  }
-
-  Sources ReadSources(const YAML::Node& node, const std::string& where, const std::string& what) {
-    Sources sources;
-    if (!node.IsDefined()) return sources;
-    if (!node.IsMap() || node.size() == 0) {
-      Fault(node, where + " must map " + what + " of the vehicle to measured channels");
-      return sources;
-    }
-    for (const std::string& name : Keys(node, where)) sources.emplace_back(name, Source(node[name], name));
-    return sources;
-  }
-
-  /// Channel, {mean: [..]} or {sum: [..]}.
-  ChannelSource Source(const YAML::Node& node, const std::string& name) {
-    ChannelSource source;
-    source.line = LineOf(node);
-    if (node.IsScalar() && !node.Scalar().empty()) {
-      source.channels.push_back(node.Scalar());
-      return source;
-    }
-    if (!node.IsMap() || node.size() != 1) {
-      Fault(node, "'" + name + "' must be a measured channel, {mean: [a, b]} or {sum: [a, b]}");
-      return source;
-    }
-    const StrictMap map = Map(node, "'" + name + "'", {"mean", "sum"});
-    source.combine = map.Has("sum") ? ChannelSource::Combine::kSum : ChannelSource::Combine::kMean;
-    const YAML::Node list = node.begin()->second;
-    if (list.IsSequence())
-      for (const YAML::Node& entry : list)
-        if (entry.IsScalar()) source.channels.push_back(entry.Scalar());
-    if (source.channels.empty() || source.channels.size() != list.size())
-      Fault(list, "'" + name + "' must be a list of channels");
-    return source;
   }
 
   std::optional<LowPassDesign> Filter(const YAML::Node& node) {

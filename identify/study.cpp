@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/text_file.h"
+#include "identify/channel_source_reader.h"
 #include "identify/problems/test_problem.h"
 #include "identify/search_method_list.h"
 #include "identify/strict_yaml.h"
@@ -53,7 +54,7 @@ class StudyReader {
   void ReadResponses(const StrictMap& top) {
     ReadRecordings(top);
     if (const YAML::Node channels = top.Require("channels"); channels.IsDefined())
-      study_.channels = Sources(channels, "'channels'");
+      study_.channels = ReadChannelSources(channels, "'channels'", "sensors", file_, diagnostics_);
     ReadBand(top);
   }
 
@@ -184,38 +185,6 @@ class StudyReader {
     return shape;
   }
 
-  /// Sensor or tyre -> channel, {mean: [..]} or {sum: [..]}.
-  std::vector<std::pair<std::string, ChannelSource>> Sources(const YAML::Node& node, const std::string& where) {
-    std::vector<std::pair<std::string, ChannelSource>> sources;
-    if (!node.IsMap() || node.size() == 0) {
-      Fault(node, where + " must map names of the vehicle to measured channels");
-      return sources;
-    }
-    std::vector<std::string> names;
-    for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
-    const StrictMap unique = Map(node, where, {names.begin(), names.end()});
-    for (const auto& entry : node)
-      sources.emplace_back(entry.first.as<std::string>(), Source(entry.second, entry.first.as<std::string>()));
-    return sources;
-  }
-
-  ChannelSource Source(const YAML::Node& node, const std::string& name) {
-    ChannelSource source;
-    source.line = LineOf(node);
-    if (node.IsScalar() && !node.Scalar().empty()) {
-      source.channels.push_back(node.Scalar());
-      return source;
-    }
-    if (!node.IsMap() || node.size() != 1) {
-      Fault(node, "'" + name + "' must be a measured channel, {mean: [a, b]} or {sum: [a, b]}");
-      return source;
-    }
-    const StrictMap map = Map(node, "'" + name + "'", {"mean", "sum"});
-    source.combine = map.Has("sum") ? ChannelSource::Combine::kSum : ChannelSource::Combine::kMean;
-    source.channels = Names(node.begin()->second, "'" + name + "'");
-    return source;
-  }
-
   std::vector<std::string> Names(const YAML::Node& node, const std::string& where) {
     std::vector<std::string> names;
     if (node.IsSequence())
@@ -230,7 +199,7 @@ class StudyReader {
     map.Require("file");
     if (const auto file = map.Text("file")) study_.static_loads_file = Resolve(*file);
     if (const YAML::Node tyres = map.Require("tyres"); tyres.IsDefined())
-      study_.static_loads = Sources(tyres, "'tyres'");
+      study_.static_loads = ReadChannelSources(tyres, "'tyres'", "tyres", file_, diagnostics_);
   }
 
   void ReadFree(const YAML::Node& node) {
