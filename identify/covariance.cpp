@@ -10,6 +10,7 @@
 #include <Eigen/SVD>
 
 #include "analysis/option_check.h"
+#include "analysis/student_t.h"
 #include "identify/fit_variables.h"
 
 namespace fourpost {
@@ -113,6 +114,8 @@ Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::Vect
     covariance.variable_sd[j] = inflation * VariableSd(covariance, j, options.share_threshold);
   }
   covariance.sd = covariance.variable_sd.cwiseProduct(slopes);
+  const Eigen::Index free_residuals = jacobian.rows() + priors.rows() - jacobian.cols();
+  covariance.reach_95 = StudentT95(static_cast<double>(std::max<Eigen::Index>(free_residuals, 1)));
   return covariance;
 }
 

@@ -44,6 +44,9 @@ struct Covariance {
   /// parameters' units. Infinite for what is not determined.
   Eigen::VectorXd variable_sd;
   Eigen::VectorXd sd;
+  /// Half width of an interval of 95 % in standard deviations: Student's for the residuals, priors among them, beyond
+  /// the parameters.
+  double reach_95 = 0;
 };
 
 /// From the Jacobian J of the data's whitened residuals with respect to FitVariables (N x n), dp/dx (n;

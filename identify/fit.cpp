@@ -14,8 +14,19 @@ namespace {
 constexpr double kAtBound = 1e-6;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-std::vector<FittedParameter> Describe(const VehicleObjective& objective, const Eigen::VectorXd& values,
-                                      const std::optional<Covariance>& covariance) {
+/// Deviation and interval of a parameter; `k`: its place among the free ones.
+void Tell(const Covariance& covariance, Eigen::Index k, bool is_logarithmic, FittedParameter& fitted) {
+  fitted.sd = covariance.sd[k];
+  const double reach = covariance.reach_95 * covariance.variable_sd[k];
+  const double range = fitted.upper - fitted.lower;
+  fitted.lower_95 = is_logarithmic ? fitted.value * std::exp(-reach) : fitted.value - reach * range;
+  fitted.upper_95 = is_logarithmic ? fitted.value * std::exp(reach) : fitted.value + reach * range;
+}
+
+std::vector<FittedParameter> Describe(const VehicleObjective& objective, const Lattice& lattice,
+                                      const Eigen::VectorXd& values, const std::optional<Covariance>& covariance) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const FitVariables variables(lattice);
   std::vector<FittedParameter> out;
   for (std::size_t i = 0; i < objective.free().size(); ++i) {
     const Parameter& parameter = objective.vehicle().parameters[objective.free()[i]];
@@ -28,7 +39,8 @@ std::vector<FittedParameter> Describe(const VehicleObjective& objective, const E
     fitted.prior_sd = parameter.prior_sd;
     fitted.lower = parameter.lower;
     fitted.upper = parameter.upper;
-    fitted.sd = covariance ? covariance->sd[k] : std::numeric_limits<double>::quiet_NaN();
+    fitted.sd = fitted.lower_95 = fitted.upper_95 = kUnknown;
+    if (covariance) Tell(*covariance, k, variables.is_logarithmic(k), fitted);
     fitted.at_bound = values[k] - parameter.lower < kAtBound * range || parameter.upper - values[k] < kAtBound * range;
     fitted.dimension = parameter.dimension;
     fitted.unit = parameter.unit;
@@ -180,7 +192,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   }
   result.evaluations = archive.counts();
   result.prior_cost = objective.PriorResiduals(values).squaredNorm();
-  result.parameters = Describe(objective, values, result.covariance);
+  result.parameters = Describe(objective, archive.lattice(), values, result.covariance);
   result.values = objective.AllParameters(values);
   return result;
 }

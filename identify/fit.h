@@ -52,6 +52,10 @@ struct FittedParameter {
   double upper = 0;
   /// Standard deviation; infinite when nothing determines the parameter, NaN when it was not computed.
   double sd = 0;
+  /// Interval of 95 %, about the logarithm of the value where the fit is of that (see FitVariables), whatever the
+  /// bounds. Infinite and NaN like `sd`.
+  double lower_95 = 0;
+  double upper_95 = 0;
   bool at_bound = false;
   Dimension dimension;
   /// As the vehicle file writes it.

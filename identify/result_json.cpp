@@ -34,6 +34,7 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
                     {"lower", parameter.lower},
                     {"upper", parameter.upper},
                     {"sd", NumberOrNull(parameter.sd)},
+                    {"interval_95", {NumberOrNull(parameter.lower_95), NumberOrNull(parameter.upper_95)}},
                     {"at_bound", parameter.at_bound}});
     if (parameter.prior_sd) list.back()["prior"] = Prior(parameter);
   }

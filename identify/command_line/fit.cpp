@@ -110,6 +110,11 @@ std::string Deviation(const FittedParameter& parameter) {
   return std::isinf(parameter.sd) ? "undetermined" : Shown(parameter.sd, parameter.unit);
 }
 
+std::string Interval(const FittedParameter& parameter) {
+  if (!std::isfinite(parameter.sd)) return "";
+  return Shown(parameter.lower_95, parameter.unit) + " .. " + Shown(parameter.upper_95, parameter.unit);
+}
+
 /// What to look at twice.
 std::string Remark(const FittedParameter& parameter) {
   // A good prior is this far off in one fit of twenty.
@@ -121,10 +126,10 @@ std::string Remark(const FittedParameter& parameter) {
 }
 
 std::string ParameterTable(const std::vector<FittedParameter>& parameters) {
-  TextTable table({"parameter", "start", "fitted", "sd", "lower", "upper", "unit", ""});
+  TextTable table({"parameter", "start", "fitted", "sd", "95 %", "lower", "upper", "unit", ""});
   for (const FittedParameter& p : parameters)
-    table.Add({p.name, Shown(p.start, p.unit), Shown(p.value, p.unit), Deviation(p), Shown(p.lower, p.unit),
-               Shown(p.upper, p.unit), p.unit, Remark(p)});
+    table.Add({p.name, Shown(p.start, p.unit), Shown(p.value, p.unit), Deviation(p), Interval(p),
+               Shown(p.lower, p.unit), Shown(p.upper, p.unit), p.unit, Remark(p)});
   return table.Format();
 }
 

@@ -15,9 +15,6 @@ using html::TextCell;
 using Json = nlohmann::json;
 using Rows = std::vector<std::vector<Cell>>;
 
-/// Of a normal distribution, in standard deviations.
-constexpr double k95Percent = 1.96;
-
 std::string Percent(double share) { return ShownDecimals(100 * share, 2) + '%'; }
 
 /// Where a value lies between the bounds, 0 to 1.
@@ -28,9 +25,8 @@ double Place(const ReportedParameter& parameter, double value) {
 Cell BarCell(const ReportedParameter& parameter) {
   if (!(parameter.upper > parameter.lower)) return TextCell("");
   // Open: anything between the bounds.
-  const double reach = std::isfinite(parameter.sd) ? k95Percent * parameter.sd : parameter.upper - parameter.lower;
-  const double from = Place(parameter, parameter.value - reach);
-  const double to = Place(parameter, parameter.value + reach);
+  const double from = std::isfinite(parameter.sd) ? Place(parameter, parameter.lower_95) : 0;
+  const double to = std::isfinite(parameter.sd) ? Place(parameter, parameter.upper_95) : 1;
   std::string bar = "<span class=\"bar\" title=\"between the bounds: interval of 95 %, fitted value, start\">";
   if (!std::isnan(parameter.sd))
     bar += "<i class=\"interval" + std::string(std::isinf(parameter.sd) ? " open" : "") +

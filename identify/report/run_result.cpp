@@ -26,6 +26,15 @@ double SdOf(const Json& parameter, bool has_covariance) {
   return std::isnan(sd) && has_covariance ? std::numeric_limits<double>::infinity() : sd;
 }
 
+/// Runs of older versions tell no interval; theirs is that of a normal distribution.
+void ReadInterval(const Json& parameter, double si, ReportedParameter& reported) {
+  constexpr double kReach = 1.96;
+  const std::vector<Json> interval = ListAt(parameter, "interval_95");
+  const bool is_told = interval.size() == 2 && interval[0].is_number() && interval[1].is_number();
+  reported.lower_95 = is_told ? interval[0].get<double>() / si : reported.value - kReach * reported.sd;
+  reported.upper_95 = is_told ? interval[1].get<double>() / si : reported.value + kReach * reported.sd;
+}
+
 /// Row `i` of the correlations.
 void FindPartner(const Json& correlations, std::size_t i, const std::vector<Json>& parameters,
                  ReportedParameter& reported) {
@@ -75,6 +84,7 @@ std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunC
     reported.lower = NumberAt(parameter, "lower") / si;
     reported.upper = NumberAt(parameter, "upper") / si;
     reported.sd = SdOf(parameter, identifiability.is_object()) / si;
+    ReadInterval(parameter, si, reported);
     reported.at_bound = parameter.is_object() && parameter.value("at_bound", false);
     FindPartner(correlations, i, parameters, reported);
     list.push_back(std::move(reported));

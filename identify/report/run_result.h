@@ -20,6 +20,9 @@ struct ReportedParameter {
   double upper = 0;
   /// Standard deviation; infinite where nothing determines it, NaN where it was not computed.
   double sd = 0;
+  /// Interval of 95 %; NaN and infinite like `sd`.
+  double lower_95 = 0;
+  double upper_95 = 0;
   bool at_bound = false;
   /// The other parameter that it is most correlated with; empty where that is not told.
   std::string partner;

@@ -88,6 +88,11 @@ TEST(Fit, RecoversTheParametersOfANoisyTwinWithinTheirDeviations) {
     // Four standard deviations: one normal draw in 16 000 lies outside.
     EXPECT_LT(std::abs(fit.values[i] - truth[i]), 4 * fit.parameters[i].sd) << fit.parameters[i].name;
     EXPECT_LT(fit.parameters[i].sd, 0.05 * truth[i]) << fit.parameters[i].name << " is not determined";
+    // Of logarithms: a ratio on either side.
+    const FittedParameter& p = fit.parameters[i];
+    const double reach = fit.covariance->reach_95 * p.sd / p.value;
+    EXPECT_NEAR(std::log(p.upper_95 / p.value), reach, 1e-12) << p.name;  // rounding
+    EXPECT_NEAR(std::log(p.value / p.lower_95), reach, 1e-12) << p.name;
   }
 }
 
@@ -105,6 +110,8 @@ TEST(Fit, APriorOnOneMassDeterminesTheScaleThatAccelerationsLeaveOpen) {
   const FitResult open = Fit(without, Options());
   EXPECT_EQ(open.covariance.value().rank, static_cast<int>(truth.size()) - 1);
   EXPECT_TRUE(std::isinf(open.parameters[0].sd));
+  EXPECT_EQ(open.parameters[0].lower_95, 0);
+  EXPECT_TRUE(std::isinf(open.parameters[0].upper_95));
   EXPECT_EQ(open.parameters[0].prior_sd, std::nullopt);
   EXPECT_EQ(open.parameters[0].FromPrior(), 0);
 
