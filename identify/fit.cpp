@@ -186,6 +186,14 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
       result.covariance = CovarianceOf(best, options.refine.loss, result.prior_count, archive.lattice());
       result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();
       result.weakest = WeakestDirections(archive.lattice(), *result.covariance);
+      const auto report_profile = [&] {
+        report("profile");
+        return stop();
+      };
+      for (const Eigen::Index index : options.profiled)
+        if (!stop())
+          result.profiles.push_back(
+              ProfileOf(archive, best, *result.covariance, index, options.refine, report_profile));
     }
   } else {
     result.cost = CostOf(archive, result.search.candidates.front(), options.refine.loss);

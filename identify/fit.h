@@ -11,6 +11,7 @@
 
 #include "identify/covariance.h"
 #include "identify/identifiability.h"
+#include "identify/profile.h"
 #include "identify/refine.h"
 #include "identify/search/archive.h"
 #include "identify/search_method_list.h"
@@ -32,6 +33,8 @@ struct FitOptions {
   /// Look first at what the data can tell, and end there where they leave something open that is not accepted.
   bool identify_first = false;
   bool accept_unidentified = false;
+  /// Free parameters to profile at the end, as their places among the free ones.
+  std::vector<Eigen::Index> profiled = {};
   /// What an evaluation may take [s]; see Problem.
   double deadline_s = std::numeric_limits<double>::infinity();
 };
@@ -101,6 +104,7 @@ struct FitResult {
   /// Combinations of parameters that data and priors do not determine, in words; if there is none, the one they
   /// determine least.
   std::vector<std::string> weakest;
+  std::vector<Profile> profiles;
   EvaluationCounts evaluations;
   SearchResult search;
   /// Every setting of the search and its value, in the words of a study.

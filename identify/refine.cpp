@@ -30,6 +30,7 @@ class ResidualFunction : public ceres::CostFunction {
         step_(options.DifferenceStep(archive.problem())),
         differences_(options.differences),
         loss_(options.loss),
+        held_(options.held),
         here_{x, residuals} {
     set_num_residuals(static_cast<int>(residuals.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(x.size()));
@@ -93,10 +94,11 @@ class ResidualFunction : public ceres::CostFunction {
   const std::string& failure() const { return failure_; }
 
  private:
-  // At a bound, and the cost falls beyond it. Ceres computes a step as if there were no bounds and cuts it off there,
+  // By the options, or at a bound, and the cost falls beyond it. Ceres computes a step as if there were no bounds and cuts it off there,
   // which leaves the other variables short of their optimum; without its column in the Jacobian, this one has no part
   // in it.
   bool IsHeld(Eigen::Index j, double gradient) const {
+    if (std::find(held_.begin(), held_.end(), j) != held_.end()) return true;
     return gradient > 0 ? here_.x[j] <= variables_.lower()[j] : here_.x[j] >= variables_.upper()[j];
   }
 
@@ -105,6 +107,7 @@ class ResidualFunction : public ceres::CostFunction {
   double step_;
   Differences differences_;
   const RobustLoss& loss_;
+  const std::vector<Eigen::Index>& held_;
   // Ceres evaluates through const.
   mutable Residuals here_;
   mutable std::optional<Residuals> linearised_;

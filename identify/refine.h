@@ -31,6 +31,8 @@ struct RefineOptions {
   /// Of the residuals; the cost is its sum. Where most residuals are outliers, that of Cauchy and Tukey is so flat that
   /// no way leads down: Huber's of the same scale, which is convex, goes before.
   RobustLoss loss;
+  /// Variables that stay where the start has them.
+  std::vector<Eigen::Index> held = {};
 
   double DifferenceStep(const Problem& problem) const {
     return step > 0 ? step : StepFor(problem.accuracy, differences);

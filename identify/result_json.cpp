@@ -116,6 +116,22 @@ Json After(const std::optional<Covariance>& covariance, const std::vector<std::s
           {"correlation", Matrix(Correlations(*covariance))}};
 }
 
+/// Infinite ends: null.
+Json Profiles(const std::vector<Profile>& profiles) {
+  Json list = Json::array();
+  for (const Profile& profile : profiles) {
+    Json points = Json::array();
+    for (const ProfilePoint& point : profile.points) points.push_back({point.value, NumberOrNull(point.rise)});
+    list.push_back({{"name", profile.name},
+                    {"interval_95", {NumberOrNull(profile.lower_95), NumberOrNull(profile.upper_95)}},
+                    {"threshold", profile.threshold},
+                    {"found_better", profile.found_better},
+                    {"interrupted", profile.interrupted},
+                    {"points", points}});
+  }
+  return list;
+}
+
 /// Infinite and none: null.
 Json Stop(const StopRules& rules) {
   return {{"target_cost", rules.target_cost ? Json(*rules.target_cost) : Json(nullptr)},
@@ -210,6 +226,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"channels", Channels(misfits)},
                {"static_loads", StaticLoads(study, misfits.tyre_loads)},
                {"versions", versions}};
+  if (!fit.profiles.empty()) json["profiles"] = Profiles(fit.profiles);
   if (study.bench) json.erase("band_Hz");
   if (!misfits.validation.empty()) json["validation"] = Histories(misfits.validation);
   if (misfits.criteria) json["criteria"] = Criteria(*misfits.criteria);

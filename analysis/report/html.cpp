@@ -1,5 +1,8 @@
 #include "analysis/report/html.h"
 
+#include <cctype>
+#include <string_view>
+
 namespace fourpost::html {
 
 std::string Escaped(const std::string& text) {
@@ -48,6 +51,18 @@ std::string Table(const std::vector<std::string>& head, const std::vector<std::v
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
+}
+
+std::string Picture(const std::string& svg, const std::string& text) {
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  std::string encoded;
+  for (const char c : svg) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_plain = std::isalnum(byte) != 0 || std::string_view(" -_.,:;=/()").find(c) != std::string_view::npos;
+    if (is_plain) encoded += c;
+    else (encoded += '%') += {kHex[byte >> 4], kHex[byte & 15]};
+  }
+  return "<img class=\"still\" alt=\"" + Escaped(text) + "\" src=\"data:image/svg+xml," + encoded + "\">\n";
 }
 
 std::string Section(const std::string& id, const std::string& title, const std::string& html) {

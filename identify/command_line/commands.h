@@ -109,6 +109,8 @@ struct FitCommand {
   bool resume = false;
   /// Fit although the data leave combinations of parameters open.
   bool accept_unidentified = false;
+  /// Names of parameters to profile, or "all".
+  std::vector<std::string> profile = {};
 };
 
 /// `fourpost predict RUN --recording FILE`

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "analysis/nearest.h"
 #include "analysis/number.h"
 #include "analysis/output_folder.h"
 #include "analysis/text_file.h"
@@ -17,6 +18,7 @@
 #include "identify/command_line/text_table.h"
 #include "identify/fit.h"
 #include "identify/loaded_study.h"
+#include "identify/profile_chart.h"
 #include "identify/report/report_page.h"
 #include "identify/result_json.h"
 #include "identify/study_context.h"
@@ -60,6 +62,24 @@ void TellRestored(const EvaluationCounts& counts, const EvaluationStore& store) 
                static_cast<long long>(counts.paid), store.file().c_str());
 }
 
+/// Places among the free parameters. Throws FaultyInput.
+std::vector<Eigen::Index> Profiled(const VehicleObjective& objective, const std::vector<std::string>& names) {
+  std::vector<std::string> legal = {"all"};
+  for (const std::size_t index : objective.free()) legal.push_back(objective.vehicle().parameters[index].name);
+  Diagnostics diagnostics;
+  std::vector<Eigen::Index> profiled;
+  for (const std::string& name : names) {
+    const auto found = std::find(legal.begin(), legal.end(), name);
+    if (found == legal.end())
+      diagnostics.Error("--profile", 0, "the study frees no parameter '" + name + "'" + DidYouMean(name, legal));
+    else if (found != legal.begin()) profiled.push_back(found - legal.begin() - 1);
+    else
+      for (std::size_t i = 1; i < legal.size(); ++i) profiled.push_back(static_cast<Eigen::Index>(i) - 1);
+  }
+  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+  return profiled;
+}
+
 FitOptions OptionsOf(const Study& study, const VehicleObjective& objective, const FitCommand& command) {
   const StudySearch& search = study.search;
   FitOptions options;
@@ -76,6 +96,7 @@ FitOptions OptionsOf(const Study& study, const VehicleObjective& objective, cons
   options.threads = command.threads;
   options.identify_first = true;
   options.accept_unidentified = command.accept_unidentified;
+  options.profiled = Profiled(objective, command.profile);
   options.deadline_s = search.deadline_s;
   options.refine.differences = Differences::kAutomatic;
   const LossKind loss = study.refine.loss;
@@ -131,6 +152,22 @@ std::string ParameterTable(const std::vector<FittedParameter>& parameters) {
     table.Add({p.name, Shown(p.start, p.unit), Shown(p.value, p.unit), Deviation(p), Interval(p),
                Shown(p.lower, p.unit), Shown(p.upper, p.unit), p.unit, Remark(p)});
   return table.Format();
+}
+
+std::string ProfileTable(const FitResult& fit) {
+  if (fit.profiles.empty()) return "";
+  TextTable table({"profile", "fitted", "95 % by deviation", "95 % by profile", "unit", ""});
+  for (const Profile& profile : fit.profiles) {
+    const FittedParameter& p = *std::find_if(fit.parameters.begin(), fit.parameters.end(),
+                                             [&](const FittedParameter& other) { return other.name == profile.name; });
+    const auto end = [&](double value) { return std::isfinite(value) ? Shown(value, p.unit) : std::string("open"); };
+    const std::string remark = profile.interrupted    ? "interrupted"
+                               : profile.found_better ? "went below the fit: not its best optimum"
+                                                      : "";
+    table.Add({p.name, Shown(p.value, p.unit), Interval(p), end(profile.lower_95) + " .. " + end(profile.upper_95),
+               p.unit, remark});
+  }
+  return table.Format() + '\n';
 }
 
 std::string PriorShare(const FitResult& fit) {
@@ -236,7 +273,8 @@ FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult
   std::move(histories.files.begin(), histories.files.end(), std::back_inserter(report.files));
   // Predictions of other recordings take from it how they are made.
   report.files.emplace_back("study.yaml", TextOf(loaded.study.file));
-  report.text = ParameterTable(fit.parameters) + '\n' + report.text + Summary(fit) + Judgement(fit);
+  if (!fit.profiles.empty()) report.files.emplace_back("profile.svg", ProfileSvg(fit));
+  report.text = ParameterTable(fit.parameters) + '\n' + ProfileTable(fit) + report.text + Summary(fit) + Judgement(fit);
   report.files.emplace_back("vehicle.urdf", VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, folder));
   report.files.emplace_back("result.json", ResultJson(loaded, seed, fit, report.misfits));
   return report;

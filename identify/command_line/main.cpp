@@ -133,6 +133,10 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--accept-unidentified", fit.accept_unidentified,
                 "Fit although data and priors leave combinations of parameters open");
+  sub->add_option("--profile", fit.profile,
+                  "Free parameters, separated by commas, or all: how the cost rises when each is held away from its "
+                  "fitted value and the others are fitted anew")
+      ->delimiter(',');
   sub->add_flag("--resume", fit.resume,
                 "Go on with a fit that was ended: refuse when vehicle, recordings, program, or settings that residuals "
                 "depend on, have changed");

@@ -155,6 +155,14 @@ std::string Directions(const Json& result) {
          "</p><ul class=\"directions\">" + items + "</ul>\n";
 }
 
+std::string Profiles(const Json& result, const RunContents& run) {
+  const std::string table = ProfileTableHtml(result, run);
+  const auto chart = run.files.find("profile.svg");
+  return table.empty() || chart == run.files.end()
+             ? table
+             : table + html::Picture(chart->second, "Rise of the cost with each parameter held away from its value");
+}
+
 std::string Body(const Json& result, const std::vector<ComparedChannel>& channels, const OrderedJson& scene,
                  const std::string& scene_fault, bool has_histories, bool has_bench) {
   std::string body;
@@ -199,10 +207,11 @@ std::string ReportPage(const RunContents& run) {
   const OrderedJson histories = OverTime(run, "history.csv", CsvHeader::kNamesAndUnits);
   const OrderedJson bench = OverTime(run, "bench.csv", CsvHeader::kNames);
 
-  const std::string body = Header(result) + "<nav id=\"contents\"></nav>\n<main>\n" +
-                           html::Section("summary", "Summary", SummaryHtml(result, parameters, channels)) +
-                           html::Section("parameters", "Parameters", ParameterTableHtml(parameters)) +
-                           Body(result, channels, scene, scene_fault, !histories.empty(), !bench.empty()) + "</main>\n";
+  const std::string body =
+      Header(result) + "<nav id=\"contents\"></nav>\n<main>\n" +
+      html::Section("summary", "Summary", SummaryHtml(result, parameters, channels)) +
+      html::Section("parameters", "Parameters", ParameterTableHtml(parameters) + Profiles(result, run)) +
+      Body(result, channels, scene, scene_fault, !histories.empty(), !bench.empty()) + "</main>\n";
   const OrderedJson data = {{"result", OrderedJson(result)},
                             {"responses", ChannelsJson(channels)},
                             {"scene", scene},

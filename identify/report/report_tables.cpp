@@ -132,6 +132,30 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters)
          "model misses beyond noise and stated model error.</p>\n";
 }
 
+std::string ProfileTableHtml(const Json& result, const RunContents& run) {
+  const std::vector<Json> parameters = ListAt(result, "parameters");
+  Rows rows;
+  for (const Json& profile : ListAt(result, "profiles")) {
+    const auto parameter = std::find_if(parameters.begin(), parameters.end(), [&](const Json& candidate) {
+      return TextAt(candidate, "name") == TextAt(profile, "name");
+    });
+    const std::vector<Json> interval = ListAt(profile, "interval_95");
+    if (parameter == parameters.end() || interval.size() != 2) continue;
+    const std::string text = UnitOf(*parameter, run);
+    const std::optional<Unit> unit = ParseUnit(text);
+    const auto end = [&](const Json& value) {
+      return value.is_number() ? ShownShort(value.get<double>() / (unit ? unit->si : 1), 4) : std::string("open");
+    };
+    const bool better = profile.value("found_better", false);
+    rows.push_back({{html::Element("code", "", html::Escaped(TextAt(profile, "name"))), ""},
+                    NumberCell(end(interval[0])),
+                    NumberCell(end(interval[1])),
+                    TextCell(ShownUnit(text)),
+                    {better ? "went below the fit: not its best optimum" : "", better ? "remark calls" : "remark"}});
+  }
+  return rows.empty() ? "" : html::Table({"95 % by profile", "from", "to", "unit", ""}, rows);
+}
+
 std::string ChannelTableHtml(const Json& result) {
   Rows responses;
   std::vector<Json> histories;

@@ -14,6 +14,9 @@ namespace fourpost {
 /// Start, value, deviation, and the interval of 95 % inside the bounds as a bar.
 std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters);
 
+/// Intervals of 95 % by profile likelihood.
+std::string ProfileTableHtml(const nlohmann::json& result, const RunContents& run);
+
 /// What differs between model and measurement, by channel.
 std::string ChannelTableHtml(const nlohmann::json& result);
 

@@ -12,15 +12,6 @@ using Json = nlohmann::json;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// As the vehicle file writes it; in SI where there is none.
-std::string UnitOf(const Json& parameter, const RunContents& run) {
-  const std::string name = TextAt(parameter, "name");
-  if (run.vehicle)
-    for (const Parameter& known : run.vehicle->parameters)
-      if (known.name == name && ParseUnit(known.unit)) return known.unit;
-  return TextAt(parameter, "unit");
-}
-
 double SdOf(const Json& parameter, bool has_covariance) {
   const double sd = NumberAt(parameter, "sd");
   return std::isnan(sd) && has_covariance ? std::numeric_limits<double>::infinity() : sd;
@@ -48,6 +39,14 @@ void FindPartner(const Json& correlations, std::size_t i, const std::vector<Json
 }
 
 }  // namespace
+
+std::string UnitOf(const Json& parameter, const RunContents& run) {
+  const std::string name = TextAt(parameter, "name");
+  if (run.vehicle)
+    for (const Parameter& known : run.vehicle->parameters)
+      if (known.name == name && ParseUnit(known.unit)) return known.unit;
+  return TextAt(parameter, "unit");
+}
 
 double ReportedParameter::RelativeSd() const { return sd / (lower > 0 ? std::abs(value) : upper - lower); }
 

@@ -32,6 +32,9 @@ struct ReportedParameter {
   double RelativeSd() const;
 };
 
+/// As the vehicle file writes the unit of this entry of `parameters`; in SI where there is none.
+std::string UnitOf(const nlohmann::json& parameter, const RunContents& run);
+
 /// A number of an object of JSON; NaN where it is null, missing or no number.
 double NumberAt(const nlohmann::json& object, const std::string& key);
 /// Likewise a text; empty where there is none.

@@ -407,6 +407,29 @@ TEST_F(CommandLine, AnInterruptedFitKeepsTheBestSoFar) {
   EXPECT_EQ(Run("check result/vehicle.urdf").code, 0);
 }
 
+TEST_F(CommandLine, FitTellsProfilesOfTheParametersAsked) {
+  const Outcome fit = Run("fit studies/landrover110/model1.yaml -o result --profile k_front,m_front");
+  EXPECT_EQ(fit.code, 0) << fit.err;
+  EXPECT_THAT(fit.out, HasSubstr("95 % by profile"));
+  const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
+  ASSERT_EQ(result.at("profiles").size(), 2u);
+  for (const Json& profile : result.at("profiles")) {
+    const Json& parameters = result.at("parameters");
+    const auto same = std::find_if(parameters.begin(), parameters.end(),
+                                   [&](const Json& parameter) { return parameter.at("name") == profile.at("name"); });
+    const double width = same->at("interval_95")[1].get<double>() - same->at("interval_95")[0].get<double>();
+    // The model bends a little: a tenth.
+    for (int end : {0, 1})
+      EXPECT_NEAR(profile.at("interval_95")[end], same->at("interval_95")[end], 0.1 * width) << profile.at("name");
+  }
+  EXPECT_THAT(ReadText(folder_ / "result/profile.svg"), HasSubstr("k_front, kN/m"));
+  EXPECT_THAT(ReadText(folder_ / "result/report.html"), HasSubstr("95 % by profile"));
+
+  const Outcome unknown = Run("fit studies/landrover110/model1.yaml -o other --profile k_frnt");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("the study frees no parameter 'k_frnt', did you mean 'k_front'?"));
+}
+
 TEST_F(CommandLine, AnswersHelpAndVersion) {
   EXPECT_THAT(Run("--help").out, HasSubstr("check"));
   EXPECT_THAT(Run("--version").out, HasSubstr("0.1.0"));

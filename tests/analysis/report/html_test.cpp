@@ -23,6 +23,12 @@ TEST(Html, JsonCannotEndItsElement) {
   EXPECT_EQ(html::ScriptJson(R"({"a":"</script><!--&"})"), R"({"a":"\u003c/script\u003e\u003c!--\u0026"})");
 }
 
+TEST(Html, APictureEscapesAllThatCouldEndIt) {
+  EXPECT_EQ(
+      html::Picture("<svg a='1'>%\"</svg>", "a \"b\""),
+      "<img class=\"still\" alt=\"a &quot;b&quot;\" src=\"data:image/svg+xml,%3Csvg a=%271%27%3E%25%22%3C/svg%3E\">\n");
+}
+
 TEST(Html, TableHasAClassPerColumnInItsHead) {
   const std::string table = html::Table({"name", "mass"}, {{html::TextCell("body"), html::NumberCell("7")}});
   EXPECT_THAT(table, HasSubstr("<th>name</th><th class=\"n\">mass</th>"));
