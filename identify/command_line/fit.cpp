@@ -19,6 +19,7 @@
 #include "identify/fit.h"
 #include "identify/loaded_study.h"
 #include "identify/profile_chart.h"
+#include "identify/recording_lint.h"
 #include "identify/report/report_page.h"
 #include "identify/result_json.h"
 #include "identify/study_context.h"
@@ -286,6 +287,7 @@ int Run(const FitCommand& command) {
   Diagnostics diagnostics;
   const std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
+  LintRecordings(*loaded, diagnostics);
   Tell(diagnostics);
   const VehicleObjective objective = loaded->MakeObjective();
   RequireInputsElsewhere(InputsOf(*loaded), command.output);

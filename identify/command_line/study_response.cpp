@@ -17,6 +17,7 @@
 #include "identify/loaded_study.h"
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
+#include "identify/recording_lint.h"
 #include "identify/response_chart.h"
 
 namespace fourpost {
@@ -82,6 +83,7 @@ int RespondToStudy(const ResponseCommand& command) {
   Diagnostics diagnostics;
   const std::optional<LoadedStudy> loaded = LoadStudy(command.input, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
+  LintRecordings(*loaded, diagnostics);
   Tell(diagnostics);
   if (!command.output.empty()) {
     RequireInputsElsewhere(InputsOf(*loaded), command.output);

@@ -1,0 +1,116 @@
+#include "identify/recording_lint.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "tests/identify/shipped_study.h"
+#include "vehicles/description/gravity.h"
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string Lint(const LoadedStudy& study) {
+  Diagnostics diagnostics;
+  LintRecordings(study, diagnostics);
+  EXPECT_FALSE(diagnostics.HasErrors());
+  return diagnostics.Format();
+}
+
+Sensor& SensorOf(LoadedStudy& study, const std::string& name) {
+  for (Sensor& sensor : study.vehicle.sensors)
+    if (sensor.name == name) return sensor;
+  throw std::invalid_argument("no sensor " + name);
+}
+
+/// Every response of a channel, changed by its run and place there.
+template <typename Change>
+void ChangeChannel(LoadedStudy& study, const std::string& name, const Change& change) {
+  for (MeasuredRun& run : study.data.runs)
+    for (MeasuredChannel& channel : run.channels)
+      for (std::size_t i = 0; channel.name == name && i < channel.response.size(); ++i)
+        change(run, i, channel.response[i]);
+}
+
+void Scale(LoadedStudy& study, const std::string& name, double factor) {
+  ChangeChannel(study, name, [&](const auto&, std::size_t, std::complex<double>& value) { value *= factor; });
+}
+
+class EveryStudy : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(RecordingLint, EveryStudy, testing::Values("model1", "model2", "model3", "full"));
+
+// Of the rig as it was: flexible mounts, sensors a few per cent off, a car that no model is.
+TEST_P(EveryStudy, HasNothingToTell) { EXPECT_EQ(Lint(ShippedStudy(GetParam())), ""); }
+
+TEST_P(EveryStudy, TellsOfAStationOffByAMetre) {
+  for (const double metres : {1.0, -1.0}) {
+    LoadedStudy study = ShippedStudy(GetParam());
+    // As if the sensor had sat a metre from where the file has it.
+    SensorOf(study, "a_cross_member").point.xyz.x() -= metres;
+    const std::string direction = metres > 0 ? "forward" : "back";
+    EXPECT_THAT(Lint(study), AllOf(HasSubstr("'a_cross_member' does not move with its body below 1 Hz"),
+                                   testing::ContainsRegex("as if it sat (0.9[0-9]?|1|1.1) m further " + direction)))
+        << metres;
+  }
+}
+
+TEST_P(EveryStudy, TellsOfATurnedAccelerometer) {
+  LoadedStudy study = ShippedStudy(GetParam());
+  Scale(study, "a_cross_member", -1);
+  EXPECT_THAT(Lint(study), HasSubstr("its sign is opposite: turn it round"));
+}
+
+TEST_P(EveryStudy, TellsOfAnyChannelOfOppositeSign) {
+  const LoadedStudy shipped = ShippedStudy(GetParam());
+  for (const MeasuredChannel& channel : shipped.data.runs.front().channels) {
+    LoadedStudy study = shipped;
+    Scale(study, channel.name, -1);
+    EXPECT_THAT(Lint(study), HasSubstr("'" + channel.name + "' moves against what the vehicle would do"));
+  }
+}
+
+TEST(RecordingLint, TellsOfAScaleThatIsOff) {
+  LoadedStudy study = ShippedStudy("model1");
+  Scale(study, "a_cross_member", 9.80665);
+  EXPECT_THAT(Lint(study), HasSubstr("it reads 9.8 times what it should"));
+}
+
+/// Inertia of this mass between load cell and tyre, in a car whose channel stands for two tyres.
+void AddWheelpan(LoadedStudy& study, const std::string& name, double kg, std::size_t post) {
+  ChangeChannel(study, name, [&](const MeasuredRun& run, std::size_t i, std::complex<double>& value) {
+    value -= kg * std::pow(2 * std::numbers::pi * run.excitation.frequency_Hz[i], 2) * run.excitation.shape[post];
+  });
+}
+
+TEST(RecordingLint, TellsOfAForgottenWheelpan) {
+  LoadedStudy study = ShippedStudy("model1");
+  AddWheelpan(study, "F_tyre_rear", 50, 1);
+  EXPECT_THAT(Lint(study), testing::ContainsRegex("'F_tyre_rear' feels the inertia of some (4[5-9]|5[0-5]) kg"));
+  LoadedStudy full = ShippedStudy("full");
+  AddWheelpan(full, "F_tyre_FL", 25, 0);
+  EXPECT_THAT(Lint(full), testing::ContainsRegex("'F_tyre_FL' feels the inertia of some 2[2-8] kg"));
+}
+
+TEST(RecordingLint, TellsOfAWheelpanTakenOutTwice) {
+  LoadedStudy study = ShippedStudy("model1");
+  AddWheelpan(study, "F_tyre_rear", -50, 1);
+  EXPECT_THAT(Lint(study), testing::ContainsRegex("'F_tyre_rear' lacks the inertia of some (4[5-9]|5[0-5]) kg"));
+}
+
+TEST(RecordingLint, TellsOfLoadsThatNoMassesMake) {
+  LoadedStudy study = ShippedStudy("model1");
+  // Bounds leave it some 600 kg.
+  for (MeasuredLoad& load : study.data.static_loads) load.load_N += 400 * kGravity;
+  EXPECT_THAT(Lint(study), AllOf(HasSubstr("static.csv: warning: the static loads add up to 29 kN"),
+                                 HasSubstr("at their upper bounds"), HasSubstr("not tared")));
+  study = ShippedStudy("model1");
+  for (MeasuredLoad& load : study.data.static_loads) load.load_N *= 0.5;
+  EXPECT_THAT(Lint(study), AllOf(HasSubstr("at their lower bounds"), HasSubstr("corners or axles left out")));
+}
+
+}  // namespace
+}  // namespace fourpost
