@@ -18,6 +18,7 @@ struct Sums {
 
 void Add(const MeasuredChannel& measured, const ChannelResponse& modelled, Sums& sums) {
   for (std::size_t i = 0; i < measured.response.size(); ++i) {
+    if (!std::isfinite(std::abs(modelled.response[i]))) continue;
     const std::complex<double> ratio = modelled.response[i] / measured.response[i];
     const double dB = DecibelFromGain(std::abs(ratio));
     const double deg = DegreesFromRadians(std::arg(ratio));

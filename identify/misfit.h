@@ -53,7 +53,8 @@ struct Misfits {
   std::vector<double> tyre_loads;
 };
 
-/// `modelled`: one response per run, at its frequencies, one channel per sensor of the vehicle.
+/// `modelled`: one response per run, at its frequencies, one channel per sensor of the vehicle; frequencies without an
+/// answer (NaN) are left out.
 std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
                                            const std::vector<FrequencyResponse>& modelled);
 

@@ -8,12 +8,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/frequency_response_file.h"
 #include "analysis/output_folder.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/inputs_elsewhere.h"
+#include "identify/command_line/interrupt.h"
 #include "identify/command_line/misfit_table.h"
 #include "identify/command_line/predictions.h"
 #include "identify/command_line/print.h"
+#include "identify/command_line/progress_line.h"
+#include "identify/command_line/solve_sweep.h"
 #include "identify/four_post_data.h"
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
@@ -28,9 +32,31 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Leaves out what this recording does not have, and tells so; throws FaultyInput where that is all.
+void KeepMeasured(const PredictCommand& command, Study& study) {
+  Diagnostics diagnostics;
+  const std::optional<FrequencyResponse> measured = ReadFrequencyResponse(command.recording, diagnostics);
+  if (!measured) throw FaultyInput(diagnostics);
+  std::string left_out;
+  std::erase_if(study.channels, [&](const auto& entry) {
+    const std::vector<std::string>& wanted = entry.second.channels;
+    const bool is_there = std::all_of(wanted.begin(), wanted.end(),
+                                      [&](const std::string& name) { return measured->Find(name) != nullptr; });
+    if (!is_there) left_out += (left_out.empty() ? "" : ", ") + entry.first;
+    return !is_there;
+  });
+  if (study.channels.empty()) {
+    diagnostics.Error(command.recording.string(), 0, "has none of the channels that the model was fitted to");
+    throw FaultyInput(diagnostics);
+  }
+  if (!left_out.empty())
+    std::fprintf(stderr, "not measured in %s, left out: %s\n", command.recording.filename().c_str(), left_out.c_str());
+}
+
 /// The recording in place of those fitted; its posts are told later.
 MeasuredRun LoadRun(const PredictCommand& command, const FittedRun& model) {
   Study study = model.study;
+  KeepMeasured(command, study);
   study.file = command.run / "study.yaml";
   study.static_loads_file.reset();
   StudyRecording recording = study.recordings.front();
@@ -59,6 +85,30 @@ double SquaredMisfit(const MeasuredRun& run, const FrequencyResponse& modelled) 
 
 FrequencyResponse Respond(const FittedRun& model, const CondensedModel& condensed, const MeasuredRun& run) {
   return ModelledResponses(condensed, model.vehicle.sensors, {run}).front();
+}
+
+/// Frequencies at which the balance converged to nothing, by marching.
+FrequencyResponse Completed(const FittedRun& model, const MeasuredRun& run, FrequencyResponse response) {
+  Excitation left = {.shape = run.excitation.shape};
+  std::vector<std::size_t> where;
+  for (std::size_t i = 0; i < response.frequency_Hz.size(); ++i) {
+    if (std::isfinite(std::abs(response.channels.front().response[i]))) continue;
+    left.frequency_Hz.push_back(response.frequency_Hz[i]);
+    left.amplitude_m.push_back(response.amplitude_m[i]);
+    where.push_back(i);
+  }
+  if (where.empty()) return response;
+  CatchInterrupts();
+  ProgressLine progress;
+  SteadySolver solver(model.vehicle);
+  const std::optional<SteadyResponse> marched =
+      SolveSweep(solver, run.name, left, Engine::kMarch, kFitBalance, progress);
+  for (std::size_t c = 0; marched && c < response.channels.size(); ++c)
+    for (std::size_t i = 0; i < where.size(); ++i)
+      response.channels[c].response[where[i]] = marched->response.channels[c].response[i];
+  std::fprintf(stderr, "%s: the balance converged at %zu of %zu frequencies; the others were marched\n",
+               run.name.c_str(), response.frequency_Hz.size() - where.size(), response.frequency_Hz.size());
+  return response;
 }
 
 /// The pattern whose responses are nearest, and the posts of `run` set to it. At the lowest frequencies a car follows
@@ -140,7 +190,9 @@ int PredictResponses(const PredictCommand& command, const FittedRun& model) {
   const CondensedModel condensed = CondensedVehicle(model.vehicle).At(model.vehicle.ParameterValues());
   const std::string mode = SetPosts(command, model, condensed, whole);
   const std::vector<MeasuredRun> in_band = InBand({whole}, lower, upper);
-  const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, {Respond(model, condensed, in_band.front())});
+  const FrequencyResponse response = Completed(model, in_band.front(), Respond(model, condensed, in_band.front()));
+  if (Interrupted()) return kInterrupted;
+  const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, {response});
   const std::string json = AsJson(command, model, mode, misfits);
   if (!command.output.empty()) {
     RequireInputsElsewhere({command.run / "vehicle.urdf", command.recording}, command.output);

@@ -36,6 +36,13 @@ TEST(Misfit, TakesTheShortWayRoundTheCircle) {
   EXPECT_NEAR(misfits[0].rms_deg, (2 * std::numbers::pi - 6.2) * 180 / std::numbers::pi, 1e-12);  // rounding
 }
 
+TEST(Misfit, LeavesOutFrequenciesWithoutAnAnswer) {
+  const std::complex<double> none(std::nan(""), std::nan(""));
+  const auto misfits = ResponseMisfits({Measured({1.0, 2.0})}, {Modelled({10.0, none})});
+  EXPECT_DOUBLE_EQ(misfits[0].rms_dB, 20);
+  EXPECT_DOUBLE_EQ(misfits[0].nmse_percent, 8100);
+}
+
 TEST(Misfit, OfAGroupIsThatOfItsChannels) {
   const std::vector<ChannelMisfit> channels = {{"a_body_front", 3, 30}, {"a_body_rear", 4, 40}, {"s_strut", 100, 100}};
   const ChannelMisfit body = GroupMisfit(channels, "a_body");

@@ -1,6 +1,9 @@
 // `fourpost fit` of time histories and `fourpost predict` as a user meets them.
+#include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -134,7 +137,24 @@ class PredictResponsesCommandLine : public ProgramTest {
     const Outcome outcome = Run("fit studies/landrover110/model1.yaml -o run");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
   }
+
+  double PeakOf(const std::string& channel, const std::string& file) const;
 };
+
+/// Frequency of the largest modelled gain below the wheels' hop [Hz].
+double PredictResponsesCommandLine::PeakOf(const std::string& channel, const std::string& file) const {
+  std::istringstream lines(ReadText(folder_ / file));
+  double largest = 0;
+  double peak_Hz = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> cells(1);
+    for (const char c : line) c == ',' ? static_cast<void>(cells.emplace_back()) : cells.back().push_back(c);
+    if (cells[1] != channel || std::stod(cells[3]) > 4 || std::stod(cells[7]) < largest) continue;
+    largest = std::stod(cells[7]);
+    peak_Hz = std::stod(cells[3]);
+  }
+  return peak_Hz;
+}
 
 TEST_F(PredictResponsesCommandLine, ShowsWhatAFitIsWorthOnAPatternThatItHasNotSeen) {
   Fit();
@@ -156,6 +176,29 @@ TEST_F(PredictResponsesCommandLine, ShowsWhatAFitIsWorthOnAPatternThatItHasNotSe
   EXPECT_EQ(told.err, "");
 }
 
+/// `text` without the lines that hold `what`.
+std::string WithoutLinesOf(const std::string& text, const std::string& what) {
+  std::istringstream lines(text);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(what) == std::string::npos) kept += line + '\n';
+  return kept;
+}
+
+TEST_F(PredictResponsesCommandLine, LeavesOutWhatWasNotMeasured) {
+  Fit();
+  const std::string whole = ReadText(folder_ / "studies/landrover110/pitch_frf.csv");
+  temporary_.Write("less.csv", WithoutLinesOf(whole, "a_body_FL"));
+  const Outcome outcome = Run("predict run --recording less.csv --mode pitch --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("not measured in less.csv, left out: a_body_front"));
+  EXPECT_EQ(Json::parse(outcome.out)["channels"].size(), 10u);
+  temporary_.Write("none.csv", "frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n1,0.01,a_other,1,0\n");
+  const Outcome none = Run("predict run --recording none.csv");
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.err, HasSubstr("none.csv: error: has none of the channels that the model was fitted to"));
+}
+
 TEST_F(PredictResponsesCommandLine, APatternThatAPlanarCarCannotMakeIsNotGuessed) {
   Fit();
   const Outcome outcome = Run("predict run --recording studies/landrover110/roll_frf.csv");
@@ -170,6 +213,12 @@ TEST_F(PredictResponsesCommandLine, TakesALoad) {
   const Outcome loaded = Run(predict + " --add-mass '250 kg' --at -2.5,0,0.9");
   EXPECT_EQ(loaded.code, 0) << loaded.err;
   EXPECT_NE(loaded.out, empty.out);
+  // At the bounce frequency of the loaded car, sqrt(m / (m + 250 kg)) of the empty one's, its body moves more.
+  const Json at_rest = Json::parse(Run(predict + " --json -o empty").out);
+  const Json heavier = Json::parse(Run(predict + " --add-mass '250 kg' --at -1.4,0,0.9 --json -o heavy").out);
+  EXPECT_EQ(at_rest["channels"].size(), heavier["channels"].size());
+  EXPECT_NEAR(PeakOf("a_cg", "heavy/response.csv") / PeakOf("a_cg", "empty/response.csv"), std::sqrt(1803.0 / 2053),
+              0.03);  // the grid's spacing
   const Outcome bad = Run(predict + " --add-mass '250 N' --at -2.5,0");
   EXPECT_EQ(bad.code, 2);
   EXPECT_THAT(bad.err, HasSubstr("--add-mass: error: '250 N' is no mass"));
