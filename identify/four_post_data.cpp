@@ -85,10 +85,16 @@ MeasuredChannel Combine(const std::vector<const ChannelResponse*>& sources, Chan
   const bool has_mean = out.unit == "m" && std::all_of(sources.begin(), sources.end(),
                                                        [](const ChannelResponse* c) { return !c->mean.empty(); });
   if (has_mean) out.mean.assign(points, 0);
+  const bool has_second = out.unit == "m" && std::all_of(sources.begin(), sources.end(), [](const ChannelResponse* c) {
+                            return !c->second_harmonic.empty();
+                          });
+  if (has_second) out.second_harmonic.assign(points, 0);
   for (const ChannelResponse* source : sources)
     for (std::size_t i = 0; i < points; ++i) {
       out.response[i] += share * source->response[i];
       if (has_mean) out.mean[i] += share * source->mean[i];
+      // Of struts that move alike; amplitudes have no phase to add by.
+      if (has_second) out.second_harmonic[i] += share * source->second_harmonic[i];
     }
   AddDeviations(sources, share, out);
   return out;
@@ -132,6 +138,7 @@ class DataLoader {
       MeasuredChannel channel = Combine(channels, source.combine);
       channel.name = name;
       channel.sensor = *sensor;
+      if (study_.model_error.second_harmonic_m == 0) channel.second_harmonic.clear();
       CheckDeviations(channel, source);
       run.channels.push_back(std::move(channel));
     }
@@ -287,6 +294,7 @@ std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double low
       channel.radial_sd = Kept(channel.radial_sd, keep);
       channel.tangential_sd = Kept(channel.tangential_sd, keep);
       if (!channel.mean.empty()) channel.mean = Kept(channel.mean, keep);
+      if (!channel.second_harmonic.empty()) channel.second_harmonic = Kept(channel.second_harmonic, keep);
     }
     out.push_back(std::move(part));
   }

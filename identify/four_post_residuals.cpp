@@ -17,7 +17,7 @@ namespace {
 Eigen::Index CountOf(const std::vector<MeasuredRun>& runs) {
   std::size_t count = 0;
   for (const MeasuredRun& run : runs)
-    for (const MeasuredChannel& channel : run.channels) count += 2 * channel.response.size() + channel.mean.size();
+    for (const MeasuredChannel& channel : run.channels) count += 2 * channel.response.size() + channel.mean.size() + channel.second_harmonic.size();
   return static_cast<Eigen::Index>(count);
 }
 
@@ -56,6 +56,8 @@ void AddRun(const MeasuredRun& run, const FrequencyResponse& modelled, const Mod
     }
     for (std::size_t i = 0; i < channel.mean.size(); ++i)
       *out++ = (model.mean[i] - channel.mean[i]) / model_error.mean_m;
+    for (std::size_t i = 0; i < channel.second_harmonic.size(); ++i)
+      *out++ = (model.second_harmonic[i] - channel.second_harmonic[i]) / model_error.second_harmonic_m;
   }
 }
 
@@ -70,6 +72,8 @@ void AddSlopes(const MeasuredRun& run, const FrequencyResponse& slopes, const Mo
       *out++ = change.imag() / scale.tangential_sd;
     }
     for (std::size_t i = 0; i < channel.mean.size(); ++i) *out++ = slope.mean[i] / model_error.mean_m;
+    for (std::size_t i = 0; i < channel.second_harmonic.size(); ++i)
+      *out++ = slope.second_harmonic[i] / model_error.second_harmonic_m;
   }
 }
 

@@ -33,6 +33,8 @@ struct ModelError {
   double gain_dB = 1;
   double phase_rad = 0.087266462599716474;  // 5 degrees
   double mean_m = 0.3e-3;
+  /// Of amplitudes of the struts' second harmonics; zero: they are not fitted.
+  double second_harmonic_m = 0;
   /// Of time histories: share of a channel's deviation.
   double history = 0.02;
   /// Of responses, as a share of the loudest channel of that unit at that frequency: next to a node, where a channel

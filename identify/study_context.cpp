@@ -52,6 +52,7 @@ void Add(Sha256& digest, const MeasuredChannel& channel) {
   digest.Add(channel.radial_sd);
   digest.Add(channel.tangential_sd);
   digest.Add(channel.mean);
+  digest.Add(channel.second_harmonic);
 }
 
 void Add(Sha256& digest, const Eigen::VectorXd& values) {
@@ -109,7 +110,8 @@ std::string SettingsDigest(const LoadedStudy& study) {
   Sha256 digest;
   for (const std::size_t index : study.free) digest.Add(study.vehicle.parameters[index].name);
   const ModelError& error = study.study.model_error;
-  for (const double number : {error.gain_dB, error.phase_rad, error.mean_m, error.floor}) digest.Add(number);
+  for (const double number : {error.gain_dB, error.phase_rad, error.mean_m, error.second_harmonic_m, error.floor})
+    digest.Add(number);
   if (!study.histories.empty()) {
     digest.Add(error.history);
     digest.Add(static_cast<double>(study.study.history_cost));

@@ -63,6 +63,28 @@ TEST(FourPostResiduals, WeighsGainAndPhaseByTheModelError) {
   for (const double residual : evaluation.residuals) EXPECT_NEAR(residual, 1, 1e-9);  // rounding
 }
 
+// Gains and phases change by 0.2 dB when bump and rebound are swapped, second harmonics not at all: both at once, with
+// the means' sign, tell them apart. The struts' second harmonics are half a millimetre off here.
+TEST(FourPostResiduals, TakesSecondHarmonicsOfStrutsWhereAsked) {
+  LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  const Eigen::Index without = study.MakeObjective().residual_count();
+  study.study.model_error.second_harmonic_m = 0.1e-3;
+  const CondensedModel model = CondensedVehicle(study.vehicle).At(study.vehicle.ParameterValues());
+  const auto responses = ModelledResponses(model, study.vehicle.sensors, study.data.runs);
+  for (std::size_t r = 0; r < study.data.runs.size(); ++r)
+    for (MeasuredChannel& channel : study.data.runs[r].channels) {
+      if (channel.unit != "m") continue;
+      channel.second_harmonic = responses[r].channels[channel.sensor].second_harmonic;
+      for (double& amplitude : channel.second_harmonic) amplitude += 0.5e-3;
+    }
+  const VehicleObjective objective = study.MakeObjective();
+  const Evaluation evaluation = objective.Evaluate(FreeValues(objective));
+  ASSERT_TRUE(evaluation.ok());
+  const Eigen::Index added = objective.residual_count() - without;
+  EXPECT_GT(added, 100);
+  EXPECT_EQ(((evaluation.residuals.array() + 5).abs() < 1e-9).count(), added);  // rounding
+}
+
 TEST(FourPostResiduals, WeighsStaticLoadsByTheirDeviation) {
   LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
   ASSERT_EQ(study.data.static_loads.size(), 2u);
@@ -105,6 +127,33 @@ TEST(FourPostResiduals, RefusesAPriorWithoutDeviation) {
     study.vehicle.parameters[study.free[0]].prior_sd = bad;
     EXPECT_THAT([&] { study.MakeObjective(); },
                 testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("prior_sd of m_sprung = ")));
+  }
+}
+
+// The balance's own derivatives, and those of loads and priors, against central differences.
+TEST(FourPostResiduals, DifferentiatesItself) {
+  LoadedStudy study = ShippedStudy();
+  study.study.model_error.second_harmonic_m = 0.1e-3;
+  for (MeasuredRun& run : study.data.runs)
+    for (MeasuredChannel& channel : run.channels)
+      if (channel.unit == "m") channel.second_harmonic.assign(channel.response.size(), 0);
+  study.vehicle.parameters[study.free[1]].prior_sd = 200;
+  const VehicleObjective objective = study.MakeObjective();
+  const Eigen::VectorXd values = FreeValues(objective);
+  const Eigen::MatrixXd jacobian = objective.Jacobian(values);
+  ASSERT_EQ(jacobian.rows(), objective.residual_count());
+  for (Eigen::Index j = 0; j < values.size(); ++j) {
+    const double step = 1e-3 * values[j];
+    Eigen::VectorXd above = values;
+    Eigen::VectorXd below = values;
+    above[j] += step;
+    below[j] -= step;
+    const Eigen::VectorXd column =
+        (objective.Evaluate(above).residuals - objective.Evaluate(below).residuals) / (2 * step);
+    // As good as the balance tells its sensitivities to be; see balance_sensitivity.h.
+    EXPECT_LT((jacobian.col(j) - column).norm(), 1e-2 * column.norm()) << j;
+    // Loads and the prior are exact but for rounding over the step.
+    EXPECT_LT((jacobian.col(j) - column).tail(3).norm(), 1e-6 * (1e-6 + column.norm())) << j;
   }
 }
 
