@@ -138,7 +138,6 @@ class DataLoader {
       MeasuredChannel channel = Combine(channels, source.combine);
       channel.name = name;
       channel.sensor = *sensor;
-      if (study_.model_error.second_harmonic_m == 0) channel.second_harmonic.clear();
       CheckDeviations(channel, source);
       run.channels.push_back(std::move(channel));
     }

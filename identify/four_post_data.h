@@ -24,7 +24,7 @@ struct MeasuredChannel {
   std::vector<double> tangential_sd;
   /// Mean offset [unit]; empty where not measured.
   std::vector<double> mean;
-  /// Amplitude of the second harmonic [unit]; empty where not measured or not to be fitted.
+  /// Amplitude of the second harmonic [unit]; empty where not measured.
   std::vector<double> second_harmonic;
 };
 

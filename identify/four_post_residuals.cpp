@@ -14,10 +14,16 @@
 namespace fourpost {
 namespace {
 
-Eigen::Index CountOf(const std::vector<MeasuredRun>& runs) {
+/// Second harmonics of a channel that are compared.
+std::size_t SecondHarmonics(const MeasuredChannel& channel, const ModelError& model_error) {
+  return model_error.second_harmonic_m > 0 ? channel.second_harmonic.size() : 0;
+}
+
+Eigen::Index CountOf(const std::vector<MeasuredRun>& runs, const ModelError& model_error) {
   std::size_t count = 0;
   for (const MeasuredRun& run : runs)
-    for (const MeasuredChannel& channel : run.channels) count += 2 * channel.response.size() + channel.mean.size() + channel.second_harmonic.size();
+    for (const MeasuredChannel& channel : run.channels)
+      count += 2 * channel.response.size() + channel.mean.size() + SecondHarmonics(channel, model_error);
   return static_cast<Eigen::Index>(count);
 }
 
@@ -56,7 +62,7 @@ void AddRun(const MeasuredRun& run, const FrequencyResponse& modelled, const Mod
     }
     for (std::size_t i = 0; i < channel.mean.size(); ++i)
       *out++ = (model.mean[i] - channel.mean[i]) / model_error.mean_m;
-    for (std::size_t i = 0; i < channel.second_harmonic.size(); ++i)
+    for (std::size_t i = 0; i < SecondHarmonics(channel, model_error); ++i)
       *out++ = (model.second_harmonic[i] - channel.second_harmonic[i]) / model_error.second_harmonic_m;
   }
 }
@@ -72,7 +78,7 @@ void AddSlopes(const MeasuredRun& run, const FrequencyResponse& slopes, const Mo
       *out++ = change.imag() / scale.tangential_sd;
     }
     for (std::size_t i = 0; i < channel.mean.size(); ++i) *out++ = slope.mean[i] / model_error.mean_m;
-    for (std::size_t i = 0; i < channel.second_harmonic.size(); ++i)
+    for (std::size_t i = 0; i < SecondHarmonics(channel, model_error); ++i)
       *out++ = slope.second_harmonic[i] / model_error.second_harmonic_m;
   }
 }
@@ -91,7 +97,7 @@ Eigen::MatrixXd Differentiate(const CondensedVehicle& vehicle, const std::vector
       double* out = jacobian.col(static_cast<Eigen::Index>(p)).data() + first;
       AddSlopes(run, sensitivity.by_parameter[p], model_error, out);
     }
-    first += CountOf({run});
+    first += CountOf({run}, model_error);
   }
   return jacobian;
 }
@@ -137,7 +143,7 @@ Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredR
 
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
                                 const ModelError& model_error) {
-  const Eigen::Index count = CountOf(runs);
+  const Eigen::Index count = CountOf(runs, model_error);
   return {.name = "four-post responses",
           .count = count,
           // What the balance's iteration leaves: 3e-7 of a response in the mean, some 1e-6 at the most.

@@ -69,6 +69,7 @@ MeasuredRun LoadRun(const PredictCommand& command, const FittedRun& model) {
   return data->runs.front();
 }
 
+/// Sum over the channels, each at most 1: a strut that friction holds at low frequencies says nothing of the pattern.
 double SquaredMisfit(const MeasuredRun& run, const FrequencyResponse& modelled) {
   double square = 0;
   for (const MeasuredChannel& channel : run.channels) {
@@ -78,7 +79,7 @@ double SquaredMisfit(const MeasuredRun& run, const FrequencyResponse& modelled) 
       error += std::norm(modelled.channels[channel.sensor].response[i] - channel.response[i]);
       measured += std::norm(channel.response[i]);
     }
-    square += measured > 0 ? error / measured : 0;
+    square += measured > 0 ? std::min(1.0, error / measured) : 0;
   }
   return square;
 }

@@ -169,6 +169,7 @@ TEST_F(Resume, ReusesWhatAnotherSeedOrBudgetPaidFor) {
 }
 
 TEST_F(Resume, ReusesEvaluationsForAnotherLoss) {
+  ReplaceIn(kStudy, "refine: {loss: huber}\n", "");
   ASSERT_EQ(Run(Fit("run")).code, 0);
   const auto before = nlohmann::json::parse(ReadText(folder_ / "run/result.json"));
   EXPECT_EQ(before["refine"]["loss"], "none");
