@@ -12,9 +12,6 @@ class TimedOut : public std::exception {
   const char* what() const noexcept override { return "out of time"; }
 };
 
-/// Processor time of this thread since it began.
-double ThreadTime_s();
-
 /// When a computation has to end, in processor time of the thread that computes: what a stopped process or a busy
 /// machine takes from it does not count. Whoever computes for long takes one and asks it now and then, every few
 /// milliseconds; it cannot end a computation that never asks.

@@ -5,7 +5,6 @@
 #include <limits>
 #include <mutex>
 
-#include "analysis/deadline.h"
 #include "analysis/option_check.h"
 #include "identify/search/parallel.h"
 
@@ -19,7 +18,6 @@ struct FinishedRun {
   SearchEnd end = SearchEnd::kNotRun;
   std::vector<Improvement> improvements;
   std::int64_t paid = 0;
-  double processor_s = 0;
 
   double cost() const { return improvements.empty() ? kInfinite : improvements.back().cost; }
 };
@@ -28,10 +26,8 @@ FinishedRun RunOnce(const Problem& problem, const ComparedMethod& method, std::u
                     const std::function<bool()>& stop, EvaluationStore* store) {
   Archive archive(problem, 1, store, Repeats::kPaid);
   FinishedRun run;
-  const double began_s = ThreadTime_s();
   run.end = method.foreign ? method.foreign->run(archive, seed, rules, stop)
                            : RunMethod(method.options, archive, seed, rules, {.count = 1}, {.stop = stop}).end;
-  run.processor_s = ThreadTime_s() - began_s;
   run.improvements = archive.improvements();
   run.paid = archive.counts().paid;
   return run;
@@ -87,7 +83,6 @@ MethodSummary Summarise(const ComparedMethod& method, const std::vector<Finished
     summary.successes += summary.outcomes.back().solved;
     evaluations += static_cast<double>(summary.outcomes.back().evaluations);
     costs.push_back(run.cost());
-    summary.processor_s_mean += run.processor_s / static_cast<double>(runs.size());
   }
   if (runs.empty()) return summary;
   const auto count = static_cast<std::int64_t>(runs.size());
@@ -111,7 +106,7 @@ double BestOf(const std::vector<std::vector<FinishedRun>>& runs) {
 
 void ComparisonOptions::Validate() const {
   RequireOption(runs >= 1, "runs", runs, "1 or more");
-  RequireOption(near_best > 0 && near_best <= 1, "near_best", near_best, "in (0, 1]");
+  RequireOption(near_best > 0 && near_best < 1, "near_best", near_best, "in (0, 1)");
   rules.Validate();
 }
 

@@ -77,8 +77,6 @@ struct MethodSummary {
   Interval expected_interval;
   double cost_median = 0;
   double cost_worst = 0;
-  /// Processor time of a whole run; the one number that differs from machine to machine.
-  double processor_s_mean = 0;
   /// How many runs each rule ended.
   std::map<SearchEnd, std::int64_t> ends;
 };

@@ -26,33 +26,31 @@ Json Spread(const std::vector<RunOutcome>& outcomes, Number RunOutcome::*number)
   return {{"mean", NumberOrNull(mean)}, {"sd", NumberOrNull(std::sqrt(squares / (count - 1)))}};
 }
 
-Json MethodJson(const MethodSummary& method, bool with_time) {
+Json MethodJson(const MethodSummary& method) {
   Json ends = Json::object();
   for (const auto& [end, count] : method.ends) ends[std::string(SearchEndName(end))] = count;
   Json settings = Json::object();
   for (const auto& [key, value] : method.settings) settings[key] = value;
-  Json json = {{"name", method.name},
-               {"runs", method.outcomes.size()},
-               {"successes", method.successes},
-               {"success_share_95", IntervalJson(method.success_share)},
-               {"evaluations_mean", method.evaluations_mean},
-               {"expected_evaluations", NumberOrNull(method.expected_evaluations)},
-               {"expected_evaluations_95", IntervalJson(method.expected_interval)},
-               {"cost_median", NumberOrNull(method.cost_median)},
-               {"cost_worst", NumberOrNull(method.cost_worst)},
-               {"cost", Spread(method.outcomes, &RunOutcome::cost)},
-               {"evaluations", Spread(method.outcomes, &RunOutcome::evaluations)},
-               {"ends", ends},
-               {"settings", settings}};
-  if (with_time) json["processor_s_mean"] = method.processor_s_mean;
-  return json;
+  return {{"name", method.name},
+          {"runs", method.outcomes.size()},
+          {"successes", method.successes},
+          {"success_share_95", IntervalJson(method.success_share)},
+          {"evaluations_mean", method.evaluations_mean},
+          {"expected_evaluations", NumberOrNull(method.expected_evaluations)},
+          {"expected_evaluations_95", IntervalJson(method.expected_interval)},
+          {"cost_median", NumberOrNull(method.cost_median)},
+          {"cost_worst", NumberOrNull(method.cost_worst)},
+          {"cost", Spread(method.outcomes, &RunOutcome::cost)},
+          {"evaluations", Spread(method.outcomes, &RunOutcome::evaluations)},
+          {"ends", ends},
+          {"settings", settings}};
 }
 
 }  // namespace
 
-std::string ComparisonJson(const Comparison& comparison, const std::string& study, std::uint64_t seed, bool with_time) {
+std::string ComparisonJson(const Comparison& comparison, const std::string& study, std::uint64_t seed) {
   Json methods = Json::array();
-  for (const MethodSummary& method : comparison.methods) methods.push_back(MethodJson(method, with_time));
+  for (const MethodSummary& method : comparison.methods) methods.push_back(MethodJson(method));
   const Json json = {{"study", study},
                      {"seed", seed},
                      {"target_cost", NumberOrNull(comparison.target_cost)},

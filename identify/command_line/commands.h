@@ -143,17 +143,11 @@ struct CompareCommand {
   std::filesystem::path study;
   std::vector<std::string> methods = {"dvhde", "thesis", "de", "ds", "gb"};
   int runs = 20;
-  /// Of each run at most; 0: what the study says.
-  std::int64_t evaluations = 0;
-  /// "0.01 %" above the best of all runs counts as solved; empty: 1 %.
-  std::string near_best;
   std::uint64_t seed = 1;
   /// 0: one per processor.
   int threads = 0;
   /// Of evaluations, shared by all runs; empty: nothing is kept.
   std::filesystem::path archive;
-  /// Tell processor times too.
-  bool time = false;
   bool json = false;
 };
 

@@ -13,7 +13,6 @@
 #include "identify/comparison.h"
 #include "identify/comparison_json.h"
 #include "identify/loaded_study.h"
-#include "identify/option_quantity.h"
 #include "identify/problems/test_problem.h"
 #include "identify/search/evaluation_store.h"
 #include "identify/search/idle_parameters.h"
@@ -104,25 +103,16 @@ std::string Range(const Interval& interval, int digits) {
   return Rounded(interval.lower, digits) + " .. " + Rounded(interval.upper, digits);
 }
 
-std::string Table(const Comparison& comparison, bool with_time) {
-  std::vector<std::string> header = {"method",      "runs", "solved",      "95 %",      "evaluations",
-                                     "per success", "95 %", "median cost", "worst cost"};
-  if (with_time) header.push_back("s a run");
-  TextTable table(header);
+std::string Table(const Comparison& comparison) {
+  TextTable table(
+      {"method", "runs", "solved", "95 %", "evaluations", "per success", "95 %", "median cost", "worst cost"});
   for (const MethodSummary& method : comparison.methods) {
     const auto runs = static_cast<double>(method.outcomes.size());
     const Interval percent = {100 * method.success_share.lower, 100 * method.success_share.upper};
-    std::vector<std::string> row = {method.name,
-                                    std::to_string(method.outcomes.size()),
-                                    Rounded(100 * static_cast<double>(method.successes) / runs, 3) + " %",
-                                    Range(percent, 3) + " %",
-                                    Rounded(method.evaluations_mean, 4),
-                                    Rounded(method.expected_evaluations, 4),
-                                    Range(method.expected_interval, 4),
-                                    Rounded(method.cost_median, 5),
-                                    Rounded(method.cost_worst, 5)};
-    if (with_time) row.push_back(Rounded(method.processor_s_mean, 2));
-    table.Add(row);
+    table.Add({method.name, std::to_string(method.outcomes.size()),
+               Rounded(100 * static_cast<double>(method.successes) / runs, 3) + " %", Range(percent, 3) + " %",
+               Rounded(method.evaluations_mean, 4), Rounded(method.expected_evaluations, 4),
+               Range(method.expected_interval, 4), Rounded(method.cost_median, 5), Rounded(method.cost_worst, 5)});
   }
   return table.Format();
 }
@@ -143,14 +133,6 @@ std::string Details(const Comparison& comparison, const ComparisonOptions& optio
   return text;
 }
 
-/// Throws FaultyInput.
-double ShareOrThrow(const std::string& text) {
-  Diagnostics diagnostics;
-  const std::optional<double> share = ReadShare(text, "--near", diagnostics);
-  if (!share) throw FaultyInput(diagnostics);
-  return *share;
-}
-
 }  // namespace
 
 int Run(const CompareCommand& command) {
@@ -165,20 +147,18 @@ int Run(const CompareCommand& command) {
   CheckEffectsOrThrow(study, problem, store);
 
   ComparisonOptions options;
-  if (!command.near_best.empty()) options.near_best = ShareOrThrow(command.near_best);
   options.runs = command.runs;
   options.seed = command.seed;
   options.threads = command.threads;
   options.rules.target_cost = loaded.target_cost;
-  options.rules.max_evaluations =
-      command.evaluations > 0 ? command.evaluations : study.search.evaluations.value_or(3000);
+  options.rules.max_evaluations = study.search.evaluations.value_or(3000);
   options.rules.max_generations = study.search.generations;
   options.rules.max_stagnant_generations = study.search.stagnation;
   options.rules.max_seconds = study.search.time_s;
   const Comparison comparison = CompareWithProgress(problem, methods, options, store);
   const bool nothing_succeeded = !std::isfinite(comparison.target_cost);
-  Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed, command.time)
-                     : Table(comparison, command.time) + '\n' + Details(comparison, options));
+  Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed)
+                     : Table(comparison) + '\n' + Details(comparison, options));
   if (comparison.interrupted) return kInterrupted;
   return nothing_succeeded ? kAllSimulationsFailed : kGood;
 }

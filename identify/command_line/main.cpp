@@ -173,18 +173,11 @@ int main(int argc, char** argv) {
       ->delimiter(',')
       ->default_str("dvhde,thesis,de,ds,gb");
   sub->add_option("--runs", compare.runs, "Of each method")->check(CLI::Range(1, 1000000))->capture_default_str();
-  sub->add_option("--evaluations", compare.evaluations, "Of each run at most; without it what the study says, or 3000")
-      ->check(CLI::Range(std::int64_t{1}, std::numeric_limits<std::int64_t>::max()));
-  sub->add_option("--near", compare.near_best,
-                  "How far above the best of all runs still counts as solved, such as 0.01%; without it 1 %. A study's "
-                  "target goes before it");
   sub->add_option("--seed", compare.seed, "Of the first run; the others take those after it")->check(WholeNumber());
   sub->add_option("--threads", compare.threads, "Runs at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_option("--archive", compare.archive,
                   "File to keep evaluations in, such as the archive.sqlite of a fit; no influence on the result");
-  sub->add_flag("--time", compare.time,
-                "Tell the processor time of a run too, which no two runs of this command share");
   sub->add_flag("--json", compare.json, "Print JSON in place of tables");
   sub->callback([&] {
     run = [&] {
