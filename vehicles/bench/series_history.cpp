@@ -10,8 +10,9 @@
 namespace fourpost {
 namespace {
 
-/// Of speeds of the dashpot: what the rule itself misses is some 1e-4 of them.
-constexpr double kClose = 1e-9;  // m/s
+/// Newton's last step: what that leaves is its square over the speeds at which a law bends, of friction 2 mm/s or so,
+/// less than 1e-9 m/s. What the rule itself misses is some 1e-4 of speeds.
+constexpr double kClose = 1e-6;  // m/s
 
 /// What is known before a step of h: y1 = known + bend v1 - share u, bend = h^2/12 of the ratio of slopes, share = h/2
 /// + bend.
@@ -72,16 +73,13 @@ class BilinearStepper {
   double speed_ = 0;
 };
 
-/// Bilinear without friction.
-bool IsBilinear(const DashpotLaw& law) { return law.Kinks().size() == 1 && std::isinf(law.StepSpeed()); }
-
 /// The numbers of a bilinear law, for the compiler to see.
 class BilinearRates {
  public:
   explicit BilinearRates(const DashpotLaw& law) : compression_(law.Slope(-1)), rebound_(law.Slope(1)) {}
 
-  double Force(double u) const { return (u > 0 ? rebound_ : compression_) * u; }
   double Slope(double u) const { return u > 0 ? rebound_ : u < 0 ? compression_ : 0.5 * (compression_ + rebound_); }
+  std::pair<double, double> ForceAndSlope(double u) const { return {(u > 0 ? rebound_ : compression_) * u, Slope(u)}; }
 
  private:
   double compression_;
@@ -117,7 +115,8 @@ class SeriesStepper {
     const auto [lower, upper] = std::minmax({0.0, start / share});
     const auto excess = [&](double u) {
       const double y = start - share * u;
-      return std::pair(dashpot_.Force(u) - Tension(y), dashpot_.Slope(u) + share * Stiffness(y));
+      const auto [force, slope] = dashpot_.ForceAndSlope(u);
+      return std::pair(force - Tension(y), slope + share * Stiffness(y));
     };
     const double from = std::clamp(likely, lower, upper);
     if (once) {
@@ -165,7 +164,7 @@ std::vector<double> Forces(Stepper stepper, const BenchMotion& motion) {
 }  // namespace
 
 std::vector<double> SeriesForces(const SeriesDamper& damper, const BenchMotion& motion) {
-  const bool bilinear = IsBilinear(damper.dashpot);
+  const bool bilinear = damper.dashpot.IsBilinear();
   if (bilinear && damper.spring.IsLinear()) return Forces<BilinearStepper>({damper, motion.step_s}, motion);
   if (bilinear) return Forces<SeriesStepper<BilinearRates>>({damper, motion.step_s}, motion);
   return Forces<SeriesStepper<const DashpotLaw&>>({damper, motion.step_s}, motion);

@@ -20,27 +20,19 @@ void RequireSpeed(const char* field, double value) {
   RequireOption(value > 0 && std::isfinite(value), std::string("DashpotLaw: ") + field, value, "finite and positive");
 }
 
-/// Slope of tanh(x).
-double TanhSlope(double x) { return 1 - std::tanh(x) * std::tanh(x); }
-
 /// Largest slope of x tanh(x), at x = this number, where x tanh(x) = 1.
 constexpr double kSteepestSmooth = 1.1996786402577339;
 
 }  // namespace
 
-double DashpotLaw::Bilinear::Slope(double v) const {
-  if (v == 0) return 0.5 * (rebound + compression);
-  if (std::isnan(v)) return v;
-  return v > 0 ? rebound : compression;
-}
-
 double DashpotLaw::Bilinear::LeastSlope() const { return std::min(compression, rebound); }
 
 double DashpotLaw::Bilinear::GreatestSlope() const { return std::max(compression, rebound); }
 
-double DashpotLaw::Smoothed::Slope(double v) const {
+std::pair<double, double> DashpotLaw::Smoothed::ForceAndSlope(double v) const {
   const double x = v / speed;
-  return mean + half_difference * (std::tanh(x) + x * TanhSlope(x));
+  const double t = std::tanh(x);
+  return {(mean + half_difference * t) * v, mean + half_difference * (t + x * (1 - t * t))};
 }
 
 double DashpotLaw::Smoothed::Velocity(double force) const {
@@ -48,7 +40,7 @@ double DashpotLaw::Smoothed::Velocity(double force) const {
   const double side = force > 0 ? mean + half_difference : mean - half_difference;
   const auto [lower, upper] = std::minmax({force / mean, force / side});
   if (!std::isfinite(upper - lower)) return force / side;
-  return IncreasingRoot([this](double v) { return std::pair(Force(v), Slope(v)); }, force, lower, upper, force / side);
+  return IncreasingRoot([this](double v) { return ForceAndSlope(v); }, force, lower, upper, force / side);
 }
 
 double DashpotLaw::Smoothed::LeastSlope() const { return mean - kSteepestSmooth * std::abs(half_difference); }
@@ -136,10 +128,6 @@ double DashpotLaw::ForceWithoutFriction(double v) const {
   return std::visit([v](const auto& law) { return law.Force(v); }, law_);
 }
 
-double DashpotLaw::SlopeWithoutFriction(double v) const {
-  return std::visit([v](const auto& law) { return law.Slope(v); }, law_);
-}
-
 double DashpotLaw::VelocityWithoutFriction(double force) const {
   return std::visit([force](const auto& law) { return law.Velocity(force); }, law_);
 }
@@ -159,9 +147,11 @@ void DashpotLaw::Forces(std::span<const double> v, std::span<double> force) cons
   for (std::size_t k = 0; k < v.size(); ++k) force[k] += friction_ * std::tanh(v[k] / friction_speed_);
 }
 
-double DashpotLaw::Slope(double v) const {
-  const double slope = SlopeWithoutFriction(v);
-  return friction_ == 0 ? slope : slope + friction_ / friction_speed_ * TanhSlope(v / friction_speed_);
+std::pair<double, double> DashpotLaw::AnyForceAndSlope(double v) const {
+  const auto [force, slope] = std::visit([v](const auto& law) { return law.ForceAndSlope(v); }, law_);
+  if (friction_ == 0) return {force, slope};
+  const double t = std::tanh(v / friction_speed_);
+  return {force + friction_ * t, slope + friction_ / friction_speed_ * (1 - t * t)};
 }
 
 double DashpotLaw::Velocity(double force) const {
@@ -176,7 +166,7 @@ double DashpotLaw::Velocity(double force) const {
   }
   if (!std::isfinite(fastest)) return fastest;
   const auto [lower, upper] = std::minmax({slowest, fastest});
-  return IncreasingRoot([this](double v) { return std::pair(AnyForce(v), Slope(v)); }, force, lower, upper, fastest);
+  return IncreasingRoot([this](double v) { return AnyForceAndSlope(v); }, force, lower, upper, fastest);
 }
 
 double DashpotLaw::LeastRate() const {

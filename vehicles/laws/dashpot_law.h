@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -51,7 +52,19 @@ class DashpotLaw {
   void Forces(std::span<const double> v, std::span<double> force) const;
 
   /// df/dv [N s/m]; at a kink the mean of both sides.
-  double Slope(double v) const;
+  double Slope(double v) const {
+    const auto* bilinear = std::get_if<Bilinear>(&law_);
+    return bilinear && friction_ == 0 ? bilinear->Slope(v) : AnyForceAndSlope(v).second;
+  }
+
+  /// {f, df/dv}, cheaper than one after the other.
+  std::pair<double, double> ForceAndSlope(double v) const {
+    const auto* bilinear = std::get_if<Bilinear>(&law_);
+    return bilinear && friction_ == 0 ? std::pair(bilinear->Force(v), bilinear->Slope(v)) : AnyForceAndSlope(v);
+  }
+
+  /// Whether it is bilinear or linear, without friction.
+  bool IsBilinear() const { return std::holds_alternative<Bilinear>(law_) && friction_ == 0; }
 
   /// The rate that carries this force. Needs LeastRate() > 0. Closed form for bilinear and digressive laws without
   /// friction, else see IncreasingRoot.
@@ -88,7 +101,12 @@ class DashpotLaw {
 
     bool operator==(const Bilinear&) const = default;
     double Force(double v) const { return (v > 0 ? rebound : compression) * v; }
-    double Slope(double v) const;
+    double Slope(double v) const {
+      if (v > 0) return rebound;
+      if (v < 0) return compression;
+      return v == 0 ? 0.5 * (rebound + compression) : v;
+    }
+    std::pair<double, double> ForceAndSlope(double v) const { return {Force(v), Slope(v)}; }
     double Velocity(double force) const { return force / (force > 0 ? rebound : compression); }
     double LeastSlope() const;
     double GreatestSlope() const;
@@ -102,7 +120,8 @@ class DashpotLaw {
 
     bool operator==(const Smoothed&) const = default;
     double Force(double v) const { return (mean + half_difference * std::tanh(v / speed)) * v; }
-    double Slope(double v) const;
+    double Slope(double v) const { return ForceAndSlope(v).second; }
+    std::pair<double, double> ForceAndSlope(double v) const;
     double Velocity(double force) const;
     double LeastSlope() const;
     double GreatestSlope() const;
@@ -116,6 +135,7 @@ class DashpotLaw {
     bool operator==(const Kneed&) const = default;
     double Force(double v) const;
     double Slope(double v) const;
+    std::pair<double, double> ForceAndSlope(double v) const { return {Force(v), Slope(v)}; }
     double Velocity(double force) const;
     double LeastSlope() const;
     double GreatestSlope() const;
@@ -127,6 +147,7 @@ class DashpotLaw {
     bool operator==(const Tabulated&) const = default;
     double Force(double v) const { return curve.Value(v); }
     double Slope(double v) const { return curve.Slope(v); }
+    std::pair<double, double> ForceAndSlope(double v) const { return {Force(v), Slope(v)}; }
     double Velocity(double force) const { return curve.Argument(force); }
     double LeastSlope() const { return curve.LeastSlope(); }
     double GreatestSlope() const { return curve.GreatestSlope(); }
@@ -138,7 +159,7 @@ class DashpotLaw {
 
   double AnyForce(double v) const;
   double ForceWithoutFriction(double v) const;
-  double SlopeWithoutFriction(double v) const;
+  std::pair<double, double> AnyForceAndSlope(double v) const;
   double VelocityWithoutFriction(double force) const;
 
   Law law_ = Bilinear{0, 0};

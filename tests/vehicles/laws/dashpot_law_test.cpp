@@ -70,6 +70,20 @@ TEST(DashpotLaw, IsNoForceByDefault) {
   EXPECT_EQ(DashpotLaw().MeanRate(), 0);
 }
 
+// Of one evaluation, and of the same numbers to the last bit.
+TEST(DashpotLaw, ForceAndSlopeAreForceAndSlope) {
+  RandomLaws random(11);
+  for (int i = 0; i < 200; ++i) {
+    for (const auto& [name, law] : random.Next()) {
+      for (const double v : {random.Speed(), 0.0}) {
+        const auto [force, slope] = law.ForceAndSlope(v);
+        EXPECT_EQ(force, law.Force(v)) << name << " at " << v;
+        EXPECT_EQ(slope, law.Slope(v)) << name << " at " << v;
+      }
+    }
+  }
+}
+
 TEST(DashpotLaw, BilinearHasARateForEachSide) {
   const DashpotLaw law = {1500, 2600};
   EXPECT_EQ(law.Force(2), 5200);
