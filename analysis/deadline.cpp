@@ -1,19 +1,9 @@
 #include "analysis/deadline.h"
 
-#include <ctime>
-
 #include "analysis/option_check.h"
+#include "analysis/thread_time.h"
 
 namespace fourpost {
-namespace {
-
-double ThreadTime_s() {
-  timespec time = {};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-}  // namespace
 
 Deadline Deadline::In(double seconds) {
   RequireOption(seconds > 0, "deadline", seconds, "above 0");

@@ -1,5 +1,6 @@
 #include "analysis/low_pass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -55,6 +56,15 @@ std::complex<double> LowPass::Response(double cycles_per_sample) const {
     response *=
         (section.b0 + back * (section.b1 + back * section.b2)) / (1.0 + back * (section.a1 + back * section.a2));
   return response;
+}
+
+std::size_t LowPass::SettlingSamples(double share) const {
+  RequireOption(share > 0 && share < 1, "LowPass: share", share, "above 0 and below 1");
+  double slowest = 0;
+  // The poles of a section of second order are conjugate, their product is a2.
+  for (const Section& section : sections_)
+    slowest = std::max(slowest, section.a2 != 0 ? std::sqrt(section.a2) : std::abs(section.a1));
+  return slowest > 0 ? static_cast<std::size_t>(std::ceil(std::log(share) / std::log(slowest))) : 1;
 }
 
 void LowPass::Apply(std::span<double> signal) const {

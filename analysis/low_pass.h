@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,10 @@ class LowPass {
   /// What it makes of a sine, of that many cycles per sample: product over the sections of
   /// (b0 + b1 z^-1 + b2 z^-2) / (1 + a1 z^-1 + a2 z^-2), z = exp(2 pi i cycles).
   std::complex<double> Response(double cycles_per_sample) const;
+
+  /// Samples within which its slowest pole fades to this share, above 0 and below 1: afterwards the filter has
+  /// forgotten what was before.
+  std::size_t SettlingSamples(double share) const;
 
   /// Replaces a signal by its filtered one.
   void Apply(std::span<double> signal) const;

@@ -16,7 +16,8 @@ constexpr double kPanelHeight = 116;
 constexpr double kColumnPitch = 226;
 constexpr double kRowPitch = 164;
 constexpr double kLeft = 38;
-constexpr double kRight = 10;
+/// Half of the last tick's label.
+constexpr double kRight = 16;
 /// From the top of the sheet to that of the first panel, and from the last panel's foot to that of the sheet.
 constexpr double kTop = 122;
 constexpr double kBottom = 42;

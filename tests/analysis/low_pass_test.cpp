@@ -1,5 +1,6 @@
 #include "analysis/low_pass.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -67,6 +68,32 @@ TEST(LowPass, IsCausalAndSettlesAtRest) {
   EXPECT_GT(step[1000], 0);
   EXPECT_LT(step[1000], 0.01);
   EXPECT_NEAR(step[2999], 1, 1e-12);
+}
+
+/// Radius of the slowest pole: the bilinear transform (1 + w s) / (1 - w s) of the prototype's next to the imaginary
+/// axis.
+double SlowestRadius(int order) {
+  const double angle = pi / 2 + pi / (2 * order);
+  const Complex s = std::tan(pi * 30 / 500) * std::polar(1.0, angle);
+  return std::abs((1.0 + s) / (1.0 - s));
+}
+
+TEST(LowPass, SettlesAsItsSlowestPole) {
+  for (const int order : {1, 2, 4, 8, 16}) {
+    const std::size_t samples = LowPass(order, 30, 500).SettlingSamples(1e-3);
+    EXPECT_EQ(samples, std::ceil(std::log(1e-3) / std::log(SlowestRadius(order)))) << order;
+    std::vector<double> impulse(4096);
+    impulse[0] = 1;
+    LowPass(order, 30, 500).Apply(impulse);
+    const auto size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto end = impulse.begin() + static_cast<std::ptrdiff_t>(samples);
+    // A filter of many poles starts late.
+    const double left =
+        std::abs(*std::max_element(end, impulse.end(), size)) / std::abs(*std::max_element(impulse.begin(), end, size));
+    EXPECT_LT(left, 0.01) << order;
+    EXPECT_GT(left, 2e-4) << order;
+  }
+  EXPECT_THROW(LowPass(4, 30, 500).SettlingSamples(1), std::invalid_argument);
 }
 
 TEST(LowPass, RefusesWhatCannotBe) {
