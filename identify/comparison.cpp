@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "analysis/option_check.h"
+#include "analysis/thread_time.h"
 #include "identify/search/parallel.h"
 
 namespace fourpost {
@@ -18,18 +19,21 @@ struct FinishedRun {
   SearchEnd end = SearchEnd::kNotRun;
   std::vector<Improvement> improvements;
   std::int64_t paid = 0;
+  double seconds = 0;
 
   double cost() const { return improvements.empty() ? kInfinite : improvements.back().cost; }
 };
 
 FinishedRun RunOnce(const Problem& problem, const ComparedMethod& method, std::uint64_t seed, const StopRules& rules,
                     const std::function<bool()>& stop, EvaluationStore* store) {
+  const double start_s = ThreadTime_s();
   Archive archive(problem, 1, store, Repeats::kPaid);
   FinishedRun run;
   run.end = method.foreign ? method.foreign->run(archive, seed, rules, stop)
                            : RunMethod(method.options, archive, seed, rules, {.count = 1}, {.stop = stop}).end;
   run.improvements = archive.improvements();
   run.paid = archive.counts().paid;
+  run.seconds = store ? std::numeric_limits<double>::quiet_NaN() : ThreadTime_s() - start_s;
   return run;
 }
 
@@ -37,7 +41,9 @@ RunOutcome OutcomeOf(const FinishedRun& run, double target) {
   const auto reached = std::find_if(run.improvements.begin(), run.improvements.end(),
                                     [&](const Improvement& improvement) { return improvement.cost <= target; });
   const bool solved = reached != run.improvements.end();
-  return {.evaluations = solved ? reached->paid : run.paid, .solved = solved, .cost = run.cost()};
+  const std::int64_t evaluations = solved ? reached->paid : run.paid;
+  const double share = run.paid > 0 ? static_cast<double>(evaluations) / static_cast<double>(run.paid) : 1;
+  return {.evaluations = evaluations, .solved = solved, .cost = run.cost(), .seconds = share * run.seconds};
 }
 
 double Median(std::vector<double> values) {
@@ -139,7 +145,8 @@ Comparison Compare(const Problem& problem, const std::vector<ComparedMethod>& me
     if (hooks.progress) hooks.progress(++done, static_cast<std::int64_t>(methods.size() * runs));
   });
 
-  Comparison comparison;
+  Comparison comparison{.parameters = problem.lattice.size(),
+                        .residuals = static_cast<std::size_t>(problem.residual_count)};
   for (auto& of_method : finished) {
     const auto unfinished = [](const FinishedRun& run) {
       return run.end == SearchEnd::kNotRun || run.end == SearchEnd::kStopped;

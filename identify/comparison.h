@@ -60,6 +60,9 @@ struct RunOutcome {
   bool solved = false;
   /// The best at the end; infinite when every evaluation failed.
   double cost = 0;
+  /// Processor time that these evaluations took, of the whole run's in proportion, the method's own included; NaN with
+  /// a store, which has evaluations for nothing.
+  double seconds = 0;
 };
 
 /// What the runs of a method add up to.
@@ -83,6 +86,9 @@ struct MethodSummary {
 
 struct Comparison {
   double target_cost = 0;
+  /// Of the problem.
+  std::size_t parameters = 0;
+  std::size_t residuals = 0;
   std::vector<MethodSummary> methods;
   /// Stopped by the user: unfinished runs are left out.
   bool interrupted = false;

@@ -146,8 +146,12 @@ struct CompareCommand {
   std::uint64_t seed = 1;
   /// 0: one per processor.
   int threads = 0;
+  /// At most, of each run; empty: what the study says.
+  std::optional<std::int64_t> evaluations;
   /// Of evaluations, shared by all runs; empty: nothing is kept.
   std::filesystem::path archive;
+  /// Tell processor time.
+  bool time = false;
   bool json = false;
 };
 

@@ -103,16 +103,31 @@ std::string Range(const Interval& interval, int digits) {
   return Rounded(interval.lower, digits) + " .. " + Rounded(interval.upper, digits);
 }
 
-std::string Table(const Comparison& comparison) {
-  TextTable table(
-      {"method", "runs", "solved", "95 %", "evaluations", "per success", "95 %", "median cost", "worst cost"});
+double MeanSeconds(const MethodSummary& method) {
+  double sum = 0;
+  for (const RunOutcome& outcome : method.outcomes) sum += outcome.seconds;
+  return sum / static_cast<double>(method.outcomes.size());
+}
+
+std::string Table(const Comparison& comparison, bool time) {
+  std::vector<std::string> head = {"method",      "runs", "solved",      "95 %",      "evaluations",
+                                   "per success", "95 %", "median cost", "worst cost"};
+  if (time) head.push_back("seconds");
+  TextTable table(head);
   for (const MethodSummary& method : comparison.methods) {
     const auto runs = static_cast<double>(method.outcomes.size());
     const Interval percent = {100 * method.success_share.lower, 100 * method.success_share.upper};
-    table.Add({method.name, std::to_string(method.outcomes.size()),
-               Rounded(100 * static_cast<double>(method.successes) / runs, 3) + " %", Range(percent, 3) + " %",
-               Rounded(method.evaluations_mean, 4), Rounded(method.expected_evaluations, 4),
-               Range(method.expected_interval, 4), Rounded(method.cost_median, 5), Rounded(method.cost_worst, 5)});
+    std::vector<std::string> row = {method.name,
+                                    std::to_string(method.outcomes.size()),
+                                    Rounded(100 * static_cast<double>(method.successes) / runs, 3) + " %",
+                                    Range(percent, 3) + " %",
+                                    Rounded(method.evaluations_mean, 4),
+                                    Rounded(method.expected_evaluations, 4),
+                                    Range(method.expected_interval, 4),
+                                    Rounded(method.cost_median, 5),
+                                    Rounded(method.cost_worst, 5)};
+    if (time) row.push_back(Rounded(MeanSeconds(method), 3));
+    table.Add(row);
   }
   return table.Format();
 }
@@ -151,14 +166,14 @@ int Run(const CompareCommand& command) {
   options.seed = command.seed;
   options.threads = command.threads;
   options.rules.target_cost = loaded.target_cost;
-  options.rules.max_evaluations = study.search.evaluations.value_or(3000);
+  options.rules.max_evaluations = command.evaluations.value_or(study.search.evaluations.value_or(3000));
   options.rules.max_generations = study.search.generations;
   options.rules.max_stagnant_generations = study.search.stagnation;
   options.rules.max_seconds = study.search.time_s;
   const Comparison comparison = CompareWithProgress(problem, methods, options, store);
   const bool nothing_succeeded = !std::isfinite(comparison.target_cost);
-  Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed)
-                     : Table(comparison) + '\n' + Details(comparison, options));
+  Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed, command.time)
+                     : Table(comparison, command.time) + '\n' + Details(comparison, options));
   if (comparison.interrupted) return kInterrupted;
   return nothing_succeeded ? kAllSimulationsFailed : kGood;
 }

@@ -176,8 +176,13 @@ int main(int argc, char** argv) {
   sub->add_option("--seed", compare.seed, "Of the first run; the others take those after it")->check(WholeNumber());
   sub->add_option("--threads", compare.threads, "Runs at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
+  sub->add_option("--evaluations", compare.evaluations, "At most, of each run, in place of what the study says")
+      ->check(CLI::Range(1, 1000000000));
+  CLI::Option* const compare_time =
+      sub->add_flag("--time", compare.time, "Tell processor time, too, which no two comparisons have alike");
   sub->add_option("--archive", compare.archive,
-                  "File to keep evaluations in, such as the archive.sqlite of a fit; no influence on the result");
+                  "File to keep evaluations in, such as the archive.sqlite of a fit; no influence on the result")
+      ->excludes(compare_time);
   sub->add_flag("--json", compare.json, "Print JSON in place of tables");
   sub->callback([&] {
     run = [&] {

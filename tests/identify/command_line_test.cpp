@@ -464,6 +464,18 @@ TEST_F(CommandLine, ComparePrintsATableWithIntervalsAndAllSettings) {
   EXPECT_THAT(outcome.out, HasSubstr("with population 40 base random factor_rule constant factor 0.8 crossover 0.7"));
 }
 
+TEST_F(CommandLine, CompareTellsTimeAndEndsRunsWhereAsked) {
+  const std::string compare = "compare studies/test_problems/gear_train.yaml --methods de --runs 2 --evaluations 60 ";
+  const Outcome outcome = Run(compare + "--time --json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Json method = Json::parse(outcome.out).at("methods").at(0);
+  EXPECT_GT(method.at("seconds").at("mean"), 0);
+  EXPECT_EQ(method.at("ends").at("evaluations used up"), 2);
+  EXPECT_EQ(method.at("evaluations").at("mean"), 60);
+  EXPECT_THAT(Run(compare + "--time").out, HasSubstr("seconds"));
+  EXPECT_EQ(Run(compare + "--time --archive a.sqlite").code, 2);
+}
+
 TEST_F(CommandLine, CompareTakesTheStudyOfAVehicle) {
   const Outcome outcome = Run("compare studies/landrover110/model2.yaml --methods gb,dvhde --runs 1 --json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/thread_time.h"
 #include "identify/comparison_json.h"
 #include "identify/problems/test_problem.h"
 #include "tests/identify/test_problems.h"
@@ -91,6 +92,8 @@ TEST(Comparison, TakesTheBestOfAllRunsForTheTargetWhereNoneIsGiven) {
   for (const MethodSummary& method : comparison.methods)
     for (const RunOutcome& outcome : method.outcomes) best = std::min(best, outcome.cost);
   EXPECT_DOUBLE_EQ(comparison.target_cost, 1.01 * best);
+  EXPECT_EQ(comparison.parameters, 3u);
+  EXPECT_EQ(comparison.residuals, 80u);
   EXPECT_GT(comparison.methods[0].successes + comparison.methods[1].successes, 0);
 }
 
@@ -138,6 +141,35 @@ TEST(Comparison, HasTheKeysOfItsJson) {
   EXPECT_LE(method.at("cost_median"), method.at("cost_worst"));
   EXPECT_EQ(method.at("settings").at("population"), "20");
   EXPECT_EQ(method.at("ends").at("evaluations used up"), 4);
+  ASSERT_EQ(method.at("outcomes").size(), 4u);
+  EXPECT_EQ(method.at("outcomes").at(3).at(0), 100);
+  EXPECT_LE(method.at("outcomes").at(3).at(1), method.at("cost_worst"));
+  EXPECT_FALSE(method.contains("seconds"));
+}
+
+// Of a run that reached its target half way, half of the time counts.
+TEST(Comparison, TellsTheTimeUpToTheTarget) {
+  const auto spend = [](const Eigen::VectorXd&) {
+    const double until = ThreadTime_s() + 0.001;
+    while (ThreadTime_s() < until) continue;
+    return OneResidual(1);
+  };
+  const Problem problem = {Flat().lattice, spend};
+  ForeignMethod ten;
+  ten.run = [](Archive& archive, std::uint64_t, const StopRules&, const std::function<bool()>&) {
+    for (std::int64_t index = 1; index <= 10; ++index)
+      archive.Evaluate({LatticePoint(archive.lattice().size(), index)});
+    return SearchEnd::kFinished;
+  };
+  const Comparison comparison = Compare(problem, {{.name = "ten", .foreign = ten}}, {.runs = 2});
+  for (const RunOutcome& outcome : comparison.methods[0].outcomes) {
+    EXPECT_EQ(outcome.evaluations, 1);
+    EXPECT_GE(outcome.seconds, 0.001);
+    // Ten in all; what the method itself takes is little.
+    EXPECT_LT(outcome.seconds, 0.005);
+  }
+  const auto json = nlohmann::json::parse(ComparisonJson(comparison, "s", 7, true));
+  EXPECT_GE(json.at("methods").at(0).at("seconds").at("mean"), 0.001);
 }
 
 TEST(Comparison, HasNoCostsWhereEveryEvaluationFails) {
