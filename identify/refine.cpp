@@ -182,8 +182,11 @@ ceres::Solver::Summary Solve(ResidualFunction& function, const FitVariables& var
   return summary;
 }
 
-bool Agrees(double cost, double best, double zero, double agreement) {
-  return cost <= zero || cost - best <= agreement * best;
+/// See RefineOptions::agreement.
+bool Agrees(const RefineResult& run, const RefineResult& best, double zero, const RefineOptions& options) {
+  const auto freedom = static_cast<double>(std::max<Eigen::Index>(1, best.residuals.size() - best.values.size()));
+  const double share = std::max(options.agreement / freedom, 100 * options.cost_tolerance);
+  return run.cost <= zero || run.cost - best.cost <= share * best.cost;
 }
 
 }  // namespace
@@ -284,9 +287,9 @@ MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>
     if (wins) result.best = static_cast<int>(result.runs.size()) - 1;
   }
   if (result.best < 0) return result;
-  const double best = result.runs[static_cast<std::size_t>(result.best)].cost;
+  const RefineResult& best = result.runs[static_cast<std::size_t>(result.best)];
   result.agreeing = static_cast<int>(std::count_if(result.runs.begin(), result.runs.end(), [&](const auto& run) {
-    return run.has_cost() && Agrees(run.cost, best, 1e-12 * highest_start, options.agreement);
+    return run.has_cost() && Agrees(run, best, 1e-12 * highest_start, options);
   }));
   return result;
 }

@@ -25,9 +25,12 @@ struct RefineOptions {
   double cost_tolerance = 1e-8;
   /// Converged when the variables move by less than this share of their norm; in (0, 1).
   double step_tolerance = 1e-8;
-  /// Two runs agree when the excess of the worse cost over the better is below this share of it; in (0, 1). A cost
-  /// below 1e-12 of the highest starting cost counts as zero, since all that is left of it is rounding.
-  double agreement = 1e-6;
+  /// Two runs agree when the worse cost exceeds the better by less than this much of chi-square; in (0, 1). Its unit is
+  /// the better cost over its degrees of freedom, residuals less variables, so that it does not depend on how well the
+  /// noise is known: within 0.01 of it values differ by at most a tenth of their deviations, which no data can tell.
+  /// But 100 times `cost_tolerance` of the cost, which is what the solver leaves, agree as well, and a cost below 1e-12
+  /// of the highest starting cost counts as zero, since all that is left of it is rounding.
+  double agreement = 0.01;
   /// Of the residuals; the cost is its sum. Where most residuals are outliers, that of Cauchy and Tukey is so flat that
   /// no way leads down: Huber's of the same scale, which is convex, goes before.
   RobustLoss loss;

@@ -414,6 +414,25 @@ TEST_F(RefineFromSeveral, CountsAgreementAtACostThatIsNotZeroToo) {
   EXPECT_GT(result.runs[0].cost, 3);
 }
 
+/// Two minima, at x = 2 of cost 99 and near -2 of (2 depth)^2 more; 101 residuals.
+int AgreeingAt(double depth) {
+  const auto two_minima = [depth](const Eigen::VectorXd& p) {
+    Evaluation evaluation;
+    evaluation.residuals = Eigen::VectorXd::Ones(101);
+    evaluation.residuals[0] = p[0] * p[0] - 4;
+    evaluation.residuals[1] = 0.5 * depth * (p[0] - 2);
+    return evaluation;
+  };
+  Archive archive({Lattice({{"x", -5, 5, 0.1}}), two_minima});
+  return RefineFrom(archive, {Eigen::VectorXd::Constant(1, 3), Eigen::VectorXd::Constant(1, -3)}).agreeing;
+}
+
+// A unit of chi-square is 99 / (101 - 1): a hundredth of it is (2 x 0.0497)^2.
+TEST(RefineAgreement, IsByWhatTheDataCanTell) {
+  EXPECT_EQ(AgreeingAt(0.045), 2);
+  EXPECT_EQ(AgreeingAt(0.055), 1);
+}
+
 TEST_F(RefineFromSeveral, WithoutAGoodStartThereIsNoBest) {
   EXPECT_EQ(RefineFrom(archive_, {}).best, -1);
   const MultiStartResult result = RefineFrom(archive_, Starts({5, 4.5}));
