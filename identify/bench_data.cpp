@@ -8,6 +8,7 @@
 #include "analysis/number.h"
 #include "analysis/restored_signal.h"
 #include "analysis/time_recording.h"
+#include "vehicles/bench/bench_unit_check.h"
 #include "vehicles/bench/recording_check.h"
 
 namespace fourpost {
@@ -33,19 +34,22 @@ std::optional<std::size_t> FindDamper(const BenchStudy& study, const std::string
   return std::nullopt;
 }
 
-/// Samples at the start over which the filter forgets that it did not see what was before.
-std::size_t SettlingSamples(const RigFilter& filter, double sample_s) {
-  constexpr double kPeriods = 3;
-  return static_cast<std::size_t>(std::ceil(kPeriods / filter.cutoff_Hz / sample_s));
-}
+/// Of what was before a recording, which the modelled filter did not see: less than a model misses.
+constexpr double kForgotten = 1e-3;
 
+/// Longer than any damper of a road vehicle.
+constexpr double kLongestStroke_m = 1;
+
+/// `damper`: nothing where the vehicle has no such.
 std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Recording& from,
-                                   Diagnostics& diagnostics) {
+                                   const std::optional<BenchDamper>& damper, Diagnostics& diagnostics) {
+  // Both ends may be drawn at one point.
+  const double length_m = damper && damper->length_m() > 0 ? damper->length_m() : kLongestStroke_m;
   const std::array<RecordedChannel, 2> wanted = {
       RecordedChannel{{study.displacement}, kLength, "the damper's extension"},
       RecordedChannel{{study.force}, kForce, "the damper's tension"}};
   std::optional<TimeRecording> read = ReadTimeRecording(from.file, wanted, diagnostics);
-  if (!read || !CheckBenchRecording(*read, from.file.string(), diagnostics)) return std::nullopt;
+  if (!read || !CheckBenchRecording(*read, length_m, from.file.string(), diagnostics)) return std::nullopt;
   BenchRecording recording{.name = from.name,
                            .start_s = read->start_s,
                            .sample_s = read->step_s,
@@ -65,7 +69,7 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
     recording.cutoff_Hz = study.rig_filter->cutoff_Hz;
     recording.filter = LowPass(study.rig_filter->order, study.rig_filter->cutoff_Hz, rate_Hz);
     displacement = RestoredSignal(*recording.filter, displacement);
-    recording.first = SettlingSamples(*study.rig_filter, recording.sample_s);
+    recording.first = recording.filter->SettlingSamples(kForgotten);
     recording.end -= std::min<std::size_t>(recording.end, kRestoringReach);
     if (recording.first >= recording.end) {
       diagnostics.Error(from.file.string(), 0, "is over before the filter of the rig has settled; record longer");
@@ -84,11 +88,16 @@ std::optional<BenchData> LoadBenchData(const BenchStudy& study, const std::strin
   const std::optional<std::size_t> damper = FindDamper(study, study_file, vehicle, diagnostics);
   bool good = damper.has_value();
   data.damper = damper.value_or(0);
+  const std::vector<double> values = vehicle.ParameterValues();
+  std::optional<BenchDamper> on_bench;
+  if (damper) on_bench.emplace(vehicle, *damper);
   const auto load = [&](const std::vector<BenchStudy::Recording>& from, std::vector<BenchRecording>& to) {
     for (const BenchStudy::Recording& recording : from) {
-      std::optional<BenchRecording> loaded = Load(study, recording, diagnostics);
+      std::optional<BenchRecording> loaded = Load(study, recording, on_bench, diagnostics);
+      good = good && loaded;
+      if (loaded && on_bench)
+        good &= CheckBenchUnits(*on_bench, loaded->motion, loaded->force, values, recording.file.string(), diagnostics);
       if (loaded) to.push_back(*std::move(loaded));
-      else good = false;
     }
   };
   load(study.recordings, data.fitted);

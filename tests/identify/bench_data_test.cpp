@@ -39,8 +39,9 @@ constexpr const char* kStudy =
     "vehicle: damper.urdf\nbench:\n  rig_filter: {order: 4, cutoff: 30 Hz}\n  recordings: [sine.csv]\n"
     "  validation: [fast.csv]\n";
 
-/// The bench of kVehicle, 2 s, through the rig's filter.
-std::string Recording(double frequency_Hz, double amplitude_m) {
+/// The bench of kVehicle, 2 s, through the rig's filter. `force_of`: the amplitude that the force is of, in place of
+/// the one recorded.
+std::string Recording(double frequency_Hz, double amplitude_m, double force_of = 0) {
   const double w = 2 * std::numbers::pi * frequency_Hz;
   std::vector<double> x;
   std::vector<double> force;
@@ -50,7 +51,7 @@ std::string Recording(double frequency_Hz, double amplitude_m) {
     const double slope = t < 0.5 ? std::numbers::pi * std::sin(2 * std::numbers::pi * t) : 0;
     const double v = amplitude_m * (rise * w * std::cos(w * t) + slope * std::sin(w * t));
     x.push_back(amplitude_m * rise * std::sin(w * t));
-    force.push_back((v > 0 ? kRebound : kBump) * v);
+    force.push_back((force_of > 0 ? force_of / amplitude_m : 1) * (v > 0 ? kRebound : kBump) * v);
   }
   const LowPass filter(4, 30, 500);
   filter.Apply(x);
@@ -126,6 +127,30 @@ TEST_F(BenchDataTest, TellsFaultsOfAllRecordings) {
   folder_.Write("fast.csv", Replace(Recording(20, 0.001), "s,m,N", "s,N,N"));
   EXPECT_THAT(Faults(), AllOf(HasSubstr("sine.csv:1: error: column 'force', the damper's tension, is missing"),
                               HasSubstr("fast.csv:2: error: column 'displacement', the damper's extension, has 'N'")));
+}
+
+// 1 mm at 20 Hz told as m spans 2 m, more than the damper's length; 0.1 mm spans 0.2 m.
+TEST_F(BenchDataTest, TellsMillimetresForMetresAtSmallStroke) {
+  const auto wrong = [](double amplitude_m) { return Recording(20, 1e3 * amplitude_m, amplitude_m); };
+  folder_.Write("fast.csv", wrong(1e-3));
+  EXPECT_THAT(Faults(), HasSubstr("fast.csv: error: displacement spans 2 m, more than the damper's length of 0.4 m"));
+  diagnostics_ = {};
+  folder_.Write("fast.csv", wrong(1e-4));
+  EXPECT_THAT(Faults(), AllOf(HasSubstr("fast.csv: error: has a force of 1"), HasSubstr("N rms for a motion of"),
+                              HasSubstr("displacement looks like mm told as m, or force like kN told as N")));
+}
+
+TEST_F(BenchDataTest, TellsMetresForMillimetres) {
+  folder_.Write("fast.csv", Replace(Recording(20, 0.001), "s,m,N", "s,mm,N"));
+  EXPECT_THAT(Faults(), AllOf(HasSubstr("fast.csv: error: has a force of"),
+                              HasSubstr("displacement looks like m told as mm, or force like N told as kN")));
+}
+
+// A damper a hundred times softer than the file's is another one, not a wrong unit.
+TEST_F(BenchDataTest, LeavesDampersThatAreFarFromTheFiles) {
+  folder_.Write("damper.urdf", Replace(Replace(kVehicle, "800 N*s/m", "4900 N*s/m"), "value=\"2 kN", "value=\"4.9 kN"));
+  folder_.Write("fast.csv", Recording(20, 0.001, 2e-5));
+  EXPECT_TRUE(Load()) << diagnostics_.Format();
 }
 
 TEST_F(BenchDataTest, TellsFilesThatAreMissing) {

@@ -117,7 +117,8 @@ double Missed(const Vehicle& vehicle, const BenchData& data) {
 void Tell(const std::filesystem::path& path, const std::vector<Model>& models) {
   const TimeRecording recording = Read(path);
   Diagnostics diagnostics;
-  const bool good = CheckBenchRecording(recording, path.filename(), diagnostics);
+  const bool good =
+      CheckBenchRecording(recording, BenchDamper(models[0].vehicle, 0).length_m(), path.filename(), diagnostics);
   if (!diagnostics.items().empty()) std::fprintf(stderr, "%s\n", diagnostics.Format().c_str());
   if (!good) return;
   BenchData data;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "vehicles/bench/series_history.h"
+#include "vehicles/description/design_poses.h"
 #include "vehicles/simulation/hydraulic_step.h"
 
 namespace fourpost {
@@ -61,6 +62,8 @@ void AddSpring(const Spring& spring, const BenchMotion& motion, std::span<const 
 
 BenchDamper::BenchDamper(const Vehicle& vehicle, std::size_t damper) {
   const ForceLine& line = vehicle.dampers[damper].line;
+  const std::vector<Eigen::Isometry3d> poses = DesignPoses(vehicle);
+  length_m_ = (PlaceOf(line.parent, poses) - PlaceOf(line.child, poses)).norm();
   for (const Damper& other : vehicle.dampers)
     if (IsSame(other.line, line)) dampers_.push_back(other);
   for (const Spring& spring : vehicle.springs)

@@ -23,10 +23,14 @@ class BenchDamper {
   /// make no law.
   std::vector<double> Tensions(const BenchMotion& motion, std::span<const double> values) const;
 
+  /// Distance of the points that it acts between, in the design pose [m]: no damper's stroke is as long as itself.
+  double length_m() const { return length_m_; }
+
   /// The damper and those beside it.
   const std::vector<Damper>& dampers() const { return dampers_; }
 
  private:
+  double length_m_ = 0;
   std::vector<Damper> dampers_;
   std::vector<Spring> springs_;
 };

@@ -4,17 +4,21 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/number.h"
+#include "analysis/short_number.h"
+#include "analysis/spikes.h"
 #include "analysis/turning_points.h"
+#include "vehicles/bench/force_motion.h"
 
 namespace fourpost {
 namespace {
 
 using Signal = std::vector<double>;
 
-/// Longer than any damper of a road vehicle, and shorter than a micrometre's worth of mm.
-constexpr double kLongestStroke_m = 1;
 constexpr double kShortestStroke_m = 2e-5;
+/// Of the force's variance: of any damper more than half goes with the motion.
+constexpr double kLittleOfMotion = 0.2;
+/// Beyond 0 and 90 degrees: more than the two-point slopes and noise make.
+constexpr double kPhaseSlack_deg = 5;
 /// Of the signal's rms: rounding to levels that is worth a word.
 constexpr double kCoarse = 0.05;
 /// Of the signal's span.
@@ -23,13 +27,6 @@ constexpr double kDrift = 0.05;
 constexpr std::size_t kClippedRun = 4;
 /// Of them in all: a crest with noise of a few levels may have one such run.
 constexpr std::size_t kFewestClipped = 12;
-
-/// With three digits.
-std::string Shown(double value) {
-  if (value == 0) return "0";
-  const double scale = std::pow(10, std::floor(std::log10(std::abs(value))) - 2);
-  return FormatNumber(std::round(value / scale), static_cast<int>(std::lround(std::log10(scale))));
-}
 
 double Span(const Signal& signal) {
   const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
@@ -84,8 +81,9 @@ std::size_t ClippedAtTop(const Signal& signal, double level) {
 
 class Checker {
  public:
-  Checker(const TimeRecording& recording, const std::string& file, Diagnostics& diagnostics)
-      : x_(recording.channels[0]),
+  Checker(const TimeRecording& recording, double longest_stroke_m, const std::string& file, Diagnostics& diagnostics)
+      : longest_stroke_m_(longest_stroke_m),
+        x_(recording.channels[0]),
         force_(recording.channels[1]),
         rate_(Rates(x_, recording.step_s)),
         recording_(recording),
@@ -93,16 +91,24 @@ class Checker {
         diagnostics_(diagnostics) {}
 
   bool Check() {
+    if (Span(force_) == 0) {
+      Fault("has a force of " + ShortNumber(force_.front()) +
+            " N throughout, whatever the motion: the channel is dead; look at its plug and its amplifier");
+      return good_;
+    }
+    TellSpikes(x_, "displacement", "m");
+    TellSpikes(force_, "force", "N");
     CheckClipping(x_, "displacement", "m");
     CheckClipping(force_, "force", "N");
     turns_ = TurningPoints(x_);
     if (turns_.size() < 2) {
       Fault("holds less than one cycle: displacement turns back " +
             std::string(turns_.empty() ? "nowhere" : "once only") + " within " +
-            Shown(recording_.end_s - recording_.start_s) + " s; record at least one cycle, better ten");
+            ShortNumber(recording_.end_s - recording_.start_s) + " s; record at least one cycle, better ten");
       return good_;
     }
     CheckStroke();
+    if (good_) CheckMotion();
     if (good_) CheckWork();
     CheckLevels();
     if (good_) CheckDrift();
@@ -129,29 +135,65 @@ class Checker {
     const double span = Span(x_);
     // What is swapped has the rate of force times displacement for power: that of force times rate, with the other
     // sign.
-    if (span > kLongestStroke_m && Power() < 0)
-      return Fault("displacement spans " + Shown(span) + " m and force " + Shown(Span(force_)) +
+    if (span > longest_stroke_m_ && Power() < 0)
+      return Fault("displacement spans " + ShortNumber(span) + " m and force " + ShortNumber(Span(force_)) +
                    " N, and their product gives off work: the two columns look swapped; exchange their names");
-    if (span > kLongestStroke_m)
-      return Fault("displacement spans " + Shown(span) +
-                   " m, more than any damper's stroke: it looks like mm; correct the row of units");
+    if (span > longest_stroke_m_)
+      return Fault("displacement spans " + ShortNumber(span) + " m, more than the damper's length of " +
+                   ShortNumber(longest_stroke_m_) + " m: it looks like mm; correct the row of units");
     if (span < kShortestStroke_m)
-      Warn("displacement spans " + Shown(span) + " m only, less than any bench is set to: check the row of units");
+      Warn("displacement spans " + ShortNumber(span) +
+           " m only, less than any bench is set to: check the row of units");
   }
 
+  void CheckMotion() {
+    const double share = ShareOfMotion(x_, rate_, force_);
+    if (share < kLittleOfMotion)
+      Warn("has a force of which " + ShortNumber(100 * share, 2) +
+           " % go with displacement or speed: the rest is noise, or the channel is another one; look at plugs and "
+           "names");
+  }
+
+  /// Whether force acts against the motion, and at the time when a damper's does.
   void CheckWork() {
     const double power = Power();
-    if (power < 0)
-      return Fault("force acts along the motion: the damper would give off " + Shown(-power) +
+    const std::optional<FastestPhase> fastest = PhaseOfFastest(x_, force_, recording_.step_s);
+    const double phase_deg = fastest ? fastest->phase_deg : 90;
+    // A delay turns the phase bit by bit, the wrong sign by half a turn.
+    if (power < 0 && phase_deg < -45)
+      return Fault("force acts along the motion: the damper would give off " + ShortNumber(-power) +
                    " W; change the sign of force or of displacement, extension and tension are positive");
+    if (phase_deg > 90 + kPhaseSlack_deg || phase_deg < -kPhaseSlack_deg) TellDelay(*fastest);
     // Mean forces at like speeds.
     double rebound = 0;
     double compression = 0;
     for (std::size_t k = 0; k < force_.size(); ++k) (rate_[k] > 0 ? rebound : compression) += rate_[k] * force_[k];
     if (compression > 1.2 * rebound)
-      Warn("takes " + Shown(compression / rebound) +
+      Warn("takes " + ShortNumber(compression / rebound) +
            " times as much work in compression as in rebound, which few dampers do: are both signs changed? extension "
            "and tension are positive");
+  }
+
+  void TellDelay(const FastestPhase& fastest) {
+    const bool ahead = fastest.phase_deg > 90;
+    Warn("force comes " + ShortNumber(1e3 * std::abs(fastest.Lead_s()), 2) + " ms " + (ahead ? "before" : "after") +
+         " the speed at " + ShortNumber(fastest.frequency_Hz, 2) + " Hz, its phase against displacement is " +
+         ShortNumber(fastest.phase_deg, 2) +
+         " degrees, which is between 0 and 90 of all that stores and dissipates: record both channels with one device "
+         "and one filter" +
+         (ahead ? ", and take off the inertia of what is between damper and load cell" : ""));
+  }
+
+  void TellSpikes(const Signal& signal, const std::string& name, const std::string& unit) {
+    const std::vector<std::size_t> spikes = Spikes(signal);
+    if (spikes.empty()) return;
+    const double at_s = recording_.start_s + recording_.step_s * static_cast<double>(spikes.front());
+    Warn(name +
+         (spikes.size() == 1 ? " has a sample that stands out, at "
+                             : " has " + std::to_string(spikes.size()) + " samples that stand out, the first at ") + ShortNumber(at_s, 5) + " s with " + ShortNumber(signal[spikes.front()]) +
+         " " + unit +
+         ": look at plugs and cables, put the mean of the neighbours there, or fit with 'refine: {loss: "
+         "huber}'");
   }
 
   void CheckClipping(const Signal& signal, const std::string& name, const std::string& unit) {
@@ -163,8 +205,8 @@ class Checker {
     if (top + bottom < kFewestClipped) return;
     const double at = top >= bottom ? *std::max_element(signal.begin(), signal.end())
                                     : *std::min_element(signal.begin(), signal.end());
-    Fault(name + " is clipped: " + std::to_string(std::max(top, bottom)) + " samples stand at " + Shown(at) + " " +
-          unit + " exactly; record with a wider range, or cut these parts out");
+    Fault(name + " is clipped: " + std::to_string(std::max(top, bottom)) + " samples stand at " + ShortNumber(at) +
+          " " + unit + " exactly; record with a wider range, or cut these parts out");
   }
 
   void CheckLevels() {
@@ -172,11 +214,11 @@ class Checker {
     const double rounding = LevelOf(x_) / std::sqrt(12.0);
     const double rate_rounding = rounding / (std::sqrt(2.0) * recording_.step_s);
     if (rate_rounding > kCoarse * Rms(rate_))
-      Warn("displacement comes in levels of " + Shown(LevelOf(x_)) + " m, which is " +
-           Shown(100 * rate_rounding / Rms(rate_)) +
+      Warn("displacement comes in levels of " + ShortNumber(LevelOf(x_)) + " m, which is " +
+           ShortNumber(100 * rate_rounding / Rms(rate_)) +
            " % of the speed's rms: record with a finer range, or more slowly sampled");
     if (LevelOf(force_) / std::sqrt(12.0) > kCoarse * Rms(force_))
-      Warn("force comes in levels of " + Shown(LevelOf(force_)) + " N of a span of " + Shown(Span(force_)) +
+      Warn("force comes in levels of " + ShortNumber(LevelOf(force_)) + " N of a span of " + ShortNumber(Span(force_)) +
            " N: record with a finer range");
   }
 
@@ -199,10 +241,11 @@ class Checker {
     const double before = Mean({values.begin(), values.begin() + third});
     const double after = Mean({values.end() - third, values.end()});
     if (std::abs(after - before) < kDrift * span) return;
-    Warn(name + " drifts by " + Shown(after - before) + " " + unit + " of a span of " + Shown(span) + " " + unit +
-         ": warm the amplifier and the damper up, or take the drift out");
+    Warn(name + " drifts by " + ShortNumber(after - before) + " " + unit + " of a span of " + ShortNumber(span) + " " +
+         unit + ": warm the amplifier and the damper up, or take the drift out");
   }
 
+  double longest_stroke_m_;
   const Signal& x_;
   const Signal& force_;
   Signal rate_;
@@ -215,8 +258,9 @@ class Checker {
 
 }  // namespace
 
-bool CheckBenchRecording(const TimeRecording& recording, const std::string& file, Diagnostics& diagnostics) {
-  return Checker(recording, file, diagnostics).Check();
+bool CheckBenchRecording(const TimeRecording& recording, double longest_stroke_m, const std::string& file,
+                         Diagnostics& diagnostics) {
+  return Checker(recording, longest_stroke_m, file, diagnostics).Check();
 }
 
 }  // namespace fourpost

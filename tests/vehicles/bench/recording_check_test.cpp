@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <numbers>
+#include <random>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -15,6 +16,8 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+
+constexpr double kLength_m = 0.4;
 
 /// Ten cycles at 1 Hz of 20 mm: 750 N s/m in compression, 1900 in rebound.
 TimeRecording Good() {
@@ -35,14 +38,14 @@ void Apply(std::vector<double>& signal, const std::function<double(double)>& cha
 /// All that is said of a recording that cannot be used.
 std::string FaultOf(const TimeRecording& recording) {
   Diagnostics diagnostics;
-  EXPECT_FALSE(CheckBenchRecording(recording, "bench.csv", diagnostics));
+  EXPECT_FALSE(CheckBenchRecording(recording, kLength_m, "bench.csv", diagnostics));
   return diagnostics.Format();
 }
 
 /// All that is said of one that can.
 std::string WarningOf(const TimeRecording& recording) {
   Diagnostics diagnostics;
-  EXPECT_TRUE(CheckBenchRecording(recording, "bench.csv", diagnostics));
+  EXPECT_TRUE(CheckBenchRecording(recording, kLength_m, "bench.csv", diagnostics));
   return diagnostics.Format();
 }
 
@@ -58,7 +61,7 @@ TEST(RecordingCheck, PassesTheShippedOnes) {
     Diagnostics diagnostics;
     const auto recording = ReadTimeRecording(entry.path(), wanted, diagnostics);
     ASSERT_TRUE(recording) << diagnostics.Format();
-    EXPECT_TRUE(CheckBenchRecording(*recording, entry.path().string(), diagnostics));
+    EXPECT_TRUE(CheckBenchRecording(*recording, kLength_m, entry.path().string(), diagnostics));
     EXPECT_EQ(diagnostics.Format(), "");
   }
   EXPECT_EQ(files, 16);
@@ -91,9 +94,10 @@ TEST(RecordingCheck, SuspectsTwoWrongSigns) {
 TEST(RecordingCheck, TellsMillimetresForMetres) {
   TimeRecording recording = Good();
   Apply(recording.channels[0], [](double value) { return 1000 * value; });
-  EXPECT_EQ(FaultOf(recording),
-            "bench.csv: error: displacement spans 40 m, more than any damper's stroke: it looks like mm; correct the "
-            "row of units");
+  EXPECT_EQ(
+      FaultOf(recording),
+      "bench.csv: error: displacement spans 40 m, more than the damper's length of 0.4 m: it looks like mm; correct "
+      "the row of units");
 }
 
 TEST(RecordingCheck, TellsMetresForMillimetres) {
@@ -146,6 +150,57 @@ TEST(RecordingCheck, TellsDrift) {
   }
   EXPECT_THAT(WarningOf(recording), AllOf(HasSubstr("displacement drifts by 0.005"),
                                           HasSubstr("force at the turning points drifts by 5"), HasSubstr("warm")));
+}
+
+TEST(RecordingCheck, TellsADeadForceChannel) {
+  TimeRecording recording = Good();
+  Apply(recording.channels[1], [](double) { return 1.5; });
+  EXPECT_EQ(
+      FaultOf(recording),
+      "bench.csv: error: has a force of 1.5 N throughout, whatever the motion: the channel is dead; look at its plug "
+      "and its amplifier");
+}
+
+TEST(RecordingCheck, TellsAForceThatIsOnlyNoise) {
+  TimeRecording recording = Good();
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> noise(0, 1);
+  Apply(recording.channels[1], [&](double value) { return 1e-4 * value + noise(engine); });
+  EXPECT_THAT(WarningOf(recording), HasSubstr("% go with displacement or speed: the rest is noise"));
+}
+
+TEST(RecordingCheck, TellsSpikes) {
+  TimeRecording recording = Good();
+  recording.channels[1][700] = 5000;
+  recording.channels[0][2000] = 0.1;
+  EXPECT_THAT(WarningOf(recording),
+              AllOf(HasSubstr("force has a sample that stands out, at 1.4 s with 5000 N"),
+                    HasSubstr("displacement has a sample that stands out, at 4 s with 0.1 m")));
+}
+
+/// Sines of 1 to 20 Hz of 0.1 m/s, a bilinear dashpot whose force comes `delay_s` later.
+TimeRecording Delayed(double delay_s) {
+  TimeRecording recording{.start_s = 0, .end_s = 8, .step_s = 0.002, .channels = {{}, {}}};
+  const auto speed = [](double t) { return 0.1 * std::cos(2 * std::numbers::pi * (t + 19 * t * t / 16)); };
+  double x = 0;
+  for (int k = 0; k <= 4000; ++k) {
+    const double t = 0.002 * k;
+    const double v = speed(t - delay_s);
+    recording.channels[0].push_back(x);
+    recording.channels[1].push_back((v > 0 ? 1900 : 750) * v);
+    for (int j = 0; j < 10; ++j) x += 0.0002 * speed(t + 0.0002 * (j + 0.5));
+  }
+  return recording;
+}
+
+TEST(RecordingCheck, TellsForceThatComesTooEarlyOrTooLateForADamper) {
+  EXPECT_EQ(WarningOf(Delayed(0)), "");
+  // As a series spring would make it.
+  EXPECT_EQ(WarningOf(Delayed(0.004)), "");
+  EXPECT_THAT(WarningOf(Delayed(-0.004)), AllOf(HasSubstr("force comes 4"), HasSubstr("ms before the speed at 1"),
+                                                HasSubstr("and take off the inertia")));
+  EXPECT_THAT(WarningOf(Delayed(0.018)),
+              AllOf(HasSubstr("force comes 18 ms after the speed at 1"), HasSubstr("one device and one filter")));
 }
 
 TEST(RecordingCheck, TellsLessThanOneCycle) {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace fourpost {
+
+/// Share of the force's variance that goes with the motion: by least squares of force on x, v, |v| and the direction of
+/// v, of which every law of a damper has some. 0 for a constant force. Spans of one length: extension x, its rate v,
+/// force.
+double ShareOfMotion(std::span<const double> x, std::span<const double> v, std::span<const double> force);
+
+/// Phase of a force against the extension in its fastest cycles. What only stores and dissipates has first harmonics
+/// F/X = k + i w c with k, c >= 0, between 0 and 90 degrees: a dashpot in line with a spring falls behind the speed,
+/// never before it, and never as far as the extension.
+struct FastestPhase {
+  double frequency_Hz = 0;
+  double phase_deg = 0;
+
+  /// By how much the force comes before the speed [s]; negative: after it.
+  double Lead_s() const { return (phase_deg - 90) / 360 / frequency_Hz; }
+};
+
+/// The median of the fastest quarter of the cycles, from k = sum F x / sum x^2 and c = sum F v / sum v^2 of each, x and
+/// F without their means, w = rms(v)/rms(x). Nothing without eight samples in one of them.
+std::optional<FastestPhase> PhaseOfFastest(std::span<const double> x, std::span<const double> force, double step_s);
+
+}  // namespace fourpost
