@@ -5,9 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
-#include "analysis/number.h"
+#include "analysis/short_number.h"
 #include "analysis/svg_chart.h"
 #include "identify/bench_cycle.h"
 
@@ -15,18 +16,14 @@ namespace fourpost {
 namespace {
 
 const std::array<double, 7> kFrequencies_Hz = {1, 2, 5, 10, 15, 20, 25};
+/// From here on in panels of their own.
+constexpr double kFast_Hz = 10;
 /// Of them, dark to light, told apart by those who see colours otherwise, too.
 const std::array<const char*, 7> kColors = {"#000000", "#0072B2", "#56B4E9", "#009E73",
                                             "#E69F00", "#D55E00", "#CC79A7"};
 
 const SvgStyle kMeasured{.label = "measured", .color = "#888888", .mark = SvgMark::kDots};
 const SvgStyle kModelled{.label = "modelled", .color = "#D55E00", .mark = SvgMark::kLine};
-
-std::string Short(double value) {
-  if (value == 0) return "0";
-  const double scale = std::pow(10, 2 - std::floor(std::log10(std::abs(value))));
-  return FormatNumber(std::round(value * scale) / scale);
-}
 
 /// A cycle of a recording that stands for a frequency.
 struct ChosenCycle {
@@ -88,7 +85,11 @@ ChartAxis AxisOf(const std::vector<SvgSeries>& series, std::vector<double> SvgSe
       upper = std::max(upper, value);
     }
   }
-  return LinearAxis(std::min(lower, 0.0), std::max(upper, std::min(lower, 0.0) + 1e-9), 5);
+  lower = std::min(lower, 0.0);
+  upper = std::max(upper, lower + 1e-9);
+  // Lines and dots are wider than nothing: none on the frame.
+  const double margin = 0.02 * (upper - lower);
+  return LinearAxis(lower < 0 ? lower - margin : 0, upper + margin, 5);
 }
 
 SvgPanel PanelOf(std::vector<SvgSeries> series) {
@@ -115,12 +116,13 @@ std::array<SvgPanel, 2> DiagramPanels(const ChosenCycle& chosen) {
   };
   SvgPanel work = panel(Over::kDisplacement);
   work.title = chosen.of->recording.name;
-  work.note = Short(chosen.cycle.frequency_Hz) + " Hz, " + Short(1e3 * AmplitudeOf(chosen)) + " mm";
+  work.note = ShortNumber(chosen.cycle.frequency_Hz) + " Hz, " + ShortNumber(1e3 * AmplitudeOf(chosen)) + " mm";
   return {std::move(work), panel(Over::kSpeed)};
 }
 
 SvgStyle FrequencyStyle(std::size_t frequency) {
-  return {.label = Short(kFrequencies_Hz[frequency]) + " Hz", .color = kColors[frequency], .mark = SvgMark::kLine};
+  return {
+      .label = ShortNumber(kFrequencies_Hz[frequency]) + " Hz", .color = kColors[frequency], .mark = SvgMark::kLine};
 }
 
 /// The panel of all, and one of a quantity of the equivalents.
@@ -137,8 +139,25 @@ SvgPanel EquivalentPanel(const std::vector<LinearEquivalent>& cycles, const std:
   SvgPanel panel = PanelOf({measured, modelled});
   panel.title = title;
   const auto [least, most] = std::minmax_element(measured.x.begin(), measured.x.end());
-  panel.x = LogAxis(0.95 * *least, 1.05 * *most);
+  panel.x = LogAxis(0.9 * *least, 1.1 * *most);
   return panel;
+}
+
+/// Measured and modelled force over speed, on the same axes.
+std::array<SvgPanel, 2> SpeedPanels(std::span<const ChosenCycle> cycles) {
+  std::vector<SvgSeries> measured;
+  std::vector<SvgSeries> modelled;
+  for (const ChosenCycle& cycle : cycles) {
+    measured.push_back(Curve(cycle, cycle.of->recording.force, Over::kSpeed, FrequencyStyle(cycle.frequency)));
+    modelled.push_back(Curve(cycle, cycle.of->force, Over::kSpeed, FrequencyStyle(cycle.frequency)));
+  }
+  std::vector<SvgSeries> all = measured;
+  all.insert(all.end(), modelled.begin(), modelled.end());
+  const SvgPanel axes = PanelOf(std::move(all));
+  std::array<SvgPanel, 2> panels = {axes, axes};
+  panels[0].series = std::move(measured);
+  panels[1].series = std::move(modelled);
+  return panels;
 }
 
 }  // namespace
@@ -156,7 +175,7 @@ std::string DiagramSvg(const std::string& title, const std::vector<ModelledRecor
 }
 
 std::string FrequencySvg(const std::string& title, const std::vector<ModelledRecording>& recordings) {
-  SvgSheet sheet{.title = title, .note = "Force [N], one cycle for each frequency."};
+  SvgSheet sheet{.title = title, .note = "Force [N] over speed [m/s], one cycle for each frequency.", .columns = {}};
   std::vector<ChosenCycle> cycles = ChosenCycles(recordings);
   std::stable_sort(cycles.begin(), cycles.end(),
                    [](const ChosenCycle& a, const ChosenCycle& b) { return a.frequency < b.frequency; });
@@ -164,26 +183,18 @@ std::string FrequencySvg(const std::string& title, const std::vector<ModelledRec
     if (i == 0 || cycles[i].frequency != cycles[i - 1].frequency)
       sheet.legend.push_back(FrequencyStyle(cycles[i].frequency));
   SvgRow row;
-  for (const Over over : {Over::kSpeed, Over::kDisplacement}) {
-    std::vector<SvgSeries> measured;
-    std::vector<SvgSeries> modelled;
-    for (const ChosenCycle& cycle : cycles) {
-      measured.push_back(Curve(cycle, cycle.of->recording.force, over, FrequencyStyle(cycle.frequency)));
-      modelled.push_back(Curve(cycle, cycle.of->force, over, FrequencyStyle(cycle.frequency)));
-    }
-    const std::string what = over == Over::kSpeed ? "over speed [m/s]" : "over displacement [mm]";
-    sheet.columns.push_back("measured, " + what);
-    sheet.columns.push_back("modelled, " + what);
-    if (cycles.empty()) continue;
-    std::vector<SvgSeries> all = measured;
-    all.insert(all.end(), modelled.begin(), modelled.end());
-    SvgPanel panel = PanelOf(std::move(all));
-    for (std::vector<SvgSeries>* series : {&measured, &modelled}) {
-      panel.series = std::move(*series);
-      row.panels.push_back(panel);
-    }
+  // The fast ones are small beside the slow ones.
+  const auto fast = std::find_if(cycles.begin(), cycles.end(),
+                                 [](const ChosenCycle& cycle) { return kFrequencies_Hz[cycle.frequency] >= kFast_Hz; });
+  for (const std::span<const ChosenCycle> group : {std::span(cycles.begin(), fast), std::span(fast, cycles.end())}) {
+    if (group.empty()) continue;
+    for (SvgPanel& panel : SpeedPanels(group)) row.panels.push_back(std::move(panel));
+    const std::string range = ShortNumber(kFrequencies_Hz[group.front().frequency]) + " to " +
+                              ShortNumber(kFrequencies_Hz[group.back().frequency]) + " Hz";
+    for (const char* what : {"measured, ", "modelled, "}) sheet.columns.push_back(what + range);
   }
-  if (!cycles.empty()) sheet.rows = {row};
+  if (row.panels.empty()) sheet.columns = {"no cycles"};
+  else sheet.rows = {row};
   return SvgText(sheet);
 }
 

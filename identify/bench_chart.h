@@ -12,7 +12,8 @@ namespace fourpost {
 std::string DiagramSvg(const std::string& title, const std::vector<ModelledRecording>& recordings);
 
 /// Force, speed and frequency in one picture: the characteristic curves of DiagramSvg over each other, one colour per
-/// frequency, measured on the left, modelled on the right.
+/// frequency, measured beside modelled, the slow ones on the left and those from 10 Hz on, which are smaller, on the
+/// right.
 std::string FrequencySvg(const std::string& title, const std::vector<ModelledRecording>& recordings);
 
 /// Linear equivalent damping and dynamic stiffness of every cycle over its frequency, measured and modelled.

@@ -6,19 +6,16 @@
 
 #include "analysis/csv_writer.h"
 #include "analysis/fit_quality.h"
+#include "analysis/short_number.h"
 
 namespace fourpost {
 namespace {
 
+/// More than any sensor tells.
+constexpr int kSignalDigits = 7;
+
 std::span<const double> Compared(const BenchRecording& recording, const std::vector<double>& signal) {
   return std::span(signal).subspan(recording.first, recording.end - recording.first);
-}
-
-/// With the digits that measured signals make sense of.
-double Short(double value) {
-  if (value == 0) return 0;
-  const double scale = std::pow(10, 6 - std::floor(std::log10(std::abs(value))));
-  return std::round(value * scale) / scale;
 }
 
 }  // namespace
@@ -54,8 +51,10 @@ std::string BenchCsv(const std::vector<ModelledRecording>& recordings) {
   for (const auto& [recording, force] : recordings) {
     for (std::size_t k = recording.first; k < recording.end; ++k) {
       const std::size_t at = k * recording.motion.steps;
-      csv.Add(recording.name).Add(Short(recording.time_s(k))).Add(Short(recording.motion.extension[at]));
-      csv.Add(Short(recording.motion.rate[at])).Add(Short(recording.force[k])).Add(Short(force[k]));
+      csv.Add(recording.name);
+      for (const double value : {recording.time_s(k), recording.motion.extension[at], recording.motion.rate[at],
+                                 recording.force[k], force[k]})
+        csv.Add(AtDigits(value, kSignalDigits));
     }
   }
   return csv.text();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/number.h"
+#include "analysis/short_number.h"
 #include "analysis/svg_chart.h"
 
 namespace fourpost {
@@ -66,12 +67,6 @@ SvgPanel Panel(const HistoryChannel& channel, double start_s, double rate_Hz, In
   return panel;
 }
 
-std::string Short(double value) {
-  if (value == 0) return "0";
-  const double scale = std::pow(10, 2 - std::floor(std::log10(std::abs(value))));
-  return FormatNumber(std::round(value * scale) / scale);
-}
-
 /// In units of short numbers.
 HistoryChannel Readable(HistoryChannel channel) {
   if (channel.unit == "m") return {channel.name, "mm", 1e3 * channel.values};
@@ -114,7 +109,7 @@ Window LiveliestSecond(const std::vector<HistoryChannel>& channels, double rate_
 
 std::string Size(const HistoryChannel& channel) {
   const Extent extent = ExtentOf(channel.values);
-  return "rms " + Short(extent.rms) + ", peak " + Short(extent.peak);
+  return "rms " + ShortNumber(extent.rms) + ", peak " + ShortNumber(extent.peak);
 }
 
 /// The whole history and the window.

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "analysis/csv_writer.h"
 #include "analysis/number.h"
+#include "analysis/short_number.h"
 #include "analysis/svg_chart.h"
 
 namespace fourpost {
@@ -36,11 +36,7 @@ std::vector<Column> ColumnsOf(const std::vector<MeasuredHistory>& histories) {
 }
 
 /// More than any sensor tells.
-double Short(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.7g", value);
-  return std::strtod(text, nullptr);
-}
+constexpr int kSignalDigits = 7;
 
 /// Samples first to first + count - 1.
 struct Window {
@@ -144,12 +140,6 @@ class Panels {
   double extent_ = 0;
 };
 
-std::string Rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 std::string Span(const MeasuredHistory& history, const Window& window) {
   const auto shown = [](double t) { return FormatNumber(std::round(100 * t) / 100); };
   return shown(history.TimeAt(window.first)) + " to " + shown(history.TimeAt(window.first + window.count - 1)) + " s";
@@ -167,13 +157,15 @@ std::string HistoryFitCsv(const std::vector<MeasuredHistory>& histories, const s
   for (const Column& column : columns) csv.Add(column.unit).Add(column.unit);
   for (std::size_t h = 0; h < histories.size(); ++h)
     for (Index k = 0; k < histories[h].count; ++k) {
-      csv.Add(histories[h].name).Add(Short(histories[h].TimeAt(k)));
+      csv.Add(histories[h].name).Add(AtDigits(histories[h].TimeAt(k), kSignalDigits));
       for (const Column& column : columns) {
         const auto& signals = histories[h].signals;
         const auto found = std::find_if(signals.begin(), signals.end(),
                                         [&](const auto& signal) { return signal.name == column.name; });
         if (found == signals.end()) csv.Add("").Add("");
-        else csv.Add(Short(found->values[k])).Add(Short(modelled[h](k, found - signals.begin())));
+        else
+          csv.Add(AtDigits(found->values[k], kSignalDigits))
+              .Add(AtDigits(modelled[h](k, found - signals.begin()), kSignalDigits));
       }
     }
   return csv.text();
@@ -195,7 +187,7 @@ std::string HistoryFitSvg(const MeasuredHistory& history, const Eigen::MatrixXd&
     const Panels panels(history, signal, modelled.col(static_cast<Index>(i)));
     sheet.rows.push_back(
         {.title = signal.name + " [" + ReadableUnit(signal.unit) + "]",
-         .note = "NMSE " + Rounded(misfits[i].nmse_percent) + " %",
+         .note = "NMSE " + ShortNumber(misfits[i].nmse_percent) + " %",
          .panels = {panels.Overlay(all), panels.Close(close[0]), panels.Close(close[1]), panels.Error(all)}});
   }
   return SvgText(sheet);

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number.h"
+#include "analysis/short_number.h"
 #include "analysis/text_file.h"
 
 namespace fourpost {
@@ -18,12 +18,6 @@ using Json = nlohmann::json;
 
 /// Of the least validation error.
 constexpr double kAlike = 1.1;
-
-std::string Short(double value) {
-  if (value == 0 || !std::isfinite(value)) return std::isfinite(value) ? "0" : "unknown";
-  const int power = static_cast<int>(std::floor(std::log10(std::abs(value)))) - 2;
-  return FormatNumber(std::round(value / std::pow(10, power)), power);
-}
 
 double Number(const Json& json) {
   return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
@@ -65,7 +59,8 @@ ReadModel ModelOf(const Json& json) {
                     .criteria = {.residuals = criteria.at("residuals").get<std::size_t>(),
                                  .parameters = criteria.at("parameters").get<std::size_t>(),
                                  .aicc = Number(criteria.at("aicc")),
-                                 .bic = Number(criteria.at("bic"))}};
+                                 .bic = Number(criteria.at("bic"))},
+                    .termination = json.at("termination").get<std::string>()};
   const Data data{Recordings(json.at("channels")), Recordings(validation), model.criteria.residuals};
   return {std::move(model), data};
 }
@@ -97,12 +92,24 @@ std::string Reason(const std::vector<FittedModel>& models, double least, bool va
   std::string reason = chosen.name + ": ";
   if (chosen.validation_percent == least) reason += "of all models it misses least of what it was not fitted to, ";
   else
-    reason +=
-        "it has the fewest parameters of those within 10 % of the least validation error, " + Short(least) + " %: ";
-  reason += Short(chosen.validation_percent) + " %";
+    reason += "it has the fewest parameters of those within 10 % of the least validation error, " + ShortNumber(least) +
+              " %: ";
+  reason += ShortNumber(chosen.validation_percent) + " %";
   if (by_bic == chosen.name) return reason + "; its BIC is the least, too";
   return reason + "; the least BIC has " + by_bic +
          ", which the fitted recordings favour and the others do not: trust the others";
+}
+
+std::vector<std::string> Remarks(const std::vector<FittedModel>& models) {
+  std::vector<std::string> remarks;
+  if (models.size() == 1)
+    remarks.push_back("This is the only run given: fit other models to the same recordings to know what it is worth.");
+  for (const FittedModel& model : models)
+    if (model.termination != "converged")
+      remarks.push_back("The fit of " + model.name +
+                        (model.termination == "interrupted" ? " was interrupted" : " did not converge") +
+                        ": it may miss more than the model does; let it end before you judge it.");
+  return remarks;
 }
 
 }  // namespace
@@ -142,7 +149,8 @@ ModelRanking Rank(std::vector<FittedModel> models) {
     std::rotate(models.begin(), simplest, simplest + 1);
   }
   std::string reason = Reason(models, least, validated);
-  return {std::move(models), std::move(reason)};
+  std::vector<std::string> remarks = Remarks(models);
+  return {std::move(models), std::move(reason), std::move(remarks)};
 }
 
 }  // namespace fourpost

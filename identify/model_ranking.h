@@ -18,6 +18,8 @@ struct FittedModel {
   double fitted_percent = 0;
   double validation_percent = 0;
   ModelCriteria criteria;
+  /// How its fit ended, as result.json has it: "converged", ...
+  std::string termination = "converged";
 };
 
 /// Models of the same recordings, the one to choose first.
@@ -25,6 +27,8 @@ struct ModelRanking {
   std::vector<FittedModel> models;
   /// Why it is the first.
   std::string reason;
+  /// What makes that doubtful, one to a sentence: fits that did not converge, nothing to compare with.
+  std::vector<std::string> remarks;
 };
 
 /// Reads the runs of `fourpost fit`, folders with a result.json, of bench recordings. Reports all of: files that cannot

@@ -33,7 +33,10 @@ std::string RankingJson(const ModelRanking& ranking) {
                       {"validation_nmse_percent", NumberOrNull(model.validation_percent)},
                       {"aicc", NumberOrNull(model.criteria.aicc)},
                       {"bic", NumberOrNull(model.criteria.bic)}});
-  const Json json = {{"chosen", ranking.models.front().name}, {"reason", ranking.reason}, {"models", models}};
+  const Json json = {{"chosen", ranking.models.front().name},
+                     {"reason", ranking.reason},
+                     {"remarks", ranking.remarks},
+                     {"models", models}};
   return json.dump(2) + '\n';
 }
 
@@ -44,7 +47,9 @@ int Run(const RankCommand& command) {
   std::vector<FittedModel> models = ReadFittedModels(command.runs, diagnostics);
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
   const ModelRanking ranking = Rank(std::move(models));
-  Print(command.json ? RankingJson(ranking) : Table(ranking) + "\n" + ranking.reason + "\n");
+  std::string remarks;
+  for (const std::string& remark : ranking.remarks) remarks += remark + "\n";
+  Print(command.json ? RankingJson(ranking) : Table(ranking) + "\n" + ranking.reason + "\n" + remarks);
   return kGood;
 }
 

@@ -166,7 +166,8 @@ std::string Profiles(const Json& result, const RunContents& run) {
 std::string Body(const Json& result, const std::vector<ComparedChannel>& channels, const OrderedJson& scene,
                  const std::string& scene_fault, bool has_histories, bool has_bench) {
   std::string body;
-  const bool is_shown = scene.is_null() || !scene["posts"].empty();
+  const bool is_on_posts = !channels.empty() || has_histories || !has_bench;
+  const bool is_shown = scene.is_null() ? is_on_posts : !scene["posts"].empty();
   const std::string viewer =
       scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(scene_fault) + "</p>\n"
                       : Drawn("viewer", "The moving vehicle needs JavaScript.");

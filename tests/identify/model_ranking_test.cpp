@@ -66,7 +66,7 @@ class FittedModelsTest : public testing::Test {
 
   TemporaryFolder folder_;
   Diagnostics diagnostics_;
-  const std::string good_ = R"({"study": "model1.yaml",
+  const std::string good_ = R"({"study": "model1.yaml", "termination": "converged",
     "channels": [{"recording": "sweep", "name": "force", "nmse_percent": 2}],
     "validation": [{"recording": "s1", "name": "force", "nmse_percent": 3},
                    {"recording": "s2", "name": "force", "nmse_percent": 5}],
@@ -83,6 +83,19 @@ TEST_F(FittedModelsTest, AreReadFromTheirRuns) {
   EXPECT_EQ(models[0].fitted_percent, 2);
   EXPECT_EQ(models[0].validation_percent, 4);
   EXPECT_EQ(models[0].criteria.bic, 8);
+}
+
+TEST_F(FittedModelsTest, TellThatTheirFitsDidNotEnd) {
+  Write("a", good_);
+  Write("b", Replace(Replace(good_, "model1", "model2"), "converged", "interrupted"));
+  const ModelRanking ranking = Rank(Read());
+  ASSERT_EQ(ranking.remarks.size(), 1) << diagnostics_.Format();
+  EXPECT_THAT(ranking.remarks[0], HasSubstr("The fit of model2 was interrupted: "));
+}
+
+TEST(ModelRanking, TellsThatOneRunIsNoComparison) {
+  EXPECT_THAT(Rank({Model("a", 3, 1, 10)}).remarks, testing::ElementsAre(HasSubstr("the only run")));
+  EXPECT_THAT(Rank({Model("a", 3, 1, 10), Model("b", 4, 1, 10)}).remarks, testing::IsEmpty());
 }
 
 TEST_F(FittedModelsTest, MustBeOfTheSameRecordings) {

@@ -35,6 +35,16 @@ TEST_F(ReportCommandLine, WritesWhatTheFitWrote) {
   EXPECT_TRUE(ReadText(folder_ / "again.html") == page);
 }
 
+// Between clamps nothing has to hold the rod, and there is nothing to see.
+TEST_F(ReportCommandLine, ShowsADamperWithoutItsVehicle) {
+  std::filesystem::copy(FOURPOST_SOURCE_DIR "/studies/damper", folder_ / "studies/damper");
+  const Outcome outcome = Run("fit studies/damper/model2.yaml -o run");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err.find("equilibrium"), std::string::npos) << outcome.err;
+  EXPECT_THAT(ReadText(folder_ / "run/report.html"), AllOf(HasSubstr("Damper bench"), Not(HasSubstr("equilibrium")),
+                                                           Not(HasSubstr("The vehicle is not shown"))));
+}
+
 TEST_F(ReportCommandLine, ShowsARunWhoseVehicleIsGone) {
   Fit();
   std::filesystem::remove(folder_ / "run/vehicle.urdf");
