@@ -100,6 +100,7 @@ std::vector<RefinedStart> Summarised(const std::vector<RefineResult>& runs, std:
                        .cost = run.has_cost() ? run.cost : kNone,
                        .iterations = run.iterations,
                        .evaluations = run.evaluations,
+                       .agrees = run.agrees,
                        .values = {run.values.begin(), run.values.end()}});
   }
   return refined;

@@ -77,6 +77,8 @@ struct RefinedStart {
   double cost = 0;
   int iterations = 0;
   std::int64_t evaluations = 0;
+  /// With the best, see RefineOptions::agreement.
+  bool agrees = false;
   /// Of the free parameters, SI.
   std::vector<double> values;
 };

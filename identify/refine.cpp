@@ -288,9 +288,10 @@ MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>
   }
   if (result.best < 0) return result;
   const RefineResult& best = result.runs[static_cast<std::size_t>(result.best)];
-  result.agreeing = static_cast<int>(std::count_if(result.runs.begin(), result.runs.end(), [&](const auto& run) {
-    return run.has_cost() && Agrees(run, best, 1e-12 * highest_start, options);
-  }));
+  for (RefineResult& run : result.runs) {
+    run.agrees = run.has_cost() && Agrees(run, best, 1e-12 * highest_start, options);
+    result.agreeing += run.agrees;
+  }
   return result;
 }
 

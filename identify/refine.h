@@ -27,10 +27,10 @@ struct RefineOptions {
   double step_tolerance = 1e-8;
   /// Two runs agree when the worse cost exceeds the better by less than this much of chi-square; in (0, 1). Its unit is
   /// the better cost over its degrees of freedom, residuals less variables, so that it does not depend on how well the
-  /// noise is known: within 0.01 of it values differ by at most a tenth of their deviations, which no data can tell.
+  /// noise is known: within 0.1 of it values differ by at most a third of their deviations, which no data can tell.
   /// But 100 times `cost_tolerance` of the cost, which is what the solver leaves, agree as well, and a cost below 1e-12
   /// of the highest starting cost counts as zero, since all that is left of it is rounding.
-  double agreement = 0.01;
+  double agreement = 0.1;
   /// Of the residuals; the cost is its sum. Where most residuals are outliers, that of Cauchy and Tukey is so flat that
   /// no way leads down: Huber's of the same scale, which is convex, goes before.
   RobustLoss loss;
@@ -75,6 +75,8 @@ struct RefineResult {
   int iterations = 0;
   /// Evaluations paid for, those for differences included.
   std::int64_t evaluations = 0;
+  /// Of several: with the best, itself included, see RefineOptions::agreement.
+  bool agrees = false;
 
   bool has_cost() const { return end != RefineEnd::kNotRun && end != RefineEnd::kStartFailed; }
 };

@@ -162,6 +162,7 @@ Json Starts(const FitResult& fit) {
                     {"cost", NumberOrNull(run.cost)},
                     {"iterations", run.iterations},
                     {"evaluations", run.evaluations},
+                    {"agrees", run.agrees},
                     {"values", run.values}});
   return {{"asked", fit.options.starts}, {"refined", fit.starts}, {"agreeing", fit.agreeing}, {"runs", runs}};
 }

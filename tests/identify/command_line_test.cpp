@@ -51,6 +51,7 @@ TEST_F(CommandLine, FitWritesItsResultAndCheckAcceptsTheFittedVehicle) {
   EXPECT_EQ(result["evaluations"]["failed"], 0);
   // The objective is smooth enough for every refinement to find the one optimum.
   EXPECT_EQ(result["starts"]["agreeing"], result["starts"]["refined"]);
+  EXPECT_EQ(result["starts"]["runs"][0]["agrees"], true);
   EXPECT_TRUE(result["evaluations"].contains("reused"));
   EXPECT_EQ(result["parameters"].size(), 12u);
   for (const Json& parameter : result["parameters"]) {

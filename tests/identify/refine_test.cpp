@@ -403,6 +403,8 @@ TEST_F(RefineFromSeveral, TheBestWinsAndThoseThatAgreeAreCounted) {
   ASSERT_EQ(result.runs.size(), 5u);
   EXPECT_EQ(result.agreeing, 2);
   EXPECT_TRUE(result.best == 2 || result.best == 4);
+  EXPECT_TRUE(result.runs[2].agrees);
+  EXPECT_FALSE(result.runs[0].agrees);
   EXPECT_NEAR(result.runs[2].values[0], 2, 1e-7);                         // step_tolerance times the range
   EXPECT_NEAR(result.runs[0].values[0], result.runs[3].values[0], 1e-4);  // root of cost_tolerance
   EXPECT_EQ(result.runs[1].end, RefineEnd::kStartFailed);
@@ -427,10 +429,10 @@ int AgreeingAt(double depth) {
   return RefineFrom(archive, {Eigen::VectorXd::Constant(1, 3), Eigen::VectorXd::Constant(1, -3)}).agreeing;
 }
 
-// A unit of chi-square is 99 / (101 - 1): a hundredth of it is (2 x 0.0497)^2.
+// A unit of chi-square is 99 / (101 - 1): a tenth of it is (2 x 0.157)^2.
 TEST(RefineAgreement, IsByWhatTheDataCanTell) {
-  EXPECT_EQ(AgreeingAt(0.045), 2);
-  EXPECT_EQ(AgreeingAt(0.055), 1);
+  EXPECT_EQ(AgreeingAt(0.15), 2);
+  EXPECT_EQ(AgreeingAt(0.165), 1);
 }
 
 TEST_F(RefineFromSeveral, WithoutAGoodStartThereIsNoBest) {

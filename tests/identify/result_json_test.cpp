@@ -50,7 +50,7 @@ TEST(ResultJson, TellsEverySettingBesideTheMethods) {
       "seconds": null, "stagnant_generations": 0, "free_generations": 1000, "on_collapse": true})"));
   EXPECT_EQ(result["search"]["candidates"], Json::parse(R"({"count": 7, "separation": 0.25})"));
   EXPECT_EQ(result["refine"], Json::parse(R"({"loss": "none", "differences": "forward", "step": 1e-5, "iterations": 50,
-      "cost_tolerance": 1e-8, "step_tolerance": 1e-8, "agreement": 0.01})"));
+      "cost_tolerance": 1e-8, "step_tolerance": 1e-8, "agreement": 0.1})"));
   EXPECT_EQ(result["starts"]["asked"], 6);
   EXPECT_EQ(result["deadline_s"], 10);
 }

@@ -21,17 +21,22 @@ double Known(double h, double y, double ratio, double u, double v0, double a0, d
   return y + 0.5 * h * (rate + v1) + h * h / 12 * (a0 - ratio * rate - a1);
 }
 
-/// A bilinear dashpot in line with a linear spring: in closed form, without a division.
+/// A bilinear dashpot in line with a linear spring: in closed form, without a division. `start` is what the spring's
+/// extension would be at the end of a step without u there; while u keeps its sign, u and the extension are shares of
+/// it, and a step is one multiplication and one addition after the other.
 class BilinearStepper {
  public:
-  BilinearStepper(const SeriesDamper& damper, double step) : stiffness_(damper.spring.stiffness), step_(step) {
+  BilinearStepper(const SeriesDamper& damper, double step)
+      : stiffness_(damper.spring.stiffness), half_(0.5 * step), twelfth_(step * step / 12) {
     for (const int sign : {-1, 0, 1}) {
       const double rate = damper.dashpot.Slope(sign);
       Side& side = sides_[static_cast<std::size_t>(sign + 1)];
       side.ratio = stiffness_ / rate;
-      side.bend = step * step / 12 * side.ratio;
-      side.share = 0.5 * step + side.bend;
+      side.bend = twelfth_ * side.ratio;
+      side.share = half_ + side.bend;
       side.speed = stiffness_ / (rate + stiffness_ * side.share);
+      side.extension = 1 - side.share * side.speed;
+      side.carried = side.extension - (half_ - side.bend) * side.speed;
     }
   }
 
@@ -39,38 +44,58 @@ class BilinearStepper {
 
   /// To rate v1 and acceleration a1 from v0 and a0.
   void Step(double v0, double a0, double v1, double a1) {
-    const double known = Known(step_, extension_, sides_[side_].ratio, speed_, v0, a0, v1, a1);
-    const std::size_t before = side_;
-    Solve(known, v1);
-    if (side_ != before) Solve(known, v1);
+    const Side& slopes = sides_[side_];
+    const double start = carried_ + (half_ * (v0 + v1) + twelfth_ * (a0 - a1) + slopes.bend * (v1 - v0));
+    if (SideOf(start) == side_) {
+      extension_ = slopes.extension * start;
+      carried_ = slopes.carried * start;
+    } else {
+      Turn(start - slopes.bend * v1, v1);
+    }
   }
 
  private:
-  /// Of compression, rest, rebound: the spring's stiffness over the dashpot's rate, what follows from it, and u over
-  /// what the spring's extension would be without u.
+  /// Of compression, rest, rebound: the spring's stiffness over the dashpot's rate, what follows from it, and u, the
+  /// extension and what the next step begins with over `start`.
   struct Side {
     double ratio = 0;
     double bend = 0;
     double share = 0;
     double speed = 0;
+    double extension = 0;
+    double carried = 0;
   };
 
   /// The dashpot's speed has the sign of the force that it balances; its own slope counts then.
-  void Solve(double known, double v1) {
+  static std::size_t SideOf(double start) { return start > 0 ? 2 : start < 0 ? 0 : 1; }
+
+  /// Where u changes its sign: with the slopes before, then once more with those there.
+  void Turn(double known, double v1) {
+    const std::size_t before = side_;
+    double speed = Solve(known, v1);
+    if (side_ != before) speed = Solve(known, v1);
+    carried_ = extension_ - (half_ - sides_[side_].bend) * speed;
+  }
+
+  /// u.
+  double Solve(double known, double v1) {
     const Side& slopes = sides_[side_];
     const double start = known + slopes.bend * v1;
-    const std::size_t side = start > 0 ? 2 : start < 0 ? 0 : 1;
-    speed_ = side == side_ ? slopes.speed * start : start / (1 / sides_[side].ratio + slopes.share);
-    extension_ = start - slopes.share * speed_;
+    const std::size_t side = SideOf(start);
+    const double speed = side == side_ ? slopes.speed * start : start / (1 / sides_[side].ratio + slopes.share);
+    extension_ = start - slopes.share * speed;
     side_ = side;
+    return speed;
   }
 
   std::array<Side, 3> sides_;
   std::size_t side_ = 1;
   double stiffness_;
-  double step_;
+  double half_;
+  double twelfth_;
   double extension_ = 0;
-  double speed_ = 0;
+  /// y0 - (h/2 - bend) u0 with the bend of its side.
+  double carried_ = 0;
 };
 
 /// The numbers of a bilinear law, for the compiler to see.

@@ -18,10 +18,10 @@ struct Signals {
   std::vector<double> force;
 };
 
-/// Five cycles at 2 Hz and five at 10 Hz, both of 0.1 m/s; force of 1 kN s/m, `lead_deg` before the speed.
+/// Five cycles at 4 Hz and five at 10 Hz, both of 0.1 m/s; force of 1 kN s/m, `lead_deg` before the speed.
 Signals TwoSines(double lead_deg) {
   Signals signals;
-  for (const double frequency : {2.0, 10.0}) {
+  for (const double frequency : {4.0, 10.0}) {
     const double w = 2 * kPi * frequency;
     const int count = static_cast<int>(std::lround(5 / frequency / kStep_s));
     for (int k = 0; k < count; ++k) {

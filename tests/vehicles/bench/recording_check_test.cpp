@@ -16,6 +16,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr double kLength_m = 0.4;
 
@@ -173,9 +174,8 @@ TEST(RecordingCheck, TellsSpikes) {
   TimeRecording recording = Good();
   recording.channels[1][700] = 5000;
   recording.channels[0][2000] = 0.1;
-  EXPECT_THAT(WarningOf(recording),
-              AllOf(HasSubstr("force has a sample that stands out, at 1.4 s with 5000 N"),
-                    HasSubstr("displacement has a sample that stands out, at 4 s with 0.1 m")));
+  EXPECT_THAT(WarningOf(recording), AllOf(HasSubstr("force has a sample that stands out, at 1.4 s with 5000 N"),
+                                          HasSubstr("displacement has a sample that stands out, at 4 s with 0.1 m")));
 }
 
 /// Sines of 1 to 20 Hz of 0.1 m/s, a bilinear dashpot whose force comes `delay_s` later.
@@ -196,9 +196,9 @@ TimeRecording Delayed(double delay_s) {
 TEST(RecordingCheck, TellsForceThatComesTooEarlyOrTooLateForADamper) {
   EXPECT_EQ(WarningOf(Delayed(0)), "");
   // As a series spring would make it.
-  EXPECT_EQ(WarningOf(Delayed(0.004)), "");
-  EXPECT_THAT(WarningOf(Delayed(-0.004)), AllOf(HasSubstr("force comes 4"), HasSubstr("ms before the speed at 1"),
-                                                HasSubstr("and take off the inertia")));
+  EXPECT_THAT(WarningOf(Delayed(0.004)), Not(HasSubstr("force comes")));
+  EXPECT_THAT(WarningOf(Delayed(-0.004)),
+              AllOf(HasSubstr("force comes 3.8 ms before the speed at 19 Hz"), HasSubstr("and take off the inertia")));
   EXPECT_THAT(WarningOf(Delayed(0.018)),
               AllOf(HasSubstr("force comes 18 ms after the speed at 1"), HasSubstr("one device and one filter")));
 }

@@ -42,8 +42,6 @@ function drawLog(place, log) {
 export function drawAgreement(place, { result }) {
   const runs = (result.starts?.runs ?? []).filter((run) => run.cost != null && run.values);
   if (runs.length < 2) return;
-  const best = Math.min(...runs.map((run) => run.cost));
-  const agrees = (run) => run.cost - best <= (result.refine?.agreement ?? 1e-6) * Math.max(best, 1e-300);
   const share = (parameter, value) => `${(100 * Math.min(1, Math.max(0, (value - parameter.lower) / (parameter.upper - parameter.lower)))).toFixed(2)}%`;
   const rows = (result.parameters ?? []).map((parameter, i) =>
     el(
@@ -58,7 +56,7 @@ export function drawAgreement(place, { result }) {
           { class: 'bar wide' },
           ...runs.map((run, k) =>
             el('i', {
-              class: agrees(run) ? 'value ring' : 'value ring other',
+              class: run.agrees === false ? 'value ring other' : 'value ring',
               title: `start ${k + 1}: cost ${shown(run.cost, 6)}`,
               style: { left: share(parameter, run.values[i]) },
             }),
@@ -67,7 +65,7 @@ export function drawAgreement(place, { result }) {
       ),
     ),
   );
-  const others = runs.filter((run) => !agrees(run)).length;
+  const others = runs.filter((run) => run.agrees === false).length;
   place.append(
     el('h3', {}, 'Where the refinements ended'),
     el('div', { class: 'table agreement' }, el('table', {}, el('tbody', {}, ...rows))),
