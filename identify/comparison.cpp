@@ -112,7 +112,7 @@ double BestOf(const std::vector<std::vector<FinishedRun>>& runs) {
 
 void ComparisonOptions::Validate() const {
   RequireOption(runs >= 1, "runs", runs, "1 or more");
-  RequireOption(near_best > 0 && near_best < 1, "near_best", near_best, "in (0, 1)");
+  RequireOption(near_best > 0 && near_best <= 1, "near_best", near_best, "in (0, 1]");
   rules.Validate();
 }
 

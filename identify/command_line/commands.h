@@ -148,6 +148,8 @@ struct CompareCommand {
   int threads = 0;
   /// At most, of each run; empty: what the study says.
   std::optional<std::int64_t> evaluations;
+  /// How far above the best of all runs counts as solved, "0.01 %"; empty: 1 %.
+  std::string near_best;
   /// Of evaluations, shared by all runs; empty: nothing is kept.
   std::filesystem::path archive;
   /// Tell processor time.

@@ -13,6 +13,7 @@
 #include "identify/comparison.h"
 #include "identify/comparison_json.h"
 #include "identify/loaded_study.h"
+#include "identify/option_quantity.h"
 #include "identify/problems/test_problem.h"
 #include "identify/search/evaluation_store.h"
 #include "identify/search/idle_parameters.h"
@@ -148,6 +149,14 @@ std::string Details(const Comparison& comparison, const ComparisonOptions& optio
   return text;
 }
 
+/// Throws FaultyInput.
+double ShareOrThrow(const std::string& text) {
+  Diagnostics diagnostics;
+  const std::optional<double> share = ReadShare(text, "--near", diagnostics);
+  if (!share) throw FaultyInput(diagnostics);
+  return *share;
+}
+
 }  // namespace
 
 int Run(const CompareCommand& command) {
@@ -162,6 +171,7 @@ int Run(const CompareCommand& command) {
   CheckEffectsOrThrow(study, problem, store);
 
   ComparisonOptions options;
+  if (!command.near_best.empty()) options.near_best = ShareOrThrow(command.near_best);
   options.runs = command.runs;
   options.seed = command.seed;
   options.threads = command.threads;

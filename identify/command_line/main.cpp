@@ -176,6 +176,9 @@ int main(int argc, char** argv) {
   sub->add_option("--seed", compare.seed, "Of the first run; the others take those after it")->check(WholeNumber());
   sub->add_option("--threads", compare.threads, "Runs at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
+  sub->add_option("--near", compare.near_best,
+                  "How far above the best of all runs still counts as solved, such as 0.01%; without it 1 %. A study's "
+                  "target goes before it");
   sub->add_option("--evaluations", compare.evaluations, "At most, of each run, in place of what the study says")
       ->check(CLI::Range(1, 1000000000));
   CLI::Option* const compare_time =

@@ -1,7 +1,8 @@
 // Both balances against the march: a row per vehicle, pattern of the posts and amplitude, 40 frequencies from 0.5 to
 // 30 Hz, the largest deviations of gain and phase over all channels that are not silent and all frequencies at which
 // the balance converged; the others are counted.
-//   acceptance_sweep VEHICLE:PATTERN[:N]...     such as landrover110_model3:roll; N: every N-th frequency only
+//   acceptance_sweep VEHICLE:PATTERN[:N[:SCALE]]...     such as landrover110_model3:roll; N: every N-th frequency only;
+//   SCALE: one of the amplitudes only, such as 2
 #include <algorithm>
 #include <cstddef>
 #include <ctime>
@@ -52,13 +53,14 @@ FrequencyResponse Answered(const PeriodicResponse& balance, const FrequencyRespo
   return answered;
 }
 
-void Sweep(const std::string& name, const std::string& pattern, std::size_t every) {
+void Sweep(const std::string& name, const std::string& pattern, std::size_t every, std::optional<double> only) {
   const Vehicle vehicle = Read(name);
   const std::vector<double> values = vehicle.ParameterValues();
   const CondensedModel model = CondensedVehicle(vehicle).At(values);
   Multibody multibody(vehicle);
   multibody.SetParameters(values, model.preloads);
   for (const double scale : kAcceptedScales) {
+    if (only && scale != *only) continue;
     const Excitation excitation = AcceptanceSine(vehicle, pattern, scale, 0, every);
     const std::clock_t start = std::clock();
     // Samples alias the kinks of dampers; near a node that takes a quarter of what is accepted. So does a tolerance of
@@ -93,7 +95,10 @@ int main(int count, char** arguments) {
     std::string pattern;
     std::string every = "1";
     std::getline(std::getline(argument, vehicle, ':'), pattern, ':');
-    std::getline(argument, every);
-    fourpost::Sweep(vehicle, pattern, std::stoul(every.empty() ? "1" : every));
+    std::getline(argument, every, ':');
+    std::string scale;
+    std::getline(argument, scale);
+    const std::optional<double> only = scale.empty() ? std::nullopt : std::optional(std::stod(scale));
+    fourpost::Sweep(vehicle, pattern, std::stoul(every.empty() ? "1" : every), only);
   }
 }

@@ -474,6 +474,7 @@ TEST_F(CommandLine, CompareTellsTimeAndEndsRunsWhereAsked) {
   EXPECT_EQ(method.at("ends").at("evaluations used up"), 2);
   EXPECT_EQ(method.at("evaluations").at("mean"), 60);
   EXPECT_THAT(Run(compare + "--time").out, HasSubstr("seconds"));
+  EXPECT_EQ(Run(compare + "--near 3").code, 2);
   EXPECT_EQ(Run(compare + "--time --archive a.sqlite").code, 2);
 }
 
