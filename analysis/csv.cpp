@@ -7,6 +7,7 @@
 #include "analysis/csv_scanner.h"
 #include "analysis/nearest.h"
 #include "analysis/number.h"
+#include "analysis/recorded_unit.h"
 #include "analysis/text_file.h"
 
 namespace fourpost {
@@ -24,13 +25,17 @@ std::string Count(std::size_t count, const std::string& noun) {
 class CsvParser {
  public:
   CsvParser(std::string_view text, std::string file, Diagnostics& diagnostics)
-      : scanner_(text), diagnostics_(diagnostics) {
+      : dialect_(DialectOf(text)), scanner_(text, dialect_.separator), diagnostics_(diagnostics) {
     table_.file_ = std::move(file);
+    table_.dialect_ = dialect_;
+    is_utf16_ = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
   }
 
   std::optional<CsvTable> Parse(CsvHeader header) {
-    ReadNames();
+    if (is_utf16_) Fault(0, "is written in UTF-16; save it as UTF-8");
+    else ReadNames();
     if (good_ && header == CsvHeader::kNamesAndUnits) ReadUnits();
+    if (good_) CheckNames();
     // Without a header no row can be right.
     if (!good_) return std::nullopt;
     while (scanner_.Next(record_)) AddRow();
@@ -46,32 +51,68 @@ class CsvParser {
   }
 
   void ReadNames() {
-    if (!scanner_.Next(record_)) return Fault(0, "is empty; it needs a header line and rows of numbers");
+    // Excel's note of the separator.
+    bool found = scanner_.Next(record_);
+    if (found && record_.fields[0].starts_with("sep=")) found = scanner_.Next(record_);
+    if (!found) return Fault(0, "is empty; it needs a header line and rows of numbers");
     if (!record_.fault.empty()) return Fault(record_.line, record_.fault);
     table_.names_ = record_.fields;
+    names_line_ = record_.line;
+    ends_with_separator_ = table_.columns() > 1 && table_.names_.back().empty();
+    if (ends_with_separator_) table_.names_.pop_back();
+  }
+
+  void CheckNames() {
     const std::vector<std::string>& names = table_.names_;
-    if (names.size() == 1 && names[0].find_first_of(";\t") != std::string::npos)
-      return Fault(record_.line, "the columns must be separated by commas");
     for (auto name = names.begin(); name != names.end(); ++name) {
       const std::string column = "column " + std::to_string(name - names.begin() + 1);
-      if (name->empty()) Fault(record_.line, column + " has no name");
+      if (name->empty()) Fault(names_line_, column + " has no name");
       if (!name->empty() && std::find(names.begin(), name, *name) != name)
-        Fault(record_.line, column + " has the name " + Quote(*name) + " of an earlier one");
+        Fault(names_line_, column + " has the name " + Quote(*name) + " of an earlier one");
     }
   }
 
   void ReadUnits() {
     if (!scanner_.Next(record_)) return Fault(0, "has no row of units below its header");
-    if (IsRowGood()) table_.units_ = record_.fields;
+    if (!IsRowGood()) return;
+    table_.units_line_ = record_.line;
+    if (IsRowOfUnits()) {
+      table_.units_ = record_.fields;
+      return;
+    }
+    TakeUnitsFromNames();
+    Keep();
+  }
+
+  /// Not a row of numbers: "1" is both.
+  bool IsRowOfUnits() const {
+    const auto is_number = [this](const std::string& field) { return table_.ToNumber(field).has_value(); };
+    const auto is_unit = [&](const std::string& field) { return ParseRecordedUnit(field) && !is_number(field); };
+    return std::any_of(record_.fields.begin(), record_.fields.end(), is_unit) ||
+           std::none_of(record_.fields.begin(), record_.fields.end(), is_number);
+  }
+
+  void TakeUnitsFromNames() {
+    table_.units_line_ = names_line_;
+    for (std::string& name : table_.names_) {
+      NamedColumn column = SplitColumnName(name);
+      name = std::move(column.name);
+      table_.units_.push_back(std::move(column.unit));
+    }
   }
 
   void AddRow() {
-    if (!IsRowGood()) return;
+    if (IsRowGood()) Keep();
+  }
+
+  void Keep() {
     table_.lines_.push_back(record_.line);
     std::move(record_.fields.begin(), record_.fields.end(), std::back_inserter(table_.fields_));
   }
 
   bool IsRowGood() {
+    if (ends_with_separator_ && record_.fields.size() == table_.columns() + 1 && record_.fields.back().empty())
+      record_.fields.pop_back();
     const std::size_t fields = record_.fields.size();
     const std::size_t columns = table_.columns();
     if (!record_.fault.empty()) Fault(record_.line, record_.fault);
@@ -80,10 +121,15 @@ class CsvParser {
     return record_.fault.empty() && fields == columns;
   }
 
+  CsvDialect dialect_;
   CsvScanner scanner_;
   Diagnostics& diagnostics_;
   CsvTable table_;
   CsvRecord record_;
+  int names_line_ = 0;
+  bool is_utf16_ = false;
+  /// A field too many in every line, which holds nothing.
+  bool ends_with_separator_ = false;
   bool good_ = true;
 };
 
@@ -112,9 +158,17 @@ bool CsvTable::CheckColumns(std::span<const std::string_view> required, std::spa
   return good;
 }
 
+std::optional<double> CsvTable::ToNumber(std::string_view text) const {
+  if (dialect_.decimal == '.') return ParseNumber(text);
+  if (text.find('.') != std::string_view::npos) return std::nullopt;
+  std::string number(text);
+  if (const std::size_t at = number.find(','); at != std::string::npos) number[at] = '.';
+  return ParseNumber(number);
+}
+
 std::optional<double> CsvTable::Number(std::size_t row, std::size_t column) const {
   const std::string& text = Text(row, column);
-  return text.empty() ? std::numeric_limits<double>::quiet_NaN() : ParseNumber(text);
+  return text.empty() ? std::numeric_limits<double>::quiet_NaN() : ToNumber(text);
 }
 
 std::vector<double> CsvTable::Numbers(std::size_t column, Diagnostics& diagnostics) const {

@@ -7,20 +7,25 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/csv_dialect.h"
 #include "analysis/diagnostics.h"
 
 namespace fourpost {
 
-/// What stands above the data: names of the columns, or names and below them units.
+/// What stands above the data: names of the columns, or names and units. Units stand below the names, or behind them
+/// where the next line has numbers: "Force [kN]".
 enum class CsvHeader { kNames, kNamesAndUnits };
 
-/// A comma-separated table as it stands in its file; every row has one field per column.
+/// A table as it stands in its text file; every row has one field per column.
 class CsvTable {
  public:
   const std::string& file() const { return file_; }
   const std::vector<std::string>& names() const { return names_; }
-  /// One per column, as written; empty without a row of units.
+  /// One per column, as written, empty where it has none; none without CsvHeader::kNamesAndUnits.
   const std::vector<std::string>& units() const { return units_; }
+  /// Line of the units.
+  int units_line() const { return units_line_; }
+  const CsvDialect& dialect() const { return dialect_; }
   std::size_t columns() const { return names_.size(); }
   std::size_t rows() const { return lines_.size(); }
   /// 1-based line of the file at which a row begins.
@@ -41,17 +46,23 @@ class CsvTable {
  private:
   friend class CsvParser;
 
+  /// With the table's decimal sign; nothing for other text.
+  std::optional<double> ToNumber(std::string_view text) const;
+
   std::string file_;
   std::vector<std::string> names_;
   std::vector<std::string> units_;
+  int units_line_ = 0;
+  CsvDialect dialect_;
   std::vector<int> lines_;
   /// Row by row.
   std::vector<std::string> fields_;
 };
 
-/// Reads comma-separated text (RFC 4180): quoted fields, LF or CRLF, with or without byte order mark; blank lines do
-/// not count. Reports all of: an unreadable or empty file, a column without or with another one's name, rows of another
-/// length than the header, faulty quotes. Nothing when there was one.
+/// Reads a table in text (RFC 4180) of the dialect that it shows: quoted fields, LF or CRLF, with or without byte order
+/// mark; blank lines, a first line such as "sep=;" and a separator at the end of all lines do not count. Reports all
+/// of: an unreadable or empty file, a column without or with another one's name, rows of another length than the
+/// header, faulty quotes. Nothing when there was one.
 std::optional<CsvTable> ReadCsv(const std::filesystem::path& file, Diagnostics& diagnostics,
                                 CsvHeader header = CsvHeader::kNames);
 

@@ -6,10 +6,11 @@ namespace fourpost {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::string_view kBlanks = " \t\r";
+/// A tab is none where it separates.
+constexpr std::string_view kBlanks = " \r\t";
 
-std::string_view WithoutBlanksBehind(std::string_view text) {
-  return text.substr(0, text.find_last_not_of(kBlanks) + 1);
+std::string_view WithoutBlanksBehind(std::string_view text, std::string_view blanks) {
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
 bool IsBlank(const CsvRecord& record) {
@@ -18,7 +19,8 @@ bool IsBlank(const CsvRecord& record) {
 
 }  // namespace
 
-CsvScanner::CsvScanner(std::string_view text) : rest_(text) {
+CsvScanner::CsvScanner(std::string_view text, char separator)
+    : rest_(text), ends_{separator, '\n'}, blanks_(kBlanks.substr(0, separator == '\t' ? 2 : 3)) {
   if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
 }
 
@@ -45,11 +47,11 @@ void CsvScanner::ReadRecord(CsvRecord& record) {
   }
 }
 
-/// Leaves the comma or line break behind the field.
+/// Leaves the separator or line break behind the field.
 std::string CsvScanner::ReadField(CsvRecord& record) {
-  rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
+  rest_.remove_prefix(std::min(rest_.find_first_not_of(blanks_), rest_.size()));
   if (rest_.starts_with('"')) return ReadQuoted(record);
-  return std::string(WithoutBlanksBehind(Take(",\n")));
+  return std::string(WithoutBlanksBehind(Take(ends_), blanks_));
 }
 
 std::string CsvScanner::ReadQuoted(CsvRecord& record) {
@@ -68,7 +70,7 @@ std::string CsvScanner::ReadQuoted(CsvRecord& record) {
     // A doubled quote stands for one.
     if (rest_.starts_with('"')) field += '"';
   } while (rest_.starts_with('"'));
-  if (!WithoutBlanksBehind(Take(",\n")).empty())
+  if (!WithoutBlanksBehind(Take(ends_), blanks_).empty())
     record.fault = "text after a closing quote; double the quotes inside a quoted field";
   return field;
 }

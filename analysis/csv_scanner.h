@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-/// One line of a comma-separated table; more than one when a quoted field holds a line break.
+/// One line of a table in text; more than one when a quoted field holds a line break.
 struct CsvRecord {
   /// 1-based line at which it begins.
   int line = 0;
@@ -15,11 +15,11 @@ struct CsvRecord {
   std::string fault;
 };
 
-/// Splits comma-separated text (RFC 4180) into records. Blanks around a field do not belong to it.
+/// Splits text (RFC 4180, with any separator) into records. Blanks around a field do not belong to it.
 class CsvScanner {
  public:
   /// The text must outlive the scanner.
-  explicit CsvScanner(std::string_view text);
+  explicit CsvScanner(std::string_view text, char separator = ',');
 
   /// Overwrites `record` with the next line that is not blank; false at the end.
   bool Next(CsvRecord& record);
@@ -31,6 +31,9 @@ class CsvScanner {
   std::string_view Take(std::string_view until);
 
   std::string_view rest_;
+  /// End of a field.
+  std::string ends_;
+  std::string_view blanks_;
   int line_ = 1;
 };
 

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/csv.h"
 #include "analysis/nearest.h"
 #include "analysis/number.h"
+#include "analysis/recorded_table.h"
+#include "analysis/recorded_unit.h"
+#include "analysis/uniform_spline.h"
 
 namespace fourpost {
 namespace {
@@ -23,20 +25,36 @@ double Median(std::vector<double> values) {
 /// Rounded to what a file may tell.
 std::string Seconds(double time_s) { return FormatNumber(std::round(1e9 * time_s), -9) + " s"; }
 
+/// What was measured at each sample comes `delay_s` later in the values.
+std::vector<double> Advanced(const std::vector<double>& values, double step_s, double delay_s) {
+  const std::vector<double> backwards(values.rbegin(), values.rend());
+  const UniformSpline spline(0, step_s, values, SlopeAtStart(values, step_s), -SlopeAtStart(backwards, step_s));
+  std::vector<double> advanced(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    advanced[k] = spline.At(step_s * static_cast<double>(k) + delay_s).value;
+  return advanced;
+}
+
 /// Reads one file; remembers whether all was well.
 class RecordReader {
  public:
-  RecordReader(const CsvTable& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
+  RecordReader(const RecordedTable& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
 
-  std::optional<TimeRecording> Read(std::span<const RecordedChannel> wanted) {
-    const std::vector<double> times = Column({{"time"}, kTime, "the time of each sample"});
+  std::optional<TimeRecording> Read(std::span<const RecordedChannel> wanted, const RecordedChannel& time) {
+    const std::vector<double> times = Column(time);
+    times_good_ = good_;
     TimeRecording recording;
     for (const RecordedChannel& channel : wanted) recording.channels.push_back(Column(channel));
     // Times that were no numbers have been told.
-    if (times_good_) recording.step_s = Step(times);
+    if (times_good_) {
+      recording.step_s = Step(times);
+      CheckLengths(wanted, times.size(), recording);
+    }
     if (!good_) return std::nullopt;
     recording.start_s = times.front();
     recording.end_s = times.back();
+    TakeDelaysBack(wanted, recording);
+    if (!good_) return std::nullopt;
     return recording;
   }
 
@@ -51,39 +69,80 @@ class RecordReader {
     for (const std::string& name : channel.names)
       if (const std::optional<std::size_t> column = table_.FindColumn(name)) return Values(*column, channel);
     const std::string& name = channel.names.front();
-    Fault(1, "column '" + name + "', " + channel.what + ", is missing" + DidYouMean(name, table_.names()));
-    if (name == "time") times_good_ = false;
+    Fault(table_.names_line(),
+          "column '" + name + "', " + channel.what + ", is missing" + DidYouMean(name, table_.names()));
     return {};
   }
 
   std::vector<double> Values(std::size_t column, const RecordedChannel& channel) {
     const std::string quoted = "column '" + table_.names()[column] + "'";
-    const double si = UnitOf(column, channel, quoted);
-    std::vector<double> values(table_.rows());
+    const double si = UnitOf(column, channel, quoted) * channel.factor;
+    std::vector<double> values(table_.rows(column));
     int found = 0;
-    for (std::size_t row = 0; row < table_.rows() && found < kMostFindings; ++row) {
+    for (std::size_t row = 0; row < values.size() && found < kMostFindings; ++row) {
       const std::optional<double> number = table_.Number(row, column);
       if (number && std::isfinite(*number)) {
         values[row] = *number * si;
         continue;
       }
       ++found;
-      const std::string& text = table_.Text(row, column);
-      Fault(table_.line(row), quoted + " has " + (text.empty() ? "no number" : "'" + text + "'") +
-                                  " here; fill the gap or cut the record there");
+      const std::string text = table_.Text(row, column);
+      Fault(table_.line(row), quoted + " has " + (text.empty() ? "no number" : "'" + text + "'") + Where(row) +
+                                  "; fill the gap or cut the record there");
     }
-    if (found > 0 && table_.names()[column] == "time") times_good_ = false;
     return values;
   }
 
+  std::string Where(std::size_t row) const {
+    return table_.line(row) > 0 ? " here" : " at sample " + std::to_string(row + 1);
+  }
+
   double UnitOf(std::size_t column, const RecordedChannel& channel, const std::string& quoted) {
-    const std::string& text = table_.units()[column];
-    const std::optional<Unit> unit = ParseUnit(text);
+    const std::string text = channel.unit.empty() ? table_.unit(column) : channel.unit;
+    const std::optional<Unit> unit = ParseRecordedUnit(text);
     if (unit && unit->dimension == channel.dimension) return unit->si;
-    Fault(2, quoted + ", " + channel.what + ", has '" + text + "' for its unit; it takes a " +
-                 DimensionName(channel.dimension) + " such as '" +
-                 (channel.dimension == kLength ? "mm" : SiUnit(channel.dimension)) + "' in the second line");
+    const std::string such = channel.dimension == kLength ? "mm" : SiUnit(channel.dimension);
+    const std::string wanted = DimensionName(channel.dimension) + " such as '" + such + "'";
+    const std::string& name = table_.names()[column];
+    std::string fault = quoted + ", " + channel.what + ", has ";
+    if (text.empty())
+      fault += "no unit; write that of a " + wanted + " " + table_.WhereUnitsStand(name, such) +
+               ", or name it in the study: {channel: " + name + ", unit: " + such + "}";
+    else fault += "'" + text + "' for its unit; it takes a " + wanted;
+    Fault(table_.units_line(), fault);
     return 1;
+  }
+
+  void CheckLengths(std::span<const RecordedChannel> wanted, std::size_t samples, const TimeRecording& recording) {
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (const std::size_t size = recording.channels[i].size(); size > 0 && size != samples)
+        Fault(0, "column '" + wanted[i].names.front() + "' has " + std::to_string(size) + " samples, the times are " +
+                     std::to_string(samples) + ": save channels of one rate together");
+  }
+
+  /// What a channel has beyond the record is not known: all are cut alike.
+  void TakeDelaysBack(std::span<const RecordedChannel> wanted, TimeRecording& recording) {
+    double latest_s = 0;
+    double earliest_s = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const double delay_s = wanted[i].delay_s;
+      if (delay_s == 0) continue;
+      recording.channels[i] = Advanced(recording.channels[i], recording.step_s, delay_s);
+      latest_s = std::max(latest_s, delay_s);
+      earliest_s = std::min(earliest_s, delay_s);
+    }
+    // A whole number of samples may be rounded up.
+    const auto samples = [&](double delay_s) { return std::ceil(delay_s / recording.step_s - 1e-6); };
+    const double first = samples(-earliest_s);
+    const double last = samples(latest_s);
+    if (first + last + 4 > static_cast<double>(recording.samples()))
+      return Fault(0, "is shorter than the delays that the study tells of its channels");
+    for (std::vector<double>& channel : recording.channels) {
+      channel.erase(channel.end() - static_cast<std::ptrdiff_t>(last), channel.end());
+      channel.erase(channel.begin(), channel.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+    recording.start_s += first * recording.step_s;
+    recording.end_s -= last * recording.step_s;
   }
 
   /// Of evenly spaced times.
@@ -96,7 +155,7 @@ class RecordReader {
     for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
     const double usual = Median(steps);
     if (!(usual > 0)) {
-      Fault(0, "column 'time' does not rise from sample to sample; write the time of each sample in its unit");
+      Fault(0, "time does not rise from sample to sample; write the time of each sample in its unit");
       return 0;
     }
     int found = 0;
@@ -124,7 +183,7 @@ class RecordReader {
                                   " here: samples must be evenly spaced; resample the record at one rate");
   }
 
-  const CsvTable& table_;
+  const RecordedTable& table_;
   Diagnostics& diagnostics_;
   bool good_ = true;
   bool times_good_ = true;
@@ -133,10 +192,11 @@ class RecordReader {
 }  // namespace
 
 std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file,
-                                               std::span<const RecordedChannel> wanted, Diagnostics& diagnostics) {
-  const std::optional<CsvTable> table = ReadCsv(file, diagnostics, CsvHeader::kNamesAndUnits);
+                                               std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
+                                               const RecordedChannel& time) {
+  const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
   if (!table) return std::nullopt;
-  return RecordReader(*table, diagnostics).Read(wanted);
+  return RecordReader(*table, diagnostics).Read(wanted, time);
 }
 
 }  // namespace fourpost

@@ -8,6 +8,7 @@
 #include "analysis/number.h"
 #include "analysis/restored_signal.h"
 #include "analysis/time_recording.h"
+#include "identify/source_recording.h"
 #include "vehicles/bench/bench_unit_check.h"
 #include "vehicles/bench/recording_check.h"
 
@@ -45,10 +46,9 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
                                    const std::optional<BenchDamper>& damper, Diagnostics& diagnostics) {
   // Both ends may be drawn at one point.
   const double length_m = damper && damper->length_m() > 0 ? damper->length_m() : kLongestStroke_m;
-  const std::array<RecordedChannel, 2> wanted = {
-      RecordedChannel{{study.displacement}, kLength, "the damper's extension"},
-      RecordedChannel{{study.force}, kForce, "the damper's tension"}};
-  std::optional<TimeRecording> read = ReadTimeRecording(from.file, wanted, diagnostics);
+  const std::array<RecordedChannel, 2> wanted = {AsRecorded(study.displacement, kLength, "the damper's extension"),
+                                                 AsRecorded(study.force, kForce, "the damper's tension")};
+  std::optional<TimeRecording> read = ReadTimeRecording(from.file, wanted, diagnostics, TimeColumn(study.time));
   if (!read || !CheckBenchRecording(*read, length_m, from.file.string(), diagnostics)) return std::nullopt;
   BenchRecording recording{.name = from.name,
                            .start_s = read->start_s,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "identify/channel_source_reader.h"
+
 namespace fourpost {
 namespace {
 
@@ -11,13 +13,18 @@ class BenchReader {
   BenchReader(std::string file, Diagnostics& diagnostics) : file_(std::move(file)), diagnostics_(diagnostics) {}
 
   BenchStudy Read(const YAML::Node& node) {
-    const StrictMap map(node, "'bench'",
-                        {"damper", "displacement", "force", "rig_filter", "model_error", "recordings", "validation"},
-                        file_, diagnostics_);
+    const StrictMap map(
+        node, "'bench'",
+        {"damper", "displacement", "force", "time", "rig_filter", "model_error", "recordings", "validation"}, file_,
+        diagnostics_);
     study_.line = LineOf(node);
     study_.damper = map.Text("damper");
-    study_.displacement = map.Text("displacement").value_or(study_.displacement);
-    study_.force = map.Text("force").value_or(study_.force);
+    const auto channel = [&](const char* key) {
+      return ReadSourceChannel(map.Get(key), "'" + std::string(key) + "'", ChannelKind::kHistory, file_, diagnostics_);
+    };
+    if (map.Has("displacement")) study_.displacement = channel("displacement");
+    if (map.Has("force")) study_.force = channel("force");
+    if (map.Has("time")) study_.time = channel("time");
     if (map.Has("rig_filter")) ReadFilter(map.Get("rig_filter"));
     study_.model_error = map.Quantity("model_error", kDimensionless, 0).value_or(study_.model_error);
     if (study_.model_error == 0) map.Fault(map.Get("model_error"), "'model_error' of 'bench' must be above zero");

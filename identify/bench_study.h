@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "identify/channel_source.h"
 #include "identify/strict_yaml.h"
 
 namespace fourpost {
@@ -26,8 +27,10 @@ struct BenchStudy {
   std::optional<std::string> damper;
   int line = 0;
   /// Columns of the recordings.
-  std::string displacement = "displacement";
-  std::string force = "force";
+  SourceChannel displacement = {.name = "displacement"};
+  SourceChannel force = {.name = "force"};
+  /// One of the usual names when empty.
+  std::optional<SourceChannel> time;
   /// Through which both channels have passed on the rig.
   std::optional<RigFilter> rig_filter;
   /// What the model may miss, as a share of the measured force's standard deviation.

@@ -5,12 +5,23 @@
 
 namespace fourpost {
 
+/// A measured channel, and what is done to it before it is used.
+struct SourceChannel {
+  std::string name;
+  /// In place of the unit that its file tells; empty: that.
+  std::string unit = "";
+  /// Sign and scale, which it is multiplied by.
+  double factor = 1;
+  /// By which it comes later than what it measures.
+  double delay_s = 0;
+};
+
 /// Which measured channels a quantity of the model stands for. A planar vehicle stands for both sides: it is compared
 /// with the mean of left and right accelerations, or with the sum of left and right tyre forces.
 struct ChannelSource {
   enum class Combine { kMean, kSum };
   Combine combine = Combine::kMean;
-  std::vector<std::string> channels;
+  std::vector<SourceChannel> channels;
   int line = 0;
 };
 

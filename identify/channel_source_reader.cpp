@@ -1,37 +1,78 @@
 #include "identify/channel_source_reader.h"
 
+#include "analysis/recorded_unit.h"
 #include "identify/strict_yaml.h"
 
 namespace fourpost {
 namespace {
 
-ChannelSource ReadSource(const YAML::Node& node, const std::string& name, const std::string& file,
+std::vector<std::string_view> KeysOf(ChannelKind kind) {
+  switch (kind) {
+    case ChannelKind::kHistory: return {"channel", "sign", "scale", "unit", "delay"};
+    case ChannelKind::kSteppedSine: return {"channel", "sign", "scale", "delay"};
+    case ChannelKind::kLoad: break;
+  }
+  return {"channel", "sign", "scale"};
+}
+
+double ReadFactor(const StrictMap& map, const std::string& what) {
+  const std::optional<double> sign = map.Number("sign", -1, 1);
+  if (sign && *sign != 1 && *sign != -1) map.Fault(map.Get("sign"), "'sign' of " + what + " must be 1 or -1");
+  const double scale = map.Number("scale", 0, 1e12).value_or(1);
+  if (scale == 0)
+    map.Fault(map.Get("scale"), "'scale' of " + what + " must be above zero; 'sign' turns a channel round");
+  return sign.value_or(1) * scale;
+}
+
+std::string ReadUnit(const StrictMap& map, const std::string& what) {
+  const std::string unit = map.Text("unit").value_or("");
+  if (!unit.empty() && !ParseRecordedUnit(unit))
+    map.Fault(map.Get("unit"),
+              "'unit' of " + what + " is '" + unit + "', which is none; write one such as mm, kN or m/s^2");
+  return unit;
+}
+
+bool IsCombination(const YAML::Node& node) {
+  return node.IsMap() && node.size() == 1 && (node["mean"].IsDefined() || node["sum"].IsDefined());
+}
+
+ChannelSource ReadSource(const YAML::Node& node, const std::string& name, ChannelKind kind, const std::string& file,
                          Diagnostics& diagnostics) {
   ChannelSource source;
   source.line = LineOf(node);
-  if (node.IsScalar() && !node.Scalar().empty()) {
-    source.channels.push_back(node.Scalar());
+  if (!IsCombination(node)) {
+    source.channels.push_back(ReadSourceChannel(node, "'" + name + "'", kind, file, diagnostics));
     return source;
   }
-  if (!node.IsMap() || node.size() != 1) {
-    diagnostics.Error(file, LineOf(node), "'" + name + "' must be a measured channel, {mean: [a, b]} or {sum: [a, b]}");
-    return source;
-  }
-  const StrictMap map(node, "'" + name + "'", {"mean", "sum"}, file, diagnostics);
-  source.combine = map.Has("sum") ? ChannelSource::Combine::kSum : ChannelSource::Combine::kMean;
+  if (node["sum"].IsDefined()) source.combine = ChannelSource::Combine::kSum;
   const YAML::Node list = node.begin()->second;
   if (list.IsSequence())
     for (const YAML::Node& entry : list)
-      if (entry.IsScalar()) source.channels.push_back(entry.Scalar());
-  if (source.channels.empty() || source.channels.size() != list.size())
-    diagnostics.Error(file, LineOf(list), "'" + name + "' must be a list of channels");
+      source.channels.push_back(ReadSourceChannel(entry, "'" + name + "'", kind, file, diagnostics));
+  if (source.channels.empty()) diagnostics.Error(file, LineOf(list), "'" + name + "' must be a list of channels");
   return source;
 }
 
 }  // namespace
 
+SourceChannel ReadSourceChannel(const YAML::Node& node, const std::string& what, ChannelKind kind,
+                                const std::string& file, Diagnostics& diagnostics) {
+  if (node.IsScalar() && !node.Scalar().empty()) return {.name = node.Scalar()};
+  if (!node.IsMap() || !node["channel"].IsDefined()) {
+    diagnostics.Error(file, LineOf(node),
+                      what + " must be a measured channel, {channel: a, sign: -1}, {mean: [a, b]} or {sum: [a, b]}");
+    return {};
+  }
+  const StrictMap map(node, what, KeysOf(kind), file, diagnostics);
+  return {.name = map.Text("channel").value_or(""),
+          .unit = ReadUnit(map, what),
+          .factor = ReadFactor(map, what),
+          .delay_s = map.Quantity("delay", kTime, -1e3).value_or(0)};
+}
+
 std::vector<std::pair<std::string, ChannelSource>> ReadChannelSources(const YAML::Node& node, const std::string& where,
-                                                                      const std::string& what, const std::string& file,
+                                                                      const std::string& what, ChannelKind kind,
+                                                                      const std::string& file,
                                                                       Diagnostics& diagnostics) {
   std::vector<std::pair<std::string, ChannelSource>> sources;
   if (!node.IsDefined()) return sources;
@@ -44,7 +85,7 @@ std::vector<std::pair<std::string, ChannelSource>> ReadChannelSources(const YAML
   const StrictMap unique(node, where, {names.begin(), names.end()}, file, diagnostics);
   for (const auto& entry : node) {
     const auto name = entry.first.as<std::string>();
-    sources.emplace_back(name, ReadSource(entry.second, name, file, diagnostics));
+    sources.emplace_back(name, ReadSource(entry.second, name, kind, file, diagnostics));
   }
   return sources;
 }

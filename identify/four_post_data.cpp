@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 
 #include "analysis/frequency_response_file.h"
@@ -59,13 +60,13 @@ PhasorDeviation DeviationOf(const ChannelResponse& channel) {
 }
 
 /// Deviations of the sum, along and across its own phasor, from which those of the sources are turned away.
-void AddDeviations(const std::vector<const ChannelResponse*>& sources, double share, MeasuredChannel& sum) {
+void AddDeviations(const std::vector<ChannelResponse>& sources, double share, MeasuredChannel& sum) {
   sum.radial_sd.assign(sum.response.size(), 0);
   sum.tangential_sd.assign(sum.response.size(), 0);
-  for (const ChannelResponse* source : sources) {
-    const PhasorDeviation deviation = DeviationOf(*source);
+  for (const ChannelResponse& source : sources) {
+    const PhasorDeviation deviation = DeviationOf(source);
     for (std::size_t i = 0; i < sum.response.size(); ++i) {
-      const double turn = std::arg(source->response[i]) - std::arg(sum.response[i]);
+      const double turn = std::arg(source.response[i]) - std::arg(sum.response[i]);
       const double c = share * std::abs(std::cos(turn));
       const double s = share * std::abs(std::sin(turn));
       sum.radial_sd[i] = std::hypot(sum.radial_sd[i], c * deviation.radial[i], s * deviation.tangential[i]);
@@ -74,27 +75,39 @@ void AddDeviations(const std::vector<const ChannelResponse*>& sources, double sh
   }
 }
 
+/// The channel with its sign, scale and delay put right.
+ChannelResponse Corrected(ChannelResponse response, const std::vector<double>& frequency_Hz,
+                          const SourceChannel& channel) {
+  const double scale = std::abs(channel.factor);
+  for (std::size_t i = 0; i < response.response.size(); ++i)
+    response.response[i] *= std::polar(1.0, 2 * std::numbers::pi * frequency_Hz[i] * channel.delay_s) * channel.factor;
+  for (double& sd : response.gain_sd) sd *= scale;
+  for (double& mean : response.mean) mean *= channel.factor;
+  for (double& harmonic : response.second_harmonic) harmonic *= scale;
+  return response;
+}
+
 /// Sum of channels with their noise independent; a mean is the sum over their number.
-MeasuredChannel Combine(const std::vector<const ChannelResponse*>& sources, ChannelSource::Combine rule) {
-  const std::size_t points = sources.front()->response.size();
+MeasuredChannel Combine(const std::vector<ChannelResponse>& sources, ChannelSource::Combine rule) {
+  const std::size_t points = sources.front().response.size();
   const double share = rule == ChannelSource::Combine::kMean ? 1.0 / static_cast<double>(sources.size()) : 1.0;
   MeasuredChannel out;
-  out.unit = sources.front()->unit;
+  out.unit = sources.front().unit;
   out.response.assign(points, 0);
   // Struts only: the mean force of a tyre is its static load, whatever the damper does.
   const bool has_mean = out.unit == "m" && std::all_of(sources.begin(), sources.end(),
-                                                       [](const ChannelResponse* c) { return !c->mean.empty(); });
+                                                       [](const ChannelResponse& c) { return !c.mean.empty(); });
   if (has_mean) out.mean.assign(points, 0);
-  const bool has_second = out.unit == "m" && std::all_of(sources.begin(), sources.end(), [](const ChannelResponse* c) {
-                            return !c->second_harmonic.empty();
+  const bool has_second = out.unit == "m" && std::all_of(sources.begin(), sources.end(), [](const ChannelResponse& c) {
+                            return !c.second_harmonic.empty();
                           });
   if (has_second) out.second_harmonic.assign(points, 0);
-  for (const ChannelResponse* source : sources)
+  for (const ChannelResponse& source : sources)
     for (std::size_t i = 0; i < points; ++i) {
-      out.response[i] += share * source->response[i];
-      if (has_mean) out.mean[i] += share * source->mean[i];
+      out.response[i] += share * source.response[i];
+      if (has_mean) out.mean[i] += share * source.mean[i];
       // Of struts that move alike; amplitudes have no phase to add by.
-      if (has_second) out.second_harmonic[i] += share * source->second_harmonic[i];
+      if (has_second) out.second_harmonic[i] += share * source.second_harmonic[i];
     }
   AddDeviations(sources, share, out);
   return out;
@@ -131,7 +144,7 @@ class DataLoader {
     run.excitation.amplitude_m = measured->amplitude_m;
     const std::vector<std::string> sensors = NamesOf(vehicle_.sensors);
     for (const auto& [name, source] : study_.channels) {
-      const std::vector<const ChannelResponse*> channels = FindChannels(recording, source, *measured);
+      const std::vector<ChannelResponse> channels = FindChannels(recording, source, *measured);
       const std::optional<std::size_t> sensor = IndexOf(name, sensors);
       if (channels.size() != source.channels.size() || channels.empty() || !sensor) continue;
       if (!HaveUnit(channels, vehicle_.sensors[*sensor], source)) continue;
@@ -178,11 +191,13 @@ class DataLoader {
     return shape;
   }
 
-  std::vector<const ChannelResponse*> FindChannels(const StudyRecording& recording, const ChannelSource& source,
-                                                   const FrequencyResponse& measured) {
-    std::vector<const ChannelResponse*> found;
-    for (const std::string& name : source.channels) {
-      if (const ChannelResponse* channel = measured.Find(name)) found.push_back(channel);
+  std::vector<ChannelResponse> FindChannels(const StudyRecording& recording, const ChannelSource& source,
+                                            const FrequencyResponse& measured) {
+    std::vector<ChannelResponse> found;
+    for (const SourceChannel& wanted : source.channels) {
+      const std::string& name = wanted.name;
+      if (const ChannelResponse* channel = measured.Find(name))
+        found.push_back(Corrected(*channel, measured.frequency_Hz, wanted));
       else
         diagnostics_.Error(file_, source.line,
                            recording.file.filename().string() + " has no channel '" + name + "'" +
@@ -191,15 +206,14 @@ class DataLoader {
     return found;
   }
 
-  bool HaveUnit(const std::vector<const ChannelResponse*>& channels, const Sensor& sensor,
-                const ChannelSource& source) {
+  bool HaveUnit(const std::vector<ChannelResponse>& channels, const Sensor& sensor, const ChannelSource& source) {
     const std::string unit = UnitOf(sensor.type);
     bool good = true;
-    for (const ChannelResponse* channel : channels) {
-      if (channel->unit == unit) continue;
+    for (const ChannelResponse& channel : channels) {
+      if (channel.unit == unit) continue;
       diagnostics_.Error(file_, source.line,
-                         "channel '" + channel->name + "' is in " + channel->unit + ", sensor '" + sensor.name +
-                             "' in " + unit + ": they cannot be compared");
+                         "channel '" + channel.name + "' is in " + channel.unit + ", sensor '" + sensor.name + "' in " +
+                             unit + ": they cannot be compared");
       good = false;
     }
     return good;
@@ -236,7 +250,8 @@ class DataLoader {
   MeasuredLoad SumLoads(const ChannelSource& source, const std::vector<StaticMeasurement>& table) {
     const std::vector<std::string> quantities = NamesOf(table);
     MeasuredLoad load;
-    for (const std::string& name : source.channels) {
+    for (const SourceChannel& channel : source.channels) {
+      const std::string& name = channel.name;
       const std::optional<std::size_t> row = IndexOf(name, quantities);
       if (!row || table[*row].dimension != kForce) {
         diagnostics_.Error(file_, source.line,
@@ -244,8 +259,8 @@ class DataLoader {
                                DidYouMean(name, quantities));
         continue;
       }
-      load.load_N += table[*row].value;
-      load.sd_N = std::hypot(load.sd_N, table[*row].sd);
+      load.load_N += channel.factor * table[*row].value;
+      load.sd_N = std::hypot(load.sd_N, channel.factor * table[*row].sd);
     }
     if (!(load.load_N > 0) && load.sd_N > 0)
       diagnostics_.Error(file_, source.line, "a static load presses on the post and must be above zero");

@@ -8,6 +8,7 @@
 #include "analysis/number.h"
 #include "analysis/time_recording.h"
 #include "analysis/units.h"
+#include "identify/source_recording.h"
 #include "vehicles/response/response_recorder.h"
 
 namespace fourpost {
@@ -47,7 +48,8 @@ class HistoryLoader {
       if (const auto index = IndexOf(sensor, sensors_))
         Want(source, ParseUnit(UnitOf(vehicle_.sensors[*index].type))->dimension, "sensor '" + sensor + "'");
     const std::vector<double> noise = ReadNoise();
-    const std::optional<TimeRecording> recording = ReadTimeRecording(study_.file, wanted_, diagnostics_);
+    const std::optional<TimeRecording> recording =
+        ReadTimeRecording(study_.file, wanted_, diagnostics_, TimeColumn(study_.time));
     if (!good_ || !recording) return std::nullopt;
     MeasuredHistory history{.name = study_.name, .rate_Hz = recording->rate_Hz(), .filter = study_.filter};
     CheckRate(history.rate_Hz);
@@ -78,7 +80,7 @@ class HistoryLoader {
   }
 
   void Want(const ChannelSource& source, const Dimension& dimension, const std::string& what) {
-    for (const std::string& channel : source.channels) wanted_.push_back({{channel}, dimension, what});
+    for (const SourceChannel& channel : source.channels) wanted_.push_back(AsRecorded(channel, dimension, what));
   }
 
   std::vector<double> ReadNoise() {

@@ -15,17 +15,21 @@ class HistoryReader {
       : study_(std::move(study)), file_(study_.string()), diagnostics_(diagnostics) {}
 
   StudyHistory Read(const YAML::Node& node) {
-    const StrictMap map =
-        Map(node, "the history", {"name", "file", "posts", "channels", "filter", "noise", "start", "end", "use"});
+    const StrictMap map = Map(node, "the history",
+                              {"name", "file", "posts", "channels", "filter", "noise", "start", "end", "use", "time"});
     StudyHistory history;
     history.line = map.line();
     map.Require("file");
     if (const auto file = map.Text("file")) history.file = (study_.parent_path() / *file).lexically_normal();
     history.name = map.Text("name").value_or(history.file.stem().string());
     where_ = "history '" + history.name + "'";
-    history.posts = ReadChannelSources(map.Require("posts"), "'posts' of " + where_, "posts", file_, diagnostics_);
-    history.channels =
-        ReadChannelSources(map.Require("channels"), "'channels' of " + where_, "sensors", file_, diagnostics_);
+    if (map.Has("time"))
+      history.time =
+          ReadSourceChannel(map.Get("time"), "'time' of " + where_, ChannelKind::kHistory, file_, diagnostics_);
+    history.posts = ReadChannelSources(map.Require("posts"), "'posts' of " + where_, "posts", ChannelKind::kHistory,
+                                       file_, diagnostics_);
+    history.channels = ReadChannelSources(map.Require("channels"), "'channels' of " + where_, "sensors",
+                                          ChannelKind::kHistory, file_, diagnostics_);
     if (map.Has("filter")) history.filter = Filter(map.Get("filter"));
     if (map.Has("noise")) history.noise = Noise(map.Get("noise"));
     if (const auto use = map.Text("use")) {

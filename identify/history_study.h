@@ -27,6 +27,8 @@ struct StudyNoise {
 struct StudyHistory {
   std::string name;
   std::filesystem::path file;
+  /// The column of times; one of the usual names when empty.
+  std::optional<SourceChannel> time;
   /// Post of the vehicle, and the channels of its height.
   std::vector<std::pair<std::string, ChannelSource>> posts;
   /// Sensor of the vehicle, and what was measured for it.

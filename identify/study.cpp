@@ -54,7 +54,8 @@ class StudyReader {
   void ReadResponses(const StrictMap& top) {
     ReadRecordings(top);
     if (const YAML::Node channels = top.Require("channels"); channels.IsDefined())
-      study_.channels = ReadChannelSources(channels, "'channels'", "sensors", file_, diagnostics_);
+      study_.channels =
+          ReadChannelSources(channels, "'channels'", "sensors", ChannelKind::kSteppedSine, file_, diagnostics_);
     ReadBand(top);
   }
 
@@ -199,7 +200,7 @@ class StudyReader {
     map.Require("file");
     if (const auto file = map.Text("file")) study_.static_loads_file = Resolve(*file);
     if (const YAML::Node tyres = map.Require("tyres"); tyres.IsDefined())
-      study_.static_loads = ReadChannelSources(tyres, "'tyres'", "tyres", file_, diagnostics_);
+      study_.static_loads = ReadChannelSources(tyres, "'tyres'", "tyres", ChannelKind::kLoad, file_, diagnostics_);
   }
 
   void ReadFree(const YAML::Node& node) {

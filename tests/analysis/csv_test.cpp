@@ -141,10 +141,6 @@ TEST(CsvFault, ColumnWithTheNameOfAnother) {
   EXPECT_EQ(Faults("a,b,a\n1,2,3\n"), "t.csv:1: error: column 3 has the name 'a' of an earlier one");
 }
 
-TEST(CsvFault, OtherSeparator) {
-  EXPECT_EQ(Faults("a;b\n1;2\n"), "t.csv:1: error: the columns must be separated by commas");
-}
-
 TEST(CsvFault, RowsOfAnotherLength) {
   EXPECT_EQ(Faults("a,b\n1\n2,3\n4,5,6\n"),
             "t.csv:2: error: the row has 1 field, the header 2\n"

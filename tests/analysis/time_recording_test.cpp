@@ -1,6 +1,8 @@
 #include "analysis/time_recording.h"
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -51,6 +53,54 @@ TEST(TimeRecording, IsInSiAndInTheOrderWanted) {
   EXPECT_THAT(recording->channels[1], ElementsAre(100, 200, 300, 400, 500, 600));
 }
 
+TEST(TimeRecording, TakesUnitSignScaleAndDelayFromTheStudy) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  std::ostringstream text;
+  text.precision(12);
+  text << "time,x,F\ns,V,N\n";
+  const double w = 2 * std::numbers::pi * 5;
+  for (int k = 0; k < 400; ++k) text << 0.002 * k << ',' << std::sin(w * 0.002 * k) << ',' << k << '\n';
+  const std::array<RecordedChannel, 2> wanted = {
+      RecordedChannel{
+          .names = {"x"}, .dimension = kLength, .what = "the extension", .unit = "mm", .factor = -3, .delay_s = 0.0031},
+      RecordedChannel{{"F"}, kForce, "the force"}};
+  const auto recording = ReadTimeRecording(folder.Write("r.csv", text.str()), wanted, diagnostics);
+  ASSERT_TRUE(recording) << diagnostics.Format();
+  // Two samples at the end are not known.
+  ASSERT_EQ(recording->samples(), 398u);
+  EXPECT_NEAR(recording->end_s, 0.794, 1e-12);
+  EXPECT_EQ(recording->channels[1].front(), 0);
+  EXPECT_EQ(recording->channels[1].back(), 397);
+  for (std::size_t k = 0; k < recording->samples(); ++k)
+    // The spline errs by 1e-7 of the amplitude, see UniformSpline, more next to the ends.
+    EXPECT_NEAR(recording->channels[0][k], -3e-3 * std::sin(w * (0.002 * static_cast<double>(k) + 0.0031)), 1e-8) << k;
+}
+
+TEST(TimeRecording, CutsTheStartWhereAChannelIsEarly) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const std::array<RecordedChannel, 2> wanted = {
+      RecordedChannel{{"displacement"}, kLength, "the extension"},
+      RecordedChannel{.names = {"F"}, .dimension = kForce, .what = "the force", .delay_s = -0.002}};
+  const auto recording = ReadTimeRecording(folder.Write("bench.csv", kGood), wanted, diagnostics);
+  ASSERT_TRUE(recording) << diagnostics.Format();
+  EXPECT_NEAR(recording->start_s, 1.002, 1e-12);
+  EXPECT_THAT(recording->channels[0], ElementsAre(0.002, 0.003, 0.004, 0.005, 0.006));
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_NEAR(recording->channels[1][k], 100.0 * (1 + static_cast<double>(k)), 1e-9);
+}
+
+TEST(TimeRecordingFault, DelaysLongerThanTheRecord) {
+  std::array<RecordedChannel, 2> wanted = kWanted;
+  wanted[0].delay_s = 0.006;
+  EXPECT_EQ(FaultsOf("bench.csv", kGood,
+                     [&](const std::string& file, Diagnostics& diagnostics) {
+                       return ReadTimeRecording(file, wanted, diagnostics);
+                     }),
+            "bench.csv: error: is shorter than the delays that the study tells of its channels");
+}
+
 TEST(TimeRecordingFault, ColumnsAreMissing) {
   EXPECT_THAT(Faults(Replace(Replace(kGood, "displacement", "y"), "time", "tame")),
               AllOf(HasSubstr("bench.csv:1: error: column 'x', the extension, is missing"),
@@ -59,12 +109,15 @@ TEST(TimeRecordingFault, ColumnsAreMissing) {
 
 TEST(TimeRecordingFault, UnitOfAnotherDimension) {
   EXPECT_EQ(Faults(Replace(kGood, "kN", "mm/s")),
-            "bench.csv:2: error: column 'F', the force, has 'mm/s' for its unit; it takes a force such as 'N' in the "
-            "second line");
+            "bench.csv:2: error: column 'F', the force, has 'mm/s' for its unit; it takes a force such as 'N'");
 }
 
 TEST(TimeRecordingFault, NoRowOfUnits) {
-  EXPECT_THAT(Faults(Replace(kGood, "s,kN,1,mm\n", "")), HasSubstr("has '0.1' for its unit; it takes a force"));
+  EXPECT_THAT(
+      Faults(Replace(kGood, "s,kN,1,mm\n", "")),
+      AllOf(HasSubstr("bench.csv:1: error: column 'time', the time of each sample, has no unit; write that of a "
+                      "time such as 's' in a line below the names, or behind the name, as in 'time [s]'"),
+            HasSubstr("or name it in the study: {channel: F, unit: N}")));
 }
 
 TEST(TimeRecordingFault, FieldsThatAreNoNumbers) {
@@ -92,7 +145,7 @@ TEST(TimeRecordingFault, TimeStepsBack) {
 
 TEST(TimeRecordingFault, TimeStandsStill) {
   EXPECT_THAT(Faults("time,F,x\ns,N,m\n1,1,1\n1,2,2\n1,3,3\n1,4,4\n1,5,5\n"),
-              HasSubstr("column 'time' does not rise from sample to sample"));
+              HasSubstr("time does not rise from sample to sample"));
 }
 
 // Each step is within a quarter of the usual one.

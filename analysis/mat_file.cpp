@@ -1,0 +1,175 @@
+#include "analysis/mat_file.h"
+
+#include <matio.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+namespace fourpost {
+namespace {
+
+struct Close {
+  void operator()(mat_t* file) const { Mat_Close(file); }
+  void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
+};
+
+std::size_t Length(const matvar_t& variable) {
+  std::size_t length = variable.rank > 0 ? 1 : 0;
+  for (int i = 0; i < variable.rank; ++i) length *= variable.dims[i];
+  return length;
+}
+
+/// All but one side of it are 1.
+bool IsVector(const matvar_t& variable) {
+  const std::size_t length = Length(variable);
+  return length > 1 &&
+         std::any_of(variable.dims, variable.dims + variable.rank, [&](std::size_t side) { return side == length; });
+}
+
+template <typename Number>
+std::vector<double> Doubles(const matvar_t& variable) {
+  const auto* numbers = static_cast<const Number*>(variable.data);
+  return {numbers, numbers + Length(variable)};
+}
+
+/// Empty for what is no vector of real numbers.
+std::vector<double> NumbersOf(const matvar_t& variable) {
+  if (variable.data == nullptr || variable.isComplex != 0 || !IsVector(variable)) return {};
+  switch (variable.class_type) {
+    case MAT_C_DOUBLE: return Doubles<double>(variable);
+    case MAT_C_SINGLE: return Doubles<float>(variable);
+    case MAT_C_INT8: return Doubles<std::int8_t>(variable);
+    case MAT_C_UINT8: return Doubles<std::uint8_t>(variable);
+    case MAT_C_INT16: return Doubles<std::int16_t>(variable);
+    case MAT_C_UINT16: return Doubles<std::uint16_t>(variable);
+    case MAT_C_INT32: return Doubles<std::int32_t>(variable);
+    case MAT_C_UINT32: return Doubles<std::uint32_t>(variable);
+    case MAT_C_INT64: return Doubles<std::int64_t>(variable);
+    case MAT_C_UINT64: return Doubles<std::uint64_t>(variable);
+    default: return {};
+  }
+}
+
+/// Empty for what is no text.
+std::string TextOf(const matvar_t& variable) {
+  if (variable.data == nullptr || variable.class_type != MAT_C_CHAR) return {};
+  if (variable.data_size == 1) return {static_cast<const char*>(variable.data), Length(variable)};
+  std::string text;
+  const auto* codes = static_cast<const std::uint16_t*>(variable.data);
+  if (variable.data_size == 2)
+    // Units need no more than Latin-1.
+    std::transform(codes, codes + Length(variable), std::back_inserter(text),
+                   [](std::uint16_t code) { return static_cast<char>(code < 256 ? code : '?'); });
+  return text;
+}
+
+/// Of a file of version 5, which matio fills up with zeros: variables are longer than what is there.
+bool IsCutShort(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kHeader = 128;
+  const std::uintmax_t size = std::filesystem::file_size(file);
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, kHeader> header{};
+  if (!stream.read(header.data(), kHeader) || !std::string_view(header.data(), 10).starts_with("MATLAB 5.0"))
+    return false;
+  const bool swapped = header[126] == 'M';
+  std::uintmax_t at = kHeader;
+  std::array<unsigned char, 8> tag{};
+  while (at < size && stream.seekg(static_cast<std::streamoff>(at)) &&
+         stream.read(reinterpret_cast<char*>(tag.data()), sizeof tag)) {
+    std::uintmax_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = 256 * length + tag[swapped ? 4 + i : 7 - i];
+    at += sizeof tag + length;
+  }
+  return at != size;
+}
+
+bool IsOneOf(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+class MatReader {
+ public:
+  MatReader(std::string file, Diagnostics& diagnostics) : file_(std::move(file)), diagnostics_(diagnostics) {}
+
+  std::optional<std::vector<MatVector>> Read() {
+    if (IsCutShort(file_)) return Fault("is cut short; save or copy it again");
+    const std::unique_ptr<mat_t, Close> mat(Mat_Open(file_.c_str(), MAT_ACC_RDONLY));
+    if (!mat) return Fault("is no MAT file that can be read; save it anew, with -v7 for instance");
+    while (const std::unique_ptr<matvar_t, Close> variable{Mat_VarReadNext(mat.get())}) {
+      if (variable->name == nullptr) return Fault("is damaged: it holds a variable without a name");
+      if (variable->data == nullptr && Length(*variable) > 0)
+        return Fault("is cut short: variable '" + std::string(variable->name) + "' has no data");
+      Take(*variable, variable->name);
+    }
+    if (vectors_.empty()) return Fault("holds no vector of real numbers; save each channel as a variable of its own");
+    for (MatVector& vector : vectors_)
+      if (vector.unit.empty()) vector.unit = units_[vector.name];
+    if (!good_) return std::nullopt;
+    return std::move(vectors_);
+  }
+
+ private:
+  std::nullopt_t Fault(const std::string& message) {
+    diagnostics_.Error(file_, 0, message);
+    good_ = false;
+    return std::nullopt;
+  }
+
+  void Take(matvar_t& variable, const std::string& name) {
+    if (variable.class_type == MAT_C_STRUCT) return TakeFields(variable, name);
+    constexpr std::string_view kEnding = "_unit";
+    if (std::string unit = TextOf(variable); !unit.empty() && name.ends_with(kEnding))
+      units_[name.substr(0, name.size() - kEnding.size())] = std::move(unit);
+    else Add(name, NumbersOf(variable));
+  }
+
+  void TakeFields(matvar_t& structure, const std::string& name) {
+    // An array of structures is no set of channels.
+    if (Length(structure) != 1) return;
+    const unsigned count = Mat_VarGetNumberOfFields(&structure);
+    char* const* names = Mat_VarGetStructFieldnames(&structure);
+    const std::size_t first = vectors_.size();
+    std::string unit;
+    for (unsigned i = 0; i < count; ++i) {
+      matvar_t* field = Mat_VarGetStructFieldByIndex(&structure, i, 0);
+      if (field == nullptr) continue;
+      const std::string field_name = names[i];
+      if (IsOneOf(name, {"unit", "units"})) units_[field_name] = TextOf(*field);
+      else if (IsOneOf(field_name, {"unit", "units"}) && field->class_type == MAT_C_CHAR) unit = TextOf(*field);
+      else Take(*field, IsOneOf(field_name, {"data", "values", "signal"}) ? name : field_name);
+    }
+    if (!unit.empty() && vectors_.size() == first + 1) vectors_.back().unit = std::move(unit);
+  }
+
+  void Add(const std::string& name, std::vector<double> values) {
+    if (values.empty()) return;
+    if (std::any_of(vectors_.begin(), vectors_.end(), [&](const MatVector& other) { return other.name == name; }))
+      Fault("holds two vectors called '" + name + "'; rename one");
+    vectors_.push_back({name, "", std::move(values)});
+  }
+
+  std::string file_;
+  Diagnostics& diagnostics_;
+  std::vector<MatVector> vectors_;
+  std::map<std::string, std::string> units_;
+  bool good_ = true;
+};
+
+}  // namespace
+
+std::optional<std::vector<MatVector>> ReadMatFile(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  if (std::filesystem::is_directory(file) || !std::ifstream(file)) {
+    diagnostics.Error(file.string(), 0, "cannot be read: there is no such file, or it may not be read");
+    return std::nullopt;
+  }
+  return MatReader(file.string(), diagnostics).Read();
+}
+
+}  // namespace fourpost

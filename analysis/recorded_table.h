@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/csv.h"
+#include "analysis/diagnostics.h"
+#include "analysis/mat_file.h"
+
+namespace fourpost {
+
+/// Columns of a recording as they stand in its file: text as CsvTable has it, or a MAT file (.mat).
+class RecordedTable {
+ public:
+  explicit RecordedTable(CsvTable csv);
+  RecordedTable(std::string file, std::vector<MatVector> vectors);
+
+  const std::string& file() const { return file_; }
+  const std::vector<std::string>& names() const { return names_; }
+  std::optional<std::size_t> FindColumn(std::string_view name) const;
+  /// As written; empty where the file tells none.
+  const std::string& unit(std::size_t column) const { return units_[column]; }
+  /// Lines of names, units and rows; 0 of a MAT file.
+  int names_line() const { return csv_ ? 1 : 0; }
+  int units_line() const { return csv_ ? csv_->units_line() : 0; }
+  int line(std::size_t row) const { return csv_ ? csv_->line(row) : 0; }
+
+  std::size_t rows(std::size_t column) const;
+  /// NaN where there is none; nothing for what is no number.
+  std::optional<double> Number(std::size_t row, std::size_t column) const;
+  /// As written.
+  std::string Text(std::size_t row, std::size_t column) const;
+  /// Where a unit such as `such` of a column is written, to tell a user.
+  std::string WhereUnitsStand(const std::string& name, const std::string& such) const;
+
+ private:
+  std::string file_;
+  std::vector<std::string> names_;
+  std::vector<std::string> units_;
+  /// One of both is filled.
+  std::optional<CsvTable> csv_;
+  std::vector<MatVector> vectors_;
+};
+
+/// Adds every fault of the file to `diagnostics`; nothing when there was one.
+std::optional<RecordedTable> ReadRecordedTable(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+}  // namespace fourpost

@@ -1,0 +1,173 @@
+#include "analysis/mat_file.h"
+
+#include <matio.h>
+
+#include <fstream>
+#include <memory>
+
+#include <gmock/gmock.h>
+
+#include "analysis/time_recording.h"
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Writes variables as MATLAB would.
+class MatWriter {
+ public:
+  MatWriter(const std::string& file, mat_ft version) : mat_(Mat_CreateVer(file.c_str(), nullptr, version)) {}
+  ~MatWriter() { Mat_Close(mat_); }
+  MatWriter(const MatWriter&) = delete;
+  MatWriter& operator=(const MatWriter&) = delete;
+
+  static matvar_t* Column(const char* name, std::vector<double> values) {
+    std::size_t dims[2] = {values.size(), 1};
+    return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims, values.data(), 0);
+  }
+
+  static matvar_t* Text(const char* name, std::string text) {
+    std::size_t dims[2] = {1, text.size()};
+    return Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UINT8, 2, dims, text.data(), 0);
+  }
+
+  static matvar_t* Struct(const char* name, const std::vector<std::pair<const char*, matvar_t*>>& fields) {
+    std::vector<const char*> names;
+    for (const auto& field : fields) names.push_back(field.first);
+    std::size_t dims[2] = {1, 1};
+    matvar_t* structure = Mat_VarCreateStruct(name, 2, dims, names.data(), static_cast<unsigned>(names.size()));
+    for (const auto& [field, value] : fields) Mat_VarSetStructFieldByName(structure, field, 0, value);
+    return structure;
+  }
+
+  void Add(matvar_t* variable) {
+    Mat_VarWrite(mat_, variable, MAT_COMPRESSION_NONE);
+    Mat_VarFree(variable);
+  }
+
+ private:
+  mat_t* mat_;
+};
+
+std::vector<MatVector> Read(const std::string& file) {
+  Diagnostics diagnostics;
+  std::optional<std::vector<MatVector>> vectors = ReadMatFile(file, diagnostics);
+  if (!vectors) throw std::runtime_error(diagnostics.Format());
+  return *vectors;
+}
+
+std::string Faults(const std::string& file) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(ReadMatFile(file, diagnostics));
+  return diagnostics.Format();
+}
+
+class MatVersions : public testing::TestWithParam<mat_ft> {
+ protected:
+  TemporaryFolder folder_;
+  std::string file_ = (folder_.path() / "run.mat").string();
+};
+
+TEST_P(MatVersions, HoldVectorsAndTheirUnits) {
+  {
+    MatWriter mat(file_, GetParam());
+    mat.Add(MatWriter::Column("force", {1, 2, 3}));
+    mat.Add(MatWriter::Text("force_unit", "kN"));
+    mat.Add(MatWriter::Text("comment", "third run"));
+  }
+  const std::vector<MatVector> vectors = Read(file_);
+  ASSERT_EQ(vectors.size(), 1u);
+  EXPECT_EQ(vectors[0].name, "force");
+  EXPECT_EQ(vectors[0].unit, "kN");
+  EXPECT_THAT(vectors[0].values, ElementsAre(1, 2, 3));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MatVersions, testing::Values(MAT_FT_MAT4, MAT_FT_MAT5, MAT_FT_MAT73),
+                         [](const auto& test) {
+                           return test.param == MAT_FT_MAT4   ? std::string("Version4")
+                                  : test.param == MAT_FT_MAT5 ? std::string("Version5")
+                                                              : std::string("Version73");
+                         });
+
+class MatFile : public testing::Test {
+ protected:
+  void Write(const std::vector<matvar_t*>& variables) {
+    MatWriter mat(file_, MAT_FT_MAT5);
+    for (matvar_t* variable : variables) mat.Add(variable);
+  }
+
+  TemporaryFolder folder_;
+  std::string file_ = (folder_.path() / "run.mat").string();
+};
+
+TEST_F(MatFile, HoldsStructuresOfChannels) {
+  Write({MatWriter::Struct("run", {{"time", MatWriter::Column(nullptr, {0, 1})},
+                                   {"force", MatWriter::Struct(nullptr, {{"data", MatWriter::Column(nullptr, {5, 6})},
+                                                                         {"unit", MatWriter::Text(nullptr, "N")}})}}),
+         MatWriter::Struct("units", {{"time", MatWriter::Text(nullptr, "ms")}})});
+  const std::vector<MatVector> vectors = Read(file_);
+  ASSERT_EQ(vectors.size(), 2u);
+  EXPECT_EQ(vectors[0].name, "time");
+  EXPECT_EQ(vectors[0].unit, "ms");
+  EXPECT_EQ(vectors[1].name, "force");
+  EXPECT_EQ(vectors[1].unit, "N");
+  EXPECT_THAT(vectors[1].values, ElementsAre(5, 6));
+}
+
+TEST_F(MatFile, IsARecordingWithTheUnitsOfItsStudy) {
+  Write({MatWriter::Column("Tout", {0, 0.01, 0.02, 0.03, 0.04}), MatWriter::Column("forc", {1, 2, 3, 4, 5})});
+  Diagnostics diagnostics;
+  const RecordedChannel time{.names = {"Tout"}, .dimension = kTime, .what = "the times", .unit = "s"};
+  const std::vector<RecordedChannel> wanted = {
+      {.names = {"forc"}, .dimension = kForce, .what = "the force", .unit = "kN", .factor = -2}};
+  const auto recording = ReadTimeRecording(file_, wanted, diagnostics, time);
+  ASSERT_TRUE(recording) << diagnostics.Format();
+  EXPECT_NEAR(recording->rate_Hz(), 100, 1e-9);
+  EXPECT_THAT(recording->channels[0], ElementsAre(-2000, -4000, -6000, -8000, -10000));
+}
+
+TEST_F(MatFile, WithoutUnitsSaysWhereTheyGo) {
+  Write({MatWriter::Column("time", {0, 1, 2, 3}), MatWriter::Column("force", {1, 2, 3, 4})});
+  Diagnostics diagnostics;
+  const std::vector<RecordedChannel> wanted = {{.names = {"force"}, .dimension = kForce, .what = "the force"}};
+  EXPECT_FALSE(ReadTimeRecording(file_, wanted, diagnostics));
+  EXPECT_THAT(
+      diagnostics.Format(),
+      HasSubstr("run.mat: error: column 'force', the force, has no unit; write that of a force such as 'N' as a "
+                "text 'force_unit' in the file, or name it in the study: {channel: force, unit: N}"));
+}
+
+TEST_F(MatFile, TellsLengthsThatDiffer) {
+  Write({MatWriter::Column("time", {0, 1, 2, 3}), MatWriter::Column("force", {1, 2, 3}),
+         MatWriter::Text("force_unit", "N"), MatWriter::Text("time_unit", "s")});
+  Diagnostics diagnostics;
+  const std::vector<RecordedChannel> wanted = {{.names = {"force"}, .dimension = kForce, .what = "the force"}};
+  EXPECT_FALSE(ReadTimeRecording(file_, wanted, diagnostics));
+  EXPECT_THAT(diagnostics.Format(), HasSubstr("column 'force' has 3 samples, the times are 4"));
+}
+
+TEST_F(MatFile, RefusesWhatIsNone) {
+  EXPECT_THAT(Faults(folder_.Write("run.mat", "time,force\n1,2\n")), HasSubstr("is no MAT file"));
+  EXPECT_THAT(Faults(folder_.Write("run.mat", "")), HasSubstr("holds no vector of real numbers"));
+  EXPECT_THAT(Faults((folder_.path() / "none.mat").string()), HasSubstr("cannot be read"));
+  Write({MatWriter::Text("comment", "nothing else")});
+  EXPECT_THAT(Faults(file_), HasSubstr("holds no vector of real numbers"));
+}
+
+TEST_F(MatFile, TellsTwoVectorsOfOneName) {
+  Write(
+      {MatWriter::Column("force", {1, 2}), MatWriter::Struct("run", {{"force", MatWriter::Column(nullptr, {5, 6})}})});
+  EXPECT_THAT(Faults(file_), HasSubstr("holds two vectors called 'force'"));
+}
+
+TEST_F(MatFile, ThatIsCutShortIsNoRecording) {
+  Write({MatWriter::Column("force", std::vector<double>(1000, 1.0))});
+  std::filesystem::resize_file(file_, std::filesystem::file_size(file_) / 2);
+  EXPECT_THAT(Faults(file_), HasSubstr("is cut short; save or copy it again"));
+}
+
+}  // namespace
+}  // namespace fourpost
