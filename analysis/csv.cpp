@@ -84,12 +84,13 @@ class CsvParser {
     Keep();
   }
 
-  /// Not a row of numbers: "1" is both.
+  /// Has no numbers, or as many units; "1" is both.
   bool IsRowOfUnits() const {
     const auto is_number = [this](const std::string& field) { return table_.ToNumber(field).has_value(); };
     const auto is_unit = [&](const std::string& field) { return ParseRecordedUnit(field) && !is_number(field); };
-    return std::any_of(record_.fields.begin(), record_.fields.end(), is_unit) ||
-           std::none_of(record_.fields.begin(), record_.fields.end(), is_number);
+    const auto numbers = std::count_if(record_.fields.begin(), record_.fields.end(), is_number);
+    const auto units = std::count_if(record_.fields.begin(), record_.fields.end(), is_unit);
+    return numbers == 0 || (units > 0 && units >= numbers);
   }
 
   void TakeUnitsFromNames() {

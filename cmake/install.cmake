@@ -22,6 +22,23 @@ install(FILES
 
 if(TARGET fourpost)
   install(TARGETS fourpost)
+  # The program tells its manual page and what shells complete.
+  set(manual_dir ${PROJECT_BINARY_DIR}/manual)
+  foreach(part IN ITEMS "fourpost.1:man" "fourpost.bash:completion bash" "_fourpost:completion zsh" "fourpost.fish:completion fish")
+    string(REGEX MATCH "^[^:]*" file ${part})
+    string(REGEX REPLACE "^[^:]*:" "" words ${part})
+    separate_arguments(words)
+    add_custom_command(OUTPUT ${manual_dir}/${file}
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${manual_dir}
+      COMMAND fourpost ${words} > ${manual_dir}/${file}
+      DEPENDS fourpost VERBATIM)
+    list(APPEND manual_files ${manual_dir}/${file})
+  endforeach()
+  add_custom_target(fourpost_manual ALL DEPENDS ${manual_files})
+  install(FILES ${manual_dir}/fourpost.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${manual_dir}/fourpost.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME fourpost)
+  install(FILES ${manual_dir}/_fourpost DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES ${manual_dir}/fourpost.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endif()
 # Studies name their vehicle, and vehicles their meshes, by relative paths: the three keep their places.
 install(DIRECTORY urdf meshes studies DESTINATION ${FOURPOST_DATA_DIR})

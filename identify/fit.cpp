@@ -133,10 +133,23 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   problem.deadline_s = options.deadline_s;
   Archive archive(std::move(problem), options.threads, store);
   const std::function<bool()> stop = hooks.stop ? hooks.stop : [] { return false; };
-  const auto report = [&](std::string_view stage) {
+  std::string_view stage_now;
+  std::int64_t paid_before = 0;
+  const auto begin = [&](std::string_view stage) {
+    stage_now = stage;
+    paid_before = archive.counts().paid;
+  };
+  const auto report = [&] {
     const EvaluationCounts& counts = archive.counts();
     const double best = archive.improvements().empty() ? kInfinite : archive.improvements().back().cost;
-    if (hooks.progress) hooks.progress({stage, best, counts.paid, counts.reused, counts.failed(), counts.restored});
+    if (!hooks.progress) return;
+    hooks.progress({.stage = stage_now,
+                    .best_cost = best,
+                    .paid = counts.paid,
+                    .in_stage = counts.paid - paid_before,
+                    .reused = counts.reused,
+                    .failed = counts.failed(),
+                    .restored = counts.restored});
   };
 
   FitResult result;
@@ -146,7 +159,8 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   result.options = options;
   result.options.refine.step = options.refine.DifferenceStep(archive.problem());
   if (options.identify_first) {
-    report("identifiability");
+    begin("identifiability");
+    report();
     result.before = IdentifiabilityBefore(archive, objective, options.seed);
     if (result.before && result.before->HasUndetermined() && !options.accept_unidentified) {
       result.end = FitEnd::kUnidentified;
@@ -154,8 +168,9 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
       return result;
     }
   }
+  begin("search");
   result.search = RunMethod(options.search, archive, options.seed, options.stop, options.candidates,
-                            {[&](const SearchGeneration&) { report("search"); }, stop});
+                            {[&](const SearchGeneration&) { report(); }, stop});
   result.search_settings = Settings(options.search);
   result.evaluations = archive.counts();
   if (result.search.candidates.empty()) {
@@ -164,8 +179,9 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
     return result;
   }
 
+  begin("refine");
   const auto report_and_ask = [&] {
-    report("refine");
+    report();
     return stop();
   };
   const std::vector<Eigen::VectorXd> starts = Starts(result.search, objective, options.starts);

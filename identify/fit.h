@@ -124,6 +124,8 @@ struct FitProgress {
   /// Lowest of all evaluations so far; infinite before the first.
   double best_cost = 0;
   std::int64_t paid = 0;
+  /// Of the paid ones, those of this stage.
+  std::int64_t in_stage = 0;
   std::int64_t reused = 0;
   std::int64_t failed = 0;
   /// Of the paid ones, those that were stored.

@@ -13,6 +13,24 @@
 
 namespace fourpost {
 
+/// `fourpost init DIR`
+struct InitCommand {
+  std::filesystem::path folder;
+  bool json = false;
+};
+
+/// `fourpost info FILE...`
+struct InfoCommand {
+  std::vector<std::filesystem::path> files;
+  bool json = false;
+};
+
+/// `fourpost params MODEL`
+struct ParamsCommand {
+  std::filesystem::path model;
+  bool json = false;
+};
+
 /// `fourpost check MODEL`
 struct CheckCommand {
   std::filesystem::path model;
@@ -167,6 +185,9 @@ struct RankCommand {
 // Each prints its result on stdout, all else on stderr, and returns an ExitCode. They throw FaultyInput for a user's
 // file or option that cannot be used, OutputError for a result that cannot be written.
 
+int Run(const InitCommand& command);
+int Run(const InfoCommand& command);
+int Run(const ParamsCommand& command);
 int Run(const CheckCommand& command);
 int Run(const ResponseCommand& command);
 int Run(const SimulateCommand& command);

@@ -45,7 +45,9 @@ CLI::Validator OneOf(const char* what, std::span<const std::string_view> legal) 
     }
     return "no " + std::string(what) + " is called '" + text + "'" + DidYouMean(text, legal) + "; there are " + all;
   };
-  return {fault, ""};
+  std::string words;
+  for (const std::string_view name : legal) words += (words.empty() ? "{" : ",") + std::string(name);
+  return {fault, words + "}"};
 }
 
 }  // namespace fourpost

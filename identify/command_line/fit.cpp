@@ -106,12 +106,21 @@ FitOptions OptionsOf(const Study& study, const VehicleObjective& objective, cons
 }
 
 std::string ProgressText(const FitProgress& progress, std::int64_t search_evaluations, double seconds) {
-  const double rate = static_cast<double>(progress.paid - progress.restored) / std::max(seconds, 1e-3);
-  const std::string budget = progress.stage == "search" ? " of " + std::to_string(search_evaluations) : "";
-  return std::string(progress.stage) + ": " + std::to_string(progress.paid) + budget + " evaluations (" +
-         std::to_string(progress.reused) + " reused, " + std::to_string(progress.failed) + " failed, " +
-         std::to_string(progress.restored) + " from the archive), " + Rounded(rate, 3) + " per second, best cost " +
-         Rounded(progress.best_cost, 5);
+  const std::int64_t computed = progress.paid - progress.restored;
+  const double rate = static_cast<double>(computed) / std::max(seconds, 1e-3);
+  std::string text = std::string(progress.stage) + ": ";
+  std::string left;
+  if (progress.stage == "search") {
+    // The last generation is not cut short.
+    const std::int64_t of_search = std::min(progress.in_stage, search_evaluations);
+    text += std::to_string(of_search) + " of " + std::to_string(search_evaluations) + " evaluations, ";
+    if (computed > 0)
+      left = TimeLeft(static_cast<double>(of_search) / static_cast<double>(search_evaluations), seconds);
+  }
+  return text + std::to_string(progress.paid) + " evaluations in all (" + std::to_string(progress.reused) +
+         " reused, " + std::to_string(progress.failed) + " failed, " + std::to_string(progress.restored) +
+         " from the archive), " + Rounded(rate, 3) + " per second, best cost " + Rounded(progress.best_cost, 5) +
+         (left.empty() ? "" : left + " of the search");
 }
 
 FitResult FitWithProgress(const VehicleObjective& objective, const FitOptions& options, EvaluationStore& store) {

@@ -14,12 +14,8 @@
 #include "analysis/diagnostics.h"
 #include "analysis/nearest.h"
 #include "analysis/output_folder.h"
-#include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
-#include "identify/command_line/file_kind.h"
-#include "identify/command_line/options.h"
-#include "identify/command_line/simulate_options.h"
-#include "identify/command_line/whole_number.h"
+#include "identify/command_line/program.h"
 
 namespace {
 
@@ -86,120 +82,8 @@ void TellUnknown(const CLI::App& app) {
 int main(int argc, char** argv) {
   // A limit of the size of files then is an error like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
-  CLI::App app("fourpost identifies vehicle suspension models from rig tests.", "fourpost");
-  app.set_version_flag("--version", FOURPOST_VERSION);
-  app.require_subcommand(1);
-  app.fallthrough();
-  std::function<int()> run;
-
-  CheckCommand check;
-  CLI::App* sub =
-      app.add_subcommand("check", "Check a vehicle file; show bodies, loads, rates, modes and what sensors see");
-  sub->add_option("MODEL", check.model, "Vehicle file (.urdf)")->required();
-  CLI::Option* check_json = sub->add_flag("--json", check.json, "Print JSON");
-  sub->add_flag("--resolved", check.resolved,
-                "Print the file with every default of fp: tags filled in, meshes named for a file in this folder")
-      ->excludes(check_json);
-  sub->callback([&] {
-    run = [&] {
-      RequireVehicleFile(check.model);
-      return Run(check);
-    };
-  });
-
-  ResponseCommand response;
-  sub = app.add_subcommand("response", "Response of a vehicle to the posts; of a study, compared with its recordings");
-  AddOptions(*sub, response);
-  sub->callback([&] { run = [&] { return Run(response); }; });
-
-  ModesCommand modes;
-  sub = app.add_subcommand("modes", "Modes of a vehicle: poles, shapes, and what parameters make of them");
-  AddOptions(*sub, modes);
-  sub->callback([&] { run = [&] { return Run(modes); }; });
-
-  SimulateCommand simulate;
-  AddSimulate(app, simulate)->callback([&] { run = [&] { return Run(simulate); }; });
-
-  FitCommand fit;
-  sub = app.add_subcommand("fit", "Fit a study's vehicle to the recordings");
-  sub->add_option("STUDY", fit.study, "Study file (.yaml)")->required();
-  sub->add_option("-o,--output", fit.output,
-                  "Folder for report.html, result.json, vehicle.urdf, archive.sqlite, and what the data make of the "
-                  "model: response.csv and "
-                  "response.svg, history.csv and history.svg")
-      ->required();
-  sub->add_option("--seed", fit.seed, "Seed of the search, in place of the study's")->check(WholeNumber());
-  sub->add_option("--threads", fit.threads, "Evaluations at once, no influence on the result; 0: one per processor")
-      ->check(CLI::Range(0, 1024));
-  sub->add_flag("--accept-unidentified", fit.accept_unidentified,
-                "Fit although data and priors leave combinations of parameters open");
-  sub->add_option("--profile", fit.profile,
-                  "Free parameters, separated by commas, or all: how the cost rises when each is held away from its "
-                  "fitted value and the others are fitted anew")
-      ->delimiter(',');
-  sub->add_flag("--resume", fit.resume,
-                "Go on with a fit that was ended: refuse when vehicle, recordings, program, or settings that residuals "
-                "depend on, have changed");
-  sub->add_flag("--json", fit.json, "Print result.json in place of tables");
-  sub->callback([&] {
-    run = [&] {
-      RequireStudyFile(fit.study);
-      return Run(fit);
-    };
-  });
-
-  PredictCommand predict;
-  sub = app.add_subcommand("predict", "Predict another recording with a fitted vehicle, and tell how well");
-  AddOptions(*sub, predict);
-  sub->callback([&] {
-    run = [&] {
-      RequireTable(predict.recording);
-      return Run(predict);
-    };
-  });
-
-  ReportCommand report;
-  sub = app.add_subcommand("report", "Write the report of a fit anew: one HTML file that opens anywhere, offline");
-  sub->add_option("RUN", report.run, "Folder that `fourpost fit -o` wrote")->required();
-  sub->add_option("-o,--output", report.output, "HTML file, in place of report.html in that folder");
-  sub->add_flag("--json", report.json, "Print JSON: the file and its size");
-  sub->callback([&] { run = [&] { return Run(report); }; });
-
-  CompareCommand compare;
-  sub = app.add_subcommand("compare", "Compare search methods on a study by evaluations counted");
-  sub->add_option("STUDY", compare.study, "Study file (.yaml) of a vehicle or a test problem")->required();
-  sub->add_option("--methods", compare.methods,
-                  "Separated by commas: dvhde direct thesis de ds gb bfgs multistart adaptive cma, or the study's own")
-      ->delimiter(',')
-      ->default_str("dvhde,thesis,de,ds,gb");
-  sub->add_option("--runs", compare.runs, "Of each method")->check(CLI::Range(1, 1000000))->capture_default_str();
-  sub->add_option("--seed", compare.seed, "Of the first run; the others take those after it")->check(WholeNumber());
-  sub->add_option("--threads", compare.threads, "Runs at once, no influence on the result; 0: one per processor")
-      ->check(CLI::Range(0, 1024));
-  sub->add_option("--near", compare.near_best,
-                  "How far above the best of all runs still counts as solved, such as 0.01%; without it 1 %. A study's "
-                  "target goes before it");
-  sub->add_option("--evaluations", compare.evaluations, "At most, of each run, in place of what the study says")
-      ->check(CLI::Range(1, 1000000000));
-  CLI::Option* const compare_time =
-      sub->add_flag("--time", compare.time, "Tell processor time, too, which no two comparisons have alike");
-  sub->add_option("--archive", compare.archive,
-                  "File to keep evaluations in, such as the archive.sqlite of a fit; no influence on the result")
-      ->excludes(compare_time);
-  sub->add_flag("--json", compare.json, "Print JSON in place of tables");
-  sub->callback([&] {
-    run = [&] {
-      RequireStudyFile(compare.study);
-      return Run(compare);
-    };
-  });
-
-  RankCommand rank;
-  sub = app.add_subcommand("rank", "Compare models fitted to the same bench recordings, and choose one");
-  sub->add_option("RUN", rank.runs, "Folders that `fourpost fit` wrote")->required();
-  sub->add_flag("--json", rank.json, "Print JSON in place of tables");
-  sub->callback([&] { run = [&] { return Run(rank); }; });
-
+  Program program;
+  CLI::App& app = program.app();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -208,5 +92,5 @@ int main(int argc, char** argv) {
     TellUnknown(app);
     return kUsage;
   }
-  return Guarded(run);
+  return Guarded([&] { return program.RunCommand(); });
 }

@@ -149,26 +149,25 @@ void AddAcquisition(CLI::App& app, SimulateCommand& command) {
 
 }  // namespace
 
-CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command) {
-  CLI::App* sub = app.add_subcommand("simulate", "Time history of a vehicle on its posts, as CSV");
-  AddVehicle(*sub, command.model);
-  AddSettings(*sub, command.set);
-  AddDetails(*sub, command, AddMotions(*sub, command));
-  AddAcquisition(*sub, command);
-  sub->add_option_function<std::string>(
-         "--engine", [&command](const std::string& text) { command.full = text == "full"; },
-         "condensed: kinematics linearised about equilibrium, laws as they are; full: the multibody system (slow)")
+void AddOptions(CLI::App& subcommand, SimulateCommand& command) {
+  AddVehicle(subcommand, command.model);
+  AddSettings(subcommand, command.set);
+  AddDetails(subcommand, command, AddMotions(subcommand, command));
+  AddAcquisition(subcommand, command);
+  subcommand
+      .add_option_function<std::string>(
+          "--engine", [&command](const std::string& text) { command.full = text == "full"; },
+          "condensed: kinematics linearised about equilibrium, laws as they are; full: the multibody system (slow)")
       ->check(OneOf("engine", kEngines))
       ->default_str("condensed");
-  QuantityOptions(*sub, command)
+  QuantityOptions(subcommand, command)
       .AddShare("--error",
                 "Allowed to the integration (default 0.1%): condensed: of each channel's rms, as halving the step "
                 "tells; full: its integrator is a thousand times as accurate, and the error is not measured",
                 command.error);
-  sub->add_option("-o,--output", command.output, "File for the CSV, in place of stdout; tells a summary then");
-  sub->add_option("--chart", command.chart, "File for a picture of the history (.svg)");
-  sub->add_flag("--json", command.json, "Print the summary as JSON in place of CSV or table");
-  return sub;
+  subcommand.add_option("-o,--output", command.output, "File for the CSV, in place of stdout; tells a summary then");
+  subcommand.add_option("--chart", command.chart, "File for a picture of the history (.svg)");
+  subcommand.add_flag("--json", command.json, "Print the summary as JSON in place of CSV or table");
 }
 
 }  // namespace fourpost

@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-/// Adds the subcommand `simulate`; parsing fills `command`, which must live as long as the subcommand.
-CLI::App* AddSimulate(CLI::App& app, SimulateCommand& command);
+/// Tells the options of a subcommand; `command` must live until it has been parsed.
+void AddOptions(CLI::App& subcommand, SimulateCommand& command);
 
 }  // namespace fourpost

@@ -11,6 +11,12 @@ file(REMOVE_RECURSE ${SCRATCH_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${prefix})
 if(EXISTS ${prefix}/bin/fourpost)
   run(${prefix}/bin/fourpost --help)
+  foreach(file IN ITEMS man/man1/fourpost.1 bash-completion/completions/fourpost zsh/site-functions/_fourpost
+      fish/vendor_completions.d/fourpost.fish)
+    if(NOT EXISTS ${prefix}/share/${file})
+      message(FATAL_ERROR "share/${file} is not installed")
+    endif()
+  endforeach()
 endif()
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${consumer} -G ${GENERATOR}
   -D fourpost_ROOT=${prefix} -D CMAKE_CXX_COMPILER=${CXX_COMPILER} -D CMAKE_CXX_FLAGS=${CXX_FLAGS})

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/short_number.h"
+#include "analysis/signal_levels.h"
 #include "analysis/spikes.h"
 #include "analysis/turning_points.h"
 #include "vehicles/bench/force_motion.h"
@@ -23,10 +24,6 @@ constexpr double kPhaseSlack_deg = 5;
 constexpr double kCoarse = 0.05;
 /// Of the signal's span.
 constexpr double kDrift = 0.05;
-/// Samples in a row at one extreme that a smooth signal does not have.
-constexpr std::size_t kClippedRun = 4;
-/// Of them in all: a crest with noise of a few levels may have one such run.
-constexpr std::size_t kFewestClipped = 12;
 
 double Span(const Signal& signal) {
   const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
@@ -51,32 +48,6 @@ Signal Rates(const Signal& x, double step) {
   Signal rates(x.size());
   for (std::size_t k = 1; k + 1 < x.size(); ++k) rates[k] = (x[k + 1] - x[k - 1]) / (2 * step);
   return rates;
-}
-
-/// Smallest difference of two values; 0 of a constant.
-double LevelOf(Signal signal) {
-  std::sort(signal.begin(), signal.end());
-  const double span = signal.back() - signal.front();
-  double least = span;
-  for (std::size_t k = 1; k < signal.size(); ++k)
-    // What differs by less is rounding of the same level.
-    if (const double gap = signal[k] - signal[k - 1]; gap > 1e-9 * span) least = std::min(least, gap);
-  return least;
-}
-
-/// Samples in runs at the greatest value that begin or end steeply: a rounded crest leaves it by one level.
-std::size_t ClippedAtTop(const Signal& signal, double level) {
-  const double top = *std::max_element(signal.begin(), signal.end());
-  std::size_t clipped = 0;
-  for (std::size_t k = 0; k < signal.size();) {
-    std::size_t end = k;
-    while (end < signal.size() && signal[end] == top) ++end;
-    const bool steep =
-        (k > 0 && top - signal[k - 1] > 1.5 * level) || (end < signal.size() && top - signal[end] > 1.5 * level);
-    if (end - k >= kClippedRun && steep) clipped += end - k;
-    k = end + 1;
-  }
-  return clipped;
 }
 
 class Checker {
@@ -198,10 +169,8 @@ class Checker {
 
   void CheckClipping(const Signal& signal, const std::string& name, const std::string& unit) {
     const double level = LevelOf(signal);
-    Signal mirrored(signal.size());
-    std::transform(signal.begin(), signal.end(), mirrored.begin(), [](double value) { return -value; });
     const std::size_t top = ClippedAtTop(signal, level);
-    const std::size_t bottom = ClippedAtTop(mirrored, level);
+    const std::size_t bottom = ClippedAtBottom(signal, level);
     if (top + bottom < kFewestClipped) return;
     const double at = top >= bottom ? *std::max_element(signal.begin(), signal.end())
                                     : *std::min_element(signal.begin(), signal.end());

@@ -36,29 +36,30 @@ class UseFinder {
     if (rule && rule->opaque) return;
     if (!IsMade(element))
       for (const auto* given = element.FirstAttribute(); given; given = given->Next())
-        FindIn(given->Value(), rule ? FindAttribute(*rule, given->Name()) : nullptr, given->GetLineNum());
+        FindIn(given->Value(), rule ? FindAttribute(*rule, given->Name()) : nullptr, given->GetLineNum(),
+               std::string(given->Name()) + " of " + Describe(element));
     for (const XMLElement* child : Children(element)) Walk(*child, path + "/" + child->Name());
   }
 
   void AddBind(const XMLElement& parameter, const XMLElement& bind) {
     if (IsMade(bind)) return;
-    uses_.push_back({AttributeText(parameter, "name").value_or(""),
-                     DimensionOfPath(AttributeText(bind, "to").value_or("")), LineOf(bind)});
+    const std::string path = AttributeText(bind, "to").value_or("");
+    uses_.push_back({AttributeText(parameter, "name").value_or(""), DimensionOfPath(path), LineOf(bind), path});
   }
 
   std::vector<ParameterUse> uses() const { return uses_; }
 
  private:
-  void FindIn(std::string_view text, const AttributeRule* rule, int line) {
+  void FindIn(std::string_view text, const AttributeRule* rule, int line, const std::string& what) {
     if (rule && rule->kind != AttributeKind::kScalar) return;
     if (const auto reference = ParseReference(text)) {
-      uses_.push_back({std::string(reference->name), rule ? std::optional(rule->dimension) : std::nullopt, line});
+      uses_.push_back({std::string(reference->name), rule ? std::optional(rule->dimension) : std::nullopt, line, what});
       return;
     }
     if (const auto forgotten = ReferenceWithoutDollar(text))
-      uses_.push_back({std::string(forgotten->name), std::nullopt, line});
+      uses_.push_back({std::string(forgotten->name), std::nullopt, line, what});
     for (std::size_t at = text.find('$'); at != std::string_view::npos; at = text.find('$', at + 1))
-      uses_.push_back({std::string(NameAtBegin(text.substr(at + 1))), std::nullopt, line});
+      uses_.push_back({std::string(NameAtBegin(text.substr(at + 1))), std::nullopt, line, what});
   }
 
   std::vector<ParameterUse> uses_;
@@ -93,6 +94,13 @@ std::vector<ParameterUse> FindParameterUses(const XMLElement& robot) {
       for (const XMLElement* bind : Children(*element, "fp:bind")) finder.AddBind(*element, *bind);
   }
   return finder.uses();
+}
+
+std::vector<ParameterUse> FindParameterUses(const std::string& text) {
+  tinyxml2::XMLDocument document;
+  document.Parse(text.data(), text.size());
+  const XMLElement* const robot = document.RootElement();
+  return robot ? FindParameterUses(*robot) : std::vector<ParameterUse>();
 }
 
 }  // namespace fourpost

@@ -29,9 +29,14 @@ struct ParameterUse {
   /// Of the number that belongs there; nothing where that is not known for a fault.
   std::optional<Dimension> dimension;
   int line = 0;
+  /// What it is the number of: "stiffness of <linear> of fp:spring 'coil'", or the path of an `<fp:bind>`.
+  std::string what;
 };
 
 /// Every use that stands in the file: references in attributes, also of unknown tags, and `<fp:bind>`.
 std::vector<ParameterUse> FindParameterUses(const tinyxml2::XMLElement& robot);
+
+/// The same of a vehicle file's text, which must be XML.
+std::vector<ParameterUse> FindParameterUses(const std::string& text);
 
 }  // namespace fourpost

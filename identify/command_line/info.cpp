@@ -1,0 +1,263 @@
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/csv.h"
+#include "analysis/frequency_response_file.h"
+#include "analysis/number.h"
+#include "analysis/recording_summary.h"
+#include "analysis/static_loads.h"
+#include "identify/command_line/commands.h"
+#include "identify/command_line/exit_code.h"
+#include "identify/command_line/print.h"
+#include "identify/command_line/text_table.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct OverTime {
+  RecordingSummary summary;
+  /// Lines of the rows that lack a number first, a column each; 0 where none does and of a MAT file.
+  std::vector<int> missing_lines;
+};
+
+/// A file that was read, and what it holds.
+struct Described {
+  std::string file;
+  std::variant<OverTime, FrequencyResponse, std::vector<StaticMeasurement>> content;
+};
+
+enum class Layout { kOverTime, kSteppedSine, kStatic };
+
+/// Told by the names of its columns.
+Layout LayoutOf(const RecordedTable& table) {
+  if (table.FindColumn("frequency_Hz") && table.FindColumn("channel")) return Layout::kSteppedSine;
+  if (table.FindColumn("quantity") && table.FindColumn("value")) return Layout::kStatic;
+  return Layout::kOverTime;
+}
+
+OverTime Look(const RecordedTable& table) {
+  OverTime content = {Summarise(table), {}};
+  for (const ColumnSummary& column : content.summary.columns)
+    content.missing_lines.push_back(column.missing > 0 ? table.line(column.first_missing) : 0);
+  return content;
+}
+
+std::optional<Described> Describe(const std::filesystem::path& file, Diagnostics& faults) {
+  const std::optional<RecordedTable> table = ReadRecordedTable(file, faults);
+  if (!table) return std::nullopt;
+  switch (LayoutOf(*table)) {
+    case Layout::kSteppedSine:
+      if (std::optional<FrequencyResponse> response = ReadFrequencyResponse(file, faults))
+        return Described{file.string(), *std::move(response)};
+      return std::nullopt;
+    case Layout::kStatic:
+      if (std::optional<std::vector<StaticMeasurement>> loads = ReadStaticLoads(file, faults))
+        return Described{file.string(), *std::move(loads)};
+      return std::nullopt;
+    case Layout::kOverTime: break;
+  }
+  return Described{file.string(), Look(*table)};
+}
+
+/// A record may be as uneven as times with few digits are.
+constexpr double kUneven = 0.5;
+
+/// What would keep a study from using it, or should be looked at.
+std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) {
+  std::vector<std::string> remarks;
+  if (column.missing == column.samples) return {"no numbers"};
+  if (column.missing > 0)
+    remarks.push_back(std::to_string(column.missing) + " missing, first in " +
+                      (missing_line > 0 ? "line " + std::to_string(missing_line)
+                                        : "sample " + std::to_string(column.first_missing + 1)));
+  if (column.unit.empty()) remarks.emplace_back("no unit");
+  else if (!column.unit_known) remarks.push_back("unknown unit '" + column.unit + "'");
+  if (column.rms == 0) remarks.emplace_back("constant");
+  const auto clipped = [&](std::size_t samples, double at) {
+    if (samples > 0) remarks.push_back("clipped: " + std::to_string(samples) + " samples at " + Rounded(at, 4));
+  };
+  clipped(column.clipped_top, column.maximum);
+  clipped(column.clipped_bottom, column.minimum);
+  // A level's rounding has the deviation level/sqrt(12).
+  if (column.rms > 0 && column.level / std::sqrt(12.0) > 0.05 * column.rms)
+    remarks.push_back("coarse: levels of " + Rounded(100 * column.level / column.rms, 2) + " % of its rms");
+  return remarks;
+}
+
+std::string Joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  return text;
+}
+
+std::string TimesText(const RecordingSummary& summary) {
+  if (!summary.time)
+    return "no times that rise from sample to sample: name their column in the study, time: {channel: NAME, unit: s}\n";
+  const TimeSummary& time = *summary.time;
+  std::string text = Rounded(time.start_s, 7) + " to " + Rounded(time.end_s, 7) + " s at " + Rounded(time.rate_Hz, 6) +
+                     " Hz ('" + time.column + "')\n";
+  constexpr std::size_t kMost = 5;
+  for (std::size_t i = 0; i < std::min(kMost, time.gaps.size()); ++i) {
+    const TimeGap& gap = time.gaps[i];
+    text += "gap: from " + Rounded(gap.from_s, 7) + " to " + Rounded(gap.to_s, 7) + " s" +
+            (gap.line > 0 ? ", line " + std::to_string(gap.line) : "") + '\n';
+  }
+  if (time.gaps.size() > kMost) text += "and " + std::to_string(time.gaps.size() - kMost) + " gaps more\n";
+  if (time.unevenness > kUneven)
+    text += "uneven: up to " + Rounded(time.unevenness, 2) + " samples off even steps; resample the record\n";
+  return text;
+}
+
+std::string TextOf(const OverTime& content) {
+  TextTable table({"channel", "unit", "least", "most", "mean", "rms", "level", ""});
+  const std::vector<ColumnSummary>& columns = content.summary.columns;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const ColumnSummary& c = columns[i];
+    table.Add({c.name, c.unit, Rounded(c.minimum, 4), Rounded(c.maximum, 4), Rounded(c.mean, 4), Rounded(c.rms, 4),
+               Rounded(c.level, 2), Joined(Remarks(c, content.missing_lines[i]))});
+  }
+  const std::size_t samples = columns.empty() ? 0 : columns.front().samples;
+  return "over time, " + std::to_string(samples) + " samples, " + TimesText(content.summary) + table.Format() +
+         "rms: about the mean; level: the smallest difference of two values\n";
+}
+
+/// Root mean square of the deviations over repeats, as shares of the gain; NaN where there are none.
+double NoiseOf(const ChannelResponse& channel) {
+  double sum = 0;
+  for (std::size_t i = 0; i < channel.gain_sd.size(); ++i)
+    sum += std::pow(channel.gain_sd[i] / std::abs(channel.response[i]), 2);
+  return channel.gain_sd.empty() ? std::nan("") : std::sqrt(sum / static_cast<double>(channel.gain_sd.size()));
+}
+
+struct GainRange {
+  double least = 0;
+  double most = 0;
+};
+
+GainRange GainsOf(const ChannelResponse& channel) {
+  GainRange range = {std::abs(channel.response.front()), 0};
+  for (const std::complex<double>& response : channel.response) {
+    range.least = std::min(range.least, std::abs(response));
+    range.most = std::max(range.most, std::abs(response));
+  }
+  return range;
+}
+
+/// Accelerations are told relative to that of the post.
+std::string GainUnit(const ChannelResponse& channel) {
+  return channel.unit == "m/s^2" ? "1" : channel.unit == "m" ? "m/m" : channel.unit + "/m";
+}
+
+std::string TextOf(const FrequencyResponse& response) {
+  const auto [least, most] = std::minmax_element(response.amplitude_m.begin(), response.amplitude_m.end());
+  std::string text = "stepped sine, " + std::to_string(response.frequency_Hz.size()) + " frequencies from " +
+                     Rounded(response.frequency_Hz.front(), 4) + " to " + Rounded(response.frequency_Hz.back(), 4) +
+                     " Hz, post amplitude " + Rounded(1e3 * *least, 3) + " to " + Rounded(1e3 * *most, 3) + " mm\n";
+  TextTable table({"channel", "gain", "least", "most", "sd over repeats", "mean"});
+  for (const ChannelResponse& channel : response.channels) {
+    const GainRange range = GainsOf(channel);
+    const double noise = NoiseOf(channel);
+    table.Add({channel.name, GainUnit(channel), Rounded(range.least, 3), Rounded(range.most, 3),
+               std::isnan(noise) ? "none" : Rounded(100 * noise, 2) + " %", channel.mean.empty() ? "no" : "yes"});
+  }
+  return text + table.Format();
+}
+
+std::string TextOf(const std::vector<StaticMeasurement>& loads) {
+  TextTable table({"quantity", "value", "sd", "unit"});
+  for (const StaticMeasurement& load : loads)
+    table.Add({load.name, Rounded(load.value, 5), Rounded(load.sd, 3), SiUnit(load.dimension)});
+  return "static measurements\n" + table.Format();
+}
+
+Json JsonOf(const OverTime& content) {
+  Json json = {{"kind", "time_history"}, {"time", nullptr}, {"channels", Json::array()}};
+  if (const std::optional<TimeSummary>& time = content.summary.time) {
+    Json gaps = Json::array();
+    for (const TimeGap& gap : time->gaps)
+      gaps.push_back({{"line", gap.line == 0 ? Json() : Json(gap.line)}, {"from_s", gap.from_s}, {"to_s", gap.to_s}});
+    json["time"] = {{"column", time->column}, {"start_s", time->start_s},
+                    {"end_s", time->end_s},   {"rate_Hz", time->rate_Hz},
+                    {"gaps", gaps},           {"unevenness_samples", time->unevenness}};
+  }
+  for (std::size_t i = 0; i < content.summary.columns.size(); ++i) {
+    const ColumnSummary& c = content.summary.columns[i];
+    json["channels"].push_back({{"name", c.name},
+                                {"unit", c.unit},
+                                {"unit_known", c.unit_known},
+                                {"samples", c.samples},
+                                {"missing", c.missing},
+                                {"minimum", c.minimum},
+                                {"maximum", c.maximum},
+                                {"mean", c.mean},
+                                {"rms", c.rms},
+                                {"level", c.level},
+                                {"clipped_top", c.clipped_top},
+                                {"clipped_bottom", c.clipped_bottom},
+                                {"remarks", Remarks(c, content.missing_lines[i])}});
+  }
+  return json;
+}
+
+Json JsonOf(const FrequencyResponse& response) {
+  Json channels = Json::array();
+  for (const ChannelResponse& channel : response.channels) {
+    const GainRange range = GainsOf(channel);
+    const double noise = NoiseOf(channel);
+    channels.push_back({{"name", channel.name},
+                        {"gain_unit", GainUnit(channel)},
+                        {"least_gain", range.least},
+                        {"most_gain", range.most},
+                        {"gain_sd_share", std::isnan(noise) ? Json() : Json(noise)},
+                        {"has_mean", !channel.mean.empty()}});
+  }
+  return {{"kind", "stepped_sine"},
+          {"frequency_Hz", response.frequency_Hz},
+          {"post_amplitude_m", response.amplitude_m},
+          {"channels", channels}};
+}
+
+Json JsonOf(const std::vector<StaticMeasurement>& loads) {
+  Json quantities = Json::array();
+  for (const StaticMeasurement& load : loads)
+    quantities.push_back(
+        {{"name", load.name}, {"value", load.value}, {"sd", load.sd}, {"unit", SiUnit(load.dimension)}});
+  return {{"kind", "static"}, {"quantities", quantities}};
+}
+
+std::string AllText(const std::vector<Described>& files) {
+  std::string text;
+  for (const Described& file : files)
+    text += (text.empty() ? "" : "\n") + file.file + ": " +
+            std::visit([](const auto& content) { return TextOf(content); }, file.content);
+  return text;
+}
+
+std::string AllJson(const std::vector<Described>& files) {
+  Json list = Json::array();
+  for (const Described& file : files) {
+    Json json = {{"file", file.file}};
+    json.update(std::visit([](const auto& content) { return JsonOf(content); }, file.content));
+    list.push_back(std::move(json));
+  }
+  return Json{{"files", list}}.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace
+
+int Run(const InfoCommand& command) {
+  Diagnostics faults;
+  std::vector<Described> files;
+  for (const std::filesystem::path& file : command.files)
+    if (std::optional<Described> described = Describe(file, faults)) files.push_back(*std::move(described));
+  if (!files.empty()) Print(command.json ? AllJson(files) : AllText(files));
+  if (faults.HasErrors()) throw FaultyInput(faults);
+  return kGood;
+}
+
+}  // namespace fourpost

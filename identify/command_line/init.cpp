@@ -1,0 +1,52 @@
+#include <cstdio>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/output_folder.h"
+#include "identify/command_line/commands.h"
+#include "identify/command_line/exit_code.h"
+#include "identify/command_line/output_file.h"
+#include "identify/command_line/print.h"
+#include "identify/command_line/starter_files.h"
+
+namespace fourpost {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Throws OutputError unless the folder is new or empty.
+void MakeFolder(const fs::path& folder) {
+  std::error_code failure;
+  const auto refuse = [&](const std::string& why) {
+    throw OutputError("cannot write to " + folder.string() + ": " + why);
+  };
+  if (fs::exists(folder, failure) && !fs::is_directory(folder, failure)) refuse("it is a file; name a new folder");
+  if (fs::exists(folder, failure) && !fs::is_empty(folder, failure)) refuse("it is not empty; name a new folder");
+  fs::create_directories(folder, failure);
+  if (failure) refuse(failure.message());
+}
+
+std::string NextSteps(const fs::path& folder) {
+  std::string text = "wrote\n";
+  for (const StarterFile& file : kStarterFiles) text += "  " + (folder / file.name).string() + "\n";
+  return text + "next\n  fourpost check " + (folder / "vehicle.urdf").string() + "\n  fourpost info " +
+         (folder / "stepped_sine.csv").string() + "\n  fourpost fit " + (folder / "study.yaml").string() + " -o run\n";
+}
+
+std::string InitJson(const fs::path& folder) {
+  nlohmann::ordered_json files = nlohmann::ordered_json::array();
+  for (const StarterFile& file : kStarterFiles) files.push_back(file.name);
+  return nlohmann::ordered_json{{"folder", folder.string()}, {"files", files}}.dump(2) + '\n';
+}
+
+}  // namespace
+
+int Run(const InitCommand& command) {
+  MakeFolder(command.folder);
+  for (const StarterFile& file : kStarterFiles) WriteFile(command.folder / file.name, std::string(file.text));
+  Print(command.json ? InitJson(command.folder) : NextSteps(command.folder));
+  return kGood;
+}
+
+}  // namespace fourpost

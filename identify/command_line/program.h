@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "identify/command_line/commands.h"
+
+namespace fourpost {
+
+/// All commands with their options, what was given for them, and what then is to be run. Help, completion of shells and
+/// the manual page are made of the same descriptions.
+class Program {
+ public:
+  Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  CLI::App& app() { return app_; }
+  /// Once the words have been parsed: runs the command given, see commands.h.
+  int RunCommand() const { return run_(); }
+
+ private:
+  CLI::App* Add(const char* name, const char* help, const char* examples, std::function<int()> run);
+  void AddInit();
+  void AddInfo();
+  void AddCheck();
+  void AddParams();
+  void AddResponse();
+  void AddModes();
+  void AddSimulate();
+  void AddFit();
+  void AddPredict();
+  void AddReport();
+  void AddCompare();
+  void AddRank();
+  void AddCompletion();
+  void AddMan();
+
+  CLI::App app_{"fourpost identifies vehicle suspension models from rig tests.", "fourpost"};
+  std::function<int()> run_;
+  InitCommand init_;
+  InfoCommand info_;
+  CheckCommand check_;
+  ParamsCommand params_;
+  ResponseCommand response_;
+  ModesCommand modes_;
+  SimulateCommand simulate_;
+  FitCommand fit_;
+  PredictCommand predict_;
+  ReportCommand report_;
+  CompareCommand compare_;
+  RankCommand rank_;
+  std::string shell_;
+};
+
+}  // namespace fourpost

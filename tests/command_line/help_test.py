@@ -1,0 +1,88 @@
+"""Help, manual page and completion tell the same commands and options; what is misspelt is told."""
+import os
+import re
+import subprocess
+import unittest
+
+from program import FOURPOST, ProgramTest
+
+
+class Help(ProgramTest):
+    def commands(self):
+        text = self.run_program("--help").stdout
+        return re.findall(r"^  ([a-z]+)  ", text[text.index("Subcommands:"):], re.M)
+
+    def options(self, command):
+        return set(re.findall(r"(?<![\w-])--[a-z-]+", re.sub(r"Examples:.*", "",
+                   self.run_program(command, "--help").stdout, flags=re.S)))
+
+    def test_has_examples_for_every_command(self):
+        self.assertGreater(len(self.commands()), 13)
+        for command in self.commands():
+            text = self.run_program(command, "--help").stdout
+            self.assertRegex(text, f"Examples:\n  .*fourpost {command}", command)
+
+    def test_is_the_manual_page(self):
+        page = self.run_program("man").stdout.replace("\\-", "-")
+        parts = {part.split("\n")[0]: part for part in page.split(".SS ")[1:]}
+        self.assertEqual(set(parts), set(self.commands()))
+        for command in self.commands():
+            for option in self.options(command):
+                self.assertRegex(parts[command], rf"(?m)^\.B .*{option}(?![\w-])", command)
+        for code in ("0", "1", "2", "3", "4", "5", "70", "71", "130"):
+            self.assertIn(f".TP\n.B {code}\n", page)
+
+    def test_is_what_shells_complete(self):
+        for shell in ("bash", "zsh", "fish"):
+            script = self.run_program("completion", shell).stdout
+            for command in self.commands():
+                self.assertIn(command, script)
+                for option in self.options(command) - {"--help"}:
+                    self.assertIn(option[2:] if shell == "fish" else option, script, f"{shell}: {command}")
+
+    def complete(self, *words):
+        script = self.run_program("completion", "bash").stdout
+        line = " ".join(f"'{word}'" for word in words)
+        outcome = subprocess.run(
+            ["bash", "-c", f"{script}\nCOMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _fourpost; "
+                           "printf '%s\\n' \"${COMPREPLY[@]}\""], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual(outcome.stderr, "")
+        return set(outcome.stdout.split())
+
+    def test_bash_completes(self):
+        self.write("study.yaml", "")
+        self.assertEqual(self.complete("fourpost", "re"), {"response", "report"})
+        self.assertEqual(self.complete("fourpost", "fit", "--s"), {"--seed"})
+        self.assertEqual(self.complete("fourpost", "response", "--engine", "m"), {"march"})
+        self.assertEqual(self.complete("fourpost", "simulate", "--engine", ""), {"condensed", "full"})
+        self.assertEqual(self.complete("fourpost", "fit", "st"), {"study.yaml"})
+        self.assertEqual(self.complete("fourpost", "completion", ""), {"bash", "zsh", "fish"})
+
+    def test_knows_what_was_meant(self):
+        self.assertIn("fourpost takes no 'fitt', did you mean 'fit'?", self.run_program("fitt", code=2).stderr)
+        for command in self.commands():
+            outcome = self.run_program(command, "a", "--jsno", code=2)
+            if command not in ("completion", "man"):
+                self.assertIn("takes no '--jsno', did you mean '--json'?", outcome.stderr, command)
+        self.assertIn("no shell is called 'bahs', did you mean 'bash'?",
+                      self.run_program("completion", "bahs", code=2).stderr)
+
+    def test_has_no_colour(self):
+        """With and without NO_COLOR, on a terminal too."""
+        import pty
+        for environment in ({}, {"NO_COLOR": "1"}):
+            leader, follower = pty.openpty()
+            subprocess.run([FOURPOST, "fitt"], stdout=follower, stderr=follower, env={**os.environ, **environment})
+            self.assertNotIn(b"\x1b[", os.read(leader, 10000))
+            os.close(leader)
+            os.close(follower)
+
+    def test_ends_with_5_when_stdout_is_full(self):
+        for words in (["man"], ["completion", "zsh"], ["init", "car"]):
+            with open("/dev/full", "w") as full:
+                code = subprocess.run([FOURPOST, *words], cwd=self.folder, stdout=full, stderr=subprocess.PIPE).returncode
+            self.assertEqual(code, 5, words)
+
+
+if __name__ == "__main__":
+    unittest.main()

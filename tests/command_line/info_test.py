@@ -1,0 +1,107 @@
+"""`fourpost info` and `fourpost params` as a user meets them."""
+import json
+import math
+import unittest
+
+from program import SOURCE, ProgramTest
+
+
+def table(rows, separator=",", decimal=".", end="\n"):
+    lines = [separator.join(str(field).replace(".", decimal) if not isinstance(field, str) else field for field in row)
+             for row in rows]
+    return end.join(lines) + end
+
+
+def samples(count=500, clip=2.0):
+    """A sine of 2 mm at 500 Hz, cut at `clip`, and a constant."""
+    return [(k / 500, max(-clip, min(clip, 2 * math.sin(2 * math.pi * 5 * k / 500))), 7) for k in range(count)]
+
+
+class Info(ProgramTest):
+    def info(self, name, text, code=0):
+        self.write(name, text)
+        return json.loads(self.run_program("info", name, "--json", code=code).stdout)["files"][0]
+
+    def test_of_a_recording(self):
+        told = self.info("r.csv", table([("time", "x", "off"), ("s", "mm", "V"), *samples()]))
+        self.assertEqual(told["kind"], "time_history")
+        self.assertAlmostEqual(told["time"]["rate_Hz"], 500)
+        self.assertEqual(told["time"]["gaps"], [])
+        x, off = told["channels"]
+        self.assertAlmostEqual(x["rms"], math.sqrt(2), 6)
+        self.assertAlmostEqual(x["maximum"], 2)
+        self.assertEqual((x["unit_known"], x["clipped_top"], x["remarks"]), (True, 0, []))
+        self.assertEqual(off["remarks"], ["unknown unit 'V'", "constant"])
+
+    def test_is_the_same_in_every_dialect(self):
+        head = [("time", "x", "off"), ("s", "mm", "N")]
+        plain = self.info("r.csv", table(head + samples()))
+        for name, text in {
+            "german.csv": "\ufeff" + table(head + samples(), ";", ",", "\r\n"),
+            "tabs.txt": table(head + samples(), "\t", ","),
+            "behind.csv": table([("time [s]", "x [mm]", "off [N]"), *samples()], ";", ","),
+        }.items():
+            with self.subTest(name):
+                told = self.info(name, text)
+                self.assertEqual({**told, "file": ""} | {"time": None}, {**plain, "file": ""} | {"time": None})
+                self.assertEqual(told["time"]["rate_Hz"], plain["time"]["rate_Hz"])
+
+    def test_tells_clipping_gaps_missing_numbers_and_levels(self):
+        rows = [list(row) for row in samples(clip=1.5)]
+        rows[100][2] = "nan"
+        del rows[200:220]
+        told = self.info("r.csv", table([("time", "x", "off"), ("s", "mm", "N"), *rows]))
+        (gap,) = told["time"]["gaps"]
+        self.assertEqual((gap["line"], gap["from_s"], gap["to_s"]), (203, 0.398, 0.44))
+        self.assertEqual(told["channels"][0]["clipped_top"] > 12, True)
+        text = self.run_program("info", "r.csv").stdout
+        self.assertIn("gap: from 0.398 to 0.44 s, line 203", text.replace("0.3980", "0.398").replace("0.4400", "0.44"))
+        self.assertIn("samples at 1.5", text)
+        self.assertIn("1 missing, first in line 103", text)
+        coarse = [(t, round(x), 0) for t, x, _ in samples()]
+        told = self.info("c.csv", table([("time", "x", "off"), ("s", "mm", "N"), *coarse]))
+        self.assertEqual(told["channels"][0]["level"], 1)
+        self.assertIn("coarse: levels of", told["channels"][0]["remarks"][0])
+
+    def test_tells_that_times_and_units_are_missing(self):
+        self.write("r.csv", table([("a", "b"), *[(math.sin(k), k * k) for k in range(40)]]))
+        text = self.run_program("info", "r.csv").stdout
+        self.assertIn("name their column in the study, time: {channel: NAME, unit: s}", text)
+        self.assertEqual(text.count("no unit"), 2)
+
+    def test_of_other_layouts(self):
+        text = self.run_program("info", SOURCE / "studies/landrover110/pitch_frf.csv",
+                                SOURCE / "studies/landrover110/static.csv").stdout
+        self.assertIn("stepped sine, 64 frequencies from 0.5", text)
+        self.assertIn("a_axle_FL", text)
+        self.assertIn("static_load_FL", text)
+
+    def test_shows_what_can_be_read_and_tells_the_rest(self):
+        self.write("empty.csv", "")
+        self.write("ragged.csv", "time,x\ns,m\n0,1\n1\n")
+        self.write("utf16.csv", "time,x\n".encode("utf-16"))
+        outcome = self.run_program("info", "empty.csv", "ragged.csv", "utf16.csv", "none.csv", "x.mat",
+                                   SOURCE / "studies/damper/sine_1Hz_5mm.csv", code=3)
+        self.assertIn("displacement", outcome.stdout)
+        for fault in ("empty.csv: error: is empty", "ragged.csv:4: error: the row has 1 field, the header 2",
+                      "utf16.csv: error: is written in UTF-16; save it as UTF-8",
+                      "none.csv: error: cannot be read: No such file", "x.mat: error: cannot be read"):
+            self.assertIn(fault, outcome.stderr)
+
+
+class Params(ProgramTest):
+    def test_tells_values_bounds_and_uses(self):
+        file = SOURCE / "urdf/quarter_car.urdf"
+        parameters = {p["name"]: p for p in json.loads(self.run_program("params", file, "--json").stdout)["parameters"]}
+        self.assertEqual(list(parameters), ["m_sprung", "m_unsprung", "k", "kt", "c_bump", "c_rebound"])
+        k = parameters["k"]
+        self.assertEqual((k["value"], k["unit"], k["file_unit"], k["lower"], k["upper"]), (15e3, "N/m", "kN/m", 5e3, 4e4))
+        self.assertEqual(k["used_by"][0]["what"], "stiffness of <linear> of fp:spring 'spring'")
+        line = file.read_text().splitlines()[k["used_by"][0]["line"] - 1]
+        self.assertIn('stiffness="$k"', line)
+        self.assertEqual(parameters["m_sprung"]["used_by"][0]["what"], "link[sprung]/mass")
+        self.assertIn("5.000 .. 40.00", self.run_program("params", file).stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

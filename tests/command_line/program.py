@@ -1,0 +1,32 @@
+"""Runs the program as a user does: FOURPOST names it, in a folder that goes with the test."""
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+FOURPOST = os.environ["FOURPOST"]
+
+
+class ProgramTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_program(self, *words, code=0, **more):
+        """What it answered; its exit code must be `code`."""
+        outcome = subprocess.run([FOURPOST, *map(str, words)], cwd=self.folder, capture_output=True, text=True, **more)
+        self.assertEqual(outcome.returncode, code, outcome.stderr)
+        return outcome
+
+    def copy(self, *parts):
+        for part in parts:
+            shutil.copytree(SOURCE / part, self.folder / part)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
+        return path

@@ -1,0 +1,82 @@
+"""What --json prints is what identify/command_line/schema says, and every command that takes it has a schema."""
+import json
+import unittest
+
+import jsonschema
+
+from program import SOURCE, ProgramTest
+
+SCHEMAS = SOURCE / "identify/command_line/schema"
+
+
+def schema(name):
+    return json.loads((SCHEMAS / f"{name}.json").read_text())
+
+
+class Schema(ProgramTest):
+    def check(self, name, *words, code=0):
+        document = json.loads(self.run_program(*words, "--json", code=code).stdout)
+        self.validate(name, document)
+        return document
+
+    def validate(self, name, document):
+        jsonschema.Draft202012Validator.check_schema(schema(name))
+        faults = jsonschema.Draft202012Validator(schema(name)).iter_errors(document)
+        self.assertEqual([f"{fault.json_path}: {fault.message}" for fault in faults], [])
+
+    def test_of_a_vehicle(self):
+        for vehicle in ("quarter_car", "landrover110_model3", "landrover110"):
+            with self.subTest(vehicle):
+                file = SOURCE / f"urdf/{vehicle}.urdf"
+                self.check("check", "check", file)
+                self.check("params", "params", file)
+        file = SOURCE / "urdf/quarter_car.urdf"
+        self.check("modes", "modes", file, "--vary", "k")
+        self.check("response", "response", file, "--frequencies", "1Hz:4Hz:4")
+        self.check("simulate", "simulate", file, "--step", "20mm", "--duration", "1s")
+        self.check("simulate", "simulate", file, "--sine", "2Hz", "--duration", "1s", "--engine", "full")
+
+    def test_of_a_broken_vehicle(self):
+        text = (SOURCE / "urdf/quarter_car.urdf").read_text()
+        broken = self.write("broken.urdf", text.replace('value="200 kg"', 'value="200"'))
+        self.assertEqual(self.check("check", "check", broken, code=3)["findings"][0]["severity"], "error")
+
+    def test_of_the_starter_study(self):
+        self.check("init", "init", "car")
+        self.check("info", "info", "car/stepped_sine.csv", SOURCE / "studies/landrover110/static.csv",
+                   SOURCE / "studies/damper/sine_1Hz_5mm.csv")
+        self.check("study_response", "response", "car/study.yaml", "-o", "response")
+        self.validate("study_response", json.loads((self.folder / "response/result.json").read_text()))
+        fit = self.check("fit", "fit", "car/study.yaml", "-o", "run")
+        self.assertEqual(fit, json.loads((self.folder / "run/result.json").read_text()))
+        self.check("report", "report", "run")
+        self.check("predict", "predict", "run", "--recording", "car/stepped_sine.csv")
+
+    def test_of_bench_studies(self):
+        for model in ("model1", "model2"):
+            self.check("fit", "fit", SOURCE / f"studies/damper/{model}.yaml", "-o", model)
+        self.check("rank", "rank", "model1", "model2")
+
+    def test_of_histories(self):
+        self.check("fit", "fit", SOURCE / "studies/single_wheel_station/model1.yaml", "-o", "run")
+        self.check("predict", "predict", "run", "--recording", SOURCE / "studies/single_wheel_station/sweep_7mm.csv")
+
+    def test_of_a_comparison(self):
+        self.check("compare", "compare", SOURCE / "studies/test_problems/oscillator.yaml", "--methods", "dvhde,gb",
+                   "--runs", "2")
+
+    def test_sees_what_is_wrong(self):
+        document = self.check("init", "init", "car")
+        document["more"] = 1
+        with self.assertRaises(AssertionError):
+            self.validate("init", document)
+
+    def test_is_there_for_every_command_with_json(self):
+        page = self.run_program("man").stdout
+        commands = {part.split("\n")[0] for part in page.split(".SS ")[1:] if "\\-\\-json" in part}
+        names = {file.stem for file in SCHEMAS.glob("*.json")}
+        self.assertEqual(names - {"study_response"}, commands)
+
+
+if __name__ == "__main__":
+    unittest.main()
