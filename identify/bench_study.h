@@ -27,8 +27,8 @@ struct BenchStudy {
   std::optional<std::string> damper;
   int line = 0;
   /// Columns of the recordings.
-  SourceChannel displacement = {.name = "displacement"};
-  SourceChannel force = {.name = "force"};
+  SourceChannel displacement = "displacement";
+  SourceChannel force = "force";
   /// One of the usual names when empty.
   std::optional<SourceChannel> time;
   /// Through which both channels have passed on the rig.

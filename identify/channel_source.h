@@ -1,15 +1,22 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fourpost {
 
 /// A measured channel, and what is done to it before it is used.
 struct SourceChannel {
+  SourceChannel() = default;
+  /// As it was measured: a name alone is a channel.
+  SourceChannel(std::string channel) : name(std::move(channel)) {}
+  SourceChannel(const char* channel) : name(channel) {}
+  bool operator==(const SourceChannel&) const = default;
+
   std::string name;
   /// In place of the unit that its file tells; empty: that.
-  std::string unit = "";
+  std::string unit;
   /// Sign and scale, which it is multiplied by.
   double factor = 1;
   /// By which it comes later than what it measures.

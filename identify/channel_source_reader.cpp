@@ -57,17 +57,21 @@ ChannelSource ReadSource(const YAML::Node& node, const std::string& name, Channe
 
 SourceChannel ReadSourceChannel(const YAML::Node& node, const std::string& what, ChannelKind kind,
                                 const std::string& file, Diagnostics& diagnostics) {
-  if (node.IsScalar() && !node.Scalar().empty()) return {.name = node.Scalar()};
+  if (node.IsScalar() && !node.Scalar().empty()) return node.Scalar();
   if (!node.IsMap() || !node["channel"].IsDefined()) {
-    diagnostics.Error(file, LineOf(node),
-                      what + " must be a measured channel, {channel: a, sign: -1}, {mean: [a, b]} or {sum: [a, b]}");
+    const std::string got =
+        node.IsMap() && node.size() > 0 ? ", got '" + node.begin()->first.as<std::string>() + "'" : "";
+    diagnostics.Error(
+        file, LineOf(node),
+        what + " must be a measured channel, {channel: a, sign: -1}, {mean: [a, b]} or {sum: [a, b]}" + got);
     return {};
   }
   const StrictMap map(node, what, KeysOf(kind), file, diagnostics);
-  return {.name = map.Text("channel").value_or(""),
-          .unit = ReadUnit(map, what),
-          .factor = ReadFactor(map, what),
-          .delay_s = map.Quantity("delay", kTime, -1e3).value_or(0)};
+  SourceChannel channel = map.Text("channel").value_or("");
+  channel.unit = ReadUnit(map, what);
+  channel.factor = ReadFactor(map, what);
+  channel.delay_s = map.Quantity("delay", kTime, -1e3).value_or(0);
+  return channel;
 }
 
 std::vector<std::pair<std::string, ChannelSource>> ReadChannelSources(const YAML::Node& node, const std::string& where,

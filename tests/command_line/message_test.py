@@ -1,0 +1,136 @@
+"""What is wrong with inputs is told with what to do; nothing that was there is lost."""
+import json
+import resource
+import shutil
+import subprocess
+import unittest
+
+from program import FOURPOST, SOURCE, ProgramTest
+
+
+def paths(value, path=()):
+    """Of everything in a JSON document; of a list its first entry."""
+    entries = value.items() if isinstance(value, dict) else list(enumerate(value))[:1] if isinstance(value, list) else ()
+    for key, entry in entries:
+        yield (*path, key)
+        yield from paths(entry, (*path, key))
+
+
+def at(document, path):
+    for key in path:
+        document = document[key]
+    return document
+
+
+class Report(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.run_program("init", "car")
+        self.run_program("fit", "car/study.yaml", "-o", "run")
+        self.result = (self.folder / "run/result.json").read_text()
+
+    def test_takes_results_of_another_version(self):
+        """Each entry in turn is missing or of another kind: what is left is reported, or the reason is told."""
+        for number, path in enumerate(paths(json.loads(self.result))):
+            for other in ("gone", None, "text", 7, [], {}):
+                # One of six for each entry: all of them would take minutes.
+                if ("gone", None, "text", 7, [], {}).index(other) != number % 6:
+                    continue
+                document = json.loads(self.result)
+                parent = at(document, path[:-1])
+                if other == "gone":
+                    del parent[path[-1]]
+                else:
+                    parent[path[-1]] = other
+                self.write("run/result.json", json.dumps(document))
+                outcome = subprocess.run([FOURPOST, "report", "run"], cwd=self.folder, capture_output=True, text=True)
+                self.assertIn(outcome.returncode, (0, 3), f"{path}: {other}: {outcome.stderr}")
+
+    def test_tells_an_empty_run_and_one_that_was_killed(self):
+        (self.folder / "empty").mkdir()
+        self.assertIn("holds no result.json", self.run_program("report", "empty", code=3).stderr)
+        (self.folder / "run/result.json").unlink()
+        self.assertIn("it goes on from its archive", self.run_program("report", "run", code=3).stderr)
+        self.write("run/result.json", "")
+        self.assertIn("is no JSON", self.run_program("report", "run", code=3).stderr)
+
+    def test_keeps_the_old_one_when_the_disk_is_full(self):
+        before = (self.folder / "run/report.html").read_bytes()
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (50000, 50000))
+        outcome = self.run_program("report", "run", code=5, preexec_fn=limit)
+        self.assertIn("cannot write", outcome.stderr)
+        self.assertEqual((self.folder / "run/report.html").read_bytes(), before)
+        self.assertEqual([file.name for file in (self.folder / "run").glob("*.partial")], [])
+
+    def test_thins_out_a_giant_recording_and_says_so(self):
+        rows = ["recording,time,use,x measured,x modelled", ",s,,m,m"]
+        shutil.copytree(SOURCE / "studies/single_wheel_station", self.folder / "station")
+        self.run_program("fit", "station/model1.yaml", "-o", "big")
+        head, units, *rows = (self.folder / "big/history.csv").read_text().splitlines()
+        times = head.split(",").index("time")
+        step = float(rows[1].split(",")[times]) - float(rows[0].split(",")[times])
+        many = []
+        for k in range(200000):
+            fields = rows[k % len(rows)].split(",")
+            fields[times] = f"{k * step:.6f}"
+            many.append(",".join(fields))
+        self.write("big/history.csv", "\n".join([head, units, *many]) + "\n")
+        self.run_program("report", "big")
+        page = (self.folder / "big/report.html").read_text()
+        self.assertLess(len(page), 4e6)
+        self.assertIn('"rows":200000', page)
+
+
+class Data(ProgramTest):
+    """A recording of a damper as another system wrote it gives the same result, or a message that helps."""
+
+    def fit(self, text, bench, code=0, name="r.csv"):
+        shutil.copy(SOURCE / "studies/damper/model2.urdf", self.folder / "damper.urdf")
+        self.write(name, text)
+        self.write("study.yaml", f"vehicle: damper.urdf\nbench:\n  recordings: [{name}]\n  {bench}\n"
+                                 "search: {evaluations: 20, starts: 1}\n")
+        outcome = self.run_program("fit", "study.yaml", "-o", "run", code=code)
+        if code:
+            return outcome.stderr
+        return [p["value"] for p in json.loads((self.folder / "run/result.json").read_text())["parameters"]]
+
+    def test_is_fitted_from_every_dialect(self):
+        plain = (SOURCE / "studies/damper/sine_1Hz_5mm.csv").read_text()
+        expected = self.fit(plain, "damper: damper")
+        head, units, *rows = plain.splitlines()
+        fields = [row.split(",") for row in rows]
+        german = "\r\n".join([head.replace(",", ";"), units.replace(",", ";"),
+                              *(";".join(row).replace(".", ",") for row in fields)])
+        behind = "\n".join(["Time (s)\tWeg [mm]\tKraft / kN",
+                            *("\t".join((t, repr(1e3 * float(x)), repr(1e-3 * float(f)))) for t, x, f in fields)])
+        turned = "\n".join(["clock,ch1,ch2", *(f"{t},{-float(x)!r},{0.5 * float(f)!r}" for t, x, f in fields)])
+        for name, text, bench in (
+                ("german", "\ufeff" + german, "damper: damper"),
+                ("behind", behind, "displacement: Weg\n  force: Kraft"),
+                ("turned", turned, "time: {channel: clock, unit: s}\n"
+                                   "  displacement: {channel: ch1, unit: m, sign: -1}\n"
+                                   "  force: {channel: ch2, unit: N, scale: 2}")):
+            with self.subTest(name):
+                for value, other in zip(expected, self.fit(text, bench)):
+                    self.assertLess(abs(value - other), 1e-6 * abs(value))
+
+    def test_is_told_what_it_lacks(self):
+        rows = "".join(f"{k * 0.01:.2f};{k % 7};{k % 5}\n" for k in range(50))
+        for text, bench, message in (
+                ("time;displacement;force\n" + rows, "damper: damper",
+                 "column 'force', the damper's tension, has no unit; write that of a force such as 'N' in a line below "
+                 "the names, or behind the name, as in 'force [N]', or name it in the study: {channel: force, unit: N}"),
+                ("time;displacement;force\ns;V;N\n" + rows, "damper: damper",
+                 "r.csv:2: error: column 'displacement', the damper's extension, has 'V' for its unit"),
+                ("time;displacment;force\ns;m;N\n" + rows, "damper: damper",
+                 "column 'displacement', the damper's extension, is missing, did you mean 'displacment'?"),
+                ("time;displacement;force\ns;m;N\n" + rows.replace("0.07;0;2", "0.07;;2"), "damper: damper",
+                 "r.csv:10: error: column 'displacement' has no number here"),
+                ("time;displacement;force\ns;m;N\n" + rows, "force: {channel: force, scale: 0}",
+                 "study.yaml:4: error: 'scale' of 'force' must be above zero")):
+            with self.subTest(message):
+                self.assertIn(message, self.fit(text, bench, code=3))
+
+
+if __name__ == "__main__":
+    unittest.main()
