@@ -38,6 +38,8 @@ class CsvTable {
 
   /// A field without its quotes and without blanks around it.
   const std::string& Text(std::size_t row, std::size_t column) const { return fields_[row * columns() + column]; }
+  /// A finite number with the table's decimal sign; nothing for other text.
+  std::optional<double> ToNumber(std::string_view text) const;
   /// NaN for an empty field; nothing when the field is anything but a finite number.
   std::optional<double> Number(std::size_t row, std::size_t column) const;
   /// The whole column, NaN for empty fields. Reports every field that is not a finite number (NaN there, too).
@@ -45,9 +47,6 @@ class CsvTable {
 
  private:
   friend class CsvParser;
-
-  /// With the table's decimal sign; nothing for other text.
-  std::optional<double> ToNumber(std::string_view text) const;
 
   std::string file_;
   std::vector<std::string> names_;

@@ -110,7 +110,7 @@ class FrequencyResponseReader {
   double ReadNumber(std::size_t row, std::string_view column, Sign sign) {
     const std::string& text = Text(row, column);
     const std::string field = Place(row) + std::string(column);
-    const std::optional<double> number = ParseNumber(text);
+    const std::optional<double> number = table_.ToNumber(text);
     if (IsMissing(text)) Fault(row, field + " is missing (NaN); remove the whole frequency or repeat the measurement");
     else if (!number) Fault(row, field + " '" + text + "' is not a finite number; correct it");
     else if (!HasSign(*number, sign))
@@ -146,7 +146,7 @@ class FrequencyResponseReader {
     if (!point.channels.insert(channel.name).second)
       return Fault(row, Place(row) + "the channel is there twice; remove one of the two rows");
     const std::optional<double> before =
-        channel.rows.empty() ? std::nullopt : ParseNumber(Text(channel.rows.back(), "frequency_Hz"));
+        channel.rows.empty() ? std::nullopt : table_.ToNumber(Text(channel.rows.back(), "frequency_Hz"));
     if (before && *before > frequency_Hz)
       Fault(row, Place(row) + "frequencies must increase, but " + Text(channel.rows.back(), "frequency_Hz") +
                      " Hz stands above it; sort the rows");

@@ -68,7 +68,8 @@ void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
   summary.minimum = *least;
   summary.maximum = *most;
   const auto count = static_cast<double>(values.size());
-  for (const double value : values) summary.mean += value / count;
+  for (const double value : values) summary.mean += value;
+  summary.mean /= count;
   double squares = 0;
   for (const double value : values) squares += (value - summary.mean) * (value - summary.mean);
   summary.rms = std::sqrt(squares / count);

@@ -77,7 +77,7 @@ std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) 
                                         : "sample " + std::to_string(column.first_missing + 1)));
   if (column.unit.empty()) remarks.emplace_back("no unit");
   else if (!column.unit_known) remarks.push_back("unknown unit '" + column.unit + "'");
-  if (column.rms == 0) remarks.emplace_back("constant");
+  if (column.minimum == column.maximum) remarks.emplace_back("constant");
   const auto clipped = [&](std::size_t samples, double at) {
     if (samples > 0) remarks.push_back("clipped: " + std::to_string(samples) + " samples at " + Rounded(at, 4));
   };
@@ -95,16 +95,19 @@ std::string Joined(const std::vector<std::string>& parts) {
   return text;
 }
 
+/// With the digits that it has, up to nine decimals.
+std::string Short(double value) { return FormatNumber(std::round(1e9 * value), -9); }
+
 std::string TimesText(const RecordingSummary& summary) {
   if (!summary.time)
     return "no times that rise from sample to sample: name their column in the study, time: {channel: NAME, unit: s}\n";
   const TimeSummary& time = *summary.time;
-  std::string text = Rounded(time.start_s, 7) + " to " + Rounded(time.end_s, 7) + " s at " + Rounded(time.rate_Hz, 6) +
-                     " Hz ('" + time.column + "')\n";
+  std::string text = Short(time.start_s) + " to " + Short(time.end_s) + " s at " +
+                     Short(std::round(1e4 * time.rate_Hz) / 1e4) + " Hz ('" + time.column + "')\n";
   constexpr std::size_t kMost = 5;
   for (std::size_t i = 0; i < std::min(kMost, time.gaps.size()); ++i) {
     const TimeGap& gap = time.gaps[i];
-    text += "gap: from " + Rounded(gap.from_s, 7) + " to " + Rounded(gap.to_s, 7) + " s" +
+    text += "gap: from " + Short(gap.from_s) + " to " + Short(gap.to_s) + " s" +
             (gap.line > 0 ? ", line " + std::to_string(gap.line) : "") + '\n';
   }
   if (time.gaps.size() > kMost) text += "and " + std::to_string(time.gaps.size() - kMost) + " gaps more\n";

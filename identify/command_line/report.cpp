@@ -59,6 +59,20 @@ RunContents ReadRun(const std::filesystem::path& folder) {
   return run;
 }
 
+/// Throws FaultyInput for a result that is no fit's, or of a version that is not understood.
+std::string PageOf(const RunContents& run, const std::filesystem::path& folder) {
+  try {
+    return ReportPage(run);
+  } catch (const nlohmann::json::exception& fault) {
+    Diagnostics faults;
+    faults.Error(
+        (folder / kResult).string(), 0,
+        std::string("is not understood, as of another version of fourpost (") + fault.what() +
+            "); run `fourpost fit` with -o on this folder again, it takes evaluations from the archive where it can");
+    throw FaultyInput(faults);
+  }
+}
+
 /// An older report stays when that fails. Throws OutputError.
 void Replace(const std::filesystem::path& file, const std::string& page) {
   const std::filesystem::path partial = file.string() + ".partial";
@@ -83,7 +97,7 @@ int Run(const ReportCommand& command) {
   RequireWritable(file, paths);
   if (!run.vehicle_fault.empty())
     std::fprintf(stderr, "the report does not show the vehicle: %s\n", run.vehicle_fault.c_str());
-  const std::string page = ReportPage(run);
+  const std::string page = PageOf(run, command.run);
   Replace(file, page);
   if (command.json) Print(nlohmann::ordered_json{{"file", file.string()}, {"bytes", page.size()}}.dump(2) + '\n');
   else Print(file.string() + '\n');

@@ -12,6 +12,10 @@ using Json = nlohmann::json;
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+bool FlagAt(const Json& object, const char* key) {
+  return object.is_object() && object.contains(key) && object[key].is_boolean() && object[key].get<bool>();
+}
+
 double SdOf(const Json& parameter, bool has_covariance) {
   const double sd = NumberAt(parameter, "sd");
   return std::isnan(sd) && has_covariance ? std::numeric_limits<double>::infinity() : sd;
@@ -84,7 +88,7 @@ std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunC
     reported.upper = NumberAt(parameter, "upper") / si;
     reported.sd = SdOf(parameter, identifiability.is_object()) / si;
     ReadInterval(parameter, si, reported);
-    reported.at_bound = parameter.is_object() && parameter.value("at_bound", false);
+    reported.at_bound = FlagAt(parameter, "at_bound");
     FindPartner(correlations, i, parameters, reported);
     list.push_back(std::move(reported));
   }
