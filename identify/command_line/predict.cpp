@@ -7,9 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/csv.h"
 #include "analysis/number.h"
 #include "analysis/output_folder.h"
+#include "analysis/recorded_table.h"
+#include "analysis/time_recording.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/history_table.h"
@@ -49,13 +50,17 @@ FittedRun LoadModel(const std::filesystem::path& run) {
 
 enum class RecordingKind { kTime, kFrequency };
 
-/// By its header. Throws FaultyInput.
-RecordingKind KindOf(const std::filesystem::path& recording) {
+/// By its columns; a study may name that of times. Throws FaultyInput.
+RecordingKind KindOf(const std::filesystem::path& recording, const Study& study) {
   Diagnostics diagnostics;
-  const std::optional<CsvTable> table = ReadCsv(recording, diagnostics);
+  const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
   if (!table) throw FaultyInput(diagnostics);
-  if (table->FindColumn("time")) return RecordingKind::kTime;
   if (table->FindColumn("frequency_Hz")) return RecordingKind::kFrequency;
+  std::vector<std::string> times = kTimeColumn.names;
+  for (const StudyHistory& history : study.histories)
+    if (history.time) times.push_back(history.time->name);
+  for (const std::string& name : times)
+    if (table->FindColumn(name)) return RecordingKind::kTime;
   Refuse(recording, "has neither a column 'time' nor 'frequency_Hz': it is no recording");
 }
 
@@ -154,7 +159,7 @@ int Run(const PredictCommand& command) {
     Refuse(command.run,
            "is a fit of a damper on its bench: list other recordings under `bench: validation` of its study");
   if (!command.add_mass.empty()) AddLoad(command, model.vehicle);
-  switch (KindOf(command.recording)) {
+  switch (KindOf(command.recording, model.study)) {
     case RecordingKind::kTime: return PredictHistory(command, model);
     case RecordingKind::kFrequency: break;
   }
