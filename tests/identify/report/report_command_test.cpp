@@ -37,7 +37,6 @@ TEST_F(ReportCommandLine, WritesWhatTheFitWrote) {
 
 // Between clamps nothing has to hold the rod, and there is nothing to see.
 TEST_F(ReportCommandLine, ShowsADamperWithoutItsVehicle) {
-  std::filesystem::copy(FOURPOST_SOURCE_DIR "/studies/damper", folder_ / "studies/damper");
   const Outcome outcome = Run("fit studies/damper/model2.yaml -o run");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err.find("equilibrium"), std::string::npos) << outcome.err;
