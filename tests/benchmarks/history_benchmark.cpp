@@ -1,7 +1,8 @@
 // Cost of a time history, 20 s of swept sine from 0.5 to 30 Hz, all channels at 500 Hz, one thread: by exact steps of
 // the condensed model and by Simbody, both at settings whose error against a run of theirs at far finer ones is what
 // the column `error` says: the largest over all channels of the rms of the difference, as a share of the channel's rms.
-// One more row: an evaluation of a fit to 35 s of a single wheel station, its posts sampled beforehand.
+// `station`: the single wheel station's Model 3 over 35 s. Two more rows: whole evaluations of a fit to 35 s, five
+// outputs, the posts sampled beforehand, of the bilinear station and of Model 3, condensed model and stepper made anew.
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -23,15 +24,17 @@
 namespace fourpost {
 namespace {
 
+constexpr const char* kModel3 = "studies/single_wheel_station/model3";
+
 Vehicle Read(const std::string& name) {
   Diagnostics diagnostics;
   std::optional<Vehicle> vehicle =
-      ReadVehicle(std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / (name + ".urdf"), diagnostics);
+      ReadVehicle(std::filesystem::path(FOURPOST_SOURCE_DIR) / (name + ".urdf"), diagnostics);
   if (!vehicle) throw FaultyInput(diagnostics);
   return std::move(vehicle).value();
 }
 
-constexpr TimeGrid kGrid{.start_s = 0, .end_s = 20, .rate_Hz = 500};
+TimeGrid Grid(double duration_s) { return {.start_s = 0, .end_s = duration_s, .rate_Hz = 500}; }
 
 /// 5 mm, above 1.9 Hz at 60 mm/s.
 PostMotion Sweep(const Vehicle& vehicle, double duration) {
@@ -40,34 +43,36 @@ PostMotion Sweep(const Vehicle& vehicle, double duration) {
   return FollowPattern(sweep.Signal(), std::vector<double>(vehicle.posts.size(), 1));
 }
 
-void Measure(benchmark::State& state, TimeSystem& system, TimeSystem& finer, const PostMotion& posts) {
+void Measure(benchmark::State& state, TimeSystem& system, TimeSystem& finer, const PostMotion& posts,
+             double duration_s) {
+  const TimeGrid grid = Grid(duration_s);
   TimeHistory history;
-  for ([[maybe_unused]] auto _ : state) history = Simulate(system, posts, kGrid);
-  state.counters["error"] = Differences(history, Simulate(finer, posts, kGrid), system.rig().sensors).maxCoeff();
+  for ([[maybe_unused]] auto _ : state) history = Simulate(system, posts, grid);
+  state.counters["error"] = Differences(history, Simulate(finer, posts, grid), system.rig().sensors).maxCoeff();
 }
 
-void ByCondensedSteps(benchmark::State& state, const std::string& name, double step_s) {
+void ByCondensedSteps(benchmark::State& state, const std::string& name, double duration_s, double step_s) {
   const Vehicle vehicle = Read(name);
   const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
   CondensedSystem system(model, RigViewOf(vehicle), step_s);
   CondensedSystem finer(model, RigViewOf(vehicle), step_s / 16);
-  Measure(state, system, finer, Sweep(vehicle, kGrid.end_s));
+  Measure(state, system, finer, Sweep(vehicle, duration_s), duration_s);
 }
 
-void BySimbody(benchmark::State& state, const std::string& name, double accuracy) {
+void BySimbody(benchmark::State& state, const std::string& name, double duration_s, double accuracy) {
   const Vehicle vehicle = Read(name);
   const std::vector<double> values = vehicle.ParameterValues();
   Multibody multibody(vehicle);
   multibody.SetParameters(values, CondensedVehicle(vehicle).PreloadsAt(values));
   MultibodySystem system(multibody, accuracy);
   MultibodySystem finer(multibody, 1e-3 * accuracy);
-  Measure(state, system, finer, Sweep(vehicle, kGrid.end_s));
+  Measure(state, system, finer, Sweep(vehicle, duration_s), duration_s);
 }
 
-void AnEvaluationOfAFit(benchmark::State& state) {
+void AnEvaluationOfAFit(benchmark::State& state, const std::string& name) {
   constexpr double kStep = 2e-3;
   constexpr int kSamples = 17501;
-  const Vehicle vehicle = Read("single_wheel_station");
+  const Vehicle vehicle = Read(name);
   const CondensedVehicle condensed(vehicle);
   const std::vector<double> values = vehicle.ParameterValues();
   const PostMotion motion = Sweep(vehicle, 35);
@@ -86,11 +91,14 @@ void AnEvaluationOfAFit(benchmark::State& state) {
 }
 
 // Steps and accuracies whose errors are alike for each vehicle.
-BENCHMARK_CAPTURE(ByCondensedSteps, model2, "landrover110_linkage", 2e-3)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BySimbody, model2, "landrover110_linkage", 1.5e-6)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(ByCondensedSteps, bushings, "landrover110", 1e-3)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BySimbody, bushings, "landrover110", 2e-6)->Unit(benchmark::kMillisecond)->Iterations(1);
-BENCHMARK(AnEvaluationOfAFit)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ByCondensedSteps, model2, "urdf/landrover110_linkage", 20, 2e-3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BySimbody, model2, "urdf/landrover110_linkage", 20, 1.5e-6)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ByCondensedSteps, bushings, "urdf/landrover110", 20, 1e-3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BySimbody, bushings, "urdf/landrover110", 20, 2e-6)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(ByCondensedSteps, station, kModel3, 35, 2e-3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BySimbody, station, kModel3, 35, 1e-5)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK_CAPTURE(AnEvaluationOfAFit, bilinear, "urdf/single_wheel_station")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(AnEvaluationOfAFit, station, kModel3)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace fourpost
