@@ -70,8 +70,18 @@ class RecordReader {
       if (const std::optional<std::size_t> column = table_.FindColumn(name)) return Values(*column, channel);
     const std::string& name = channel.names.front();
     Fault(table_.names_line(),
-          "column '" + name + "', " + channel.what + ", is missing" + DidYouMean(name, table_.names()));
+          "column '" + name + "', " + channel.what + ", is missing" + DidYouMean(name, Measuring(channel)));
     return {};
+  }
+
+  /// Columns that could be the one wanted: of its dimension.
+  std::vector<std::string> Measuring(const RecordedChannel& channel) const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < table_.names().size(); ++i)
+      if (const std::optional<Unit> unit = ParseRecordedUnit(table_.unit(i));
+          unit && unit->dimension == channel.dimension)
+        names.push_back(table_.names()[i]);
+    return names;
   }
 
   std::vector<double> Values(std::size_t column, const RecordedChannel& channel) {

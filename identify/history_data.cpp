@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "analysis/nearest.h"
 #include "analysis/number.h"
+#include "analysis/spectrum.h"
 #include "analysis/time_recording.h"
 #include "analysis/units.h"
 #include "identify/source_recording.h"
@@ -51,7 +53,10 @@ class HistoryLoader {
     const std::optional<TimeRecording> recording =
         ReadTimeRecording(study_.file, wanted_, diagnostics_, TimeColumn(study_.time));
     if (!good_ || !recording) return std::nullopt;
-    MeasuredHistory history{.name = study_.name, .rate_Hz = recording->rate_Hz(), .filter = study_.filter};
+    MeasuredHistory history{.name = study_.name,
+                            .rate_Hz = recording->rate_Hz(),
+                            .filter = study_.filter,
+                            .process_sd = study_.process_sd.value_or(0)};
     CheckRate(history.rate_Hz);
     SetWindow(*recording, history);
     if (!good_) return std::nullopt;
@@ -111,6 +116,30 @@ class HistoryLoader {
                            " Hz: " + FormatNumber(kLeast * study_.filter->cutoff_Hz) + " Hz at least are wanted");
   }
 
+  /// Between samples posts follow a spline, which six samples a period hold to a few per cent.
+  void CheckSampling(const std::string& post, const Eigen::VectorXd& height, double rate_Hz) {
+    constexpr double kLeast = 6;
+    constexpr double kMostOf = 0.95;
+    const auto segment = static_cast<std::size_t>(std::min<Index>(1024, height.size()));
+    const std::span<const double> heights(height.data(), static_cast<std::size_t>(height.size()));
+    if (height.size() < 16) return;
+    const Spectrum spectrum = WelchSpectrum(heights, heights, rate_Hz, segment);
+    std::vector<double> below;
+    double sum = 0;
+    // Of velocity, which dampers and sweeps go by.
+    for (std::size_t i = 0; i < spectrum.first.size(); ++i)
+      below.push_back(sum += std::pow(spectrum.frequency_Hz[i], 2) * spectrum.first[i]);
+    const auto upper = std::lower_bound(below.begin(), below.end(), kMostOf * sum) - below.begin();
+    const double upper_Hz = spectrum.frequency_Hz[static_cast<std::size_t>(upper)];
+    if (sum == 0 || rate_Hz >= kLeast * upper_Hz) return;
+    diagnostics_.Warning(file_, study_.line,
+                         "post '" + post + "' of history '" + study_.name + "' moves up to " +
+                             FormatNumber(std::round(10 * upper_Hz) / 10) + " Hz and is sampled at " +
+                             FormatNumber(rate_Hz) + " Hz: " + FormatNumber(kLeast) +
+                             " samples a period are wanted; record faster, or the model is shaken by what lies between "
+                             "samples");
+  }
+
   void SetWindow(const TimeRecording& recording, MeasuredHistory& history) {
     const auto sample = [&](double t) { return (t - recording.start_s) * history.rate_Hz; };
     const auto samples = static_cast<double>(recording.samples());
@@ -141,6 +170,7 @@ class HistoryLoader {
     std::vector<std::vector<double>> heights(posts_.size());
     for (const auto& [post, source] : study_.posts) {
       const Eigen::VectorXd height = WithoutMean(Combined(recording, source));
+      CheckSampling(post, height, recording.rate_Hz());
       heights[*IndexOf(post, posts_)].assign(height.begin(), height.end());
     }
     return FollowHeights(heights, recording.start_s, recording.step_s, study_.filter ? &*study_.filter : nullptr);

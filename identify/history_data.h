@@ -35,6 +35,8 @@ struct MeasuredHistory {
   /// With the rig's filter taken back.
   RecordedPosts posts;
   std::optional<LowPassDesign> filter;
+  /// Of a Kalman filter's process, as the study states it [m/s^2]; 0: it does not.
+  double process_sd = 0;
   /// First sample compared, of the record; and how many are. Samples that the filter keeps back at the end are left
   /// out.
   Eigen::Index first = 0;

@@ -20,9 +20,13 @@ namespace fourpost {
 ///   (modelled - measured) / sqrt(noise^2 + (model error s)^2) at every MeasuredHistory::Stride-th sample,
 /// s: the signal's own deviation; no noise is white behind a filter at the full rate. By compromise (thesis 4.29):
 ///   J_k r_k / |r_k|, J_k = |r_k|^2 the signal's normalised mean square error [%],
-/// whose squares add up to the sum of all J_k^2, with weights 1 and aims 0. By prediction: the whitened
-/// innovations of a KalmanPredictor, its noise that under which those of the file's values are likeliest. Immutable;
-/// serves any number of threads.
+/// whose squares add up to the sum of all J_k^2, with weights 1 and aims 0. By prediction: of the innovations e of a
+/// KalmanPredictor with covariances S
+///   S^-1/2 e exp((D - D_0) / 2N),  D = sum of ln det S, D_0 that of the file's values, N residuals.
+/// With C the sum of their squares, minus twice the log likelihood is N ln C + const once the common scale of all noise
+/// has its likeliest value, C / N: so they are least where the innovations are likeliest. Without the determinant they
+/// would be least where S is large. Ratios of the noise are held at those under which the file's values are likeliest.
+/// Immutable; serves any number of threads.
 class HistoryResiduals {
  public:
   struct Options {
@@ -32,9 +36,14 @@ class HistoryResiduals {
     /// Of the integration, of each channel's rms; the error left is about a third of it, a ten-thousandth of a per cent
     /// of a mean square.
     double error = 3e-3;
+    /// Of a cost by prediction, one per history; empty: estimated at the file's values.
+    std::vector<KalmanNoise> noise = {};
+    /// Of the estimate's runs.
+    NoiseSearch noise_search = {};
   };
 
-  /// Steps are those that the vehicle needs at its file's values. Throws FaultyInput as CondensedVehicle does.
+  /// Steps are those that the vehicle needs at its file's values. Throws FaultyInput as CondensedVehicle does, and as
+  /// KalmanPredictor does.
   HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
                    const Options& options);
 
@@ -60,9 +69,16 @@ class HistoryResiduals {
   /// Of each history [s].
   std::vector<double> Steps() const;
 
+  /// By how much half the step changes each history at these values: of its signals the largest rms of the change, as a
+  /// share of the signal's own. Steps are those of the file's values, and others may want finer ones.
+  std::vector<double> ChangesByHalfStep(const std::vector<double>& values) const;
+
+  const Options& options() const { return options_; }
+
  private:
   /// Residuals of a signal.
   Eigen::Index CountOf(const MeasuredHistory& history) const;
+  Eigen::VectorXd OfPrediction(const std::vector<KalmanPrediction>& predictions) const;
   void AddSignal(const MeasuredHistory& history, const MeasuredSignal& signal, const Eigen::VectorXd& modelled,
                  Eigen::Ref<Eigen::VectorXd> out) const;
 
@@ -72,6 +88,8 @@ class HistoryResiduals {
   std::vector<HistorySimulation> simulations_;
   std::vector<KalmanPredictor> predictors_;
   std::vector<KalmanNoise> noise_;
+  /// Sum of ln det S of all histories at the file's values.
+  double reference_log_determinant_ = 0;
   Eigen::Index count_ = 0;
 };
 
@@ -82,6 +100,10 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
 /// Adds the errors of one-step predictions.
 void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,
                       std::vector<HistoryMisfit>& misfits);
+
+/// Adds the errors of the full multibody system through one history, `misfits` of its signals.
+void AddFullErrors(const MeasuredHistory& history, const Eigen::MatrixXd& modelled,
+                   std::vector<HistoryMisfit>& misfits);
 
 /// How well models show each signal of each history; `modelled` as HistoryResiduals::Modelled gives it.
 std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,

@@ -7,8 +7,9 @@
 #include <string>
 
 #include "analysis/low_pass.h"
+#include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/simulation/condensed_stepper.h"
-#include "vehicles/simulation/time_history.h"
+#include "vehicles/simulation/multibody_system.h"
 
 namespace fourpost {
 namespace {
@@ -21,6 +22,28 @@ constexpr double kFarthest = 1e6;
 constexpr Index kBetweenChecks = 1000;
 
 Index LeadSamples(const MeasuredHistory& history) { return std::lround(history.posts.lead_s * history.rate_Hz); }
+
+TimeGrid GridOf(const MeasuredHistory& history) {
+  return {.start_s = history.posts.start_s,
+          .end_s = history.TimeAt(history.count - 1),
+          .rate_Hz = history.rate_Hz,
+          .lead_s = history.posts.lead_s};
+}
+
+/// Samples of the window x signals, of readings, sensors x samples to the end of the window.
+Eigen::MatrixXd SignalsOf(const MeasuredHistory& history, const Eigen::MatrixXd& readings) {
+  Eigen::MatrixXd out(history.count, static_cast<Index>(history.signals.size()));
+  Eigen::VectorXd all(readings.cols());
+  for (Index i = 0; i < out.cols(); ++i) {
+    all = readings.row(static_cast<Index>(history.signals[static_cast<std::size_t>(i)].sensor));
+    if (const auto& filter = history.filter)
+      LowPass(filter->order, filter->cutoff_Hz, history.rate_Hz)
+          .Apply({all.data(), static_cast<std::size_t>(all.size())});
+    out.col(i) = all.tail(history.count);
+    out.col(i).array() -= out.col(i).mean();
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -54,30 +77,23 @@ Eigen::MatrixXd HistorySimulation::Run(const CondensedModel& model, const Deadli
   if (stepper.unsolved_steps() > 0)
     throw std::runtime_error("the forces of the vehicle's elements were not found in " +
                              std::to_string(stepper.unsolved_steps()) + " steps");
-  return Signals(readings);
+  return SignalsOf(*history_, readings);
 }
 
-Eigen::MatrixXd HistorySimulation::Signals(const Eigen::MatrixXd& readings) const {
-  const auto signals = static_cast<Index>(history_->signals.size());
-  Eigen::MatrixXd out(history_->count, signals);
-  Eigen::VectorXd all(samples_);
-  for (Index i = 0; i < signals; ++i) {
-    all = readings.row(static_cast<Index>(history_->signals[static_cast<std::size_t>(i)].sensor));
-    if (const auto& filter = history_->filter)
-      LowPass(filter->order, filter->cutoff_Hz, history_->rate_Hz)
-          .Apply({all.data(), static_cast<std::size_t>(all.size())});
-    out.col(i) = all.tail(history_->count);
-    out.col(i).array() -= out.col(i).mean();
-  }
-  return out;
+std::optional<Eigen::MatrixXd> SimulateFully(const MeasuredHistory& history, const Vehicle& vehicle, double accuracy,
+                                             const GoOn& go_on) {
+  const std::vector<double> values = vehicle.ParameterValues();
+  Multibody multibody(vehicle);
+  multibody.SetParameters(values, CondensedVehicle(vehicle).At(values).preloads);
+  MultibodySystem system(multibody, accuracy);
+  const TimeGrid grid = GridOf(history);
+  const TimeHistory run = Simulate(system, history.posts.motion, grid, go_on);
+  if (run.size() < grid.lead_count() + grid.count()) return std::nullopt;
+  return SignalsOf(history, run.readings.transpose());
 }
 
 double HistoryStep(const MeasuredHistory& history, const CondensedModel& model, const RigView& rig, double error) {
-  const TimeGrid grid{.start_s = history.posts.start_s,
-                      .end_s = history.TimeAt(history.count - 1),
-                      .rate_Hz = history.rate_Hz,
-                      .lead_s = history.posts.lead_s};
-  return SimulateCondensed(model, rig, history.posts.motion, grid, {.error = error}).step_s;
+  return SimulateCondensed(model, rig, history.posts.motion, GridOf(history), {.error = error}).step_s;
 }
 
 }  // namespace fourpost

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -7,6 +8,7 @@
 #include "analysis/deadline.h"
 #include "identify/history_data.h"
 #include "vehicles/condensed/condensed_model.h"
+#include "vehicles/simulation/time_history.h"
 #include "vehicles/simulation/time_system.h"
 
 namespace fourpost {
@@ -27,9 +29,6 @@ class HistorySimulation {
   double step_s() const { return 1 / (history_->rate_Hz * static_cast<double>(parts_)); }
 
  private:
-  /// Of readings, sensors x samples.
-  Eigen::MatrixXd Signals(const Eigen::MatrixXd& readings) const;
-
   const MeasuredHistory* history_;
   long parts_ = 1;
   Eigen::Index post_count_ = 0;
@@ -37,6 +36,11 @@ class HistorySimulation {
   std::vector<PostState> posts_;
   Eigen::Index samples_ = 0;
 };
+
+/// The same by the full multibody system of the vehicle at its file's values, integrated to `accuracy` (see
+/// MultibodySystem); nothing where `go_on` ends it. Throws as Run() does.
+std::optional<Eigen::MatrixXd> SimulateFully(const MeasuredHistory& history, const Vehicle& vehicle, double accuracy,
+                                             const GoOn& go_on = {});
 
 /// The step at which a model errs by no more than `error` of any channel's rms, by halving (SimulateCondensed).
 double HistoryStep(const MeasuredHistory& history, const CondensedModel& model, const RigView& rig, double error);

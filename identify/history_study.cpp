@@ -15,8 +15,9 @@ class HistoryReader {
       : study_(std::move(study)), file_(study_.string()), diagnostics_(diagnostics) {}
 
   StudyHistory Read(const YAML::Node& node) {
-    const StrictMap map = Map(node, "the history",
-                              {"name", "file", "posts", "channels", "filter", "noise", "start", "end", "use", "time"});
+    const StrictMap map = Map(
+        node, "the history",
+        {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use", "time"});
     StudyHistory history;
     history.line = map.line();
     map.Require("file");
@@ -32,6 +33,9 @@ class HistoryReader {
                                           ChannelKind::kHistory, file_, diagnostics_);
     if (map.Has("filter")) history.filter = Filter(map.Get("filter"));
     if (map.Has("noise")) history.noise = Noise(map.Get("noise"));
+    history.process_sd = map.Quantity("process", kAcceleration, 0);
+    if (history.process_sd && *history.process_sd == 0)
+      map.Fault(map.Get("process"), "'process' of " + where_ + " must be above zero");
     if (const auto use = map.Text("use")) {
       history.is_validation = *use == "validation";
       if (*use != "fit" && *use != "validation")

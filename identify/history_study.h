@@ -37,6 +37,9 @@ struct StudyHistory {
   std::optional<LowPassDesign> filter;
   /// What sensors read at rest.
   std::vector<StudyNoise> noise;
+  /// Of each coordinate's acceleration, white from sample to sample: what a Kalman filter takes for random. Turning
+  /// coordinates take it in rad/s^2.
+  std::optional<double> process_sd;
   /// Samples before and after do not count; the vehicle goes through them all the same.
   std::optional<double> start_s;
   std::optional<double> end_s;
@@ -51,7 +54,7 @@ enum class HistoryCost {
   kWhitened,
   /// The thesis's (4.29): mean square errors of the outputs weigh themselves, see CompromiseOf.
   kCompromise,
-  /// Innovations of a Kalman filter, whitened, see KalmanPredictor.
+  /// The likelihood of a Kalman filter's innovations, see HistoryResiduals.
   kPrediction,
 };
 inline constexpr std::array<std::string_view, 3> kHistoryCostNames{"whitened", "compromise", "prediction"};

@@ -99,6 +99,8 @@ KalmanPredictor::KalmanPredictor(const MeasuredHistory& history)
 
 KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanNoise& noise,
                                       const Deadline& deadline) const {
+  if (!model.hydraulics.empty())
+    throw std::invalid_argument("a Kalman predictor knows nothing of the oil in hydraulic dampers");
   const auto signals = static_cast<Index>(history_->signals.size());
   const Index coordinates = model.mass.rows();
   RequireOption(noise.process_sd.size() == coordinates && noise.process_sd.minCoeff() > 0,
@@ -159,33 +161,41 @@ KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanN
     const VectorXd whitened = root.matrixL().solve(innovation);
     out.innovations.row(row) = innovation;
     out.whitened.row(row) = whitened;
-    out.deviance += 2 * root.matrixLLT().diagonal().array().log().sum() + whitened.squaredNorm();
+    out.log_determinant += 2 * root.matrixLLT().diagonal().array().log().sum();
     const MatrixXd gain = root.solve(read * covariance).transpose();
     state += gain * innovation;
     const MatrixXd kept = MatrixXd::Identity(n, n) - gain * read;
     covariance = kept * covariance * kept.transpose() + gain * sensor * gain.transpose();
   }
-  if (!std::isfinite(out.deviance)) throw std::runtime_error("a Kalman filter's covariance is not finite");
+  if (!std::isfinite(out.Deviance())) throw std::runtime_error("a Kalman filter's covariance is not finite");
   return out;
 }
 
 std::vector<double*> KalmanPredictor::Unknown(KalmanNoise& noise) const {
   std::vector<double*> unknown;
-  for (double& sd : noise.process_sd) unknown.push_back(&sd);
+  if (history_->process_sd == 0)
+    for (double& sd : noise.process_sd) unknown.push_back(&sd);
   for (Index i = 0; i < noise.sensor_sd.size(); ++i)
     if (history_->signals[static_cast<std::size_t>(i)].noise_sd == 0) unknown.push_back(&noise.sensor_sd[i]);
   return unknown;
 }
 
-KalmanNoise KalmanPredictor::Estimate(const CondensedModel& model) const {
+KalmanNoise KalmanPredictor::Estimate(const CondensedModel& model, const NoiseSearch& search) const {
   KalmanNoise noise;
-  noise.process_sd = VectorXd::Constant(model.mass.rows(), 0.1);
+  noise.process_sd = VectorXd::Constant(model.mass.rows(), history_->process_sd > 0 ? history_->process_sd : 0.1);
   noise.sensor_sd.resize(static_cast<Index>(history_->signals.size()));
   for (Index i = 0; i < noise.sensor_sd.size(); ++i) {
     const MeasuredSignal& signal = history_->signals[static_cast<std::size_t>(i)];
     noise.sensor_sd[i] = signal.noise_sd > 0 ? signal.noise_sd : 0.02 * signal.Deviation();
   }
-  double least = Run(model, noise).deviance;
+  if (Unknown(noise).empty()) return noise;
+  int runs = 0;
+  const auto deviance_now = [&] {
+    const double deviance = Run(model, noise, Deadline::In(search.deadline_s)).Deviance();
+    if (search.progress) search.progress(++runs);
+    return deviance;
+  };
+  double least = deviance_now();
   for (const double factor : {10.0, 3.0, 1.5}) {
     bool better = true;
     for (int round = 0; round < 3 && better; ++round) {
@@ -194,7 +204,7 @@ KalmanNoise KalmanPredictor::Estimate(const CondensedModel& model) const {
         for (const double change : {factor, 1 / factor}) {
           const double before = *sd;
           *sd *= change;
-          const double deviance = Run(model, noise).deviance;
+          const double deviance = deviance_now();
           if (deviance < least) {
             least = deviance;
             better = true;

@@ -5,6 +5,7 @@
 
 #include "analysis/frequency_response_file.h"
 #include "analysis/nearest.h"
+#include "analysis/number.h"
 #include "identify/bench_residuals.h"
 #include "identify/four_post_residuals.h"
 #include "vehicles/reader/vehicle_file.h"
@@ -49,6 +50,37 @@ void CheckBand(const Study& study, const FourPostData& data, Diagnostics& diagno
                         "the band holds no frequency of recording '" + run.name + "'");
 }
 
+/// What a Kalman filter cannot serve.
+void CheckPrediction(const Study& study, const Vehicle& vehicle, Diagnostics& diagnostics) {
+  if (study.history_cost != HistoryCost::kPrediction) return;
+  for (const StudyHistory& history : study.histories)
+    if (history.filter && !history.is_validation)
+      diagnostics.Error(
+          study.file.string(), history.line,
+          "the cost 'prediction' takes recordings as they are: leave 'filter' of history '" + history.name + "' out");
+  for (const Damper& damper : vehicle.dampers)
+    if (damper.hydraulic)
+      diagnostics.Error(vehicle.file, damper.source_line,
+                        "the cost 'prediction' corrects positions and velocities, and knows nothing of the oil in the "
+                        "hydraulic damper '" +
+                            damper.name + "': fit by the cost 'whitened', or give the damper a law without memory");
+}
+
+/// Whitened residuals are over a deviation.
+void CheckDeviations(const Study& study, const std::vector<MeasuredHistory>& histories, Diagnostics& diagnostics) {
+  if (study.history_cost != HistoryCost::kWhitened || study.model_error.history > 0) return;
+  for (const MeasuredHistory& history : histories)
+    for (const MeasuredSignal& signal : history.signals) {
+      if (signal.noise_sd > 0) continue;
+      const auto told = std::find_if(study.histories.begin(), study.histories.end(),
+                                     [&](const StudyHistory& other) { return other.name == history.name; });
+      diagnostics.Error(study.file.string(), told->line,
+                        "'" + signal.name + "' of history '" + history.name +
+                            "' has neither noise nor a model error, so nothing tells how much its errors count: state "
+                            "its 'noise', or 'history' of 'model_error' above zero");
+    }
+}
+
 /// Whether all files are there; names the study's own line for one that is not.
 bool HasFiles(const Study& study, Diagnostics& diagnostics) {
   bool all = true;
@@ -69,7 +101,28 @@ bool HasFiles(const Study& study, Diagnostics& diagnostics) {
 }  // namespace
 
 HistoryResiduals::Options LoadedStudy::HistoryOptions() const {
-  return {.cost = study.history_cost, .model_error = study.model_error.history};
+  return {.cost = study.history_cost,
+          .model_error = study.model_error.history,
+          .noise = kalman_noise,
+          .noise_search = {.deadline_s = study.search.deadline_s}};
+}
+
+void LoadedStudy::EstimateNoise(const std::function<void(int runs)>& progress) {
+  if (study.history_cost != HistoryCost::kPrediction) return;
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  kalman_noise.clear();
+  try {
+    for (const MeasuredHistory& history : histories)
+      kalman_noise.push_back(
+          KalmanPredictor(history).Estimate(model, {.deadline_s = study.search.deadline_s, .progress = progress}));
+  } catch (const TimedOut&) {
+    Diagnostics diagnostics;
+    diagnostics.Error(study.file.string(), 0,
+                      "one run of the Kalman filter takes longer than the deadline of " +
+                          FormatNumber(study.search.deadline_s) +
+                          " s: raise 'deadline' of 'search', or cut the recording by 'start' and 'end'");
+    throw FaultyInput(diagnostics);
+  }
 }
 
 VehicleObjective LoadedStudy::MakeObjective() const {
@@ -108,11 +161,8 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
       LoadHistories(HistoriesOf(study->histories, false), study->file.string(), *vehicle, diagnostics);
   std::optional<std::vector<MeasuredHistory>> validation =
       LoadHistories(HistoriesOf(study->histories, true), study->file.string(), *vehicle, diagnostics);
-  for (const StudyHistory& history : study->histories)
-    if (study->history_cost == HistoryCost::kPrediction && history.filter)
-      diagnostics.Error(
-          study->file.string(), history.line,
-          "the cost 'prediction' takes recordings as they are: leave 'filter' of history '" + history.name + "' out");
+  CheckPrediction(*study, *vehicle, diagnostics);
+  if (histories) CheckDeviations(*study, *histories, diagnostics);
   if (diagnostics.HasErrors()) return std::nullopt;
   LoadedStudy loaded{*study, *vehicle, std::move(*data), std::move(free)};
   loaded.histories = std::move(*histories);

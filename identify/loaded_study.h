@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct LoadedStudy {
   /// Those that the fit does not see.
   std::vector<MeasuredHistory> validation = {};
   std::optional<BenchData> bench = {};
+  /// Of a cost by prediction; one per history once EstimateNoise() found it.
+  std::vector<KalmanNoise> kalman_noise = {};
+
+  /// Of a cost by prediction: the noise under which the file's values are likeliest, to be held from then on. Throws
+  /// FaultyInput where a run of the filter takes longer than the study's deadline.
+  void EstimateNoise(const std::function<void(int runs)>& progress = {});
 
   HistoryResiduals::Options HistoryOptions() const;
 

@@ -39,6 +39,12 @@ struct HistoryMisfit {
   /// white.
   std::optional<double> one_step_nmse_percent = {};
   std::optional<double> innovation_correlation = {};
+  /// Of their first 25 autocorrelations, the share beyond what 95 % of those of white noise keep to: 0.05 if white.
+  std::optional<double> innovations_beyond = {};
+  /// By the full multibody system in place of the condensed one.
+  std::optional<double> full_nmse_percent = {};
+  /// The channel of the same unit that this one is measured like, while that one is measured like this: swapped.
+  std::optional<std::string> swapped_with = {};
 };
 
 /// How far a fitted vehicle is from all the data of its study.

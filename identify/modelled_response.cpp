@@ -1,10 +1,13 @@
 #include "identify/modelled_response.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "analysis/csv_writer.h"
 #include "analysis/decibel.h"
+#include "vehicles/response/march.h"
+#include "vehicles/simulation/condensed_system.h"
 
 namespace fourpost {
 namespace {
@@ -44,11 +47,44 @@ void AddRow(const MeasuredRun& run, const MeasuredChannel& measured, const Chann
 
 }  // namespace
 
+bool HasHysteresis(const CondensedModel& model) {
+  // Of the rates of the vehicle's dampers; and how much steeper friction is as it turns round.
+  constexpr double kFaint = 0.05;
+  constexpr double kSteep = 10;
+  double rate = 0;
+  for (const CondensedModel::Dashpot& dashpot : model.dashpots) rate = std::max(rate, dashpot.law.LeastRate());
+  return std::any_of(model.dashpots.begin(), model.dashpots.end(), [&](const CondensedModel::Dashpot& dashpot) {
+    const double least = dashpot.law.LeastRate();
+    return dashpot.HasSeries() && least < kFaint * rate && dashpot.law.GreatestRate() > kSteep * least;
+  });
+}
+
+PeriodicResponse ModelledResponse(const CondensedModel& model, const std::vector<Sensor>& sensors,
+                                  const Excitation& excitation, const Deadline& deadline) {
+  if (!HasHysteresis(model)) {
+    HarmonicBalanceOptions balance = kFitBalance;
+    balance.deadline = deadline;
+    return SolveHarmonicBalance(model, sensors, excitation, balance);
+  }
+  // Half of what leaves a sweep of this step's length 3e-3 of its rms.
+  constexpr double kLongestStep_s = 2.5e-4;
+  CondensedSystem system(model,
+                         {.sensors = sensors,
+                          .post_count = excitation.shape.size(),
+                          .tyre_stiffness = model.post_stiffness.cwiseAbs().maxCoeff()},
+                         kLongestStep_s);
+  MarchedResponse marched =
+      March(system, excitation, {.tolerance = 1e-4, .longest_s = 20, .samples_per_cycle = 128, .deadline = deadline});
+  PeriodicResponse periodic{.response = std::move(marched.response)};
+  for (const UnsteadyMotion& unsteady : marched.unsteady) periodic.unconverged_Hz.push_back(unsteady.frequency_Hz);
+  return periodic;
+}
+
 std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, const std::vector<Sensor>& sensors,
                                                  const std::vector<MeasuredRun>& runs) {
   std::vector<FrequencyResponse> responses;
   for (const MeasuredRun& run : runs) {
-    PeriodicResponse periodic = SolveHarmonicBalance(model, sensors, run.excitation, kFitBalance);
+    PeriodicResponse periodic = ModelledResponse(model, sensors, run.excitation);
     for (const double frequency : periodic.unconverged_Hz) Blank(frequency, periodic.response);
     responses.push_back(std::move(periodic.response));
   }

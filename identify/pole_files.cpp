@@ -11,6 +11,7 @@
 #include "analysis/units.h"
 #include "identify/channel_json.h"
 #include "identify/versions.h"
+#include "vehicles/condensed/mode_times.h"
 
 namespace fourpost {
 namespace {
@@ -39,9 +40,36 @@ Json ModeJson(const ShapedMode& shaped) {
           {"frequency_Hz", mode.frequency_Hz},
           {"damped_frequency_Hz", Hertz(mode.pole.imag())},
           {"damping_ratio", mode.damping_ratio},
+          {"rise_time_s", RiseTime_s(mode)},
+          {"settling_time_s", SettlingTime_s(mode)},
           {"poles_per_s", poles},
           {"kinetic_energy", energy},
           {"shape", shape}};
+}
+
+Json Matrix(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const Eigen::VectorXd row = matrix.row(i);
+    rows.push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  return rows;
+}
+
+/// X' = A X + B z, y = C X + D z + D_rate z' + D_acceleration z''.
+Json StateSpaceJson(const Vehicle& vehicle, const StateSpace& space) {
+  Json posts = Json::array();
+  for (const Post& post : vehicle.posts) posts.push_back(post.name);
+  Json sensors = Json::array();
+  for (const Sensor& sensor : vehicle.sensors) sensors.push_back(sensor.name);
+  return {{"inputs", posts},
+          {"outputs", sensors},
+          {"A", Matrix(space.a)},
+          {"B", Matrix(space.b)},
+          {"C", Matrix(space.c)},
+          {"D", Matrix(space.d)},
+          {"D_rate", Matrix(space.d_rate)},
+          {"D_acceleration", Matrix(space.d_acceleration)}};
 }
 
 Json PathsJson(const Vehicle& vehicle, const PolePaths& traced) {
@@ -80,8 +108,8 @@ std::optional<std::size_t> Marked(const Parameter& parameter, const std::vector<
 
 }  // namespace
 
-std::string ModesJson(const Vehicle& vehicle, const std::vector<ShapedMode>& modes, const std::vector<PolePaths>& paths,
-                      const Diagnostics& findings) {
+std::string ModesJson(const Vehicle& vehicle, const StateSpace& space, const std::vector<ShapedMode>& modes,
+                      const std::vector<PolePaths>& paths, const Diagnostics& findings) {
   Json parameters = Json::object();
   for (const Parameter& parameter : vehicle.parameters) parameters[parameter.name] = parameter.value;
   Json list = Json::array();
@@ -90,8 +118,10 @@ std::string ModesJson(const Vehicle& vehicle, const std::vector<ShapedMode>& mod
   for (const PolePaths& path : paths) traced.push_back(PathsJson(vehicle, path));
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
-  const Json json = {{"vehicle", vehicle.name}, {"parameters", parameters},           {"modes", list},
-                     {"pole_paths", traced},    {"findings", FindingsJson(findings)}, {"versions", versions}};
+  const Json json = {{"vehicle", vehicle.name}, {"parameters", parameters},
+                     {"modes", list},           {"state_space", StateSpaceJson(vehicle, space)},
+                     {"pole_paths", traced},    {"findings", FindingsJson(findings)},
+                     {"versions", versions}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -5,6 +5,7 @@
 
 #include "analysis/diagnostics.h"
 #include "vehicles/condensed/modes.h"
+#include "vehicles/condensed/state_space.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/ride/named_modes.h"
 #include "vehicles/ride/pole_path.h"
@@ -17,10 +18,10 @@ struct ShapedMode {
   std::vector<BodyShape> shape;
 };
 
-/// Modes with poles and shapes, paths of poles, the values of all parameters, `findings` and versions as JSON, in SI
-/// units; complex numbers are pairs.
-std::string ModesJson(const Vehicle& vehicle, const std::vector<ShapedMode>& modes, const std::vector<PolePaths>& paths,
-                      const Diagnostics& findings);
+/// The state space, modes with poles and shapes, paths of poles, the values of all parameters, `findings` and versions
+/// as JSON, in SI units; complex numbers are pairs.
+std::string ModesJson(const Vehicle& vehicle, const StateSpace& space, const std::vector<ShapedMode>& modes,
+                      const std::vector<PolePaths>& paths, const Diagnostics& findings);
 
 /// Comma-separated text, one row per parameter, path and value; the parameter in SI units.
 std::string PolesCsv(const Vehicle& vehicle, const std::vector<PolePaths>& paths);

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "identify/kalman_noise_json.h"
 #include "identify/method_settings.h"
 #include "identify/versions.h"
 
@@ -54,6 +55,7 @@ Json Histories(const std::vector<HistoryMisfit>& misfits) {
       list.back()["one_step_nmse_percent"] = NumberOrNull(*misfit.one_step_nmse_percent);
     if (misfit.innovation_correlation)
       list.back()["innovation_correlation"] = NumberOrNull(*misfit.innovation_correlation);
+    if (misfit.innovations_beyond) list.back()["innovations_beyond"] = NumberOrNull(*misfit.innovations_beyond);
   }
   return list;
 }
@@ -229,6 +231,10 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"versions", versions}};
   if (!fit.profiles.empty()) json["profiles"] = Profiles(fit.profiles);
   if (study.bench) json.erase("band_Hz");
+  if (!study.histories.empty())
+    json["history_cost"] = kHistoryCostNames[static_cast<std::size_t>(study.study.history_cost)];
+  for (std::size_t h = 0; h < study.kalman_noise.size(); ++h)
+    json["kalman_noise"].push_back(KalmanNoiseJson(study.histories[h], study.kalman_noise[h]));
   if (!misfits.validation.empty()) json["validation"] = Histories(misfits.validation);
   if (misfits.criteria) json["criteria"] = Criteria(*misfits.criteria);
   return json.dump(2) + '\n';

@@ -62,7 +62,7 @@ void Add(Sha256& digest, const Eigen::VectorXd& values) {
 void Add(Sha256& digest, const MeasuredHistory& history) {
   digest.Add(history.name);
   for (const double number : {history.rate_Hz, history.TimeAt(0), history.filter ? history.filter->cutoff_Hz : 0.0,
-                              history.filter ? static_cast<double>(history.filter->order) : 0.0})
+                              history.filter ? static_cast<double>(history.filter->order) : 0.0, history.process_sd})
     digest.Add(number);
   std::vector<PostState> posts(history.posts.count);
   for (Eigen::Index k = -history.first; k < history.count; ++k) {

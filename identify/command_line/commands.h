@@ -141,8 +141,11 @@ struct PredictCommand {
   /// "250 kg", and "X,Y,Z" in metres where it is; empty: none.
   std::string add_mass;
   std::string at;
-  /// A Kalman filter's one-step predictions as well.
+  /// A Kalman filter's one-step predictions as well; its noise estimated on this recording, empty: as the fit held it.
   bool kalman = false;
+  std::filesystem::path noise_from;
+  /// Of a time history: the multibody system beside the condensed model.
+  bool full = false;
   bool json = false;
   /// Empty: nothing is written.
   std::filesystem::path output;

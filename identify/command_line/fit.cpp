@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "analysis/csv_writer.h"
 #include "analysis/nearest.h"
 #include "analysis/number.h"
 #include "analysis/output_folder.h"
@@ -137,7 +138,13 @@ FitResult FitWithProgress(const VehicleObjective& objective, const FitOptions& o
 /// In the unit of the vehicle file, at the digits that deviations of some per mille make sense of.
 std::string Shown(double value, const std::string& unit) { return InUnit(value, unit, 4); }
 
+/// The compromise cost has none.
+bool TellsDeviations(const LoadedStudy& loaded) {
+  return loaded.histories.empty() || loaded.study.history_cost != HistoryCost::kCompromise;
+}
+
 std::string Deviation(const FittedParameter& parameter) {
+  if (std::isnan(parameter.sd)) return "-";
   return std::isinf(parameter.sd) ? "undetermined" : Shown(parameter.sd, parameter.unit);
 }
 
@@ -200,7 +207,10 @@ std::string Summary(const FitResult& fit) {
 }
 
 /// How large the misfit is, and what the data say worst, in words.
-std::string Judgement(const FitResult& fit) {
+std::string Judgement(const LoadedStudy& loaded, const FitResult& fit) {
+  if (!TellsDeviations(loaded))
+    return "no deviations: the compromise cost weighs outputs by their own errors, not by noise; 'cost: whitened' has "
+           "them\n";
   if (!fit.covariance) return "ended before deviations could be computed\n";
   const Covariance& covariance = *fit.covariance;
   const Eigen::Index data = fit.residual_count - fit.prior_count;
@@ -227,6 +237,35 @@ std::string Judgement(const FitResult& fit) {
   throw FaultyInput(diagnostics);
 }
 
+void DropDeviations(FitResult& fit) {
+  fit.covariance.reset();
+  for (FittedParameter& parameter : fit.parameters)
+    parameter.sd = parameter.lower_95 = parameter.upper_95 = std::nan("");
+}
+
+/// Of a Kalman filter; shows how it gets on.
+void EstimateNoise(LoadedStudy& loaded) {
+  ProgressLine line;
+  loaded.EstimateNoise(
+      [&](int runs) { line.Show("noise of the Kalman filter: " + std::to_string(runs) + " runs of it"); });
+}
+
+/// Values of the file, as those of parts on their benches, and fitted ones side by side; SI.
+std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParameter>& parameters) {
+  const auto finite = [](double number) { return std::isfinite(number) ? number : std::nan(""); };
+  CsvWriter csv({"parameter", "unit", "start", "fitted", "difference_percent", "sd", "lower_95", "upper_95", "at_bound",
+                 "source_of_start"});
+  for (const FittedParameter& p : parameters) {
+    const auto told = std::find_if(vehicle.parameters.begin(), vehicle.parameters.end(),
+                                   [&](const Parameter& parameter) { return parameter.name == p.name; });
+    csv.Add(p.name).Add(SiUnit(p.dimension)).Add(p.start).Add(p.value);
+    csv.Add(p.start != 0 ? 100 * (p.value - p.start) / p.start : std::nan(""));
+    csv.Add(finite(p.sd)).Add(finite(p.lower_95)).Add(finite(p.upper_95));
+    csv.Add(p.at_bound ? "yes" : "no").Add(told == vehicle.parameters.end() ? "" : told->source);
+  }
+  return csv.text();
+}
+
 int CodeOf(FitEnd end) {
   switch (end) {
     case FitEnd::kConverged: return kGood;
@@ -247,7 +286,8 @@ Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResu
     Parameter& parameter = vehicle.parameters[loaded.free[i]];
     const FittedParameter& fitted = fit.parameters[i];
     std::string source = std::string(kFitted) + loaded.study.file.filename().string() + ", seed " +
-                         std::to_string(seed) + ", sd " + Deviation(fitted) + " " + fitted.unit + "; was " +
+                         std::to_string(seed) +
+                         (std::isnan(fitted.sd) ? "" : ", sd " + Deviation(fitted) + " " + fitted.unit) + "; was " +
                          Shown(fitted.start, fitted.unit) + " " + fitted.unit;
     if (!parameter.source.starts_with(kFitted)) source += ", " + parameter.source;
     parameter.source = source;
@@ -282,9 +322,11 @@ FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult
             std::back_inserter(report.misfits.histories));
   std::move(histories.files.begin(), histories.files.end(), std::back_inserter(report.files));
   // Predictions of other recordings take from it how they are made.
+  report.files.emplace_back("parameters.csv", ParametersCsv(loaded.vehicle, fit.parameters));
   report.files.emplace_back("study.yaml", TextOf(loaded.study.file));
   if (!fit.profiles.empty()) report.files.emplace_back("profile.svg", ProfileSvg(fit));
-  report.text = ParameterTable(fit.parameters) + '\n' + ProfileTable(fit) + report.text + Summary(fit) + Judgement(fit);
+  report.text =
+      ParameterTable(fit.parameters) + '\n' + ProfileTable(fit) + report.text + Summary(fit) + Judgement(loaded, fit);
   report.files.emplace_back("vehicle.urdf", VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, folder));
   report.files.emplace_back("result.json", ResultJson(loaded, seed, fit, report.misfits));
   return report;
@@ -294,10 +336,11 @@ FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult
 
 int Run(const FitCommand& command) {
   Diagnostics diagnostics;
-  const std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
+  std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
   LintRecordings(*loaded, diagnostics);
   Tell(diagnostics);
+  EstimateNoise(*loaded);
   const VehicleObjective objective = loaded->MakeObjective();
   RequireInputsElsewhere(InputsOf(*loaded), command.output);
   OutputFolder output(command.output, kArchive);
@@ -306,7 +349,8 @@ int Run(const FitCommand& command) {
   EvaluationStore store(command.output / kArchive, context);
 
   const FitOptions options = OptionsOf(loaded->study, objective, command);
-  const FitResult fit = FitWithProgress(objective, options, store);
+  FitResult fit = FitWithProgress(objective, options, store);
+  if (!TellsDeviations(*loaded)) DropDeviations(fit);
   TellRestored(fit.evaluations, store);
   if (fit.end == FitEnd::kUnidentified) RefuseUnidentified(*loaded, *fit.before);
   if (fit.parameters.empty()) {

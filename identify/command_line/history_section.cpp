@@ -5,6 +5,7 @@
 
 #include "identify/command_line/fit_section.h"
 #include "identify/command_line/history_table.h"
+#include "identify/command_line/text_table.h"
 #include "identify/history_fit_files.h"
 #include "identify/history_residuals.h"
 
@@ -18,13 +19,41 @@ double LongestSample(const std::vector<MeasuredHistory>& histories) {
   return sample_s;
 }
 
+/// A fit may hide a swap: what the vehicle file's own values show of one, and the fitted ones do not.
+std::string SwapsAtStart(const Vehicle& vehicle, const HistoryResiduals& residuals,
+                         const std::vector<HistoryMisfit>& fitted) {
+  std::string remarks;
+  const std::vector<HistoryMisfit> start =
+      HistoryMisfits(residuals.histories(), residuals.Modelled(vehicle.ParameterValues()));
+  for (std::size_t i = 0; i < start.size(); ++i)
+    if (start[i].swapped_with && !fitted[i].swapped_with)
+      remarks += "'" + start[i].name + "' of '" + start[i].recording + "' is measured like '" + *start[i].swapped_with +
+                 "' of the vehicle file, and the other way round, as if the two channels were swapped\n";
+  return remarks;
+}
+
+/// Where the steps that the file's values need are too long for the fitted ones.
+std::string StepRemarks(const HistoryResiduals& residuals, const FitResult& fit) {
+  std::string remarks;
+  const std::vector<double> changes = residuals.ChangesByHalfStep(fit.values);
+  for (std::size_t h = 0; h < changes.size(); ++h)
+    if (changes[h] > residuals.options().error)
+      remarks += "the fitted values need shorter steps than those of the vehicle file: half of the " +
+                 Rounded(1e3 * residuals.Steps()[h], 3) + " ms taken changes a channel of '" +
+                 residuals.histories()[h].name + "' by " + Rounded(100 * changes[h], 2) +
+                 " % of its rms; fit again from the vehicle.urdf of these results\n";
+  return remarks;
+}
+
 /// Table and files; `name` of the files.
-std::vector<HistoryMisfit> Show(const std::vector<MeasuredHistory>& histories, const HistoryResiduals& residuals,
-                                const FitResult& fit, bool predicts, const std::string& name, FitSection& section) {
+std::vector<HistoryMisfit> Show(const Vehicle& vehicle, const HistoryResiduals& residuals, const FitResult& fit,
+                                bool predicts, const std::string& name, FitSection& section) {
+  const std::vector<MeasuredHistory>& histories = residuals.histories();
   const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
   std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
   if (predicts) AddOneStepErrors(histories, residuals.Predicted(fit.values), misfits);
-  section.text += HistoryTable(misfits) + HistoryRemarks(misfits, LongestSample(histories)) + '\n';
+  section.text += HistoryTable(misfits) + HistoryRemarks(misfits, LongestSample(histories)) +
+                  SwapsAtStart(vehicle, residuals, misfits) + StepRemarks(residuals, fit) + '\n';
   section.files.emplace_back(name + ".csv", HistoryFitCsv(histories, modelled));
   auto misfit = misfits.begin();
   for (std::size_t h = 0; h < histories.size(); ++h) {
@@ -44,12 +73,12 @@ FitSection HistorySection(const LoadedStudy& loaded, const FitResult& fit) {
   const auto condensed = std::make_shared<const CondensedVehicle>(loaded.vehicle);
   if (!loaded.histories.empty())
     section.misfits.histories =
-        Show(loaded.histories, HistoryResiduals(condensed, loaded.histories, loaded.HistoryOptions()), fit,
+        Show(loaded.vehicle, HistoryResiduals(condensed, loaded.histories, loaded.HistoryOptions()), fit,
              loaded.study.history_cost == HistoryCost::kPrediction, "history", section);
   if (!loaded.validation.empty()) {
     section.text += "Not fitted:\n";
     section.misfits.validation =
-        Show(loaded.validation, HistoryResiduals(condensed, loaded.validation, {}), fit, false, "validation", section);
+        Show(loaded.vehicle, HistoryResiduals(condensed, loaded.validation, {}), fit, false, "validation", section);
   }
   return section;
 }

@@ -12,6 +12,7 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/text_table.h"
+#include "identify/influence_files.h"
 #include "identify/parameter_setting.h"
 #include "identify/pole_files.h"
 #include "vehicles/loops/design_kinematics.h"
@@ -38,9 +39,8 @@ Job ReadJob(const ModesCommand& command) {
   return {std::move(*vehicle), std::move(ranges), std::move(findings)};
 }
 
-std::vector<ShapedMode> ModesOfVehicle(const Vehicle& vehicle, Diagnostics& findings) {
+std::vector<ShapedMode> ModesOfVehicle(const Vehicle& vehicle, const CondensedModel& model, Diagnostics& findings) {
   const std::vector<double> values = vehicle.ParameterValues();
-  const CondensedModel model = CondensedAtValues(vehicle);
   if (const std::optional<Growth> growth = GrowthOf(vehicle, model))
     findings.Warning(vehicle.file, 0, "the vehicle is unstable in its design pose: " + growth->Text());
   const Kinematics pose = DesignKinematics(vehicle);
@@ -87,8 +87,15 @@ void WarnOfGrowth(const Vehicle& vehicle, const std::vector<PolePaths>& paths, D
 }
 
 void Write(const std::filesystem::path& folder, const std::string& json, const Vehicle& vehicle,
-           const std::vector<PolePaths>& paths) {
+           const CondensedModel& model, const std::vector<PolePaths>& paths) {
   OutputFolder output(folder);
+  if (!vehicle.sensors.empty() && !vehicle.posts.empty()) {
+    ImpulseFiles impulse = ImpulseOf(vehicle, model);
+    output.Add("impulse.csv", impulse.csv);
+    output.Add("impulse.svg", impulse.svg);
+    for (const PolePaths& traced : paths)
+      output.Add("bode_" + vehicle.parameters[traced.parameter].name + ".svg", InfluenceSvg(vehicle, traced));
+  }
   if (!paths.empty()) output.Add("poles.csv", PolesCsv(vehicle, paths));
   for (const PolePaths& traced : paths)
     output.Add("poles_" + vehicle.parameters[traced.parameter].name + ".svg", PolesSvg(vehicle, traced));
@@ -105,12 +112,13 @@ int Run(const ModesCommand& command) {
     RequireInputsElsewhere({command.model}, command.output);
     OutputFolder{command.output};
   }
-  const std::vector<ShapedMode> modes = ModesOfVehicle(job.vehicle, job.findings);
+  const CondensedModel model = CondensedAtValues(job.vehicle);
+  const std::vector<ShapedMode> modes = ModesOfVehicle(job.vehicle, model, job.findings);
   const std::vector<PolePaths> paths = Trace(job);
   WarnOfGrowth(job.vehicle, paths, job.findings);
   Tell(job.findings);
-  const std::string json = ModesJson(job.vehicle, modes, paths, job.findings);
-  if (!command.output.empty()) Write(command.output, json, job.vehicle, paths);
+  const std::string json = ModesJson(job.vehicle, StateSpace(model), modes, paths, job.findings);
+  if (!command.output.empty()) Write(command.output, json, job.vehicle, model, paths);
   Print(command.json ? json : ModesText(job.vehicle, modes, paths));
   return kGood;
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "identify/command_line/text_table.h"
+#include "vehicles/condensed/mode_times.h"
 
 namespace fourpost {
 namespace {
@@ -22,14 +23,15 @@ std::string PoleText(const Mode& mode) {
 }
 
 std::string ModeTable(const std::vector<ShapedMode>& modes) {
-  TextTable table({"mode", "Hz", "damped Hz", "damping ratio", "pole, 1/s"});
+  TextTable table({"mode", "Hz", "damped Hz", "damping ratio", "rise, s", "settling, s", "pole, 1/s"});
   for (const auto& [mode, shape] : modes) {
     const bool oscillates = mode.kind == Mode::Kind::kOscillating;
     const bool moves = mode.frequency_Hz > 0;
     table.Add({mode.name + (oscillates ? "" : std::string(", ") + KindName(mode.kind)),
                moves ? Rounded(mode.frequency_Hz, 4) : "-",
                oscillates ? Rounded(mode.pole.imag() / (2 * std::numbers::pi), 4) : "-",
-               moves ? Rounded(mode.damping_ratio, 3) : "-", PoleText(mode)});
+               moves ? Rounded(mode.damping_ratio, 3) : "-", moves ? Rounded(RiseTime_s(mode), 3) : "-",
+               moves ? Rounded(SettlingTime_s(mode), 3) : "-", PoleText(mode)});
   }
   return table.Format();
 }

@@ -10,6 +10,7 @@ namespace fourpost {
 namespace {
 
 constexpr std::array<std::string_view, 4> kEngines = {"auto", "linearised", "full", "march"};
+constexpr std::array<std::string_view, 2> kHistoryEngines = {"condensed", "full"};
 constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
 
 Engine EngineCalled(const std::string& name) {
@@ -67,7 +68,10 @@ void AddOptions(CLI::App& subcommand, ModesCommand& command) {
   AddList(subcommand, "--vary", command.vary,
           "name, from bound to bound, or name=first:last:how many (k=20kN/m:80kN/m:13): follow the poles while this "
           "parameter changes; may be given several times");
-  subcommand.add_option("-o,--output", command.output, "Folder for poles.csv, a picture per parameter and result.json");
+  subcommand.add_option(
+      "-o,--output", command.output,
+      "Folder for impulse.csv and impulse.svg, poles.csv, pictures of poles and responses per parameter, and "
+      "result.json");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 
@@ -86,10 +90,22 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
       "--at", command.at, "Where it lies, X,Y,Z in metres from the vehicle file's origin, x forward, y left, z up");
   mass->needs(at);
   at->needs(mass);
-  subcommand.add_flag(
-      "--kalman", command.kalman,
-      "Tell the errors of a Kalman filter's one-step predictions as well; a simulation's are then those "
-      "of the recording as it is, its filter not taken back");
+  CLI::Option* const kalman =
+      subcommand.add_flag("--kalman", command.kalman,
+                          "Tell the errors of a Kalman filter's one-step predictions as well, its noise as a fit by "
+                          "'cost: prediction' held "
+                          "it; such errors are smaller than a simulation's whatever the model is worth");
+  subcommand
+      .add_option("--noise-from", command.noise_from,
+                  "With --kalman: a recording to estimate the filter's noise on, that of the fit and not the one that "
+                  "is judged; needed after a fit by another cost")
+      ->needs(kalman);
+  subcommand
+      .add_option_function<std::string>(
+          "--engine", [&command](const std::string& name) { command.full = name == "full"; },
+          "Of a recording over time: condensed: as the fit; full: the multibody system beside it (slow)")
+      ->check(OneOf("engine", kHistoryEngines))
+      ->default_str("condensed");
   subcommand.add_option("-o,--output", command.output, "Folder for history.csv, history.svg and result.json");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -15,10 +16,14 @@
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/history_table.h"
 #include "identify/command_line/inputs_elsewhere.h"
+#include "identify/command_line/interrupt.h"
 #include "identify/command_line/predictions.h"
 #include "identify/command_line/print.h"
+#include "identify/command_line/progress_line.h"
+#include "identify/command_line/text_table.h"
 #include "identify/history_fit_files.h"
 #include "identify/history_residuals.h"
+#include "identify/kalman_noise_json.h"
 #include "identify/option_quantity.h"
 #include "identify/study.h"
 #include "identify/versions.h"
@@ -65,7 +70,7 @@ RecordingKind KindOf(const std::filesystem::path& recording, const Study& study)
 }
 
 /// The first of the study's histories, of this recording.
-StudyHistory Layout(const Study& study, const std::filesystem::path& recording, bool as_recorded) {
+StudyHistory Layout(const Study& study, const std::filesystem::path& recording) {
   if (study.histories.empty())
     Refuse(recording,
            "is a recording over time, but the model was fitted to none: nothing tells which channels are its "
@@ -74,8 +79,73 @@ StudyHistory Layout(const Study& study, const std::filesystem::path& recording, 
   history.file = recording;
   history.name = recording.stem().string();
   history.end_s.reset();
-  if (as_recorded) history.filter.reset();
   return history;
+}
+
+/// Throws FaultyInput.
+MeasuredHistory Load(const PredictCommand& command, const FittedRun& model, const StudyHistory& layout,
+                     bool tell = true) {
+  Diagnostics diagnostics;
+  const std::optional<std::vector<MeasuredHistory>> histories =
+      LoadHistories({layout}, (command.run / "study.yaml").string(), model.vehicle, diagnostics);
+  if (!histories) throw FaultyInput(diagnostics);
+  if (tell) Tell(diagnostics);
+  return histories->front();
+}
+
+/// As recorded: a Kalman filter takes no filter back.
+MeasuredHistory LoadAsRecorded(const PredictCommand& command, const FittedRun& model,
+                               const std::filesystem::path& recording, std::optional<double> end_s) {
+  StudyHistory layout = Layout(model.study, recording);
+  layout.filter.reset();
+  layout.end_s = end_s;
+  return Load(command, model, layout, false);
+}
+
+/// Never of the recording that is judged. Throws FaultyInput.
+KalmanNoise NoiseOf(const PredictCommand& command, const FittedRun& model, const MeasuredHistory& judged) {
+  if (command.noise_from.empty()) {
+    const std::optional<KalmanNoise> told = ReadKalmanNoise(command.run / "result.json", judged);
+    if (told) return *told;
+    Refuse(command.run,
+           "tells no noise for a Kalman filter, for the fit was not by 'cost: prediction': name the "
+           "recording it was fitted to by --noise-from, for noise estimated on the recording that is "
+           "judged would flatter the model");
+  }
+  const MeasuredHistory history = LoadAsRecorded(command, model, command.noise_from, std::nullopt);
+  ProgressLine line;
+  return KalmanPredictor(history).Estimate(
+      CondensedVehicle(model.vehicle).At(model.vehicle.ParameterValues()), {.progress = [&line](int runs) {
+        line.Show("noise of the Kalman filter: " + std::to_string(runs) + " runs of it");
+      }});
+}
+
+void AddKalman(const PredictCommand& command, const FittedRun& model, const MeasuredHistory& judged,
+               std::vector<HistoryMisfit>& misfits) {
+  for (const Damper& damper : model.vehicle.dampers)
+    if (damper.hydraulic)
+      Refuse(command.run / "vehicle.urdf", "fp:damper '" + damper.name +
+                                               "' is hydraulic: a Kalman filter corrects positions and velocities, and "
+                                               "knows nothing of its oil; leave --kalman out");
+  const MeasuredHistory recorded =
+      LoadAsRecorded(command, model, command.recording, judged.TimeAt(judged.count - 1) + 0.5 / judged.rate_Hz);
+  const KalmanPrediction prediction = KalmanPredictor(recorded).Run(
+      CondensedVehicle(model.vehicle).At(model.vehicle.ParameterValues()), NoiseOf(command, model, recorded));
+  AddOneStepErrors({recorded}, {prediction}, misfits);
+}
+
+/// Throws FaultyInput where it is interrupted.
+void AddFull(const FittedRun& model, const MeasuredHistory& history, std::vector<HistoryMisfit>& misfits) {
+  // Some hundred times as accurate as the condensed steps.
+  constexpr double kAccuracy = 1e-6;
+  CatchInterrupts();
+  ProgressLine line;
+  const std::optional<Eigen::MatrixXd> modelled = SimulateFully(history, model.vehicle, kAccuracy, [&](double t) {
+    line.Show("multibody system: " + Rounded(std::max(0.0, t), 3) + " of " +
+              Rounded(history.TimeAt(history.count - 1), 3) + " s");
+    return !Interrupted();
+  });
+  if (modelled) AddFullErrors(history, *modelled, misfits);
 }
 
 std::string AsJson(const PredictCommand& command, const FittedRun& model, const MeasuredHistory& history,
@@ -88,9 +158,11 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
                         {"vaf_percent", misfit.vaf_percent},
                         {"gain", *misfit.gain},
                         {"delay_s", *misfit.delay_s}});
+    if (misfit.full_nmse_percent) channels.back()["full_nmse_percent"] = *misfit.full_nmse_percent;
     if (!misfit.one_step_nmse_percent) continue;
     channels.back()["one_step_nmse_percent"] = *misfit.one_step_nmse_percent;
     channels.back()["innovation_correlation"] = *misfit.innovation_correlation;
+    channels.back()["innovations_beyond"] = *misfit.innovations_beyond;
   }
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
@@ -103,23 +175,19 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
 }
 
 int PredictHistory(const PredictCommand& command, const FittedRun& model) {
-  Diagnostics diagnostics;
-  const std::optional<std::vector<MeasuredHistory>> histories =
-      LoadHistories({Layout(model.study, command.recording, command.kalman)}, (command.run / "study.yaml").string(),
-                    model.vehicle, diagnostics);
-  if (!histories) throw FaultyInput(diagnostics);
-  Tell(diagnostics);
-  const HistoryResiduals residuals(std::make_shared<const CondensedVehicle>(model.vehicle), *histories,
-                                   {.cost = command.kalman ? HistoryCost::kPrediction : HistoryCost::kWhitened});
+  const std::vector<MeasuredHistory> histories = {Load(command, model, Layout(model.study, command.recording))};
+  const MeasuredHistory& history = histories.front();
+  const HistoryResiduals residuals(std::make_shared<const CondensedVehicle>(model.vehicle), histories, {});
   const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(model.vehicle.ParameterValues());
-  std::vector<HistoryMisfit> misfits = HistoryMisfits(*histories, modelled);
-  if (command.kalman) AddOneStepErrors(*histories, residuals.Predicted(model.vehicle.ParameterValues()), misfits);
-  const MeasuredHistory& history = histories->front();
+  std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
+  if (command.kalman) AddKalman(command, model, history, misfits);
+  if (command.full) AddFull(model, history, misfits);
+  if (Interrupted()) return kInterrupted;
   const std::string json = AsJson(command, model, history, misfits);
   if (!command.output.empty()) {
     RequireInputsElsewhere({command.run / "vehicle.urdf", command.recording}, command.output);
     OutputFolder output(command.output);
-    output.Add("history.csv", HistoryFitCsv(*histories, modelled));
+    output.Add("history.csv", HistoryFitCsv(histories, modelled));
     output.Add("history.svg", HistoryFitSvg(history, modelled.front(), misfits));
     output.Add("result.json", json);
     output.Commit();
@@ -163,6 +231,8 @@ int Run(const PredictCommand& command) {
     case RecordingKind::kTime: return PredictHistory(command, model);
     case RecordingKind::kFrequency: break;
   }
+  if (command.kalman || command.full)
+    Refuse(command.recording, "is a frequency response: --kalman and --engine are for recordings over time");
   if (model.study.recordings.empty())
     Refuse(command.recording,
            "is a frequency response, but the model was fitted to none: nothing tells which channels are its sensors");

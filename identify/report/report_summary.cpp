@@ -247,6 +247,9 @@ std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& 
     computed = computed || !std::isnan(parameter.sd);
     if (std::isinf(parameter.sd)) open.push_back(Code(parameter.name));
   }
+  if (!computed && TextAt(result, "history_cost") == "compromise")
+    return "The compromise cost weighs each output by its own error and not by noise: it tells no deviations. "
+           "Fit by the cost 'whitened' for them.";
   if (!computed && !parameters.empty()) return "The run ended before standard deviations could be computed.";
   std::string text;
   if (!open.empty()) text += Listed(open) + ": the data do not tell. ";

@@ -124,6 +124,27 @@ TEST_F(HistoryDataTest, RefusesSamplesTooFarApartForTheBand) {
   EXPECT_THAT(Fault(), HasSubstr("sweep.csv is sampled at 500 Hz, too slowly for the band up to its filter's cut-off"));
 }
 
+TEST_F(HistoryDataTest, WarnsOfPostsSampledTooSlowly) {
+  EXPECT_TRUE(Load());
+  EXPECT_EQ(diagnostics_.Format(), "");
+  // Of 20 Hz and 500 Hz every eighth sample is left.
+  TimeHistory slow = recorded_;
+  slow.rate_Hz /= 8;
+  const Eigen::Index kept = recorded_.size() / 8;
+  slow.posts = recorded_.posts(Eigen::seqN(0, kept, 8), Eigen::all);
+  slow.readings = recorded_.readings(Eigen::seqN(0, kept, 8), Eigen::all);
+  EXPECT_TRUE(Load(StationCsv(slow, vehicle_)));
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("is sampled at 62.5 Hz: 6 samples a period are wanted"));
+}
+
+TEST_F(HistoryDataTest, NamesNoChannelOfAnotherQuantityForOneThatIsMissing) {
+  std::string text = StationCsv(recorded_, vehicle_);
+  text.replace(text.find("z_sprung"), 8, "z_body__");
+  // Nearest by its letters is a_sprung, an acceleration.
+  EXPECT_THAT(Fault(text), testing::AllOf(HasSubstr("column 'z_sprung', sensor 'z_sprung', is missing"),
+                                          testing::Not(HasSubstr("a_sprung"))));
+}
+
 TEST_F(HistoryDataTest, RefusesADeadChannel) {
   recorded_.readings.col(2).setConstant(0.3);
   EXPECT_THAT(Load() ? "" : diagnostics_.Format(), HasSubstr("'a_sprung' does not change"));

@@ -100,6 +100,41 @@ TEST_F(HistoryResidualsTest, TellOfADelayAndOfAWrongSign) {
   EXPECT_NEAR(*misfits[1].delay_s, 0, 1e-5);
 }
 
+TEST_F(HistoryResidualsTest, TellOfSwappedChannels) {
+  std::vector<MeasuredHistory> histories = Recording();
+  std::swap(histories[0].signals[0].values, histories[0].signals[1].values);
+  const HistoryResiduals residuals = Residuals(histories);
+  const std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, residuals.Modelled(vehicle_.ParameterValues()));
+  EXPECT_EQ(misfits[0].swapped_with, "z_unsprung");
+  EXPECT_EQ(misfits[1].swapped_with, "z_sprung");
+  for (const std::size_t i : {2u, 3u, 4u}) EXPECT_FALSE(misfits[i].swapped_with) << i;
+}
+
+// Stiff friction in a vehicle whose file has none: the file's steps are too long for it.
+TEST_F(HistoryResidualsTest, TellWhereHalfTheStepChangesThem) {
+  const std::vector<MeasuredHistory> histories = Recording();
+  const HistoryResiduals residuals = Residuals(histories);
+  const std::vector<double> same = residuals.ChangesByHalfStep(vehicle_.ParameterValues());
+  ASSERT_EQ(same.size(), 1u);
+  // A halving changed less than the error asked for; the next changes less still.
+  EXPECT_LT(same[0], residuals.options().error);
+  vehicle_.dampers[0].law.friction = DashpotDescription::Friction{.force = {400}, .speed = {1e-4}};
+  std::vector<MeasuredHistory> again = histories;
+  const HistoryResiduals rough(std::make_shared<const CondensedVehicle>(vehicle_), again, {.error = 0.5});
+  EXPECT_GT(rough.ChangesByHalfStep(vehicle_.ParameterValues())[0], residuals.options().error);
+}
+
+TEST_F(HistoryResidualsTest, AgreeWithTheMultibodySystem) {
+  const std::vector<MeasuredHistory> histories = Recording();
+  const Eigen::MatrixXd condensed = Residuals(histories).Modelled(vehicle_.ParameterValues())[0];
+  const std::optional<Eigen::MatrixXd> full = SimulateFully(histories[0], vehicle_, 1e-6);
+  ASSERT_TRUE(full);
+  for (Eigen::Index i = 0; i < condensed.cols(); ++i)
+    // The condensed steps' error; the wheel moves straight, so that linear kinematics leave nothing out.
+    EXPECT_LT((condensed.col(i) - full->col(i)).norm(), 3e-3 * full->col(i).norm()) << i;
+  EXPECT_FALSE(SimulateFully(histories[0], vehicle_, 1e-6, [](double) { return false; }));
+}
+
 TEST_F(HistoryResidualsTest, AsABlockTurnFaultsOfTheMotionIntoFailures) {
   const ResidualBlock block =
       HistoryBlock(std::make_shared<const CondensedVehicle>(vehicle_), Recording(), HistoryResiduals::Options{});

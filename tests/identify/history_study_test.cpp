@@ -14,6 +14,7 @@ constexpr const char* kGood = R"(
   channels: {z_sprung: z_s, F_tyre: {sum: [F_left, F_right]}}
   filter: {order: 4, cutoff: 30 Hz}
   noise: {F_tyre: 20 N}
+  process: 0.5 m/s^2
   start: 500 ms
   end: 30 s
 )";
@@ -45,6 +46,7 @@ TEST(HistoryStudy, ReadsEveryKey) {
   EXPECT_EQ(history.filter->order, 4);
   EXPECT_EQ(history.filter->cutoff_Hz, 30);
   EXPECT_EQ(history.noise[0].sd, "20 N");
+  EXPECT_EQ(history.process_sd, 0.5);
   EXPECT_EQ(history.start_s, 0.5);
   EXPECT_EQ(history.end_s, 30);
 }
@@ -58,6 +60,7 @@ TEST(HistoryStudy, RefusesWhatIsWrong) {
   EXPECT_THAT(Fault("order: 4", "order: 40"), HasSubstr("'order' of 'filter' of history 'sweep'"));
   EXPECT_THAT(Fault("30 Hz}", "30}"), HasSubstr("'cutoff' of 'filter' of history 'sweep'"));
   EXPECT_THAT(Fault("end: 30 s", "end: 300 ms"), HasSubstr("must be later than 'start'"));
+  EXPECT_THAT(Fault("0.5 m/s^2", "0 m/s^2"), HasSubstr("'process' of history 'sweep' must be above zero"));
   EXPECT_THAT(Fault("{F_tyre: 20 N}", "20 N"), HasSubstr("must map sensors"));
 }
 

@@ -22,10 +22,13 @@ TEST_F(ModesCommandLine, TellsPolesAndShapes) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   // Poles of thesis section 4.2.
-  for (const char* part : {"heave", "1.365", "0.401", "wheel hop", "16.44", "0.333", "sprung z 1", "unsprung z 1"})
+  for (const char* part : {"heave", "1.365", "0.401", "wheel hop", "16.44", "0.333", "0.210", "1.34", "0.0174", "0.134",
+                           "sprung z 1", "unsprung z 1"})
     EXPECT_THAT(outcome.out, HasSubstr(part));
   const Json result = Json::parse(Run("modes urdf/quarter_car.urdf --json").out);
   ASSERT_EQ(result["modes"].size(), 2u);
+  EXPECT_EQ(result["state_space"]["A"].size(), 4u);
+  EXPECT_EQ(result["state_space"]["inputs"][0], "post");
   const Json& hop = result["modes"][1];
   EXPECT_EQ(hop["kind"], "oscillating");
   EXPECT_GT(hop["poles_per_s"][0][1], 90);
@@ -40,6 +43,9 @@ TEST_F(ModesCommandLine, FollowsPolesAndDrawsThem) {
   EXPECT_THAT(outcome.out, HasSubstr("Hz at 5.000 kN/m"));
   const std::string table = ReadText(folder_ / "result/poles.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 2 * 25 + 2 * 7 + 1);
+  for (const char* picture : {"result/bode_k.svg", "result/bode_c_bump.svg", "result/impulse.svg"})
+    EXPECT_THAT(ReadText(folder_ / picture), testing::StartsWith("<svg")) << picture;
+  EXPECT_THAT(ReadText(folder_ / "result/impulse.csv"), testing::StartsWith("time,"));
   for (const char* picture : {"result/poles_k.svg", "result/poles_c_bump.svg"})
     EXPECT_THAT(ReadText(folder_ / picture), HasSubstr(">wheel hop<")) << picture;
   const Json result = Json::parse(ReadText(folder_ / "result/result.json"));

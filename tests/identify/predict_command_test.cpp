@@ -91,7 +91,92 @@ TEST_F(PredictCommandLine, TellsOfAChannelThatIsNotSynchronised) {
   const Outcome told = Run("predict run --recording late.csv");
   EXPECT_THAT(told.out, HasSubstr("'F_tyre' of 'late' comes 4"));
   EXPECT_THAT(told.out, HasSubstr("as if it were not synchronised"));
+  EXPECT_THAT(told.out, Not(HasSubstr("'z_sprung' of 'late' comes")));
   EXPECT_THAT(Run("predict run --recording other.csv").out, Not(HasSubstr("synchronised")));
+}
+
+// The fit meets the late channel half-way; the healthy ones are not accused.
+TEST_F(PredictCommandLine, AFitAccusesTheLateChannelAlone) {
+  TimeHistory history = RecordStation(ShippedVehicle("single_wheel_station"), SensorModel::Filter{4, 30});
+  const Eigen::Index kept = history.size() - 10;
+  history.readings.col(4).tail(kept) = history.readings.col(4).head(kept).eval();
+  temporary_.Write("sweep.csv", StationCsv(history, ShippedVehicle("single_wheel_station")));
+  const Outcome outcome = Run("fit study.yaml -o run");
+  EXPECT_THAT(outcome.out, HasSubstr("'F_tyre' of 'sweep' comes "));
+  for (const char* healthy : {"'z_sprung' of", "'z_unsprung' of", "'a_sprung' of"})
+    EXPECT_THAT(outcome.out, Not(HasSubstr(healthy)));
+}
+
+TEST_F(PredictCommandLine, AFitTellsOfSwappedChannelsAndOfAForceOfTheWrongSign) {
+  ReplaceIn("study.yaml", "z_sprung: z_sprung, z_unsprung: z_unsprung", "z_sprung: z_unsprung, z_unsprung: z_sprung");
+  EXPECT_THAT(Run("fit study.yaml -o run").out, HasSubstr("as if the two channels were swapped"));
+  temporary_.Write("study.yaml", kStudy);
+  TimeHistory history = RecordStation(ShippedVehicle("single_wheel_station"), SensorModel::Filter{4, 30});
+  history.readings.col(4) *= -1;
+  temporary_.Write("sweep.csv", StationCsv(history, ShippedVehicle("single_wheel_station")));
+  EXPECT_THAT(Run("fit study.yaml -o run").out, HasSubstr("'F_tyre' of 'sweep' goes against the model"));
+}
+
+TEST_F(PredictCommandLine, AFitComparesItsValuesWithTheFiles) {
+  Fit();
+  const std::string table = ReadText(folder_ / "run/parameters.csv");
+  EXPECT_THAT(table, testing::StartsWith("parameter,unit,start,fitted,difference_percent,sd,lower_95,upper_95"));
+  EXPECT_THAT(table, HasSubstr("\nm_sprung,kg,"));
+}
+
+TEST_F(PredictCommandLine, TheCompromiseCostTellsNoDeviations) {
+  temporary_.Write("study.yaml", std::string(kStudy) + "cost: compromise\n");
+  const Outcome outcome = Run("fit study.yaml -o run");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("no deviations: the compromise cost"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("times what noise")));
+  const Json result = Json::parse(ReadText(folder_ / "run/result.json"));
+  for (const Json& parameter : result["parameters"]) EXPECT_TRUE(parameter["sd"].is_null());
+  EXPECT_THAT(ReadText(folder_ / "run/report.html"), Not(HasSubstr("the data do not tell")));
+}
+
+TEST_F(PredictCommandLine, RefusesErrorsWithoutADeviation) {
+  temporary_.Write("study.yaml", std::string(kStudy) + "model_error: {history: 0 %}\n");
+  const Outcome outcome = Run("fit study.yaml -o run");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("study.yaml:3: error: 'z_sprung' of history 'sweep' has neither noise nor a model "
+                                     "error"));
+}
+
+TEST_F(PredictCommandLine, ConfirmsAFitByTheMultibodySystem) {
+  Fit();
+  const Outcome told = Run("predict run --recording sweep.csv --engine full --json");
+  ASSERT_EQ(told.code, 0) << told.err;
+  for (const Json& channel : Json::parse(told.out)["channels"])
+    // Both fit to the integration's error squared.
+    EXPECT_NEAR(channel["full_nmse_percent"].get<double>(), channel["nmse_percent"].get<double>(), 2e-3);
+  EXPECT_THAT(Run("predict run --recording sweep.csv --engine full").out, HasSubstr("multibody NMSE, %"));
+}
+
+TEST_F(PredictCommandLine, TakesTheKalmanFiltersNoiseFromElsewhere) {
+  Fit();
+  ExpectRefused("run --recording other.csv --kalman", "name the recording it was fitted to by --noise-from");
+  const Outcome simulated = Run("predict run --recording other.csv --json");
+  const Outcome outcome = Run("predict run --recording other.csv --kalman --noise-from sweep.csv --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json channels = Json::parse(outcome.out)["channels"];
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    // The simulation is the same with the filter beside it.
+    EXPECT_EQ(channels[i]["nmse_percent"], Json::parse(simulated.out)["channels"][i]["nmse_percent"]);
+    EXPECT_TRUE(channels[i]["one_step_nmse_percent"].is_number());
+    EXPECT_TRUE(channels[i]["innovations_beyond"].is_number());
+  }
+}
+
+TEST_F(PredictCommandLine, AFitByPredictionKeepsItsNoise) {
+  std::string study = kStudy;
+  study.replace(study.find("    filter: {order: 4, cutoff: 30 Hz}\n"), 38, "    process: 0.5 m/s^2\n");
+  temporary_.Write("study.yaml", study + "cost: prediction\n");
+  const Outcome fit = Run("fit study.yaml -o run");
+  ASSERT_EQ(fit.code, 0) << fit.err;
+  const Json result = Json::parse(ReadText(folder_ / "run/result.json"));
+  EXPECT_EQ(result["kalman_noise"][0]["process_sd"][0], 0.5);
+  EXPECT_EQ(Run("predict run --recording other.csv --kalman").code, 0);
 }
 
 TEST_F(PredictCommandLine, RefusesWhatIsNoFitOrNoRecording) {
