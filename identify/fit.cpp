@@ -203,8 +203,9 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
       result.covariance = CovarianceOf(best, options.refine.loss, result.prior_count, archive.lattice());
       result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();
       result.weakest = WeakestDirections(archive.lattice(), *result.covariance);
+      begin("profile");
       const auto report_profile = [&] {
-        report("profile");
+        report();
         return stop();
       };
       for (const Eigen::Index index : options.profiled)

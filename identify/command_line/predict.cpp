@@ -18,6 +18,7 @@
 #include "identify/command_line/inputs_elsewhere.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/predictions.h"
+#include "identify/command_line/measured_channels.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/text_table.h"
@@ -79,6 +80,10 @@ StudyHistory Layout(const Study& study, const std::filesystem::path& recording) 
   history.file = recording;
   history.name = recording.stem().string();
   history.end_s.reset();
+  Diagnostics diagnostics;
+  const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
+  if (!table) throw FaultyInput(diagnostics);
+  KeepMeasured(recording, table->names(), history.channels);
   return history;
 }
 

@@ -13,6 +13,7 @@
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/inputs_elsewhere.h"
 #include "identify/command_line/interrupt.h"
+#include "identify/command_line/measured_channels.h"
 #include "identify/command_line/misfit_table.h"
 #include "identify/command_line/predictions.h"
 #include "identify/command_line/print.h"
@@ -32,31 +33,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Leaves out what this recording does not have, and tells so; throws FaultyInput where that is all.
-void KeepMeasured(const PredictCommand& command, Study& study) {
+std::vector<std::string> ChannelsIn(const std::filesystem::path& recording) {
   Diagnostics diagnostics;
-  const std::optional<FrequencyResponse> measured = ReadFrequencyResponse(command.recording, diagnostics);
+  const std::optional<FrequencyResponse> measured = ReadFrequencyResponse(recording, diagnostics);
   if (!measured) throw FaultyInput(diagnostics);
-  std::string left_out;
-  std::erase_if(study.channels, [&](const auto& entry) {
-    const std::vector<std::string>& wanted = entry.second.channels;
-    const bool is_there = std::all_of(wanted.begin(), wanted.end(),
-                                      [&](const std::string& name) { return measured->Find(name) != nullptr; });
-    if (!is_there) left_out += (left_out.empty() ? "" : ", ") + entry.first;
-    return !is_there;
-  });
-  if (study.channels.empty()) {
-    diagnostics.Error(command.recording.string(), 0, "has none of the channels that the model was fitted to");
-    throw FaultyInput(diagnostics);
-  }
-  if (!left_out.empty())
-    std::fprintf(stderr, "not measured in %s, left out: %s\n", command.recording.filename().c_str(), left_out.c_str());
+  std::vector<std::string> names;
+  for (const ChannelResponse& channel : measured->channels) names.push_back(channel.name);
+  return names;
 }
 
 /// The recording in place of those fitted; its posts are told later.
 MeasuredRun LoadRun(const PredictCommand& command, const FittedRun& model) {
   Study study = model.study;
-  KeepMeasured(command, study);
+  KeepMeasured(command.recording, ChannelsIn(command.recording), study.channels);
   study.file = command.run / "study.yaml";
   study.static_loads_file.reset();
   StudyRecording recording = study.recordings.front();

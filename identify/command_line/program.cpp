@@ -114,7 +114,7 @@ void Program::AddFit() {
   sub->add_option("-o,--output", fit_.output,
                   "Folder for report.html, result.json, vehicle.urdf, archive.sqlite, and what the data make of the "
                   "model: response.csv and "
-                  "response.svg, history.csv and history.svg")
+                  "response.svg, history.csv and history.svg; parameters.csv compares fitted values with the file's")
       ->required();
   sub->add_option("--seed", fit_.seed, "Seed of the search, in place of the study's")->check(WholeNumber());
   sub->add_option("--threads", fit_.threads, "Evaluations at once, no influence on the result; 0: one per processor")

@@ -53,14 +53,15 @@ FrequencyResponse Answered(const PeriodicResponse& balance, const FrequencyRespo
   return answered;
 }
 
-void Sweep(const std::string& name, const std::string& pattern, std::size_t every, std::optional<double> only) {
+/// `only`: one of the amplitudes; 0: all of them.
+void Sweep(const std::string& name, const std::string& pattern, std::size_t every, double only) {
   const Vehicle vehicle = Read(name);
   const std::vector<double> values = vehicle.ParameterValues();
   const CondensedModel model = CondensedVehicle(vehicle).At(values);
   Multibody multibody(vehicle);
   multibody.SetParameters(values, model.preloads);
   for (const double scale : kAcceptedScales) {
-    if (only && scale != *only) continue;
+    if (only > 0 && scale != only) continue;
     const Excitation excitation = AcceptanceSine(vehicle, pattern, scale, 0, every);
     const std::clock_t start = std::clock();
     // Samples alias the kinks of dampers; near a node that takes a quarter of what is accepted. So does a tolerance of
@@ -98,7 +99,6 @@ int main(int count, char** arguments) {
     std::getline(argument, every, ':');
     std::string scale;
     std::getline(argument, scale);
-    const std::optional<double> only = scale.empty() ? std::nullopt : std::optional(std::stod(scale));
-    fourpost::Sweep(vehicle, pattern, std::stoul(every.empty() ? "1" : every), only);
+    fourpost::Sweep(vehicle, pattern, std::stoul(every.empty() ? "1" : every), scale.empty() ? 0 : std::stod(scale));
   }
 }

@@ -118,7 +118,7 @@ LeastSquares Least(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>&
 TEST_F(KalmanPredictorTest, ParametersAreLikeliestWhereTheyAreTrue) {
   Record(0.03);
   const std::vector<std::string> names{"m_sprung", "c_rebound", "kt"};
-  Eigen::Vector3d truth;
+  Eigen::Vector3d truth = Eigen::Vector3d::Zero();
   for (std::size_t j = 0; j < names.size(); ++j) truth[static_cast<Eigen::Index>(j)] = ValueOf(vehicle_, names[j]);
   const Eigen::Vector3d start = truth.cwiseProduct(Eigen::Vector3d(1.1, 0.85, 0.93));
   for (std::size_t j = 0; j < names.size(); ++j) Set(vehicle_, names[j], start[static_cast<Eigen::Index>(j)]);

@@ -189,7 +189,7 @@ TEST_F(PredictCommandLine, RefusesWhatIsNoFitOrNoRecording) {
   ExpectRefused("run --recording odd.csv", "has neither a column 'time' nor 'frequency_Hz'");
   ExpectRefused("run --recording studies/landrover110/bounce_frf.csv", "is a frequency response");
   temporary_.Write("less.csv", "time,z_ground\ns,m\n0,0\n1,0\n2,0\n3,0\n");
-  ExpectRefused("run --recording less.csv", "F_tyre");
+  ExpectRefused("run --recording less.csv", "has none of the channels that the model was fitted to");
 }
 
 TEST_F(PredictCommandLine, TellsOfAChannelInAnotherUnit) {
