@@ -185,7 +185,7 @@ TEST_F(PredictCommandLine, RefusesWhatIsNoFitOrNoRecording) {
   ExpectRefused("run --recording none.csv", "none.csv");
   ExpectRefused("run --recording study.yaml", "is a study");
   ExpectRefused("run", "--recording is required", 2);
-  temporary_.Write("odd.csv", "t,z\n1,2\n");
+  temporary_.Write("odd.csv", "x,z\n1,2\n");
   ExpectRefused("run --recording odd.csv", "has neither a column 'time' nor 'frequency_Hz'");
   ExpectRefused("run --recording studies/landrover110/bounce_frf.csv", "is a frequency response");
   temporary_.Write("less.csv", "time,z_ground\ns,m\n0,0\n1,0\n2,0\n3,0\n");
