@@ -127,6 +127,11 @@ std::string_view FitEndName(FitEnd end) {
   return "";
 }
 
+double FitResult::Misfit() const {
+  if (!covariance) return std::numeric_limits<double>::quiet_NaN();
+  return std::sqrt(data_squares / static_cast<double>(residual_count - prior_count - covariance->rank));
+}
+
 FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
               EvaluationStore* store) {
   Problem problem = objective.MakeProblem();

@@ -116,6 +116,10 @@ struct FitResult {
   int agreeing = 0;
   /// Each of them, in the order of the starts: good points of the search, then the vehicle's own values.
   std::vector<RefinedStart> refined;
+
+  /// Root mean square of the data's residuals over their degrees of freedom, whatever the loss: how many times what noise
+  /// and the stated model error explain. NaN without a covariance.
+  double Misfit() const;
 };
 
 /// What a running fit tells.

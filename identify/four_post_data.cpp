@@ -148,6 +148,7 @@ class DataLoader {
       const std::optional<std::size_t> sensor = IndexOf(name, sensors);
       if (channels.size() != source.channels.size() || channels.empty() || !sensor) continue;
       if (!HaveUnit(channels, vehicle_.sensors[*sensor], source)) continue;
+      CheckMembers(channels, source, name);
       MeasuredChannel channel = Combine(channels, source.combine);
       channel.name = name;
       channel.sensor = *sensor;
@@ -217,6 +218,28 @@ class DataLoader {
       good = false;
     }
     return good;
+  }
+
+  /// A sensor of the vehicle that stands for several measured ones has them move alike.
+  void CheckMembers(const std::vector<ChannelResponse>& channels, const ChannelSource& source,
+                    const std::string& name) {
+    constexpr double kOpposite = -0.4;
+    for (std::size_t c = 1; c < channels.size(); ++c) {
+      std::complex<double> product;
+      double first = 0;
+      double other = 0;
+      for (std::size_t i = 0; i < channels[0].response.size(); ++i) {
+        product += std::conj(channels[0].response[i]) * channels[c].response[i];
+        first += std::norm(channels[0].response[i]);
+        other += std::norm(channels[c].response[i]);
+      }
+      if (product.real() < kOpposite * std::sqrt(first * other))
+        diagnostics_.Warning(file_, source.line,
+                             "'" + channels[0].name + "' and '" + channels[c].name + "' of '" + name +
+                                 "' move against each other, so that their " +
+                                 (source.combine == ChannelSource::Combine::kMean ? "mean" : "sum") +
+                                 " all but vanishes: one of them has the opposite sign");
+    }
   }
 
   /// Something must say what a difference is worth.

@@ -217,6 +217,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"recordings", Recordings(study)},
                {"cost", NumberOrNull(fit.cost)},
                {"residuals", fit.residual_count},
+               {"misfit", NumberOrNull(fit.Misfit())},
                {"seed", seed},
                {"evaluations", Evaluations(fit.evaluations)},
                {"search", Search(fit)},

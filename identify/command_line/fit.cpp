@@ -213,9 +213,7 @@ std::string Judgement(const LoadedStudy& loaded, const FitResult& fit) {
            "them\n";
   if (!fit.covariance) return "ended before deviations could be computed\n";
   const Covariance& covariance = *fit.covariance;
-  const Eigen::Index data = fit.residual_count - fit.prior_count;
-  const double excess = std::sqrt(fit.data_squares / static_cast<double>(data - covariance.rank));
-  std::string text = "the misfit is " + Rounded(excess, 2) + " times what noise and the stated model error explain\n";
+  std::string text = "the misfit is " + Rounded(fit.Misfit(), 2) + " times what noise and the stated model error explain\n";
   text +=
       covariance.rank < covariance.directions.cols()
           ? "undetermined: the data do not change when these change together; fix one, give it a prior, or measure a "

@@ -29,6 +29,13 @@ constexpr double kWellKnown = 0.02;
 constexpr double kWeaklyKnown = 0.1;
 // Times what noise and stated model error explain.
 constexpr double kMisses = 1.5;
+
+/// How many times what noise and model error explain; of older runs what deviations were multiplied by, which is the
+/// same where no loss bounds the pull of outliers.
+double MisfitOf(const Json& result) {
+  const double misfit = NumberAt(result, "misfit");
+  return std::isfinite(misfit) ? misfit : NumberAt(result.value("identifiability", Json()), "sd_inflation");
+}
 constexpr double kTied = 0.95;
 
 enum class Follows { kWell, kRoughly, kNot };
@@ -159,12 +166,12 @@ Verdict HowItEnded(const Json& result) {
             (agreeing < refined ? "; the others ended higher. " : ". ");
     if (refined > 1 && agreeing < 2 && name == "good") name = "fair";
   }
-  const double inflation = NumberAt(result.value("identifiability", Json()), "sd_inflation");
-  if (std::isfinite(inflation)) {
-    text += inflation > kMisses ? "The model misses the data by " + ShownNumber(inflation, 2) +
-                                      " times what noise and the stated model error explain."
-                                : "Noise and the stated model error explain what is left of the misfit.";
-    if (inflation > kMisses && name == "good") name = "fair";
+  const double misfit = MisfitOf(result);
+  if (std::isfinite(misfit)) {
+    text += misfit > kMisses ? "The model misses the data by " + ShownNumber(misfit, 2) +
+                                   " times what noise and the stated model error explain."
+                             : "Noise and the stated model error explain what is left of the misfit.";
+    if (misfit > kMisses && name == "good") name = "fair";
   }
   return {name, text};
 }
@@ -309,8 +316,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
   if (const std::string ties = Ties(parameters); !ties.empty()) advice.push_back(ties);
   if (!channels.empty() && !HasMean(channels))
     advice.push_back("Record the mean offset of the struts beside gain and phase: it tells bump from rebound damping.");
-  const double inflation = NumberAt(identifiability, "sd_inflation");
-  if (inflation > kMisses && worst)
+  if (MisfitOf(result) > kMisses && worst)
     advice.push_back("The model is short of something near " + ShownShort(std::sqrt(2.0) * worst->lower_Hz, 2) +
                      " Hz at " + Code(worst->channel) +
                      (worst->lower_Hz < 2

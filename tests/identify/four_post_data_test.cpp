@@ -80,6 +80,16 @@ TEST_F(FourPostDataTest, AveragesPhasorsMeansAndTheirDeviations) {
   EXPECT_THAT(channel.tangential_sd, ElementsAre(DoubleEq(expected), DoubleEq(expected)));
 }
 
+TEST_F(FourPostDataTest, WarnsOfMembersThatMoveAgainstEachOther) {
+  std::string opposite = kRecording;
+  for (const char* row : {"s_right,1,90", "s_right,2,90"})
+    opposite.replace(opposite.find(row), std::string(row).size(), std::string(row, 10) + "180");
+  study_.recordings[0].file = folder_.Write("opposite.csv", opposite);
+  ASSERT_TRUE(LoadFourPostData(study_, vehicle_, diagnostics_).has_value());
+  EXPECT_THAT(diagnostics_.Format(), testing::HasSubstr("study.yaml:7: warning: 's_left' and 's_right' of 'strut' move "
+                                                        "against each other"));
+}
+
 TEST_F(FourPostDataTest, AddsTheDeviationsOfPhasorsInLine) {
   study_.channels = {{"load", {ChannelSource::Combine::kSum, {"F_left", "F_left"}, 7}}};
   const MeasuredChannel channel = Load().runs.at(0).channels.at(0);

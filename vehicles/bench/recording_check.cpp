@@ -161,8 +161,8 @@ class Checker {
     const double at_s = recording_.start_s + recording_.step_s * static_cast<double>(spikes.front());
     Warn(name +
          (spikes.size() == 1 ? " has a sample that stands out, at "
-                             : " has " + std::to_string(spikes.size()) + " samples that stand out, the first at ") + ShortNumber(at_s, 5) + " s with " + ShortNumber(signal[spikes.front()]) +
-         " " + unit +
+                             : " has " + std::to_string(spikes.size()) + " samples that stand out, the first at ") +
+         ShortNumber(at_s, 5) + " s with " + ShortNumber(signal[spikes.front()]) + " " + unit +
          ": look at plugs and cables, put the mean of the neighbours there, or fit with 'refine: {loss: "
          "huber}'");
   }

@@ -34,6 +34,14 @@ TEST(Summary, TellsWhatFitsAndWhatDoesNot) {
   EXPECT_THAT(text, Not(HasSubstr("NMSE")));
 }
 
+// Deviations of a robust loss are not inflated, the misfit is what it is.
+TEST(Summary, TellsTheMisfitWhateverTheLoss) {
+  Json result = Good();
+  EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("explain what is left of the misfit"));
+  result["misfit"] = 2.1;
+  EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("misses the data by 2.1 times"));
+}
+
 TEST(Summary, TellsHistoriesByTheirNmse) {
   Json result = Good();
   result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "a", "nmse_percent": 2, "vaf_percent": 98},
