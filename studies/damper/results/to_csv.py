@@ -7,7 +7,8 @@ front: mean and standard deviation of cost, evaluations and processor time.
 Every run may pay for so many evaluations. FOLDER keeps the answer for each study and method: what is there is not run
 again, so that a table that was ended goes on. Costs are told as the normalised mean square error [%] of the sweep, which
 the cost over the number of residuals is, times the model error of 5 % squared. A run has solved its study when it comes
-within 1 % of the best cost of all methods; its evaluations and its time are those up to there, else all of them.
+within 1 % of the best cost of its method, which a message tells where another method finds better; its evaluations and its
+time are those up to there, else all of them.
 """
 import json
 import math
