@@ -86,6 +86,10 @@ const FittedModel& LeastBic(const std::vector<FittedModel>& models) {
 
 std::string Reason(const std::vector<FittedModel>& models, double least, bool validated) {
   const FittedModel& chosen = models.front();
+  if (models.size() == 1)
+    return chosen.name + ": misses " + ShortNumber(validated ? chosen.validation_percent : chosen.fitted_percent) +
+           (validated ? " % of what it was not fitted to"
+                      : " % of what it was fitted to; keep recordings for validation");
   const std::string& by_bic = LeastBic(models).name;
   if (!validated)
     return chosen.name + ": its BIC is the least; no recording was kept for validation, which would tell more";

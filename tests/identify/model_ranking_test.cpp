@@ -94,7 +94,9 @@ TEST_F(FittedModelsTest, TellThatTheirFitsDidNotEnd) {
 }
 
 TEST(ModelRanking, TellsThatOneRunIsNoComparison) {
-  EXPECT_THAT(Rank({Model("a", 3, 1, 10)}).remarks, testing::ElementsAre(HasSubstr("the only run")));
+  const ModelRanking one = Rank({Model("a", 3, 1, 10)});
+  EXPECT_THAT(one.remarks, testing::ElementsAre(HasSubstr("the only run")));
+  EXPECT_EQ(one.reason, "a: misses 3 % of what it was not fitted to");
   EXPECT_THAT(Rank({Model("a", 3, 1, 10), Model("b", 4, 1, 10)}).remarks, testing::IsEmpty());
 }
 

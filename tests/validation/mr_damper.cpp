@@ -146,7 +146,7 @@ int main(int argc, char** argv) {
     if (entry.path().extension() == ".mat") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   const std::vector<Model> models = Models();
-  std::printf("test");
+  std::printf("# build/release/mr_damper FOLDER, the recordings of tests/validation/README.md\ntest");
   for (const Model& model : models) std::printf(",%s NMSE [%%]", model.name);
   std::printf("\n");
   for (const std::filesystem::path& file : files) {

@@ -24,6 +24,8 @@ constexpr double kPhaseSlack_deg = 5;
 constexpr double kCoarse = 0.05;
 /// Of the signal's span.
 constexpr double kDrift = 0.05;
+/// Of the force in a cycle: a damper's at half the speed is at least an eighth (cubic law), a dead channel's is noise.
+constexpr double kDead = 0.03;
 
 double Span(const Signal& signal) {
   const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
@@ -79,6 +81,7 @@ class Checker {
       return good_;
     }
     CheckStroke();
+    if (good_) CheckAlive();
     if (good_) CheckMotion();
     if (good_) CheckWork();
     CheckLevels();
@@ -115,6 +118,34 @@ class Checker {
     if (span < kShortestStroke_m)
       Warn("displacement spans " + ShortNumber(span) +
            " m only, less than any bench is set to: check the row of units");
+  }
+
+  /// Whether the force lasts as long as the motion: cycles are compared with a strong one, the ninth of ten.
+  void CheckAlive() {
+    struct Cycle {
+      std::size_t first;
+      double force_N;
+      double speed_mps;
+    };
+    std::vector<Cycle> cycles;
+    for (std::size_t i = 0; i + 2 < turns_.size(); ++i) {
+      const auto [first, last] =
+          std::pair(static_cast<std::ptrdiff_t>(turns_[i]), static_cast<std::ptrdiff_t>(turns_[i + 2]));
+      cycles.push_back({turns_[i], Span({force_.begin() + first, force_.begin() + last}),
+                        Span({rate_.begin() + first, rate_.begin() + last})});
+    }
+    if (cycles.empty()) return;
+    std::vector<Cycle> by_force = cycles;
+    std::sort(by_force.begin(), by_force.end(), [](const Cycle& a, const Cycle& b) { return a.force_N < b.force_N; });
+    const Cycle& strong = by_force[by_force.size() * 9 / 10];
+    const auto dead = std::find_if(cycles.begin(), cycles.end(), [&](const Cycle& cycle) {
+      return cycle.force_N < kDead * strong.force_N && cycle.speed_mps > 0.5 * strong.speed_mps;
+    });
+    if (dead == cycles.end()) return;
+    Fault("force stays within " + ShortNumber(dead->force_N) + " N in the cycle that begins at " +
+          ShortNumber(recording_.start_s + recording_.step_s * static_cast<double>(dead->first), 5) +
+          " s, which is as fast as others of " + ShortNumber(strong.force_N) +
+          " N: the channel is dead there; look at its plug, and cut that part out");
   }
 
   void CheckMotion() {

@@ -68,6 +68,28 @@ TEST(RecordingCheck, PassesTheShippedOnes) {
   EXPECT_EQ(files, 16);
 }
 
+TEST(RecordingCheck, TellsAForceThatDies) {
+  TimeRecording recording = Good();
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 0.2);
+  for (std::size_t k = 2000; k < 3500; ++k) recording.channels[1][k] = 12 + noise(random);
+  EXPECT_THAT(FaultOf(recording), AllOf(HasSubstr("in the cycle that begins at 4."),
+                                        HasSubstr("as fast as others of 333 N: the channel is dead there")));
+}
+
+/// At an eighth of the speed a cubic law has a five-hundredth of the force, which is no fault of the channel.
+TEST(RecordingCheck, PassesACubicLawThatSlowsDown) {
+  TimeRecording recording = Good();
+  const double w = 2 * std::numbers::pi;
+  for (std::size_t k = 0; k < recording.samples(); ++k) {
+    const double t = recording.step_s * static_cast<double>(k);
+    const double amplitude = 0.02 * std::exp(-0.2 * t);
+    recording.channels[0][k] = amplitude * std::sin(w * t);
+    recording.channels[1][k] = 3e4 * std::pow(amplitude * w * std::cos(w * t), 3);
+  }
+  EXPECT_THAT(WarningOf(recording), Not(HasSubstr("dead")));
+}
+
 TEST(RecordingCheck, TellsSwappedColumns) {
   TimeRecording recording = Good();
   std::swap(recording.channels[0], recording.channels[1]);
