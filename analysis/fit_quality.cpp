@@ -2,16 +2,11 @@
 
 #include <cstddef>
 
+#include "analysis/deviation.h"
 #include "analysis/option_check.h"
 
 namespace fourpost {
 namespace {
-
-double Mean(std::span<const double> values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
 
 /// Of the error and of the measured signal about its mean.
 struct Squares {

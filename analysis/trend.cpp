@@ -1,12 +1,13 @@
 #include "analysis/trend.h"
 
-#include <cmath>
-#include <numeric>
+#include <utility>
+
+#include "analysis/deviation.h"
 
 namespace fourpost {
 
 std::vector<double> WithoutOffset(std::vector<double> signal) {
-  const double mean = std::accumulate(signal.begin(), signal.end(), 0.0) / static_cast<double>(signal.size());
+  const double mean = Mean(signal);
   for (double& sample : signal) sample -= mean;
   return signal;
 }
@@ -24,13 +25,6 @@ std::vector<double> WithoutTrend(std::vector<double> signal) {
   if (square == 0) return signal;
   for (std::size_t k = 0; k < signal.size(); ++k) signal[k] -= moment / square * (static_cast<double>(k) - middle);
   return signal;
-}
-
-double DeviationOf(const std::vector<double>& signal) {
-  if (signal.empty()) return 0;
-  double square = 0;
-  for (const double sample : WithoutOffset(signal)) square += sample * sample;
-  return std::sqrt(square / static_cast<double>(signal.size()));
 }
 
 }  // namespace fourpost

@@ -10,7 +10,4 @@ std::vector<double> WithoutOffset(std::vector<double> signal);
 /// A signal less its least-squares straight line.
 std::vector<double> WithoutTrend(std::vector<double> signal);
 
-/// Its standard deviation about its mean, with 1/N; 0 of none.
-double DeviationOf(const std::vector<double>& signal);
-
 }  // namespace fourpost

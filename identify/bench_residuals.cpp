@@ -1,9 +1,11 @@
 #include "identify/bench_residuals.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
+#include <span>
 #include <utility>
+
+#include "analysis/deviation.h"
 
 namespace fourpost {
 namespace {
@@ -17,21 +19,14 @@ struct Target {
   double weight = 1;
 };
 
-double StandardDeviation(const BenchRecording& recording) {
-  double sum = 0;
-  double squares = 0;
-  for (std::size_t k = recording.first; k < recording.end; ++k) sum += recording.force[k];
-  const auto count = static_cast<double>(recording.end - recording.first);
-  const double mean = sum / count;
-  for (std::size_t k = recording.first; k < recording.end; ++k)
-    squares += (recording.force[k] - mean) * (recording.force[k] - mean);
-  return std::sqrt(squares / count);
+double DeviationOfForce(const BenchRecording& recording) {
+  return DeviationOf(std::span(recording.force).subspan(recording.first, recording.end - recording.first));
 }
 
 Target TargetOf(const BenchRecording& recording, double model_error) {
   Target target{.recording = recording, .stride = ResidualStride(recording)};
   target.count = (recording.end - recording.first + target.stride - 1) / target.stride;
-  target.weight = 1 / (model_error * StandardDeviation(recording));
+  target.weight = 1 / (model_error * DeviationOfForce(recording));
   return target;
 }
 

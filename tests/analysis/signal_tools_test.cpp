@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/csv.h"
+#include "analysis/deviation.h"
 #include "analysis/normal_probability.h"
 #include "analysis/spectrum.h"
 #include "analysis/trend.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "analysis/deviation.h"
 #include "analysis/short_number.h"
 
 namespace fourpost {
@@ -11,16 +12,6 @@ namespace {
 /// Decades.
 constexpr double kFarOff = 1.5;
 constexpr double kNear = 0.75;
-
-/// About the mean.
-double Rms(std::span<const double> signal) {
-  double sum = 0;
-  double squares = 0;
-  for (const double value : signal) sum += value;
-  const auto count = static_cast<double>(signal.size());
-  for (const double value : signal) squares += std::pow(value - sum / count, 2);
-  return std::sqrt(squares / count);
-}
 
 BenchMotion Scaled(BenchMotion motion, double factor) {
   for (std::vector<double>* signal : {&motion.extension, &motion.rate, &motion.acceleration})
@@ -32,8 +23,8 @@ BenchMotion Scaled(BenchMotion motion, double factor) {
 
 bool CheckBenchUnits(const BenchDamper& damper, const BenchMotion& motion, std::span<const double> force,
                      std::span<const double> values, const std::string& file, Diagnostics& diagnostics) {
-  const double recorded = Rms(force);
-  const auto modelled = [&](double factor) { return Rms(damper.Tensions(Scaled(motion, factor), values)); };
+  const double recorded = DeviationOf(force);
+  const auto modelled = [&](double factor) { return DeviationOf(damper.Tensions(Scaled(motion, factor), values)); };
   /// NaN where a chamber closes.
   const double here = modelled(1);
   const double decades = std::log10(recorded / here);
@@ -45,7 +36,7 @@ bool CheckBenchUnits(const BenchDamper& damper, const BenchMotion& motion, std::
     const bool large = factor < 1;
     diagnostics.Error(
         file, 0,
-        "has a force of " + ShortNumber(recorded) + " N rms for a motion of " + ShortNumber(Rms(motion.rate)) +
+        "has a force of " + ShortNumber(recorded) + " N rms for a motion of " + ShortNumber(DeviationOf(motion.rate)) +
             " m/s rms, for which the damper would give " +
             (std::isfinite(here) ? ShortNumber(here) + " N" : "more than its chambers allow") +
             " at the values of the " + "vehicle file: " +

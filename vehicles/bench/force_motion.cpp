@@ -7,16 +7,11 @@
 
 #include <Eigen/QR>
 
+#include "analysis/deviation.h"
 #include "analysis/turning_points.h"
 
 namespace fourpost {
 namespace {
-
-double Mean(std::span<const double> values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
-}
 
 FastestPhase PhaseOf(std::span<const double> x, std::span<const double> force, double step_s) {
   const double x_mean = Mean(x);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
+#include "analysis/deviation.h"
 #include "analysis/short_number.h"
 #include "analysis/signal_levels.h"
 #include "analysis/spikes.h"
@@ -30,19 +32,6 @@ constexpr double kDead = 0.03;
 double Span(const Signal& signal) {
   const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
   return *most - *least;
-}
-
-double Mean(const Signal& signal) {
-  double sum = 0;
-  for (const double value : signal) sum += value;
-  return sum / static_cast<double>(signal.size());
-}
-
-double Rms(const Signal& signal) {
-  const double mean = Mean(signal);
-  double sum = 0;
-  for (const double value : signal) sum += (value - mean) * (value - mean);
-  return std::sqrt(sum / static_cast<double>(signal.size()));
 }
 
 /// Central differences; 0 at the ends.
@@ -213,11 +202,11 @@ class Checker {
     // A level's rounding has the deviation level/sqrt(12); central differences take two of it over two steps.
     const double rounding = LevelOf(x_) / std::sqrt(12.0);
     const double rate_rounding = rounding / (std::sqrt(2.0) * recording_.step_s);
-    if (rate_rounding > kCoarse * Rms(rate_))
+    if (rate_rounding > kCoarse * DeviationOf(rate_))
       Warn("displacement comes in levels of " + ShortNumber(LevelOf(x_)) + " m, which is " +
-           ShortNumber(100 * rate_rounding / Rms(rate_)) +
+           ShortNumber(100 * rate_rounding / DeviationOf(rate_)) +
            " % of the speed's rms: record with a finer range, or more slowly sampled");
-    if (LevelOf(force_) / std::sqrt(12.0) > kCoarse * Rms(force_))
+    if (LevelOf(force_) / std::sqrt(12.0) > kCoarse * DeviationOf(force_))
       Warn("force comes in levels of " + ShortNumber(LevelOf(force_)) + " N of a span of " + ShortNumber(Span(force_)) +
            " N: record with a finer range");
   }
@@ -237,9 +226,9 @@ class Checker {
   }
 
   void TellDrift(const Signal& values, double span, const std::string& name, const std::string& unit) {
-    const auto third = static_cast<std::ptrdiff_t>(values.size() / 3);
-    const double before = Mean({values.begin(), values.begin() + third});
-    const double after = Mean({values.end() - third, values.end()});
+    const std::span<const double> all(values);
+    const double before = Mean(all.first(values.size() / 3));
+    const double after = Mean(all.last(values.size() / 3));
     if (std::abs(after - before) < kDrift * span) return;
     Warn(name + " drifts by " + ShortNumber(after - before) + " " + unit + " of a span of " + ShortNumber(span) + " " +
          unit + ": warm the amplifier and the damper up, or take the drift out");
