@@ -132,6 +132,11 @@ double FitResult::Misfit() const {
   return std::sqrt(data_squares / static_cast<double>(residual_count - prior_count - covariance->rank));
 }
 
+void FitResult::DropDeviations() {
+  covariance.reset();
+  for (FittedParameter& parameter : parameters) parameter.sd = parameter.lower_95 = parameter.upper_95 = std::nan("");
+}
+
 FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
               EvaluationStore* store) {
   Problem problem = objective.MakeProblem();

@@ -117,9 +117,12 @@ struct FitResult {
   /// Each of them, in the order of the starts: good points of the search, then the vehicle's own values.
   std::vector<RefinedStart> refined;
 
-  /// Root mean square of the data's residuals over their degrees of freedom, whatever the loss: how many times what noise
-  /// and the stated model error explain. NaN without a covariance.
+  /// Root mean square of the data's residuals over their degrees of freedom, whatever the loss: how many times what
+  /// noise and the stated model error explain. NaN without a covariance.
   double Misfit() const;
+
+  /// Of a cost that weighs by other than noise, which has none; see LoadedStudy::TellsDeviations.
+  void DropDeviations();
 };
 
 /// What a running fit tells.

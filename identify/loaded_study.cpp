@@ -107,6 +107,10 @@ HistoryResiduals::Options LoadedStudy::HistoryOptions() const {
           .noise_search = {.deadline_s = study.search.deadline_s}};
 }
 
+bool LoadedStudy::TellsDeviations() const {
+  return histories.empty() || study.history_cost != HistoryCost::kCompromise;
+}
+
 void LoadedStudy::EstimateNoise(const std::function<void(int runs)>& progress) {
   if (study.history_cost != HistoryCost::kPrediction) return;
   const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());

@@ -37,6 +37,9 @@ struct LoadedStudy {
 
   HistoryResiduals::Options HistoryOptions() const;
 
+  /// Whether the cost weighs by noise, so that a fit has standard deviations: the compromise cost has none.
+  bool TellsDeviations() const;
+
   /// The misfit over the study's band. Throws FaultyInput when the vehicle cannot be assembled or held.
   VehicleObjective MakeObjective() const;
 };

@@ -17,7 +17,7 @@
 #include "identify/loaded_study.h"
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
-#include "identify/recording_lint.h"
+#include "identify/lint/recording_lint.h"
 #include "identify/response_chart.h"
 
 namespace fourpost {

@@ -1,4 +1,4 @@
-#include "identify/recording_lint.h"
+#include "identify/lint/recording_lint.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,0 +1,104 @@
+#include "identify/command_line/fit_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "analysis/number.h"
+#include "identify/command_line/text_table.h"
+
+namespace fourpost {
+namespace {
+
+/// In the unit of the vehicle file, at the digits that deviations of some per mille make sense of.
+std::string Shown(double value, const std::string& unit) { return InUnit(value, unit, 4); }
+
+std::string Deviation(const FittedParameter& parameter) {
+  if (std::isnan(parameter.sd)) return "-";
+  return std::isinf(parameter.sd) ? "undetermined" : Shown(parameter.sd, parameter.unit);
+}
+
+std::string Interval(const FittedParameter& parameter) {
+  if (!std::isfinite(parameter.sd)) return "";
+  return Shown(parameter.lower_95, parameter.unit) + " .. " + Shown(parameter.upper_95, parameter.unit);
+}
+
+/// What to look at twice.
+std::string Remark(const FittedParameter& parameter) {
+  // A good prior is this far off in one fit of twenty.
+  constexpr double kFar = 2;
+  std::string remark = parameter.at_bound ? "at its bound" : "";
+  if (const double distance = std::abs(parameter.FromPrior()); distance > kFar)
+    remark += (remark.empty() ? "" : ", ") + Rounded(distance, 2) + " sd from prior";
+  return remark;
+}
+
+std::string ParameterTable(const std::vector<FittedParameter>& parameters) {
+  TextTable table({"parameter", "start", "fitted", "sd", "95 %", "lower", "upper", "unit", ""});
+  for (const FittedParameter& p : parameters)
+    table.Add({p.name, Shown(p.start, p.unit), Shown(p.value, p.unit), Deviation(p), Interval(p),
+               Shown(p.lower, p.unit), Shown(p.upper, p.unit), p.unit, Remark(p)});
+  return table.Format();
+}
+
+std::string ProfileTable(const FitResult& fit) {
+  if (fit.profiles.empty()) return "";
+  TextTable table({"profile", "fitted", "95 % by deviation", "95 % by profile", "unit", ""});
+  for (const Profile& profile : fit.profiles) {
+    const FittedParameter& p = *std::find_if(fit.parameters.begin(), fit.parameters.end(),
+                                             [&](const FittedParameter& other) { return other.name == profile.name; });
+    const auto end = [&](double value) { return std::isfinite(value) ? Shown(value, p.unit) : std::string("open"); };
+    const std::string remark = profile.interrupted    ? "interrupted"
+                               : profile.found_better ? "went below the fit: not its best optimum"
+                                                      : "";
+    table.Add({p.name, Shown(p.value, p.unit), Interval(p), end(profile.lower_95) + " .. " + end(profile.upper_95),
+               p.unit, remark});
+  }
+  return table.Format() + '\n';
+}
+
+std::string PriorShare(const FitResult& fit) {
+  if (fit.prior_count == 0) return "";
+  return ", of which priors " + Rounded(fit.prior_cost, 3) + " for " + std::to_string(fit.prior_count);
+}
+
+std::string LossWords(const RobustLoss& loss) {
+  if (loss.kind() == LossKind::kNone) return "";
+  return " by " + std::string(loss.name()) + " beyond " + FormatNumber(loss.scale()) + " sd";
+}
+
+std::string Summary(const FitResult& fit) {
+  const EvaluationCounts& counts = fit.evaluations;
+  return "fit " + std::string(FitEndName(fit.end)) + ": cost " + Rounded(fit.cost, 5) +
+         LossWords(fit.options.refine.loss) + " for " + std::to_string(fit.residual_count) + " residuals" +
+         PriorShare(fit) + "; " + std::to_string(counts.paid) + " evaluations paid, " + std::to_string(counts.reused) +
+         " reused, " + std::to_string(counts.failed()) + " failed; " + std::to_string(fit.agreeing) + " of " +
+         std::to_string(fit.starts) + " refinements agree\n" + "search ended by " + fit.search.reason + "\n";
+}
+
+/// How large the misfit is, and what the data say worst, in words.
+std::string Judgement(const LoadedStudy& loaded, const FitResult& fit) {
+  if (!loaded.TellsDeviations())
+    return "no deviations: the compromise cost weighs outputs by their own errors, not by noise; 'cost: whitened' has "
+           "them\n";
+  if (!fit.covariance) return "ended before deviations could be computed\n";
+  const Covariance& covariance = *fit.covariance;
+  std::string text =
+      "the misfit is " + Rounded(fit.Misfit(), 2) + " times what noise and the stated model error explain\n";
+  text +=
+      covariance.rank < covariance.directions.cols()
+          ? "undetermined: the data do not change when these change together; fix one, give it a prior, or measure a "
+            "force:\n"
+          : "the data tell least about these changing together (condition " + Rounded(covariance.condition, 2) + "):\n";
+  for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string FitText(const LoadedStudy& loaded, const FitResult& fit, const std::string& sections) {
+  return ParameterTable(fit.parameters) + '\n' + ProfileTable(fit) + sections + Summary(fit) + Judgement(loaded, fit);
+}
+
+}  // namespace fourpost

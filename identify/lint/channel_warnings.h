@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/diagnostics.h"
+#include "identify/channel_source.h"
+
+namespace fourpost {
+
+/// Warnings about channels of recordings, each at its line of a study.
+class ChannelWarnings {
+ public:
+  using Channels = std::vector<std::pair<std::string, ChannelSource>>;
+
+  /// `channels`: the study's; all must outlive this object.
+  ChannelWarnings(std::string file, const Channels& channels, Diagnostics& diagnostics);
+
+  void Add(const std::string& channel, const std::string& message);
+
+ private:
+  std::string file_;
+  const Channels& channels_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace fourpost
