@@ -12,7 +12,6 @@ namespace {
 
 /// Within this share of its range a parameter counts as being at the bound: refinement stops at steps of 1e-8.
 constexpr double kAtBound = 1e-6;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Deviation and interval of a parameter; `k`: its place among the free ones.
 void Tell(const Covariance& covariance, Eigen::Index k, bool is_logarithmic, FittedParameter& fitted) {
@@ -142,6 +141,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   Problem problem = objective.MakeProblem();
   problem.deadline_s = options.deadline_s;
   Archive archive(std::move(problem), options.threads, store);
+  archive.Watch([&loss = options.refine.loss](const Eigen::VectorXd& residuals) { return loss.Cost(residuals); });
   const std::function<bool()> stop = hooks.stop ? hooks.stop : [] { return false; };
   std::string_view stage_now;
   std::int64_t paid_before = 0;
@@ -151,10 +151,9 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   };
   const auto report = [&] {
     const EvaluationCounts& counts = archive.counts();
-    const double best = archive.improvements().empty() ? kInfinite : archive.improvements().back().cost;
     if (!hooks.progress) return;
     hooks.progress({.stage = stage_now,
-                    .best_cost = best,
+                    .best_cost = archive.best_cost(),
                     .paid = counts.paid,
                     .in_stage = counts.paid - paid_before,
                     .reused = counts.reused,

@@ -128,7 +128,7 @@ struct FitResult {
 /// What a running fit tells.
 struct FitProgress {
   std::string_view stage;
-  /// Lowest of all evaluations so far; infinite before the first.
+  /// Lowest of all evaluations so far, by the refinement's loss; infinite before the first.
   double best_cost = 0;
   std::int64_t paid = 0;
   /// Of the paid ones, those of this stage.

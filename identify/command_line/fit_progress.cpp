@@ -11,9 +11,11 @@
 namespace fourpost {
 namespace {
 
-std::string ProgressText(const FitProgress& progress, std::int64_t search_evaluations, double seconds) {
+std::string ProgressText(const FitProgress& progress, const FitOptions& options, double seconds) {
   const std::int64_t computed = progress.paid - progress.restored;
   const double rate = static_cast<double>(computed) / std::max(seconds, 1e-3);
+  const std::int64_t search_evaluations = options.stop.max_evaluations;
+  const RobustLoss& loss = options.refine.loss;
   std::string text = std::string(progress.stage) + ": ";
   std::string left;
   if (progress.stage == "search") {
@@ -26,6 +28,7 @@ std::string ProgressText(const FitProgress& progress, std::int64_t search_evalua
   return text + std::to_string(progress.paid) + " evaluations in all (" + std::to_string(progress.reused) +
          " reused, " + std::to_string(progress.failed) + " failed, " + std::to_string(progress.restored) +
          " from the archive), " + Rounded(rate, 3) + " per second, best cost " + Rounded(progress.best_cost, 5) +
+         (loss.kind() == LossKind::kNone ? "" : " by " + std::string(loss.name())) +
          (left.empty() ? "" : left + " of the search");
 }
 
@@ -35,9 +38,7 @@ FitResult FitWithProgress(const VehicleObjective& objective, const FitOptions& o
   CatchInterrupts();
   ProgressLine line;
   FitHooks hooks;
-  hooks.progress = [&](const FitProgress& progress) {
-    line.Show(ProgressText(progress, options.stop.max_evaluations, line.seconds()));
-  };
+  hooks.progress = [&](const FitProgress& progress) { line.Show(ProgressText(progress, options, line.seconds())); };
   hooks.stop = Interrupted;
   return Fit(objective, options, hooks, &store);
 }

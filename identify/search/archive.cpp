@@ -180,6 +180,7 @@ void Archive::Count(const Evaluation& evaluation) {
   if (evaluation.ok()) {
     const double cost = evaluation.cost();
     if (improvements_.empty() || cost < improvements_.back().cost) improvements_.push_back({counts_.paid, cost});
+    best_cost_ = std::min(best_cost_, watched_ ? watched_(evaluation.residuals) : cost);
     return;
   }
   FailureTally& tally = counts_.failures[evaluation.failure];

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -87,6 +90,10 @@ class Archive {
   const EvaluationCounts& counts() const { return counts_; }
   /// Costs each below the one before, on and off the lattice.
   const std::vector<Improvement>& improvements() const { return improvements_; }
+  /// Has each paid evaluation measured by another cost than squares as well, such as that of a robust loss.
+  void Watch(std::function<double(const Eigen::VectorXd& residuals)> cost) { watched_ = std::move(cost); }
+  /// Lowest of all that were watched, of squares where nothing is watched; infinite before the first.
+  double best_cost() const { return best_cost_; }
   /// Number of lattice points remembered.
   std::size_t size() const { return scores_.size(); }
 
@@ -130,6 +137,8 @@ class Archive {
   std::unordered_map<LatticePoint, Score, PointHash> scores_;
   EvaluationCounts counts_;
   std::vector<Improvement> improvements_;
+  std::function<double(const Eigen::VectorXd& residuals)> watched_;
+  double best_cost_ = std::numeric_limits<double>::infinity();
   Eigen::Index residual_count_ = 0;
 };
 
