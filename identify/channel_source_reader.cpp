@@ -33,7 +33,17 @@ std::string ReadUnit(const StrictMap& map, const std::string& what) {
 }
 
 bool IsCombination(const YAML::Node& node) {
-  return node.IsMap() && node.size() == 1 && (node["mean"].IsDefined() || node["sum"].IsDefined());
+  return node.IsMap() && !node["channel"].IsDefined() && (node["mean"].IsDefined() || node["sum"].IsDefined());
+}
+
+/// `node`: of several channels. Its sign and scale are those of each of them.
+YAML::Node ListOf(const YAML::Node& node, const std::string& name, const std::string& file, double& factor,
+                  Diagnostics& diagnostics) {
+  const StrictMap map(node, "'" + name + "'", {"mean", "sum", "sign", "scale"}, file, diagnostics);
+  if (map.Has("mean") && map.Has("sum"))
+    map.Fault(node, "'" + name + "' is either the mean or the sum of its channels");
+  factor = ReadFactor(map, "'" + name + "'");
+  return map.Has("sum") ? map.Get("sum") : map.Get("mean");
 }
 
 ChannelSource ReadSource(const YAML::Node& node, const std::string& name, ChannelKind kind, const std::string& file,
@@ -45,10 +55,12 @@ ChannelSource ReadSource(const YAML::Node& node, const std::string& name, Channe
     return source;
   }
   if (node["sum"].IsDefined()) source.combine = ChannelSource::Combine::kSum;
-  const YAML::Node list = node.begin()->second;
+  double factor = 1;
+  const YAML::Node list = ListOf(node, name, file, factor, diagnostics);
   if (list.IsSequence())
     for (const YAML::Node& entry : list)
       source.channels.push_back(ReadSourceChannel(entry, "'" + name + "'", kind, file, diagnostics));
+  for (SourceChannel& channel : source.channels) channel.factor *= factor;
   if (source.channels.empty()) diagnostics.Error(file, LineOf(list), "'" + name + "' must be a list of channels");
   return source;
 }

@@ -50,7 +50,18 @@ TEST(ChannelSourceReader, TakesThemWithinASum) {
   EXPECT_EQ(mean.channels[1].factor, -1);
 }
 
+TEST(ChannelSourceReader, TakesTheSignOfASumForThatOfAll) {
+  const ChannelSource sum = Good("{sum: [left, {channel: right, sign: -1}], sign: -1, scale: 2}");
+  EXPECT_EQ(sum.combine, ChannelSource::Combine::kSum);
+  ASSERT_EQ(sum.channels.size(), 2u);
+  EXPECT_EQ(sum.channels[0].factor, -2);
+  EXPECT_EQ(sum.channels[1].factor, 2);
+}
+
 TEST(ChannelSourceReader, RefusesWhatIsWrong) {
+  EXPECT_THAT(Fault("{mean: [b, c], sign: 2}"), HasSubstr("'sign' of 'a' must"));
+  EXPECT_THAT(Fault("{mean: [b, c], delay: 2 ms}"), HasSubstr("'delay'"));
+  EXPECT_THAT(Fault("{mean: [b, c], sum: [b, c]}"), HasSubstr("either the mean or the sum"));
   EXPECT_THAT(Fault("{channel: b, sign: 0.5}"), HasSubstr("study.yaml:1: error: 'sign' of 'a' must be 1 or -1"));
   EXPECT_THAT(Fault("{channel: b, scale: 0}"), HasSubstr("'scale' of 'a' must be above zero"));
   EXPECT_THAT(Fault("{channel: b, scale: -2}"), HasSubstr("'scale'"));
