@@ -118,9 +118,16 @@ class RecordReader {
     if (text.empty())
       fault += "no unit; write that of a " + wanted + " " + table_.WhereUnitsStand(name, such) +
                ", or name it in the study: {channel: " + name + ", unit: " + such + "}";
-    else fault += "'" + text + "' for its unit; it takes a " + wanted;
+    else fault += "'" + text + "' for its unit; it takes a " + wanted + LikelySwapped(channel);
     Fault(table_.units_line(), fault);
     return 1;
+  }
+
+  /// Times that are in a unit of something else.
+  std::string LikelySwapped(const RecordedChannel& channel) const {
+    const std::vector<std::string> others =
+        channel.dimension == kTime ? Measuring(channel) : std::vector<std::string>();
+    return others.empty() ? "" : "; column '" + others.front() + "' is in such a one: are the two swapped?";
   }
 
   void CheckLengths(std::span<const RecordedChannel> wanted, std::size_t samples, const TimeRecording& recording) {
@@ -164,6 +171,13 @@ class RecordReader {
     std::vector<double> steps(times.size() - 1);
     for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
     const double usual = Median(steps);
+    if (StepBack(steps)) {
+      if (const std::optional<std::string> even = EvenlyRising()) {
+        Fault(0, "time steps back again and again, while column '" + *even +
+                     "' rises evenly: are the two swapped? exchange them, or name the column of times in the study");
+        return 0;
+      }
+    }
     if (!(usual > 0)) {
       Fault(0, "time does not rise from sample to sample; write the time of each sample in its unit");
       return 0;
@@ -180,6 +194,29 @@ class RecordReader {
     const double step = (times.back() - times.front()) / static_cast<double>(steps.size());
     if (found == 0) CheckGrid(times, step);
     return step;
+  }
+
+  /// More than a fault here and there does.
+  static bool StepBack(const std::vector<double>& steps) {
+    constexpr double kOften = 0.3;
+    const auto back = std::count_if(steps.begin(), steps.end(), [](double step) { return step < 0; });
+    return static_cast<double>(back) > kOften * static_cast<double>(steps.size());
+  }
+
+  /// A column that looks like times.
+  std::optional<std::string> EvenlyRising() const {
+    for (std::size_t column = 0; column < table_.names().size(); ++column) {
+      std::vector<double> steps;
+      for (std::size_t row = 1; row < table_.rows(column); ++row)
+        steps.push_back(table_.Number(row, column).value_or(NAN) - table_.Number(row - 1, column).value_or(NAN));
+      if (steps.size() < 3) continue;
+      const double usual =
+          (table_.Number(steps.size(), column).value_or(NAN) - table_.Number(0, column).value_or(NAN)) /
+          static_cast<double>(steps.size());
+      const auto is_even = [&](double step) { return std::abs(step - usual) < 0.5 * usual; };
+      if (std::all_of(steps.begin(), steps.end(), is_even)) return table_.names()[column];
+    }
+    return std::nullopt;
   }
 
   /// Steps that each look well may still add up to another rate.

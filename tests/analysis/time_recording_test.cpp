@@ -143,6 +143,13 @@ TEST(TimeRecordingFault, TimeStepsBack) {
   EXPECT_THAT(Faults(Replace(kGood, "1.006", "0.006")), HasSubstr("time goes from 1.004 s to 0.006 s"));
 }
 
+TEST(TimeRecordingFault, TimeAndDisplacementAreSwapped) {
+  EXPECT_THAT(Faults("time,F,x\ns,N,m\n0,1,1\n1,5,1.01\n0,2,1.02\n-1,1,1.03\n0,0,1.04\n1,4,1.05\n"),
+              HasSubstr("time steps back again and again, while column 'x' rises evenly: are the two swapped?"));
+  EXPECT_THAT(Faults(Replace(Replace(kGood, "s,kN", "mm,kN"), "1,mm", "1,s")),
+              HasSubstr("column 'displacement' is in such a one: are the two swapped?"));
+}
+
 TEST(TimeRecordingFault, TimeStandsStill) {
   EXPECT_THAT(Faults("time,F,x\ns,N,m\n1,1,1\n1,2,2\n1,3,3\n1,4,4\n1,5,5\n"),
               HasSubstr("time does not rise from sample to sample"));
