@@ -42,7 +42,11 @@ double Largest(const Eigen::MatrixXd& jacobian) {
 
 std::string RemedyFor(const Eigen::VectorXd& direction) {
   constexpr double kAlike = 0.5;
-  const bool is_scale = direction.size() > 2 && direction.minCoeff() > kAlike * direction.maxCoeff();
+  // Lengths and angles have no part in the scale, and other open directions may be mixed in.
+  const double largest = direction.cwiseAbs().maxCoeff();
+  const auto with = (direction.array() > kAlike * largest).count();
+  const auto against = (direction.array() < -kAlike * largest).count();
+  const bool is_scale = std::min(with, against) == 0 && with + against > 2 && 2 * (with + against) >= direction.size();
   if (is_scale)
     return "accelerations and strut motions do not change when all masses and rates are scaled alike: measure a force "
            "(tyre forces or static loads), leave a mass out of `free`, or give one a prior_sd; where a force is "

@@ -47,7 +47,21 @@ TEST(Identifiability, OneKnownMassClosesTheScale) {
   EXPECT_FALSE(Before(study).HasUndetermined());
 }
 
+// A car's lengths have no part in it.
+TEST(Identifiability, TheScaleOfMostParametersWantsAForce) {
+  Eigen::VectorXd direction(7);
+  direction << 0.45, 0.44, 0.46, 0.43, 0.45, 0, 0.02;
+  EXPECT_THAT(RemedyFor(direction), testing::HasSubstr("measure a force"));
+  EXPECT_THAT(RemedyFor(-direction), testing::HasSubstr("measure a force"));
+  direction[1] = -0.44;
+  EXPECT_THAT(RemedyFor(direction), testing::HasSubstr("out of `free`"));
+}
+
 TEST(Identifiability, OfAFewParametersTheRemedyIsNoForce) {
+  EXPECT_THAT(RemedyFor(Eigen::Vector<double, 6>(0.6, 0.58, 0.55, 0, 0, 0.05).eval()),
+              testing::HasSubstr("measure a force"));
+  EXPECT_THAT(RemedyFor(Eigen::Vector<double, 7>(0.6, 0.58, 0.55, 0, 0, 0.05, 0).eval()),
+              testing::HasSubstr("out of `free`"));
   EXPECT_THAT(RemedyFor(Eigen::Vector3d(0.8, -0.6, 0)), testing::HasSubstr("out of `free`"));
 }
 
