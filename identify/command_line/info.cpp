@@ -7,8 +7,10 @@
 #include "analysis/csv.h"
 #include "analysis/frequency_response_file.h"
 #include "analysis/number.h"
+#include "analysis/recorded_unit.h"
 #include "analysis/recording_summary.h"
 #include "analysis/static_loads.h"
+#include "analysis/time_recording.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
@@ -23,6 +25,8 @@ struct OverTime {
   RecordingSummary summary;
   /// Lines of the rows that lack a number first, a column each; 0 where none does and of a MAT file.
   std::vector<int> missing_lines;
+  /// Why a fit to all its channels would not take it.
+  std::vector<std::string> refusals;
 };
 
 /// A file that was read, and what it holds.
@@ -40,8 +44,25 @@ Layout LayoutOf(const RecordedTable& table) {
   return Layout::kOverTime;
 }
 
-OverTime Look(const RecordedTable& table) {
-  OverTime content = {Summarise(table), {}};
+/// By the reader that fits use; of channels in a unit that it knows.
+std::vector<std::string> Refusals(const std::filesystem::path& file, const RecordingSummary& summary) {
+  RecordedChannel time = kTimeColumn;
+  if (summary.time) time.names = {summary.time->column};
+  std::vector<RecordedChannel> wanted;
+  for (const ColumnSummary& column : summary.columns)
+    if (column.unit_known && column.missing < column.samples)
+      wanted.push_back({{column.name}, ParseRecordedUnit(column.unit)->dimension, "a channel"});
+  Diagnostics faults;
+  ReadTimeRecording(file, wanted, faults, time);
+  std::vector<std::string> refusals;
+  for (const Diagnostic& fault : faults.items())
+    refusals.push_back((fault.line > 0 ? "line " + std::to_string(fault.line) + ": " : "") + fault.message);
+  return refusals;
+}
+
+OverTime Look(const std::filesystem::path& file, const RecordedTable& table) {
+  OverTime content = {Summarise(table), {}, {}};
+  content.refusals = Refusals(file, content.summary);
   for (const ColumnSummary& column : content.summary.columns)
     content.missing_lines.push_back(column.missing > 0 ? table.line(column.first_missing) : 0);
   return content;
@@ -61,7 +82,7 @@ std::optional<Described> Describe(const std::filesystem::path& file, Diagnostics
       return std::nullopt;
     case Layout::kOverTime: break;
   }
-  return Described{file.string(), Look(*table)};
+  return Described{file.string(), Look(file, *table)};
 }
 
 /// A record may be as uneven as times with few digits are.
@@ -124,9 +145,12 @@ std::string TextOf(const OverTime& content) {
     table.Add({c.name, c.unit, Rounded(c.minimum, 4), Rounded(c.maximum, 4), Rounded(c.mean, 4), Rounded(c.rms, 4),
                Rounded(c.level, 2), Joined(Remarks(c, content.missing_lines[i]))});
   }
+  std::string refusals;
+  for (const std::string& refusal : content.refusals) refusals += "  " + refusal + '\n';
+  if (!refusals.empty()) refusals = "a fit refuses it as it is:\n" + refusals;
   const std::size_t samples = columns.empty() ? 0 : columns.front().samples;
   return "over time, " + std::to_string(samples) + " samples, " + TimesText(content.summary) + table.Format() +
-         "rms: about the mean; level: the smallest difference of two values\n";
+         "rms: about the mean; level: the smallest difference of two values\n" + refusals;
 }
 
 /// Root mean square of the deviations over repeats, as shares of the gain; NaN where there are none.
@@ -179,7 +203,8 @@ std::string TextOf(const std::vector<StaticMeasurement>& loads) {
 }
 
 Json JsonOf(const OverTime& content) {
-  Json json = {{"kind", "time_history"}, {"time", nullptr}, {"channels", Json::array()}};
+  Json json = {
+      {"kind", "time_history"}, {"time", nullptr}, {"channels", Json::array()}, {"refusals", content.refusals}};
   if (const std::optional<TimeSummary>& time = content.summary.time) {
     Json gaps = Json::array();
     for (const TimeGap& gap : time->gaps)

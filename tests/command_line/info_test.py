@@ -28,6 +28,7 @@ class Info(ProgramTest):
         self.assertEqual(told["kind"], "time_history")
         self.assertAlmostEqual(told["time"]["rate_Hz"], 500)
         self.assertEqual(told["time"]["gaps"], [])
+        self.assertEqual(told["refusals"], [])
         x, off = told["channels"]
         values = [value for _, value, _ in samples()]
         self.assertAlmostEqual(x["rms"], statistics.pstdev(values), 9)
@@ -56,7 +57,11 @@ class Info(ProgramTest):
         (gap,) = told["time"]["gaps"]
         self.assertEqual((gap["line"], gap["from_s"], gap["to_s"]), (203, 0.398, 0.44))
         self.assertEqual(told["channels"][0]["clipped_top"], sum(value == 1.5 for _, value, _ in rows))
+        missing, hole = told["refusals"]
+        self.assertIn("line 103: column 'off' has 'nan' here", missing)
+        self.assertIn("line 203: time goes from 0.398 s to 0.44 s", hole)
         text = self.run_program("info", "r.csv").stdout
+        self.assertIn("a fit refuses it as it is:", text)
         self.assertIn("gap: from 0.398 to 0.44 s, line 203", text)
         self.assertIn("samples at 1.5", text)
         self.assertIn("1 missing, first in line 103", text)
