@@ -279,6 +279,7 @@ std::optional<Study> ReadStudy(const std::filesystem::path& file, Diagnostics& d
   std::optional<Study> study;
   try {
     study = StudyReader(file, diagnostics).Read(YAML::Load(*text));
+    study->text = *text;
   } catch (const YAML::Exception& error) {
     diagnostics.Error(file.string(), error.mark.is_null() ? 0 : error.mark.line + 1, "not YAML: " + error.msg);
   }

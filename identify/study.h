@@ -90,6 +90,8 @@ struct StudyMethod {
 /// A study as its YAML file tells it; paths are resolved against the file's folder.
 struct Study {
   std::filesystem::path file;
+  /// As read.
+  std::string text;
   /// One of kTestProblems in place of a vehicle and its recordings.
   std::optional<std::string> problem;
   int problem_line = 0;

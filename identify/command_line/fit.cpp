@@ -6,7 +6,6 @@
 
 #include "analysis/nearest.h"
 #include "analysis/output_folder.h"
-#include "analysis/text_file.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/fit_progress.h"
@@ -121,13 +120,6 @@ int CodeOf(FitEnd end) {
   return kNotGood;
 }
 
-std::string TextOf(const std::filesystem::path& file) {
-  Diagnostics diagnostics;
-  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
-  if (!text) throw FaultyInput(diagnostics);
-  return *text;
-}
-
 /// The page that shows what the folder will hold.
 std::string Page(const LoadedStudy& loaded, const FitResult& fit, const FitSection& report) {
   Vehicle fitted = loaded.vehicle;
@@ -147,7 +139,7 @@ FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult
   std::move(histories.files.begin(), histories.files.end(), std::back_inserter(report.files));
   // Predictions of other recordings take from it how they are made.
   report.files.emplace_back("parameters.csv", ParametersCsv(loaded.vehicle, fit.parameters));
-  report.files.emplace_back("study.yaml", TextOf(loaded.study.file));
+  report.files.emplace_back("study.yaml", loaded.study.text);
   if (!fit.profiles.empty()) report.files.emplace_back("profile.svg", ProfileSvg(fit));
   report.text = FitText(loaded, fit, report.text);
   report.files.emplace_back("vehicle.urdf", VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, folder));

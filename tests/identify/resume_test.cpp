@@ -143,6 +143,15 @@ TEST_F(Resume, AfterCtrlCGoesOn) {
   EXPECT_EQ(ArchiveIn("run").paid, ArchiveIn("run").evaluations);
 }
 
+TEST_F(Resume, NeedsItsStudyAtTheStartOnly) {
+  const std::string study = ReadText(folder_ / kStudy);
+  RunningProgram program(folder_, Fit("run"));
+  WaitForRows(program, folder_ / "run/archive.sqlite", 10);
+  fs::remove(folder_ / kStudy);
+  EXPECT_EQ(program.Wait(), 0) << program.err();
+  EXPECT_EQ(ReadText(folder_ / "run/study.yaml"), study);
+}
+
 TEST_F(Resume, OfAFinishedFitCostsNothingWithOrWithoutTheOption) {
   const Outcome first = Run(Fit("run"));
   const std::string result = ReadText(folder_ / "run/result.json");
