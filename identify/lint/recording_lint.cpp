@@ -1,8 +1,12 @@
 #include "identify/lint/recording_lint.h"
 
-#include <vector>
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "identify/lint/channel_warnings.h"
+#include "identify/lint/pattern_lint.h"
 #include "identify/lint/sign_lint.h"
 #include "identify/lint/station_lint.h"
 #include "identify/lint/weight_lint.h"
@@ -11,18 +15,41 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
+namespace {
+
+int LineOf(const Study& study, const std::string& recording) {
+  const auto told = std::find_if(study.recordings.begin(), study.recordings.end(),
+                                 [&](const StudyRecording& other) { return other.name == recording; });
+  return told == study.recordings.end() ? 0 : told->line;
+}
+
+}  // namespace
+
+std::vector<MeasuredRun> LintRuns(const RunLint& lint, const std::vector<MeasuredRun>& runs, Diagnostics& diagnostics) {
+  const Study& study = lint.study;
+  const Vehicle& vehicle = lint.vehicle;
+  ChannelWarnings warnings(study.file.string(), study.channels, diagnostics);
+  LintStations(vehicle, runs, warnings);
+  // Of the others signs could not be told from the motion of the posts.
+  std::vector<MeasuredRun> sure;
+  for (const MeasuredRun& run : runs) {
+    const std::optional<std::string> doubt = PatternDoubt(vehicle, lint.model, run);
+    if (doubt) diagnostics.Warning(study.file.string(), LineOf(study, run.name), *doubt);
+    else sure.push_back(run);
+  }
+  const std::vector<MeasuredRun> in_band = InBand(sure, study.band_lower_Hz, study.band_upper_Hz);
+  LintSigns(vehicle, in_band, ModelledResponses(lint.model, vehicle.sensors, in_band), warnings);
+  return sure;
+}
 
 void LintRecordings(const LoadedStudy& study, Diagnostics& diagnostics) {
   if (study.data.runs.empty() && study.data.static_loads.empty()) return;
-  ChannelWarnings warnings(study.study.file.string(), study.study.channels, diagnostics);
   const CondensedVehicle condensed(study.vehicle);
   LintWeights(study, condensed, diagnostics);
-  LintStations(study.vehicle, study.data.runs, warnings);
   const CondensedModel model = condensed.At(study.vehicle.ParameterValues());
-  LintWheelpans(study.vehicle, study.data.runs, ModelledResponses(model, study.vehicle.sensors, study.data.runs),
-                warnings);
-  const std::vector<MeasuredRun> runs = InBand(study.data.runs, study.study.band_lower_Hz, study.study.band_upper_Hz);
-  LintSigns(study.vehicle, runs, ModelledResponses(model, study.vehicle.sensors, runs), warnings);
+  const std::vector<MeasuredRun> runs = LintRuns({study.study, study.vehicle, model}, study.data.runs, diagnostics);
+  ChannelWarnings warnings(study.study.file.string(), study.study.channels, diagnostics);
+  LintWheelpans(study.vehicle, runs, ModelledResponses(model, study.vehicle.sensors, runs), warnings);
 }
 
 }  // namespace fourpost
