@@ -206,7 +206,8 @@ Json Refinement(const RefineOptions& options) {
 
 }  // namespace
 
-std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit, const Misfits& misfits) {
+std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit, const Misfits& misfits,
+                       const std::vector<std::string>& warnings) {
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   Json json = {{"termination", FitEndName(fit.end)},
@@ -229,6 +230,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"parameters", Parameters(fit.parameters)},
                {"channels", Channels(misfits)},
                {"static_loads", StaticLoads(study, misfits.tyre_loads)},
+               {"warnings", warnings},
                {"versions", versions}};
   if (!fit.profiles.empty()) json["profiles"] = Profiles(fit.profiles);
   if (study.bench) json.erase("band_Hz");

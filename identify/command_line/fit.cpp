@@ -3,6 +3,7 @@
 #include <iterator>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/nearest.h"
 #include "analysis/output_folder.h"
@@ -23,6 +24,7 @@
 #include "identify/result_json.h"
 #include "identify/study_context.h"
 #include "identify/study_fit.h"
+#include "identify/warning_texts.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -129,7 +131,7 @@ std::string Page(const LoadedStudy& loaded, const FitResult& fit, const FitSecti
 
 /// What the folder will hold, result.json last, and what is shown.
 FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit,
-                  const std::filesystem::path& folder) {
+                  const std::vector<std::string>& warnings, const std::filesystem::path& folder) {
   FitSection report = loaded.bench ? BenchSection(loaded, fit) : FourPostSection(loaded, fit);
   FitSection histories = HistorySection(loaded, fit);
   report.text += histories.text;
@@ -143,7 +145,7 @@ FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult
   if (!fit.profiles.empty()) report.files.emplace_back("profile.svg", ProfileSvg(fit));
   report.text = FitText(loaded, fit, report.text);
   report.files.emplace_back("vehicle.urdf", VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, folder));
-  report.files.emplace_back("result.json", ResultJson(loaded, seed, fit, report.misfits));
+  report.files.emplace_back("result.json", ResultJson(loaded, seed, fit, report.misfits, warnings));
   return report;
 }
 
@@ -155,6 +157,7 @@ int Run(const FitCommand& command) {
   if (!loaded) throw FaultyInput(diagnostics);
   LintRecordings(*loaded, diagnostics);
   Tell(diagnostics);
+  const std::vector<std::string> warnings = WarningTexts(diagnostics);
   EstimateNoise(*loaded);
   const VehicleObjective objective = loaded->MakeObjective();
   RequireInputsElsewhere(InputsOf(*loaded), command.output);
@@ -173,7 +176,7 @@ int Run(const FitCommand& command) {
                  fit.message.c_str());
     return CodeOf(fit.end);
   }
-  const FitSection report = Report(*loaded, options.seed, fit, command.output);
+  const FitSection report = Report(*loaded, options.seed, fit, warnings, command.output);
   for (const auto& [name, text] : report.files) output.Add(name, text);
   output.Add("report.html", Page(*loaded, fit, report));
   output.Commit();

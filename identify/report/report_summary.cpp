@@ -333,6 +333,14 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
   return advice;
 }
 
+/// Of the inputs, and of what the fit leaves; older runs tell none.
+std::string WhatWasOdd(const Json& result) {
+  std::string items;
+  for (const Json& warning : ListAt(result, "warnings"))
+    if (warning.is_string()) items += html::Element("li", "", html::Escaped(warning.get<std::string>()));
+  return items.empty() ? "" : html::Element("ul", "", items);
+}
+
 }  // namespace
 
 std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>& parameters,
@@ -344,7 +352,8 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
   for (const std::string& advice : WhatNext(result, parameters, channels, worst))
     next += html::Element("li", "", advice);
   return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
-         Item("What fits", WhatFits(judged)) + Item("What does not", WhatDoesNot(judged, worst)) +
+         Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
+         Item("What does not", WhatDoesNot(judged, worst)) +
          Item("What it predicts", WhatItPredicts(JudgeChannels(ListAt(result, "validation")))) +
          Item("What is known", WhatIsDetermined(parameters)) +
          Item("What is not determined", WhatIsNot(result, parameters)) +

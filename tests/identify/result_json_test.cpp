@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "identify/warning_texts.h"
+
 namespace fourpost {
 namespace {
 
@@ -17,7 +19,7 @@ FittedParameter Mass() {
 Json ParametersOf(std::vector<FittedParameter> parameters) {
   FitResult fit;
   fit.parameters = std::move(parameters);
-  return Json::parse(ResultJson({}, 1, fit, {}))["parameters"];
+  return Json::parse(ResultJson({}, 1, fit, {}, {}))["parameters"];
 }
 
 TEST(ResultJson, TellsPriorsAndHowFarTheFitWentFromThem) {
@@ -33,7 +35,7 @@ TEST(ResultJson, TellsHowTheSearchEndedAndAllItsSettings) {
   FitResult fit;
   fit.search.reason = "evaluations used up: 300 of 300 evaluations";
   fit.search_settings = {{"population", "20"}};
-  const Json search = Json::parse(ResultJson({}, 1, fit, {}))["search"];
+  const Json search = Json::parse(ResultJson({}, 1, fit, {}, {}))["search"];
   EXPECT_EQ(search["end"], fit.search.reason);
   EXPECT_EQ(search["settings"]["population"], "20");
 }
@@ -45,7 +47,7 @@ TEST(ResultJson, TellsEverySettingBesideTheMethods) {
   fit.options.refine = {.max_iterations = 50, .step = 1e-5, .differences = Differences::kForward};
   fit.options.starts = 6;
   fit.options.deadline_s = 10;
-  const Json result = Json::parse(ResultJson({}, 1, fit, {}));
+  const Json result = Json::parse(ResultJson({}, 1, fit, {}, {}));
   EXPECT_EQ(result["search"]["stop"], Json::parse(R"({"target_cost": null, "evaluations": 300, "generations": 150,
       "seconds": null, "stagnant_generations": 0, "free_generations": 1000, "on_collapse": true})"));
   EXPECT_EQ(result["search"]["candidates"], Json::parse(R"({"count": 7, "separation": 0.25})"));
@@ -53,6 +55,17 @@ TEST(ResultJson, TellsEverySettingBesideTheMethods) {
       "cost_tolerance": 1e-8, "step_tolerance": 1e-8, "agreement": 0.1})"));
   EXPECT_EQ(result["starts"]["asked"], 6);
   EXPECT_EQ(result["deadline_s"], 10);
+}
+
+TEST(ResultJson, KeepsWarnings) {
+  Diagnostics diagnostics;
+  diagnostics.Warning("/somewhere/study.yaml", 12, "'a_cg' moves against what the vehicle would do");
+  diagnostics.Warning("static.csv", 0, "too heavy");
+  diagnostics.Error("study.yaml", 1, "is no warning");
+  const Json result = Json::parse(ResultJson({}, 1, {}, {}, WarningTexts(diagnostics)));
+  const Json expected = {"study.yaml:12: 'a_cg' moves against what the vehicle would do", "static.csv: too heavy"};
+  EXPECT_EQ(result["warnings"], expected);
+  EXPECT_EQ(Json::parse(ResultJson({}, 1, {}, {}, {}))["warnings"], Json::array());
 }
 
 TEST(ResultJson, HasNoDeviationForWhatIsUndetermined) {

@@ -42,6 +42,14 @@ TEST(Summary, TellsTheMisfitWhateverTheLoss) {
   EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("misses the data by 2.1 times"));
 }
 
+TEST(Summary, ListsWarnings) {
+  Json result = Good();
+  EXPECT_THAT(SummaryHtml(result, Known(), {}), Not(HasSubstr("Warnings")));
+  result["warnings"] = {"study.yaml:12: 'a_cg' is off by < 1 m", "static.csv: too heavy"};
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("<dt>Warnings</dt>"), HasSubstr("is off by &lt; 1 m</li>"), HasSubstr("too heavy</li>")));
+}
+
 TEST(Summary, TellsHistoriesByTheirNmse) {
   Json result = Good();
   result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "a", "nmse_percent": 2, "vaf_percent": 98},
