@@ -51,14 +51,21 @@ Scale ScaleOf(const MeasuredRun& run, const MeasuredChannel& channel, const Mode
           .tangential_sd = std::hypot(channel.tangential_sd[i], gain * model_error.phase_rad, floor)};
 }
 
+/// Along and across the measured phasor.
+Eigen::Vector2d WhitenedError(const MeasuredRun& run, const MeasuredChannel& channel, const FrequencyResponse& modelled,
+                              const ModelError& model_error, std::size_t i) {
+  const Scale scale = ScaleOf(run, channel, model_error, i);
+  const std::complex<double> error = (modelled.channels[channel.sensor].response[i] - channel.response[i]) * scale.turn;
+  return {error.real() / scale.radial_sd, error.imag() / scale.tangential_sd};
+}
+
 void AddRun(const MeasuredRun& run, const FrequencyResponse& modelled, const ModelError& model_error, double*& out) {
   for (const MeasuredChannel& channel : run.channels) {
     const ChannelResponse& model = modelled.channels[channel.sensor];
     for (std::size_t i = 0; i < channel.response.size(); ++i) {
-      const Scale scale = ScaleOf(run, channel, model_error, i);
-      const std::complex<double> error = (model.response[i] - channel.response[i]) * scale.turn;
-      *out++ = error.real() / scale.radial_sd;
-      *out++ = error.imag() / scale.tangential_sd;
+      const Eigen::Vector2d error = WhitenedError(run, channel, modelled, model_error, i);
+      *out++ = error.x();
+      *out++ = error.y();
     }
     for (std::size_t i = 0; i < channel.mean.size(); ++i)
       *out++ = (model.mean[i] - channel.mean[i]) / model_error.mean_m;
@@ -164,6 +171,18 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
                                                   const std::vector<std::size_t>& parameters) {
                 return Differentiate(*vehicle, runs, count, model_error, values, parameters);
               }};
+}
+
+std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyResponse& modelled,
+                                       const ModelError& model_error) {
+  std::vector<double> deviations;
+  for (const MeasuredChannel& channel : run.channels) {
+    double squares = 0;
+    for (std::size_t i = 0; i < channel.response.size(); ++i)
+      squares += WhitenedError(run, channel, modelled, model_error, i).squaredNorm();
+    deviations.push_back(std::sqrt(squares / (2 * static_cast<double>(channel.response.size()))));
+  }
+  return deviations;
 }
 
 ResidualBlock StaticLoadResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredLoad> loads) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "analysis/frequency_response.h"
 #include "identify/four_post_data.h"
 #include "identify/residual_block.h"
 #include "identify/study.h"
@@ -19,6 +20,11 @@ namespace fourpost {
 /// `runs` hold only the frequencies to fit.
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
                                 const ModelError& model_error);
+
+/// Of each channel of a run, the root mean square of those residuals of its responses: how many times what noise and
+/// model error explain. `modelled`: the answer at the run's frequencies, one channel per sensor of the vehicle.
+std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyResponse& modelled,
+                                       const ModelError& model_error);
 
 /// Loads under tyres at rest over their standard deviations: they pin the common scale of masses and rates, which
 /// ratios of accelerations leave open.

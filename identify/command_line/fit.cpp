@@ -17,6 +17,7 @@
 #include "identify/command_line/progress_line.h"
 #include "identify/fit.h"
 #include "identify/fitted_vehicle.h"
+#include "identify/lint/misfit_lint.h"
 #include "identify/lint/recording_lint.h"
 #include "identify/loaded_study.h"
 #include "identify/profile_chart.h"
@@ -122,6 +123,15 @@ int CodeOf(FitEnd end) {
   return kNotGood;
 }
 
+/// Of a fit that was not cut short.
+void TellMisfits(const LoadedStudy& loaded, const FitResult& fit, std::vector<std::string>& warnings) {
+  if (fit.end == FitEnd::kInterrupted) return;
+  Diagnostics diagnostics;
+  LintMisfits(loaded, fit, diagnostics);
+  Tell(diagnostics);
+  for (std::string& text : WarningTexts(diagnostics)) warnings.push_back(std::move(text));
+}
+
 /// The page that shows what the folder will hold.
 std::string Page(const LoadedStudy& loaded, const FitResult& fit, const FitSection& report) {
   Vehicle fitted = loaded.vehicle;
@@ -157,7 +167,7 @@ int Run(const FitCommand& command) {
   if (!loaded) throw FaultyInput(diagnostics);
   LintRecordings(*loaded, diagnostics);
   Tell(diagnostics);
-  const std::vector<std::string> warnings = WarningTexts(diagnostics);
+  std::vector<std::string> warnings = WarningTexts(diagnostics);
   EstimateNoise(*loaded);
   const VehicleObjective objective = loaded->MakeObjective();
   RequireInputsElsewhere(InputsOf(*loaded), command.output);
@@ -176,6 +186,7 @@ int Run(const FitCommand& command) {
                  fit.message.c_str());
     return CodeOf(fit.end);
   }
+  TellMisfits(*loaded, fit, warnings);
   const FitSection report = Report(*loaded, options.seed, fit, warnings, command.output);
   for (const auto& [name, text] : report.files) output.Add(name, text);
   output.Add("report.html", Page(*loaded, fit, report));

@@ -1,0 +1,71 @@
+#include "identify/lint/misfit_lint.h"
+
+#include <gmock/gmock.h>
+
+#include "identify/modelled_response.h"
+#include "tests/identify/shipped_study.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A study whose data are what its vehicle answers at the values of its file.
+LoadedStudy Exact() {
+  LoadedStudy study = ShippedStudy("model1");
+  const CondensedModel model = CondensedVehicle(study.vehicle).At(study.vehicle.ParameterValues());
+  const auto responses = ModelledResponses(model, study.vehicle.sensors, study.data.runs);
+  for (std::size_t r = 0; r < responses.size(); ++r)
+    for (MeasuredChannel& channel : study.data.runs[r].channels)
+      channel.response = responses[r].channels[channel.sensor].response;
+  for (MeasuredLoad& load : study.data.static_loads) load.load_N = model.preloads.tyre[load.tyre];
+  return study;
+}
+
+std::string Lint(const LoadedStudy& study, bool at_bound = false) {
+  FitResult fit;
+  fit.values = study.vehicle.ParameterValues();
+  fit.parameters = {{.name = "m_sprung", .at_bound = at_bound, .dimension = kMass}};
+  Diagnostics diagnostics;
+  LintMisfits(study, fit, diagnostics);
+  EXPECT_FALSE(diagnostics.HasErrors());
+  return diagnostics.Format();
+}
+
+TEST(MisfitLint, HasNothingToTellOfAFitThatAgrees) {
+  LoadedStudy study = Exact();
+  EXPECT_EQ(Lint(study), "");
+  study.data.static_loads[0].load_N += 3.9 * study.data.static_loads[0].sd_N;
+  EXPECT_EQ(Lint(study), "");
+}
+
+TEST(MisfitLint, TellsOfALoadThatIsFarOff) {
+  LoadedStudy study = Exact();
+  study.data.static_loads[0].load_N += 6 * study.data.static_loads[0].sd_N;
+  EXPECT_THAT(Lint(study), AllOf(HasSubstr("'front_tyre' carries "), HasSubstr(" N, 6 of its standard deviations off"),
+                                 HasSubstr("not tared"), Not(HasSubstr("rear_tyre")), Not(HasSubstr("m_sprung"))));
+  EXPECT_THAT(Lint(study, true), HasSubstr("bounds that hold masses (m_sprung)"));
+}
+
+void Scale(MeasuredRun& run, const std::string& name, double factor) {
+  for (MeasuredChannel& channel : run.channels)
+    for (std::complex<double>& value : channel.response)
+      if (channel.name == name) value *= factor;
+}
+
+TEST(MisfitLint, TellsOfAChannelThatIsFarOff) {
+  LoadedStudy study = Exact();
+  // Half of what is measured, over the 12 % that 1 dB is, along the phasor alone: 4.1 / sqrt(2) in the mean.
+  Scale(study.data.runs[0], "a_cg", 2);
+  EXPECT_EQ(Lint(study), "");
+  // Three halves of it: 8.7.
+  Scale(study.data.runs[0], "a_cg", -1);
+  EXPECT_THAT(Lint(study), AllOf(testing::ContainsRegex("'a_cg' is off in 'bounce' by 8[.0-9]* times"),
+                                 Not(HasSubstr("'pitch'")), Not(HasSubstr("'a_tow_point'"))));
+}
+
+}  // namespace
+}  // namespace fourpost
