@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "identify/fitted_files.h"
 #include "identify/kalman_noise_json.h"
 #include "identify/method_settings.h"
 #include "identify/versions.h"
@@ -180,6 +181,12 @@ Json Recordings(const LoadedStudy& study) {
   return list;
 }
 
+Json Files(const Study& study) {
+  Json list = Json::array();
+  for (const FittedFile& file : FittedFiles(study)) list.push_back({{"name", file.name}, {"sha256", file.sha256}});
+  return list;
+}
+
 Json Search(const FitResult& fit) {
   Json settings = Json::object();
   for (const auto& [key, value] : fit.search_settings) settings[key] = value;
@@ -216,6 +223,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"vehicle", study.vehicle.name},
                {"band_Hz", {study.study.band_lower_Hz, study.study.band_upper_Hz}},
                {"recordings", Recordings(study)},
+               {"fitted_files", Files(study.study)},
                {"cost", NumberOrNull(fit.cost)},
                {"residuals", fit.residual_count},
                {"misfit", NumberOrNull(fit.Misfit())},

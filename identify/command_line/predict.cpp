@@ -17,11 +17,12 @@
 #include "identify/command_line/history_table.h"
 #include "identify/command_line/inputs_elsewhere.h"
 #include "identify/command_line/interrupt.h"
-#include "identify/command_line/predictions.h"
 #include "identify/command_line/measured_channels.h"
+#include "identify/command_line/predictions.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/text_table.h"
+#include "identify/fitted_files.h"
 #include "identify/history_fit_files.h"
 #include "identify/history_residuals.h"
 #include "identify/kalman_noise_json.h"
@@ -51,7 +52,7 @@ FittedRun LoadModel(const std::filesystem::path& run) {
   std::optional<Vehicle> vehicle = ReadVehicle(run / "vehicle.urdf", diagnostics);
   std::optional<Study> study = ReadStudy(run / "study.yaml", diagnostics);
   if (!vehicle || !study) throw FaultyInput(diagnostics);
-  return {std::move(*vehicle), std::move(*study)};
+  return {.vehicle = std::move(*vehicle), .study = std::move(*study)};
 }
 
 enum class RecordingKind { kTime, kFrequency };
@@ -171,9 +172,13 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
   }
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
-  return Json{{"vehicle", model.vehicle.name}, {"recording", command.recording.filename().string()},
-              {"start_s", history.TimeAt(0)},  {"end_s", history.TimeAt(history.count - 1)},
-              {"samples", history.count},      {"channels", channels},
+  return Json{{"vehicle", model.vehicle.name},
+              {"recording", command.recording.filename().string()},
+              {"was_fitted", model.has_seen},
+              {"start_s", history.TimeAt(0)},
+              {"end_s", history.TimeAt(history.count - 1)},
+              {"samples", history.count},
+              {"channels", channels},
               {"versions", versions}}
              .dump(2) +
          '\n';
@@ -228,9 +233,16 @@ void AddLoad(const PredictCommand& command, Vehicle& vehicle) {
 
 int Run(const PredictCommand& command) {
   FittedRun model = LoadModel(command.run);
+  model.has_seen = WasFitted(command.run / "result.json", command.recording);
+  if (model.has_seen)
+    std::fprintf(stderr, "%s: the fit has seen this recording: what follows is fitted, not foretold\n",
+                 command.recording.c_str());
   if (model.study.bench)
     Refuse(command.run,
-           "is a fit of a damper on its bench: list other recordings under `bench: validation` of its study");
+           "is a fit of a damper on its bench, which `predict` does not run: list " +
+               command.recording.filename().string() +
+               " under `bench: validation` of the study and fit again with the same seed; the fit is the same, and the "
+               "recording's nmse_percent is in its table and under `validation` of result.json");
   if (!command.add_mass.empty()) AddLoad(command, model.vehicle);
   switch (KindOf(command.recording, model.study)) {
     case RecordingKind::kTime: return PredictHistory(command, model);

@@ -20,6 +20,7 @@
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/solve_sweep.h"
 #include "identify/four_post_data.h"
+#include "identify/lint/recording_lint.h"
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
 #include "identify/post_shape.h"
@@ -145,6 +146,13 @@ std::string SetPosts(const PredictCommand& command, const FittedRun& model, cons
   return command.mode;
 }
 
+/// What the recording can hardly be so of.
+void TellLints(const FittedRun& model, const CondensedModel& condensed, const MeasuredRun& whole) {
+  Diagnostics findings;
+  LintRuns({model.study, model.vehicle, condensed}, {whole}, findings);
+  Tell(findings);
+}
+
 std::string AsJson(const PredictCommand& command, const FittedRun& model, const std::string& mode,
                    const std::vector<ChannelMisfit>& misfits) {
   Json channels = Json::array();
@@ -158,6 +166,7 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
   for (const auto& [name, version] : Versions()) versions[name] = version;
   return Json{{"vehicle", model.vehicle.name},
               {"recording", command.recording.filename().string()},
+              {"was_fitted", model.has_seen},
               {"posts", mode},
               {"band_Hz", {model.study.band_lower_Hz, model.study.band_upper_Hz}},
               {"channels", channels},
@@ -179,6 +188,7 @@ int PredictResponses(const PredictCommand& command, const FittedRun& model) {
   }
   const CondensedModel condensed = CondensedVehicle(model.vehicle).At(model.vehicle.ParameterValues());
   const std::string mode = SetPosts(command, model, condensed, whole);
+  TellLints(model, condensed, whole);
   const std::vector<MeasuredRun> in_band = InBand({whole}, lower, upper);
   const FrequencyResponse response = Completed(model, in_band.front(), Respond(model, condensed, in_band.front()));
   if (Interrupted()) return kInterrupted;

@@ -10,6 +10,8 @@ namespace fourpost {
 struct FittedRun {
   Vehicle vehicle;
   Study study;
+  /// Whether the fit has seen the recording that is to be predicted.
+  bool has_seen = false;
 };
 
 /// Tells how well the model predicts a stepped sine, within the study's band. Returns an ExitCode. Throws FaultyInput.

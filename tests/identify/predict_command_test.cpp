@@ -73,6 +73,13 @@ TEST_F(PredictCommandLine, ShowsWhatAFitIsWorthOnARecordingThatItHasNotSeen) {
   ASSERT_EQ(told.code, 0) << told.err;
   const Json prediction = Json::parse(told.out);
   EXPECT_EQ(Json::parse(ReadText(folder_ / "predicted/result.json")), prediction);
+  EXPECT_EQ(prediction["was_fitted"], false);
+  EXPECT_THAT(told.err, Not(HasSubstr("has seen")));
+  // Whatever it is called.
+  temporary_.Write("sweep_again.csv", ReadText(folder_ / "sweep.csv"));
+  const Outcome seen = Run("predict run --recording sweep_again.csv --json");
+  EXPECT_EQ(Json::parse(seen.out)["was_fitted"], true);
+  EXPECT_THAT(seen.err, HasSubstr("the fit has seen this recording: what follows is fitted, not foretold"));
   ASSERT_EQ(prediction["channels"].size(), 4u);
   for (const Json& channel : prediction["channels"]) {
     EXPECT_EQ(channel["recording"], "other");
@@ -268,6 +275,39 @@ std::string WithoutLinesOf(const std::string& text, const std::string& what) {
   for (std::string line; std::getline(lines, line);)
     if (line.find(what) == std::string::npos) kept += line + '\n';
   return kept;
+}
+
+/// The phase of each line of a channel half a turn off.
+std::string Turned(const std::string& text, const std::string& channel) {
+  std::istringstream lines(text);
+  std::string turned;
+  for (std::string line; std::getline(lines, line);) {
+    if (const std::size_t at = line.find("," + channel + ","); at != std::string::npos) {
+      // frequency, amplitude, channel, gain, phase
+      const std::size_t phase = line.find(',', at + channel.size() + 2) + 1;
+      const std::size_t end = line.find(',', phase);
+      line.replace(phase, end - phase, std::to_string(std::stod(line.substr(phase)) + 180));
+    }
+    turned += line + '\n';
+  }
+  return turned;
+}
+
+TEST_F(PredictResponsesCommandLine, TellsOfAWrongPatternAndOfAWrongSign) {
+  Fit();
+  const Outcome wrong = Run("predict run --recording studies/landrover110/pitch_frf.csv --mode heave");
+  EXPECT_EQ(wrong.code, 0);
+  EXPECT_THAT(wrong.err,
+              HasSubstr("recording 'pitch_frf' is told to be of posts that move as heave (front 1, rear 1)"));
+  EXPECT_THAT(wrong.err, HasSubstr("look like pitch (front 1, rear -1)"));
+  temporary_.Write("turned.csv", Turned(ReadText(folder_ / "studies/landrover110/pitch_frf.csv"), "a_tow_point"));
+  const Outcome turned = Run("predict run --recording turned.csv --mode pitch");
+  EXPECT_EQ(turned.code, 0);
+  EXPECT_THAT(turned.err, HasSubstr("'a_tow_point' moves against what the vehicle would do"));
+  EXPECT_THAT(turned.err, Not(HasSubstr("is told to be")));
+  const Outcome seen = Run("predict run --recording studies/landrover110/bounce_frf.csv --mode heave --json");
+  EXPECT_THAT(seen.err, HasSubstr("fitted, not foretold"));
+  EXPECT_EQ(Json::parse(seen.out)["was_fitted"], true);
 }
 
 TEST_F(PredictResponsesCommandLine, LeavesOutWhatWasNotMeasured) {
