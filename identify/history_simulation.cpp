@@ -7,6 +7,7 @@
 #include <string>
 
 #include "analysis/low_pass.h"
+#include "analysis/option_check.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/simulation/condensed_stepper.h"
 #include "vehicles/simulation/multibody_system.h"
@@ -60,24 +61,47 @@ HistorySimulation::HistorySimulation(const MeasuredHistory& history, double step
                          {posts_.data() + k * post_count_, static_cast<std::size_t>(post_count_)});
 }
 
-Eigen::MatrixXd HistorySimulation::Run(const CondensedModel& model, const Deadline& deadline) const {
+std::span<const PostState> HistorySimulation::PostsAt(Index step) const {
+  return {posts_.data() + step * post_count_, static_cast<std::size_t>(post_count_)};
+}
+
+template <typename Sample>
+void HistorySimulation::March(const CondensedModel& model, const Deadline& deadline, const Sample& sample) const {
   CondensedStepper stepper(model, step_s());
-  const auto posts_at = [&](Index k) {
-    return std::span(posts_.data() + k * post_count_, static_cast<std::size_t>(post_count_));
-  };
-  Eigen::MatrixXd readings(stepper.sensor_count(), samples_);
-  stepper.Start(posts_at(0));
+  stepper.Start(PostsAt(0));
   for (Index k = 0; k < samples_; ++k) {
     if (k % kBetweenChecks == 0) deadline.Check();
-    for (long part = 0; part < parts_ && k > 0; ++part) stepper.Step(posts_at((k - 1) * parts_ + part + 1));
-    stepper.Read(readings.col(k));
+    for (long part = 0; part < parts_ && k > 0; ++part) stepper.Step(PostsAt((k - 1) * parts_ + part + 1));
+    sample(k, stepper);
     // So written that it is true for NaN.
     if (!(stepper.state().norm() < kFarthest)) throw std::runtime_error("the motion grows beyond all bounds");
   }
   if (stepper.unsolved_steps() > 0)
     throw std::runtime_error("the forces of the vehicle's elements were not found in " +
                              std::to_string(stepper.unsolved_steps()) + " steps");
+}
+
+Eigen::MatrixXd HistorySimulation::Run(const CondensedModel& model, const Deadline& deadline) const {
+  Eigen::MatrixXd readings(model.on_position.rows(), samples_);
+  March(model, deadline, [&](Index k, const CondensedStepper& stepper) { stepper.Read(readings.col(k)); });
   return SignalsOf(*history_, readings);
+}
+
+HistoryMotion HistorySimulation::Motion(const CondensedModel& model, Index stride) const {
+  RequireOption(stride >= 1, "HistorySimulation::Motion: stride", static_cast<double>(stride), "at least 1");
+  const Index first = samples_ - history_->count;
+  const Index frames = (history_->count - 1) / stride + 1;
+  HistoryMotion motion{.start_s = history_->TimeAt(0), .rate_Hz = history_->rate_Hz / static_cast<double>(stride)};
+  motion.posts.resize(frames, post_count_);
+  motion.coordinates.resize(frames, model.mass.rows());
+  March(model, {}, [&](Index k, const CondensedStepper& stepper) {
+    if (k < first || (k - first) % stride != 0) return;
+    const Index frame = (k - first) / stride;
+    const std::span<const PostState> posts = PostsAt(k * parts_);
+    for (Index p = 0; p < post_count_; ++p) motion.posts(frame, p) = posts[static_cast<std::size_t>(p)].height;
+    motion.coordinates.row(frame) = stepper.state().head(model.mass.rows()).transpose();
+  });
+  return motion;
 }
 
 std::optional<Eigen::MatrixXd> SimulateFully(const MeasuredHistory& history, const Vehicle& vehicle, double accuracy,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,6 +13,16 @@
 #include "vehicles/simulation/time_system.h"
 
 namespace fourpost {
+
+/// How posts and vehicle moved, from time to time.
+struct HistoryMotion {
+  double start_s = 0;
+  double rate_Hz = 0;
+  /// Frames x posts: heights [m].
+  Eigen::MatrixXd posts;
+  /// Frames x independent coordinates of the condensed model, from the design pose.
+  Eigen::MatrixXd coordinates;
+};
 
 /// A model through a measured history: the posts move as the rig's did, what the sensors read goes through the rig's
 /// filter, once, and loses its mean over the window. Filtering the model's outputs is right although the record's post
@@ -26,9 +37,18 @@ class HistorySimulation {
   /// Samples of the window x signals. Throws std::runtime_error where the motion cannot be computed, and TimedOut.
   Eigen::MatrixXd Run(const CondensedModel& model, const Deadline& deadline = {}) const;
 
+  /// What moved while that was so: the first sample of the window and every `stride`-th after it, at least 1. No filter
+  /// is between. Throws as Run() does.
+  HistoryMotion Motion(const CondensedModel& model, Eigen::Index stride) const;
+
   double step_s() const { return 1 / (history_->rate_Hz * static_cast<double>(parts_)); }
 
  private:
+  /// `sample(k, stepper)` after the steps to each sample.
+  template <typename Sample>
+  void March(const CondensedModel& model, const Deadline& deadline, const Sample& sample) const;
+  std::span<const PostState> PostsAt(Eigen::Index step) const;
+
   const MeasuredHistory* history_;
   long parts_ = 1;
   Eigen::Index post_count_ = 0;

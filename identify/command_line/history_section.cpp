@@ -8,6 +8,7 @@
 #include "identify/command_line/text_table.h"
 #include "identify/history_fit_files.h"
 #include "identify/history_residuals.h"
+#include "identify/motion_file.h"
 
 namespace fourpost {
 
@@ -65,21 +66,39 @@ std::vector<HistoryMisfit> Show(const Vehicle& vehicle, const HistoryResiduals& 
   return misfits;
 }
 
+/// How the fitted vehicle moved in each.
+void AddMotions(const CondensedModel& model, const HistoryResiduals& residuals, std::vector<RecordedHistory>& motions) {
+  const std::vector<double> steps = residuals.Steps();
+  for (std::size_t h = 0; h < steps.size(); ++h) {
+    const MeasuredHistory& history = residuals.histories()[h];
+    const Eigen::Index columns = static_cast<Eigen::Index>(history.posts.count) + model.mass.rows();
+    motions.push_back(
+        {history.name, HistorySimulation(history, steps[h]).Motion(model, FrameStride(history, columns))});
+  }
+}
+
 }  // namespace
 
 FitSection HistorySection(const LoadedStudy& loaded, const FitResult& fit) {
   FitSection section;
   if (loaded.histories.empty() && loaded.validation.empty()) return section;
   const auto condensed = std::make_shared<const CondensedVehicle>(loaded.vehicle);
-  if (!loaded.histories.empty())
-    section.misfits.histories =
-        Show(loaded.vehicle, HistoryResiduals(condensed, loaded.histories, loaded.HistoryOptions()), fit,
-             loaded.study.history_cost == HistoryCost::kPrediction, "history", section);
+  const CondensedModel model = condensed->At(fit.values);
+  std::vector<RecordedHistory> motions;
+  if (!loaded.histories.empty()) {
+    const HistoryResiduals residuals(condensed, loaded.histories, loaded.HistoryOptions());
+    const bool predicts = loaded.study.history_cost == HistoryCost::kPrediction;
+    section.misfits.histories = Show(loaded.vehicle, residuals, fit, predicts, "history", section);
+    AddMotions(model, residuals, motions);
+  }
   if (!loaded.validation.empty()) {
     section.text += "Not fitted:\n";
-    section.misfits.validation =
-        Show(loaded.vehicle, HistoryResiduals(condensed, loaded.validation, {}), fit, false, "validation", section);
+    const HistoryResiduals residuals(condensed, loaded.validation, {});
+    section.misfits.validation = Show(loaded.vehicle, residuals, fit, false, "validation", section);
+    AddMotions(model, residuals, motions);
   }
+  // A report cannot compute it anew: the folder of a run has no recordings.
+  section.files.emplace_back("motion.csv", MotionCsv(loaded.vehicle, motions));
   return section;
 }
 

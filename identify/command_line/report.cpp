@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kResult = "result.json";
 /// What a report reads as text.
-constexpr std::array<const char*, 4> kFiles = {kResult, "response.csv", "history.csv", "bench.csv"};
+constexpr std::array<const char*, 5> kFiles = {kResult, "response.csv", "history.csv", "motion.csv", "bench.csv"};
 
 /// The first finding, which is what keeps a vehicle from being shown.
 std::string Reason(const Diagnostics& findings) {

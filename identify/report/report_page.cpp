@@ -102,7 +102,11 @@ OrderedJson SceneOf(const Json& result, const std::vector<ComparedChannel>& chan
   fault = run.vehicle_fault;
   if (!run.vehicle) return nullptr;
   try {
-    return SceneJson(*run.vehicle, MotionsOf(result, channels, *run.vehicle));
+    const auto file = run.files.find("motion.csv");
+    const std::vector<RecordedHistory> histories = file == run.files.end()
+                                                       ? std::vector<RecordedHistory>()
+                                                       : ReadMotionCsv(file->second, file->first, *run.vehicle);
+    return SceneJson(*run.vehicle, MotionsOf(result, channels, *run.vehicle), histories);
   } catch (const std::runtime_error& error) {
     fault = error.what();
   } catch (const std::invalid_argument& error) {

@@ -230,9 +230,39 @@ Json MotionsJson(const CondensedModel& model, const std::vector<RecordedMotion>&
   return list;
 }
 
+/// Columns as whole numbers of a unit of their own: a picture needs no more than four digits of the largest.
+Json ColumnsJson(const Eigen::MatrixXd& columns) {
+  constexpr double kDigits = 9999;
+  Json list = Json::array();
+  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+    const double unit = columns.col(j).cwiseAbs().maxCoeff() / kDigits;
+    Json steps = Json::array();
+    for (const double value : columns.col(j)) steps.push_back(unit > 0 ? std::lround(value / unit) : 0);
+    list.push_back({{"unit", PictureNumber(unit)}, {"steps", std::move(steps)}});
+  }
+  return list;
+}
+
+Json HistoriesJson(const CondensedModel& model, const std::vector<RecordedHistory>& histories) {
+  Json list = Json::array();
+  for (const auto& [name, motion] : histories) {
+    if (motion.coordinates.cols() != model.mass.rows())
+      throw std::invalid_argument("the motion of '" + name + "' has " + std::to_string(motion.coordinates.cols()) +
+                                  " coordinates and this vehicle " + std::to_string(model.mass.rows()) + "; fit again");
+    list.push_back({{"name", name},
+                    {"start_s", PictureNumber(motion.start_s)},
+                    {"rate_Hz", PictureNumber(motion.rate_Hz)},
+                    {"frames", motion.posts.rows()},
+                    {"posts", ColumnsJson(motion.posts)},
+                    {"coordinates", ColumnsJson(motion.coordinates)}});
+  }
+  return list;
+}
+
 }  // namespace
 
-Json SceneJson(const Vehicle& vehicle, const std::vector<RecordedMotion>& motions) {
+Json SceneJson(const Vehicle& vehicle, const std::vector<RecordedMotion>& motions,
+               const std::vector<RecordedHistory>& histories) {
   const std::vector<double> values = vehicle.ParameterValues();
   const CondensedModel model = CondensedVehicle(vehicle).At(values);
   const Kinematics pose = DesignKinematics(vehicle);
@@ -252,7 +282,8 @@ Json SceneJson(const Vehicle& vehicle, const std::vector<RecordedMotion>& motion
           {"posts", PostsJson(vehicle)},
           {"sensors", SensorsJson(vehicle)},
           {"modes", ModesJson(vehicle, pose, model, values)},
-          {"motions", MotionsJson(model, motions)}};
+          {"motions", MotionsJson(model, motions)},
+          {"histories", HistoriesJson(model, histories)}};
 }
 
 }  // namespace fourpost

@@ -7,7 +7,7 @@ import { root } from './browser.mjs';
 
 const source = (name) => import(pathToFileURL(join(root, 'analysis', 'report', 'web', 'src', name)).href);
 const { extent, fixed, multiples, niceStep, shown } = await source('number.js');
-const { coordinatesAt, greatestMotion, linkMotion, phasors } = await source('viewer/motion.js');
+const { between, coordinatesAt, framesOf, greatestMotion, greatestOf, linkMotion, phasors } = await source('viewer/motion.js');
 
 describe('numbers', () => {
   test('have significant digits and a minus sign', () => {
@@ -42,6 +42,21 @@ describe('motion', () => {
     // A point 1 m behind the origin rises by 1 + 2, and 0.1 m above it moves by 0.2 along x.
     const greatest = greatestMotion({ links: [link] }, [1, 0], [[[-1, 0, 0.1]]]);
     assert.ok(Math.abs(greatest - Math.hypot(3, 0.2)) < 1e-12);
+  });
+
+  test('over time is told by steps of a unit, and goes straight between frames', () => {
+    const column = (unit, ...steps) => ({ unit, steps });
+    const frames = framesOf({ frames: 3, coordinates: [column(0.5, 0, 4, -2), column(0, 0, 0, 0)], posts: [column(0.001, 10, 0, 0)] });
+    assert.deepEqual(frames.coordinates.map((row) => [...row]), [[0, 0], [2, 0], [-1, 0]]);
+    const at = (time) => [...between(frames.coordinates, time, 2)];
+    assert.deepEqual(at(0), [0, 0]);
+    assert.deepEqual(at(0.25), [1, 0]);
+    assert.deepEqual(at(0.75), [0.5, 0]);
+    // Before and after it stands.
+    assert.deepEqual(at(-1), [0, 0]);
+    assert.deepEqual(at(9), [-1, 0]);
+    assert.deepEqual([...between([[7]], 3, 2)], [7]);
+    assert.equal(greatestOf({ links: [link] }, frames.coordinates.map((row) => [row[0]]), [[[0, 0, 0]]]), 2);
   });
 
   test('of a response has posts that move as a sine', () => {

@@ -215,6 +215,30 @@ test('the report of a fit to time histories opens without a fault', async () => 
     assert.ok((await coloured(page.locator('#histories canvas').nth(k), modelColour)) > 500, `curve of chart ${k}`);
   await page.locator('#histories button', { hasText: 'where most happens' }).click();
   assert.equal(await page.locator('#responses').count(), 0);
+  // The vehicle goes through the recording, and the charts show where it is.
+  await page.locator('#histories button', { hasText: 'all of it' }).click();
+  assert.equal(await page.locator('#histories .playhead:visible').count(), 0);
+  await page.locator('#vehicle select').selectOption({ label: 'sweep_12mm, 34.9 s' });
+  const canvas = page.locator('.viewer canvas');
+  const picture = () => canvas.evaluate((element) => element.toDataURL());
+  const still = await picture();
+  assert.equal(await page.locator('#histories .playhead:visible').count(), 5);
+  const line = () => page.locator('#histories .playhead').first().evaluate((element) => parseFloat(element.style.left));
+  assert.ok(Math.abs(await line()) < 1);
+  const scrub = page.locator('input.scrub');
+  await canvas.scrollIntoViewIfNeeded();
+  await page.locator('button.play').click();
+  await page.waitForFunction(() => Number(document.querySelector('input.scrub').value) > 0.3);
+  await page.locator('button.play').click();
+  assert.ok((await picture()) !== still, 'a playing vehicle moves');
+  await scrub.fill('17.45');
+  assert.match(await page.locator('.viewer .caption').textContent(), /^sweep_12mm at 17\.4\d s, in real time, 5\d frames a second, motion drawn \d\S* times as large$/);
+  const width = await page.locator('#histories .u-over').first().evaluate((element) => element.clientWidth);
+  // Half of the recording.
+  assert.ok(Math.abs((await line()) - 0.5 * width) < 0.01 * width);
+  // A mode is in no recording.
+  await page.locator('#vehicle select').selectOption({ index: 0 });
+  assert.equal(await page.locator('#histories .playhead:visible').count(), 0);
   assert.deepEqual(page.faults, []);
   await page.context().close();
 });

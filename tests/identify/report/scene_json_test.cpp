@@ -67,6 +67,35 @@ TEST(SceneJson, AnswersToThePostsAsTheSensorsDo) {
   }
 }
 
+TEST(SceneJson, TellsHistoriesAtFourDigits) {
+  Eigen::MatrixXd posts(2, 1);
+  posts << 0.012, -0.004;
+  Eigen::MatrixXd coordinates(2, 2);
+  coordinates << 0.02, 0, -0.0150001, 0;
+  const Json scene = SceneJson(ShippedVehicle("quarter_car"), {}, {{"sweep", {1.5, 60, posts, coordinates}}});
+  const Json& history = scene["histories"][0];
+  EXPECT_EQ(history["name"], "sweep");
+  EXPECT_EQ(history["frames"], 2);
+  const auto at = [](const Json& column, std::size_t k) {
+    return column["unit"].get<double>() * column["steps"][k].get<double>();
+  };
+  // Half a step of 9999 of the largest.
+  EXPECT_NEAR(at(history["posts"][0], 0), 0.012, 0.51e-4 * 0.012);
+  EXPECT_NEAR(at(history["posts"][0], 1), -0.004, 0.51e-4 * 0.012);
+  EXPECT_NEAR(at(history["coordinates"][0], 1), -0.0150001, 0.51e-4 * 0.02);
+  // Of what does not move nothing is left.
+  EXPECT_EQ(at(history["coordinates"][1], 0), 0);
+}
+
+TEST(SceneJson, RefusesHistoriesOfAnotherVehicle) {
+  EXPECT_THAT(
+      [] {
+        SceneJson(ShippedVehicle("quarter_car"), {},
+                  {{"sweep", {0, 60, Eigen::MatrixXd::Zero(2, 1), Eigen::MatrixXd::Zero(2, 7)}}});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("7 coordinates and this vehicle 2; fit again")));
+}
+
 TEST(SceneJson, NamesMeshesThatCannotBeRead) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
   vehicle.links[1].visuals.front().mesh_file = "/nowhere/box.obj";

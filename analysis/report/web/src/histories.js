@@ -3,6 +3,7 @@ import { chart, curve, linearAxis } from './chart.js';
 import { choice, el } from './dom.js';
 import { legend } from './legend.js';
 import { extent, fixed, shown } from './number.js';
+import { onPlayhead, playheadLine, put } from './playhead.js';
 
 /** Units as a chassis engineer reads them: [factor, unit]. */
 const shownUnits = { m: [1000, 'mm'], 'm/s': [1000, 'mm/s'] };
@@ -20,7 +21,7 @@ export function channelsOf(recording) {
   return [...channels.values()];
 }
 
-function card(channel, time, misfit, sync) {
+function card(recording, channel, time, misfit, sync) {
   const place = el('div');
   const head = misfit?.nmse_percent == null ? '' : `NMSE ${shown(misfit.nmse_percent, 3)} %`;
   const reading = el('span', { class: 'reading' }, head);
@@ -41,6 +42,7 @@ function card(channel, time, misfit, sync) {
         axes: [linearAxis({ scale: 'x', side: 2, size: 24 }), linearAxis()],
         series: [{}, curve('measured', 'measured', { width: 2.2 }), curve('fit', 'model', { width: 1 })],
         cursor: { y: false, sync: { key: sync.key }, drag: { x: true, y: false } },
+        plugins: [playheadLine(recording)],
         hooks: {
           setCursor: [
             (u) => {
@@ -77,6 +79,7 @@ export function drawHistories(place, data) {
   const charts = el('div', { class: 'charts wide' });
   const note = el('p', { class: 'note' });
   let show = () => {};
+  let follow = () => {};
   const redraw = (name) => {
     const recording = recordings.find((candidate) => candidate.recording === name);
     const time = recording.columns.find((column) => column.name === 'time').values;
@@ -84,9 +87,10 @@ export function drawHistories(place, data) {
     const misfit = (channel) =>
       (data.result.channels ?? []).find((entry) => entry.recording === name && entry.name === channel.name);
     const channels = channelsOf(recording);
-    const cards = channels.map((channel) => card(channel, time, misfit(channel), sync));
+    const cards = channels.map((channel) => card(name, channel, time, misfit(channel), sync));
     charts.replaceChildren(...cards.map(({ box }) => box));
     const states = cards.map(({ draw }) => draw());
+    follow = () => states.forEach(({ plot }) => put(plot, name));
     show = (part) => {
       const [min, max] = part === 'all' ? extent(time) : busiest(time, channels);
       for (const { plot } of states) plot.setScale('x', { min, max });
@@ -108,4 +112,5 @@ export function drawHistories(place, data) {
   );
   place.append(legend(['line', 'measured', 'measured'], ['line', 'model', 'fit']), note, charts);
   redraw(names[0]);
+  onPlayhead(() => follow());
 }

@@ -21,9 +21,13 @@ export function linkMotion(link, s) {
 
 /** The greatest displacement over a cycle of any link's centre of mass or of points that elements hold [m]. */
 export function greatestMotion(scene, coordinates, points) {
+  return greatestOf(scene, Array.from({ length: 16 }, (_, step) => coordinatesAt(coordinates, (step * Math.PI) / 8)), points);
+}
+
+/** The same over a list of s. */
+export function greatestOf(scene, list, points) {
   let greatest = 0;
-  for (let step = 0; step < 16; ++step) {
-    const s = coordinatesAt(coordinates, (step * Math.PI) / 8);
+  for (const s of list) {
     scene.links.forEach((link, k) => {
       const m = linkMotion(link, s);
       for (const [x, y, z] of points[k]) {
@@ -37,13 +41,31 @@ export function greatestMotion(scene, coordinates, points) {
   return greatest;
 }
 
-/** What can be played: modes, and responses to the recorded motions of the posts. */
+/** Columns of whole numbers of a unit as rows, one per frame. */
+function rows(columns, frames) {
+  return Array.from({ length: frames }, (_, k) => Float64Array.from(columns, ({ unit, steps }) => unit * steps[k]));
+}
+
+/** A recording over time as frames: s and heights of the posts [m]. */
+export function framesOf({ frames, coordinates, posts }) {
+  return { coordinates: rows(coordinates, frames), posts: rows(posts, frames) };
+}
+
+/** Rows between two frames, at a time [s] after the first. */
+export function between(list, time, rate_Hz) {
+  const at = Math.min(Math.max(time * rate_Hz, 0), list.length - 1);
+  const k = Math.min(Math.floor(at), list.length - 2);
+  return list.length < 2 ? list[0] : list[k].map((value, i) => value + (at - k) * (list[k + 1][i] - value));
+}
+
+/** What can be played: modes, responses to the recorded motions of the posts, and recordings over time. */
 export function motionsOf(scene) {
   const modes = scene.modes
     .filter((mode) => mode.shape.length)
     .map((mode, i) => ({ id: `mode ${i}`, kind: 'mode', mode, name: mode.name }));
   const responses = scene.motions.map((motion, i) => ({ id: `response ${i}`, kind: 'response', motion, name: motion.name }));
-  return [...modes, ...responses];
+  const histories = scene.histories.map((motion, i) => ({ id: `history ${i}`, kind: 'history', motion, name: motion.name }));
+  return [...modes, ...responses, ...histories];
 }
 
 /**

@@ -1,7 +1,8 @@
 import { choice, el, tick } from '../dom.js';
 import { fixed, shown } from '../number.js';
 import { colours, isDark, onTheme } from '../theme.js';
-import { coordinatesAt, greatestMotion, motionsOf, phasors } from './motion.js';
+import { movePlayhead } from '../playhead.js';
+import { between, coordinatesAt, framesOf, greatestMotion, greatestOf, motionsOf, phasors } from './motion.js';
 import { Stage } from './stage.js';
 
 /** How long a cycle is on the screen [s]; a fast motion is shown slower. */
@@ -22,16 +23,21 @@ function pointsOf(stage, scene) {
 }
 
 function optionsOf(motions) {
-  const groups = { mode: el('optgroup', { label: 'Modes' }), response: el('optgroup', { label: 'Responses to the posts' }) };
+  const groups = { mode: el('optgroup', { label: 'Modes' }), response: el('optgroup', { label: 'Responses to the posts' }), history: el('optgroup', { label: 'Recordings over time' }) };
   for (const motion of motions) {
     const words =
       motion.kind === 'mode'
         ? `${motion.name}, ${shown(motion.mode.frequency_Hz, 3)} Hz, damping ratio ${shown(motion.mode.damping_ratio, 2)}`
-        : motion.name;
+        : motion.kind === 'history'
+          ? `${motion.name}, ${shown(lastOf(motion.motion) - motion.motion.start_s, 3)} s`
+          : motion.name;
     groups[motion.kind].append(el('option', { value: motion.id }, words));
   }
   return Object.values(groups).filter((group) => group.children.length);
 }
+
+/** Time of the last frame [s]. */
+const lastOf = ({ start_s, rate_Hz, frames }) => start_s + (frames - 1) / rate_Hz;
 
 class Viewer {
   constructor(place, scene) {
@@ -40,6 +46,7 @@ class Viewer {
     this.chosen = this.motions[0];
     this.at = 0;
     this.phase = 0;
+    this.time = 0;
     this.strength = 1;
     this.playing = false;
     this.canvas = el('canvas', { 'aria-label': 'the vehicle on its posts; drag to turn' });
@@ -94,9 +101,10 @@ class Viewer {
 
   #transport() {
     this.button = el('button', { type: 'button', class: 'play', onclick: () => this.play(!this.playing) }, 'play');
-    this.scrub = el('input', { type: 'range', class: 'scrub', min: 0, max: 360, step: 1, value: 0, 'aria-label': 'phase of the cycle', oninput: () => {
+    this.scrub = el('input', { type: 'range', class: 'scrub', oninput: () => {
       this.play(false);
-      this.phase = (Number(this.scrub.value) * Math.PI) / 180;
+      if (this.overTime) this.time = Number(this.scrub.value);
+      else this.phase = (Number(this.scrub.value) * Math.PI) / 180;
       this.draw();
     } });
     this.frequency = el('input', { type: 'range', min: 0, step: 1, value: 0, 'aria-label': 'frequency', oninput: () => {
@@ -106,11 +114,37 @@ class Viewer {
     } });
     this.hertz = el('output');
     this.frequencies = el('label', {}, 'frequency', this.frequency, this.hertz);
-    return el('div', { class: 'controls' }, this.button, el('label', { class: 'scrub' }, 'phase', this.scrub), this.frequencies);
+    this.scrubName = el('span');
+    return el('div', { class: 'controls' }, this.button, el('label', { class: 'scrub' }, this.scrubName, this.scrub), this.frequencies);
+  }
+
+  get overTime() {
+    return this.chosen?.kind === 'history';
+  }
+
+  /** The slider goes over a cycle, or over a recording. */
+  #setScrub() {
+    const { motion } = this.chosen ?? {};
+    const [name, label, min, max, step] = this.overTime
+      ? ['time', 'time of the recording', motion.start_s, lastOf(motion), 1 / motion.rate_Hz]
+      : ['phase', 'phase of the cycle', 0, 360, 1];
+    this.scrubName.textContent = name;
+    this.scrub.setAttribute('aria-label', label);
+    Object.assign(this.scrub, { min, max, step });
+    this.#moveScrub();
+  }
+
+  #moveScrub() {
+    this.scrub.value = this.overTime ? this.time : (this.phase * 180) / Math.PI;
   }
 
   choose(motion) {
     this.chosen = motion;
+    if (this.overTime) {
+      this.frames = framesOf(motion.motion);
+      this.time = motion.motion.start_s;
+    } else movePlayhead(null, 0);
+    this.#setScrub();
     this.frequencies.hidden = motion?.kind !== 'response';
     this.frequencies.style.display = this.frequencies.hidden ? 'none' : '';
     if (motion?.kind === 'response') {
@@ -126,9 +160,18 @@ class Viewer {
   /** By how much the motion is drawn larger than it is, at a strength of 1. */
   #measure() {
     if (!this.chosen) return;
-    const { coordinates, posts } = phasors(this.scene, this.chosen, this.at);
-    const greatest = Math.max(greatestMotion(this.scene, coordinates, this.points), ...posts.map(([re, im]) => Math.hypot(re, im)));
+    const greatest = this.overTime ? this.#greatestOverTime() : this.#greatestOfCycle();
     this.factor = greatest > 0 ? (share * this.stage.size) / greatest : 1;
+  }
+
+  #greatestOfCycle() {
+    const { coordinates, posts } = phasors(this.scene, this.chosen, this.at);
+    return Math.max(greatestMotion(this.scene, coordinates, this.points), ...posts.map(([re, im]) => Math.hypot(re, im)));
+  }
+
+  #greatestOverTime() {
+    const { coordinates, posts } = this.frames;
+    return posts.reduce((most, row) => Math.max(most, ...row.map(Math.abs)), greatestOf(this.scene, coordinates, this.points));
   }
 
   #captionText() {
@@ -139,9 +182,11 @@ class Viewer {
       const words = kind === 'oscillating' ? '' : `, ${kind}`;
       return `${name}, ${shown(frequency_Hz, 3)} Hz${words}${this.#slower(frequency_Hz)}${missing}`;
     }
+    const larger = `motion drawn ${shown(this.factor * this.strength, 2)} times as large`;
+    if (this.overTime) return `${this.chosen.name} at ${fixed(this.time, 2)} s, in real time, ${shown(this.chosen.motion.rate_Hz, 2)} frames a second, ${larger}${missing}`;
     const frequency = this.chosen.motion.frequency_Hz[this.at];
     const amplitude = 1000 * this.chosen.motion.amplitude_m[this.at];
-    return `${this.chosen.name}, ${shown(frequency, 3)} Hz, posts \u00b1${shown(amplitude, 2)} mm, motion drawn ${shown(this.factor * this.strength, 2)} times as large${this.#slower(frequency)}${missing}`;
+    return `${this.chosen.name}, ${shown(frequency, 3)} Hz, posts \u00b1${shown(amplitude, 2)} mm, ${larger}${this.#slower(frequency)}${missing}`;
   }
 
   #slower(frequency) {
@@ -158,8 +203,7 @@ class Viewer {
     const step = (now) => {
       if (!this.playing) return;
       if (last != null && this.visible !== false) {
-        this.phase = (this.phase + ((now - last) / 1000) * ((2 * Math.PI) / cycle_s)) % (2 * Math.PI);
-        this.scrub.value = (this.phase * 180) / Math.PI;
+        this.#advance((now - last) / 1000);
         this.draw();
       }
       last = now;
@@ -168,13 +212,29 @@ class Viewer {
     requestAnimationFrame(step);
   }
 
+  /** By seconds on the screen; at its end a recording begins anew. */
+  #advance(seconds) {
+    const { motion } = this.chosen;
+    if (!this.overTime) this.phase = (this.phase + seconds * ((2 * Math.PI) / cycle_s)) % (2 * Math.PI);
+    else this.time = this.time + seconds > lastOf(motion) ? motion.start_s : this.time + seconds;
+    this.#moveScrub();
+  }
+
+  /** s and heights of the posts now, as large as they are. */
+  #now() {
+    if (this.overTime) {
+      const { start_s, rate_Hz } = this.chosen.motion;
+      return Object.values(this.frames).map((rows) => between(rows, this.time - start_s, rate_Hz));
+    }
+    const { coordinates, posts } = phasors(this.scene, this.chosen, this.at);
+    return [coordinatesAt(coordinates, this.phase), posts.map(([re, im]) => re * Math.cos(this.phase) - im * Math.sin(this.phase))];
+  }
+
   draw() {
     if (this.chosen && this.factor) {
-      const { coordinates, posts } = phasors(this.scene, this.chosen, this.at);
       const size = this.factor * this.strength;
-      const s = coordinatesAt(coordinates, this.phase).map((value) => value * size);
-      const heights = posts.map(([re, im]) => size * (re * Math.cos(this.phase) - im * Math.sin(this.phase)));
-      this.stage.pose(s, heights);
+      this.stage.pose(...this.#now().map((values) => values.map((value) => value * size)));
+      if (this.overTime) movePlayhead(this.chosen.name, this.time);
     }
     if (this.hertz && this.chosen?.kind === 'response') this.hertz.textContent = `${fixed(this.chosen.motion.frequency_Hz[this.at], 2)} Hz`;
     this.caption.textContent = this.#captionText();
