@@ -16,6 +16,8 @@ struct SvgStyle {
   /// "#0072B2"
   std::string color;
   SvgMark mark = SvgMark::kLine;
+  /// Of a line, and across a dot [px]; 0: as usual.
+  double width = 0;
 };
 
 /// Points of a panel, in the units of its axes. A point that is not finite, or has no place on a logarithmic axis, is
@@ -54,12 +56,16 @@ struct SvgSheet {
   std::string note;
   std::vector<SvgStyle> legend;
   std::vector<std::string> columns;
+  /// Of every panel [px]. Four columns of these are as wide as GitHub shows a picture.
+  double panel_width = 188;
+  double panel_height = 116;
   /// What the horizontal axes show.
   std::string x_label;
   std::vector<SvgRow> rows;
 };
 
-/// The sheet as an SVG document on a white ground, lengths in pixels rounded to a tenth. Throws std::invalid_argument
+/// The sheet as an SVG document on a white ground, lengths in pixels rounded to a tenth; as wide as its panels, their
+/// labels, the legend and the note need. Throws std::invalid_argument
 /// for a sheet without columns, a row of more panels than columns, a series with unlike numbers of x and y, and
 /// for an axis that ChartAxis::Validate refuses.
 std::string SvgText(const SvgSheet& sheet);

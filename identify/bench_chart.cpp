@@ -25,6 +25,13 @@ const std::array<const char*, 7> kColors = {"#000000", "#0072B2", "#56B4E9", "#0
 const SvgStyle kMeasured{.label = "measured", .color = "#888888", .mark = SvgMark::kDots};
 const SvgStyle kModelled{.label = "modelled", .color = "#D55E00", .mark = SvgMark::kLine};
 
+/// Of many cycles, the model's within the measured ones.
+const SvgStyle kManyMeasured{.label = "measured", .color = "#A8A8A8", .mark = SvgMark::kDots, .width = 5};
+const SvgStyle kManyModelled{.label = "modelled", .color = "#D55E00", .mark = SvgMark::kDots, .width = 1.8};
+/// Of the panels that hold all recordings [px].
+constexpr double kWide = 400;
+constexpr double kHigh = 240;
+
 /// A cycle of a recording that stands for a frequency.
 struct ChosenCycle {
   const ModelledRecording* of = nullptr;
@@ -128,8 +135,8 @@ SvgStyle FrequencyStyle(std::size_t frequency) {
 /// The panel of all, and one of a quantity of the equivalents.
 template <typename Value>
 SvgPanel EquivalentPanel(const std::vector<LinearEquivalent>& cycles, const std::string& title, Value value) {
-  SvgSeries measured{.style = kMeasured};
-  SvgSeries modelled{.style = {.label = "modelled", .color = "#D55E00", .mark = SvgMark::kDots}};
+  SvgSeries measured{.style = kManyMeasured};
+  SvgSeries modelled{.style = kManyModelled};
   for (const LinearEquivalent& cycle : cycles) {
     for (auto [series, stiffness] : {std::pair(&measured, cycle.measured), std::pair(&modelled, cycle.modelled)}) {
       series->x.push_back(cycle.frequency_Hz);
@@ -175,33 +182,36 @@ std::string DiagramSvg(const std::string& title, const std::vector<ModelledRecor
 }
 
 std::string FrequencySvg(const std::string& title, const std::vector<ModelledRecording>& recordings) {
-  SvgSheet sheet{.title = title, .note = "Force [N] over speed [m/s], one cycle for each frequency.", .columns = {}};
+  SvgSheet sheet{.title = title, .note = "Force [N] over speed [m/s], a cycle of each recording near each frequency."};
+  sheet.columns = {"measured", "modelled"};
+  sheet.panel_width = kWide;
+  sheet.panel_height = kHigh;
   std::vector<ChosenCycle> cycles = ChosenCycles(recordings);
   std::stable_sort(cycles.begin(), cycles.end(),
                    [](const ChosenCycle& a, const ChosenCycle& b) { return a.frequency < b.frequency; });
   for (std::size_t i = 0; i < cycles.size(); ++i)
     if (i == 0 || cycles[i].frequency != cycles[i - 1].frequency)
       sheet.legend.push_back(FrequencyStyle(cycles[i].frequency));
-  SvgRow row;
   // The fast ones are small beside the slow ones.
   const auto fast = std::find_if(cycles.begin(), cycles.end(),
                                  [](const ChosenCycle& cycle) { return kFrequencies_Hz[cycle.frequency] >= kFast_Hz; });
   for (const std::span<const ChosenCycle> group : {std::span(cycles.begin(), fast), std::span(fast, cycles.end())}) {
     if (group.empty()) continue;
+    SvgRow row;
     for (SvgPanel& panel : SpeedPanels(group)) row.panels.push_back(std::move(panel));
-    const std::string range = ShortNumber(kFrequencies_Hz[group.front().frequency]) + " to " +
-                              ShortNumber(kFrequencies_Hz[group.back().frequency]) + " Hz";
-    for (const char* what : {"measured, ", "modelled, "}) sheet.columns.push_back(what + range);
+    row.title = ShortNumber(kFrequencies_Hz[group.front().frequency]) + " to " +
+                ShortNumber(kFrequencies_Hz[group.back().frequency]) + " Hz";
+    sheet.rows.push_back(std::move(row));
   }
-  if (row.panels.empty()) sheet.columns = {"no cycles"};
-  else sheet.rows = {row};
+  if (sheet.rows.empty()) sheet.columns = {"no cycles"};
   return SvgText(sheet);
 }
 
 std::string EquivalentSvg(const std::string& title, const std::vector<ModelledRecording>& recordings) {
-  SvgSheet sheet{.title = title, .legend = {kMeasured, kModelled}};
-  sheet.legend[1].mark = SvgMark::kDots;
+  SvgSheet sheet{.title = title, .legend = {kManyMeasured, kManyModelled}};
   sheet.columns = {"equivalent damping [N s/m]", "dynamic stiffness [N/mm]"};
+  sheet.panel_width = kWide;
+  sheet.panel_height = kHigh;
   sheet.x_label = "frequency [Hz]";
   std::vector<LinearEquivalent> cycles;
   for (const ModelledRecording& recording : recordings) {

@@ -16,6 +16,8 @@ namespace {
 using Eigen::Index;
 
 constexpr Index kSlices = 500;
+/// Of an outline: a cycle or more where it is not followed.
+constexpr Index kOutline = 60;
 const SvgStyle kMeasured{.label = "measured", .color = "#000000"};
 const SvgStyle kModelled{.label = "modelled", .color = "#D55E00"};
 
@@ -84,7 +86,11 @@ class Panels {
 
   SvgPanel Overlay(const Window& window) const {
     SvgPanel panel = Empty(window, extent_);
-    panel.series = {Series(kMeasured, measured_, window), Series(kModelled, modelled_, window)};
+    panel.series = {Series(kMeasured, measured_, window)};
+    // Filled, the model would hide the measurement: its outline does not.
+    if (SliceOf(window) == 1) panel.series.push_back(Series(kModelled, modelled_, window));
+    else
+      for (const bool greatest : {false, true}) panel.series.push_back(Outline(kModelled, modelled_, window, greatest));
     return panel;
   }
 
@@ -117,6 +123,20 @@ class Panels {
     return panel;
   }
 
+  static Index SliceOf(const Window& window) { return std::max<Index>(1, window.count / kSlices); }
+
+  /// Least or greatest of each stretch.
+  SvgSeries Outline(const SvgStyle& style, const Eigen::VectorXd& values, const Window& window, bool greatest) const {
+    SvgSeries series{.style = style};
+    const Index stretch = std::max<Index>(1, window.count / kOutline);
+    for (Index k = window.first; k < window.first + window.count; k += stretch) {
+      const auto part = values.segment(k, std::min(stretch, window.first + window.count - k));
+      series.x.push_back(TimeAt(k + part.size() / 2));
+      series.y.push_back(greatest ? part.maxCoeff() : part.minCoeff());
+    }
+    return series;
+  }
+
   /// Samples; where there are many, least and greatest of each slice.
   SvgSeries Series(const SvgStyle& style, const Eigen::VectorXd& values, const Window& window) const {
     SvgSeries series{.style = style};
@@ -124,7 +144,7 @@ class Panels {
       series.x.push_back(TimeAt(k));
       series.y.push_back(value);
     };
-    const Index slice = std::max<Index>(1, window.count / kSlices);
+    const Index slice = SliceOf(window);
     for (Index k = window.first; k < window.first + window.count; k += slice) {
       const auto part = values.segment(k, std::min(slice, window.first + window.count - k));
       add(k, part.minCoeff());

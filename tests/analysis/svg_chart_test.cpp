@@ -10,6 +10,7 @@
 namespace fourpost {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -89,6 +90,37 @@ TEST(SvgChart, HasAWhiteGroundOfTheSizeOfTheSheet) {
   tinyxml2::XMLDocument two;
   two.Parse(SvgText(sheet).c_str());
   EXPECT_GT(two.RootElement()->DoubleAttribute("height"), one.RootElement()->DoubleAttribute("height") + 116);
+}
+
+double WidthOf(const SvgSheet& sheet) {
+  tinyxml2::XMLDocument document;
+  document.Parse(SvgText(sheet).c_str());
+  return document.RootElement()->DoubleAttribute("width");
+}
+
+TEST(SvgChart, HasRoomForItsNoteItsLegendAndItsLabels) {
+  SvgSheet sheet = Sheet(Panel(SvgMark::kLine, {}, {}));
+  // Left, panel, and half of the last label at least.
+  EXPECT_EQ(WidthOf(sheet), 38 + 188 + 16);
+  sheet.note = std::string(100, 'x');
+  EXPECT_EQ(WidthOf(sheet), 38 + 700);
+  sheet.note = "";
+  sheet.legend.assign(4, {.label = "one", .color = "#000"});
+  EXPECT_EQ(WidthOf(sheet), 38 + 480);
+  sheet.legend.clear();
+  // Six letters at the right edge reach 21 px over it, and take 42 px left of a panel.
+  sheet.rows[0].panels[0].x = {.lower = 0, .upper = 200000, .ticks = {0, 200000}};
+  EXPECT_EQ(WidthOf(sheet), 38 + 188 + 23);
+  sheet.rows[0].panels[0].y = {.lower = 0, .upper = 200000, .ticks = {0, 200000}};
+  EXPECT_EQ(WidthOf(sheet), 52 + 188 + 23);
+}
+
+TEST(SvgChart, DrawsPanelsAndDotsOfAnySize) {
+  SvgSheet sheet = Sheet(Panel(SvgMark::kDots, {5}, {1}));
+  sheet.panel_width = 400;
+  sheet.panel_height = 200;
+  sheet.rows[0].panels[0].series[0].style.width = 5;
+  EXPECT_THAT(SvgText(sheet), AllOf(HasSubstr("d=\"M200 150h0\""), HasSubstr("stroke-width=\"5\"")));
 }
 
 TEST(SvgChart, RefusesALogarithmicAxisThatIsNotPositive) {
