@@ -61,9 +61,9 @@ TEST(MisfitLint, TellsOfAChannelThatIsFarOff) {
   // Half of what is measured, over the 12 % that 1 dB is, along the phasor alone: 4.1 / sqrt(2) in the mean.
   Scale(study.data.runs[0], "a_cg", 2);
   EXPECT_EQ(Lint(study), "");
-  // Three halves of it: 8.7.
+  // Three halves of it: 8.7, less what the floor takes.
   Scale(study.data.runs[0], "a_cg", -1);
-  EXPECT_THAT(Lint(study), AllOf(testing::ContainsRegex("'a_cg' is off in 'bounce' by 8[.0-9]* times"),
+  EXPECT_THAT(Lint(study), AllOf(testing::ContainsRegex("'a_cg' is off in 'bounce' by (7.9|8.[0-9]*) times"),
                                  Not(HasSubstr("'pitch'")), Not(HasSubstr("'a_tow_point'"))));
 }
 
