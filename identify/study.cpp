@@ -225,7 +225,8 @@ class StudyReader {
   }
 
   void ReadModelError(const YAML::Node& node) {
-    const StrictMap map = Map(node, "'model_error'", {"gain_dB", "phase", "mean", "second_harmonic", "floor", "history"});
+    const StrictMap map =
+        Map(node, "'model_error'", {"gain_dB", "phase", "mean", "second_harmonic", "floor", "history"});
     ModelError& error = study_.model_error;
     error.gain_dB = map.Number("gain_dB", 0, 100).value_or(error.gain_dB);
     error.phase_rad = map.Quantity("phase", kDimensionless, 0).value_or(error.phase_rad);

@@ -14,10 +14,10 @@
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/responses.h"
 #include "identify/command_line/solve_sweep.h"
+#include "identify/lint/recording_lint.h"
 #include "identify/loaded_study.h"
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
-#include "identify/lint/recording_lint.h"
 #include "identify/response_chart.h"
 
 namespace fourpost {
