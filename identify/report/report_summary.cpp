@@ -211,12 +211,26 @@ std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::o
   return text.empty() && !channels.empty() ? "Every channel is followed." : text;
 }
 
+/// What channels of recordings that the fit has not seen are counted as: a damper has one in each, a vehicle many.
+std::string Unseen(const std::vector<Json>& validation) {
+  std::set<std::string> names;
+  std::set<std::string> recordings;
+  for (const Json& channel : validation) {
+    names.insert(TextAt(channel, "name"));
+    recordings.insert(TextAt(channel, "recording"));
+  }
+  if (names.size() == 1) return "recordings";
+  return recordings.size() == 1 ? "channels of " + Code(*recordings.begin())
+                                : "channels of " + std::to_string(recordings.size()) + " recordings";
+}
+
 /// Of recordings that the fit has not seen.
-std::string WhatItPredicts(const std::vector<JudgedChannel>& channels) {
+std::string WhatItPredicts(const std::vector<Json>& validation) {
+  const std::vector<JudgedChannel> channels = JudgeChannels(validation);
   if (channels.empty()) return "";
   const std::vector<std::string> well = Named(channels, Follows::kWell, false);
-  return std::to_string(well.size()) + " of " + std::to_string(channels.size()) +
-         " recordings that the fit has not seen are within " + Limits(channels) + "; furthest off is " +
+  return std::to_string(well.size()) + " of " + std::to_string(channels.size()) + ' ' + Unseen(validation) +
+         " that the fit has not seen are within " + Limits(channels) + "; furthest off is " +
          Code(channels.back().name) + " (" + html::Escaped(channels.back().numbers) + ").";
 }
 
@@ -226,12 +240,15 @@ std::string WhatIsDetermined(const std::vector<ReportedParameter>& parameters) {
   int known = 0;
   for (const ReportedParameter& parameter : parameters) {
     const double sd = parameter.RelativeSd();
-    if (!std::isfinite(sd)) continue;
+    // A bound that holds a parameter knows it, not the data.
+    if (!std::isfinite(sd) || parameter.at_bound) continue;
     ++known;
     if (sd <= kWellKnown) ++well;
     if (sd > kWeaklyKnown) weak.push_back(Code(parameter.name) + " (" + ShownNumber(100 * sd, 2) + " %)");
   }
-  if (known == 0) return "";
+  const bool computed = std::any_of(parameters.begin(), parameters.end(),
+                                    [](const ReportedParameter& parameter) { return std::isfinite(parameter.sd); });
+  if (!computed) return "";
   std::string text = std::to_string(known) + " of " + std::to_string(parameters.size()) +
                      " parameters are determined, " + std::to_string(well) + " of them within " +
                      ShownNumber(100 * kWellKnown, 1) + " % (one standard deviation).";
@@ -260,7 +277,10 @@ std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& 
   if (!computed && !parameters.empty()) return "The run ended before standard deviations could be computed.";
   std::string text;
   if (!open.empty()) text += Listed(open) + ": the data do not tell. ";
-  if (!bound.empty()) text += Listed(bound) + (bound.size() == 1 ? " is" : " are") + " at the bound. ";
+  if (!bound.empty())
+    text += Listed(bound) +
+            (bound.size() == 1 ? " is at the bound, which holds it" : " are at bounds, which hold them") +
+            " there, not the data. ";
   const Json identifiability = result.value("identifiability", Json());
   if (NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters"))
     for (const Json& direction : ListAt(identifiability, "weakest"))
@@ -354,7 +374,7 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
   return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
          Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
          Item("What does not", WhatDoesNot(judged, worst)) +
-         Item("What it predicts", WhatItPredicts(JudgeChannels(ListAt(result, "validation")))) +
+         Item("What it predicts", WhatItPredicts(ListAt(result, "validation"))) +
          Item("What is known", WhatIsDetermined(parameters)) +
          Item("What is not determined", WhatIsNot(result, parameters)) +
          Item("What to measure next", html::Element("ul", "", next)) + "</dl>\n";

@@ -22,6 +22,14 @@ double Place(const ReportedParameter& parameter, double value) {
   return std::clamp((value - parameter.lower) / (parameter.upper - parameter.lower), 0.0, 1.0);
 }
 
+/// Whether the interval of 95 % reaches beyond a bound.
+bool BelowLower(const ReportedParameter& parameter) {
+  return std::isfinite(parameter.sd) && parameter.lower_95 < parameter.lower;
+}
+bool AboveUpper(const ReportedParameter& parameter) {
+  return std::isfinite(parameter.sd) && parameter.upper_95 > parameter.upper;
+}
+
 Cell BarCell(const ReportedParameter& parameter) {
   if (!(parameter.upper > parameter.lower)) return TextCell("");
   // Open: anything between the bounds.
@@ -30,6 +38,7 @@ Cell BarCell(const ReportedParameter& parameter) {
   std::string bar = "<span class=\"bar\" title=\"between the bounds: interval of 95 %, fitted value, start\">";
   if (!std::isnan(parameter.sd))
     bar += "<i class=\"interval" + std::string(std::isinf(parameter.sd) ? " open" : "") +
+           (BelowLower(parameter) ? " below" : "") + (AboveUpper(parameter) ? " above" : "") +
            "\" style=\"left:" + Percent(from) + ";width:" + Percent(to - from) + "\"></i>";
   if (std::isfinite(parameter.start))
     bar += "<i class=\"start\" style=\"left:" + Percent(Place(parameter, parameter.start)) + "\"></i>";
@@ -40,13 +49,21 @@ Cell BarCell(const ReportedParameter& parameter) {
 std::string Determined(const ReportedParameter& parameter) {
   if (std::isnan(parameter.sd)) return "";
   if (std::isinf(parameter.sd)) return "not determined";
+  if (parameter.at_bound) return "held by its bound";
   const double sd = parameter.RelativeSd();
   return sd <= 0.02 ? "well determined" : sd <= 0.1 ? "determined" : "weakly determined";
 }
 
 Cell RemarkCell(const ReportedParameter& parameter) {
   std::string remark = Determined(parameter);
-  if (parameter.at_bound) remark += (remark.empty() ? "" : ", ") + std::string("at its bound");
+  if (parameter.at_bound && !std::isfinite(parameter.sd))
+    remark += (remark.empty() ? "" : ", ") + std::string("at its bound");
+  const bool below = BelowLower(parameter);
+  const bool above = AboveUpper(parameter);
+  if ((below || above) && !parameter.at_bound)
+    remark += std::string(", interval reaches beyond ") + (below && above ? "both bounds"
+                                                           : below        ? "the lower bound"
+                                                                          : "the upper bound");
   std::string cell = html::Escaped(remark);
   if (std::abs(parameter.correlation) > 0.8 && std::isfinite(parameter.sd))
     cell += (cell.empty() ? "" : "; ") + std::string("tied to ") +
@@ -127,9 +144,8 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters)
   return html::Table({"parameter", "start", "fitted", "sd", "unit", "sd, %", "lower", "between the bounds", "upper",
                       "what the data say"},
                      rows) +
-         "<p class=\"note\">Bar: interval of 95 %; dot: fitted value; tick: start. Deviations are scaled up by what "
-         "the "
-         "model misses beyond noise and stated model error.</p>\n";
+         "<p class=\"note\">Bar: interval of 95 %, with an arrow where it reaches beyond a bound; dot: fitted value; "
+         "tick: start. Deviations are scaled up by what the model misses beyond noise and stated model error.</p>\n";
 }
 
 std::string ProfileTableHtml(const Json& result, const RunContents& run) {

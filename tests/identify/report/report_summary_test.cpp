@@ -70,6 +70,24 @@ TEST(Summary, TellsRecordingsApartAndWhatItPredicts) {
                               "<code>sweep</code> (8.0 % NMSE)")));
 }
 
+TEST(Summary, CountsChannelsOfOneRecordingAsChannels) {
+  Json result = Good();
+  result["validation"] = Json::parse(R"([{"recording": "sweep", "name": "a", "nmse_percent": 8},
+                                         {"recording": "sweep", "name": "s", "nmse_percent": 1}])");
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              HasSubstr("1 of 2 channels of <code>sweep</code> that the fit has not seen are within 5 % NMSE"));
+  result["validation"][1]["recording"] = "road";
+  EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("1 of 2 channels of 2 recordings that the fit has not seen"));
+}
+
+TEST(Summary, DoesNotCallDeterminedWhatABoundHolds) {
+  std::vector<ReportedParameter> parameters = Known();
+  parameters[1].at_bound = true;
+  EXPECT_THAT(SummaryHtml(Good(), parameters, {}),
+              AllOf(HasSubstr("1 of 2 parameters are determined"),
+                    HasSubstr("<code>k</code> is at the bound, which holds it there, not the data")));
+}
+
 TEST(Summary, TellsWhatIsOpenAndWhatToMeasure) {
   Json result = Good();
   result["identifiability"]["rank"] = 1;

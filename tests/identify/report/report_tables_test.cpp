@@ -1,0 +1,50 @@
+#include "identify/report/report_tables.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+ReportedParameter Known() {
+  return {.name = "m", .value = 100, .start = 90, .lower = 50, .upper = 150, .sd = 1, .lower_95 = 98, .upper_95 = 102};
+}
+
+TEST(ParameterTable, ShowsTheIntervalBetweenTheBounds) {
+  EXPECT_THAT(ParameterTableHtml({Known()}), AllOf(HasSubstr("class=\"interval\" style=\"left:48.00%;width:4.00%\""),
+                                                   HasSubstr("well determined"), Not(HasSubstr("reaches beyond the"))));
+}
+
+TEST(ParameterTable, TellsIntervalsThatReachBeyondABound) {
+  ReportedParameter wide = Known();
+  wide.sd = 40;
+  wide.lower_95 = 20;
+  wide.upper_95 = 140;
+  // As far as the bound, with an arrow.
+  EXPECT_THAT(ParameterTableHtml({wide}),
+              AllOf(HasSubstr("class=\"interval below\" style=\"left:0.00%;width:90.00%\""),
+                    HasSubstr("weakly determined, interval reaches beyond the lower bound")));
+  wide.upper_95 = 180;
+  EXPECT_THAT(ParameterTableHtml({wide}),
+              AllOf(HasSubstr("class=\"interval below above\""), HasSubstr("interval reaches beyond both bounds")));
+}
+
+TEST(ParameterTable, DoesNotCallDeterminedWhatABoundHolds) {
+  ReportedParameter held = Known();
+  held.value = 50;
+  held.lower_95 = 48;
+  held.upper_95 = 52;
+  held.at_bound = true;
+  EXPECT_THAT(ParameterTableHtml({held}), AllOf(HasSubstr("held by its bound"), Not(HasSubstr("well determined")),
+                                                HasSubstr("class=\"interval below\"")));
+  held.sd = HUGE_VAL;
+  EXPECT_THAT(ParameterTableHtml({held}), HasSubstr("not determined, at its bound"));
+}
+
+}  // namespace
+}  // namespace fourpost
