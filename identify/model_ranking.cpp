@@ -90,7 +90,6 @@ std::string Reason(const std::vector<FittedModel>& models, double least, bool va
     return chosen.name + ": misses " + ShortNumber(validated ? chosen.validation_percent : chosen.fitted_percent) +
            (validated ? " % of what it was not fitted to"
                       : " % of what it was fitted to; keep recordings for validation");
-  const std::string& by_bic = LeastBic(models).name;
   if (!validated)
     return chosen.name + ": its BIC is the least; no recording was kept for validation, which would tell more";
   std::string reason = chosen.name + ": ";
@@ -99,6 +98,10 @@ std::string Reason(const std::vector<FittedModel>& models, double least, bool va
     reason += "it has the fewest parameters of those within 10 % of the least validation error, " + ShortNumber(least) +
               " %: ";
   reason += ShortNumber(chosen.validation_percent) + " %";
+  if (std::any_of(models.begin(), models.end(),
+                  [](const FittedModel& model) { return std::isnan(model.criteria.bic); }))
+    return reason;
+  const std::string& by_bic = LeastBic(models).name;
   if (by_bic == chosen.name) return reason + "; its BIC is the least, too";
   return reason + "; the least BIC has " + by_bic +
          ", which the fitted recordings favour and the others do not: trust the others";

@@ -36,7 +36,8 @@ struct ModelRanking {
 std::vector<FittedModel> ReadFittedModels(const std::vector<std::filesystem::path>& runs, Diagnostics& diagnostics);
 
 /// By the error of recordings that the fit has not seen, least first; without validation by BIC. Of models within 10 %
-/// of the least error the one of fewest parameters comes first: more is not worth what it costs in certainty.
+/// of the least error the one of fewest parameters comes first: more is not worth what it costs in certainty. Models
+/// without a BIC (NaN) need validation.
 ModelRanking Rank(std::vector<FittedModel> models);
 
 }  // namespace fourpost

@@ -151,10 +151,11 @@ struct PredictCommand {
   std::filesystem::path output;
 };
 
-/// `fourpost report RUN`
+/// `fourpost report RUN...`
 struct ReportCommand {
-  std::filesystem::path run;
-  /// report.html in the run's folder when empty.
+  /// Folders of fits; several: a page that compares them.
+  std::vector<std::filesystem::path> runs;
+  /// report.html in the run's folder when empty; of several runs always told.
   std::filesystem::path output;
   bool json = false;
 };

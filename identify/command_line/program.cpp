@@ -143,10 +143,13 @@ void Program::AddPredict() {
 }
 
 void Program::AddReport() {
-  CLI::App* sub = Add("report", "Write the report of a fit anew: one HTML file that opens anywhere, offline",
-                      "  fourpost report run\n  fourpost report run -o car.html", [this] { return Run(report_); });
-  sub->add_option("RUN", report_.run, "Folder that `fourpost fit -o` wrote")->required();
-  sub->add_option("-o,--output", report_.output, "HTML file, in place of report.html in that folder");
+  CLI::App* sub = Add(
+      "report", "Write the report of a fit anew, or one that compares fits: an HTML file that opens anywhere, offline",
+      "  fourpost report run\n  fourpost report run/model1 run/model2 -o models.html", [this] { return Run(report_); });
+  sub->add_option("RUN", report_.runs, "Folder that `fourpost fit -o` wrote; of several their models are compared")
+      ->required();
+  sub->add_option("-o,--output", report_.output,
+                  "HTML file, in place of report.html in that folder; wanted for several folders");
   sub->add_flag("--json", report_.json, "Print JSON: the file and its size");
 }
 

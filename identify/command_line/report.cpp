@@ -9,7 +9,10 @@
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
+#include "identify/model_ranking.h"
+#include "identify/report/comparison_page.h"
 #include "identify/report/report_page.h"
+#include "identify/report/run_result.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -17,7 +20,8 @@ namespace {
 
 constexpr const char* kResult = "result.json";
 /// What a report reads as text.
-constexpr std::array<const char*, 5> kFiles = {kResult, "response.csv", "history.csv", "motion.csv", "bench.csv"};
+constexpr std::array<const char*, 6> kFiles = {kResult,      "response.csv",   "history.csv",
+                                               "motion.csv", "validation.csv", "bench.csv"};
 
 /// The first finding, which is what keeps a vehicle from being shown.
 std::string Reason(const Diagnostics& findings) {
@@ -59,17 +63,42 @@ RunContents ReadRun(const std::filesystem::path& folder) {
   return run;
 }
 
+/// As a fault of the run's folder.
+[[noreturn]] void Refuse(const std::filesystem::path& folder, const std::string& reason) {
+  Diagnostics faults;
+  faults.Error((folder / kResult).string(), 0, reason);
+  throw FaultyInput(faults);
+}
+
 /// Throws FaultyInput for a result that is no fit's, or of a version that is not understood.
-std::string PageOf(const RunContents& run, const std::filesystem::path& folder) {
+void RequireFit(const RunContents& run, const std::filesystem::path& folder) {
   try {
-    return ReportPage(run);
+    FitResultOf(run);
+  } catch (const FaultyInput& fault) {
+    Refuse(folder, fault.diagnostics().items().front().message);
+  }
+}
+
+/// `fourpost rank` knows dampers fitted to the same recordings.
+std::optional<ModelRanking> RankingOf(const std::vector<std::filesystem::path>& folders) {
+  Diagnostics not_ranked;
+  std::vector<FittedModel> models = ReadFittedModels(folders, not_ranked);
+  if (not_ranked.HasErrors()) return std::nullopt;
+  return Rank(std::move(models));
+}
+
+/// Of one run its report, of several their comparison. Throws FaultyInput.
+std::string PageOf(std::vector<std::pair<std::string, RunContents>> runs,
+                   const std::vector<std::filesystem::path>& folders) {
+  try {
+    if (runs.size() == 1) return ReportPage(runs.front().second);
+    return ComparisonPage(std::move(runs), RankingOf(folders));
   } catch (const nlohmann::json::exception& fault) {
-    Diagnostics faults;
-    faults.Error(
-        (folder / kResult).string(), 0,
-        std::string("is not understood, as of another version of fourpost (") + fault.what() +
+    Refuse(
+        folders.front(),
+        std::string(folders.size() == 1 ? "" : "or that of another run ") +
+            "is not understood, as of another version of fourpost (" + fault.what() +
             "); run `fourpost fit` with -o on this folder again, it takes evaluations from the archive where it can");
-    throw FaultyInput(faults);
   }
 }
 
@@ -87,17 +116,33 @@ void Replace(const std::filesystem::path& file, const std::string& page) {
   if (failure) throw OutputError("cannot write " + file.string() + ": " + failure.message());
 }
 
+/// A page of several runs belongs into none of their folders.
+void RequireOutput(const ReportCommand& command) {
+  if (!command.output.empty()) return;
+  Diagnostics faults;
+  faults.Error("--output", 0,
+               "is wanted for a page that compares " + std::to_string(command.runs.size()) +
+                   " runs: -o FILE, such as -o models.html");
+  throw FaultyInput(faults);
+}
+
 }  // namespace
 
 int Run(const ReportCommand& command) {
-  const std::filesystem::path file = command.output.empty() ? command.run / "report.html" : command.output;
-  std::vector<std::filesystem::path> paths = {command.run / "vehicle.urdf", command.run / "archive.sqlite"};
-  for (const char* name : kFiles) paths.push_back(command.run / name);
-  const RunContents run = ReadRun(command.run);
-  RequireWritable(file, paths);
-  if (!run.vehicle_fault.empty())
-    std::fprintf(stderr, "the report does not show the vehicle: %s\n", run.vehicle_fault.c_str());
-  const std::string page = PageOf(run, command.run);
+  if (command.runs.size() > 1) RequireOutput(command);
+  const std::filesystem::path file = command.output.empty() ? command.runs.front() / "report.html" : command.output;
+  std::vector<std::filesystem::path> read;
+  std::vector<std::pair<std::string, RunContents>> runs;
+  for (const std::filesystem::path& folder : command.runs) {
+    for (const char* name : {"vehicle.urdf", "archive.sqlite"}) read.push_back(folder / name);
+    for (const char* name : kFiles) read.push_back(folder / name);
+    runs.emplace_back(folder.string(), ReadRun(folder));
+    RequireFit(runs.back().second, folder);
+  }
+  RequireWritable(file, read);
+  if (runs.size() == 1 && !runs.front().second.vehicle_fault.empty())
+    std::fprintf(stderr, "the report does not show the vehicle: %s\n", runs.front().second.vehicle_fault.c_str());
+  const std::string page = PageOf(std::move(runs), command.runs);
   Replace(file, page);
   if (command.json) Print(nlohmann::ordered_json{{"file", file.string()}, {"bytes", page.size()}}.dump(2) + '\n');
   else Print(file.string() + '\n');

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <set>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -8,10 +10,36 @@
 
 namespace fourpost {
 
-/// The recordings of a history.csv or bench.csv, which has a column `recording`, and numbers in all others:
-/// [{"recording", "columns": [{"name", "unit", "values"}], "rows", "shown_rows"}]. A column in which a recording has
-/// nothing is left out. Of more than 50000 rows, of each stretch those stay that hold the least or the greatest value
-/// of a column. Throws FaultyInput.
+struct TimeColumn {
+  std::string name;
+  /// Empty where the file tells none.
+  std::string unit;
+  /// NaN where there is nothing.
+  std::vector<double> values;
+};
+
+/// A recording of a history.csv or bench.csv. A column in which it has nothing is left out.
+struct TimeTable {
+  std::string recording;
+  std::vector<TimeColumn> columns;
+  std::size_t rows = 0;
+
+  /// Null where there is none.
+  const TimeColumn* Find(const std::string& name) const;
+};
+
+/// Reads such a file, which has a column `recording`, and numbers in all others. Throws FaultyInput.
+std::vector<TimeTable> ReadHistories(const std::string& text, const std::string& file,
+                                     CsvHeader header = CsvHeader::kNamesAndUnits);
+
+/// All of `rows`; of more than `most`, those of each stretch that hold the least or the greatest value of a column.
+std::set<std::size_t> RowsToShow(const std::vector<const TimeColumn*>& columns, std::size_t rows, std::size_t most);
+
+/// Values of these rows.
+nlohmann::ordered_json ShownValues(const TimeColumn& column, const std::set<std::size_t>& rows);
+
+/// The recordings as [{"recording", "columns": [{"name", "unit", "values"}], "rows", "shown_rows"}], up to 50000 rows
+/// of each. Throws FaultyInput.
 nlohmann::ordered_json HistoriesJson(const std::string& text, const std::string& file,
                                      CsvHeader header = CsvHeader::kNamesAndUnits);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/diagnostics.h"
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
 #include "identify/report/history_table.h"
@@ -20,21 +19,6 @@ namespace {
 
 using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
-
-Json ParseResult(const RunContents& run) {
-  Diagnostics faults;
-  const auto file = run.files.find("result.json");
-  if (file == run.files.end())
-    faults.Error("result.json", 0, "is not there: a report needs a folder of `fourpost fit`");
-  else {
-    const Json result = Json::parse(file->second, nullptr, false);
-    if (result.is_discarded()) faults.Error("result.json", 0, "is no JSON; fit again");
-    else if (!result.is_object() || !result.contains("termination") || !result.contains("parameters"))
-      faults.Error("result.json", 0, "is not that of a fit: `fourpost report` shows folders that `fourpost fit` wrote");
-    else return result;
-  }
-  throw FaultyInput(faults);
-}
 
 std::vector<ComparedChannel> ChannelsOf(const RunContents& run) {
   const auto file = run.files.find("response.csv");
@@ -204,7 +188,7 @@ std::string Body(const Json& result, const std::vector<ComparedChannel>& channel
 }  // namespace
 
 std::string ReportPage(const RunContents& run) {
-  const Json result = ParseResult(run);
+  const Json result = FitResultOf(run);
   const std::vector<ComparedChannel> channels = ChannelsOf(run);
   const std::vector<ReportedParameter> parameters = ReportedParameters(result, run);
   std::string scene_fault;

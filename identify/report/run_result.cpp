@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/diagnostics.h"
 #include "analysis/units.h"
 
 namespace fourpost {
@@ -70,6 +71,21 @@ std::vector<Json> ListAt(const Json& object, const std::string& key) {
   if (!object.is_object()) return {};
   const auto found = object.find(key);
   return found != object.end() && found->is_array() ? found->get<std::vector<Json>>() : std::vector<Json>();
+}
+
+Json FitResultOf(const RunContents& run) {
+  Diagnostics faults;
+  const auto file = run.files.find("result.json");
+  if (file == run.files.end())
+    faults.Error("result.json", 0, "is not there: a report needs a folder of `fourpost fit`");
+  else {
+    const Json result = Json::parse(file->second, nullptr, false);
+    if (result.is_discarded()) faults.Error("result.json", 0, "is no JSON; fit again");
+    else if (!result.is_object() || !result.contains("termination") || !result.contains("parameters"))
+      faults.Error("result.json", 0, "is not that of a fit: `fourpost report` shows folders that `fourpost fit` wrote");
+    else return result;
+  }
+  throw FaultyInput(faults);
 }
 
 std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunContents& run) {

@@ -42,6 +42,9 @@ std::string TextAt(const nlohmann::json& object, const std::string& key);
 /// Likewise a list.
 std::vector<nlohmann::json> ListAt(const nlohmann::json& object, const std::string& key);
 
+/// result.json of a run. Throws FaultyInput where it is none of `fourpost fit`, naming what it is instead.
+nlohmann::json FitResultOf(const RunContents& run);
+
 std::vector<ReportedParameter> ReportedParameters(const nlohmann::json& result, const RunContents& run);
 
 }  // namespace fourpost

@@ -42,6 +42,12 @@ TEST(ModelRanking, IsByWhatTheFitHasNotSeen) {
             "recordings favour and the others do not: trust the others");
 }
 
+TEST(ModelRanking, SaysNothingOfABicThatIsNotTold) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(Rank({Model("a", 3, 1, none), Model("b", 1, 3, none)}).reason,
+            "b: of all models it misses least of what it was not fitted to, 1 %");
+}
+
 TEST(ModelRanking, TakesTheSimplestOfThoseThatAreAlike) {
   const ModelRanking ranking = Rank({Model("large", 1, 9, 30), Model("small", 1.05, 3, 20), Model("poor", 2, 1, 90)});
   EXPECT_THAT(Names(ranking), testing::ElementsAre("small", "large", "poor"));

@@ -8,6 +8,8 @@ import { root } from './browser.mjs';
 const source = (name) => import(pathToFileURL(join(root, 'analysis', 'report', 'web', 'src', name)).href);
 const { extent, fixed, multiples, niceStep, shown } = await source('number.js');
 const { between, coordinatesAt, framesOf, greatestMotion, greatestOf, linkMotion, phasors } = await source('viewer/motion.js');
+const { movePlayhead, onPlayhead, playhead } = await source('playhead.js');
+const { runLine } = await source('theme.js');
 
 describe('numbers', () => {
   test('have significant digits and a minus sign', () => {
@@ -69,5 +71,26 @@ describe('motion', () => {
       assert.ok(Math.abs(at(posts[1], phase) + 0.01 * Math.sin(phase)) < 1e-17);
       assert.ok(Math.abs(at(coordinates, phase) - at(posts[0], phase)) < 1e-17);
     }
+  });
+});
+
+describe('lines of runs', () => {
+  test('are told apart by colour, and by dashes when colours end', () => {
+    const lines = Array.from({ length: 12 }, (_, i) => JSON.stringify(runLine(i)));
+    assert.equal(new Set(lines).size, 12);
+    assert.equal(runLine(0).dash, undefined);
+    assert.equal(runLine(6).colour, runLine(0).colour);
+    assert.ok(runLine(6).dash);
+  });
+});
+
+describe('the playhead', () => {
+  test('tells who listens where the vehicle is, and nothing where it stays away', () => {
+    const heard = [];
+    onPlayhead(() => heard.push({ ...playhead }));
+    movePlayhead(null, 0);
+    movePlayhead('sweep', 1.5);
+    movePlayhead(null, 0);
+    assert.deepEqual(heard, [{ recording: 'sweep', time: 1.5 }, { recording: null, time: 0 }]);
   });
 });

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { launch, open } from './browser.mjs';
 import { compare } from './picture.mjs';
-import { changed, fitted } from './runs.mjs';
+import { changed, compared, fitted } from './runs.mjs';
 
 /** Gain and phase of eleven channels, the mean offset of two. */
 const canvasCount = 24;
@@ -121,7 +121,9 @@ describe('the report of a fit to frequency responses', () => {
     const page = await open(browser, report);
     const select = page.locator('#vehicle select');
     const options = await select.locator('option').allTextContents();
-    assert.equal(options.length, 6);
+    // Four modes, two stepped sines, and the swept one that the fit has not seen.
+    assert.equal(options.length, 7);
+    assert.match(options[6], /^bounce_sweep, (59.\d|60) s$/);
     assert.match(options[0], /^heave, 1\.7\d Hz/);
     const pictures = new Set();
     for (let i = 0; i < options.length; ++i) {
@@ -129,6 +131,7 @@ describe('the report of a fit to frequency responses', () => {
       pictures.add(await page.locator('.viewer canvas').evaluate((element) => element.toDataURL()));
     }
     assert.equal(pictures.size, options.length);
+    await select.selectOption({ index: 5 });
     const caption = page.locator('.viewer .caption');
     const before = await caption.textContent();
     await page.locator('input[aria-label=frequency]').fill('40');
@@ -198,7 +201,7 @@ describe('pictures', () => {
   ])
     test(name, async () => {
       const page = await open(browser, report, options);
-      await page.evaluate((section) => document.getElementById(section).scrollIntoView({ behavior: 'instant' }), id);
+      if (id) await page.evaluate((section) => document.getElementById(section).scrollIntoView({ behavior: 'instant' }), id);
       // The vehicle's first frame, and fonts.
       await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
       const fault = compare(name, await page.screenshot());
@@ -218,7 +221,7 @@ test('the report of a fit to time histories opens without a fault', async () => 
   // The vehicle goes through the recording, and the charts show where it is.
   await page.locator('#histories button', { hasText: 'all of it' }).click();
   assert.equal(await page.locator('#histories .playhead:visible').count(), 0);
-  await page.locator('#vehicle select').selectOption({ label: 'sweep_12mm, 34.9 s' });
+  await page.locator('#vehicle select').selectOption('history 0');
   const canvas = page.locator('.viewer canvas');
   const picture = () => canvas.evaluate((element) => element.toDataURL());
   const still = await picture();
@@ -241,6 +244,84 @@ test('the report of a fit to time histories opens without a fault', async () => 
   assert.equal(await page.locator('#histories .playhead:visible').count(), 0);
   assert.deepEqual(page.faults, []);
   await page.context().close();
+});
+
+describe('a comparison of runs', () => {
+  let file;
+  let other;
+  before(() => {
+    other = fitted('landrover110/model1.yaml');
+    file = compared('cars', other, run);
+  });
+
+  test('overlays what the runs share', async () => {
+    const page = await open(browser, file);
+    assert.deepEqual(page.faults, []);
+    for (const id of ['summary', 'errors', 'parameters', 'responses', 'histories']) assert.equal(await page.locator(`section#${id}`).count(), 1, id);
+    assert.match(await page.locator('.verdict').textContent(), /^model\d fits best: .* foretell(s best| alike): .*To take: model/);
+    assert.deepEqual(await page.locator('#responses .legend span').allTextContents(), ['measured', 'model1', 'model2']);
+    assert.equal(await page.locator('#responses canvas').count(), canvasCount);
+    assert.equal(await page.locator('#histories canvas').count(), 11);
+    for (const canvas of [page.locator('#responses canvas').first(), page.locator('#histories canvas').first()])
+      for (const colour of [modelColour, measuredColour]) assert.ok((await coloured(canvas, colour)) > 100);
+    const box = await page.locator('#responses .u-over').first().boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    assert.match(await page.locator('#responses .reading').first().textContent(), /^[\d.]+ Hz: \S+, \S+ for \S+ dB, \S+, \S+ for \S+\u00b0$/);
+    await page.locator('#histories button', { hasText: 'where most happens' }).click();
+    assert.equal(await page.locator('#parameters thead th').count(), 4);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+
+  test('is readable without JavaScript and on a narrow screen', async () => {
+    const plain = await open(browser, file, { javaScript: false });
+    assert.equal(await plain.locator('#summary tbody tr').count(), 2);
+    await plain.context().close();
+    const page = await open(browser, file, { width: 390, height: 800 });
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(width <= 390, `the page is ${width} wide`);
+    await page.context().close();
+  });
+
+  test('shows a hostile name as text', async () => {
+    const folder = join(changed(run, 'hostile run', ({ read, write }) => {
+      const result = JSON.parse(read('result.json'));
+      result.study = hostile;
+      result.parameters[0].name = hostile;
+      result.channels[0].name = hostile;
+      result.validation[0].recording = hostile;
+      write('result.json', JSON.stringify(result));
+      const quoted = `"${hostile.replaceAll('"', '""')}"`;
+      write('response.csv', read('response.csv').replaceAll('a_body_front', quoted).replaceAll(/^bounce/gm, quoted));
+    }), '..');
+    const page = await open(browser, compared('hostile comparison', folder, folder));
+    assert.deepEqual(page.faults, []);
+    assert.equal(await page.locator('.hostile').count(), 0, 'no element comes of a name');
+    assert.match(await page.locator('#responses .legend span').nth(1).textContent(), /<b class="hostile">x/);
+    assert.equal(await page.locator('#responses .chart code').first().textContent(), hostile);
+    await page.context().close();
+  });
+
+  test('overlays dampers', async () => {
+    const page = await open(browser, compared('dampers', ...['model1', 'model2'].map((model) => fitted(`damper/${model}.yaml`))));
+    assert.deepEqual(page.faults, []);
+    const canvases = page.locator('#bench canvas');
+    assert.equal(await canvases.count(), 3);
+    for (let k = 0; k < 3; ++k) for (const colour of [modelColour, measuredColour]) assert.ok((await coloured(canvases.nth(k), colour)) > 100, `chart ${k}`);
+    await page.locator('#bench select').selectOption({ index: 0 });
+    assert.equal(await canvases.count(), 3);
+    assert.match(await page.locator('#summary thead').textContent(), /AICc/);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+
+  test('looks as it did', async () => {
+    const page = await open(browser, file);
+    await page.evaluate(() => document.getElementById('summary').scrollIntoView({ behavior: 'instant' }));
+    const fault = compare('comparison_light', await page.screenshot());
+    assert.equal(fault, null, fault);
+    await page.context().close();
+  });
 });
 
 describe('reports of other runs', () => {

@@ -20,6 +20,13 @@ export function fitted(study) {
   return folder;
 }
 
+/** A page that compares runs: its file. */
+export function compared(name, ...folders) {
+  const file = join(scratch, `${name}.html`);
+  fourpost('report', ...folders, '-o', file);
+  return file;
+}
+
 /** A copy of a run with files changed, and its report written anew: the report's file. */
 export function changed(folder, name, change) {
   const copy = join(scratch, name);

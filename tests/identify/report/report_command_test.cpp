@@ -69,6 +69,32 @@ TEST_F(ReportCommandLine, SaysWhatItNeeds) {
   EXPECT_THAT(Run("report empty").err, HasSubstr("is no JSON; fit again"));
 }
 
+TEST_F(ReportCommandLine, ComparesRuns) {
+  for (const char* model : {"model1", "model2"})
+    ASSERT_EQ(Run(std::string("fit studies/damper/") + model + ".yaml -o " + model).code, 0);
+  Outcome outcome = Run("report model1 model2 -o models.html --json");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out)["bytes"], std::filesystem::file_size(folder_ / "models.html"));
+  const std::string page = ReadText(folder_ / "models.html");
+  // What `fourpost rank` says of them.
+  const Json rank = Json::parse(Run("rank model1 model2 --json").out);
+  EXPECT_THAT(page, AllOf(HasSubstr("2 fits compared"), HasSubstr("To take: " + rank["reason"].get<std::string>()),
+                          HasSubstr("data-draw=\"compared_bench\""), HasSubstr("damper bench")));
+}
+
+TEST_F(ReportCommandLine, SaysWhatAComparisonNeeds) {
+  Outcome outcome = Run("report one two");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--output: error: is wanted for a page that compares 2 runs"));
+  std::filesystem::create_directory(folder_ / "one");
+  outcome = Run("report one two -o models.html");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("one: error: holds no result.json"));
+  temporary_.Write("one/result.json", "{}");
+  EXPECT_THAT(Run("report one one -o models.html").err, HasSubstr("one/result.json: error: is not that of a fit"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "models.html"));
+}
+
 TEST_F(ReportCommandLine, KeepsAnOlderReportOnAFullDisk) {
   Fit();
   const std::string before = ReadText(folder_ / "run/report.html");

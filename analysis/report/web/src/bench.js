@@ -8,18 +8,19 @@ import { colours } from './theme.js';
 const column = (recording, name) => recording.columns.find((candidate) => candidate.name === name)?.values;
 
 /** A chart of force over another column, displacement or velocity, times a factor. */
-function xy(place, title, recordings, across, factor, label) {
+export function xy(place, title, recordings, across, factor, label) {
   const parts = recordings.map((recording) => ({
     x: column(recording, across)?.map((value) => (value == null ? null : factor * value)),
     measured: column(recording, 'measured_N'),
-    modelled: column(recording, 'modelled_N'),
+    lines: recording.lines ?? [{ colour: 'model', values: column(recording, 'modelled_N') }].filter((line) => line.values),
+    ink: recording.ink,
   })).filter((part) => part.x && part.measured);
   if (!parts.length) return null;
   const box = el('div');
   const card = el('div', { class: 'chart' }, el('h3', {}, title, el('span', {}, `N over ${label}`)), box);
   const series = parts.flatMap((part) => [
-    { points: [part.x, part.measured], colour: 'measured', width: 1.4 },
-    ...(part.modelled ? [{ points: [part.x, part.modelled], colour: 'model', width: 1.2 }] : []),
+    { points: [part.x, part.measured], colour: part.ink ?? 'measured', width: 1.4 },
+    ...part.lines.map(({ colour, dash, values }) => ({ points: [part.x, values], colour, dash, width: 1.2 })),
   ]);
   const margin = (range) => { const [low, high] = range ?? [0, 1]; const m = 0.06 * (high - low || 1); return [low - m, high + m]; };
   const loop = (u, index) =>
@@ -38,6 +39,7 @@ function xy(place, title, recordings, across, factor, label) {
       ctx.strokeStyle = colours()[series[index - 1].colour];
       ctx.lineWidth = series[index - 1].width * devicePixelRatio;
       ctx.lineJoin = 'round';
+      ctx.setLineDash((series[index - 1].dash ?? []).map((length) => length * devicePixelRatio));
       ctx.stroke();
       ctx.restore();
       return null;
@@ -52,7 +54,7 @@ function xy(place, title, recordings, across, factor, label) {
           mode: 2,
           scales: {
             x: { time: false, range: () => margin(extent(...parts.map((part) => part.x))) },
-            y: { range: () => margin(extent(...parts.map((part) => part.measured), ...parts.map((part) => part.modelled ?? []))) },
+            y: { range: () => margin(extent(...parts.map((part) => part.measured), ...parts.flatMap((part) => part.lines.map((line) => line.values)))) },
           },
           axes: [linearAxis({ scale: 'x', side: 2, size: 24 }), linearAxis({ size: 54 })],
           series: [null, ...series.map(() => ({ paths: loop, facets: [{ scale: 'x', auto: true }, { scale: 'y', auto: true }] }))],
@@ -64,8 +66,9 @@ function xy(place, title, recordings, across, factor, label) {
 }
 
 /** Force over the time of one recording. */
-function overTime(place, recording) {
-  const [time, measured, modelled] = ['time_s', 'measured_N', 'modelled_N'].map((name) => column(recording, name));
+export function overTime(place, recording) {
+  const [time, measured] = ['time_s', 'measured_N'].map((name) => column(recording, name));
+  const lines = recording.lines ?? [{ label: 'fit', colour: 'model', values: column(recording, 'modelled_N') ?? time?.map(() => null) }];
   if (!time || !measured) return null;
   const box = el('div');
   return {
@@ -77,10 +80,10 @@ function overTime(place, recording) {
         () => ({
           scales: { x: { time: false } },
           axes: [linearAxis({ scale: 'x', side: 2, size: 24 }), linearAxis({ size: 54 })],
-          series: [{}, curve('measured', 'measured', { width: 2.2 }), curve('fit', 'model', { width: 1 })],
+          series: [{}, curve('measured', recording.ink ?? 'measured', { width: 2.2 }), ...lines.map(({ label, colour, dash }) => curve(label, colour, { dash, width: 1 }))],
           cursor: { y: false },
         }),
-        [time, measured, modelled ?? time.map(() => null)],
+        [time, measured, ...lines.map((line) => line.values)],
       ),
   };
 }
@@ -93,7 +96,7 @@ function misfitOf(result, name) {
 }
 
 /** The recording of the largest force among the shorter half: the cycles of a sweep hide each other. */
-function liveliest(recordings) {
+export function liveliest(recordings) {
   const rows = recordings.map((recording) => recording.rows).sort((a, b) => a - b);
   const short = recordings.filter((recording) => recording.rows <= rows[rows.length >> 1]);
   const size = (recording) => Math.max(...(extent(column(recording, 'measured_N') ?? [0]) ?? [0]).map(Math.abs));

@@ -102,7 +102,7 @@ export function outside(low, high) {
 }
 
 /** Bars from low to high at each x, in the colour of the measured dots. */
-export function errorBars(low, high) {
+export function errorBars(low, high, colour = 'measured') {
   return {
     hooks: {
       draw: (u) => {
@@ -111,7 +111,7 @@ export function errorBars(low, high) {
         ctx.beginPath();
         ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
         ctx.clip();
-        ctx.strokeStyle = colours().measured;
+        ctx.strokeStyle = colours()[colour];
         ctx.lineWidth = devicePixelRatio;
         ctx.globalAlpha = 0.6;
         ctx.beginPath();
@@ -128,11 +128,11 @@ export function errorBars(low, high) {
   };
 }
 
-export const dots = (label, size = 4.5) => ({
+export const dots = (label, colour = 'measured') => ({
   label,
-  stroke: () => colours().measured,
+  stroke: () => colours()[colour],
   paths: () => null,
-  points: { show: true, size, width: 0, fill: () => colours().measured, stroke: () => colours().measured },
+  points: { show: true, size: 4.5, width: 0, fill: () => colours()[colour], stroke: () => colours()[colour] },
 });
 
 export const curve = (label, colour, options = {}) => ({

@@ -8,20 +8,24 @@ import { onPlayhead, playheadLine, put } from './playhead.js';
 /** Units as a chassis engineer reads them: [factor, unit]. */
 const shownUnits = { m: [1000, 'mm'], 'm/s': [1000, 'mm/s'] };
 
+/** Factor and name of a unit as it is shown. */
+export const readable = (unit) => shownUnits[unit] ?? [1, unit.replace('^2', '\u00b2').replaceAll('*', '\u00b7')];
+
 /** The channels of a recording: columns NAME_measured and NAME_modelled. */
 export function channelsOf(recording) {
   const channels = new Map();
   for (const column of recording.columns) {
     const [, name, kind] = /^(.*)_(measured|modelled)$/.exec(column.name) ?? [];
     if (name == null) continue;
-    const [factor, unit] = shownUnits[column.unit] ?? [1, column.unit.replace('^2', '\u00b2').replaceAll('*', '\u00b7')];
+    const [factor, unit] = readable(column.unit);
     if (!channels.has(name)) channels.set(name, { name, unit });
     channels.get(name)[kind] = column.values.map((value) => (value == null ? null : factor * value));
   }
-  return [...channels.values()];
+  return [...channels.values()].map(({ modelled, ...channel }) => ({ ...channel, lines: [{ label: 'fit', colour: 'model', values: modelled }] }));
 }
 
-function card(recording, channel, time, misfit, sync) {
+/** A chart of a channel: `measured` and `lines` (label, colour, values) over time. */
+export function card(recording, channel, time, misfit, sync) {
   const place = el('div');
   const head = misfit?.nmse_percent == null ? '' : `NMSE ${shown(misfit.nmse_percent, 3)} %`;
   const reading = el('span', { class: 'reading' }, head);
@@ -32,7 +36,7 @@ function card(recording, channel, time, misfit, sync) {
     place,
   );
   const none = time.map(() => null);
-  const data = [time, channel.measured ?? none, channel.modelled ?? none];
+  const data = [time, channel.measured ?? none, ...channel.lines.map((line) => line.values ?? none)];
   const draw = () =>
     chart(
       place,
@@ -40,14 +44,14 @@ function card(recording, channel, time, misfit, sync) {
       () => ({
         scales: { x: { time: false }, y: { range: (u, low, high) => (low < high ? [low - 0.06 * (high - low), high + 0.06 * (high - low)] : [low - 1, low + 1]) } },
         axes: [linearAxis({ scale: 'x', side: 2, size: 24 }), linearAxis()],
-        series: [{}, curve('measured', 'measured', { width: 2.2 }), curve('fit', 'model', { width: 1 })],
+        series: [{}, curve('measured', channel.ink ?? 'measured', { width: 2.2 }), ...channel.lines.map(({ label, colour, dash }) => curve(label, colour, { dash, width: 1 }))],
         cursor: { y: false, sync: { key: sync.key }, drag: { x: true, y: false } },
         plugins: [playheadLine(recording)],
         hooks: {
           setCursor: [
             (u) => {
               const i = u.cursor.idx;
-              reading.textContent = i == null ? head : `${fixed(time[i], 3)} s: ${shown(data[2][i], 4)} for ${shown(data[1][i], 4)}`;
+              reading.textContent = i == null ? head : `${fixed(time[i], 3)} s: ${data.slice(2).map((values) => shown(values[i], 4)).join(', ')} for ${shown(data[1][i], 4)}`;
             },
           ],
         },

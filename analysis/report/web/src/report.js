@@ -2,6 +2,7 @@ import { el } from './dom.js';
 import { startTheme } from './theme.js';
 import { drawBench } from './bench.js';
 import { drawAgreement, drawConvergence } from './convergence.js';
+import { drawComparedBench, drawComparedHistories, drawComparedResponses } from './compared.js';
 import { drawCorrelation } from './correlation.js';
 import { drawHistories } from './histories.js';
 import { drawPoles } from './poles.js';
@@ -19,6 +20,9 @@ const drawers = {
   poles: drawPoles,
   convergence: drawConvergence,
   agreement: drawAgreement,
+  compared_responses: drawComparedResponses,
+  compared_histories: drawComparedHistories,
+  compared_bench: drawComparedBench,
 };
 
 /** Links to the sections, the one in view marked. */

@@ -32,8 +32,7 @@ const orNone = (list, like) => (list && list.length ? list : like.map(() => null
 function seriesOf(channel) {
   const gain = {
     measured: channel.gain_measured.map(decibel),
-    modelled: channel.gain_modelled.map(decibel),
-    start: orNone(channel.gain_start, channel.gain_measured).map(decibel),
+    lines: channel.lines.map((line) => ({ ...line, values: orNone(line.gain, channel.gain_measured).map(decibel) })),
   };
   const sd = orNone(channel.gain_sd, channel.gain_measured);
   gain.low = channel.gain_measured.map((value, i) => (sd[i] ? decibel(Math.max(value - reach * sd[i], value / 100)) : null));
@@ -42,12 +41,11 @@ function seriesOf(channel) {
   const angle = orNone(channel.phase_sd, channel.gain_measured);
   const phase = {
     measured,
-    modelled: near(orNone(channel.phase_modelled, measured), measured),
-    start: near(orNone(channel.phase_start, measured), measured),
+    lines: channel.lines.map((line) => ({ ...line, values: near(orNone(line.phase, measured), measured) })),
     low: measured.map((value, i) => (angle[i] ? value - reach * angle[i] : null)),
     high: measured.map((value, i) => (angle[i] ? value + reach * angle[i] : null)),
   };
-  return { x: channel.frequency_Hz, gain, phase, mean: meanOf(channel) };
+  return { x: channel.frequency_Hz, gain, phase, mean: meanOf(channel), ink: channel.ink };
 }
 
 /** The mean offset, of lengths in mm; null where none was measured. */
@@ -56,17 +54,18 @@ function meanOf(channel) {
   const factor = channel.unit === 'm' ? 1000 : 1;
   const scaled = (list) => list.map((value) => (value == null ? null : factor * value));
   const none = channel.mean_measured.map(() => null);
-  return { measured: scaled(channel.mean_measured), modelled: scaled(channel.mean_modelled), low: none, high: none, unit: factor === 1 ? channel.unit : 'mm' };
+  const lines = channel.lines.filter((line) => line.mean).map((line) => ({ ...line, values: scaled(line.mean) }));
+  return { measured: scaled(channel.mean_measured), lines, low: none, high: none, unit: factor === 1 ? channel.unit : 'mm' };
 }
 
 /** A range around the values, at least this wide. */
-function rangeOf(part, least, withStart) {
-  const [low, high] = extent(part.measured, part.modelled, withStart ? part.start : []) ?? [0, 1];
+function rangeOf(part, least) {
+  const [low, high] = extent(part.measured, ...part.lines.map((line) => line.values)) ?? [0, 1];
   const margin = Math.max(0.06 * (high - low), (least - (high - low)) / 2);
   return [low - margin, high + margin];
 }
 
-function panel(place, height, series, part, { steps, least, labelled, band, sync, withStart, read }) {
+function panel(place, height, series, part, { steps, least, labelled, band, sync, read }) {
   const [low, high] = extent(series.x);
   const edge = (high / low) ** 0.025;
   return chart(
@@ -75,14 +74,13 @@ function panel(place, height, series, part, { steps, least, labelled, band, sync
     () => ({
       scales: {
         x: { time: false, distr: 3, range: (u, min, max) => (min === low && max === high ? [low / edge, high * edge] : [min, max]) },
-        y: { range: () => rangeOf(part, least, withStart) },
+        y: { range: () => rangeOf(part, least) },
       },
       axes: [frequencyAxis(labelled), linearAxis({ steps })],
       series: [
         {},
-        dots('measured'),
-        ...(withStart ? [curve('start', 'start', { dash: [4, 3], width: 1.2 })] : []),
-        curve('fit', 'model'),
+        dots('measured', series.ink),
+        ...part.lines.map(({ label, colour, dash, width }) => curve(label, colour, { dash, width: width ?? 1.6 })),
       ],
       cursor: {
         y: false,
@@ -90,17 +88,18 @@ function panel(place, height, series, part, { steps, least, labelled, band, sync
         points: { size: 6 },
         drag: { x: true, y: false },
       },
-      plugins: [outside(...band), errorBars(part.low, part.high)],
+      plugins: [outside(...band), errorBars(part.low, part.high, series.ink)],
       hooks: { setCursor: [(u) => read(u.cursor.idx)] },
     }),
-    [series.x, part.measured, ...(withStart ? [part.start] : []), part.modelled],
+    [series.x, part.measured, ...part.lines.map((line) => line.values)],
   );
 }
 
 /** Root mean square of what fit and measurement differ by, where they were fitted. */
 function misfitOf({ gain, phase }, inBand) {
-  const rms = (part) => {
-    const errors = part.measured.map((value, i) => (inBand[i] && value != null && part.modelled[i] != null ? part.modelled[i] - value : null)).filter((error) => error != null);
+  const rms = ({ measured, lines }) => {
+    const modelled = lines[lines.length - 1].values;
+    const errors = measured.map((value, i) => (inBand[i] && value != null && modelled[i] != null ? modelled[i] - value : null)).filter((error) => error != null);
     return errors.length ? Math.sqrt(errors.reduce((sum, error) => sum + error * error, 0) / errors.length) : null;
   };
   const [dB, deg] = [rms(gain), rms(phase)];
@@ -108,19 +107,20 @@ function misfitOf({ gain, phase }, inBand) {
   return `${fixed(dB, 2)} dB${deg == null ? '' : `, ${fixed(deg, 1)}\u00b0`} rms`;
 }
 
-function card(channel, band, sync, withStart) {
+/** Charts of a channel with `lines`: label, colour, gain, phase and mean of each; without `read` the cursor passes it. */
+export function card(channel, band, sync) {
   const series = seriesOf(channel);
   const gain = el('div');
   const phase = el('div');
   const mean = el('div');
-  const head = misfitOf(series, channel.in_band);
+  const head = channel.in_band ? misfitOf(series, channel.in_band) : '';
   const reading = el('span', { class: 'reading' }, head);
   const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), reading), gain, phase, mean);
   const read = (i) => {
     if (i == null) reading.textContent = head;
     else {
       const pair = (part, unit, decimals) =>
-        `${fixed(part.modelled[i], decimals)} for ${fixed(part.measured[i], decimals)}${unit}`;
+        `${part.lines.filter((line) => line.read !== false).map((line) => fixed(line.values[i], decimals)).join(', ')} for ${fixed(part.measured[i], decimals)}${unit}`;
       reading.textContent = `${shown(series.x[i], 3)} Hz: ${pair(series.gain, ' dB', 1)}, ${pair(series.phase, '\u00b0', 0)}${series.mean ? `, ${pair(series.mean, ` ${series.mean.unit}`, 1)}` : ''}`;
     }
   };
@@ -130,10 +130,17 @@ function card(channel, band, sync, withStart) {
     if (series.mean) panels.push([mean, 84, series.mean, { least: 1 }]);
     panels.forEach(([place, height, part, options], i) => {
       const labelled = i === panels.length - 1;
-      panel(place, height + (labelled ? 16 : 0), series, part, { steps: [], labelled, band, sync, withStart: withStart && part.start, read, ...options });
+      panel(place, height + (labelled ? 16 : 0), series, part, { steps: [], labelled, band, sync, read, ...options });
     });
   };
   return { box, draw };
+}
+
+/** Start, where it is wanted, and fit. */
+function linesOf(channel, withStart) {
+  const start = { label: 'start', colour: 'start', dash: [4, 3], width: 1.2, gain: channel.gain_start, phase: channel.phase_start, read: false };
+  const fit = { label: 'fit', colour: 'model', gain: channel.gain_modelled, phase: channel.phase_modelled, mean: channel.mean_modelled };
+  return withStart ? [start, fit] : [fit];
 }
 
 /** Bode charts of every channel of one recording, with one cursor for all. */
@@ -149,7 +156,7 @@ export function drawResponses(place, data) {
     const sync = uPlot.sync(`responses ${state.recording}`);
     const cards = data.responses
       .filter((channel) => channel.recording === state.recording)
-      .map((channel) => card(channel, band, sync, state.start));
+      .map((channel) => card({ ...channel, lines: linesOf(channel, state.start) }, band, sync));
     charts.replaceChildren(...cards.map(({ box }) => box));
     for (const { draw } of cards) draw();
   };

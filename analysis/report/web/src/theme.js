@@ -1,5 +1,9 @@
 const listeners = [];
-const names = ['ground', 'raised', 'line', 'faint', 'text', 'muted', 'measured', 'model', 'start', 'band', 'good', 'poor'];
+const runs = ['run0', 'run1', 'run2', 'run3', 'run4', 'run5'];
+const names = ['ground', 'raised', 'line', 'faint', 'text', 'muted', 'measured', 'model', 'start', 'band', 'good', 'poor', ...runs];
+
+/** The line of a run among others: its colour, dashed from the seventh on. */
+export const runLine = (i) => ({ colour: runs[i % runs.length], dash: i < runs.length ? undefined : [6, 3] });
 
 /** The colours of the page as it is now. */
 export function colours() {

@@ -1,0 +1,138 @@
+#include "identify/report/compared_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::json;
+
+std::map<ChannelGroup, double> MeanErrors(const std::vector<Json>& channels) {
+  std::map<ChannelGroup, std::pair<double, int>> sums;
+  for (const Json& channel : channels) {
+    const double error = NumberAt(channel, "nmse_percent");
+    if (!std::isfinite(error)) continue;
+    auto& [sum, count] = sums[{TextAt(channel, "recording"), GroupOf(TextAt(channel, "name"))}];
+    sum += error;
+    ++count;
+  }
+  std::map<ChannelGroup, double> means;
+  for (const auto& [group, tally] : sums) means[group] = tally.first / tally.second;
+  return means;
+}
+
+std::set<std::string> FittedRecordings(const Json& result) {
+  std::set<std::string> names;
+  for (const char* list : {"recordings", "channels"})
+    for (const Json& entry : ListAt(result, list))
+      names.insert(TextAt(entry, std::string(list) == "channels" ? "recording" : "name"));
+  names.erase("");
+  return names;
+}
+
+/// What costs must share to be compared. Runs of other data have another number of residuals, as good as always.
+Json DataOf(const Json& result) {
+  Json channels = Json::array();
+  for (const Json& channel : ListAt(result, "channels"))
+    channels.push_back({TextAt(channel, "recording"), TextAt(channel, "name")});
+  const Json refine = result.value("refine", Json::object());
+  return {FittedRecordings(result),
+          channels,
+          result.value("residuals", Json()),
+          result.value("band_Hz", Json()),
+          TextAt(refine, "loss"),
+          refine.value("scale", Json()),
+          TextAt(result, "history_cost")};
+}
+
+void NumberData(std::vector<ComparedRun>& runs) {
+  std::vector<Json> known;
+  for (ComparedRun& run : runs) {
+    const Json data = DataOf(run.result);
+    const auto found = std::find(known.begin(), known.end(), data);
+    run.data = static_cast<std::size_t>(found - known.begin());
+    if (found == known.end()) known.push_back(data);
+  }
+}
+
+std::string StudyOf(const ComparedRun& run) {
+  const std::string stem = std::filesystem::path(TextAt(run.result, "study")).stem().string();
+  return stem.empty() ? TextAt(run.result, "vehicle") : stem;
+}
+
+/// Every run by a name of its own.
+void NameRuns(const std::vector<std::string>& folders, std::vector<ComparedRun>& runs) {
+  std::map<std::string, int> studies;
+  for (const ComparedRun& run : runs) ++studies[StudyOf(run)];
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::string study = StudyOf(runs[i]);
+    std::string name = studies[study] == 1 ? study : study + " (" + folders[i] + ")";
+    if (!taken.insert(name).second) taken.insert(name += " " + std::to_string(i + 1));
+    runs[i].name = name;
+  }
+}
+
+std::string Joined(const auto& texts) {
+  std::string joined;
+  for (const std::string& text : texts) joined += (joined.empty() ? "" : ", ") + text;
+  return joined;
+}
+
+}  // namespace
+
+std::string GroupOf(const std::string& channel) {
+  constexpr std::array<const char*, 8> kPlaces = {"front", "rear", "left", "right", "FL", "FR", "RL", "RR"};
+  const std::size_t mark = channel.rfind('_');
+  if (mark == std::string::npos || mark == 0) return channel;
+  return std::find(kPlaces.begin(), kPlaces.end(), channel.substr(mark + 1)) == kPlaces.end() ? channel
+                                                                                              : channel.substr(0, mark);
+}
+
+std::string ComparedRun::Kind() const {
+  std::vector<std::string> kinds;
+  const auto has = [&](const std::string& file) { return contents.files.contains(file); };
+  const std::vector<Json> channels = ListAt(result, "channels");
+  const bool is_over_time = std::any_of(channels.begin(), channels.end(),
+                                        [](const Json& channel) { return !TextAt(channel, "recording").empty(); });
+  if (has("response.csv")) kinds.emplace_back("stepped sines");
+  if (has("bench.csv")) kinds.emplace_back("damper bench");
+  else if (is_over_time) kinds.emplace_back("time histories");
+  if (!ListAt(result, "static_loads").empty()) kinds.emplace_back("static loads");
+  return Joined(kinds);
+}
+
+std::string ComparedRun::Recordings() const { return Joined(FittedRecordings(result)); }
+
+std::vector<ComparedRun> ComparedRuns(std::vector<std::pair<std::string, RunContents>> folders) {
+  std::vector<ComparedRun> runs;
+  std::vector<std::string> names;
+  for (auto& [folder, contents] : folders) {
+    ComparedRun run{.result = FitResultOf(contents)};
+    run.parameters = ReportedParameters(run.result, contents);
+    run.fitted = MeanErrors(ListAt(run.result, "channels"));
+    run.predicted = MeanErrors(ListAt(run.result, "validation"));
+    run.contents = std::move(contents);
+    runs.push_back(std::move(run));
+    names.push_back(folder);
+  }
+  NameRuns(names, runs);
+  NumberData(runs);
+  return runs;
+}
+
+std::vector<ChannelGroup> CommonGroups(const std::vector<ComparedRun>& runs,
+                                       std::map<ChannelGroup, double> ComparedRun::*errors) {
+  std::vector<ChannelGroup> common;
+  if (runs.empty()) return common;
+  for (const auto& [group, error] : runs.front().*errors)
+    if (std::all_of(runs.begin(), runs.end(), [&](const ComparedRun& run) { return (run.*errors).contains(group); }))
+      common.push_back(group);
+  return common;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "identify/report/run_contents.h"
+#include "identify/report/run_result.h"
+
+namespace fourpost {
+
+/// A recording, empty for all stepped sines together, and a group of channels: those that differ by their place only,
+/// such as a_axle_FL and a_axle_FR, are the group a_axle.
+using ChannelGroup = std::pair<std::string, std::string>;
+
+/// The group of a channel: its name without `_front`, `_rear`, `_left`, `_right`, or a corner such as `_FL` at the end.
+std::string GroupOf(const std::string& channel);
+
+/// A run to compare with others.
+struct ComparedRun {
+  /// Its study without the ending; with the folder where runs share it.
+  std::string name;
+  RunContents contents;
+  nlohmann::json result;
+  std::vector<ReportedParameter> parameters;
+  /// Mean normalised mean square errors [%].
+  std::map<ChannelGroup, double> fitted;
+  std::map<ChannelGroup, double> predicted;
+  /// Runs of the same number were fitted to the same residuals by the same loss: their costs can be compared.
+  std::size_t data = 0;
+
+  /// "stepped sines", "time histories", "static loads", "damper bench", joined by commas.
+  std::string Kind() const;
+  /// Recordings that were fitted, joined by commas.
+  std::string Recordings() const;
+};
+
+/// From the folders and what they hold, of which result.json must be that of a fit.
+std::vector<ComparedRun> ComparedRuns(std::vector<std::pair<std::string, RunContents>> folders);
+
+/// Groups that every run has an error of.
+std::vector<ChannelGroup> CommonGroups(const std::vector<ComparedRun>& runs,
+                                       std::map<ChannelGroup, double> ComparedRun::*errors);
+
+}  // namespace fourpost

@@ -1,0 +1,206 @@
+#include "identify/report/comparison_curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "identify/report/history_table.h"
+#include "identify/report/picture_number.h"
+#include "identify/report/response_table.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Of a channel over time: some kB for each run.
+constexpr std::size_t kMostRows = 3000;
+
+/// Of a run, by its number.
+template <typename Item>
+struct OfRun {
+  std::size_t run = 0;
+  const Item* item = nullptr;
+};
+
+/// What several runs have alike: the first decides what was measured.
+template <typename Item>
+using Shared = std::vector<OfRun<Item>>;
+
+/// Numbers of files, which write all digits; of another version, perhaps fewer.
+bool AreAlike(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kDigits = 1e-6;
+  if (a.size() != b.size()) return false;
+  double size = 0;
+  for (const double value : a)
+    if (std::isfinite(value)) size = std::max(size, std::abs(value));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::isfinite(a[i]) != std::isfinite(b[i]) || std::abs(a[i] - b[i]) > kDigits * size) return false;
+  return true;
+}
+
+/// Items that are the same by `is_same`, in the order in which they come; those of one run alone left out.
+template <typename Item, typename IsSame>
+std::vector<Shared<Item>> SharedOf(const std::vector<std::vector<Item>>& of_runs, const IsSame& is_same) {
+  std::vector<Shared<Item>> all;
+  for (std::size_t run = 0; run < of_runs.size(); ++run)
+    for (const Item& item : of_runs[run]) {
+      const auto found = std::find_if(all.begin(), all.end(), [&](const Shared<Item>& shared) {
+        return shared.back().run != run && is_same(*shared.front().item, item);
+      });
+      if (found == all.end()) all.push_back({{run, &item}});
+      else found->push_back({run, &item});
+    }
+  std::erase_if(all, [](const Shared<Item>& shared) { return shared.size() < 2; });
+  return all;
+}
+
+Json Numbers(const std::vector<double>& values) {
+  return PictureNumbers(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+}
+
+bool HasNumbers(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+Json ResponsesJson(const std::vector<ComparedRun>& runs) {
+  std::vector<std::vector<ComparedChannel>> of_runs;
+  for (const ComparedRun& run : runs) {
+    const auto file = run.contents.files.find("response.csv");
+    of_runs.push_back(file == run.contents.files.end() ? std::vector<ComparedChannel>()
+                                                       : ReadResponseTable(file->second, file->first));
+  }
+  const auto is_same = [](const ComparedChannel& a, const ComparedChannel& b) {
+    return a.recording == b.recording && a.name == b.name && AreAlike(a.frequency_Hz, b.frequency_Hz) &&
+           AreAlike(a.gain_measured, b.gain_measured) && AreAlike(a.phase_measured_deg, b.phase_measured_deg);
+  };
+  Json list = Json::array();
+  for (const Shared<ComparedChannel>& shared : SharedOf(of_runs, is_same)) {
+    const ComparedChannel& first = *shared.front().item;
+    const bool has_mean = HasNumbers(first.mean_measured);
+    Json lines = Json::array();
+    for (const auto& [run, channel] : shared) {
+      lines.push_back(
+          {{"run", run}, {"gain", Numbers(channel->gain_modelled)}, {"phase", Numbers(channel->phase_modelled_deg)}});
+      if (has_mean) lines.back()["mean"] = Numbers(channel->mean_modelled);
+    }
+    list.push_back({{"recording", first.recording},
+                    {"name", first.name},
+                    {"unit", first.unit},
+                    {"frequency_Hz", Numbers(first.frequency_Hz)},
+                    {"gain_measured", Numbers(first.gain_measured)},
+                    {"gain_sd", Numbers(first.gain_sd)},
+                    {"phase_measured", Numbers(first.phase_measured_deg)},
+                    {"phase_sd", Numbers(first.phase_sd_deg)},
+                    {"runs", std::move(lines)}});
+    if (has_mean) list.back()["mean_measured"] = Numbers(first.mean_measured);
+  }
+  return list;
+}
+
+/// A channel over time, of a table.
+struct TimedChannel {
+  std::string recording;
+  std::string name;
+  const TimeColumn* time = nullptr;
+  const TimeColumn* measured = nullptr;
+  const TimeColumn* modelled = nullptr;
+};
+
+std::vector<TimedChannel> TimedChannels(const std::vector<TimeTable>& tables) {
+  constexpr std::string_view kMeasured = "_measured";
+  std::vector<TimedChannel> channels;
+  for (const TimeTable& table : tables)
+    for (const TimeColumn& column : table.columns) {
+      if (!column.name.ends_with(kMeasured)) continue;
+      const std::string name = column.name.substr(0, column.name.size() - kMeasured.size());
+      TimedChannel channel{table.recording, name, table.Find("time"), &column, table.Find(name + "_modelled")};
+      if (channel.time != nullptr && channel.modelled != nullptr) channels.push_back(channel);
+    }
+  return channels;
+}
+
+Json HistoriesJson(const std::vector<ComparedRun>& runs) {
+  std::vector<std::vector<TimeTable>> tables(runs.size());
+  std::vector<std::vector<TimedChannel>> of_runs;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    for (const char* name : {"history.csv", "validation.csv"}) {
+      const auto file = runs[r].contents.files.find(name);
+      // A bench has none, and its results no files of that form.
+      if (file == runs[r].contents.files.end()) continue;
+      std::vector<TimeTable> read = ReadHistories(file->second, file->first);
+      std::move(read.begin(), read.end(), std::back_inserter(tables[r]));
+    }
+    of_runs.push_back(TimedChannels(tables[r]));
+  }
+  const auto is_same = [](const TimedChannel& a, const TimedChannel& b) {
+    return a.recording == b.recording && a.name == b.name && AreAlike(a.time->values, b.time->values) &&
+           AreAlike(a.measured->values, b.measured->values);
+  };
+  Json list = Json::array();
+  for (const Shared<TimedChannel>& shared : SharedOf(of_runs, is_same)) {
+    const TimedChannel& first = *shared.front().item;
+    std::vector<const TimeColumn*> columns = {first.measured};
+    for (const auto& [run, channel] : shared) columns.push_back(channel->modelled);
+    const std::size_t count = first.time->values.size();
+    const std::set<std::size_t> rows = RowsToShow(columns, count, kMostRows);
+    Json lines = Json::array();
+    for (const auto& [run, channel] : shared)
+      lines.push_back({{"run", run}, {"values", ShownValues(*channel->modelled, rows)}});
+    list.push_back({{"recording", first.recording},
+                    {"name", first.name},
+                    {"unit", first.measured->unit},
+                    {"time", ShownValues(*first.time, rows)},
+                    {"measured", ShownValues(*first.measured, rows)},
+                    {"runs", std::move(lines)},
+                    {"rows", count},
+                    {"shown_rows", rows.size()}});
+  }
+  return list;
+}
+
+Json BenchJson(const std::vector<ComparedRun>& runs) {
+  std::vector<std::vector<TimeTable>> of_runs;
+  for (const ComparedRun& run : runs) {
+    const auto file = run.contents.files.find("bench.csv");
+    of_runs.push_back(file == run.contents.files.end() ? std::vector<TimeTable>()
+                                                       : ReadHistories(file->second, file->first, CsvHeader::kNames));
+    std::erase_if(of_runs.back(), [](const TimeTable& table) {
+      return table.Find("measured_N") == nullptr || table.Find("modelled_N") == nullptr;
+    });
+  }
+  const auto is_same = [](const TimeTable& a, const TimeTable& b) {
+    return a.recording == b.recording && AreAlike(a.Find("measured_N")->values, b.Find("measured_N")->values);
+  };
+  Json list = Json::array();
+  for (const Shared<TimeTable>& shared : SharedOf(of_runs, is_same)) {
+    const TimeTable& first = *shared.front().item;
+    std::vector<const TimeColumn*> columns = {first.Find("measured_N")};
+    for (const auto& [run, table] : shared) columns.push_back(table->Find("modelled_N"));
+    const std::set<std::size_t> rows = RowsToShow(columns, first.rows, kMostRows);
+    Json told = Json::array();
+    for (const TimeColumn& column : first.columns)
+      if (column.name != "modelled_N") told.push_back({{"name", column.name}, {"values", ShownValues(column, rows)}});
+    Json lines = Json::array();
+    for (const auto& [run, table] : shared)
+      lines.push_back({{"run", run}, {"values", ShownValues(*table->Find("modelled_N"), rows)}});
+    list.push_back({{"recording", first.recording},
+                    {"columns", std::move(told)},
+                    {"runs", std::move(lines)},
+                    {"rows", first.rows},
+                    {"shown_rows", rows.size()}});
+  }
+  return list;
+}
+
+}  // namespace
+
+Json ComparisonCurves(const std::vector<ComparedRun>& runs) {
+  Json names = Json::array();
+  for (const ComparedRun& run : runs) names.push_back(run.name);
+  return {{"runs", std::move(names)},
+          {"responses", ResponsesJson(runs)},
+          {"histories", HistoriesJson(runs)},
+          {"bench", BenchJson(runs)}};
+}
+
+}  // namespace fourpost

@@ -1,0 +1,58 @@
+#include "identify/report/comparison_page.h"
+
+#include "analysis/report/html.h"
+#include "analysis/report/report_document.h"
+#include "identify/report/comparison_curves.h"
+#include "identify/report/comparison_tables.h"
+#include "identify/report/comparison_verdict.h"
+
+namespace fourpost {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+std::string Header(const std::vector<ComparedRun>& runs) {
+  std::string names;
+  for (const ComparedRun& run : runs) names += (names.empty() ? "" : ", ") + run.name;
+  return "<header>\n<h1>" + std::to_string(runs.size()) + " fits compared</h1>\n<p class=\"facts\">" +
+         html::Escaped(names) + "</p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
+}
+
+std::string Curves(const OrderedJson& curves, const std::string& part, const std::string& title) {
+  if (curves[part].empty()) return "";
+  return html::Section(part, title,
+                       "<div class=\"drawn\" data-draw=\"compared_" + part +
+                           "\"><noscript><p class=\"note\">The charts need JavaScript.</p></noscript></div>\n");
+}
+
+std::string Errors(const std::vector<ComparedRun>& runs) {
+  const std::string fitted = ErrorTableHtml(runs, &ComparedRun::fitted);
+  const std::string predicted = ErrorTableHtml(runs, &ComparedRun::predicted);
+  std::string html;
+  if (!fitted.empty()) html += "<h3>What was fitted</h3>\n" + fitted;
+  if (!predicted.empty()) html += "<h3>What the fit has not seen</h3>\n" + predicted;
+  return html +
+         "<p class=\"note\">Channels that differ by their place only, as front and rear or the four corners, are one "
+         "group "
+         "and told by their mean; the least of each row stands out.</p>\n";
+}
+
+}  // namespace
+
+std::string ComparisonPage(std::vector<std::pair<std::string, RunContents>> folders,
+                           const std::optional<ModelRanking>& ranking) {
+  const std::vector<ComparedRun> runs = ComparedRuns(std::move(folders));
+  const OrderedJson curves = ComparisonCurves(runs);
+  const std::string body = Header(runs) + "<nav id=\"contents\"></nav>\n<main>\n" +
+                           html::Section("summary", "Summary", VerdictHtml(runs, ranking) + RunTableHtml(runs)) +
+                           html::Section("errors", "Errors by group of channels", Errors(runs)) +
+                           html::Section("parameters", "Parameters", ParametersSideBySideHtml(runs)) +
+                           Curves(curves, "responses", "Frequency responses") +
+                           Curves(curves, "histories", "Time histories") + Curves(curves, "bench", "Damper bench") +
+                           "</main>\n";
+  const OrderedJson data = {{"comparison", curves}};
+  return ReportDocument("Comparison of fits \u2013 fourpost report", body,
+                        data.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));
+}
+
+}  // namespace fourpost

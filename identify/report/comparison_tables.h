@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/report/compared_run.h"
+
+namespace fourpost {
+
+// Tables of a comparison of runs as HTML; empty where there is nothing to tell.
+
+/// A row per run: what was fitted, how much it took and how well it went.
+std::string RunTableHtml(const std::vector<ComparedRun>& runs);
+
+/// A row per group of channels, a column per run [%].
+std::string ErrorTableHtml(const std::vector<ComparedRun>& runs, std::map<ChannelGroup, double> ComparedRun::*errors);
+
+/// A row per parameter, a column per run: value and interval of 95 %, blank where a run did not fit it.
+std::string ParametersSideBySideHtml(const std::vector<ComparedRun>& runs);
+
+}  // namespace fourpost

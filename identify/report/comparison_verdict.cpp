@@ -1,0 +1,94 @@
+#include "identify/report/comparison_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/report/html.h"
+#include "identify/report/shown_number.h"
+
+namespace fourpost {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+/// Errors this close are one.
+constexpr double kSame = 1e-2;
+
+using Errors = std::map<ChannelGroup, double> ComparedRun::*;
+
+double MeanOver(const std::vector<ChannelGroup>& groups, const std::map<ChannelGroup, double>& errors) {
+  double sum = 0;
+  for (const ChannelGroup& group : groups) sum += errors.at(group);
+  return groups.empty() ? kNone : sum / static_cast<double>(groups.size());
+}
+
+std::string Name(const ComparedRun& run) { return html::Element("strong", "", html::Escaped(run.name)); }
+
+std::string Counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+/// "X fits best: 0.9 % ..., next Y with 1.2 %".
+std::string Best(const std::vector<ComparedRun>& runs, const std::vector<ChannelGroup>& groups, Errors errors,
+                 const std::string& verb) {
+  std::vector<std::pair<double, const ComparedRun*>> order;
+  for (const ComparedRun& run : runs) order.emplace_back(MeanOver(groups, run.*errors), &run);
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const auto& [least, best] = order[0];
+  const std::string over =
+      " % mean NMSE over the " + Counted(groups.size(), "group") + " of channels that all runs have";
+  if (order[1].first <= least * (1 + kSame))
+    return Name(*best) + " and " + Name(*order[1].second) + ' ' + verb + " alike: " + ShownNumber(least, 3) + over +
+           ". ";
+  return Name(*best) + ' ' + verb + "s best: " + ShownNumber(least, 3) + over + ", next " +
+         html::Escaped(order[1].second->name) + " with " + ShownNumber(order[1].first, 3) + " %. ";
+}
+
+/// By the rules of `fourpost rank`, of what all runs foretold.
+ModelRanking RankByPrediction(const std::vector<ComparedRun>& runs, const std::vector<ChannelGroup>& groups) {
+  std::vector<FittedModel> models;
+  for (const ComparedRun& run : runs)
+    models.push_back({.name = run.name,
+                      .fitted_percent = kNone,
+                      .validation_percent = MeanOver(groups, run.predicted),
+                      .criteria = {.parameters = run.parameters.size(), .aicc = kNone, .bic = kNone},
+                      .termination = run.result.at("termination").get<std::string>()});
+  return Rank(std::move(models));
+}
+
+std::string Text(const ModelRanking& ranking) {
+  std::string text = "To take: " + html::Escaped(ranking.reason) + ". ";
+  for (const std::string& remark : ranking.remarks) text += html::Escaped(remark) + ' ';
+  return text;
+}
+
+/// What the runs do not share.
+std::string Doubts(const std::vector<ComparedRun>& runs) {
+  std::string text;
+  if (std::any_of(runs.begin(), runs.end(), [](const ComparedRun& run) { return run.data != 0; }))
+    text +=
+        "The runs were not all fitted to the same data: each error is that of what the run saw, and costs compare "
+        "within "
+        "a letter only. ";
+  return text;
+}
+
+}  // namespace
+
+std::string VerdictHtml(const std::vector<ComparedRun>& runs, const std::optional<ModelRanking>& ranking) {
+  if (runs.size() < 2) return "";
+  const std::vector<ChannelGroup> fitted = CommonGroups(runs, &ComparedRun::fitted);
+  const std::vector<ChannelGroup> predicted = CommonGroups(runs, &ComparedRun::predicted);
+  std::string text;
+  if (fitted.empty()) text += "No channel was fitted by all runs: nothing tells which fits best. ";
+  else text += Best(runs, fitted, &ComparedRun::fitted, "fit");
+  if (predicted.empty())
+    text += "No recording was kept from all fits and foretold by all: nothing tells which foretells best. ";
+  else text += Best(runs, predicted, &ComparedRun::predicted, "foretell");
+  if (ranking) text += Text(*ranking);
+  else if (!predicted.empty()) text += Text(RankByPrediction(runs, predicted));
+  return html::Element("p", "verdict good", text) + '\n' +
+         (Doubts(runs).empty() ? "" : html::Element("p", "note", Doubts(runs)) + '\n');
+}
+
+}  // namespace fourpost

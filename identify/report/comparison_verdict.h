@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "identify/model_ranking.h"
+#include "identify/report/compared_run.h"
+
+namespace fourpost {
+
+/// Which run fits best, which foretells best and which to take, in plain words, as HTML; and what makes that doubtful.
+/// `ranking`: that of `fourpost rank`, where it can rank these runs.
+std::string VerdictHtml(const std::vector<ComparedRun>& runs, const std::optional<ModelRanking>& ranking);
+
+}  // namespace fourpost

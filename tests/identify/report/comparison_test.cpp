@@ -1,0 +1,200 @@
+// Several runs side by side: what is compared, what is said, and what is drawn.
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "analysis/diagnostics.h"
+#include "identify/report/comparison_curves.h"
+#include "identify/report/comparison_page.h"
+#include "identify/report/comparison_tables.h"
+#include "identify/report/comparison_verdict.h"
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::ThrowsMessage;
+using Json = nlohmann::json;
+
+/// A fit of stepped sines, of so many parameters.
+Json Result(const std::string& study, double fitted, double predicted, int parameters = 1) {
+  Json json = Json::parse(R"({
+    "termination": "converged", "vehicle": "car", "residuals": 100, "cost": 12.5, "misfit": 1.2, "band_Hz": [1, 12],
+    "recordings": [{"name": "bounce"}], "refine": {"loss": "huber", "scale": 1.345}, "evaluations": {"paid": 321},
+    "starts": {"agreeing": 4, "refined": 5}, "identifiability": {}, "parameters": []})");
+  json["study"] = study + ".yaml";
+  for (int i = 0; i < parameters; ++i)
+    json["parameters"].push_back({{"name", "p" + std::to_string(i)},
+                                  {"unit", "kg"},
+                                  {"value", 10.0},
+                                  {"lower", 1.0},
+                                  {"upper", 20.0},
+                                  {"sd", 0.5},
+                                  {"interval_95", {9.0, 11.0}},
+                                  {"at_bound", false}});
+  json["channels"] = {{{"name", "a_FL"}, {"rms_dB", 1}, {"nmse_percent", fitted - 0.5}},
+                      {{"name", "a_FR"}, {"rms_dB", 1}, {"nmse_percent", fitted + 0.5}}};
+  json["validation"] = {{{"recording", "sweep"}, {"name", "a_FL"}, {"nmse_percent", predicted}}};
+  return json;
+}
+
+using Folder = std::pair<std::string, RunContents>;
+
+Folder FolderOf(const std::string& name, const Json& result, std::map<std::string, std::string> files = {}) {
+  files["result.json"] = result.dump();
+  return {name, {.files = std::move(files)}};
+}
+
+std::vector<ComparedRun> Runs(const std::vector<Json>& results) {
+  std::vector<Folder> folders;
+  for (const Json& result : results) folders.push_back(FolderOf("run/" + std::to_string(folders.size()), result));
+  return ComparedRuns(std::move(folders));
+}
+
+TEST(ComparedRun, GroupsChannelsByAllButTheirPlace) {
+  EXPECT_EQ(GroupOf("a_axle_FL"), "a_axle");
+  EXPECT_EQ(GroupOf("a_axle_rear"), "a_axle");
+  EXPECT_EQ(GroupOf("a_cross_member"), "a_cross_member");
+  EXPECT_EQ(GroupOf("force"), "force");
+  EXPECT_EQ(GroupOf("_FL"), "_FL");
+  const std::vector<ComparedRun> runs = Runs({Result("one", 3, 5)});
+  EXPECT_EQ(runs[0].fitted, (std::map<ChannelGroup, double>{{{"", "a"}, 3}}));
+  EXPECT_EQ(runs[0].predicted, (std::map<ChannelGroup, double>{{{"sweep", "a"}, 5}}));
+}
+
+TEST(ComparedRun, KnowsWhichCostsCompare) {
+  Json other = Result("other", 3, 5);
+  other["residuals"] = 99;
+  Json loss = Result("loss", 3, 5);
+  loss["refine"]["scale"] = 2;
+  const std::vector<ComparedRun> runs = Runs({Result("one", 3, 5), other, Result("two", 9, 9), loss});
+  EXPECT_EQ(runs[0].data, 0u);
+  EXPECT_EQ(runs[1].data, 1u);
+  EXPECT_EQ(runs[2].data, 0u);
+  EXPECT_EQ(runs[3].data, 2u);
+}
+
+TEST(ComparedRun, HasANameOfItsOwn) {
+  const std::vector<ComparedRun> runs = Runs({Result("one", 3, 5), Result("two", 3, 5), Result("one", 3, 5)});
+  EXPECT_EQ(runs[0].name, "one (run/0)");
+  EXPECT_EQ(runs[1].name, "two");
+  EXPECT_EQ(runs[2].name, "one (run/2)");
+}
+
+TEST(ComparisonVerdict, SaysWhichFitsAndWhichForetellsBest) {
+  const std::string text = VerdictHtml(Runs({Result("rich", 1, 8, 5), Result("plain", 2, 4, 2)}), std::nullopt);
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("<strong>rich</strong> fits best: 1.00 % mean NMSE over the 1 group of channels"),
+                    HasSubstr("next plain with 2.00 %"), HasSubstr("<strong>plain</strong> foretells best: 4.00 %"),
+                    HasSubstr("To take: plain: of all models it misses least of what it was not fitted to, 4 %")));
+  EXPECT_THAT(text, AllOf(Not(HasSubstr("BIC")), Not(HasSubstr("same data"))));
+}
+
+TEST(ComparisonVerdict, TakesTheSimplerOfTwoThatForetellAlike) {
+  EXPECT_THAT(VerdictHtml(Runs({Result("rich", 1, 4, 5), Result("plain", 2, 4.2, 2)}), std::nullopt),
+              HasSubstr("To take: plain: it has the fewest parameters of those within 10 % of the least"));
+}
+
+TEST(ComparisonVerdict, SaysWhatCannotBeCompared) {
+  Json other = Result("other", 3, 5);
+  other["channels"][0]["name"] = "b";
+  other["channels"].erase(1);
+  other.erase("validation");
+  EXPECT_THAT(VerdictHtml(Runs({Result("one", 3, 5), other}), std::nullopt),
+              AllOf(HasSubstr("nothing tells which fits best"), HasSubstr("nothing tells which foretells best"),
+                    HasSubstr("not all fitted to the same data"), Not(HasSubstr("To take"))));
+}
+
+TEST(ComparisonVerdict, TakesTheRankingOfDampers) {
+  const ModelRanking ranking{.models = {}, .reason = "a <reason>", .remarks = {"A doubt."}};
+  EXPECT_THAT(VerdictHtml(Runs({Result("one", 3, 5), Result("two", 4, 6)}), ranking),
+              HasSubstr("To take: a &lt;reason&gt;. A doubt."));
+}
+
+TEST(ComparisonTables, HaveARowPerRunAndAColumnPerRun) {
+  Json other = Result("other", 4, 6, 2);
+  other["parameters"][0]["at_bound"] = true;
+  other["residuals"] = 99;
+  const std::vector<ComparedRun> runs = Runs({Result("one", 3, 5), other});
+  EXPECT_THAT(RunTableHtml(runs),
+              AllOf(HasSubstr("<b>one</b>"), HasSubstr("4 of 5"), HasSubstr("<td class=\"n\">321</td>"),
+                    HasSubstr("<td>A</td>"), HasSubstr("<td>B</td>"), HasSubstr("AICc and BIC are told of dampers")));
+  // The least stands out.
+  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::fitted),
+              HasSubstr("<td class=\"n\"><b>3.00</b></td><td class=\"n\">4.00</td>"));
+  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::predicted), HasSubstr("<td>sweep</td><td><code>a</code></td>"));
+  const std::string parameters = ParametersSideBySideHtml(runs);
+  EXPECT_THAT(parameters,
+              AllOf(HasSubstr("<th class=\"n\">one</th><th class=\"n\">other</th>"),
+                    HasSubstr("<b>10.00</b><br><small>9.00 \u2026 11.00</small>"), HasSubstr("at its bound"),
+                    // The first run has no second parameter.
+                    HasSubstr("<code>p1</code></td><td>kg</td><td class=\"n\"></td><td class=\"n\"><b>")));
+}
+
+TEST(ComparisonTables, HaveCriteriaWhereOneRunTellsThem) {
+  Json bench = Result("bench", 3, 5);
+  bench["criteria"] = {{"aicc", -1234.5}, {"bic", nullptr}};
+  EXPECT_THAT(RunTableHtml(Runs({bench, Result("one", 3, 5)})),
+              AllOf(HasSubstr("AICc</th>"), HasSubstr("\u22121234.50"), Not(HasSubstr("told of dampers"))));
+}
+
+std::string History(double measured, double modelled, const std::string& name = "a") {
+  return "recording,time," + name + "_measured," + name + "_modelled\n,s,m,m\nsweep,0," + std::to_string(measured) +
+         "," + std::to_string(modelled) + "\nsweep,0.1,2,3\n";
+}
+
+TEST(ComparisonCurves, OverlaysWhatRunsShare) {
+  std::vector<Folder> folders;
+  folders.push_back(FolderOf("0", Result("one", 3, 5), {{"validation.csv", History(1, 1.5)}}));
+  folders.push_back(FolderOf("1", Result("two", 3, 5), {{"history.csv", History(1, 1.7)}}));
+  // Measured otherwise, and another channel.
+  folders.push_back(FolderOf("2", Result("three", 3, 5), {{"history.csv", History(1.1, 1.7)}}));
+  folders.push_back(FolderOf("3", Result("four", 3, 5), {{"history.csv", History(1, 1.7, "b")}}));
+  const auto curves = ComparisonCurves(ComparedRuns(std::move(folders)));
+  EXPECT_EQ(curves["runs"].dump(), R"(["one","two","three","four"])");
+  ASSERT_EQ(curves["histories"].size(), 1u);
+  const auto& channel = curves["histories"][0];
+  EXPECT_EQ(channel["measured"].dump(), "[1,2]");
+  EXPECT_EQ(channel["unit"], "m");
+  EXPECT_EQ(channel["runs"].dump(), R"([{"run":0,"values":[1.5,3]},{"run":1,"values":[1.7,3]}])");
+}
+
+TEST(ComparisonCurves, OverlaysResponsesAndDampers) {
+  const auto response = [](double modelled) {
+    return "recording,channel,unit,frequency_Hz,in_band,gain_measured,gain_modelled,phase_measured_deg,phase_modelled_"
+           "deg\n"
+           "bounce,a,1,2,1,1.5," +
+           std::to_string(modelled) + ",10,20\n";
+  };
+  const auto bench = [](double modelled) {
+    return "recording,time_s,displacement_m,speed_mps,measured_N,modelled_N\n1 Hz,0,0,1,100," +
+           std::to_string(modelled) + "\n";
+  };
+  std::vector<Folder> folders;
+  for (const double modelled : {1.25, 2.5})
+    folders.push_back(FolderOf("x", Result("x" + std::to_string(modelled), 3, 5),
+                               {{"response.csv", response(modelled)}, {"bench.csv", bench(modelled)}}));
+  const auto curves = ComparisonCurves(ComparedRuns(std::move(folders)));
+  ASSERT_EQ(curves["responses"].size(), 1u);
+  EXPECT_EQ(curves["responses"][0]["runs"].dump(),
+            R"([{"run":0,"gain":[1.25],"phase":[20]},{"run":1,"gain":[2.5],"phase":[20]}])");
+  ASSERT_EQ(curves["bench"].size(), 1u);
+  EXPECT_EQ(curves["bench"][0]["runs"].dump(), R"([{"run":0,"values":[1.25]},{"run":1,"values":[2.5]}])");
+  EXPECT_EQ(curves["bench"][0]["columns"].size(), 4u);
+}
+
+TEST(ComparisonPage, EscapesNamesAndRefusesWhatIsNoFit) {
+  const std::string hostile = "</script><b>";
+  std::vector<Folder> folders = {FolderOf(hostile, Result(hostile, 3, 5)), FolderOf("b", Result(hostile, 3, 5))};
+  EXPECT_THAT(ComparisonPage(folders, std::nullopt),
+              AllOf(HasSubstr("<h1>2 fits compared</h1>"), HasSubstr("&lt;/script&gt;"), Not(HasSubstr("<b></b>")),
+                    Not(HasSubstr("</script><b>"))));
+  folders[1] = FolderOf("b", Json{{"a", 1}});
+  EXPECT_THAT([&] { ComparisonPage(folders, std::nullopt); },
+              ThrowsMessage<FaultyInput>(HasSubstr("is not that of a fit")));
+}
+
+}  // namespace
+}  // namespace fourpost
