@@ -94,9 +94,9 @@ class ResidualFunction : public ceres::CostFunction {
   const std::string& failure() const { return failure_; }
 
  private:
-  // By the options, or at a bound, and the cost falls beyond it. Ceres computes a step as if there were no bounds and cuts it off there,
-  // which leaves the other variables short of their optimum; without its column in the Jacobian, this one has no part
-  // in it.
+  // By the options, or at a bound, and the cost falls beyond it. Ceres computes a step as if there were no bounds and
+  // cuts it off there, which leaves the other variables short of their optimum; without its column in the Jacobian,
+  // this one has no part in it.
   bool IsHeld(Eigen::Index j, double gradient) const {
     if (std::find(held_.begin(), held_.end(), j) != held_.end()) return true;
     return gradient > 0 ? here_.x[j] <= variables_.lower()[j] : here_.x[j] >= variables_.upper()[j];
@@ -238,11 +238,22 @@ RefineResult Descend(Archive& archive, const FitVariables& variables, const Refi
   return result;
 }
 
-/// The loss that leads to the one of the options from anywhere; nothing where that one does itself.
-std::optional<RobustLoss> Leading(const RefineOptions& options) {
-  const LossKind kind = options.loss.kind();
-  if (kind != LossKind::kCauchy && kind != LossKind::kTukey) return std::nullopt;
-  return options.loss.As(LossKind::kHuber);
+/// Of the cost: a loss that leads need not end in its own optimum, only in the right valley.
+constexpr double kLeadingTolerance = 1e-4;
+
+/// The loss that leads to the one of the options; nothing where that one does itself. Huber's is convex in the
+/// residuals and leads to those that are not.
+std::optional<RobustLoss> Leading(const RefineOptions& options, const Eigen::VectorXd& residuals) {
+  const bool most_are_outliers = 2 * (residuals.array().abs() > options.loss.scale()).count() > residuals.size();
+  if (!most_are_outliers) return std::nullopt;
+  switch (options.loss.kind()) {
+    case LossKind::kNone: return std::nullopt;
+    case LossKind::kHuber:
+    case LossKind::kSoftL1: return options.loss.As(LossKind::kNone);
+    case LossKind::kCauchy:
+    case LossKind::kTukey: return options.loss.As(LossKind::kHuber);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -260,15 +271,18 @@ RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const Refine
             .values = start,
             .evaluations = archive.counts().paid - paid_before};
   here.residuals = first.residuals;
-  int iterations = 0;
-  if (const std::optional<RobustLoss> leading = Leading(options)) {
+  RefineOptions rest = options;
+  if (const std::optional<RobustLoss> leading = Leading(options, here.residuals)) {
     RefineOptions lead = options;
     lead.loss = *leading;
-    iterations = Descend(archive, variables, lead, stop, here).iterations;
+    lead.cost_tolerance = std::max(lead.cost_tolerance, kLeadingTolerance);
+    Residuals led = here;
+    rest.max_iterations -= Descend(archive, variables, lead, stop, led).iterations;
+    if (options.loss.Cost(led.residuals) < options.loss.Cost(here.residuals)) here = led;
   }
-  RefineResult result = Descend(archive, variables, options, stop, here);
+  RefineResult result = Descend(archive, variables, rest, stop, here);
   result.start_cost = options.loss.Cost(first.residuals);
-  result.iterations += iterations;
+  result.iterations += options.max_iterations - rest.max_iterations;
   result.evaluations = archive.counts().paid - paid_before;
   return result;
 }

@@ -31,8 +31,9 @@ struct RefineOptions {
   /// But 100 times `cost_tolerance` of the cost, which is what the solver leaves, agree as well, and a cost below 1e-12
   /// of the highest starting cost counts as zero, since all that is left of it is rounding.
   double agreement = 0.1;
-  /// Of the residuals; the cost is its sum. Where most residuals are outliers, that of Cauchy and Tukey is so flat that
-  /// no way leads down: Huber's of the same scale, which is convex, goes before.
+  /// Of the residuals; the cost is its sum. Where most residuals are outliers, as far from the optimum, a robust loss
+  /// hardly tells the way down: squares go before Huber's and soft_l1, Huber's of the same scale before Cauchy's and
+  /// Tukey's.
   RobustLoss loss;
   /// Variables that stay where the start has them.
   std::vector<Eigen::Index> held = {};

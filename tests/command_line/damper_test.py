@@ -20,7 +20,12 @@ class Damper(ProgramTest):
         self.copy("studies/damper")
 
     def fit(self, model):
-        self.run_program("fit", f"studies/damper/{model}.yaml", "-o", model)
+        study = self.folder / f"studies/damper/{model}.yaml"
+        text = study.read_text()
+        self.assertEqual(text.count("search: {seed: 1}"), 1)
+        # The file's values and one point of the search find the optimum, too, for two fifths of the time.
+        study.write_text(text.replace("search: {seed: 1}", "search: {seed: 1, starts: 1}"))
+        self.run_program("fit", study, "-o", model)
         return json.loads((self.folder / model / "result.json").read_text())
 
     def test_models_miss_in_the_thesis_s_pattern(self):

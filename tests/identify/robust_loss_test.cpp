@@ -166,5 +166,41 @@ TEST(RobustLoss, KeepsOutliersFromPullingALine) {
   }
 }
 
+/// One residual 100 (x - 1) and ten of 5 sin(3 x): by squares a valley of ripples, its bottom next to pi / 3; by
+/// Huber's loss each zero of the sine is an optimum of its own, for the ten pull with up to 400, the one with 270.
+Problem RippledValley() {
+  return {Lattice({{"x", -10, 10, 0.001}}), [](const Eigen::VectorXd& p) {
+            Evaluation evaluation;
+            evaluation.residuals = Eigen::VectorXd::Constant(11, 5 * std::sin(3 * p[0]));
+            evaluation.residuals[0] = 100 * (p[0] - 1);
+            return evaluation;
+          }};
+}
+
+RefineResult InTheValley(double start) {
+  Archive archive(RippledValley());
+  RefineOptions options;
+  options.loss = RobustLoss(LossKind::kHuber, UsualScale(LossKind::kHuber), 0);
+  return Refine(archive, Eigen::VectorXd::Constant(1, start), options);
+}
+
+TEST(RobustLoss, IsLedBySquaresFromAfar) {
+  const RefineResult result = InTheValley(4.4);
+  EXPECT_EQ(result.end, RefineEnd::kConverged) << result.message;
+  // Between the one residual's zero and the sine's.
+  EXPECT_GE(result.values[0], 1);
+  EXPECT_LE(result.values[0], std::numbers::pi / 3);
+}
+
+TEST(RobustLoss, IsNotLedAwayFromItsOptimum) {
+  const double optimum = InTheValley(4.4).values[0];
+  const RefineResult again = InTheValley(optimum);
+  EXPECT_NEAR(again.values[0], optimum, 1e-6);
+  EXPECT_LE(again.iterations, 2);
+  // That of another ripple stays one, too: most residuals are small there.
+  const double other = 4 * std::numbers::pi / 3;
+  EXPECT_NEAR(InTheValley(other).values[0], other, 0.01);
+}
+
 }  // namespace
 }  // namespace fourpost
