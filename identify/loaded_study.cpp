@@ -172,6 +172,7 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
   loaded.histories = std::move(*histories);
   loaded.validation = std::move(*validation);
   loaded.bench = std::move(bench);
+  loaded.fitted_files = FittedFiles(*study);
   return loaded;
 }
 

@@ -7,6 +7,7 @@
 
 #include "analysis/diagnostics.h"
 #include "identify/bench_data.h"
+#include "identify/fitted_files.h"
 #include "identify/four_post_data.h"
 #include "identify/history_data.h"
 #include "identify/history_residuals.h"
@@ -28,6 +29,8 @@ struct LoadedStudy {
   /// Those that the fit does not see.
   std::vector<MeasuredHistory> validation = {};
   std::optional<BenchData> bench = {};
+  /// As they were read: a file may change while a fit runs.
+  std::vector<FittedFile> fitted_files = {};
   /// Of a cost by prediction; one per history once EstimateNoise() found it.
   std::vector<KalmanNoise> kalman_noise = {};
 

@@ -181,9 +181,9 @@ Json Recordings(const LoadedStudy& study) {
   return list;
 }
 
-Json Files(const Study& study) {
+Json Files(const std::vector<FittedFile>& files) {
   Json list = Json::array();
-  for (const FittedFile& file : FittedFiles(study)) list.push_back({{"name", file.name}, {"sha256", file.sha256}});
+  for (const FittedFile& file : files) list.push_back({{"name", file.name}, {"sha256", file.sha256}});
   return list;
 }
 
@@ -223,7 +223,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"vehicle", study.vehicle.name},
                {"band_Hz", {study.study.band_lower_Hz, study.study.band_upper_Hz}},
                {"recordings", Recordings(study)},
-               {"fitted_files", Files(study.study)},
+               {"fitted_files", Files(study.fitted_files)},
                {"cost", NumberOrNull(fit.cost)},
                {"residuals", fit.residual_count},
                {"misfit", NumberOrNull(fit.Misfit())},

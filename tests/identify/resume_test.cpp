@@ -143,13 +143,22 @@ TEST_F(Resume, AfterCtrlCGoesOn) {
   EXPECT_EQ(ArchiveIn("run").paid, ArchiveIn("run").evaluations);
 }
 
-TEST_F(Resume, NeedsItsStudyAtTheStartOnly) {
+TEST_F(Resume, NeedsItsStudyAndRecordingsAtTheStartOnly) {
+  ASSERT_EQ(Run(Fit("whole")).code, 0);
   const std::string study = ReadText(folder_ / kStudy);
+  const fs::path recordings = folder_ / fs::path(kStudy).parent_path();
   RunningProgram program(folder_, Fit("run"));
   WaitForRows(program, folder_ / "run/archive.sqlite", 10);
   fs::remove(folder_ / kStudy);
+  fs::remove(recordings / "pitch_frf.csv");
+  fs::copy_file(recordings / "static.csv", recordings / "bounce_frf.csv", fs::copy_options::overwrite_existing);
   EXPECT_EQ(program.Wait(), 0) << program.err();
   EXPECT_EQ(ReadText(folder_ / "run/study.yaml"), study);
+  const auto fitted = [&](const std::string& folder) {
+    return nlohmann::json::parse(ReadText(folder_ / folder / "result.json")).at("fitted_files");
+  };
+  EXPECT_EQ(fitted("run"), fitted("whole"));
+  EXPECT_EQ(fitted("run").size(), 2u);
 }
 
 TEST_F(Resume, OfAFinishedFitCostsNothingWithOrWithoutTheOption) {
