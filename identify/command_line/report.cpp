@@ -20,8 +20,8 @@ namespace {
 
 constexpr const char* kResult = "result.json";
 /// What a report reads as text.
-constexpr std::array<const char*, 6> kFiles = {kResult,      "response.csv",   "history.csv",
-                                               "motion.csv", "validation.csv", "bench.csv"};
+constexpr std::array<const char*, 7> kFiles = {kResult,          "response.csv", "history.csv", "motion.csv",
+                                               "validation.csv", "bench.csv",    "study.yaml"};
 
 /// The first finding, which is what keeps a vehicle from being shown.
 std::string Reason(const Diagnostics& findings) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <set>
 
+#include "identify/report/fitted_data.h"
+
 namespace fourpost {
 namespace {
 
@@ -25,34 +27,10 @@ std::map<ChannelGroup, double> MeanErrors(const std::vector<Json>& channels) {
   return means;
 }
 
-std::set<std::string> FittedRecordings(const Json& result) {
-  std::set<std::string> names;
-  for (const char* list : {"recordings", "channels"})
-    for (const Json& entry : ListAt(result, list))
-      names.insert(TextAt(entry, std::string(list) == "channels" ? "recording" : "name"));
-  names.erase("");
-  return names;
-}
-
-/// What costs must share to be compared. Runs of other data have another number of residuals, as good as always.
-Json DataOf(const Json& result) {
-  Json channels = Json::array();
-  for (const Json& channel : ListAt(result, "channels"))
-    channels.push_back({TextAt(channel, "recording"), TextAt(channel, "name")});
-  const Json refine = result.value("refine", Json::object());
-  return {FittedRecordings(result),
-          channels,
-          result.value("residuals", Json()),
-          result.value("band_Hz", Json()),
-          TextAt(refine, "loss"),
-          refine.value("scale", Json()),
-          TextAt(result, "history_cost")};
-}
-
 void NumberData(std::vector<ComparedRun>& runs) {
   std::vector<Json> known;
   for (ComparedRun& run : runs) {
-    const Json data = DataOf(run.result);
+    const Json data = FittedData(run.result, run.contents);
     const auto found = std::find(known.begin(), known.end(), data);
     run.data = static_cast<std::size_t>(found - known.begin());
     if (found == known.end()) known.push_back(data);

@@ -30,7 +30,7 @@ struct ComparedRun {
   /// Mean normalised mean square errors [%].
   std::map<ChannelGroup, double> fitted;
   std::map<ChannelGroup, double> predicted;
-  /// Runs of the same number were fitted to the same residuals by the same loss: their costs can be compared.
+  /// Runs of the same number were fitted to the same data, weighed alike, see FittedData: their costs can be compared.
   std::size_t data = 0;
 
   /// "stepped sines", "time histories", "static loads", "damper bench", joined by commas.

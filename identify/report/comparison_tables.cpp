@@ -111,7 +111,8 @@ std::string RunTableHtml(const std::vector<ComparedRun>& runs) {
   if (has_criteria) head.insert(head.end(), {"AICc", "BIC"});
   head.insert(head.end(), {"evaluations", "agree"});
   return html::Table(head, rows) +
-         "<p class=\"note\">Data: runs of one letter were fitted to the same residuals by the same loss; cost" +
+         "<p class=\"note\">Data: runs of one letter were fitted to the same recordings, weighed alike, by the same "
+         "loss; cost" +
          (has_criteria ? ", AICc and BIC compare" : " compares") +
          " within a letter only. Misfit: times what noise and the stated model error explain. Fitted and predicted: "
          "NMSE, "

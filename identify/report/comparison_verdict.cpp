@@ -67,9 +67,8 @@ std::string Doubts(const std::vector<ComparedRun>& runs) {
   std::string text;
   if (std::any_of(runs.begin(), runs.end(), [](const ComparedRun& run) { return run.data != 0; }))
     text +=
-        "The runs were not all fitted to the same data: each error is that of what the run saw, and costs compare "
-        "within "
-        "a letter only. ";
+        "The runs were not all fitted to the same data in the same weights, as far as their folders tell: each error "
+        "is that of what the run saw, and costs compare within a letter only. ";
   return text;
 }
 

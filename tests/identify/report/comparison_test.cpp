@@ -76,6 +76,69 @@ TEST(ComparedRun, KnowsWhichCostsCompare) {
   EXPECT_EQ(runs[3].data, 2u);
 }
 
+std::vector<std::size_t> LettersOf(const std::vector<std::pair<Json, std::string>>& results_and_studies) {
+  std::vector<Folder> folders;
+  for (const auto& [result, study] : results_and_studies) {
+    std::map<std::string, std::string> files;
+    if (!study.empty()) files["study.yaml"] = study;
+    folders.push_back(FolderOf("run", result, files));
+  }
+  std::vector<std::size_t> letters;
+  for (const ComparedRun& run : ComparedRuns(std::move(folders))) letters.push_back(run.data);
+  return letters;
+}
+
+TEST(ComparedRun, KnowsRecordingsByTheirBytes) {
+  const auto fitted = [](const std::string& name, const std::string& digest) {
+    Json json = Result("one", 3, 5);
+    json["fitted_files"] = {{{"name", name}, {"sha256", digest}}};
+    return json;
+  };
+  EXPECT_EQ(LettersOf({{fitted("a.csv", "12"), ""},
+                       {fitted("a.csv", "34"), ""},
+                       {fitted("b.csv", "12"), ""},
+                       {Result("old", 3, 5), ""}}),
+            (std::vector<std::size_t>{0, 1, 0, 2}));
+  Json load = Result("load", 3, 5);
+  load["static_loads"] = {{{"tyre", "t"}, {"measured_N", 4000}, {"sd_N", 20}, {"modelled_N", 3990}}};
+  Json answered = load;
+  answered["static_loads"][0]["modelled_N"] = 4010;
+  Json other = load;
+  other["static_loads"][0]["sd_N"] = 30;
+  EXPECT_EQ(LettersOf({{load, ""}, {answered, ""}, {other, ""}}), (std::vector<std::size_t>{0, 0, 1}));
+}
+
+TEST(ComparedRun, KnowsWhatWeighsResiduals) {
+  const Json result = Result("one", 3, 5);
+  const std::string study =
+      "vehicle: a.urdf\nrecordings: [{name: bounce, file: b.csv, posts: heave}]\nchannels: {a: a}\n"
+      "histories: [{name: sweep, use: validation, file: s.csv}]\n"
+      "model_error: {gain_dB: 1, phase: 5 deg}\nsearch: {seed: 1}\n";
+  const auto with = [&](const std::string& text, const std::string& other) {
+    std::string changed = study;
+    changed.replace(changed.find(text), text.size(), other);
+    return changed;
+  };
+  const std::vector<std::string> same = {with("a.urdf", "b.urdf # another model"), with("seed: 1", "seed: 2"),
+                                         with("b.csv", "../c.csv"), with("s.csv", "t.csv"),
+                                         with("gain_dB: 1, phase: 5 deg", "phase: 5 deg, gain_dB: 1")};
+  for (const std::string& changed : same)
+    EXPECT_EQ(LettersOf({{result, study}, {result, changed}}), (std::vector<std::size_t>{0, 0})) << changed;
+  const std::vector<std::string> others = {with("gain_dB: 1", "gain_dB: 2"),
+                                           with("heave", "pitch"),
+                                           with("a: a", "a: {sum: [a, b]}"),
+                                           with("use: validation", "noise: {a: 1 m}"),
+                                           "no: [yaml",
+                                           ""};
+  for (const std::string& changed : others)
+    EXPECT_EQ(LettersOf({{result, study}, {result, changed}}), (std::vector<std::size_t>{0, 1})) << changed;
+  const std::string bench = "bench: {model_error: 0.05, validation: [a.csv]}";
+  EXPECT_EQ(
+      LettersOf(
+          {{result, bench}, {result, "bench: {model_error: 0.05, damper: d}"}, {result, "bench: {model_error: 0.1}"}}),
+      (std::vector<std::size_t>{0, 0, 1}));
+}
+
 TEST(ComparedRun, HasANameOfItsOwn) {
   const std::vector<ComparedRun> runs = Runs({Result("one", 3, 5), Result("two", 3, 5), Result("one", 3, 5)});
   EXPECT_EQ(runs[0].name, "one (run/0)");

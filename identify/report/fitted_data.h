@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "identify/report/run_contents.h"
+
+namespace fourpost {
+
+/// What the costs of two runs must share to be compared: the recordings by their bytes, what is taken from them, the
+/// deviations that weigh them, and the loss. From result.json of a fit and the study beside it. Settings are as
+/// written: studies that write one setting in two ways differ. What an older run does not tell is null.
+nlohmann::json FittedData(const nlohmann::json& result, const RunContents& run);
+
+/// Names of the recordings that were fitted, sorted.
+std::vector<std::string> FittedRecordings(const nlohmann::json& result);
+
+}  // namespace fourpost
