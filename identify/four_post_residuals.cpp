@@ -178,9 +178,14 @@ std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyRe
   std::vector<double> deviations;
   for (const MeasuredChannel& channel : run.channels) {
     double squares = 0;
-    for (std::size_t i = 0; i < channel.response.size(); ++i)
-      squares += WhitenedError(run, channel, modelled, model_error, i).squaredNorm();
-    deviations.push_back(std::sqrt(squares / (2 * static_cast<double>(channel.response.size()))));
+    double count = 0;
+    for (std::size_t i = 0; i < channel.response.size(); ++i) {
+      const double square = WhitenedError(run, channel, modelled, model_error, i).squaredNorm();
+      if (!std::isfinite(square)) continue;
+      squares += square;
+      count += 2;
+    }
+    deviations.push_back(std::sqrt(squares / count));
   }
   return deviations;
 }

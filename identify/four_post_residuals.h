@@ -23,6 +23,7 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
 
 /// Of each channel of a run, the root mean square of those residuals of its responses: how many times what noise and
 /// model error explain. `modelled`: the answer at the run's frequencies, one channel per sensor of the vehicle.
+/// Frequencies at which it has none are left out; NaN where that is all of them.
 std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyResponse& modelled,
                                        const ModelError& model_error);
 

@@ -1,5 +1,8 @@
 #include "identify/lint/misfit_lint.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "identify/modelled_response.h"
@@ -45,9 +48,21 @@ TEST(MisfitLint, HasNothingToTellOfAFitThatAgrees) {
 TEST(MisfitLint, TellsOfALoadThatIsFarOff) {
   LoadedStudy study = Exact();
   study.data.static_loads[0].load_N += 6 * study.data.static_loads[0].sd_N;
-  EXPECT_THAT(Lint(study), AllOf(HasSubstr("'front_tyre' carries "), HasSubstr(" N, 6 of its standard deviations off"),
+  EXPECT_THAT(Lint(study), AllOf(HasSubstr("'front_tyre' carries "), HasSubstr(" N (6 standard deviations off)"),
                                  HasSubstr("not tared"), Not(HasSubstr("rear_tyre")), Not(HasSubstr("m_sprung"))));
   EXPECT_THAT(Lint(study, true), HasSubstr("bounds that hold masses (m_sprung)"));
+}
+
+TEST(MisfitLint, TellsCausesOnce) {
+  LoadedStudy study = Exact();
+  for (MeasuredLoad& load : study.data.static_loads) load.load_N += 6 * load.sd_N;
+  for (MeasuredChannel& channel : study.data.runs[0].channels)
+    if (channel.name == "a_cg" || channel.name == "a_tow_point")
+      for (std::complex<double>& value : channel.response) value *= -1;
+  const std::string text = Lint(study);
+  EXPECT_THAT(text, AllOf(HasSubstr("'front_tyre' carries "), HasSubstr(", 'rear_tyre' carries "),
+                          HasSubstr("'a_cg' is off in 'bounce'"), HasSubstr(", 'a_tow_point' is off in 'bounce'")));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
 }
 
 void Scale(MeasuredRun& run, const std::string& name, double factor) {
@@ -65,6 +80,15 @@ TEST(MisfitLint, TellsOfAChannelThatIsFarOff) {
   Scale(study.data.runs[0], "a_cg", -1);
   EXPECT_THAT(Lint(study), AllOf(testing::ContainsRegex("'a_cg' is off in 'bounce' by (7.9|8.[0-9]*) times"),
                                  Not(HasSubstr("'pitch'")), Not(HasSubstr("'a_tow_point'"))));
+}
+
+TEST(MisfitLint, LooksPastFrequenciesWithoutAnAnswer) {
+  LoadedStudy study = Exact();
+  Scale(study.data.runs[0], "a_cg", -2);
+  const std::string all = Lint(study);
+  for (MeasuredChannel& channel : study.data.runs[0].channels) channel.response[9] = NAN;
+  EXPECT_THAT(Lint(study), HasSubstr("'a_cg' is off in 'bounce' by "));
+  EXPECT_NE(all, "");
 }
 
 }  // namespace
