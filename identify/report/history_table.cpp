@@ -72,7 +72,9 @@ std::vector<TimeTable> ReadHistories(const std::string& text, const std::string&
 
 std::set<std::size_t> RowsToShow(const std::vector<const TimeColumn*>& columns, std::size_t rows, std::size_t most) {
   std::set<std::size_t> shown;
-  const std::size_t stretch = rows <= most ? 1 : 2 * columns.size() * rows / most + 1;
+  // Of each stretch its first row, and two of each column.
+  const std::size_t stretches = std::max<std::size_t>(most / (2 * columns.size() + 1), 1);
+  const std::size_t stretch = rows <= most ? 1 : (rows + stretches - 1) / stretches;
   for (std::size_t first = 0; first < rows; first += stretch) {
     shown.insert(first);
     for (const TimeColumn* column : columns) {

@@ -32,7 +32,8 @@ struct TimeTable {
 std::vector<TimeTable> ReadHistories(const std::string& text, const std::string& file,
                                      CsvHeader header = CsvHeader::kNamesAndUnits);
 
-/// All of `rows`; of more than `most`, those of each stretch that hold the least or the greatest value of a column.
+/// All of `rows`; of more than `most`, the first of each stretch and those that hold its least and greatest value of
+/// each column, `most` together or a few less; of one stretch alone where there are about as many columns.
 std::set<std::size_t> RowsToShow(const std::vector<const TimeColumn*>& columns, std::size_t rows, std::size_t most);
 
 /// Values of these rows.

@@ -1,6 +1,7 @@
 #include "identify/report/history_table.h"
 
 #include <algorithm>
+#include <random>
 
 #include <gmock/gmock.h>
 
@@ -36,6 +37,21 @@ TEST(HistoriesJson, ThinsLongRecordingsAndKeepsTheirExtremes) {
   const auto values = sweep["columns"][1]["values"].get<std::vector<double>>();
   EXPECT_EQ(*std::max_element(values.begin(), values.end()), 7);
   EXPECT_EQ(*std::min_element(values.begin(), values.end()), -7);
+}
+
+TEST(RowsToShow, AreAsManyAsAreAskedForAtTheMost) {
+  // Every row of a stretch that may be shown is another one: extremes lie at random.
+  std::mt19937 random(1);
+  TimeColumn a;
+  TimeColumn b;
+  for (int k = 0; k < 7777; ++k)
+    for (TimeColumn* column : {&a, &b}) column->values.push_back(static_cast<double>(random()));
+  for (const std::size_t most : {5u, 100u, 3000u, 7776u}) {
+    const std::size_t shown = RowsToShow({&a, &b}, 7777, most).size();
+    EXPECT_LE(shown, most);
+    EXPECT_GE(shown, most / 2);
+  }
+  EXPECT_EQ(RowsToShow({&a, &b}, 7777, 7777).size(), 7777u);
 }
 
 TEST(HistoriesJson, TellsWhatAFileLacks) {
