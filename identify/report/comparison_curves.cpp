@@ -2,7 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
 
+#include <Eigen/Core>
+
+#include "analysis/csv.h"
 #include "identify/report/history_table.h"
 #include "identify/report/picture_number.h"
 #include "identify/report/response_table.h"
@@ -62,13 +72,16 @@ bool HasNumbers(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
+/// Null where the run has none.
+const std::map<std::string, std::string>::value_type* FindFile(const ComparedRun& run, const std::string& name) {
+  const auto file = run.contents.files.find(name);
+  return file == run.contents.files.end() ? nullptr : &*file;
+}
+
 Json ResponsesJson(const std::vector<ComparedRun>& runs) {
-  std::vector<std::vector<ComparedChannel>> of_runs;
-  for (const ComparedRun& run : runs) {
-    const auto file = run.contents.files.find("response.csv");
-    of_runs.push_back(file == run.contents.files.end() ? std::vector<ComparedChannel>()
-                                                       : ReadResponseTable(file->second, file->first));
-  }
+  std::vector<std::vector<ComparedChannel>> of_runs(runs.size());
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    if (const auto* file = FindFile(runs[r], "response.csv")) of_runs[r] = ReadResponseTable(file->second, file->first);
   const auto is_same = [](const ComparedChannel& a, const ComparedChannel& b) {
     return a.recording == b.recording && a.name == b.name && AreAlike(a.frequency_Hz, b.frequency_Hz) &&
            AreAlike(a.gain_measured, b.gain_measured) && AreAlike(a.phase_measured_deg, b.phase_measured_deg);
@@ -99,12 +112,46 @@ Json ResponsesJson(const std::vector<ComparedRun>& runs) {
 
 /// A channel over time, of a table.
 struct TimedChannel {
-  std::string recording;
+  const TimeTable* table = nullptr;
   std::string name;
   const TimeColumn* time = nullptr;
   const TimeColumn* measured = nullptr;
   const TimeColumn* modelled = nullptr;
 };
+
+/// Where the table has all of these columns.
+void AddChannel(const TimeTable& table, const std::string& name, const std::string& time, const std::string& measured,
+                const std::string& modelled, std::vector<TimedChannel>& channels) {
+  const TimedChannel channel{&table, name, table.Find(time), table.Find(measured), table.Find(modelled)};
+  if (channel.time != nullptr && channel.measured != nullptr && channel.modelled != nullptr)
+    channels.push_back(channel);
+}
+
+/// What to tell of a shared channel beside its lines, of the rows that are shown.
+using Tell = std::function<Json(const TimedChannel& first, const std::set<std::size_t>& rows)>;
+
+/// Thinned alike in all runs.
+Json SharedOverTime(const std::vector<std::vector<TimedChannel>>& of_runs, const Tell& tell) {
+  const auto is_same = [](const TimedChannel& a, const TimedChannel& b) {
+    return a.table->recording == b.table->recording && a.name == b.name && AreAlike(a.time->values, b.time->values) &&
+           AreAlike(a.measured->values, b.measured->values);
+  };
+  Json list = Json::array();
+  for (const Shared<TimedChannel>& shared : SharedOf(of_runs, is_same)) {
+    const TimedChannel& first = *shared.front().item;
+    std::vector<const TimeColumn*> columns = {first.measured};
+    for (const auto& [run, channel] : shared) columns.push_back(channel->modelled);
+    const std::set<std::size_t> rows = RowsToShow(columns, first.table->rows, kMostRows);
+    Json lines = Json::array();
+    for (const auto& [run, channel] : shared)
+      lines.push_back({{"run", run}, {"values", ShownValues(*channel->modelled, rows)}});
+    Json json = {{"recording", first.table->recording}};
+    json.update(tell(first, rows));
+    json.update({{"runs", std::move(lines)}, {"rows", first.table->rows}, {"shown_rows", rows.size()}});
+    list.push_back(std::move(json));
+  }
+  return list;
+}
 
 std::vector<TimedChannel> TimedChannels(const std::vector<TimeTable>& tables) {
   constexpr std::string_view kMeasured = "_measured";
@@ -113,83 +160,48 @@ std::vector<TimedChannel> TimedChannels(const std::vector<TimeTable>& tables) {
     for (const TimeColumn& column : table.columns) {
       if (!column.name.ends_with(kMeasured)) continue;
       const std::string name = column.name.substr(0, column.name.size() - kMeasured.size());
-      TimedChannel channel{table.recording, name, table.Find("time"), &column, table.Find(name + "_modelled")};
-      if (channel.time != nullptr && channel.modelled != nullptr) channels.push_back(channel);
+      AddChannel(table, name, "time", column.name, name + "_modelled", channels);
     }
   return channels;
 }
 
-Json HistoriesJson(const std::vector<ComparedRun>& runs) {
+Json SharedHistoriesJson(const std::vector<ComparedRun>& runs) {
   std::vector<std::vector<TimeTable>> tables(runs.size());
   std::vector<std::vector<TimedChannel>> of_runs;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     for (const char* name : {"history.csv", "validation.csv"}) {
-      const auto file = runs[r].contents.files.find(name);
       // A bench has none, and its results no files of that form.
-      if (file == runs[r].contents.files.end()) continue;
+      const auto* file = FindFile(runs[r], name);
+      if (file == nullptr) continue;
       std::vector<TimeTable> read = ReadHistories(file->second, file->first);
       std::move(read.begin(), read.end(), std::back_inserter(tables[r]));
     }
     of_runs.push_back(TimedChannels(tables[r]));
   }
-  const auto is_same = [](const TimedChannel& a, const TimedChannel& b) {
-    return a.recording == b.recording && a.name == b.name && AreAlike(a.time->values, b.time->values) &&
-           AreAlike(a.measured->values, b.measured->values);
-  };
-  Json list = Json::array();
-  for (const Shared<TimedChannel>& shared : SharedOf(of_runs, is_same)) {
-    const TimedChannel& first = *shared.front().item;
-    std::vector<const TimeColumn*> columns = {first.measured};
-    for (const auto& [run, channel] : shared) columns.push_back(channel->modelled);
-    const std::size_t count = first.time->values.size();
-    const std::set<std::size_t> rows = RowsToShow(columns, count, kMostRows);
-    Json lines = Json::array();
-    for (const auto& [run, channel] : shared)
-      lines.push_back({{"run", run}, {"values", ShownValues(*channel->modelled, rows)}});
-    list.push_back({{"recording", first.recording},
-                    {"name", first.name},
-                    {"unit", first.measured->unit},
-                    {"time", ShownValues(*first.time, rows)},
-                    {"measured", ShownValues(*first.measured, rows)},
-                    {"runs", std::move(lines)},
-                    {"rows", count},
-                    {"shown_rows", rows.size()}});
-  }
-  return list;
+  return SharedOverTime(of_runs, [](const TimedChannel& first, const std::set<std::size_t>& rows) -> Json {
+    return {{"name", first.name},
+            {"unit", first.measured->unit},
+            {"time", ShownValues(*first.time, rows)},
+            {"measured", ShownValues(*first.measured, rows)}};
+  });
 }
 
 Json BenchJson(const std::vector<ComparedRun>& runs) {
-  std::vector<std::vector<TimeTable>> of_runs;
-  for (const ComparedRun& run : runs) {
-    const auto file = run.contents.files.find("bench.csv");
-    of_runs.push_back(file == run.contents.files.end() ? std::vector<TimeTable>()
-                                                       : ReadHistories(file->second, file->first, CsvHeader::kNames));
-    std::erase_if(of_runs.back(), [](const TimeTable& table) {
-      return table.Find("measured_N") == nullptr || table.Find("modelled_N") == nullptr;
-    });
+  std::vector<std::vector<TimeTable>> tables(runs.size());
+  std::vector<std::vector<TimedChannel>> of_runs(runs.size());
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const auto* file = FindFile(runs[r], "bench.csv");
+    if (file == nullptr) continue;
+    tables[r] = ReadHistories(file->second, file->first, CsvHeader::kNames);
+    for (const TimeTable& table : tables[r])
+      AddChannel(table, "force", "time_s", "measured_N", "modelled_N", of_runs[r]);
   }
-  const auto is_same = [](const TimeTable& a, const TimeTable& b) {
-    return a.recording == b.recording && AreAlike(a.Find("measured_N")->values, b.Find("measured_N")->values);
-  };
-  Json list = Json::array();
-  for (const Shared<TimeTable>& shared : SharedOf(of_runs, is_same)) {
-    const TimeTable& first = *shared.front().item;
-    std::vector<const TimeColumn*> columns = {first.Find("measured_N")};
-    for (const auto& [run, table] : shared) columns.push_back(table->Find("modelled_N"));
-    const std::set<std::size_t> rows = RowsToShow(columns, first.rows, kMostRows);
+  return SharedOverTime(of_runs, [](const TimedChannel& first, const std::set<std::size_t>& rows) -> Json {
     Json told = Json::array();
-    for (const TimeColumn& column : first.columns)
-      if (column.name != "modelled_N") told.push_back({{"name", column.name}, {"values", ShownValues(column, rows)}});
-    Json lines = Json::array();
-    for (const auto& [run, table] : shared)
-      lines.push_back({{"run", run}, {"values", ShownValues(*table->Find("modelled_N"), rows)}});
-    list.push_back({{"recording", first.recording},
-                    {"columns", std::move(told)},
-                    {"runs", std::move(lines)},
-                    {"rows", first.rows},
-                    {"shown_rows", rows.size()}});
-  }
-  return list;
+    for (const TimeColumn& column : first.table->columns)
+      if (&column != first.modelled) told.push_back({{"name", column.name}, {"values", ShownValues(column, rows)}});
+    return {{"columns", std::move(told)}};
+  });
 }
 
 }  // namespace
@@ -199,7 +211,7 @@ Json ComparisonCurves(const std::vector<ComparedRun>& runs) {
   for (const ComparedRun& run : runs) names.push_back(run.name);
   return {{"runs", std::move(names)},
           {"responses", ResponsesJson(runs)},
-          {"histories", HistoriesJson(runs)},
+          {"histories", SharedHistoriesJson(runs)},
           {"bench", BenchJson(runs)}};
 }
 
