@@ -38,9 +38,6 @@ std::optional<std::size_t> FindDamper(const BenchStudy& study, const std::string
 /// Of what was before a recording, which the modelled filter did not see: less than a model misses.
 constexpr double kForgotten = 1e-3;
 
-/// Longer than any damper of a road vehicle.
-constexpr double kLongestStroke_m = 1;
-
 /// `damper`: nothing where the vehicle has no such.
 std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Recording& from,
                                    const std::optional<BenchDamper>& damper, Diagnostics& diagnostics) {

@@ -13,6 +13,9 @@
 
 namespace fourpost {
 
+/// Longer than any damper of a road vehicle.
+inline constexpr double kLongestStroke_m = 1;
+
 /// A damper's force while a bench moves it.
 struct BenchRecording {
   std::string name;

@@ -11,10 +11,12 @@
 #include "analysis/recording_summary.h"
 #include "analysis/static_loads.h"
 #include "analysis/time_recording.h"
+#include "identify/bench_data.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/text_table.h"
+#include "vehicles/bench/recording_check.h"
 
 namespace fourpost {
 namespace {
@@ -25,7 +27,7 @@ struct OverTime {
   RecordingSummary summary;
   /// Lines of the rows that lack a number first, a column each; 0 where none does and of a MAT file.
   std::vector<int> missing_lines;
-  /// Why a fit to all its channels would not take it.
+  /// Why a fit to all its channels would not take it; of a displacement and a force alone, one of a damper.
   std::vector<std::string> refusals;
 };
 
@@ -44,7 +46,22 @@ Layout LayoutOf(const RecordedTable& table) {
   return Layout::kOverTime;
 }
 
-/// By the reader that fits use; of channels in a unit that it knows.
+std::string RefusalOf(const Diagnostic& fault) {
+  return (fault.line > 0 ? "line " + std::to_string(fault.line) + ": " : "") + fault.message;
+}
+
+/// Of a recording of nothing but a displacement and a force, which is that of a damper on its bench, in this order.
+std::vector<RecordedChannel> BenchChannels(const std::vector<RecordedChannel>& channels) {
+  std::vector<RecordedChannel> bench;
+  for (const Dimension& dimension : {kLength, kForce})
+    for (const RecordedChannel& channel : channels)
+      if (channel.dimension == dimension) bench.push_back(channel);
+  return channels.size() == 2 && bench.size() == 2 && bench[0].dimension != bench[1].dimension
+             ? bench
+             : std::vector<RecordedChannel>();
+}
+
+/// By the reader that fits use, of channels in a unit that it knows; and by the check of bench recordings.
 std::vector<std::string> Refusals(const std::filesystem::path& file, const RecordingSummary& summary) {
   RecordedChannel time = kTimeColumn;
   if (summary.time) time.names = {summary.time->column};
@@ -52,11 +69,17 @@ std::vector<std::string> Refusals(const std::filesystem::path& file, const Recor
   for (const ColumnSummary& column : summary.columns)
     if (column.unit_known && column.missing < column.samples)
       wanted.push_back({{column.name}, ParseRecordedUnit(column.unit)->dimension, "a channel"});
+  const std::vector<RecordedChannel> bench = BenchChannels(wanted);
+  if (!bench.empty()) wanted = bench;
   Diagnostics faults;
-  ReadTimeRecording(file, wanted, faults, time);
+  const std::optional<TimeRecording> recording = ReadTimeRecording(file, wanted, faults, time);
   std::vector<std::string> refusals;
-  for (const Diagnostic& fault : faults.items())
-    refusals.push_back((fault.line > 0 ? "line " + std::to_string(fault.line) + ": " : "") + fault.message);
+  for (const Diagnostic& fault : faults.items()) refusals.push_back(RefusalOf(fault));
+  if (!recording || bench.empty()) return refusals;
+  Diagnostics findings;
+  CheckBenchRecording(*recording, kLongestStroke_m, file.string(), findings);
+  for (const Diagnostic& finding : findings.items())
+    if (finding.severity == Severity::kError) refusals.push_back("as that of a damper bench: " + RefusalOf(finding));
   return refusals;
 }
 

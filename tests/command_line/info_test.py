@@ -70,6 +70,22 @@ class Info(ProgramTest):
         self.assertEqual(told["channels"][0]["level"], 1)
         self.assertIn("coarse: levels of", told["channels"][0]["remarks"][0])
 
+    def test_tells_why_a_fit_refuses_a_bench_recording(self):
+        def bench(names, units, sign):
+            rows = [(t, x, sign * 300 * math.cos(2 * math.pi * 5.0317 * t)) for t, x, _ in samples()]
+            return table([names, units, *rows])
+
+        self.assertEqual(self.info("good.csv", bench(("time", "x", "F"), ("s", "mm", "N"), 1))["refusals"], [])
+        (refusal,) = self.info("bad.csv", bench(("time", "x", "F"), ("s", "mm", "N"), -1))["refusals"]
+        self.assertIn("as that of a damper bench: ", refusal)
+        self.assertIn("sign", refusal)
+        # The order of the columns does not count.
+        swapped = [(t, -300 * math.cos(2 * math.pi * 5.0317 * t), x) for t, x, _ in samples()]
+        told = self.info("swapped.csv", table([("time", "F", "x"), ("s", "N", "mm"), *swapped]))
+        self.assertEqual(told["refusals"], [refusal])
+        # Two forces are no bench's.
+        self.assertEqual(self.info("forces.csv", bench(("time", "x", "F"), ("s", "N", "N"), -1))["refusals"], [])
+
     def test_tells_that_times_and_units_are_missing(self):
         self.write("r.csv", table([("a", "b"), *[(math.sin(k), k * k) for k in range(40)]]))
         text = self.run_program("info", "r.csv").stdout
