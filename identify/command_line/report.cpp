@@ -90,15 +90,11 @@ std::optional<ModelRanking> RankingOf(const std::vector<std::filesystem::path>& 
 /// Of one run its report, of several their comparison. Throws FaultyInput.
 std::string PageOf(std::vector<std::pair<std::string, RunContents>> runs,
                    const std::vector<std::filesystem::path>& folders) {
+  if (runs.size() > 1) return ComparisonPage(std::move(runs), RankingOf(folders));
   try {
-    if (runs.size() == 1) return ReportPage(runs.front().second);
-    return ComparisonPage(std::move(runs), RankingOf(folders));
+    return ReportPage(runs.front().second);
   } catch (const nlohmann::json::exception& fault) {
-    Refuse(
-        folders.front(),
-        std::string(folders.size() == 1 ? "" : "or that of another run ") +
-            "is not understood, as of another version of fourpost (" + fault.what() +
-            "); run `fourpost fit` with -o on this folder again, it takes evaluations from the archive where it can");
+    Refuse(folders.front(), NotUnderstood(fault));
   }
 }
 

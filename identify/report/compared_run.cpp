@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "analysis/diagnostics.h"
 #include "identify/report/fitted_data.h"
 
 namespace fourpost {
@@ -27,13 +28,13 @@ std::map<ChannelGroup, double> MeanErrors(const std::vector<Json>& channels) {
   return means;
 }
 
-void NumberData(std::vector<ComparedRun>& runs) {
+/// `data`: one per run.
+void NumberData(const std::vector<Json>& data, std::vector<ComparedRun>& runs) {
   std::vector<Json> known;
-  for (ComparedRun& run : runs) {
-    const Json data = FittedData(run.result, run.contents);
-    const auto found = std::find(known.begin(), known.end(), data);
-    run.data = static_cast<std::size_t>(found - known.begin());
-    if (found == known.end()) known.push_back(data);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const auto found = std::find(known.begin(), known.end(), data[i]);
+    runs[i].data = static_cast<std::size_t>(found - known.begin());
+    if (found == known.end()) known.push_back(data[i]);
   }
 }
 
@@ -43,13 +44,13 @@ std::string StudyOf(const ComparedRun& run) {
 }
 
 /// Every run by a name of its own.
-void NameRuns(const std::vector<std::string>& folders, std::vector<ComparedRun>& runs) {
+void NameRuns(std::vector<ComparedRun>& runs) {
   std::map<std::string, int> studies;
   for (const ComparedRun& run : runs) ++studies[StudyOf(run)];
   std::set<std::string> taken;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const std::string study = StudyOf(runs[i]);
-    std::string name = studies[study] == 1 ? study : study + " (" + folders[i] + ")";
+    std::string name = studies[study] == 1 ? study : study + " (" + runs[i].folder + ")";
     if (!taken.insert(name).second) taken.insert(name += " " + std::to_string(i + 1));
     runs[i].name = name;
   }
@@ -61,6 +62,23 @@ std::string Joined(const auto& texts) {
   return joined;
 }
 
+/// Also what decides whether its cost can be compared.
+ComparedRun RunOf(const std::string& folder, RunContents contents, Json& data) {
+  ComparedRun run{.folder = folder, .contents = std::move(contents)};
+  try {
+    run.result = FitResultOf(run.contents);
+    run.parameters = ReportedParameters(run.result, run.contents);
+    run.fitted = MeanErrors(ListAt(run.result, "channels"));
+    run.predicted = MeanErrors(ListAt(run.result, "validation"));
+    data = FittedData(run.result, run.contents);
+  } catch (const Json::exception& fault) {
+    Diagnostics faults;
+    faults.Error(run.FileNamed("result.json"), 0, NotUnderstood(fault));
+    throw FaultyInput(faults);
+  }
+  return run;
+}
+
 }  // namespace
 
 std::string GroupOf(const std::string& channel) {
@@ -69,6 +87,10 @@ std::string GroupOf(const std::string& channel) {
   if (mark == std::string::npos || mark == 0) return channel;
   return std::find(kPlaces.begin(), kPlaces.end(), channel.substr(mark + 1)) == kPlaces.end() ? channel
                                                                                               : channel.substr(0, mark);
+}
+
+std::string ComparedRun::FileNamed(const std::string& name) const {
+  return (std::filesystem::path(folder) / name).string();
 }
 
 std::string ComparedRun::Kind() const {
@@ -88,18 +110,10 @@ std::string ComparedRun::Recordings() const { return Joined(FittedRecordings(res
 
 std::vector<ComparedRun> ComparedRuns(std::vector<std::pair<std::string, RunContents>> folders) {
   std::vector<ComparedRun> runs;
-  std::vector<std::string> names;
-  for (auto& [folder, contents] : folders) {
-    ComparedRun run{.result = FitResultOf(contents)};
-    run.parameters = ReportedParameters(run.result, contents);
-    run.fitted = MeanErrors(ListAt(run.result, "channels"));
-    run.predicted = MeanErrors(ListAt(run.result, "validation"));
-    run.contents = std::move(contents);
-    runs.push_back(std::move(run));
-    names.push_back(folder);
-  }
-  NameRuns(names, runs);
-  NumberData(runs);
+  std::vector<Json> data;
+  for (auto& [folder, contents] : folders) runs.push_back(RunOf(folder, std::move(contents), data.emplace_back()));
+  NameRuns(runs);
+  NumberData(data, runs);
   return runs;
 }
 

@@ -24,6 +24,7 @@ std::string GroupOf(const std::string& channel);
 struct ComparedRun {
   /// Its study without the ending; with the folder where runs share it.
   std::string name;
+  std::string folder;
   RunContents contents;
   nlohmann::json result;
   std::vector<ReportedParameter> parameters;
@@ -33,13 +34,16 @@ struct ComparedRun {
   /// Runs of the same number were fitted to the same data, weighed alike, see FittedData: their costs can be compared.
   std::size_t data = 0;
 
+  /// For messages: with its folder.
+  std::string FileNamed(const std::string& name) const;
   /// "stepped sines", "time histories", "static loads", "damper bench", joined by commas.
   std::string Kind() const;
   /// Recordings that were fitted, joined by commas.
   std::string Recordings() const;
 };
 
-/// From the folders and what they hold, of which result.json must be that of a fit.
+/// From the folders and what they hold, of which result.json must be that of a fit. Throws
+/// FaultyInput, with the folder, for one that is not understood.
 std::vector<ComparedRun> ComparedRuns(std::vector<std::pair<std::string, RunContents>> folders);
 
 /// Groups that every run has an error of.

@@ -81,7 +81,8 @@ const std::map<std::string, std::string>::value_type* FindFile(const ComparedRun
 Json ResponsesJson(const std::vector<ComparedRun>& runs) {
   std::vector<std::vector<ComparedChannel>> of_runs(runs.size());
   for (std::size_t r = 0; r < runs.size(); ++r)
-    if (const auto* file = FindFile(runs[r], "response.csv")) of_runs[r] = ReadResponseTable(file->second, file->first);
+    if (const auto* file = FindFile(runs[r], "response.csv"))
+      of_runs[r] = ReadResponseTable(file->second, runs[r].FileNamed(file->first));
   const auto is_same = [](const ComparedChannel& a, const ComparedChannel& b) {
     return a.recording == b.recording && a.name == b.name && AreAlike(a.frequency_Hz, b.frequency_Hz) &&
            AreAlike(a.gain_measured, b.gain_measured) && AreAlike(a.phase_measured_deg, b.phase_measured_deg);
@@ -173,7 +174,7 @@ Json SharedHistoriesJson(const std::vector<ComparedRun>& runs) {
       // A bench has none, and its results no files of that form.
       const auto* file = FindFile(runs[r], name);
       if (file == nullptr) continue;
-      std::vector<TimeTable> read = ReadHistories(file->second, file->first);
+      std::vector<TimeTable> read = ReadHistories(file->second, runs[r].FileNamed(file->first));
       std::move(read.begin(), read.end(), std::back_inserter(tables[r]));
     }
     of_runs.push_back(TimedChannels(tables[r]));
@@ -192,7 +193,7 @@ Json BenchJson(const std::vector<ComparedRun>& runs) {
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto* file = FindFile(runs[r], "bench.csv");
     if (file == nullptr) continue;
-    tables[r] = ReadHistories(file->second, file->first, CsvHeader::kNames);
+    tables[r] = ReadHistories(file->second, runs[r].FileNamed(file->first), CsvHeader::kNames);
     for (const TimeTable& table : tables[r])
       AddChannel(table, "force", "time_s", "measured_N", "modelled_N", of_runs[r]);
   }

@@ -88,6 +88,11 @@ Json FitResultOf(const RunContents& run) {
   throw FaultyInput(faults);
 }
 
+std::string NotUnderstood(const Json::exception& fault) {
+  return std::string("is not understood, as of another version of fourpost (") + fault.what() +
+         "); run `fourpost fit` with -o on this folder again, it takes evaluations from the archive where it can";
+}
+
 std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunContents& run) {
   const Json identifiability = result.value("identifiability", Json());
   const Json correlations = identifiability.is_object() ? identifiability.value("correlation", Json()) : Json();

@@ -95,6 +95,27 @@ TEST_F(ReportCommandLine, SaysWhatAComparisonNeeds) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "models.html"));
 }
 
+TEST_F(ReportCommandLine, NamesTheRunThatItDoesNotUnderstand) {
+  ASSERT_EQ(Run("fit studies/damper/model1.yaml -o good").code, 0);
+  const Json good = Json::parse(ReadText(folder_ / "good/result.json"));
+  const auto bad = [&](const std::string& key, const Json& value) {
+    Json json = good;
+    json[key] = value;
+    temporary_.Write("bad/result.json", json.dump());
+    return Run("report good bad -o models.html");
+  };
+  std::filesystem::create_directory(folder_ / "bad");
+  for (const auto& [key, value] : {std::pair<std::string, Json>{"refine", 1}, {"static_loads", Json::array({1})}}) {
+    const Outcome outcome = bad(key, value);
+    EXPECT_EQ(outcome.code, 3) << key << outcome.err;
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("bad/result.json: error: is not understood, as of another version"),
+                                   Not(HasSubstr("good/"))));
+  }
+  temporary_.Write("bad/bench.csv", "time_s\n0\n");
+  EXPECT_THAT(bad("seed", 2).err, HasSubstr("bad/bench.csv:1: error: has no column 'recording'"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "models.html"));
+}
+
 TEST_F(ReportCommandLine, KeepsAnOlderReportOnAFullDisk) {
   Fit();
   const std::string before = ReadText(folder_ / "run/report.html");
