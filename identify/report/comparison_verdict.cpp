@@ -52,7 +52,7 @@ ModelRanking RankByPrediction(const std::vector<ComparedRun>& runs, const std::v
                       .fitted_percent = kNone,
                       .validation_percent = MeanOver(groups, run.predicted),
                       .criteria = {.parameters = run.parameters.size(), .aicc = kNone, .bic = kNone},
-                      .termination = run.result.at("termination").get<std::string>()});
+                      .termination = TextAt(run.result, "termination")});
   return Rank(std::move(models));
 }
 
@@ -86,8 +86,10 @@ std::string VerdictHtml(const std::vector<ComparedRun>& runs, const std::optiona
   else text += Best(runs, predicted, &ComparedRun::predicted, "foretell");
   if (ranking) text += Text(*ranking);
   else if (!predicted.empty()) text += Text(RankByPrediction(runs, predicted));
-  return html::Element("p", "verdict good", text) + '\n' +
-         (Doubts(runs).empty() ? "" : html::Element("p", "note", Doubts(runs)) + '\n');
+  const bool tells = ranking || !fitted.empty() || !predicted.empty();
+  const std::string doubts = Doubts(runs);
+  return html::Element("p", tells ? "verdict good" : "verdict open", text) + '\n' +
+         (doubts.empty() ? "" : html::Element("p", "note", doubts) + '\n');
 }
 
 }  // namespace fourpost

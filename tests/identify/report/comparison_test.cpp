@@ -149,7 +149,8 @@ TEST(ComparedRun, HasANameOfItsOwn) {
 TEST(ComparisonVerdict, SaysWhichFitsAndWhichForetellsBest) {
   const std::string text = VerdictHtml(Runs({Result("rich", 1, 8, 5), Result("plain", 2, 4, 2)}), std::nullopt);
   EXPECT_THAT(text,
-              AllOf(HasSubstr("<strong>rich</strong> fits best: 1.00 % mean NMSE over the 1 group of channels"),
+              AllOf(HasSubstr("class=\"verdict good\""),
+                    HasSubstr("<strong>rich</strong> fits best: 1.00 % mean NMSE over the 1 group of channels"),
                     HasSubstr("next plain with 2.00 %"), HasSubstr("<strong>plain</strong> foretells best: 4.00 %"),
                     HasSubstr("To take: plain: of all models it misses least of what it was not fitted to, 4 %")));
   EXPECT_THAT(text, AllOf(Not(HasSubstr("BIC")), Not(HasSubstr("same data"))));
@@ -167,7 +168,8 @@ TEST(ComparisonVerdict, SaysWhatCannotBeCompared) {
   other.erase("validation");
   EXPECT_THAT(VerdictHtml(Runs({Result("one", 3, 5), other}), std::nullopt),
               AllOf(HasSubstr("nothing tells which fits best"), HasSubstr("nothing tells which foretells best"),
-                    HasSubstr("not all fitted to the same data"), Not(HasSubstr("To take"))));
+                    HasSubstr("not all fitted to the same data"), HasSubstr("class=\"verdict open\""),
+                    Not(HasSubstr("To take"))));
 }
 
 TEST(ComparisonVerdict, TakesTheRankingOfDampers) {
