@@ -65,9 +65,8 @@ struct SvgSheet {
 };
 
 /// The sheet as an SVG document on a white ground, lengths in pixels rounded to a tenth; as wide as its panels, their
-/// labels, the legend and the note need. Throws std::invalid_argument
-/// for a sheet without columns, a row of more panels than columns, a series with unlike numbers of x and y, and
-/// for an axis that ChartAxis::Validate refuses.
+/// labels, the legend and the note need. Throws std::invalid_argument for a sheet without columns, a row of more panels
+/// than columns, a series with unlike numbers of x and y, and for an axis that ChartAxis::Validate refuses.
 std::string SvgText(const SvgSheet& sheet);
 
 }  // namespace fourpost

@@ -33,8 +33,7 @@ std::string Errors(const std::vector<ComparedRun>& runs) {
   if (!predicted.empty()) html += "<h3>What the fit has not seen</h3>\n" + predicted;
   return html +
          "<p class=\"note\">Channels that differ by their place only, as front and rear or the four corners, are one "
-         "group "
-         "and told by their mean; the least of each row stands out.</p>\n";
+         "group and told by their mean; the least of each row stands out.</p>\n";
 }
 
 }  // namespace
