@@ -89,8 +89,8 @@ std::string GroupOf(const std::string& channel) {
                                                                                               : channel.substr(0, mark);
 }
 
-std::string ComparedRun::FileNamed(const std::string& name) const {
-  return (std::filesystem::path(folder) / name).string();
+std::string ComparedRun::FileNamed(const std::string& file) const {
+  return (std::filesystem::path(folder) / file).string();
 }
 
 std::string ComparedRun::Kind() const {

@@ -35,7 +35,7 @@ struct ComparedRun {
   std::size_t data = 0;
 
   /// For messages: with its folder.
-  std::string FileNamed(const std::string& name) const;
+  std::string FileNamed(const std::string& file) const;
   /// "stepped sines", "time histories", "static loads", "damper bench", joined by commas.
   std::string Kind() const;
   /// Recordings that were fitted, joined by commas.
