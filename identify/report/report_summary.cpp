@@ -9,6 +9,7 @@
 #include <set>
 
 #include "analysis/report/html.h"
+#include "identify/report/judged_channel.h"
 #include "identify/report/shown_number.h"
 
 namespace fourpost {
@@ -16,83 +17,19 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Where a chassis engineer stops calling two response curves the same, and where they are different stories.
-constexpr double kClose_dB = 1;
-constexpr double kClose_deg = 10;
-constexpr double kFar_dB = 2;
-constexpr double kFar_deg = 20;
-// Of time histories, NMSE: model and measurement look alike, and do not.
-constexpr double kClose_percent = 5;
-constexpr double kFar_percent = 20;
 // Relative standard deviations.
 constexpr double kWellKnown = 0.02;
 constexpr double kWeaklyKnown = 0.1;
 // Times what noise and stated model error explain.
 constexpr double kMisses = 1.5;
+// Correlations.
+constexpr double kTied = 0.95;
 
 /// How many times what noise and model error explain; of older runs what deviations were multiplied by, which is the
 /// same where no loss bounds the pull of outliers.
 double MisfitOf(const Json& result) {
   const double misfit = NumberAt(result, "misfit");
   return std::isfinite(misfit) ? misfit : NumberAt(result.value("identifiability", Json()), "sd_inflation");
-}
-constexpr double kTied = 0.95;
-
-enum class Follows { kWell, kRoughly, kNot };
-
-struct JudgedChannel {
-  std::string name;
-  /// Of a channel over time.
-  std::string recording;
-  std::string numbers;
-  Follows follows = Follows::kWell;
-  double score = 0;
-  bool is_history = false;
-};
-
-Follows Judge(double score_close, double score_far) {
-  if (score_close <= 1) return Follows::kWell;
-  return score_far <= 1 ? Follows::kRoughly : Follows::kNot;
-}
-
-std::optional<JudgedChannel> JudgeChannel(const Json& channel) {
-  JudgedChannel judged{.name = TextAt(channel, "name")};
-  const double dB = NumberAt(channel, "rms_dB");
-  const double deg = NumberAt(channel, "rms_deg");
-  const double nmse = NumberAt(channel, "nmse_percent");
-  if (std::isfinite(nmse) && !std::isfinite(dB)) {
-    judged.recording = TextAt(channel, "recording");
-    judged.numbers = ShownNumber(nmse, 2) + " % NMSE";
-    judged.is_history = true;
-    judged.score = nmse / kClose_percent;
-    judged.follows = Judge(nmse / kClose_percent, nmse / kFar_percent);
-    return judged;
-  }
-  if (!std::isfinite(dB) || !std::isfinite(deg)) return std::nullopt;
-  judged.numbers = ShownNumber(dB, 2) + " dB, " + ShownNumber(deg, 2) + "\u00b0";
-  judged.score = std::max(dB / kClose_dB, deg / kClose_deg);
-  judged.follows = Judge(judged.score, std::max(dB / kFar_dB, deg / kFar_deg));
-  return judged;
-}
-
-/// Best first. Where all have one name, such as a damper's force, their recordings tell them apart; where all are of
-/// one recording, their names do.
-std::vector<JudgedChannel> JudgeChannels(const std::vector<Json>& channels) {
-  std::vector<JudgedChannel> judged;
-  for (const Json& channel : channels)
-    if (std::optional<JudgedChannel> one = JudgeChannel(channel)) judged.push_back(std::move(*one));
-  std::set<std::string> names;
-  std::set<std::string> recordings;
-  for (const JudgedChannel& channel : judged) {
-    names.insert(channel.name);
-    recordings.insert(channel.recording);
-  }
-  for (JudgedChannel& channel : judged) {
-    if (channel.recording.empty() || recordings.size() == 1) continue;
-    channel.name = names.size() == 1 ? channel.recording : channel.name + " in " + channel.recording;
-  }
-  std::stable_sort(judged.begin(), judged.end(), [](const auto& a, const auto& b) { return a.score < b.score; });
-  return judged;
 }
 
 std::string Code(const std::string& name) { return html::Element("code", "", html::Escaped(name)); }
@@ -148,7 +85,12 @@ struct Verdict {
   std::string html;
 };
 
-Verdict HowItEnded(const Json& result) {
+bool IsAnyFar(const std::vector<JudgedChannel>& channels) {
+  return std::any_of(channels.begin(), channels.end(),
+                     [](const JudgedChannel& channel) { return channel.follows == Follows::kNot; });
+}
+
+Verdict HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {
   const std::string end = TextAt(result, "termination");
   const Json starts = result.value("starts", Json());
   const double agreeing = NumberAt(starts, "agreeing");
@@ -173,6 +115,7 @@ Verdict HowItEnded(const Json& result) {
                              : "Noise and the stated model error explain what is left of the misfit.";
     if (misfit > kMisses && name == "good") name = "fair";
   }
+  if (IsAnyFar(unseen) && name == "good") name = "fair";
   return {name, text};
 }
 
@@ -180,21 +123,10 @@ std::string Item(const std::string& title, const std::string& html) {
   return html.empty() ? "" : "<dt>" + title + "</dt><dd>" + html + "</dd>\n";
 }
 
-/// What a channel that is followed stays within, of the kinds of channels there are.
-std::string Limits(const std::vector<JudgedChannel>& channels) {
-  const auto is_history = [](const JudgedChannel& channel) { return channel.is_history; };
-  std::vector<std::string> limits;
-  if (!std::all_of(channels.begin(), channels.end(), is_history))
-    limits.push_back(ShownNumber(kClose_dB, 1) + " dB and " + ShownNumber(kClose_deg, 2) + "\u00b0 rms");
-  if (std::any_of(channels.begin(), channels.end(), is_history))
-    limits.push_back(ShownNumber(kClose_percent, 1) + " % NMSE");
-  return limits.size() == 1 ? limits[0] : limits[0] + ", or " + limits[1];
-}
-
 std::string WhatFits(const std::vector<JudgedChannel>& channels) {
   const std::vector<std::string> well = Named(channels, Follows::kWell, false);
   if (channels.empty()) return "";
-  const std::string within = "within " + Limits(channels);
+  const std::string within = "within " + ShownLimits(channels);
   if (well.empty()) return "No channel is " + within + ".";
   return Listed(well) + (well.size() == 1 ? " is " : " are ") + within + ".";
 }
@@ -208,7 +140,21 @@ std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::o
   if (!text.empty() && worst)
     text += "The largest relative error is at " + Code(worst->channel) + " between " + ShownShort(worst->lower_Hz, 3) +
             " and " + ShownShort(2 * worst->lower_Hz, 3) + " Hz.";
-  return text.empty() && !channels.empty() ? "Every channel is followed." : text;
+  return text;
+}
+
+/// Of recordings that the fit has not seen.
+std::string WhatItMisses(const std::vector<JudgedChannel>& unseen) {
+  const std::vector<std::string> far = Named(unseen, Follows::kNot, true);
+  return far.empty() ? "" : "Not foretold, of what the fit has not seen: " + Listed(far) + ". ";
+}
+
+/// Where all that was fitted is followed.
+std::string WhatIsLeft(const Json& result) {
+  const double misfit = MisfitOf(result);
+  if (!(misfit > kMisses)) return "Every channel that was fitted is followed.";
+  return "Every channel that was fitted is followed, but what is left is " + ShownNumber(misfit, 2) +
+         " times what noise and the stated model error explain.";
 }
 
 /// What channels of recordings that the fit has not seen are counted as: a damper has one in each, a vehicle many.
@@ -225,12 +171,11 @@ std::string Unseen(const std::vector<Json>& validation) {
 }
 
 /// Of recordings that the fit has not seen.
-std::string WhatItPredicts(const std::vector<Json>& validation) {
-  const std::vector<JudgedChannel> channels = JudgeChannels(validation);
+std::string WhatItPredicts(const std::vector<Json>& validation, const std::vector<JudgedChannel>& channels) {
   if (channels.empty()) return "";
   const std::vector<std::string> well = Named(channels, Follows::kWell, false);
   return std::to_string(well.size()) + " of " + std::to_string(channels.size()) + ' ' + Unseen(validation) +
-         " that the fit has not seen are within " + Limits(channels) + "; furthest off is " +
+         " that the fit has not seen are within " + ShownLimits(channels) + "; furthest off is " +
          Code(channels.back().name) + " (" + html::Escaped(channels.back().numbers) + ").";
 }
 
@@ -318,7 +263,8 @@ std::string Ties(const std::vector<ReportedParameter>& parameters) {
 }
 
 std::vector<std::string> WhatNext(const Json& result, const std::vector<ReportedParameter>& parameters,
-                                  const std::vector<ComparedChannel>& channels, const std::optional<Octave>& worst) {
+                                  const std::vector<ComparedChannel>& channels, const std::optional<Octave>& worst,
+                                  const std::vector<JudgedChannel>& unseen) {
   std::vector<std::string> advice;
   const Json identifiability = result.value("identifiability", Json());
   const bool open = NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters");
@@ -345,6 +291,14 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
                             "how gain depends on it."
                           : ". Repeat the recording at another amplitude to tell a nonlinear law from "
                             "a missing degree of freedom."));
+  else if (MisfitOf(result) > kMisses)
+    advice.push_back(
+        "The model is short of something: fit a richer one to the same recordings and compare the runs; look at the "
+        "residuals for where it misses.");
+  if (IsAnyFar(unseen))
+    advice.push_back(
+        "What was kept for validation is not foretold: give a richer model, or fit recordings that reach the same "
+        "frequencies and strokes as those.");
   if (TextAt(result, "termination") != "converged")
     advice.push_back(
         "Run the same command again: it goes on from its archive, and a larger budget of evaluations or "
@@ -367,14 +321,18 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
                         const std::vector<ComparedChannel>& channels) {
   const std::vector<JudgedChannel> judged = JudgeChannels(ListAt(result, "channels"));
   const std::optional<Octave> worst = WorstOctave(channels);
-  const Verdict verdict = HowItEnded(result);
+  const std::vector<Json> validation = ListAt(result, "validation");
+  const std::vector<JudgedChannel> unseen = JudgeChannels(validation);
+  const Verdict verdict = HowItEnded(result, unseen);
+  std::string misses = WhatDoesNot(judged, worst);
+  if (misses.empty() && !judged.empty()) misses = WhatIsLeft(result) + ' ';
+  misses += WhatItMisses(unseen);
   std::string next;
-  for (const std::string& advice : WhatNext(result, parameters, channels, worst))
+  for (const std::string& advice : WhatNext(result, parameters, channels, worst, unseen))
     next += html::Element("li", "", advice);
   return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
-         Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
-         Item("What does not", WhatDoesNot(judged, worst)) +
-         Item("What it predicts", WhatItPredicts(ListAt(result, "validation"))) +
+         Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) + Item("What does not", misses) +
+         Item("What it predicts", WhatItPredicts(validation, unseen)) +
          Item("What is known", WhatIsDetermined(parameters)) +
          Item("What is not determined", WhatIsNot(result, parameters)) +
          Item("What to measure next", html::Element("ul", "", next)) + "</dl>\n";

@@ -53,7 +53,10 @@ std::string UnitOf(const Json& parameter, const RunContents& run) {
   return TextAt(parameter, "unit");
 }
 
-double ReportedParameter::RelativeSd() const { return sd / (lower > 0 ? std::abs(value) : upper - lower); }
+double ReportedParameter::RelativeSd() const {
+  const bool is_of_either_sign = lower < 0 && upper > 0;
+  return sd / (is_of_either_sign ? upper - lower : std::abs(value));
+}
 
 double NumberAt(const Json& object, const std::string& key) {
   if (!object.is_object()) return kNone;

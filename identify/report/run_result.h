@@ -28,7 +28,8 @@ struct ReportedParameter {
   std::string partner;
   double correlation = 0;
 
-  /// Standard deviation as a share of the value, or of the range where the lower bound is not above zero.
+  /// Standard deviation as a share of the value, or of the range between bounds of either sign, whose value may be
+  /// zero.
   double RelativeSd() const;
 };
 

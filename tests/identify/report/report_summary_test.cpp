@@ -80,6 +80,37 @@ TEST(Summary, CountsChannelsOfOneRecordingAsChannels) {
   EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("1 of 2 channels of 2 recordings that the fit has not seen"));
 }
 
+// A model that follows what it was fitted to and misses the rest lacks something.
+TEST(Summary, DoesNotCallAModelCompleteThatMissesMoreThanNoise) {
+  Json result = Good();
+  result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "force", "nmse_percent": 1.3}])");
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("Every channel that was fitted is followed. "), HasSubstr("Nothing is missing")));
+  result["misfit"] = 2.2;
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("is followed, but what is left is 2.2 times"), HasSubstr("fit a richer one"),
+                    Not(HasSubstr("Nothing is missing"))));
+}
+
+TEST(Summary, TellsWhatIsNotForetold) {
+  Json result = Good();
+  result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "force", "nmse_percent": 1.3}])");
+  result["validation"] = Json::parse(R"([{"recording": "sine", "name": "force", "nmse_percent": 28},
+                                         {"recording": "step", "name": "force", "nmse_percent": 4}])");
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("verdict fair"), HasSubstr("has not seen: <code>sine</code> (28 % NMSE)"),
+                    HasSubstr("kept for validation is not foretold"), Not(HasSubstr("Nothing is missing"))));
+}
+
+// 7.4 N within 0 and 150 N is known to a sixth, whatever the range.
+TEST(Summary, CountsADeviationAsAShareOfTheValueWhereTheLowerBoundIsZero) {
+  std::vector<ReportedParameter> parameters = Known();
+  parameters[1] = {.name = "F", .value = 7.4, .lower = 0, .upper = 150, .sd = 1.2};
+  EXPECT_THAT(SummaryHtml(Good(), parameters, {}), HasSubstr("Weakly: <code>F</code> (16 %)"));
+  parameters[1] = {.name = "offset", .value = 0.001, .lower = -0.1, .upper = 0.1, .sd = 0.002};
+  EXPECT_THAT(SummaryHtml(Good(), parameters, {}), Not(HasSubstr("Weakly")));
+}
+
 TEST(Summary, DoesNotCallDeterminedWhatABoundHolds) {
   std::vector<ReportedParameter> parameters = Known();
   parameters[1].at_bound = true;
