@@ -22,6 +22,11 @@ std::string CriteriaText(const ModelCriteria& criteria) {
          " residuals; `fourpost rank` compares them with those of other models\n";
 }
 
+/// Before the elements of damper.xml.
+constexpr const char* kPasteNote =
+    "<!-- Fitted to a bench. To use it in place of a vehicle's damper: set parent, child and points to those of that "
+    "damper, and take out each fp:parameter that only that damper used. -->\n";
+
 }  // namespace
 
 FitSection BenchSection(const LoadedStudy& loaded, const FitResult& fit) {
@@ -48,7 +53,7 @@ FitSection BenchSection(const LoadedStudy& loaded, const FitResult& fit) {
                    {"equivalent.svg", EquivalentSvg(title + ": linear equivalents of every cycle", fitted)}};
   std::string elements;
   for (const Damper& one : damper.dampers()) elements += DamperText(loaded.vehicle, one.name, fit.values);
-  if (!elements.empty()) section.files.emplace_back("damper.xml", elements);
+  if (!elements.empty()) section.files.emplace_back("damper.xml", kPasteNote + elements);
   return section;
 }
 

@@ -99,24 +99,27 @@ void LintMeanRates(const DrawnVehicle& drawn, FileFaults& findings) {
 
 void LintHardening(const DrawnVehicle& drawn, FileFaults& findings) {
   constexpr double kTravel_m = 0.01;
+  // Rubber in line with a damper gives way by tenths of that.
+  constexpr double kSeriesTravel_m = 0.001;
   constexpr double kMost = 100;
-  const auto check = [&](const std::string& element, int line, const Scalar& stiffness, const Scalar& cubic) {
-    const double linear = drawn.At(stiffness) * kTravel_m;
-    const double hardening = drawn.At(cubic) * kTravel_m * kTravel_m * kTravel_m;
+  const auto check = [&](const std::string& element, int line, const Scalar& stiffness, const Scalar& cubic,
+                         double travel_m) {
+    const double linear = drawn.At(stiffness) * travel_m;
+    const double hardening = drawn.At(cubic) * travel_m * travel_m * travel_m;
     if (linear == 0 || hardening <= kMost * linear) return;
     findings.Warning(line, "cubic of " + element + " makes " + Readable(hardening, "N") + " at " +
-                               Readable(kTravel_m, "m") + ", its stiffness " + Readable(linear, "N") +
+                               Readable(travel_m, "m") + ", its stiffness " + Readable(linear, "N") +
                                ": check its digits and its unit");
   };
   for (const Spring& spring : drawn.vehicle.springs) {
-    check(spring.Element(), spring.source_line, spring.law.stiffness, spring.law.cubic);
+    check(spring.Element(), spring.source_line, spring.law.stiffness, spring.law.cubic, kTravel_m);
     for (const SpringDescription::Knee& knee : spring.law.knees)
-      check(spring.Element(), spring.source_line, knee.rate, knee.cubic);
+      check(spring.Element(), spring.source_line, knee.rate, knee.cubic, kTravel_m);
   }
   for (const Damper& damper : drawn.vehicle.dampers)
     if (damper.series)
       check("the series spring of " + Called("fp:damper", damper.name), damper.source_line, damper.series->stiffness,
-            damper.series->cubic);
+            damper.series->cubic, kSeriesTravel_m);
 }
 
 void LintPlacesInMillimetres(const DrawnVehicle& drawn, FileFaults& findings) {

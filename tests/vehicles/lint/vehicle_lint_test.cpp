@@ -725,6 +725,18 @@ TEST(VehicleLint, TellsOfASeriesSpringAsStiffAsARock) {
                             "was 400 kN/m meant?")));
 }
 
+// A bench finds 500 N/mm and 20 kN/mm^3: at 1 mm 500 N and 20 kN.
+TEST(VehicleLint, TakesAHardeningSeriesSpringForUsual) {
+  Vehicle vehicle = QuarterCar();
+  SpringDescription series{.stiffness = {.value = 500e3}, .cubic = {.value = 2e13}, .knees = {}};
+  vehicle.dampers[0].series = series;
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line), IsEmpty());
+  series.cubic.value = 2e14;
+  vehicle.dampers[0].series = series;
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre(HasSubstr("the series spring of fp:damper 'damper' makes 200 kN at 1 mm")));
+}
+
 TEST(VehicleLint, TakesFrictionForDamping) {
   Vehicle vehicle = QuarterCar();
   vehicle.dampers[0].law = {};
