@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -20,23 +21,37 @@ std::optional<std::string> DigestOf(const std::filesystem::path& file) {
   return digest.Hex();
 }
 
+/// Each file once.
+std::vector<FileDigest> DigestsOf(const std::vector<std::filesystem::path>& files) {
+  std::set<std::filesystem::path> known;
+  std::vector<FileDigest> digests;
+  for (const std::filesystem::path& file : files) {
+    if (!known.insert(file).second) continue;
+    if (const std::optional<std::string> digest = DigestOf(file))
+      digests.push_back({.name = file.filename().string(), .sha256 = *digest});
+  }
+  return digests;
+}
+
 }  // namespace
 
-std::vector<FittedFile> FittedFiles(const Study& study) {
+std::vector<FileDigest> FittedFiles(const Study& study) {
   std::vector<std::filesystem::path> files;
-  const auto add = [&](const std::filesystem::path& file) {
-    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
-  };
-  for (const StudyRecording& recording : study.recordings) add(recording.file);
+  for (const StudyRecording& recording : study.recordings) files.push_back(recording.file);
   for (const StudyHistory& history : study.histories)
-    if (!history.is_validation) add(history.file);
+    if (!history.is_validation) files.push_back(history.file);
   if (study.bench)
-    for (const BenchStudy::Recording& recording : study.bench->recordings) add(recording.file);
-  std::vector<FittedFile> fitted;
-  for (const std::filesystem::path& file : files)
-    if (const std::optional<std::string> digest = DigestOf(file))
-      fitted.push_back({.name = file.filename().string(), .sha256 = *digest});
-  return fitted;
+    for (const BenchStudy::Recording& recording : study.bench->recordings) files.push_back(recording.file);
+  return DigestsOf(files);
+}
+
+std::vector<FileDigest> ValidationFiles(const Study& study) {
+  std::vector<std::filesystem::path> files;
+  for (const StudyHistory& history : study.histories)
+    if (history.is_validation) files.push_back(history.file);
+  if (study.bench)
+    for (const BenchStudy::Recording& recording : study.bench->validation) files.push_back(recording.file);
+  return DigestsOf(files);
 }
 
 bool WasFitted(const std::filesystem::path& result, const std::filesystem::path& recording) {

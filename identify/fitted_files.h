@@ -8,8 +8,8 @@
 
 namespace fourpost {
 
-/// A recording that a fit has seen.
-struct FittedFile {
+/// A recording as it was read.
+struct FileDigest {
   /// Without its folder.
   std::string name;
   /// Of its bytes.
@@ -17,7 +17,9 @@ struct FittedFile {
 };
 
 /// Of a study those recordings that are there to be fitted, each file once; what cannot be read is left out.
-std::vector<FittedFile> FittedFiles(const Study& study);
+std::vector<FileDigest> FittedFiles(const Study& study);
+/// Likewise those that are kept for validation.
+std::vector<FileDigest> ValidationFiles(const Study& study);
 
 /// Whether the fit that wrote this result.json has seen the recording, under whatever name: then what its model answers
 /// is fitted, not foretold. False where that cannot be told, as of results of earlier versions.

@@ -173,6 +173,7 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
   loaded.validation = std::move(*validation);
   loaded.bench = std::move(bench);
   loaded.fitted_files = FittedFiles(*study);
+  loaded.validation_files = ValidationFiles(*study);
   return loaded;
 }
 

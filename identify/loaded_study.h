@@ -30,7 +30,8 @@ struct LoadedStudy {
   std::vector<MeasuredHistory> validation = {};
   std::optional<BenchData> bench = {};
   /// As they were read: a file may change while a fit runs.
-  std::vector<FittedFile> fitted_files = {};
+  std::vector<FileDigest> fitted_files = {};
+  std::vector<FileDigest> validation_files = {};
   /// Of a cost by prediction; one per history once EstimateNoise() found it.
   std::vector<KalmanNoise> kalman_noise = {};
 

@@ -2,82 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
-#include <set>
-
-#include <nlohmann/json.hpp>
 
 #include "analysis/short_number.h"
-#include "analysis/text_file.h"
 
 namespace fourpost {
 namespace {
 
-using Json = nlohmann::json;
-
 /// Of the least validation error.
 constexpr double kAlike = 1.1;
-
-double Number(const Json& json) {
-  return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
-}
-
-/// NaN of an empty list.
-double MeanError(const Json& list) {
-  double sum = 0;
-  for (const Json& entry : list) sum += Number(entry.at("nmse_percent"));
-  return sum / static_cast<double>(list.size());
-}
-
-std::set<std::string> Recordings(const Json& list) {
-  std::set<std::string> names;
-  for (const Json& entry : list) names.insert(entry.at("recording").get<std::string>());
-  return names;
-}
-
-/// What of a result decides whether another one can be compared with it.
-struct Data {
-  std::set<std::string> fitted;
-  std::set<std::string> validation;
-  std::size_t residuals = 0;
-
-  bool operator==(const Data&) const = default;
-};
-
-struct ReadModel {
-  FittedModel model;
-  Data data;
-};
-
-ReadModel ModelOf(const Json& json) {
-  const Json validation = json.value("validation", Json::array());
-  const Json& criteria = json.at("criteria");
-  FittedModel model{.name = std::filesystem::path(json.at("study").get<std::string>()).stem().string(),
-                    .fitted_percent = MeanError(json.at("channels")),
-                    .validation_percent = MeanError(validation),
-                    .criteria = {.residuals = criteria.at("residuals").get<std::size_t>(),
-                                 .parameters = criteria.at("parameters").get<std::size_t>(),
-                                 .aicc = Number(criteria.at("aicc")),
-                                 .bic = Number(criteria.at("bic"))},
-                    .termination = json.at("termination").get<std::string>()};
-  const Data data{Recordings(json.at("channels")), Recordings(validation), model.criteria.residuals};
-  return {std::move(model), data};
-}
-
-std::optional<ReadModel> Read(const std::filesystem::path& run, Diagnostics& diagnostics) {
-  const std::filesystem::path file = run / "result.json";
-  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
-  if (!text) return std::nullopt;
-  try {
-    return ModelOf(Json::parse(*text));
-  } catch (const Json::exception&) {
-    diagnostics.Error(file.string(), 0,
-                      "is not the result of a fit to bench recordings; give folders that `fourpost fit` wrote for a "
-                      "study with 'bench'");
-    return std::nullopt;
-  }
-}
 
 const FittedModel& LeastBic(const std::vector<FittedModel>& models) {
   return *std::min_element(models.begin(), models.end(),
@@ -120,22 +52,6 @@ std::vector<std::string> Remarks(const std::vector<FittedModel>& models) {
 }
 
 }  // namespace
-
-std::vector<FittedModel> ReadFittedModels(const std::vector<std::filesystem::path>& runs, Diagnostics& diagnostics) {
-  std::vector<FittedModel> models;
-  std::optional<Data> first;
-  for (const std::filesystem::path& run : runs) {
-    std::optional<ReadModel> read = Read(run, diagnostics);
-    if (!read) continue;
-    if (first && *first != read->data)
-      diagnostics.Error((run / "result.json").string(), 0,
-                        "was fitted or validated with other recordings than " + runs.front().string() +
-                            ": errors and criteria compare models of the same data only");
-    if (!first) first = read->data;
-    models.push_back(std::move(read->model));
-  }
-  return models;
-}
 
 ModelRanking Rank(std::vector<FittedModel> models) {
   const bool validated = std::none_of(models.begin(), models.end(),

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "analysis/diagnostics.h"
 #include "identify/model_criteria.h"
 
 namespace fourpost {
 
 /// A fitted model as the result.json of its run tells it.
 struct FittedModel {
-  /// Its study, without the ending.
   std::string name;
   /// Mean normalised mean square errors of the recordings that were fitted, and of those that were not [%]; NaN without
   /// validation.
@@ -30,10 +27,6 @@ struct ModelRanking {
   /// What makes that doubtful, one to a sentence: fits that did not converge, nothing to compare with.
   std::vector<std::string> remarks;
 };
-
-/// Reads the runs of `fourpost fit`, folders with a result.json, of bench recordings. Reports all of: files that cannot
-/// be read, runs of something else, runs of other recordings than the first one's.
-std::vector<FittedModel> ReadFittedModels(const std::vector<std::filesystem::path>& runs, Diagnostics& diagnostics);
 
 /// By the error of recordings that the fit has not seen, least first; without validation by BIC. Of models within 10 %
 /// of the least error the one of fewest parameters comes first: more is not worth what it costs in certainty. Models

@@ -181,9 +181,9 @@ Json Recordings(const LoadedStudy& study) {
   return list;
 }
 
-Json Files(const std::vector<FittedFile>& files) {
+Json Files(const std::vector<FileDigest>& files) {
   Json list = Json::array();
-  for (const FittedFile& file : files) list.push_back({{"name", file.name}, {"sha256", file.sha256}});
+  for (const FileDigest& file : files) list.push_back({{"name", file.name}, {"sha256", file.sha256}});
   return list;
 }
 
@@ -224,6 +224,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"band_Hz", {study.study.band_lower_Hz, study.study.band_upper_Hz}},
                {"recordings", Recordings(study)},
                {"fitted_files", Files(study.fitted_files)},
+               {"validation_files", Files(study.validation_files)},
                {"cost", NumberOrNull(fit.cost)},
                {"residuals", fit.residual_count},
                {"misfit", NumberOrNull(fit.Misfit())},

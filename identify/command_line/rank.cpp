@@ -5,8 +5,9 @@
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
+#include "identify/command_line/run_folder.h"
 #include "identify/command_line/text_table.h"
-#include "identify/model_ranking.h"
+#include "identify/report/ranked_run.h"
 
 namespace fourpost {
 namespace {
@@ -44,7 +45,7 @@ std::string RankingJson(const ModelRanking& ranking) {
 
 int Run(const RankCommand& command) {
   Diagnostics diagnostics;
-  std::vector<FittedModel> models = ReadFittedModels(command.runs, diagnostics);
+  std::vector<FittedModel> models = FittedModels(ComparedRuns(ReadRuns(command.runs)), diagnostics);
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
   const ModelRanking ranking = Rank(std::move(models));
   std::string remarks;

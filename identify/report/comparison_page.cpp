@@ -5,6 +5,7 @@
 #include "identify/report/comparison_curves.h"
 #include "identify/report/comparison_tables.h"
 #include "identify/report/comparison_verdict.h"
+#include "identify/report/ranked_run.h"
 
 namespace fourpost {
 namespace {
@@ -36,19 +37,26 @@ std::string Errors(const std::vector<ComparedRun>& runs) {
          "group and told by their mean; the least of each row stands out.</p>\n";
 }
 
+/// Of dampers fitted to the same recordings.
+std::optional<ModelRanking> RankingOf(const std::vector<ComparedRun>& runs) {
+  Diagnostics not_ranked;
+  std::vector<FittedModel> models = FittedModels(runs, not_ranked);
+  if (not_ranked.HasErrors()) return std::nullopt;
+  return Rank(std::move(models));
+}
+
 }  // namespace
 
-std::string ComparisonPage(std::vector<std::pair<std::string, RunContents>> folders,
-                           const std::optional<ModelRanking>& ranking) {
+std::string ComparisonPage(std::vector<std::pair<std::string, RunContents>> folders) {
   const std::vector<ComparedRun> runs = ComparedRuns(std::move(folders));
   const OrderedJson curves = ComparisonCurves(runs);
-  const std::string body = Header(runs) + "<nav id=\"contents\"></nav>\n<main>\n" +
-                           html::Section("summary", "Summary", VerdictHtml(runs, ranking) + RunTableHtml(runs)) +
-                           html::Section("errors", "Errors by group of channels", Errors(runs)) +
-                           html::Section("parameters", "Parameters", ParametersSideBySideHtml(runs)) +
-                           Curves(curves, "responses", "Frequency responses") +
-                           Curves(curves, "histories", "Time histories") + Curves(curves, "bench", "Damper bench") +
-                           "</main>\n";
+  const std::string body =
+      Header(runs) + "<nav id=\"contents\"></nav>\n<main>\n" +
+      html::Section("summary", "Summary", VerdictHtml(runs, RankingOf(runs)) + RunTableHtml(runs)) +
+      html::Section("errors", "Errors by group of channels", Errors(runs)) +
+      html::Section("parameters", "Parameters", ParametersSideBySideHtml(runs)) +
+      Curves(curves, "responses", "Frequency responses") + Curves(curves, "histories", "Time histories") +
+      Curves(curves, "bench", "Damper bench") + "</main>\n";
   const OrderedJson data = {{"comparison", curves}};
   return ReportDocument("Comparison of fits \u2013 fourpost report", body,
                         data.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));

@@ -1,12 +1,9 @@
 #include "identify/model_ranking.h"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include <gmock/gmock.h>
-
-#include "tests/temporary_folder.h"
 
 namespace fourpost {
 namespace {
@@ -60,65 +57,11 @@ TEST(ModelRanking, IsByBicWithoutValidation) {
   EXPECT_THAT(Names(Rank({Model("a", none, 1, 10), Model("b", none, 3, 5)})), testing::ElementsAre("b", "a"));
 }
 
-class FittedModelsTest : public testing::Test {
- protected:
-  void Write(const std::string& run, const std::string& text) {
-    std::filesystem::create_directory(folder_.path() / run);
-    std::ofstream(folder_.path() / run / "result.json") << text;
-  }
-  std::vector<FittedModel> Read() {
-    return ReadFittedModels({folder_.path() / "a", folder_.path() / "b"}, diagnostics_);
-  }
-
-  TemporaryFolder folder_;
-  Diagnostics diagnostics_;
-  const std::string good_ = R"({"study": "model1.yaml", "termination": "converged",
-    "channels": [{"recording": "sweep", "name": "force", "nmse_percent": 2}],
-    "validation": [{"recording": "s1", "name": "force", "nmse_percent": 3},
-                   {"recording": "s2", "name": "force", "nmse_percent": 5}],
-    "criteria": {"residuals": 100, "parameters": 2, "aicc": 7, "bic": 8}})";
-};
-
-TEST_F(FittedModelsTest, AreReadFromTheirRuns) {
-  Write("a", good_);
-  Write("b", Replace(good_, "model1", "model2"));
-  const std::vector<FittedModel> models = Read();
-  ASSERT_EQ(models.size(), 2) << diagnostics_.Format();
-  EXPECT_EQ(models[0].name, "model1");
-  EXPECT_EQ(models[1].name, "model2");
-  EXPECT_EQ(models[0].fitted_percent, 2);
-  EXPECT_EQ(models[0].validation_percent, 4);
-  EXPECT_EQ(models[0].criteria.bic, 8);
-}
-
-TEST_F(FittedModelsTest, TellThatTheirFitsDidNotEnd) {
-  Write("a", good_);
-  Write("b", Replace(Replace(good_, "model1", "model2"), "converged", "interrupted"));
-  const ModelRanking ranking = Rank(Read());
-  ASSERT_EQ(ranking.remarks.size(), 1) << diagnostics_.Format();
-  EXPECT_THAT(ranking.remarks[0], HasSubstr("The fit of model2 was interrupted: "));
-}
-
 TEST(ModelRanking, TellsThatOneRunIsNoComparison) {
   const ModelRanking one = Rank({Model("a", 3, 1, 10)});
   EXPECT_THAT(one.remarks, testing::ElementsAre(HasSubstr("the only run")));
   EXPECT_EQ(one.reason, "a: misses 3 % of what it was not fitted to");
   EXPECT_THAT(Rank({Model("a", 3, 1, 10), Model("b", 4, 1, 10)}).remarks, testing::IsEmpty());
-}
-
-TEST_F(FittedModelsTest, MustBeOfTheSameRecordings) {
-  Write("a", good_);
-  Write("b", Replace(good_, "s2", "s3"));
-  Read();
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("was fitted or validated with other recordings"));
-}
-
-TEST_F(FittedModelsTest, MustBeOfBenches) {
-  Write("a", R"({"study": "car.yaml", "channels": []})");
-  Write("b", "nonsense");
-  Read();
-  EXPECT_EQ(diagnostics_.items().size(), 2);
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("is not the result of a fit to bench recordings"));
 }
 
 }  // namespace

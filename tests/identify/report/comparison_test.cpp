@@ -253,12 +253,10 @@ TEST(ComparisonCurves, OverlaysResponsesAndDampers) {
 TEST(ComparisonPage, EscapesNamesAndRefusesWhatIsNoFit) {
   const std::string hostile = "</script><b>";
   std::vector<Folder> folders = {FolderOf(hostile, Result(hostile, 3, 5)), FolderOf("b", Result(hostile, 3, 5))};
-  EXPECT_THAT(ComparisonPage(folders, std::nullopt),
-              AllOf(HasSubstr("<h1>2 fits compared</h1>"), HasSubstr("&lt;/script&gt;"), Not(HasSubstr("<b></b>")),
-                    Not(HasSubstr("</script><b>"))));
+  EXPECT_THAT(ComparisonPage(folders), AllOf(HasSubstr("<h1>2 fits compared</h1>"), HasSubstr("&lt;/script&gt;"),
+                                             Not(HasSubstr("<b></b>")), Not(HasSubstr("</script><b>"))));
   folders[1] = FolderOf("b", Json{{"a", 1}});
-  EXPECT_THAT([&] { ComparisonPage(folders, std::nullopt); },
-              ThrowsMessage<FaultyInput>(HasSubstr("is not that of a fit")));
+  EXPECT_THAT([&] { ComparisonPage(folders); }, ThrowsMessage<FaultyInput>(HasSubstr("is not that of a fit")));
 }
 
 }  // namespace

@@ -1,0 +1,68 @@
+#include "identify/report/ranked_run.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "identify/report/run_result.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::json;
+
+/// NaN of an empty list.
+double MeanError(const std::vector<Json>& channels) {
+  double sum = 0;
+  for (const Json& channel : channels) sum += NumberAt(channel, "nmse_percent");
+  return channels.empty() ? std::numeric_limits<double>::quiet_NaN() : sum / static_cast<double>(channels.size());
+}
+
+/// Nothing where the run is not of bench recordings.
+std::optional<FittedModel> ModelOf(const ComparedRun& run) {
+  const Json criteria = run.result.value("criteria", Json());
+  const double residuals = NumberAt(criteria, "residuals");
+  const double parameters = NumberAt(criteria, "parameters");
+  if (!(residuals > 0) || !(parameters >= 0)) return std::nullopt;
+  return FittedModel{.name = run.name,
+                     .fitted_percent = MeanError(ListAt(run.result, "channels")),
+                     .validation_percent = MeanError(ListAt(run.result, "validation")),
+                     .criteria = {.residuals = static_cast<std::size_t>(residuals),
+                                  .parameters = static_cast<std::size_t>(parameters),
+                                  .aicc = NumberAt(criteria, "aicc"),
+                                  .bic = NumberAt(criteria, "bic")},
+                     .termination = TextAt(run.result, "termination")};
+}
+
+/// What was kept for validation: recordings and their bytes.
+Json ValidationOf(const ComparedRun& run) {
+  Json kept = Json::array();
+  for (const Json& channel : ListAt(run.result, "validation")) kept.push_back(TextAt(channel, "recording"));
+  for (const Json& file : ListAt(run.result, "validation_files")) kept.push_back(TextAt(file, "sha256"));
+  return kept;
+}
+
+}  // namespace
+
+std::vector<FittedModel> FittedModels(const std::vector<ComparedRun>& runs, Diagnostics& diagnostics) {
+  std::vector<FittedModel> models;
+  const ComparedRun* first = nullptr;
+  for (const ComparedRun& run : runs) {
+    std::optional<FittedModel> model = ModelOf(run);
+    if (!model) {
+      diagnostics.Error(run.FileNamed("result.json"), 0,
+                        "is not the result of a fit to bench recordings; give folders that `fourpost fit` wrote for a "
+                        "study with 'bench', or compare these by `fourpost report RUN RUN -o FILE`");
+      continue;
+    }
+    if (first == nullptr) first = &run;
+    if (run.data != first->data || ValidationOf(run) != ValidationOf(*first))
+      diagnostics.Error(run.FileNamed("result.json"), 0,
+                        "was fitted or validated with other recordings, or another treatment of them, than " +
+                            first->folder + ": errors and criteria compare models of the same data only");
+    models.push_back(std::move(*model));
+  }
+  return models;
+}
+
+}  // namespace fourpost

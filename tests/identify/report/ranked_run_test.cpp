@@ -1,0 +1,97 @@
+#include "identify/report/ranked_run.h"
+
+#include <gmock/gmock.h>
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+class FittedModelsTest : public testing::Test {
+ protected:
+  FittedModelsTest() {
+    good_ = Json::parse(R"({"study": "model1.yaml", "termination": "converged", "parameters": [], "residuals": 100,
+      "channels": [{"recording": "sweep", "name": "force", "nmse_percent": 2}],
+      "validation": [{"recording": "s1", "name": "force", "nmse_percent": 3},
+                     {"recording": "s2", "name": "force", "nmse_percent": 5}],
+      "fitted_files": [{"name": "sweep.csv", "sha256": "01"}],
+      "validation_files": [{"name": "s1.csv", "sha256": "02"}, {"name": "s2.csv", "sha256": "03"}],
+      "criteria": {"residuals": 100, "parameters": 2, "aicc": 7, "bic": 8}})");
+    other_ = good_;
+    other_["study"] = "model2.yaml";
+  }
+
+  std::vector<FittedModel> Models() {
+    const auto run = [](const std::string& folder, const Json& result, const std::string& study) {
+      return std::pair{folder, RunContents{.files = {{"result.json", result.dump()}, {"study.yaml", study}}}};
+    };
+    return FittedModels(ComparedRuns({run("a", good_, "bench: {columns: 2}"), run("b", other_, other_study_)}),
+                        diagnostics_);
+  }
+
+  Json good_;
+  Json other_;
+  std::string other_study_ = "bench: {columns: 2}";
+  Diagnostics diagnostics_;
+};
+
+TEST_F(FittedModelsTest, AreReadFromTheirRuns) {
+  const std::vector<FittedModel> models = Models();
+  ASSERT_EQ(models.size(), 2) << diagnostics_.Format();
+  EXPECT_EQ(models[0].name, "model1");
+  EXPECT_EQ(models[1].name, "model2");
+  EXPECT_EQ(models[0].fitted_percent, 2);
+  EXPECT_EQ(models[0].validation_percent, 4);
+  EXPECT_EQ(models[0].criteria.bic, 8);
+}
+
+TEST_F(FittedModelsTest, OfOneStudyAreToldApartByTheirFolders) {
+  other_["study"] = "model1.yaml";
+  const std::vector<FittedModel> models = Models();
+  EXPECT_EQ(models[0].name, "model1 (a)");
+  EXPECT_EQ(models[1].name, "model1 (b)");
+}
+
+TEST_F(FittedModelsTest, TellThatTheirFitsDidNotEnd) {
+  other_["termination"] = "interrupted";
+  const ModelRanking ranking = Rank(Models());
+  ASSERT_EQ(ranking.remarks.size(), 1) << diagnostics_.Format();
+  EXPECT_THAT(ranking.remarks[0], HasSubstr("The fit of model2 was interrupted: "));
+}
+
+TEST_F(FittedModelsTest, MustBeOfTheSameRecordings) {
+  other_["validation"][1]["recording"] = "s3";
+  Models();
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("b/result.json: error: was fitted or validated with other recordings"));
+}
+
+// A recording whose force was scaled keeps its name and its samples.
+TEST_F(FittedModelsTest, MustBeOfTheSameBytes) {
+  other_["fitted_files"][0]["sha256"] = "04";
+  Models();
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("than a: errors and criteria compare models of the same data only"));
+}
+
+TEST_F(FittedModelsTest, MustBeOfTheSameValidation) {
+  other_["validation_files"][1]["sha256"] = "04";
+  Models();
+  EXPECT_TRUE(diagnostics_.HasErrors());
+}
+
+TEST_F(FittedModelsTest, MustTreatTheRecordingsAlike) {
+  other_study_ = "bench: {columns: 2, low_pass: 60 Hz}";
+  Models();
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("another treatment of them"));
+}
+
+TEST_F(FittedModelsTest, MustBeOfBenches) {
+  good_.erase("criteria");
+  other_["criteria"] = nullptr;
+  Models();
+  EXPECT_EQ(diagnostics_.items().size(), 2);
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("is not the result of a fit to bench recordings"));
+}
+
+}  // namespace
+}  // namespace fourpost
