@@ -39,7 +39,9 @@ class Schema(ProgramTest):
     def test_of_a_broken_vehicle(self):
         text = (SOURCE / "urdf/quarter_car.urdf").read_text()
         broken = self.write("broken.urdf", text.replace('value="200 kg"', 'value="200"'))
-        self.assertEqual(self.check("check", "check", broken, code=3)["findings"][0]["severity"], "error")
+        findings = self.check("check", "check", broken, code=3)["findings"]
+        # It stands without its meshes.
+        self.assertEqual({finding["severity"] for finding in findings}, {"error", "warning"})
 
     def test_of_the_starter_study(self):
         self.check("init", "init", "car")

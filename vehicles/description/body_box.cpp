@@ -1,5 +1,6 @@
 #include "vehicles/description/body_box.h"
 
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -24,13 +25,14 @@ Box BoxOf(const Visual& visual) {
   return {};
 }
 
-Box MeshBoxOf(const Visual& visual) {
+/// Nothing of a mesh that is missing.
+std::optional<Box> MeshBoxOf(const Visual& visual) {
   try {
     const Box bounds = ReadMesh(visual.mesh_file).Bounds();
     Box scaled(bounds.min().cwiseProduct(visual.size).eval());
     return scaled.extend(bounds.max().cwiseProduct(visual.size).eval());
   } catch (const std::runtime_error&) {
-    return {};  // read once already, and changed since
+    return std::nullopt;
   }
 }
 
@@ -62,8 +64,12 @@ Eigen::AlignedBox3d BodyBoxes::WithMeshes(int link) const {
   Box box = Of(link);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_[i] != Body(link)) continue;
-    for (const Visual& visual : drawn_.vehicle.links[i].visuals)
-      if (visual.shape == Visual::Shape::kMesh) box.extend(Placed(MeshBoxOf(visual), drawn_.poses[i] * visual.pose));
+    for (const Visual& visual : drawn_.vehicle.links[i].visuals) {
+      if (visual.shape != Visual::Shape::kMesh) continue;
+      const std::optional<Box> mesh = MeshBoxOf(visual);
+      if (!mesh) return Around(Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()));
+      box.extend(Placed(*mesh, drawn_.poses[i] * visual.pose));
+    }
   }
   return box;
 }

@@ -18,7 +18,7 @@ class BodyBoxes {
   /// Of the body that the link belongs to: its centres of mass, points of elements, joints that turn, boxes, cylinders
   /// and spheres. Empty where it has none of these.
   const Eigen::AlignedBox3d& Of(int link) const { return boxes_[Body(link)]; }
-  /// That and the body's meshes. What cannot be read any more is left out.
+  /// That and the body's meshes; all of space where one of them is missing.
   Eigen::AlignedBox3d WithMeshes(int link) const;
 
  private:

@@ -122,8 +122,7 @@ class SolidReader {
       meshes_.emplace(file, ReadMesh(file));
       return true;
     } catch (const std::runtime_error& error) {
-      // The check of all meshes has told it, unless the file has changed since.
-      if (faults_.errors() == 0) Fault(tag, error.what());
+      Fault(tag, error.what());
       return false;
     }
   }

@@ -176,10 +176,8 @@ std::vector<const XMLElement*> MeshElements(const UrdfTree& tree) {
 std::string MeshFault(const std::filesystem::path& vehicle_file, const std::string& filename) {
   if (filename.find("://") != std::string::npos)
     return "must be a path relative to the vehicle file: addresses such as package:// are not supported";
-  const std::filesystem::path path = MeshPath(vehicle_file, filename);
-  if (!std::filesystem::is_regular_file(path)) return "is missing: no file " + path.string();
   try {
-    ReadMesh(path);
+    ReadMesh(MeshPath(vehicle_file, filename));
   } catch (const std::runtime_error& error) {
     return std::string("is of no use: ") + error.what();
   }
@@ -197,6 +195,13 @@ void CheckMeshes(const UrdfTree& tree, FileFaults& faults) {
   for (const XMLElement* mesh : MeshElements(tree)) {
     const std::string filename = AttributeText(*mesh, "filename").value_or("");
     if (filename.empty() || !checked.insert(filename).second) continue;
+    const std::filesystem::path path = MeshPath(faults.file(), filename);
+    const bool is_address = filename.find("://") != std::string::npos;
+    if (!is_address && !std::filesystem::is_regular_file(path)) {
+      faults.Warning(LineOf(*mesh),
+                     "mesh '" + filename + "' is missing: no file " + path.string() + "; pictures are without it");
+      continue;
+    }
     const std::string fault = MeshFault(faults.file(), filename);
     if (!fault.empty()) faults.Error(LineOf(*mesh), "mesh '" + filename + "' " + fault);
   }

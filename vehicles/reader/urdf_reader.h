@@ -13,7 +13,7 @@ namespace fourpost {
 /// folder of the vehicle file.
 std::filesystem::path MeshPath(const std::filesystem::path& vehicle_file, const std::string& filename);
 
-/// Reports meshes that cannot be read.
+/// Reports meshes that cannot be read, and warns of those that are missing.
 void CheckMeshes(const UrdfTree& tree, FileFaults& faults);
 
 /// Fills the vehicle's links and joints with what urdfdom reads from the file's text. What urdfdom says is reported;

@@ -214,11 +214,11 @@ TEST_F(SolidTag, NeedsBoxesWithAVolume) {
   ExpectFault(R"(size="1 4 2")", R"(size="1 -4 2")", "box must have lengths above zero");
 }
 
-// Told once, where the mesh stands.
-TEST_F(SolidTag, LeavesMeshesThatCannotBeReadToTheirCheck) {
+TEST_F(SolidTag, NeedsItsMeshes) {
   const std::string text = Replaced(kFreeBlock, "block.obj", "none.obj");
   EXPECT_FALSE(Read(text).has_value());
-  Expect(Severity::kError, LineOf(text, "none.obj"), "mesh 'none.obj' is missing");
+  Expect(Severity::kWarning, LineOf(text, "none.obj"), "mesh 'none.obj' is missing");
+  Expect(Severity::kError, LineOf(text, "<fp:solid"), "none.obj' cannot be read");
 }
 
 }  // namespace
