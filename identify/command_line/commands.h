@@ -176,6 +176,8 @@ struct CompareCommand {
   std::filesystem::path archive;
   /// Tell processor time.
   bool time = false;
+  /// HTML file; empty: none is written.
+  std::filesystem::path output;
   bool json = false;
 };
 

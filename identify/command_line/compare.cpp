@@ -7,6 +7,7 @@
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/interrupt.h"
+#include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/text_table.h"
@@ -15,6 +16,7 @@
 #include "identify/loaded_study.h"
 #include "identify/option_quantity.h"
 #include "identify/problems/test_problem.h"
+#include "identify/report/methods_page.h"
 #include "identify/search/evaluation_store.h"
 #include "identify/search/idle_parameters.h"
 #include "identify/study_context.h"
@@ -133,11 +135,15 @@ std::string Table(const Comparison& comparison, bool time) {
   return table.Format();
 }
 
-std::string Details(const Comparison& comparison, const ComparisonOptions& options) {
-  std::string text = "solved: cost " + Rounded(comparison.target_cost, 6) + " or less";
+std::string Rule(const Comparison& comparison, const ComparisonOptions& options) {
+  std::string text = "Solved: cost " + Rounded(comparison.target_cost, 6) + " or less";
   if (!options.rules.target_cost) text += ", " + Rounded(100 * options.near_best, 2) + " % above the best of all runs";
-  text += "; at most " + std::to_string(options.rules.max_evaluations) + " evaluations; seeds from " +
-          std::to_string(options.seed) + "\n";
+  return text + "; at most " + std::to_string(options.rules.max_evaluations) + " evaluations a run; seeds from " +
+         std::to_string(options.seed) + ".";
+}
+
+std::string Details(const Comparison& comparison, const ComparisonOptions& options) {
+  std::string text = Rule(comparison, options) + '\n';
   for (const MethodSummary& method : comparison.methods) {
     text += method.name + ": ended by";
     for (const auto& [end, count] : method.ends)
@@ -160,6 +166,7 @@ double ShareOrThrow(const std::string& text) {
 }  // namespace
 
 int Run(const CompareCommand& command) {
+  RequireWritable(command.output, {command.study, command.archive});
   const Study study = ReadStudyOrThrow(command.study);
   StudyProblem loaded;
   Load(study, loaded);
@@ -182,6 +189,9 @@ int Run(const CompareCommand& command) {
   options.rules.max_seconds = study.search.time_s;
   const Comparison comparison = CompareWithProgress(problem, methods, options, store);
   const bool nothing_succeeded = !std::isfinite(comparison.target_cost);
+  if (!command.output.empty())
+    ReplaceFile(command.output,
+                MethodsPage(comparison, command.study.stem().string(), Rule(comparison, options), command.time));
   Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed, command.time)
                      : Table(comparison, command.time) + '\n' + Details(comparison, options));
   if (comparison.interrupted) return kInterrupted;

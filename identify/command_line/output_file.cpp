@@ -26,4 +26,17 @@ void WriteFile(const std::filesystem::path& file, const std::string& text) {
   if (!stream) throw OutputError("cannot write " + file.string() + ": may it be written to, and is there room?");
 }
 
+void ReplaceFile(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path partial = file.string() + ".partial";
+  std::error_code failure;
+  try {
+    WriteFile(partial, text);
+  } catch (const OutputError&) {
+    std::filesystem::remove(partial, failure);
+    throw;
+  }
+  std::filesystem::rename(partial, file, failure);
+  if (failure) throw OutputError("cannot write " + file.string() + ": " + failure.message());
+}
+
 }  // namespace fourpost

@@ -13,4 +13,7 @@ void RequireWritable(const std::filesystem::path& file, const std::vector<std::f
 /// Throws OutputError when that fails.
 void WriteFile(const std::filesystem::path& file, const std::string& text);
 
+/// Likewise; an older file stays then.
+void ReplaceFile(const std::filesystem::path& file, const std::string& text);
+
 }  // namespace fourpost

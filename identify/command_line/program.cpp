@@ -155,7 +155,7 @@ void Program::AddReport() {
 
 void Program::AddCompare() {
   CLI::App* sub = Add("compare", "Compare search methods on a study by evaluations counted",
-                      "  fourpost compare study.yaml --methods dvhde,gb --runs 20 --seed 1", [this] {
+                      "  fourpost compare study.yaml --methods dvhde,gb --runs 20 --seed 1 -o methods.html", [this] {
                         RequireStudyFile(compare_.study);
                         return Run(compare_);
                       });
@@ -178,6 +178,7 @@ void Program::AddCompare() {
   sub->add_option("--archive", compare_.archive,
                   "File to keep evaluations in, such as the archive.sqlite of a fit; no influence on the result")
       ->excludes(time);
+  sub->add_option("-o,--output", compare_.output, "HTML file with the table and a picture of what a success costs");
   sub->add_flag("--json", compare_.json, "Print JSON in place of tables");
 }
 

@@ -33,20 +33,6 @@ std::string PageOf(std::vector<std::pair<std::string, RunContents>> runs,
   }
 }
 
-/// An older report stays when that fails. Throws OutputError.
-void Replace(const std::filesystem::path& file, const std::string& page) {
-  const std::filesystem::path partial = file.string() + ".partial";
-  std::error_code failure;
-  try {
-    WriteFile(partial, page);
-  } catch (const OutputError&) {
-    std::filesystem::remove(partial, failure);
-    throw;
-  }
-  std::filesystem::rename(partial, file, failure);
-  if (failure) throw OutputError("cannot write " + file.string() + ": " + failure.message());
-}
-
 /// A page of several runs belongs into none of their folders.
 void RequireOutput(const ReportCommand& command) {
   if (!command.output.empty()) return;
@@ -70,7 +56,7 @@ int Run(const ReportCommand& command) {
   if (runs.size() == 1 && !runs.front().second.vehicle_fault.empty())
     std::fprintf(stderr, "the report does not show the vehicle: %s\n", runs.front().second.vehicle_fault.c_str());
   const std::string page = PageOf(std::move(runs), command.runs);
-  Replace(file, page);
+  ReplaceFile(file, page);
   if (command.json) Print(nlohmann::ordered_json{{"file", file.string()}, {"bytes", page.size()}}.dump(2) + '\n');
   else Print(file.string() + '\n');
   return kGood;
