@@ -24,10 +24,6 @@ double MeanOver(const std::vector<ChannelGroup>& groups, const std::map<ChannelG
 
 std::string Name(const ComparedRun& run) { return html::Element("strong", "", html::Escaped(run.name)); }
 
-std::string Counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
-
 /// "X fits best: 0.9 % ..., next Y with 1.2 %".
 std::string Best(const std::vector<ComparedRun>& runs, const std::vector<ChannelGroup>& groups, Errors errors,
                  const std::string& verb) {
@@ -35,8 +31,9 @@ std::string Best(const std::vector<ComparedRun>& runs, const std::vector<Channel
   for (const ComparedRun& run : runs) order.emplace_back(MeanOver(groups, run.*errors), &run);
   std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   const auto& [least, best] = order[0];
-  const std::string over =
-      " % mean NMSE over the " + Counted(groups.size(), "group") + " of channels that all runs have";
+  const std::string over = " % mean NMSE over the " +
+                           (groups.size() == 1 ? "one group" : std::to_string(groups.size()) + " groups") +
+                           " of channels that all runs have";
   if (order[1].first <= least * (1 + kSame))
     return Name(*best) + " and " + Name(*order[1].second) + ' ' + verb + " alike: " + ShownNumber(least, 3) + over +
            ". ";

@@ -150,7 +150,7 @@ TEST(ComparisonVerdict, SaysWhichFitsAndWhichForetellsBest) {
   const std::string text = VerdictHtml(Runs({Result("rich", 1, 8, 5), Result("plain", 2, 4, 2)}), std::nullopt);
   EXPECT_THAT(text,
               AllOf(HasSubstr("class=\"verdict good\""),
-                    HasSubstr("<strong>rich</strong> fits best: 1.00 % mean NMSE over the 1 group of channels"),
+                    HasSubstr("<strong>rich</strong> fits best: 1.00 % mean NMSE over the one group of channels"),
                     HasSubstr("next plain with 2.00 %"), HasSubstr("<strong>plain</strong> foretells best: 4.00 %"),
                     HasSubstr("To take: plain: of all models it misses least of what it was not fitted to, 4 %")));
   EXPECT_THAT(text, AllOf(Not(HasSubstr("BIC")), Not(HasSubstr("same data"))));
