@@ -4,8 +4,9 @@ import { readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { launch, open } from './browser.mjs';
+import { coloured, measuredColour, modelColour } from './canvas.mjs';
 import { compare } from './picture.mjs';
-import { changed, compared, fitted } from './runs.mjs';
+import { changed, fitted } from './runs.mjs';
 
 /** Gain and phase of eleven channels, the mean offset of two. */
 const canvasCount = 24;
@@ -21,23 +22,6 @@ before(async () => {
   report = join(run, 'report.html');
 });
 after(() => browser?.close());
-
-/** How many pixels of a canvas have a colour near this one. */
-function coloured(canvas, [red, green, blue]) {
-  return canvas.evaluate(
-    (element, [r, g, b]) => {
-      const { data } = element.getContext('2d').getImageData(0, 0, element.width, element.height);
-      let count = 0;
-      for (let i = 0; i < data.length; i += 4)
-        if (data[i + 3] > 128 && Math.abs(data[i] - r) + Math.abs(data[i + 1] - g) + Math.abs(data[i + 2] - b) < 60) ++count;
-      return count;
-    },
-    [red, green, blue],
-  );
-}
-
-const measuredColour = [0x00, 0x72, 0xb2];
-const modelColour = [0xd5, 0x5e, 0x00];
 
 describe('the report of a fit to frequency responses', () => {
   test('opens from disk without a fault and asks for nothing', async () => {
@@ -246,91 +230,6 @@ test('the report of a fit to time histories opens without a fault', async () => 
   assert.equal(await page.locator('#histories .playhead:visible').count(), 0);
   assert.deepEqual(page.faults, []);
   await page.context().close();
-});
-
-describe('a comparison of runs', () => {
-  let file;
-  let other;
-  before(() => {
-    other = fitted('landrover110/model1.yaml');
-    file = compared('cars', other, run);
-  });
-
-  test('overlays what the runs share', async () => {
-    const page = await open(browser, file);
-    assert.deepEqual(page.faults, []);
-    for (const id of ['summary', 'errors', 'parameters', 'responses', 'histories']) assert.equal(await page.locator(`section#${id}`).count(), 1, id);
-    assert.match(await page.locator('.verdict').textContent(), /^model\d fits best: .* foretell(s best| alike): .*To take: model/);
-    assert.deepEqual(await page.locator('#responses .legend span').allTextContents(), ['measured', 'model1', 'model2']);
-    assert.equal(await page.locator('#responses canvas').count(), canvasCount);
-    assert.equal(await page.locator('#histories canvas').count(), 11);
-    // The last run lies over the first where they are alike.
-    for (const part of ['responses', 'histories']) assert.ok((await coloured(page.locator(`#${part} canvas`).first(), measuredColour)) > 100, part);
-    let first = 0;
-    for (let k = 0; k < canvasCount; ++k) first += await coloured(page.locator('#responses canvas').nth(k), modelColour);
-    assert.ok(first > 20, `${first} dots of the first run's colour`);
-    await page.locator('#responses .u-over').first().scrollIntoViewIfNeeded();
-    const box = await page.locator('#responses .u-over').first().boundingBox();
-    const reading = page.locator('#responses .reading').first();
-    // A chart that was scrolled takes no notice of a mouse that does not move on.
-    for (let k = 0; k < 50 && !(await reading.textContent()); ++k) await page.mouse.move(box.x + box.width / 2 + (k % 9), box.y + box.height / 2);
-    assert.match(await page.locator('#responses .reading').first().textContent(), /^[\d.]+ Hz: \S+, \S+ for \S+ dB, \S+, \S+ for \S+\u00b0$/);
-    await page.locator('#histories button', { hasText: 'where most happens' }).click();
-    assert.equal(await page.locator('#parameters thead th').count(), 4);
-    assert.deepEqual(page.faults, []);
-    await page.context().close();
-  });
-
-  test('is readable without JavaScript and on a narrow screen', async () => {
-    const plain = await open(browser, file, { javaScript: false });
-    assert.equal(await plain.locator('#summary tbody tr').count(), 2);
-    await plain.context().close();
-    const page = await open(browser, file, { width: 390, height: 800 });
-    const width = await page.evaluate(() => document.documentElement.scrollWidth);
-    assert.ok(width <= 390, `the page is ${width} wide`);
-    await page.context().close();
-  });
-
-  test('shows a hostile name as text', async () => {
-    const folder = join(changed(run, 'hostile run', ({ read, write }) => {
-      const result = JSON.parse(read('result.json'));
-      // Of a path the end is the name.
-      result.study = '<b class="hostile">x';
-      result.parameters[0].name = hostile;
-      result.channels[0].name = hostile;
-      result.validation[0].recording = hostile;
-      write('result.json', JSON.stringify(result));
-      const quoted = `"${hostile.replaceAll('"', '""')}"`;
-      write('response.csv', read('response.csv').replaceAll('a_body_front', quoted).replaceAll(/^bounce/gm, quoted));
-    }), '..');
-    const page = await open(browser, compared('hostile comparison', folder, folder));
-    assert.deepEqual(page.faults, []);
-    assert.equal(await page.locator('.hostile').count(), 0, 'no element comes of a name');
-    assert.match(await page.locator('#responses .legend span').nth(1).textContent(), /<b class="hostile">x/);
-    assert.equal(await page.locator('#responses .chart code').first().textContent(), hostile);
-    await page.context().close();
-  });
-
-  test('overlays dampers', async () => {
-    const page = await open(browser, compared('dampers', ...['model1', 'model2'].map((model) => fitted(`damper/${model}.yaml`))));
-    assert.deepEqual(page.faults, []);
-    const canvases = page.locator('#bench canvas');
-    assert.equal(await canvases.count(), 3);
-    for (let k = 0; k < 3; ++k) for (const colour of [modelColour, measuredColour]) assert.ok((await coloured(canvases.nth(k), colour)) > 100, `chart ${k}`);
-    await page.locator('#bench select').selectOption({ index: 0 });
-    assert.equal(await canvases.count(), 3);
-    assert.match(await page.locator('#summary thead').textContent(), /AICc/);
-    assert.deepEqual(page.faults, []);
-    await page.context().close();
-  });
-
-  test('looks as it did', async () => {
-    const page = await open(browser, file);
-    await page.evaluate(() => document.getElementById('summary').scrollIntoView({ behavior: 'instant' }));
-    const fault = compare('comparison_light', await page.screenshot());
-    assert.equal(fault, null, fault);
-    await page.context().close();
-  });
 });
 
 describe('reports of other runs', () => {

@@ -27,6 +27,13 @@ export function compared(name, ...folders) {
   return file;
 }
 
+/** A page that compares methods of search on a study: its file. */
+export function methods(study, names, runs) {
+  const file = join(scratch, 'methods.html');
+  fourpost('compare', join(root, 'studies', study), '--methods', names, '--runs', String(runs), '-o', file);
+  return file;
+}
+
 /** A copy of a run with files changed, and its report written anew: the report's file. */
 export function changed(folder, name, change) {
   const copy = join(scratch, name);
