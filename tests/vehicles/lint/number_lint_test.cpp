@@ -1,0 +1,352 @@
+#include "vehicles/lint/number_lint.h"
+
+#include <ostream>
+
+#include <gmock/gmock.h>
+
+#include "tests/vehicles/lint/odd_vehicle.h"
+#include "vehicles/description/drawn_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(VehicleLint, TellsOfATyreInNewtonsPerMetre) {
+  Vehicle vehicle = DampedQuarterCar();
+  Set(vehicle, "kt", 230);
+  EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line),
+              ElementsAre("stiffness of fp:tyre 'tyre' is 0.23 kN/m, not within 20 kN/m to 2 MN/m; was 230 kN/m "
+                          "meant?"));
+}
+
+TEST(VehicleLint, TellsOfASpringInNewtonsPerMetre) {
+  Vehicle vehicle = QuarterCar();
+  Set(vehicle, "k", 15);
+  EXPECT_THAT(Findings(vehicle, vehicle.springs[0].source_line),
+              ElementsAre(HasSubstr("stiffness of fp:spring 'spring' is 0.015 kN/m, not within 1 kN/m to 1 MN/m; was "
+                                    "15 kN/m meant?")));
+}
+
+TEST(VehicleLint, TellsOfADamperInKilonewtons) {
+  Vehicle vehicle = DampedQuarterCar();
+  Set(vehicle, "c_bump", 1.5e6);
+  Set(vehicle, "c_rebound", 1.5e6);
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre(HasSubstr("compression rate of fp:damper 'damper' is"), HasSubstr("was 1.5 kN*s/m meant?")));
+}
+
+TEST(VehicleLint, TellsOfATyreDampedInKilonewtons) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.tyres[0].damping = {.value = 150e3};
+  EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line),
+              ElementsAre("damping of fp:tyre 'tyre' is 150 kN*s/m, above 20 kN*s/m; was 150 N*s/m meant?"));
+}
+
+TEST(VehicleLint, TellsOfMasses) {
+  Vehicle light = QuarterCar();
+  Set(light, "m_unsprung", 22e-5);
+  EXPECT_THAT(Findings(light, light.links[1].line), ElementsAre(HasSubstr("was 220 g meant?")));
+  Vehicle heavy = QuarterCar();
+  Set(heavy, "m_sprung", 2e5);
+  EXPECT_THAT(Findings(heavy, heavy.links[2].line),
+              ElementsAre(HasSubstr("mass of link 'sprung' is 200000 kg, not within 1 g to 100 t; was 200 kg meant?")));
+}
+
+TEST(VehicleLint, TellsOfABushingAsStiffAsARock) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.bushings.push_back({.name = "mount", .parent = {2, {0, 0, 0}}, .child = {1, {0, 0, 0.4}}, .source_line = 7});
+  vehicle.bushings[0].stiffness[1].value = 0.9e9;
+  EXPECT_THAT(Findings(vehicle, 7), IsEmpty());
+  vehicle.bushings[0].stiffness[1].value = 3e9;
+  EXPECT_THAT(Findings(vehicle, 7), ElementsAre(HasSubstr("stiffness along y of fp:bushing 'mount' is 3000 MN/m")));
+}
+
+TEST(VehicleLint, TellsOfATyresRadius) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.tyres[0].radius = 2.5;
+  vehicle.tyres[0].point.xyz.z() = 2.2;
+  EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line),
+              ElementsAre(HasSubstr("radius of fp:tyre 'tyre' is 2.5 m, not within 100 mm to 2 m; check its digits")));
+}
+
+TEST(VehicleLint, TellsOfMillimetres) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].line.parent.xyz.y() = 350;
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre("parent's end of fp:damper 'damper' is 350 m from the origin of its axes; was 350 mm meant? "
+                          "xyz is in metres"));
+}
+
+TEST(VehicleLint, TellsOfAJointsOriginInMillimetres) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.joints[1].pose.translation().y() = 700;
+  EXPECT_THAT(Findings(vehicle, vehicle.joints[1].line),
+              ElementsAre(HasSubstr("the origin of joint 'body_travel' is 700 m from the origin of its axes")));
+}
+
+Spring Stop(double bump_m, double rebound_m) {
+  Spring stop = QuarterCar().springs[0];
+  stop.kind = Spring::Kind::kStop;
+  stop.name = "stop";
+  stop.preload = Scalar();
+  stop.law = {.stiffness = {},
+              .cubic = {},
+              .knees = {{.side = -1, .at = {.value = bump_m}, .rate = {.value = 1e5}, .cubic = {}, .adds = true},
+                        {.side = 1, .at = {.value = rebound_m}, .rate = {.value = 1e5}, .cubic = {}, .adds = true}}};
+  return stop;
+}
+
+TEST(VehicleLint, TellsOfAStopWithoutGaps) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.springs.push_back(Stop(0, 0));
+  EXPECT_THAT(Findings(vehicle, vehicle.springs[1].source_line),
+              ElementsAre(HasSubstr("fp:stop 'stop' has no gap on either side")));
+  vehicle.springs[1] = Stop(0, 0.1);
+  EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+}
+
+TEST(VehicleLint, TellsOfSwappedDamping) {
+  Vehicle vehicle = QuarterCar();
+  Set(vehicle, "c_rebound", 200);
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre("fp:damper 'damper' resists compression with 1.5 kN*s/m and rebound with 200 N*s/m: are the "
+                          "two swapped?"));
+  Set(vehicle, "c_rebound", 400);
+  EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+}
+
+/// A number of a quarter car that no vehicle has.
+struct OddNumber {
+  std::string name;
+  void (*change)(Vehicle& vehicle);
+  std::string message;
+};
+
+std::ostream& operator<<(std::ostream& out, const OddNumber& odd) { return out << odd.name; }
+
+Scalar Fixed(double value) { return {.value = value}; }
+
+DashpotDescription MeasuredCurve(double speed_mps) {
+  return {.kind = DashpotDescription::Kind::kTable,
+          .compression = {},
+          .rebound = {},
+          .table = {{Fixed(-speed_mps), Fixed(-900)}, {Fixed(speed_mps), Fixed(1500)}}};
+}
+
+HydraulicDescription Oil() {
+  return {.bleed = Fixed(6e-7),
+          .rebound_valve = Fixed(1e7),
+          .compression_valve = Fixed(2.597e6),
+          .bulk_modulus = Fixed(3e8),
+          .piston_diameter = Fixed(0.03),
+          .rod_diameter = Fixed(0.0125),
+          .rebound_column = Fixed(0.1),
+          .compression_column = Fixed(0.1),
+          .gas_pressure = Fixed(2e6),
+          .gas_volume = Fixed(60e-6),
+          .gas_exponent = Fixed(1.3),
+          .density = Fixed(860),
+          .cavitation = Fixed(5e3)};
+}
+
+const std::vector<OddNumber> kOddNumbers = {
+    {"friction",
+     [](Vehicle& car) {
+       car.dampers[0].law.friction = {Fixed(25e3), Fixed(0.002)};
+     },
+     "friction of fp:damper 'damper' is 25 kN, not within 0.1 N to 5 kN; was 25 N meant?"},
+    {"friction_speed",
+     [](Vehicle& car) {
+       car.dampers[0].law.friction = {Fixed(25), Fixed(2)};
+     },
+     "friction speed of fp:damper 'damper' is 2 m/s, not within 0.0001 m/s to 0.1 m/s; was 0.002 m/s meant?"},
+    {"series", [](Vehicle& car) { car.dampers[0].series = SpringDescription{.stiffness = Fixed(0.4)}; },
+     "series stiffness of fp:damper 'damper' is 0.4 N/m"},
+    {"stop", [](Vehicle& car) { car.springs[1].law.knees[0].rate = Fixed(80); },
+     "bump stiffness of fp:stop 'stop' is 80 N/m, not within 1 kN/m to 100 MN/m; was 80 kN/m meant?"},
+    {"gap", [](Vehicle& car) { car.springs[1].law.knees[0].at = Fixed(30); },
+     "bump gap of fp:stop 'stop' is 30 m, not within 0.1 mm to 500 mm; was 30 mm meant?"},
+    {"knee",
+     [](Vehicle& car) {
+       car.springs[0].law.knees = {{-1, Fixed(2), Fixed(3e4), {}, false}};
+     },
+     "place of bump knee 1 of fp:spring 'spring' is 2 m"},
+    {"knee_rate",
+     [](Vehicle& car) {
+       car.springs[0].law.knees = {{-1, Fixed(0.02), Fixed(30), {}, false}};
+     },
+     "stiffness beyond bump knee 1 of fp:spring 'spring' is 30 N/m"},
+    {"knee_speed",
+     [](Vehicle& car) {
+       car.dampers[0].law.kind = DashpotDescription::Kind::kDigressive;
+       car.dampers[0].law.compression_knee = {Fixed(150), Fixed(500)};
+       car.dampers[0].law.rebound_knee = {Fixed(0.15), Fixed(500)};
+     },
+     "compression knee of fp:damper 'damper' is 150 m/s, not within 0.001 m/s to 5 m/s; was 0.15 m/s meant?"},
+    {"lateral", [](Vehicle& car) { car.tyres[0].lateral = Fixed(90); },
+     "lateral stiffness of fp:tyre 'tyre' is 90 N/m"},
+    {"tyre_damping", [](Vehicle& car) { car.tyres[0].damping = Fixed(100e3); },
+     "damping of fp:tyre 'tyre' is 100 kN*s/m, above 20 kN*s/m; was 100 N*s/m meant?"},
+    {"wheelpan",
+     [](Vehicle& car) {
+       car.sensors.push_back({.name = "F", .type = Sensor::Type::kLoadCell, .tyre = 0, .wheelpan = Fixed(25e3)});
+     },
+     "wheelpan of fp:sensor 'F' is 25 t, not within 10 g to 1 t; was 25 kg meant?"},
+    {"table", [](Vehicle& car) { car.dampers[0].law = MeasuredCurve(500); },
+     "speed in the table of fp:damper 'damper' is -500 m/s, above 10 m/s; was -0.5 m/s meant?"},
+    {"mean_rate", [](Vehicle& car) { car.dampers[0].law = MeasuredCurve(0.001); },
+     "mean rate of fp:damper 'damper' up to 0.1 m/s is 1.2 MN*s/m, not within 10 N*s/m to 100 kN*s/m; was 1.2 kN*s/m"},
+    {"bleed",
+     [](Vehicle& car) {
+       car.dampers[0].hydraulic = Oil();
+       car.dampers[0].hydraulic->bleed = Fixed(3);
+     },
+     "bleed of fp:damper 'damper' is 3 m^2"},
+    {"piston",
+     [](Vehicle& car) {
+       car.dampers[0].hydraulic = Oil();
+       car.dampers[0].hydraulic->piston_diameter = Fixed(0.3);
+     },
+     "piston of fp:damper 'damper' is 300 mm, not within 10 mm to 150 mm"},
+    {"valve",
+     [](Vehicle& car) {
+       car.dampers[0].hydraulic = Oil();
+       car.dampers[0].hydraulic->compression_valve = Fixed(10);
+     },
+     "compression_valve of fp:damper 'damper' is 10 "},
+    {"gas_volume",
+     [](Vehicle& car) {
+       car.dampers[0].hydraulic = Oil();
+       car.dampers[0].hydraulic->gas_volume = Fixed(60);
+     },
+     "gas_volume of fp:damper 'damper' is 60 m^3"},
+    {"antiroll",
+     [](Vehicle& car) {
+       ForceLine to_ground = car.springs[0].line;
+       to_ground.child.link = 0;
+       car.antiroll_bars.push_back(
+           {.name = "bar", .left = car.springs[0].line, .right = to_ground, .stiffness = Fixed(0.06)});
+     },
+     "stiffness of fp:antiroll 'bar' is 0.06 N/m, not within 100 N/m to 10 MN/m"},
+};
+
+class OddNumbers : public testing::TestWithParam<OddNumber> {};
+
+TEST_P(OddNumbers, AreTold) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.springs.push_back(Stop(0.03, 0.05));
+  EXPECT_EQ(LintDescription(vehicle).Format(), "");
+  GetParam().change(vehicle);
+  EXPECT_THAT(OddInDescription(vehicle), testing::Contains(HasSubstr(GetParam().message)));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, OddNumbers, testing::ValuesIn(kOddNumbers),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(VehicleLint, TakesOilAndMeasuredCurvesForUsual) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].law = MeasuredCurve(0.5);
+  EXPECT_EQ(LintDescription(vehicle).Format(), "");
+  vehicle.dampers[0].hydraulic = Oil();
+  EXPECT_EQ(LintDescription(vehicle).Format(), "");
+}
+
+TEST(VehicleLint, TellsOfAStopThatNothingCanReach) {
+  Vehicle vehicle = ShippedVehicle("single_wheel_station");
+  Spring stop = Stop(0.1, 0.1);
+  stop.line = vehicle.springs[0].line;
+  stop.line.axis.reset();
+  stop.line.parent.xyz.setZero();
+  stop.line.child.xyz.setZero();
+  vehicle.springs.push_back(stop);
+  const double length = DrawnVehicle(vehicle).Length(stop.line);
+  vehicle.springs.back().law.knees[0].at = Fixed(1.1 * length);
+  EXPECT_THAT(OddInDescription(vehicle), testing::Contains(HasSubstr("so it is never compressed by")));
+}
+
+TEST(VehicleLint, TellsOfAPistonThatMeetsItsEndBeforeTheStop) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.springs.push_back(Stop(0.03, 0.05));
+  vehicle.dampers[0].hydraulic = Oil();
+  vehicle.dampers[0].hydraulic->rebound_column = Fixed(0.04);
+  vehicle.parameters.resize(4);  // all but the damper's
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre(HasSubstr("the rebound column of fp:damper 'damper' is 40 mm long, but fp:stop 'stop' begins "
+                                    "after 50 mm")));
+}
+
+TEST(VehicleLint, TellsOfSwappedDampingInATable) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].law = MeasuredCurve(0.1);
+  vehicle.dampers[0].law.table[0].force = Fixed(-8 * 1500);
+  vehicle.parameters.resize(4);  // all but the damper's
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre("fp:damper 'damper' resists compression with 120 kN*s/m and rebound with 15 kN*s/m at 0.1 "
+                          "m/s: are the two swapped?"));
+}
+
+TEST(VehicleLint, TellsOfSwappedDampingInAHydraulicDamper) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].hydraulic = Oil();
+  std::swap(vehicle.dampers[0].hydraulic->rebound_valve, vehicle.dampers[0].hydraulic->compression_valve);
+  vehicle.dampers[0].hydraulic->bleed = Fixed(1e-5);
+  vehicle.dampers[0].hydraulic->compression_valve = Fixed(5e7);
+  vehicle.dampers[0].hydraulic->rebound_valve = Fixed(1e6);
+  EXPECT_EQ(LintDescription(vehicle).Format(), "");  // with this bleed the valves hardly matter
+  vehicle.dampers[0].hydraulic->bleed = Fixed(1e-8);
+  EXPECT_NE(LintDescription(vehicle).Format().find("at 0.1 m/s: are the two swapped?"), std::string::npos);
+}
+
+// 10 mm: 30 kN/m makes 300 N, 4e10 N/m^3 40 kN.
+TEST_F(VehicleLintTest, TellsOfCubicTermsThatOutdoTheLinearOnes) {
+  const auto text = [](const std::string& cubic) {
+    std::string cubics = kAxle;
+    for (const std::string side : {"left", "right"}) {
+      const std::string coil =
+          "<fp:spring name=\"coil_" + side + "\" parent=\"top_" + side + "\" child=\"wheel_" + side + "\">";
+      cubics = Replaced(cubics, coil + "<linear stiffness=\"30 kN/m\"/>",
+                        coil + "<cubic stiffness=\"30 kN/m\" cubic=\"" + cubic + "\"/>");
+    }
+    return cubics;
+  };
+  Look(text("2.9e10 N/m^3"));
+  Look(text("40 N/mm^3"));
+  for (const std::string side : {"left", "right"})
+    ExpectWarning(text("40 N/mm^3"), "<fp:spring name=\"coil_" + side,
+                  "cubic of fp:spring 'coil_" + side + "' makes 40 kN at 10 mm, its stiffness 300 N");
+}
+
+TEST(VehicleLint, TellsOfASeriesSpringAsStiffAsARock) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].series = SpringDescription{.stiffness = {.value = 400e6}, .cubic = {}, .knees = {}};
+  EXPECT_THAT(
+      Findings(vehicle, vehicle.dampers[0].source_line),
+      ElementsAre(HasSubstr("series stiffness of fp:damper 'damper' is 400 MN/m, not within 10 kN/m to 100 MN/m; "
+                            "was 400 kN/m meant?")));
+}
+
+// A bench finds 500 N/mm and 20 kN/mm^3: at 1 mm 500 N and 20 kN.
+TEST(VehicleLint, TakesAHardeningSeriesSpringForUsual) {
+  Vehicle vehicle = QuarterCar();
+  SpringDescription series{.stiffness = {.value = 500e3}, .cubic = {.value = 2e13}, .knees = {}};
+  vehicle.dampers[0].series = series;
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line), IsEmpty());
+  series.cubic.value = 2e14;
+  vehicle.dampers[0].series = series;
+  EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
+              ElementsAre(HasSubstr("the series spring of fp:damper 'damper' makes 200 kN at 1 mm")));
+}
+
+TEST(VehicleLint, TakesFrictionForDamping) {
+  Vehicle vehicle = QuarterCar();
+  vehicle.dampers[0].law = {};
+  vehicle.dampers[0].law.friction = {.force = {.value = 90}, .speed = {.value = 0.002}};
+  vehicle.parameters.resize(4);  // all but the damper's
+  EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
+}
+
+}  // namespace
+}  // namespace fourpost

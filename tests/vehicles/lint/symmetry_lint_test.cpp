@@ -1,0 +1,69 @@
+#include "vehicles/lint/symmetry_lint.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/vehicles/lint/odd_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+TEST_F(VehicleLintTest, TellsOfPointsThatAreNearlyMirrored) {
+  const std::string text = Replaced(kAxle, R"(<fp:frame name="top_right" link="body" xyz="0 -0.7 0"/>)",
+                                    R"(<fp:frame name="top_right" link="body" xyz="0.012 -0.7 0"/>)");
+  Look(text);
+  ExpectWarning(text, R"(<fp:spring name="coil_right")",
+                "parent's end of fp:spring 'coil_right' is 12 mm off the mirror image of that of fp:spring 'coil_left' "
+                "(line " +
+                    std::to_string(LineOf(text, "<fp:spring name=\"coil_left\"")) + ")");
+}
+
+TEST_F(VehicleLintTest, LetsSidesDifferThatAreNotMeantToBeMirrored) {
+  Look(Replaced(kAxle, R"(<fp:frame name="top_right" link="body" xyz="0 -0.7 0"/>)",
+                R"(<fp:frame name="top_right" link="body" xyz="0.2 -0.7 0"/>)"));
+  EXPECT_EQ(diagnostics_.Format(), "");
+  // Printed to a tenth of a millimetre.
+  Look(Replaced(kAxle, R"(<fp:frame name="top_right" link="body" xyz="0 -0.7 0"/>)",
+                R"(<fp:frame name="top_right" link="body" xyz="0 -0.70005 0"/>)"));
+}
+
+TEST_F(VehicleLintTest, TellsOfNumbersThatDifferByATypingSlip) {
+  const std::string text = Replaced(kAxle, "999 N*s/m", "99.9 N*s/m");
+  Look(text);
+  ExpectWarning(text, R"(<fp:damper name="damper_right")",
+                "compression rate of fp:damper 'damper_right' is 99.9 N*s/m, that of fp:damper 'damper_left'");
+}
+
+TEST_F(VehicleLintTest, TellsOfACoilAtHalfTheOthersRate) {
+  const std::string at = R"(<fp:spring name="coil_right" parent="top_right" child="wheel_right">)";
+  const std::string text =
+      Replaced(kAxle, at + R"(<linear stiffness="30 kN/m"/>)", at + R"(<linear stiffness="15 kN/m"/>)");
+  Look(text);
+  ExpectWarning(text, at, "stiffness of fp:spring 'coil_right' is 15 kN/m, that of fp:spring 'coil_left'");
+}
+
+TEST_F(VehicleLintTest, LetsTypedNumbersOfBothSidesDifferByRounding) {
+  Look(Replaced(kAxle, "999 N*s/m", "991 N*s/m"));
+  const std::string text = Replaced(kAxle, "999 N*s/m", "989 N*s/m");
+  Look(text);
+  ExpectWarning(text, R"(<fp:damper name="damper_right")", "make them parameters if they were measured so");
+}
+
+TEST_F(VehicleLintTest, LetsParametersOfBothSidesDifferByHalf) {
+  const auto text = [](const std::string& value) {
+    return Replaced(Replaced(kAxle, "999 N*s/m", "$c"), "</robot>",
+                    "<fp:parameter name=\"c\" value=\"" + value + "\" source=\"fit\"/></robot>");
+  };
+  Look(text("670 N*s/m"));
+  Look(text("660 N*s/m"));
+  ExpectWarning(text("660 N*s/m"), R"(<fp:damper name="damper_right")", "compression rate of fp:damper 'damper_right'");
+}
+
+TEST_F(VehicleLintTest, TellsOfABarWithBothLinesOnOneSide) {
+  const std::string text = Replaced(kAxle, R"(<right parent="body" child="wheel_right"/>)",
+                                    R"(<right parent="top_left" child="wheel_left"/>)");
+  Look(text);
+  ExpectWarning(text, "<fp:antiroll", "both lines of fp:antiroll 'bar' are on the left of the car");
+}
+
+}  // namespace
+}  // namespace fourpost
