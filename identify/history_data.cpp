@@ -184,7 +184,8 @@ class HistoryLoader {
                             .name = name,
                             .unit = UnitOf(vehicle_.sensors[sensor].type),
                             .values = WithoutMean(all.segment(history.first, history.count)),
-                            .noise_sd = noise[sensor]};
+                            .noise_sd = noise[sensor],
+                          .source = source};
       if (signal.Deviation() == 0)
         Fault(source.line, "'" + name + "' does not change in " + study_.file.filename().string() +
                                ": a dead channel tells nothing; leave it out");

@@ -23,6 +23,8 @@ struct MeasuredSignal {
   Eigen::VectorXd values;
   /// Of the noise that the study states; 0: none.
   double noise_sd = 0;
+  /// Of the recording.
+  ChannelSource source = {};
 
   double Deviation() const;
 };

@@ -197,7 +197,9 @@ std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& hi
       HistoryMisfit misfit{.recording = histories[h].name,
                            .name = signal.name,
                            .nmse_percent = NormalisedMse_percent(Span(signal.values), Span(model)),
-                           .vaf_percent = VarianceAccountedFor_percent(Span(signal.values), Span(model))};
+                           .vaf_percent = VarianceAccountedFor_percent(Span(signal.values), Span(model)),
+                           .unit = signal.unit,
+                           .source = signal.source};
       const SignalTiming timing = TimingOf(signal.values, model, histories[h].rate_Hz);
       misfit.gain = timing.gain;
       misfit.delay_s = timing.delay_s;

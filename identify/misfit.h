@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/frequency_response.h"
+#include "identify/channel_source.h"
 #include "identify/four_post_data.h"
 #include "identify/model_criteria.h"
 
@@ -45,6 +46,10 @@ struct HistoryMisfit {
   std::optional<double> full_nmse_percent = {};
   /// The channel of the same unit that this one is measured like, while that one is measured like this: swapped.
   std::optional<std::string> swapped_with = {};
+  /// SI; empty of a damper on its bench.
+  std::string unit = {};
+  /// What the study takes it from.
+  ChannelSource source = {};
 };
 
 /// How far a fitted vehicle is from all the data of its study.

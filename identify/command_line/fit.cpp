@@ -123,13 +123,17 @@ int CodeOf(FitEnd end) {
   return kNotGood;
 }
 
+void TellAndKeep(const Diagnostics& findings, std::vector<std::string>& warnings) {
+  Tell(findings);
+  for (std::string& text : WarningTexts(findings)) warnings.push_back(std::move(text));
+}
+
 /// Of a fit that was not cut short.
 void TellMisfits(const LoadedStudy& loaded, const FitResult& fit, std::vector<std::string>& warnings) {
   if (fit.end == FitEnd::kInterrupted) return;
   Diagnostics diagnostics;
   LintMisfits(loaded, fit, diagnostics);
-  Tell(diagnostics);
-  for (std::string& text : WarningTexts(diagnostics)) warnings.push_back(std::move(text));
+  TellAndKeep(diagnostics, warnings);
 }
 
 /// The page that shows what the folder will hold.
@@ -141,9 +145,10 @@ std::string Page(const LoadedStudy& loaded, const FitResult& fit, const FitSecti
 
 /// What the folder will hold, result.json last, and what is shown.
 FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit,
-                  const std::vector<std::string>& warnings, const std::filesystem::path& folder) {
+                  std::vector<std::string> warnings, const std::filesystem::path& folder) {
   FitSection report = loaded.bench ? BenchSection(loaded, fit) : FourPostSection(loaded, fit);
   FitSection histories = HistorySection(loaded, fit);
+  TellAndKeep(histories.findings, warnings);
   report.text += histories.text;
   if (!loaded.bench) report.misfits.validation = std::move(histories.misfits.validation);
   std::move(histories.misfits.histories.begin(), histories.misfits.histories.end(),
@@ -166,8 +171,8 @@ int Run(const FitCommand& command) {
   std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
   LintRecordings(*loaded, diagnostics);
-  Tell(diagnostics);
-  std::vector<std::string> warnings = WarningTexts(diagnostics);
+  std::vector<std::string> warnings;
+  TellAndKeep(diagnostics, warnings);
   EstimateNoise(*loaded);
   const VehicleObjective objective = loaded->MakeObjective();
   RequireInputsElsewhere(InputsOf(*loaded), command.output);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/diagnostics.h"
 #include "identify/fit.h"
 #include "identify/loaded_study.h"
 #include "identify/misfit.h"
@@ -15,6 +16,8 @@ struct FitSection {
   /// Tables for the terminal.
   std::string text;
   Misfits misfits;
+  /// What the recordings can hardly be so of.
+  Diagnostics findings;
   /// Names in the folder of the results, and what they hold.
   std::vector<std::pair<std::string, std::string>> files;
 };

@@ -19,7 +19,12 @@ class ChannelWarnings {
 
   void Add(const std::string& channel, const std::string& message);
 
+  /// What the study would take the channel from with the other sign, in its terms.
+  std::string Turned(const std::string& channel) const;
+
  private:
+  const ChannelSource* Find(const std::string& channel) const;
+
   std::string file_;
   const Channels& channels_;
   Diagnostics& diagnostics_;

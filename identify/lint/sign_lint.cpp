@@ -46,7 +46,8 @@ void LintSigns(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
     if (correlation < kOpposite)
       warnings.Add(vehicle.sensors[s].name,
                    "moves against what the vehicle would do (correlation " + ShortNumber(correlation, 2) +
-                       "): its sign is opposite; the formats want up, extension and more load positive");
+                       "): its sign is opposite, for up, extension and more load are positive; '" +
+                       warnings.Turned(vehicle.sensors[s].name) + "' in the study turns it round");
   }
 }
 

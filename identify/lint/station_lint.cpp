@@ -107,14 +107,15 @@ Eigen::VectorXcd MotionAt(const RigidMotion& others, const Eigen::Vector3d& plac
   return (shape * others.motion).transpose();
 }
 
-std::string ExplanationOf(const Station& station, const RigidMotion& others) {
+std::string ExplanationOf(const Station& station, const RigidMotion& others, const ChannelWarnings& warnings) {
   constexpr double kMost = 0.9;
   const Eigen::VectorXcd measured = MeasuredAt(station);
   const Eigen::VectorXcd expected = MotionAt(others, station.place);
   const auto [factor, by_factor] = RealFactorOf(measured, expected);
   const auto [forward, by_forward] = RealFactorOf(measured - expected, others.motion.row(1).transpose());
   const auto [left, by_left] = RealFactorOf(measured - expected, others.motion.row(2).transpose());
-  if (factor < 0 && by_factor > kMost) return "its sign is opposite: turn it round";
+  if (factor < 0 && by_factor > kMost)
+    return "its sign is opposite: turn it round, as '" + warnings.Turned(station.name) + "' in the study";
   if (by_forward > kMost && by_forward >= by_left)
     return "it moves as if it sat " + ShortNumber(std::abs(forward), 2) + " m further " +
            (forward > 0 ? "forward" : "back") + ": check its station in the vehicle file";
@@ -143,7 +144,7 @@ void LintBody(const std::vector<Station>& stations, ChannelWarnings& warnings) {
   warnings.Add(station.name, "does not move with its body below 1 Hz, as the other accelerometers there do (off by " +
                                  ShortNumber(100 * stray.rms, 2) + " % of the loudest, they by " +
                                  ShortNumber(100 * stray.others_rms, 2) +
-                                 " %): " + ExplanationOf(station, stray.others));
+                                 " %): " + ExplanationOf(station, stray.others, warnings));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/channel_source_text.h"
+
 namespace fourpost {
 namespace {
 
@@ -70,6 +72,12 @@ TEST(ChannelSourceReader, RefusesWhatIsWrong) {
   EXPECT_THAT(Fault("{channel: b, sgin: 1}"), HasSubstr("did you mean 'sign'?"));
   EXPECT_THAT(Fault("{sign: -1}"), HasSubstr("'a' must be a measured channel"));
   EXPECT_THAT(Fault("{sum: []}"), HasSubstr("'a' must be a list of channels"));
+}
+
+TEST(SourceText, IsWhatTheReaderReads) {
+  for (const char* text : {"b", "{channel: b, unit: g, sign: -1, scale: 2.5, delay: -20.2 ms}", "{sum: [b]}",
+                           "{mean: [b, {channel: c, sign: -1}]}"})
+    EXPECT_EQ(SourceText(Good(text)), text);
 }
 
 TEST(ChannelSourceReader, RefusesWhatAnotherKindOfDataTells) {

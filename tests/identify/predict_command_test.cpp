@@ -1,4 +1,5 @@
 // `fourpost fit` of time histories and `fourpost predict` as a user meets them.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -14,8 +15,14 @@
 namespace fourpost {
 namespace {
 
+using testing::AllOf;
+using testing::Contains;
+using testing::ContainsRegex;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
+using testing::StartsWith;
 using Json = nlohmann::json;
 
 constexpr const char* kStudy = R"(vehicle: urdf/single_wheel_station.urdf
@@ -65,7 +72,7 @@ TEST_F(PredictCommandLine, ShowsWhatAFitIsWorthOnARecordingThatItHasNotSeen) {
   ASSERT_EQ(fit["channels"].size(), 4u);
   EXPECT_EQ(fit["channels"][0]["recording"], "sweep");
   EXPECT_EQ(ReadText(folder_ / "run/study.yaml"), kStudy);
-  EXPECT_THAT(ReadText(folder_ / "run/history.svg"), testing::StartsWith("<svg"));
+  EXPECT_THAT(ReadText(folder_ / "run/history.svg"), StartsWith("<svg"));
   EXPECT_THAT(ReadText(folder_ / "run/history.csv"), HasSubstr("z_sprung_measured,z_sprung_modelled"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "run/response.csv"));
 
@@ -102,32 +109,92 @@ TEST_F(PredictCommandLine, TellsOfAChannelThatIsNotSynchronised) {
   EXPECT_THAT(Run("predict run --recording other.csv").out, Not(HasSubstr("synchronised")));
 }
 
+/// As recorded, a change of its samples.
+class FaultyRecordingCommandLine : public PredictCommandLine {
+ protected:
+  /// All that a fit of it warns of, which is in its results once each.
+  std::vector<std::string> WarningsOf(const TimeHistory& history) const {
+    temporary_.Write("sweep.csv", StationCsv(history, vehicle_));
+    return Warnings();
+  }
+  std::vector<std::string> Warnings() const {
+    const Outcome outcome = Run("fit study.yaml -o run");
+    const Json result = Json::parse(ReadText(folder_ / "run/result.json"));
+    auto warnings = result["warnings"].get<std::vector<std::string>>();
+    const std::string page = ReadText(folder_ / "run/report.html");
+    for (const std::string& warning : warnings) {
+      EXPECT_THAT(outcome.err, HasSubstr(warning.substr(warning.find(": ") + 2)));
+      // Up to the first sign that HTML writes otherwise.
+      EXPECT_THAT(page, HasSubstr(warning.substr(0, warning.find('\''))));
+      EXPECT_EQ(std::count(warnings.begin(), warnings.end(), warning), 1);
+    }
+    EXPECT_THAT(outcome.out, Not(HasSubstr("as if")));
+    return warnings;
+  }
+
+  static void Delay(Eigen::Ref<Eigen::VectorXd> signal, Eigen::Index samples) {
+    const Eigen::Index kept = signal.size() - samples;
+    signal.tail(kept) = signal.head(kept).eval();
+    signal.head(samples).setConstant(signal[samples]);
+  }
+
+  const Vehicle vehicle_ = ShippedVehicle("single_wheel_station");
+  TimeHistory history_ = RecordStation(vehicle_, SensorModel::Filter{4, 30});
+};
+
+TEST_F(FaultyRecordingCommandLine, AFitSaysNothingOfAGoodOne) { EXPECT_THAT(WarningsOf(history_), IsEmpty()); }
+
 // The fit meets the late channel half-way; the healthy ones are not accused.
-TEST_F(PredictCommandLine, AFitAccusesTheLateChannelAlone) {
-  TimeHistory history = RecordStation(ShippedVehicle("single_wheel_station"), SensorModel::Filter{4, 30});
-  const Eigen::Index kept = history.size() - 10;
-  history.readings.col(4).tail(kept) = history.readings.col(4).head(kept).eval();
-  temporary_.Write("sweep.csv", StationCsv(history, ShippedVehicle("single_wheel_station")));
-  const Outcome outcome = Run("fit study.yaml -o run");
-  EXPECT_THAT(outcome.out, HasSubstr("'F_tyre' of 'sweep' comes "));
-  for (const char* healthy : {"'z_sprung' of", "'z_unsprung' of", "'a_sprung' of"})
-    EXPECT_THAT(outcome.out, Not(HasSubstr(healthy)));
+TEST_F(FaultyRecordingCommandLine, AFitAccusesTheLateChannelAlone) {
+  Delay(history_.readings.col(4), 10);
+  EXPECT_THAT(WarningsOf(history_), ElementsAre(AllOf(StartsWith("study.yaml:5: 'F_tyre' of 'sweep' comes 20"),
+                                                      HasSubstr("% with 'F_tyre: {channel: F_tyre, delay: 20"))));
 }
 
-TEST_F(PredictCommandLine, AFitTellsOfSwappedChannelsAndOfAForceOfTheWrongSign) {
+// The fit hides it by its parameters; the second derivative does not.
+TEST_F(FaultyRecordingCommandLine, AFitTellsOfAHeightThatIsLate) {
+  Delay(history_.readings.col(0), 10);
+  EXPECT_THAT(WarningsOf(history_),
+              ElementsAre(AllOf(StartsWith("study.yaml:5: 'z_sprung' of 'sweep' comes 20 ms later than 'a_sprung'"),
+                                HasSubstr("'z_sprung: {channel: z_sprung, delay: 20 ms}' in the study"))));
+}
+
+// The values of the file have not been adapted to it.
+TEST_F(FaultyRecordingCommandLine, AFitTellsOfAPostThatIsLate) {
+  Delay(history_.posts.col(0), 10);
+  ReplaceIn("urdf/single_wheel_station.urdf", "value=\"1010 N*s/m\"", "value=\"900 N*s/m\"");
+  ReplaceIn("urdf/single_wheel_station.urdf", "value=\"15.01 kN/m\"", "value=\"16 kN/m\"");
+  // To what values of the file that are off by some per cent make of it.
+  EXPECT_THAT(WarningsOf(history_),
+              ElementsAre(AllOf(StartsWith("study.yaml:4: all channels of 'sweep' come "), HasSubstr(" ms earlier"),
+                                ContainsRegex("add 'delay: (19|20|21)"), HasSubstr("channels of its 'posts'"))));
+}
+
+TEST_F(FaultyRecordingCommandLine, AFitTellsOfSwappedChannels) {
   ReplaceIn("study.yaml", "z_sprung: z_sprung, z_unsprung: z_unsprung", "z_sprung: z_unsprung, z_unsprung: z_sprung");
-  EXPECT_THAT(Run("fit study.yaml -o run").out, HasSubstr("as if the two channels were swapped"));
-  temporary_.Write("study.yaml", kStudy);
-  TimeHistory history = RecordStation(ShippedVehicle("single_wheel_station"), SensorModel::Filter{4, 30});
-  history.readings.col(4) *= -1;
-  temporary_.Write("sweep.csv", StationCsv(history, ShippedVehicle("single_wheel_station")));
-  EXPECT_THAT(Run("fit study.yaml -o run").out, HasSubstr("'F_tyre' of 'sweep' goes against the model"));
+  EXPECT_THAT(Warnings(), ElementsAre(HasSubstr("'z_sprung' of 'sweep' is measured like"),
+                                      HasSubstr("'z_unsprung' of 'sweep' is measured like")));
+}
+
+TEST_F(FaultyRecordingCommandLine, AFitTellsOfAWrongSign) {
+  history_.readings.col(4) *= -1;
+  EXPECT_THAT(WarningsOf(history_),
+              Contains(AllOf(StartsWith("study.yaml:5: 'F_tyre' of 'sweep' goes against the model"),
+                             HasSubstr("% with 'F_tyre: {channel: F_tyre, sign: -1}' in the study"))));
+}
+
+TEST_F(FaultyRecordingCommandLine, AFitTellsOfAWrongUnit) {
+  history_.readings.col(2) /= 9.80665;
+  EXPECT_THAT(WarningsOf(history_),
+              Contains(AllOf(StartsWith("study.yaml:5: 'a_sprung' of 'sweep' and the model differ by a factor of "),
+                             HasSubstr("(g told as m/s^2)"),
+                             HasSubstr("% with 'a_sprung: {channel: a_sprung, unit: g}' in the study"))));
 }
 
 TEST_F(PredictCommandLine, AFitComparesItsValuesWithTheFiles) {
   Fit();
   const std::string table = ReadText(folder_ / "run/parameters.csv");
-  EXPECT_THAT(table, testing::StartsWith("parameter,unit,start,fitted,difference_percent,sd,lower_95,upper_95"));
+  EXPECT_THAT(table, StartsWith("parameter,unit,start,fitted,difference_percent,sd,lower_95,upper_95"));
   EXPECT_THAT(table, HasSubstr("\nm_sprung,kg,"));
 }
 

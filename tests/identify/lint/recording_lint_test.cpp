@@ -61,7 +61,8 @@ TEST_P(EveryStudy, TellsOfAStationOffByAMetre) {
 TEST_P(EveryStudy, TellsOfATurnedAccelerometer) {
   LoadedStudy study = ShippedStudy(GetParam());
   Scale(study, "a_cross_member", -1);
-  EXPECT_THAT(Lint(study), HasSubstr("its sign is opposite: turn it round"));
+  EXPECT_THAT(Lint(study), HasSubstr("its sign is opposite: turn it round, as 'a_cross_member: "));
+  EXPECT_THAT(Lint(study), HasSubstr("sign: -1}"));
 }
 
 TEST_P(EveryStudy, TellsOfAnyChannelOfOppositeSign) {
@@ -69,7 +70,8 @@ TEST_P(EveryStudy, TellsOfAnyChannelOfOppositeSign) {
   for (const MeasuredChannel& channel : shipped.data.runs.front().channels) {
     LoadedStudy study = shipped;
     Scale(study, channel.name, -1);
-    EXPECT_THAT(Lint(study), HasSubstr("'" + channel.name + "' moves against what the vehicle would do"));
+    EXPECT_THAT(Lint(study), AllOf(HasSubstr("'" + channel.name + "' moves against what the vehicle would do"),
+                                   HasSubstr("sign: -1")));
   }
 }
 
