@@ -248,10 +248,30 @@ class FrequencyResponseReader {
   bool good_ = true;
 };
 
+/// What a fit writes: several recordings, each measured and modelled. Its columns are no slips of one who wrote them.
+bool IsComparison(const CsvTable& table) {
+  return table.FindColumn("gain_measured") && table.FindColumn("gain_modelled");
+}
+
+/// "bounce, pitch"
+std::string RecordingsIn(const CsvTable& table) {
+  const std::optional<std::size_t> column = table.FindColumn("recording");
+  std::vector<std::string> names;
+  for (std::size_t row = 0; column && row < table.rows(); ++row)
+    if (names.empty() || names.back() != table.Text(row, *column)) names.push_back(table.Text(row, *column));
+  return Join(names);
+}
+
 }  // namespace
 
 std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::path& file, Diagnostics& diagnostics) {
   const std::optional<CsvTable> table = ReadCsv(file, diagnostics);
+  if (table && IsComparison(*table)) {
+    diagnostics.Error(table->file(), 1,
+                      "is a result, in which measurement and model stand side by side (" + RecordingsIn(*table) +
+                          "): name a recording itself, as the `recordings` of a study do");
+    return std::nullopt;
+  }
   if (!table || !table->CheckColumns(kRequired, kOptional, diagnostics)) return std::nullopt;
   return FrequencyResponseReader(*table, diagnostics).Read();
 }

@@ -87,7 +87,9 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
   CLI::Option* const mass = subcommand.add_option("--add-mass", command.add_mass,
                                                   "A load that the fitted vehicle did not have, as \"250 kg\"");
   CLI::Option* const at = subcommand.add_option(
-      "--at", command.at, "Where it lies, X,Y,Z in metres from the vehicle file's origin, x forward, y left, z up");
+      "--at", command.at,
+      "Where it lies, X,Y,Z from the vehicle file's origin, x forward, y left, z up: in metres, or with units as "
+      "-600 mm,0,40 cm");
   mass->needs(at);
   at->needs(mass);
   CLI::Option* const kalman =
@@ -106,7 +108,10 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
           "Of a recording over time: condensed: as the fit; full: the multibody system beside it (slow)")
       ->check(OneOf("engine", kHistoryEngines))
       ->default_str("condensed");
-  subcommand.add_option("-o,--output", command.output, "Folder for history.csv, history.svg and result.json");
+  subcommand.add_option(
+      "-o,--output", command.output,
+      "Folder for result.json and what was measured and predicted: of a stepped sine response.csv and "
+      "response.svg, of a recording over time history.csv and history.svg");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 

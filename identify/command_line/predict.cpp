@@ -2,13 +2,12 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/number.h"
 #include "analysis/output_folder.h"
 #include "analysis/recorded_table.h"
 #include "analysis/time_recording.h"
@@ -26,10 +25,8 @@
 #include "identify/history_fit_files.h"
 #include "identify/history_residuals.h"
 #include "identify/kalman_noise_json.h"
-#include "identify/option_quantity.h"
 #include "identify/study.h"
 #include "identify/versions.h"
-#include "vehicles/description/added_mass.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -40,6 +37,14 @@ using Json = nlohmann::ordered_json;
 [[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& message) {
   Diagnostics faults;
   faults.Error(file.string(), 0, message);
+  throw FaultyInput(faults);
+}
+
+/// An option that the recording has no use for. Throws FaultyInput.
+void RequireUnused(const char* option, bool is_used, const std::filesystem::path& recording, const std::string& why) {
+  if (!is_used) return;
+  Diagnostics faults;
+  faults.Error(option, 0, recording.filename().string() + ' ' + why + "; leave the option out");
   throw FaultyInput(faults);
 }
 
@@ -172,16 +177,16 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
   }
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
-  return Json{{"vehicle", model.vehicle.name},
-              {"recording", command.recording.filename().string()},
-              {"was_fitted", model.has_seen},
-              {"start_s", history.TimeAt(0)},
-              {"end_s", history.TimeAt(history.count - 1)},
-              {"samples", history.count},
-              {"channels", channels},
-              {"versions", versions}}
-             .dump(2) +
-         '\n';
+  Json json = {{"vehicle", model.vehicle.name},
+               {"recording", command.recording.filename().string()},
+               {"was_fitted", model.has_seen}};
+  if (model.load) json["added_load"] = AddedLoadJson(*model.load);
+  json.update({{"start_s", history.TimeAt(0)},
+               {"end_s", history.TimeAt(history.count - 1)},
+               {"samples", history.count},
+               {"channels", channels},
+               {"versions", versions}});
+  return json.dump(2) + '\n';
 }
 
 int PredictHistory(const PredictCommand& command, const FittedRun& model) {
@@ -203,33 +208,13 @@ int PredictHistory(const PredictCommand& command, const FittedRun& model) {
     output.Commit();
     std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   }
-  Print(command.json ? json : HistoryTable(misfits) + HistoryRemarks(misfits, 1 / history.rate_Hz));
+  Print(command.json ? json : LoadText(model) + HistoryTable(misfits) + HistoryRemarks(misfits, 1 / history.rate_Hz));
   return kGood;
 }
 
-/// Throws FaultyInput.
-void AddLoad(const PredictCommand& command, Vehicle& vehicle) {
-  Diagnostics diagnostics;
-  const std::optional<double> mass = ReadQuantity(command.add_mass, kMass, "--add-mass", diagnostics);
-  Eigen::Vector3d place;
-  std::istringstream text(command.at);
-  for (int k = 0; k < 3; ++k) {
-    std::string number;
-    std::getline(text, number, ',');
-    const std::optional<double> metres = ParseNumber(number);
-    if (!metres) {
-      diagnostics.Error("--at", 0, "wants three numbers in metres such as -1.2,0,0.9, got '" + command.at + "'");
-      break;
-    }
-    place[k] = *metres;
-  }
-  if (!diagnostics.HasErrors() && text.peek() != std::istringstream::traits_type::eof())
-    diagnostics.Error("--at", 0, "wants three numbers in metres such as -1.2,0,0.9, got '" + command.at + "'");
-  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
-  vehicle = WithMass(vehicle, vehicle.ParameterValues(), *mass, place);
-}
-
 }  // namespace
+
+std::string LoadText(const FittedRun& model) { return model.load ? AddedLoadText(*model.load) + '\n' : ""; }
 
 int Run(const PredictCommand& command) {
   FittedRun model = LoadModel(command.run);
@@ -243,13 +228,16 @@ int Run(const PredictCommand& command) {
                command.recording.filename().string() +
                " under `bench: validation` of the study and fit again with the same seed; the fit is the same, and the "
                "recording's nmse_percent is in its table and under `validation` of result.json");
-  if (!command.add_mass.empty()) AddLoad(command, model.vehicle);
+  if (!command.add_mass.empty()) model.load = AddLoad(command.add_mass, command.at, model.vehicle);
   switch (KindOf(command.recording, model.study)) {
-    case RecordingKind::kTime: return PredictHistory(command, model);
+    case RecordingKind::kTime:
+      RequireUnused("--mode", !command.mode.empty(), command.recording,
+                    "is a recording over time, which tells itself how its posts moved");
+      return PredictHistory(command, model);
     case RecordingKind::kFrequency: break;
   }
-  if (command.kalman || command.full)
-    Refuse(command.recording, "is a frequency response: --kalman and --engine are for recordings over time");
+  for (const auto& [option, is_used] : {std::pair{"--kalman", command.kalman}, {"--engine", command.full}})
+    RequireUnused(option, is_used, command.recording, "is a frequency response: this is for recordings over time");
   if (model.study.recordings.empty())
     Refuse(command.recording,
            "is a frequency response, but the model was fitted to none: nothing tells which channels are its sensors");

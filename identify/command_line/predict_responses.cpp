@@ -164,15 +164,15 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
                         {"vaf_percent", 100 - misfit.nmse_percent}});
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
-  return Json{{"vehicle", model.vehicle.name},
-              {"recording", command.recording.filename().string()},
-              {"was_fitted", model.has_seen},
-              {"posts", mode},
-              {"band_Hz", {model.study.band_lower_Hz, model.study.band_upper_Hz}},
-              {"channels", channels},
-              {"versions", versions}}
-             .dump(2) +
-         '\n';
+  Json json = {{"vehicle", model.vehicle.name},
+               {"recording", command.recording.filename().string()},
+               {"was_fitted", model.has_seen}};
+  if (model.load) json["added_load"] = AddedLoadJson(*model.load);
+  json.update({{"posts", mode},
+               {"band_Hz", {model.study.band_lower_Hz, model.study.band_upper_Hz}},
+               {"channels", channels},
+               {"versions", versions}});
+  return json.dump(2) + '\n';
 }
 
 }  // namespace
@@ -204,7 +204,7 @@ int PredictResponses(const PredictCommand& command, const FittedRun& model) {
     output.Commit();
     std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   }
-  Print(command.json ? json : MisfitTable(misfits));
+  Print(command.json ? json : LoadText(model) + MisfitTable(misfits));
   return kGood;
 }
 

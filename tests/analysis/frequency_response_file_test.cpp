@@ -309,5 +309,12 @@ TEST(FrequencyResponseFault, UnreadableFile) {
   EXPECT_EQ(diagnostics.Format(), path + ": error: cannot be read: No such file or directory");
 }
 
+TEST(FrequencyResponseFile, TellsOnceOfAResultThatIsNoRecording) {
+  EXPECT_EQ(Faults("recording,channel,frequency_Hz,post_amplitude_m,gain_measured,gain_modelled\n"
+                   "bounce,a_cg,1,0.01,1,1\nbounce,a_cg,2,0.01,1,1\npitch,a_cg,1,0.01,1,1\n"),
+            "frf.csv:1: error: is a result, in which measurement and model stand side by side (bounce, pitch): name a "
+            "recording itself, as the `recordings` of a study do");
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -53,6 +53,8 @@ class Schema(ProgramTest):
         self.assertEqual(fit, json.loads((self.folder / "run/result.json").read_text()))
         self.check("report", "report", "run")
         self.check("predict", "predict", "run", "--recording", "car/stepped_sine.csv")
+        load = ["--add-mass", "20 kg", "--at", "0,0,0.8"]
+        self.check("predict", "predict", "run", "--recording", "car/stepped_sine.csv", *load)
 
     def test_of_bench_studies(self):
         for model in ("model1", "model2"):

@@ -11,6 +11,7 @@
 
 #include "tests/identify/program.h"
 #include "tests/identify/recorded_station.h"
+#include "vehicles/description/gravity.h"
 
 namespace fourpost {
 namespace {
@@ -259,6 +260,8 @@ TEST_F(PredictCommandLine, RefusesWhatIsNoFitOrNoRecording) {
   ExpectRefused("run --recording none.csv", "none.csv");
   ExpectRefused("run --recording study.yaml", "is a study");
   ExpectRefused("run", "--recording is required", 2);
+  ExpectRefused("run --recording other.csv --mode heave",
+                "--mode: error: other.csv is a recording over time, which tells itself how its posts moved", 2);
   temporary_.Write("odd.csv", "x,z\n1,2\n");
   ExpectRefused("run --recording odd.csv", "has neither a column 'time' nor 'frequency_Hz'");
   ExpectRefused("run --recording studies/landrover110/bounce_frf.csv", "is a frequency response");
@@ -411,10 +414,57 @@ TEST_F(PredictResponsesCommandLine, TakesALoad) {
   EXPECT_EQ(at_rest["channels"].size(), heavier["channels"].size());
   EXPECT_NEAR(PeakOf("a_cg", "heavy/response.csv") / PeakOf("a_cg", "empty/response.csv"), std::sqrt(1803.0 / 2053),
               0.03);  // the grid's spacing
-  const Outcome bad = Run(predict + " --add-mass '250 N' --at -2.5,0");
-  EXPECT_EQ(bad.code, 2);
-  EXPECT_THAT(bad.err, HasSubstr("--add-mass: error: '250 N' is no mass"));
-  EXPECT_THAT(bad.err, HasSubstr("--at: error: wants three numbers"));
+}
+
+TEST_F(PredictResponsesCommandLine, TellsWhatTheLoadDoesToThePosts) {
+  Fit();
+  const std::string predict =
+      "predict run --recording studies/landrover110/bounce_frf.csv --mode heave --add-mass '250 kg' --at ";
+  const Json load = Json::parse(Run(predict + "'-1397 mm, 0,90 cm' --json").out)["added_load"];
+  EXPECT_EQ(load["mass_kg"], 250);
+  EXPECT_EQ(load["place_m"], Json({-1.397, 0, 0.9}));
+  EXPECT_EQ(load["body"], "chassis");
+  ASSERT_EQ(load["static_loads"].size(), 2U);
+  // In the middle of the wheelbase, 2.794 m.
+  for (const Json& post : load["static_loads"])
+    EXPECT_NEAR(post["with_N"].get<double>() - post["without_N"].get<double>(), 125 * kGravity, 1e-6);  // rounding
+  const Outcome told = Run(predict + "-1.397,0,0.9");
+  EXPECT_THAT(told.out, testing::StartsWith("added: 250 kg at -1.4, 0, 0.9 m (x, y, z) on 'chassis'\n"
+                                            "load at rest  without, N  with, N\nfront "));
+  EXPECT_THAT(told.err, Not(HasSubstr("--at")));
+  // Beside the plane of a car that has no sides.
+  EXPECT_THAT(Run(predict + "-1.397,0.4,0.9").err,
+              HasSubstr("--at: warning: the body of landrover110_model1 cannot lean: a load at y = 0.4 m acts as at "
+                        "y = 0 m"));
+}
+
+TEST_F(PredictResponsesCommandLine, RefusesLoadsThatCannotBe) {
+  Fit();
+  const auto expect = [this](const std::string& load, const std::string& message) {
+    const Outcome outcome =
+        Run("predict run --recording studies/landrover110/bounce_frf.csv --mode heave --add-mass " + load);
+    EXPECT_EQ(outcome.code, 2) << load;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+  };
+  expect("'250 N' --at -2.5,0", "--add-mass: error: '250 N' is no mass");
+  for (const char* place : {"-2.5,0", "-2.5,0,0.9,1", "'-2.5 kg,0,0.9'", "-2.5,,0.9"})
+    expect(std::string("'250 kg' --at ") + place, "--at: error: wants three lengths");
+  expect("'250 kg' --at -1200,0,900",
+         "--at: error: -1200, 0, 900 m is far outside the car, whose wheels, masses and sensors have x from -3.62 to ");
+  expect("'20 t' --at 1,0,0.9", "would tip the car over (loads on posts: rear -");
+}
+
+TEST_F(PredictResponsesCommandLine, TellsThatAResultIsNoRecordingAndWhatHasNoUse) {
+  Fit();
+  const Outcome result = Run("predict run --recording run/response.csv");
+  EXPECT_EQ(result.code, 3);
+  EXPECT_THAT(result.err, HasSubstr("response.csv:1: error: is a result, in which measurement and model stand side"));
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
+  for (const char* option : {"--kalman", "--engine full"}) {
+    const Outcome outcome = Run(std::string("predict run --recording studies/landrover110/pitch_frf.csv ") + option);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("is a frequency response"));
+  }
 }
 
 }  // namespace

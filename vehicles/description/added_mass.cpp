@@ -24,13 +24,19 @@ Eigen::Matrix3d PointInertia(double mass, const Eigen::Vector3d& distance) {
 
 }  // namespace
 
+std::size_t HeaviestLink(const Vehicle& vehicle, std::span<const double> parameters) {
+  const auto lighter = [&](const Link& a, const Link& b) { return a.mass.At(parameters) < b.mass.At(parameters); };
+  return static_cast<std::size_t>(std::max_element(vehicle.links.begin(), vehicle.links.end(), lighter) -
+                                  vehicle.links.begin());
+}
+
 Vehicle WithMass(const Vehicle& vehicle, std::span<const double> parameters, double mass,
                  const Eigen::Vector3d& place) {
   RequireOption(mass > 0 && std::isfinite(mass), "mass", mass, "positive and finite");
   Vehicle loaded = vehicle;
-  const auto heavier = [&](const Link& a, const Link& b) { return a.mass.At(parameters) < b.mass.At(parameters); };
-  const auto body = std::max_element(loaded.links.begin(), loaded.links.end(), heavier);
-  const Eigen::Isometry3d pose = DesignPoses(vehicle)[static_cast<std::size_t>(body - loaded.links.begin())];
+  const std::size_t heaviest = HeaviestLink(vehicle, parameters);
+  Link* const body = &loaded.links[heaviest];
+  const Eigen::Isometry3d pose = DesignPoses(vehicle)[heaviest];
   const double own = body->mass.At(parameters);
   const Eigen::Vector3d own_com = body->ComAt(parameters);
   const Eigen::Vector3d at = pose.inverse() * place;

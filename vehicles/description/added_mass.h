@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include <Eigen/Core>
@@ -8,7 +9,10 @@
 
 namespace fourpost {
 
-/// A vehicle with a point mass fixed to its heaviest link, its body: mass, centre of mass and inertia of that link
+/// Index of the link of the largest mass, its body.
+std::size_t HeaviestLink(const Vehicle& vehicle, std::span<const double> parameters);
+
+/// A vehicle with a point mass fixed to its heaviest link: mass, centre of mass and inertia of that link
 /// become numbers, at these values of the parameters. `place`: in the ground, in the design pose [m]. The vehicle keeps
 /// its design pose: preloads that equilibrium sets carry the load, as if springs had been screwed up to level it.
 /// Throws std::invalid_argument for a mass that is not above zero and finite.
