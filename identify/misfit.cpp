@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "analysis/decibel.h"
 
@@ -51,6 +52,24 @@ std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
     misfits[i].rms_dB = std::sqrt(sums[i].square_dB / sums[i].count);
     misfits[i].rms_deg = std::sqrt(sums[i].square_deg / sums[i].count);
     misfits[i].nmse_percent = 100 * sums[i].square_error / sums[i].square_measured;
+  }
+  return misfits;
+}
+
+std::vector<ChannelMisfit> RecordingMisfits(const std::vector<MeasuredRun>& runs,
+                                            const std::vector<FrequencyResponse>& modelled) {
+  std::vector<ChannelMisfit> misfits;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    Sums all;
+    std::map<std::string, Sums> units;
+    for (const MeasuredChannel& channel : runs[r].channels) {
+      Add(channel, modelled[r].channels[channel.sensor], all);
+      Add(channel, modelled[r].channels[channel.sensor], units[channel.unit]);
+    }
+    ChannelMisfit misfit{runs[r].name, std::sqrt(all.square_dB / all.count), std::sqrt(all.square_deg / all.count)};
+    for (const auto& [unit, sums] : units)
+      misfit.nmse_percent += 100 * sums.square_error / sums.square_measured / static_cast<double>(units.size());
+    misfits.push_back(misfit);
   }
   return misfits;
 }

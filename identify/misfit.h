@@ -55,6 +55,8 @@ struct HistoryMisfit {
 /// How far a fitted vehicle is from all the data of its study.
 struct Misfits {
   std::vector<ChannelMisfit> responses;
+  /// Of each recording of a stepped sine, see RecordingMisfits.
+  std::vector<ChannelMisfit> recordings;
   std::vector<HistoryMisfit> histories;
   /// Of recordings that the fit has not seen.
   std::vector<HistoryMisfit> validation;
@@ -68,6 +70,12 @@ struct Misfits {
 /// answer (NaN) are left out.
 std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
                                            const std::vector<FrequencyResponse>& modelled);
+
+/// Of each recording over all its channels, by its name: root mean squares of dB and degrees; the error in percent is
+/// the mean over units of squared differences over the squares measured, summed over the channels of a unit, so that a
+/// channel next to a node does not drown the others. Arguments as of ResponseMisfits.
+std::vector<ChannelMisfit> RecordingMisfits(const std::vector<MeasuredRun>& runs,
+                                            const std::vector<FrequencyResponse>& modelled);
 
 /// Root mean square over channels whose names begin with `prefix`, of the errors in percent their mean; all of them for
 /// an empty one.

@@ -170,13 +170,18 @@ Json Starts(const FitResult& fit) {
   return {{"asked", fit.options.starts}, {"refined", fit.starts}, {"agreeing", fit.agreeing}, {"runs", runs}};
 }
 
-Json Recordings(const LoadedStudy& study) {
+Json Recordings(const LoadedStudy& study, const std::vector<ChannelMisfit>& misfits) {
   Json list = Json::array();
-  for (const MeasuredRun& run : study.data.runs) {
+  for (std::size_t r = 0; r < misfits.size(); ++r) {
+    const MeasuredRun& run = study.data.runs[r];
     Json posts = Json::object();
     for (std::size_t p = 0; p < study.vehicle.posts.size(); ++p)
       posts[study.vehicle.posts[p].name] = run.excitation.shape[p];
-    list.push_back({{"name", run.name}, {"posts", posts}});
+    list.push_back({{"name", run.name},
+                    {"posts", posts},
+                    {"rms_dB", NumberOrNull(misfits[r].rms_dB)},
+                    {"rms_deg", NumberOrNull(misfits[r].rms_deg)},
+                    {"nmse_percent", NumberOrNull(misfits[r].nmse_percent)}});
   }
   return list;
 }
@@ -222,7 +227,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"study", study.study.file.filename().string()},
                {"vehicle", study.vehicle.name},
                {"band_Hz", {study.study.band_lower_Hz, study.study.band_upper_Hz}},
-               {"recordings", Recordings(study)},
+               {"recordings", Recordings(study, misfits.recordings)},
                {"fitted_files", Files(study.fitted_files)},
                {"validation_files", Files(study.validation_files)},
                {"cost", NumberOrNull(fit.cost)},

@@ -31,8 +31,10 @@ void AddResponses(const LoadedStudy& loaded, const CondensedVehicle& vehicle, co
   const std::vector<FrequencyResponse> modelled = ModelledResponses(model, sensors, runs);
   const std::vector<FrequencyResponse> start =
       ModelledResponses(vehicle.At(loaded.vehicle.ParameterValues()), sensors, runs);
-  section.misfits.responses = ResponseMisfits(in_band, ModelledResponses(model, sensors, in_band));
-  section.text = MisfitTable(section.misfits.responses) + '\n';
+  const std::vector<FrequencyResponse> fitted = ModelledResponses(model, sensors, in_band);
+  section.misfits.responses = ResponseMisfits(in_band, fitted);
+  section.misfits.recordings = RecordingMisfits(in_band, fitted);
+  section.text = MisfitTable(section.misfits.responses, section.misfits.recordings) + '\n';
   section.files = {{"response.csv", ResponseCsv(runs, modelled, lower, upper, start)},
                    {"response.svg", ResponseSvg(runs, modelled, section.misfits.responses, lower, upper)}};
 }

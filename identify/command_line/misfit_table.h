@@ -7,7 +7,7 @@
 
 namespace fourpost {
 
-/// Misfit of each channel, and of all together.
-std::string MisfitTable(const std::vector<ChannelMisfit>& misfits);
+/// Misfit of each channel, and of all together; then of each recording, where there are several.
+std::string MisfitTable(const std::vector<ChannelMisfit>& misfits, const std::vector<ChannelMisfit>& recordings);
 
 }  // namespace fourpost

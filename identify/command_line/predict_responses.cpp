@@ -204,7 +204,7 @@ int PredictResponses(const PredictCommand& command, const FittedRun& model) {
     output.Commit();
     std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   }
-  Print(command.json ? json : LoadText(model) + MisfitTable(misfits));
+  Print(command.json ? json : LoadText(model) + MisfitTable(misfits, {}));
   return kGood;
 }
 

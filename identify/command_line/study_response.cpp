@@ -101,7 +101,7 @@ int RespondToStudy(const ResponseCommand& command) {
   runs.resize(modelled.size());
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(runs, modelled);
   if (!command.output.empty()) Write(command, *loaded, runs, modelled, misfits);
-  Print(command.json ? AsJson(runs, modelled, misfits) : MisfitTable(misfits));
+  Print(command.json ? AsJson(runs, modelled, misfits) : MisfitTable(misfits, RecordingMisfits(runs, modelled)));
   return is_whole ? kGood : kInterrupted;
 }
 

@@ -42,10 +42,14 @@ TEST_F(CommandLine, FitWritesItsResultAndCheckAcceptsTheFittedVehicle) {
   ASSERT_EQ(fit.code, 0) << fit.err;
   EXPECT_THAT(fit.out, HasSubstr("m_sprung"));
   EXPECT_THAT(fit.out, HasSubstr("rms dB"));
+  EXPECT_THAT(fit.out, HasSubstr("\nrecording  rms dB  rms deg  NMSE, %\nbounce "));
 
   const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
   EXPECT_EQ(result["termination"], "converged");
   EXPECT_EQ(result["seed"], 3);
+  ASSERT_EQ(result["recordings"].size(), 2U);
+  EXPECT_EQ(result["recordings"][1]["name"], "pitch");
+  EXPECT_GT(result["recordings"][1]["nmse_percent"], 0);
   EXPECT_GT(result["cost"], 0);
   EXPECT_GT(result["evaluations"]["paid"], 300);
   EXPECT_EQ(result["evaluations"]["failed"], 0);
@@ -246,6 +250,7 @@ TEST_F(CommandLine, ResponseTellsTheMisfitOfTheVehicleAsItIs) {
   const Outcome text = Run("response studies/landrover110/model2.yaml");
   ASSERT_EQ(text.code, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("a_axle_rear"));
+  EXPECT_THAT(text.out, HasSubstr("\npitch "));
   const Json response = Json::parse(Run("response studies/landrover110/model2.yaml --json").out);
   EXPECT_EQ(response["recordings"].size(), 2u);
   EXPECT_EQ(response["channels"].size(), 11u);

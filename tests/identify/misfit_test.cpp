@@ -22,8 +22,8 @@ FrequencyResponse Modelled(std::vector<std::complex<double>> response) {
 
 TEST(Misfit, IsTheRootMeanSquareOverFrequenciesAndRecordings) {
   const double quarter = std::numbers::pi / 4;
-  const std::vector<ChannelMisfit> misfits =
-      ResponseMisfits({Measured({1, 1}), Measured({2, 2})}, {Modelled({10, 1}), Modelled({2, std::polar(2.0, quarter)})});
+  const std::vector<ChannelMisfit> misfits = ResponseMisfits(
+      {Measured({1, 1}), Measured({2, 2})}, {Modelled({10, 1}), Modelled({2, std::polar(2.0, quarter)})});
   ASSERT_EQ(misfits.size(), 1u);
   EXPECT_EQ(misfits[0].name, "a_body");
   // One of four points is 20 dB off, one of four 45 degrees.
@@ -49,6 +49,24 @@ TEST(Misfit, OfAGroupIsThatOfItsChannels) {
   EXPECT_DOUBLE_EQ(body.rms_dB, std::sqrt(12.5));
   EXPECT_DOUBLE_EQ(body.rms_deg, std::sqrt(1250));
   EXPECT_DOUBLE_EQ(GroupMisfit(channels, "").rms_dB, std::sqrt((9 + 16 + 1e4) / 3));
+}
+
+// A channel next to a node is held against the loud ones of its unit.
+TEST(Misfit, OfARecordingIsThatOfItsUnits) {
+  MeasuredRun run = Measured({1, 3});
+  run.name = "roll";
+  run.channels.push_back({.sensor = 1, .name = "a_node", .unit = "m/s^2", .response = {1e-3, 1e-3}});
+  run.channels.push_back({.sensor = 2, .name = "s_strut", .unit = "m", .response = {5, 5}});
+  FrequencyResponse modelled = Modelled({1, 3});
+  modelled.channels.push_back({.name = "a_node", .unit = "m/s^2", .response = {0.1 + 1e-3, 1e-3}});
+  modelled.channels.push_back({.name = "s_strut", .unit = "m", .response = {5, 10}});
+  const auto misfits = RecordingMisfits({run}, {modelled});
+  ASSERT_EQ(misfits.size(), 1U);
+  EXPECT_EQ(misfits[0].name, "roll");
+  EXPECT_NEAR(misfits[0].nmse_percent, (100 * 0.01 / (10 + 2e-6) + 50) / 2, 1e-12);  // rounding
+  const double node_dB = 20 * std::log10(101);
+  const double strut_dB = 20 * std::log10(2);
+  EXPECT_NEAR(misfits[0].rms_dB, std::sqrt((node_dB * node_dB + strut_dB * strut_dB) / 6), 1e-12);
 }
 
 }  // namespace
