@@ -127,6 +127,8 @@ struct FitCommand {
   bool resume = false;
   /// Fit although the data leave combinations of parameters open.
   bool accept_unidentified = false;
+  /// Fit although posts of a recording move otherwise than the study tells.
+  bool accept_implausible = false;
   /// Names of parameters to profile, or "all".
   std::vector<std::string> profile = {};
 };

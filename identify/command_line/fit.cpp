@@ -95,6 +95,15 @@ std::vector<Eigen::Index> Profiled(const VehicleObjective& objective, const std:
   throw FaultyInput(diagnostics);
 }
 
+/// Throws FaultyInput with all findings.
+void RequirePlausible(const LoadedStudy& loaded, Diagnostics findings) {
+  if (!findings.HasErrors()) return;
+  findings.Error(loaded.study.file.string(), 0,
+                 "a fit to posts that move otherwise than told is worth nothing; --accept-implausible fits all the "
+                 "same");
+  throw FaultyInput(findings);
+}
+
 FitOptions OptionsOf(const Study& study, const VehicleObjective& objective, const FitCommand& command) {
   FitOptions options = FitOptionsOf(study, objective);
   options.seed = command.seed.value_or(options.seed);
@@ -170,7 +179,8 @@ int Run(const FitCommand& command) {
   Diagnostics diagnostics;
   std::optional<LoadedStudy> loaded = LoadStudy(command.study, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
-  LintRecordings(*loaded, diagnostics);
+  LintRecordings(*loaded, diagnostics, command.accept_implausible ? Severity::kWarning : Severity::kError);
+  RequirePlausible(*loaded, diagnostics);
   std::vector<std::string> warnings;
   TellAndKeep(diagnostics, warnings);
   EstimateNoise(*loaded);

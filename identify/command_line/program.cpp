@@ -121,6 +121,8 @@ void Program::AddFit() {
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--accept-unidentified", fit_.accept_unidentified,
                 "Fit although data and priors leave combinations of parameters open");
+  sub->add_flag("--accept-implausible", fit_.accept_implausible,
+                "Fit although recordings show that their posts move otherwise than the study tells");
   sub->add_option("--profile", fit_.profile,
                   "Free parameters, separated by commas, or all: how the cost rises when each is held away from its "
                   "fitted value and the others are fitted anew")

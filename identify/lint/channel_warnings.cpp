@@ -11,21 +11,25 @@ ChannelWarnings::ChannelWarnings(std::string file, const Channels& channels, Dia
     : file_(std::move(file)), channels_(channels), diagnostics_(diagnostics) {}
 
 void ChannelWarnings::Add(const std::string& channel, const std::string& message) {
-  const ChannelSource* source = Find(channel);
-  diagnostics_.Warning(file_, source ? source->line : 0, "'" + channel + "' " + message);
+  AddAt(channel, "'" + channel + "' " + message);
+}
+
+void ChannelWarnings::AddAt(const std::string& channel, const std::string& message) {
+  const ChannelSource* const source = Find(channel);
+  diagnostics_.Warning(file_, source == nullptr ? 0 : source->line, message);
 }
 
 std::string ChannelWarnings::Turned(const std::string& channel) const {
-  const ChannelSource* found = Find(channel);
-  ChannelSource source = found ? *found : ChannelSource{.channels = {channel}};
+  const ChannelSource* const found = Find(channel);
+  ChannelSource source = found != nullptr ? *found : ChannelSource{.channels = {channel}};
   for (SourceChannel& one : source.channels) one.factor = -one.factor;
   return channel + ": " + SourceText(source);
 }
 
 const ChannelSource* ChannelWarnings::Find(const std::string& channel) const {
-  const auto source =
+  const auto found =
       std::find_if(channels_.begin(), channels_.end(), [&](const auto& entry) { return entry.first == channel; });
-  return source == channels_.end() ? nullptr : &source->second;
+  return found == channels_.end() ? nullptr : &found->second;
 }
 
 }  // namespace fourpost

@@ -18,11 +18,14 @@ class ChannelWarnings {
   ChannelWarnings(std::string file, const Channels& channels, Diagnostics& diagnostics);
 
   void Add(const std::string& channel, const std::string& message);
+  /// `message` names its channels itself; at the line of `channel`.
+  void AddAt(const std::string& channel, const std::string& message);
 
   /// What the study would take the channel from with the other sign, in its terms.
   std::string Turned(const std::string& channel) const;
 
  private:
+  /// Null for one that the study does not have.
   const ChannelSource* Find(const std::string& channel) const;
 
   std::string file_;

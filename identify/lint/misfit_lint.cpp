@@ -1,86 +1,96 @@
 #include "identify/lint/misfit_lint.h"
 
-#include <cmath>
+#include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "analysis/short_number.h"
 #include "identify/four_post_residuals.h"
 #include "identify/lint/channel_warnings.h"
+#include "identify/lint/load_lint.h"
 #include "identify/modelled_response.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
 namespace {
 
-/// Standard deviations. A load is so far off once in 16 000 of normal errors; a channel, of which it is the root mean
-/// square, all but never.
+/// Times noise and model error, as a root mean square over the band: chance makes that all but never.
 constexpr double kFarOff = 4;
 
-/// Names, and what is to be said of each.
-using Findings = std::map<std::string, std::string>;
+/// A channel of one recording.
+struct Finding {
+  std::string channel;
+  std::string unit;
+  std::string recording;
+  double off = 0;
+};
 
-std::string MassesAtBounds(const FitResult& fit) {
-  std::string names;
-  for (const FittedParameter& parameter : fit.parameters)
-    if (parameter.at_bound && parameter.dimension == kMass) names += (names.empty() ? "" : ", ") + parameter.name;
-  return names.empty() ? "" : " that hold masses (" + names + ")";
-}
-
-/// All in one, at the line of the first.
-void Warn(const LoadedStudy& study, const ChannelWarnings::Channels& channels, const Findings& findings,
-          const std::string& causes, Diagnostics& diagnostics) {
-  if (findings.empty()) return;
-  std::string message;
-  for (const auto& [name, finding] : findings) message += (message.empty() ? "" : ", '" + name + "' ") + finding;
-  ChannelWarnings(study.study.file.string(), channels, diagnostics).Add(findings.begin()->first, message + causes);
-}
-
-void LintLoads(const LoadedStudy& study, const FitResult& fit, const CondensedModel& model, Diagnostics& diagnostics) {
-  Findings found;
-  for (const MeasuredLoad& load : study.data.static_loads) {
-    const double modelled = model.preloads.tyre[load.tyre];
-    const double off = std::abs(modelled - load.load_N) / load.sd_N;
-    if (off > kFarOff)
-      found[study.vehicle.tyres[load.tyre].name] = "carries " + ShortNumber(modelled, 4) + " N for the measured " +
-                                                   ShortNumber(load.load_N, 4) + " N (" + ShortNumber(off, 2) +
-                                                   " standard deviations off)";
-  }
-  Warn(study, study.study.static_loads, found,
-       ", at rest after the fit: a load cell not tared, a wheelpan or a load weighed along, bounds" +
-           MassesAtBounds(fit) +
-           " that leave the answer out, an sd that is too small, or other channels that pull the masses away for what "
-           "the model lacks",
-       diagnostics);
-}
-
-void LintChannels(const LoadedStudy& study, const CondensedModel& model, Diagnostics& diagnostics) {
+std::vector<Finding> WorstFirst(const LoadedStudy& study, const CondensedModel& model) {
   const std::vector<MeasuredRun> runs = InBand(study.data.runs, study.study.band_lower_Hz, study.study.band_upper_Hz);
   const std::vector<FrequencyResponse> modelled = ModelledResponses(model, study.vehicle.sensors, runs);
-  Findings found;
+  std::vector<Finding> findings;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const std::vector<double> off = ResponseDeviations(runs[r], modelled[r], study.study.model_error);
-    for (std::size_t c = 0; c < off.size(); ++c) {
-      if (!(off[c] > kFarOff)) continue;
-      std::string& where = found[runs[r].channels[c].name];
-      where += (where.empty() ? "is off " : " and ") + ("in '" + runs[r].name + "' by " + ShortNumber(off[c], 2));
-    }
+    for (std::size_t c = 0; c < off.size(); ++c)
+      if (off[c] > kFarOff)
+        findings.push_back({runs[r].channels[c].name, runs[r].channels[c].unit, runs[r].name, off[c]});
   }
-  Warn(
-      study, study.study.channels, found,
-      " times what noise and the stated model error explain: check sign, scale, delay and station, and that it is that "
-      "channel; else the model lacks what it shows",
-      diagnostics);
+  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) { return a.off > b.off; });
+  return findings;
+}
+
+std::string KindOf(const std::string& unit) {
+  if (unit == "m/s^2") return "accelerations";
+  if (unit == "m") return "displacements";
+  if (unit == "N") return "forces";
+  return "turn rates";
+}
+
+/// "6 channels (2 forces, 4 displacements): in 'roll' 6, in 'bounce' 2"
+std::string Groups(const std::vector<Finding>& findings) {
+  std::map<std::string, std::set<std::string>> kinds;
+  std::map<std::string, int> recordings;
+  std::set<std::string> channels;
+  for (const Finding& finding : findings) {
+    kinds[KindOf(finding.unit)].insert(finding.channel);
+    channels.insert(finding.channel);
+    ++recordings[finding.recording];
+  }
+  std::string of;
+  for (const auto& [kind, names] : kinds) of += (of.empty() ? "" : ", ") + std::to_string(names.size()) + " " + kind;
+  std::string in;
+  for (const auto& [recording, count] : recordings)
+    in += (in.empty() ? "" : ", ") + std::to_string(count) + " in '" + recording + "'";
+  return std::to_string(channels.size()) + " channels (" + of + "; " + in + ")";
+}
+
+/// One warning, at the line of the worst.
+void LintChannels(const LoadedStudy& study, const CondensedModel& model, Diagnostics& diagnostics) {
+  constexpr std::size_t kShown = 3;
+  const std::vector<Finding> findings = WorstFirst(study, model);
+  if (findings.empty()) return;
+  std::string worst;
+  for (std::size_t i = 0; i < std::min(kShown, findings.size()); ++i)
+    worst += (i == 0 ? "'" : ", '") + findings[i].channel + "' is off in '" + findings[i].recording + "' by " +
+             ShortNumber(findings[i].off, 2);
+  const bool is_whole = findings.size() <= kShown;
+  ChannelWarnings(study.study.file.string(), study.study.channels, diagnostics)
+      .AddAt(findings.front().channel,
+             (is_whole ? "" : Groups(findings) + " are far off, the worst: ") + worst +
+                 " times what noise and the stated model error explain: check sign, scale, delay and station, and that "
+                 "it is that channel; else the model lacks what it shows" +
+                 (is_whole ? "" : "; the table of channels and the pictures of responses show all"));
 }
 
 }  // namespace
 
 void LintMisfits(const LoadedStudy& study, const FitResult& fit, Diagnostics& diagnostics) {
   if (fit.values.empty() || (study.data.runs.empty() && study.data.static_loads.empty())) return;
-  const CondensedModel model = CondensedVehicle(study.vehicle).At(fit.values);
-  LintLoads(study, fit, model, diagnostics);
-  LintChannels(study, model, diagnostics);
+  const CondensedVehicle condensed(study.vehicle);
+  LintLoads(study, fit, condensed, diagnostics);
+  LintChannels(study, condensed.At(fit.values), diagnostics);
 }
 
 }  // namespace fourpost

@@ -131,7 +131,7 @@ Match BestOther(const Vehicle& vehicle, const CondensedModel& model, MeasuredRun
 
 }  // namespace
 
-std::optional<std::string> PatternDoubt(const Vehicle& vehicle, const CondensedModel& model, const MeasuredRun& run) {
+std::optional<PatternFault> PatternDoubt(const Vehicle& vehicle, const CondensedModel& model, const MeasuredRun& run) {
   constexpr double kSlack = 1e-6;
   const MeasuredRun low = InBand({run}, 0, kFollowsBelow_Hz * (1 + kSlack)).front();
   if (low.excitation.frequency_Hz.empty()) return std::nullopt;
@@ -145,10 +145,13 @@ std::optional<std::string> PatternDoubt(const Vehicle& vehicle, const CondensedM
                             " Hz, where a car follows its posts, accelerations and forces look like ";
   const std::string as_told = "as told " + ShortNumber(*told, 2) + ")";
   if (is_other)
-    return begin + InWords(vehicle, other.shape) + " (correlation " + ShortNumber(other.likeness, 2) + ", " + as_told +
-           ": correct what is told of its posts, or which channel is where and of which sign";
-  return begin + "none that these posts can make (correlation " + as_told +
-         ": is it a recording of this car and of this motion, is each channel where the study has it, and of its sign?";
+    return PatternFault{begin + InWords(vehicle, other.shape) + " (correlation " + ShortNumber(other.likeness, 2) +
+                            ", " + as_told +
+                            ": correct what is told of its posts, or which channel is where and of which sign",
+                        true};
+  return PatternFault{
+      begin + "none that these posts can make (correlation " + as_told +
+      ": is it a recording of this car and of this motion, is each channel where the study has it, and of its sign?"};
 }
 
 }  // namespace fourpost

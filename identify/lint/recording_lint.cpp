@@ -33,21 +33,24 @@ std::vector<MeasuredRun> LintRuns(const RunLint& lint, const std::vector<Measure
   // Of the others signs could not be told from the motion of the posts.
   std::vector<MeasuredRun> sure;
   for (const MeasuredRun& run : runs) {
-    const std::optional<std::string> doubt = PatternDoubt(vehicle, lint.model, run);
-    if (doubt) diagnostics.Warning(study.file.string(), LineOf(study, run.name), *doubt);
-    else sure.push_back(run);
+    const std::optional<PatternFault> fault = PatternDoubt(vehicle, lint.model, run);
+    if (!fault) sure.push_back(run);
+    else if (fault->is_certain && lint.wrong_posts == Severity::kError)
+      diagnostics.Error(study.file.string(), LineOf(study, run.name), fault->text);
+    else diagnostics.Warning(study.file.string(), LineOf(study, run.name), fault->text);
   }
   const std::vector<MeasuredRun> in_band = InBand(sure, study.band_lower_Hz, study.band_upper_Hz);
   LintSigns(vehicle, in_band, ModelledResponses(lint.model, vehicle.sensors, in_band), warnings);
   return sure;
 }
 
-void LintRecordings(const LoadedStudy& study, Diagnostics& diagnostics) {
+void LintRecordings(const LoadedStudy& study, Diagnostics& diagnostics, Severity wrong_posts) {
   if (study.data.runs.empty() && study.data.static_loads.empty()) return;
   const CondensedVehicle condensed(study.vehicle);
   LintWeights(study, condensed, diagnostics);
   const CondensedModel model = condensed.At(study.vehicle.ParameterValues());
-  const std::vector<MeasuredRun> runs = LintRuns({study.study, study.vehicle, model}, study.data.runs, diagnostics);
+  const std::vector<MeasuredRun> runs =
+      LintRuns({study.study, study.vehicle, model, wrong_posts}, study.data.runs, diagnostics);
   ChannelWarnings warnings(study.study.file.string(), study.study.channels, diagnostics);
   LintWheelpans(study.vehicle, runs, ModelledResponses(model, study.vehicle.sensors, runs), warnings);
 }

@@ -9,8 +9,8 @@
 
 namespace fourpost {
 
-/// A load cell that feels a wheelpan the vehicle does not have, or the other way round. `modelled` as ModelledResponses
-/// of the runs.
+/// Load cells that feel wheelpans the vehicle does not have, or the other way round, each kind as one warning.
+/// `modelled` as ModelledResponses of the runs.
 void LintWheelpans(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
                    const std::vector<FrequencyResponse>& modelled, ChannelWarnings& warnings);
 

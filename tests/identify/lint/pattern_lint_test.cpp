@@ -23,7 +23,9 @@ struct Car {
 
   std::optional<std::string> Doubt(MeasuredRun run, const std::vector<double>& told) const {
     run.excitation.shape = told;
-    return PatternDoubt(study.vehicle, model, run);
+    const std::optional<PatternFault> fault = PatternDoubt(study.vehicle, model, run);
+    if (!fault) return std::nullopt;
+    return fault->text;
   }
 
   /// Nothing for one that its posts cannot make.
@@ -95,6 +97,9 @@ TEST(PatternLint, TellsOfAMotionThatAPlanarCarCannotMake) {
     for (std::complex<double>& value : channel.response)
       value = 0.02 * std::complex<double>(draw(engine), draw(engine));
   EXPECT_THAT(planar.Doubt(run, run.excitation.shape).value_or(""), HasSubstr("none that these posts can make"));
+  const std::optional<PatternFault> fault = PatternDoubt(planar.study.vehicle, planar.model, run);
+  ASSERT_TRUE(fault);
+  EXPECT_FALSE(fault->is_certain);
 }
 
 // Rates and masses of a file may be off by a third, and twins have noise.
@@ -115,7 +120,7 @@ TEST(PatternLint, IsSilentAboutNoisyTwinsAndRoughVehicleFiles) {
           for (std::complex<double>& value : channel.response)
             value *= 1.0 + std::complex<double>(noise(engine), noise(engine));
         }
-        EXPECT_EQ(PatternDoubt(car.study.vehicle, car.model, run), std::nullopt);
+        EXPECT_FALSE(PatternDoubt(car.study.vehicle, car.model, run));
       }
     }
   }
@@ -132,6 +137,18 @@ TEST(PatternLint, LeavesSignsAloneWhereTheMotionIsWrong) {
   EXPECT_THAT(diagnostics.items()[0].message,
               AllOf(HasSubstr("recording 'bounce'"), HasSubstr("look like heave (front 1, rear 1)"),
                     Not(HasSubstr("moves against"))));
+}
+
+// Where no one asked to fit all the same.
+TEST(PatternLint, IsAnErrorWhereAskedFor) {
+  LoadedStudy study = ShippedStudy("model1");
+  Diagnostics right;
+  LintRecordings(study, right, Severity::kError);
+  EXPECT_EQ(right.Format(), "");
+  study.data.runs[0].excitation.shape = {1, -1};
+  Diagnostics wrong;
+  LintRecordings(study, wrong, Severity::kError);
+  EXPECT_TRUE(wrong.HasErrors());
 }
 
 TEST(PatternLint, SaysNothingWithoutLowFrequencies) {

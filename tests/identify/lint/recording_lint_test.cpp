@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/lint/channel_warnings.h"
 #include "tests/identify/shipped_study.h"
 #include "vehicles/description/gravity.h"
 
@@ -97,6 +98,21 @@ TEST(RecordingLint, TellsOfAForgottenWheelpan) {
   EXPECT_THAT(Lint(full), testing::ContainsRegex("'F_tyre_FL' feels the inertia of some 2[2-8] kg"));
 }
 
+// One warning for all, with the mass, where it is written, and the sensors that have it.
+TEST_P(EveryStudy, TellsOfWheelpansForgottenOnAllPosts) {
+  LoadedStudy study = ShippedStudy(GetParam());
+  const bool is_planar = study.vehicle.posts.size() == 2;
+  for (std::size_t p = 0; p < study.vehicle.posts.size(); ++p)
+    for (const Sensor& sensor : study.vehicle.sensors)
+      if (sensor.tyre == study.vehicle.posts[p].tyre && sensor.name.starts_with("F_tyre"))
+        AddWheelpan(study, sensor.name, is_planar ? 50 : 25, p);
+  const std::string text = Lint(study);
+  EXPECT_THAT(text, testing::ContainsRegex(is_planar ? "write `wheelpan=\"(4[7-9]|5[0-2]) kg\"` at fp:sensor"
+                                                     : "write `wheelpan=\"2[3-6] kg\"` at fp:sensor"));
+  EXPECT_THAT(text, HasSubstr(is_planar ? "(F_pan_front, F_pan_rear)" : "(F_pan_FL, F_pan_FR, F_pan_RL, F_pan_RR)"));
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
 TEST(RecordingLint, TellsOfAWheelpanTakenOutTwice) {
   LoadedStudy study = ShippedStudy("model1");
   AddWheelpan(study, "F_tyre_rear", -50, 1);
@@ -112,6 +128,23 @@ TEST(RecordingLint, TellsOfLoadsThatNoMassesMake) {
   study = ShippedStudy("model1");
   for (MeasuredLoad& load : study.data.static_loads) load.load_N *= 0.5;
   EXPECT_THAT(Lint(study), AllOf(HasSubstr("at their lower bounds"), HasSubstr("corners or axles left out")));
+}
+
+TEST(ChannelWarnings, TellsHowAStudyTurnsAChannelRound) {
+  ChannelSource turned{.channels = {"a"}};
+  turned.channels[0].factor = -1;
+  ChannelSource late{.channels = {"a"}};
+  late.channels[0].delay_s = 0.01;
+  const ChannelWarnings::Channels channels = {{"x", {.channels = {"a"}}},
+                                              {"f", {.combine = ChannelSource::Combine::kSum, .channels = {"a", "b"}}},
+                                              {"turned", turned},
+                                              {"late", late}};
+  Diagnostics diagnostics;
+  const ChannelWarnings warnings("study.yaml", channels, diagnostics);
+  EXPECT_EQ(warnings.Turned("x"), "x: {channel: a, sign: -1}");
+  EXPECT_EQ(warnings.Turned("f"), "f: {sum: [{channel: a, sign: -1}, {channel: b, sign: -1}]}");
+  EXPECT_EQ(warnings.Turned("turned"), "turned: a");
+  EXPECT_EQ(warnings.Turned("late"), "late: {channel: a, sign: -1, delay: 10 ms}");
 }
 
 }  // namespace
