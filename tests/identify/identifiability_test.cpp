@@ -41,6 +41,17 @@ TEST(Identifiability, AccelerationsLeaveExactlyTheCommonScaleOpen) {
   EXPECT_THAT(RemedyFor(open), testing::HasSubstr("measure a force"));
 }
 
+// Heave and pitch turn a body about its length by nothing but what is not alike on both sides.
+TEST(Identifiability, RollInertiaNeedsRollExcitation) {
+  LoadedStudy study = ShippedStudy("model3");
+  const Identifiability with = Before(study);
+  std::erase_if(study.data.runs, [](const MeasuredRun& run) { return run.name == "roll"; });
+  ASSERT_EQ(study.data.runs.size(), 2U);
+  const Identifiability without = Before(study);
+  EXPECT_THAT(without.weakest.at(0), testing::HasSubstr("_roll"));
+  EXPECT_GT(without.covariance.condition, 5 * with.covariance.condition);
+}
+
 TEST(Identifiability, OneKnownMassClosesTheScale) {
   LoadedStudy study = WithoutForces();
   study.vehicle.parameters[study.free[0]].prior_sd = 10;
