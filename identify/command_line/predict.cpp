@@ -231,8 +231,9 @@ int Run(const PredictCommand& command) {
   if (!command.add_mass.empty()) model.load = AddLoad(command.add_mass, command.at, model.vehicle);
   switch (KindOf(command.recording, model.study)) {
     case RecordingKind::kTime:
-      RequireUnused("--mode", !command.mode.empty(), command.recording,
-                    "is a recording over time, which tells itself how its posts moved");
+      if (!command.mode.empty())
+        std::fprintf(stderr, "--mode: warning: %s tells itself how its posts moved; the option is left out\n",
+                     command.recording.filename().c_str());
       return PredictHistory(command, model);
     case RecordingKind::kFrequency: break;
   }

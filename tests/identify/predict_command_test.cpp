@@ -260,13 +260,19 @@ TEST_F(PredictCommandLine, RefusesWhatIsNoFitOrNoRecording) {
   ExpectRefused("run --recording none.csv", "none.csv");
   ExpectRefused("run --recording study.yaml", "is a study");
   ExpectRefused("run", "--recording is required", 2);
-  ExpectRefused("run --recording other.csv --mode heave",
-                "--mode: error: other.csv is a recording over time, which tells itself how its posts moved", 2);
   temporary_.Write("odd.csv", "x,z\n1,2\n");
   ExpectRefused("run --recording odd.csv", "has neither a column 'time' nor 'frequency_Hz'");
   ExpectRefused("run --recording studies/landrover110/bounce_frf.csv", "is a frequency response");
   temporary_.Write("less.csv", "time,z_ground\ns,m\n0,0\n1,0\n2,0\n3,0\n");
   ExpectRefused("run --recording less.csv", "has none of the channels that the model was fitted to");
+}
+
+TEST_F(PredictCommandLine, SaysThatARecordingOverTimeTellsItsMotionItself) {
+  Fit();
+  const Outcome told = Run("predict run --recording other.csv --mode heave");
+  EXPECT_EQ(told.code, 0);
+  EXPECT_THAT(told.err, HasSubstr("--mode: warning: other.csv tells itself how its posts moved"));
+  EXPECT_EQ(told.out, Run("predict run --recording other.csv").out);
 }
 
 TEST_F(PredictCommandLine, TellsOfAChannelInAnotherUnit) {
