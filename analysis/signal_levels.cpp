@@ -29,8 +29,15 @@ std::size_t ClippedAtTop(std::span<const double> signal, double level) {
   for (std::size_t k = 0; k < signal.size();) {
     std::size_t end = k;
     while (end < signal.size() && signal[end] == top) ++end;
-    const bool steep =
-        (k > 0 && top - signal[k - 1] > 1.5 * level) || (end < signal.size() && top - signal[end] > 1.5 * level);
+    const auto rises = [&](std::size_t reach, double by) { return k >= reach && top - signal[k - reach] > by; };
+    const auto falls = [&](std::size_t reach, double by) {
+      return end + reach <= signal.size() && top - signal[end + reach - 1] > by;
+    };
+    // What just reaches the top before it is clipped leaves it by little: a crest of sixteen samples and more falls by
+    // two levels within an eighth of them.
+    const std::size_t eighth = (end - k) / 8;
+    const bool steep = rises(1, 1.5 * level) || falls(1, 1.5 * level) ||
+                       (eighth > 1 && rises(eighth, 2.5 * level) && falls(eighth, 2.5 * level));
     if (end - k >= kClippedRun && steep) clipped += end - k;
     k = end + 1;
   }

@@ -10,6 +10,7 @@
 #include "analysis/time_recording.h"
 #include "identify/source_recording.h"
 #include "vehicles/bench/bench_unit_check.h"
+#include "vehicles/bench/offset_check.h"
 #include "vehicles/bench/recording_check.h"
 
 namespace fourpost {
@@ -46,7 +47,16 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
   const std::array<RecordedChannel, 2> wanted = {AsRecorded(study.displacement, kLength, "the damper's extension"),
                                                  AsRecorded(study.force, kForce, "the damper's tension")};
   std::optional<TimeRecording> read = ReadTimeRecording(from.file, wanted, diagnostics, TimeColumn(study.time));
-  if (!read || !CheckBenchRecording(*read, length_m, from.file.string(), diagnostics)) return std::nullopt;
+  if (!read) return std::nullopt;
+  // Before anything else, which would be an effect of it.
+  if (study.rig_filter && !(study.rig_filter->cutoff_Hz < read->rate_Hz() / 2)) {
+    diagnostics.Error(from.file.string(), 0,
+                      "is sampled at " + FormatNumber(std::round(read->rate_Hz())) +
+                          " Hz; the cutoff of 'rig_filter' must be below half of that: record faster, at " +
+                          FormatNumber(10 * study.rig_filter->cutoff_Hz) + " Hz or more");
+    return std::nullopt;
+  }
+  if (!CheckBenchRecording(*read, length_m, from.file.string(), diagnostics)) return std::nullopt;
   BenchRecording recording{.name = from.name,
                            .start_s = read->start_s,
                            .sample_s = read->step_s,
@@ -57,12 +67,6 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
   std::vector<double> displacement = std::move(read->channels[0]);
   if (study.rig_filter) {
     const double rate_Hz = 1 / recording.sample_s;
-    if (!(study.rig_filter->cutoff_Hz < rate_Hz / 2)) {
-      diagnostics.Error(from.file.string(), 0,
-                        "is sampled at " + FormatNumber(std::round(rate_Hz)) +
-                            " Hz; the cutoff of 'rig_filter' must be below half of that");
-      return std::nullopt;
-    }
     recording.cutoff_Hz = study.rig_filter->cutoff_Hz;
     recording.filter = LowPass(study.rig_filter->order, study.rig_filter->cutoff_Hz, rate_Hz);
     displacement = RestoredSignal(*recording.filter, displacement);
@@ -75,6 +79,15 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
   }
   recording.motion = MotionThrough(displacement, recording.sample_s);
   return recording;
+}
+
+/// Against the damper at the file's values.
+bool Check(const BenchDamper& damper, const BenchRecording& recording, const std::vector<double>& values,
+           const std::string& file, Diagnostics& diagnostics) {
+  if (!CheckBenchUnits(damper, recording.motion, recording.force, values, file, diagnostics)) return false;
+  CheckBenchOffsets(damper, recording.motion, recording.filter, recording.force, recording.first, recording.end, values,
+                    file, diagnostics);
+  return true;
 }
 
 }  // namespace
@@ -92,8 +105,7 @@ std::optional<BenchData> LoadBenchData(const BenchStudy& study, const std::strin
     for (const BenchStudy::Recording& recording : from) {
       std::optional<BenchRecording> loaded = Load(study, recording, on_bench, diagnostics);
       good = good && loaded;
-      if (loaded && on_bench)
-        good &= CheckBenchUnits(*on_bench, loaded->motion, loaded->force, values, recording.file.string(), diagnostics);
+      if (loaded && on_bench) good &= Check(*on_bench, *loaded, values, recording.file.string(), diagnostics);
       if (loaded) to.push_back(*std::move(loaded));
     }
   };

@@ -5,8 +5,10 @@
 #include <span>
 #include <utility>
 
+#include "analysis/clipping.h"
 #include "analysis/nearest.h"
 #include "analysis/number.h"
+#include "analysis/short_number.h"
 #include "analysis/spectrum.h"
 #include "analysis/time_recording.h"
 #include "analysis/units.h"
@@ -185,31 +187,36 @@ class HistoryLoader {
                             .unit = UnitOf(vehicle_.sensors[sensor].type),
                             .values = WithoutMean(all.segment(history.first, history.count)),
                             .noise_sd = noise[sensor],
-                          .source = source};
+                            .source = source};
       if (signal.Deviation() == 0)
         Fault(source.line, "'" + name + "' does not change in " + study_.file.filename().string() +
                                ": a dead channel tells nothing; leave it out");
-      CheckSaturation(name, source, all);
+      CheckSaturation(name, source, history, all);
       history.signals.push_back(std::move(signal));
     }
   }
 
-  /// A sensor at the end of its range repeats its extreme; a signal turns there within a sample or two.
-  void CheckSaturation(const std::string& name, const ChannelSource& source, const Eigen::VectorXd& values) {
-    constexpr Index kAtOnce = 8;
-    for (const double extreme : {values.minCoeff(), values.maxCoeff()}) {
-      Index longest = 0;
-      Index now = 0;
-      for (const double value : values) {
-        now = value == extreme ? now + 1 : 0;
-        longest = std::max(longest, now);
-      }
-      if (longest >= kAtOnce)
-        diagnostics_.Warning(file_, source.line,
-                             "'" + name + "' stands at its extreme " + FormatNumber(extreme) + " for " +
-                                 std::to_string(longest) + " samples at once in " + study_.file.filename().string() +
-                                 ", as a saturated sensor does: cut the record there, or leave the channel out");
+  /// Of the window.
+  void CheckSaturation(const std::string& name, const ChannelSource& source, const MeasuredHistory& history,
+                       const Eigen::VectorXd& all) {
+    const std::span<const double> values(all.data() + history.first, static_cast<std::size_t>(history.count));
+    const std::optional<Clipping> top = ClippingAtTop(values);
+    const std::optional<Clipping> bottom = ClippingAtBottom(values);
+    if (!top && !bottom) return;
+    std::string where;
+    std::size_t first = values.size();
+    for (const std::optional<Clipping>& side : {top, bottom}) {
+      if (!side) continue;
+      where += (where.empty() ? "" : " and ") + std::to_string(side->samples) + " samples at " +
+               ShortNumber(side->level) + (side->noise == 0 ? "" : " but for noise of " + ShortNumber(side->noise, 2));
+      first = std::min(first, side->first);
     }
+    const std::string at = ShortNumber(history.TimeAt(static_cast<Index>(first)), 5) + " s";
+    diagnostics_.Warning(file_, source.line,
+                         "'" + name + "' stands at its extreme for " + where + " in " +
+                             study_.file.filename().string() + ", the first at " + at +
+                             ", as a saturated sensor does: keep the window clear of it by 'start' and 'end' of the "
+                             "history, or leave the channel out");
   }
 
   const StudyHistory& study_;

@@ -79,6 +79,12 @@ class Info(ProgramTest):
         (refusal,) = self.info("bad.csv", bench(("time", "x", "F"), ("s", "mm", "N"), -1))["refusals"]
         self.assertIn("as that of a damper bench: ", refusal)
         self.assertIn("sign", refusal)
+        # Rows 198 to 227 are missing, and the times go on.
+        rows = bench(("time", "x", "F"), ("s", "mm", "N"), 1).splitlines()
+        kept = rows[2:200] + rows[230:]
+        closed = [f"{k / 500},{row.split(',', 1)[1]}" for k, row in enumerate(kept)]
+        (jump,) = self.info("closed.csv", "\n".join(rows[:2] + closed) + "\n")["refusals"]
+        self.assertIn("displacement jumps by ", jump)
         # The order of the columns does not count.
         swapped = [(t, -300 * math.cos(2 * math.pi * 5.0317 * t), x) for t, x, _ in samples()]
         told = self.info("swapped.csv", table([("time", "F", "x"), ("s", "N", "mm"), *swapped]))

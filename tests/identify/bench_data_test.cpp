@@ -1,6 +1,7 @@
 #include "identify/bench_data.h"
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <sstream>
 
@@ -133,7 +134,8 @@ TEST_F(BenchDataTest, TellsFaultsOfAllRecordings) {
 TEST_F(BenchDataTest, TellsMillimetresForMetresAtSmallStroke) {
   const auto wrong = [](double amplitude_m) { return Recording(20, 1e3 * amplitude_m, amplitude_m); };
   folder_.Write("fast.csv", wrong(1e-3));
-  EXPECT_THAT(Faults(), HasSubstr("fast.csv: error: displacement spans 1.96 m, more than the damper's length of 0.4 m"));
+  EXPECT_THAT(Faults(),
+              HasSubstr("fast.csv: error: displacement spans 1.96 m, more than the damper's length of 0.4 m"));
   diagnostics_ = {};
   folder_.Write("fast.csv", wrong(1e-4));
   EXPECT_THAT(Faults(), AllOf(HasSubstr("fast.csv: error: has a force of 1"), HasSubstr("N rms for a motion of"),
@@ -178,6 +180,51 @@ TEST_F(BenchDataTest, CyclesTellEquivalentDamping) {
   EXPECT_NEAR(cycle.frequency_Hz, 20, 0.02);
   EXPECT_NEAR(cycle.Damping(cycle.modelled), 0.5 * (kBump + kRebound), 0.01 * kRebound);
   EXPECT_NEAR(cycle.Damping(cycle.measured), cycle.Damping(cycle.modelled), 2);
+}
+
+/// Recording(2, 0.01) with these added.
+std::string Offset(double displacement_m, double force_N) {
+  std::istringstream lines(Recording(2, 0.01));
+  std::ostringstream text;
+  text.precision(12);
+  std::string line;
+  for (int row = 0; std::getline(lines, line); ++row) {
+    double t = 0;
+    double x = 0;
+    double force = 0;
+    if (row < 2 || std::sscanf(line.c_str(), "%lf,%lf,%lf", &t, &x, &force) != 3) text << line << '\n';
+    else text << t << ',' << x + displacement_m << ',' << force + force_N << '\n';
+  }
+  return text.str();
+}
+
+TEST_F(BenchDataTest, TellsAnOffsetOfTheForceThatNoGasExplains) {
+  folder_.Write("sine.csv", Offset(0, 200));
+  ASSERT_TRUE(Load());
+  EXPECT_THAT(diagnostics_.Format(), AllOf(HasSubstr("has a force of 2"), HasSubstr("take the load cell's offset off"),
+                                           HasSubstr("'<gas force=...>'")));
+  diagnostics_ = {};
+  // Legitimate of gas, whose force a fit finds.
+  const std::string law = "rebound=\"$rebound\"/>";
+  std::string vehicle = kVehicle;
+  vehicle.replace(vehicle.find(law), law.size(), law + "<gas force=\"1 N\" stiffness=\"1 N/m\"/>");
+  folder_.Write("damper.urdf", vehicle);
+  ASSERT_TRUE(Load());
+  EXPECT_EQ(diagnostics_.Format(), "");
+}
+
+// The window is of no whole cycles. Where a damper is does not matter to its laws of speed, but to a spring beside it.
+TEST_F(BenchDataTest, TellsAnOffsetOfTheDisplacementWhereItMatters) {
+  folder_.Write("sine.csv", Offset(0.05, 0));
+  ASSERT_TRUE(Load());
+  EXPECT_EQ(diagnostics_.Format(), "");
+  const std::string law = "rebound=\"$rebound\"/>";
+  std::string vehicle = kVehicle;
+  vehicle.replace(vehicle.find(law), law.size(), law + "<gas force=\"1 N\" stiffness=\"2 N/mm\"/>");
+  folder_.Write("damper.urdf", vehicle);
+  ASSERT_TRUE(Load());
+  EXPECT_THAT(diagnostics_.Format(),
+              AllOf(HasSubstr("has a displacement about 0.049"), HasSubstr("take the sensor's offset off")));
 }
 
 }  // namespace

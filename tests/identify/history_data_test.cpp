@@ -1,6 +1,7 @@
 #include "identify/history_data.h"
 
 #include <cmath>
+#include <random>
 
 #include <gmock/gmock.h>
 
@@ -156,6 +157,29 @@ TEST_F(HistoryDataTest, WarnsOfASaturatedSensor) {
   recorded_.readings.col(4) = recorded_.readings.col(4).cwiseMin(0.5 * recorded_.readings.col(4).maxCoeff());
   ASSERT_TRUE(Load());
   EXPECT_THAT(diagnostics_.Format(), HasSubstr("study.yaml:5: warning: 'F_tyre' stands at its extreme"));
+}
+
+// Noise that came in behind the sensor; what is told to be done helps.
+TEST_F(HistoryDataTest, WarnsOfASaturatedSensorUnderNoise) {
+  auto force = recorded_.readings.col(4);
+  const double limit = 0.7 * force.maxCoeff();
+  Eigen::Index first = 0;
+  while (force[first] < limit) ++first;
+  const auto clipped = force.cwiseMin(limit).eval();
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> noise(0, 1e-3 * limit);
+  for (Eigen::Index k = 0; k < force.size(); ++k) force[k] += noise(engine);
+  ASSERT_TRUE(Load());
+  EXPECT_EQ(diagnostics_.Format(), "");
+  for (Eigen::Index k = 0; k < force.size(); ++k) force[k] = clipped[k] + noise(engine);
+  ASSERT_TRUE(Load());
+  EXPECT_THAT(diagnostics_.Format(),
+              testing::AllOf(HasSubstr("study.yaml:5: warning: 'F_tyre' stands at its extreme for "),
+                             HasSubstr(" but for noise of "), HasSubstr("by 'start' and 'end' of the history")));
+  diagnostics_ = {};
+  history_.end_s = recorded_.TimeAt(first - 1);
+  ASSERT_TRUE(Load());
+  EXPECT_EQ(diagnostics_.Format(), "");
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ class BenchDamper {
   /// The damper and those beside it.
   const std::vector<Damper>& dampers() const { return dampers_; }
 
+  /// Whether springs or gas act beside it.
+  bool HasSprings() const { return !springs_.empty(); }
+
  private:
   double length_m_ = 0;
   std::vector<Damper> dampers_;

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "analysis/clipping.h"
 #include "analysis/deviation.h"
+#include "analysis/jumps.h"
 #include "analysis/short_number.h"
 #include "analysis/signal_levels.h"
 #include "analysis/spikes.h"
@@ -28,6 +32,16 @@ constexpr double kCoarse = 0.05;
 constexpr double kDrift = 0.05;
 /// Of the force in a cycle: a damper's at half the speed is at least an eighth (cubic law), a dead channel's is noise.
 constexpr double kDead = 0.03;
+/// In a cycle, of the fastest: fewer miss its speed by more than a tenth.
+constexpr double kFewestInCycle = 6;
+
+/// From a turning point to the next but one.
+struct Cycle {
+  std::size_t first = 0;
+  std::size_t samples = 0;
+  double force_N = 0;
+  double speed_mps = 0;
+};
 
 double Span(const Signal& signal) {
   const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
@@ -58,8 +72,6 @@ class Checker {
             " N throughout, whatever the motion: the channel is dead; look at its plug and its amplifier");
       return good_;
     }
-    TellSpikes(x_, "displacement", "m");
-    TellSpikes(force_, "force", "N");
     CheckClipping(x_, "displacement", "m");
     CheckClipping(force_, "force", "N");
     turns_ = TurningPoints(x_);
@@ -69,6 +81,11 @@ class Checker {
             ShortNumber(recording_.end_s - recording_.start_s) + " s; record at least one cycle, better ten");
       return good_;
     }
+    // What follows would see faults in what lies between samples.
+    if (!IsSampledWell()) return good_;
+    CheckJumps();
+    TellSpikes(x_, "displacement", "m");
+    TellSpikes(force_, "force", "N");
     CheckStroke();
     if (good_) CheckAlive();
     if (good_) CheckMotion();
@@ -109,20 +126,47 @@ class Checker {
            " m only, less than any bench is set to: check the row of units");
   }
 
-  /// Whether the force lasts as long as the motion: cycles are compared with a strong one, the ninth of ten.
-  void CheckAlive() {
-    struct Cycle {
-      std::size_t first;
-      double force_N;
-      double speed_mps;
-    };
+  double TimeAt(std::size_t k) const { return recording_.start_s + recording_.step_s * static_cast<double>(k); }
+
+  std::vector<Cycle> Cycles() const {
     std::vector<Cycle> cycles;
     for (std::size_t i = 0; i + 2 < turns_.size(); ++i) {
       const auto [first, last] =
           std::pair(static_cast<std::ptrdiff_t>(turns_[i]), static_cast<std::ptrdiff_t>(turns_[i + 2]));
-      cycles.push_back({turns_[i], Span({force_.begin() + first, force_.begin() + last}),
+      cycles.push_back({turns_[i], turns_[i + 2] - turns_[i], Span({force_.begin() + first, force_.begin() + last}),
                         Span({rate_.begin() + first, rate_.begin() + last})});
     }
+    return cycles;
+  }
+
+  /// By the middle one of the fastest quarter of the cycles.
+  bool IsSampledWell() {
+    std::vector<std::size_t> samples;
+    for (const Cycle& cycle : Cycles()) samples.push_back(cycle.samples);
+    if (samples.empty()) return true;
+    std::sort(samples.begin(), samples.end());
+    const auto count = static_cast<double>(samples[samples.size() / 8]);
+    if (count >= kFewestInCycle) return true;
+    Warn("moves at " + ShortNumber(1 / (count * recording_.step_s), 2) + " Hz and more and is sampled at " +
+         ShortNumber(1 / recording_.step_s) + " Hz, " + ShortNumber(count) +
+         " samples a cycle, between which nobody knows its speed: record with ten a cycle at least");
+    return false;
+  }
+
+  void CheckJumps() {
+    const std::vector<std::size_t> jumps = Jumps(x_);
+    if (jumps.empty()) return;
+    const std::size_t at = jumps.front();
+    Fault("displacement jumps by " + ShortNumber(x_[at + 1] - x_[at]) + " m from one sample to the next at " +
+          ShortNumber(TimeAt(at), 5) + " s" +
+          (jumps.size() > 1 ? " and " + std::to_string(jumps.size() - 1) + " times more" : "") +
+          ", as where samples are missing and the times were closed up: save what lies before and behind as recordings "
+          "of their own");
+  }
+
+  /// Whether the force lasts as long as the motion: cycles are compared with a strong one, the ninth of ten.
+  void CheckAlive() {
+    const std::vector<Cycle> cycles = Cycles();
     if (cycles.empty()) return;
     std::vector<Cycle> by_force = cycles;
     std::sort(by_force.begin(), by_force.end(), [](const Cycle& a, const Cycle& b) { return a.force_N < b.force_N; });
@@ -131,10 +175,13 @@ class Checker {
       return cycle.force_N < kDead * strong.force_N && cycle.speed_mps > 0.5 * strong.speed_mps;
     });
     if (dead == cycles.end()) return;
-    Fault("force stays within " + ShortNumber(dead->force_N) + " N in the cycle that begins at " +
-          ShortNumber(recording_.start_s + recording_.step_s * static_cast<double>(dead->first), 5) +
-          " s, which is as fast as others of " + ShortNumber(strong.force_N) +
-          " N: the channel is dead there; look at its plug, and cut that part out");
+    Fault(
+        "force stays within " + ShortNumber(dead->force_N) + " N in the cycle that begins at " +
+        ShortNumber(TimeAt(dead->first), 5) + " s, which has " +
+        ShortNumber(100 * dead->speed_mps / strong.speed_mps, 2) + " % of the speed of another one of " +
+        ShortNumber(strong.force_N) +
+        " N: the channel is dead there; look at its plug, and save what lies before and behind as recordings of their "
+        "own");
   }
 
   void CheckMotion() {
@@ -166,6 +213,7 @@ class Checker {
   }
 
   void TellDelay(const FastestPhase& fastest) {
+    is_delayed_ = true;
     const bool ahead = fastest.phase_deg > 90;
     Warn("force comes " + ShortNumber(1e3 * std::abs(fastest.Lead_s()), 2) + " ms " + (ahead ? "before" : "after") +
          " the speed at " + ShortNumber(fastest.frequency_Hz, 2) + " Hz, its phase against displacement is " +
@@ -178,24 +226,36 @@ class Checker {
   void TellSpikes(const Signal& signal, const std::string& name, const std::string& unit) {
     const std::vector<std::size_t> spikes = Spikes(signal);
     if (spikes.empty()) return;
-    const double at_s = recording_.start_s + recording_.step_s * static_cast<double>(spikes.front());
     Warn(name +
          (spikes.size() == 1 ? " has a sample that stands out, at "
                              : " has " + std::to_string(spikes.size()) + " samples that stand out, the first at ") +
-         ShortNumber(at_s, 5) + " s with " + ShortNumber(signal[spikes.front()]) + " " + unit +
+         ShortNumber(TimeAt(spikes.front()), 5) + " s with " + ShortNumber(signal[spikes.front()]) + " " + unit +
          ": look at plugs and cables, put the mean of the neighbours there, or fit with 'refine: {loss: "
          "huber}'");
   }
 
   void CheckClipping(const Signal& signal, const std::string& name, const std::string& unit) {
-    const double level = LevelOf(signal);
-    const std::size_t top = ClippedAtTop(signal, level);
-    const std::size_t bottom = ClippedAtBottom(signal, level);
-    if (top + bottom < kFewestClipped) return;
-    const double at = top >= bottom ? *std::max_element(signal.begin(), signal.end())
-                                    : *std::min_element(signal.begin(), signal.end());
-    Fault(name + " is clipped: " + std::to_string(std::max(top, bottom)) + " samples stand at " + ShortNumber(at) +
-          " " + unit + " exactly; record with a wider range, or cut these parts out");
+    const std::optional<Clipping> top = ClippingAtTop(signal);
+    const std::optional<Clipping> bottom = ClippingAtBottom(signal);
+    if (!top && !bottom) return;
+    std::string where;
+    std::size_t first = signal.size();
+    bool is_exact = false;
+    for (const std::optional<Clipping>& side : {top, bottom}) {
+      if (!side) continue;
+      where += (where.empty() ? "" : ", ") + std::to_string(side->samples) + " samples stand at " +
+               ShortNumber(side->level) + " " + unit +
+               (side->noise == 0 ? " exactly" : " but for noise of " + ShortNumber(side->noise, 2) + " " + unit);
+      first = std::min(first, side->first);
+      is_exact = is_exact || side->noise == 0;
+    }
+    const std::string message = name + (is_exact ? " is clipped: " : " looks clipped: ") + where + ", the first at " +
+                                ShortNumber(TimeAt(first), 5) +
+                                " s; record with a wider range, or save the whole cycles between such stretches as "
+                                "recordings of their own";
+    // Noise may hide that a force of friction alone is flat by itself.
+    if (is_exact) Fault(message);
+    else Warn(message);
   }
 
   void CheckLevels() {
@@ -222,7 +282,8 @@ class Checker {
       resting.push_back(0.5 * (force_[turns_[i]] + force_[turns_[i - 1]]));
     }
     TellDrift(middles, Span(x_), "displacement", "m");
-    TellDrift(resting, Span(force_), "force at the turning points", "N");
+    // Of a force that is late it is that of some speed.
+    if (!is_delayed_) TellDrift(resting, Span(force_), "force at the turning points", "N");
   }
 
   void TellDrift(const Signal& values, double span, const std::string& name, const std::string& unit) {
@@ -242,6 +303,7 @@ class Checker {
   const std::string& file_;
   Diagnostics& diagnostics_;
   std::vector<std::size_t> turns_;
+  bool is_delayed_ = false;
   bool good_ = true;
 };
 

@@ -74,7 +74,7 @@ TEST(RecordingCheck, TellsAForceThatDies) {
   std::normal_distribution<double> noise(0, 0.2);
   for (std::size_t k = 2000; k < 3500; ++k) recording.channels[1][k] = 12 + noise(random);
   EXPECT_THAT(FaultOf(recording), AllOf(HasSubstr("in the cycle that begins at 4."),
-                                        HasSubstr("as fast as others of 333 N: the channel is dead there")));
+                                        HasSubstr("of the speed of another one of 333 N: the channel is dead there")));
 }
 
 /// At an eighth of the speed a cubic law has a five-hundredth of the force, which is no fault of the channel.
@@ -134,6 +134,39 @@ TEST(RecordingCheck, TellsClippedForce) {
   Apply(recording.channels[1], [](double value) { return std::min(value, 200.0); });
   EXPECT_THAT(FaultOf(recording), AllOf(HasSubstr("force is clipped: "), HasSubstr("samples stand at 200 N exactly"),
                                         HasSubstr("wider range")));
+}
+
+TEST(RecordingCheck, TellsBothSidesOfAClippedForce) {
+  TimeRecording recording = Good();
+  Apply(recording.channels[1], [](double value) { return std::clamp(value, -70.0, 200.0); });
+  EXPECT_THAT(FaultOf(recording), AllOf(HasSubstr("samples stand at 200 N exactly, "), HasSubstr("at -70 N exactly"),
+                                        HasSubstr("the first at 0 s")));
+}
+
+// What is told to be done leads to recordings that are taken.
+TEST(RecordingCheck, TakesTheWholeCyclesBesideAClippedStretch) {
+  TimeRecording recording = Good();
+  for (std::size_t k = 0; k < recording.samples(); ++k) {
+    double& force = recording.channels[1][k];
+    force = k >= 2000 && k < 3000 ? std::min(force, 200.0) : 0.8 * force;
+  }
+  EXPECT_THAT(FaultOf(recording), HasSubstr("save the whole cycles between such stretches as recordings of their own"));
+  for (std::vector<double>& channel : recording.channels) channel.resize(1900);
+  recording.end_s = recording.time_s(1899);
+  EXPECT_EQ(WarningOf(recording), "");
+}
+
+// Noise that came in behind what clipped.
+TEST(RecordingCheck, TellsClippingUnderNoise) {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> noise(0, 0.3);
+  TimeRecording recording = Good();
+  Apply(recording.channels[1], [&](double value) { return std::min(value, 200.0) + noise(engine); });
+  EXPECT_THAT(WarningOf(recording),
+              AllOf(HasSubstr("force looks clipped: "), HasSubstr("samples stand at 200 N but for noise of 0.")));
+  TimeRecording whole = Good();
+  Apply(whole.channels[1], [&](double value) { return value + noise(engine); });
+  EXPECT_EQ(WarningOf(whole), "");
 }
 
 TEST(RecordingCheck, TellsClippedDisplacementFromBelow) {
@@ -223,6 +256,31 @@ TEST(RecordingCheck, TellsForceThatComesTooEarlyOrTooLateForADamper) {
               AllOf(HasSubstr("force comes 3.8 ms before the speed at 19 Hz"), HasSubstr("and take off the inertia")));
   EXPECT_THAT(WarningOf(Delayed(0.018)),
               AllOf(HasSubstr("force comes 18 ms after the speed at 1"), HasSubstr("one device and one filter")));
+}
+
+TEST(RecordingCheck, ALateForceIsNoDrift) {
+  TimeRecording recording = Delayed(0.018);
+  EXPECT_THAT(WarningOf(recording), Not(HasSubstr("drifts")));
+}
+
+// As where samples are missing and the times were closed up.
+TEST(RecordingCheck, TellsAJump) {
+  TimeRecording recording = Good();
+  for (std::vector<double>& channel : recording.channels) channel.erase(channel.begin() + 1200, channel.begin() + 1350);
+  recording.end_s = recording.time_s(recording.samples() - 1);
+  EXPECT_THAT(FaultOf(recording),
+              AllOf(HasSubstr("displacement jumps by "), HasSubstr("one sample to the next at 2.398 s"),
+                    HasSubstr("as recordings of their own")));
+}
+
+TEST(RecordingCheck, TellsSamplingThatIsTooSlowAndNothingElse) {
+  TimeRecording fast = Delayed(0);
+  TimeRecording slow{.start_s = 0, .end_s = 8, .step_s = 0.04, .channels = {{}, {}}};
+  for (std::size_t k = 0; k < fast.samples(); k += 20)
+    for (const std::size_t c : {0, 1}) slow.channels[c].push_back(fast.channels[c][k]);
+  const std::string told = WarningOf(slow);
+  EXPECT_THAT(told, HasSubstr("is sampled at 25 Hz"));
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 0) << told;
 }
 
 TEST(RecordingCheck, TellsLessThanOneCycle) {

@@ -1,0 +1,84 @@
+#include "vehicles/bench/offset_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "analysis/deviation.h"
+#include "analysis/short_number.h"
+#include "analysis/turning_points.h"
+
+namespace fourpost {
+namespace {
+
+double Span(std::span<const double> signal) {
+  const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
+  return *most - *least;
+}
+
+std::vector<double> AtSamples(const BenchMotion& motion) {
+  std::vector<double> extension;
+  for (std::size_t k = 0; k < motion.extension.size(); k += motion.steps) extension.push_back(motion.extension[k]);
+  return extension;
+}
+
+/// Mean of neighbouring turning points, at one of which friction pulls and at the other pushes, of the slowest quarter
+/// of the half cycles: what lies in line with a dashpot, and filters, turn the force's phase least there.
+double AtRest(std::span<const double> force, const std::vector<std::size_t>& turns) {
+  std::vector<std::size_t> slow;
+  for (std::size_t i = 1; i < turns.size(); ++i) slow.push_back(i);
+  std::stable_sort(slow.begin(), slow.end(),
+                   [&](std::size_t a, std::size_t b) { return turns[a] - turns[a - 1] > turns[b] - turns[b - 1]; });
+  slow.resize((slow.size() + 3) / 4);
+  double sum = 0;
+  for (const std::size_t i : slow) sum += 0.5 * (force[turns[i]] + force[turns[i - 1]]);
+  return sum / static_cast<double>(slow.size());
+}
+
+BenchMotion Centred(BenchMotion motion, double mean) {
+  for (double& value : motion.extension) value -= mean;
+  return motion;
+}
+
+}  // namespace
+
+void CheckBenchOffsets(const BenchDamper& damper, const BenchMotion& motion, const std::optional<LowPass>& filter,
+                       std::span<const double> force, std::size_t first, std::size_t end,
+                       std::span<const double> values, const std::string& file, Diagnostics& diagnostics) {
+  // A linear model of a bilinear damper with a spring in line is off by a tenth at 20 Hz.
+  constexpr double kOfForce = 0.15;
+  std::vector<double> extension = AtSamples(motion);
+  std::vector<double> modelled = damper.Tensions(motion, values);
+  const auto settled = [&](std::span<const double> signal) { return signal.subspan(first, end - first); };
+  if (first >= end || end > force.size() || modelled.size() != force.size()) return;
+  const double mean = Mean(settled(extension));
+  const double stroke = Span(settled(extension));
+  if (filter) {
+    filter->Apply(extension);
+    filter->Apply(modelled);
+  }
+  const std::vector<std::size_t> turns = TurningPoints(settled(extension));
+  const double span = Span(settled(force));
+  if (turns.size() < 2 || span == 0) return;
+  const double rest = AtRest(settled(force), turns);
+  if (!damper.HasSprings() && std::abs(rest - AtRest(settled(modelled), turns)) > kOfForce * span)
+    diagnostics.Warning(file, 0,
+                        "has a force of " + ShortNumber(rest) +
+                            " N in the mean of its turning points, where it is at " + "rest, of a span of " +
+                            ShortNumber(span) +
+                            " N, and the damper of the vehicle file has no gas or spring that makes it: take the load "
+                            "cell's offset off, or give the damper '<gas force=...>' with a parameter to fit");
+  if (std::abs(mean) <= stroke) return;
+  std::vector<double> centred = damper.Tensions(Centred(motion, mean), values);
+  if (filter) filter->Apply(centred);
+  double most = 0;
+  for (std::size_t k = first; k < std::min(end, centred.size()); ++k)
+    most = std::max(most, std::abs(centred[k] - modelled[k]));
+  if (centred.size() == modelled.size() && most <= kOfForce * span) return;
+  diagnostics.Warning(file, 0,
+                      "has a displacement about " + ShortNumber(mean) + " m, of a span of " + ShortNumber(stroke) +
+                          " m, and what the vehicle file has on the bench acts otherwise there than about mid-stroke: "
+                          "take the sensor's offset off, or check that the recording is of such a place");
+}
+
+}  // namespace fourpost
