@@ -28,6 +28,14 @@ std::map<ChannelGroup, double> MeanErrors(const std::vector<Json>& channels) {
   return means;
 }
 
+std::map<ChannelGroup, double> SineErrors(const std::vector<Json>& recordings) {
+  std::map<ChannelGroup, double> errors;
+  for (const Json& recording : recordings)
+    if (const double error = NumberAt(recording, "nmse_percent"); std::isfinite(error))
+      errors[{TextAt(recording, "name"), "all channels"}] = error;
+  return errors;
+}
+
 /// `data`: one per run.
 void NumberData(const std::vector<Json>& data, std::vector<ComparedRun>& runs) {
   std::vector<Json> known;
@@ -70,6 +78,7 @@ ComparedRun RunOf(const std::string& folder, RunContents contents, Json& data) {
     run.parameters = ReportedParameters(run.result, run.contents);
     run.fitted = MeanErrors(ListAt(run.result, "channels"));
     run.predicted = MeanErrors(ListAt(run.result, "validation"));
+    run.sines = SineErrors(ListAt(run.result, "recordings"));
     data = FittedData(run.result, run.contents);
   } catch (const Json::exception& fault) {
     Diagnostics faults;

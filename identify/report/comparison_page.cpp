@@ -27,9 +27,11 @@ std::string Curves(const OrderedJson& curves, const std::string& part, const std
 }
 
 std::string Errors(const std::vector<ComparedRun>& runs) {
+  const std::string sines = ErrorTableHtml(runs, &ComparedRun::sines);
   const std::string fitted = ErrorTableHtml(runs, &ComparedRun::fitted);
   const std::string predicted = ErrorTableHtml(runs, &ComparedRun::predicted);
   std::string html;
+  if (!sines.empty()) html += "<h3>Recordings of stepped sines that were fitted</h3>\n" + sines;
   if (!fitted.empty()) html += "<h3>What was fitted</h3>\n" + fitted;
   if (!predicted.empty()) html += "<h3>What the fit has not seen</h3>\n" + predicted;
   return html +

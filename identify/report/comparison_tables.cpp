@@ -115,7 +115,8 @@ std::string RunTableHtml(const std::vector<ComparedRun>& runs) {
          "loss; cost" +
          (has_criteria ? ", AICc and BIC compare" : " compares") +
          " within a letter only. Misfit: times what noise and the stated model error explain. Fitted and predicted: "
-         "NMSE, means over groups of channels, of what each run was fitted to, and of recordings that it has not seen. "
+         "NMSE, means over its own groups of channels, of what each run was fitted to, and of recordings that it has "
+         "not seen. "
          "Agree: refinements that end in the same optimum." +
          (has_criteria ? "" : " AICc and BIC are told of dampers on a bench.") + "</p>\n";
 }

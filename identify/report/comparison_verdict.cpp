@@ -24,16 +24,25 @@ double MeanOver(const std::vector<ChannelGroup>& groups, const std::map<ChannelG
 
 std::string Name(const ComparedRun& run) { return html::Element("strong", "", html::Escaped(run.name)); }
 
+/// What errors are means over.
+struct Noun {
+  std::string one;
+  std::string several;
+};
+
+const Noun kChannels = {"group of channels", "groups of channels"};
+
 /// "X fits best: 0.9 % ..., next Y with 1.2 %".
 std::string Best(const std::vector<ComparedRun>& runs, const std::vector<ChannelGroup>& groups, Errors errors,
-                 const std::string& verb) {
+                 const std::string& verb, const Noun& noun) {
   std::vector<std::pair<double, const ComparedRun*>> order;
   for (const ComparedRun& run : runs) order.emplace_back(MeanOver(groups, run.*errors), &run);
   std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   const auto& [least, best] = order[0];
-  const std::string over = " % mean NMSE over the " +
-                           (groups.size() == 1 ? "one group" : std::to_string(groups.size()) + " groups") +
-                           " of channels that all runs have";
+  const std::string over =
+      " % mean NMSE over the " +
+      (groups.size() == 1 ? "one " + noun.one : std::to_string(groups.size()) + ' ' + noun.several) +
+      " that all runs have";
   if (order[1].first <= least * (1 + kSame))
     return Name(*best) + " and " + Name(*order[1].second) + ' ' + verb + " alike: " + ShownNumber(least, 3) + over +
            ". ";
@@ -59,6 +68,17 @@ std::string Text(const ModelRanking& ranking) {
   return text;
 }
 
+/// Of runs of one set of recordings by groups of channels, of others by the stepped sines that all of them saw.
+std::optional<std::string> WhichFitsBest(const std::vector<ComparedRun>& runs) {
+  const bool is_same = std::all_of(
+      runs.begin(), runs.end(), [&](const ComparedRun& run) { return run.Recordings() == runs.front().Recordings(); });
+  const std::vector<ChannelGroup> groups = CommonGroups(runs, &ComparedRun::fitted);
+  if (is_same && !groups.empty()) return Best(runs, groups, &ComparedRun::fitted, "fit", kChannels);
+  const std::vector<ChannelGroup> sines = CommonGroups(runs, &ComparedRun::sines);
+  if (sines.empty()) return std::nullopt;
+  return Best(runs, sines, &ComparedRun::sines, "fit", {"recording", "recordings"});
+}
+
 /// What the runs do not share.
 std::string Doubts(const std::vector<ComparedRun>& runs) {
   std::string text;
@@ -73,17 +93,15 @@ std::string Doubts(const std::vector<ComparedRun>& runs) {
 
 std::string VerdictHtml(const std::vector<ComparedRun>& runs, const std::optional<ModelRanking>& ranking) {
   if (runs.size() < 2) return "";
-  const std::vector<ChannelGroup> fitted = CommonGroups(runs, &ComparedRun::fitted);
   const std::vector<ChannelGroup> predicted = CommonGroups(runs, &ComparedRun::predicted);
-  std::string text;
-  if (fitted.empty()) text += "No channel was fitted by all runs: nothing tells which fits best. ";
-  else text += Best(runs, fitted, &ComparedRun::fitted, "fit");
+  const std::optional<std::string> fits = WhichFitsBest(runs);
+  std::string text = fits.value_or("No recording was fitted by all runs: nothing tells which fits best. ");
   if (predicted.empty())
     text += "No recording was kept from all fits and foretold by all: nothing tells which foretells best. ";
-  else text += Best(runs, predicted, &ComparedRun::predicted, "foretell");
+  else text += Best(runs, predicted, &ComparedRun::predicted, "foretell", kChannels);
   if (ranking) text += Text(*ranking);
   else if (!predicted.empty()) text += Text(RankByPrediction(runs, predicted));
-  const bool tells = ranking || !fitted.empty() || !predicted.empty();
+  const bool tells = ranking || fits || !predicted.empty();
   const std::string doubts = Doubts(runs);
   return html::Element("p", tells ? "verdict good" : "verdict open", text) + '\n' +
          (doubts.empty() ? "" : html::Element("p", "note", doubts) + '\n');

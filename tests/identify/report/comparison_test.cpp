@@ -172,6 +172,19 @@ TEST(ComparisonVerdict, SaysWhatCannotBeCompared) {
                     Not(HasSubstr("To take"))));
 }
 
+// Roll is harder than bounce: who fits it as well does not fit worse.
+TEST(ComparisonVerdict, ComparesByTheStepsThatAllRunsSaw) {
+  Json planar = Result("planar", 1, 5);
+  planar["recordings"] = {{{"name", "bounce"}, {"nmse_percent", 2}}};
+  Json whole = Result("whole", 9, 5);
+  whole["recordings"] = {{{"name", "bounce"}, {"nmse_percent", 1}}, {{"name", "roll"}, {"nmse_percent", 30}}};
+  const std::vector<ComparedRun> runs = Runs({planar, whole});
+  EXPECT_THAT(VerdictHtml(runs, std::nullopt),
+              HasSubstr("<strong>whole</strong> fits best: 1.00 % mean NMSE over the one recording that all runs have, "
+                        "next planar with 2.00 %"));
+  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::sines), HasSubstr("<td>roll</td><td><code>all channels</code></td>"));
+}
+
 TEST(ComparisonVerdict, TakesTheRankingOfDampers) {
   const ModelRanking ranking{.models = {}, .reason = "a <reason>", .remarks = {"A doubt."}};
   EXPECT_THAT(VerdictHtml(Runs({Result("one", 3, 5), Result("two", 4, 6)}), ranking),
