@@ -27,7 +27,7 @@ const SvgStyle kModelled{.label = "modelled", .color = "#D55E00", .mark = SvgMar
 
 /// Of many cycles, the model's within the measured ones.
 const SvgStyle kManyMeasured{.label = "measured", .color = "#A8A8A8", .mark = SvgMark::kDots, .width = 5};
-const SvgStyle kManyModelled{.label = "modelled", .color = "#D55E00", .mark = SvgMark::kDots, .width = 1.8};
+const SvgStyle kManyModelled{.label = "modelled", .color = "#D55E00", .mark = SvgMark::kDots, .width = 2.6};
 /// Of the panels that hold all recordings [px].
 constexpr double kWide = 400;
 constexpr double kHigh = 240;

@@ -40,7 +40,9 @@ FitResult FitWithProgress(const VehicleObjective& objective, const FitOptions& o
   FitHooks hooks;
   hooks.progress = [&](const FitProgress& progress) { line.Show(ProgressText(progress, options, line.seconds())); };
   hooks.stop = Interrupted;
-  return Fit(objective, options, hooks, &store);
+  FitResult fit = Fit(objective, options, hooks, &store);
+  line.ShowNext("the fit is done; what it foretells, and its report, are computed");
+  return fit;
 }
 
 }  // namespace fourpost

@@ -39,6 +39,12 @@ void ProgressLine::Show(const std::string& text) {
   std::fflush(stderr);
 }
 
+void ProgressLine::ShowNext(const std::string& text) {
+  if (seconds() < kPlainInterval_s) return;
+  shown_ = start_;
+  Show(text);
+}
+
 double ProgressLine::seconds() const { return Seconds(Clock::now() - start_); }
 
 std::string TimeLeft(double share, double seconds) {

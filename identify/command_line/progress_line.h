@@ -18,6 +18,9 @@ class ProgressLine {
   /// Shows the text, unless the last one is too fresh to be replaced.
   void Show(const std::string& text);
 
+  /// Shows at once what comes next, after a task that was long enough to be told of.
+  void ShowNext(const std::string& text);
+
   /// Since construction.
   double seconds() const;
 

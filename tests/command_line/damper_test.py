@@ -21,10 +21,10 @@ class Damper(ProgramTest):
 
     def fit(self, model):
         study = self.folder / f"studies/damper/{model}.yaml"
-        text = study.read_text()
-        self.assertEqual(text.count("search: {seed: 1}"), 1)
+        text, count = re.subn(r"search: \{seed: 1.*\}", "search: {seed: 1, starts: 1, evaluations: 60}", study.read_text())
+        self.assertEqual(count, 1)
         # The file's values and one point of the search find the optimum, too, for two fifths of the time.
-        study.write_text(text.replace("search: {seed: 1}", "search: {seed: 1, starts: 1}"))
+        study.write_text(text)
         self.run_program("fit", study, "-o", model)
         return json.loads((self.folder / model / "result.json").read_text())
 
@@ -34,6 +34,16 @@ class Damper(ProgramTest):
         self.assertEqual(errors, sorted(errors, reverse=True))
         for error, printed in zip(errors, THESIS):
             self.assertLess(abs(error / printed - 1), 0.25, errors)
+
+    def test_friction_and_knees_are_what_the_thesis_s_models_lack(self):
+        """They leave less than a tenth of Model 5's error, of unseen sines, which are small in noise, a quarter, and are chosen."""
+        poor, good = self.fit("model5"), self.fit("friction_knees")
+        self.assertLess(sweep_error(good), 0.1 * sweep_error(poor))
+        for with_them, without in zip(good["validation"], poor["validation"]):
+            self.assertEqual(with_them["recording"], without["recording"])
+            self.assertLess(with_them["nmse_percent"], 0.25 * without["nmse_percent"], with_them["recording"])
+        ranking = json.loads(self.run_program("rank", "model5", "friction_knees", "--json").stdout)
+        self.assertEqual(ranking["chosen"], "friction_knees")
 
     def test_law_is_pasted_into_a_vehicle(self):
         """The quarter car with the law in place of its own damper moves as with the fitted rates set."""
@@ -55,12 +65,27 @@ class Damper(ProgramTest):
                          self.run_program("simulate", "urdf/quarter_car.urdf", *drive, *rates).stdout)
 
     def test_pictures_show_measured_and_modelled(self):
+        """Dots and a line in every panel, both where the damper's forces are: extremes as near as the model's 1.2 %."""
         self.fit("model2")
-        for picture in ("diagrams.svg", "frequency.svg", "equivalent.svg"):
-            root = xml.parse(self.folder / "model2" / picture).getroot()
+        for picture, measured, least in (("diagrams", "#888888", 10), ("frequency", None, 0), ("equivalent", "#A8A8A8", 100)):
+            root = xml.parse(self.folder / f"model2/{picture}.svg").getroot()
             texts = {"".join(e.itertext()) for e in root.iter() if e.tag.endswith("text")}
             for word in ("measured", "modelled"):
                 self.assertTrue(any(word in text for text in texts), (picture, word, texts))
+            panels = [element for element in root.iter() if element.tag.endswith("svg")][1:]
+            self.assertGreater(len(panels), 1, picture)
+            for panel in panels if measured else ():
+                paths = {path.get("stroke"): path.get("d") for path in panel}
+                for colour in (measured, "#D55E00"):
+                    self.assertGreater(len(re.findall("[ML]", paths[colour])), least, (picture, colour))
+        # The second pair of the diagrams is the sweep about 2 Hz, where the model holds.
+        diagrams = xml.parse(self.folder / "model2/diagrams.svg").getroot()
+        panel = [element for element in diagrams.iter() if element.tag.endswith("svg")][3]
+        heights = {path.get("stroke"): [float(y) for y in re.findall(r"[ML][\d.-]+ ([\d.-]+)", path.get("d"))] for path in panel}
+        span = max(heights["#888888"]) - min(heights["#888888"])
+        self.assertGreater(span, 20)
+        for end in (min, max):
+            self.assertLess(abs(end(heights["#888888"]) - end(heights["#D55E00"])), 0.05 * span)
 
 
 if __name__ == "__main__":

@@ -6,14 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <matio.h>
-
+#include "analysis/mat_file.h"
 #include "analysis/time_recording.h"
 #include "identify/bench_data.h"
 #include "identify/bench_residuals.h"
@@ -28,16 +26,10 @@ namespace {
 
 using namespace fourpost;
 
-struct Close {
-  void operator()(mat_t* file) const { Mat_Close(file); }
-  void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
-};
-
-std::vector<double> Column(mat_t& file, const char* name) {
-  const std::unique_ptr<matvar_t, Close> variable(Mat_VarRead(&file, name));
-  if (!variable || variable->class_type != MAT_C_DOUBLE) throw std::runtime_error(std::string("has no ") + name);
-  const auto* numbers = static_cast<const double*>(variable->data);
-  return {numbers, numbers + variable->nbytes / sizeof(double)};
+const std::vector<double>& Column(const std::vector<MatVector>& vectors, const std::string& name) {
+  for (const MatVector& vector : vectors)
+    if (vector.name == name) return vector.values;
+  throw std::runtime_error("has no " + name);
 }
 
 /// Without the first fifth, in which the table starts, and without mean values, which the sensors' zeros decide.
@@ -50,11 +42,12 @@ std::vector<double> Used(std::vector<double> values, double si) {
 }
 
 TimeRecording Read(const std::filesystem::path& path) {
-  const std::unique_ptr<mat_t, Close> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
-  if (!file) throw std::runtime_error("is no MAT file");
-  const std::vector<double> times = Column(*file, "Tout");
+  Diagnostics diagnostics;
+  const std::optional<std::vector<MatVector>> vectors = ReadMatFile(path, diagnostics);
+  if (!vectors) throw FaultyInput(diagnostics);
+  const std::vector<double>& times = Column(*vectors, "Tout");
   TimeRecording recording{.step_s = (times.back() - times.front()) / static_cast<double>(times.size() - 1)};
-  recording.channels = {Used(Column(*file, "dist"), 1e-3), Used(Column(*file, "forc"), 1)};
+  recording.channels = {Used(Column(*vectors, "dist"), 1e-3), Used(Column(*vectors, "forc"), 1)};
   recording.end_s = recording.step_s * static_cast<double>(recording.samples() - 1);
   return recording;
 }
