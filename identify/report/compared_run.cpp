@@ -8,6 +8,7 @@
 
 #include "analysis/diagnostics.h"
 #include "identify/report/fitted_data.h"
+#include "identify/report/shown_number.h"
 
 namespace fourpost {
 namespace {
@@ -28,11 +29,19 @@ std::map<ChannelGroup, double> MeanErrors(const std::vector<Json>& channels) {
   return means;
 }
 
-std::map<ChannelGroup, double> SineErrors(const std::vector<Json>& recordings) {
+/// "0.5 to 12 Hz"
+std::string BandOf(const Json& result) {
+  const std::vector<Json> band = ListAt(result, "band_Hz");
+  if (band.size() != 2 || !band[0].is_number() || !band[1].is_number()) return "";
+  return ShownShort(band[0].get<double>(), 4) + " to " + ShownShort(band[1].get<double>(), 4) + " Hz";
+}
+
+/// Errors over other bands are other groups.
+std::map<ChannelGroup, double> SineErrors(const Json& result) {
   std::map<ChannelGroup, double> errors;
-  for (const Json& recording : recordings)
+  for (const Json& recording : ListAt(result, "recordings"))
     if (const double error = NumberAt(recording, "nmse_percent"); std::isfinite(error))
-      errors[{TextAt(recording, "name"), "all channels"}] = error;
+      errors[{TextAt(recording, "name"), BandOf(result)}] = error;
   return errors;
 }
 
@@ -78,7 +87,7 @@ ComparedRun RunOf(const std::string& folder, RunContents contents, Json& data) {
     run.parameters = ReportedParameters(run.result, run.contents);
     run.fitted = MeanErrors(ListAt(run.result, "channels"));
     run.predicted = MeanErrors(ListAt(run.result, "validation"));
-    run.sines = SineErrors(ListAt(run.result, "recordings"));
+    run.sines = SineErrors(run.result);
     data = FittedData(run.result, run.contents);
   } catch (const Json::exception& fault) {
     Diagnostics faults;

@@ -31,7 +31,7 @@ struct ComparedRun {
   /// Mean normalised mean square errors [%].
   std::map<ChannelGroup, double> fitted;
   std::map<ChannelGroup, double> predicted;
-  /// Likewise of each fitted stepped sine, all its channels together; none of runs of older versions.
+  /// Likewise of each fitted stepped sine over the run's band, all its channels together; none of older versions.
   std::map<ChannelGroup, double> sines;
   /// Runs of the same number were fitted to the same data, weighed alike, see FittedData: their costs can be compared.
   std::size_t data = 0;

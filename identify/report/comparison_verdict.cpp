@@ -14,6 +14,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// Errors this close are one.
 constexpr double kSame = 1e-2;
 
+using Json = nlohmann::json;
 using Errors = std::map<ChannelGroup, double> ComparedRun::*;
 
 double MeanOver(const std::vector<ChannelGroup>& groups, const std::map<ChannelGroup, double>& errors) {
@@ -68,10 +69,16 @@ std::string Text(const ModelRanking& ranking) {
   return text;
 }
 
-/// Of runs of one set of recordings by groups of channels, of others by the stepped sines that all of them saw.
+/// Recordings, their bytes, and the band.
+bool SawTheSame(const ComparedRun& a, const ComparedRun& b) {
+  const auto is_same = [&](const char* key) { return a.result.value(key, Json()) == b.result.value(key, Json()); };
+  return a.Recordings() == b.Recordings() && is_same("fitted_files") && is_same("band_Hz");
+}
+
+/// Of runs that saw the same by groups of channels, of others by stepped sines that all of them saw over one band.
 std::optional<std::string> WhichFitsBest(const std::vector<ComparedRun>& runs) {
-  const bool is_same = std::all_of(
-      runs.begin(), runs.end(), [&](const ComparedRun& run) { return run.Recordings() == runs.front().Recordings(); });
+  const bool is_same =
+      std::all_of(runs.begin(), runs.end(), [&](const ComparedRun& run) { return SawTheSame(run, runs.front()); });
   const std::vector<ChannelGroup> groups = CommonGroups(runs, &ComparedRun::fitted);
   if (is_same && !groups.empty()) return Best(runs, groups, &ComparedRun::fitted, "fit", kChannels);
   const std::vector<ChannelGroup> sines = CommonGroups(runs, &ComparedRun::sines);
@@ -95,7 +102,8 @@ std::string VerdictHtml(const std::vector<ComparedRun>& runs, const std::optiona
   if (runs.size() < 2) return "";
   const std::vector<ChannelGroup> predicted = CommonGroups(runs, &ComparedRun::predicted);
   const std::optional<std::string> fits = WhichFitsBest(runs);
-  std::string text = fits.value_or("No recording was fitted by all runs: nothing tells which fits best. ");
+  std::string text =
+      fits.value_or("No recording was fitted by all runs over one band: nothing tells which fits best. ");
   if (predicted.empty())
     text += "No recording was kept from all fits and foretold by all: nothing tells which foretells best. ";
   else text += Best(runs, predicted, &ComparedRun::predicted, "foretell", kChannels);

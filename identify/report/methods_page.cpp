@@ -64,7 +64,7 @@ double MeanSeconds(const MethodSummary& method) {
 }
 
 std::string MethodTable(const Comparison& comparison, bool time) {
-  std::vector<std::string> head = {"method",    "solved", "share, 95 %",     "evaluations",
+  std::vector<std::string> head = {"method",    "solved", "share, 95 %", "evaluations",
                                    "a success", "95 %",   "median cost", "worst cost"};
   if (time) head.emplace_back("processor, s");
   head.emplace_back("ended by");

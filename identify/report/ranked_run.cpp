@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "identify/report/run_result.h"
 
@@ -34,11 +36,11 @@ std::optional<FittedModel> ModelOf(const ComparedRun& run) {
                      .termination = TextAt(run.result, "termination")};
 }
 
-/// What was kept for validation: recordings and their bytes.
-Json ValidationOf(const ComparedRun& run) {
-  Json kept = Json::array();
-  for (const Json& channel : ListAt(run.result, "validation")) kept.push_back(TextAt(channel, "recording"));
-  for (const Json& file : ListAt(run.result, "validation_files")) kept.push_back(TextAt(file, "sha256"));
+/// What was kept for validation: recordings and their bytes, in whichever order the study has them.
+std::multiset<std::string> ValidationOf(const ComparedRun& run) {
+  std::multiset<std::string> kept;
+  for (const Json& channel : ListAt(run.result, "validation")) kept.insert(TextAt(channel, "recording"));
+  for (const Json& file : ListAt(run.result, "validation_files")) kept.insert(TextAt(file, "sha256"));
   return kept;
 }
 

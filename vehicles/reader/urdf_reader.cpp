@@ -197,7 +197,7 @@ void CheckMeshes(const UrdfTree& tree, FileFaults& faults) {
     if (filename.empty() || !checked.insert(filename).second) continue;
     const std::filesystem::path path = MeshPath(faults.file(), filename);
     const bool is_address = filename.find("://") != std::string::npos;
-    if (!is_address && !std::filesystem::is_regular_file(path)) {
+    if (!is_address && !std::filesystem::exists(path)) {
       faults.Warning(LineOf(*mesh),
                      "mesh '" + filename + "' is missing: no file " + path.string() + "; pictures are without it");
       continue;

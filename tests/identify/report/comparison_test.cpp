@@ -182,7 +182,9 @@ TEST(ComparisonVerdict, ComparesByTheStepsThatAllRunsSaw) {
   EXPECT_THAT(VerdictHtml(runs, std::nullopt),
               HasSubstr("<strong>whole</strong> fits best: 1.00 % mean NMSE over the one recording that all runs have, "
                         "next planar with 2.00 %"));
-  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::sines), HasSubstr("<td>roll</td><td><code>all channels</code></td>"));
+  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::sines), HasSubstr("<td>roll</td><td><code>1 to 12 Hz</code></td>"));
+  whole["band_Hz"] = {0.5, 30};
+  EXPECT_THAT(VerdictHtml(Runs({planar, whole}), std::nullopt), HasSubstr("nothing tells which fits best"));
 }
 
 TEST(ComparisonVerdict, TakesTheRankingOfDampers) {

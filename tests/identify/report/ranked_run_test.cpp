@@ -73,6 +73,13 @@ TEST_F(FittedModelsTest, MustBeOfTheSameBytes) {
   EXPECT_THAT(diagnostics_.Format(), HasSubstr("than a: errors and criteria compare models of the same data only"));
 }
 
+TEST_F(FittedModelsTest, MayHaveTheirValidationInAnotherOrder) {
+  std::swap(other_["validation"][0], other_["validation"][1]);
+  std::swap(other_["validation_files"][0], other_["validation_files"][1]);
+  Models();
+  EXPECT_FALSE(diagnostics_.HasErrors()) << diagnostics_.Format();
+}
+
 TEST_F(FittedModelsTest, MustBeOfTheSameValidation) {
   other_["validation_files"][1]["sha256"] = "04";
   Models();
