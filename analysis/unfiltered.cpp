@@ -67,4 +67,8 @@ std::vector<double> Unfiltered(std::span<const double> filtered, const LowPass& 
   return record;
 }
 
+std::vector<double> Unfiltered(std::span<const double> filtered, const LowPass& filter, double cutoff) {
+  return Unfiltered(filtered, filter, std::min(0.4, 1.5 * cutoff), std::min(0.5, 2.5 * cutoff));
+}
+
 }  // namespace fourpost

@@ -15,4 +15,8 @@ namespace fourpost {
 /// Throws std::invalid_argument for an empty record and unless 0 < passes < stops <= 1/2.
 std::vector<double> Unfiltered(std::span<const double> filtered, const LowPass& filter, double passes, double stops);
 
+/// The same up to one and a half times the filter's cutoff (cycles per sample), faded out up to two and a half times,
+/// where a filter of fourth order has left a fortieth.
+std::vector<double> Unfiltered(std::span<const double> filtered, const LowPass& filter, double cutoff);
+
 }  // namespace fourpost

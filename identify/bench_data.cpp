@@ -6,7 +6,7 @@
 
 #include "analysis/nearest.h"
 #include "analysis/number.h"
-#include "analysis/restored_signal.h"
+#include "analysis/unfiltered.h"
 #include "analysis/time_recording.h"
 #include "identify/source_recording.h"
 #include "vehicles/bench/bench_unit_check.h"
@@ -69,9 +69,9 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
     const double rate_Hz = 1 / recording.sample_s;
     recording.cutoff_Hz = study.rig_filter->cutoff_Hz;
     recording.filter = LowPass(study.rig_filter->order, study.rig_filter->cutoff_Hz, rate_Hz);
-    displacement = RestoredSignal(*recording.filter, displacement);
+    displacement = Unfiltered(displacement, *recording.filter, study.rig_filter->cutoff_Hz / rate_Hz);
     recording.first = recording.filter->SettlingSamples(kForgotten);
-    recording.end -= std::min<std::size_t>(recording.end, kRestoringReach);
+    recording.end -= std::min(recording.end, recording.first);
     if (recording.first >= recording.end) {
       diagnostics.Error(from.file.string(), 0, "is over before the filter of the rig has settled; record longer");
       return std::nullopt;

@@ -1,12 +1,16 @@
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "analysis/output_folder.h"
+#include "identify/bench_result.h"
 #include "identify/channel_json.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/history_table.h"
 #include "identify/command_line/inputs_elsewhere.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/misfit_table.h"
@@ -14,6 +18,7 @@
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/responses.h"
 #include "identify/command_line/solve_sweep.h"
+#include "identify/history_residuals.h"
 #include "identify/lint/recording_lint.h"
 #include "identify/loaded_study.h"
 #include "identify/misfit.h"
@@ -77,6 +82,40 @@ void Write(const ResponseCommand& command, const LoadedStudy& loaded, const std:
   std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
 }
 
+/// How the vehicle as it stands misses recordings over time, kept for validation or not; empty without any.
+std::string OverTime(const LoadedStudy& loaded) {
+  const std::vector<double> values = loaded.vehicle.ParameterValues();
+  std::vector<HistoryMisfit> misfits;
+  const auto add = [&](const std::vector<HistoryMisfit>& more) {
+    misfits.insert(misfits.end(), more.begin(), more.end());
+  };
+  if (loaded.bench) {
+    const BenchDamper damper(loaded.vehicle, loaded.bench->damper);
+    for (const auto* recordings : {&loaded.bench->fitted, &loaded.bench->validation})
+      add(BenchMisfits(ModelledRecordings(damper, *recordings, values)));
+  }
+  const auto condensed = std::make_shared<const CondensedVehicle>(loaded.vehicle);
+  for (const auto* histories : {&loaded.histories, &loaded.validation})
+    if (!histories->empty())
+      add(HistoryMisfits(*histories, HistoryResiduals(condensed, *histories, {}).Modelled(values)));
+  return misfits.empty() ? "" : HistoryTable(misfits);
+}
+
+/// Of a study without stepped sines.
+int TellOverTime(const ResponseCommand& command, const LoadedStudy& loaded) {
+  Diagnostics diagnostics;
+  for (const auto& [option, is_used] : {std::pair{"--json", command.json},
+                                        {"--output", !command.output.empty()},
+                                        {"--engine", command.engine.has_value()}})
+    if (is_used)
+      diagnostics.Error(option, 0,
+                        "is for stepped sines, which this study does not have; leave it out for the errors "
+                        "of its recordings, or `fourpost fit` it");
+  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+  Print(OverTime(loaded));
+  return kGood;
+}
+
 }  // namespace
 
 int RespondToStudy(const ResponseCommand& command) {
@@ -85,6 +124,7 @@ int RespondToStudy(const ResponseCommand& command) {
   if (!loaded) throw FaultyInput(diagnostics);
   LintRecordings(*loaded, diagnostics);
   Tell(diagnostics);
+  if (loaded->data.runs.empty()) return TellOverTime(command, *loaded);
   if (!command.output.empty()) {
     RequireInputsElsewhere(InputsOf(*loaded), command.output);
     OutputFolder{command.output};
@@ -101,7 +141,8 @@ int RespondToStudy(const ResponseCommand& command) {
   runs.resize(modelled.size());
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(runs, modelled);
   if (!command.output.empty()) Write(command, *loaded, runs, modelled, misfits);
-  Print(command.json ? AsJson(runs, modelled, misfits) : MisfitTable(misfits, RecordingMisfits(runs, modelled)));
+  Print(command.json ? AsJson(runs, modelled, misfits)
+                     : MisfitTable(misfits, RecordingMisfits(runs, modelled)) + OverTime(*loaded));
   return is_whole ? kGood : kInterrupted;
 }
 

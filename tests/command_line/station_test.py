@@ -53,6 +53,12 @@ class Station(ProgramTest):
                 without = float(table["model3", recording][channel])
                 self.assertLess(errors[channel], 0.1 * without, (recording, channel))
 
+    def test_response_tells_what_the_vehicle_as_it_stands_misses(self):
+        study = self.folder / "studies/single_wheel_station/model1.yaml"
+        answer = self.run_program("response", study).stdout
+        self.assertEqual(len(re.findall("^sweep_12mm ", answer, flags=re.M)), len(CHANNELS), answer)
+        self.assertIn("is for stepped sines", self.run_program("response", study, "--json", code=2).stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

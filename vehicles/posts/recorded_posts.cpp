@@ -18,9 +18,7 @@ namespace {
 constexpr double kLead_s = 2;
 
 std::vector<double> TakenBack(const std::vector<double>& heights, double step, const LowPassDesign& filter) {
-  const double cutoff = filter.cutoff_Hz * step;
-  return Unfiltered(heights, LowPass(filter.order, filter.cutoff_Hz, 1 / step), std::min(0.4, 1.5 * cutoff),
-                    std::min(0.5, 2.5 * cutoff));
+  return Unfiltered(heights, LowPass(filter.order, filter.cutoff_Hz, 1 / step), filter.cutoff_Hz * step);
 }
 
 /// Lead-in and record as one spline: from rest by the polynomial of least order that meets height and velocity with no
