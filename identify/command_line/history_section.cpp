@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <iterator>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "identify/command_line/fit_section.h"
@@ -45,6 +48,27 @@ void AddMotions(const CondensedModel& model, const HistoryResiduals& residuals, 
   }
 }
 
+/// A fit stands though its vehicle cannot go through what was kept for validation.
+void AddValidation(const LoadedStudy& loaded, const std::shared_ptr<const CondensedVehicle>& condensed,
+                   const FitResult& fit, FitSection& section, std::vector<RecordedHistory>& motions) {
+  FitSection validation;
+  try {
+    const HistoryResiduals residuals(condensed, loaded.validation, {});
+    validation.misfits.validation = Show(loaded, residuals, fit, false, "validation", validation);
+    AddMotions(condensed->At(fit.values), residuals, motions);
+  } catch (const std::runtime_error& failure) {
+    section.findings.Warning(loaded.study.file.string(), 0,
+                             std::string("what was kept for validation cannot be foretold by the fitted vehicle: ") +
+                                 failure.what() + "; `fourpost check` of the vehicle.urdf of the results tells more");
+    return;
+  }
+  section.misfits.validation = std::move(validation.misfits.validation);
+  section.text += "Not fitted:\n" + validation.text;
+  for (const Diagnostic& finding : validation.findings.items())
+    section.findings.Warning(finding.file, finding.line, finding.message);
+  std::move(validation.files.begin(), validation.files.end(), std::back_inserter(section.files));
+}
+
 }  // namespace
 
 FitSection HistorySection(const LoadedStudy& loaded, const FitResult& fit) {
@@ -59,12 +83,7 @@ FitSection HistorySection(const LoadedStudy& loaded, const FitResult& fit) {
     section.misfits.histories = Show(loaded, residuals, fit, predicts, "history", section);
     AddMotions(model, residuals, motions);
   }
-  if (!loaded.validation.empty()) {
-    section.text += "Not fitted:\n";
-    const HistoryResiduals residuals(condensed, loaded.validation, {});
-    section.misfits.validation = Show(loaded, residuals, fit, false, "validation", section);
-    AddMotions(model, residuals, motions);
-  }
+  if (!loaded.validation.empty()) AddValidation(loaded, condensed, fit, section, motions);
   // A report cannot compute it anew: the folder of a run has no recordings.
   section.files.emplace_back("motion.csv", MotionCsv(loaded.vehicle, motions));
   return section;

@@ -146,7 +146,8 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters)
                      rows) +
          "<p class=\"note\">Bar: interval of 95 %, with an arrow where it reaches beyond a bound; dot: fitted value; "
          "tick: start. \"sd, %\": of the value, or of the range where the bounds are of either sign. Deviations are "
-         "scaled up by what the model misses beyond noise and stated model error.</p>\n";
+         "scaled up by what the model misses beyond noise and stated model error; what a richer model would say they "
+         "do not know.</p>\n";
 }
 
 std::string ProfileTableHtml(const Json& result, const RunContents& run) {
