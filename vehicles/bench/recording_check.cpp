@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "analysis/clipping.h"
 #include "analysis/deviation.h"
 #include "analysis/jumps.h"
@@ -275,24 +277,29 @@ class Checker {
   void CheckDrift() {
     constexpr std::size_t kFewest = 12;
     if (turns_.size() < kFewest) return;
+    Signal places;
     Signal middles;
     Signal resting;
     for (std::size_t i = 1; i < turns_.size(); ++i) {
+      places.push_back(0.5 * static_cast<double>(turns_[i] + turns_[i - 1]));
       middles.push_back(0.5 * (x_[turns_[i]] + x_[turns_[i - 1]]));
       resting.push_back(0.5 * (force_[turns_[i]] + force_[turns_[i - 1]]));
     }
-    TellDrift(middles, Span(x_), "displacement", "m");
+    TellDrift(places, middles, Span(x_), "displacement", "m");
     // Of a force that is late it is that of some speed.
-    if (!is_delayed_) TellDrift(resting, Span(force_), "force at the turning points", "N");
+    if (!is_delayed_) TellDrift(places, resting, Span(force_), "force at the turning points", "N");
   }
 
-  void TellDrift(const Signal& values, double span, const std::string& name, const std::string& unit) {
-    const std::span<const double> all(values);
-    const double before = Mean(all.first(values.size() / 3));
-    const double after = Mean(all.last(values.size() / 3));
-    if (std::abs(after - before) < kDrift * span) return;
-    Warn(name + " drifts by " + ShortNumber(after - before) + " " + unit + " of a span of " + ShortNumber(span) + " " +
-         unit + ": warm the amplifier and the damper up, or take the drift out");
+  /// By a straight line through the values over their places in the recording: turning points crowd where it is fast.
+  void TellDrift(const Signal& places, const Signal& values, double span, const std::string& name,
+                 const std::string& unit) {
+    const Eigen::Map<const Eigen::ArrayXd> at(places.data(), static_cast<Eigen::Index>(places.size()));
+    const Eigen::Map<const Eigen::ArrayXd> value(values.data(), static_cast<Eigen::Index>(values.size()));
+    const Eigen::ArrayXd off = at - at.mean();
+    const double drift = (off * (value - value.mean())).sum() / off.square().sum() * static_cast<double>(x_.size());
+    if (std::abs(drift) < kDrift * span) return;
+    Warn(name + " drifts by " + ShortNumber(drift) + " " + unit + " from begin to end, of a span of " +
+         ShortNumber(span) + " " + unit + ": warm the amplifier and the damper up, or take the drift out");
   }
 
   double longest_stroke_m_;
