@@ -202,7 +202,11 @@ TEST_F(BenchDataTest, TellsAnOffsetOfTheForceThatNoGasExplains) {
   folder_.Write("sine.csv", Offset(0, 200));
   ASSERT_TRUE(Load());
   EXPECT_THAT(diagnostics_.Format(), AllOf(HasSubstr("has a force of 2"), HasSubstr("take the load cell's offset off"),
-                                           HasSubstr("'<gas force=...>'")));
+                                           HasSubstr("gas would push, and this pulls")));
+  diagnostics_ = {};
+  folder_.Write("sine.csv", Offset(0, -200));
+  ASSERT_TRUE(Load());
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("or give the damper '<gas force=...>'"));
   diagnostics_ = {};
   // Legitimate of gas, whose force a fit finds.
   const std::string law = "rebound=\"$rebound\"/>";

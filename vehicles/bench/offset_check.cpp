@@ -64,10 +64,12 @@ void CheckBenchOffsets(const BenchDamper& damper, const BenchMotion& motion, con
   if (!damper.HasSprings() && std::abs(rest - AtRest(settled(modelled), turns)) > kOfForce * span)
     diagnostics.Warning(file, 0,
                         "has a force of " + ShortNumber(rest) +
-                            " N in the mean of its turning points, where it is at " + "rest, of a span of " +
+                            " N in the mean of its turning points, where it is at rest, of a span of " +
                             ShortNumber(span) +
                             " N, and the damper of the vehicle file has no gas or spring that makes it: take the load "
-                            "cell's offset off, or give the damper '<gas force=...>' with a parameter to fit");
+                            "cell's offset off" +
+                            (rest < 0 ? ", or give the damper '<gas force=...>' with a parameter to fit"
+                                      : "; gas would push, and this pulls"));
   if (std::abs(mean) <= stroke) return;
   std::vector<double> centred = damper.Tensions(Centred(motion, mean), values);
   if (filter) filter->Apply(centred);
