@@ -118,11 +118,14 @@ double LargestGain(const Vehicle& vehicle, const char* pattern, const std::strin
   return largest;
 }
 
-// Warp twists the axles against each other and leaves the body nearly where it is; roll takes it along.
-TEST(Landrover110Engine, BodyStaysInWarpAndGoesAlongInRoll) {
+// Warp twists the axles against each other, whose moments on the body nearly cancel; roll takes it along. Told at a
+// corner: the centre of gravity is nearly a node of both.
+TEST(Landrover110Engine, BodyRollsLessInWarpThanInRoll) {
   const Vehicle vehicle = ShippedVehicle(kCar);
-  EXPECT_GT(LargestGain(vehicle, "roll", "a_body_FL"), 1);
-  EXPECT_LT(LargestGain(vehicle, "warp", "a_cg"), 0.3 * LargestGain(vehicle, "heave", "a_cg"));
+  const double roll = LargestGain(vehicle, "roll", "a_body_FL");
+  EXPECT_GT(roll, 2);
+  // 0.30; 1 of a body that warp took along as roll does.
+  EXPECT_LT(LargestGain(vehicle, "warp", "a_body_FL"), 0.5 * roll);
   // Struts move as the axles do.
   EXPECT_GT(LargestGain(vehicle, "warp", "s_strut_RL"), 0.3);
 }
