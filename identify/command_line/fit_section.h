@@ -16,7 +16,7 @@ struct FitSection {
   /// Tables for the terminal.
   std::string text;
   Misfits misfits;
-  /// What the recordings can hardly be so of.
+  /// Warnings of recordings that can hardly be right, judged after the fit.
   Diagnostics findings;
   /// Names in the folder of the results, and what they hold.
   std::vector<std::pair<std::string, std::string>> files;

@@ -48,7 +48,7 @@ std::string KindOf(const std::string& unit) {
   return "turn rates";
 }
 
-/// "6 channels (2 forces, 4 displacements): in 'roll' 6, in 'bounce' 2"
+/// "6 channels (4 displacements, 2 forces; 2 in 'bounce', 6 in 'roll')"
 std::string Groups(const std::vector<Finding>& findings) {
   std::map<std::string, std::set<std::string>> kinds;
   std::map<std::string, int> recordings;
