@@ -72,16 +72,17 @@ class FittedLoads {
   const CondensedVehicle& condensed_;
 };
 
-/// What all loads add up to where the fit leaves them out [N].
-struct WeightInMotion {
-  double weight = 0;
+/// What the loads are where the fit leaves them out [N].
+struct LoadsInMotion {
+  Eigen::VectorXd loads;
+  /// Of their sum.
   double sd = 0;
 };
 
 /// One step of Gauss and Newton's from the optimum without the loads' residuals. With S the deviations of the
 /// parameters, R their correlations, and B the derivatives of the loads' residuals by p/S: the rest of the data has the
 /// Hessian S^-1 (R^-1 - B'B) S^-1. Nothing where the rest does not tell the weight.
-std::optional<WeightInMotion> WeightWithoutLoads(const FitResult& fit, const FittedLoads& loads) {
+std::optional<LoadsInMotion> LoadsWithoutThemselves(const FitResult& fit, const FittedLoads& loads) {
   const auto is_known = [](const FittedParameter& parameter) {
     return parameter.sd > 0 && std::isfinite(parameter.sd);
   };
@@ -96,14 +97,16 @@ std::optional<WeightInMotion> WeightWithoutLoads(const FitResult& fit, const Fit
   const Eigen::MatrixXd b = loads.Deviations().cwiseInverse().asDiagonal() * slopes;
   const Eigen::MatrixXd rest = Correlations(*fit.covariance).inverse() - b.transpose() * b;
   const Eigen::LDLT<Eigen::MatrixXd> solver(rest);
+  // Pivots of the Land Rover: 0.06 and more with tyre forces, 8e-5 without, where the deviation says so by itself, 700
+  // kg. Only rounding is that far below.
   constexpr double kUntold = 1e-9;
   if (!rest.allFinite() || solver.info() != Eigen::Success || !(solver.vectorD().minCoeff() > kUntold))
     return std::nullopt;
   const Eigen::VectorXd sum = slopes.colwise().sum();
   const Eigen::VectorXd step =
       solver.solve(b.transpose() * loss.Transformed(residuals).cwiseProduct(loss.Slopes(residuals)));
-  return WeightInMotion{.weight = loads.Modelled().sum() + sum.dot(step),
-                        .sd = inflation * std::sqrt(sum.dot(solver.solve(sum)))};
+  return LoadsInMotion{.loads = loads.Modelled() + slopes * step,
+                       .sd = inflation * std::sqrt(sum.dot(solver.solve(sum)))};
 }
 
 /// Corners that were weighed: a load of a planar car is the sum of two.
@@ -113,28 +116,55 @@ std::size_t Corners(const LoadedStudy& study) {
   return corners;
 }
 
+/// Deviations by which models miss the weight by forces in motion when the loads are right, at most: of the shipped
+/// recordings of the Land Rover 4.6 by Model 1, 6.5 (5.8 %) by Model 2, 1.9 by Model 3.
+constexpr double kMissed = 6.5;
+
+/// Whether the loads differ from those in motion all alike: without the one that differs most, the rest still does by
+/// more than models miss. Wheelpans of 25 kg on all posts of the Land Rover leave 6.9 deviations and more there, one
+/// cell 1000 N off 5.7 at most by Models 1 and 3. Not told apart by Model 2, which misses by 6.5 itself: 7.5.
+bool IsShared(const Eigen::VectorXd& measured, const LoadsInMotion& motion) {
+  const double sign = measured.sum() > motion.loads.sum() ? 1 : -1;
+  const Eigen::VectorXd off = sign * (measured - motion.loads);
+  Eigen::Index most = 0;
+  const double largest = off.maxCoeff(&most);
+  const double rest = measured.sum() - measured[most];
+  return (off.sum() - largest) * measured.sum() > kMissed * motion.sd * rest;
+}
+
+/// "between 57 and 320 kg", what the loads have too much or too little
+std::string RangeOf(double off_N, double sd_N) {
+  const auto kg = [](double force) { return ShortNumber(force / kGravity, 2); };
+  return "between " + kg(std::abs(off_N) - kMissed * sd_N) + " and " + kg(std::abs(off_N) + kMissed * sd_N) + " kg";
+}
+
 /// Whether it had something to tell.
 bool LintWeight(const LoadedStudy& study, const FitResult& fit, const FittedLoads& loads, Diagnostics& diagnostics) {
-  // Models miss forces in motion by more than deviations know. Right recordings of the Land Rover by Models 1 to 3: up
-  // to 6.5 deviations, 5.8 %; with wheelpans weighed along on all posts: 8.9 and more, 5.3 %.
+  // Beyond what models miss; 25 kg on all posts are 8.9 and more.
   constexpr double kFarOffHere = 8;
+  static_assert(kFarOffHere > kMissed);
+  // 25 kg on each post are 4.5 % of the Land Rover, and found as 5.3 % and more: less is no wheelpan, however small the
+  // deviations of recordings without noise.
   constexpr double kFarOffShare = 0.03;
-  const std::optional<WeightInMotion> motion = WeightWithoutLoads(fit, loads);
+  const std::optional<LoadsInMotion> motion = LoadsWithoutThemselves(fit, loads);
   if (!motion) return false;
-  const double rest = loads.Measured().sum();
-  const double more = rest - motion->weight;
+  const Eigen::VectorXd measured = loads.Measured();
+  const double rest = measured.sum();
+  const double more = rest - motion->loads.sum();
   if (std::abs(more) < kFarOffShare * rest || std::abs(more) < kFarOffHere * motion->sd) return false;
-  const std::size_t corners = Corners(study);
-  const std::string each = ShortNumber(std::abs(more) / kGravity / static_cast<double>(corners), 2);
+  if (!IsShared(measured, *motion)) return false;
+  const std::string range = RangeOf(more, motion->sd) + " in all";
+  const std::string corners = std::to_string(Corners(study)) + " loads";
   diagnostics.Warning(
       study.study.static_loads_file->string(), 0,
       "the static loads add up to " + ShortNumber(rest / kGravity, 4) + " kg, forces in motion alone tell " +
-          ShortNumber(motion->weight / kGravity, 4) + " kg (sd " + ShortNumber(motion->sd / kGravity, 2) + "): " +
-          (more > 0 ? "some " + each + " kg on each of " + std::to_string(corners) +
-                          " loads are weighed along or not tared, such as wheelpans: take them out of the values "
-                          "there, or see whether the scale of the load cells in motion is right"
-                    : "some " + each + " kg are missing on each of " + std::to_string(corners) +
-                          " loads, or the scale of the load cells in motion is wrong"));
+          ShortNumber(motion->loads.sum() / kGravity, 4) + " kg (sd " + ShortNumber(motion->sd / kGravity, 2) +
+          "; models miss it by up to " + ShortNumber(kMissed, 2) + " sd with right loads): " +
+          (more > 0
+               ? range + " are weighed along or not tared on the " + corners +
+                     ", such as wheelpans: weigh one, or see the rig's drawing, and take its mass out of the "
+                     "values there; or see whether the scale of the load cells in motion is right"
+               : range + " are missing on the " + corners + ", or the scale of the load cells in motion is wrong"));
   return true;
 }
 
