@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 
 namespace fourpost {
 
@@ -25,5 +26,22 @@ struct Clipping {
 /// span, where a force of friction looks the same.
 std::optional<Clipping> ClippingAtTop(std::span<const double> signal);
 std::optional<Clipping> ClippingAtBottom(std::span<const double> signal);
+
+/// Of a signal that is clipped at one end at least.
+struct ClippedEnds {
+  std::optional<Clipping> top;
+  std::optional<Clipping> bottom;
+
+  /// Whether one stands at one value exactly: noise may hide that a force of friction alone is flat by itself.
+  bool is_exact() const;
+  /// The first sample of both.
+  std::size_t first() const;
+  /// "is clipped: 30 samples stand at 200 N exactly, the first at 1.5 s"; "looks clipped: ..." under noise. `first_s`:
+  /// when first() was.
+  std::string Text(const std::string& unit, double first_s) const;
+};
+
+/// Nothing where neither end is clipped.
+std::optional<ClippedEnds> ClippingAtEnds(std::span<const double> signal);
 
 }  // namespace fourpost

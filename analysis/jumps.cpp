@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/median.h"
 #include "analysis/spikes.h"
 
 namespace fourpost {
@@ -12,11 +13,6 @@ namespace {
 /// The two steps before step k and the two after it.
 std::array<double, 4> StepsAbout(std::span<const double> steps, std::size_t k) {
   return {steps[k - 2], steps[k - 1], steps[k + 1], steps[k + 2]};
-}
-
-double Median(std::array<double, 4> values) {
-  std::sort(values.begin(), values.end());
-  return 0.5 * (values[1] + values[2]);
 }
 
 /// By which the steps before, and those behind, differ from each other.
@@ -32,17 +28,15 @@ double Fastest(std::vector<double> steps) {
   return *ninth;
 }
 
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 std::vector<std::size_t> Jumps(std::span<const double> signal) {
+  // The greatest distance was 0.08 of it in the shipped bench recordings, 1.4 in sweeps down to six samples a cycle and
+  // 3.2 in white noise; 18 where 4 % of a cycle was missing.
   constexpr double kOfFastest = 8;
+  // White noise reached 4; sweeps, of which most is slow, 29: the other two hold them.
   constexpr double kDeviations = 12 * 1.4826;
+  // Smooth signals reached 1.1; noise 27, which the other two hold.
   constexpr double kOfUnrest = 5;
   if (signal.size() < 6) return {};
   std::vector<double> steps(signal.size() - 1);

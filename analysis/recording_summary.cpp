@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/median.h"
 #include "analysis/recorded_unit.h"
 #include "analysis/signal_levels.h"
 #include "analysis/time_recording.h"
@@ -26,12 +27,6 @@ std::optional<std::size_t> TimesOf(const RecordedTable& table) {
     if (const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column)); unit && unit->dimension == kTime)
       return column;
   return std::nullopt;
-}
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double Unevenness(const std::vector<double>& times) {

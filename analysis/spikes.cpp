@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/median.h"
+
 namespace fourpost {
 namespace {
 
@@ -12,14 +14,7 @@ constexpr std::size_t kReach = 2;
 double MedianAbout(std::span<const double> signal, std::size_t k) {
   std::array<double, 2 * kReach + 1> near;
   std::copy_n(signal.begin() + static_cast<std::ptrdiff_t>(k - kReach), near.size(), near.begin());
-  std::nth_element(near.begin(), near.begin() + kReach, near.end());
-  return near[kReach];
-}
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return Median(near);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/median.h"
 #include "analysis/nearest.h"
 #include "analysis/number.h"
 #include "analysis/recorded_table.h"
@@ -15,12 +16,6 @@ namespace {
 
 /// So many of a kind are told one by one.
 constexpr int kMostFindings = 5;
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Rounded to what a file may tell.
 std::string Seconds(double time_s) { return FormatNumber(std::round(1e9 * time_s), -9) + " s"; }

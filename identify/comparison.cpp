@@ -5,6 +5,7 @@
 #include <limits>
 #include <mutex>
 
+#include "analysis/median.h"
 #include "analysis/option_check.h"
 #include "analysis/thread_time.h"
 #include "identify/search/parallel.h"
@@ -44,12 +45,6 @@ RunOutcome OutcomeOf(const FinishedRun& run, double target) {
   const std::int64_t evaluations = solved ? reached->paid : run.paid;
   const double share = run.paid > 0 ? static_cast<double>(evaluations) / static_cast<double>(run.paid) : 1;
   return {.evaluations = evaluations, .solved = solved, .cost = run.cost(), .seconds = share * run.seconds};
-}
-
-double Median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 double ExpectedEvaluations(double evaluations, std::int64_t successes) {
