@@ -11,9 +11,24 @@
 #include "analysis/turning_points.h"
 
 namespace fourpost {
-namespace {
 
-FastestPhase PhaseOf(std::span<const double> x, std::span<const double> force, double step_s) {
+double ShareOfMotion(std::span<const double> x, std::span<const double> v, std::span<const double> force) {
+  const auto count = static_cast<Eigen::Index>(force.size());
+  const Eigen::Map<const Eigen::ArrayXd> displacement(x.data(), count);
+  const Eigen::Map<const Eigen::ArrayXd> rate(v.data(), count);
+  Eigen::MatrixXd motion(count, 5);
+  motion << Eigen::ArrayXd::Ones(count), displacement, rate, rate.abs(), rate.sign();
+  // Columns alike in size.
+  for (Eigen::Index j = 0; j < motion.cols(); ++j)
+    if (const double size = motion.col(j).norm(); size > 0) motion.col(j) /= size;
+  const Eigen::VectorXd wanted = Eigen::Map<const Eigen::VectorXd>(force.data(), count).array() - Mean(force);
+  const double variance = wanted.squaredNorm();
+  if (variance == 0) return 0;
+  const Eigen::VectorXd left = wanted - motion * motion.colPivHouseholderQr().solve(wanted);
+  return 1 - left.squaredNorm() / variance;
+}
+
+MotionPhase PhaseOf(std::span<const double> x, std::span<const double> force, double step_s) {
   const double x_mean = Mean(x);
   const double force_mean = Mean(force);
   double squares = 0;
@@ -32,28 +47,10 @@ FastestPhase PhaseOf(std::span<const double> x, std::span<const double> force, d
           .phase_deg = std::atan2(dissipated / rate_squares * w, stored / squares) * 180 / std::numbers::pi};
 }
 
-}  // namespace
-
-double ShareOfMotion(std::span<const double> x, std::span<const double> v, std::span<const double> force) {
-  const auto count = static_cast<Eigen::Index>(force.size());
-  const Eigen::Map<const Eigen::ArrayXd> displacement(x.data(), count);
-  const Eigen::Map<const Eigen::ArrayXd> rate(v.data(), count);
-  Eigen::MatrixXd motion(count, 5);
-  motion << Eigen::ArrayXd::Ones(count), displacement, rate, rate.abs(), rate.sign();
-  // Columns alike in size.
-  for (Eigen::Index j = 0; j < motion.cols(); ++j)
-    if (const double size = motion.col(j).norm(); size > 0) motion.col(j) /= size;
-  const Eigen::VectorXd wanted = Eigen::Map<const Eigen::VectorXd>(force.data(), count).array() - Mean(force);
-  const double variance = wanted.squaredNorm();
-  if (variance == 0) return 0;
-  const Eigen::VectorXd left = wanted - motion * motion.colPivHouseholderQr().solve(wanted);
-  return 1 - left.squaredNorm() / variance;
-}
-
-std::optional<FastestPhase> PhaseOfFastest(std::span<const double> x, std::span<const double> force, double step_s) {
+std::optional<MotionPhase> PhaseOfFastest(std::span<const double> x, std::span<const double> force, double step_s) {
   constexpr std::size_t kFewestSamples = 8;
   const std::vector<std::size_t> turns = TurningPoints(x);
-  std::vector<FastestPhase> cycles;
+  std::vector<MotionPhase> cycles;
   for (std::size_t i = 2; i < turns.size(); ++i) {
     const std::size_t count = turns[i] - turns[i - 2] + 1;
     if (count >= kFewestSamples)
@@ -61,11 +58,11 @@ std::optional<FastestPhase> PhaseOfFastest(std::span<const double> x, std::span<
   }
   if (cycles.empty()) return std::nullopt;
   std::sort(cycles.begin(), cycles.end(),
-            [](const FastestPhase& a, const FastestPhase& b) { return a.frequency_Hz > b.frequency_Hz; });
+            [](const MotionPhase& a, const MotionPhase& b) { return a.frequency_Hz > b.frequency_Hz; });
   cycles.resize((cycles.size() + 3) / 4);
   const auto middle = cycles.begin() + static_cast<std::ptrdiff_t>(cycles.size() / 2);
   std::nth_element(cycles.begin(), middle, cycles.end(),
-                   [](const FastestPhase& a, const FastestPhase& b) { return a.phase_deg < b.phase_deg; });
+                   [](const MotionPhase& a, const MotionPhase& b) { return a.phase_deg < b.phase_deg; });
   return *middle;
 }
 

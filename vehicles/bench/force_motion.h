@@ -10,10 +10,10 @@ namespace fourpost {
 /// force.
 double ShareOfMotion(std::span<const double> x, std::span<const double> v, std::span<const double> force);
 
-/// Phase of a force against the extension in its fastest cycles. What only stores and dissipates has first harmonics
+/// Phase of a force against the extension. What only stores and dissipates has first harmonics
 /// F/X = k + i w c with k, c >= 0, between 0 and 90 degrees: a dashpot in line with a spring falls behind the speed,
 /// never before it, and never as far as the extension.
-struct FastestPhase {
+struct MotionPhase {
   double frequency_Hz = 0;
   double phase_deg = 0;
 
@@ -21,8 +21,11 @@ struct FastestPhase {
   double Lead_s() const { return (phase_deg - 90) / 360 / frequency_Hz; }
 };
 
-/// The median of the fastest quarter of the cycles, from k = sum F x / sum x^2 and c = sum F v / sum v^2 of each, x and
-/// F without their means, w = rms(v)/rms(x). Nothing without eight samples in one of them.
-std::optional<FastestPhase> PhaseOfFastest(std::span<const double> x, std::span<const double> force, double step_s);
+/// Over all samples, from k = sum F x / sum x^2 and c = sum F v / sum v^2, x and F without their means,
+/// w = rms(v)/rms(x), v by central differences.
+MotionPhase PhaseOf(std::span<const double> x, std::span<const double> force, double step_s);
+
+/// The median of the fastest quarter of the cycles. Nothing without eight samples in one of them.
+std::optional<MotionPhase> PhaseOfFastest(std::span<const double> x, std::span<const double> force, double step_s);
 
 }  // namespace fourpost

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,8 +35,17 @@ constexpr double kCoarse = 0.05;
 constexpr double kDrift = 0.05;
 /// Of the force in a cycle: a damper's at half the speed is at least an eighth (cubic law), a dead channel's is noise.
 constexpr double kDead = 0.03;
-/// In a cycle, of the fastest: fewer miss its speed by more than a tenth.
+/// In a cycle, of the fastest: a spline, which the model follows, has the speed of a sine to 1 % from six samples on,
+/// to 2 % from five and to 5 % from four, 3 sin a / (a (2 + cos a)), a = 2 pi / samples; what follows needs them at any
+/// phase.
 constexpr double kFewestInCycle = 6;
+/// Of two a cycle and less the speed has any sign, of swept sines at 25 to 500 Hz all was judged right from three on.
+constexpr double kFewestToJudge = 3;
+/// A sample next to the crest of a sine is off it by 1 - cos(2 pi / samples), from ten on by less than a tenth of the
+/// span, which Spikes takes for one.
+constexpr double kFewestForCrests = 10;
+/// The same of a cubic law's force, 1 - cos^3. Forces at turning points, too, were told to drift at ten.
+constexpr double kFewestForForce = 17;
 
 /// From a turning point to the next but one.
 struct Cycle {
@@ -83,17 +93,18 @@ class Checker {
             ShortNumber(recording_.end_s - recording_.start_s) + " s; record at least one cycle, better ten");
       return good_;
     }
-    // What follows would see faults in what lies between samples.
-    if (!IsSampledWell()) return good_;
+    CheckSampling();
     CheckJumps();
-    TellSpikes(x_, "displacement", "m");
-    TellSpikes(force_, "force", "N");
+    // What is swapped or of a wrong unit shows at any rate.
+    if (samples_in_cycle_ >= kFewestForCrests) TellSpikes(x_, "displacement", "m");
+    if (samples_in_cycle_ >= kFewestForForce) TellSpikes(force_, "force", "N");
     CheckStroke();
+    if (samples_in_cycle_ < kFewestToJudge) return good_;
     if (good_) CheckAlive();
     if (good_) CheckMotion();
     if (good_) CheckWork();
-    CheckLevels();
-    if (good_) CheckDrift();
+    if (IsSampledWell()) CheckLevels();
+    if (good_ && samples_in_cycle_ >= kFewestForForce) CheckDrift();
     return good_;
   }
 
@@ -141,18 +152,20 @@ class Checker {
     return cycles;
   }
 
+  bool IsSampledWell() const { return samples_in_cycle_ >= kFewestInCycle; }
+
   /// By the middle one of the fastest quarter of the cycles.
-  bool IsSampledWell() {
+  void CheckSampling() {
     std::vector<std::size_t> samples;
     for (const Cycle& cycle : Cycles()) samples.push_back(cycle.samples);
-    if (samples.empty()) return true;
+    if (samples.empty()) return;
     std::sort(samples.begin(), samples.end());
     const auto count = static_cast<double>(samples[samples.size() / 8]);
-    if (count >= kFewestInCycle) return true;
+    samples_in_cycle_ = count;
+    if (IsSampledWell()) return;
     Warn("moves at " + ShortNumber(1 / (count * recording_.step_s), 2) + " Hz and more and is sampled at " +
          ShortNumber(1 / recording_.step_s) + " Hz, " + ShortNumber(count) +
          " samples a cycle, between which nobody knows its speed: record with ten a cycle at least");
-    return false;
   }
 
   void CheckJumps() {
@@ -197,13 +210,14 @@ class Checker {
   /// Whether force acts against the motion, and at the time when a damper's does.
   void CheckWork() {
     const double power = Power();
-    const std::optional<FastestPhase> fastest = PhaseOfFastest(x_, force_, recording_.step_s);
-    const double phase_deg = fastest ? fastest->phase_deg : 90;
+    const std::optional<MotionPhase> fastest = PhaseOfFastest(x_, force_, recording_.step_s);
+    const double phase_deg = fastest ? fastest->phase_deg : PhaseOf(x_, force_, recording_.step_s).phase_deg;
     // A delay turns the phase bit by bit, the wrong sign by half a turn.
     if (power < 0 && phase_deg < -45)
       return Fault("force acts along the motion: the damper would give off " + ShortNumber(-power) +
                    " W; change the sign of force or of displacement, extension and tension are positive");
-    if (phase_deg > 90 + kPhaseSlack_deg || phase_deg < -kPhaseSlack_deg) TellDelay(*fastest);
+    if (IsSampledWell() && fastest && (phase_deg > 90 + kPhaseSlack_deg || phase_deg < -kPhaseSlack_deg))
+      TellDelay(*fastest);
     // Mean forces at like speeds.
     double rebound = 0;
     double compression = 0;
@@ -214,7 +228,7 @@ class Checker {
            "and tension are positive");
   }
 
-  void TellDelay(const FastestPhase& fastest) {
+  void TellDelay(const MotionPhase& fastest) {
     is_delayed_ = true;
     const bool ahead = fastest.phase_deg > 90;
     Warn("force comes " + ShortNumber(1e3 * std::abs(fastest.Lead_s()), 2) + " ms " + (ahead ? "before" : "after") +
@@ -237,26 +251,12 @@ class Checker {
   }
 
   void CheckClipping(const Signal& signal, const std::string& name, const std::string& unit) {
-    const std::optional<Clipping> top = ClippingAtTop(signal);
-    const std::optional<Clipping> bottom = ClippingAtBottom(signal);
-    if (!top && !bottom) return;
-    std::string where;
-    std::size_t first = signal.size();
-    bool is_exact = false;
-    for (const std::optional<Clipping>& side : {top, bottom}) {
-      if (!side) continue;
-      where += (where.empty() ? "" : ", ") + std::to_string(side->samples) + " samples stand at " +
-               ShortNumber(side->level) + " " + unit +
-               (side->noise == 0 ? " exactly" : " but for noise of " + ShortNumber(side->noise, 2) + " " + unit);
-      first = std::min(first, side->first);
-      is_exact = is_exact || side->noise == 0;
-    }
-    const std::string message = name + (is_exact ? " is clipped: " : " looks clipped: ") + where + ", the first at " +
-                                ShortNumber(TimeAt(first), 5) +
-                                " s; record with a wider range, or save the whole cycles between such stretches as "
+    const std::optional<ClippedEnds> ends = ClippingAtEnds(signal);
+    if (!ends) return;
+    const std::string message = name + " " + ends->Text(unit, TimeAt(ends->first())) +
+                                "; record with a wider range, or save the whole cycles between such stretches as "
                                 "recordings of their own";
-    // Noise may hide that a force of friction alone is flat by itself.
-    if (is_exact) Fault(message);
+    if (ends->is_exact()) Fault(message);
     else Warn(message);
   }
 
@@ -310,6 +310,7 @@ class Checker {
   const std::string& file_;
   Diagnostics& diagnostics_;
   std::vector<std::size_t> turns_;
+  double samples_in_cycle_ = std::numeric_limits<double>::infinity();
   bool is_delayed_ = false;
   bool good_ = true;
 };

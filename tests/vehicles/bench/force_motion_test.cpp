@@ -37,7 +37,7 @@ Signals TwoSines(double lead_deg) {
 TEST(ForceMotion, PhaseIsThatOfTheFastestCycles) {
   for (const double lead_deg : {-120.0, -30.0, 0.0, 20.0}) {
     const Signals signals = TwoSines(lead_deg);
-    const std::optional<FastestPhase> fastest = PhaseOfFastest(signals.x, signals.force, kStep_s);
+    const std::optional<MotionPhase> fastest = PhaseOfFastest(signals.x, signals.force, kStep_s);
     ASSERT_TRUE(fastest);
     EXPECT_NEAR(fastest->frequency_Hz, 10, 0.1);
     EXPECT_NEAR(fastest->phase_deg, 90 + lead_deg, 1);

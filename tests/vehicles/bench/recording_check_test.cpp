@@ -280,14 +280,76 @@ TEST(RecordingCheck, TellsAJump) {
                     HasSubstr("as recordings of their own")));
 }
 
-TEST(RecordingCheck, TellsSamplingThatIsTooSlowAndNothingElse) {
-  TimeRecording fast = Delayed(0);
-  TimeRecording slow{.start_s = 0, .end_s = 8, .step_s = 0.04, .channels = {{}, {}}};
-  for (std::size_t k = 0; k < fast.samples(); k += 20)
+/// Every `stride`th sample of the sweep up to 20 Hz, which is recorded at 500 Hz.
+TimeRecording Thinned(std::size_t stride) {
+  const TimeRecording fast = Delayed(0);
+  TimeRecording slow{.start_s = 0, .end_s = 8, .step_s = 0.002 * static_cast<double>(stride), .channels = {{}, {}}};
+  for (std::size_t k = 0; k < fast.samples(); k += stride)
     for (const std::size_t c : {0, 1}) slow.channels[c].push_back(fast.channels[c][k]);
-  const std::string told = WarningOf(slow);
-  EXPECT_THAT(told, HasSubstr("is sampled at 25 Hz"));
-  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 0) << told;
+  return slow;
+}
+
+// Of a good one samples that stand out, delays and drift would be those between samples.
+TEST(RecordingCheck, TellsNothingOfAGoodOneButThatItIsSampledTooSlowly) {
+  for (const std::size_t stride : {5, 10, 20}) {
+    const std::string told = WarningOf(Thinned(stride));
+    EXPECT_THAT(told, HasSubstr("is sampled at " + std::to_string(500 / stride) + " Hz"));
+    EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 0) << told;
+  }
+}
+
+// 25 and 12 samples a cycle at the most.
+TEST(RecordingCheck, TellsNothingOfAGoodOneThatIsSampledWellEnough) {
+  for (const std::size_t stride : {1, 2, 3, 4}) EXPECT_EQ(WarningOf(Thinned(stride)), "") << stride;
+}
+
+TEST(RecordingCheck, TellsAWrongSignOfWhatIsSampledTooSlowly) {
+  for (const std::size_t stride : {5, 10})
+    for (const std::size_t channel : {0, 1}) {
+      TimeRecording slow = Thinned(stride);
+      Apply(slow.channels[channel], [](double value) { return -value; });
+      EXPECT_THAT(FaultOf(slow), AllOf(HasSubstr("is sampled at"), HasSubstr("error: force acts along the motion")));
+    }
+}
+
+// Five samples in each cycle: no cycle is long enough for a phase of its own.
+TEST(RecordingCheck, TellsAWrongSignOfASineThatIsSampledTooSlowly) {
+  TimeRecording sine{.start_s = 0, .end_s = 4, .step_s = 0.0101, .channels = {{}, {}}};
+  for (int k = 0; k <= 396; ++k) {
+    const double phase = 2 * std::numbers::pi * 20 * sine.step_s * k;
+    sine.channels[0].push_back(8e-4 * std::sin(phase));
+    sine.channels[1].push_back(130 * std::cos(phase));
+  }
+  EXPECT_THAT(WarningOf(sine), Not(HasSubstr("sign")));
+  Apply(sine.channels[1], [](double value) { return -value; });
+  EXPECT_THAT(FaultOf(sine), HasSubstr("error: force acts along the motion"));
+}
+
+TEST(RecordingCheck, TellsSwappedColumnsAndUnitsOfWhatIsSampledTooSlowly) {
+  for (const std::size_t stride : {5, 10}) {
+    TimeRecording swapped = Thinned(stride);
+    std::swap(swapped.channels[0], swapped.channels[1]);
+    EXPECT_THAT(FaultOf(swapped), HasSubstr("the two columns look swapped"));
+    TimeRecording millimetres = Thinned(stride);
+    Apply(millimetres.channels[0], [](double value) { return 1000 * value; });
+    EXPECT_THAT(FaultOf(millimetres), HasSubstr("it looks like mm"));
+    TimeRecording metres = Thinned(stride);
+    Apply(metres.channels[0], [](double value) { return 1e-4 * value; });
+    EXPECT_THAT(WarningOf(metres), HasSubstr("less than any bench is set to"));
+  }
+}
+
+TEST(RecordingCheck, TellsADeadForceOfWhatIsSampledTooSlowly) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 0.2);
+  for (const std::size_t stride : {5, 10}) {
+    TimeRecording dies = Thinned(stride);
+    for (std::size_t k = dies.samples() / 3; k < 2 * dies.samples() / 3; ++k) dies.channels[1][k] = 12 + noise(random);
+    EXPECT_THAT(FaultOf(dies), HasSubstr("the channel is dead there"));
+    TimeRecording dead = Thinned(stride);
+    for (double& force : dead.channels[1]) force = 1e-4 * force + noise(random);
+    EXPECT_THAT(WarningOf(dead), HasSubstr("% go with displacement or speed: the rest is noise"));
+  }
 }
 
 TEST(RecordingCheck, TellsLessThanOneCycle) {
