@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "analysis/nearest.h"
-#include "analysis/number.h"
-#include "analysis/unfiltered.h"
 #include "analysis/time_recording.h"
+#include "analysis/unfiltered.h"
+#include "identify/filter_rate.h"
 #include "identify/source_recording.h"
 #include "vehicles/bench/bench_unit_check.h"
 #include "vehicles/bench/offset_check.h"
@@ -49,13 +48,11 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
   std::optional<TimeRecording> read = ReadTimeRecording(from.file, wanted, diagnostics, TimeColumn(study.time));
   if (!read) return std::nullopt;
   // Before anything else, which would be an effect of it.
-  if (study.rig_filter && !(study.rig_filter->cutoff_Hz < read->rate_Hz() / 2)) {
-    diagnostics.Error(from.file.string(), 0,
-                      "is sampled at " + FormatNumber(std::round(read->rate_Hz())) +
-                          " Hz; the cutoff of 'rig_filter' must be below half of that: record faster, at " +
-                          FormatNumber(10 * study.rig_filter->cutoff_Hz) + " Hz or more");
-    return std::nullopt;
-  }
+  if (study.rig_filter)
+    if (const std::optional<std::string> fault = RateFault(read->rate_Hz(), study.rig_filter->cutoff_Hz)) {
+      diagnostics.Error(from.file.string(), 0, *fault);
+      return std::nullopt;
+    }
   if (!CheckBenchRecording(*read, length_m, from.file.string(), diagnostics)) return std::nullopt;
   BenchRecording recording{.name = from.name,
                            .start_s = read->start_s,

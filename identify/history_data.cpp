@@ -9,10 +9,10 @@
 #include "analysis/clipping.h"
 #include "analysis/nearest.h"
 #include "analysis/number.h"
-#include "analysis/short_number.h"
 #include "analysis/spectrum.h"
 #include "analysis/time_recording.h"
 #include "analysis/units.h"
+#include "identify/filter_rate.h"
 #include "identify/source_recording.h"
 #include "vehicles/response/response_recorder.h"
 
@@ -109,14 +109,10 @@ class HistoryLoader {
     return noise;
   }
 
-  /// Above the cut-off a filter of fourth order leaves a tenth at 1.8 times.
   void CheckRate(double rate_Hz) {
-    constexpr double kLeast = 4;
-    if (!study_.filter || rate_Hz >= kLeast * study_.filter->cutoff_Hz) return;
-    Fault(study_.line, study_.file.filename().string() + " is sampled at " + FormatNumber(rate_Hz) +
-                           " Hz, too slowly for the band up to its filter's cut-off at " +
-                           FormatNumber(study_.filter->cutoff_Hz) +
-                           " Hz: " + FormatNumber(kLeast * study_.filter->cutoff_Hz) + " Hz at least are wanted");
+    if (!study_.filter) return;
+    if (const std::optional<std::string> fault = RateFault(rate_Hz, study_.filter->cutoff_Hz))
+      Fault(study_.line, study_.file.filename().string() + " " + *fault);
   }
 
   /// Beyond it nothing of the posts is kept, see Unfiltered(): what is there is noise.
@@ -197,31 +193,21 @@ class HistoryLoader {
       if (signal.Deviation() == 0)
         Fault(source.line, "'" + name + "' does not change in " + study_.file.filename().string() +
                                ": a dead channel tells nothing; leave it out");
-      CheckSaturation(name, source, history, all);
+      CheckSaturation(name, signal.unit, source, history, all);
       history.signals.push_back(std::move(signal));
     }
   }
 
   /// Of the window.
-  void CheckSaturation(const std::string& name, const ChannelSource& source, const MeasuredHistory& history,
-                       const Eigen::VectorXd& all) {
+  void CheckSaturation(const std::string& name, const std::string& unit, const ChannelSource& source,
+                       const MeasuredHistory& history, const Eigen::VectorXd& all) {
     const std::span<const double> values(all.data() + history.first, static_cast<std::size_t>(history.count));
-    const std::optional<Clipping> top = ClippingAtTop(values);
-    const std::optional<Clipping> bottom = ClippingAtBottom(values);
-    if (!top && !bottom) return;
-    std::string where;
-    std::size_t first = values.size();
-    for (const std::optional<Clipping>& side : {top, bottom}) {
-      if (!side) continue;
-      where += (where.empty() ? "" : " and ") + std::to_string(side->samples) + " samples at " +
-               ShortNumber(side->level) + (side->noise == 0 ? "" : " but for noise of " + ShortNumber(side->noise, 2));
-      first = std::min(first, side->first);
-    }
-    const std::string at = ShortNumber(history.TimeAt(static_cast<Index>(first)), 5) + " s";
+    const std::optional<ClippedEnds> ends = ClippingAtEnds(values);
+    if (!ends) return;
+    const double first_s = history.TimeAt(static_cast<Index>(ends->first()));
     diagnostics_.Warning(file_, source.line,
-                         "'" + name + "' stands at its extreme for " + where + " in " +
-                             study_.file.filename().string() + ", the first at " + at +
-                             ", as a saturated sensor does: keep the window clear of it by 'start' and 'end' of the "
+                         "'" + name + "' " + ends->Text(unit, first_s) + " of " + study_.file.filename().string() +
+                             ", as a saturated sensor is: keep the window clear of it by 'start' and 'end' of the "
                              "history, or leave the channel out");
   }
 

@@ -1,7 +1,6 @@
 #include "identify/command_line/history_table.h"
 
 #include "identify/command_line/text_table.h"
-#include "identify/lint/history_remark.h"
 
 namespace fourpost {
 
@@ -44,12 +43,6 @@ std::string HistoryTable(const std::vector<HistoryMisfit>& misfits) {
     table.Add(row);
   }
   return table.Format() + OneStepTable(misfits);
-}
-
-std::string HistoryRemarks(const std::vector<HistoryMisfit>& misfits, double sample_s) {
-  std::string lines;
-  for (const HistoryRemark& remark : RemarksOn(misfits, sample_s)) lines += remark.message + '\n';
-  return lines;
 }
 
 }  // namespace fourpost

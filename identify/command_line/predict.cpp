@@ -25,8 +25,11 @@
 #include "identify/history_fit_files.h"
 #include "identify/history_residuals.h"
 #include "identify/kalman_noise_json.h"
+#include "identify/lint/history_remark.h"
+#include "identify/lint/remedied_error.h"
 #include "identify/study.h"
 #include "identify/versions.h"
+#include "identify/warning_texts.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -95,12 +98,10 @@ StudyHistory Layout(const Study& study, const std::filesystem::path& recording) 
 
 /// Throws FaultyInput.
 MeasuredHistory Load(const PredictCommand& command, const FittedRun& model, const StudyHistory& layout,
-                     bool tell = true) {
-  Diagnostics diagnostics;
+                     Diagnostics& diagnostics) {
   const std::optional<std::vector<MeasuredHistory>> histories =
       LoadHistories({layout}, (command.run / "study.yaml").string(), model.vehicle, diagnostics);
   if (!histories) throw FaultyInput(diagnostics);
-  if (tell) Tell(diagnostics);
   return histories->front();
 }
 
@@ -110,7 +111,9 @@ MeasuredHistory LoadAsRecorded(const PredictCommand& command, const FittedRun& m
   StudyHistory layout = Layout(model.study, recording);
   layout.filter.reset();
   layout.end_s = end_s;
-  return Load(command, model, layout, false);
+  // Told of the recording with its filter.
+  Diagnostics findings;
+  return Load(command, model, layout, findings);
 }
 
 /// Never of the recording that is judged. Throws FaultyInput.
@@ -160,7 +163,7 @@ void AddFull(const FittedRun& model, const MeasuredHistory& history, std::vector
 }
 
 std::string AsJson(const PredictCommand& command, const FittedRun& model, const MeasuredHistory& history,
-                   const std::vector<HistoryMisfit>& misfits) {
+                   const std::vector<HistoryMisfit>& misfits, const std::vector<std::string>& warnings) {
   Json channels = Json::array();
   for (const HistoryMisfit& misfit : misfits) {
     channels.push_back({{"recording", misfit.recording},
@@ -185,12 +188,27 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
                {"end_s", history.TimeAt(history.count - 1)},
                {"samples", history.count},
                {"channels", channels},
+               {"warnings", warnings},
                {"versions", versions}});
   return json.dump(2) + '\n';
 }
 
+/// On a channel that is late, turned, of another unit or swapped.
+std::vector<std::string> Remarks(const std::vector<MeasuredHistory>& histories,
+                                 const std::vector<Eigen::MatrixXd>& modelled,
+                                 const std::vector<HistoryMisfit>& misfits) {
+  std::vector<std::string> texts;
+  for (const HistoryRemark& remark :
+       RemarksOn(misfits, 1 / histories.front().rate_Hz, RemediedErrors(histories, modelled)))
+    texts.push_back(remark.message);
+  return texts;
+}
+
 int PredictHistory(const PredictCommand& command, const FittedRun& model) {
-  const std::vector<MeasuredHistory> histories = {Load(command, model, Layout(model.study, command.recording))};
+  Diagnostics findings;
+  const std::vector<MeasuredHistory> histories = {
+      Load(command, model, Layout(model.study, command.recording), findings)};
+  Tell(findings);
   const MeasuredHistory& history = histories.front();
   const HistoryResiduals residuals(std::make_shared<const CondensedVehicle>(model.vehicle), histories, {});
   const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(model.vehicle.ParameterValues());
@@ -198,7 +216,10 @@ int PredictHistory(const PredictCommand& command, const FittedRun& model) {
   if (command.kalman) AddKalman(command, model, history, misfits);
   if (command.full) AddFull(model, history, misfits);
   if (Interrupted()) return kInterrupted;
-  const std::string json = AsJson(command, model, history, misfits);
+  const std::vector<std::string> remarks = Remarks(histories, modelled, misfits);
+  std::vector<std::string> warnings = WarningTexts(findings);
+  warnings.insert(warnings.end(), remarks.begin(), remarks.end());
+  const std::string json = AsJson(command, model, history, misfits, warnings);
   if (!command.output.empty()) {
     RequireInputsElsewhere({command.run / "vehicle.urdf", command.recording}, command.output);
     OutputFolder output(command.output);
@@ -208,7 +229,13 @@ int PredictHistory(const PredictCommand& command, const FittedRun& model) {
     output.Commit();
     std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   }
-  Print(command.json ? json : LoadText(model) + HistoryTable(misfits) + HistoryRemarks(misfits, 1 / history.rate_Hz));
+  if (command.json) {
+    Print(json);
+    return kGood;
+  }
+  std::string text = LoadText(model) + HistoryTable(misfits);
+  for (const std::string& remark : remarks) text += remark + '\n';
+  Print(text);
   return kGood;
 }
 

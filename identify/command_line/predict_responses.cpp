@@ -26,6 +26,7 @@
 #include "identify/post_shape.h"
 #include "identify/response_chart.h"
 #include "identify/versions.h"
+#include "identify/warning_texts.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/post_pattern.h"
 
@@ -146,15 +147,16 @@ std::string SetPosts(const PredictCommand& command, const FittedRun& model, cons
   return command.mode;
 }
 
-/// What the recording can hardly be so of.
-void TellLints(const FittedRun& model, const CondensedModel& condensed, const MeasuredRun& whole) {
+/// What the recording can hardly be so of, which is told.
+std::vector<std::string> TellLints(const FittedRun& model, const CondensedModel& condensed, const MeasuredRun& whole) {
   Diagnostics findings;
   LintRuns({model.study, model.vehicle, condensed}, {whole}, findings);
   Tell(findings);
+  return WarningTexts(findings);
 }
 
 std::string AsJson(const PredictCommand& command, const FittedRun& model, const std::string& mode,
-                   const std::vector<ChannelMisfit>& misfits) {
+                   const std::vector<ChannelMisfit>& misfits, const std::vector<std::string>& warnings) {
   Json channels = Json::array();
   for (const ChannelMisfit& misfit : misfits)
     channels.push_back({{"name", misfit.name},
@@ -171,6 +173,7 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
   json.update({{"posts", mode},
                {"band_Hz", {model.study.band_lower_Hz, model.study.band_upper_Hz}},
                {"channels", channels},
+               {"warnings", warnings},
                {"versions", versions}});
   return json.dump(2) + '\n';
 }
@@ -188,12 +191,12 @@ int PredictResponses(const PredictCommand& command, const FittedRun& model) {
   }
   const CondensedModel condensed = CondensedVehicle(model.vehicle).At(model.vehicle.ParameterValues());
   const std::string mode = SetPosts(command, model, condensed, whole);
-  TellLints(model, condensed, whole);
+  const std::vector<std::string> warnings = TellLints(model, condensed, whole);
   const std::vector<MeasuredRun> in_band = InBand({whole}, lower, upper);
   const FrequencyResponse response = Completed(model, in_band.front(), Respond(model, condensed, in_band.front()));
   if (Interrupted()) return kInterrupted;
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, {response});
-  const std::string json = AsJson(command, model, mode, misfits);
+  const std::string json = AsJson(command, model, mode, misfits, warnings);
   if (!command.output.empty()) {
     RequireInputsElsewhere({command.run / "vehicle.urdf", command.recording}, command.output);
     const std::vector<FrequencyResponse> modelled = {Respond(model, condensed, whole)};

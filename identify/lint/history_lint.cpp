@@ -39,11 +39,13 @@ HistoryRemark PointRemark(const PointDelay& point, Recording fitted) {
 /// Of one recording.
 class HistoryLinter {
  public:
-  HistoryLinter(Recording fitted, Recording start, double sample_s)
+  HistoryLinter(Recording fitted, const RemediedErrors& fitted_errors, Recording start,
+                const RemediedErrors& start_errors, double sample_s)
       : fitted_(fitted),
         start_(start),
+        start_errors_(start_errors),
         sample_s_(sample_s),
-        remarks_(RemarksOn({fitted.begin(), fitted.end()}, sample_s)) {}
+        remarks_(RemarksOn({fitted.begin(), fitted.end()}, sample_s, fitted_errors)) {}
 
   std::vector<HistoryRemark> Remarks(const std::vector<PointDelay>& points) {
     AddSwapsAtStart();
@@ -80,7 +82,7 @@ class HistoryLinter {
     const auto named = [](Recording recording, const std::string& name) {
       return *std::find_if(recording.begin(), recording.end(), [&](const auto& other) { return other.name == name; });
     };
-    std::vector<HistoryRemark> start = RemarksOn({start_.begin(), start_.end()}, sample_s_);
+    std::vector<HistoryRemark> start = RemarksOn({start_.begin(), start_.end()}, sample_s_, start_errors_);
     const bool is_same = start.size() == 1 && remarks_.size() == 1 && start[0].cause == Cause::kDelay &&
                          start[0].channel == remarks_[0].channel && !start[0].channel.empty();
     if (!is_same) return {};
@@ -92,6 +94,7 @@ class HistoryLinter {
 
   Recording fitted_;
   Recording start_;
+  const RemediedErrors& start_errors_;
   double sample_s_;
   std::vector<HistoryRemark> remarks_;
 };
@@ -121,13 +124,17 @@ void LintSteps(const FitResult& fit, const HistoryResiduals& residuals, const st
 void LintHistories(const LoadedStudy& study, const FitResult& fit, const HistoryResiduals& residuals,
                    const std::vector<HistoryMisfit>& misfits, Diagnostics& diagnostics) {
   const std::string file = study.study.file.string();
-  const std::vector<HistoryMisfit> start =
-      HistoryMisfits(residuals.histories(), residuals.Modelled(study.vehicle.ParameterValues()));
+  const std::vector<MeasuredHistory>& histories = residuals.histories();
+  const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
+  const std::vector<Eigen::MatrixXd> at_start = residuals.Modelled(study.vehicle.ParameterValues());
+  const std::vector<HistoryMisfit> start = HistoryMisfits(histories, at_start);
+  const RemediedErrors fitted_errors(histories, modelled);
+  const RemediedErrors start_errors(histories, at_start);
   std::size_t first = 0;
-  for (const MeasuredHistory& history : residuals.histories()) {
+  for (const MeasuredHistory& history : histories) {
     const std::size_t count = history.signals.size();
-    HistoryLinter linter(Recording(misfits).subspan(first, count), Recording(start).subspan(first, count),
-                         1 / history.rate_Hz);
+    HistoryLinter linter(Recording(misfits).subspan(first, count), fitted_errors,
+                         Recording(start).subspan(first, count), start_errors, 1 / history.rate_Hz);
     const auto told = std::find_if(study.study.histories.begin(), study.study.histories.end(),
                                    [&](const StudyHistory& other) { return other.name == history.name; });
     for (const HistoryRemark& remark : linter.Remarks(PointDelays(study.vehicle, history)))

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "identify/lint/remedied_error.h"
 #include "identify/misfit.h"
 
 namespace fourpost {
@@ -24,7 +25,10 @@ struct HistoryRemark {
 /// of more than `sample_s`. Of several channels the odd one out is told, the farthest from the delay that they have in
 /// common; where that is larger, the posts. A channel of another scale moves the model, and with it all delays, which
 /// are not told then.
-std::vector<HistoryRemark> RemarksOn(const std::vector<HistoryMisfit>& misfits, double sample_s);
+/// Each tells a remedy in the terms of the study and the error that it leaves by itself, by `errors`; where one of
+/// unit, sign or delay leaves much, a scale or a delay is told with it.
+std::vector<HistoryRemark> RemarksOn(const std::vector<HistoryMisfit>& misfits, double sample_s,
+                                     const RemediedErrors& errors);
 
 /// Of one recording: its channels come earlier or later than the model, all alike.
 std::optional<HistoryRemark> PostDelay(std::span<const HistoryMisfit> misfits, double sample_s);

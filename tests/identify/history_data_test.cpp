@@ -122,7 +122,8 @@ TEST_F(HistoryDataTest, ReadsNoise) {
 
 TEST_F(HistoryDataTest, RefusesSamplesTooFarApartForTheBand) {
   history_.filter = LowPassDesign{.order = 4, .cutoff_Hz = 150};
-  EXPECT_THAT(Fault(), HasSubstr("sweep.csv is sampled at 500 Hz, too slowly for the band up to its filter's cut-off"));
+  EXPECT_THAT(Fault(), HasSubstr("sweep.csv is sampled at 500 Hz, too slowly for the band up to its filter's cut-off "
+                                 "at 150 Hz: record faster, at 600 Hz or more"));
 }
 
 TEST_F(HistoryDataTest, WarnsOfPostsSampledTooSlowly) {
@@ -156,7 +157,7 @@ TEST_F(HistoryDataTest, WarnsOfASaturatedSensor) {
   EXPECT_EQ(diagnostics_.Format(), "");
   recorded_.readings.col(4) = recorded_.readings.col(4).cwiseMin(0.5 * recorded_.readings.col(4).maxCoeff());
   ASSERT_TRUE(Load());
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("study.yaml:5: warning: 'F_tyre' stands at its extreme"));
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("study.yaml:5: warning: 'F_tyre' is clipped: "));
 }
 
 // Noise that came in behind the sensor; what is told to be done helps.
@@ -174,7 +175,7 @@ TEST_F(HistoryDataTest, WarnsOfASaturatedSensorUnderNoise) {
   for (Eigen::Index k = 0; k < force.size(); ++k) force[k] = clipped[k] + noise(engine);
   ASSERT_TRUE(Load());
   EXPECT_THAT(diagnostics_.Format(),
-              testing::AllOf(HasSubstr("study.yaml:5: warning: 'F_tyre' stands at its extreme for "),
+              testing::AllOf(HasSubstr("study.yaml:5: warning: 'F_tyre' looks clipped: "),
                              HasSubstr(" but for noise of "), HasSubstr("by 'start' and 'end' of the history")));
   diagnostics_ = {};
   history_.end_s = recorded_.TimeAt(first - 1);

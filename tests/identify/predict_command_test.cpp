@@ -107,6 +107,15 @@ TEST_F(PredictCommandLine, TellsOfAChannelThatIsNotSynchronised) {
   EXPECT_THAT(told.out, HasSubstr("'F_tyre' of 'late' comes 4"));
   EXPECT_THAT(told.out, HasSubstr("as if it were not synchronised"));
   EXPECT_THAT(told.out, Not(HasSubstr("'z_sprung' of 'late' comes")));
+  // As a script finds it, and in the results.
+  const Outcome json = Run("predict run --recording late.csv --json -o late_results");
+  const Json prediction = Json::parse(json.out);
+  ASSERT_EQ(prediction["warnings"].size(), 1u);
+  const auto warning = prediction["warnings"][0].get<std::string>();
+  EXPECT_THAT(warning, StartsWith("'F_tyre' of 'late' comes 4"));
+  EXPECT_THAT(told.out, HasSubstr(warning));
+  EXPECT_EQ(Json::parse(ReadText(folder_ / "late_results/result.json"))["warnings"], prediction["warnings"]);
+  EXPECT_EQ(Json::parse(Run("predict run --recording other.csv --json").out)["warnings"], Json::array());
   EXPECT_THAT(Run("predict run --recording other.csv").out, Not(HasSubstr("synchronised")));
 }
 
