@@ -36,8 +36,7 @@ constexpr double kDrift = 0.05;
 /// Of the force in a cycle: a damper's at half the speed is at least an eighth (cubic law), a dead channel's is noise.
 constexpr double kDead = 0.03;
 /// In a cycle, of the fastest: a spline, which the model follows, has the speed of a sine to 1 % from six samples on,
-/// to 2 % from five and to 5 % from four, 3 sin a / (a (2 + cos a)), a = 2 pi / samples; what follows needs them at any
-/// phase.
+/// to 2 % from five and to 5 % from four, 3 sin a / (a (2 + cos a)), a = 2 pi / samples.
 constexpr double kFewestInCycle = 6;
 /// Of two a cycle and less the speed has any sign, of swept sines at 25 to 500 Hz all was judged right from three on.
 constexpr double kFewestToJudge = 3;

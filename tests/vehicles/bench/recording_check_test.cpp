@@ -298,7 +298,7 @@ TEST(RecordingCheck, TellsNothingOfAGoodOneButThatItIsSampledTooSlowly) {
   }
 }
 
-// 25 and 12 samples a cycle at the most.
+// 25 to 6 samples in the fastest cycles.
 TEST(RecordingCheck, TellsNothingOfAGoodOneThatIsSampledWellEnough) {
   for (const std::size_t stride : {1, 2, 3, 4}) EXPECT_EQ(WarningOf(Thinned(stride)), "") << stride;
 }
