@@ -68,7 +68,8 @@ std::vector<double> Unfiltered(std::span<const double> filtered, const LowPass& 
 }
 
 std::vector<double> Unfiltered(std::span<const double> filtered, const LowPass& filter, double cutoff) {
-  return Unfiltered(filtered, filter, std::min(0.4, 1.5 * cutoff), std::min(0.5, 2.5 * cutoff));
+  const double stops = std::min(0.4, 2.5 * cutoff);
+  return Unfiltered(filtered, filter, std::min(0.8 * stops, 1.5 * cutoff), stops);
 }
 
 }  // namespace fourpost

@@ -42,6 +42,26 @@ TEST(Unfiltered, GivesBackWhatTheFilterWasGiven) {
   EXPECT_GT(filtered_error, 1);
 }
 
+// A Butterworth filter has zeros at half the sampling rate, by which nothing may be divided.
+TEST(Unfiltered, HoldsForRecordingsOfFourSamplesAPeriodOfTheCutoff) {
+  constexpr double kSlow_Hz = 125;
+  constexpr double kCutoff_Hz = 30;
+  std::vector<double> given(2000);
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const double t = static_cast<double>(k) / kSlow_Hz;
+    const double fade = std::min({1.0, t / 2, (16 - t) / 2});
+    given[k] = fade * fade * (3 - 2 * fade) * std::sin(2 * std::numbers::pi * 20 * t);
+  }
+  std::vector<double> filtered = given;
+  const LowPass filter(4, kCutoff_Hz, kSlow_Hz);
+  filter.Apply(filtered);
+  const std::vector<double> back = Unfiltered(filtered, filter, kCutoff_Hz / kSlow_Hz);
+  double error = 0;
+  for (std::size_t k = 0; k + 50 < given.size(); ++k) error = std::max(error, std::abs(back[k] - given[k]));
+  // What a fade over two seconds leaves beyond 38 Hz.
+  EXPECT_LT(error, 2e-3);
+}
+
 TEST(Unfiltered, KeepsAnOffset) {
   const LowPass filter(4, 30, kRate_Hz);
   for (const double sample : Unfiltered(std::vector<double>(2000, -0.012), filter, 0.1, 0.15))
