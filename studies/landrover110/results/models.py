@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 STUDIES = ("model1", "model1_time", "model1_joint", "model2", "model3", "full_one_body", "full")
-GROUPS = {"body": ("a_body", "a_cross_member", "a_tow_point", "a_cg"), "axles": ("a_axle",), "struts": ("s_strut",),
+GROUPS = {"body": ("a_body", "a_cross_member", "a_tow_point", "a_cg", "a_left_sill"), "axles": ("a_axle",), "struts": ("s_strut",),
           "forces": ("F_pan",), "engine": ("a_engine",)}
 PITCH = "  - name: pitch\n    file: pitch_frf.csv\n    posts: pitch\n"
 
