@@ -9,6 +9,7 @@
 #include "analysis/clipping.h"
 #include "analysis/nearest.h"
 #include "analysis/number.h"
+#include "analysis/short_number.h"
 #include "analysis/spectrum.h"
 #include "analysis/time_recording.h"
 #include "analysis/units.h"
@@ -139,7 +140,7 @@ class HistoryLoader {
     diagnostics_.Warning(file_, study_.line,
                          "post '" + post + "' of history '" + study_.name + "' moves up to " +
                              FormatNumber(std::round(10 * upper_Hz) / 10) + " Hz and is sampled at " +
-                             FormatNumber(rate_Hz) + " Hz: " + FormatNumber(kLeast) +
+                             ShortNumber(rate_Hz, 4) + " Hz: " + FormatNumber(kLeast) +
                              " samples a period are wanted; record faster, or the model is shaken by what lies between "
                              "samples");
   }

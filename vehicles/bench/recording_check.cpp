@@ -128,8 +128,10 @@ class Checker {
     // What is swapped has the rate of force times displacement for power: that of force times rate, with the other
     // sign.
     if (span > longest_stroke_m_ && Power() < 0)
-      return Fault("displacement spans " + ShortNumber(span) + " m and force " + ShortNumber(Span(force_)) +
-                   " N, and their product gives off work: the two columns look swapped; exchange their names");
+      return Fault(
+          "displacement spans " + ShortNumber(span) + " m and force " + ShortNumber(Span(force_)) +
+          " N, and their product gives off work: the two columns look swapped; exchange their names, and the units "
+          "with them");
     if (span > longest_stroke_m_)
       return Fault("displacement spans " + ShortNumber(span) + " m, more than the damper's length of " +
                    ShortNumber(longest_stroke_m_) + " m: it looks like mm; correct the row of units");
@@ -235,7 +237,10 @@ class Checker {
          ShortNumber(fastest.phase_deg, 2) +
          " degrees, which is between 0 and 90 of all that stores and dissipates: record both channels with one device "
          "and one filter" +
-         (ahead ? ", and take off the inertia of what is between damper and load cell" : ""));
+         (ahead
+              ? ", and take off the inertia of what is between damper and load cell"
+              : "; a delay that is known is told as 'force: {channel: NAME, delay: ...}', and a damper's own spring is "
+                "part of this one"));
   }
 
   void TellSpikes(const Signal& signal, const std::string& name, const std::string& unit) {

@@ -95,7 +95,7 @@ TEST(RecordingCheck, TellsSwappedColumns) {
   std::swap(recording.channels[0], recording.channels[1]);
   EXPECT_EQ(FaultOf(recording),
             "bench.csv: error: displacement spans 333 m and force 0.04 N, and their product gives off work: the two "
-            "columns look swapped; exchange their names");
+            "columns look swapped; exchange their names, and the units with them");
 }
 
 TEST(RecordingCheck, TellsAWrongSign) {
