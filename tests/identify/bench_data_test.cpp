@@ -213,6 +213,7 @@ TEST_F(BenchDataTest, TellsAnOffsetOfTheForceThatNoGasExplains) {
   ASSERT_TRUE(Load());
   EXPECT_THAT(diagnostics_.Format(), HasSubstr("or give the damper '<gas force=...>'"));
   diagnostics_ = {};
+  folder_.Write("sine.csv", Offset(0, 200));
   // Legitimate of gas, whose force a fit finds.
   const std::string law = "rebound=\"$rebound\"/>";
   std::string vehicle = kVehicle;
