@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -117,8 +116,8 @@ class HistoryLoader {
   }
 
   /// Beyond it nothing of the posts is kept, see Unfiltered(): what is there is noise.
-  double TakenBack_Hz() const {
-    return study_.filter ? 2.5 * study_.filter->cutoff_Hz : std::numeric_limits<double>::infinity();
+  double TakenBack_Hz(double rate_Hz) const {
+    return study_.filter ? std::min(0.4 * rate_Hz, 2.5 * study_.filter->cutoff_Hz) : rate_Hz;
   }
 
   /// Between samples posts follow a spline, which six samples a period hold to a few per cent.
@@ -132,7 +131,7 @@ class HistoryLoader {
     std::vector<double> below;
     double sum = 0;
     // Of velocity, which dampers and sweeps go by.
-    for (std::size_t i = 0; i < spectrum.first.size() && spectrum.frequency_Hz[i] <= TakenBack_Hz(); ++i)
+    for (std::size_t i = 0; i < spectrum.first.size() && spectrum.frequency_Hz[i] <= TakenBack_Hz(rate_Hz); ++i)
       below.push_back(sum += std::pow(spectrum.frequency_Hz[i], 2) * spectrum.first[i]);
     const auto upper = std::lower_bound(below.begin(), below.end(), kMostOf * sum) - below.begin();
     const double upper_Hz = spectrum.frequency_Hz[static_cast<std::size_t>(upper)];

@@ -189,9 +189,11 @@ int Run(const CompareCommand& command) {
   options.rules.max_seconds = study.search.time_s;
   const Comparison comparison = CompareWithProgress(problem, methods, options, store);
   const bool nothing_succeeded = !std::isfinite(comparison.target_cost);
-  if (!command.output.empty())
+  if (!command.output.empty()) {
     ReplaceFile(command.output,
                 MethodsPage(comparison, command.study.stem().string(), Rule(comparison, options), command.time));
+    std::fprintf(stderr, "results: %s\n", command.output.c_str());
+  }
   Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed, command.time)
                      : Table(comparison, command.time) + '\n' + Details(comparison, options));
   if (comparison.interrupted) return kInterrupted;

@@ -94,11 +94,12 @@ std::string OverTime(const LoadedStudy& loaded) {
     for (const auto* recordings : {&loaded.bench->fitted, &loaded.bench->validation})
       add(BenchMisfits(ModelledRecordings(damper, *recordings, values)));
   }
+  if (loaded.histories.empty() && loaded.validation.empty()) return misfits.empty() ? "" : HistoryTable(misfits);
   const auto condensed = std::make_shared<const CondensedVehicle>(loaded.vehicle);
   for (const auto* histories : {&loaded.histories, &loaded.validation})
     if (!histories->empty())
       add(HistoryMisfits(*histories, HistoryResiduals(condensed, *histories, {}).Modelled(values)));
-  return misfits.empty() ? "" : HistoryTable(misfits);
+  return HistoryTable(misfits);
 }
 
 /// Of a study without stepped sines.
@@ -141,8 +142,8 @@ int RespondToStudy(const ResponseCommand& command) {
   runs.resize(modelled.size());
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(runs, modelled);
   if (!command.output.empty()) Write(command, *loaded, runs, modelled, misfits);
-  Print(command.json ? AsJson(runs, modelled, misfits)
-                     : MisfitTable(misfits, RecordingMisfits(runs, modelled)) + OverTime(*loaded));
+  Print(command.json ? AsJson(runs, modelled, misfits) : MisfitTable(misfits, RecordingMisfits(runs, modelled)));
+  if (!command.json && is_whole) Print(OverTime(*loaded));
   return is_whole ? kGood : kInterrupted;
 }
 

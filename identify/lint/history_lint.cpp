@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -119,6 +120,16 @@ void LintSteps(const FitResult& fit, const HistoryResiduals& residuals, const st
                               " % of its rms; fit again from the vehicle.urdf of these results");
 }
 
+/// By the vehicle file's values; what the fitted ones give where those cannot go through the recordings.
+std::vector<Eigen::MatrixXd> AtStart(const LoadedStudy& study, const HistoryResiduals& residuals,
+                                     const std::vector<Eigen::MatrixXd>& fitted) {
+  try {
+    return residuals.Modelled(study.vehicle.ParameterValues());
+  } catch (const std::runtime_error&) {
+    return fitted;
+  }
+}
+
 }  // namespace
 
 void LintHistories(const LoadedStudy& study, const FitResult& fit, const HistoryResiduals& residuals,
@@ -126,7 +137,7 @@ void LintHistories(const LoadedStudy& study, const FitResult& fit, const History
   const std::string file = study.study.file.string();
   const std::vector<MeasuredHistory>& histories = residuals.histories();
   const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
-  const std::vector<Eigen::MatrixXd> at_start = residuals.Modelled(study.vehicle.ParameterValues());
+  const std::vector<Eigen::MatrixXd> at_start = AtStart(study, residuals, modelled);
   const std::vector<HistoryMisfit> start = HistoryMisfits(histories, at_start);
   const RemediedErrors fitted_errors(histories, modelled);
   const RemediedErrors start_errors(histories, at_start);

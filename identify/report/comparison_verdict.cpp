@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "analysis/report/html.h"
+#include "identify/report/fitted_data.h"
 #include "identify/report/shown_number.h"
 
 namespace fourpost {
@@ -71,8 +72,8 @@ std::string Text(const ModelRanking& ranking) {
 
 /// Recordings, their bytes, and the band.
 bool SawTheSame(const ComparedRun& a, const ComparedRun& b) {
-  const auto is_same = [&](const char* key) { return a.result.value(key, Json()) == b.result.value(key, Json()); };
-  return a.Recordings() == b.Recordings() && is_same("fitted_files") && is_same("band_Hz");
+  return a.Recordings() == b.Recordings() && FittedDigests(a.result) == FittedDigests(b.result) &&
+         a.result.value("band_Hz", Json()) == b.result.value("band_Hz", Json());
 }
 
 /// Of runs that saw the same by groups of channels, of others by stepped sines that all of them saw over one band.

@@ -1,5 +1,6 @@
 #include "identify/report/fitted_data.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <set>
 
@@ -64,13 +65,14 @@ Json StaticLoads(const Json& result) {
   return loads;
 }
 
-Json Digests(const Json& result) {
-  Json digests;
+}  // namespace
+
+std::vector<std::string> FittedDigests(const Json& result) {
+  std::vector<std::string> digests;
   for (const Json& file : ListAt(result, "fitted_files")) digests.push_back(TextAt(file, "sha256"));
+  std::sort(digests.begin(), digests.end());
   return digests;
 }
-
-}  // namespace
 
 std::vector<std::string> FittedRecordings(const Json& result) {
   std::set<std::string> names;
@@ -89,7 +91,7 @@ Json FittedData(const Json& result, const RunContents& run) {
   const auto study = run.files.find("study.yaml");
   return {FittedRecordings(result),
           channels,
-          Digests(result),
+          FittedDigests(result),
           StaticLoads(result),
           study == run.files.end() ? Json() : SettingsOf(study->second),
           result.value("residuals", Json()),

@@ -14,6 +14,9 @@ namespace fourpost {
 /// written: studies that write one setting in two ways differ. What an older run does not tell is null.
 nlohmann::json FittedData(const nlohmann::json& result, const RunContents& run);
 
+/// Of the bytes of the recordings that were fitted, sorted.
+std::vector<std::string> FittedDigests(const nlohmann::json& result);
+
 /// Names of the recordings that were fitted, sorted.
 std::vector<std::string> FittedRecordings(const nlohmann::json& result);
 

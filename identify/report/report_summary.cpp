@@ -265,6 +265,12 @@ std::string Ties(const std::vector<ReportedParameter>& parameters) {
 std::vector<std::string> WhatNext(const Json& result, const std::vector<ReportedParameter>& parameters,
                                   const std::vector<ComparedChannel>& channels, const std::optional<Octave>& worst,
                                   const std::vector<JudgedChannel>& unseen) {
+  // What has not ended says little of the model.
+  if (TextAt(result, "termination") == "interrupted")
+    return {"Run the same command again: it goes on from its archive."};
+  if (TextAt(result, "termination") != "converged")
+    return {
+        "Run the same command again with a larger budget of evaluations or iterations: it goes on from its archive."};
   std::vector<std::string> advice;
   const Json identifiability = result.value("identifiability", Json());
   const bool open = NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters");
@@ -299,10 +305,6 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
     advice.push_back(
         "What was kept for validation is not foretold: give a richer model, or fit recordings that reach the same "
         "frequencies and strokes as those.");
-  if (TextAt(result, "termination") != "converged")
-    advice.push_back(
-        "Run the same command again: it goes on from its archive, and a larger budget of evaluations or "
-        "iterations lets it finish.");
   if (advice.empty()) advice.push_back("Nothing is missing for this model; a richer one would ask for more.");
   return advice;
 }
@@ -326,6 +328,7 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
   const Verdict verdict = HowItEnded(result, unseen);
   std::string misses = WhatDoesNot(judged, worst);
   if (misses.empty() && !judged.empty()) misses = WhatIsLeft(result) + ' ';
+  if (!misses.empty() && !misses.ends_with(' ')) misses += ' ';
   misses += WhatItMisses(unseen);
   std::string next;
   for (const std::string& advice : WhatNext(result, parameters, channels, worst, unseen))

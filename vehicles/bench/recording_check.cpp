@@ -40,9 +40,9 @@ constexpr double kDead = 0.03;
 constexpr double kFewestInCycle = 6;
 /// Of two a cycle and less the speed has any sign, of swept sines at 25 to 500 Hz all was judged right from three on.
 constexpr double kFewestToJudge = 3;
-/// A sample next to the crest of a sine is off it by 1 - cos(2 pi / samples), from ten on by less than a tenth of the
-/// span, which Spikes takes for one.
-constexpr double kFewestForCrests = 10;
+/// Crests of sines of twelve samples and fewer a cycle were taken for samples that stand out, of fourteen to twenty
+/// none.
+constexpr double kFewestForCrests = 14;
 /// The same of a cubic law's force, 1 - cos^3. Forces at turning points, too, were told to drift at ten.
 constexpr double kFewestForForce = 17;
 
@@ -103,7 +103,7 @@ class Checker {
     if (good_) CheckMotion();
     if (good_) CheckWork();
     if (IsSampledWell()) CheckLevels();
-    if (good_ && samples_in_cycle_ >= kFewestForForce) CheckDrift();
+    if (good_ && IsSampledWell()) CheckDrift();
     return good_;
   }
 
@@ -291,7 +291,8 @@ class Checker {
     }
     TellDrift(places, middles, Span(x_), "displacement", "m");
     // Of a force that is late it is that of some speed.
-    if (!is_delayed_) TellDrift(places, resting, Span(force_), "force at the turning points", "N");
+    if (!is_delayed_ && samples_in_cycle_ >= kFewestForForce)
+      TellDrift(places, resting, Span(force_), "force at the turning points", "N");
   }
 
   /// By a straight line through the values over their places in the recording: turning points crowd where it is fast.

@@ -204,7 +204,7 @@ TEST(RecordingCheck, TellsDrift) {
     recording.channels[0][k] += 0.008 * share;
     recording.channels[1][k] += 80 * share;
   }
-  EXPECT_THAT(WarningOf(recording), AllOf(HasSubstr("displacement drifts by 0.00"),
+  EXPECT_THAT(WarningOf(recording), AllOf(HasSubstr("displacement drifts by 0.008"),
                                           HasSubstr("force at the turning points drifts by "), HasSubstr("warm")));
 }
 
