@@ -111,6 +111,12 @@ void ComparisonOptions::Validate() const {
   rules.Validate();
 }
 
+double MethodSummary::MeanSeconds() const {
+  double sum = 0;
+  for (const RunOutcome& outcome : outcomes) sum += outcome.seconds;
+  return sum / static_cast<double>(outcomes.size());
+}
+
 Interval WilsonInterval(std::int64_t successes, std::int64_t runs) {
   constexpr double kQuantile = 1.959963984540054;
   const auto n = static_cast<double>(runs);

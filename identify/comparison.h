@@ -82,6 +82,9 @@ struct MethodSummary {
   double cost_worst = 0;
   /// How many runs each rule ended.
   std::map<SearchEnd, std::int64_t> ends;
+
+  /// Over all runs, see RunOutcome::seconds.
+  double MeanSeconds() const;
 };
 
 struct Comparison {

@@ -106,12 +106,6 @@ std::string Range(const Interval& interval, int digits) {
   return Rounded(interval.lower, digits) + " .. " + Rounded(interval.upper, digits);
 }
 
-double MeanSeconds(const MethodSummary& method) {
-  double sum = 0;
-  for (const RunOutcome& outcome : method.outcomes) sum += outcome.seconds;
-  return sum / static_cast<double>(method.outcomes.size());
-}
-
 std::string Table(const Comparison& comparison, bool time) {
   std::vector<std::string> head = {"method",      "runs", "solved",      "95 %",      "evaluations",
                                    "per success", "95 %", "median cost", "worst cost"};
@@ -129,7 +123,7 @@ std::string Table(const Comparison& comparison, bool time) {
                                     Range(method.expected_interval, 4),
                                     Rounded(method.cost_median, 5),
                                     Rounded(method.cost_worst, 5)};
-    if (time) row.push_back(Rounded(MeanSeconds(method), 3));
+    if (time) row.push_back(Rounded(method.MeanSeconds(), 3));
     table.Add(row);
   }
   return table.Format();

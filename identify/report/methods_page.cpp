@@ -57,12 +57,6 @@ std::string Range(const Interval& interval, int digits) {
   return ShownNumber(interval.lower, digits) + " to " + ShownNumber(interval.upper, digits);
 }
 
-double MeanSeconds(const MethodSummary& method) {
-  double sum = 0;
-  for (const RunOutcome& outcome : method.outcomes) sum += outcome.seconds;
-  return sum / static_cast<double>(method.outcomes.size());
-}
-
 std::string MethodTable(const Comparison& comparison, bool time) {
   std::vector<std::string> head = {"method",    "solved", "share, 95 %", "evaluations",
                                    "a success", "95 %",   "median cost", "worst cost"};
@@ -79,7 +73,7 @@ std::string MethodTable(const Comparison& comparison, bool time) {
                     NumberCell(Range(method.expected_interval, 4)),
                     NumberCell(ShownNumber(method.cost_median, 5)),
                     NumberCell(ShownNumber(method.cost_worst, 5))});
-    if (time) rows.back().push_back(NumberCell(ShownNumber(MeanSeconds(method), 3)));
+    if (time) rows.back().push_back(NumberCell(ShownNumber(method.MeanSeconds(), 3)));
     rows.back().push_back({html::Escaped(Ends(method)), "wrap"});
   }
   return html::Table(head, rows) +
