@@ -13,6 +13,7 @@
 #include "analysis/frequency_response_file.h"
 #include "tests/vehicles/lint_all.h"
 #include "tests/vehicles/recorded_rig.h"
+#include "tests/vehicles/response/mode_band.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/description/gravity.h"
 #include "vehicles/ride/vehicle_summary.h"
@@ -129,12 +130,7 @@ TEST_P(BothCars, OscillateInEveryMode) {
 }
 
 TEST_P(BothCars, MoveAtFrequenciesOfACar) {
-  struct Band {
-    const char* mode;
-    double lower_Hz;
-    double upper_Hz;
-  };
-  constexpr std::array<Band, 8> kBands = {{{"heave", 1, 2},
+  const std::array<ModeBand, 8> kBands = {{{"heave", 1, 2},
                                            {"pitch", 1, 2.5},
                                            {"roll", 0.9, 3.5},
                                            {"yaw", 2, 8},
@@ -143,13 +139,7 @@ TEST_P(BothCars, MoveAtFrequenciesOfACar) {
                                            {"front tramp", 8, 15},
                                            {"rear tramp", 8, 15}}};
   const VehicleSummary summary = SummaryOf(vehicle_);
-  for (const Band& band : kBands) {
-    const auto mode = std::find_if(summary.modes.begin(), summary.modes.end(),
-                                   [&](const Mode& candidate) { return candidate.name == band.mode; });
-    ASSERT_NE(mode, summary.modes.end()) << band.mode;
-    EXPECT_GT(mode->frequency_Hz, band.lower_Hz) << band.mode;
-    EXPECT_LT(mode->frequency_Hz, band.upper_Hz) << band.mode;
-  }
+  ExpectWithin(kBands, summary);
 }
 
 TEST_P(BothCars, TakeTheParametersOfModel3) {
