@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "analysis/csv_scanner.h"
-#include "analysis/nearest.h"
 #include "analysis/number.h"
 #include "analysis/recorded_unit.h"
 #include "analysis/text_file.h"
@@ -138,25 +137,6 @@ std::optional<std::size_t> CsvTable::FindColumn(std::string_view name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end()) return std::nullopt;
   return static_cast<std::size_t>(found - names_.begin());
-}
-
-bool CsvTable::CheckColumns(std::span<const std::string_view> required, std::span<const std::string_view> optional,
-                            Diagnostics& diagnostics) const {
-  bool good = true;
-  const auto fault = [&](const std::string& message) {
-    diagnostics.Error(file_, 1, message);
-    good = false;
-  };
-  for (const std::string_view name : required)
-    if (!FindColumn(name)) fault("column " + Quote(name) + " is missing; add it");
-  std::vector<std::string_view> legal(required.begin(), required.end());
-  legal.insert(legal.end(), optional.begin(), optional.end());
-  for (const std::string& name : names_) {
-    if (std::find(legal.begin(), legal.end(), name) != legal.end()) continue;
-    const std::string suggestion = DidYouMean(name, legal);
-    fault("unknown column " + Quote(name) + (suggestion.empty() ? "; remove it" : suggestion));
-  }
-  return good;
 }
 
 std::optional<double> CsvTable::ToNumber(std::string_view text) const {

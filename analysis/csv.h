@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,9 +31,6 @@ class CsvTable {
   int line(std::size_t row) const { return lines_[row]; }
 
   std::optional<std::size_t> FindColumn(std::string_view name) const;
-  /// Reports every required column that is missing, and every column that is neither required nor optional; false then.
-  bool CheckColumns(std::span<const std::string_view> required, std::span<const std::string_view> optional,
-                    Diagnostics& diagnostics) const;
 
   /// A field without its quotes and without blanks around it.
   const std::string& Text(std::size_t row, std::size_t column) const { return fields_[row * columns() + column]; }

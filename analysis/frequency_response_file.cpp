@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/csv.h"
 #include "analysis/decibel.h"
 #include "analysis/number.h"
+#include "analysis/recorded_table.h"
 #include "analysis/units.h"
 
 namespace fourpost {
@@ -75,10 +75,11 @@ std::string Join(const std::vector<std::string>& names) {
 
 class FrequencyResponseReader {
  public:
-  FrequencyResponseReader(const CsvTable& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
+  FrequencyResponseReader(const RecordedTable& table, Diagnostics& diagnostics)
+      : table_(table), diagnostics_(diagnostics) {}
 
   std::optional<FrequencyResponse> Read() {
-    for (std::size_t row = 0; row < table_.rows(); ++row) AddRow(row);
+    for (std::size_t row = 0; row < table_.rows(0); ++row) AddRow(row);
     // A row that could not be placed would be reported as missing once more.
     if (good_) CheckComplete();
     FrequencyResponse response;
@@ -93,12 +94,16 @@ class FrequencyResponseReader {
 
  private:
   void Fault(std::size_t row, const std::string& message) {
-    diagnostics_.Error(table_.file(), table_.line(row), message);
+    diagnostics_.Error(table_.file(), table_.line(row), table_.WithRow(row, message));
     good_ = false;
   }
 
-  const std::string& Text(std::size_t row, std::string_view column) const {
+  std::string Text(std::size_t row, std::string_view column) const {
     return table_.Text(row, *table_.FindColumn(column));
+  }
+
+  std::optional<double> Number(std::size_t row, std::string_view column) const {
+    return table_.Number(row, *table_.FindColumn(column));
   }
 
   /// "a_cg at 3.2 Hz: ".
@@ -108,9 +113,9 @@ class FrequencyResponseReader {
 
   /// NaN, and reported, unless the field is a number of this sign.
   double ReadNumber(std::size_t row, std::string_view column, Sign sign) {
-    const std::string& text = Text(row, column);
+    const std::string text = Text(row, column);
     const std::string field = Place(row) + std::string(column);
-    const std::optional<double> number = table_.ToNumber(text);
+    const std::optional<double> number = Number(row, column);
     if (IsMissing(text)) Fault(row, field + " is missing (NaN); remove the whole frequency or repeat the measurement");
     else if (!number) Fault(row, field + " '" + text + "' is not a finite number; correct it");
     else if (!HasSign(*number, sign))
@@ -121,7 +126,7 @@ class FrequencyResponseReader {
   }
 
   void AddRow(std::size_t row) {
-    const std::string& name = Text(row, "channel");
+    const std::string name = Text(row, "channel");
     const double frequency_Hz = ReadNumber(row, "frequency_Hz", Sign::kPositive);
     const double amplitude_m = ReadNumber(row, "post_amplitude_m", Sign::kPositive);
     if (name.empty()) return Fault(row, "the channel has no name; write one or remove the row");
@@ -141,12 +146,12 @@ class FrequencyResponseReader {
     Point& point = points_.emplace(frequency_Hz, Point{amplitude_m, row, {}}).first->second;
     if (amplitude_m != point.amplitude_m && !std::isnan(amplitude_m) && !std::isnan(point.amplitude_m))
       Fault(row, Place(row) + "post_amplitude_m is " + Text(row, "post_amplitude_m") + ", but " +
-                     Text(point.first_row, "post_amplitude_m") + " in line " +
-                     std::to_string(table_.line(point.first_row)) + "; a frequency has one amplitude");
+                     Text(point.first_row, "post_amplitude_m") + " in " + table_.RowInWords(point.first_row) +
+                     "; a frequency has one amplitude");
     if (!point.channels.insert(channel.name).second)
       return Fault(row, Place(row) + "the channel is there twice; remove one of the two rows");
     const std::optional<double> before =
-        channel.rows.empty() ? std::nullopt : table_.ToNumber(Text(channel.rows.back(), "frequency_Hz"));
+        channel.rows.empty() ? std::nullopt : Number(channel.rows.back(), "frequency_Hz");
     if (before && *before > frequency_Hz)
       Fault(row, Place(row) + "frequencies must increase, but " + Text(channel.rows.back(), "frequency_Hz") +
                      " Hz stands above it; sort the rows");
@@ -222,11 +227,11 @@ class FrequencyResponseReader {
   }
 
   std::string UnitInColumn(const ChannelRows& channel) {
-    const std::string& first = Text(channel.rows.front(), "unit");
+    const std::string first = Text(channel.rows.front(), "unit");
     for (const std::size_t row : channel.rows)
       if (Text(row, "unit") != first)
-        Fault(row, Place(row) + "the unit is '" + Text(row, "unit") + "', but '" + first + "' in line " +
-                       std::to_string(table_.line(channel.rows.front())) + "; a channel has one unit");
+        Fault(row, Place(row) + "the unit is '" + Text(row, "unit") + "', but '" + first + "' in " +
+                       table_.RowInWords(channel.rows.front()) + "; a channel has one unit");
     return first;
   }
 
@@ -240,7 +245,7 @@ class FrequencyResponseReader {
     for (std::complex<double>& response : channel.response) response *= unit.si;
   }
 
-  const CsvTable& table_;
+  const RecordedTable& table_;
   Diagnostics& diagnostics_;
   std::map<double, Point> points_;
   /// In the order of the file.
@@ -249,15 +254,15 @@ class FrequencyResponseReader {
 };
 
 /// What a fit writes: several recordings, each measured and modelled. Its columns are no slips of one who wrote them.
-bool IsComparison(const CsvTable& table) {
+bool IsComparison(const RecordedTable& table) {
   return table.FindColumn("gain_measured") && table.FindColumn("gain_modelled");
 }
 
 /// "bounce, pitch"
-std::string RecordingsIn(const CsvTable& table) {
+std::string RecordingsIn(const RecordedTable& table) {
   const std::optional<std::size_t> column = table.FindColumn("recording");
   std::vector<std::string> names;
-  for (std::size_t row = 0; column && row < table.rows(); ++row)
+  for (std::size_t row = 0; column && row < table.rows(*column); ++row)
     if (names.empty() || names.back() != table.Text(row, *column)) names.push_back(table.Text(row, *column));
   return Join(names);
 }
@@ -265,7 +270,7 @@ std::string RecordingsIn(const CsvTable& table) {
 }  // namespace
 
 std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  const std::optional<CsvTable> table = ReadCsv(file, diagnostics);
+  const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics, CsvHeader::kNames);
   if (table && IsComparison(*table)) {
     diagnostics.Error(table->file(), 1,
                       "is a result, in which measurement and model stand side by side (" + RecordingsIn(*table) +

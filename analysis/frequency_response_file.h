@@ -8,7 +8,8 @@
 
 namespace fourpost {
 
-/// Reads a stepped sine: one row per frequency and channel, the frequencies of a channel increasing.
+/// Reads a stepped sine from text or a MAT file, see RecordedTable: one row per frequency and channel, the frequencies
+/// of a channel increasing.
 ///
 /// Columns: frequency_Hz, post_amplitude_m, channel, gain, phase_deg; and, if wanted, gain_sd, phase_sd_deg, mean,
 /// second_harmonic, unit. The response is gain * exp(i phase) per metre of the reference post; of an accelerometer it
@@ -18,10 +19,10 @@ namespace fourpost {
 /// Everything is converted to SI, angular velocities to rad/s.
 ///
 /// A blank or NaN stands for what was not measured: sd, mean and second harmonic may be blank, each for all rows of a
-/// channel. Reports all of: what ReadCsv reports, missing or unknown columns, a fit's response.csv, a gain, phase,
-/// frequency or amplitude that is missing or not a number, any of them but the phase not above zero, a negative sd or
-/// second harmonic, frequencies that do not increase, two amplitudes at one frequency, a channel missing or twice at
-/// one frequency, a unit that is unknown, changes, or is not to be told from the name. Nothing when there was one.
+/// channel. Reports all of: what ReadRecordedTable reports, missing or unknown columns, a fit's response.csv, a gain,
+/// phase, frequency or amplitude that is missing or not a number, any of them but the phase not above zero, a negative
+/// sd or second harmonic, frequencies that do not increase, two amplitudes at one frequency, a channel missing or twice
+/// at one frequency, a unit that is unknown, changes, or is not to be told from the name. Nothing when there was one.
 std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::path& file, Diagnostics& diagnostics);
 
 }  // namespace fourpost

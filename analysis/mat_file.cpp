@@ -70,6 +70,28 @@ std::string TextOf(const matvar_t& variable) {
   return text;
 }
 
+/// A row of characters each, as columns of one after the other hold them.
+std::vector<std::string> RowsOf(const std::string& characters, std::size_t rows) {
+  std::vector<std::string> texts(rows);
+  for (std::size_t i = 0; i < characters.size(); ++i) texts[i % rows] += characters[i];
+  for (std::string& text : texts) text.erase(text.find_last_not_of(' ') + 1);
+  return texts;
+}
+
+/// Of a cell array of nothing but texts, and of several rows of characters; else empty.
+std::vector<std::string> TextsOf(matvar_t& variable) {
+  if (variable.data == nullptr || variable.rank != 2) return {};
+  if (variable.class_type == MAT_C_CHAR && variable.dims[0] > 1) return RowsOf(TextOf(variable), variable.dims[0]);
+  if (variable.class_type != MAT_C_CELL || !IsVector(variable)) return {};
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < Length(variable); ++i) {
+    const matvar_t* cell = Mat_VarGetCell(&variable, static_cast<int>(i));
+    if (cell == nullptr || cell->class_type != MAT_C_CHAR) return {};
+    texts.push_back(TextOf(*cell));
+  }
+  return texts;
+}
+
 /// Of a file of version 5, which matio fills up with zeros: variables are longer than what is there.
 bool IsCutShort(const std::filesystem::path& file) {
   constexpr std::uintmax_t kHeader = 128;
@@ -108,7 +130,8 @@ class MatReader {
         return Fault("is cut short: variable '" + std::string(variable->name) + "' has no data");
       Take(*variable, variable->name);
     }
-    if (vectors_.empty()) return Fault("holds no vector of real numbers; save each channel as a variable of its own");
+    if (std::all_of(vectors_.begin(), vectors_.end(), [](const MatVector& vector) { return vector.values.empty(); }))
+      return Fault("holds no vector of real numbers; save each channel as a variable of its own");
     for (MatVector& vector : vectors_)
       if (vector.unit.empty()) vector.unit = units_[vector.name];
     if (!good_) return std::nullopt;
@@ -127,7 +150,7 @@ class MatReader {
     constexpr std::string_view kEnding = "_unit";
     if (std::string unit = TextOf(variable); !unit.empty() && name.ends_with(kEnding))
       units_[name.substr(0, name.size() - kEnding.size())] = std::move(unit);
-    else Add(name, NumbersOf(variable));
+    else Add({name, "", NumbersOf(variable), TextsOf(variable)});
   }
 
   void TakeFields(matvar_t& structure, const std::string& name) {
@@ -142,17 +165,18 @@ class MatReader {
       if (field == nullptr) continue;
       const std::string field_name = names[i];
       if (IsOneOf(name, {"unit", "units"})) units_[field_name] = TextOf(*field);
-      else if (IsOneOf(field_name, {"unit", "units"}) && field->class_type == MAT_C_CHAR) unit = TextOf(*field);
+      else if (IsOneOf(field_name, {"unit", "units"}) && TextsOf(*field).empty()) unit = TextOf(*field);
       else Take(*field, IsOneOf(field_name, {"data", "values", "signal"}) ? name : field_name);
     }
     if (!unit.empty() && vectors_.size() == first + 1) vectors_.back().unit = std::move(unit);
   }
 
-  void Add(const std::string& name, std::vector<double> values) {
-    if (values.empty()) return;
-    if (std::any_of(vectors_.begin(), vectors_.end(), [&](const MatVector& other) { return other.name == name; }))
-      Fault("holds two vectors called '" + name + "'; rename one");
-    vectors_.push_back({name, "", std::move(values)});
+  void Add(MatVector vector) {
+    if (vector.values.empty() && vector.texts.empty()) return;
+    if (std::any_of(vectors_.begin(), vectors_.end(),
+                    [&](const MatVector& other) { return other.name == vector.name; }))
+      Fault("holds two vectors called '" + vector.name + "'; rename one");
+    vectors_.push_back(std::move(vector));
   }
 
   std::string file_;

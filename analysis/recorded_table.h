@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,12 +22,22 @@ class RecordedTable {
   const std::string& file() const { return file_; }
   const std::vector<std::string>& names() const { return names_; }
   std::optional<std::size_t> FindColumn(std::string_view name) const;
+  /// Of a MAT file; text files have numbers or texts in any field.
+  bool HoldsText(std::size_t column) const;
+  /// Reports every required column that is missing, every column that is neither required nor optional, and every one
+  /// of another length than the first; false then.
+  bool CheckColumns(std::span<const std::string_view> required, std::span<const std::string_view> optional,
+                    Diagnostics& diagnostics) const;
   /// As written; empty where the file tells none.
   const std::string& unit(std::size_t column) const { return units_[column]; }
   /// Lines of names, units and rows; 0 of a MAT file.
   int names_line() const { return csv_ ? 1 : 0; }
   int units_line() const { return csv_ ? csv_->units_line() : 0; }
   int line(std::size_t row) const { return csv_ ? csv_->line(row) : 0; }
+  /// "line 7", or "row 6" of a file without lines.
+  std::string RowInWords(std::size_t row) const;
+  /// The message, after the row that it is about where no line tells it.
+  std::string WithRow(std::size_t row, const std::string& message) const;
 
   std::size_t rows(std::size_t column) const;
   /// NaN where there is none; nothing for what is no number.
@@ -45,7 +56,8 @@ class RecordedTable {
   std::vector<MatVector> vectors_;
 };
 
-/// Adds every fault of the file to `diagnostics`; nothing when there was one.
-std::optional<RecordedTable> ReadRecordedTable(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// `header` is that of text files. Adds every fault of the file to `diagnostics`; nothing when there was one.
+std::optional<RecordedTable> ReadRecordedTable(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                               CsvHeader header = CsvHeader::kNamesAndUnits);
 
 }  // namespace fourpost

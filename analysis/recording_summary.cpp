@@ -97,7 +97,7 @@ RecordingSummary Summarise(const RecordedTable& table) {
   const std::optional<std::size_t> times = TimesOf(table);
   if (times) summary.time = SummariseTimes(table, *times);
   for (std::size_t column = 0; column < table.names().size(); ++column)
-    if (column != times) summary.columns.push_back(SummariseColumn(table, column));
+    if (column != times && !table.HoldsText(column)) summary.columns.push_back(SummariseColumn(table, column));
   return summary;
 }
 

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/csv.h"
+#include "analysis/number.h"
+#include "analysis/recorded_table.h"
 
 namespace fourpost {
 namespace {
@@ -15,22 +16,22 @@ constexpr std::array<std::string_view, 4> kColumns = {"quantity", "unit", "value
 
 class StaticLoadsReader {
  public:
-  StaticLoadsReader(const CsvTable& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
+  StaticLoadsReader(const RecordedTable& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
 
   std::optional<std::vector<StaticMeasurement>> Read() {
     std::vector<StaticMeasurement> measurements;
-    for (row_ = 0; row_ < table_.rows(); ++row_) measurements.push_back(ReadRow());
+    for (row_ = 0; row_ < table_.rows(0); ++row_) measurements.push_back(ReadRow());
     if (!good_) return std::nullopt;
     return measurements;
   }
 
  private:
   void Fault(const std::string& message) {
-    diagnostics_.Error(table_.file(), table_.line(row_), message);
+    diagnostics_.Error(table_.file(), table_.line(row_), table_.WithRow(row_, message));
     good_ = false;
   }
 
-  const std::string& Text(std::string_view column) const { return table_.Text(row_, *table_.FindColumn(column)); }
+  std::string Text(std::string_view column) const { return table_.Text(row_, *table_.FindColumn(column)); }
 
   StaticMeasurement ReadRow() {
     StaticMeasurement measurement;
@@ -48,13 +49,13 @@ class StaticLoadsReader {
 
   void CheckName(const std::string& name) {
     if (name.empty()) return Fault("the quantity has no name; write one or remove the row");
-    const auto [first, is_new] = line_of_.emplace(name, table_.line(row_));
-    if (!is_new) Fault(name + " is in line " + std::to_string(first->second) + " already; remove one of the two");
+    const auto [first, is_new] = row_of_.emplace(name, row_);
+    if (!is_new) Fault(name + " is in " + table_.RowInWords(first->second) + " already; remove one of the two");
   }
 
   /// In SI if the unit is known.
   double ReadNumber(std::string_view column, bool has_unit) {
-    const std::string& text = Text(column);
+    const std::string text = Text(column);
     const std::optional<double> number = table_.Number(row_, *table_.FindColumn(column));
     if (!number || std::isnan(*number)) {
       Fault(Text("quantity") + ": " + std::string(column) +
@@ -63,15 +64,15 @@ class StaticLoadsReader {
     }
     if (!has_unit) return *number;
     // The number together with its unit, for powers of ten without a rounding of their own.
-    const std::optional<Quantity> quantity = ParseQuantity(text + " " + Text("unit"));
+    const std::optional<Quantity> quantity = ParseQuantity(FormatNumber(*number) + " " + Text("unit"));
     if (!quantity) Fault(Text("quantity") + ": " + std::string(column) + " '" + text + "' is too large; correct it");
     return quantity ? quantity->si : 0;
   }
 
-  const CsvTable& table_;
+  const RecordedTable& table_;
   Diagnostics& diagnostics_;
   std::size_t row_ = 0;
-  std::map<std::string, int> line_of_;
+  std::map<std::string, std::size_t> row_of_;
   bool good_ = true;
 };
 
@@ -79,7 +80,7 @@ class StaticLoadsReader {
 
 std::optional<std::vector<StaticMeasurement>> ReadStaticLoads(const std::filesystem::path& file,
                                                               Diagnostics& diagnostics) {
-  const std::optional<CsvTable> table = ReadCsv(file, diagnostics);
+  const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics, CsvHeader::kNames);
   if (!table || !table->CheckColumns(kColumns, {}, diagnostics)) return std::nullopt;
   return StaticLoadsReader(*table, diagnostics).Read();
 }

@@ -20,9 +20,10 @@ struct StaticMeasurement {
   Dimension dimension;
 };
 
-/// Reads a table with the columns quantity, unit, value, sd; every row has its own unit, as ParseUnit takes it.
-/// Reports all of: what ReadCsv reports, missing or unknown columns, a quantity without or with another one's name, an
-/// unknown unit, a value or sd that is missing or not a number, a negative sd. Nothing when there was one.
+/// Reads a table, of text or in a MAT file, with the columns quantity, unit, value, sd; every row has its own unit, as
+/// ParseUnit takes it.
+/// Reports all of: what ReadRecordedTable reports, missing or unknown columns, a quantity without or with another one's
+/// name, an unknown unit, a value or sd that is missing or not a number, a negative sd. Nothing when there was one.
 std::optional<std::vector<StaticMeasurement>> ReadStaticLoads(const std::filesystem::path& file,
                                                               Diagnostics& diagnostics);
 

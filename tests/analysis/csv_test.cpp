@@ -93,37 +93,6 @@ TEST(Csv, NumbersReportsEveryFieldThatIsNone) {
   EXPECT_EQ(numbers[2], 4);
 }
 
-class CsvColumns : public ::testing::Test {
- protected:
-  std::string Check(std::string_view text) {
-    Diagnostics diagnostics;
-    const bool good = ParseGood(text).CheckColumns(required_, optional_, diagnostics);
-    EXPECT_EQ(good, !diagnostics.HasErrors());
-    return diagnostics.Format();
-  }
-
- private:
-  const std::array<std::string_view, 2> required_ = {"frequency", "gain"};
-  const std::array<std::string_view, 1> optional_ = {"phase"};
-};
-
-TEST_F(CsvColumns, MayLackOptionalOnes) {
-  EXPECT_EQ(Check("gain,frequency\n1,2\n"), "");
-  EXPECT_EQ(Check("gain,phase,frequency\n1,2,3\n"), "");
-}
-
-TEST_F(CsvColumns, MayNotLackRequiredOnes) {
-  EXPECT_EQ(Check("phase\n1\n"),
-            "t.csv:1: error: column 'frequency' is missing; add it\n"
-            "t.csv:1: error: column 'gain' is missing; add it");
-}
-
-TEST_F(CsvColumns, MayNotHaveOthers) {
-  EXPECT_EQ(Check("gain,frequency,phsae,colour\n1,2,3,4\n"),
-            "t.csv:1: error: unknown column 'phsae', did you mean 'phase'?\n"
-            "t.csv:1: error: unknown column 'colour'; remove it");
-}
-
 TEST(CsvFault, EmptyFile) {
   EXPECT_EQ(Faults(""), "t.csv: error: is empty; it needs a header line and rows of numbers");
   EXPECT_EQ(Faults("\n \n"), "t.csv: error: is empty; it needs a header line and rows of numbers");

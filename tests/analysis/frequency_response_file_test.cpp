@@ -7,12 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/analysis/faults_of.h"
+#include "tests/analysis/mat_writer.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 constexpr double kRadian = std::numbers::pi / 180;
@@ -142,6 +144,53 @@ TEST(FrequencyResponseFile, AngularVelocitiesAreInRadians) {
     EXPECT_DOUBLE_EQ(gyro.mean[0], 9 * size);
     EXPECT_DOUBLE_EQ(gyro.second_harmonic[0], 3.6 * size);
   }
+}
+
+TEST(FrequencyResponseFile, MayBeAMatFile) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "frf.mat").string();
+  {
+    MatWriter mat(file, MAT_FT_MAT5);
+    mat.Add(MatWriter::Struct("run", {{"frequency_Hz", MatWriter::Column(nullptr, {0.5, 0.5, 0.5})},
+                                      {"post_amplitude_m", MatWriter::Column(nullptr, {0.012, 0.012, 0.012})},
+                                      {"channel", MatWriter::Cells(nullptr, {"body", "strut", "tyre"})},
+                                      {"unit", MatWriter::Cells(nullptr, {"cm/s^2", "mm", "kN"})},
+                                      {"gain", MatWriter::Column(nullptr, {1.5, 125, 2.5})},
+                                      {"phase_deg", MatWriter::Column(nullptr, {0, 0, 0})},
+                                      {"gain_sd", MatWriter::Column(nullptr, {0.25, 2, 0.5})},
+                                      {"mean", MatWriter::Column(nullptr, {50, 3, 7})}}));
+  }
+  Diagnostics diagnostics;
+  const auto response = ReadFrequencyResponse(file, diagnostics);
+  ASSERT_TRUE(response) << diagnostics.Format();
+  const FrequencyResponse same = ReadGood(kGoodWithUnits);
+  EXPECT_EQ(response->frequency_Hz, same.frequency_Hz);
+  EXPECT_EQ(response->amplitude_m, same.amplitude_m);
+  ASSERT_EQ(response->channels.size(), same.channels.size());
+  for (std::size_t i = 0; i < same.channels.size(); ++i) {
+    EXPECT_EQ(response->channels[i].name, same.channels[i].name);
+    EXPECT_EQ(response->channels[i].unit, same.channels[i].unit);
+    EXPECT_EQ(response->channels[i].response, same.channels[i].response);
+    EXPECT_EQ(response->channels[i].gain_sd, same.channels[i].gain_sd);
+    EXPECT_EQ(response->channels[i].mean, same.channels[i].mean);
+  }
+}
+
+TEST(FrequencyResponseFile, OfMatlabTellsRows) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "frf.mat").string();
+  {
+    MatWriter mat(file, MAT_FT_MAT5);
+    mat.Add(MatWriter::Column("frequency_Hz", {0.5, 1}));
+    mat.Add(MatWriter::Column("post_amplitude_m", {0.012, 0.012}));
+    mat.Add(MatWriter::Rows("channel", {"s_FL", "s_FL"}));
+    mat.Add(MatWriter::Column("gain", {1, -1}));
+    mat.Add(MatWriter::Column("phase_deg", {0, 0}));
+  }
+  Diagnostics diagnostics;
+  EXPECT_FALSE(ReadFrequencyResponse(file, diagnostics));
+  EXPECT_THAT(diagnostics.Format(),
+              HasSubstr("frf.mat: error: row 2: s_FL at 1 Hz: gain -1 must be above zero; correct it"));
 }
 
 TEST(FrequencyResponseFile, OfTheLandRoverIsRead) {

@@ -1,13 +1,11 @@
 #include "analysis/mat_file.h"
 
-#include <matio.h>
-
 #include <fstream>
-#include <memory>
 
 #include <gmock/gmock.h>
 
 #include "analysis/time_recording.h"
+#include "tests/analysis/mat_writer.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
@@ -15,42 +13,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-/// Writes variables as MATLAB would.
-class MatWriter {
- public:
-  MatWriter(const std::string& file, mat_ft version) : mat_(Mat_CreateVer(file.c_str(), nullptr, version)) {}
-  ~MatWriter() { Mat_Close(mat_); }
-  MatWriter(const MatWriter&) = delete;
-  MatWriter& operator=(const MatWriter&) = delete;
-
-  static matvar_t* Column(const char* name, std::vector<double> values) {
-    std::size_t dims[2] = {values.size(), 1};
-    return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims, values.data(), 0);
-  }
-
-  static matvar_t* Text(const char* name, std::string text) {
-    std::size_t dims[2] = {1, text.size()};
-    return Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UINT8, 2, dims, text.data(), 0);
-  }
-
-  static matvar_t* Struct(const char* name, const std::vector<std::pair<const char*, matvar_t*>>& fields) {
-    std::vector<const char*> names;
-    for (const auto& field : fields) names.push_back(field.first);
-    std::size_t dims[2] = {1, 1};
-    matvar_t* structure = Mat_VarCreateStruct(name, 2, dims, names.data(), static_cast<unsigned>(names.size()));
-    for (const auto& [field, value] : fields) Mat_VarSetStructFieldByName(structure, field, 0, value);
-    return structure;
-  }
-
-  void Add(matvar_t* variable) {
-    Mat_VarWrite(mat_, variable, MAT_COMPRESSION_NONE);
-    Mat_VarFree(variable);
-  }
-
- private:
-  mat_t* mat_;
-};
 
 std::vector<MatVector> Read(const std::string& file) {
   Diagnostics diagnostics;
@@ -85,12 +47,38 @@ TEST_P(MatVersions, HoldVectorsAndTheirUnits) {
   EXPECT_THAT(vectors[0].values, ElementsAre(1, 2, 3));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MatVersions, testing::Values(MAT_FT_MAT4, MAT_FT_MAT5, MAT_FT_MAT73),
-                         [](const auto& test) {
-                           return test.param == MAT_FT_MAT4   ? std::string("Version4")
-                                  : test.param == MAT_FT_MAT5 ? std::string("Version5")
-                                                              : std::string("Version73");
-                         });
+TEST_P(MatVersions, HoldRowsOfCharacters) {
+  {
+    MatWriter mat(file_, GetParam());
+    mat.Add(MatWriter::Rows("channel", {"a_body", "s_strut"}));
+    mat.Add(MatWriter::Column("gain", {1, 2}));
+  }
+  const std::vector<MatVector> vectors = Read(file_);
+  ASSERT_EQ(vectors.size(), 2u);
+  EXPECT_EQ(vectors[0].name, "channel");
+  EXPECT_THAT(vectors[0].texts, ElementsAre("a_body", "s_strut"));
+}
+
+/// Those that have cells.
+using LaterMatVersions = MatVersions;
+
+TEST_P(LaterMatVersions, HoldCellsOfTexts) {
+  {
+    MatWriter mat(file_, GetParam());
+    mat.Add(MatWriter::Cells("channel", {"a_body", "s"}));
+    mat.Add(MatWriter::Column("gain", {1, 2}));
+  }
+  const std::vector<MatVector> vectors = Read(file_);
+  ASSERT_EQ(vectors.size(), 2u);
+  EXPECT_THAT(vectors[0].texts, ElementsAre("a_body", "s"));
+}
+
+std::string VersionName(const testing::TestParamInfo<mat_ft>& test) {
+  return test.param == MAT_FT_MAT4 ? "Version4" : test.param == MAT_FT_MAT5 ? "Version5" : "Version73";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MatVersions, testing::Values(MAT_FT_MAT4, MAT_FT_MAT5, MAT_FT_MAT73), VersionName);
+INSTANTIATE_TEST_SUITE_P(All, LaterMatVersions, testing::Values(MAT_FT_MAT5, MAT_FT_MAT73), VersionName);
 
 class MatFile : public testing::Test {
  protected:

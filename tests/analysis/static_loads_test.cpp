@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/analysis/faults_of.h"
+#include "tests/analysis/mat_writer.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
@@ -30,6 +31,35 @@ TEST(StaticLoads, AreInSi) {
   // Not 1.3 * 0.001, which is another double.
   EXPECT_EQ((*loads)[1].sd, 0.0013);
   EXPECT_EQ((*loads)[2].dimension, kMass);
+}
+
+TEST(StaticLoads, MayHaveDecimalCommas) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const auto loads =
+      ReadStaticLoads(folder.Write("static.csv", "quantity;unit;value;sd\nload;kN;4,971;0,02\n"), diagnostics);
+  ASSERT_TRUE(loads) << diagnostics.Format();
+  EXPECT_EQ(loads->front().value, 4971);
+  EXPECT_EQ(loads->front().sd, 20);
+}
+
+TEST(StaticLoads, MayBeAMatFile) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "static.mat").string();
+  {
+    MatWriter mat(file, MAT_FT_MAT5);
+    mat.Add(MatWriter::Cells("quantity", {"load_FL", "wheelbase"}));
+    mat.Add(MatWriter::Cells("unit", {"kN", "mm"}));
+    mat.Add(MatWriter::Column("value", {4.971, 2794}));
+    mat.Add(MatWriter::Column("sd", {0.02, 1.3}));
+  }
+  Diagnostics diagnostics;
+  const auto loads = ReadStaticLoads(file, diagnostics);
+  ASSERT_TRUE(loads) << diagnostics.Format();
+  ASSERT_EQ(loads->size(), 2);
+  EXPECT_EQ((*loads)[0].value, 4971);
+  EXPECT_EQ((*loads)[1].name, "wheelbase");
+  EXPECT_EQ((*loads)[1].sd, 0.0013);
 }
 
 TEST(StaticLoads, OfTheLandRoverAreRead) {
