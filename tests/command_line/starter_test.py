@@ -1,10 +1,24 @@
 """From nothing to a fitted car, and the same with data as measurement systems write them."""
+import csv
 import json
+import struct
 import unittest
 
 from program import SOURCE, ProgramTest
 
 TRUTH = {"m_body": 335, "m_wheel": 46, "k": 24e3, "kt": 230e3, "c_bump": 1100, "c_rebound": 2300}
+
+
+def mat4(columns):
+    """A MAT file of version 4 of columns of numbers and of texts, which are rows of characters filled up by blanks."""
+    file = b""
+    for name, values in columns.items():
+        is_text = isinstance(values[0], str)
+        width = max(map(len, values)) if is_text else 1
+        numbers = [float(ord(value.ljust(width)[i])) for i in range(width) for value in values] if is_text else values
+        file += struct.pack("<5i", 1 if is_text else 0, len(values), width, 0, len(name) + 1) + name.encode() + b"\0"
+        file += struct.pack(f"<{len(numbers)}d", *numbers)
+    return file
 
 
 class Starter(ProgramTest):
@@ -60,6 +74,23 @@ class Starter(ProgramTest):
         for one, other in zip(*values):
             # Rounding of 1e-16 on the way to another stop of the refinement.
             self.assertLess(abs(one - other), 1e-4 * abs(one))
+
+    def test_fits_the_same_from_a_mat_file(self):
+        self.run_program("init", "car")
+        self.run_program("fit", "car/study.yaml", "-o", "run")
+        rows = list(csv.DictReader((self.folder / "car/stepped_sine.csv").read_text().splitlines()))
+        columns = {name: [row[name] for row in rows] for name in rows[0]}
+        self.write("car/stepped_sine.mat", mat4({
+            name: texts if name in ("channel", "unit") else [float(text or "nan") for text in texts]
+            for name, texts in columns.items()}))
+        text = self.run_program("info", "car/stepped_sine.csv").stdout
+        self.assertEqual(self.run_program("info", "car/stepped_sine.mat").stdout, text.replace(".csv", ".mat"))
+        study = (self.folder / "car/study.yaml").read_text()
+        self.write("car/study.yaml", study.replace("file: stepped_sine.csv", "file: stepped_sine.mat"))
+        self.run_program("fit", "car/study.yaml", "-o", "other")
+        one, other = (json.loads((self.folder / run / "result.json").read_text()) for run in ("run", "other"))
+        self.assertEqual(one["parameters"], other["parameters"])
+        self.run_program("predict", "other", "--recording", "car/stepped_sine.mat")
 
 
 if __name__ == "__main__":
