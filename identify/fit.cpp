@@ -149,17 +149,20 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
     stage_now = stage;
     paid_before = archive.counts().paid;
   };
-  const auto report = [&] {
+  const auto report_within = [&](std::int64_t of_batch) {
     const EvaluationCounts& counts = archive.counts();
     if (!hooks.progress) return;
+    const std::int64_t paid = counts.paid + of_batch;
     hooks.progress({.stage = stage_now,
                     .best_cost = archive.best_cost(),
-                    .paid = counts.paid,
-                    .in_stage = counts.paid - paid_before,
+                    .paid = paid,
+                    .in_stage = paid - paid_before,
                     .reused = counts.reused,
                     .failed = counts.failed(),
                     .restored = counts.restored});
   };
+  archive.TellProgress(report_within);
+  const auto report = [&] { report_within(0); };
 
   FitResult result;
   result.values = objective.vehicle().ParameterValues();
@@ -202,6 +205,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   Eigen::VectorXd values = result.search.candidates.front().values;
   result.end = stop() ? FitEnd::kInterrupted : FitEnd::kNotConverged;
   if (refined.best >= 0) {
+    begin("deviations");
     const RefineResult best =
         Polished(archive, refined.runs[static_cast<std::size_t>(refined.best)], options.refine, report_and_ask);
     values = best.values;

@@ -130,6 +130,7 @@ struct FitProgress {
   std::string_view stage;
   /// Lowest of all evaluations so far, by the refinement's loss; infinite before the first.
   double best_cost = 0;
+  /// Those of a batch that runs are taken for paid ones until it ends.
   std::int64_t paid = 0;
   /// Of the paid ones, those of this stage.
   std::int64_t in_stage = 0;
@@ -140,6 +141,7 @@ struct FitProgress {
 };
 
 struct FitHooks {
+  /// Called by one thread at a time, but not always by the same.
   std::function<void(const FitProgress&)> progress;
   /// True asks the fit to end with what it has.
   std::function<bool()> stop;

@@ -1,6 +1,7 @@
 #include "identify/command_line/fit_progress.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -25,10 +26,13 @@ std::string ProgressText(const FitProgress& progress, const FitOptions& options,
     if (computed > 0)
       left = TimeLeft(static_cast<double>(of_search) / static_cast<double>(search_evaluations), seconds);
   }
+  std::string best;
+  if (std::isfinite(progress.best_cost))
+    best = ", best cost " + Rounded(progress.best_cost, 5) +
+           (loss.kind() == LossKind::kNone ? "" : " by " + std::string(loss.name()));
   return text + std::to_string(progress.paid) + " evaluations in all (" + std::to_string(progress.reused) +
          " reused, " + std::to_string(progress.failed) + " failed, " + std::to_string(progress.restored) +
-         " from the archive), " + Rounded(rate, 3) + " per second, best cost " + Rounded(progress.best_cost, 5) +
-         (loss.kind() == LossKind::kNone ? "" : " by " + std::string(loss.name())) +
+         " from the archive), " + Rounded(rate, 3) + " per second" + best +
          (left.empty() ? "" : left + " of the search");
 }
 

@@ -7,6 +7,7 @@
 
 #include "identify/lint/channel_warnings.h"
 #include "identify/lint/pattern_lint.h"
+#include "identify/lint/scale_lint.h"
 #include "identify/lint/sign_lint.h"
 #include "identify/lint/station_lint.h"
 #include "identify/lint/weight_lint.h"
@@ -45,6 +46,7 @@ std::vector<MeasuredRun> LintRuns(const RunLint& lint, const std::vector<Measure
 }
 
 void LintRecordings(const LoadedStudy& study, Diagnostics& diagnostics, Severity wrong_posts) {
+  LintScale(study, diagnostics);
   if (study.data.runs.empty() && study.data.static_loads.empty()) return;
   const CondensedVehicle condensed(study.vehicle);
   LintWeights(study, condensed, diagnostics);

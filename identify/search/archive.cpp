@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <tuple>
@@ -60,11 +61,11 @@ std::vector<Evaluation> Archive::EvaluateValues(const std::vector<Eigen::VectorX
   std::vector<Eigen::VectorXd> values;
   for (const Eigen::VectorXd& asked : batch) values.push_back(lattice().RoundDiscrete(asked));
   if (store_ != nullptr) return EvaluateStored(values);
-  std::vector<Evaluation> evaluations(batch.size());
-  ForEachInParallel(batch.size(), threads_, [&](std::size_t i) { evaluations[i] = Ask(values[i]).evaluation; });
-  for (Evaluation& evaluation : evaluations) {
-    CheckSize(evaluation);
-    Count(evaluation);
+  std::vector<Evaluation> evaluations;
+  for (EvaluationStore::Answer& answer : AskAll(values)) {
+    CheckSize(answer.evaluation);
+    Count(answer.evaluation);
+    evaluations.push_back(std::move(answer.evaluation));
   }
   return evaluations;
 }
@@ -72,15 +73,14 @@ std::vector<Evaluation> Archive::EvaluateValues(const std::vector<Eigen::VectorX
 // Each distinct point once.
 std::vector<Evaluation> Archive::EvaluateStored(const std::vector<Eigen::VectorXd>& batch) {
   std::unordered_map<std::string, std::size_t> place_of;
-  std::vector<std::size_t> distinct;
+  std::vector<Eigen::VectorXd> distinct;
   std::vector<std::size_t> place;
-  for (std::size_t i = 0; i < batch.size(); ++i) {
-    const auto [found, is_new] = place_of.emplace(BytesOf(batch[i]), distinct.size());
-    if (is_new) distinct.push_back(i);
+  for (const Eigen::VectorXd& values : batch) {
+    const auto [found, is_new] = place_of.emplace(BytesOf(values), distinct.size());
+    if (is_new) distinct.push_back(values);
     place.push_back(found->second);
   }
-  std::vector<EvaluationStore::Answer> answers(distinct.size());
-  ForEachInParallel(distinct.size(), threads_, [&](std::size_t k) { answers[k] = Ask(batch[distinct[k]]); });
+  std::vector<EvaluationStore::Answer> answers = AskAll(distinct);
   for (EvaluationStore::Answer& answer : answers) CheckSize(answer.evaluation);
 
   std::vector<Evaluation> evaluations;
@@ -99,6 +99,19 @@ EvaluationStore::Answer Archive::Ask(const Eigen::VectorXd& values) const {
   const auto evaluate = [&] { return EvaluateGuarded(problem_, values); };
   if (store_ == nullptr) return {evaluate()};
   return store_->FindOrEvaluate(values, evaluate);
+}
+
+std::vector<EvaluationStore::Answer> Archive::AskAll(const std::vector<Eigen::VectorXd>& points) const {
+  std::vector<EvaluationStore::Answer> answers(points.size());
+  std::mutex telling;
+  std::int64_t done = 0;
+  ForEachInParallel(points.size(), threads_, [&](std::size_t i) {
+    answers[i] = Ask(points[i]);
+    if (!tell_) return;
+    const std::lock_guard lock(telling);
+    tell_(++done);
+  });
+  return answers;
 }
 
 std::optional<Eigen::MatrixXd> Archive::Differentiate(const Eigen::VectorXd& values) {

@@ -92,6 +92,8 @@ class Archive {
   const std::vector<Improvement>& improvements() const { return improvements_; }
   /// Has each paid evaluation measured by another cost than squares as well, such as that of a robust loss.
   void Watch(std::function<double(const Eigen::VectorXd& residuals)> cost) { watched_ = std::move(cost); }
+  /// Has it told how many points of a batch are evaluated, after each: by one thread at a time, whichever it is.
+  void TellProgress(std::function<void(std::int64_t done)> tell) { tell_ = std::move(tell); }
   /// Lowest of all that were watched, of squares where nothing is watched; infinite before the first.
   double best_cost() const { return best_cost_; }
   /// Number of lattice points remembered.
@@ -123,6 +125,7 @@ class Archive {
 
   std::vector<LatticePoint> NewPoints(const std::vector<LatticePoint>& batch) const;
   EvaluationStore::Answer Ask(const Eigen::VectorXd& values) const;
+  std::vector<EvaluationStore::Answer> AskAll(const std::vector<Eigen::VectorXd>& points) const;
   std::vector<Evaluation> EvaluateStored(const std::vector<Eigen::VectorXd>& batch);
   // Sums over unlike numbers of residuals cannot be compared: the first evaluation decides how many there are.
   void CheckSize(Evaluation& evaluation);
@@ -138,6 +141,7 @@ class Archive {
   EvaluationCounts counts_;
   std::vector<Improvement> improvements_;
   std::function<double(const Eigen::VectorXd& residuals)> watched_;
+  std::function<void(std::int64_t done)> tell_;
   double best_cost_ = std::numeric_limits<double>::infinity();
   Eigen::Index residual_count_ = 0;
 };

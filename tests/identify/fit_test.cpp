@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
+#include <string_view>
 
 #include <gmock/gmock.h>
 
@@ -216,6 +218,27 @@ TEST(Fit, TellsTheLowestCostSoFar) {
     EXPECT_LE(costs.back(), fit.cost);
     EXPECT_GT(costs.back(), 0.99 * fit.cost);
   }
+}
+
+TEST(Fit, TellsEachEvaluationOfABatch) {
+  const LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 1);
+  const VehicleObjective objective = twin.MakeObjective();
+  std::int64_t before = 0;
+  std::int64_t largest_step = 0;
+  std::set<std::string_view> stages;
+  FitHooks hooks;
+  hooks.progress = [&](const FitProgress& progress) {
+    largest_step = std::max(largest_step, progress.paid - before);
+    before = progress.paid;
+    stages.insert(progress.stage);
+  };
+  FitOptions options = Options();
+  options.identify_first = true;
+  options.refine.differences = Differences::kAutomatic;
+  Fit(objective, options, hooks);
+  // The model's own derivatives count as one evaluation per parameter.
+  EXPECT_LE(largest_step, static_cast<std::int64_t>(twin.free.size()));
+  EXPECT_THAT(stages, testing::IsSupersetOf({"identifiability", "search", "refine", "deviations"}));
 }
 
 TEST(Fit, EndsWithWhatItHasWhenAsked) {

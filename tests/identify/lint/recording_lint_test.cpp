@@ -76,6 +76,28 @@ TEST_P(EveryStudy, TellsOfAnyChannelOfOppositeSign) {
   }
 }
 
+/// Of one without loads, whose recordings have no forces any more.
+LoadedStudy WithoutForces(const std::string& name) {
+  LoadedStudy study = ShippedStudy(name);
+  study.data.static_loads.clear();
+  for (MeasuredRun& run : study.data.runs)
+    std::erase_if(run.channels, [](const MeasuredChannel& channel) { return channel.unit == "N"; });
+  return study;
+}
+
+TEST(RecordingLint, TellsWhatSetsTheScaleWithoutForces) {
+  LoadedStudy study = WithoutForces("full");
+  const std::string told = Lint(study);
+  EXPECT_THAT(told, HasSubstr("rests on what is held ("));
+  EXPECT_THAT(told, HasSubstr("1 % there is 1 % in all of them"));
+  // A mass that was weighed sets it as well.
+  for (const std::size_t index : study.free) {
+    Parameter& parameter = study.vehicle.parameters[index];
+    if (parameter.dimension == kMass) parameter.prior_sd = 1;
+  }
+  EXPECT_EQ(Lint(study), "");
+}
+
 TEST(RecordingLint, TellsOfAScaleThatIsOff) {
   LoadedStudy study = ShippedStudy("model1");
   Scale(study, "a_cross_member", 9.80665);

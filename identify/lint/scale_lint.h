@@ -1,0 +1,12 @@
+#pragma once
+
+#include "analysis/diagnostics.h"
+#include "identify/loaded_study.h"
+
+namespace fourpost {
+
+/// A study whose data tell masses, rates and dampings up to a common factor only, since it fits no force, load or
+/// prior: what is held sets that factor, and no deviation knows of it.
+void LintScale(const LoadedStudy& study, Diagnostics& diagnostics);
+
+}  // namespace fourpost
