@@ -52,8 +52,8 @@ void LintScale(const LoadedStudy& study, Diagnostics& diagnostics) {
   const std::string held = Held(study);
   diagnostics.Warning(study.study.file.string(), study.study.free_line,
                       "no force or load is fitted, so masses, rates and dampings are told up to a common factor, "
-                      "which rests on " +
-                          (held.empty() ? "numbers of the vehicle file" : "what is held (" + held + ")") +
+                      "which rests on what is held (" +
+                          (held.empty() ? "numbers of the vehicle file, if any" : held) + ")" +
                           ": 1 % there is 1 % in all of them, and in no deviation; fit a tyre force or `static_loads`, "
                           "or make sure of what is held");
 }
