@@ -198,7 +198,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   };
   const std::vector<Eigen::VectorXd> starts = Starts(result.search, objective, options.starts);
   const MultiStartResult refined = RefineFrom(archive, starts, options.refine, report_and_ask);
-  result.starts = static_cast<int>(refined.runs.size());
+  result.starts = refined.ended;
   result.agreeing = refined.agreeing;
   result.refined = Summarised(refined.runs, starts.size());
 

@@ -111,10 +111,10 @@ struct FitResult {
   SearchResult search;
   /// Every setting of the search and its value, in the words of a study.
   std::vector<std::pair<std::string, std::string>> search_settings;
-  /// Refinements run, and how many ended in the best optimum.
+  /// Refinements that ended by themselves, and how many of them in the best optimum.
   int starts = 0;
   int agreeing = 0;
-  /// Each of them, in the order of the starts: good points of the search, then the vehicle's own values.
+  /// Each that began, in the order of the starts: good points of the search, then the vehicle's own values.
   std::vector<RefinedStart> refined;
 
   /// Root mean square of the data's residuals over their degrees of freedom, whatever the loss: how many times what

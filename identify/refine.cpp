@@ -295,6 +295,7 @@ MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>
     if (stop && stop()) break;
     result.runs.push_back(Refine(archive, start, options, stop));
     const RefineResult& run = result.runs.back();
+    result.ended += run.has_ended();
     if (!run.has_cost()) continue;
     highest_start = std::max(highest_start, run.start_cost);
     const bool wins = result.best < 0 || run.cost < result.runs[static_cast<std::size_t>(result.best)].cost;
@@ -303,7 +304,7 @@ MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>
   if (result.best < 0) return result;
   const RefineResult& best = result.runs[static_cast<std::size_t>(result.best)];
   for (RefineResult& run : result.runs) {
-    run.agrees = run.has_cost() && Agrees(run, best, 1e-12 * highest_start, options);
+    run.agrees = run.has_cost() && run.has_ended() && Agrees(run, best, 1e-12 * highest_start, options);
     result.agreeing += run.agrees;
   }
   return result;

@@ -76,10 +76,12 @@ struct RefineResult {
   int iterations = 0;
   /// Evaluations paid for, those for differences included.
   std::int64_t evaluations = 0;
-  /// Of several: with the best, itself included, see RefineOptions::agreement.
+  /// Of several that ended: with the best, itself included, see RefineOptions::agreement.
   bool agrees = false;
 
   bool has_cost() const { return end != RefineEnd::kNotRun && end != RefineEnd::kStartFailed; }
+  /// By itself, not by the user.
+  bool has_ended() const { return end != RefineEnd::kNotRun && end != RefineEnd::kStopped; }
 };
 
 /// Levenberg-Marquardt (Ceres) within the bounds of the lattice, in FitVariables, with differences evaluated in
@@ -95,8 +97,10 @@ struct MultiStartResult {
   std::vector<RefineResult> runs;
   /// Run with the lowest cost; -1 when no start could be evaluated.
   int best = -1;
-  /// Runs that agree with the best in cost, itself included. Their values may still differ where the data do not
-  /// determine them.
+  /// Runs that ended by themselves.
+  int ended = 0;
+  /// Of these, runs that agree with the best in cost, itself included. Their values may still differ where the data do
+  /// not determine them.
   int agreeing = 0;
 };
 

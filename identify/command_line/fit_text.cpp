@@ -68,13 +68,24 @@ std::string LossWords(const RobustLoss& loss) {
   return " by " + std::string(loss.name()) + " beyond " + FormatNumber(loss.scale()) + " sd";
 }
 
+std::string Agreement(const FitResult& fit) {
+  const bool is_cut_short = fit.end == FitEnd::kInterrupted;
+  if (is_cut_short && fit.starts == 0) return "stopped before any refinement had ended";
+  return std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " refinements " +
+         (is_cut_short ? "that had ended agree" : "agree");
+}
+
+std::string SearchEndText(const SearchResult& search) {
+  return (search.end == SearchEnd::kStopped ? "search " : "search ended by ") + search.reason;
+}
+
 std::string Summary(const FitResult& fit) {
   const EvaluationCounts& counts = fit.evaluations;
   return "fit " + std::string(FitEndName(fit.end)) + ": cost " + Rounded(fit.cost, 5) +
          LossWords(fit.options.refine.loss) + " for " + std::to_string(fit.residual_count) + " residuals" +
          PriorShare(fit) + "; " + std::to_string(counts.paid) + " evaluations paid, " + std::to_string(counts.reused) +
-         " reused, " + std::to_string(counts.failed()) + " failed; " + std::to_string(fit.agreeing) + " of " +
-         std::to_string(fit.starts) + " refinements agree\n" + "search ended by " + fit.search.reason + "\n";
+         " reused, " + std::to_string(counts.failed()) + " failed; " + Agreement(fit) + '\n' +
+         SearchEndText(fit.search) + '\n';
 }
 
 /// How large the misfit is, and what the data say worst, in words.

@@ -90,6 +90,22 @@ bool IsAnyFar(const std::vector<JudgedChannel>& channels) {
                      [](const JudgedChannel& channel) { return channel.follows == Follows::kNot; });
 }
 
+/// A run that was cut short tells what it had done by then.
+std::string Agreement(const Json& result, bool is_cut_short) {
+  const Json starts = result.value("starts", Json());
+  const double refined = NumberAt(starts, "refined");
+  const double agreeing = NumberAt(starts, "agreeing");
+  const double paid = NumberAt(result.value("evaluations", Json()), "paid");
+  std::string text;
+  if (is_cut_short && std::isfinite(paid)) text = "It was stopped after " + ShownDecimals(paid, 0) + " evaluations";
+  if (!(refined > 0)) return text.empty() ? "" : text + ", before any refinement had ended. ";
+  if (!text.empty()) text += ". ";
+  if (refined == 1) return text + "One refinement ended, so that nothing tells whether others agree. ";
+  return text + ShownDecimals(agreeing, 0) + " of " + ShownDecimals(refined, 0) + " refinements" +
+         (is_cut_short ? " that had ended" : "") + ", each from its own start, end in the same optimum" +
+         (agreeing < refined ? "; the others ended higher. " : ". ");
+}
+
 Verdict HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {
   const std::string end = TextAt(result, "termination");
   const Json starts = result.value("starts", Json());
@@ -102,12 +118,8 @@ Verdict HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen)
   else if (end == "all_failed") text = "<strong>Every simulation failed;</strong> nothing was fitted. ";
   else text = "<strong>The fit did not converge;</strong> a better point may lie near. ";
   if (end != "converged") name = "poor";
-  if (refined > 0) {
-    const std::string count = ShownDecimals(agreeing, 0) + " of " + ShownDecimals(refined, 0);
-    text += count + " refinements, each from its own start, end in the same optimum" +
-            (agreeing < refined ? "; the others ended higher. " : ". ");
-    if (refined > 1 && agreeing < 2 && name == "good") name = "fair";
-  }
+  text += Agreement(result, end == "interrupted");
+  if (refined > 1 && agreeing < 2 && name == "good") name = "fair";
   const double misfit = MisfitOf(result);
   if (std::isfinite(misfit)) {
     text += misfit > kMisses ? "The model misses the data by " + ShownNumber(misfit, 2) +

@@ -406,6 +406,7 @@ TEST_F(CommandLine, AnInterruptedFitKeepsTheBestSoFar) {
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("fit interrupted"));
   EXPECT_THAT(outcome.out, HasSubstr("ended before deviations could be computed"));
+  EXPECT_THAT(outcome.out, HasSubstr("stopped before any refinement had ended\nsearch stopped by the user: "));
   const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
   EXPECT_EQ(result["termination"], "interrupted");
   EXPECT_TRUE(result["identifiability"].is_null());

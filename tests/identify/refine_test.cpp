@@ -398,6 +398,18 @@ class RefineFromSeveral : public testing::Test {
   Archive archive_{{Lattice({{"x", -5, 5, 0.1}}), TwoMinima}};
 };
 
+TEST_F(RefineFromSeveral, OneThatWasStoppedCountsForNothing) {
+  MultiStartResult result = RefineFrom(archive_, Starts({3, 1}), {}, [asked = 0]() mutable { return ++asked > 2; });
+  ASSERT_EQ(result.runs.size(), 1u);
+  EXPECT_EQ(result.runs[0].end, RefineEnd::kStopped);
+  EXPECT_EQ(result.best, 0);
+  EXPECT_EQ(result.ended, 0);
+  EXPECT_EQ(result.agreeing, 0);
+  result = RefineFrom(archive_, Starts({3, 1}));
+  EXPECT_EQ(result.ended, 2);
+  EXPECT_EQ(result.agreeing, 2);
+}
+
 TEST_F(RefineFromSeveral, TheBestWinsAndThoseThatAgreeAreCounted) {
   const MultiStartResult result = RefineFrom(archive_, Starts({-3, 5, 3, -1, 1}));
   ASSERT_EQ(result.runs.size(), 5u);

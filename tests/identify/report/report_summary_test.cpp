@@ -153,6 +153,24 @@ TEST(Summary, SaysThatARunHasNotEnded) {
                     HasSubstr("Run the same command again")));
 }
 
+// A refinement that was stopped agrees with nothing.
+TEST(Summary, TellsOfAnInterruptedRunWhatItHadDone) {
+  Json result = Good();
+  result["termination"] = "interrupted";
+  result["evaluations"] = {{"paid", 523}};
+  result["starts"] = {{"refined", 0}, {"agreeing", 0}};
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("It was stopped after 523 evaluations, before any refinement had ended. "),
+                    Not(HasSubstr("same optimum"))));
+  result["starts"] = {{"refined", 1}, {"agreeing", 1}};
+  EXPECT_THAT(
+      SummaryHtml(result, Known(), {}),
+      AllOf(HasSubstr("It was stopped after 523 evaluations. One refinement ended, "), Not(HasSubstr("same optimum"))));
+  result["starts"] = {{"refined", 3}, {"agreeing", 2}};
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              HasSubstr("2 of 3 refinements that had ended, each from its own start"));
+}
+
 TEST(Summary, EscapesNames) {
   Json result = Good();
   result["channels"][0]["name"] = "<b>";
