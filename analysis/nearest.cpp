@@ -53,6 +53,15 @@ std::string Suffix(std::optional<std::string_view> nearest) {
   return nearest ? ", did you mean '" + std::string(*nearest) + "'?" : std::string();
 }
 
+template <typename Name>
+std::string SuffixOrAll(std::string_view name, std::span<const Name> legal) {
+  std::string text = Suffix(Nearest(name, legal));
+  if (!text.empty()) return text;
+  for (const std::string_view candidate : legal)
+    text += (text.empty() ? "; there are " : ", ") + std::string(candidate);
+  return text;
+}
+
 }  // namespace
 
 std::optional<std::string_view> NearestName(std::string_view name, std::span<const std::string_view> legal) {
@@ -69,6 +78,14 @@ std::string DidYouMean(std::string_view name, std::span<const std::string_view> 
 
 std::string DidYouMean(std::string_view name, std::span<const std::string> legal) {
   return Suffix(Nearest(name, legal));
+}
+
+std::string DidYouMeanOrAll(std::string_view name, std::span<const std::string_view> legal) {
+  return SuffixOrAll(name, legal);
+}
+
+std::string DidYouMeanOrAll(std::string_view name, std::span<const std::string> legal) {
+  return SuffixOrAll(name, legal);
 }
 
 }  // namespace fourpost

@@ -17,4 +17,8 @@ std::optional<std::string_view> NearestName(std::string_view name, std::span<con
 std::string DidYouMean(std::string_view name, std::span<const std::string_view> legal);
 std::string DidYouMean(std::string_view name, std::span<const std::string> legal);
 
+/// The same, or where no legal name is near "; there are gain, phase".
+std::string DidYouMeanOrAll(std::string_view name, std::span<const std::string_view> legal);
+std::string DidYouMeanOrAll(std::string_view name, std::span<const std::string> legal);
+
 }  // namespace fourpost

@@ -100,13 +100,11 @@ std::vector<ComparedMethod> MethodsOf(const Study& study, const std::vector<std:
   for (const std::string& name : names) {
     const auto own = std::find_if(study.methods.begin(), study.methods.end(),
                                   [&](const StudyMethod& method) { return method.name == name; });
-    if (!seen.insert(name).second) diagnostics.Error(file, 0, "method '" + name + "' is asked for twice");
+    if (!seen.insert(name).second) diagnostics.Error("--methods", 0, "method '" + name + "' is asked for twice");
     else if (own != study.methods.end()) methods.push_back({name, OptionsOf(*own, file, problem, diagnostics)});
     else if (std::find(kMethodNames.begin(), kMethodNames.end(), name) != kMethodNames.end())
       methods.push_back({name, MethodPreset(name, problem)});
-    else
-      diagnostics.Error(file, 0,
-                        "there is no method '" + name + "'" + DidYouMean(name, legal) + "; there are " + Listed(legal));
+    else diagnostics.Error("--methods", 0, "there is no method '" + name + "'" + DidYouMeanOrAll(name, legal));
   }
   return methods;
 }

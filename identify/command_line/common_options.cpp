@@ -1,5 +1,7 @@
 #include "identify/command_line/common_options.h"
 
+#include <algorithm>
+
 #include "analysis/nearest.h"
 
 namespace fourpost {
@@ -36,18 +38,18 @@ CLI::Option* AddStroke(CLI::App& app, std::string& stroke) {
                         "Of posts whose stroke the vehicle file does not tell, from end to end (default 150mm)");
 }
 
+std::string Braced(std::span<const std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words) text += (text.empty() ? "{" : ",") + std::string(word);
+  return text + "}";
+}
+
 CLI::Validator OneOf(const char* what, std::span<const std::string_view> legal) {
   const auto fault = [what, legal](const std::string& text) -> std::string {
-    std::string all;
-    for (const std::string_view name : legal) {
-      if (name == text) return "";
-      all += (all.empty() ? "" : ", ") + std::string(name);
-    }
-    return "no " + std::string(what) + " is called '" + text + "'" + DidYouMean(text, legal) + "; there are " + all;
+    if (std::find(legal.begin(), legal.end(), text) != legal.end()) return "";
+    return "no " + std::string(what) + " is called '" + text + "'" + DidYouMeanOrAll(text, legal);
   };
-  std::string words;
-  for (const std::string_view name : legal) words += (words.empty() ? "{" : ",") + std::string(name);
-  return {fault, words + "}"};
+  return {fault, Braced(legal)};
 }
 
 }  // namespace fourpost

@@ -34,7 +34,10 @@ CLI::Option* AddStroke(CLI::App& app, std::string& stroke);
 
 inline constexpr const char* kModeHelp = "heave, pitch, roll, warp, or shares of posts such as FL=1,FR=-1";
 
-/// Takes one of these words; of another tells which is near, and all.
+/// "{up,down}": the type of an option for help and completion.
+std::string Braced(std::span<const std::string_view> words);
+
+/// Takes one of these words; of another tells which is near, or all where none is.
 CLI::Validator OneOf(const char* what, std::span<const std::string_view> legal);
 
 }  // namespace fourpost

@@ -137,7 +137,7 @@ std::vector<ComparedMethod> TakePeers(std::vector<std::string>& names, Diagnosti
       if (!seen.insert(name).second) throw std::invalid_argument("it is asked for twice");
       methods.push_back(PeerMethod(name));
     } catch (const std::invalid_argument& error) {
-      diagnostics.Error("", 0, "method '" + name + "': " + error.what());
+      diagnostics.Error("--methods", 0, "method '" + name + "': " + error.what());
     }
   }
   std::erase_if(names, is_peer);

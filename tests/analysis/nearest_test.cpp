@@ -45,5 +45,11 @@ TEST(DidYouMean, EndsAMessage) {
   EXPECT_EQ(DidYouMean("stiffness", kLegal), "");
 }
 
+TEST(DidYouMean, ListsAllWhereNoneIsNear) {
+  const std::vector<std::string> legal = {"gain", "phase"};
+  EXPECT_EQ(DidYouMeanOrAll("gian", legal), ", did you mean 'gain'?");
+  EXPECT_EQ(DidYouMeanOrAll("stiffness", legal), "; there are gain, phase");
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -495,9 +495,12 @@ TEST_F(CommandLine, CompareTakesTheStudyOfAVehicle) {
 
 TEST_F(CommandLine, CompareNamesWhatItDoesNotKnow) {
   const Outcome method = Run("compare studies/test_problems/gear_train.yaml --methods thesis_4");
-  EXPECT_EQ(method.code, 3);
-  EXPECT_THAT(method.err, HasSubstr("there is no method 'thesis_4', did you mean 'thesis_40'?"));
+  EXPECT_EQ(method.code, 2);
+  EXPECT_EQ(method.err, "--methods: error: there is no method 'thesis_4', did you mean 'thesis_40'?\n");
   EXPECT_EQ(method.out, "");
+  const Outcome twice = Run("compare studies/test_problems/gear_train.yaml --methods de,de");
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_EQ(twice.err, "--methods: error: method 'de' is asked for twice\n");
   ReplaceIn("studies/test_problems/gear_train.yaml", "problem: gear_train", "problem: gear_trains");
   const Outcome problem = Run("compare studies/test_problems/gear_train.yaml");
   EXPECT_EQ(problem.code, 3);
