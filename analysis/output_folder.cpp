@@ -96,8 +96,14 @@ void RemoveFolders(const std::vector<fs::path>& outermost_first) {
 void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing, bool keep) {
   const fs::path probe = folder / kProbe;
   std::error_code ignored;
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) {
+    RemoveFolders(missing);
+    ThrowUnusable(folder, missing.front().parent_path().string() + " takes no new folder (" + failure.message() + ")",
+                  "name one elsewhere, or allow writing there");
+  }
   try {
-    fs::create_directories(folder);
     Descriptor(probe, O_WRONLY | O_CREAT | O_TRUNC).Write("probe");
   } catch (const fs::filesystem_error&) {
     fs::remove(probe, ignored);
@@ -108,8 +114,7 @@ void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing,
   if (!keep) RemoveFolders(missing);
 }
 
-void CheckUsable(const fs::path& folder, const std::string& trace) {
-  const std::vector<fs::path> missing = MissingFolders(folder);
+void CheckUsable(const fs::path& folder, const std::vector<fs::path>& missing, const std::string& trace) {
   const fs::path existing = missing.empty() ? folder : missing.front().parent_path();
   if (!fs::is_directory(existing)) ThrowUnusable(existing, "is not a folder", "name another one for the results");
   if (missing.empty()) CheckContent(folder, trace);
@@ -125,7 +130,10 @@ OutputFolder::OutputFolder(const fs::path& folder, const std::string& trace) {
   try {
     // Whole, since a program may change its working directory.
     folder_ = WithoutTrailingSlash(fs::weakly_canonical(fs::absolute(folder)));
-    CheckUsable(folder_, trace);
+    const std::vector<fs::path> missing = MissingFolders(folder_);
+    if (!trace.empty() && !fs::exists(folder_ / trace)) new_trace_ = trace;
+    CheckUsable(folder_, missing, trace);
+    if (!trace.empty()) created_ = missing;
   } catch (const fs::filesystem_error& error) {
     ThrowUnusable(folder, "cannot be written to (" + error.code().message() + ")", "allow it or name another folder");
   }
@@ -137,6 +145,12 @@ void OutputFolder::Add(std::string name, std::string content) {
     throw std::invalid_argument("'" + name + "' is not the name of a file in a result folder");
   if (!content_of_.emplace(std::move(name), std::move(content)).second)
     throw std::invalid_argument("the result file '" + path.string() + "' has been added already");
+}
+
+void OutputFolder::Withdraw() const {
+  std::error_code ignored;
+  if (!new_trace_.empty()) fs::remove(folder_ / new_trace_, ignored);
+  RemoveFolders(created_);
 }
 
 void OutputFolder::Commit() {

@@ -27,6 +27,10 @@ class OutputFolder {
   /// Throws std::invalid_argument for a name that has been added already or is not that of a file in the folder.
   void Add(std::string name, std::string content);
 
+  /// Of a run that is refused: removes its trace and the folders that were created for it, unless they were there
+  /// before.
+  void Withdraw() const;
+
   /// Writes the files, in the place of an earlier run's of the same names; its other files stay. When that fails the
   /// folder is as it was before, and OutputError is thrown. Throws std::logic_error without a result.json.
   void Commit();
@@ -39,6 +43,10 @@ class OutputFolder {
   void RemoveTraces(const std::vector<std::filesystem::path>& created) const;
 
   std::filesystem::path folder_;
+  /// Created at once, the outermost first.
+  std::vector<std::filesystem::path> created_;
+  /// Empty where it was there before.
+  std::string new_trace_;
   std::map<std::string, std::string> content_of_;
 };
 

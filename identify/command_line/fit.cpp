@@ -59,10 +59,19 @@ void RequireSameContext(const FitCommand& command, const EvaluationContext& cont
   throw FaultyInput(diagnostics);
 }
 
-void TellRestored(const EvaluationCounts& counts, const EvaluationStore& store) {
+void TellRestored(const EvaluationCounts& counts, const std::filesystem::path& archive) {
   if (counts.restored == 0) return;
   std::fprintf(stderr, "%lld of %lld evaluations come from %s\n", static_cast<long long>(counts.restored),
-               static_cast<long long>(counts.paid), store.file().c_str());
+               static_cast<long long>(counts.paid), archive.c_str());
+}
+
+/// The archive is closed afterwards.
+FitResult FitInto(const std::filesystem::path& archive, const EvaluationContext& context,
+                  const VehicleObjective& objective, const FitOptions& options) {
+  EvaluationStore store(archive, context);
+  FitResult fit = FitWithProgress(objective, options, store);
+  TellRestored(fit.evaluations, archive);
+  return fit;
 }
 
 /// Places among the free parameters. Throws FaultyInput.
@@ -74,7 +83,7 @@ std::vector<Eigen::Index> Profiled(const VehicleObjective& objective, const std:
   for (const std::string& name : names) {
     const auto found = std::find(legal.begin(), legal.end(), name);
     if (found == legal.end())
-      diagnostics.Error("--profile", 0, "the study frees no parameter '" + name + "'" + DidYouMean(name, legal));
+      diagnostics.Error("--profile", 0, "the study frees no parameter '" + name + "'" + DidYouMeanOrAll(name, legal));
     else if (found != legal.begin()) profiled.push_back(found - legal.begin() - 1);
     else
       for (std::size_t i = 1; i < legal.size(); ++i) profiled.push_back(static_cast<Eigen::Index>(i) - 1);
@@ -185,17 +194,17 @@ int Run(const FitCommand& command) {
   TellAndKeep(diagnostics, warnings);
   EstimateNoise(*loaded);
   const VehicleObjective objective = loaded->MakeObjective();
+  const FitOptions options = OptionsOf(loaded->study, objective, command);
   RequireInputsElsewhere(InputsOf(*loaded), command.output);
   OutputFolder output(command.output, kArchive);
   const EvaluationContext context = ContextOf(*loaded);
   if (command.resume) RequireSameContext(command, context);
-  EvaluationStore store(command.output / kArchive, context);
-
-  const FitOptions options = OptionsOf(loaded->study, objective, command);
-  FitResult fit = FitWithProgress(objective, options, store);
+  FitResult fit = FitInto(command.output / kArchive, context, objective, options);
   if (!loaded->TellsDeviations()) fit.DropDeviations();
-  TellRestored(fit.evaluations, store);
-  if (fit.end == FitEnd::kUnidentified) RefuseUnidentified(*loaded, *fit.before);
+  if (fit.end == FitEnd::kUnidentified) {
+    output.Withdraw();
+    RefuseUnidentified(*loaded, *fit.before);
+  }
   if (fit.parameters.empty()) {
     std::fprintf(stderr, "fit %s: %s no results are written\n", std::string(FitEndName(fit.end)).c_str(),
                  fit.message.c_str());

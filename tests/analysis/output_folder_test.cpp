@@ -110,6 +110,23 @@ TEST(OutputFolder, IsTakenForOursByTheTraceOfARun) {
   EXPECT_TRUE(fs::is_empty(temporary.path() / "new"));
 }
 
+TEST(OutputFolder, WithdrawnIsAsItWasBefore) {
+  const TemporaryFolder temporary;
+  OutputFolder created(temporary.path() / "runs" / "first", "archive.sqlite");
+  temporary.Write("runs/first/archive.sqlite", "");
+  created.Withdraw();
+  EXPECT_THAT(Names(temporary.path()), IsEmpty());
+
+  OutputFolder empty(temporary.path(), "archive.sqlite");
+  temporary.Write("archive.sqlite", "");
+  empty.Withdraw();
+  EXPECT_THAT(Names(temporary.path()), IsEmpty());
+
+  temporary.Write("archive.sqlite", "paid for");
+  OutputFolder(temporary.path(), "archive.sqlite").Withdraw();
+  EXPECT_EQ(ReadText(temporary.path() / "archive.sqlite"), "paid for");
+}
+
 TEST(OutputFolder, IsEmptyToOneThatWasKilledWhileItLooked) {
   const TemporaryFolder temporary;
   temporary.Write(".fourpost.partial", "probe");
@@ -164,8 +181,9 @@ TEST(OutputFolder, RefusesAnEmptyName) {
 
 TEST(OutputFolder, RefusesAPlaceThatCannotBeWrittenTo) {
   // Nobody, not even root, can create files there.
-  EXPECT_THAT(OutputErrorOf([] { OutputFolder output("/proc/fourpost"); }),
-              MatchesRegex("/proc/fourpost: cannot be written to \\(.*\\); allow it or name another folder"));
+  EXPECT_THAT(
+      OutputErrorOf([] { OutputFolder output("/proc/fourpost"); }),
+      MatchesRegex("/proc/fourpost: /proc takes no new folder \\(.*\\); name one elsewhere, or allow writing there"));
 }
 
 TEST(OutputFolder, IsUntouchedWithAFolderInTheWayOfAFile) {

@@ -435,6 +435,7 @@ TEST_F(CommandLine, FitTellsProfilesOfTheParametersAsked) {
   const Outcome unknown = Run("fit studies/landrover110/model1.yaml -o other --profile k_frnt");
   EXPECT_EQ(unknown.code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("the study frees no parameter 'k_frnt', did you mean 'k_front'?"));
+  EXPECT_FALSE(fs::exists(folder_ / "other"));
 }
 
 TEST_F(CommandLine, AnswersHelpAndVersion) {
