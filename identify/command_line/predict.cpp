@@ -56,6 +56,11 @@ FittedRun LoadModel(const std::filesystem::path& run) {
   for (const char* name : {"vehicle.urdf", "study.yaml"})
     if (!std::filesystem::exists(run / name))
       Refuse(run, std::string("holds no ") + name + ": the folder that `fourpost fit -o` wrote is wanted");
+  if (!std::filesystem::exists(run / "result.json"))
+    Refuse(
+        run,
+        "holds no result.json, so that nothing tells which recordings the fit has seen; run `fourpost fit` with -o on "
+        "this folder again, what its archive holds costs nothing");
   Diagnostics diagnostics;
   std::optional<Vehicle> vehicle = ReadVehicle(run / "vehicle.urdf", diagnostics);
   std::optional<Study> study = ReadStudy(run / "study.yaml", diagnostics);

@@ -1,5 +1,6 @@
 #include "identify/command_line/run_folder.h"
 
+#include <algorithm>
 #include <array>
 #include <system_error>
 
@@ -41,6 +42,21 @@ void CheckIsFit(const RunContents& run, const std::filesystem::path& folder, Dia
   }
 }
 
+/// What a folder without a result is, and what to do.
+std::string WithoutResult(const std::filesystem::path& folder) {
+  const auto holds = [&](const char* name) { return std::filesystem::exists(folder / name); };
+  if (std::filesystem::is_empty(folder)) return "is an empty folder; give one that `fourpost fit -o` wrote";
+  if (holds("archive.sqlite"))
+    return "holds no result.json, which a fit writes at its end; run `fourpost fit` with -o on this folder again, it "
+           "goes on from its archive";
+  // A run holds a copy, which refers to files elsewhere.
+  if (holds("study.yaml") && !holds("parameters.csv"))
+    return "holds a study and no results; fit it first, by `fourpost fit " + (folder / "study.yaml").string() +
+           " -o run`, and give that folder";
+  return "holds no result.json: it is none that `fourpost fit -o` wrote, or not all of it; give another one, or fit "
+         "anew";
+}
+
 RunContents ReadRun(const std::filesystem::path& folder, Diagnostics& diagnostics) {
   RunContents run;
   if (!std::filesystem::is_directory(folder)) {
@@ -48,10 +64,7 @@ RunContents ReadRun(const std::filesystem::path& folder, Diagnostics& diagnostic
     return run;
   }
   if (!std::filesystem::exists(folder / kResult)) {
-    diagnostics.Error(
-        folder.string(), 0,
-        "holds no result.json, which a fit writes at its end; run `fourpost fit` with -o on this folder again, "
-        "it goes on from its archive");
+    diagnostics.Error(folder.string(), 0, WithoutResult(folder));
     return run;
   }
   for (const char* name : kFiles) {
@@ -63,10 +76,21 @@ RunContents ReadRun(const std::filesystem::path& folder, Diagnostics& diagnostic
   return run;
 }
 
+/// Reports folders that stand among these twice, in whichever spelling.
+void CheckStandOnce(const std::vector<std::filesystem::path>& folders, Diagnostics& diagnostics) {
+  std::error_code failure;
+  for (auto folder = folders.begin(); folder != folders.end(); ++folder)
+    if (std::any_of(folders.begin(), folder, [&](const std::filesystem::path& other) {
+          return std::filesystem::equivalent(other, *folder, failure);
+        }))
+      diagnostics.Error(folder->string(), 0, "is given twice; a run is not compared with itself");
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, RunContents>> ReadRuns(const std::vector<std::filesystem::path>& folders) {
   Diagnostics diagnostics;
+  CheckStandOnce(folders, diagnostics);
   std::vector<std::pair<std::string, RunContents>> runs;
   for (const std::filesystem::path& folder : folders) runs.emplace_back(folder.string(), ReadRun(folder, diagnostics));
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);

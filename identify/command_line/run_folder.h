@@ -10,7 +10,7 @@
 namespace fourpost {
 
 /// Folders that `fourpost fit` wrote, by name, and what they hold. Throws FaultyInput with the faults of all: no
-/// folder, no result.json, one that is not that of a fit, files that cannot be read.
+/// folder, one that stands twice, no result.json, one that is not that of a fit, files that cannot be read.
 std::vector<std::pair<std::string, RunContents>> ReadRuns(const std::vector<std::filesystem::path>& folders);
 
 /// Files of a run's folder that an output must not replace.

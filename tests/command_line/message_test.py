@@ -46,11 +46,30 @@ class Report(ProgramTest):
 
     def test_tells_an_empty_run_and_one_that_was_killed(self):
         (self.folder / "empty").mkdir()
-        self.assertIn("holds no result.json", self.run_program("report", "empty", code=3).stderr)
+        for folder, message in (("empty", "empty: error: is an empty folder; give one that `fourpost fit -o` wrote"),
+                                ("car", "car: error: holds a study and no results; fit it first, by `fourpost fit "
+                                        "car/study.yaml -o run`")):
+            text = self.run_program("report", folder, code=3).stderr
+            self.assertIn(message, text)
+            self.assertNotIn("archive", text)
         (self.folder / "run/result.json").unlink()
         self.assertIn("it goes on from its archive", self.run_program("report", "run", code=3).stderr)
+        (self.folder / "run/archive.sqlite").unlink()
+        self.assertIn("run: error: holds no result.json: it is none", self.run_program("report", "run", code=3).stderr)
         self.write("run/result.json", "")
         self.assertIn("is no JSON", self.run_program("report", "run", code=3).stderr)
+
+    def test_compares_no_run_with_itself(self):
+        for command in (["report", "run", "run/", "-o", "both.html"], ["rank", "run", "run"]):
+            self.assertIn("is given twice; a run is not compared with itself",
+                          self.run_program(*command, code=3).stderr)
+        self.assertFalse((self.folder / "both.html").exists())
+
+    def test_predicts_nothing_for_a_run_without_its_result(self):
+        (self.folder / "run/result.json").unlink()
+        text = self.run_program("predict", "run", "--recording", "car/stepped_sine.csv", code=3).stderr
+        self.assertIn("run: error: holds no result.json, so that nothing tells which recordings the fit has seen", text)
+        self.assertIn("again", text)
 
     def test_keeps_the_old_one_when_the_disk_is_full(self):
         before = (self.folder / "run/report.html").read_bytes()
