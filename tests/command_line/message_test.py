@@ -96,6 +96,60 @@ class Report(ProgramTest):
         self.assertIn('"rows":200000', page)
 
 
+class RefusedFit(ProgramTest):
+    """Of masses and rates without a force, which are known to a common factor only."""
+
+    def setUp(self):
+        super().setUp()
+        self.run_program("init", "car")
+        study = self.folder / "car/study.yaml"
+        study.write_text(study.read_text().replace("  F_tyre: F_tyre", "  #"))
+
+    def fit(self, *words, code=3):
+        return self.run_program("fit", "car/study.yaml", *words, code=code).stderr
+
+    def test_leaves_no_folder_that_was_not_there(self):
+        self.assertIn("the data do not change when these change together", self.fit("-o", "runs/first"))
+        self.assertFalse((self.folder / "runs").exists())
+        (self.folder / "empty").mkdir()
+        self.fit("-o", "empty")
+        self.assertEqual(list((self.folder / "empty").iterdir()), [])
+        self.assertIn("frees no parameter 'kx'; there are all, m_body, m_wheel, k, kt, c_bump, c_rebound",
+                      self.fit("-o", "other", "--profile", "kx", code=2))
+        self.assertFalse((self.folder / "other").exists())
+
+    def test_keeps_what_an_earlier_one_paid_for(self):
+        self.fit("-o", "run", "--accept-unidentified", code=0)
+        before = {file.name for file in (self.folder / "run").iterdir()}
+        self.fit("-o", "run")
+        self.assertEqual({file.name for file in (self.folder / "run").iterdir()}, before)
+        self.assertRegex(self.fit("-o", "run", "--accept-unidentified", code=0),
+                         r"([0-9]+) of \1 evaluations come from run/archive.sqlite")
+
+
+class Validation(ProgramTest):
+    def test_a_fit_is_kept_whose_vehicle_cannot_go_through_it(self):
+        self.copy("studies/single_wheel_station", "meshes")
+        folder = self.folder / "studies/single_wheel_station"
+        text = (folder / "model1.yaml").read_text()
+        lines = text[text.index("  - file:"):text.index("    # What all")]
+        # Posts that go to the moon.
+        lines = lines.replace("sweep_12mm", "sweep_7mm").replace(
+            "{ground: z_ground}", "{ground: {channel: z_ground, scale: 1e9}}\n    use: validation")
+        (folder / "study.yaml").write_text(text.replace("\nsearch:", lines + "\nsearch:"))
+        outcome = self.run_program("fit", folder / "study.yaml", "-o", "run")
+        result = json.loads((self.folder / "run/result.json").read_text())
+        for text in (outcome.stderr, "\n".join(result["warnings"])):
+            self.assertRegex(text, "what was kept for validation cannot be foretold by the fitted vehicle: the motion "
+                                   "grows beyond all bounds before t = 0.0[0-9]* s; `fourpost check` of the vehicle.urdf of the results")
+        self.assertEqual(result["termination"], "converged")
+        self.assertNotIn("validation", result)
+        self.assertNotIn("Not fitted:", outcome.stdout)
+        names = {file.name for file in (self.folder / "run").iterdir()}
+        self.assertTrue({"history.csv", "motion.csv", "report.html"} < names)
+        self.assertNotIn("validation.csv", names)
+
+
 class Data(ProgramTest):
     """A recording of a damper as another system wrote it gives the same result, or a message that helps."""
 
