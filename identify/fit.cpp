@@ -187,7 +187,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   result.evaluations = archive.counts();
   if (result.search.candidates.empty()) {
     result.end = stop() ? FitEnd::kInterrupted : FitEnd::kAllFailed;
-    result.message = stop() ? "interrupted before the first evaluation;" : FailureCauses(archive.counts());
+    result.message = stop() ? "before the first evaluation of the search;" : FailureCauses(archive.counts());
     return result;
   }
 
