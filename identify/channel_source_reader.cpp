@@ -65,17 +65,26 @@ ChannelSource ReadSource(const YAML::Node& node, const std::string& name, Channe
   return source;
 }
 
+/// Of what names no channel, perhaps for a slip: reports them.
+bool HasUnknownKeys(const YAML::Node& node, const std::string& what, ChannelKind kind, const std::string& file,
+                    Diagnostics& diagnostics) {
+  if (!node.IsMap()) return false;
+  std::vector<std::string_view> keys = KeysOf(kind);
+  keys.insert(keys.end(), {"mean", "sum"});
+  const std::size_t before = diagnostics.items().size();
+  const StrictMap map(node, what, keys, file, diagnostics);
+  return diagnostics.items().size() > before;
+}
+
 }  // namespace
 
 SourceChannel ReadSourceChannel(const YAML::Node& node, const std::string& what, ChannelKind kind,
                                 const std::string& file, Diagnostics& diagnostics) {
   if (node.IsScalar() && !node.Scalar().empty()) return node.Scalar();
   if (!node.IsMap() || !node["channel"].IsDefined()) {
-    const std::string got =
-        node.IsMap() && node.size() > 0 ? ", got '" + node.begin()->first.as<std::string>() + "'" : "";
-    diagnostics.Error(
-        file, LineOf(node),
-        what + " must be a measured channel, {channel: a, sign: -1}, {mean: [a, b]} or {sum: [a, b]}" + got);
+    if (!HasUnknownKeys(node, what, kind, file, diagnostics))
+      diagnostics.Error(file, LineOf(node),
+                        what + " must be a measured channel, {channel: a, sign: -1}, {mean: [a, b]} or {sum: [a, b]}");
     return {};
   }
   const StrictMap map(node, what, KeysOf(kind), file, diagnostics);

@@ -70,6 +70,11 @@ TEST(ChannelSourceReader, RefusesWhatIsWrong) {
   EXPECT_THAT(Fault("{channel: b, delay: 2}"), HasSubstr("'delay'"));
   EXPECT_THAT(Fault("{channel: b, unit: furlong}"), HasSubstr("'unit' of 'a' is 'furlong', which is none"));
   EXPECT_THAT(Fault("{channel: b, sgin: 1}"), HasSubstr("did you mean 'sign'?"));
+  EXPECT_EQ(Fault("{chanel: b, sgn: -1}"),
+            "study.yaml:1: error: unknown key 'chanel' in 'a', did you mean 'channel'?\n"
+            "study.yaml:1: error: unknown key 'sgn' in 'a', did you mean 'sign'?");
+  EXPECT_EQ(Fault("{maen: [b, c]}"), "study.yaml:1: error: unknown key 'maen' in 'a', did you mean 'mean'?");
+  EXPECT_THAT(Fault("{sum: [b, {chanel: c}]}"), HasSubstr("unknown key 'chanel' in 'a', did you mean 'channel'?"));
   EXPECT_THAT(Fault("{sign: -1}"), HasSubstr("'a' must be a measured channel"));
   EXPECT_THAT(Fault("{sum: []}"), HasSubstr("'a' must be a list of channels"));
 }
