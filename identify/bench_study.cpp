@@ -38,8 +38,7 @@ class BenchReader {
   void ReadFilter(const YAML::Node& node) {
     const StrictMap map(node, "'rig_filter'", {"order", "cutoff"}, file_, diagnostics_);
     RigFilter filter;
-    filter.order = static_cast<int>(map.Integer("order", 2, 16).value_or(filter.order));
-    if (filter.order % 2 != 0) map.Fault(map.Get("order"), "'order' of 'rig_filter' must be even");
+    filter.order = static_cast<int>(map.Integer("order", 1, 16).value_or(filter.order));
     map.Require("cutoff");
     filter.cutoff_Hz = map.Quantity("cutoff", kFrequency, 0).value_or(filter.cutoff_Hz);
     if (filter.cutoff_Hz == 0) map.Fault(map.Get("cutoff"), "'cutoff' of 'rig_filter' must be above zero");

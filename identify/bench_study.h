@@ -10,7 +10,7 @@
 
 namespace fourpost {
 
-/// The low-pass of a rig's amplifiers, a Butterworth filter of even order.
+/// The low-pass of a rig's amplifiers, a Butterworth filter.
 struct RigFilter {
   int order = 4;
   double cutoff_Hz = 30;
