@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include "analysis/frequency_response_file.h"
@@ -148,8 +149,8 @@ class DataLoader {
       const std::optional<std::size_t> sensor = IndexOf(name, sensors);
       if (channels.size() != source.channels.size() || channels.empty() || !sensor) continue;
       if (!HaveUnit(channels, vehicle_.sensors[*sensor], source)) continue;
-      CheckMembers(channels, source, name);
       MeasuredChannel channel = Combine(channels, source.combine);
+      channel.has_opposed_members = HasOpposedMembers(channels, source, name);
       channel.name = name;
       channel.sensor = *sensor;
       CheckDeviations(channel, source);
@@ -220,10 +221,11 @@ class DataLoader {
     return good;
   }
 
-  /// A sensor of the vehicle that stands for several measured ones has them move alike.
-  void CheckMembers(const std::vector<ChannelResponse>& channels, const ChannelSource& source,
-                    const std::string& name) {
+  /// A sensor of the vehicle that stands for several measured ones has them move alike. Whether they do not.
+  bool HasOpposedMembers(const std::vector<ChannelResponse>& channels, const ChannelSource& source,
+                         const std::string& name) {
     constexpr double kOpposite = -0.4;
+    bool any = false;
     for (std::size_t c = 1; c < channels.size(); ++c) {
       std::complex<double> product;
       double first = 0;
@@ -233,13 +235,17 @@ class DataLoader {
         first += std::norm(channels[0].response[i]);
         other += std::norm(channels[c].response[i]);
       }
-      if (product.real() < kOpposite * std::sqrt(first * other))
+      if (!(product.real() < kOpposite * std::sqrt(first * other))) continue;
+      any = true;
+      // Once for all recordings.
+      if (told_opposed_.insert({name, c}).second)
         diagnostics_.Warning(file_, source.line,
                              "'" + channels[0].name + "' and '" + channels[c].name + "' of '" + name +
                                  "' move against each other, so that their " +
                                  (source.combine == ChannelSource::Combine::kMean ? "mean" : "sum") +
                                  " all but vanishes: one of them has the opposite sign");
     }
+    return any;
   }
 
   /// Something must say what a difference is worth.
@@ -300,6 +306,8 @@ class DataLoader {
   const Vehicle& vehicle_;
   Diagnostics& diagnostics_;
   std::string file_;
+  /// By name of the study and place among its channels.
+  std::set<std::pair<std::string, std::size_t>> told_opposed_;
 };
 
 template <typename Value>

@@ -12,7 +12,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Measured and modelled, each frequency of each run that is in the band.
+/// Measured and modelled, each frequency of each run that is in the band. Channels whose members oppose each other say
+/// nothing of their sign.
 struct Pair {
   Eigen::VectorXcd measured;
   Eigen::VectorXcd modelled;
@@ -22,13 +23,15 @@ Pair Gather(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyRes
   std::vector<Complex> measured;
   std::vector<Complex> model;
   for (std::size_t r = 0; r < runs.size(); ++r)
-    for (const MeasuredChannel& channel : runs[r].channels)
-      for (std::size_t i = 0; channel.sensor == sensor && i < channel.response.size(); ++i) {
+    for (const MeasuredChannel& channel : runs[r].channels) {
+      if (channel.sensor != sensor || channel.has_opposed_members) continue;
+      for (std::size_t i = 0; i < channel.response.size(); ++i) {
         const Complex value = modelled[r].channels[sensor].response[i];
         if (!std::isfinite(value.real())) continue;
         measured.push_back(channel.response[i]);
         model.push_back(value);
       }
+    }
   const auto count = static_cast<Eigen::Index>(measured.size());
   return {Eigen::Map<Eigen::VectorXcd>(measured.data(), count), Eigen::Map<Eigen::VectorXcd>(model.data(), count)};
 }

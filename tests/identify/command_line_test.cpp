@@ -1,4 +1,5 @@
 // The program as a user meets it: arguments in, text, files and exit code out.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -344,6 +345,16 @@ TEST_F(CommandLine, TellsTheFaultsOfAllFilesAtOnce) {
   ReplaceIn("studies/landrover110/bounce_frf.csv", "a_body_FL,1.01946", "a_body_FL,nan");
   ExpectRefused("bounce_frf.csv:2: error: ");
   ExpectRefused("landrover110_linkage.urdf:");
+}
+
+// Turning all of them round would not mend it.
+TEST_F(CommandLine, WarnsOnceOfASumWithAMemberOfOppositeSign) {
+  ReplaceIn(kStudy, "{sum: [F_tyre_FL, F_tyre_FR]}", "{sum: [F_tyre_FL, {channel: F_tyre_FR, sign: -1}]}");
+  const Outcome outcome = Run("response studies/landrover110/model2.yaml");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, testing::StartsWith("studies/landrover110/model2.yaml:25: warning: 'F_tyre_FL' and "
+                                               "'F_tyre_FR' of 'F_tyre_front' move against each other"));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
 TEST_F(CommandLine, CheckRefusesAFaultyVehicle) {

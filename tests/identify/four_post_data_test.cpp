@@ -85,9 +85,12 @@ TEST_F(FourPostDataTest, WarnsOfMembersThatMoveAgainstEachOther) {
   for (const char* row : {"s_right,1,90", "s_right,2,90"})
     opposite.replace(opposite.find(row), std::string(row).size(), std::string(row, 10) + "180");
   study_.recordings[0].file = folder_.Write("opposite.csv", opposite);
+  study_.recordings.push_back(study_.recordings[0]);
   ASSERT_TRUE(LoadFourPostData(study_, vehicle_, diagnostics_).has_value());
   EXPECT_THAT(diagnostics_.Format(), testing::HasSubstr("study.yaml:7: warning: 's_left' and 's_right' of 'strut' move "
                                                         "against each other"));
+  // Of both recordings once.
+  EXPECT_EQ(diagnostics_.items().size(), 1u) << diagnostics_.Format();
 }
 
 TEST_F(FourPostDataTest, AddsTheDeviationsOfPhasorsInLine) {
