@@ -67,7 +67,9 @@ std::string Bash(const std::vector<CommandRow>& commands) {
   }
   return text +
          "  esac\n"
-         "  if [ -n \"$words\" ] && [[ $word != -* ]]; then COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+         "  local list=${word%\"${word##*,}\"}\n"
+         "  if [ -n \"$words\" ] && [[ $word != -* ]]; then\n"
+         "    COMPREPLY=($(compgen -P \"$list\" -W \"$words\" -- \"${word##*,}\"))\n"
          "  elif [[ $word == -* ]]; then COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n"
          "  else COMPREPLY=($(compgen -f -- \"$word\")); fi\n"
          "}\n"

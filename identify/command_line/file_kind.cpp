@@ -62,6 +62,22 @@ void RequireTable(const std::filesystem::path& file) {
   if (kind != FileKind::kTable && kind != FileKind::kUnknown) Refuse(file, kind, "a table (.csv)");
 }
 
+std::string NoRecording(const std::filesystem::path& file) {
+  const FileKind kind = KindOf(file);
+  const std::string is = std::string("is ") + Called(kind) + "; ";
+  switch (kind) {
+    case FileKind::kVehicle: return is + "`fourpost check` and `fourpost params` tell what it holds";
+    case FileKind::kStudy:
+      return is + "`fourpost response` compares its vehicle with its recordings; name these to see what they hold";
+    case FileKind::kFolder: return is + "name the recordings in it; what a fit wrote is shown by `fourpost report`";
+    case FileKind::kPicture:
+    case FileKind::kResult: return is + "a recording (.csv, .mat) is wanted here";
+    case FileKind::kTable:
+    case FileKind::kUnknown: break;
+  }
+  return "";
+}
+
 bool IsStudyNotVehicle(const std::filesystem::path& file) {
   const FileKind kind = KindOf(file);
   if (kind == FileKind::kStudy) return true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace fourpost {
 
@@ -10,6 +11,8 @@ namespace fourpost {
 void RequireVehicleFile(const std::filesystem::path& file);
 void RequireStudyFile(const std::filesystem::path& file);
 void RequireTable(const std::filesystem::path& file);
+/// What to do about a file that is no recording, such as "is a study; ..."; empty for one that may be.
+std::string NoRecording(const std::filesystem::path& file);
 /// Whether it is a study; else it is a vehicle file.
 bool IsStudyNotVehicle(const std::filesystem::path& file);
 

@@ -14,6 +14,7 @@
 #include "identify/bench_data.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/file_kind.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/text_table.h"
 #include "vehicles/bench/recording_check.h"
@@ -92,6 +93,10 @@ OverTime Look(const std::filesystem::path& file, const RecordedTable& table) {
 }
 
 std::optional<Described> Describe(const std::filesystem::path& file, Diagnostics& faults) {
+  if (const std::string remedy = NoRecording(file); !remedy.empty()) {
+    faults.Error(file.string(), 0, remedy);
+    return std::nullopt;
+  }
   const std::optional<RecordedTable> table = ReadRecordedTable(file, faults);
   if (!table) return std::nullopt;
   switch (LayoutOf(*table)) {

@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <ctime>
+#include <string_view>
 
 namespace fourpost {
 namespace {
@@ -16,9 +17,11 @@ void AskToStop(int signal) {
   if (interrupted == 0) {
     interrupted = 1;
     first_time = now;
-    constexpr char kMessage[] = "\nstopping; another Ctrl-C in two seconds or later ends at once, with nothing kept\n";
     // Safe in a handler, unlike what formats.
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
+    const std::string_view message =
+        signal == SIGINT ? "\nstopping; another Ctrl-C in two seconds or later ends at once, with nothing kept\n"
+                         : "\nstopping; another such signal in two seconds or later ends at once, with nothing kept\n";
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, message.data(), message.size());
   } else if (now - first_time > 1) {
     // Programs such as timeout(1) send one interrupt twice, to the process and to its group.
     std::signal(signal, SIG_DFL);

@@ -51,19 +51,21 @@ int Guarded(const std::function<int()>& run) {
   }
 }
 
+/// Of a command its options; of the program its commands, too.
 void AddOptionNames(const CLI::App& app, std::vector<std::string>& names) {
   for (const CLI::Option* option : app.get_options()) names.push_back(option->get_name());
-  // Groups of options.
-  for (const CLI::App* group : app.get_subcommands({})) AddOptionNames(*group, names);
+  for (const CLI::App* part : app.get_subcommands({})) {
+    // Groups of options have no name.
+    if (part->get_name().empty()) AddOptionNames(*part, names);
+    else names.push_back(part->get_name());
+  }
 }
 
 /// Words that are no options, arguments or commands, and what they were likely meant to be.
 void TellUnknown(const CLI::App& app) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   std::vector<std::string> known;
-  if (!given.empty()) AddOptionNames(*given.front(), known);
-  else
-    for (const CLI::App* sub : app.get_subcommands({})) known.push_back(sub->get_name());
+  AddOptionNames(given.empty() ? app : *given.front(), known);
   const std::string of = given.empty() ? "fourpost" : "fourpost " + given.front()->get_name();
   const std::vector<std::string> words = app.remaining(true);
   const auto is_option = [](const std::string& word) { return word.starts_with("-"); };
@@ -73,6 +75,8 @@ void TellUnknown(const CLI::App& app) {
     if (has_option && !is_option(word)) continue;
     const std::string name = word.substr(0, word.find('='));
     std::fprintf(stderr, "%s takes no '%s'%s\n", of.c_str(), name.c_str(), DidYouMean(name, known).c_str());
+    // The words after an unknown command are its own.
+    if (given.empty() && !has_option) break;
   }
   std::fprintf(stderr, "run `%s --help` for what it takes\n", of.c_str());
 }

@@ -10,6 +10,7 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/simulate_options.h"
 #include "identify/command_line/whole_number.h"
+#include "identify/search_method_list.h"
 
 namespace fourpost {
 
@@ -162,9 +163,9 @@ void Program::AddCompare() {
                         return Run(compare_);
                       });
   sub->add_option("STUDY", compare_.study, "Study file (.yaml) of a vehicle or a test problem")->required();
-  sub->add_option("--methods", compare_.methods,
-                  "Separated by commas: dvhde direct thesis de ds gb bfgs multistart adaptive cma, or the study's own")
+  sub->add_option("--methods", compare_.methods, "Separated by commas, of these or the study's own")
       ->delimiter(',')
+      ->type_name(Braced(kMethodNames))
       ->default_str("dvhde,thesis,de,ds,gb");
   sub->add_option("--runs", compare_.runs, "Of each method")->check(CLI::Range(1, 1000000))->capture_default_str();
   sub->add_option("--seed", compare_.seed, "Of the first run; the others take those after it")->check(WholeNumber());

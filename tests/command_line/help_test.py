@@ -56,16 +56,23 @@ class Help(ProgramTest):
         self.assertEqual(self.complete("fourpost", "response", "--engine", "m"), {"march"})
         self.assertEqual(self.complete("fourpost", "simulate", "--engine", ""), {"condensed", "full"})
         self.assertEqual(self.complete("fourpost", "fit", "st"), {"study.yaml"})
+        self.assertEqual(self.complete("fourpost", "compare", "study.yaml", "--methods", "d"), {"dvhde", "direct", "de", "ds"})
+        self.assertEqual(self.complete("fourpost", "compare", "study.yaml", "--methods", "gb,dv"), {"gb,dvhde"})
         self.assertEqual(self.complete("fourpost", "completion", ""), {"bash", "zsh", "fish"})
 
     def test_knows_what_was_meant(self):
-        self.assertIn("fourpost takes no 'fitt', did you mean 'fit'?", self.run_program("fitt", code=2).stderr)
+        for words, message in ((["fitt", "car/study.yaml", "more"], "fourpost takes no 'fitt', did you mean 'fit'?"),
+                               (["--versoin"], "fourpost takes no '--versoin', did you mean '--version'?")):
+            self.assertEqual(self.run_program(*words, code=2).stderr,
+                             message + "\nrun `fourpost --help` for what it takes\n")
         for command in self.commands():
             outcome = self.run_program(command, "a", "--jsno", code=2)
             if command not in ("completion", "man"):
                 self.assertIn("takes no '--jsno', did you mean '--json'?", outcome.stderr, command)
-        self.assertIn("no shell is called 'bahs', did you mean 'bash'?",
+        self.assertIn("no shell is called 'bahs', did you mean 'bash'?\n",
                       self.run_program("completion", "bahs", code=2).stderr)
+        self.assertIn("no shell is called 'tcl'; there are bash, zsh, fish\n",
+                      self.run_program("completion", "tcl", code=2).stderr)
 
     def test_has_no_colour(self):
         """With and without NO_COLOR, on a terminal too."""

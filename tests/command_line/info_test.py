@@ -105,6 +105,17 @@ class Info(ProgramTest):
         self.assertIn("a_axle_FL", text)
         self.assertIn("static_load_FL", text)
 
+    def test_says_what_else_fits_other_files(self):
+        self.run_program("init", "car")
+        for name, message in (("car/study.yaml", "is a study; `fourpost response` compares its vehicle with its recordings"),
+                              ("car/vehicle.urdf", "is a vehicle file; `fourpost check` and `fourpost params` tell"),
+                              ("car", "is a folder; name the recordings in it"),
+                              ("response.svg", "is a picture; a recording (.csv, .mat) is wanted here")):
+            outcome = self.run_program("info", name, "car/stepped_sine.csv", code=3)
+            self.assertIn("stepped sine", outcome.stdout)
+            self.assertTrue(outcome.stderr.startswith(f"{name}: error: {message}"), outcome.stderr)
+            self.assertEqual(outcome.stderr.count("\n"), 1, outcome.stderr)
+
     def test_shows_what_can_be_read_and_tells_the_rest(self):
         self.write("empty.csv", "")
         self.write("ragged.csv", "time,x\ns,m\n0,1\n1\n")

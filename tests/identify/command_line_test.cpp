@@ -425,6 +425,20 @@ TEST_F(CommandLine, AnInterruptedFitKeepsTheBestSoFar) {
   EXPECT_EQ(Run("check result/vehicle.urdf").code, 0);
 }
 
+TEST_F(CommandLine, SpeaksOfTheSignalThatEndsIt) {
+  ReplaceIn(kStudy, "  evaluations: 100\n", "  evaluations: 100000000\n  generations: 1000000\n");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string result = "result" + std::to_string(signal);
+    RunningProgram program(folder_, "fit studies/landrover110/model2.yaml -o " + result);
+    while (program.IsRunning() && RowsOfCopy(folder_ / result / "archive.sqlite") < 25)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    program.Signal(signal);
+    EXPECT_EQ(program.Wait(), 130);
+    EXPECT_EQ(program.err().find("Ctrl-C") != std::string::npos, signal == SIGINT) << program.err();
+    EXPECT_THAT(program.err(), HasSubstr(signal == SIGINT ? "another Ctrl-C" : "another such signal"));
+  }
+}
+
 TEST_F(CommandLine, FitTellsProfilesOfTheParametersAsked) {
   const Outcome fit = Run("fit studies/landrover110/model1.yaml -o result --profile k_front,m_front");
   EXPECT_EQ(fit.code, 0) << fit.err;
