@@ -57,7 +57,7 @@ TEST_F(ReportCommandLine, SaysWhatItNeeds) {
   std::filesystem::create_directory(folder_ / "empty");
   Outcome outcome = Run("report empty");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("empty: error: holds no result.json, which a fit writes at its end"));
+  EXPECT_THAT(outcome.err, HasSubstr("empty: error: is an empty folder; give one that `fourpost fit -o` wrote"));
   outcome = Run("report urdf/quarter_car.urdf");
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("is no folder"));
@@ -89,7 +89,7 @@ TEST_F(ReportCommandLine, SaysWhatAComparisonNeeds) {
   std::filesystem::create_directory(folder_ / "one");
   outcome = Run("report one two -o models.html");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("one: error: holds no result.json"));
+  EXPECT_THAT(outcome.err, HasSubstr("one: error: is an empty folder"));
   temporary_.Write("one/result.json", "{}");
   EXPECT_THAT(Run("report one one -o models.html").err, HasSubstr("one/result.json: error: is not that of a fit"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "models.html"));
