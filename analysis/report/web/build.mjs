@@ -4,6 +4,7 @@ import { readFileSync, writeFileSync, existsSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
+import { shadersOf } from './shaders.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const bundle = join(here, '..', 'bundle');
@@ -25,6 +26,8 @@ async function bundled(entry, options) {
     legalComments: 'none',
     write: false,
     absWorkingDir: here,
+    // Of MeshLambertMaterial and LineBasicMaterial.
+    plugins: [shadersOf('lambert', 'basic')],
     ...options,
   });
   return outputFiles[0].text;
