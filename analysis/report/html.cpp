@@ -40,10 +40,22 @@ std::string Element(const std::string& tag, const std::string& name, const std::
 Cell TextCell(const std::string& text) { return {Escaped(text), ""}; }
 Cell NumberCell(const std::string& text) { return {Escaped(text), "n"}; }
 
+namespace {
+
+/// A quantity with its unit: a narrow column may break elsewhere.
+std::string HeadHtml(const std::string& text) {
+  std::string html = Escaped(text);
+  for (std::size_t at = html.find(", "); at != std::string::npos; at = html.find(", ", at))
+    html.replace(at, 2, ",&nbsp;");
+  return html;
+}
+
+}  // namespace
+
 std::string Table(const std::vector<std::string>& head, const std::vector<std::vector<Cell>>& rows) {
   std::string html = "<div class=\"table\"><table><thead><tr>";
   for (std::size_t i = 0; i < head.size(); ++i)
-    html += Element("th", rows.empty() ? "" : rows.front()[i].name, Escaped(head[i]));
+    html += Element("th", rows.empty() ? "" : rows.front()[i].name, HeadHtml(head[i]));
   html += "</tr></thead><tbody>\n";
   for (const std::vector<Cell>& row : rows) {
     html += "<tr>";

@@ -6,6 +6,7 @@
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
 #include "identify/methods_chart.h"
+#include "identify/report/page_footer.h"
 #include "identify/report/shown_number.h"
 
 namespace fourpost {
@@ -111,7 +112,8 @@ std::string MethodsPage(const Comparison& comparison, const std::string& study, 
       comparison.interrupted ? "<p class=\"note\">Interrupted: runs that had not ended are left out.</p>\n" : "";
   const std::string body = Header(comparison, study) + "<nav id=\"contents\"></nav>\n<main>\n" +
                            html::Section("summary", "Summary", verdict + stopped + runs) +
-                           html::Section("settings", "Settings", SettingsTable(comparison)) + "</main>\n";
+                           html::Section("settings", "Settings", SettingsTable(comparison)) + "</main>\n" +
+                           PageFooter("the study " + study);
   return ReportDocument(study + " \u2013 methods compared by fourpost", body, "{}");
 }
 

@@ -6,6 +6,7 @@
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
 #include "identify/report/history_table.h"
+#include "identify/report/page_footer.h"
 #include "identify/report/picture_number.h"
 #include "identify/report/report_summary.h"
 #include "identify/report/report_tables.h"
@@ -126,12 +127,27 @@ std::string Pair(const std::string& left, const std::string& right) {
   return "<div class=\"pair\"><div>" + left + "</div><div>" + right + "</div></div>\n";
 }
 
+/// "a -2 %" with the sign that tables have.
+std::string WithMinusSigns(std::string text) {
+  for (std::size_t at = text.find(" -"); at != std::string::npos; at = text.find(" -", at))
+    text.replace(at, 2, " \u2212");
+  return text;
+}
+
+std::string OfOneParameter(bool is_determined) {
+  return std::string("<p>") +
+         (is_determined ? "One parameter was fitted: no other can stand in for it."
+                        : "The data do not change with the one parameter that was fitted.") +
+         "</p>\n";
+}
+
 std::string Directions(const Json& result) {
   const Json identifiability = result.value("identifiability", Json());
   std::string items;
   for (const Json& direction : ListAt(identifiability, "weakest"))
-    if (direction.is_string()) items += html::Element("li", "", html::Escaped(direction.get<std::string>()));
+    if (direction.is_string()) items += html::Element("li", "", html::Escaped(WithMinusSigns(direction)));
   if (items.empty()) return "";
+  if (NumberAt(identifiability, "parameters") == 1) return OfOneParameter(NumberAt(identifiability, "rank") > 0);
   const bool open = NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters");
   const double condition = NumberAt(identifiability, "condition");
   return "<p>" +
@@ -151,8 +167,15 @@ std::string Profiles(const Json& result, const RunContents& run) {
              : table + html::Picture(chart->second, "Rise of the cost with each parameter held away from its value");
 }
 
+std::string Determination(const Json& result, const std::string& why_no_deviations) {
+  const std::string why =
+      why_no_deviations.empty() ? "" : html::Element("p", "", html::Escaped(why_no_deviations)) + '\n';
+  return html::Section("determination", "What the data determine", Directions(result) + why + Drawn("correlation"));
+}
+
 std::string Body(const Json& result, const std::vector<ComparedChannel>& channels, const OrderedJson& scene,
-                 const std::string& scene_fault, bool has_histories, bool has_bench) {
+                 const std::string& scene_fault, bool has_histories, bool has_bench,
+                 const std::string& why_no_deviations) {
   std::string body;
   const bool is_on_posts = !channels.empty() || has_histories || !has_bench;
   const bool is_shown = scene.is_null() ? is_on_posts : !scene["posts"].empty();
@@ -174,7 +197,7 @@ std::string Body(const Json& result, const std::vector<ComparedChannel>& channel
                           Drawn("bench") + (channels.empty() && !has_histories ? ChannelTableHtml(result) : ""));
   if (const std::string loads = StaticLoadTableHtml(result); !loads.empty())
     body += html::Section("loads", "Static loads", loads);
-  body += html::Section("determination", "What the data determine", Directions(result) + Drawn("correlation"));
+  body += Determination(result, why_no_deviations);
   if (!scene.is_null() && is_shown)
     body += html::Section("modes", "Modes and poles",
                           Pair(ModeTableHtml(Json(scene["modes"])) +
@@ -191,6 +214,7 @@ std::string ReportPage(const RunContents& run) {
   const Json result = FitResultOf(run);
   const std::vector<ComparedChannel> channels = ChannelsOf(run);
   const std::vector<ReportedParameter> parameters = ReportedParameters(result, run);
+  const std::string why = WhyNoDeviations(result, parameters);
   std::string scene_fault;
   const OrderedJson scene = SceneOf(result, channels, run, scene_fault);
   const OrderedJson histories = OverTime(run, "history.csv", CsvHeader::kNamesAndUnits);
@@ -199,8 +223,9 @@ std::string ReportPage(const RunContents& run) {
   const std::string body =
       Header(result) + "<nav id=\"contents\"></nav>\n<main>\n" +
       html::Section("summary", "Summary", SummaryHtml(result, parameters, channels)) +
-      html::Section("parameters", "Parameters", ParameterTableHtml(parameters) + Profiles(result, run)) +
-      Body(result, channels, scene, scene_fault, !histories.empty(), !bench.empty()) + "</main>\n";
+      html::Section("parameters", "Parameters", ParameterTableHtml(parameters, why) + Profiles(result, run)) +
+      Body(result, channels, scene, scene_fault, !histories.empty(), !bench.empty(), why) + "</main>\n" +
+      PageFooter("the files in the folder of the fit");
   const OrderedJson data = {{"result", OrderedJson(result)},
                             {"responses", ChannelsJson(channels)},
                             {"scene", scene},

@@ -206,9 +206,11 @@ std::string WhatIsDetermined(const std::vector<ReportedParameter>& parameters) {
   const bool computed = std::any_of(parameters.begin(), parameters.end(),
                                     [](const ReportedParameter& parameter) { return std::isfinite(parameter.sd); });
   if (!computed) return "";
+  const std::string limit = " within " + ShownNumber(100 * kWellKnown, 1) + " % (one standard deviation).";
   std::string text = std::to_string(known) + " of " + std::to_string(parameters.size()) +
-                     " parameters are determined, " + std::to_string(well) + " of them within " +
-                     ShownNumber(100 * kWellKnown, 1) + " % (one standard deviation).";
+                     " parameters are determined, " + std::to_string(well) + " of them" + limit;
+  if (parameters.size() == 1 && known == 1)
+    text = "The one parameter is determined" + (well == 1 ? "," + limit : std::string("."));
   if (!weak.empty()) text += " Weakly: " + Listed(weak) + ".";
   return text;
 }
@@ -223,15 +225,9 @@ std::vector<std::string> AtBounds(const std::vector<ReportedParameter>& paramete
 std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& parameters) {
   std::vector<std::string> open;
   const std::vector<std::string> bound = AtBounds(parameters);
-  bool computed = false;
-  for (const ReportedParameter& parameter : parameters) {
-    computed = computed || !std::isnan(parameter.sd);
+  if (const std::string why = WhyNoDeviations(result, parameters); !why.empty()) return html::Escaped(why);
+  for (const ReportedParameter& parameter : parameters)
     if (std::isinf(parameter.sd)) open.push_back(Code(parameter.name));
-  }
-  if (!computed && TextAt(result, "history_cost") == "compromise")
-    return "The compromise cost weighs each output by its own error and not by noise: it tells no deviations. "
-           "Fit by the cost 'whitened' for them.";
-  if (!computed && !parameters.empty()) return "The run ended before standard deviations could be computed.";
   std::string text;
   if (!open.empty()) text += Listed(open) + ": the data do not tell. ";
   if (!bound.empty())

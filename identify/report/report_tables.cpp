@@ -73,21 +73,32 @@ Cell RemarkCell(const ReportedParameter& parameter) {
   return {cell, calls ? "remark calls" : "remark"};
 }
 
-std::vector<Cell> ParameterRow(const ReportedParameter& parameter) {
+/// Beside a value; a dash where there is none.
+Cell SdCell(double sd, int decimals) {
+  if (std::isnan(sd)) return {"\u2013", "n pm"};
+  return {"\u00b1\u2009" + (std::isinf(sd) ? std::string("open") : ShownDecimals(sd, decimals)), "n pm"};
+}
+
+std::vector<Cell> ParameterRow(const ReportedParameter& parameter, bool has_sd) {
   const int decimals = DecimalsFor(parameter.value, parameter.sd);
   const int coarse = DecimalsFor(parameter.value, NAN);
-  const auto number = [](double value, int places) { return NumberCell(ShownDecimals(value, places)); };
-  const std::string sd = std::isinf(parameter.sd) ? "open" : ShownDecimals(parameter.sd, decimals);
-  return {{html::Element("code", "", html::Escaped(parameter.name)), ""},
-          number(parameter.start, std::min(decimals, coarse)),
-          {html::Element("b", "", ShownDecimals(parameter.value, decimals)), "n"},
-          {"\u00b1\u2009" + sd, "n pm"},
-          TextCell(ShownUnit(parameter.unit)),
-          NumberCell(ShownNumber(100 * parameter.RelativeSd(), 2)),
-          NumberCell(ShownShort(parameter.lower, 4)),
-          BarCell(parameter),
-          {html::Escaped(ShownShort(parameter.upper, 4)), ""},
-          RemarkCell(parameter)};
+  std::vector<Cell> row = {{html::Element("code", "", html::Escaped(parameter.name)), ""},
+                           NumberCell(ShownDecimals(parameter.start, std::min(decimals, coarse))),
+                           {html::Element("b", "", ShownDecimals(parameter.value, decimals)), "n"}};
+  if (has_sd) row.push_back(SdCell(parameter.sd, decimals));
+  row.push_back(TextCell(ShownUnit(parameter.unit)));
+  if (has_sd) row.push_back(NumberCell(ShownNumber(100 * parameter.RelativeSd(), 2)));
+  row.insert(row.end(), {NumberCell(ShownShort(parameter.lower, 4)),
+                         BarCell(parameter),
+                         {html::Escaped(ShownShort(parameter.upper, 4)), ""},
+                         RemarkCell(parameter)});
+  return row;
+}
+
+std::vector<std::string> ParameterHead(bool has_sd) {
+  if (!has_sd) return {"parameter", "start", "fitted", "unit", "lower", "between the bounds", "upper", ""};
+  return {"parameter",          "start", "fitted",           "sd", "unit", "sd, %", "lower",
+          "between the bounds", "upper", "what the data say"};
 }
 
 void AddRows(const std::string& group, const Json& object, Rows& rows) {
@@ -137,17 +148,21 @@ std::string PolesText(const Json& mode) {
 
 }  // namespace
 
-std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters) {
+std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters, const std::string& why_none) {
+  const bool has_sd = std::any_of(parameters.begin(), parameters.end(),
+                                  [](const auto& parameter) { return !std::isnan(parameter.sd); });
   Rows rows;
-  for (const ReportedParameter& parameter : parameters) rows.push_back(ParameterRow(parameter));
+  for (const ReportedParameter& parameter : parameters) rows.push_back(ParameterRow(parameter, has_sd));
   if (rows.empty()) return "";
-  return html::Table({"parameter", "start", "fitted", "sd", "unit", "sd, %", "lower", "between the bounds", "upper",
-                      "what the data say"},
-                     rows) +
-         "<p class=\"note\">Bar: interval of 95 %, with an arrow where it reaches beyond a bound; dot: fitted value; "
-         "tick: start. \"sd, %\": of the value, or of the range where the bounds are of either sign. Deviations are "
-         "scaled up by what the model misses beyond noise and stated model error; what a richer model would say they "
-         "do not know.</p>\n";
+  return html::Table(ParameterHead(has_sd), rows) +
+         html::Element(
+             "p", "note",
+             has_sd ? "Bar: interval of 95 %, with an arrow where it reaches beyond a bound; dot: fitted value; tick: "
+                      "start. \"sd, %\": of the value, or of the range where the bounds are of either sign. Deviations "
+                      "are scaled up by what the model misses beyond noise and stated model error; what a richer model "
+                      "would say they do not know."
+                    : "Bar: the bounds; dot: fitted value; tick: start. " + html::Escaped(why_none)) +
+         '\n';
 }
 
 std::string ProfileTableHtml(const Json& result, const RunContents& run) {
@@ -196,7 +211,7 @@ std::string StaticLoadTableHtml(const Json& result) {
     const double modelled = NumberAt(load, "modelled_N");
     rows.push_back({{html::Element("code", "", html::Escaped(TextAt(load, "tyre"))), ""},
                     NumberCell(ShownDecimals(measured, 0)),
-                    {"\u00b1\u2009" + ShownDecimals(NumberAt(load, "sd_N"), 0), "n pm"},
+                    SdCell(NumberAt(load, "sd_N"), 0),
                     NumberCell(ShownDecimals(modelled, 0)),
                     NumberCell(ShownDecimals(100 * (modelled / measured - 1), 2))});
   }
@@ -211,7 +226,7 @@ std::string ModeTableHtml(const Json& modes) {
       for (const Json& share : ListAt(mode, "energy"))
         if (NumberAt(share, "share") >= 0.05)
           shares += (shares.empty() ? "" : ", ") + TextAt(share, "motion") + ' ' +
-                    ShownDecimals(100 * NumberAt(share, "share"), 0) + " %";
+                    ShownDecimals(100 * NumberAt(share, "share"), 0) + "\u00a0%";
       rows.push_back({TextCell(TextAt(mode, "name")),
                       NumberCell(ShownDecimals(NumberAt(mode, "frequency_Hz"), 2)),
                       NumberCell(ShownDecimals(NumberAt(mode, "damping_ratio"), 3)),

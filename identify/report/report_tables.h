@@ -11,8 +11,9 @@ namespace fourpost {
 
 // Tables of a report as HTML; empty where there is nothing to tell.
 
-/// Start, value, deviation, and the interval of 95 % inside the bounds as a bar.
-std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters);
+/// Start, value, deviation, and the interval of 95 % inside the bounds as a bar. `why_none`: where no parameter has a
+/// deviation, the reason, text; the columns of deviations are left out then.
+std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters, const std::string& why_none);
 
 /// Intervals of 95 % by profile likelihood.
 std::string ProfileTableHtml(const nlohmann::json& result, const RunContents& run);

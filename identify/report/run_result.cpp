@@ -119,4 +119,14 @@ std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunC
   return list;
 }
 
+std::string WhyNoDeviations(const Json& result, const std::vector<ReportedParameter>& parameters) {
+  for (const ReportedParameter& parameter : parameters)
+    if (!std::isnan(parameter.sd)) return "";
+  if (parameters.empty()) return "";
+  if (TextAt(result, "history_cost") == "compromise")
+    return "The compromise cost weighs each output by its own error and not by noise: it tells no deviations. "
+           "Fit by the cost 'whitened' for them.";
+  return "The run ended before standard deviations could be computed.";
+}
+
 }  // namespace fourpost

@@ -51,4 +51,7 @@ std::string NotUnderstood(const nlohmann::json::exception& fault);
 
 std::vector<ReportedParameter> ReportedParameters(const nlohmann::json& result, const RunContents& run);
 
+/// Why no parameter has a standard deviation; empty where one has, or where there is none.
+std::string WhyNoDeviations(const nlohmann::json& result, const std::vector<ReportedParameter>& parameters);
+
 }  // namespace fourpost

@@ -102,6 +102,10 @@ TEST(Summary, TellsWhatIsNotForetold) {
                     HasSubstr("kept for validation is not foretold"), Not(HasSubstr("Nothing is missing"))));
 }
 
+TEST(Summary, SpeaksOfOneParameterInTheSingular) {
+  EXPECT_THAT(SummaryHtml(Good(), {Known()[0]}, {}), HasSubstr("The one parameter is determined, within 2 %"));
+}
+
 // 7.4 N within 0 and 150 N is known to a sixth, whatever the range.
 TEST(Summary, CountsADeviationAsAShareOfTheValueWhereTheLowerBoundIsZero) {
   std::vector<ReportedParameter> parameters = Known();

@@ -16,8 +16,9 @@ ReportedParameter Known() {
 }
 
 TEST(ParameterTable, ShowsTheIntervalBetweenTheBounds) {
-  EXPECT_THAT(ParameterTableHtml({Known()}), AllOf(HasSubstr("class=\"interval\" style=\"left:48.00%;width:4.00%\""),
-                                                   HasSubstr("well determined"), Not(HasSubstr("reaches beyond the"))));
+  EXPECT_THAT(ParameterTableHtml({Known()}, ""),
+              AllOf(HasSubstr("class=\"interval\" style=\"left:48.00%;width:4.00%\""), HasSubstr("well determined"),
+                    Not(HasSubstr("reaches beyond the"))));
 }
 
 TEST(ParameterTable, TellsIntervalsThatReachBeyondABound) {
@@ -26,11 +27,11 @@ TEST(ParameterTable, TellsIntervalsThatReachBeyondABound) {
   wide.lower_95 = 20;
   wide.upper_95 = 140;
   // As far as the bound, with an arrow.
-  EXPECT_THAT(ParameterTableHtml({wide}),
+  EXPECT_THAT(ParameterTableHtml({wide}, ""),
               AllOf(HasSubstr("class=\"interval below\" style=\"left:0.00%;width:90.00%\""),
                     HasSubstr("weakly determined, interval reaches beyond the lower bound")));
   wide.upper_95 = 180;
-  EXPECT_THAT(ParameterTableHtml({wide}),
+  EXPECT_THAT(ParameterTableHtml({wide}, ""),
               AllOf(HasSubstr("class=\"interval below above\""), HasSubstr("interval reaches beyond both bounds")));
 }
 
@@ -40,10 +41,20 @@ TEST(ParameterTable, DoesNotCallDeterminedWhatABoundHolds) {
   held.lower_95 = 48;
   held.upper_95 = 52;
   held.at_bound = true;
-  EXPECT_THAT(ParameterTableHtml({held}), AllOf(HasSubstr("held by its bound"), Not(HasSubstr("well determined")),
-                                                HasSubstr("class=\"interval below\"")));
+  EXPECT_THAT(ParameterTableHtml({held}, ""), AllOf(HasSubstr("held by its bound"), Not(HasSubstr("well determined")),
+                                                    HasSubstr("class=\"interval below\"")));
   held.sd = HUGE_VAL;
-  EXPECT_THAT(ParameterTableHtml({held}), HasSubstr("not determined, at its bound"));
+  EXPECT_THAT(ParameterTableHtml({held}, ""), HasSubstr("not determined, at its bound"));
+}
+
+TEST(ParameterTable, HasNoColumnsOfDeviationsThatNothingTells) {
+  ReportedParameter unknown = Known();
+  unknown.sd = unknown.lower_95 = unknown.upper_95 = NAN;
+  EXPECT_THAT(ParameterTableHtml({unknown}, "Stopped <early>."),
+              AllOf(Not(HasSubstr("\u00b1")), Not(HasSubstr(">sd")), HasSubstr("Stopped &lt;early&gt;.")));
+  // Of one among others a dash.
+  EXPECT_THAT(ParameterTableHtml({Known(), unknown}, ""),
+              AllOf(HasSubstr(">sd"), HasSubstr("<td class=\"n pm\">\u2013</td>")));
 }
 
 }  // namespace
