@@ -60,6 +60,16 @@ std::string StudyOf(const ComparedRun& run) {
   return stem.empty() ? TextAt(run.result, "vehicle") : stem;
 }
 
+/// The last part of its path where it tells the runs apart, else all of it.
+std::string FolderName(const ComparedRun& run, const std::vector<ComparedRun>& runs) {
+  const auto last = [](const ComparedRun& one) {
+    const std::filesystem::path folder = std::filesystem::path(one.folder).lexically_normal();
+    return (folder.has_filename() ? folder : folder.parent_path()).filename().string();
+  };
+  const auto alike = std::count_if(runs.begin(), runs.end(), [&](const auto& one) { return last(one) == last(run); });
+  return alike > 1 || last(run).empty() ? run.folder : last(run);
+}
+
 /// Every run by a name of its own.
 void NameRuns(std::vector<ComparedRun>& runs) {
   std::map<std::string, int> studies;
@@ -67,7 +77,7 @@ void NameRuns(std::vector<ComparedRun>& runs) {
   std::set<std::string> taken;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const std::string study = StudyOf(runs[i]);
-    std::string name = studies[study] == 1 ? study : study + " (" + runs[i].folder + ")";
+    std::string name = studies[study] == 1 ? study : study + " (" + FolderName(runs[i], runs) + ")";
     if (!taken.insert(name).second) taken.insert(name += " " + std::to_string(i + 1));
     runs[i].name = name;
   }

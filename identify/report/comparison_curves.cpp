@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include "analysis/csv.h"
+#include "identify/report/fitted_data.h"
 #include "identify/report/history_table.h"
 #include "identify/report/picture_number.h"
 #include "identify/report/response_table.h"
@@ -128,30 +129,76 @@ void AddChannel(const TimeTable& table, const std::string& name, const std::stri
     channels.push_back(channel);
 }
 
+/// A stretch of time [s].
+struct Stretch {
+  double from = 0;
+  double to = 0;
+};
+
+/// About the largest measured value: an eighth of the recording, at most 2 s and kMostRows / 2 rows,
+/// so that a page can show it row by row.
+Stretch BusiestOf(const TimedChannel& channel) {
+  constexpr double kMost_s = 2;
+  const std::vector<double>& time = channel.time->values;
+  const std::vector<double>& measured = channel.measured->values;
+  const auto size = [](double value) { return std::isfinite(value) ? std::abs(value) : 0.0; };
+  const auto peak =
+      std::max_element(measured.begin(), measured.end(), [&](double a, double b) { return size(a) < size(b); });
+  const double whole = time.back() - time.front();
+  const double rows = static_cast<double>(kMostRows) / 2 / static_cast<double>(time.size());
+  const double span = std::min({kMost_s, whole / 8, whole * rows});
+  const double middle = time[static_cast<std::size_t>(peak - measured.begin())];
+  const double from = std::clamp(middle - span / 2, time.front(), time.back() - span);
+  return {from, from + span};
+}
+
+/// Thinned to the extremes, but whole in a stretch of time.
+std::set<std::size_t> ShownRows(const Shared<TimedChannel>& shared, const Stretch& whole) {
+  const TimedChannel& first = *shared.front().item;
+  std::vector<const TimeColumn*> columns = {first.measured};
+  for (const auto& [run, channel] : shared) columns.push_back(channel->modelled);
+  std::set<std::size_t> rows = RowsToShow(columns, first.table->rows, kMostRows);
+  for (std::size_t row = 0; row < first.time->values.size(); ++row)
+    if (first.time->values[row] >= whole.from && first.time->values[row] <= whole.to) rows.insert(row);
+  return rows;
+}
+
 /// What to tell of a shared channel beside its lines, of the rows that are shown.
 using Tell = std::function<Json(const TimedChannel& first, const std::set<std::size_t>& rows)>;
 
-/// Thinned alike in all runs.
-Json SharedOverTime(const std::vector<std::vector<TimedChannel>>& of_runs, const Tell& tell) {
+/// Thinned alike in all runs. `fitted`: of each run the recordings that it was fitted to.
+Json SharedOverTime(const std::vector<std::vector<TimedChannel>>& of_runs,
+                    const std::vector<std::vector<std::string>>& fitted, const Tell& tell) {
   const auto is_same = [](const TimedChannel& a, const TimedChannel& b) {
     return a.table->recording == b.table->recording && a.name == b.name && AreAlike(a.time->values, b.time->values) &&
            AreAlike(a.measured->values, b.measured->values);
   };
+  // One stretch for all channels of a recording.
+  std::map<std::string, Stretch> busiest;
   Json list = Json::array();
   for (const Shared<TimedChannel>& shared : SharedOf(of_runs, is_same)) {
     const TimedChannel& first = *shared.front().item;
-    std::vector<const TimeColumn*> columns = {first.measured};
-    for (const auto& [run, channel] : shared) columns.push_back(channel->modelled);
-    const std::set<std::size_t> rows = RowsToShow(columns, first.table->rows, kMostRows);
+    const Stretch whole = busiest.try_emplace(first.table->recording, BusiestOf(first)).first->second;
+    const std::set<std::size_t> rows = ShownRows(shared, whole);
     Json lines = Json::array();
-    for (const auto& [run, channel] : shared)
-      lines.push_back({{"run", run}, {"values", ShownValues(*channel->modelled, rows)}});
-    Json json = {{"recording", first.table->recording}};
+    for (const auto& [run, channel] : shared) {
+      const bool is_fitted =
+          std::find(fitted[run].begin(), fitted[run].end(), first.table->recording) != fitted[run].end();
+      lines.push_back({{"run", run}, {"fitted", is_fitted}, {"values", ShownValues(*channel->modelled, rows)}});
+    }
+    Json json = {{"recording", first.table->recording},
+                 {"busiest", {PictureNumber(whole.from), PictureNumber(whole.to)}}};
     json.update(tell(first, rows));
     json.update({{"runs", std::move(lines)}, {"rows", first.table->rows}, {"shown_rows", rows.size()}});
     list.push_back(std::move(json));
   }
   return list;
+}
+
+std::vector<std::vector<std::string>> FittedRecordingsOf(const std::vector<ComparedRun>& runs) {
+  std::vector<std::vector<std::string>> fitted;
+  for (const ComparedRun& run : runs) fitted.push_back(FittedRecordings(run.result));
+  return fitted;
 }
 
 std::vector<TimedChannel> TimedChannels(const std::vector<TimeTable>& tables) {
@@ -179,12 +226,13 @@ Json SharedHistoriesJson(const std::vector<ComparedRun>& runs) {
     }
     of_runs.push_back(TimedChannels(tables[r]));
   }
-  return SharedOverTime(of_runs, [](const TimedChannel& first, const std::set<std::size_t>& rows) -> Json {
+  const auto tell = [](const TimedChannel& first, const std::set<std::size_t>& rows) -> Json {
     return {{"name", first.name},
             {"unit", first.measured->unit},
             {"time", ShownValues(*first.time, rows)},
             {"measured", ShownValues(*first.measured, rows)}};
-  });
+  };
+  return SharedOverTime(of_runs, FittedRecordingsOf(runs), tell);
 }
 
 Json BenchJson(const std::vector<ComparedRun>& runs) {
@@ -197,20 +245,33 @@ Json BenchJson(const std::vector<ComparedRun>& runs) {
     for (const TimeTable& table : tables[r])
       AddChannel(table, "force", "time_s", "measured_N", "modelled_N", of_runs[r]);
   }
-  return SharedOverTime(of_runs, [](const TimedChannel& first, const std::set<std::size_t>& rows) -> Json {
+  const auto tell = [](const TimedChannel& first, const std::set<std::size_t>& rows) -> Json {
     Json told = Json::array();
     for (const TimeColumn& column : first.table->columns)
       if (&column != first.modelled) told.push_back({{"name", column.name}, {"values", ShownValues(column, rows)}});
     return {{"columns", std::move(told)}};
-  });
+  };
+  return SharedOverTime(of_runs, FittedRecordingsOf(runs), tell);
+}
+
+/// The band [Hz] in which a run was fitted; null where it tells none.
+Json BandOf(const ComparedRun& run) {
+  const std::vector<nlohmann::json> band = ListAt(run.result, "band_Hz");
+  if (band.size() != 2 || !band[0].is_number() || !band[1].is_number() || !(band[1].get<double>() > 0)) return nullptr;
+  return {PictureNumber(band[0].get<double>()), PictureNumber(band[1].get<double>())};
 }
 
 }  // namespace
 
 Json ComparisonCurves(const std::vector<ComparedRun>& runs) {
   Json names = Json::array();
-  for (const ComparedRun& run : runs) names.push_back(run.name);
+  Json bands = Json::array();
+  for (const ComparedRun& run : runs) {
+    names.push_back(run.name);
+    bands.push_back(BandOf(run));
+  }
   return {{"runs", std::move(names)},
+          {"bands", std::move(bands)},
           {"responses", ResponsesJson(runs)},
           {"histories", SharedHistoriesJson(runs)},
           {"bench", BenchJson(runs)}};

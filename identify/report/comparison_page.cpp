@@ -1,10 +1,13 @@
 #include "identify/report/comparison_page.h"
 
+#include <set>
+
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
 #include "identify/report/comparison_curves.h"
 #include "identify/report/comparison_tables.h"
 #include "identify/report/comparison_verdict.h"
+#include "identify/report/page_footer.h"
 #include "identify/report/ranked_run.h"
 
 namespace fourpost {
@@ -17,6 +20,20 @@ std::string Header(const std::vector<ComparedRun>& runs) {
   for (const ComparedRun& run : runs) names += (names.empty() ? "" : ", ") + run.name;
   return "<header>\n<h1>" + std::to_string(runs.size()) + " fits compared</h1>\n<p class=\"facts\">" +
          html::Escaped(names) + "</p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
+}
+
+/// "the fits a, b (by fourpost 0.1.0)", versions where they are told.
+std::string Sources(const std::vector<ComparedRun>& runs) {
+  std::string text = "the fits ";
+  std::set<std::string> versions;
+  for (const ComparedRun& run : runs) {
+    text += (&run == &runs.front() ? "" : ", ") + run.name;
+    versions.insert(TextAt(run.result.value("versions", nlohmann::json()), "fourpost"));
+  }
+  versions.erase("");
+  std::string by;
+  for (const std::string& version : versions) by += (by.empty() ? " (by fourpost " : " and ") + version;
+  return text + (by.empty() ? "" : by + ")");
 }
 
 std::string Curves(const OrderedJson& curves, const std::string& part, const std::string& title) {
@@ -58,7 +75,7 @@ std::string ComparisonPage(std::vector<std::pair<std::string, RunContents>> fold
       html::Section("errors", "Errors by group of channels", Errors(runs)) +
       html::Section("parameters", "Parameters", ParametersSideBySideHtml(runs)) +
       Curves(curves, "responses", "Frequency responses") + Curves(curves, "histories", "Time histories") +
-      Curves(curves, "bench", "Damper bench") + "</main>\n";
+      Curves(curves, "bench", "Damper bench") + "</main>\n" + PageFooter(Sources(runs));
   const OrderedJson data = {{"comparison", curves}};
   return ReportDocument("Comparison of fits \u2013 fourpost report", body,
                         data.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));

@@ -41,7 +41,7 @@ std::string MeanOf(const std::map<ChannelGroup, double>& errors) {
 
 std::vector<Cell> RunRow(const ComparedRun& run, bool has_criteria) {
   const Json& result = run.result;
-  std::vector<Cell> row = {{html::Element("b", "", html::Escaped(run.name)), ""},
+  std::vector<Cell> row = {{html::Element("b", "", html::Escaped(run.name)), "name"},
                            {html::Escaped(run.Kind()), "wrap"},
                            {html::Escaped(run.Recordings()), "wrap"},
                            EndCell(result),

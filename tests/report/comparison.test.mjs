@@ -33,21 +33,31 @@ describe('a comparison of runs', () => {
     assert.deepEqual(page.faults, []);
     for (const id of ['summary', 'errors', 'parameters', 'responses', 'histories']) assert.equal(await page.locator(`section#${id}`).count(), 1, id);
     assert.match(await page.locator('.verdict').textContent(), /^model\d fits best: .* foretell(s best| alike): .*To take: model/);
-    assert.deepEqual(await page.locator('#responses .legend span').allTextContents(), ['measured', 'model1', 'model2']);
+    assert.deepEqual(await page.locator('#responses .legend span').allTextContents(), ['measured', 'model1', 'model2', 'not fitted']);
+    assert.match(await page.locator('#histories').textContent(), /bounce_sweep: foretold by model1 and model2\./);
+    assert.match(await page.locator('footer').textContent(), /^Made by fourpost \d+\.\d+\.\d+ on \d{4}-\d\d-\d\d of the fits model1, model2 \(by fourpost /);
     assert.equal(await page.locator('#responses canvas').count(), canvasCount);
     assert.equal(await page.locator('#histories canvas').count(), 11);
-    // The last run lies over the first where they are alike.
-    for (const part of ['responses', 'histories']) assert.ok((await coloured(page.locator(`#${part} canvas`).first(), measuredColour)) > 100, part);
-    let first = 0;
-    for (let k = 0; k < canvasCount; ++k) first += await coloured(page.locator('#responses canvas').nth(k), modelColour);
-    assert.ok(first > 20, `${first} dots of the first run's colour`);
+    // Where they are alike, the last run lies over the first, and the first shows between its dashes.
+    for (const part of ['responses', 'histories'])
+      for (const canvas of await page.locator(`#${part} canvas`).all())
+        for (const colour of [modelColour, measuredColour]) assert.ok((await coloured(canvas, colour)) > 50, `${part}: ${colour}`);
+    // Above 12 of 30 Hz nothing was fitted: from the right a fifth is shaded, by 5 % of a dark colour.
+    const shaded = await page.locator('#responses canvas').first().evaluate((canvas) => {
+      const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+      return data.filter((value, i) => i % 4 === 3 && value > 8 && value < 20).length / (canvas.width * canvas.height);
+    });
+    assert.ok(shaded > 0.1 && shaded < 0.35, `${shaded} of the chart is shaded`);
     await page.locator('#responses .u-over').first().scrollIntoViewIfNeeded();
     const box = await page.locator('#responses .u-over').first().boundingBox();
     const reading = page.locator('#responses .reading').first();
-    // A chart that was scrolled takes no notice of a mouse that does not move on.
-    for (let k = 0; k < 50 && !(await reading.textContent()); ++k) await page.mouse.move(box.x + box.width / 2 + (k % 9), box.y + box.height / 2);
-    assert.match(await page.locator('#responses .reading').first().textContent(), /^[\d.]+ Hz: \S+, \S+ for \S+ dB, \S+, \S+ for \S+\u00b0$/);
-    await page.locator('#histories button', { hasText: 'where most happens' }).click();
+    // One move is enough: a long reading does not push the chart from under the mouse.
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    assert.deepEqual(await page.locator('#responses .u-over').first().boundingBox(), box);
+    assert.match(await reading.textContent(), /^[\d.]+ Hz: \S+, \S+ for \S+ dB, \S+, \S+ for \S+\u00b0$/);
+    const close = await page.locator('#histories canvas').first().evaluate((canvas) => canvas.toDataURL());
+    await page.locator('#histories button', { hasText: 'all of it' }).click();
+    assert.ok((await page.locator('#histories canvas').first().evaluate((canvas) => canvas.toDataURL())) !== close);
     assert.equal(await page.locator('#parameters thead th').count(), 4);
     assert.deepEqual(page.faults, []);
     await page.context().close();
@@ -92,17 +102,25 @@ describe('a comparison of runs', () => {
     await page.locator('#bench select').selectOption({ index: 0 });
     assert.equal(await canvases.count(), 3);
     assert.match(await page.locator('#summary thead').textContent(), /AICc/);
+    // Its table of fifteen columns fits a page of 1200 px, and the paper.
+    await page.setViewportSize({ width: 1200, height: 800 });
+    const cut = () => page.locator('#summary .table').evaluate((table) => table.scrollWidth - table.clientWidth);
+    assert.equal(await cut(), 0);
+    await page.emulateMedia({ media: 'print' });
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+    assert.equal(await cut(), 0);
     assert.deepEqual(page.faults, []);
     await page.context().close();
   });
 
-  test('looks as it did', async () => {
-    const page = await open(browser, file);
-    await page.evaluate(() => document.getElementById('summary').scrollIntoView({ behavior: 'instant' }));
-    const fault = compare('comparison_light', await page.screenshot());
-    assert.equal(fault, null, fault);
-    await page.context().close();
-  });
+  for (const [name, id] of [['comparison_light', 'summary'], ['compared_responses_light', 'responses']])
+    test(`looks as it did: ${name}`, async () => {
+      const page = await open(browser, file);
+      await page.evaluate((section) => document.getElementById(section).scrollIntoView({ behavior: 'instant' }), id);
+      const fault = compare(name, await page.screenshot());
+      assert.equal(fault, null, fault);
+      await page.context().close();
+    });
 });
 
 test('a comparison of methods shows when they succeed', async () => {

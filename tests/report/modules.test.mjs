@@ -6,7 +6,7 @@ import { pathToFileURL } from 'node:url';
 import { root } from './browser.mjs';
 
 const source = (name) => import(pathToFileURL(join(root, 'analysis', 'report', 'web', 'src', name)).href);
-const { extent, fixed, multiples, niceStep, shown } = await source('number.js');
+const { extent, fixed, logTicks, multiples, niceStep, shown } = await source('number.js');
 const { between, coordinatesAt, framesOf, greatestMotion, greatestOf, linkMotion, phasors } = await source('viewer/motion.js');
 const { movePlayhead, onPlayhead, playhead } = await source('playhead.js');
 const { runLine } = await source('theme.js');
@@ -15,7 +15,9 @@ describe('numbers', () => {
   test('have significant digits and a minus sign', () => {
     assert.equal(shown(1.8432, 3), '1.84');
     assert.equal(shown(-0.031, 2), '\u22120.031');
-    assert.equal(shown(14123.4, 3), '14123');
+    assert.equal(shown(14123.4, 3), '14\u2009123');
+    assert.equal(shown(-1234567, 3), '\u22121\u2009234\u2009567');
+    assert.equal(fixed(12345.678, 2), '12\u2009345.68');
     assert.equal(shown(1.5e-7, 2), '1.5\u00b710\u207b\u2077');
     assert.equal(shown(null), '\u2013');
     assert.equal(fixed(-0.001, 2), '0.00');
@@ -27,6 +29,17 @@ describe('numbers', () => {
     assert.deepEqual(multiples(-0.9, 1.1, 0.5), [-0.5, 0, 0.5, 1]);
     assert.deepEqual(extent([null, 3, -1], [7, NaN]), [-1, 7]);
     assert.equal(extent([null]), null);
+  });
+
+  test('mark a logarithmic axis twice at least, however short it is', () => {
+    assert.deepEqual(logTicks(0.5, 30), [0.5, 1, 2, 5, 10, 20]);
+    assert.deepEqual(logTicks(675e3, 1.14e6), [7e5, 8e5, 9e5, 1e6, 1.1e6]);
+    assert.deepEqual(logTicks(1, 1e6), [1, 10, 100, 1e3, 1e4, 1e5, 1e6]);
+    for (let ratio = 1.01; ratio < 1e9; ratio *= 1.07)
+      for (const low of [1e-3, 0.7, 1.9, 123456]) {
+        const count = logTicks(low, low * ratio).length;
+        assert.ok(count >= 2 && count <= 14, `${count} marks from ${low} to ${low * ratio}`);
+      }
   });
 });
 
@@ -75,12 +88,13 @@ describe('motion', () => {
 });
 
 describe('lines of runs', () => {
-  test('are told apart by colour, and by dashes when colours end', () => {
+  test('are told apart by colour and dashes, the first broad below the others', () => {
     const lines = Array.from({ length: 12 }, (_, i) => JSON.stringify(runLine(i)));
     assert.equal(new Set(lines).size, 12);
     assert.equal(runLine(0).dash, undefined);
     assert.equal(runLine(6).colour, runLine(0).colour);
     assert.ok(runLine(6).dash);
+    for (let i = 1; i < 6; ++i) assert.ok(runLine(i).dash && runLine(i).width < runLine(0).width);
   });
 });
 

@@ -169,6 +169,53 @@ describe('the report of a fit to frequency responses', () => {
     const page = await open(browser, report, { width: 390, height: 800 });
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(width <= 390, `the page is ${width} wide`);
+    const select = await page.locator('#vehicle select').boundingBox();
+    // The margin of the page is 14 px.
+    assert.ok(select.x + select.width <= 390 - 14 + 0.5, `the choice of motions ends at ${select.x + select.width}`);
+    const [title, button] = [await page.locator('h1').boundingBox(), await page.locator('#theme').boundingBox()];
+    assert.ok(areApart(title, button), `title and button: ${JSON.stringify([title, button])}`);
+    const heights = await page.locator('#parameters tbody tr').evaluateAll((rows) => rows.map((row) => row.getBoundingClientRect().height));
+    // Text is 15 px high; two lines would take 40.
+    for (const height of heights) assert.ok(height < 36, `a row is ${height} high`);
+    await page.context().close();
+  });
+
+  test('knows where the mouse is after the page moved under it', async () => {
+    const page = await open(browser, report);
+    const readings = await page.evaluate(() => {
+      const over = document.querySelector('#responses .u-over');
+      const reading = document.querySelector('#responses .reading');
+      const read = () => {
+        const { left, top, width, height } = over.getBoundingClientRect();
+        over.dispatchEvent(new MouseEvent('mousemove', { clientX: left + width / 3, clientY: top + height / 2, bubbles: true }));
+        return reading.textContent;
+      };
+      const before = read();
+      // No event tells of this.
+      document.body.style.marginLeft = '120px';
+      return [before, read()];
+    });
+    assert.match(readings[0], /^[\d.]+ Hz: /);
+    assert.equal(readings[1], readings[0]);
+    await page.context().close();
+  });
+
+  test('keeps a zoom when the colours change', async () => {
+    const page = await open(browser, report);
+    const over = page.locator('#responses .u-over').first();
+    await over.scrollIntoViewIfNeeded();
+    const box = await over.boundingBox();
+    const picture = () => page.locator('#responses canvas').first().evaluate((canvas) => canvas.toDataURL());
+    const whole = await picture();
+    await page.mouse.move(box.x + 0.2 * box.width, box.y + 30);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.5 * box.width, box.y + 30, { steps: 4 });
+    await page.mouse.up();
+    await page.mouse.move(5, 5);
+    const zoomed = await picture();
+    assert.ok(zoomed !== whole);
+    for (let k = 0; k < 2; ++k) await page.locator('#theme').click();
+    assert.ok((await picture()) === zoomed);
     await page.context().close();
   });
 });
@@ -184,6 +231,7 @@ describe('pictures', () => {
     ['parameters_narrow', { width: 390, height: 800 }, 'parameters'],
     ['determination_light', {}, 'determination'],
     ['modes_dark', { dark: true }, 'modes'],
+    ['search_light', {}, 'search'],
   ])
     test(name, async () => {
       const page = await open(browser, report, options);
@@ -229,6 +277,31 @@ test('the report of a fit to time histories opens without a fault', async () => 
   await page.locator('#vehicle select').selectOption({ index: 0 });
   assert.equal(await page.locator('#histories .playhead:visible').count(), 0);
   assert.deepEqual(page.faults, []);
+  await page.context().close();
+});
+
+test('the labels of a pole map keep apart', async () => {
+  for (const folder of [run, fitted('single_wheel_station/model1.yaml')])
+    for (const width of [1240, 390]) {
+      const page = await open(browser, join(folder, 'report.html'), { width, height: 900 });
+      const labels = await page.locator('#modes svg text').evaluateAll((texts) =>
+        texts.map((text) => ({ words: text.textContent, ...text.getBoundingClientRect().toJSON() })),
+      );
+      // Two poles at least, both axes, their units, and a damping ratio.
+      assert.ok(labels.length > 8, `${labels.length} labels`);
+      for (const [i, one] of labels.entries())
+        for (const other of labels.slice(i + 1)) assert.ok(areApart(one, other), `'${one.words}' over '${other.words}' at ${width} px in ${folder}`);
+      await page.context().close();
+    }
+});
+
+test('the report of a fit of one parameter speaks of one', async () => {
+  const page = await open(browser, join(fitted('damper/model1.yaml'), 'report.html'));
+  const text = await page.locator('#determination').textContent();
+  assert.match(text, /One parameter was fitted: no other can stand in for it\./);
+  assert.doesNotMatch(text, /together/);
+  assert.match(await page.locator('#summary').textContent(), /The one parameter is determined/);
+  assert.match(await page.locator('footer').textContent(), /^Made by fourpost \d+\.\d+\.\d+ on \d{4}-\d\d-\d\d of /);
   await page.context().close();
 });
 
@@ -285,6 +358,9 @@ describe('reports of other runs', () => {
     const page = await open(browser, file);
     assert.deepEqual(page.faults, []);
     assert.match(await page.locator('.verdict').textContent(), /interrupted/);
+    // The reason once, and no sign before nothing.
+    assert.doesNotMatch(await page.locator('#parameters').textContent(), /\u00b1|sd/);
+    for (const id of ['parameters', 'determination']) assert.match(await page.locator(`#${id}`).textContent(), /ended before standard deviations could be computed/);
     assert.match(await page.locator('#vehicle').textContent(), /no vehicle\.urdf/);
     assert.equal(await page.locator('#responses canvas').count(), canvasCount);
     await page.context().close();
@@ -355,6 +431,11 @@ describe('reports of other runs', () => {
     await page.context().close();
   });
 });
+
+/** Whether two boxes share less than half a pixel: letters' boxes are rounded. */
+function areApart(a, b) {
+  return a.x + a.width < b.x + 0.5 || b.x + b.width < a.x + 0.5 || a.y + a.height < b.y + 0.5 || b.y + b.height < a.y + 0.5;
+}
 
 /** The JSON in a report's file. */
 function dataOf(file) {

@@ -13,6 +13,7 @@ namespace fourpost {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 using testing::ThrowsMessage;
@@ -141,9 +142,16 @@ TEST(ComparedRun, KnowsWhatWeighsResiduals) {
 
 TEST(ComparedRun, HasANameOfItsOwn) {
   const std::vector<ComparedRun> runs = Runs({Result("one", 3, 5), Result("two", 3, 5), Result("one", 3, 5)});
-  EXPECT_EQ(runs[0].name, "one (run/0)");
+  EXPECT_EQ(runs[0].name, "one (0)");
   EXPECT_EQ(runs[1].name, "two");
-  EXPECT_EQ(runs[2].name, "one (run/2)");
+  EXPECT_EQ(runs[2].name, "one (2)");
+}
+
+TEST(ComparedRun, IsNamedByItsPathWhereTheFoldersAreNamedAlike) {
+  const std::vector<ComparedRun> runs =
+      ComparedRuns({FolderOf("a/run", Result("one", 3, 5)), FolderOf("b/run/", Result("one", 3, 5))});
+  EXPECT_EQ(runs[0].name, "one (a/run)");
+  EXPECT_EQ(runs[1].name, "one (b/run/)");
 }
 
 TEST(ComparisonVerdict, SaysWhichFitsAndWhichForetellsBest) {
@@ -226,9 +234,11 @@ std::string History(double measured, double modelled, const std::string& name = 
 }
 
 TEST(ComparisonCurves, OverlaysWhatRunsShare) {
+  Json fitted = Result("two", 3, 5);
+  for (Json& channel : fitted["channels"]) channel["recording"] = "sweep";
   std::vector<Folder> folders;
   folders.push_back(FolderOf("0", Result("one", 3, 5), {{"validation.csv", History(1, 1.5)}}));
-  folders.push_back(FolderOf("1", Result("two", 3, 5), {{"history.csv", History(1, 1.7)}}));
+  folders.push_back(FolderOf("1", fitted, {{"history.csv", History(1, 1.7)}}));
   // Measured otherwise, and another channel.
   folders.push_back(FolderOf("2", Result("three", 3, 5), {{"history.csv", History(1.1, 1.7)}}));
   folders.push_back(FolderOf("3", Result("four", 3, 5), {{"history.csv", History(1, 1.7, "b")}}));
@@ -238,7 +248,34 @@ TEST(ComparisonCurves, OverlaysWhatRunsShare) {
   const auto& channel = curves["histories"][0];
   EXPECT_EQ(channel["measured"].dump(), "[1,2]");
   EXPECT_EQ(channel["unit"], "m");
-  EXPECT_EQ(channel["runs"].dump(), R"([{"run":0,"values":[1.5,3]},{"run":1,"values":[1.7,3]}])");
+  EXPECT_EQ(channel["runs"].dump(),
+            R"([{"run":0,"fitted":false,"values":[1.5,3]},{"run":1,"fitted":true,"values":[1.7,3]}])");
+}
+
+// An eighth of 80 s would be more than the 2 s that a page shows row by row.
+TEST(ComparisonCurves, KeepEveryRowWhereMostHappens) {
+  constexpr int kRows = 8000;
+  constexpr int kPeak = 4000;
+  std::string text = "recording,time,a_measured,a_modelled\n,s,m,m\n";
+  for (int i = 0; i < kRows; ++i)
+    text += "sweep," + std::to_string(0.01 * i) + ',' + (i == kPeak ? "9" : std::to_string(i % 3)) + ",1\n";
+  const auto curves = ComparisonCurves(ComparedRuns({FolderOf("0", Result("one", 3, 5), {{"history.csv", text}}),
+                                                     FolderOf("1", Result("two", 3, 5), {{"history.csv", text}})}));
+  ASSERT_EQ(curves["histories"].size(), 1u);
+  const auto& channel = curves["histories"][0];
+  EXPECT_EQ(channel["busiest"].dump(), "[39,41]");
+  int inside = 0;
+  for (const auto& time : channel["time"])
+    if (time >= 39 && time <= 41) ++inside;
+  EXPECT_EQ(inside, 201);
+  EXPECT_LT(channel["time"].size(), 3300u);
+}
+
+TEST(ComparisonCurves, TellTheBandOfEachRun) {
+  Json over_time = Result("two", 3, 5);
+  over_time["band_Hz"] = {0, 0};
+  const auto curves = ComparisonCurves(ComparedRuns({FolderOf("0", Result("one", 3, 5)), FolderOf("1", over_time)}));
+  EXPECT_EQ(curves["bands"].dump(), "[[1,12],null]");
 }
 
 TEST(ComparisonCurves, OverlaysResponsesAndDampers) {
@@ -261,15 +298,18 @@ TEST(ComparisonCurves, OverlaysResponsesAndDampers) {
   EXPECT_EQ(curves["responses"][0]["runs"].dump(),
             R"([{"run":0,"gain":[1.25],"phase":[20]},{"run":1,"gain":[2.5],"phase":[20]}])");
   ASSERT_EQ(curves["bench"].size(), 1u);
-  EXPECT_EQ(curves["bench"][0]["runs"].dump(), R"([{"run":0,"values":[1.25]},{"run":1,"values":[2.5]}])");
+  EXPECT_EQ(curves["bench"][0]["runs"].dump(),
+            R"([{"run":0,"fitted":false,"values":[1.25]},{"run":1,"fitted":false,"values":[2.5]}])");
   EXPECT_EQ(curves["bench"][0]["columns"].size(), 4u);
 }
 
 TEST(ComparisonPage, EscapesNamesAndRefusesWhatIsNoFit) {
   const std::string hostile = "</script><b>";
   std::vector<Folder> folders = {FolderOf(hostile, Result(hostile, 3, 5)), FolderOf("b", Result(hostile, 3, 5))};
-  EXPECT_THAT(ComparisonPage(folders), AllOf(HasSubstr("<h1>2 fits compared</h1>"), HasSubstr("&lt;/script&gt;"),
+  EXPECT_THAT(ComparisonPage(folders), AllOf(HasSubstr("<h1>2 fits compared</h1>"), HasSubstr("script&gt;&lt;b&gt;"),
                                              Not(HasSubstr("<b></b>")), Not(HasSubstr("</script><b>"))));
+  EXPECT_THAT(ComparisonPage(folders),
+              ContainsRegex("<footer>Made by fourpost [0-9.]+ on [0-9]{4}-[0-9]{2}-[0-9]{2} of the fits "));
   folders[1] = FolderOf("b", Json{{"a", 1}});
   EXPECT_THAT([&] { ComparisonPage(folders); }, ThrowsMessage<FaultyInput>(HasSubstr("is not that of a fit")));
 }

@@ -19,8 +19,8 @@ export function xy(place, title, recordings, across, factor, label) {
   const box = el('div');
   const card = el('div', { class: 'chart' }, el('h3', {}, title, el('span', {}, `N over ${label}`)), box);
   const series = parts.flatMap((part) => [
-    { points: [part.x, part.measured], colour: part.ink ?? 'measured', width: 1.4 },
-    ...part.lines.map(({ colour, dash, values }) => ({ points: [part.x, values], colour, dash, width: 1.2 })),
+    { points: [part.x, part.measured], colour: part.ink ?? 'measured', width: part.ink ? 4 : 1.4 },
+    ...part.lines.map(({ colour, dash, width, values }) => ({ points: [part.x, values], colour, dash, width: width ?? 1.2 })),
   ]);
   const margin = (range) => { const [low, high] = range ?? [0, 1]; const m = 0.06 * (high - low || 1); return [low - m, high + m]; };
   const loop = (u, index) =>
@@ -80,7 +80,7 @@ export function overTime(place, recording) {
         () => ({
           scales: { x: { time: false } },
           axes: [linearAxis({ scale: 'x', side: 2, size: 24 }), linearAxis({ size: 54 })],
-          series: [{}, curve('measured', recording.ink ?? 'measured', { width: 2.2 }), ...lines.map(({ label, colour, dash }) => curve(label, colour, { dash, width: 1 }))],
+          series: [{}, curve('measured', recording.ink ?? 'measured', { width: recording.ink ? 4 : 2.2 }), ...lines.map(({ label, colour, dash, width }) => curve(label, colour, { dash, width: width ?? 1 }))],
           cursor: { y: false },
         }),
         [time, measured, ...lines.map((line) => line.values)],

@@ -1,20 +1,9 @@
 import uPlot from 'uplot';
 import { colours, onTheme } from './theme.js';
-import { fixed, multiples, niceStep, shown } from './number.js';
+import { decimalsOf, fixed, logTicks, multiples, niceStep, shown } from './number.js';
 
 const font = '11px system-ui, -apple-system, "Segoe UI", Roboto, "Liberation Sans", Arial, sans-serif';
 const axisWidth = 46;
-
-/** 0.5, 1, 2, 5, 10 ... within a range. */
-export function decades(low, high) {
-  const list = [];
-  for (let exponent = Math.floor(Math.log10(low)); exponent <= Math.ceil(Math.log10(high)); ++exponent)
-    for (const factor of [1, 2, 5]) {
-      const value = factor * 10 ** exponent;
-      if (value >= low * 0.999 && value <= high * 1.001) list.push(value);
-    }
-  return list;
-}
 
 function axis(options) {
   const { line, muted } = colours();
@@ -32,29 +21,31 @@ function axis(options) {
 export function frequencyAxis(labelled) {
   return axis({
     size: labelled ? 22 : 6,
-    splits: (u) => decades(u.scales.x.min, u.scales.x.max),
+    splits: (u) => logTicks(u.scales.x.min, u.scales.x.max),
     filter: (u, splits) => splits,
-    values: (u, splits) => (labelled ? thinned(u, splits) : splits.map(() => '')),
+    values: (u, splits) => (labelled ? thinned(u, splits, 'x', 26) : splits.map(() => '')),
   });
 }
 
-/** Labels with room between them; the last one names the unit. */
-function thinned(u, splits) {
-  const at = splits.map((value) => u.valToPos(value, 'x'));
-  let last = -Infinity;
+/** Labels at least so many pixels apart. */
+function thinned(u, splits, scale, room) {
+  const at = splits.map((value) => u.valToPos(value, scale));
+  const digits = splits.length > 1 ? Math.max(3, 1 + Math.floor(Math.log10(splits[0]) - Math.log10(splits[1] - splits[0]) + 1)) : 3;
+  let last = Infinity;
   return splits.map((value, i) => {
-    if (at[i] - last < 26) return '';
+    if (Math.abs(at[i] - last) < room) return '';
     last = at[i];
-    return shown(value, 3);
+    return shown(value, digits);
   });
 }
 
 /** A linear axis with a grid at the first of `steps` that leaves room, or at 1, 2, 5 times a power of ten. */
-export function linearAxis({ scale = 'y', side = 3, steps = [], size = axisWidth, grid = true } = {}) {
+export function linearAxis({ scale = 'y', side = 3, steps = [], size = axisWidth, grid = true, colour } = {}) {
   return axis({
     scale,
     side,
     size,
+    ...(colour ? { stroke: colours()[colour] } : {}),
     ...(grid ? {} : { grid: { show: false } }),
     splits: (u) => {
       const { min, max } = u.scales[scale];
@@ -64,24 +55,20 @@ export function linearAxis({ scale = 'y', side = 3, steps = [], size = axisWidth
       return multiples(min, max, step);
     },
     values: (u, splits) => {
-      const gap = splits.length > 1 ? splits[1] - splits[0] : 1;
-      const decimals = Math.max(0, -Math.floor(Math.log10(gap) + 1e-9));
+      const decimals = decimalsOf(splits.length > 1 ? splits[1] - splits[0] : 1);
       return splits.map((value) => (decimals > 6 ? shown(value, 3) : fixed(value, decimals)));
     },
   });
 }
 
-/** Powers of ten and, where they are few, 2 and 5 times them. */
-export function logAxis() {
+/** A quantity over decades, upwards. */
+export function logAxis(colour) {
   return axis({
-    size: axisWidth + 12,
-    splits: (u) => {
-      const { min, max } = u.scales.y;
-      const all = decades(min, max);
-      return max / min > 1e3 ? all.filter((value) => Math.abs(Math.log10(value) % 1) < 1e-9) : all;
-    },
+    size: axisWidth + 18,
+    stroke: colours()[colour],
+    splits: (u) => logTicks(u.scales.y.min, u.scales.y.max),
     filter: (u, splits) => splits,
-    values: (u, splits) => splits.map((value) => shown(value, 3)),
+    values: (u, splits) => thinned(u, splits, 'y', 15),
   });
 }
 
@@ -143,18 +130,31 @@ export const curve = (label, colour, options = {}) => ({
   ...options,
 });
 
+/** Where the chart is now: it may have been scrolled since the last event, which tells of that later. */
+const mouseMove = (u, target, move) => (event) => {
+  if (event.target !== target) return;
+  u.syncRect(true);
+  move(event);
+};
+
 /**
  * A chart as wide as its place. `options`: of uPlot, made anew by a function, for axes take the page's colours.
  * Redrawn when the theme changes.
  */
 export function chart(place, height, options, data) {
   const width = () => Math.max(160, Math.floor(place.clientWidth));
-  const make = () =>
-    new uPlot({ width: width(), height, legend: { show: false }, padding: [6, 10, 0, 0], ...options() }, data, place);
+  const make = () => {
+    const { cursor, ...rest } = options();
+    const all = { width: width(), height, legend: { show: false }, padding: [6, 10, 0, 0], cursor: { ...cursor, bind: { mousemove: mouseMove } }, ...rest };
+    return new uPlot(all, data, place);
+  };
   const state = { plot: make() };
   onTheme(() => {
+    const { min, max } = state.plot.scales.x;
     state.plot.destroy();
     state.plot = make();
+    // As far zoomed as it was.
+    if (state.plot.mode === 1) state.plot.setScale('x', { min, max });
   });
   new ResizeObserver(() => {
     if (state.plot.width !== width()) state.plot.setSize({ width: width(), height });

@@ -11,7 +11,7 @@ function drawLog(place, log) {
   place.append(
     legend(['line', 'model', 'best cost'], ['dash', 'measured', 'diversity of the population']),
     box,
-    el('p', { class: 'note' }, 'Over evaluations of the search.'),
+    el('p', { class: 'note' }, 'Cost at the left, diversity at the right, over evaluations of the search.'),
   );
   chart(
     box,
@@ -20,12 +20,13 @@ function drawLog(place, log) {
       scales: {
         x: { time: false },
         y: { distr: 3, range: () => { const [low, high] = extent(cost) ?? [1, 10]; return [low / 1.3, high * 1.3]; } },
-        d: { range: () => [0, Math.max(1e-9, 1.05 * Math.max(...diversity.map((d) => d ?? 0)))] },
+        // From below zero, so that its 0 stands clear of the axis below.
+        d: { range: () => { const most = Math.max(1e-9, ...diversity.map((d) => d ?? 0)); return [-0.08 * most, 1.05 * most]; } },
       },
       axes: [
         linearAxis({ scale: 'x', side: 2, size: 24 }),
-        logAxis(),
-        linearAxis({ scale: 'd', side: 1, grid: false }),
+        logAxis('model'),
+        linearAxis({ scale: 'd', side: 1, grid: false, colour: 'measured' }),
       ],
       series: [
         {},

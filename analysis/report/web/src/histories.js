@@ -28,11 +28,11 @@ export function channelsOf(recording) {
 export function card(recording, channel, time, misfit, sync) {
   const place = el('div');
   const head = misfit?.nmse_percent == null ? '' : `NMSE ${shown(misfit.nmse_percent, 3)} %`;
-  const reading = el('span', { class: 'reading' }, head);
+  const reading = el('span', { class: 'reading' });
   const box = el(
     'div',
     { class: 'chart', 'data-channel': channel.name },
-    el('h3', {}, el('span', {}, el('code', {}, channel.name), channel.unit && channel.unit !== '1' ? `, ${channel.unit}` : ''), reading),
+    el('h3', {}, el('span', {}, el('code', {}, channel.name), channel.unit && channel.unit !== '1' ? `, ${channel.unit}` : ''), el('span', {}, head), reading),
     place,
   );
   const none = time.map(() => null);
@@ -44,14 +44,14 @@ export function card(recording, channel, time, misfit, sync) {
       () => ({
         scales: { x: { time: false }, y: { range: (u, low, high) => (low < high ? [low - 0.06 * (high - low), high + 0.06 * (high - low)] : [low - 1, low + 1]) } },
         axes: [linearAxis({ scale: 'x', side: 2, size: 24 }), linearAxis()],
-        series: [{}, curve('measured', channel.ink ?? 'measured', { width: 2.2 }), ...channel.lines.map(({ label, colour, dash }) => curve(label, colour, { dash, width: 1 }))],
+        series: [{}, curve('measured', channel.ink ?? 'measured', { width: channel.ink ? 4 : 2.2 }), ...channel.lines.map(({ label, colour, dash, width }) => curve(label, colour, { dash, width: width ?? 1 }))],
         cursor: { y: false, sync: { key: sync.key }, drag: { x: true, y: false } },
         plugins: [playheadLine(recording)],
         hooks: {
           setCursor: [
             (u) => {
               const i = u.cursor.idx;
-              reading.textContent = i == null ? head : `${fixed(time[i], 3)} s: ${data.slice(2).map((values) => shown(values[i], 4)).join(', ')} for ${shown(data[1][i], 4)}`;
+              reading.textContent = i == null ? '' : `${fixed(time[i], 3)} s: ${data.slice(2).map((values) => shown(values[i], 4)).join(', ')} for ${shown(data[1][i], 4)}`;
             },
           ],
         },
@@ -82,6 +82,7 @@ export function drawHistories(place, data) {
   const recordings = data.histories;
   const charts = el('div', { class: 'charts wide' });
   const note = el('p', { class: 'note' });
+  let part = 'all';
   let show = () => {};
   let follow = () => {};
   const redraw = (name) => {
@@ -95,10 +96,11 @@ export function drawHistories(place, data) {
     charts.replaceChildren(...cards.map(({ box }) => box));
     const states = cards.map(({ draw }) => draw());
     follow = () => states.forEach(({ plot }) => put(plot, name));
-    show = (part) => {
+    show = () => {
       const [min, max] = part === 'all' ? extent(time) : busiest(time, channels);
       for (const { plot } of states) plot.setScale('x', { min, max });
     };
+    show();
     const thinned =
       recording.shown_rows < recording.rows
         ? ` ${recording.shown_rows} of ${recording.rows} samples are shown, the extremes of each stretch.`
@@ -111,7 +113,7 @@ export function drawHistories(place, data) {
       'div',
       { class: 'controls' },
       names.length > 1 ? choice('recording', names.map((name) => [name, name]), names[0], redraw) : null,
-      choice('stretch', [['all', 'all of it'], ['close', 'where most happens']], 'all', (part) => show(part)),
+      choice('stretch', [['all', 'all of it'], ['close', 'where most happens']], part, (chosen) => { part = chosen; show(); }),
     ),
   );
   place.append(legend(['line', 'measured', 'measured'], ['line', 'model', 'fit']), note, charts);

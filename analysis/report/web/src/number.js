@@ -5,18 +5,25 @@ export function shown(value, digits = 3) {
   if (value == null || !Number.isFinite(value)) return '\u2013';
   const size = Math.abs(value);
   if (size !== 0 && (size < 1e-4 || size >= 1e7)) return power(value, digits);
-  return minus(size >= 10 ** (digits - 1) ? value.toFixed(0) : Number(value.toPrecision(digits)).toString());
+  return apart(size >= 10 ** (digits - 1) ? value.toFixed(0) : Number(value.toPrecision(digits)).toString());
 }
 
 /** At so many decimals. */
 export function fixed(value, decimals) {
   if (value == null || !Number.isFinite(value)) return '\u2013';
   const text = value.toFixed(decimals);
-  return minus(Number(text) === 0 ? text.replace('-', '') : text);
+  return apart(Number(text) === 0 ? text.replace('-', '') : text);
 }
 
 function minus(text) {
   return text.replace('-', '\u2212');
+}
+
+/** Thousands of five digits and more before the point. */
+function apart(text) {
+  const [whole, ...rest] = text.split('.');
+  const digits = whole.replace('-', '').length > 4 ? whole.replace(/(?<=\d)(?=(\d{3})+$)/g, '\u2009') : whole;
+  return minus([digits, ...rest].join('.'));
 }
 
 function power(value, digits) {
@@ -53,3 +60,25 @@ export function multiples(low, high, step) {
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) list.push(i * step);
   return list;
 }
+
+/** 0.5, 1, 2, 5, 10 ... within a range. */
+export function decades(low, high) {
+  const list = [];
+  for (let exponent = Math.floor(Math.log10(low)); exponent <= Math.ceil(Math.log10(high)); ++exponent)
+    for (const factor of [1, 2, 5]) {
+      const value = factor * 10 ** exponent;
+      if (value >= low * 0.999 && value <= high * 1.001) list.push(value);
+    }
+  return list;
+}
+
+/** Marks of a logarithmic axis: powers of ten, 2 and 5 times them where they are few, even steps where those are. */
+export function logTicks(low, high) {
+  const all = decades(low, high);
+  const tens = all.filter((value) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-9);
+  if (high / low > 1e4 && tens.length > 3) return tens;
+  return all.length > 2 ? all : multiples(low, high, niceStep(high - low, 5));
+}
+
+/** Decimals that tell numbers this far apart. */
+export const decimalsOf = (gap) => Math.max(0, -Math.floor(Math.log10(gap) + 1e-9));

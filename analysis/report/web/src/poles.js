@@ -1,9 +1,9 @@
 import { el, svg } from './dom.js';
 import { extent, multiples, niceStep, shown } from './number.js';
 
-const width = 560;
-const height = 340;
-const margin = { left: 52, right: 18, top: 14, bottom: 40 };
+const margin = { left: 46, right: 18, top: 26, bottom: 40 };
+/** Of a label of damping ratio. */
+const ratioWidth = 34;
 
 /** [{name, re, im}] of the upper half plane. */
 function polesOf(modes) {
@@ -20,17 +20,19 @@ function places(isLeft) {
   return [...sides.map((side) => [side, 0]), ...[-13, 13, -26, 26, -39, 39].map((shift) => [isLeft, shift])];
 }
 
-/** Labels moved apart downwards and upwards from their poles. */
-function placed(points) {
-  const taken = points.map(({ x, y }) => ({ x: x - 6, y: y - 6, length: 12 }));
+const areApart = (a, b) => Math.abs(a.y - b.y) > 11 || a.x > b.x + b.length || b.x > a.x + a.length;
+
+/** Labels moved apart downwards and upwards from their poles, and off boxes where others stand. */
+function placed(points, { width, height }, others) {
+  const taken = [...others, ...points.map(({ x, y }) => ({ x: x - 6, y: y - 6, length: 12 }))];
   return points
     .sort((a, b) => a.y - b.y || a.x - b.x)
     .map((point) => {
       const length = 6.4 * point.name.length + 8;
       for (const [toLeft, shift] of places(point.x + length > width - margin.right)) {
         const box = { x: toLeft ? point.x - length - 6 : point.x + 7, y: point.y + shift - 6, length };
-        const inside = box.y > margin.top - 8 && box.y < height - margin.bottom - 4;
-        const free = taken.every((other) => Math.abs(other.y - box.y) > 11 || other.x > box.x + box.length || box.x > other.x + other.length);
+        const inside = box.y > margin.top - 8 && box.y < height - margin.bottom - 4 && box.x > 0 && box.x + length < width;
+        const free = taken.every((other) => areApart(box, other));
         if (!inside || !free) continue;
         taken.push(box);
         return { ...point, labelX: toLeft ? point.x - 7 : point.x + 7, labelY: point.y + shift, anchor: toLeft ? 'end' : 'start' };
@@ -39,10 +41,29 @@ function placed(points) {
     });
 }
 
+/** Rays of constant damping ratio with their labels, at the left or above; those that would cover another have none. */
+function rays({ x, y, low, top }) {
+  const list = [];
+  for (const ratio of [0.1, 0.2, 0.4, 0.7]) {
+    // im = -re sqrt(1 - ratio^2) / ratio
+    const slope = Math.sqrt(1 - ratio * ratio) / ratio;
+    const re = Math.max(low, (-top * 2 * Math.PI) / slope);
+    const f = (-re * slope) / (2 * Math.PI);
+    const isLeft = re === low && y(f) > margin.top + 14;
+    const left = isLeft ? x(low) + 3 : Math.max(margin.left - 4, x(re) - ratioWidth / 2);
+    const baseline = isLeft ? y(f) - 3 : margin.top - 7;
+    const box = { x: left, y: baseline - 10, length: ratioWidth };
+    list.push({ ratio, re, f, box, baseline, isLabelled: list.every((ray) => !ray.isLabelled || areApart(ray.box, box)) });
+  }
+  return list;
+}
+
 /** The s plane, imaginary parts in Hz, with rays of constant damping ratio. */
 export function drawPoles(place, data) {
   const poles = polesOf(data.scene?.modes ?? []).filter((pole) => Number.isFinite(pole.re));
   if (!poles.length) return;
+  const width = Math.max(300, Math.min(560, place.clientWidth || 560));
+  const height = Math.round(0.4 * width) + 120;
   const hz = (im) => im / (2 * Math.PI);
   const [least, greatest] = extent(poles.map((pole) => pole.re), [0]);
   const low = least * 1.08 || -1;
@@ -57,23 +78,19 @@ export function drawPoles(place, data) {
     return path;
   };
   const text = (at, options, words) => svg('text', { x: at[0], y: at[1], 'font-size': 11, ...options }, words);
-  for (const re of multiples(low, high, niceStep(high - low, 7)))
+  for (const re of multiples(low, high, niceStep(high - low, width / 80)))
     picture.append(line(x(re), y(0), x(re), y(top)), text([x(re), y(0) + 15], { 'text-anchor': 'middle', class: 'dim' }, shown(re, 3)));
   for (const f of multiples(0, top, niceStep(top, 6)))
     picture.append(line(x(low), y(f), x(high), y(f)), text([margin.left - 7, y(f) + 4], { 'text-anchor': 'end', class: 'dim' }, shown(f, 3)));
-  for (const ratio of [0.1, 0.2, 0.4, 0.7]) {
-    // im = -re sqrt(1 - ratio^2) / ratio
-    const slope = Math.sqrt(1 - ratio * ratio) / ratio;
-    const re = Math.max(low, (-top * 2 * Math.PI) / slope);
-    const f = (-re * slope) / (2 * Math.PI);
+  const lines = rays({ x, y, low, top });
+  for (const { ratio, re, f, box, baseline, isLabelled } of lines) {
     picture.append(line(x(0), y(0), x(re), y(f), true));
-    const at = [x(re) + (re === low ? 3 : 0), y(f) + (re === low ? -3 : 11)];
-    picture.append(text(at, { class: 'dim', 'text-anchor': re === low ? 'start' : 'end' }, `\u03b6 ${ratio}`));
+    if (isLabelled) picture.append(text([box.x + 2, baseline], { class: 'dim' }, `\u03b6 ${ratio}`));
   }
   const axis = line(x(0), y(0), x(0), y(top));
   axis.style.stroke = 'var(--muted)';
   picture.append(axis);
-  for (const pole of placed(poles.map((pole) => ({ ...pole, x: x(pole.re), y: y(hz(pole.im)) })))) {
+  for (const pole of placed(poles.map((pole) => ({ ...pole, x: x(pole.re), y: y(hz(pole.im)) })), { width, height }, lines.filter((ray) => ray.isLabelled).map((ray) => ray.box))) {
     const cross = svg('path', { d: `M${pole.x - 4} ${pole.y - 4}l8 8m0-8l-8 8`, 'stroke-width': 1.8, fill: 'none' });
     cross.style.stroke = 'var(--model)';
     cross.append(svg('title', {}, `${pole.name}: ${shown(pole.re, 4)} + ${shown(pole.im, 4)}i 1/s`));
@@ -82,7 +99,7 @@ export function drawPoles(place, data) {
   }
   picture.append(
     text([(margin.left + width) / 2, height - 6], { 'text-anchor': 'middle', class: 'dim' }, 'real part, 1/s'),
-    text([12, margin.top + 8], { class: 'dim' }, 'Hz'),
+    text([margin.left - 7, margin.top - 14], { class: 'dim', 'text-anchor': 'end' }, 'Hz'),
   );
   place.append(el('div', { class: 'picture' }, picture));
 }

@@ -65,7 +65,7 @@ function rangeOf(part, least) {
   return [low - margin, high + margin];
 }
 
-function panel(place, height, series, part, { steps, least, labelled, band, sync, read }) {
+function panel(place, height, series, part, { steps, least, labelled, bands, sync, read }) {
   const [low, high] = extent(series.x);
   const edge = (high / low) ** 0.025;
   return chart(
@@ -88,7 +88,7 @@ function panel(place, height, series, part, { steps, least, labelled, band, sync
         points: { size: 6 },
         drag: { x: true, y: false },
       },
-      plugins: [outside(...band), errorBars(part.low, part.high, series.ink)],
+      plugins: [...bands.map((band) => outside(...band)), errorBars(part.low, part.high, series.ink)],
       hooks: { setCursor: [(u) => read(u.cursor.idx)] },
     }),
     [series.x, part.measured, ...part.lines.map((line) => line.values)],
@@ -107,17 +107,20 @@ function misfitOf({ gain, phase }, inBand) {
   return `${fixed(dB, 2)} dB${deg == null ? '' : `, ${fixed(deg, 1)}\u00b0`} rms`;
 }
 
-/** Charts of a channel with `lines`: label, colour, gain, phase and mean of each; without `read` the cursor passes it. */
-export function card(channel, band, sync) {
+/**
+ * Charts of a channel with `lines`: label, colour, gain, phase and mean of each; without `read` the cursor passes it.
+ * `bands` [Hz]: what lies outside of each is shaded.
+ */
+export function card(channel, bands, sync) {
   const series = seriesOf(channel);
   const gain = el('div');
   const phase = el('div');
   const mean = el('div');
   const head = channel.in_band ? misfitOf(series, channel.in_band) : '';
-  const reading = el('span', { class: 'reading' }, head);
-  const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), reading), gain, phase, mean);
+  const reading = el('span', { class: 'reading' });
+  const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), el('span', {}, head), reading), gain, phase, mean);
   const read = (i) => {
-    if (i == null) reading.textContent = head;
+    if (i == null) reading.textContent = '';
     else {
       const pair = (part, unit, decimals) =>
         `${part.lines.filter((line) => line.read !== false).map((line) => fixed(line.values[i], decimals)).join(', ')} for ${fixed(part.measured[i], decimals)}${unit}`;
@@ -130,7 +133,7 @@ export function card(channel, band, sync) {
     if (series.mean) panels.push([mean, 84, series.mean, { least: 1 }]);
     panels.forEach(([place, height, part, options], i) => {
       const labelled = i === panels.length - 1;
-      panel(place, height + (labelled ? 16 : 0), series, part, { steps: [], labelled, band, sync, read, ...options });
+      panel(place, height + (labelled ? 16 : 0), series, part, { steps: [], labelled, bands, sync, read, ...options });
     });
   };
   return { box, draw };
@@ -156,7 +159,7 @@ export function drawResponses(place, data) {
     const sync = uPlot.sync(`responses ${state.recording}`);
     const cards = data.responses
       .filter((channel) => channel.recording === state.recording)
-      .map((channel) => card({ ...channel, lines: linesOf(channel, state.start) }, band, sync));
+      .map((channel) => card({ ...channel, lines: linesOf(channel, state.start) }, [band], sync));
     charts.replaceChildren(...cards.map(({ box }) => box));
     for (const { draw } of cards) draw();
   };

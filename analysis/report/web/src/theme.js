@@ -2,8 +2,14 @@ const listeners = [];
 const runs = ['run0', 'run1', 'run2', 'run3', 'run4', 'run5'];
 const names = ['ground', 'raised', 'line', 'faint', 'text', 'muted', 'measured', 'model', 'start', 'band', 'good', 'poor', ...runs];
 
-/** The line of a run among others: its colour, dashed from the seventh on. */
-export const runLine = (i) => ({ colour: runs[i % runs.length], dash: i < runs.length ? undefined : [6, 3] });
+const dashes = [undefined, [7, 5], [2, 4], [10, 4, 2, 4], [4, 4], [12, 6]];
+
+/** The line of a run among others: the first is broad, those over it are broken, so that it shows where they agree. */
+export const runLine = (i) => ({
+  colour: runs[i % runs.length],
+  dash: dashes[(i + Math.floor(i / runs.length)) % dashes.length],
+  width: i === 0 ? 3.4 : 1.8,
+});
 
 /** The colours of the page as it is now. */
 export function colours() {
