@@ -97,8 +97,11 @@ std::string Judgement(const LoadedStudy& loaded, const FitResult& fit) {
   const Covariance& covariance = *fit.covariance;
   std::string text =
       "the misfit is " + Rounded(fit.Misfit(), 2) + " times what noise and the stated model error explain\n";
+  const bool is_open = covariance.rank < covariance.directions.cols();
+  if (covariance.directions.cols() == 1)
+    return text + (is_open ? "the data do not change with the one free parameter\n" : "");
   text +=
-      covariance.rank < covariance.directions.cols()
+      is_open
           ? "undetermined: the data do not change when these change together; fix one, give it a prior, or measure a "
             "force:\n"
           : "the data tell least about these changing together (condition " + Rounded(covariance.condition, 2) + "):\n";
