@@ -104,7 +104,7 @@ std::string Judgement(const LoadedStudy& loaded, const FitResult& fit) {
       is_open
           ? "undetermined: the data do not change when these change together; fix one, give it a prior, or measure a "
             "force:\n"
-          : "the data tell least about these changing together (condition " + Rounded(covariance.condition, 2) + "):\n";
+          : "the data tell least about these changes (condition " + Rounded(covariance.condition, 2) + "):\n";
   for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";
   return text;
 }

@@ -152,7 +152,7 @@ std::string Directions(const Json& result) {
   const double condition = NumberAt(identifiability, "condition");
   return "<p>" +
          std::string(open ? "The data do not change when these change together:"
-                          : "The data tell least about these changing together") +
+                          : "The data tell least about these changes") +
          (open                       ? ""
           : std::isfinite(condition) ? " (condition " + ShownNumber(condition, 2) + "):"
                                      : ":") +
