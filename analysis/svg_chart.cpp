@@ -17,8 +17,11 @@ constexpr double kRight = 16;
 constexpr double kBetweenRows = 48;
 /// Letters are this wide at most.
 constexpr double kLetter = 7;
-/// From the top of the sheet to that of the first panel, and from the last panel's foot to that of the sheet.
-constexpr double kTop = 122;
+/// From the top of the sheet to the heads of the columns, from there to the first panel, less a line where nothing
+/// stands in it; and from the last panel's foot to that of the sheet.
+constexpr double kColumnsBaseline = 88;
+constexpr double kBelowColumns = 34;
+constexpr double kLine = 20;
 constexpr double kBottom = 42;
 /// Letters are 12 px; of the base line below or above an edge.
 constexpr double kLabelBelow = 15;
@@ -37,6 +40,9 @@ struct Layout {
   double column_pitch = 0;
   double row_pitch = 0;
   double width = 0;
+  double columns_baseline = 0;
+  /// Of the first panel.
+  double top = 0;
 
   double Across(const SvgPanel& panel, double x) const { return panel_width * panel.x.Fraction(x); }
   double Down(const SvgPanel& panel, double y) const { return panel_height * (1 - panel.y.Fraction(y)); }
@@ -126,7 +132,8 @@ std::string Head(const SvgSheet& sheet, const Layout& layout) {
   std::string text = svg::Heading(layout.left, 20, sheet.title, "") + Legend(sheet, layout, 42) +
                      svg::Text(layout.left, 62, "start", svg::kMuted, sheet.note);
   for (std::size_t c = 0; c < sheet.columns.size(); ++c)
-    text += svg::Text(layout.ColumnAt(c) + layout.panel_width / 2, 88, "middle", svg::kText, sheet.columns[c]);
+    text += svg::Text(layout.ColumnAt(c) + layout.panel_width / 2, layout.columns_baseline, "middle", svg::kText,
+                      sheet.columns[c]);
   return text;
 }
 
@@ -160,6 +167,12 @@ Layout LayoutOf(const SvgSheet& sheet) {
   Layout layout{.panel_width = sheet.panel_width, .panel_height = sheet.panel_height, .left = before};
   layout.column_pitch = sheet.panel_width + before;
   layout.row_pitch = sheet.panel_height + kBetweenRows;
+  layout.columns_baseline = kColumnsBaseline - (sheet.note.empty() ? kLine : 0);
+  const bool has_titles = std::any_of(sheet.rows.begin(), sheet.rows.end(), [](const SvgRow& row) {
+    return !row.title.empty() || std::any_of(row.panels.begin(), row.panels.end(),
+                                             [](const SvgPanel& panel) { return !panel.title.empty(); });
+  });
+  layout.top = layout.columns_baseline + kBelowColumns - (has_titles ? 0 : kLine);
   double legend = 0;
   for (const SvgStyle& style : sheet.legend) legend += LegendPitch(style);
   const double panels = layout.column_pitch * static_cast<double>(sheet.columns.size() - 1) + sheet.panel_width;
@@ -188,10 +201,10 @@ std::string SvgText(const SvgSheet& sheet) {
   Check(sheet);
   const Layout layout = LayoutOf(sheet);
   const double rows = static_cast<double>(sheet.rows.size());
-  const double height = kTop + layout.row_pitch * (rows - 1) + layout.panel_height + kBottom;
+  const double height = layout.top + layout.row_pitch * (rows - 1) + layout.panel_height + kBottom;
   std::string text = Head(sheet, layout);
   for (std::size_t r = 0; r < sheet.rows.size(); ++r)
-    text += Row(sheet.rows[r], kTop + layout.row_pitch * static_cast<double>(r), layout);
+    text += Row(sheet.rows[r], layout.top + layout.row_pitch * static_cast<double>(r), layout);
   for (std::size_t c = 0; c < sheet.columns.size(); ++c) {
     // Below the column's last panel.
     const auto is_short = [c](const SvgRow& row) { return row.panels.size() <= c; };

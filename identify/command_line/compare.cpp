@@ -4,6 +4,7 @@
 #include <mutex>
 #include <optional>
 
+#include "analysis/number.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/interrupt.h"
@@ -130,7 +131,7 @@ std::string Table(const Comparison& comparison, bool time) {
 }
 
 std::string Rule(const Comparison& comparison, const ComparisonOptions& options) {
-  std::string text = "Solved: cost " + Rounded(comparison.target_cost, 6) + " or less";
+  std::string text = "Solved: cost " + FormatNumber(comparison.target_cost) + " or less";
   if (!options.rules.target_cost) text += ", " + Rounded(100 * options.near_best, 2) + " % above the best of all runs";
   return text + "; at most " + std::to_string(options.rules.max_evaluations) + " evaluations a run; seeds from " +
          std::to_string(options.seed) + ".";

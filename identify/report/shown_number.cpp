@@ -37,12 +37,15 @@ std::string ShownNumber(double value, int digits) {
   if (exponent >= -4 && exponent < 7) return ShownDecimals(value, std::max(0, digits - 1 - exponent));
   char text[64];
   std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-  return text;
+  const std::string written = text;
+  const std::size_t e = written.find('e');
+  const int power = std::stoi(written.substr(e + 1));
+  return WithThousandsApart(written.substr(0, e)) + "\u00b710" + ShownUnit("^" + std::to_string(power));
 }
 
 std::string ShownShort(double value, int digits) {
   std::string text = ShownNumber(value, digits);
-  if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+  if (text.find('.') == std::string::npos || text.find("\u00b710") != std::string::npos) return text;
   text.erase(text.find_last_not_of('0') + 1);
   if (text.ends_with('.')) text.pop_back();
   return text;

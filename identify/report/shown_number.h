@@ -5,7 +5,7 @@
 namespace fourpost {
 
 /// At so many significant digits, without an exponent from 1e-4 to 1e7, thousands apart by a thin space, and with a
-/// minus sign: "12 534", "-0.031"; "–" for NaN.
+/// minus sign: "12 534", "-0.031", "2.5·10⁻⁹"; "–" for NaN.
 std::string ShownNumber(double value, int digits);
 
 /// Likewise, without zeros at the end: as a user would write a round number.

@@ -12,7 +12,10 @@ TEST(ShownNumber, HasSignificantDigits) {
   EXPECT_EQ(ShownNumber(12534.06, 6), "12\u2009534.1");
   EXPECT_EQ(ShownNumber(-1500, 2), "\u22121500");
   EXPECT_EQ(ShownNumber(0, 3), "0");
-  EXPECT_EQ(ShownNumber(1.5e-9, 2), "1.5e-09");
+  EXPECT_EQ(ShownNumber(1.5e-9, 2), "1.5\u00b710\u207b\u2079");
+  EXPECT_EQ(ShownNumber(-2.54e12, 2), "\u22122.5\u00b710\u00b9\u00b2");
+  EXPECT_EQ(ShownNumber(9.99e-8, 2), "1.0\u00b710\u207b\u2077");
+  EXPECT_EQ(ShownShort(2e9, 3), "2.00\u00b710\u2079");
   EXPECT_EQ(ShownNumber(NAN, 3), "\u2013");
   EXPECT_EQ(ShownNumber(-HUGE_VAL, 3), "\u2212\u221e");
 }
