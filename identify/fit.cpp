@@ -83,7 +83,13 @@ RefineResult Polished(Archive& archive, const RefineResult& best, RefineOptions 
                       const std::function<bool()>& stop) {
   if (options.differences != Differences::kAutomatic || !archive.problem().differentiate || stop()) return best;
   options.differences = Differences::kCentral;
-  RefineResult polished = Refine(archive, best.values, options, stop);
+  archive.StopBatches(stop);
+  RefineResult polished = best;
+  try {
+    polished = Refine(archive, best.values, options, stop);
+  } catch (const BatchStopped&) {
+  }
+  archive.StopBatches({});
   return polished.has_cost() && polished.cost <= best.cost ? polished : best;
 }
 
@@ -173,7 +179,16 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   if (options.identify_first) {
     begin("identifiability");
     report();
-    result.before = IdentifiabilityBefore(archive, objective, options.seed);
+    archive.StopBatches(stop);
+    try {
+      result.before = IdentifiabilityBefore(archive, objective, options.seed);
+    } catch (const BatchStopped&) {
+      result.end = FitEnd::kInterrupted;
+      result.message = "before its search began;";
+      result.evaluations = archive.counts();
+      return result;
+    }
+    archive.StopBatches({});
     if (result.before && result.before->HasUndetermined() && !options.accept_unidentified) {
       result.end = FitEnd::kUnidentified;
       result.evaluations = archive.counts();
@@ -187,7 +202,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   result.evaluations = archive.counts();
   if (result.search.candidates.empty()) {
     result.end = stop() ? FitEnd::kInterrupted : FitEnd::kAllFailed;
-    result.message = stop() ? "before the first evaluation of the search;" : FailureCauses(archive.counts());
+    result.message = stop() ? "before its search began;" : FailureCauses(archive.counts());
     return result;
   }
 

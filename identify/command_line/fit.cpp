@@ -13,6 +13,7 @@
 #include "identify/command_line/fit_section.h"
 #include "identify/command_line/fit_text.h"
 #include "identify/command_line/inputs_elsewhere.h"
+#include "identify/command_line/interrupt.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/fit.h"
@@ -196,6 +197,8 @@ int Run(const FitCommand& command) {
   const VehicleObjective objective = loaded->MakeObjective();
   const FitOptions options = OptionsOf(loaded->study, objective, command);
   RequireInputsElsewhere(InputsOf(*loaded), command.output);
+  // What was begun is ended in order; until here nothing is lost.
+  CatchInterrupts();
   OutputFolder output(command.output, kArchive);
   const EvaluationContext context = ContextOf(*loaded);
   if (command.resume) RequireSameContext(command, context);
@@ -206,8 +209,9 @@ int Run(const FitCommand& command) {
     RefuseUnidentified(*loaded, *fit.before);
   }
   if (fit.parameters.empty()) {
-    std::fprintf(stderr, "fit %s: %s no results are written\n", std::string(FitEndName(fit.end)).c_str(),
-                 fit.message.c_str());
+    std::fprintf(stderr, "fit %s: %s no results are written%s\n", std::string(FitEndName(fit.end)).c_str(),
+                 fit.message.c_str(),
+                 fit.end == FitEnd::kInterrupted ? "; the same command goes on from its archive" : "");
     return CodeOf(fit.end);
   }
   TellMisfits(*loaded, fit, warnings);

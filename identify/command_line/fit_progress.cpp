@@ -39,13 +39,12 @@ std::string ProgressText(const FitProgress& progress, const FitOptions& options,
 }  // namespace
 
 FitResult FitWithProgress(const VehicleObjective& objective, const FitOptions& options, EvaluationStore& store) {
-  CatchInterrupts();
   ProgressLine line;
   FitHooks hooks;
   hooks.progress = [&](const FitProgress& progress) { line.Show(ProgressText(progress, options, line.seconds())); };
   hooks.stop = Interrupted;
   FitResult fit = Fit(objective, options, hooks, &store);
-  line.ShowNext("the fit is done; what it foretells, and its report, are computed");
+  if (!fit.parameters.empty()) line.ShowNext("the fit is done; what it foretells, and its report, are computed");
   return fit;
 }
 

@@ -19,8 +19,8 @@ void AskToStop(int signal) {
     first_time = now;
     // Safe in a handler, unlike what formats.
     const std::string_view message =
-        signal == SIGINT ? "\nstopping; another Ctrl-C in two seconds or later ends at once, with nothing kept\n"
-                         : "\nstopping; another such signal in two seconds or later ends at once, with nothing kept\n";
+        signal == SIGINT ? "\nstopping; another Ctrl-C in two seconds or later ends at once, without results\n"
+                         : "\nstopping; another such signal in two seconds or later ends at once, without results\n";
     [[maybe_unused]] const auto written = write(STDERR_FILENO, message.data(), message.size());
   } else if (now - first_time > 1) {
     // Programs such as timeout(1) send one interrupt twice, to the process and to its group.

@@ -20,6 +20,7 @@
 #include "identify/command_line/predictions.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
+#include "identify/command_line/run_folder.h"
 #include "identify/command_line/text_table.h"
 #include "identify/fitted_files.h"
 #include "identify/history_fit_files.h"
@@ -53,14 +54,11 @@ void RequireUnused(const char* option, bool is_used, const std::filesystem::path
 
 /// Throws FaultyInput.
 FittedRun LoadModel(const std::filesystem::path& run) {
+  // It tells which recordings the fit has seen.
+  RequireFitResult(run);
   for (const char* name : {"vehicle.urdf", "study.yaml"})
     if (!std::filesystem::exists(run / name))
-      Refuse(run, std::string("holds no ") + name + ": the folder that `fourpost fit -o` wrote is wanted");
-  if (!std::filesystem::exists(run / "result.json"))
-    Refuse(
-        run,
-        "holds no result.json, so that nothing tells which recordings the fit has seen; run `fourpost fit` with -o on "
-        "this folder again, what its archive holds costs nothing");
+      Refuse(run, std::string("holds no ") + name + ", which a fit writes; run `fourpost fit` with -o on it again");
   Diagnostics diagnostics;
   std::optional<Vehicle> vehicle = ReadVehicle(run / "vehicle.urdf", diagnostics);
   std::optional<Study> study = ReadStudy(run / "study.yaml", diagnostics);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* kResult = "result.json";
 /// What is read as text.
-constexpr std::array<const char*, 7> kFiles = {kResult,          "response.csv", "history.csv", "motion.csv",
-                                               "validation.csv", "bench.csv",    "study.yaml"};
+constexpr std::array<const char*, 6> kOtherFiles = {"response.csv",   "history.csv", "motion.csv",
+                                                    "validation.csv", "bench.csv",   "study.yaml"};
 
 /// The first finding, which is what keeps a vehicle from being shown.
 std::string Reason(const Diagnostics& findings) {
@@ -57,7 +57,8 @@ std::string WithoutResult(const std::filesystem::path& folder) {
          "anew";
 }
 
-RunContents ReadRun(const std::filesystem::path& folder, Diagnostics& diagnostics) {
+/// result.json alone; nothing, and reported, where it is not that of a fit.
+RunContents ReadResult(const std::filesystem::path& folder, Diagnostics& diagnostics) {
   RunContents run;
   if (!std::filesystem::is_directory(folder)) {
     diagnostics.Error(folder.string(), 0, "is no folder; give one that `fourpost fit -o` wrote");
@@ -67,11 +68,20 @@ RunContents ReadRun(const std::filesystem::path& folder, Diagnostics& diagnostic
     diagnostics.Error(folder.string(), 0, WithoutResult(folder));
     return run;
   }
-  for (const char* name : kFiles) {
+  if (std::optional<std::string> text = ReadTextFile(folder / kResult, diagnostics)) {
+    run.files[kResult] = std::move(*text);
+    CheckIsFit(run, folder, diagnostics);
+  }
+  return run;
+}
+
+RunContents ReadRun(const std::filesystem::path& folder, Diagnostics& diagnostics) {
+  RunContents run = ReadResult(folder, diagnostics);
+  if (run.files.empty()) return run;
+  for (const char* name : kOtherFiles) {
     if (!std::filesystem::exists(folder / name)) continue;
     if (std::optional<std::string> text = ReadTextFile(folder / name, diagnostics)) run.files[name] = std::move(*text);
   }
-  if (run.files.contains(kResult)) CheckIsFit(run, folder, diagnostics);
   ReadFittedVehicle(folder / "vehicle.urdf", run);
   return run;
 }
@@ -97,9 +107,15 @@ std::vector<std::pair<std::string, RunContents>> ReadRuns(const std::vector<std:
   return runs;
 }
 
+void RequireFitResult(const std::filesystem::path& folder) {
+  Diagnostics diagnostics;
+  ReadResult(folder, diagnostics);
+  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+}
+
 std::vector<std::filesystem::path> RunFiles(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files = {folder / "vehicle.urdf", folder / "archive.sqlite"};
-  for (const char* name : kFiles) files.push_back(folder / name);
+  std::vector<std::filesystem::path> files = {folder / kResult, folder / "vehicle.urdf", folder / "archive.sqlite"};
+  for (const char* name : kOtherFiles) files.push_back(folder / name);
   return files;
 }
 

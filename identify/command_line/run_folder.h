@@ -13,6 +13,9 @@ namespace fourpost {
 /// folder, one that stands twice, no result.json, one that is not that of a fit, files that cannot be read.
 std::vector<std::pair<std::string, RunContents>> ReadRuns(const std::vector<std::filesystem::path>& folders);
 
+/// Throws FaultyInput as ReadRuns() does for a folder without the result of a fit.
+void RequireFitResult(const std::filesystem::path& folder);
+
 /// Files of a run's folder that an output must not replace.
 std::vector<std::filesystem::path> RunFiles(const std::filesystem::path& folder);
 

@@ -85,7 +85,7 @@ Json FitResultOf(const RunContents& run) {
     const Json result = Json::parse(file->second, nullptr, false);
     if (result.is_discarded()) faults.Error("result.json", 0, "is no JSON; fit again");
     else if (!result.is_object() || !result.contains("termination") || !result.contains("parameters"))
-      faults.Error("result.json", 0, "is not that of a fit: `fourpost report` shows folders that `fourpost fit` wrote");
+      faults.Error("result.json", 0, "is not that of a fit; give a folder that `fourpost fit` wrote");
     else return result;
   }
   throw FaultyInput(faults);

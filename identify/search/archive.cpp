@@ -107,9 +107,10 @@ std::vector<EvaluationStore::Answer> Archive::AskAll(const std::vector<Eigen::Ve
   std::int64_t done = 0;
   ForEachInParallel(points.size(), threads_, [&](std::size_t i) {
     answers[i] = Ask(points[i]);
-    if (!tell_) return;
     const std::lock_guard lock(telling);
-    tell_(++done);
+    ++done;
+    if (tell_) tell_(done);
+    if (stop_ && stop_()) throw BatchStopped();
   });
   return answers;
 }

@@ -75,6 +75,9 @@ struct Candidate {
 /// one, so that counts do not tell whether there is a store.
 enum class Repeats { kReused, kPaid };
 
+/// A batch was ended before all of it was evaluated, see Archive::StopBatches. What was evaluated is in the store.
+struct BatchStopped {};
+
 /// Evaluates a problem in parallel and remembers every lattice point, so that none is paid for twice; with a store
 /// points off the lattice as well, and across runs. All results and counts are the same for any number of threads and
 /// whatever was stored before. To be called from one thread.
@@ -94,6 +97,9 @@ class Archive {
   void Watch(std::function<double(const Eigen::VectorXd& residuals)> cost) { watched_ = std::move(cost); }
   /// Has it told how many points of a batch are evaluated, after each: by one thread at a time, whichever it is.
   void TellProgress(std::function<void(std::int64_t done)> tell) { tell_ = std::move(tell); }
+  /// From now on asks after each point of a batch, one thread at a time, whether to end it by throwing BatchStopped;
+  /// nothing: never.
+  void StopBatches(std::function<bool()> stop) { stop_ = std::move(stop); }
   /// Lowest of all that were watched, of squares where nothing is watched; infinite before the first.
   double best_cost() const { return best_cost_; }
   /// Number of lattice points remembered.
@@ -142,6 +148,7 @@ class Archive {
   std::vector<Improvement> improvements_;
   std::function<double(const Eigen::VectorXd& residuals)> watched_;
   std::function<void(std::int64_t done)> tell_;
+  std::function<bool()> stop_;
   double best_cost_ = std::numeric_limits<double>::infinity();
   Eigen::Index residual_count_ = 0;
 };

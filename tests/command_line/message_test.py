@@ -66,10 +66,15 @@ class Report(ProgramTest):
         self.assertFalse((self.folder / "both.html").exists())
 
     def test_predicts_nothing_for_a_run_without_its_result(self):
+        def refused():
+            return self.run_program("predict", "run", "--recording", "car/stepped_sine.csv", code=3).stderr
+
+        for damage, fault in (("", "is no JSON"), ("{}", "is not that of a fit")):
+            self.write("run/result.json", damage)
+            self.assertIn(fault, refused())
         (self.folder / "run/result.json").unlink()
-        text = self.run_program("predict", "run", "--recording", "car/stepped_sine.csv", code=3).stderr
-        self.assertIn("run: error: holds no result.json, so that nothing tells which recordings the fit has seen", text)
-        self.assertIn("again", text)
+        self.assertIn("run: error: holds no result.json, which a fit writes at its end; run `fourpost fit` with -o on "
+                      "this folder again", refused())
 
     def test_keeps_the_old_one_when_the_disk_is_full(self):
         before = (self.folder / "run/report.html").read_bytes()

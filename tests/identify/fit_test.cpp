@@ -254,6 +254,33 @@ TEST(Fit, EndsWithWhatItHasWhenAsked) {
   EXPECT_EQ(fit.residual_count, objective.residual_count());
 }
 
+TEST(Fit, EndsWithinABatchOfDifferences) {
+  const LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 1);
+  const VehicleObjective objective = twin.MakeObjective();
+  FitOptions options = Options();
+  options.identify_first = true;
+  options.refine.differences = Differences::kAutomatic;
+  const auto ended_in = [&](std::string_view stage) {
+    bool asked = false;
+    std::int64_t since = 0;
+    FitHooks hooks;
+    hooks.progress = [&](const FitProgress& progress) {
+      asked = asked || (progress.stage == stage && progress.in_stage > 1);
+      since += asked;
+    };
+    hooks.stop = [&] { return asked; };
+    FitResult fit = Fit(objective, options, hooks);
+    // A batch has two evaluations for each parameter; each of the threads may be at one.
+    EXPECT_LE(since, 1 + options.threads) << stage;
+    EXPECT_EQ(fit.end, FitEnd::kInterrupted) << stage;
+    return fit;
+  };
+  EXPECT_TRUE(ended_in("identifiability").parameters.empty());
+  const FitResult refined = ended_in("deviations");
+  EXPECT_LT(refined.cost, 1.1 * static_cast<double>(refined.residual_count));
+  EXPECT_TRUE(refined.covariance.has_value());
+}
+
 TEST(Fit, CostsTheLossWhereNothingWasRefined) {
   const LoadedStudy twin = Twin(Truth(ShippedStudy().vehicle), 0);
   const VehicleObjective objective = twin.MakeObjective();

@@ -264,7 +264,7 @@ TEST_F(PredictCommandLine, AFitByPredictionKeepsItsNoise) {
 }
 
 TEST_F(PredictCommandLine, RefusesWhatIsNoFitOrNoRecording) {
-  ExpectRefused("urdf --recording other.csv", "holds no vehicle.urdf");
+  ExpectRefused("urdf --recording other.csv", "holds no result.json");
   Fit();
   ExpectRefused("run --recording none.csv", "none.csv");
   ExpectRefused("run --recording study.yaml", "is a study");
