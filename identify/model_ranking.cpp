@@ -10,10 +10,23 @@ namespace {
 
 /// Of the least validation error.
 constexpr double kAlike = 1.1;
+/// What no other recording would confirm.
+constexpr double kSame = 1.02;
 
 const FittedModel& LeastBic(const std::vector<FittedModel>& models) {
   return *std::min_element(models.begin(), models.end(),
                            [](const FittedModel& a, const FittedModel& b) { return a.criteria.bic < b.criteria.bic; });
+}
+
+/// "; b is as good, 2.98 %" of models that foretell as well with as many parameters.
+std::string AsGood(const std::vector<FittedModel>& models) {
+  const FittedModel& chosen = models.front();
+  std::string text;
+  for (auto model = models.begin() + 1; model != models.end(); ++model)
+    if (model->validation_percent <= kSame * chosen.validation_percent &&
+        model->criteria.parameters == chosen.criteria.parameters)
+      text += "; " + model->name + " is as good, " + ShortNumber(model->validation_percent) + " %";
+  return text;
 }
 
 std::string Reason(const std::vector<FittedModel>& models, double least, bool validated) {
@@ -29,7 +42,7 @@ std::string Reason(const std::vector<FittedModel>& models, double least, bool va
   else
     reason += "it has the fewest parameters of those within 10 % of the least validation error, " + ShortNumber(least) +
               " %: ";
-  reason += ShortNumber(chosen.validation_percent) + " %";
+  reason += ShortNumber(chosen.validation_percent) + " %" + AsGood(models);
   if (std::any_of(models.begin(), models.end(),
                   [](const FittedModel& model) { return std::isnan(model.criteria.bic); }))
     return reason;

@@ -11,6 +11,7 @@
 #include "analysis/report/html.h"
 #include "identify/report/judged_channel.h"
 #include "identify/report/shown_number.h"
+#include "identify/versions.h"
 
 namespace fourpost {
 namespace {
@@ -20,8 +21,9 @@ using Json = nlohmann::json;
 // Relative standard deviations.
 constexpr double kWellKnown = 0.02;
 constexpr double kWeaklyKnown = 0.1;
-// Times what noise and stated model error explain.
+// Times what noise and stated model error explain: more than that a model misses, less than this nothing is left.
 constexpr double kMisses = 1.5;
+constexpr double kExplained = 1.1;
 // Correlations.
 constexpr double kTied = 0.95;
 
@@ -106,6 +108,15 @@ std::string Agreement(const Json& result, bool is_cut_short) {
          (agreeing < refined ? "; the others ended higher. " : ". ");
 }
 
+/// Said of a run that another version made.
+std::string OfAnotherVersion(const Json& result) {
+  const std::string version = TextAt(result.value("versions", Json()), "fourpost");
+  const std::string& own = Versions().front().second;
+  if (version.empty() || version == own) return "";
+  return "The run was made by fourpost " + html::Escaped(version) + ", this page by " + own +
+         ": what it does not know of is left out.";
+}
+
 Verdict HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {
   const std::string end = TextAt(result, "termination");
   const Json starts = result.value("starts", Json());
@@ -116,7 +127,8 @@ Verdict HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen)
   if (end == "converged") text = "<strong>The fit converged.</strong> ";
   else if (end == "interrupted") text = "<strong>The fit was interrupted;</strong> this is the best it had found. ";
   else if (end == "all_failed") text = "<strong>Every simulation failed;</strong> nothing was fitted. ";
-  else text = "<strong>The fit did not converge;</strong> a better point may lie near. ";
+  else if (end == "not_converged") text = "<strong>The fit did not converge;</strong> a better point may lie near. ";
+  else text = "<strong>How the fit ended is not understood.</strong> ";
   if (end != "converged") name = "poor";
   text += Agreement(result, end == "interrupted");
   if (refined > 1 && agreeing < 2 && name == "good") name = "fair";
@@ -124,11 +136,14 @@ Verdict HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen)
   if (std::isfinite(misfit)) {
     text += misfit > kMisses ? "The model misses the data by " + ShownNumber(misfit, 2) +
                                    " times what noise and the stated model error explain."
-                             : "Noise and the stated model error explain what is left of the misfit.";
+            : misfit > kExplained
+                ? "What is left is " + ShownNumber(misfit, 2) + " times what noise and the stated model error explain."
+                : "Noise and the stated model error explain what is left of the misfit.";
     if (misfit > kMisses && name == "good") name = "fair";
   }
   if (IsAnyFar(unseen) && name == "good") name = "fair";
-  return {name, text};
+  if (!text.ends_with(' ')) text += ' ';
+  return {name, text + OfAnotherVersion(result)};
 }
 
 std::string Item(const std::string& title, const std::string& html) {
@@ -223,6 +238,7 @@ std::vector<std::string> AtBounds(const std::vector<ReportedParameter>& paramete
 }
 
 std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& parameters) {
+  if (parameters.empty()) return "";
   std::vector<std::string> open;
   const std::vector<std::string> bound = AtBounds(parameters);
   if (const std::string why = WhyNoDeviations(result, parameters); !why.empty()) return html::Escaped(why);
@@ -276,7 +292,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
   // What has not ended says little of the model.
   if (TextAt(result, "termination") == "interrupted")
     return {"Run the same command again: it goes on from its archive."};
-  if (TextAt(result, "termination") != "converged")
+  if (TextAt(result, "termination") == "not_converged")
     return {
         "Run the same command again with a larger budget of evaluations or iterations: it goes on from its archive."};
   std::vector<std::string> advice;
@@ -307,14 +323,18 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
                             "a missing degree of freedom."));
   else if (MisfitOf(result) > kMisses)
     advice.push_back(
-        "The model is short of something: fit a richer one to the same recordings and compare the runs; look at the "
-        "residuals for where it misses.");
+        "The model is short of something: fit a richer one to the same recordings and compare the runs; the curves "
+        "show "
+        "where it misses.");
   if (IsAnyFar(unseen))
     advice.push_back(
         "What was kept for validation is not foretold: give a richer model, or fit recordings that reach the same "
         "frequencies and strokes as those.");
-  if (advice.empty()) advice.push_back("Nothing is missing for this model; a richer one would ask for more.");
-  return advice;
+  if (!advice.empty()) return advice;
+  if (MisfitOf(result) <= kExplained) return {"Nothing is missing for this model; a richer one would ask for more."};
+  if (MisfitOf(result) <= kMisses)
+    return {"Little is missing: a richer model, fitted to the same recordings, would tell what explains the rest."};
+  return {"The run tells no misfit: fit again to have it judged."};
 }
 
 /// Of the inputs, and of what the fit leaves; older runs tell none.

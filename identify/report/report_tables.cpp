@@ -159,8 +159,8 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters,
              "p", "note",
              has_sd ? "Bar: interval of 95 %, with an arrow where it reaches beyond a bound; dot: fitted value; tick: "
                       "start. \"sd, %\": of the value, or of the range where the bounds are of either sign. Deviations "
-                      "are scaled up by what the model misses beyond noise and stated model error; what a richer model "
-                      "would say they do not know."
+                      "are those that noise and stated model error leave, times how far most residuals exceed these; "
+                      "what a richer model would say they do not know."
                     : "Bar: the bounds; dot: fitted value; tick: start. " + html::Escaped(why_none)) +
          '\n';
 }

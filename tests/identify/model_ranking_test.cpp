@@ -52,6 +52,12 @@ TEST(ModelRanking, TakesTheSimplestOfThoseThatAreAlike) {
                                         "validation error, 1 %: 1.05 %; its BIC is the least, too"));
 }
 
+TEST(ModelRanking, TellsWhichModelIsAsGood) {
+  EXPECT_THAT(Rank({Model("a", 2.97, 2, 10), Model("b", 2.98, 2, 30), Model("c", 3.2, 2, 20)}).reason,
+              HasSubstr("2.97 %; b is as good, 2.98 %; its BIC"));
+  EXPECT_THAT(Rank({Model("a", 2.97, 2, 10), Model("b", 2.98, 3, 30)}).reason, testing::Not(HasSubstr("as good")));
+}
+
 TEST(ModelRanking, IsByBicWithoutValidation) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(Names(Rank({Model("a", none, 1, 10), Model("b", none, 3, 5)})), testing::ElementsAre("b", "a"));

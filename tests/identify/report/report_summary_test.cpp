@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/versions.h"
+
 namespace fourpost {
 namespace {
 
@@ -15,7 +17,7 @@ using Json = nlohmann::json;
 Json Good() {
   return Json::parse(R"({
     "termination": "converged", "starts": {"refined": 5, "agreeing": 5},
-    "identifiability": {"rank": 2, "parameters": 2, "sd_inflation": 1.2, "weakest": ["m +1 %"]},
+    "identifiability": {"rank": 2, "parameters": 2, "sd_inflation": 1.05, "weakest": ["m +1 %"]},
     "channels": [{"name": "a_body", "rms_dB": 0.5, "rms_deg": 4}, {"name": "s_strut", "rms_dB": 3.2, "rms_deg": 9}],
     "static_loads": [{"tyre": "front"}]})");
 }
@@ -90,6 +92,29 @@ TEST(Summary, DoesNotCallAModelCompleteThatMissesMoreThanNoise) {
   EXPECT_THAT(SummaryHtml(result, Known(), {}),
               AllOf(HasSubstr("is followed, but what is left is 2.2 times"), HasSubstr("fit a richer one"),
                     Not(HasSubstr("Nothing is missing"))));
+}
+
+// Neither explained nor missed.
+TEST(Summary, TellsAMisfitThatIsLittleMore) {
+  Json result = Good();
+  result["misfit"] = 1.4;
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("verdict good"), HasSubstr("What is left is 1.4 times what noise"),
+                    HasSubstr("Little is missing"), Not(HasSubstr("Nothing is missing"))));
+}
+
+TEST(Summary, ClaimsNothingThatItHasNotRead) {
+  Json result = Good();
+  result["versions"]["fourpost"] = "9.9.9";
+  result["termination"] = "settled";
+  result.erase("misfit");
+  result.erase("identifiability");
+  EXPECT_THAT(SummaryHtml(result, {}, {}),
+              AllOf(HasSubstr("How the fit ended is not understood"), HasSubstr("made by fourpost 9.9.9, this page by"),
+                    HasSubstr("The run tells no misfit"), Not(HasSubstr("did not converge")),
+                    Not(HasSubstr("every parameter")), Not(HasSubstr("Nothing is missing"))));
+  result["versions"]["fourpost"] = Versions().front().second;
+  EXPECT_THAT(SummaryHtml(result, {}, {}), Not(HasSubstr("this page by")));
 }
 
 TEST(Summary, TellsWhatIsNotForetold) {
