@@ -162,6 +162,7 @@ double ShareOrThrow(const std::string& text) {
 
 int Run(const CompareCommand& command) {
   RequireWritable(command.output, {command.study, command.archive});
+  RequireEnding("--output", command.output, "a page", ".html");
   const Study study = ReadStudyOrThrow(command.study);
   StudyProblem loaded;
   Load(study, loaded);

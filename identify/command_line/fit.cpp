@@ -16,6 +16,7 @@
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
+#include "identify/command_line/result_kind.h"
 #include "identify/fit.h"
 #include "identify/fitted_vehicle.h"
 #include "identify/lint/misfit_lint.h"
@@ -197,6 +198,7 @@ int Run(const FitCommand& command) {
   const VehicleObjective objective = loaded->MakeObjective();
   const FitOptions options = OptionsOf(loaded->study, objective, command);
   RequireInputsElsewhere(InputsOf(*loaded), command.output);
+  RequireNoOtherResult(command.output, ResultKind::kFit);
   // What was begun is ended in order; until here nothing is lost.
   CatchInterrupts();
   OutputFolder output(command.output, kArchive);

@@ -11,6 +11,7 @@
 #include "identify/command_line/modes_text.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
+#include "identify/command_line/result_kind.h"
 #include "identify/command_line/text_table.h"
 #include "identify/influence_files.h"
 #include "identify/parameter_setting.h"
@@ -110,6 +111,7 @@ int Run(const ModesCommand& command) {
   Job job = ReadJob(command);
   if (!command.output.empty()) {
     RequireInputsElsewhere({command.model}, command.output);
+    RequireNoOtherResult(command.output, ResultKind::kModes);
     OutputFolder{command.output};
   }
   const CondensedModel model = CondensedAtValues(job.vehicle);

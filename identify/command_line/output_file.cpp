@@ -3,6 +3,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "analysis/diagnostics.h"
 #include "analysis/output_folder.h"
 
 namespace fourpost {
@@ -17,6 +18,17 @@ void RequireWritable(const std::filesystem::path& file, const std::vector<std::f
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, failure)) refuse("there is no folder " + folder.string());
   if (fs::is_directory(file, failure)) refuse("it is a folder; name a file");
+}
+
+void RequireEnding(const std::string& option, const std::filesystem::path& file, const std::string& what,
+                   const std::string& ending) {
+  if (file.empty() || file.extension() == ending) return;
+  std::filesystem::path named = file;
+  Diagnostics faults;
+  faults.Error(option, 0,
+               "'" + file.string() + "': " + what + " is written to a file in " + ending + ", such as '" +
+                   named.replace_extension(ending).string() + "'");
+  throw FaultyInput(faults);
 }
 
 void WriteFile(const std::filesystem::path& file, const std::string& text) {

@@ -10,6 +10,11 @@ namespace fourpost {
 /// folder, or that is one. An empty path is none.
 void RequireWritable(const std::filesystem::path& file, const std::vector<std::filesystem::path>& inputs);
 
+/// Throws FaultyInput, as a fault of the option, for a file whose name does not end in the ending of `what`, as ".csv"
+/// of "a table". An empty path is none.
+void RequireEnding(const std::string& option, const std::filesystem::path& file, const std::string& what,
+                   const std::string& ending);
+
 /// Throws OutputError when that fails.
 void WriteFile(const std::filesystem::path& file, const std::string& text);
 

@@ -20,6 +20,7 @@
 #include "identify/command_line/predictions.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
+#include "identify/command_line/result_kind.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/command_line/text_table.h"
 #include "identify/fitted_files.h"
@@ -224,7 +225,6 @@ int PredictHistory(const PredictCommand& command, const FittedRun& model) {
   warnings.insert(warnings.end(), remarks.begin(), remarks.end());
   const std::string json = AsJson(command, model, history, misfits, warnings);
   if (!command.output.empty()) {
-    RequireInputsElsewhere({command.run / "vehicle.urdf", command.recording}, command.output);
     OutputFolder output(command.output);
     output.Add("history.csv", HistoryFitCsv(histories, modelled));
     output.Add("history.svg", HistoryFitSvg(history, modelled.front(), misfits));
@@ -247,6 +247,11 @@ int PredictHistory(const PredictCommand& command, const FittedRun& model) {
 std::string LoadText(const FittedRun& model) { return model.load ? AddedLoadText(*model.load) + '\n' : ""; }
 
 int Run(const PredictCommand& command) {
+  if (!command.output.empty()) {
+    RequireInputsElsewhere({command.run / "vehicle.urdf", command.recording}, command.output);
+    RequireNoOtherResult(command.output, ResultKind::kPrediction);
+    OutputFolder{command.output};
+  }
   FittedRun model = LoadModel(command.run);
   model.has_seen = WasFitted(command.run / "result.json", command.recording);
   if (model.has_seen)

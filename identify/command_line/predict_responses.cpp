@@ -11,7 +11,6 @@
 #include "analysis/frequency_response_file.h"
 #include "analysis/output_folder.h"
 #include "identify/command_line/exit_code.h"
-#include "identify/command_line/inputs_elsewhere.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/measured_channels.h"
 #include "identify/command_line/misfit_table.h"
@@ -198,7 +197,6 @@ int PredictResponses(const PredictCommand& command, const FittedRun& model) {
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, {response});
   const std::string json = AsJson(command, model, mode, misfits, warnings);
   if (!command.output.empty()) {
-    RequireInputsElsewhere({command.run / "vehicle.urdf", command.recording}, command.output);
     const std::vector<FrequencyResponse> modelled = {Respond(model, condensed, whole)};
     OutputFolder output(command.output);
     output.Add("response.csv", ResponseCsv({whole}, modelled, lower, upper));

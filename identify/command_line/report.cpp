@@ -53,6 +53,7 @@ int Run(const ReportCommand& command) {
   for (const std::filesystem::path& folder : command.runs)
     for (const std::filesystem::path& name : RunFiles(folder)) read.push_back(name);
   RequireWritable(file, read);
+  RequireEnding("--output", file, "a page", ".html");
   if (runs.size() == 1 && !runs.front().second.vehicle_fault.empty())
     std::fprintf(stderr, "the report does not show the vehicle: %s\n", runs.front().second.vehicle_fault.c_str());
   const std::string page = PageOf(std::move(runs), command.runs);

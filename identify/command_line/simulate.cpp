@@ -52,10 +52,8 @@ void CheckOutputs(const SimulateCommand& command) {
     throw OutputError("cannot write " + command.output.string() + ": -o and --chart name the same file");
   RequireWritable(command.output, {command.model, command.recording});
   RequireWritable(command.chart, {command.model, command.recording});
-  if (command.chart.empty() || command.chart.extension() == ".svg") return;
-  Diagnostics faults;
-  faults.Error("--chart", 0, "'" + command.chart.string() + "': pictures are .svg only; name it so");
-  throw FaultyInput(faults);
+  RequireEnding("--output", command.output, "a table", ".csv");
+  RequireEnding("--chart", command.chart, "a picture", ".svg");
 }
 
 /// As the rig's acquisition has it; the filter settles during the lead, which goes then.

@@ -17,6 +17,7 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/responses.h"
+#include "identify/command_line/result_kind.h"
 #include "identify/command_line/solve_sweep.h"
 #include "identify/history_residuals.h"
 #include "identify/lint/recording_lint.h"
@@ -128,6 +129,7 @@ int RespondToStudy(const ResponseCommand& command) {
   if (loaded->data.runs.empty()) return TellOverTime(command, *loaded);
   if (!command.output.empty()) {
     RequireInputsElsewhere(InputsOf(*loaded), command.output);
+    RequireNoOtherResult(command.output, ResultKind::kResponse);
     OutputFolder{command.output};
   }
   const Engine engine = command.engine.value_or(Engine::kLinearised);

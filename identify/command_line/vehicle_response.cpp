@@ -11,6 +11,7 @@
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/response_text.h"
 #include "identify/command_line/responses.h"
+#include "identify/command_line/result_kind.h"
 #include "identify/command_line/solve_sweep.h"
 #include "identify/parameter_setting.h"
 #include "identify/sweep.h"
@@ -93,6 +94,7 @@ int RespondOfVehicle(const ResponseCommand& command) {
   Job job = ReadJob(command);
   if (!command.output.empty()) {
     RequireInputsElsewhere({command.input}, command.output);
+    RequireNoOtherResult(command.output, ResultKind::kResponse);
     OutputFolder{command.output};
   }
   CondensedAtValues(job.vehicle);

@@ -101,6 +101,69 @@ class Report(ProgramTest):
         self.assertIn('"rows":200000', page)
 
 
+class Outputs(ProgramTest):
+    """No command writes over another one's results, nor over what a user has."""
+
+    def setUp(self):
+        super().setUp()
+        self.run_program("init", "car")
+        self.run_program("fit", "car/study.yaml", "-o", "run")
+
+    def content(self):
+        return {file: file.read_bytes() for file in self.folder.rglob("*") if file.is_file()}
+
+    def test_folders_are_of_one_command_s_results(self):
+        commands = {"fit": ("fit", "car/study.yaml"), "modes": ("modes", "car/vehicle.urdf"),
+                    "response": ("response", "car/vehicle.urdf", "--engine", "linearised"),
+                    "predict": ("predict", "run", "--recording", "car/stepped_sine.csv")}
+        folders = {"fit": "run", "modes": "modes", "response": "response", "predict": "predicted"}
+        for kind, command in commands.items():
+            self.run_program(*command, "-o", folders[kind])
+        # Over results of its own a command writes, be they of a study.
+        self.run_program("response", "car/study.yaml", "-o", "response")
+        for command in commands.values():
+            self.run_program(*command, "-o", folders[command[0]])
+        before = self.content()
+        for command in commands.values():
+            for kind, folder in folders.items():
+                if kind == command[0] or (command[0] == "predict" and folder == "run"):
+                    continue
+                with self.subTest(f"{command[0]} over {kind}"):
+                    text = self.run_program(*command, "-o", folder, code=5).stderr
+                    self.assertIn(f"{folder} holds the results of `fourpost {kind}`, which would be lost; name a new "
+                                  "or an empty folder", text)
+        self.write("modes/result.json", "[1]")
+        self.assertIn("modes holds a result.json that is none of this program's",
+                      self.run_program(*commands["modes"], "-o", "modes", code=5).stderr)
+        self.write("modes/result.json", before[self.folder / "modes/result.json"])
+        self.assertEqual(self.content(), before)
+
+    def test_a_fit_goes_over_its_own_damaged_result(self):
+        self.write("run/result.json", "{")
+        self.run_program("fit", "car/study.yaml", "-o", "run")
+        self.run_program("report", "run")
+
+    def test_files_end_as_what_they_hold(self):
+        self.run_program("init", "other")
+        before = self.content()
+        simulate = ("simulate", "car/vehicle.urdf", "--step", "5mm")
+        compare = ("compare", "car/study.yaml", "--runs", "1", "--evaluations", "10")
+        for command, file, like in ((compare, "car/stepped_sine.csv", "a page is written to a file in .html, such as "
+                                                                      "'car/stepped_sine.html'"),
+                                    (compare, "run/result.json", "such as 'run/result.html'"),
+                                    (("report", "run"), "car/study.yaml", "such as 'car/study.html'"),
+                                    (simulate, "run/result.json", "a table is written to a file in .csv, such as")):
+            with self.subTest(f"{command[0]} {file}"):
+                text = self.run_program(*command, "-o", file, code=2).stderr
+                self.assertIn(f"--output: error: '{file}': ", text)
+                self.assertIn(like, text)
+        for command, file in ((compare, "car/study.yaml"), (("report", "run"), "run/result.json"),
+                              (simulate, "car/vehicle.urdf")):
+            with self.subTest(f"{command[0]} {file}"):
+                self.assertIn("it is an input", self.run_program(*command, "-o", file, code=5).stderr)
+        self.assertEqual(self.content(), before)
+
+
 class RefusedFit(ProgramTest):
     """Of masses and rates without a force, which are known to a common factor only."""
 
