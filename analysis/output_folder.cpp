@@ -66,15 +66,6 @@ class Descriptor {
   int number_;
 };
 
-/// The folders that must be created for this one to exist, the outermost first.
-std::vector<fs::path> MissingFolders(const fs::path& folder) {
-  std::vector<fs::path> missing;
-  for (fs::path path = folder; fs::symlink_status(path).type() == fs::file_type::not_found; path = path.parent_path())
-    missing.push_back(path);
-  std::reverse(missing.begin(), missing.end());
-  return missing;
-}
-
 bool IsEmpty(const fs::path& folder) {
   const fs::directory_iterator entries(folder);
   return std::all_of(begin(entries), end(entries), [](const auto& entry) { return entry.path().filename() == kProbe; });
@@ -87,11 +78,6 @@ void CheckContent(const fs::path& folder, const std::string& trace) {
                 "name a new or an empty folder");
 }
 
-void RemoveFolders(const std::vector<fs::path>& outermost_first) {
-  std::error_code ignored;
-  for (auto folder = outermost_first.rbegin(); folder != outermost_first.rend(); ++folder) fs::remove(*folder, ignored);
-}
-
 /// By trying: permissions do not tell of file systems that are read-only, full, or not real.
 void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing, bool keep) {
   const fs::path probe = folder / kProbe;
@@ -101,7 +87,7 @@ void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing,
   if (failure) {
     RemoveFolders(missing);
     ThrowUnusable(folder, missing.front().parent_path().string() + " takes no new folder (" + failure.message() + ")",
-                  "name one elsewhere, or allow writing there");
+                  WritingRemedy(failure, "name one elsewhere, or allow writing there"));
   }
   try {
     Descriptor(probe, O_WRONLY | O_CREAT | O_TRUNC).Write("probe");
@@ -125,6 +111,25 @@ fs::path WithoutTrailingSlash(const fs::path& folder) { return folder.has_filena
 
 }  // namespace
 
+std::string WritingRemedy(const std::error_code& reason, const std::string& otherwise) {
+  const bool is_full = reason == std::errc::no_space_on_device || reason == std::errc::file_too_large ||
+                       reason == std::error_code(EDQUOT, std::generic_category());
+  return is_full ? "free some space, or name another folder" : otherwise;
+}
+
+std::vector<fs::path> MissingFolders(const fs::path& folder) {
+  std::vector<fs::path> missing;
+  for (fs::path path = folder; fs::symlink_status(path).type() == fs::file_type::not_found; path = path.parent_path())
+    missing.push_back(path);
+  std::reverse(missing.begin(), missing.end());
+  return missing;
+}
+
+void RemoveFolders(const std::vector<fs::path>& outermost_first) {
+  std::error_code ignored;
+  for (auto folder = outermost_first.rbegin(); folder != outermost_first.rend(); ++folder) fs::remove(*folder, ignored);
+}
+
 OutputFolder::OutputFolder(const fs::path& folder, const std::string& trace) {
   if (folder.empty()) throw OutputError("the folder for the results has no name; name one");
   try {
@@ -135,7 +140,8 @@ OutputFolder::OutputFolder(const fs::path& folder, const std::string& trace) {
     CheckUsable(folder_, missing, trace);
     if (!trace.empty()) created_ = missing;
   } catch (const fs::filesystem_error& error) {
-    ThrowUnusable(folder, "cannot be written to (" + error.code().message() + ")", "allow it or name another folder");
+    ThrowUnusable(folder, "cannot be written to (" + error.code().message() + ")",
+                  WritingRemedy(error.code(), "allow it or name another folder"));
   }
 }
 
@@ -168,7 +174,7 @@ void OutputFolder::Commit() {
   } catch (const fs::filesystem_error& error) {
     RemoveTraces(created);
     ThrowUnusable(folder_, "the results cannot be written (" + Reason(error) + ")",
-                  "remove the obstacle or name another folder");
+                  WritingRemedy(error.code(), "remove the obstacle or name another folder"));
   }
 }
 

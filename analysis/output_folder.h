@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace fourpost {
@@ -13,6 +14,15 @@ class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// What to do when the system refuses to write: to make room where that is why, else what is said.
+std::string WritingRemedy(const std::error_code& reason, const std::string& otherwise);
+
+/// The folders that must be created for this one, an absolute path, to exist, the outermost first.
+std::vector<std::filesystem::path> MissingFolders(const std::filesystem::path& folder);
+
+/// Those that are empty, the innermost first.
+void RemoveFolders(const std::vector<std::filesystem::path>& outermost_first);
 
 /// A folder of results that is written completely or not at all. Its `result.json` marks it as ours, and is put there
 /// last. Nothing is on disk before Commit.

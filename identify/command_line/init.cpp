@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <system_error>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -16,15 +17,28 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Throws OutputError unless the folder is new or empty.
-void MakeFolder(const fs::path& folder) {
+void CheckFolder(const fs::path& folder) {
   std::error_code failure;
   const auto refuse = [&](const std::string& why) {
     throw OutputError("cannot write to " + folder.string() + ": " + why);
   };
   if (fs::exists(folder, failure) && !fs::is_directory(folder, failure)) refuse("it is a file; name a new folder");
   if (fs::exists(folder, failure) && !fs::is_empty(folder, failure)) refuse("it is not empty; name a new folder");
-  fs::create_directories(folder, failure);
-  if (failure) refuse(failure.message());
+}
+
+/// All of them or none: the folder is as it was before when a disk is full.
+void WriteAll(const fs::path& folder) {
+  const std::vector<fs::path> missing = MissingFolders(fs::weakly_canonical(fs::absolute(folder)));
+  std::error_code failure;
+  try {
+    fs::create_directories(folder, failure);
+    if (failure) throw OutputError("cannot write to " + folder.string() + ": " + failure.message());
+    for (const StarterFile& file : kStarterFiles) WriteFile(folder / file.name, std::string(file.text));
+  } catch (const OutputError&) {
+    for (const StarterFile& file : kStarterFiles) fs::remove(folder / file.name, failure);
+    RemoveFolders(missing);
+    throw;
+  }
 }
 
 std::string NextSteps(const fs::path& folder) {
@@ -43,8 +57,8 @@ std::string InitJson(const fs::path& folder) {
 }  // namespace
 
 int Run(const InitCommand& command) {
-  MakeFolder(command.folder);
-  for (const StarterFile& file : kStarterFiles) WriteFile(command.folder / file.name, std::string(file.text));
+  CheckFolder(command.folder);
+  WriteAll(command.folder);
   Print(command.json ? InitJson(command.folder) : NextSteps(command.folder));
   return kGood;
 }

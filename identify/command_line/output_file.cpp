@@ -1,5 +1,6 @@
 #include "identify/command_line/output_file.h"
 
+#include <cerrno>
 #include <fstream>
 #include <system_error>
 
@@ -32,10 +33,14 @@ void RequireEnding(const std::string& option, const std::filesystem::path& file,
 }
 
 void WriteFile(const std::filesystem::path& file, const std::string& text) {
+  errno = 0;
   std::ofstream stream(file, std::ios::binary);
   stream << text;
   stream.close();
-  if (!stream) throw OutputError("cannot write " + file.string() + ": may it be written to, and is there room?");
+  if (stream) return;
+  const std::error_code reason(errno == 0 ? EIO : errno, std::generic_category());
+  throw OutputError("cannot write " + file.string() + " (" + reason.message() + "); " +
+                    WritingRemedy(reason, "allow it or name another folder"));
 }
 
 void ReplaceFile(const std::filesystem::path& file, const std::string& text) {

@@ -210,7 +210,7 @@ TEST(OutputFolder, IsUntouchedWhenTheDiskIsFull) {
   EXPECT_EQ(
       OutputErrorOf([&] { output.Commit(); }),
       temporary.path().string() +
-          ": the results cannot be written (result.json.partial: No space left on device); remove the obstacle or "
+          ": the results cannot be written (result.json.partial: No space left on device); free some space, or "
           "name another folder");
   EXPECT_THAT(Names(temporary.path()), UnorderedElementsAre("result.json"));
   EXPECT_EQ(ReadText(temporary.path() / "result.json"), "old");

@@ -164,6 +164,26 @@ class Outputs(ProgramTest):
         self.assertEqual(self.content(), before)
 
 
+class FullDisk(ProgramTest):
+    def test_init_leaves_nothing(self):
+        """There is room for the vehicle and not for the recording, or for nothing."""
+        (self.folder / "empty").mkdir()
+        for room in (0, 4000):
+            limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))
+            for folder in ("empty", "some/new", "new/"):
+                with self.subTest(f"{folder}, {room} bytes"):
+                    text = self.run_program("init", folder, code=5, preexec_fn=limit).stderr
+                    self.assertIn("; free some space, or name another folder", text)
+                    self.assertEqual(list(self.folder.rglob("*")), [self.folder / "empty"])
+        self.run_program("init", "empty")
+
+    def test_is_told_before_any_work(self):
+        self.run_program("init", "car")
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
+        text = self.run_program("modes", "car/vehicle.urdf", "-o", "modes", code=5, preexec_fn=limit).stderr
+        self.assertIn("cannot be written to (File too large); free some space, or name another folder", text)
+
+
 class RefusedFit(ProgramTest):
     """Of masses and rates without a force, which are known to a common factor only."""
 
