@@ -149,6 +149,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   Archive archive(std::move(problem), options.threads, store);
   archive.Watch([&loss = options.refine.loss](const Eigen::VectorXd& residuals) { return loss.Cost(residuals); });
   const std::function<bool()> stop = hooks.stop ? hooks.stop : [] { return false; };
+  FitResult result;
   std::string_view stage_now;
   std::int64_t paid_before = 0;
   const auto begin = [&](std::string_view stage) {
@@ -163,6 +164,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
                     .best_cost = archive.best_cost(),
                     .paid = paid,
                     .in_stage = paid - paid_before,
+                    .profiled = result.profiles.size(),
                     .reused = counts.reused,
                     .failed = counts.failed(),
                     .restored = counts.restored});
@@ -170,7 +172,6 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   archive.TellProgress(report_within);
   const auto report = [&] { report_within(0); };
 
-  FitResult result;
   result.values = objective.vehicle().ParameterValues();
   result.residual_count = objective.residual_count();
   result.prior_count = objective.prior_count();

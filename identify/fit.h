@@ -134,6 +134,8 @@ struct FitProgress {
   std::int64_t paid = 0;
   /// Of the paid ones, those of this stage.
   std::int64_t in_stage = 0;
+  /// Of parameters to profile, those whose profiles are done.
+  std::size_t profiled = 0;
   std::int64_t reused = 0;
   std::int64_t failed = 0;
   /// Of the paid ones, those that were stored.

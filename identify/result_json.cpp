@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "identify/fitted_files.h"
+#include "identify/history_misfit_json.h"
 #include "identify/kalman_noise_json.h"
 #include "identify/method_settings.h"
 #include "identify/versions.h"
@@ -43,24 +44,6 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
   return list;
 }
 
-Json Histories(const std::vector<HistoryMisfit>& misfits) {
-  Json list = Json::array();
-  for (const HistoryMisfit& misfit : misfits) {
-    list.push_back({{"recording", misfit.recording},
-                    {"name", misfit.name},
-                    {"nmse_percent", NumberOrNull(misfit.nmse_percent)},
-                    {"vaf_percent", NumberOrNull(misfit.vaf_percent)}});
-    if (misfit.gain) list.back()["gain"] = NumberOrNull(*misfit.gain);
-    if (misfit.delay_s) list.back()["delay_s"] = NumberOrNull(*misfit.delay_s);
-    if (misfit.one_step_nmse_percent)
-      list.back()["one_step_nmse_percent"] = NumberOrNull(*misfit.one_step_nmse_percent);
-    if (misfit.innovation_correlation)
-      list.back()["innovation_correlation"] = NumberOrNull(*misfit.innovation_correlation);
-    if (misfit.innovations_beyond) list.back()["innovations_beyond"] = NumberOrNull(*misfit.innovations_beyond);
-  }
-  return list;
-}
-
 Json Criteria(const ModelCriteria& criteria) {
   return {{"residuals", criteria.residuals},
           {"parameters", criteria.parameters},
@@ -69,7 +52,7 @@ Json Criteria(const ModelCriteria& criteria) {
 }
 
 Json Channels(const Misfits& misfits) {
-  Json list = Histories(misfits.histories);
+  Json list = HistoryMisfitsJson(misfits.histories);
   for (const ChannelMisfit& misfit : misfits.responses)
     list.push_back({{"name", misfit.name},
                     {"rms_dB", NumberOrNull(misfit.rms_dB)},
@@ -252,7 +235,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
     json["history_cost"] = kHistoryCostNames[static_cast<std::size_t>(study.study.history_cost)];
   for (std::size_t h = 0; h < study.kalman_noise.size(); ++h)
     json["kalman_noise"].push_back(KalmanNoiseJson(study.histories[h], study.kalman_noise[h]));
-  if (!misfits.validation.empty()) json["validation"] = Histories(misfits.validation);
+  if (!misfits.validation.empty()) json["validation"] = HistoryMisfitsJson(misfits.validation);
   if (misfits.criteria) json["criteria"] = Criteria(*misfits.criteria);
   return json.dump(2) + '\n';
 }

@@ -96,8 +96,10 @@ Comparison CompareWithProgress(const Problem& problem, const std::vector<Compare
   ProgressLine line;
   ComparisonHooks hooks;
   hooks.progress = [&](std::int64_t done, std::int64_t total) {
-    const double left = line.seconds() * static_cast<double>(total - done) / static_cast<double>(done);
-    line.Show(std::to_string(done) + " of " + std::to_string(total) + " runs, some " + Rounded(left, 2) + " s left");
+    const auto runs = static_cast<double>(done);
+    const double seconds = line.seconds();
+    line.Show("compare: " + std::to_string(done) + " of " + std::to_string(total) + " runs" +
+              TimeLeft(runs / static_cast<double>(total), seconds) + Rate(runs, seconds, "runs"));
   };
   hooks.stop = Interrupted;
   return Compare(problem, methods, options, hooks, store);

@@ -127,8 +127,10 @@ FitOptions OptionsOf(const Study& study, const VehicleObjective& objective, cons
 /// Of a Kalman filter; shows how it gets on.
 void EstimateNoise(LoadedStudy& loaded) {
   ProgressLine line;
-  loaded.EstimateNoise(
-      [&](int runs) { line.Show("noise of the Kalman filter: " + std::to_string(runs) + " runs of it"); });
+  loaded.EstimateNoise([&](int runs) {
+    line.Show("noise of the Kalman filter: " + std::to_string(runs) + " runs of it" +
+              Rate(runs, line.seconds(), "runs"));
+  });
 }
 
 int CodeOf(FitEnd end) {

@@ -12,36 +12,76 @@
 namespace fourpost {
 namespace {
 
-std::string ProgressText(const FitProgress& progress, const FitOptions& options, double seconds) {
-  const std::int64_t computed = progress.paid - progress.restored;
-  const double rate = static_cast<double>(computed) / std::max(seconds, 1e-3);
-  const std::int64_t search_evaluations = options.stop.max_evaluations;
-  const RobustLoss& loss = options.refine.loss;
-  std::string text = std::string(progress.stage) + ": ";
-  std::string left;
-  if (progress.stage == "search") {
-    // The last generation is not cut short.
-    const std::int64_t of_search = std::min(progress.in_stage, search_evaluations);
-    text += std::to_string(of_search) + " of " + std::to_string(search_evaluations) + " evaluations, ";
-    if (computed > 0)
-      left = TimeLeft(static_cast<double>(of_search) / static_cast<double>(search_evaluations), seconds);
+/// One line of how a fit gets on, what matters first.
+class FitLine {
+ public:
+  explicit FitLine(const FitOptions& options) : options_(options) {}
+
+  void Show(const FitProgress& progress) {
+    const double seconds = line_.seconds();
+    if (progress.stage != stage_) stage_began_s_ = part_began_s_ = seconds;
+    if (progress.profiled != profiled_) part_began_s_ = seconds;
+    stage_ = progress.stage;
+    profiled_ = progress.profiled;
+    const auto computed = static_cast<double>(progress.paid - progress.restored);
+    line_.Show(std::string(progress.stage) + ": " + Done(progress) + Rate(computed, seconds, "evaluations") +
+               Best(progress.best_cost) + "; in all " + std::to_string(progress.paid) + " evaluations (" +
+               std::to_string(progress.reused) + " reused, " + std::to_string(progress.failed) + " failed, " +
+               std::to_string(progress.restored) + " from the archive)");
   }
-  std::string best;
-  if (std::isfinite(progress.best_cost))
-    best = ", best cost " + Rounded(progress.best_cost, 5) +
+
+  void ShowNext(const std::string& text) { line_.ShowNext(text); }
+
+ private:
+  /// Of this stage, with the time left where the end is known.
+  std::string Done(const FitProgress& progress) const {
+    const double seconds = line_.seconds();
+    if (progress.stage == "search") {
+      const std::int64_t all = options_.stop.max_evaluations;
+      // The last generation is not cut short.
+      const std::int64_t done = std::min(progress.in_stage, all);
+      const bool tells_pace = progress.paid > progress.restored;
+      return Of(done, all) + " evaluations" + (tells_pace ? TimeLeft(Share(done, all), seconds - stage_began_s_) : "");
+    }
+    if (progress.stage == "profile") {
+      const auto all = static_cast<std::int64_t>(options_.profiled.size());
+      const auto done = static_cast<std::int64_t>(progress.profiled);
+      return Of(done, all) + " parameters" +
+             TimeLeft(Share(done, all), part_began_s_ - stage_began_s_, seconds - part_began_s_);
+    }
+    return std::to_string(progress.in_stage) + " evaluations";
+  }
+
+  static std::string Of(std::int64_t done, std::int64_t all) {
+    return std::to_string(done) + " of " + std::to_string(all);
+  }
+
+  static double Share(std::int64_t done, std::int64_t all) {
+    return static_cast<double>(done) / static_cast<double>(all);
+  }
+
+  std::string Best(double cost) const {
+    if (!std::isfinite(cost)) return "";
+    const RobustLoss& loss = options_.refine.loss;
+    return ", best cost " + Rounded(cost, 5) +
            (loss.kind() == LossKind::kNone ? "" : " by " + std::string(loss.name()));
-  return text + std::to_string(progress.paid) + " evaluations in all (" + std::to_string(progress.reused) +
-         " reused, " + std::to_string(progress.failed) + " failed, " + std::to_string(progress.restored) +
-         " from the archive), " + Rounded(rate, 3) + " per second" + best +
-         (left.empty() ? "" : left + " of the search");
-}
+  }
+
+  const FitOptions& options_;
+  ProgressLine line_;
+  std::string_view stage_;
+  std::size_t profiled_ = 0;
+  double stage_began_s_ = 0;
+  /// The profile of a parameter.
+  double part_began_s_ = 0;
+};
 
 }  // namespace
 
 FitResult FitWithProgress(const VehicleObjective& objective, const FitOptions& options, EvaluationStore& store) {
-  ProgressLine line;
+  FitLine line(options);
   FitHooks hooks;
-  hooks.progress = [&](const FitProgress& progress) { line.Show(ProgressText(progress, options, line.seconds())); };
+  hooks.progress = [&](const FitProgress& progress) { line.Show(progress); };
   hooks.stop = Interrupted;
   FitResult fit = Fit(objective, options, hooks, &store);
   if (!fit.parameters.empty()) line.ShowNext("the fit is done; what it foretells, and its report, are computed");

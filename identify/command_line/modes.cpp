@@ -59,7 +59,8 @@ std::vector<PolePaths> Trace(const Job& job) {
   ProgressLine progress;
   try {
     for (const ParameterRange& range : job.ranges) {
-      progress.Show("poles over " + job.vehicle.parameters[range.parameter].name);
+      const std::string done = std::to_string(paths.size()) + " of " + std::to_string(job.ranges.size());
+      progress.Show("poles: " + done + " parameters; " + job.vehicle.parameters[range.parameter].name);
       paths.push_back(FollowPoles(job.vehicle, range.parameter, range.values));
     }
   } catch (const std::invalid_argument& fault) {

@@ -25,6 +25,7 @@
 #include "identify/command_line/text_table.h"
 #include "identify/fitted_files.h"
 #include "identify/history_fit_files.h"
+#include "identify/history_misfit_json.h"
 #include "identify/history_residuals.h"
 #include "identify/kalman_noise_json.h"
 #include "identify/lint/history_remark.h"
@@ -132,10 +133,11 @@ KalmanNoise NoiseOf(const PredictCommand& command, const FittedRun& model, const
   }
   const MeasuredHistory history = LoadAsRecorded(command, model, command.noise_from, std::nullopt);
   ProgressLine line;
-  return KalmanPredictor(history).Estimate(
-      CondensedVehicle(model.vehicle).At(model.vehicle.ParameterValues()), {.progress = [&line](int runs) {
-        line.Show("noise of the Kalman filter: " + std::to_string(runs) + " runs of it");
-      }});
+  return KalmanPredictor(history).Estimate(CondensedVehicle(model.vehicle).At(model.vehicle.ParameterValues()),
+                                           {.progress = [&line](int runs) {
+                                             line.Show("noise of the Kalman filter: " + std::to_string(runs) +
+                                                       " runs of it" + Rate(runs, line.seconds(), "runs"));
+                                           }});
 }
 
 void AddKalman(const PredictCommand& command, const FittedRun& model, const MeasuredHistory& judged,
@@ -159,8 +161,11 @@ void AddFull(const FittedRun& model, const MeasuredHistory& history, std::vector
   CatchInterrupts();
   ProgressLine line;
   const std::optional<Eigen::MatrixXd> modelled = SimulateFully(history, model.vehicle, kAccuracy, [&](double t) {
-    line.Show("multibody system: " + Rounded(std::max(0.0, t), 3) + " of " +
-              Rounded(history.TimeAt(history.count - 1), 3) + " s");
+    const double start = history.TimeAt(0);
+    const double end = history.TimeAt(history.count - 1);
+    const double seconds = line.seconds();
+    line.Show("multibody system: " + Rounded(t, 3) + " of " + Rounded(end, 3) + " s" +
+              TimeLeft((t - start) / (end - start), seconds) + Rate(t - start, seconds, "simulated s"));
     return !Interrupted();
   });
   if (modelled) AddFullErrors(history, *modelled, misfits);
@@ -168,20 +173,6 @@ void AddFull(const FittedRun& model, const MeasuredHistory& history, std::vector
 
 std::string AsJson(const PredictCommand& command, const FittedRun& model, const MeasuredHistory& history,
                    const std::vector<HistoryMisfit>& misfits, const std::vector<std::string>& warnings) {
-  Json channels = Json::array();
-  for (const HistoryMisfit& misfit : misfits) {
-    channels.push_back({{"recording", misfit.recording},
-                        {"name", misfit.name},
-                        {"nmse_percent", misfit.nmse_percent},
-                        {"vaf_percent", misfit.vaf_percent},
-                        {"gain", *misfit.gain},
-                        {"delay_s", *misfit.delay_s}});
-    if (misfit.full_nmse_percent) channels.back()["full_nmse_percent"] = *misfit.full_nmse_percent;
-    if (!misfit.one_step_nmse_percent) continue;
-    channels.back()["one_step_nmse_percent"] = *misfit.one_step_nmse_percent;
-    channels.back()["innovation_correlation"] = *misfit.innovation_correlation;
-    channels.back()["innovations_beyond"] = *misfit.innovations_beyond;
-  }
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   Json json = {{"vehicle", model.vehicle.name},
@@ -191,7 +182,7 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
   json.update({{"start_s", history.TimeAt(0)},
                {"end_s", history.TimeAt(history.count - 1)},
                {"samples", history.count},
-               {"channels", channels},
+               {"channels", HistoryMisfitsJson(misfits)},
                {"warnings", warnings},
                {"versions", versions}});
   return json.dump(2) + '\n';

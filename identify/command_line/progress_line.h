@@ -15,7 +15,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows the text, unless the last one is too fresh to be replaced.
+  /// Shows the text, unless the last one is too fresh to be replaced. A terminal shows as much of it as goes into a
+  /// line: what matters should come first.
   void Show(const std::string& text);
 
   /// Shows at once what comes next, after a task that was long enough to be told of.
@@ -33,7 +34,12 @@ class ProgressLine {
   Clock::time_point shown_;
 };
 
-/// ", about 40 s left" of work of which this share has taken so long; empty as long as that says little.
-std::string TimeLeft(double share, double seconds);
+/// ", about 40 s left" of work of which this share took so long, and on which more time has been spent since; empty as
+/// long as that says little.
+std::string TimeLeft(double share, double seconds, double since_s = 0);
+
+/// ", 1.3 runs per second", `done` of these having taken so long, or per minute where that is slow; empty as long as
+/// that says little.
+std::string Rate(double done, double seconds, const std::string& what);
 
 }  // namespace fourpost

@@ -37,9 +37,10 @@ class HistoryProgress {
     }
     last_ = t;
     const double start = drive_.start_s - drive_.lead_s;
-    line_.Show("simulate" + (run_ == 1 ? "" : ", step halved " + std::to_string(run_ - 1) + " times") + ": " +
-               Rounded(std::max(0.0, t), 3) + " of " + Rounded(drive_.end_s, 3) + " s" +
-               TimeLeft((t - start) / (drive_.end_s - start), line_.seconds() - began_s_));
+    const double seconds = line_.seconds() - began_s_;
+    line_.Show("simulate: " + Rounded(std::max(0.0, t), 3) + " of " + Rounded(drive_.end_s, 3) + " s" +
+               TimeLeft((t - start) / (drive_.end_s - start), seconds) + Rate(t - start, seconds, "simulated s") +
+               (run_ == 1 ? "" : "; step halved " + std::to_string(run_ - 1) + " times"));
     return !Interrupted();
   }
 

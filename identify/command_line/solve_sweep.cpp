@@ -59,9 +59,11 @@ class SweepProgress {
     if (stage.work != work_) began_ = line_.seconds();
     work_ = stage.work;
     done_ = stage.done;
-    const double share = static_cast<double>(stage.done) / static_cast<double>(stage.total);
-    line_.Show(name_ + ": " + work_ + ": " + std::to_string(stage.done) + " of " + std::to_string(stage.total) +
-               " frequencies" + TimeLeft(share, line_.seconds() - began_));
+    const auto done = static_cast<double>(stage.done);
+    const double seconds = line_.seconds() - began_;
+    line_.Show(work_ + ": " + std::to_string(stage.done) + " of " + std::to_string(stage.total) + " frequencies" +
+               TimeLeft(done / static_cast<double>(stage.total), seconds) + Rate(done, seconds, "frequencies") + "; " +
+               name_);
     return !Interrupted();
   }
 

@@ -6,15 +6,10 @@
 #include <stdexcept>
 
 #include "analysis/units.h"
+#include "identify/command_line/text_width.h"
 
 namespace fourpost {
 namespace {
-
-/// Characters, not bytes, of UTF-8 text.
-std::size_t Width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
 
 /// Begins as a number does, or is what stands for one.
 bool IsNumber(const std::string& text) {

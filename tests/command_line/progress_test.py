@@ -1,0 +1,75 @@
+"""How a long task gets on: a line of a terminal, rewritten, and now and then a plain line elsewhere."""
+import fcntl
+import os
+import pty
+import re
+import select
+import signal
+import struct
+import subprocess
+import termios
+
+import unittest
+
+from program import FOURPOST, SOURCE, ProgramTest
+
+FIT = ["fit", SOURCE / "studies/landrover110/full.yaml", "-o", "run"]
+COMPARE = ["compare", SOURCE / "studies/landrover110/model2.yaml", "--runs", "1000"]
+
+
+class Progress(ProgramTest):
+    def start(self, words, stderr, **environment):
+        program = subprocess.Popen([FOURPOST, *map(str, words)], cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=stderr, env={**os.environ, **environment})
+        self.addCleanup(program.wait)
+        self.addCleanup(program.kill)
+        return program
+
+    def updates(self, columns, words, count):
+        """The first lines that a terminal so wide shows in one place."""
+        leader, follower = pty.openpty()
+        self.addCleanup(os.close, leader)
+        fcntl.ioctl(follower, termios.TIOCSWINSZ, struct.pack("4H", 24, columns, 0, 0))
+        program = self.start(words, follower, TERM="xterm")
+        os.close(follower)
+        told = b""
+        while told.count(b"\x1b[K") < count:
+            self.assertTrue(select.select([leader], [], [], 300)[0], told)
+            told += os.read(leader, 1000)
+        program.kill()
+        lines = [part.split("\r")[-1] for part in told.decode().split("\x1b[K")[:count]]
+        self.assertTrue(all(lines), lines)
+        return lines
+
+    def test_goes_into_a_line_of_the_terminal(self):
+        for columns in (80, 40):
+            for line in self.updates(columns, FIT, 5):
+                self.assertLess(len(line), columns)
+                self.assertRegex(line, r"^\w+: \d+ (of \d+ )?eval.*\.\.\.$")
+        # Where the terminal tells no width.
+        self.assertLess(max(map(len, self.updates(0, FIT, 5))), 80)
+
+    def test_is_whole_where_there_is_room(self):
+        for line in self.updates(250, FIT, 5):
+            self.assertRegex(line, r"^\w+: \d+ .*evaluations.*; in all \d+ evaluations \(.* from the archive\)$")
+
+    def test_tells_the_rate_first(self):
+        line = self.updates(80, FIT, 30)[-1]
+        self.assertRegex(line, r", [\d.]+ evaluations per (second|minute)")
+
+    def test_is_plain_in_a_pipe(self):
+        program = self.start(COMPARE, subprocess.PIPE)
+        with program.stderr as pipe:
+            line = b""
+            while b"runs" not in line:
+                line = pipe.readline()
+                self.assertNotEqual(line, b"")
+            program.send_signal(signal.SIGINT)
+            rest = pipe.read()
+        self.assertRegex(line, rb"^compare: \d+ of \d+ runs(, about \d+ (s|min) left)?, [\d.]+ runs per (second|minute)\n$")
+        self.assertIsNone(re.search(rb"[\r\x1b]", line + rest))
+        self.assertEqual(program.wait(), 130)
+
+
+if __name__ == "__main__":
+    unittest.main()
