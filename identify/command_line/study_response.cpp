@@ -19,6 +19,7 @@
 #include "identify/command_line/responses.h"
 #include "identify/command_line/result_kind.h"
 #include "identify/command_line/solve_sweep.h"
+#include "identify/history_misfit_json.h"
 #include "identify/history_residuals.h"
 #include "identify/lint/recording_lint.h"
 #include "identify/loaded_study.h"
@@ -31,8 +32,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Of recordings over time.
+struct TimeMisfits {
+  std::vector<HistoryMisfit> fitted;
+  std::vector<HistoryMisfit> validation;
+};
+
 std::string AsJson(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
-                   const std::vector<ChannelMisfit>& misfits) {
+                   const std::vector<ChannelMisfit>& misfits, const TimeMisfits& over_time) {
   Json recordings = Json::array();
   for (std::size_t r = 0; r < runs.size(); ++r) {
     Json channels = Json::array();
@@ -42,10 +49,12 @@ std::string AsJson(const std::vector<MeasuredRun>& runs, const std::vector<Frequ
                           {"post_amplitude_m", modelled[r].amplitude_m},
                           {"channels", channels}});
   }
-  Json channels = Json::array();
+  Json channels = HistoryMisfitsJson(over_time.fitted);
   for (const ChannelMisfit& misfit : misfits)
     channels.push_back({{"name", misfit.name}, {"rms_dB", misfit.rms_dB}, {"rms_deg", misfit.rms_deg}});
-  return Json{{"recordings", recordings}, {"channels", channels}}.dump(2) + '\n';
+  Json json = {{"recordings", recordings}, {"channels", channels}};
+  if (!over_time.validation.empty()) json["validation"] = HistoryMisfitsJson(over_time.validation);
+  return json.dump(2) + '\n';
 }
 
 /// A misfit needs an answer at every frequency; nothing when interrupted before.
@@ -72,49 +81,56 @@ std::vector<FrequencyResponse> WholeAnswers(const std::vector<MeasuredRun>& runs
 }
 
 void Write(const ResponseCommand& command, const LoadedStudy& loaded, const std::vector<MeasuredRun>& runs,
-           const std::vector<FrequencyResponse>& modelled, const std::vector<ChannelMisfit>& misfits) {
+           const std::vector<FrequencyResponse>& modelled, const std::vector<ChannelMisfit>& misfits,
+           const std::string& json) {
   const double lower = loaded.study.band_lower_Hz;
   const double upper = loaded.study.band_upper_Hz;
   OutputFolder output(command.output);
   output.Add("response.csv", ResponseCsv(runs, modelled, lower, upper));
   output.Add("response.svg", ResponseSvg(runs, modelled, misfits, lower, upper));
-  output.Add("result.json", AsJson(runs, modelled, misfits));
+  output.Add("result.json", json);
   output.Commit();
   std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
 }
 
-/// How the vehicle as it stands misses recordings over time, kept for validation or not; empty without any.
-std::string OverTime(const LoadedStudy& loaded) {
+/// How the vehicle as it stands misses recordings over time.
+TimeMisfits OverTime(const LoadedStudy& loaded) {
   const std::vector<double> values = loaded.vehicle.ParameterValues();
-  std::vector<HistoryMisfit> misfits;
-  const auto add = [&](const std::vector<HistoryMisfit>& more) {
-    misfits.insert(misfits.end(), more.begin(), more.end());
-  };
   if (loaded.bench) {
     const BenchDamper damper(loaded.vehicle, loaded.bench->damper);
-    for (const auto* recordings : {&loaded.bench->fitted, &loaded.bench->validation})
-      add(BenchMisfits(ModelledRecordings(damper, *recordings, values)));
+    const auto misfits = [&](const std::vector<BenchRecording>& recordings) {
+      return BenchMisfits(ModelledRecordings(damper, recordings, values));
+    };
+    return {misfits(loaded.bench->fitted), misfits(loaded.bench->validation)};
   }
-  if (loaded.histories.empty() && loaded.validation.empty()) return misfits.empty() ? "" : HistoryTable(misfits);
+  if (loaded.histories.empty() && loaded.validation.empty()) return {};
   const auto condensed = std::make_shared<const CondensedVehicle>(loaded.vehicle);
-  for (const auto* histories : {&loaded.histories, &loaded.validation})
-    if (!histories->empty())
-      add(HistoryMisfits(*histories, HistoryResiduals(condensed, *histories, {}).Modelled(values)));
-  return HistoryTable(misfits);
+  const auto misfits = [&](const std::vector<MeasuredHistory>& histories) {
+    if (histories.empty()) return std::vector<HistoryMisfit>();
+    return HistoryMisfits(histories, HistoryResiduals(condensed, histories, {}).Modelled(values));
+  };
+  return {misfits(loaded.histories), misfits(loaded.validation)};
+}
+
+/// Empty without any.
+std::string TableOf(const TimeMisfits& misfits) {
+  std::vector<HistoryMisfit> all = misfits.fitted;
+  all.insert(all.end(), misfits.validation.begin(), misfits.validation.end());
+  return all.empty() ? "" : HistoryTable(all);
 }
 
 /// Of a study without stepped sines.
 int TellOverTime(const ResponseCommand& command, const LoadedStudy& loaded) {
   Diagnostics diagnostics;
-  for (const auto& [option, is_used] : {std::pair{"--json", command.json},
-                                        {"--output", !command.output.empty()},
-                                        {"--engine", command.engine.has_value()}})
+  for (const auto& [option, is_used] :
+       {std::pair{"--output", !command.output.empty()}, {"--engine", command.engine.has_value()}})
     if (is_used)
       diagnostics.Error(option, 0,
                         "is for stepped sines, which this study does not have; leave it out for the errors "
                         "of its recordings, or `fourpost fit` it");
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
-  Print(OverTime(loaded));
+  const TimeMisfits misfits = OverTime(loaded);
+  Print(command.json ? AsJson({}, {}, {}, misfits) : TableOf(misfits));
   return kGood;
 }
 
@@ -143,9 +159,10 @@ int RespondToStudy(const ResponseCommand& command) {
   if (modelled.empty()) return kInterrupted;
   runs.resize(modelled.size());
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(runs, modelled);
-  if (!command.output.empty()) Write(command, *loaded, runs, modelled, misfits);
-  Print(command.json ? AsJson(runs, modelled, misfits) : MisfitTable(misfits, RecordingMisfits(runs, modelled)));
-  if (!command.json && is_whole) Print(OverTime(*loaded));
+  const TimeMisfits over_time = is_whole ? OverTime(*loaded) : TimeMisfits();
+  const std::string json = AsJson(runs, modelled, misfits, over_time);
+  if (!command.output.empty()) Write(command, *loaded, runs, modelled, misfits, json);
+  Print(command.json ? json : MisfitTable(misfits, RecordingMisfits(runs, modelled)) + TableOf(over_time));
   return is_whole ? kGood : kInterrupted;
 }
 
