@@ -84,7 +84,7 @@ void Program::AddParams() {
 void Program::AddResponse() {
   AddOptions(*Add("response", "Response of a vehicle to the posts; of a study, compared with its recordings",
                   "  fourpost response car.urdf --mode heave --mode roll -o response\n"
-                  "  fourpost response car.urdf --amplitude 25mm --set k=20kN/m\n"
+                  "  fourpost response car.urdf --frequencies 0.5Hz:5Hz:20 --set k=20kN/m\n"
                   "  fourpost response study.yaml --engine full",
                   [this] { return Run(response_); }),
              response_);
@@ -195,6 +195,7 @@ void Program::AddRank() {
 void Program::AddCompletion() {
   CLI::App* sub = Add("completion", "Print what teaches a shell to complete commands, options and files",
                       "  source <(fourpost completion bash)\n"
+                      "  mkdir -p ~/.config/fish/completions\n"
                       "  fourpost completion fish > ~/.config/fish/completions/fourpost.fish",
                       [this] {
                         Print(CompletionScript(CommandTable(app_), shell_));

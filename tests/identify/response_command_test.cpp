@@ -1,14 +1,18 @@
 // `fourpost response` of a vehicle file as a user meets it.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/identify/program.h"
+#include "tests/identify/running_program.h"
 
 namespace fourpost {
 namespace {
@@ -152,16 +156,21 @@ TEST_F(ResponseCommandLine, ShowsAllOfFewFrequenciesAndSpreadsTheColumnsOverMany
 }
 
 TEST_F(ResponseCommandLine, AnInterruptedMarchKeepsWhatItHas) {
-  const Outcome outcome = RunShell(std::string("timeout --preserve-status -s INT 2 '") + FOURPOST_PROGRAM +
-                                   "' response urdf/landrover110_linkage.urdf --engine march --mode heave --mode pitch "
-                                   "--frequencies 1Hz:3Hz:400 -o result");
+  RunningProgram program(folder_,
+                         "response urdf/landrover110_linkage.urdf --engine march --mode heave --mode pitch --frequencies "
+                         "1Hz:3Hz:4000 -o result");
+  // Told with the rate: at least one frequency is done.
+  while (program.IsRunning() && program.err().find(" per ") == std::string::npos)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  program.Signal(SIGINT);
+  const Outcome outcome = {program.Wait(), program.out(), program.err()};
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("interrupted: "));
   EXPECT_THAT(outcome.out, HasSubstr(": interrupted before\n"));
   const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
   ASSERT_EQ(result["modes"].size(), 1u);
   EXPECT_FALSE(result["modes"][0]["channels"][0]["gain"][0].is_null());
-  EXPECT_TRUE(result["modes"][0]["channels"][0]["gain"][399].is_null());
+  EXPECT_TRUE(result["modes"][0]["channels"][0]["gain"][3999].is_null());
 }
 
 TEST_F(ResponseCommandLine, TellsWhatKindOfFileItWasGiven) {
