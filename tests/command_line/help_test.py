@@ -1,10 +1,11 @@
 """Help, manual page and completion tell the same commands and options; what is misspelt is told."""
 import os
 import re
+import shutil
 import subprocess
 import unittest
 
-from program import FOURPOST, ProgramTest
+from program import FOURPOST, SOURCE, ProgramTest
 
 
 class Help(ProgramTest):
@@ -21,6 +22,39 @@ class Help(ProgramTest):
         for command in self.commands():
             text = self.run_program(command, "--help").stdout
             self.assertRegex(text, f"Examples:\n  .*fourpost {command}", command)
+
+    def test_has_examples_that_run(self):
+        """In the starter's folder, of a fit of it; two models of a damper in place of `run/model1` and `run/model2`."""
+        self.run_program("init", "new")
+        for new, name in (("vehicle.urdf", "car.urdf"), ("vehicle.urdf", "vehicle.urdf"), ("study.yaml", "study.yaml"),
+                          ("stepped_sine.csv", "stepped_sine.csv")):
+            shutil.copy(self.folder / "new" / new, self.folder / name)
+        rover = SOURCE / "urdf/landrover110_model3.urdf"
+        for model in ("model1", "model2"):
+            self.run_program("fit", SOURCE / f"studies/damper/{model}.yaml", "-o", f"models/{model}")
+        programs = self.folder / "bin"
+        programs.mkdir()
+        (programs / "fourpost").symlink_to(FOURPOST)
+        environment = {**os.environ, "HOME": str(self.folder), "PATH": f"{programs}:{os.environ['PATH']}"}
+        examples = {command: re.findall("^  (.+)", self.run_program(command, "--help").stdout.split("Examples:")[1], re.M)
+                    for command in self.commands()}
+        # What makes files that others take comes first.
+        order = ["init", "simulate", "fit"]
+        for command in order + [command for command in examples if command not in order]:
+            for example in examples[command]:
+                if "warp" in example:
+                    continue  # Of a car on four posts, and a recording of it.
+                line = example.replace("run/model", "models/model").replace(" | man -l -", "")
+                line = re.sub(r"run[12]\.mat", "stepped_sine.csv", line)
+                if command == "predict":
+                    line = line.replace("sweep.csv", "stepped_sine.csv")  # of the kind that was fitted
+                if "roll" in line:
+                    line = line.replace("car.urdf", str(rover))
+                outcome = subprocess.run(["bash", "-e", "-c", line], cwd=self.folder, env=environment,
+                                         capture_output=True, text=True)
+                self.assertEqual(outcome.returncode, 0, line + outcome.stderr)
+                if command == "response":
+                    self.assertNotIn("the post reaches", outcome.stderr)
 
     def test_is_the_manual_page(self):
         page = self.run_program("man").stdout.replace("\\-", "-")
