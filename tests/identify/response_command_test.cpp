@@ -155,10 +155,18 @@ TEST_F(ResponseCommandLine, ShowsAllOfFewFrequenciesAndSpreadsTheColumnsOverMany
   EXPECT_EQ(std::count(head.begin(), head.end(), 'H'), 9) << head;
 }
 
+TEST_F(ResponseCommandLine, EndsWith1WhereSomeFrequenciesHaveNoAnswer) {
+  const Outcome outcome = Run(std::string("response ") + kCar +
+                              " --frequencies 3Hz:30Hz:2 --engine march --set c_bump=20N*s/m --set c_rebound=20N*s/m");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("heave: no answer at 1 of 2 frequencies"));
+}
+
 TEST_F(ResponseCommandLine, AnInterruptedMarchKeepsWhatItHas) {
-  RunningProgram program(folder_,
-                         "response urdf/landrover110_linkage.urdf --engine march --mode heave --mode pitch --frequencies "
-                         "1Hz:3Hz:4000 -o result");
+  RunningProgram program(
+      folder_,
+      "response urdf/landrover110_linkage.urdf --engine march --mode heave --mode pitch --frequencies "
+      "1Hz:3Hz:4000 -o result");
   // Told with the rate: at least one frequency is done.
   while (program.IsRunning() && program.err().find(" per ") == std::string::npos)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
