@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "analysis/csv_fault.h"
 #include "analysis/csv_scanner.h"
 #include "analysis/number.h"
 #include "analysis/recorded_unit.h"
@@ -27,11 +28,11 @@ class CsvParser {
       : dialect_(DialectOf(text)), scanner_(text, dialect_.separator), diagnostics_(diagnostics) {
     table_.file_ = std::move(file);
     table_.dialect_ = dialect_;
-    is_utf16_ = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+    text_fault_ = FaultOfText(text);
   }
 
   std::optional<CsvTable> Parse(CsvHeader header) {
-    if (is_utf16_) Fault(0, "is written in UTF-16; save it as UTF-8");
+    if (!text_fault_.empty()) Fault(0, text_fault_);
     else ReadNames();
     if (good_ && header == CsvHeader::kNamesAndUnits) ReadUnits();
     if (good_) CheckNames();
@@ -59,6 +60,8 @@ class CsvParser {
     names_line_ = record_.line;
     ends_with_separator_ = table_.columns() > 1 && table_.names_.back().empty();
     if (ends_with_separator_) table_.names_.pop_back();
+    const std::string fault = FaultOfNames(scanner_, table_.columns(), ends_with_separator_, dialect_.separator);
+    if (!fault.empty()) Fault(names_line_, fault);
   }
 
   void CheckNames() {
@@ -75,8 +78,10 @@ class CsvParser {
     if (!scanner_.Next(record_)) return Fault(0, "has no row of units below its header");
     if (!IsRowGood()) return;
     table_.units_line_ = record_.line;
-    if (IsRowOfUnits()) {
-      table_.units_ = record_.fields;
+    std::vector<std::string> fields = record_.fields;
+    for (std::string& field : fields) field = WithoutBrackets(field);
+    if (IsRowOfUnits(fields)) {
+      table_.units_ = std::move(fields);
       return;
     }
     TakeUnitsFromNames();
@@ -84,11 +89,11 @@ class CsvParser {
   }
 
   /// Has no numbers, or as many units; "1" is both.
-  bool IsRowOfUnits() const {
+  bool IsRowOfUnits(const std::vector<std::string>& fields) const {
     const auto is_number = [this](const std::string& field) { return table_.ToNumber(field).has_value(); };
     const auto is_unit = [&](const std::string& field) { return ParseRecordedUnit(field) && !is_number(field); };
-    const auto numbers = std::count_if(record_.fields.begin(), record_.fields.end(), is_number);
-    const auto units = std::count_if(record_.fields.begin(), record_.fields.end(), is_unit);
+    const auto numbers = std::count_if(fields.begin(), fields.end(), is_number);
+    const auto units = std::count_if(fields.begin(), fields.end(), is_unit);
     return numbers == 0 || (units > 0 && units >= numbers);
   }
 
@@ -127,7 +132,7 @@ class CsvParser {
   CsvTable table_;
   CsvRecord record_;
   int names_line_ = 0;
-  bool is_utf16_ = false;
+  std::string text_fault_;
   /// A field too many in every line, which holds nothing.
   bool ends_with_separator_ = false;
   bool good_ = true;

@@ -60,6 +60,14 @@ std::optional<Unit> ParseRecordedUnit(std::string_view text) {
   return ParseUnit(unit);
 }
 
+std::string WithoutBrackets(std::string_view unit) {
+  for (const std::string_view brackets : {"[]", "()"})
+    if (unit.size() > 2 && unit.front() == brackets[0] && unit.back() == brackets[1] &&
+        unit.find_last_of(brackets, unit.size() - 2) == 0)
+      return std::string(Trimmed(unit.substr(1, unit.size() - 2)));
+  return std::string(unit);
+}
+
 NamedColumn SplitColumnName(std::string_view text) {
   if (std::optional<NamedColumn> column = SplitAt(text, '[', ']');
       column && !column->name.empty() && !ParseNumber(column->unit))

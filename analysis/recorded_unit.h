@@ -12,6 +12,9 @@ namespace fourpost {
 /// In a recording "g" is the standard gravity; nobody records grams. Bytes of Latin-1 count as those of UTF-8.
 std::optional<Unit> ParseRecordedUnit(std::string_view text);
 
+/// "mm" of "[mm]" and "(mm)"; else the text as it is.
+std::string WithoutBrackets(std::string_view unit);
+
 /// A column's name and its unit, which may be empty.
 struct NamedColumn {
   std::string name;

@@ -55,6 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Written{"SeparatorsAtTheEnd", "time;Kraft;\ns;kN;\n0;1,5;\n0,002;-2000;\n"},
                     Written{"UnitsBehindTheNames", "time [s];Kraft [kN]\n0;1,5\n0,002;-2000\n"},
                     Written{"UnitsInRoundBrackets", "time (s),Kraft (kN)\n0,1.5\n0.002,-2000\n"},
+                    Written{"UnitsBelowInBrackets", "time;Kraft\n[s];[kN]\n0;1,5\n0,002;-2000\n"},
+                    Written{"UnitsBelowInRoundBrackets", "time,Kraft\n(s),( kN )\n0,1.5\n0.002,-2000\n"},
                     Written{"UnitsBehindAStroke", "time / s\tKraft / kN\n0\t1.5\n0.002\t-2000\n"},
                     Written{"QuotedNames", "\"time\";\"Kraft\"\n\"s\";\"kN\"\n\"0\";\"1,5\"\n\"0,002\";\"-2000\"\n"},
                     Written{"BlanksBesideTabs", "time \t Kraft\ns\tkN\n 0\t 1.5\n 0.002\t-2000 \n"}),
@@ -86,6 +88,39 @@ TEST(CsvDialectFault, TwoDecimalSigns) {
 TEST(CsvDialectFault, RowsOfAnotherLength) {
   EXPECT_EQ(Faults("time;F\ns;N\n0;1,5\n1\n"), "t.csv:4: error: the row has 1 field, the header 2");
   EXPECT_EQ(Faults("time;F;\ns;N;\n0;1,5;7\n"), "t.csv:3: error: the row has 3 fields, the header 2");
+}
+
+TEST(CsvDialectFault, LinesAboveTheNames) {
+  std::string rows = "time,F,x\ns,N,m\n";
+  for (int i = 0; i < 100; ++i) rows += "0," + std::to_string(i) + ",2\n";
+  EXPECT_EQ(Faults("Recorder 7\nof Monday\n" + rows),
+            "t.csv:1: error: the names have 1 column, the rows below 3: remove the lines above the names");
+  Diagnostics diagnostics;
+  EXPECT_FALSE(ParseCsv("Recorder,7\n" + rows, "t.csv", diagnostics));
+  EXPECT_EQ(diagnostics.Format(),
+            "t.csv:1: error: the names have 2 columns, the rows below 3: remove the lines above the names");
+  EXPECT_EQ(Faults("t,F,x\ns,N,m\n0,1\n1,1\n2,1\n"),
+            "t.csv:1: error: the names have 3 columns, the rows below 2: name as many columns as there are");
+  EXPECT_EQ(Faults("t,F\ns,N\n0,1,1,5\n0,2,2,5\n0,3,3,5\n"),
+            "t.csv:1: error: the names have 2 columns, the rows below 4: remove the lines above the names; or separate "
+            "columns by semicolons where decimals have commas");
+}
+
+TEST(CsvDialectFault, AnotherSeparator) {
+  EXPECT_EQ(Faults("time|F\ns|N\n0|1.5\n0.1 | 2\n"),
+            "t.csv:1: error: separates its columns by '|'; save it with commas, semicolons or tabs");
+  EXPECT_EQ(Faults("time  F\n   s  N\n   0  1.5\n 0.1  2\n"),
+            "t.csv:1: error: separates its columns by blanks; save it with commas, semicolons or tabs");
+}
+
+TEST(CsvDialectFault, LinesThatEndWithCarriageReturns) {
+  EXPECT_EQ(Faults("time,F\rs,N\r0,1.5\r0.1,2\r"),
+            "t.csv: error: ends its lines with CR alone; save it with line ends of Unix (LF) or Windows (CRLF)");
+}
+
+TEST(CsvDialectFault, Binary) {
+  EXPECT_EQ(Faults(std::string("PK\x03\x04\n\0,\0\n,,", 11)),
+            "t.csv: error: is no text but a binary file; export the table as CSV, or as MAT and name it .mat");
 }
 
 TEST(CsvDialectFault, Utf16) {
