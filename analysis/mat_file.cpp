@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/near_file.h"
+
 namespace fourpost {
 namespace {
 
@@ -190,7 +192,8 @@ class MatReader {
 
 std::optional<std::vector<MatVector>> ReadMatFile(const std::filesystem::path& file, Diagnostics& diagnostics) {
   if (std::filesystem::is_directory(file) || !std::ifstream(file)) {
-    diagnostics.Error(file.string(), 0, "cannot be read: there is no such file, or it may not be read");
+    diagnostics.Error(file.string(), 0,
+                      "cannot be read: there is no such file, or it may not be read" + DidYouMeanFile(file));
     return std::nullopt;
   }
   return MatReader(file.string(), diagnostics).Read();

@@ -6,6 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include "analysis/near_file.h"
+
 namespace fourpost {
 
 std::optional<std::string> ReadTextFile(const std::filesystem::path& file, Diagnostics& diagnostics) {
@@ -16,7 +18,8 @@ std::optional<std::string> ReadTextFile(const std::filesystem::path& file, Diagn
   if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
   // Reading a folder opens well and fails here.
   if (errno == 0 && stream.is_open() && !stream.bad() && text) return std::move(text).str();
-  diagnostics.Error(file.string(), 0, "cannot be read: " + std::generic_category().message(errno));
+  const std::string reason = std::generic_category().message(errno);
+  diagnostics.Error(file.string(), 0, "cannot be read: " + reason + DidYouMeanFile(file));
   return std::nullopt;
 }
 

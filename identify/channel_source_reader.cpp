@@ -1,5 +1,6 @@
 #include "identify/channel_source_reader.h"
 
+#include "analysis/number.h"
 #include "analysis/recorded_unit.h"
 #include "identify/strict_yaml.h"
 
@@ -16,12 +17,12 @@ std::vector<std::string_view> KeysOf(ChannelKind kind) {
 }
 
 double ReadFactor(const StrictMap& map, const std::string& what) {
-  const std::optional<double> sign = map.Number("sign", -1, 1);
-  if (sign && *sign != 1 && *sign != -1) map.Fault(map.Get("sign"), "'sign' of " + what + " must be 1 or -1");
+  const double sign = ParseNumber(map.Text("sign").value_or("1")).value_or(0);
+  if (sign != 1 && sign != -1) map.Fault(map.Get("sign"), "'sign' of " + what + " must be 1 or -1");
   const double scale = map.Number("scale", 0, 1e12).value_or(1);
   if (scale == 0)
     map.Fault(map.Get("scale"), "'scale' of " + what + " must be above zero; 'sign' turns a channel round");
-  return sign.value_or(1) * scale;
+  return sign * scale;
 }
 
 std::string ReadUnit(const StrictMap& map, const std::string& what) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "analysis/frequency_response_file.h"
+#include "analysis/near_file.h"
 #include "analysis/nearest.h"
 #include "analysis/number.h"
 #include "identify/bench_residuals.h"
@@ -86,7 +87,7 @@ bool HasFiles(const Study& study, Diagnostics& diagnostics) {
   bool all = true;
   const auto check = [&](const std::filesystem::path& path, int line) {
     if (std::filesystem::exists(path)) return;
-    diagnostics.Error(study.file.string(), line, "there is no file " + path.string());
+    diagnostics.Error(study.file.string(), line, "there is no file " + path.string() + DidYouMeanFile(path));
     all = false;
   };
   check(study.vehicle, study.vehicle_line);

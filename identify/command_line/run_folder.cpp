@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "analysis/diagnostics.h"
+#include "analysis/near_file.h"
 #include "analysis/text_file.h"
 #include "identify/report/run_result.h"
 #include "vehicles/reader/vehicle_file.h"
@@ -61,7 +62,8 @@ std::string WithoutResult(const std::filesystem::path& folder) {
 RunContents ReadResult(const std::filesystem::path& folder, Diagnostics& diagnostics) {
   RunContents run;
   if (!std::filesystem::is_directory(folder)) {
-    diagnostics.Error(folder.string(), 0, "is no folder; give one that `fourpost fit -o` wrote");
+    diagnostics.Error(folder.string(), 0,
+                      "is no folder; give one that `fourpost fit -o` wrote" + DidYouMeanFile(folder));
     return run;
   }
   if (!std::filesystem::exists(folder / kResult)) {

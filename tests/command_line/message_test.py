@@ -164,6 +164,34 @@ class Outputs(ProgramTest):
         self.assertEqual(self.content(), before)
 
 
+class Misspelt(ProgramTest):
+    def test_files_are_guessed(self):
+        self.run_program("init", "car")
+        self.run_program("fit", "car/study.yaml", "-o", "run")
+        self.write("car/run.mat", "")
+        for words, near in ((("info", "car/steped_sine.csv"), "car/stepped_sine.csv"),
+                            (("info", "car/rum.mat"), "car/run.mat"),
+                            (("check", "car/vehicel.urdf"), "car/vehicle.urdf"),
+                            (("fit", "car/studdy.yaml", "-o", "other"), "car/study.yaml"),
+                            (("predict", "run", "--recording", "car/steppedsine.csv"), "car/stepped_sine.csv"),
+                            (("report", "runn"), "run"), (("report", "runn/"), "run")):
+            with self.subTest(words):
+                self.assertIn(f", did you mean '{near}'?", self.run_program(*words, code=3).stderr)
+        study = self.folder / "car/study.yaml"
+        study.write_text(study.read_text().replace("stepped_sine.csv", "steped_sine.csv"))
+        self.assertRegex(self.run_program("fit", "car/study.yaml", "-o", "other", code=3).stderr,
+                         r"there is no file \S*steped_sine.csv, did you mean '\S*car/stepped_sine.csv'\?")
+        # None is near.
+        self.assertNotIn("did you mean", self.run_program("info", "car/landrover.csv", code=3).stderr)
+
+    def test_parameters_are_told(self):
+        self.run_program("init", "car")
+        vehicle = self.folder / "car/vehicle.urdf"
+        vehicle.write_text(vehicle.read_text().replace('"$k"', '"$kq"'))
+        self.assertIn("refers to an unknown parameter 'kq'; there are m_body, m_wheel, k, kt, c_bump, c_rebound",
+                      self.run_program("check", "car/vehicle.urdf", code=3).stderr)
+
+
 class FullDisk(ProgramTest):
     def test_init_leaves_nothing(self):
         """There is room for the vehicle and not for the recording, or for nothing."""

@@ -61,7 +61,8 @@ TEST(ChannelSourceReader, TakesTheSignOfASumForThatOfAll) {
 }
 
 TEST(ChannelSourceReader, RefusesWhatIsWrong) {
-  EXPECT_THAT(Fault("{mean: [b, c], sign: 2}"), HasSubstr("'sign' of 'a' must"));
+  for (const char* sign : {"2", "-2", "left", "1 mm"})
+    EXPECT_THAT(Fault(std::string("{mean: [b, c], sign: ") + sign + "}"), HasSubstr("'sign' of 'a' must be 1 or -1"));
   EXPECT_THAT(Fault("{mean: [b, c], delay: 2 ms}"), HasSubstr("'delay'"));
   EXPECT_THAT(Fault("{mean: [b, c], sum: [b, c]}"), HasSubstr("either the mean or the sum"));
   EXPECT_THAT(Fault("{channel: b, sign: 0.5}"), HasSubstr("study.yaml:1: error: 'sign' of 'a' must be 1 or -1"));

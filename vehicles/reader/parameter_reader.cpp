@@ -290,7 +290,7 @@ Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule,
   if (found == index_.end())
     return Fault(tag, rule.name,
                  "refers to an unknown parameter '" + std::string(reference->name) + "'" +
-                     (faults_.IsShown() ? DidYouMean(reference->name, Names()) : ""));
+                     (faults_.IsShown() ? DidYouMeanOrAll(reference->name, Names()) : ""));
   const Parameter& parameter = parameters_[static_cast<std::size_t>(found->second)];
   if (parameter.dimension != rule.dimension)
     return Fault(tag, rule.name,
