@@ -49,6 +49,9 @@ std::string Bash(const std::vector<CommandRow>& commands) {
       "# bash completion of fourpost\n"
       "_fourpost() {\n"
       "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} options= words=\n"
+      // bash takes the sign of --engine=full for a word of its own.
+      "  if [ \"$word\" = = ]; then word=\n"
+      "  elif [ \"$before\" = = ]; then before=${COMP_WORDS[COMP_CWORD-2]}; fi\n"
       "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
       "    COMPREPLY=($(compgen -W '" +
       Joined(Names(commands), " ") +
@@ -71,9 +74,10 @@ std::string Bash(const std::vector<CommandRow>& commands) {
          "  if [ -n \"$words\" ] && [[ $word != -* ]]; then\n"
          "    COMPREPLY=($(compgen -P \"$list\" -W \"$words\" -- \"${word##*,}\"))\n"
          "  elif [[ $word == -* ]]; then COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n"
-         "  else COMPREPLY=($(compgen -f -- \"$word\")); fi\n"
+         // Else of files, which bash itself knows to quote.
+         "  fi\n"
          "}\n"
-         "complete -o filenames -F _fourpost fourpost\n";
+         "complete -o default -F _fourpost fourpost\n";
 }
 
 /// In _arguments a colon ends a description, and brackets hold it.

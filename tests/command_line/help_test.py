@@ -84,15 +84,55 @@ class Help(ProgramTest):
         return set(outcome.stdout.split())
 
     def test_bash_completes(self):
-        self.write("study.yaml", "")
         self.assertEqual(self.complete("fourpost", "re"), {"response", "report"})
         self.assertEqual(self.complete("fourpost", "fit", "--s"), {"--seed"})
         self.assertEqual(self.complete("fourpost", "response", "--engine", "m"), {"march"})
         self.assertEqual(self.complete("fourpost", "simulate", "--engine", ""), {"condensed", "full"})
-        self.assertEqual(self.complete("fourpost", "fit", "st"), {"study.yaml"})
+        self.assertEqual(self.complete("fourpost", "simulate", "--engine", "="), {"condensed", "full"})
+        self.assertEqual(self.complete("fourpost", "simulate", "--engine", "=", "c"), {"condensed"})
         self.assertEqual(self.complete("fourpost", "compare", "study.yaml", "--methods", "d"), {"dvhde", "direct", "de", "ds"})
         self.assertEqual(self.complete("fourpost", "compare", "study.yaml", "--methods", "gb,dv"), {"gb,dvhde"})
         self.assertEqual(self.complete("fourpost", "completion", ""), {"bash", "zsh", "fish"})
+
+    def typed(self, keys, shows):
+        """What stands on the line of an interactive bash, or is asked by it, after these keys."""
+        import pty
+        import select
+        import time
+        self.write("completion.bash", self.run_program("completion", "bash").stdout)
+        self.write("bashrc", "PS1='> '; bind 'set enable-bracketed-paste off'; . ./completion.bash; "
+                             "fourpost() { printf 'got:'; printf '<%s>' \"$@\"; echo; }\n")
+        leader, follower = pty.openpty()
+        shell = subprocess.Popen(["bash", "--noprofile", "--rcfile", "bashrc", "-i"], cwd=self.folder, stdin=follower,
+                                 stdout=follower, stderr=follower, start_new_session=True,
+                                 env={"PATH": os.environ["PATH"], "TERM": "dumb", "HOME": str(self.folder),
+                                      "INPUTRC": "/dev/null"})
+        os.close(follower)
+        text = ""
+        os.write(leader, keys.encode())
+        end = time.monotonic() + 60
+        while shows not in text and time.monotonic() < end:
+            if select.select([leader], [], [], 0.1)[0]:
+                text += os.read(leader, 10000).decode()
+        shell.kill()
+        shell.wait()
+        os.close(leader)
+        return text
+
+    def test_bash_completes_as_one_types(self):
+        self.write("my study.yaml", "")
+        (self.folder / "runs of may").mkdir()
+        self.write("runs of may/first one.csv", "")
+        for keys, got in (("fit my\t\n", "<fit><my study.yaml>"), ("fit \"my\t\n", "<fit><my study.yaml>"),
+                          ("info ru\tfi\t\n", "<info><runs of may/first one.csv>"),
+                          ("fit x -o ru\t\n", "<fit><x><-o><runs of may/>"),
+                          ("fit --output=ru\t\n", "<fit><--output=runs of may/>"),
+                          ("simulate --engine=c\t\n", "<simulate><--engine=condensed>"),
+                          ("simulate --engine c\t\n", "<simulate><--engine><condensed>"),
+                          ("simulate --amp\t\n", "<simulate><--amplitude>"),
+                          ("compare my\t --methods gb,dv\t\n", "<compare><my study.yaml><--methods><gb,dvhde>")):
+            with self.subTest(keys):
+                self.assertIn("got:" + got, self.typed("fourpost " + keys, "got:" + got))
 
     def test_knows_what_was_meant(self):
         for words, message in ((["fitt", "car/study.yaml", "more"], "fourpost takes no 'fitt', did you mean 'fit'?"),
