@@ -94,14 +94,48 @@ std::vector<std::string> TextsOf(matvar_t& variable) {
   return texts;
 }
 
-/// Of a file of version 5, which matio fills up with zeros: variables are longer than what is there.
+/// Bytes of the variable of version 4 that begins with this head, without it; nothing when it begins none.
+std::optional<std::uintmax_t> LengthOfVersion4(const std::array<unsigned char, 20>& head) {
+  const auto number = [&](std::size_t field, bool swapped) {
+    std::uintmax_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = 256 * value + head[4 * field + (swapped ? i : 3 - i)];
+    return value;
+  };
+  // A type of four digits: the order of bytes, 0, the kind of numbers, the kind of matrix.
+  const bool swapped = number(0, false) >= 1000;
+  const std::uintmax_t type = number(0, swapped) % 1000;
+  constexpr std::array<std::uintmax_t, 6> kBytes = {8, 4, 4, 2, 2, 1};
+  if (number(0, swapped) >= 2000 || type / 10 >= kBytes.size() || type % 10 > 2) return std::nullopt;
+  const std::uintmax_t parts = number(3, swapped) == 0 ? 1 : 2;
+  return number(4, swapped) + number(1, swapped) * number(2, swapped) * kBytes[type / 10] * parts;
+}
+
+/// Of a file of version 4, which has no head: its variables are longer than what is there.
+bool IsVersion4CutShort(std::ifstream& stream, std::uintmax_t size) {
+  std::uintmax_t at = 0;
+  std::array<unsigned char, 20> head{};
+  while (at < size) {
+    if (!stream.seekg(static_cast<std::streamoff>(at)) ||
+        !stream.read(reinterpret_cast<char*>(head.data()), head.size()))
+      return at > 0;
+    const std::optional<std::uintmax_t> length = LengthOfVersion4(head);
+    if (!length) return false;
+    if (*length > size) return true;
+    at += head.size() + *length;
+  }
+  return at > size;
+}
+
+/// Of a file of versions 4 and 5, which matio fills up with zeros: variables are longer than what is there.
 bool IsCutShort(const std::filesystem::path& file) {
   constexpr std::uintmax_t kHeader = 128;
   const std::uintmax_t size = std::filesystem::file_size(file);
   std::ifstream stream(file, std::ios::binary);
   std::array<char, kHeader> header{};
-  if (!stream.read(header.data(), kHeader) || !std::string_view(header.data(), 10).starts_with("MATLAB 5.0"))
-    return false;
+  if (!stream.read(header.data(), kHeader) || !std::string_view(header.data(), 10).starts_with("MATLAB 5.0")) {
+    stream.clear();
+    return IsVersion4CutShort(stream, size);
+  }
   const bool swapped = header[126] == 'M';
   std::uintmax_t at = kHeader;
   std::array<unsigned char, 8> tag{};

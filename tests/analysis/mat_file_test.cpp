@@ -151,6 +151,26 @@ TEST_F(MatFile, TellsTwoVectorsOfOneName) {
   EXPECT_THAT(Faults(file_), HasSubstr("holds two vectors called 'force'"));
 }
 
+TEST_F(MatFile, OfVersion4ThatIsCutShortIsNoRecording) {
+  {
+    MatWriter mat(file_, MAT_FT_MAT4);
+    mat.Add(MatWriter::Column("time", std::vector<double>(1000, 1.0)));
+    mat.Add(MatWriter::Column("force", std::vector<double>(1000, 1.0)));
+  }
+  const std::string whole = ReadText(file_);
+  // Heads of 20 bytes with names, and columns of 8000: within the second column, its name, its head, the first column.
+  for (const std::size_t size : {whole.size() - 1, whole.size() - 4000, whole.size() - 8003, whole.size() - 8010,
+                                 std::size_t{4000}, std::size_t{100}}) {
+    SCOPED_TRACE(size);
+    EXPECT_THAT(Faults(folder_.Write("run.mat", whole.substr(0, size))),
+                HasSubstr("is cut short; save or copy it again"));
+  }
+  // The first alone is a file as well.
+  Diagnostics diagnostics;
+  EXPECT_TRUE(ReadMatFile(folder_.Write("run.mat", whole.substr(0, 20 + 5 + 8000)), diagnostics))
+      << diagnostics.Format();
+}
+
 TEST_F(MatFile, ThatIsCutShortIsNoRecording) {
   Write({MatWriter::Column("force", std::vector<double>(1000, 1.0))});
   std::filesystem::resize_file(file_, std::filesystem::file_size(file_) / 2);
