@@ -22,12 +22,26 @@ namespace {
   throw FaultyInput(faults);
 }
 
+/// As faults of files of these folders, and what to do.
+[[noreturn]] void RefuseTables(const std::vector<std::filesystem::path>& folders, const FaultyInput& fault) {
+  Diagnostics faults;
+  for (const Diagnostic& item : fault.diagnostics().items()) {
+    const bool is_named = std::filesystem::path(item.file).has_parent_path();
+    const bool tells = item.message.find("fit") != std::string::npos;
+    faults.Error(is_named ? item.file : (folders.front() / item.file).string(), item.line,
+                 item.message + (tells ? "" : "; the file is damaged: run `fourpost fit` with -o on its folder again"));
+  }
+  throw FaultyInput(faults);
+}
+
 /// Of one run its report, of several their comparison. Throws FaultyInput.
 std::string PageOf(std::vector<std::pair<std::string, RunContents>> runs,
                    const std::vector<std::filesystem::path>& folders) {
-  if (runs.size() > 1) return ComparisonPage(std::move(runs));
   try {
+    if (runs.size() > 1) return ComparisonPage(std::move(runs));
     return ReportPage(runs.front().second);
+  } catch (const FaultyInput& fault) {
+    RefuseTables(folders, fault);
   } catch (const nlohmann::json::exception& fault) {
     Refuse(folders.front(), NotUnderstood(fault));
   }

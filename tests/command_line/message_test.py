@@ -59,6 +59,15 @@ class Report(ProgramTest):
         self.write("run/result.json", "")
         self.assertIn("is no JSON", self.run_program("report", "run", code=3).stderr)
 
+    def test_names_the_file_that_is_damaged_and_its_remedy(self):
+        self.run_program("fit", "car/study.yaml", "-o", "other")
+        whole = (self.folder / "run/response.csv").read_text()
+        self.write("run/response.csv", whole[:len(whole) // 2])
+        for words in (("run",), ("run", "other", "-o", "both.html")):
+            self.assertRegex(self.run_program("report", *words, code=3).stderr,
+                             r"^run/response.csv:\d+: error: the row has \d+ fields?, the header \d+; the file is "
+                             "damaged: run `fourpost fit` with -o on its folder again\n$")
+
     def test_compares_no_run_with_itself(self):
         for command in (["report", "run", "run/", "-o", "both.html"], ["rank", "run", "run"]):
             self.assertIn("is given twice; a run is not compared with itself",
