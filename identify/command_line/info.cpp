@@ -62,14 +62,25 @@ std::vector<RecordedChannel> BenchChannels(const std::vector<RecordedChannel>& c
              : std::vector<RecordedChannel>();
 }
 
+/// Of a column without a number whether it holds anything else, as "1.000,5".
+bool HoldsText(const RecordedTable& table, const std::string& name) {
+  const std::optional<std::size_t> column = table.FindColumn(name);
+  if (!column) return false;
+  for (std::size_t row = 0; row < table.rows(*column); ++row)
+    if (!table.Text(row, *column).empty()) return true;
+  return false;
+}
+
 /// By the reader that fits use, of channels in a unit that it knows; and by the check of bench recordings.
-std::vector<std::string> Refusals(const std::filesystem::path& file, const RecordingSummary& summary) {
+std::vector<std::string> Refusals(const std::filesystem::path& file, const RecordedTable& table,
+                                  const RecordingSummary& summary) {
   RecordedChannel time = kTimeColumn;
   if (summary.time) time.names = {summary.time->column};
   std::vector<RecordedChannel> wanted;
   for (const ColumnSummary& column : summary.columns)
-    if (column.unit_known && column.missing < column.samples)
+    if (column.unit_known && (column.missing < column.samples || HoldsText(table, column.name)))
       wanted.push_back({{column.name}, ParseRecordedUnit(column.unit)->dimension, "a channel"});
+  if (wanted.empty()) return {};
   const std::vector<RecordedChannel> bench = BenchChannels(wanted);
   if (!bench.empty()) wanted = bench;
   Diagnostics faults;
@@ -86,7 +97,7 @@ std::vector<std::string> Refusals(const std::filesystem::path& file, const Recor
 
 OverTime Look(const std::filesystem::path& file, const RecordedTable& table) {
   OverTime content = {Summarise(table), {}, {}};
-  content.refusals = Refusals(file, content.summary);
+  content.refusals = Refusals(file, table, content.summary);
   for (const ColumnSummary& column : content.summary.columns)
     content.missing_lines.push_back(column.missing > 0 ? table.line(column.first_missing) : 0);
   return content;

@@ -15,6 +15,7 @@
 #include "analysis/nearest.h"
 #include "analysis/output_folder.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/print.h"
 #include "identify/command_line/program.h"
 
 namespace {
@@ -31,7 +32,7 @@ bool IsUsage(const Diagnostics& diagnostics) {
 
 int Guarded(const std::function<int()>& run) {
   const auto tell = [](const std::exception& error, int code) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", WithoutControls(error.what()).c_str());
     return code;
   };
   try {

@@ -6,6 +6,9 @@
 
 namespace fourpost {
 
+/// With '?' for characters that control a terminal, which names in a file may hold; line breaks and tabs stay.
+std::string WithoutControls(std::string text);
+
 /// Tells findings about the user's files on stderr; nothing when there are none.
 void Tell(const Diagnostics& diagnostics);
 

@@ -36,6 +36,27 @@ class Info(ProgramTest):
         self.assertEqual((x["unit_known"], x["clipped_top"], x["remarks"]), (True, 0, []))
         self.assertEqual(off["remarks"], ["unknown unit 'V'", "constant"])
 
+    def test_refuses_a_column_of_text(self):
+        """Marks between thousands make a whole column text, which is told a few times and not for every row."""
+        rows = "".join(f"{k / 100};1.00{k % 7},5\n" for k in range(500)).replace(".0;", ";")
+        told = self.info("r.csv", "time;F\ns;N\n" + rows)
+        self.assertEqual(told["channels"][0]["remarks"], ["no numbers"])
+        self.assertIn("column 'F' has '1.000,5' here", told["refusals"][0])
+        self.assertLess(len(told["refusals"]), 50)
+        self.assertEqual(self.info("r.csv", table([("time", "F"), ("s", "N"), *((k / 100, "") for k in range(50))]))
+                         ["refusals"], [])
+
+    def test_keeps_control_characters_from_the_terminal(self):
+        """ESC turns colours on, or worse; \\x9b is the same in one character."""
+        text = table([("time", "x\x1b[31m\u009b1m\x07"), ("s", "mm"), *((k, k * k % 17) for k in range(50))])
+        self.write("r.csv", text)
+        self.write("s.csv", text.replace("s,mm", "s\x1b[0m,mm") + "1\x1b,2,3\n")
+        self.assertIn("x?[31m??1m?", self.run_program("info", "r.csv").stdout)
+        for name, code in (("r.csv", 0), ("s.csv", 3)):
+            told = self.run_program("info", name, code=code)
+            for character in "\x1b\x07\u009b":
+                self.assertNotIn(character, told.stdout + told.stderr)
+
     def test_is_the_same_in_every_dialect(self):
         head = [("time", "x", "off"), ("s", "mm", "N")]
         plain = self.info("r.csv", table(head + samples()))
