@@ -207,11 +207,10 @@ TEST(OutputFolder, IsUntouchedWhenTheDiskIsFull) {
   OutputFolder output = TwoFiles(temporary.path());
   // The file that is written goes to the device that is always full.
   fs::create_symlink("/dev/full", temporary.path() / "result.json.partial");
-  EXPECT_EQ(
-      OutputErrorOf([&] { output.Commit(); }),
-      temporary.path().string() +
-          ": the results cannot be written (result.json.partial: No space left on device); free some space, or "
-          "name another folder");
+  EXPECT_EQ(OutputErrorOf([&] { output.Commit(); }),
+            temporary.path().string() +
+                ": the results cannot be written (result.json.partial: No space left on device); free some space, or "
+                "name another folder");
   EXPECT_THAT(Names(temporary.path()), UnorderedElementsAre("result.json"));
   EXPECT_EQ(ReadText(temporary.path() / "result.json"), "old");
 }
