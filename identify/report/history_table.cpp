@@ -10,9 +10,6 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// So that each recording takes some megabytes at the most, and a zoom still shows each cycle.
-constexpr std::size_t kMostRows = 50000;
-
 bool HasNumbers(const TimeColumn& column) {
   return std::any_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
 }
@@ -29,10 +26,10 @@ TimeTable TableOf(const CsvTable& table, std::size_t names, std::size_t first, s
   return history;
 }
 
-OrderedJson RecordingJson(const TimeTable& history) {
+OrderedJson RecordingJson(const TimeTable& history, std::size_t most) {
   std::vector<const TimeColumn*> columns;
   for (const TimeColumn& column : history.columns) columns.push_back(&column);
-  const std::set<std::size_t> rows = RowsToShow(columns, history.rows, kMostRows);
+  const std::set<std::size_t> rows = RowsToShow(columns, history.rows, most);
   OrderedJson list = OrderedJson::array();
   for (const TimeColumn& column : history.columns)
     list.push_back({{"name", column.name}, {"unit", column.unit}, {"values", ShownValues(column, rows)}});
@@ -95,9 +92,9 @@ OrderedJson ShownValues(const TimeColumn& column, const std::set<std::size_t>& r
   return values;
 }
 
-OrderedJson HistoriesJson(const std::string& text, const std::string& file, CsvHeader header) {
+OrderedJson HistoriesJson(const std::string& text, const std::string& file, CsvHeader header, std::size_t most) {
   OrderedJson list = OrderedJson::array();
-  for (const TimeTable& history : ReadHistories(text, file, header)) list.push_back(RecordingJson(history));
+  for (const TimeTable& history : ReadHistories(text, file, header)) list.push_back(RecordingJson(history, most));
   return list;
 }
 

@@ -39,9 +39,12 @@ std::set<std::size_t> RowsToShow(const std::vector<const TimeColumn*>& columns, 
 /// Values of these rows.
 nlohmann::ordered_json ShownValues(const TimeColumn& column, const std::set<std::size_t>& rows);
 
-/// The recordings as [{"recording", "columns": [{"name", "unit", "values"}], "rows", "shown_rows"}], up to 50000 rows
+/// So that each recording takes some megabytes at the most, and a zoom still shows each cycle.
+inline constexpr std::size_t kMostHistoryRows = 50000;
+
+/// The recordings as [{"recording", "columns": [{"name", "unit", "values"}], "rows", "shown_rows"}], up to `most` rows
 /// of each. Throws FaultyInput.
 nlohmann::ordered_json HistoriesJson(const std::string& text, const std::string& file,
-                                     CsvHeader header = CsvHeader::kNamesAndUnits);
+                                     CsvHeader header = CsvHeader::kNamesAndUnits, std::size_t most = kMostHistoryRows);
 
 }  // namespace fourpost

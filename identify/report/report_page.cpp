@@ -21,15 +21,19 @@ namespace {
 using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
+/// Of a recording that was not fitted: its table has all channels of the rig, and is for a look.
+constexpr std::size_t kMostRowsUnseen = 20000;
+
 std::vector<ComparedChannel> ChannelsOf(const RunContents& run) {
   const auto file = run.files.find("response.csv");
   if (file == run.files.end()) return {};
   return ReadResponseTable(file->second, "response.csv");
 }
 
-OrderedJson OverTime(const RunContents& run, const std::string& name, CsvHeader header) {
+OrderedJson OverTime(const RunContents& run, const std::string& name, CsvHeader header,
+                     std::size_t most = kMostHistoryRows) {
   const auto file = run.files.find(name);
-  return file == run.files.end() ? OrderedJson::array() : HistoriesJson(file->second, name, header);
+  return file == run.files.end() ? OrderedJson::array() : HistoriesJson(file->second, name, header, most);
 }
 
 OrderedJson ChannelsJson(const std::vector<ComparedChannel>& channels) {
@@ -185,16 +189,21 @@ std::string Body(const Json& result, const std::vector<ComparedChannel>& channel
   // A damper between clamps does nothing worth a picture.
   if (is_shown) body += html::Section("vehicle", "The vehicle on its posts", viewer);
   if (!channels.empty())
-    body += html::Section("responses", "Frequency responses",
-                          Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them.") +
-                              ChannelTableHtml(result)) +
-            html::Section("residuals", "Residuals by band", Drawn("residuals"));
+    body +=
+        html::Section("responses", "Frequency responses",
+                      Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them.") +
+                          ChannelTableHtml(result)) +
+        html::Section("residuals", "Residuals by band",
+                      Drawn("residuals", "The table needs JavaScript; response.csv beside this file has its numbers."));
   if (has_histories)
-    body += html::Section("histories", "Time histories",
-                          Drawn("histories") + (channels.empty() ? ChannelTableHtml(result) : ""));
+    body += html::Section(
+        "histories", "Time histories",
+        Drawn("histories", "The charts need JavaScript; history.svg and validation.svg beside this file show them.") +
+            (channels.empty() ? ChannelTableHtml(result) : ""));
   if (has_bench)
     body += html::Section("bench", "Damper bench",
-                          Drawn("bench") + (channels.empty() && !has_histories ? ChannelTableHtml(result) : ""));
+                          Drawn("bench", "The charts need JavaScript; bench.csv beside this file has their numbers.") +
+                              (channels.empty() && !has_histories ? ChannelTableHtml(result) : ""));
   if (const std::string loads = StaticLoadTableHtml(result); !loads.empty())
     body += html::Section("loads", "Static loads", loads);
   body += Determination(result, why_no_deviations);
@@ -218,18 +227,20 @@ std::string ReportPage(const RunContents& run) {
   std::string scene_fault;
   const OrderedJson scene = SceneOf(result, channels, run, scene_fault);
   const OrderedJson histories = OverTime(run, "history.csv", CsvHeader::kNamesAndUnits);
+  const OrderedJson validation = OverTime(run, "validation.csv", CsvHeader::kNamesAndUnits, kMostRowsUnseen);
   const OrderedJson bench = OverTime(run, "bench.csv", CsvHeader::kNames);
 
   const std::string body =
       Header(result) + "<nav id=\"contents\"></nav>\n<main>\n" +
       html::Section("summary", "Summary", SummaryHtml(result, parameters, channels)) +
       html::Section("parameters", "Parameters", ParameterTableHtml(parameters, why) + Profiles(result, run)) +
-      Body(result, channels, scene, scene_fault, !histories.empty(), !bench.empty(), why) + "</main>\n" +
-      PageFooter("the files in the folder of the fit");
+      Body(result, channels, scene, scene_fault, !histories.empty() || !validation.empty(), !bench.empty(), why) +
+      "</main>\n" + PageFooter("the files in the folder of the fit");
   const OrderedJson data = {{"result", OrderedJson(result)},
                             {"responses", ChannelsJson(channels)},
                             {"scene", scene},
                             {"histories", histories},
+                            {"validation", validation},
                             {"bench", bench}};
   const std::string text = data.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   return ReportDocument(TextAt(result, "vehicle") + " \u2013 fourpost report", body, text);

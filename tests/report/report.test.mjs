@@ -4,7 +4,7 @@ import { readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { launch, open } from './browser.mjs';
-import { coloured, measuredColour, modelColour } from './canvas.mjs';
+import { colouredHeight, coloured, measuredColour, modelColour } from './canvas.mjs';
 import { compare } from './picture.mjs';
 import { changed, fitted } from './runs.mjs';
 
@@ -28,14 +28,13 @@ describe('the report of a fit to frequency responses', () => {
     const page = await open(browser, report);
     assert.deepEqual(page.faults, []);
     assert.equal(await page.title(), 'landrover110_linkage \u2013 fourpost report');
-    for (const id of ['summary', 'parameters', 'vehicle', 'responses', 'residuals', 'loads', 'determination', 'modes', 'search'])
+    for (const id of ['summary', 'parameters', 'vehicle', 'responses', 'residuals', 'histories', 'loads', 'determination', 'modes', 'search'])
       assert.equal(await page.locator(`section#${id}`).count(), 1, id);
     await page.context().close();
   });
 
   test('is no larger than it may be', () => {
-    const { responses, scene, result } = JSON.parse(dataOf(report));
-    const data = JSON.stringify({ responses, scene, result }).length;
+    const data = JSON.stringify(JSON.parse(dataOf(report))).length;
     // Beside its data: the bundle, and the tables as text.
     assert.ok(statSync(report).size - data < 720_000, `${statSync(report).size} bytes of which ${data} are data`);
   });
@@ -78,6 +77,92 @@ describe('the report of a fit to frequency responses', () => {
     const frequencies = new Set(readings.map((text) => /^([\d.]+) Hz: \S+ for \S+ dB, \S+ for \S+\u00b0(, \S+ for \S+ mm)?$/.exec(text)?.[1]));
     assert.equal(frequencies.size, 1, readings.join('\n'));
     assert.ok(![...frequencies].includes(undefined), readings[0]);
+    await page.context().close();
+  });
+
+  test('reads above the names, which stay, as all charts do', async () => {
+    const page = await open(browser, report, { width: 1240 });
+    const first = page.locator('#responses .u-over').first();
+    await first.scrollIntoViewIfNeeded();
+    const boxes = (what) => page.locator(`#responses ${what}`).evaluateAll((all) => all.map((one) => one.getBoundingClientRect().toJSON()));
+    const before = await boxes('.chart');
+    const box = await first.boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    const readings = await boxes('.reading');
+    assert.ok(readings.every(({ width }) => width > 100), 'all channels are read');
+    assert.deepEqual(await boxes('.chart'), before);
+    const words = [...(await boxes('h3 code')), ...(await boxes('canvas')), ...(await boxes('.note'))];
+    for (const reading of readings) for (const other of words) assert.ok(areApart(reading, other), JSON.stringify([reading, other]));
+    await page.context().close();
+  });
+
+  test('zooms to what is in view, and back', async () => {
+    const page = await open(browser, report);
+    const over = page.locator('#responses .u-over').first();
+    const canvas = page.locator('#responses canvas').first();
+    await over.scrollIntoViewIfNeeded();
+    const box = await over.boundingBox();
+    const whole = await colouredHeight(canvas, modelColour, 0);
+    // The curve falls towards high frequencies: of half of them it fills the whole height only when that follows.
+    const height = await colouredHeight(canvas, modelColour, 0.55);
+    await page.mouse.move(box.x + 0.55 * box.width, box.y + 30);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.99 * box.width, box.y + 30, { steps: 4 });
+    await page.mouse.up();
+    await page.mouse.move(5, 5);
+    const zoomed = await colouredHeight(canvas, modelColour, 0);
+    assert.ok(zoomed > 1.15 * height, `${zoomed} after ${height}`);
+    await page.mouse.dblclick(box.x + 0.5 * box.width, box.y + 30);
+    await page.mouse.move(5, 5);
+    assert.equal(await colouredHeight(canvas, modelColour, 0), whole, 'a double click goes back');
+    assert.equal(await colouredHeight(canvas, modelColour, 0.55), height, 'of frequency too');
+    await page.context().close();
+  });
+
+  test('tells residuals of the fitted band from its rows alone', async () => {
+    const page = await open(browser, report);
+    const rows = await page.locator('#residuals table').first().locator('tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => [cell.textContent, cell.classList.contains('unfitted')])));
+    assert.deepEqual(rows[0].slice(1), [['0.5\u20131', false], ['1\u20132', false], ['2\u20134', false], ['4\u20138', false], ['8\u201312', false], ['12\u201316', true], ['16\u201332', true]]);
+    const [names, ...table] = readFileSync(join(run, 'response.csv'), 'utf8').trim().split('\n').map((row) => row.split(','));
+    const edges = [0.5, 1, 2, 4, 8, 12, 16, 32];
+    for (const [[channel], ...cells] of rows.slice(1))
+      cells.forEach(([text, unfitted], k) => {
+        const squares = table
+          .map((row) => Object.fromEntries(row.map((value, i) => [names[i], value])))
+          .filter((row) => row.recording === 'bounce' && row.channel === channel && +row.frequency_Hz >= edges[k] && +row.frequency_Hz < edges[k + 1])
+          .map((row) => {
+            assert.equal(row.in_band, unfitted ? '0' : '1');
+            const [size, turn] = [row.gain_modelled / row.gain_measured, ((row.phase_modelled_deg - row.phase_measured_deg) * Math.PI) / 180];
+            return (size * Math.cos(turn) - 1) ** 2 + (size * Math.sin(turn)) ** 2;
+          });
+        const percent = 100 * Math.sqrt(squares.reduce((a, b) => a + b, 0) / squares.length);
+        // As it is written: a decimal below 10 %; and the last of six digits of the data.
+        assert.ok(Math.abs(Number(text) - percent) < (percent < 10 ? 0.051 : 0.51), `${channel}, ${edges[k]} Hz: ${text} for ${percent}`);
+      });
+    await page.context().close();
+  });
+
+  test('draws what was kept for validation, told as such', async () => {
+    const page = await open(browser, report);
+    const charts = page.locator('#histories .chart');
+    assert.equal(await charts.count(), 11);
+    for (let k = 0; k < 11; ++k)
+      for (const colour of [measuredColour, modelColour]) assert.ok((await coloured(charts.nth(k).locator('canvas'), colour)) > 300, `chart ${k}`);
+    assert.match(await page.locator('#histories').textContent(), /bounce_sweep: not seen by the fit\. .*\d+ of 29933 samples are shown/);
+    assert.match(await charts.first().textContent(), /NMSE [\d.]+ %/);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+
+  test('says how large a mode is drawn, and what 0 dB is', async () => {
+    const page = await open(browser, report);
+    const caption = page.locator('.viewer .caption');
+    const size = async () => Number(/, drawn with ([\d.]+) mm at the most/.exec(await caption.textContent())?.[1]);
+    const before = await size();
+    await page.locator('input[aria-label=exaggeration]').fill('0.5');
+    // Of the slider's 4^0.5; both at two digits.
+    assert.ok(Math.abs((await size()) / before - 2) < 0.1, `${before} before ${await size()}`);
+    assert.match(await page.locator('#responses .note').first().textContent(), /0 dB: accelerations as large as that of the post, lengths as large as its motion, forces of 1 N per m of its motion\./);
     await page.context().close();
   });
 
@@ -132,6 +217,7 @@ describe('the report of a fit to frequency responses', () => {
     // Eleven channels that were fitted, and eleven of the swept sine that was not.
     assert.equal(await page.locator('#responses tbody tr').count(), 22);
     assert.equal(await page.locator('#modes tbody tr').count(), 4);
+    for (const id of ['responses', 'residuals', 'histories']) assert.match(await page.locator(`#${id} noscript`).textContent(), /JavaScript/, id);
     await page.context().close();
   });
 
@@ -343,6 +429,26 @@ describe('reports of other runs', () => {
     assert.equal(await page.locator('#parameters tbody tr').count(), 12);
     assert.equal(await page.locator('#responses canvas').count(), canvasCount);
     await page.context().close();
+  });
+
+  test('a run of a newer version shows what is understood', async () => {
+    for (const [name, change] of [
+      ['unknown kinds', (result) => { result.termination = 'exhausted'; result.parameters = Object.fromEntries(result.parameters.map((one) => [one.name, one])); result.versions = { fourpost: '9.9.9' }; }],
+      ['lists of nothing', (result) => { result.identifiability.correlation = [null]; result.starts.runs = [null, {}, { cost: 1, values: 3 }]; result.search.log = [null, 1]; result.channels = [null]; result.validation = {}; result.band_Hz = 12; }],
+      ['objects for lists', (result) => { result.identifiability.correlation = {}; result.starts.runs = {}; result.search.log = {}; result.channels = {}; result.validation = 1; result.band_Hz = {}; }],
+    ]) {
+      const file = changed(run, name, ({ read, write }) => {
+        const result = JSON.parse(read('result.json'));
+        change(result);
+        write('result.json', JSON.stringify(result));
+      });
+      const page = await open(browser, file);
+      assert.deepEqual(page.faults, [], name);
+      assert.equal(await page.locator('#responses canvas').count(), canvasCount);
+      assert.doesNotMatch(await page.locator('main').textContent(), /could not be drawn/);
+      for (const section of await page.locator('main > section').all()) assert.ok((await section.locator(':scope > :not(h2)').allTextContents()).join('') || (await section.locator('canvas').count()), await section.getAttribute('id'));
+      await page.context().close();
+    }
   });
 
   test('an interrupted run without its vehicle shows the rest', async () => {

@@ -2,7 +2,7 @@ import uPlot from 'uplot';
 import { chart, curve, linearAxis } from './chart.js';
 import { choice, el } from './dom.js';
 import { legend } from './legend.js';
-import { extent, shown } from './number.js';
+import { extent, listOf, shown } from './number.js';
 import { colours } from './theme.js';
 
 const column = (recording, name) => recording.columns.find((candidate) => candidate.name === name)?.values;
@@ -90,7 +90,7 @@ export function overTime(place, recording) {
 
 /** How far the fit is off in a recording, and whether it has seen it. */
 function misfitOf(result, name) {
-  const find = (key) => (result[key] ?? []).find((entry) => entry.recording === name && entry.nmse_percent != null);
+  const find = (key) => listOf(result[key]).find((entry) => entry?.recording === name && entry.nmse_percent != null);
   const entry = find('channels') ?? find('validation');
   return entry ? `NMSE ${shown(entry.nmse_percent, 3)} %, ${find('channels') ? 'fitted' : 'not seen by the fit'}` : '';
 }

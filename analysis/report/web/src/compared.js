@@ -4,7 +4,7 @@ import { choice, el } from './dom.js';
 import { card as historyCard, readable } from './histories.js';
 import { legend } from './legend.js';
 import { extent } from './number.js';
-import { card as responseCard } from './responses.js';
+import { card as responseCard, zeroDecibel } from './responses.js';
 import { runLine } from './theme.js';
 
 /** Of several runs what was measured is in the colour of the text. */
@@ -61,7 +61,7 @@ export function drawComparedResponses(place, { comparison: { runs, bands, respon
   const only = responses.every(({ recording }) => recording === responses[0].recording);
   const of = only ? `Recording ${responses[0].recording}. ` : '';
   const outside = shaded.length ? [['patch', 'line', shaded.length > 1 ? 'not fitted by some, darkest: by none' : 'not fitted']] : [];
-  place.append(legendOf('dot', responses, runs, ...outside), el('p', { class: 'note' }, `${of}Gain in dB, phase in degrees and mean offset in mm over frequency in Hz. The cursor reads the runs in turn for measured.${left}`), charts);
+  place.append(legendOf('dot', responses, runs, ...outside), el('p', { class: 'note' }, `${of}Gain in dB, phase in degrees and mean offset in mm over frequency in Hz. ${zeroDecibel(responses.map(({ unit }) => unit))} The cursor reads the runs in turn for measured.${left}`), charts);
   show();
 }
 

@@ -1,7 +1,7 @@
 import { chart, curve, linearAxis, logAxis } from './chart.js';
 import { el } from './dom.js';
 import { legend } from './legend.js';
-import { extent, shown } from './number.js';
+import { extent, listOf, shown } from './number.js';
 
 function drawLog(place, log) {
   const x = log.map((entry) => entry.evaluations);
@@ -41,10 +41,11 @@ function drawLog(place, log) {
 
 /** Where each refinement ended, parameter by parameter, between the bounds. */
 export function drawAgreement(place, { result }) {
-  const runs = (result.starts?.runs ?? []).filter((run) => run.cost != null && run.values);
-  if (runs.length < 2) return;
+  const parameters = listOf(result.parameters);
+  const runs = listOf(result.starts?.runs).filter((run) => Number.isFinite(run?.cost) && run.values?.length === parameters.length);
+  if (runs.length < 2 || !parameters.length) return;
   const share = (parameter, value) => `${(100 * Math.min(1, Math.max(0, (value - parameter.lower) / (parameter.upper - parameter.lower)))).toFixed(2)}%`;
-  const rows = (result.parameters ?? []).map((parameter, i) =>
+  const rows = parameters.map((parameter, i) =>
     el(
       'tr',
       {},
@@ -80,6 +81,6 @@ export function drawAgreement(place, { result }) {
 
 /** Best cost and diversity over the search's evaluations. */
 export function drawConvergence(place, data) {
-  const log = (data.result.search?.log ?? []).filter((entry) => entry.best_cost != null);
+  const log = listOf(data.result.search?.log).filter((entry) => entry?.best_cost != null);
   if (log.length > 1) drawLog(place, log);
 }

@@ -1,5 +1,5 @@
 import { el, svg } from './dom.js';
-import { fixed } from './number.js';
+import { fixed, listOf } from './number.js';
 
 /** Orange for +1, blue for -1, the ground for 0. */
 function fill(value) {
@@ -9,9 +9,9 @@ function fill(value) {
 
 /** The lower triangle of the correlations; names at the left and, slanted, on the diagonal. */
 export function drawCorrelation(place, data) {
-  const matrix = data.result.identifiability?.correlation;
-  const names = (data.result.parameters ?? []).map((parameter) => parameter.name);
-  if (!matrix || matrix.length !== names.length || names.length < 2) return;
+  const matrix = listOf(data.result.identifiability?.correlation);
+  const names = listOf(data.result.parameters).map((parameter) => String(parameter?.name));
+  if (matrix.length !== names.length || names.length < 2 || !matrix.every((row) => row?.length === names.length)) return;
   const n = names.length;
   const side = Math.max(10, Math.min(36, 880 / n));
   const letters = Math.max(...names.map((name) => name.length));

@@ -2,7 +2,7 @@ import uPlot from 'uplot';
 import { chart, curve, linearAxis } from './chart.js';
 import { choice, el } from './dom.js';
 import { legend } from './legend.js';
-import { extent, fixed, shown } from './number.js';
+import { extent, fixed, listOf, shown } from './number.js';
 import { onPlayhead, playheadLine, put } from './playhead.js';
 
 /** Units as a chassis engineer reads them: [factor, unit]. */
@@ -79,7 +79,8 @@ export function busiest(time, channels) {
 
 /** Measured and modelled time histories of one recording; dragging zooms all of them. */
 export function drawHistories(place, data) {
-  const recordings = data.histories;
+  const unseen = listOf(data.validation);
+  const recordings = [...data.histories, ...unseen];
   const charts = el('div', { class: 'charts wide' });
   const note = el('p', { class: 'note' });
   let part = 'all';
@@ -90,7 +91,7 @@ export function drawHistories(place, data) {
     const time = recording.columns.find((column) => column.name === 'time').values;
     const sync = uPlot.sync(`history ${name}`);
     const misfit = (channel) =>
-      (data.result.channels ?? []).find((entry) => entry.recording === name && entry.name === channel.name);
+      listOf(unseen.includes(recording) ? data.result.validation : data.result.channels).find((entry) => entry?.recording === name && entry.name === channel.name);
     const channels = channelsOf(recording);
     const cards = channels.map((channel) => card(name, channel, time, misfit(channel), sync));
     charts.replaceChildren(...cards.map(({ box }) => box));
@@ -105,18 +106,18 @@ export function drawHistories(place, data) {
       recording.shown_rows < recording.rows
         ? ` ${recording.shown_rows} of ${recording.rows} samples are shown, the extremes of each stretch.`
         : '';
-    note.textContent = `Over time in s. Drag to zoom all, double click to go back.${thinned}`;
+    note.textContent = `${recording.recording}: ${unseen.includes(recording) ? 'not seen by the fit' : 'fitted'}. Over time in s. Drag to zoom all, double click to go back.${thinned}`;
   };
   const names = recordings.map((recording) => recording.recording);
   place.append(
     el(
       'div',
       { class: 'controls' },
-      names.length > 1 ? choice('recording', names.map((name) => [name, name]), names[0], redraw) : null,
+      names.length > 1 ? choice('recording', recordings.map((one) => [one.recording, unseen.includes(one) ? `${one.recording}, not seen by the fit` : one.recording]), names[0], redraw) : null,
       choice('stretch', [['all', 'all of it'], ['close', 'where most happens']], part, (chosen) => { part = chosen; show(); }),
     ),
   );
-  place.append(legend(['line', 'measured', 'measured'], ['line', 'model', 'fit']), note, charts);
+  place.append(legend(['line', 'measured', 'measured'], ['line', 'model', unseen.length ? 'model' : 'fit']), note, charts);
   redraw(names[0]);
   onPlayhead(() => follow());
 }

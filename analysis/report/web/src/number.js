@@ -34,6 +34,9 @@ function power(value, digits) {
 
 export const decibel = (gain) => (gain > 0 ? 20 * Math.log10(gain) : null);
 
+/** A list of a result; nothing where it is none, as in a result of another version. */
+export const listOf = (value) => (Array.isArray(value) ? value : []);
+
 /** Least and greatest of numbers that may be null; nothing when there is none. */
 export function extent(...lists) {
   let least = Infinity;

@@ -40,9 +40,14 @@ function drawContents() {
   mark();
 }
 
+/** Sections in which neither the program nor the scripts had anything to show. */
+function removeEmpty() {
+  const isEmpty = (element) => element.matches('h2, noscript') || (element.matches('.drawn') && [...element.children].every(isEmpty));
+  for (const section of document.querySelectorAll('main > section')) if ([...section.children].every(isEmpty)) section.remove();
+}
+
 const data = JSON.parse(document.getElementById('data').textContent);
 startTheme();
-drawContents();
 for (const place of document.querySelectorAll('[data-draw]')) {
   try {
     drawers[place.dataset.draw](place, data);
@@ -52,3 +57,5 @@ for (const place of document.querySelectorAll('[data-draw]')) {
     place.append(el('p', { class: 'note' }, `This part could not be drawn: ${error.message}`));
   }
 }
+removeEmpty();
+drawContents();

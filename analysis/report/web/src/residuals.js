@@ -1,5 +1,8 @@
 import { choice, el } from './dom.js';
-import { fixed, shown } from './number.js';
+import { extent, fixed, listOf, shown } from './number.js';
+
+/** Frequencies that differ by less are the same: files have six digits. */
+const near = 1e-6;
 
 /** Relative error of the phasor, |model / measurement - 1|. */
 function relativeError(channel, i, model) {
@@ -9,22 +12,37 @@ function relativeError(channel, i, model) {
   return Number.isFinite(error) && channel[`gain_${model}`][i] != null ? error : null;
 }
 
-/** Octaves that hold frequencies: [lower, upper]. */
-function octaves(channels) {
-  const all = new Set(channels.flatMap((channel) => channel.frequency_Hz.map((f) => Math.floor(Math.log2(f) + 1e-9))));
-  return [...all].sort((a, b) => a - b).map((k) => [2 ** k, 2 ** (k + 1)]);
+/** The band [Hz] of the fit; of an older result, what its rows in the band span. Null: nothing was fitted. */
+export function fittedBand(told, channels) {
+  if (listOf(told).length === 2 && told.every((f) => Number.isFinite(f))) return told;
+  return extent(channels.flatMap((channel) => channel.frequency_Hz.filter((f, i) => channel.in_band[i])));
 }
 
-function rms(channel, [low, high], model) {
-  let sum = 0;
-  let count = 0;
-  channel.frequency_Hz.forEach((f, i) => {
-    const error = f >= low * 0.999999 && f < high * 0.999999 ? relativeError(channel, i, model) : null;
-    if (error == null) return;
-    sum += error * error;
-    ++count;
+/** Octaves that hold frequencies, parted at the edges of the band: {low, high, fitted} [Hz], each with rows in it. */
+export function bandsOf(channels, band) {
+  const octaves = [...new Set(channels.flatMap((channel) => channel.frequency_Hz.map((f) => Math.floor(Math.log2(f) + 1e-9))))].sort((a, b) => a - b);
+  const parts = octaves.flatMap((k) => {
+    const inside = (band ?? []).filter((edge) => edge > 2 ** k * (1 + near) && edge < 2 ** (k + 1) * (1 - near));
+    const edges = [2 ** k, ...inside, 2 ** (k + 1)];
+    return edges.slice(1).map((high, i) => ({ low: edges[i], high, fitted: band != null && edges[i] > band[0] * (1 - near) && high < band[1] * (1 + near) }));
   });
-  return count ? Math.sqrt(sum / count) : null;
+  return parts.filter((part) => channels.some((channel) => rowsOf(channel, part, band).length));
+}
+
+/** Rows of a channel: of a fitted part those that the fit has seen, of another one the others. */
+function rowsOf(channel, { low, high, fitted }, band) {
+  // The band has its last frequency, an octave has not.
+  const last = fitted && high > band[1] * (1 - near) ? high * (1 + near) : high * (1 - near);
+  return [...channel.frequency_Hz.keys()].filter((i) => {
+    const f = channel.frequency_Hz[i];
+    return channel.in_band[i] === fitted && f >= low * (1 - near) && f < last;
+  });
+}
+
+/** Relative error of a channel over a part of the band; null where there is none. */
+export function errorOver(channel, part, band, model) {
+  const errors = rowsOf(channel, part, band).map((i) => relativeError(channel, i, model)).filter((error) => error != null);
+  return errors.length ? Math.sqrt(errors.reduce((sum, error) => sum + error * error, 0) / errors.length) : null;
 }
 
 function cell(value, fitted) {
@@ -39,15 +57,14 @@ function cell(value, fitted) {
   );
 }
 
-function table(recording, channels, bands, fitBand, model) {
-  const isFitted = ([low, high]) => high > fitBand[0] * 1.001 && low < fitBand[1] * 0.999;
-  const head = bands.map((band) => el('th', { class: `n${isFitted(band) ? '' : ' unfitted'}` }, `${shown(band[0], 2)}\u2013${shown(band[1], 2)}`));
+function table(recording, channels, parts, band, model) {
+  const head = parts.map(({ low, high, fitted }) => el('th', { class: `n${fitted ? '' : ' unfitted'}` }, `${shown(low, 3)}\u2013${shown(high, 3)}`));
   const rows = channels.map((channel) =>
     el(
       'tr',
       {},
       el('td', {}, el('code', {}, channel.name)),
-      ...bands.map((band) => cell(rms(channel, band, model), isFitted(band))),
+      ...parts.map((part) => cell(errorOver(channel, part, band, model), part.fitted)),
     ),
   );
   return el(
@@ -57,21 +74,21 @@ function table(recording, channels, bands, fitBand, model) {
   );
 }
 
-/** Relative error by octave, a table per recording. */
+/** Relative error by octave and band, a table per recording. */
 export function drawResiduals(place, data) {
-  const bands = octaves(data.responses);
-  const fitBand = data.result.band_Hz ?? [0, Infinity];
+  const band = fittedBand(data.result.band_Hz, data.responses);
+  const parts = bandsOf(data.responses, band);
   const recordings = [...new Set(data.responses.map((channel) => channel.recording))];
   const hasStart = data.responses.some((channel) => channel.gain_start?.some((value) => value != null));
   const tables = el('div', { class: 'tables' });
   const redraw = (model) =>
     tables.replaceChildren(
       ...recordings.map((name) =>
-        table(name, data.responses.filter((channel) => channel.recording === name), bands, fitBand, model),
+        table(name, data.responses.filter((channel) => channel.recording === name), parts, band, model),
       ),
     );
   place.append(
-    el('p', { class: 'note' }, 'Root mean square of |model / measurement \u2212 1| in percent, gain and phase together, by octave. Grey: not fitted.'),
+    el('p', { class: 'note' }, 'Root mean square of |model / measurement \u2212 1| in percent, gain and phase together, by octave, parted at the edges of the fitted band. Grey: not fitted.'),
   );
   if (hasStart) place.append(el('div', { class: 'controls' }, choice('model', [['modelled', 'fit'], ['start', 'start']], 'modelled', redraw)));
   place.append(tables);

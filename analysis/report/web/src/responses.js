@@ -1,7 +1,9 @@
 import uPlot from 'uplot';
 import { chart, curve, dots, errorBars, frequencyAxis, linearAxis, outside } from './chart.js';
 import { choice, el, tick } from './dom.js';
+import { readable } from './histories.js';
 import { legend } from './legend.js';
+import { fittedBand } from './residuals.js';
 import { decibel, extent, fixed, shown } from './number.js';
 
 /** What the bars reach to, in standard deviations: 95 % of a normal distribution. */
@@ -58,9 +60,9 @@ function meanOf(channel) {
   return { measured: scaled(channel.mean_measured), lines, low: none, high: none, unit: factor === 1 ? channel.unit : 'mm' };
 }
 
-/** A range around the values, at least this wide. */
-function rangeOf(part, least) {
-  const [low, high] = extent(part.measured, ...part.lines.map((line) => line.values)) ?? [0, 1];
+/** A range around least and greatest of what is in view, or of all where nothing is, at least this wide. */
+function rangeOf(part, least, inView) {
+  const [low, high] = inView.every(Number.isFinite) ? inView : extent(part.measured, ...part.lines.map((line) => line.values)) ?? [0, 1];
   const margin = Math.max(0.06 * (high - low), (least - (high - low)) / 2);
   return [low - margin, high + margin];
 }
@@ -74,7 +76,7 @@ function panel(place, height, series, part, { steps, least, labelled, bands, syn
     () => ({
       scales: {
         x: { time: false, distr: 3, range: (u, min, max) => (min === low && max === high ? [low / edge, high * edge] : [min, max]) },
-        y: { range: () => rangeOf(part, least) },
+        y: { range: (u, ...inView) => rangeOf(part, least, inView.slice(0, 2)) },
       },
       axes: [frequencyAxis(labelled), linearAxis({ steps })],
       series: [
@@ -146,12 +148,18 @@ function linesOf(channel, withStart) {
   return withStart ? [start, fit] : [fit];
 }
 
+/** What 0 dB stands for, by the units of the channels: accelerations are told over that of the post, all else over its motion. */
+export function zeroDecibel(units) {
+  const known = { 'm/s^2': 'accelerations as large as that of the post', m: 'lengths as large as its motion', N: 'forces of 1 N per m of its motion' };
+  return `0 dB: ${[...new Set(units)].map((unit) => known[unit] ?? `1 ${readable(unit)[1]} per m of its motion`).join(', ')}.`;
+}
+
 /** Bode charts of every channel of one recording, with one cursor for all. */
 export function drawResponses(place, data) {
   const recordings = [...new Set(data.responses.map((channel) => channel.recording))];
   const hasStart = data.responses.some((channel) => channel.gain_start?.some((value) => value != null));
   const hasBars = data.responses.some((channel) => channel.gain_sd?.some((value) => value != null));
-  const band = data.result.band_Hz ?? [0, Infinity];
+  const band = fittedBand(data.result.band_Hz, data.responses) ?? [0, 0];
   const state = { recording: recordings[0], start: hasStart };
   const charts = el('div', { class: 'charts' });
 
@@ -186,7 +194,7 @@ export function drawResponses(place, data) {
       ...(hasStart ? [['dash', 'start', 'start']] : []),
       ['patch', 'line', 'not fitted'],
     ),
-    el('p', { class: 'note' }, 'Gain in dB, phase in degrees and, where it was measured, mean offset in mm, over frequency in Hz. The cursor reads fit for measured. Drag to zoom all, double click to go back.'),
+    el('p', { class: 'note' }, `Gain in dB, phase in degrees and, where it was measured, mean offset in mm, over frequency in Hz. ${zeroDecibel(data.responses.map(({ unit }) => unit))} The cursor reads fit for measured. Drag to zoom all, double click to go back.`),
     charts,
   );
   redraw();

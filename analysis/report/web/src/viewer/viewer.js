@@ -178,9 +178,11 @@ class Viewer {
     if (!this.chosen) return 'In its design pose.';
     const missing = this.scene.missing.length ? ' Some meshes could not be read.' : '';
     if (this.chosen.kind === 'mode') {
+      // A mode has a shape and no size.
+      const size = `drawn with ${shown(1000 * share * this.stage.size * this.strength, 2)} mm at the most`;
       const { name, frequency_Hz, kind } = this.chosen.mode;
       const words = kind === 'oscillating' ? '' : `, ${kind}`;
-      return `${name}, ${shown(frequency_Hz, 3)} Hz${words}${this.#slower(frequency_Hz)}${missing}`;
+      return `${name}, ${shown(frequency_Hz, 3)} Hz${words}, ${size}${this.#slower(frequency_Hz)}${missing}`;
     }
     const larger = `motion drawn ${shown(this.factor * this.strength, 2)} times as large`;
     if (this.overTime) return `${this.chosen.name} at ${fixed(this.time, 2)} s, in real time, ${shown(this.chosen.motion.rate_Hz, 2)} frames a second, ${larger}${missing}`;
