@@ -155,7 +155,10 @@ TEST(SvgChart, TitlesPanelsAndLetsTheLastRowEndEarly) {
   const std::string text = SvgText(sheet);
   EXPECT_THAT(text, HasSubstr(">one<"));
   // Over the second column.
-  EXPECT_THAT(text, HasSubstr("<text x=\"264\" y=\"109\" fill=\"#222\"><tspan font-weight=\"bold\">two<"));
+  EXPECT_THAT(text, HasSubstr("<text x=\"264\" y=\"89\" fill=\"#222\"><tspan font-weight=\"bold\">two<"));
+  // The note takes a line.
+  sheet.note = "said";
+  EXPECT_THAT(SvgText(sheet), HasSubstr("<text x=\"264\" y=\"109\" fill=\"#222\"><tspan font-weight=\"bold\">two<"));
   sheet.rows[1].panels = {panel, panel, panel};
   EXPECT_THROW(SvgText(sheet), std::invalid_argument);
 }
