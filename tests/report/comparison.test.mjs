@@ -74,7 +74,7 @@ describe('a comparison of runs', () => {
   });
 
   test('shows a hostile name as text', async () => {
-    const folder = join(changed(run, 'hostile run', ({ read, write }) => {
+    const makeHostile = ({ read, write }) => {
       const result = JSON.parse(read('result.json'));
       // Of a path the end is the name.
       result.study = '<b class="hostile">x';
@@ -84,8 +84,9 @@ describe('a comparison of runs', () => {
       write('result.json', JSON.stringify(result));
       const quoted = `"${hostile.replaceAll('"', '""')}"`;
       write('response.csv', read('response.csv').replaceAll('a_body_front', quoted).replaceAll(/^bounce/gm, quoted));
-    }), '..');
-    const page = await open(browser, compared('hostile comparison', folder, folder));
+    };
+    const folders = ['hostile run', 'another hostile run'].map((name) => join(changed(run, name, makeHostile), '..'));
+    const page = await open(browser, compared('hostile comparison', ...folders));
     assert.deepEqual(page.faults, []);
     assert.equal(await page.locator('.hostile').count(), 0, 'no element comes of a name');
     assert.match(await page.locator('#responses .legend span').nth(1).textContent(), /<b class="hostile">x/);
