@@ -79,14 +79,15 @@ std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const VehicleObj
 }
 
 /// The model's own derivatives may be good enough for steps only: differences end what they began, and tell deviations.
+/// `report_and_ask` is called between the steps, `stop` within them.
 RefineResult Polished(Archive& archive, const RefineResult& best, RefineOptions options,
-                      const std::function<bool()>& stop) {
+                      const std::function<bool()>& report_and_ask, const std::function<bool()>& stop) {
   if (options.differences != Differences::kAutomatic || !archive.problem().differentiate || stop()) return best;
   options.differences = Differences::kCentral;
   archive.StopBatches(stop);
   RefineResult polished = best;
   try {
-    polished = Refine(archive, best.values, options, stop);
+    polished = Refine(archive, best.values, options, report_and_ask);
   } catch (const BatchStopped&) {
   }
   archive.StopBatches({});
@@ -223,7 +224,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   if (refined.best >= 0) {
     begin("deviations");
     const RefineResult best =
-        Polished(archive, refined.runs[static_cast<std::size_t>(refined.best)], options.refine, report_and_ask);
+        Polished(archive, refined.runs[static_cast<std::size_t>(refined.best)], options.refine, report_and_ask, stop);
     values = best.values;
     result.cost = best.cost;
     result.end = EndOf(best, stop());

@@ -23,7 +23,7 @@ class PredictCar : public ProgramTest {
     std::filesystem::copy_file(folder_ / "urdf/landrover110_engine.urdf", folder_ / "run/vehicle.urdf");
     std::filesystem::copy_file(folder_ / "studies/landrover110/full.yaml", folder_ / "run/study.yaml");
     // Of a fit that has seen no recording.
-    temporary_.Write("run/result.json", R"({"fitted_files": []})");
+    temporary_.Write("run/result.json", R"({"termination": "converged", "parameters": [], "fitted_files": []})");
   }
 
   /// A stepped sine as a rig writes it: without pattern and engine.
