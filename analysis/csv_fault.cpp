@@ -75,7 +75,8 @@ std::string FaultOfNames(CsvScanner below, std::size_t names, bool ends_with_sep
   if (most < names) return seen + "name as many columns as there are";
   if (separator == ',' && most == 2 * names)
     return seen + "remove the lines above the names; or separate columns by semicolons where decimals have commas";
-  return seen + "remove the lines above the names";
+  return seen + "remove the lines above the names" +
+         (most == names + 1 ? ", or name the last column, which may be empty" : "");
 }
 
 }  // namespace fourpost

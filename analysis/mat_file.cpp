@@ -194,7 +194,7 @@ class MatReader {
     if (Length(structure) != 1) return;
     const unsigned count = Mat_VarGetNumberOfFields(&structure);
     char* const* names = Mat_VarGetStructFieldnames(&structure);
-    const std::size_t first = vectors_.size();
+    std::vector<std::string> numbers;
     std::string unit;
     for (unsigned i = 0; i < count; ++i) {
       matvar_t* field = Mat_VarGetStructFieldByIndex(&structure, i, 0);
@@ -203,16 +203,24 @@ class MatReader {
       if (IsOneOf(name, {"unit", "units"})) units_[field_name] = TextOf(*field);
       else if (IsOneOf(field_name, {"unit", "units"}) && TextsOf(*field).empty()) unit = TextOf(*field);
       else Take(*field, IsOneOf(field_name, {"data", "values", "signal"}) ? name : field_name);
+      if (!NumbersOf(*field).empty())
+        numbers.push_back(IsOneOf(field_name, {"data", "values", "signal"}) ? name : field_name);
     }
-    if (!unit.empty() && vectors_.size() == first + 1) vectors_.back().unit = std::move(unit);
+    if (!unit.empty() && numbers.size() == 1) Find(numbers.front())->unit = std::move(unit);
+  }
+
+  std::vector<MatVector>::iterator Find(const std::string& name) {
+    return std::find_if(vectors_.begin(), vectors_.end(), [&](const MatVector& other) { return other.name == name; });
   }
 
   void Add(MatVector vector) {
     if (vector.values.empty() && vector.texts.empty()) return;
-    if (std::any_of(vectors_.begin(), vectors_.end(),
-                    [&](const MatVector& other) { return other.name == vector.name; }))
-      Fault("holds two vectors called '" + vector.name + "'; rename one");
-    vectors_.push_back(std::move(vector));
+    const auto other = Find(vector.name);
+    if (other == vectors_.end()) return vectors_.push_back(std::move(vector));
+    // Texts may be notes, of which each channel has its own.
+    if (vector.values.empty()) return;
+    if (!other->values.empty()) Fault("holds two vectors called '" + vector.name + "'; rename one");
+    *other = std::move(vector);
   }
 
   std::string file_;

@@ -204,7 +204,8 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   result.evaluations = archive.counts();
   if (result.search.candidates.empty()) {
     result.end = stop() ? FitEnd::kInterrupted : FitEnd::kAllFailed;
-    result.message = stop() ? "before its search began;" : FailureCauses(archive.counts());
+    result.message =
+        stop() ? "before its search found a point that can be evaluated;" : FailureCauses(archive.counts());
     return result;
   }
 

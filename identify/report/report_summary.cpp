@@ -324,8 +324,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
   else if (MisfitOf(result) > kMisses)
     advice.push_back(
         "The model is short of something: fit a richer one to the same recordings and compare the runs; the curves "
-        "show "
-        "where it misses.");
+        "show where it misses.");
   if (IsAnyFar(unseen))
     advice.push_back(
         "What was kept for validation is not foretold: give a richer model, or fit recordings that reach the same "
@@ -334,6 +333,8 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
   if (MisfitOf(result) <= kExplained) return {"Nothing is missing for this model; a richer one would ask for more."};
   if (MisfitOf(result) <= kMisses)
     return {"Little is missing: a richer model, fitted to the same recordings, would tell what explains the rest."};
+  if (TextAt(result, "history_cost") == "compromise")
+    return {"The compromise cost tells no misfit: fit by the cost 'whitened' to know whether something is missing."};
   return {"The run tells no misfit: fit again to have it judged."};
 }
 

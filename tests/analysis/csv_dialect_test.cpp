@@ -98,7 +98,8 @@ TEST(CsvDialectFault, LinesAboveTheNames) {
   Diagnostics diagnostics;
   EXPECT_FALSE(ParseCsv("Recorder,7\n" + rows, "t.csv", diagnostics));
   EXPECT_EQ(diagnostics.Format(),
-            "t.csv:1: error: the names have 2 columns, the rows below 3: remove the lines above the names");
+            "t.csv:1: error: the names have 2 columns, the rows below 3: remove the lines above the names, or name the "
+            "last column, which may be empty");
   EXPECT_EQ(Faults("t,F,x\ns,N,m\n0,1\n1,1\n2,1\n"),
             "t.csv:1: error: the names have 3 columns, the rows below 2: name as many columns as there are");
   EXPECT_EQ(Faults("t,F\ns,N\n0,1,1,5\n0,2,2,5\n0,3,3,5\n"),

@@ -105,6 +105,21 @@ TEST_F(MatFile, HoldsStructuresOfChannels) {
   EXPECT_THAT(vectors[1].values, ElementsAre(5, 6));
 }
 
+TEST_F(MatFile, MayHaveNotesBesideItsChannels) {
+  const auto channel = [](const char* name, const char* unit) {
+    return MatWriter::Struct(name, {{"data", MatWriter::Column(nullptr, {5, 6})},
+                                    {"unit", MatWriter::Text(nullptr, unit)},
+                                    {"notes", MatWriter::Cells(nullptr, {"x", "y"})}});
+  };
+  Write({channel("force", "N"), channel("stroke", "mm")});
+  const std::vector<MatVector> vectors = Read(file_);
+  ASSERT_EQ(vectors.size(), 3u);
+  EXPECT_EQ(vectors[0].name, "force");
+  EXPECT_EQ(vectors[0].unit, "N");
+  EXPECT_EQ(vectors[2].name, "stroke");
+  EXPECT_EQ(vectors[2].unit, "mm");
+}
+
 TEST_F(MatFile, IsARecordingWithTheUnitsOfItsStudy) {
   Write({MatWriter::Column("Tout", {0, 0.01, 0.02, 0.03, 0.04}), MatWriter::Column("forc", {1, 2, 3, 4, 5})});
   Diagnostics diagnostics;

@@ -117,6 +117,14 @@ TEST(Summary, ClaimsNothingThatItHasNotRead) {
   EXPECT_THAT(SummaryHtml(result, {}, {}), Not(HasSubstr("this page by")));
 }
 
+TEST(Summary, KnowsThatTheCompromiseCostHasNoMisfit) {
+  Json result = Good();
+  result.erase("identifiability");
+  result["history_cost"] = "compromise";
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("The compromise cost tells no misfit"), Not(HasSubstr("fit again"))));
+}
+
 TEST(Summary, TellsWhatIsNotForetold) {
   Json result = Good();
   result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "force", "nmse_percent": 1.3}])");
