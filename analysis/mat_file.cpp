@@ -194,7 +194,7 @@ class MatReader {
     if (Length(structure) != 1) return;
     const unsigned count = Mat_VarGetNumberOfFields(&structure);
     char* const* names = Mat_VarGetStructFieldnames(&structure);
-    std::vector<std::string> numbers;
+    const std::size_t first = vectors_.size();
     std::string unit;
     for (unsigned i = 0; i < count; ++i) {
       matvar_t* field = Mat_VarGetStructFieldByIndex(&structure, i, 0);
@@ -203,10 +203,11 @@ class MatReader {
       if (IsOneOf(name, {"unit", "units"})) units_[field_name] = TextOf(*field);
       else if (IsOneOf(field_name, {"unit", "units"}) && TextsOf(*field).empty()) unit = TextOf(*field);
       else Take(*field, IsOneOf(field_name, {"data", "values", "signal"}) ? name : field_name);
-      if (!NumbersOf(*field).empty())
-        numbers.push_back(IsOneOf(field_name, {"data", "values", "signal"}) ? name : field_name);
     }
-    if (!unit.empty() && numbers.size() == 1) Find(numbers.front())->unit = std::move(unit);
+    const auto is_numbers = [](const MatVector& vector) { return !vector.values.empty(); };
+    const auto begin = vectors_.begin() + static_cast<std::ptrdiff_t>(first);
+    if (!unit.empty() && std::count_if(begin, vectors_.end(), is_numbers) == 1)
+      std::find_if(begin, vectors_.end(), is_numbers)->unit = std::move(unit);
   }
 
   std::vector<MatVector>::iterator Find(const std::string& name) {

@@ -120,6 +120,19 @@ TEST_F(MatFile, MayHaveNotesBesideItsChannels) {
   EXPECT_EQ(vectors[2].unit, "mm");
 }
 
+// A field called unit that is none, and numbers a level further down.
+TEST_F(MatFile, TakesTheUnitOfTheOnlyNumbersOfAStructure) {
+  Write(
+      {MatWriter::Struct("odd",
+                         {{"unit", MatWriter::Column(nullptr, {1, 2})}, {"units", MatWriter::Text(nullptr, "N")}}),
+       MatWriter::Struct("deep", {{"force", MatWriter::Struct(nullptr, {{"data", MatWriter::Column(nullptr, {5, 6})}})},
+                                  {"unit", MatWriter::Text(nullptr, "kN")}})});
+  const std::vector<MatVector> vectors = Read(file_);
+  ASSERT_EQ(vectors.size(), 1u);
+  EXPECT_EQ(vectors[0].name, "force");
+  EXPECT_EQ(vectors[0].unit, "kN");
+}
+
 TEST_F(MatFile, IsARecordingWithTheUnitsOfItsStudy) {
   Write({MatWriter::Column("Tout", {0, 0.01, 0.02, 0.03, 0.04}), MatWriter::Column("forc", {1, 2, 3, 4, 5})});
   Diagnostics diagnostics;
