@@ -17,7 +17,10 @@ constexpr double kDiagonal = 0.25;
 constexpr std::array<double, kStages> kTimes = {1.0 / 4, 3.0 / 4, 11.0 / 20, 1.0 / 2, 1};
 /// Below the diagonal. The last row, with the diagonal, is the result.
 constexpr std::array<std::array<double, kStages - 1>, kStages> kWeights = {
-    {{}, {1.0 / 2}, {17.0 / 50, -1.0 / 25}, {371.0 / 1360, -137.0 / 2720, 15.0 / 544},
+    {{},
+     {1.0 / 2},
+     {17.0 / 50, -1.0 / 25},
+     {371.0 / 1360, -137.0 / 2720, 15.0 / 544},
      {25.0 / 24, -49.0 / 48, 125.0 / 16, -85.0 / 12}}};
 /// Of the result less those of the embedded formula.
 constexpr std::array<double, kStages> kErrorWeights = {25.0 / 24 - 59.0 / 48, -49.0 / 48 + 17.0 / 96,

@@ -68,8 +68,9 @@ StraightSeries::StraightSeries(const SeriesDamper& damper, double usual_s)
   ends.push_back(kInfinity);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     if (ends[i] < 0) piece_ = i;  // the last that begins below rest holds it
-    const double inside = std::isinf(ends[i]) ? ends[i + 1] - 1 : std::isinf(ends[i + 1]) ? ends[i] + 1
-                                                                                          : 0.5 * (ends[i] + ends[i + 1]);
+    const double inside = std::isinf(ends[i])       ? ends[i + 1] - 1
+                          : std::isinf(ends[i + 1]) ? ends[i] + 1
+                                                    : 0.5 * (ends[i] + ends[i + 1]);
     const auto [force, slope] = damper.dashpot.ForceAndSlope(inside);
     const auto force_at = [&](double u) { return std::isinf(u) ? u : damper.dashpot.Force(u); };
     Piece piece{force_at(ends[i]), force_at(ends[i + 1]), force - slope * inside, slope, {}};

@@ -112,8 +112,8 @@ class DamperBox : public testing::TestWithParam<Kind> {};
 TEST_P(DamperBox, HasTheForceThatAnIndependentSolverFinds) {
   constexpr std::uint64_t kDampers = 400;
   constexpr int kSteps = 30;
-  // NMSE [%]: what the bisected solution itself is off by in steps of 70 or 130 us; in steps of 40 or 80 us none differs
-  // by more than 1e-3.
+  // NMSE [%]: what the bisected solution itself is off by in steps of 70 or 130 us; in steps of 40 or 80 us none
+  // differs by more than 1e-3.
   constexpr double kOff = 2e-2;
   double worst = 0;
   for (std::uint64_t i = 0; i < kDampers; ++i) {
