@@ -56,8 +56,8 @@ std::string LawElement(int law, double compression, double rebound) {
   }
   std::string points;
   for (const auto& [speed, share] : {std::pair{-0.4, -0.3}, {-0.1, -0.1}, {0.1, 0.1}, {0.4, 0.3}})
-    points += "<point speed=\"" + Text(speed) + " m/s\" force=\"" +
-              Text(share * (speed < 0 ? compression : rebound)) + " N\"/>";
+    points += "<point speed=\"" + Text(speed) + " m/s\" force=\"" + Text(share * (speed < 0 ? compression : rebound)) +
+              " N\"/>";
   return "<table>" + points + "</table>";
 }
 
@@ -84,7 +84,8 @@ Drawn DrawDamper(int number, Draw& draw) {
 Vehicle QuarterCar(const std::string& damper) {
   const auto body = [](const std::string& name, const std::string& mass, const std::string& height) {
     return "<link name=\"" + name + "\"><inertial><mass value=\"" + mass +
-           "\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link><joint name=\"" +
+           "\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link><joint "
+           "name=\"" +
            name + "_travel\" type=\"prismatic\"><parent link=\"ground\"/><child link=\"" + name +
            "\"/><origin xyz=\"0 0 " + height +
            "\"/><axis xyz=\"0 0 1\"/><limit lower=\"-0.2\" upper=\"0.2\" effort=\"0\" velocity=\"0\"/></joint>";
@@ -106,9 +107,7 @@ Vehicle QuarterCar(const std::string& damper) {
   return std::move(*vehicle);
 }
 
-double Seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double Seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Largest relative difference of a first harmonic.
 double Off(const FrequencyResponse& response, const FrequencyResponse& reference) {
@@ -139,8 +138,7 @@ struct Engines {
 std::string Responses(const Engines& engines) {
   const Excitation excitation{
       .frequency_Hz = {1.2, 3, 9, 16}, .amplitude_m = {0.012, 0.008, 0.0018, 0.0006}, .shape = {1}};
-  const PeriodicResponse balance =
-      SolveHarmonicBalance(engines.model, engines.vehicle.sensors, excitation, {});
+  const PeriodicResponse balance = SolveHarmonicBalance(engines.model, engines.vehicle.sensors, excitation, {});
   Multibody multibody = engines.Full();
   const PeriodicResponse full = SolveFullBalance(multibody, engines.model, excitation);
   std::string row =
@@ -196,9 +194,10 @@ int main(int argc, char** argv) {
   }
   const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
   std::printf("# build/release/damper_engines %s %s\n", argv[1], std::to_string(seed).c_str());
-  std::puts("law,compression [N*s/m],rebound [N*s/m],friction [N],transition speed [m/s],series [N/m],cubic [N/m^3],"
-            "gas [N/m],balance unconverged,full balance unconverged,balance off,full balance off,history stated,"
-            "history off");
+  std::puts(
+      "law,compression [N*s/m],rebound [N*s/m],friction [N],transition speed [m/s],series [N/m],cubic [N/m^3],"
+      "gas [N/m],balance unconverged,full balance unconverged,balance off,full balance off,history stated,"
+      "history off");
   for (int i = 0; i < std::atoi(argv[1]); ++i) {
     Draw draw(seed, static_cast<std::uint64_t>(i));
     const Drawn drawn = DrawDamper(i, draw);

@@ -58,7 +58,9 @@ double Crossing(const Function& f, double lower, double upper) {
 }  // namespace
 
 bool StraightSeries::Holds(const SeriesDamper& damper) {
-  return damper.dashpot.IsStraight() && damper.dashpot.LeastRate() > 0 && damper.spring.IsLinear();
+  // Friction and smooth laws have a step, tables no kinks.
+  const bool is_straight = !damper.dashpot.Kinks().empty() && std::isinf(damper.dashpot.StepSpeed());
+  return is_straight && damper.dashpot.LeastRate() > 0 && damper.spring.IsLinear();
 }
 
 StraightSeries::StraightSeries(const SeriesDamper& damper, double usual_s)
