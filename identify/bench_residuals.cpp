@@ -63,8 +63,8 @@ ResidualBlock BenchResiduals(const Vehicle& vehicle, const BenchData& data, doub
   const auto residuals = static_cast<Eigen::Index>(count);
   return {.name = "bench recordings",
           .count = residuals,
-          // Roots of the laws' steps, relative to their rates.
-          .accuracy = 1e-8,
+          // By which steps of another length change a force, see SeriesForces; often by less.
+          .accuracy = 1e-7,
           .evaluate = [damper = BenchDamper(vehicle, data.damper), targets = std::move(targets), residuals](
                           const std::vector<double>& values, const Deadline& deadline) {
             return Evaluate(damper, targets, residuals, values, deadline);

@@ -66,6 +66,9 @@ class DashpotLaw {
   /// Whether it is bilinear or linear, without friction.
   bool IsBilinear() const { return std::holds_alternative<Bilinear>(law_) && friction_ == 0; }
 
+  /// Whether it is straight between its Kinks().
+  bool IsStraight() const { return IsBilinear() || (std::holds_alternative<Kneed>(law_) && friction_ == 0); }
+
   /// The rate that carries this force. Needs LeastRate() > 0. Closed form for bilinear and digressive laws without
   /// friction, else see IncreasingRoot.
   double Velocity(double force) const;

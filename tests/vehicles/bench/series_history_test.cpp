@@ -73,16 +73,16 @@ TEST_P(SeriesHistory, IsThatOfTheEquations) {
 INSTANTIATE_TEST_SUITE_P(
     Laws, SeriesHistory,
     testing::Values(
-        Case{"model3", {DashpotLaw(750, 1910), {.stiffness = 6e5}}, 5e-4},
-        Case{"stiff", {DashpotLaw(750, 1910), {.stiffness = 4e6}}, 2e-3},
-        Case{"model4", {DashpotLaw(750, 1910), {.stiffness = 3e5, .cubic = 1.7e12}}, 5e-4},
-        Case{"model5", {DashpotLaw::Smooth(750, 1910, 0.06), {.stiffness = 3e5, .cubic = 1.6e12}}, 2e-4},
-        Case{"knees", {DashpotLaw::Digressive(1000, 2000, {0.05, 620}, {0.2, 1460}), {.stiffness = 6e5}}, 5e-4},
+        Case{"model3", {DashpotLaw(750, 1910), {.stiffness = 6e5}}, 3e-8},
+        Case{"stiff", {DashpotLaw(750, 1910), {.stiffness = 4e6}}, 7e-8},
+        Case{"model4", {DashpotLaw(750, 1910), {.stiffness = 3e5, .cubic = 1.7e12}}, 5e-5},
+        Case{"model5", {DashpotLaw::Smooth(750, 1910, 0.06), {.stiffness = 3e5, .cubic = 1.6e12}}, 2e-6},
+        Case{"knees", {DashpotLaw::Digressive(1000, 2000, {0.05, 620}, {0.2, 1460}), {.stiffness = 6e5}}, 3e-8},
         Case{"friction",
              {DashpotLaw::Digressive(1000, 2000, {0.05, 620}, {0.2, 1460}).WithFriction(25, 0.003),
               {.stiffness = 4e5, .cubic = 1e12}},
-             5e-4},
-        Case{"table", {DashpotLaw::Table({-0.3, -0.1, 0.1, 0.3}, {-250, -110, 210, 560}), {.stiffness = 6e5}}, 5e-4}),
+             4e-5},
+        Case{"table", {DashpotLaw::Table({-0.3, -0.1, 0.1, 0.3}, {-250, -110, 210, 560}), {.stiffness = 6e5}}, 3e-6}),
     [](const auto& curve) { return curve.param.name; });
 
 // A linear dashpot of rate c on a spring k at frequency w: force c i w x / (1 + i w c / k).
