@@ -55,6 +55,7 @@ double Growth(double error, double tolerance) {
   constexpr double kSafety = 0.8;
   constexpr double kLeast = 0.1;
   constexpr double kMost = 4;
+  if (!(error > 0)) return kMost;
   return std::clamp(kSafety * std::pow(tolerance / error, 0.25), kLeast, kMost);
 }
 

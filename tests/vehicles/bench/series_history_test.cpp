@@ -112,5 +112,12 @@ TEST(SeriesHistoryLinear, TendsToTheDashpotAlone) {
     ASSERT_NEAR(forces[k], law.Force(motion.rate[k * motion.steps]), 3) << "sample " << k;
 }
 
+TEST(SeriesHistoryAtRest, HasNoForce) {
+  const BenchMotion motion = MotionThrough(std::vector<double>(50, 0.01), 0.002);
+  for (const DashpotLaw& law : {DashpotLaw(750, 1910), DashpotLaw(750, 1910).WithFriction(270, 0.002)})
+    // What rounding of the spline's rates leaves, some 1e-13 N.
+    for (const double force : SeriesForces({law, {.stiffness = 4e6}}, motion)) ASSERT_NEAR(force, 0, 1e-9);
+}
+
 }  // namespace
 }  // namespace fourpost
