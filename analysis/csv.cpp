@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <unordered_set>
 #include <utility>
 
 #include "analysis/csv_fault.h"
@@ -65,12 +66,13 @@ class CsvParser {
   }
 
   void CheckNames() {
-    const std::vector<std::string>& names = table_.names_;
-    for (auto name = names.begin(); name != names.end(); ++name) {
-      const std::string column = "column " + std::to_string(name - names.begin() + 1);
-      if (name->empty()) Fault(names_line_, column + " has no name");
-      if (!name->empty() && std::find(names.begin(), name, *name) != name)
-        Fault(names_line_, column + " has the name " + Quote(*name) + " of an earlier one");
+    std::unordered_set<std::string_view> earlier;
+    for (std::size_t i = 0; i < table_.columns(); ++i) {
+      const std::string& name = table_.names_[i];
+      const std::string column = "column " + std::to_string(i + 1);
+      if (name.empty()) Fault(names_line_, column + " has no name");
+      else if (!earlier.insert(name).second)
+        Fault(names_line_, column + " has the name " + Quote(name) + " of an earlier one");
     }
   }
 

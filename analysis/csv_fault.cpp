@@ -64,11 +64,14 @@ std::string FaultOfText(std::string_view text) {
 
 std::string FaultOfNames(CsvScanner below, std::size_t names, bool ends_with_separator, char separator) {
   const std::vector<CsvRecord> records = FirstOf(below);
-  for (const auto& [other, name] : {std::pair{'|', "'|'"}, {' ', "blanks"}})
+  for (const auto& [separating, name] : {std::pair{'|', "'|'"}, {' ', "blanks"}}) {
+    // Lambdas of clang 14 cannot capture names of a structured binding.
+    const char other = separating;
     if (names == 1 && std::any_of(records.begin(), records.end(), [&](const CsvRecord& record) {
           return record.fields.size() == 1 && IsRowOf(record.fields.front(), other);
         }))
       return std::string("separates its columns by ") + name + "; save it with commas, semicolons or tabs";
+  }
   const std::size_t most = MostFields(records, ends_with_separator);
   if (most == 0 || most == names) return "";
   const std::string seen = "the names have " + Columns(names) + ", the rows below " + std::to_string(most) + ": ";

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "analysis/csv_text_mark.h"
+
 namespace fourpost {
 namespace {
 
@@ -37,7 +39,7 @@ void CsvScanner::ReadRecord(CsvRecord& record) {
   record.fields.clear();
   record.fault.clear();
   for (;;) {
-    record.fields.push_back(ReadField(record));
+    record.fields.emplace_back(WithoutTextMark(ReadField(record)));
     if (rest_.empty()) return;
     const bool ends = rest_[0] == '\n';
     rest_.remove_prefix(1);

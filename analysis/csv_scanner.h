@@ -15,7 +15,8 @@ struct CsvRecord {
   std::string fault;
 };
 
-/// Splits text (RFC 4180, with any separator) into records. Blanks around a field do not belong to it.
+/// Splits text (RFC 4180, with any separator) into records. Blanks around a field and a
+/// text mark in front of it do not belong to it.
 class CsvScanner {
  public:
   /// The text must outlive the scanner.

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/csv_text_mark.h"
 #include "analysis/number.h"
+#include "analysis/utf8.h"
 
 namespace fourpost {
 namespace {
@@ -19,6 +21,9 @@ std::string Quoted(std::string_view text) {
   return quoted + '"';
 }
 
+/// A number is no formula, whatever it begins with.
+std::string AsText(const std::string& text) { return ParseNumber(text) ? text : WithTextMark(text); }
+
 }  // namespace
 
 CsvWriter::CsvWriter(const std::vector<std::string>& columns) : columns_(columns.size()) {
@@ -33,7 +38,8 @@ CsvWriter& CsvWriter::Add(double number) {
 }
 
 CsvWriter& CsvWriter::Add(std::string_view text) {
-  AddField(NeedsQuotes(text) ? Quoted(text) : std::string(text));
+  const std::string field = AsText(ValidUtf8(text));
+  AddField(NeedsQuotes(field) ? Quoted(field) : field);
   return *this;
 }
 

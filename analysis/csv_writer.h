@@ -15,7 +15,8 @@ class CsvWriter {
 
   /// NaN becomes an empty field. Throws std::invalid_argument for an infinite number, which no reader takes.
   CsvWriter& Add(double number);
-  /// Quoted where it must be.
+  /// Quoted where it must be; with a text mark where spreadsheets would take it for a formula, see csv_text_mark.h; in
+  /// valid UTF-8.
   CsvWriter& Add(std::string_view text);
 
   /// The table as text. Throws std::logic_error when the last row is not full.

@@ -4,11 +4,18 @@
 #include <tuple>
 #include <utility>
 
+#include "analysis/shortened.h"
+
 namespace fourpost {
 namespace {
 
 /// A file that is wrong throughout must not bury the findings about others.
 constexpr int kMostPerFile = 100;
+/// Bytes of a message: names of megabytes in a file must not bury it. Its middle goes, since a name stands in front and
+/// the remedy at the end.
+constexpr std::size_t kLongest = 2000;
+
+std::string Short(std::string text) { return text.size() > kLongest ? Shortened(text, kLongest) : std::move(text); }
 
 void AddLine(const std::string& line, std::string& text) {
   if (!text.empty()) text += '\n';
@@ -25,11 +32,11 @@ std::string Format(const Diagnostic& diagnostic) {
 }
 
 void Diagnostics::Error(std::string file, int line, std::string message) {
-  items_.push_back({Severity::kError, std::move(file), line, std::move(message)});
+  items_.push_back({Severity::kError, Short(std::move(file)), line, Short(std::move(message))});
 }
 
 void Diagnostics::Warning(std::string file, int line, std::string message) {
-  items_.push_back({Severity::kWarning, std::move(file), line, std::move(message)});
+  items_.push_back({Severity::kWarning, Short(std::move(file)), line, Short(std::move(message))});
 }
 
 bool Diagnostics::HasErrors() const {

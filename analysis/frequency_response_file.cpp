@@ -12,6 +12,7 @@
 #include "analysis/decibel.h"
 #include "analysis/number.h"
 #include "analysis/recorded_table.h"
+#include "analysis/recording_layout.h"
 #include "analysis/units.h"
 
 namespace fourpost {
@@ -275,6 +276,11 @@ std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::pa
     diagnostics.Error(table->file(), 1,
                       "is a result, in which measurement and model stand side by side (" + RecordingsIn(*table) +
                           "): name a recording itself, as the `recordings` of a study do");
+    return std::nullopt;
+  }
+  if (table && IsTimeHistory(*table)) {
+    diagnostics.Error(table->file(), table->names_line(),
+                      "is a time history, not a stepped sine: list it under 'histories'");
     return std::nullopt;
   }
   if (!table || !table->CheckColumns(kRequired, kOptional, diagnostics)) return std::nullopt;

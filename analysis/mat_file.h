@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/diagnostics.h"
@@ -26,5 +27,9 @@ struct MatVector {
 /// of: a file that is no MAT file or is cut short, one without a vector of numbers, two vectors of one name. Nothing
 /// when there was one.
 std::optional<std::vector<MatVector>> ReadMatFile(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+/// The same for bytes that are in memory already, of version 4 to 7; `file` is their name in messages.
+std::optional<std::vector<MatVector>> ParseMat(std::string_view bytes, const std::string& file,
+                                               Diagnostics& diagnostics);
 
 }  // namespace fourpost

@@ -24,4 +24,13 @@ std::string DidYouMeanFile(const std::filesystem::path& missing) {
   return near ? ", did you mean '" + fs::path(named).replace_filename(*near).string() + "'?" : "";
 }
 
+bool RequireFile(const std::filesystem::path& file, const std::string& named_by, int line, Diagnostics& diagnostics) {
+  std::error_code failure;
+  if (std::filesystem::exists(file, failure)) return true;
+  diagnostics.Error(
+      named_by, line,
+      "there is no file " + file.string() + DidYouMeanFile(file) + (failure ? " (" + failure.message() + ")" : ""));
+  return false;
+}
+
 }  // namespace fourpost

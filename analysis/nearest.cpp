@@ -34,12 +34,17 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+/// Nobody types longer ones, and comparing two of megabytes would take hours.
+constexpr std::size_t kLongestName = 200;
+
 template <typename Name>
 std::optional<std::string_view> Nearest(std::string_view name, std::span<const Name> legal) {
   std::optional<std::string_view> nearest;
   std::size_t least = 0;
+  if (name.size() > kLongestName) return nearest;
   const std::string lower = LowerCase(name);
   for (const Name& candidate : legal) {
+    if (candidate.size() > kLongestName) continue;
     const std::size_t distance = EditDistance(lower, LowerCase(candidate));
     const bool near_enough = 3 * distance <= std::max(name.size(), candidate.size());
     if (!near_enough || (nearest && distance >= least)) continue;

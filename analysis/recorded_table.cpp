@@ -22,6 +22,7 @@ bool IsMatFile(const std::filesystem::path& file) {
 RecordedTable::RecordedTable(CsvTable csv) : file_(csv.file()), names_(csv.names()), units_(csv.units()) {
   units_.resize(names_.size());
   csv_ = std::move(csv);
+  NumberColumns();
 }
 
 RecordedTable::RecordedTable(std::string file, std::vector<MatVector> vectors)
@@ -30,12 +31,16 @@ RecordedTable::RecordedTable(std::string file, std::vector<MatVector> vectors)
     names_.push_back(vector.name);
     units_.push_back(vector.unit);
   }
+  NumberColumns();
+}
+
+void RecordedTable::NumberColumns() {
+  for (std::size_t column = 0; column < names_.size(); ++column) columns_.emplace(names_[column], column);
 }
 
 std::optional<std::size_t> RecordedTable::FindColumn(std::string_view name) const {
-  const auto found = std::find(names_.begin(), names_.end(), name);
-  if (found == names_.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - names_.begin());
+  const auto found = columns_.find(std::string(name));
+  return found == columns_.end() ? std::nullopt : std::optional(found->second);
 }
 
 bool RecordedTable::HoldsText(std::size_t column) const { return !csv_ && !vectors_[column].texts.empty(); }

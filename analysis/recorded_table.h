@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "analysis/csv.h"
@@ -48,8 +49,12 @@ class RecordedTable {
   std::string WhereUnitsStand(const std::string& name, const std::string& such) const;
 
  private:
+  void NumberColumns();
+
   std::string file_;
   std::vector<std::string> names_;
+  /// Place of each name.
+  std::unordered_map<std::string, std::size_t> columns_;
   std::vector<std::string> units_;
   /// One of both is filled.
   std::optional<CsvTable> csv_;

@@ -66,16 +66,37 @@ void Sha256::Add(std::span<const double> numbers) {
   for (const double number : numbers) AddBytes(BigEndian(std::bit_cast<std::uint64_t>(number)));
 }
 
-std::string Sha256::Hex() {
+std::array<unsigned char, 32> Sha256::Bytes() {
   const std::uint64_t bits = 8 * length_;
   AddBytes("\x80");
   while (filled_ != kBlock - 8) AddBytes(std::string_view("\0", 1));
   AddBytes(BigEndian(bits));
   ended_ = true;
+  std::array<unsigned char, 32> bytes;
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    bytes[i] = static_cast<unsigned char>(state_[i / 4] >> (24 - 8 * (i % 4)) & 255u);
+  return bytes;
+}
+
+std::string Sha256::Hex() {
+  constexpr std::string_view kDigits = "0123456789abcdef";
   std::string hex;
-  for (const std::uint32_t word : state_)
-    for (int shift = 28; shift >= 0; shift -= 4) hex += "0123456789abcdef"[word >> shift & 15u];
+  for (const unsigned byte : Bytes()) (hex += kDigits[byte >> 4]) += kDigits[byte & 15u];
   return hex;
+}
+
+std::string Sha256::Base64() {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  unsigned bits = 0;
+  int held = 0;
+  // 32 bytes end within a group of three: with two bits, a digit of zeros more and a filler.
+  std::array<unsigned char, 33> bytes{};
+  std::ranges::copy(Bytes(), bytes.begin());
+  for (const unsigned byte : bytes)
+    for (bits = bits << 8 | byte, held += 8; held >= 6; held -= 6) text += kDigits[bits >> (held - 6) & 63u];
+  text.back() = '=';
+  return text;
 }
 
 // FIPS 180-4, section 6.2.2, steps 2 to 4.

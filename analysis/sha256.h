@@ -23,8 +23,12 @@ class Sha256 {
   /// Of all that was added: 64 hexadecimal digits. Ends the sum: throws std::logic_error when called again, as Add
   /// does.
   std::string Hex();
+  /// The same in base 64, as pages name their scripts by it.
+  std::string Base64();
 
  private:
+  /// Its 32 bytes. Ends the sum.
+  std::array<unsigned char, 32> Bytes();
   void AddBlock(const unsigned char* block);
 
   std::array<std::uint32_t, 8> state_ = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,

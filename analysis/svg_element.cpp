@@ -3,12 +3,13 @@
 #include <cmath>
 
 #include "analysis/number.h"
+#include "analysis/utf8.h"
 
 namespace fourpost::svg {
 
 std::string Escaped(const std::string& text) {
   std::string escaped;
-  for (const char c : text) {
+  for (const char c : ValidUtf8(text)) {
     if (c == '&') escaped += "&amp;";
     else if (c == '<') escaped += "&lt;";
     else if (c == '>') escaped += "&gt;";

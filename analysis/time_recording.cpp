@@ -9,6 +9,7 @@
 #include "analysis/number.h"
 #include "analysis/recorded_table.h"
 #include "analysis/recorded_unit.h"
+#include "analysis/recording_layout.h"
 #include "analysis/uniform_spline.h"
 
 namespace fourpost {
@@ -238,6 +239,12 @@ std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file
                                                const RecordedChannel& time) {
   const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
   if (!table) return std::nullopt;
+  if (IsSteppedSine(*table)) {
+    diagnostics.Error(
+        table->file(), table->names_line(),
+        "is a stepped sine, not a time history: list it under 'recordings' of a study of a vehicle on posts");
+    return std::nullopt;
+  }
   return RecordReader(*table, diagnostics).Read(wanted, time);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "analysis/near_file.h"
 #include "analysis/nearest.h"
 #include "analysis/time_recording.h"
 #include "analysis/unfiltered.h"
@@ -98,16 +99,24 @@ std::optional<BenchData> LoadBenchData(const BenchStudy& study, const std::strin
   const std::vector<double> values = vehicle.ParameterValues();
   std::optional<BenchDamper> on_bench;
   if (damper) on_bench.emplace(vehicle, *damper);
-  const auto load = [&](const std::vector<BenchStudy::Recording>& from, std::vector<BenchRecording>& to) {
-    for (const BenchStudy::Recording& recording : from) {
-      std::optional<BenchRecording> loaded = Load(study, recording, on_bench, diagnostics);
-      good = good && loaded;
-      if (loaded && on_bench) good &= Check(*on_bench, *loaded, values, recording.file.string(), diagnostics);
-      if (loaded) to.push_back(*std::move(loaded));
-    }
+  const auto load = [&](const BenchStudy::Recording& from, Diagnostics& found) {
+    std::optional<BenchRecording> loaded = Load(study, from, on_bench, found);
+    if (loaded && on_bench && !Check(*on_bench, *loaded, values, from.file.string(), found)) loaded.reset();
+    return loaded;
   };
-  load(study.recordings, data.fitted);
-  load(study.validation, data.validation);
+  for (const BenchStudy::Recording& recording : study.recordings) {
+    std::optional<BenchRecording> loaded = load(recording, diagnostics);
+    good = good && loaded;
+    if (loaded) data.fitted.push_back(*std::move(loaded));
+  }
+  for (const BenchStudy::Recording& recording : study.validation) {
+    Diagnostics found;
+    std::optional<BenchRecording> loaded;
+    if (RequireFile(recording.file, study_file, recording.line, found)) loaded = load(recording, found);
+    if (std::optional<LeftOutRecording> out = LeftOutFor(found, recording.name, recording.file, diagnostics))
+      data.left_out.push_back(*std::move(out));
+    else if (loaded) data.validation.push_back(*std::move(loaded));
+  }
   if (!good) return std::nullopt;
   return data;
 }

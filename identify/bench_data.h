@@ -7,6 +7,7 @@
 #include "analysis/diagnostics.h"
 #include "analysis/low_pass.h"
 #include "identify/bench_study.h"
+#include "identify/left_out_recording.h"
 #include "vehicles/bench/bench_damper.h"
 #include "vehicles/bench/bench_motion.h"
 #include "vehicles/description/vehicle.h"
@@ -41,10 +42,12 @@ struct BenchData {
   std::size_t damper = 0;
   std::vector<BenchRecording> fitted;
   std::vector<BenchRecording> validation;
+  /// Those of the study's validation that cannot be used.
+  std::vector<LeftOutRecording> left_out = {};
 };
 
 /// Reads the recordings and looks for what is wrong with them. Adds every fault to `diagnostics`; nothing when there
-/// was an error.
+/// was an error in what is to be fitted. Recordings for validation that have one are left out, with a warning.
 std::optional<BenchData> LoadBenchData(const BenchStudy& study, const std::string& study_file, const Vehicle& vehicle,
                                        Diagnostics& diagnostics);
 

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include "analysis/csv_writer.h"
+#include "analysis/deviation.h"
 #include "analysis/fit_quality.h"
 #include "analysis/short_number.h"
+#include "vehicles/multibody/simulation_error.h"
 
 namespace fourpost {
 namespace {
@@ -20,16 +23,20 @@ std::span<const double> Compared(const BenchRecording& recording, const std::vec
 
 }  // namespace
 
+ModelledRecording Modelled(const BenchDamper& damper, const BenchRecording& recording,
+                           const std::vector<double>& values) {
+  std::vector<double> force = ModelledForce(damper, recording, values);
+  if (force.empty())
+    throw SimulationError("the fitted damper cannot move as recorded in '" + recording.name +
+                          "': one of its chambers closes; give it more room");
+  return {recording, std::move(force)};
+}
+
 std::vector<ModelledRecording> ModelledRecordings(const BenchDamper& damper,
                                                   const std::vector<BenchRecording>& recordings,
                                                   const std::vector<double>& values) {
   std::vector<ModelledRecording> modelled;
-  for (const BenchRecording& recording : recordings) {
-    modelled.push_back({recording, ModelledForce(damper, recording, values)});
-    if (modelled.back().force.empty())
-      throw std::runtime_error("the fitted damper cannot move as recorded in '" + recording.name +
-                               "': one of its chambers closes; give it more room");
-  }
+  for (const BenchRecording& recording : recordings) modelled.push_back(Modelled(damper, recording, values));
   return modelled;
 }
 
@@ -41,7 +48,8 @@ std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& re
     misfits.push_back({.recording = recording.name,
                        .name = "force",
                        .nmse_percent = NormalisedMse_percent(measured, modelled),
-                       .vaf_percent = VarianceAccountedFor_percent(measured, modelled)});
+                       .vaf_percent = VarianceAccountedFor_percent(measured, modelled),
+                       .measured_squares = std::pow(DeviationOf(measured), 2) * static_cast<double>(measured.size())});
   }
   return misfits;
 }

@@ -15,6 +15,10 @@ struct ModelledRecording {
 };
 
 /// Throws std::runtime_error where a chamber of the damper closes.
+ModelledRecording Modelled(const BenchDamper& damper, const BenchRecording& recording,
+                           const std::vector<double>& values);
+
+/// Of several.
 std::vector<ModelledRecording> ModelledRecordings(const BenchDamper& damper,
                                                   const std::vector<BenchRecording>& recordings,
                                                   const std::vector<double>& values);

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "identify/json_text.h"
+
 namespace fourpost {
 namespace {
 
@@ -69,7 +71,7 @@ std::string ComparisonJson(const Comparison& comparison, const std::string& stud
                      {"target_cost", NumberOrNull(comparison.target_cost)},
                      {"interrupted", comparison.interrupted},
                      {"methods", methods}};
-  return json.dump(2) + "\n";
+  return JsonText(json);
 }
 
 }  // namespace fourpost

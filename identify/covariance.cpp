@@ -6,6 +6,7 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include <Eigen/SVD>
 
@@ -87,6 +88,53 @@ double VariableSd(const Covariance& covariance, Eigen::Index j, double share_thr
   return (shares.head(rank).array() / covariance.singular_values.head(rank).array()).matrix().norm();
 }
 
+/// The places that are not held, in order.
+std::vector<Eigen::Index> Judged(Eigen::Index parameters, const std::vector<Eigen::Index>& held) {
+  std::vector<bool> is_held(static_cast<std::size_t>(parameters), false);
+  for (const Eigen::Index j : held) {
+    RequireOption(j >= 0 && j < parameters, "held", static_cast<double>(j), "a place of a parameter");
+    is_held[static_cast<std::size_t>(j)] = true;
+  }
+  std::vector<Eigen::Index> judged;
+  for (Eigen::Index j = 0; j < parameters; ++j)
+    if (!is_held[static_cast<std::size_t>(j)]) judged.push_back(j);
+  return judged;
+}
+
+/// Of parameters none of which is held; without `sd`.
+Covariance OfJudged(const Eigen::MatrixXd& jacobian, double cost, const CovarianceOptions& options,
+                    const Eigen::MatrixXd& priors) {
+  // Of the singular values: the priors are exact.
+  constexpr double kRounding = 1e-12;
+  Covariance covariance;
+  covariance.directions.resize(0, 0);
+  if (jacobian.cols() > 0) Decompose(jacobian, options.rank_threshold, covariance);
+  if (options.inflate) covariance.inflation = Inflation(cost, jacobian.rows(), covariance.rank);
+  double inflation = covariance.inflation;
+  if (priors.rows() > 0 && jacobian.cols() > 0) {
+    Decompose(WithPriors(covariance, priors, options.share_threshold), kRounding, covariance);
+    inflation = 1;  // in the Jacobian already
+  }
+  covariance.variable_sd.resize(jacobian.cols());
+  for (Eigen::Index j = 0; j < jacobian.cols(); ++j)
+    covariance.variable_sd[j] = inflation * VariableSd(covariance, j, options.share_threshold);
+  const Eigen::Index free_residuals = jacobian.rows() + priors.rows() - jacobian.cols();
+  covariance.reach_95 = StudentT95(static_cast<double>(std::max<Eigen::Index>(free_residuals, 1)));
+  return covariance;
+}
+
+/// Over all parameters: zeros and NaN for those that are held.
+void Spread(const std::vector<Eigen::Index>& judged, Eigen::Index parameters, Covariance& covariance) {
+  Eigen::MatrixXd directions = Eigen::MatrixXd::Zero(parameters, static_cast<Eigen::Index>(judged.size()));
+  Eigen::VectorXd variable_sd = Eigen::VectorXd::Constant(parameters, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < judged.size(); ++i) {
+    directions.row(judged[i]) = covariance.directions.row(static_cast<Eigen::Index>(i));
+    variable_sd[judged[i]] = covariance.variable_sd[static_cast<Eigen::Index>(i)];
+  }
+  covariance.directions = std::move(directions);
+  covariance.variable_sd = std::move(variable_sd);
+}
+
 }  // namespace
 
 void CovarianceOptions::Validate() const {
@@ -96,26 +144,14 @@ void CovarianceOptions::Validate() const {
 
 Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, double cost,
                               const CovarianceOptions& options, const Eigen::MatrixXd& priors) {
-  // Of the singular values: the priors are exact.
-  constexpr double kRounding = 1e-12;
   options.Validate();
   CheckInput(jacobian, slopes, cost);
-  Covariance covariance;
-  Decompose(jacobian, options.rank_threshold, covariance);
-  if (options.inflate) covariance.inflation = Inflation(cost, jacobian.rows(), covariance.rank);
-  double inflation = covariance.inflation;
-  if (priors.rows() > 0) {
-    CheckPriors(priors, jacobian.cols());
-    Decompose(WithPriors(covariance, priors, options.share_threshold), kRounding, covariance);
-    inflation = 1;  // in the Jacobian already
-  }
-  covariance.variable_sd.resize(jacobian.cols());
-  for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
-    covariance.variable_sd[j] = inflation * VariableSd(covariance, j, options.share_threshold);
-  }
+  if (priors.rows() > 0) CheckPriors(priors, jacobian.cols());
+  const std::vector<Eigen::Index> judged = Judged(jacobian.cols(), options.held);
+  const Eigen::MatrixXd of_priors = priors.rows() > 0 ? Eigen::MatrixXd(priors(Eigen::all, judged)) : priors;
+  Covariance covariance = OfJudged(jacobian(Eigen::all, judged), cost, options, of_priors);
+  Spread(judged, jacobian.cols(), covariance);
   covariance.sd = covariance.variable_sd.cwiseProduct(slopes);
-  const Eigen::Index free_residuals = jacobian.rows() + priors.rows() - jacobian.cols();
-  covariance.reach_95 = StudentT95(static_cast<double>(std::max<Eigen::Index>(free_residuals, 1)));
   return covariance;
 }
 

@@ -20,17 +20,20 @@ struct CovarianceOptions {
   /// Multiply standard deviations of the data by sqrt(cost / (N - rank)) when that exceeds 1: the model misses the data
   /// by more than their noise.
   bool inflate = true;
+  /// Parameters that take no part, such as those at a bound: everything is told of the others while these stay.
+  std::vector<Eigen::Index> held = {};
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;
 };
 
-/// What data and priors say about the parameters, to first order around a point.
+/// What data and priors say about the parameters, to first order around a point; n of them are not held.
 struct Covariance {
   /// Of the whitened Jacobian, n of them, largest first; with priors, of the Jacobian of both, the data's over the
   /// inflation.
   Eigen::VectorXd singular_values;
   /// Column i: the unit vector of FitVariables that belongs to singular value i; its largest component is positive.
+  /// Rows of parameters that are held are zero.
   Eigen::MatrixXd directions;
   /// How many directions data and priors determine; columns rank..n-1 of `directions` they do not.
   int rank = 0;
@@ -41,7 +44,7 @@ struct Covariance {
   /// What the standard deviations of the data were multiplied by; at least 1.
   double inflation = 1;
   /// Standard deviations in FitVariables (relative for logarithmic ones, else share of the range) and in the
-  /// parameters' units. Infinite for what is not determined.
+  /// parameters' units. Infinite for what is not determined, NaN for what is held.
   Eigen::VectorXd variable_sd;
   Eigen::VectorXd sd;
   /// Half width of an interval of 95 % in standard deviations: Student's for the residuals, priors among them, beyond
@@ -52,12 +55,13 @@ struct Covariance {
 /// From the Jacobian J of the data's whitened residuals with respect to FitVariables (N x n), dp/dx (n;
 /// FitVariables::Slopes) and the data's cost there: (J^T J)^-1 by singular values. With rows P of priors (k x n):
 /// (J^T J / inflation^2 + P^T P)^-1, for how far the model misses the data says nothing of the priors. A prior
-/// determines what the data leave open, however weakly. Throws std::invalid_argument when the sizes do not match or an
-/// entry is not finite.
+/// determines what the data leave open, however weakly. Throws std::invalid_argument when the sizes do not match, an
+/// entry is not finite or a place to hold is none of a parameter.
 Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, double cost,
                               const CovarianceOptions& options = {}, const Eigen::MatrixXd& priors = {});
 
-/// Correlations of the parameters, n x n, ones on the diagonal; NaN in the rows and columns of what is not determined.
+/// Correlations of the parameters, n x n, ones on the diagonal; NaN in the rows and columns of what is not determined
+/// or held.
 Eigen::MatrixXd Correlations(const Covariance& covariance);
 
 /// A direction in words: "m_body +1 %, k_front +0.98 %", what each parameter changes by when the strongest changes by

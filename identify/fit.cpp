@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "identify/derivative_noise.h"
 #include "identify/fit_variables.h"
 #include "identify/search_method_list.h"
+#include "vehicles/reader/physical_range.h"
 
 namespace fourpost {
 namespace {
@@ -13,24 +15,40 @@ namespace {
 /// Within this share of its range a parameter counts as being at the bound: refinement stops at steps of 1e-8.
 constexpr double kAtBound = 1e-6;
 
+bool IsAtBound(const LatticeAxis& axis, double value) {
+  const double near = kAtBound * (axis.upper - axis.lower);
+  return value - axis.lower < near || axis.upper - value < near;
+}
+
 /// Deviation and interval of a parameter; `k`: its place among the free ones.
-void Tell(const Covariance& covariance, Eigen::Index k, bool is_logarithmic, FittedParameter& fitted) {
+void Tell(const Covariance& covariance, Eigen::Index k, bool is_logarithmic, const PhysicalRange& physical,
+          FittedParameter& fitted) {
   fitted.sd = covariance.sd[k];
   const double reach = covariance.reach_95 * covariance.variable_sd[k];
   const double range = fitted.upper - fitted.lower;
   fitted.lower_95 = is_logarithmic ? fitted.value * std::exp(-reach) : fitted.value - reach * range;
   fitted.upper_95 = is_logarithmic ? fitted.value * std::exp(reach) : fitted.value + reach * range;
+  if (!std::isfinite(fitted.sd)) return;
+  fitted.lower_95 = std::max(fitted.lower_95, physical.least);
+  fitted.upper_95 = std::min(fitted.upper_95, physical.greatest);
 }
 
+/// What data and priors say at the optimum, and of which parameters they cannot say anything there.
+struct Certainty {
+  Covariance covariance;
+  /// One per free parameter.
+  std::vector<ParameterState> states;
+};
+
 std::vector<FittedParameter> Describe(const VehicleObjective& objective, const Lattice& lattice,
-                                      const Eigen::VectorXd& values, const std::optional<Covariance>& covariance) {
+                                      const Eigen::VectorXd& values, const std::optional<Certainty>& certainty) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const FitVariables variables(lattice);
+  const std::vector<PhysicalRange> physical = PhysicalRanges(objective.vehicle());
   std::vector<FittedParameter> out;
   for (std::size_t i = 0; i < objective.free().size(); ++i) {
     const Parameter& parameter = objective.vehicle().parameters[objective.free()[i]];
     const Eigen::Index k = static_cast<Eigen::Index>(i);
-    const double range = parameter.upper - parameter.lower;
     FittedParameter fitted;
     fitted.name = parameter.name;
     fitted.start = parameter.value;
@@ -39,8 +57,11 @@ std::vector<FittedParameter> Describe(const VehicleObjective& objective, const L
     fitted.lower = parameter.lower;
     fitted.upper = parameter.upper;
     fitted.sd = fitted.lower_95 = fitted.upper_95 = kUnknown;
-    if (covariance) Tell(*covariance, k, variables.is_logarithmic(k), fitted);
-    fitted.at_bound = values[k] - parameter.lower < kAtBound * range || parameter.upper - values[k] < kAtBound * range;
+    if (certainty) {
+      fitted.state = certainty->states[i];
+      Tell(certainty->covariance, k, variables.is_logarithmic(k), physical[objective.free()[i]], fitted);
+    }
+    fitted.at_bound = IsAtBound(lattice.axes()[i], values[k]);
     fitted.dimension = parameter.dimension;
     fitted.unit = parameter.unit;
     out.push_back(fitted);
@@ -48,13 +69,58 @@ std::vector<FittedParameter> Describe(const VehicleObjective& objective, const L
   return out;
 }
 
-/// The priors' residuals come last. With a loss the cost is that of squares that would leave the same variance.
-Covariance CovarianceOf(const RefineResult& best, const RobustLoss& loss, Eigen::Index prior_count,
-                        const Lattice& lattice) {
+/// Of parameters that cannot have a deviation at this optimum. A parameter at its bound that changes nothing is not
+/// held there by the bound.
+std::vector<ParameterState> StatesBefore(const RefineResult& best, const Lattice& lattice,
+                                         const std::vector<Eigen::Index>& noisy) {
+  std::vector<ParameterState> states(lattice.size(), ParameterState::kDetermined);
+  const Eigen::VectorXd norms = best.jacobian.colwise().norm();
+  Eigen::VectorXd sound = norms;
+  for (const Eigen::Index j : noisy) {
+    states[static_cast<std::size_t>(j)] = ParameterState::kNoise;
+    sound[j] = 0;
+  }
+  const double least = CovarianceOptions().rank_threshold * sound.maxCoeff();
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const auto j = static_cast<Eigen::Index>(i);
+    if (IsAtBound(lattice.axes()[i], best.values[j]) && norms[j] > least) states[i] = ParameterState::kAtBound;
+  }
+  return states;
+}
+
+/// The priors' residuals come last. With a loss the cost is that of squares that would leave the same variance, but
+/// never less than the squares are: a loss bounds the pull of residuals, and knows nothing of why they are so large.
+Certainty CertaintyAt(const RefineResult& best, const RobustLoss& loss, Eigen::Index prior_count,
+                      const Lattice& lattice, const std::vector<Eigen::Index>& noisy) {
   const Eigen::Index data = best.jacobian.rows() - prior_count;
-  const double cost = loss.EquivalentCost(best.residuals.head(data));
-  return EstimateCovariance(best.jacobian.topRows(data), FitVariables(lattice).Slopes(best.values), cost, {},
-                            best.jacobian.bottomRows(prior_count));
+  const double cost = std::max(best.residuals.head(data).squaredNorm(), loss.EquivalentCost(best.residuals.head(data)));
+  Certainty certainty{.covariance = {}, .states = StatesBefore(best, lattice, noisy)};
+  CovarianceOptions options;
+  for (std::size_t i = 0; i < certainty.states.size(); ++i)
+    if (certainty.states[i] != ParameterState::kDetermined) options.held.push_back(static_cast<Eigen::Index>(i));
+  certainty.covariance = EstimateCovariance(best.jacobian.topRows(data), FitVariables(lattice).Slopes(best.values),
+                                            cost, options, best.jacobian.bottomRows(prior_count));
+  for (std::size_t i = 0; i < certainty.states.size(); ++i)
+    if (std::isinf(certainty.covariance.sd[static_cast<Eigen::Index>(i)]))
+      certainty.states[i] = ParameterState::kUndetermined;
+  return certainty;
+}
+
+/// Of the data's derivatives at an optimum; none where the user stops it.
+std::vector<Eigen::Index> NoisyAt(Archive& archive, const RefineResult& best, Eigen::Index prior_count,
+                                  const RefineOptions& options, const std::function<bool()>& stop) {
+  std::optional<Eigen::MatrixXd> again;
+  const FitVariables variables(archive.lattice());
+  archive.StopBatches(stop);
+  try {
+    again = JacobianAgain(archive, variables, variables.FromValues(best.values), best.residuals,
+                          options.DifferenceStep(archive.problem()));
+  } catch (const BatchStopped&) {
+  }
+  archive.StopBatches({});
+  if (!again) return {};
+  const Eigen::Index data = best.jacobian.rows() - prior_count;
+  return NoisyColumns(best.jacobian.topRows(data), again->topRows(data));
 }
 
 std::string FailureCauses(const EvaluationCounts& counts) {
@@ -140,7 +206,10 @@ double FitResult::Misfit() const {
 
 void FitResult::DropDeviations() {
   covariance.reset();
-  for (FittedParameter& parameter : parameters) parameter.sd = parameter.lower_95 = parameter.upper_95 = std::nan("");
+  for (FittedParameter& parameter : parameters) {
+    parameter.state = ParameterState::kNotComputed;
+    parameter.sd = parameter.lower_95 = parameter.upper_95 = std::nan("");
+  }
 }
 
 FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
@@ -178,7 +247,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   result.prior_count = objective.prior_count();
   result.options = options;
   result.options.refine.step = options.refine.DifferenceStep(archive.problem());
-  if (options.identify_first) {
+  if (options.identify_first && !options.from) {
     begin("identifiability");
     report();
     archive.StopBatches(stop);
@@ -197,9 +266,13 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
       return result;
     }
   }
-  begin("search");
-  result.search = RunMethod(options.search, archive, options.seed, options.stop, options.candidates,
-                            {[&](const SearchGeneration&) { report(); }, stop});
+  if (options.from) {
+    result.search.candidates = {{.values = *options.from}};
+  } else {
+    begin("search");
+    result.search = RunMethod(options.search, archive, options.seed, options.stop, options.candidates,
+                              {[&](const SearchGeneration&) { report(); }, stop});
+  }
   result.search_settings = Settings(options.search);
   result.evaluations = archive.counts();
   if (result.search.candidates.empty()) {
@@ -214,13 +287,17 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
     report();
     return stop();
   };
-  const std::vector<Eigen::VectorXd> starts = Starts(result.search, objective, options.starts);
+  const std::vector<Eigen::VectorXd> starts =
+      options.from ? std::vector{*options.from} : Starts(result.search, objective, options.starts);
   const MultiStartResult refined = RefineFrom(archive, starts, options.refine, report_and_ask);
   result.starts = refined.ended;
   result.agreeing = refined.agreeing;
   result.refined = Summarised(refined.runs, starts.size());
+  if (options.from)
+    for (RefinedStart& run : result.refined) run.from = "fit";
 
   Eigen::VectorXd values = result.search.candidates.front().values;
+  std::optional<Certainty> certainty;
   result.end = stop() ? FitEnd::kInterrupted : FitEnd::kNotConverged;
   if (refined.best >= 0) {
     begin("deviations");
@@ -231,7 +308,9 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
     result.end = EndOf(best, stop());
     result.message = best.message;
     if (best.jacobian.size() > 0) {
-      result.covariance = CovarianceOf(best, options.refine.loss, result.prior_count, archive.lattice());
+      const std::vector<Eigen::Index> noisy = NoisyAt(archive, best, result.prior_count, options.refine, stop);
+      certainty = CertaintyAt(best, options.refine.loss, result.prior_count, archive.lattice(), noisy);
+      result.covariance = certainty->covariance;
       result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();
       result.weakest = WeakestDirections(archive.lattice(), *result.covariance);
       begin("profile");
@@ -249,7 +328,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   }
   result.evaluations = archive.counts();
   result.prior_cost = objective.PriorResiduals(values).squaredNorm();
-  result.parameters = Describe(objective, archive.lattice(), values, result.covariance);
+  result.parameters = Describe(objective, archive.lattice(), values, certainty);
   result.values = objective.AllParameters(values);
   return result;
 }

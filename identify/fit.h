@@ -11,6 +11,7 @@
 
 #include "identify/covariance.h"
 #include "identify/identifiability.h"
+#include "identify/parameter_state.h"
 #include "identify/profile.h"
 #include "identify/refine.h"
 #include "identify/search/archive.h"
@@ -35,6 +36,8 @@ struct FitOptions {
   bool accept_unidentified = false;
   /// Free parameters to profile at the end, as their places among the free ones.
   std::vector<Eigen::Index> profiled = {};
+  /// Of the free parameters: refine from here alone, without a look before or a search.
+  std::optional<Eigen::VectorXd> from = {};
   /// What an evaluation may take [s]; see Problem.
   double deadline_s = std::numeric_limits<double>::infinity();
 };
@@ -53,10 +56,13 @@ struct FittedParameter {
   std::optional<double> prior_sd;
   double lower = 0;
   double upper = 0;
-  /// Standard deviation; infinite when nothing determines the parameter, NaN when it was not computed.
+  ParameterState state = ParameterState::kNotComputed;
+  /// Standard deviation, while parameters at a bound and those of noise stay where they are; infinite when nothing
+  /// determines the parameter, NaN in all other states.
   double sd = 0;
-  /// Interval of 95 %, about the logarithm of the value where the fit is of that (see FitVariables), whatever the
-  /// bounds. Infinite and NaN like `sd`.
+  /// Interval of 95 %, about the logarithm of the value where the fit is of that (see FitVariables): beyond the
+  /// parameter's bounds where the data are, but not beyond what is physical, see PhysicalRanges(). Infinite and NaN
+  /// like `sd`.
   double lower_95 = 0;
   double upper_95 = 0;
   bool at_bound = false;
@@ -64,13 +70,16 @@ struct FittedParameter {
   /// As the vehicle file writes it.
   std::string unit;
 
+  /// "lower" or "upper", of one at its bound.
+  std::string_view BoundName() const { return value - lower < upper - value ? "lower" : "upper"; }
+
   /// How far the fit took it from its prior, in deviations of the prior; zero without one.
   double FromPrior() const { return prior_sd ? (value - start) / *prior_sd : 0; }
 };
 
 /// What a refinement made of its start.
 struct RefinedStart {
-  /// "search" or "vehicle file"
+  /// "search", "vehicle file" or "fit", see FitOptions::from
   std::string from;
   RefineEnd end = RefineEnd::kNotRun;
   double start_cost = 0;

@@ -9,11 +9,14 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/sha256.h"
+#include "analysis/text_file.h"
+#include "identify/result_reader.h"
 
 namespace fourpost {
 namespace {
 
 std::optional<std::string> DigestOf(const std::filesystem::path& file) {
+  if (!WhyNoFile(file).empty()) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
   Sha256 digest;
@@ -45,18 +48,18 @@ std::vector<FileDigest> FittedFiles(const Study& study) {
   return DigestsOf(files);
 }
 
-std::vector<FileDigest> ValidationFiles(const Study& study) {
+std::vector<FileDigest> ValidationFiles(const Study& study, const std::vector<LeftOutRecording>& left_out) {
   std::vector<std::filesystem::path> files;
   for (const StudyHistory& history : study.histories)
     if (history.is_validation) files.push_back(history.file);
   if (study.bench)
     for (const BenchStudy::Recording& recording : study.bench->validation) files.push_back(recording.file);
+  for (const LeftOutRecording& out : left_out) std::erase(files, out.file);
   return DigestsOf(files);
 }
 
 bool WasFitted(const std::filesystem::path& result, const std::filesystem::path& recording) {
-  std::ifstream file(result);
-  const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+  const nlohmann::json json = ReadResultFile(result);
   const std::optional<std::string> digest = DigestOf(recording);
   if (!json.is_object() || !json.contains("fitted_files") || !json["fitted_files"].is_array() || !digest) return false;
   return std::any_of(json["fitted_files"].begin(), json["fitted_files"].end(), [&](const nlohmann::json& entry) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "identify/left_out_recording.h"
 #include "identify/study.h"
 
 namespace fourpost {
@@ -18,8 +19,8 @@ struct FileDigest {
 
 /// Of a study those recordings that are there to be fitted, each file once; what cannot be read is left out.
 std::vector<FileDigest> FittedFiles(const Study& study);
-/// Likewise those that are kept for validation.
-std::vector<FileDigest> ValidationFiles(const Study& study);
+/// Likewise those that are kept for validation, but for those that are left out.
+std::vector<FileDigest> ValidationFiles(const Study& study, const std::vector<LeftOutRecording>& left_out);
 
 /// Whether the fit that wrote this result.json has seen the recording, under whatever name: then what its model answers
 /// is fitted, not foretold. False where that cannot be told, as of results of earlier versions.

@@ -7,6 +7,7 @@
 #include "analysis/csv_writer.h"
 #include "analysis/short_number.h"
 #include "analysis/units.h"
+#include "analysis/utf8.h"
 
 namespace fourpost {
 namespace {
@@ -15,8 +16,16 @@ std::string InFileUnit(double value, const std::string& unit, int digits) {
   return ShortNumber(value / ParseUnit(unit.empty() ? "1" : unit)->si, digits) + (unit.empty() ? "" : " " + unit);
 }
 
+/// Empty where none was computed.
 std::string Deviation(const FittedParameter& parameter) {
-  return std::isinf(parameter.sd) ? "undetermined" : InFileUnit(parameter.sd, parameter.unit, 4);
+  switch (parameter.state) {
+    case ParameterState::kNotComputed: return "";
+    case ParameterState::kDetermined: return ", sd " + InFileUnit(parameter.sd, parameter.unit, 4);
+    case ParameterState::kUndetermined: return ", sd undetermined";
+    case ParameterState::kAtBound: return ", at " + std::string(parameter.BoundName()) + " bound";
+    case ParameterState::kNoise: return ", derivative is noise";
+  }
+  return "";
 }
 
 }  // namespace
@@ -27,9 +36,8 @@ Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResu
   for (std::size_t i = 0; i < loaded.free.size(); ++i) {
     Parameter& parameter = vehicle.parameters[loaded.free[i]];
     const FittedParameter& fitted = fit.parameters[i];
-    std::string source = std::string(kFitted) + loaded.study.file.filename().string() + ", seed " +
-                         std::to_string(seed) + (std::isnan(fitted.sd) ? "" : ", sd " + Deviation(fitted)) + "; was " +
-                         InFileUnit(fitted.start, fitted.unit, 6);
+    std::string source = std::string(kFitted) + ValidUtf8(loaded.study.file.filename().string()) + ", seed " +
+                         std::to_string(seed) + Deviation(fitted) + "; was " + InFileUnit(fitted.start, fitted.unit, 6);
     if (!parameter.source.starts_with(kFitted)) source += ", " + parameter.source;
     parameter.source = source;
     // The data are in the value now: known before them, they would count twice.

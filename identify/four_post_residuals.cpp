@@ -9,6 +9,7 @@
 
 #include "analysis/decibel.h"
 #include "identify/modelled_response.h"
+#include "vehicles/multibody/simulation_error.h"
 #include "vehicles/response/balance_sensitivity.h"
 
 namespace fourpost {
@@ -99,7 +100,7 @@ Eigen::MatrixXd Differentiate(const CondensedVehicle& vehicle, const std::vector
     const ResponseSensitivity sensitivity =
         SolveBalanceSensitivity(vehicle, values, parameters, run.excitation, kFitBalance);
     if (!sensitivity.periodic.unconverged_Hz.empty())
-      throw std::runtime_error("no periodic response of '" + run.name + "' to differentiate");
+      throw SimulationError("no periodic response of '" + run.name + "' to differentiate");
     for (std::size_t p = 0; p < parameters.size(); ++p) {
       double* out = jacobian.col(static_cast<Eigen::Index>(p)).data() + first;
       AddSlopes(run, sensitivity.by_parameter[p], model_error, out);

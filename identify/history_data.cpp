@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/clipping.h"
+#include "analysis/near_file.h"
 #include "analysis/nearest.h"
 #include "analysis/number.h"
 #include "analysis/short_number.h"
@@ -241,6 +242,22 @@ std::optional<std::vector<MeasuredHistory>> LoadHistories(const std::vector<Stud
     if (std::optional<MeasuredHistory> history = HistoryLoader(study, study_file, vehicle, diagnostics).Load())
       loaded.push_back(std::move(*history));
   if (diagnostics.HasErrors()) return std::nullopt;
+  return loaded;
+}
+
+std::vector<MeasuredHistory> LoadValidation(const std::vector<StudyHistory>& histories, const std::string& study_file,
+                                            const Vehicle& vehicle, Diagnostics& diagnostics,
+                                            std::vector<LeftOutRecording>& left_out) {
+  std::vector<MeasuredHistory> loaded;
+  for (const StudyHistory& study : histories) {
+    Diagnostics found;
+    std::optional<MeasuredHistory> history;
+    if (RequireFile(study.file, study_file, study.line, found))
+      history = HistoryLoader(study, study_file, vehicle, found).Load();
+    if (std::optional<LeftOutRecording> out = LeftOutFor(found, study.name, study.file, diagnostics))
+      left_out.push_back(*std::move(out));
+    else if (history) loaded.push_back(std::move(*history));
+  }
   return loaded;
 }
 

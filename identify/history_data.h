@@ -9,6 +9,7 @@
 
 #include "analysis/diagnostics.h"
 #include "identify/history_study.h"
+#include "identify/left_out_recording.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/posts/recorded_posts.h"
 
@@ -44,6 +45,9 @@ struct MeasuredHistory {
   Eigen::Index first = 0;
   Eigen::Index count = 0;
   std::vector<MeasuredSignal> signals;
+  /// Samples of the window x signals: what the full geometry adds to the reduced model's signals, see
+  /// full_correction.h; empty: nothing.
+  Eigen::MatrixXd correction = {};
 
   double TimeAt(Eigen::Index k) const { return posts.start_s + static_cast<double>(first + k) / rate_Hz; }
 
@@ -57,5 +61,10 @@ struct MeasuredHistory {
 std::optional<std::vector<MeasuredHistory>> LoadHistories(const std::vector<StudyHistory>& histories,
                                                           const std::string& study_file, const Vehicle& vehicle,
                                                           Diagnostics& diagnostics);
+
+/// Likewise those that a fit does not see; each that has a fault is left out, with a warning, and added to `left_out`.
+std::vector<MeasuredHistory> LoadValidation(const std::vector<StudyHistory>& histories, const std::string& study_file,
+                                            const Vehicle& vehicle, Diagnostics& diagnostics,
+                                            std::vector<LeftOutRecording>& left_out);
 
 }  // namespace fourpost

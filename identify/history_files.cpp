@@ -8,6 +8,7 @@
 #include "analysis/csv_writer.h"
 #include "analysis/number.h"
 #include "identify/channel_json.h"
+#include "identify/json_text.h"
 #include "identify/versions.h"
 
 namespace fourpost {
@@ -53,29 +54,37 @@ std::string HistoryCsv(const TimeHistory& history, const std::vector<HistoryChan
   return csv.text();
 }
 
+Json EngineJson(const HistoryEngine& by, double error) {
+  Json json = {{"engine", by.correction_change ? "full by correction" : EngineName(by.engine)},
+               {"integration",
+                {{"error_asked", error}, {"change_by_last_halving", OrNull(by.change)}, {"step_s", OrNull(by.step_s)}}},
+               {"linear_kinematics_error", nullptr}};
+  if (by.kinematics_error)
+    json["linear_kinematics_error"] = {{"value", by.kinematics_error->share},
+                                       {"channel", by.kinematics_error->channel},
+                                       {"visible", by.kinematics_error->IsVisible()}};
+  if (by.correction_change) json["correction_change"] = *by.correction_change;
+  if (!by.not_estimated.empty()) json["linear_kinematics_error"] = {{"not_estimated", by.not_estimated}};
+  return json;
+}
+
 std::string HistoryJson(const Vehicle& vehicle, const HistoryOrigin& origin, const TimeHistory& history,
                         const std::vector<HistoryChannel>& channels, const Diagnostics& findings) {
   Json parameters = Json::object();
   for (const Parameter& parameter : vehicle.parameters) parameters[parameter.name] = parameter.value;
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
-  const Json json = {{"vehicle", vehicle.name},
-                     {"parameters", parameters},
-                     {"motion", origin.motion},
-                     {"engine", origin.engine},
-                     {"start_s", history.start_s},
-                     {"rate_Hz", history.rate_Hz},
-                     {"samples", history.size()},
-                     {"seed", origin.seed},
-                     {"interrupted", origin.interrupted},
-                     {"integration",
-                      {{"error_asked", origin.error},
-                       {"change_by_last_halving", OrNull(origin.change)},
-                       {"step_s", OrNull(origin.step_s)}}},
-                     {"channels", ChannelsJson(channels)},
-                     {"findings", FindingsJson(findings)},
-                     {"versions", versions}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  Json json = {{"vehicle", vehicle.name}, {"parameters", parameters}, {"motion", origin.motion}};
+  json.update(EngineJson(origin.by, origin.error));
+  json.update({{"start_s", history.start_s},
+               {"rate_Hz", history.rate_Hz},
+               {"samples", history.size()},
+               {"seed", origin.seed},
+               {"interrupted", origin.interrupted},
+               {"channels", ChannelsJson(channels)},
+               {"findings", FindingsJson(findings)},
+               {"versions", versions}});
+  return JsonText(json);
 }
 
 }  // namespace fourpost

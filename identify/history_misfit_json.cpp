@@ -22,7 +22,7 @@ nlohmann::ordered_json HistoryMisfitsJson(const std::vector<HistoryMisfit>& misf
                     {"vaf_percent", NumberOrNull(misfit.vaf_percent)}});
     if (misfit.gain) list.back()["gain"] = NumberOrNull(*misfit.gain);
     if (misfit.delay_s) list.back()["delay_s"] = NumberOrNull(*misfit.delay_s);
-    if (misfit.full_nmse_percent) list.back()["full_nmse_percent"] = NumberOrNull(*misfit.full_nmse_percent);
+    if (misfit.reduced_nmse_percent) list.back()["reduced_nmse_percent"] = NumberOrNull(*misfit.reduced_nmse_percent);
     if (misfit.one_step_nmse_percent)
       list.back()["one_step_nmse_percent"] = NumberOrNull(*misfit.one_step_nmse_percent);
     if (misfit.innovation_correlation)

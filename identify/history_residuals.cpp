@@ -157,11 +157,11 @@ void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::
     }
 }
 
-void AddFullErrors(const MeasuredHistory& history, const Eigen::MatrixXd& modelled,
-                   std::vector<HistoryMisfit>& misfits) {
+void AddReducedErrors(const MeasuredHistory& history, const Eigen::MatrixXd& modelled,
+                      std::span<HistoryMisfit> misfits) {
   for (std::size_t i = 0; i < history.signals.size(); ++i) {
     const Eigen::VectorXd signal = modelled.col(static_cast<Index>(i));
-    misfits[i].full_nmse_percent = NormalisedMse_percent(Span(history.signals[i].values), Span(signal));
+    misfits[i].reduced_nmse_percent = NormalisedMse_percent(Span(history.signals[i].values), Span(signal));
   }
 }
 
@@ -198,6 +198,7 @@ std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& hi
                            .name = signal.name,
                            .nmse_percent = NormalisedMse_percent(Span(signal.values), Span(model)),
                            .vaf_percent = VarianceAccountedFor_percent(Span(signal.values), Span(model)),
+                           .measured_squares = std::pow(signal.Deviation(), 2) * static_cast<double>(model.size()),
                            .unit = signal.unit,
                            .source = signal.source};
       const SignalTiming timing = TimingOf(signal.values, model, histories[h].rate_Hz);

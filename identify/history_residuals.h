@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -101,9 +102,9 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
 void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,
                       std::vector<HistoryMisfit>& misfits);
 
-/// Adds the errors of the full multibody system through one history, `misfits` of its signals.
-void AddFullErrors(const MeasuredHistory& history, const Eigen::MatrixXd& modelled,
-                   std::vector<HistoryMisfit>& misfits);
+/// Adds the errors of the reduced model through one history, `misfits` of its signals.
+void AddReducedErrors(const MeasuredHistory& history, const Eigen::MatrixXd& modelled,
+                      std::span<HistoryMisfit> misfits);
 
 /// How well models show each signal of each history; `modelled` as HistoryResiduals::Modelled gives it.
 std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,

@@ -9,8 +9,8 @@
 #include "analysis/low_pass.h"
 #include "analysis/option_check.h"
 #include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/condensed_stepper.h"
-#include "vehicles/simulation/multibody_system.h"
 
 namespace fourpost {
 namespace {
@@ -74,17 +74,25 @@ void HistorySimulation::March(const CondensedModel& model, const Deadline& deadl
     for (long part = 0; part < parts_ && k > 0; ++part) stepper.Step(PostsAt((k - 1) * parts_ + part + 1));
     sample(k, stepper);
     // So written that it is true for NaN.
-    if (!(stepper.state().norm() < kFarthest)) throw std::runtime_error("the motion grows beyond all bounds");
+    if (!(stepper.state().norm() < kFarthest)) throw SimulationError("the motion grows beyond all bounds");
   }
   if (stepper.unsolved_steps() > 0)
-    throw std::runtime_error("the forces of the vehicle's elements were not found in " +
-                             std::to_string(stepper.unsolved_steps()) + " steps");
+    throw SimulationError("the forces of the vehicle's elements were not found in " +
+                          std::to_string(stepper.unsolved_steps()) + " steps");
 }
 
 Eigen::MatrixXd HistorySimulation::Run(const CondensedModel& model, const Deadline& deadline) const {
   Eigen::MatrixXd readings(model.on_position.rows(), samples_);
   March(model, deadline, [&](Index k, const CondensedStepper& stepper) { stepper.Read(readings.col(k)); });
-  return SignalsOf(*history_, readings);
+  Eigen::MatrixXd signals = SignalsOf(*history_, readings);
+  if (history_->correction.size() > 0) signals += history_->correction;
+  return signals;
+}
+
+Eigen::MatrixXd HistorySimulation::Readings(const CondensedModel& model) const {
+  Eigen::MatrixXd readings(model.on_position.rows(), samples_);
+  March(model, {}, [&](Index k, const CondensedStepper& stepper) { stepper.Read(readings.col(k)); });
+  return readings.rightCols(history_->count).transpose();
 }
 
 HistoryMotion HistorySimulation::Motion(const CondensedModel& model, Index stride) const {
@@ -104,16 +112,20 @@ HistoryMotion HistorySimulation::Motion(const CondensedModel& model, Index strid
   return motion;
 }
 
-std::optional<Eigen::MatrixXd> SimulateFully(const MeasuredHistory& history, const Vehicle& vehicle, double accuracy,
-                                             const GoOn& go_on) {
-  const std::vector<double> values = vehicle.ParameterValues();
-  Multibody multibody(vehicle);
-  multibody.SetParameters(values, CondensedVehicle(vehicle).At(values).preloads);
-  MultibodySystem system(multibody, accuracy);
-  const TimeGrid grid = GridOf(history);
-  const TimeHistory run = Simulate(system, history.posts.motion, grid, go_on);
-  if (run.size() < grid.lead_count() + grid.count()) return std::nullopt;
-  return SignalsOf(history, run.readings.transpose());
+std::optional<EngineHistory> SimulateBy(const HistorySolver::Options& options, const MeasuredHistory& history,
+                                        const Vehicle& vehicle, const std::vector<double>& values,
+                                        const HistorySolver::Progress& progress) {
+  Vehicle measured = vehicle;
+  measured.sensors.clear();
+  MeasuredHistory numbered = history;
+  for (std::size_t i = 0; i < history.signals.size(); ++i) {
+    measured.sensors.push_back(vehicle.sensors[history.signals[i].sensor]);
+    numbered.signals[i].sensor = i;
+  }
+  const SolvedHistory solved =
+      HistorySolver(measured, values).Solve(history.posts.motion, GridOf(history), options, progress);
+  if (solved.ended) return std::nullopt;
+  return EngineHistory{.modelled = SignalsOf(numbered, solved.history.readings.transpose()), .by = solved.by};
 }
 
 double HistoryStep(const MeasuredHistory& history, const CondensedModel& model, const RigView& rig, double error) {

@@ -9,6 +9,7 @@
 #include "analysis/deadline.h"
 #include "identify/history_data.h"
 #include "vehicles/condensed/condensed_model.h"
+#include "vehicles/engine/history_solver.h"
 #include "vehicles/simulation/time_history.h"
 #include "vehicles/simulation/time_system.h"
 
@@ -34,8 +35,12 @@ class HistorySimulation {
   /// `step_s`: of the condensed stepper; whole parts of a sample are taken, none longer. The history must outlive this.
   HistorySimulation(const MeasuredHistory& history, double step_s);
 
-  /// Samples of the window x signals. Throws std::runtime_error where the motion cannot be computed, and TimedOut.
+  /// Samples of the window x signals, the history's correction included. Throws std::runtime_error where the motion
+  /// cannot be computed, and TimedOut.
   Eigen::MatrixXd Run(const CondensedModel& model, const Deadline& deadline = {}) const;
+
+  /// What the sensors of a model read without the filter, samples of the window x sensors. Throws as Run() does.
+  Eigen::MatrixXd Readings(const CondensedModel& model) const;
 
   /// What moved while that was so: the first sample of the window and every `stride`-th after it, at least 1. No filter
   /// is between. Throws as Run() does.
@@ -57,10 +62,18 @@ class HistorySimulation {
   Eigen::Index samples_ = 0;
 };
 
-/// The same by the full multibody system of the vehicle at its file's values, integrated to `accuracy` (see
-/// MultibodySystem); nothing where `go_on` ends it. Throws as Run() does.
-std::optional<Eigen::MatrixXd> SimulateFully(const MeasuredHistory& history, const Vehicle& vehicle, double accuracy,
-                                             const GoOn& go_on = {});
+/// What an engine makes of a measured history.
+struct EngineHistory {
+  /// Samples of the window x signals, see HistorySimulation::Run.
+  Eigen::MatrixXd modelled;
+  HistoryEngine by;
+};
+
+/// The vehicle at these values through the history. Only sensors that were measured count in what linear kinematics are
+/// off by, before the rig's filter. Nothing where `progress` ends it. Throws as HistorySolver::Solve() does.
+std::optional<EngineHistory> SimulateBy(const HistorySolver::Options& options, const MeasuredHistory& history,
+                                        const Vehicle& vehicle, const std::vector<double>& values,
+                                        const HistorySolver::Progress& progress = {});
 
 /// The step at which a model errs by no more than `error` of any channel's rms, by halving (SimulateCondensed).
 double HistoryStep(const MeasuredHistory& history, const CondensedModel& model, const RigView& rig, double error);

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "identify/derivative_noise.h"
 #include "identify/difference_jacobian.h"
 #include "identify/fit_variables.h"
 #include "identify/search/draws.h"
@@ -14,22 +15,39 @@
 namespace fourpost {
 namespace {
 
-/// Of the whitened residuals with respect to FitVariables, the priors' rows last; nothing where it cannot be told.
-std::optional<Eigen::MatrixXd> JacobianAt(Archive& archive, const Eigen::VectorXd& values, double& cost) {
-  const Evaluation here = archive.EvaluateValues({values}).front();
-  if (!here.ok()) return std::nullopt;
-  cost = here.cost();
+/// Derivatives of the whitened residuals with respect to FitVariables, the priors' rows last.
+struct Slopes {
+  Eigen::VectorXd x;
+  Evaluation here;
+  Eigen::MatrixXd jacobian;
+};
+
+double StepOf(const Archive& archive) { return StepFor(archive.problem().accuracy, Differences::kCentral); }
+
+/// Nothing where they cannot be told.
+std::optional<Slopes> SlopesAt(Archive& archive, const Eigen::VectorXd& values) {
   const FitVariables variables(archive.lattice());
-  const double step = StepFor(archive.problem().accuracy, Differences::kCentral);
+  Slopes slopes{variables.FromValues(values), archive.EvaluateValues({values}).front(), {}};
+  if (!slopes.here.ok()) return std::nullopt;
   // A model's own derivatives may be good for steps only; too rough to tell a small slope from none.
-  return DifferenceJacobian(archive, variables, variables.FromValues(values), here.residuals, step,
-                            Differences::kCentral);
+  std::optional<Eigen::MatrixXd> jacobian =
+      DifferenceJacobian(archive, variables, slopes.x, slopes.here.residuals, StepOf(archive), Differences::kCentral);
+  if (!jacobian) return std::nullopt;
+  slopes.jacobian = *std::move(jacobian);
+  return slopes;
+}
+
+std::vector<Eigen::Index> NoisyOf(Archive& archive, const Slopes& slopes) {
+  const std::optional<Eigen::MatrixXd> again =
+      JacobianAgain(archive, FitVariables(archive.lattice()), slopes.x, slopes.here.residuals, StepOf(archive));
+  return again ? NoisyColumns(slopes.jacobian, *again) : std::vector<Eigen::Index>();
 }
 
 /// `data` about these values; variances are not looked at, so no inflation.
 Covariance Judge(const Archive& archive, const Eigen::VectorXd& values, const Eigen::MatrixXd& data, double cost,
-                 const Eigen::MatrixXd& priors) {
-  return EstimateCovariance(data, FitVariables(archive.lattice()).Slopes(values), cost, {.inflate = false}, priors);
+                 const Eigen::MatrixXd& priors, const std::vector<Eigen::Index>& held = {}) {
+  return EstimateCovariance(data, FitVariables(archive.lattice()).Slopes(values), cost,
+                            {.inflate = false, .held = held}, priors);
 }
 
 /// Largest singular value.
@@ -59,7 +77,7 @@ std::string RemedyFor(const Eigen::VectorXd& direction) {
 std::vector<std::string> WeakestDirections(const Lattice& lattice, const Covariance& covariance) {
   const Eigen::Index n = covariance.directions.cols();
   std::vector<std::string> weakest;
-  for (Eigen::Index i = std::min<Eigen::Index>(covariance.rank, n - 1); i < n; ++i)
+  for (Eigen::Index i = std::max<Eigen::Index>(0, std::min<Eigen::Index>(covariance.rank, n - 1)); i < n; ++i)
     weakest.push_back(DescribeDirection(lattice, covariance.directions.col(i)));
   return weakest;
 }
@@ -68,26 +86,35 @@ std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const Veh
                                                      std::uint64_t seed) {
   constexpr int kOtherPoints = 2;
   const Eigen::VectorXd values = objective.FileValues();
-  double cost = 0;
-  const std::optional<Eigen::MatrixXd> here = JacobianAt(archive, values, cost);
+  const std::optional<Slopes> here = SlopesAt(archive, values);
   if (!here) return std::nullopt;
-  const Eigen::Index count = here->rows() - objective.prior_count();
-  const Eigen::MatrixXd priors = here->bottomRows(objective.prior_count());
-  Eigen::MatrixXd data = here->topRows(count);
-  Covariance covariance = Judge(archive, values, data, cost, priors);
-  for (int k = 0; k < kOtherPoints && covariance.rank < covariance.directions.cols(); ++k) {
+  const double cost = here->here.cost();
+  const Eigen::Index count = here->jacobian.rows() - objective.prior_count();
+  const Eigen::MatrixXd priors = here->jacobian.bottomRows(objective.prior_count());
+  Eigen::MatrixXd data = here->jacobian.topRows(count);
+  const auto judged = [&](const std::vector<Eigen::Index>& held) {
+    const Covariance covariance = Judge(archive, values, data, cost, priors, held);
+    Identifiability judgement{covariance, {}, WeakestDirections(archive.lattice(), covariance)};
+    for (const Eigen::Index j : held)
+      judgement.noisy.push_back(archive.lattice().axes()[static_cast<std::size_t>(j)].name);
+    return judgement;
+  };
+  Identifiability before = judged({});
+  for (int k = 0; k < kOtherPoints && before.HasUndetermined(); ++k) {
     Draws draws(seed, DrawPurpose::kProbe, k, 0);
     const LatticePoint point = RandomPoint(archive.lattice(), draws);
-    double there_cost = 0;
-    const auto there = JacobianAt(archive, archive.lattice().Values(point), there_cost);
+    const std::optional<Slopes> there = SlopesAt(archive, archive.lattice().Values(point));
     if (!there) continue;
+    const auto rows = there->jacobian.topRows(count);
     Eigen::MatrixXd both(data.rows() + count, data.cols());
     // A point of large slopes must not make those of another look small.
-    both << data / Largest(data), there->topRows(count) / Largest(there->topRows(count));
+    both << data / Largest(data), rows / Largest(rows);
     data = std::move(both);
-    covariance = Judge(archive, values, data, cost, priors);
+    before = judged({});
   }
-  return Identifiability{covariance, WeakestDirections(archive.lattice(), covariance)};
+  if (before.HasUndetermined())
+    if (const std::vector<Eigen::Index> noisy = NoisyOf(archive, *here); !noisy.empty()) before = judged(noisy);
+  return before;
 }
 
 }  // namespace fourpost

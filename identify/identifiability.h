@@ -13,7 +13,10 @@ namespace fourpost {
 
 /// What data and priors of a study can tell about its free parameters, before they are fitted.
 struct Identifiability {
+  /// Parameters whose derivatives are noise are held in it.
   Covariance covariance;
+  /// Names of parameters whose derivatives are noise, see NoisyColumns(): nothing is known of them.
+  std::vector<std::string> noisy = {};
   /// Combinations that nothing determines, in words; if there is none, the one that is determined least.
   std::vector<std::string> weakest;
 
@@ -22,7 +25,8 @@ struct Identifiability {
 
 /// At the values of the vehicle file. A direction that is open there, as that of a knee between equal rates, may be
 /// closed elsewhere: such directions are looked at from two random points as well, and only what is open from all of
-/// them counts. Nothing where the model cannot be evaluated at the file's values. Pays for what it evaluates.
+/// them counts. Where one is, derivatives at the file's values are looked at twice: what noise hides is not open.
+/// Nothing where the model cannot be evaluated at the file's values. Pays for what it evaluates.
 std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const VehicleObjective& objective,
                                                      std::uint64_t seed);
 

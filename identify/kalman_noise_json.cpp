@@ -1,7 +1,8 @@
 #include "identify/kalman_noise_json.h"
 
-#include <fstream>
 #include <vector>
+
+#include "identify/result_reader.h"
 
 namespace fourpost {
 
@@ -17,10 +18,11 @@ Json KalmanNoiseJson(const MeasuredHistory& history, const KalmanNoise& noise) {
 }
 
 std::optional<KalmanNoise> ReadKalmanNoise(const std::filesystem::path& result, const MeasuredHistory& history) {
-  std::ifstream file(result);
-  const Json json = Json::parse(file, nullptr, false);
-  if (!json.is_object() || !json.contains("kalman_noise") || json["kalman_noise"].empty()) return std::nullopt;
-  const Json& told = json["kalman_noise"][0];
+  const nlohmann::json json = ReadResultFile(result);
+  if (!json.is_object() || !json.contains("kalman_noise")) return std::nullopt;
+  const nlohmann::json& list = json["kalman_noise"];
+  if (!list.is_array() || list.empty()) return std::nullopt;
+  const nlohmann::json& told = list.front();
   try {
     const auto process = told.at("process_sd").get<std::vector<double>>();
     KalmanNoise noise;
@@ -29,7 +31,7 @@ std::optional<KalmanNoise> ReadKalmanNoise(const std::filesystem::path& result, 
     for (std::size_t i = 0; i < history.signals.size(); ++i)
       noise.sensor_sd[static_cast<Eigen::Index>(i)] = told.at("sensor_sd").at(history.signals[i].name).get<double>();
     return noise;
-  } catch (const Json::exception&) {
+  } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
 }

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
 #include "analysis/option_check.h"
 #include "vehicles/condensed/port.h"
+#include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/condensed_stepper.h"
 
 namespace fourpost {
@@ -29,10 +31,11 @@ class Maps {
       : stepper_(model, 1 / history.rate_Hz),
         history_(history),
         readings_(stepper_.sensor_count()),
-        linear_(PortsOf(model).empty()) {}
+        linear_(HeldPortsOf(model).empty()) {}
 
   Index states() const { return stepper_.state().size(); }
-  bool linear() const { return linear_; }
+  /// Whether the slopes are those of any other state: with all tyres on the ground of a vehicle that is linear else.
+  bool linear() const { return linear_ && !stepper_.lifts(); }
 
   VectorXd Start(std::span<const PostState> posts) {
     stepper_.Start(posts);
@@ -43,7 +46,7 @@ class Maps {
     stepper_.SetState(state, from);
     stepper_.Step(to);
     if (stepper_.unsolved_steps() > 0 || !stepper_.state().allFinite())
-      throw std::runtime_error("the motion of a Kalman filter's model cannot be computed");
+      throw SimulationError("the motion of a Kalman filter's model cannot be computed");
     return stepper_.state();
   }
 
@@ -56,12 +59,14 @@ class Maps {
     return signals;
   }
 
-  MatrixXd StepSlopes(const VectorXd& state, std::span<const PostState> from, std::span<const PostState> to) {
-    return Slopes(state, [&](const VectorXd& x) { return Step(x, from, to); });
+  /// Of the step that Step() took last.
+  const MatrixXd& StepSlopes(const VectorXd& state, std::span<const PostState> from, std::span<const PostState> to) {
+    return Kept(step_slopes_, [&] { return Slopes(state, [&](const VectorXd& x) { return Step(x, from, to); }); });
   }
 
-  MatrixXd ReadSlopes(const VectorXd& state, std::span<const PostState> posts) {
-    return Slopes(state, [&](const VectorXd& x) { return Read(x, posts); });
+  /// Of what Read() read last.
+  const MatrixXd& ReadSlopes(const VectorXd& state, std::span<const PostState> posts) {
+    return Kept(read_slopes_, [&] { return Slopes(state, [&](const VectorXd& x) { return Read(x, posts); }); });
   }
 
  private:
@@ -78,10 +83,27 @@ class Maps {
     return slopes;
   }
 
+  /// As they are now, and while the vehicle is linear.
+  struct KeptSlopes {
+    MatrixXd now;
+    MatrixXd linear;
+  };
+
+  /// Those of a linear vehicle are found once.
+  template <typename Find>
+  const MatrixXd& Kept(KeptSlopes& slopes, const Find& find) {
+    if (!linear()) return slopes.now = find();
+    if (slopes.linear.size() == 0) slopes.linear = find();
+    return slopes.linear;
+  }
+
   CondensedStepper stepper_;
   const MeasuredHistory& history_;
   VectorXd readings_;
+  /// But for tyres that lift off.
   bool linear_;
+  KeptSlopes step_slopes_;
+  KeptSlopes read_slopes_;
 };
 
 }  // namespace
@@ -138,22 +160,21 @@ KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanN
                        .whitened = MatrixXd(history_->count, signals)};
   state = maps.Start(posts_at(0));
   MatrixXd covariance = process;
-  MatrixXd step;
-  MatrixXd read;
   for (Index k = 0; k < samples_; ++k) {
     if (k % kBetweenChecks == 0) deadline.Check();
     if (k > 0) {
-      if (step.size() == 0 || !maps.linear()) step = maps.StepSlopes(state, posts_at(k - 1), posts_at(k));
-      state = maps.Step(state, posts_at(k - 1), posts_at(k));
+      VectorXd next = maps.Step(state, posts_at(k - 1), posts_at(k));
+      const MatrixXd& step = maps.StepSlopes(state, posts_at(k - 1), posts_at(k));
       covariance = step * covariance * step.transpose() + process;
+      state = std::move(next);
     }
     if (k < history_->first) continue;
     const Index row = k - history_->first;
-    if (read.size() == 0 || !maps.linear()) read = maps.ReadSlopes(state, posts_at(k));
+    out.predicted.row(row) = maps.Read(state, posts_at(k));
+    const MatrixXd& read = maps.ReadSlopes(state, posts_at(k));
     VectorXd innovation(signals);
     for (Index i = 0; i < signals; ++i)
       innovation[i] = history_->signals[static_cast<std::size_t>(i)].values[row] + offset[i];
-    out.predicted.row(row) = maps.Read(state, posts_at(k));
     innovation -= out.predicted.row(row).transpose();
     out.predicted.row(row) -= offset;
     const MatrixXd spread = read * covariance * read.transpose() + sensor;
@@ -167,7 +188,7 @@ KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanN
     const MatrixXd kept = MatrixXd::Identity(n, n) - gain * read;
     covariance = kept * covariance * kept.transpose() + gain * sensor * gain.transpose();
   }
-  if (!std::isfinite(out.Deviance())) throw std::runtime_error("a Kalman filter's covariance is not finite");
+  if (!std::isfinite(out.Deviance())) throw SimulationError("a Kalman filter's covariance is not finite");
   return out;
 }
 

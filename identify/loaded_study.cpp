@@ -82,20 +82,18 @@ void CheckDeviations(const Study& study, const std::vector<MeasuredHistory>& his
     }
 }
 
-/// Whether all files are there; names the study's own line for one that is not.
+/// Whether all files are there that are to be fitted; names the study's own line for one that is not.
 bool HasFiles(const Study& study, Diagnostics& diagnostics) {
   bool all = true;
   const auto check = [&](const std::filesystem::path& path, int line) {
-    if (std::filesystem::exists(path)) return;
-    diagnostics.Error(study.file.string(), line, "there is no file " + path.string() + DidYouMeanFile(path));
-    all = false;
+    all = RequireFile(path, study.file.string(), line, diagnostics) && all;
   };
   check(study.vehicle, study.vehicle_line);
   for (const StudyRecording& recording : study.recordings) check(recording.file, recording.line);
-  for (const StudyHistory& history : study.histories) check(history.file, history.line);
+  for (const StudyHistory& history : study.histories)
+    if (!history.is_validation) check(history.file, history.line);
   if (study.bench)
-    for (const auto* list : {&study.bench->recordings, &study.bench->validation})
-      for (const BenchStudy::Recording& recording : *list) check(recording.file, recording.line);
+    for (const BenchStudy::Recording& recording : study.bench->recordings) check(recording.file, recording.line);
   return all;
 }
 
@@ -164,17 +162,20 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
   if (data) CheckBand(*study, *data, diagnostics);
   std::optional<std::vector<MeasuredHistory>> histories =
       LoadHistories(HistoriesOf(study->histories, false), study->file.string(), *vehicle, diagnostics);
-  std::optional<std::vector<MeasuredHistory>> validation =
-      LoadHistories(HistoriesOf(study->histories, true), study->file.string(), *vehicle, diagnostics);
+  std::vector<LeftOutRecording> left_out;
+  std::vector<MeasuredHistory> validation =
+      LoadValidation(HistoriesOf(study->histories, true), study->file.string(), *vehicle, diagnostics, left_out);
   CheckPrediction(*study, *vehicle, diagnostics);
   if (histories) CheckDeviations(*study, *histories, diagnostics);
   if (diagnostics.HasErrors()) return std::nullopt;
   LoadedStudy loaded{*study, *vehicle, std::move(*data), std::move(free)};
   loaded.histories = std::move(*histories);
-  loaded.validation = std::move(*validation);
+  loaded.validation = std::move(validation);
   loaded.bench = std::move(bench);
+  if (loaded.bench) left_out.insert(left_out.end(), loaded.bench->left_out.begin(), loaded.bench->left_out.end());
   loaded.fitted_files = FittedFiles(*study);
-  loaded.validation_files = ValidationFiles(*study);
+  loaded.validation_files = ValidationFiles(*study, left_out);
+  loaded.left_out = std::move(left_out);
   return loaded;
 }
 

@@ -11,6 +11,7 @@
 #include "identify/four_post_data.h"
 #include "identify/history_data.h"
 #include "identify/history_residuals.h"
+#include "identify/left_out_recording.h"
 #include "identify/study.h"
 #include "identify/vehicle_objective.h"
 #include "vehicles/description/vehicle.h"
@@ -28,6 +29,8 @@ struct LoadedStudy {
   std::vector<MeasuredHistory> histories = {};
   /// Those that the fit does not see.
   std::vector<MeasuredHistory> validation = {};
+  /// Those kept for validation, over time or of a bench, that cannot be used.
+  std::vector<LeftOutRecording> left_out = {};
   std::optional<BenchData> bench = {};
   /// As they were read: a file may change while a fit runs.
   std::vector<FileDigest> fitted_files = {};
@@ -49,7 +52,7 @@ struct LoadedStudy {
 };
 
 /// Reads a study, its vehicle and its recordings. Adds every fault of all of them to `diagnostics`; nothing when there
-/// was an error.
+/// was an error. Recordings for validation that have a fault are left out, with a warning.
 std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics);
 
 }  // namespace fourpost

@@ -74,6 +74,33 @@ std::vector<ChannelMisfit> RecordingMisfits(const std::vector<MeasuredRun>& runs
   return misfits;
 }
 
+std::vector<ErrorShare> ErrorShares(const std::vector<MeasuredRun>& runs,
+                                    const std::vector<FrequencyResponse>& modelled) {
+  std::vector<ErrorShare> shares;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    for (const MeasuredChannel& channel : runs[r].channels) {
+      Sums sums;
+      Add(channel, modelled[r].channels[channel.sensor], sums);
+      shares.push_back({.channel = channel.name,
+                        .recording = runs[r].name,
+                        .kind = "gain of " + channel.unit,
+                        .error = sums.square_error,
+                        .measured = sums.square_measured});
+    }
+  return shares;
+}
+
+std::vector<ErrorShare> ErrorShares(const std::vector<HistoryMisfit>& misfits) {
+  std::vector<ErrorShare> shares;
+  for (const HistoryMisfit& misfit : misfits)
+    shares.push_back({.channel = misfit.name,
+                      .recording = misfit.recording,
+                      .kind = misfit.unit,
+                      .error = misfit.nmse_percent / 100 * misfit.measured_squares,
+                      .measured = misfit.measured_squares});
+  return shares;
+}
+
 ChannelMisfit GroupMisfit(const std::vector<ChannelMisfit>& channels, const std::string& prefix) {
   Sums sums;
   double nmse_percent = 0;

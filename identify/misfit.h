@@ -7,7 +7,10 @@
 #include "analysis/frequency_response.h"
 #include "identify/channel_source.h"
 #include "identify/four_post_data.h"
+#include "identify/kinematics_check.h"
+#include "identify/left_out_recording.h"
 #include "identify/model_criteria.h"
+#include "vehicles/engine/history_solver.h"
 
 namespace fourpost {
 
@@ -42,14 +45,35 @@ struct HistoryMisfit {
   std::optional<double> innovation_correlation = {};
   /// Of their first 25 autocorrelations, the share beyond what 95 % of those of white noise keep to: 0.05 if white.
   std::optional<double> innovations_beyond = {};
-  /// By the full multibody system in place of the condensed one.
-  std::optional<double> full_nmse_percent = {};
+  /// Of the reduced model, where the full geometry answered.
+  std::optional<double> reduced_nmse_percent = {};
   /// The channel of the same unit that this one is measured like, while that one is measured like this: swapped.
   std::optional<std::string> swapped_with = {};
+  /// Sum of squares of the measured channel about its mean.
+  double measured_squares = 0;
   /// SI; empty of a damper on its bench.
   std::string unit = {};
   /// What the study takes it from.
   ChannelSource source = {};
+};
+
+/// A channel of one recording: squares of the errors and of what was measured, whose sums over several make an error in
+/// percent of all.
+struct ErrorShare {
+  std::string channel;
+  std::string recording;
+  /// Only what is alike here adds up: gains of one unit, or signals of one.
+  std::string kind;
+  double error = 0;
+  double measured = 0;
+};
+
+/// The engine that modelled a history, and the integration's error it was asked for.
+struct ModelledHistory {
+  std::string recording;
+  bool is_fitted = true;
+  HistoryEngine by;
+  double error = 0;
 };
 
 /// How far a fitted vehicle is from all the data of its study.
@@ -60,6 +84,14 @@ struct Misfits {
   std::vector<HistoryMisfit> histories;
   /// Of recordings that the fit has not seen.
   std::vector<HistoryMisfit> validation;
+  /// Of those that were kept for it, the ones that could not be used or predicted.
+  std::vector<LeftOutRecording> left_out;
+  /// Of all that was fitted but static loads.
+  std::vector<ErrorShare> shares;
+  /// By what each history was modelled, those of the fit, then those that it has not seen.
+  std::vector<ModelledHistory> modelled_by;
+  /// Of recordings of stepped sines, which the reduced model answers.
+  std::vector<RunKinematics> kinematics;
   /// Of a damper on a bench.
   std::optional<ModelCriteria> criteria;
   /// Modelled load of each tyre of the vehicle at rest [N]; empty where it was not needed.
@@ -76,6 +108,13 @@ std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
 /// channel next to a node does not drown the others. Arguments as of ResponseMisfits.
 std::vector<ChannelMisfit> RecordingMisfits(const std::vector<MeasuredRun>& runs,
                                             const std::vector<FrequencyResponse>& modelled);
+
+/// One per run and channel; arguments as of ResponseMisfits.
+std::vector<ErrorShare> ErrorShares(const std::vector<MeasuredRun>& runs,
+                                    const std::vector<FrequencyResponse>& modelled);
+
+/// One per recording and channel.
+std::vector<ErrorShare> ErrorShares(const std::vector<HistoryMisfit>& misfits);
 
 /// Root mean square over channels whose names begin with `prefix`, of the errors in percent their mean; all of them for
 /// an empty one.

@@ -61,6 +61,9 @@ std::vector<std::string> Remarks(const std::vector<FittedModel>& models) {
       remarks.push_back("The fit of " + model.name +
                         (model.termination == "interrupted" ? " was interrupted" : " did not converge") +
                         ": it may miss more than the model does; let it end before you judge it.");
+  for (const FittedModel& model : models)
+    if (!model.explains)
+      remarks.push_back(model.name + " does not explain the data that it was fitted to: its report says why.");
   return remarks;
 }
 

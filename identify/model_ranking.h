@@ -17,6 +17,8 @@ struct FittedModel {
   ModelCriteria criteria;
   /// How its fit ended, as result.json has it: "converged", ...
   std::string termination = "converged";
+  /// Whether it explains what it was fitted to, see FitVerdict.
+  bool explains = true;
 };
 
 /// Models of the same recordings, the one to choose first.

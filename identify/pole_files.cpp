@@ -10,6 +10,7 @@
 #include "analysis/pole_chart.h"
 #include "analysis/units.h"
 #include "identify/channel_json.h"
+#include "identify/json_text.h"
 #include "identify/versions.h"
 #include "vehicles/condensed/mode_times.h"
 
@@ -122,7 +123,7 @@ std::string ModesJson(const Vehicle& vehicle, const StateSpace& space, const std
                      {"modes", list},           {"state_space", StateSpaceJson(vehicle, space)},
                      {"pole_paths", traced},    {"findings", FindingsJson(findings)},
                      {"versions", versions}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return JsonText(json);
 }
 
 std::string PolesCsv(const Vehicle& vehicle, const std::vector<PolePaths>& paths) {

@@ -5,9 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "identify/fitted_files.h"
+#include "identify/history_files.h"
 #include "identify/history_misfit_json.h"
+#include "identify/json_text.h"
 #include "identify/kalman_noise_json.h"
 #include "identify/method_settings.h"
+#include "identify/sweep_files.h"
 #include "identify/versions.h"
 
 namespace fourpost {
@@ -38,6 +41,7 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
                     {"upper", parameter.upper},
                     {"sd", NumberOrNull(parameter.sd)},
                     {"interval_95", {NumberOrNull(parameter.lower_95), NumberOrNull(parameter.upper_95)}},
+                    {"state", kParameterStateNames[static_cast<std::size_t>(parameter.state)]},
                     {"at_bound", parameter.at_bound}});
     if (parameter.prior_sd) list.back()["prior"] = Prior(parameter);
   }
@@ -89,6 +93,7 @@ Json Before(const FitResult& fit) {
   return {{"rank", covariance.rank},
           {"parameters", covariance.directions.cols()},
           {"condition", NumberOrNull(covariance.condition)},
+          {"noise", fit.before->noisy},
           {"weakest", fit.before->weakest}};
 }
 
@@ -100,6 +105,19 @@ Json After(const std::optional<Covariance>& covariance, const std::vector<std::s
           {"weakest", weakest},
           {"sd_inflation", covariance->inflation},
           {"correlation", Matrix(Correlations(*covariance))}};
+}
+
+Json LeftOut(const std::vector<LeftOutRecording>& recordings) {
+  Json list = Json::array();
+  for (const LeftOutRecording& recording : recordings)
+    list.push_back({{"recording", recording.name}, {"reason", recording.reason}});
+  return list;
+}
+
+/// null of a fit that was interrupted.
+Json Verdict(const FitResult& fit, const FitVerdict& verdict) {
+  if (fit.end == FitEnd::kInterrupted) return nullptr;
+  return {{"explains_data", verdict.explains()}, {"reasons", verdict.reasons}};
 }
 
 /// Infinite ends: null.
@@ -202,11 +220,12 @@ Json Refinement(const RefineOptions& options) {
 }  // namespace
 
 std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit, const Misfits& misfits,
-                       const std::vector<std::string>& warnings) {
+                       const FitVerdict& verdict, const std::vector<std::string>& warnings) {
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   Json json = {{"termination", FitEndName(fit.end)},
                {"message", fit.message},
+               {"verdict", Verdict(fit, verdict)},
                {"study", study.study.file.filename().string()},
                {"vehicle", study.vehicle.name},
                {"band_Hz", {study.study.band_lower_Hz, study.study.band_upper_Hz}},
@@ -236,8 +255,19 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
   for (std::size_t h = 0; h < study.kalman_noise.size(); ++h)
     json["kalman_noise"].push_back(KalmanNoiseJson(study.histories[h], study.kalman_noise[h]));
   if (!misfits.validation.empty()) json["validation"] = HistoryMisfitsJson(misfits.validation);
+  if (!misfits.left_out.empty()) json["validation_left_out"] = LeftOut(misfits.left_out);
+  for (const RunKinematics& run : misfits.kinematics)
+    json["responses"].push_back({{"recording", run.recording},
+                                 {"engine", EngineName(Engine::kReduced)},
+                                 {"compared_at_Hz", run.frequency_Hz},
+                                 {"linear_kinematics_error", KinematicsJson(run.error, run.not_estimated)}});
+  for (const ModelledHistory& history : misfits.modelled_by) {
+    Json entry = {{"recording", history.recording}, {"fitted", history.is_fitted}};
+    entry.update(EngineJson(history.by, history.error));
+    json["histories"].push_back(entry);
+  }
   if (misfits.criteria) json["criteria"] = Criteria(*misfits.criteria);
-  return json.dump(2) + '\n';
+  return JsonText(json);
 }
 
 }  // namespace fourpost

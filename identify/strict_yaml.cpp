@@ -93,8 +93,11 @@ std::optional<double> StrictMap::Quantity(std::string_view key, const Dimension&
   if (!value.IsDefined()) return std::nullopt;
   const std::string what = "'" + std::string(key) + "' of " + where_;
   const std::optional<double> number = ReadQuantity(value, dimension, what, file_, diagnostics_);
-  if (!number || *number >= lower) return number;
-  Fault(value, what + " must be at least " + FormatQuantity(lower, SiUnit(dimension)));
+  // In SI units, beyond lengths, times, frequencies and shares of any rig.
+  constexpr double kMost = 1e12;
+  if (!number || (*number >= lower && *number <= kMost)) return number;
+  Fault(value, *number < lower ? what + " must be at least " + FormatQuantity(lower, SiUnit(dimension))
+                               : what + " must be at most " + FormatQuantity(kMost, SiUnit(dimension)));
   return std::nullopt;
 }
 

@@ -31,7 +31,7 @@ class StrictMap {
   /// A finite number without unit within [lower, upper].
   std::optional<double> Number(std::string_view key, double lower, double upper) const;
   std::optional<long> Integer(std::string_view key, long lower, long upper) const;
-  /// A number with a unit of this dimension, in SI, at least `lower`.
+  /// A number with a unit of this dimension, in SI, at least `lower` and at most what any rig has.
   std::optional<double> Quantity(std::string_view key, const Dimension& dimension, double lower) const;
 
   void Fault(const YAML::Node& node, std::string message) const;

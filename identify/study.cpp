@@ -8,6 +8,7 @@
 #include "identify/problems/test_problem.h"
 #include "identify/search_method_list.h"
 #include "identify/strict_yaml.h"
+#include "identify/study_yaml.h"
 #include "vehicles/description/post_pattern.h"
 
 namespace fourpost {
@@ -220,6 +221,8 @@ class StudyReader {
     const auto upper = ReadQuantity(node[1], kFrequency, "the upper end of 'band'", file_, diagnostics_);
     if (!lower || !upper) return;
     if (!(*lower >= 0 && *lower < *upper)) Fault(node, "'band' is empty: its lower end must be below its upper end");
+    // Beyond what any rig or vehicle does.
+    if (*upper > 1e5) Fault(node, "'band' ends above 100 kHz; give frequencies in Hz that the recordings have");
     study_.band_lower_Hz = *lower;
     study_.band_upper_Hz = *upper;
   }
@@ -255,7 +258,7 @@ class StudyReader {
             {"seed", "method", "evaluations", "population", "starts", "generations", "stagnation", "time", "deadline"});
     StudySearch& search = study_.search;
     search.seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 1L << 62).value_or(static_cast<long>(search.seed)));
-    search.evaluations = map.Integer("evaluations", 1, 1L << 40);
+    search.evaluations = map.Integer("evaluations", 1, 1000000000);
     search.method = map.Text("method").value_or(search.method);
     search.method_line = map.Has("method") ? LineOf(map.Get("method")) : map.line();
     if (const auto population = map.Integer("population", 4, 100000)) search.population = static_cast<int>(*population);
@@ -277,9 +280,11 @@ class StudyReader {
 std::optional<Study> ReadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {
   const std::optional<std::string> text = ReadTextFile(file, diagnostics);
   if (!text) return std::nullopt;
+  const std::optional<YAML::Node> root = ReadYaml(*text, file.string(), diagnostics);
+  if (!root) return std::nullopt;
   std::optional<Study> study;
   try {
-    study = StudyReader(file, diagnostics).Read(YAML::Load(*text));
+    study = StudyReader(file, diagnostics).Read(*root);
     study->text = *text;
   } catch (const YAML::Exception& error) {
     diagnostics.Error(file.string(), error.mark.is_null() ? 0 : error.mark.line + 1, "not YAML: " + error.msg);

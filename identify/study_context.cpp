@@ -74,6 +74,8 @@ void Add(Sha256& digest, const MeasuredHistory& history) {
     digest.Add(signal.noise_sd);
     Add(digest, signal.values);
   }
+  // An archive of before there were any stays good.
+  for (const double value : history.correction.reshaped()) digest.Add(value);
 }
 
 void Add(Sha256& digest, const BenchData& bench) {

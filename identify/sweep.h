@@ -8,9 +8,9 @@
 #include "analysis/diagnostics.h"
 #include "identify/amplitude_limits.h"
 #include "vehicles/description/vehicle.h"
+#include "vehicles/engine/steady_response.h"
 #include "vehicles/response/amplitude_law.h"
 #include "vehicles/response/excitation.h"
-#include "vehicles/response/steady_response.h"
 
 namespace fourpost {
 

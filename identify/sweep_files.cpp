@@ -10,6 +10,7 @@
 #include "analysis/csv_writer.h"
 #include "analysis/decibel.h"
 #include "identify/channel_json.h"
+#include "identify/json_text.h"
 #include "identify/versions.h"
 
 namespace fourpost {
@@ -21,14 +22,6 @@ double PhaseDeg(const std::complex<double>& value) { return DegreesFromRadians(s
 
 Json DifferenceJson(const LargestDifference& difference) {
   return {{"value", difference.value}, {"channel", difference.channel}, {"frequency_Hz", difference.frequency_Hz}};
-}
-
-Json KinematicsJson(const SteadyResponse& answer) {
-  if (!answer.kinematics_error)
-    return answer.not_estimated.empty() ? Json() : Json{{"not_estimated", answer.not_estimated}};
-  return {{"gain_dB", DifferenceJson(answer.kinematics_error->gain_dB)},
-          {"phase_deg", DifferenceJson(answer.kinematics_error->phase_deg)},
-          {"visible", answer.kinematics_error->IsVisible()}};
 }
 
 Json SweepJson(const SweptResponse& swept, const Vehicle& vehicle) {
@@ -44,7 +37,7 @@ Json SweepJson(const SweptResponse& swept, const Vehicle& vehicle) {
   return {{"mode", swept.mode},
           {"posts", shares},
           {"engine", EngineName(swept.answer.engine)},
-          {"linear_kinematics_error", KinematicsJson(swept.answer)},
+          {"linear_kinematics_error", KinematicsJson(swept.answer.kinematics_error, swept.answer.not_estimated)},
           {"frequency_Hz", swept.excitation.frequency_Hz},
           {"post_amplitude_m", swept.excitation.amplitude_m},
           {"engine_at", engines},
@@ -107,6 +100,13 @@ SvgRow RowOf(std::size_t channel, const std::vector<SweptResponse>& responses) {
 
 }  // namespace
 
+Json KinematicsJson(const std::optional<KinematicsError>& error, const std::string& not_estimated) {
+  if (!error) return not_estimated.empty() ? Json() : Json{{"not_estimated", not_estimated}};
+  return {{"gain_dB", DifferenceJson(error->gain_dB)},
+          {"phase_deg", DifferenceJson(error->phase_deg)},
+          {"visible", error->IsVisible()}};
+}
+
 std::string SweepCsv(const std::vector<SweptResponse>& responses) {
   CsvWriter csv({"mode", "channel", "unit", "frequency_Hz", "post_amplitude_m", "gain", "phase_deg", "mean",
                  "second_harmonic", "engine"});
@@ -140,7 +140,7 @@ std::string SweepJson(const Vehicle& vehicle, const SweepRequest& request, const
                      {"modes", modes},
                      {"findings", FindingsJson(findings)},
                      {"versions", versions}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return JsonText(json);
 }
 
 std::string SweepSvg(const std::string& vehicle, const std::vector<SweptResponse>& responses) {

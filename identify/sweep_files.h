@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include "analysis/diagnostics.h"
 #include "identify/sweep.h"
@@ -12,6 +15,9 @@ namespace fourpost {
 /// offset and amplitude of the second harmonic in the channel's unit, and the engine that answered. What has no answer
 /// is blank.
 std::string SweepCsv(const std::vector<SweptResponse>& responses);
+
+/// By how much linear kinematics are off, or why that is not known; null where nobody asked.
+nlohmann::ordered_json KinematicsJson(const std::optional<KinematicsError>& error, const std::string& not_estimated);
 
 /// The same as JSON, in SI units, with the values of all parameters, the differences of engines, what has no answer and
 /// why, `findings`, and versions.

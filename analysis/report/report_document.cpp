@@ -2,22 +2,43 @@
 
 #include "analysis/report/html.h"
 #include "analysis/report/report_bundle.h"
+#include "analysis/sha256.h"
 
 namespace fourpost {
+namespace {
+
+/// As it stands between its tags.
+const std::string& Script() {
+  static const std::string script = "\n" + std::string(kReportScript);
+  return script;
+}
+
+/// What a browser computes of the script before it runs it (Content Security Policy Level 3, section 2.3.1).
+const std::string& ScriptHash() {
+  static const std::string hash = [] {
+    Sha256 digest;
+    digest.AddBytes(Script());
+    return "'sha256-" + digest.Base64() + "'";
+  }();
+  return hash;
+}
+
+}  // namespace
 
 std::string ReportDocument(const std::string& title, const std::string& body, const std::string& data_json) {
   std::string page =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      // Nothing may be fetched, whatever a name in the data says.
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-      "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: blob:\">\n"
+      // Nothing may be fetched and no other script runs, whatever a name in the data says.
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src " +
+      ScriptHash() +
+      "; style-src 'unsafe-inline'; img-src data: blob:\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n";
   page += "<title>" + html::Escaped(title) + "</title>\n<style>\n";
   page += kReportStyle;
   page += "</style>\n</head>\n<body>\n" + body;
-  page += "<script type=\"application/json\" id=\"data\">" + html::ScriptJson(data_json) + "</script>\n<script>\n";
-  page += kReportScript;
+  page +=
+      "<script type=\"application/json\" id=\"data\">" + html::ScriptJson(data_json) + "</script>\n<script>" + Script();
   return page + "</script>\n</body>\n</html>\n";
 }
 

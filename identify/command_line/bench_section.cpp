@@ -1,4 +1,7 @@
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "identify/bench_chart.h"
@@ -27,16 +30,34 @@ constexpr const char* kPasteNote =
     "<!-- Fitted to a bench. To use it in place of a vehicle's damper: set parent, child and points to those of that "
     "damper, and take out each fp:parameter that only that damper used. -->\n";
 
+/// A fit stands though its damper cannot move as in some of what was kept for validation.
+std::vector<ModelledRecording> Predicted(const BenchDamper& damper, const std::vector<BenchRecording>& recordings,
+                                         const std::vector<double>& values, FitSection& section) {
+  std::vector<ModelledRecording> predicted;
+  for (const BenchRecording& recording : recordings) {
+    Diagnostics found;
+    try {
+      predicted.push_back(Modelled(damper, recording, values));
+    } catch (const std::runtime_error& failure) {
+      found.Error(recording.name, 0, failure.what());
+    }
+    if (std::optional<LeftOutRecording> out = LeftOutFor(found, recording.name, {}, section.findings))
+      section.misfits.left_out.push_back(*std::move(out));
+  }
+  return predicted;
+}
+
 }  // namespace
 
 FitSection BenchSection(const LoadedStudy& loaded, const FitResult& fit) {
   if (!loaded.bench) return {};
   const BenchDamper damper(loaded.vehicle, loaded.bench->damper);
   const std::vector<ModelledRecording> fitted = ModelledRecordings(damper, loaded.bench->fitted, fit.values);
-  std::vector<ModelledRecording> all = ModelledRecordings(damper, loaded.bench->validation, fit.values);
   FitSection section;
+  std::vector<ModelledRecording> all = Predicted(damper, loaded.bench->validation, fit.values, section);
   section.misfits.histories = BenchMisfits(fitted);
   section.misfits.validation = BenchMisfits(all);
+  section.misfits.shares = ErrorShares(section.misfits.histories);
   section.misfits.criteria =
       CriteriaOf(fit.data_squares, static_cast<std::size_t>(fit.residual_count - fit.prior_count), loaded.free.size());
   TextTable table({"recording", "", "NMSE, %", "VAF, %"});

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "identify/command_line/check_text.h"
+#include "identify/json_text.h"
 
 namespace fourpost {
 namespace {
@@ -245,7 +246,7 @@ std::string CheckJson(const std::optional<CheckedVehicle>& checked, const Diagno
   Json json = checked ? Told(*checked) : Json::object();
   json["findings"] = Findings(findings);
   // A file's name may be no UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return JsonText(json);
 }
 
 }  // namespace fourpost

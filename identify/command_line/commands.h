@@ -9,7 +9,7 @@
 #include "analysis/diagnostics.h"
 #include "identify/amplitude_limits.h"
 #include "identify/sweep.h"
-#include "vehicles/response/steady_response.h"
+#include "vehicles/engine/steady_response.h"
 
 namespace fourpost {
 
@@ -44,7 +44,7 @@ struct ResponseCommand {
   /// A vehicle file or a study.
   std::filesystem::path input;
   bool json = false;
-  /// Empty: kAuto for a vehicle, kLinearised for a study, as its fit does.
+  /// Empty: kAuto for a vehicle, kReduced for a study, as its fit does.
   std::optional<Engine> engine;
   /// Empty: nothing is written.
   std::filesystem::path output;
@@ -103,8 +103,7 @@ struct SimulateCommand {
   std::string stroke;
   /// Of each channel's rms.
   double error = 1e-3;
-  /// The multibody system in place of the condensed model.
-  bool full = false;
+  Engine engine = Engine::kAuto;
   /// stdout when empty.
   std::filesystem::path output;
   /// None when empty.
@@ -146,8 +145,8 @@ struct PredictCommand {
   /// A Kalman filter's one-step predictions as well; its noise estimated on this recording, empty: as the fit held it.
   bool kalman = false;
   std::filesystem::path noise_from;
-  /// Of a time history: the multibody system beside the condensed model.
-  bool full = false;
+  /// Of a time history; empty: kAuto.
+  std::optional<Engine> engine;
   bool json = false;
   /// Empty: nothing is written.
   std::filesystem::path output;

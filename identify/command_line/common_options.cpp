@@ -1,8 +1,10 @@
 #include "identify/command_line/common_options.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "analysis/nearest.h"
+#include "vehicles/engine/engine.h"
 
 namespace fourpost {
 
@@ -50,6 +52,16 @@ CLI::Validator OneOf(const char* what, std::span<const std::string_view> legal) 
     return "no " + std::string(what) + " is called '" + text + "'" + DidYouMeanOrAll(text, legal);
   };
   return {fault, Braced(legal)};
+}
+
+CLI::Validator EngineOf(std::span<const std::string_view> legal) {
+  const auto replace = [one_of = OneOf("engine", legal)](std::string& text) {
+    if (const std::optional<Engine> engine = EngineNamed(text)) text = EngineName(*engine);
+    return one_of(text);
+  };
+  CLI::Validator validator;
+  validator.operation(replace).description(Braced(legal));
+  return validator;
 }
 
 }  // namespace fourpost

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -39,5 +40,11 @@ std::string Braced(std::span<const std::string_view> words);
 
 /// Takes one of these words; of another tells which is near, or all where none is.
 CLI::Validator OneOf(const char* what, std::span<const std::string_view> legal);
+
+/// Engines of time histories.
+inline constexpr std::array<std::string_view, 3> kHistoryEngines = {"auto", "reduced", "full"};
+
+/// Takes one of these engines, by its older names too.
+CLI::Validator EngineOf(std::span<const std::string_view> legal);
 
 }  // namespace fourpost

@@ -17,8 +17,10 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/result_kind.h"
+#include "identify/command_line/text_table.h"
 #include "identify/fit.h"
 #include "identify/fitted_vehicle.h"
+#include "identify/full_correction.h"
 #include "identify/lint/misfit_lint.h"
 #include "identify/lint/recording_lint.h"
 #include "identify/loaded_study.h"
@@ -46,7 +48,7 @@ std::string InWords(const std::string& part) {
 
 /// Throws FaultyInput when the archive is one of something else.
 void RequireSameContext(const FitCommand& command, const EvaluationContext& context) {
-  if (!std::filesystem::exists(command.output / kArchive))
+  if (std::error_code failure; !std::filesystem::exists(command.output / kArchive, failure))
     std::fprintf(stderr, "there is no %s to resume from: starting from the beginning\n",
                  (command.output / kArchive).c_str());
   std::string changed;
@@ -67,13 +69,58 @@ void TellRestored(const EvaluationCounts& counts, const std::filesystem::path& a
                static_cast<long long>(counts.paid), archive.c_str());
 }
 
+void TellDamaged(std::size_t damaged, const std::filesystem::path& archive) {
+  if (damaged == 0) return;
+  std::fprintf(stderr, "%zu evaluation%s in %s %s damaged; they were evaluated anew and stored again\n", damaged,
+               damaged == 1 ? "" : "s", archive.c_str(), damaged == 1 ? "was" : "were");
+}
+
 /// The archive is closed afterwards.
 FitResult FitInto(const std::filesystem::path& archive, const EvaluationContext& context,
                   const VehicleObjective& objective, const FitOptions& options) {
   EvaluationStore store(archive, context);
   FitResult fit = FitWithProgress(objective, options, store);
   TellRestored(fit.evaluations, archive);
+  TellDamaged(store.damaged(), archive);
   return fit;
+}
+
+/// Of the histories of a fit; shows how it gets on.
+std::optional<std::vector<HistoryCheck>> Check(const LoadedStudy& loaded, const FitResult& fit) {
+  ProgressLine line;
+  return CheckHistories(loaded, fit.values, [&line](const std::string& work, double t) {
+    line.Show("fit: check of linear kinematics, " + work + " at " + Rounded(t, 3) + " s");
+    return !Interrupted();
+  });
+}
+
+/// Goes on with what the full geometry adds to the reduced model of the histories, until that changes no more. What is
+/// known of each history; empty where the fit was cut short.
+std::vector<HistoryEngine> GoOnWithFullGeometry(const std::filesystem::path& archive, FitOptions options,
+                                                LoadedStudy& loaded, FitResult& fit) {
+  constexpr int kMostRounds = 4;
+  for (int round = 0;; ++round) {
+    if (fit.end == FitEnd::kInterrupted) return {};
+    const std::optional<std::vector<HistoryCheck>> checks = Check(loaded, fit);
+    if (!checks) {
+      fit.end = FitEnd::kInterrupted;
+      return {};
+    }
+    std::vector<HistoryEngine> engines;
+    for (const HistoryCheck& check : *checks) engines.push_back(check.by);
+    if (!IsCorrectionDue(*checks) || round == kMostRounds) return engines;
+    Correct(*checks, loaded);
+    const VehicleObjective objective = loaded.MakeObjective();
+    options.from.emplace(static_cast<Eigen::Index>(loaded.free.size()));
+    for (std::size_t i = 0; i < loaded.free.size(); ++i)
+      (*options.from)[static_cast<Eigen::Index>(i)] = fit.values[loaded.free[i]];
+    FitResult next = FitInto(archive, ContextOf(loaded), objective, options);
+    if (next.parameters.empty() || next.end == FitEnd::kInterrupted) {
+      fit.end = FitEnd::kInterrupted;
+      return {};
+    }
+    fit = GoneOn(fit, std::move(next));
+  }
 }
 
 /// Places among the free parameters. Throws FaultyInput.
@@ -167,22 +214,31 @@ std::string Page(const LoadedStudy& loaded, const FitResult& fit, const FitSecti
 
 /// What the folder will hold, result.json last, and what is shown.
 FitSection Report(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit,
-                  std::vector<std::string> warnings, const std::filesystem::path& folder) {
+                  const std::vector<HistoryEngine>& engines, std::vector<std::string> warnings,
+                  const std::filesystem::path& folder) {
   FitSection report = loaded.bench ? BenchSection(loaded, fit) : FourPostSection(loaded, fit);
-  FitSection histories = HistorySection(loaded, fit);
+  FitSection histories = HistorySection(loaded, fit, engines);
+  TellAndKeep(report.findings, warnings);
   TellAndKeep(histories.findings, warnings);
+  std::vector<LeftOutRecording>& left_out = report.misfits.left_out;
+  left_out.insert(left_out.end(), loaded.left_out.begin(), loaded.left_out.end());
+  left_out.insert(left_out.end(), histories.misfits.left_out.begin(), histories.misfits.left_out.end());
   report.text += histories.text;
   if (!loaded.bench) report.misfits.validation = std::move(histories.misfits.validation);
+  report.misfits.modelled_by = std::move(histories.misfits.modelled_by);
   std::move(histories.misfits.histories.begin(), histories.misfits.histories.end(),
             std::back_inserter(report.misfits.histories));
+  std::move(histories.misfits.shares.begin(), histories.misfits.shares.end(),
+            std::back_inserter(report.misfits.shares));
+  report.verdict = JudgeFit(fit, report.misfits);
   std::move(histories.files.begin(), histories.files.end(), std::back_inserter(report.files));
   // Predictions of other recordings take from it how they are made.
   report.files.emplace_back("parameters.csv", ParametersCsv(loaded.vehicle, fit.parameters));
   report.files.emplace_back("study.yaml", loaded.study.text);
   if (!fit.profiles.empty()) report.files.emplace_back("profile.svg", ProfileSvg(fit));
-  report.text = FitText(loaded, fit, report.text);
+  report.text = FitText(loaded, fit, report.verdict, report.text);
   report.files.emplace_back("vehicle.urdf", VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, folder));
-  report.files.emplace_back("result.json", ResultJson(loaded, seed, fit, report.misfits, warnings));
+  report.files.emplace_back("result.json", ResultJson(loaded, seed, fit, report.misfits, report.verdict, warnings));
   return report;
 }
 
@@ -218,14 +274,16 @@ int Run(const FitCommand& command) {
                  fit.end == FitEnd::kInterrupted ? "; the same command goes on from its archive" : "");
     return CodeOf(fit.end);
   }
+  const std::vector<HistoryEngine> engines = GoOnWithFullGeometry(command.output / kArchive, options, *loaded, fit);
+  if (!loaded->TellsDeviations()) fit.DropDeviations();
   TellMisfits(*loaded, fit, warnings);
-  const FitSection report = Report(*loaded, options.seed, fit, warnings, command.output);
+  const FitSection report = Report(*loaded, options.seed, fit, engines, warnings, command.output);
   for (const auto& [name, text] : report.files) output.Add(name, text);
   output.Add("report.html", Page(*loaded, fit, report));
   output.Commit();
   std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   Print(command.json ? report.files.back().second : report.text);
-  return CodeOf(fit.end);
+  return fit.end == FitEnd::kConverged && !report.verdict.explains() ? kNotGood : CodeOf(fit.end);
 }
 
 }  // namespace fourpost

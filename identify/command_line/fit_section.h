@@ -6,6 +6,7 @@
 
 #include "analysis/diagnostics.h"
 #include "identify/fit.h"
+#include "identify/fit_verdict.h"
 #include "identify/loaded_study.h"
 #include "identify/misfit.h"
 
@@ -16,6 +17,8 @@ struct FitSection {
   /// Tables for the terminal.
   std::string text;
   Misfits misfits;
+  /// Of the whole fit.
+  FitVerdict verdict;
   /// Warnings of recordings that can hardly be right, judged after the fit.
   Diagnostics findings;
   /// Names in the folder of the results, and what they hold.
@@ -25,8 +28,9 @@ struct FitSection {
 /// Of stepped-sine responses and static loads; empty for a study without.
 FitSection FourPostSection(const LoadedStudy& study, const FitResult& fit);
 
-/// Of time histories; empty for a study without.
-FitSection HistorySection(const LoadedStudy& study, const FitResult& fit);
+/// Of time histories; empty for a study without. `engines`: what is known of each fitted one, see CheckHistories;
+/// empty: nothing, for the fit was cut short.
+FitSection HistorySection(const LoadedStudy& study, const FitResult& fit, const std::vector<HistoryEngine>& engines);
 
 /// Of a damper on its bench; empty for a study without.
 FitSection BenchSection(const LoadedStudy& study, const FitResult& fit);

@@ -7,6 +7,7 @@
 
 #include "analysis/number.h"
 #include "identify/command_line/text_table.h"
+#include "identify/derivative_noise.h"
 
 namespace fourpost {
 namespace {
@@ -28,7 +29,9 @@ std::string Interval(const FittedParameter& parameter) {
 std::string Remark(const FittedParameter& parameter) {
   // A good prior is this far off in one fit of twenty.
   constexpr double kFar = 2;
-  std::string remark = parameter.at_bound ? "at its bound" : "";
+  std::string remark = parameter.at_bound ? "at " + std::string(parameter.BoundName()) + " bound" : "";
+  if (parameter.state == ParameterState::kNoise)
+    remark += (remark.empty() ? "" : ", ") + std::string("derivative is noise");
   if (const double distance = std::abs(parameter.FromPrior()); distance > kFar)
     remark += (remark.empty() ? "" : ", ") + Rounded(distance, 2) + " sd from prior";
   return remark;
@@ -79,13 +82,22 @@ std::string SearchEndText(const SearchResult& search) {
   return (search.end == SearchEnd::kStopped ? "search " : "search ended by ") + search.reason;
 }
 
-std::string Summary(const FitResult& fit) {
+/// "fit converged" is said of one that is worth something.
+std::string Summary(const FitResult& fit, const FitVerdict& verdict) {
   const EvaluationCounts& counts = fit.evaluations;
-  return "fit " + std::string(FitEndName(fit.end)) + ": cost " + Rounded(fit.cost, 5) +
-         LossWords(fit.options.refine.loss) + " for " + std::to_string(fit.residual_count) + " residuals" +
-         PriorShare(fit) + "; " + std::to_string(counts.paid) + " evaluations paid, " + std::to_string(counts.reused) +
-         " reused, " + std::to_string(counts.failed()) + " failed; " + Agreement(fit) + '\n' +
-         SearchEndText(fit.search) + '\n';
+  return (verdict.explains() ? "fit " : "search and refinement ") + std::string(FitEndName(fit.end)) + ": cost " +
+         Rounded(fit.cost, 5) + LossWords(fit.options.refine.loss) + " for " + std::to_string(fit.residual_count) +
+         " residuals" + PriorShare(fit) + "; " + std::to_string(counts.paid) + " evaluations paid, " +
+         std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) + " failed; " + Agreement(fit) +
+         '\n' + SearchEndText(fit.search) + '\n';
+}
+
+/// Parameters that have no deviation for it, and what to do.
+std::string NoiseText(const FitResult& fit) {
+  std::string names;
+  for (const FittedParameter& parameter : fit.parameters)
+    if (parameter.state == ParameterState::kNoise) names += (names.empty() ? "" : ", ") + parameter.name;
+  return names.empty() ? "" : "derivative is noise: " + names + "; " + kNoiseRemedy + "\n";
 }
 
 /// How large the misfit is, and what the data say worst, in words.
@@ -97,7 +109,9 @@ std::string Judgement(const LoadedStudy& loaded, const FitResult& fit) {
   const Covariance& covariance = *fit.covariance;
   std::string text =
       "the misfit is " + Rounded(fit.Misfit(), 2) + " times what noise and the stated model error explain\n";
+  text += NoiseText(fit);
   const bool is_open = covariance.rank < covariance.directions.cols();
+  if (covariance.directions.cols() == 0) return text;
   if (covariance.directions.cols() == 1)
     return text + (is_open ? "the data do not change with the one free parameter\n" : "");
   text +=
@@ -111,8 +125,11 @@ std::string Judgement(const LoadedStudy& loaded, const FitResult& fit) {
 
 }  // namespace
 
-std::string FitText(const LoadedStudy& loaded, const FitResult& fit, const std::string& sections) {
-  return ParameterTable(fit.parameters) + '\n' + ProfileTable(fit) + sections + Summary(fit) + Judgement(loaded, fit);
+std::string FitText(const LoadedStudy& loaded, const FitResult& fit, const FitVerdict& verdict,
+                    const std::string& sections) {
+  const std::string judgement = VerdictText(verdict);
+  return ParameterTable(fit.parameters) + '\n' + ProfileTable(fit) + sections + Summary(fit, verdict) +
+         Judgement(loaded, fit) + (judgement.empty() ? "" : judgement + '\n');
 }
 
 }  // namespace fourpost

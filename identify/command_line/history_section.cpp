@@ -1,16 +1,19 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "identify/command_line/engine_text.h"
 #include "identify/command_line/fit_section.h"
 #include "identify/command_line/history_table.h"
 #include "identify/history_fit_files.h"
 #include "identify/history_residuals.h"
 #include "identify/lint/history_lint.h"
+#include "identify/lint/tyre_pull_lint.h"
 #include "identify/motion_file.h"
 
 namespace fourpost {
@@ -19,12 +22,13 @@ namespace {
 
 /// Table and files; `name` of the files.
 std::vector<HistoryMisfit> Show(const LoadedStudy& loaded, const HistoryResiduals& residuals, const FitResult& fit,
-                                bool predicts, const std::string& name, FitSection& section) {
+                                const std::vector<Eigen::MatrixXd>& modelled, bool predicts, const std::string& name,
+                                FitSection& section) {
   const std::vector<MeasuredHistory>& histories = residuals.histories();
-  const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
   std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
   if (predicts) AddOneStepErrors(histories, residuals.Predicted(fit.values), misfits);
   LintHistories(loaded, fit, residuals, misfits, section.findings);
+  LintTyrePulls(loaded.vehicle, fit.values, histories, residuals.Steps(), section.findings);
   section.text += HistoryTable(misfits) + '\n';
   section.files.emplace_back(name + ".csv", HistoryFitCsv(histories, modelled));
   auto misfit = misfits.begin();
@@ -48,21 +52,65 @@ void AddMotions(const CondensedModel& model, const HistoryResiduals& residuals, 
   }
 }
 
-/// A fit stands though its vehicle cannot go through what was kept for validation.
+void AddEngines(const LoadedStudy& loaded, const std::vector<HistoryEngine>& engines, FitSection& section) {
+  for (std::size_t h = 0; h < engines.size(); ++h) {
+    const std::string& name = loaded.histories[h].name;
+    section.misfits.modelled_by.push_back(
+        {.recording = name, .by = engines[h], .error = loaded.HistoryOptions().error});
+    section.text += FitEngineText(name, engines[h]);
+    if (engines[h].engine == Engine::kReduced && engines[h].kinematics_error &&
+        engines[h].kinematics_error->IsVisible())
+      section.findings.Warning(loaded.study.file.string(), 0,
+                               "history '" + name + "': " + KinematicsText(*engines[h].kinematics_error) +
+                                   ", and a cost by prediction is not corrected for it; take another 'cost'");
+  }
+  if (!engines.empty()) section.text += '\n';
+}
+
+/// Histories kept for validation and what the fitted vehicle makes of each, by the engine that it needs.
+struct Predictions {
+  std::vector<MeasuredHistory> histories;
+  std::vector<Eigen::MatrixXd> modelled;
+  std::vector<ModelledHistory> by;
+};
+
+/// Of those that the fitted vehicle can go through; a fit stands without the others.
+Predictions Predict(const LoadedStudy& loaded, const std::shared_ptr<const CondensedVehicle>& condensed,
+                    const FitResult& fit, FitSection& section) {
+  const HistorySolver::Options options{.error = loaded.HistoryOptions().error};
+  Predictions out;
+  for (const MeasuredHistory& history : loaded.validation) {
+    Diagnostics found;
+    try {
+      // Remarks on it and the motion shown are the reduced model's.
+      HistoryResiduals(condensed, {history}, {}).Modelled(fit.values);
+      EngineHistory answer = SimulateBy(options, history, loaded.vehicle, fit.values).value();
+      out.histories.push_back(history);
+      out.modelled.push_back(std::move(answer.modelled));
+      out.by.push_back(
+          {.recording = history.name, .is_fitted = false, .by = std::move(answer.by), .error = options.error});
+    } catch (const std::runtime_error& failure) {
+      found.Error(loaded.study.file.string(), 0,
+                  "'" + history.name + "' cannot be predicted by the fitted vehicle: " + failure.what() +
+                      "; `fourpost check` of the vehicle.urdf of the results tells more");
+    }
+    if (std::optional<LeftOutRecording> left_out = LeftOutFor(found, history.name, {}, section.findings))
+      section.misfits.left_out.push_back(*std::move(left_out));
+  }
+  return out;
+}
+
 void AddValidation(const LoadedStudy& loaded, const std::shared_ptr<const CondensedVehicle>& condensed,
                    const FitResult& fit, FitSection& section, std::vector<RecordedHistory>& motions) {
+  Predictions predictions = Predict(loaded, condensed, fit, section);
+  if (predictions.histories.empty()) return;
+  const HistoryResiduals residuals(condensed, predictions.histories, {});
   FitSection validation;
-  try {
-    const HistoryResiduals residuals(condensed, loaded.validation, {});
-    validation.misfits.validation = Show(loaded, residuals, fit, false, "validation", validation);
-    AddMotions(condensed->At(fit.values), residuals, motions);
-  } catch (const std::runtime_error& failure) {
-    section.findings.Warning(loaded.study.file.string(), 0,
-                             std::string("what was kept for validation cannot be foretold by the fitted vehicle: ") +
-                                 failure.what() + "; `fourpost check` of the vehicle.urdf of the results tells more");
-    return;
-  }
+  validation.misfits.validation = Show(loaded, residuals, fit, predictions.modelled, false, "validation", validation);
+  for (const ModelledHistory& history : predictions.by) validation.text += FitEngineText(history.recording, history.by);
+  AddMotions(condensed->At(fit.values), residuals, motions);
   section.misfits.validation = std::move(validation.misfits.validation);
+  std::move(predictions.by.begin(), predictions.by.end(), std::back_inserter(section.misfits.modelled_by));
   section.text += "Not fitted:\n" + validation.text;
   for (const Diagnostic& finding : validation.findings.items())
     section.findings.Warning(finding.file, finding.line, finding.message);
@@ -71,7 +119,7 @@ void AddValidation(const LoadedStudy& loaded, const std::shared_ptr<const Conden
 
 }  // namespace
 
-FitSection HistorySection(const LoadedStudy& loaded, const FitResult& fit) {
+FitSection HistorySection(const LoadedStudy& loaded, const FitResult& fit, const std::vector<HistoryEngine>& engines) {
   FitSection section;
   if (loaded.histories.empty() && loaded.validation.empty()) return section;
   const auto condensed = std::make_shared<const CondensedVehicle>(loaded.vehicle);
@@ -80,8 +128,11 @@ FitSection HistorySection(const LoadedStudy& loaded, const FitResult& fit) {
   if (!loaded.histories.empty()) {
     const HistoryResiduals residuals(condensed, loaded.histories, loaded.HistoryOptions());
     const bool predicts = loaded.study.history_cost == HistoryCost::kPrediction;
-    section.misfits.histories = Show(loaded, residuals, fit, predicts, "history", section);
+    section.misfits.histories =
+        Show(loaded, residuals, fit, residuals.Modelled(fit.values), predicts, "history", section);
+    section.misfits.shares = ErrorShares(section.misfits.histories);
     AddMotions(model, residuals, motions);
+    AddEngines(loaded, engines, section);
   }
   if (!loaded.validation.empty()) AddValidation(loaded, condensed, fit, section, motions);
   // A report cannot compute it anew: the folder of a run has no recordings.

@@ -1,5 +1,7 @@
 #include "identify/command_line/history_table.h"
 
+#include <algorithm>
+
 #include "identify/command_line/text_table.h"
 
 namespace fourpost {
@@ -28,9 +30,11 @@ std::string OneStepTable(const std::vector<HistoryMisfit>& misfits) {
 }  // namespace
 
 std::string HistoryTable(const std::vector<HistoryMisfit>& misfits) {
-  const bool full = !misfits.empty() && misfits.front().full_nmse_percent;
+  // Of one recording or some of several.
+  const bool full = std::any_of(misfits.begin(), misfits.end(),
+                                [](const HistoryMisfit& misfit) { return misfit.reduced_nmse_percent.has_value(); });
   std::vector<std::string> head = {"recording", "channel", "NMSE, %", "VAF, %", "gain", "delay, ms"};
-  if (full) head.insert(head.begin() + 3, "multibody NMSE, %");
+  if (full) head.insert(head.begin() + 3, "of reduced model");
   TextTable table(head);
   for (const HistoryMisfit& misfit : misfits) {
     std::vector<std::string> row = {misfit.recording,
@@ -39,7 +43,7 @@ std::string HistoryTable(const std::vector<HistoryMisfit>& misfits) {
                                     Rounded(misfit.vaf_percent, 5),
                                     misfit.gain ? Rounded(*misfit.gain, 4) : "",
                                     misfit.delay_s ? Rounded(1e3 * *misfit.delay_s, 2) : ""};
-    if (full) row.insert(row.begin() + 3, Rounded(*misfit.full_nmse_percent, 3));
+    if (full) row.insert(row.begin() + 3, misfit.reduced_nmse_percent ? Rounded(*misfit.reduced_nmse_percent, 3) : "");
     table.Add(row);
   }
   return table.Format() + OneStepTable(misfits);

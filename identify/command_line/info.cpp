@@ -8,6 +8,7 @@
 #include "analysis/frequency_response_file.h"
 #include "analysis/number.h"
 #include "analysis/recorded_unit.h"
+#include "analysis/recording_layout.h"
 #include "analysis/recording_summary.h"
 #include "analysis/static_loads.h"
 #include "analysis/time_recording.h"
@@ -17,6 +18,7 @@
 #include "identify/command_line/file_kind.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/text_table.h"
+#include "identify/json_text.h"
 #include "vehicles/bench/recording_check.h"
 
 namespace fourpost {
@@ -42,7 +44,7 @@ enum class Layout { kOverTime, kSteppedSine, kStatic };
 
 /// Told by the names of its columns.
 Layout LayoutOf(const RecordedTable& table) {
-  if (table.FindColumn("frequency_Hz") && table.FindColumn("channel")) return Layout::kSteppedSine;
+  if (IsSteppedSine(table)) return Layout::kSteppedSine;
   if (table.FindColumn("quantity") && table.FindColumn("value")) return Layout::kStatic;
   return Layout::kOverTime;
 }
@@ -95,9 +97,21 @@ std::vector<std::string> Refusals(const std::filesystem::path& file, const Recor
   return refusals;
 }
 
+/// Of columns that ReadTimeRecording was not asked for, since their units are not known: those that are not as long as
+/// the times, and so no channels of this record.
+void AddLengths(const RecordingSummary& summary, const RecordedTable& table, std::vector<std::string>& refusals) {
+  if (!summary.time) return;
+  const std::size_t samples = table.rows(*table.FindColumn(summary.time->column));
+  for (const ColumnSummary& column : summary.columns)
+    if (!column.unit_known && column.samples != samples)
+      refusals.push_back("column '" + column.name + "' has " + std::to_string(column.samples) +
+                         " samples, the times are " + std::to_string(samples) + ": save channels of one rate together");
+}
+
 OverTime Look(const std::filesystem::path& file, const RecordedTable& table) {
   OverTime content = {Summarise(table), {}, {}};
   content.refusals = Refusals(file, table, content.summary);
+  AddLengths(content.summary, table, content.refusals);
   for (const ColumnSummary& column : content.summary.columns)
     content.missing_lines.push_back(column.missing > 0 ? table.line(column.first_missing) : 0);
   return content;
@@ -312,7 +326,7 @@ std::string AllJson(const std::vector<Described>& files) {
     json.update(std::visit([](const auto& content) { return JsonOf(content); }, file.content));
     list.push_back(std::move(json));
   }
-  return Json{{"files", list}}.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return JsonText(Json{{"files", list}});
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/starter_files.h"
+#include "identify/json_text.h"
 
 namespace fourpost {
 namespace {
@@ -26,9 +27,18 @@ void CheckFolder(const fs::path& folder) {
   if (fs::exists(folder, failure) && !fs::is_empty(folder, failure)) refuse("it is not empty; name a new folder");
 }
 
+/// Throws OutputError for what cannot be a folder: a name too long, a link to itself.
+std::vector<fs::path> FoldersToMake(const fs::path& folder) {
+  try {
+    return MissingFolders(fs::weakly_canonical(fs::absolute(folder)));
+  } catch (const fs::filesystem_error& error) {
+    throw OutputError("cannot write to " + folder.string() + ": " + error.code().message() + "; name another folder");
+  }
+}
+
 /// All of them or none: the folder is as it was before when a disk is full.
 void WriteAll(const fs::path& folder) {
-  const std::vector<fs::path> missing = MissingFolders(fs::weakly_canonical(fs::absolute(folder)));
+  const std::vector<fs::path> missing = FoldersToMake(folder);
   std::error_code failure;
   try {
     fs::create_directories(folder, failure);
@@ -51,7 +61,7 @@ std::string NextSteps(const fs::path& folder) {
 std::string InitJson(const fs::path& folder) {
   nlohmann::ordered_json files = nlohmann::ordered_json::array();
   for (const StarterFile& file : kStarterFiles) files.push_back(file.name);
-  return nlohmann::ordered_json{{"folder", folder.string()}, {"files", files}}.dump(2) + '\n';
+  return JsonText(nlohmann::ordered_json{{"folder", folder.string()}, {"files", files}});
 }
 
 }  // namespace

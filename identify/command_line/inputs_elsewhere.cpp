@@ -16,7 +16,11 @@ std::vector<std::filesystem::path> InputsOf(const LoadedStudy& study) {
 
 void RequireInputsElsewhere(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& folder) {
   const auto folder_of = [](const std::filesystem::path& file) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(file)).parent_path();
+    std::error_code failure;
+    const std::filesystem::path whole = std::filesystem::absolute(file);
+    const std::filesystem::path canonical = std::filesystem::weakly_canonical(whole, failure);
+    // What cannot be followed cannot be written to either, of which OutputFolder says more.
+    return (failure ? whole : canonical).parent_path();
   };
   for (const std::filesystem::path& input : inputs)
     if (folder_of(input) == folder_of(folder / "result.json"))

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,9 +15,11 @@
 #include "analysis/diagnostics.h"
 #include "analysis/nearest.h"
 #include "analysis/output_folder.h"
+#include "analysis/shortened.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/program.h"
+#include "vehicles/multibody/simulation_error.h"
 
 namespace {
 
@@ -41,7 +44,7 @@ int Guarded(const std::function<int()>& run) {
     return tell(error, IsUsage(error.diagnostics()) ? kUsage : kUnreadableInput);
   } catch (const OutputError& error) {
     return tell(error, kCannotWrite);
-  } catch (const std::runtime_error& error) {
+  } catch (const SimulationError& error) {
     return tell(error, kAllSimulationsFailed);
   } catch (const std::bad_alloc&) {
     std::fputs("out of memory; take fewer --threads, or free some: evaluations in an archive are kept\n", stderr);
@@ -75,11 +78,20 @@ void TellUnknown(const CLI::App& app) {
     // Else it is an unknown option's value.
     if (has_option && !is_option(word)) continue;
     const std::string name = word.substr(0, word.find('='));
-    std::fprintf(stderr, "%s takes no '%s'%s\n", of.c_str(), name.c_str(), DidYouMean(name, known).c_str());
+    std::fprintf(stderr, "%s takes no '%s'%s\n", of.c_str(), Shortened(WithoutControls(name), 200).c_str(),
+                 DidYouMean(name, known).c_str());
     // The words after an unknown command are its own.
     if (given.empty() && !has_option) break;
   }
   std::fprintf(stderr, "run `%s --help` for what it takes\n", of.c_str());
+}
+
+/// What --help or --version asked for. Throws OutputError.
+int PrintHelp(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out;
+  app.exit(error, out, out);
+  Print(out.str());
+  return kGood;
 }
 
 }  // namespace
@@ -93,8 +105,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const bool is_help = error.get_exit_code() == 0;
-    if (is_help || app.remaining(true).empty()) return app.exit(error) == 0 ? kGood : kUsage;
-    TellUnknown(app);
+    if (is_help) return Guarded([&] { return PrintHelp(app, error); });
+    if (app.remaining(true).empty()) app.exit(error);
+    else TellUnknown(app);
     return kUsage;
   }
   return Guarded([&] { return program.RunCommand(); });

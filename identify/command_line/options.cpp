@@ -1,6 +1,5 @@
 #include "identify/command_line/options.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -9,14 +8,8 @@
 namespace fourpost {
 namespace {
 
-constexpr std::array<std::string_view, 4> kEngines = {"auto", "linearised", "full", "march"};
-constexpr std::array<std::string_view, 2> kHistoryEngines = {"condensed", "full"};
+constexpr std::array<std::string_view, 4> kEngines = {"auto", "reduced", "full", "march"};
 constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
-
-Engine EngineCalled(const std::string& name) {
-  constexpr std::array<Engine, 4> kOf = {Engine::kAuto, Engine::kLinearised, Engine::kFull, Engine::kMarch};
-  return kOf[static_cast<std::size_t>(std::find(kEngines.begin(), kEngines.end(), name) - kEngines.begin())];
-}
 
 /// Options that tell how the posts of a vehicle move, and what of it changes.
 std::vector<CLI::Option*> AddSweep(CLI::App& subcommand, ResponseCommand& command) {
@@ -49,11 +42,11 @@ void AddOptions(CLI::App& subcommand, ResponseCommand& command) {
   const std::vector<CLI::Option*> of_vehicle = AddSweep(subcommand, command);
   subcommand
       .add_option_function<std::string>(
-          "--engine", [&command](const std::string& name) { command.engine = EngineCalled(name); },
-          "linearised: harmonic balance as in a fit (default of a study); full: on the full multibody system; march: "
-          "integrate that to steady state (slow, the reference); auto: linearised, checked by full, which answers "
-          "where they visibly differ (default of a vehicle)")
-      ->check(OneOf("engine", kEngines));
+          "--engine", [&command](const std::string& name) { command.engine = EngineNamed(name); },
+          "reduced: harmonic balance on linear kinematics as in a fit (default of a study); full: on the full "
+          "multibody system; march: integrate that to steady state (slow, the reference); auto: reduced, checked by "
+          "full, which answers where they visibly differ (default of a vehicle)")
+      ->transform(EngineOf(kEngines));
   subcommand.add_option("-o,--output", command.output, "Folder for response.csv, response.svg and result.json");
   subcommand.add_flag("--json", command.json, "Print JSON");
   subcommand.parse_complete_callback([&command, of_vehicle] {
@@ -104,10 +97,10 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
       ->needs(kalman);
   subcommand
       .add_option_function<std::string>(
-          "--engine", [&command](const std::string& name) { command.full = name == "full"; },
-          "Of a recording over time: condensed: as the fit; full: the multibody system beside it (slow)")
-      ->check(OneOf("engine", kHistoryEngines))
-      ->default_str("condensed");
+          "--engine", [&command](const std::string& name) { command.engine = EngineNamed(name); },
+          "Of a recording over time: reduced: linear kinematics; full: the multibody system; auto: reduced, checked by "
+          "full, which answers where they visibly differ (default)")
+      ->transform(EngineOf(kHistoryEngines));
   subcommand.add_option(
       "-o,--output", command.output,
       "Folder for result.json and what was measured and predicted: of a stepped sine response.csv and "

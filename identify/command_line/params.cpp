@@ -4,6 +4,7 @@
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/text_table.h"
+#include "identify/json_text.h"
 #include "vehicles/reader/parameter_uses.h"
 #include "vehicles/reader/vehicle_file.h"
 
@@ -63,7 +64,7 @@ std::string ParamsJson(const Vehicle& vehicle, const std::vector<ParameterUse>& 
                           {"used_by", used}});
   }
   const Json json = {{"file", vehicle.file}, {"name", vehicle.name}, {"parameters", parameters}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return JsonText(json);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "analysis/recorded_table.h"
 #include "analysis/time_recording.h"
 #include "identify/command_line/commands.h"
+#include "identify/command_line/engine_text.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/history_table.h"
 #include "identify/command_line/inputs_elsewhere.h"
@@ -24,12 +25,15 @@
 #include "identify/command_line/run_folder.h"
 #include "identify/command_line/text_table.h"
 #include "identify/fitted_files.h"
+#include "identify/history_files.h"
 #include "identify/history_fit_files.h"
 #include "identify/history_misfit_json.h"
 #include "identify/history_residuals.h"
+#include "identify/json_text.h"
 #include "identify/kalman_noise_json.h"
 #include "identify/lint/history_remark.h"
 #include "identify/lint/remedied_error.h"
+#include "identify/lint/tyre_pull_lint.h"
 #include "identify/study.h"
 #include "identify/versions.h"
 #include "identify/warning_texts.h"
@@ -59,7 +63,7 @@ FittedRun LoadModel(const std::filesystem::path& run) {
   // It tells which recordings the fit has seen.
   RequireFitResult(run);
   for (const char* name : {"vehicle.urdf", "study.yaml"})
-    if (!std::filesystem::exists(run / name))
+    if (std::error_code failure; !std::filesystem::exists(run / name, failure))
       Refuse(run, std::string("holds no ") + name + ", which a fit writes; run `fourpost fit` with -o on it again");
   Diagnostics diagnostics;
   std::optional<Vehicle> vehicle = ReadVehicle(run / "vehicle.urdf", diagnostics);
@@ -154,38 +158,36 @@ void AddKalman(const PredictCommand& command, const FittedRun& model, const Meas
   AddOneStepErrors({recorded}, {prediction}, misfits);
 }
 
-/// Throws FaultyInput where it is interrupted.
-void AddFull(const FittedRun& model, const MeasuredHistory& history, std::vector<HistoryMisfit>& misfits) {
-  // Some hundred times as accurate as the condensed steps.
-  constexpr double kAccuracy = 1e-6;
+/// Nothing where it is interrupted.
+std::optional<EngineHistory> Answer(const PredictCommand& command, const FittedRun& model,
+                                    const MeasuredHistory& history) {
   CatchInterrupts();
   ProgressLine line;
-  const std::optional<Eigen::MatrixXd> modelled = SimulateFully(history, model.vehicle, kAccuracy, [&](double t) {
-    const double start = history.TimeAt(0);
-    const double end = history.TimeAt(history.count - 1);
-    const double seconds = line.seconds();
-    line.Show("multibody system: " + Rounded(t, 3) + " of " + Rounded(end, 3) + " s" +
-              TimeLeft((t - start) / (end - start), seconds) + Rate(t - start, seconds, "simulated s"));
-    return !Interrupted();
-  });
-  if (modelled) AddFullErrors(history, *modelled, misfits);
+  const double end = history.TimeAt(history.count - 1);
+  return SimulateBy({.engine = command.engine.value_or(Engine::kAuto)}, history, model.vehicle,
+                    model.vehicle.ParameterValues(), [&](const std::string& work, double t) {
+                      line.Show(work + ": " + Rounded(t, 3) + " of " + Rounded(end, 3) + " s");
+                      return !Interrupted();
+                    });
 }
 
 std::string AsJson(const PredictCommand& command, const FittedRun& model, const MeasuredHistory& history,
-                   const std::vector<HistoryMisfit>& misfits, const std::vector<std::string>& warnings) {
+                   const HistoryEngine& by, const std::vector<HistoryMisfit>& misfits,
+                   const std::vector<std::string>& warnings) {
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   Json json = {{"vehicle", model.vehicle.name},
                {"recording", command.recording.filename().string()},
                {"was_fitted", model.has_seen}};
   if (model.load) json["added_load"] = AddedLoadJson(*model.load);
+  json.update(EngineJson(by, HistorySolver::Options{}.error));
   json.update({{"start_s", history.TimeAt(0)},
                {"end_s", history.TimeAt(history.count - 1)},
                {"samples", history.count},
                {"channels", HistoryMisfitsJson(misfits)},
                {"warnings", warnings},
                {"versions", versions}});
-  return json.dump(2) + '\n';
+  return JsonText(json);
 }
 
 /// On a channel that is late, turned, of another unit or swapped.
@@ -203,18 +205,22 @@ int PredictHistory(const PredictCommand& command, const FittedRun& model) {
   Diagnostics findings;
   const std::vector<MeasuredHistory> histories = {
       Load(command, model, Layout(model.study, command.recording), findings)};
-  Tell(findings);
   const MeasuredHistory& history = histories.front();
-  const HistoryResiduals residuals(std::make_shared<const CondensedVehicle>(model.vehicle), histories, {});
-  const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(model.vehicle.ParameterValues());
+  const HistoryResiduals reduced(std::make_shared<const CondensedVehicle>(model.vehicle), histories, {});
+  const std::vector<double> values = model.vehicle.ParameterValues();
+  LintTyrePulls(model.vehicle, values, histories, reduced.Steps(), findings);
+  Tell(findings);
+  const std::optional<EngineHistory> answer = Answer(command, model, history);
+  if (!answer) return kInterrupted;
+  const std::vector<Eigen::MatrixXd> modelled = {answer->modelled};
   std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
+  if (answer->by.engine == Engine::kFull) AddReducedErrors(history, reduced.Modelled(values).front(), misfits);
   if (command.kalman) AddKalman(command, model, history, misfits);
-  if (command.full) AddFull(model, history, misfits);
   if (Interrupted()) return kInterrupted;
   const std::vector<std::string> remarks = Remarks(histories, modelled, misfits);
   std::vector<std::string> warnings = WarningTexts(findings);
   warnings.insert(warnings.end(), remarks.begin(), remarks.end());
-  const std::string json = AsJson(command, model, history, misfits, warnings);
+  const std::string json = AsJson(command, model, history, answer->by, misfits, warnings);
   if (!command.output.empty()) {
     OutputFolder output(command.output);
     output.Add("history.csv", HistoryFitCsv(histories, modelled));
@@ -227,7 +233,7 @@ int PredictHistory(const PredictCommand& command, const FittedRun& model) {
     Print(json);
     return kGood;
   }
-  std::string text = LoadText(model) + HistoryTable(misfits);
+  std::string text = LoadText(model) + HistoryTable(misfits) + EngineText(answer->by);
   for (const std::string& remark : remarks) text += remark + '\n';
   Print(text);
   return kGood;
@@ -263,7 +269,8 @@ int Run(const PredictCommand& command) {
       return PredictHistory(command, model);
     case RecordingKind::kFrequency: break;
   }
-  for (const auto& [option, is_used] : {std::pair{"--kalman", command.kalman}, {"--engine", command.full}})
+  for (const auto& [option, is_used] :
+       {std::pair{"--kalman", command.kalman}, {"--engine", command.engine.has_value()}})
     RequireUnused(option, is_used, command.recording, "is a frequency response: this is for recordings over time");
   if (model.study.recordings.empty())
     Refuse(command.recording,

@@ -19,7 +19,9 @@
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/solve_sweep.h"
 #include "identify/four_post_data.h"
+#include "identify/json_text.h"
 #include "identify/lint/recording_lint.h"
+#include "identify/lint/tyre_pull_lint.h"
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
 #include "identify/post_shape.h"
@@ -150,6 +152,8 @@ std::string SetPosts(const PredictCommand& command, const FittedRun& model, cons
 std::vector<std::string> TellLints(const FittedRun& model, const CondensedModel& condensed, const MeasuredRun& whole) {
   Diagnostics findings;
   LintRuns({model.study, model.vehicle, condensed}, {whole}, findings);
+  LintTyrePulls(model.vehicle, model.vehicle.ParameterValues(),
+                InBand({whole}, model.study.band_lower_Hz, model.study.band_upper_Hz), findings);
   Tell(findings);
   return WarningTexts(findings);
 }
@@ -174,7 +178,7 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
                {"channels", channels},
                {"warnings", warnings},
                {"versions", versions}});
-  return json.dump(2) + '\n';
+  return JsonText(json);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/command_line/text_table.h"
+#include "identify/json_text.h"
 #include "identify/report/ranked_run.h"
 
 namespace fourpost {
@@ -38,7 +39,7 @@ std::string RankingJson(const ModelRanking& ranking) {
                      {"reason", ranking.reason},
                      {"remarks", ranking.remarks},
                      {"models", models}};
-  return json.dump(2) + '\n';
+  return JsonText(json);
 }
 
 }  // namespace

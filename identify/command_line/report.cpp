@@ -8,6 +8,7 @@
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
+#include "identify/json_text.h"
 #include "identify/report/comparison_page.h"
 #include "identify/report/report_page.h"
 #include "identify/report/run_result.h"
@@ -72,7 +73,7 @@ int Run(const ReportCommand& command) {
     std::fprintf(stderr, "the report does not show the vehicle: %s\n", runs.front().second.vehicle_fault.c_str());
   const std::string page = PageOf(std::move(runs), command.runs);
   ReplaceFile(file, page);
-  if (command.json) Print(nlohmann::ordered_json{{"file", file.string()}, {"bytes", page.size()}}.dump(2) + '\n');
+  if (command.json) Print(JsonText(nlohmann::ordered_json{{"file", file.string()}, {"bytes", page.size()}}));
   else Print(file.string() + '\n');
   return kGood;
 }

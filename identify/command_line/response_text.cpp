@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "identify/amplitude_limits.h"
+#include "identify/command_line/engine_text.h"
 #include "identify/command_line/text_table.h"
 
 namespace fourpost {
@@ -60,29 +61,14 @@ std::string GainTable(const SweptResponse& swept) {
   return table.Format();
 }
 
-std::string Where(const LargestDifference& difference) {
-  return difference.channel.empty() ? ""
-                                    : " (" + difference.channel + ", " + Rounded(difference.frequency_Hz, 3) + " Hz)";
-}
-
-/// Rounded up.
-std::string AtMost(double value, int decimals) {
-  const double step = std::pow(10, -decimals);
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*f", decimals, std::max(1.0, std::ceil(value / step)) * step);
-  return text;
-}
-
 /// What linear kinematics leave out, and what follows from it.
-std::string KinematicsText(const SteadyResponse& answer) {
+std::string CheckText(const SteadyResponse& answer) {
   if (!answer.not_estimated.empty())
     return "what linear kinematics leave out could not be estimated: " + answer.not_estimated + "\n";
   if (!answer.kinematics_error) return "";
   const KinematicsError& error = *answer.kinematics_error;
-  return "linear kinematics are off by at most " + AtMost(error.gain_dB.value, 3) + " dB" + Where(error.gain_dB) +
-         " and " + AtMost(error.phase_deg.value, 2) + " deg" + Where(error.phase_deg) +
-         (error.IsVisible() ? ":\nthat shows (" : ":\nless than shows (") + Rounded(KinematicsError::kVisible_dB, 1) +
-         " dB, " + Rounded(KinematicsError::kVisible_deg, 1) + " deg), so " +
+  return KinematicsText(error) + (error.IsVisible() ? ":\nthat shows (" : ":\nless than shows (") +
+         Rounded(kVisible_dB, 1) + " dB, " + Rounded(kVisible_deg, 1) + " deg), so " +
          (error.IsVisible() ? "the full geometry answers\n" : "they answer\n");
 }
 
@@ -111,7 +97,7 @@ std::string WhyUnanswered(const SteadyResponse& answer) {
 std::string ResponseText(const SweepRequest& request, const std::vector<SweptResponse>& responses) {
   std::string text;
   for (const SweptResponse& swept : responses)
-    text += (text.empty() ? "" : "\n") + Heading(swept, request) + KinematicsText(swept.answer) + GainTable(swept) +
+    text += (text.empty() ? "" : "\n") + Heading(swept, request) + CheckText(swept.answer) + GainTable(swept) +
             WhyUnanswered(swept.answer);
   return text;
 }

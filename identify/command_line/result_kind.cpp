@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/output_folder.h"
+#include "identify/result_reader.h"
 
 namespace fourpost {
 namespace {
@@ -39,8 +39,7 @@ std::optional<ResultKind> KindOf(const nlohmann::json& result) {
 std::optional<ResultKind> KindOf(const std::filesystem::path& folder) {
   std::error_code failure;
   if (std::filesystem::exists(folder / "archive.sqlite", failure)) return ResultKind::kFit;
-  std::ifstream stream(folder / "result.json", std::ios::binary);
-  const nlohmann::json result = nlohmann::json::parse(stream, nullptr, false);
+  const nlohmann::json result = ReadResultFile(folder / "result.json");
   return result.is_object() ? KindOf(result) : std::nullopt;
 }
 

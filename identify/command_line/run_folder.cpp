@@ -45,8 +45,9 @@ void CheckIsFit(const RunContents& run, const std::filesystem::path& folder, Dia
 
 /// What a folder without a result is, and what to do.
 std::string WithoutResult(const std::filesystem::path& folder) {
-  const auto holds = [&](const char* name) { return std::filesystem::exists(folder / name); };
-  if (std::filesystem::is_empty(folder)) return "is an empty folder; give one that `fourpost fit -o` wrote";
+  std::error_code failure;
+  const auto holds = [&](const char* name) { return std::filesystem::exists(folder / name, failure); };
+  if (std::filesystem::is_empty(folder, failure)) return "is an empty folder; give one that `fourpost fit -o` wrote";
   if (holds("archive.sqlite"))
     return "holds no result.json, which a fit writes at its end; run `fourpost fit` with -o on this folder again, it "
            "goes on from its archive";
@@ -61,12 +62,13 @@ std::string WithoutResult(const std::filesystem::path& folder) {
 /// result.json alone; nothing, and reported, where it is not that of a fit.
 RunContents ReadResult(const std::filesystem::path& folder, Diagnostics& diagnostics) {
   RunContents run;
-  if (!std::filesystem::is_directory(folder)) {
+  std::error_code failure;
+  if (!std::filesystem::is_directory(folder, failure)) {
     diagnostics.Error(folder.string(), 0,
                       "is no folder; give one that `fourpost fit -o` wrote" + DidYouMeanFile(folder));
     return run;
   }
-  if (!std::filesystem::exists(folder / kResult)) {
+  if (!std::filesystem::exists(folder / kResult, failure)) {
     diagnostics.Error(folder.string(), 0, WithoutResult(folder));
     return run;
   }
@@ -81,7 +83,7 @@ RunContents ReadRun(const std::filesystem::path& folder, Diagnostics& diagnostic
   RunContents run = ReadResult(folder, diagnostics);
   if (run.files.empty()) return run;
   for (const char* name : kOtherFiles) {
-    if (!std::filesystem::exists(folder / name)) continue;
+    if (std::error_code failure; !std::filesystem::exists(folder / name, failure)) continue;
     if (std::optional<std::string> text = ReadTextFile(folder / name, diagnostics)) run.files[name] = std::move(*text);
   }
   ReadFittedVehicle(folder / "vehicle.urdf", run);

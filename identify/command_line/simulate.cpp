@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/number.h"
 #include "analysis/output_folder.h"
 #include "identify/chosen_sensors.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/drive.h"
+#include "identify/command_line/engine_text.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
 #include "identify/command_line/interrupt.h"
@@ -66,28 +66,9 @@ void Record(const SimulateCommand& command, const Drive& drive, TimeHistory& his
   SensorModel{.noise = command.noise, .seed = command.seed}.Apply(history);
 }
 
-HistoryOrigin OriginOf(const SimulateCommand& command, const Drive& drive, const SolvedHistory& solved) {
-  return {.motion = drive.name,
-          .engine = command.full ? "full" : "condensed",
-          .seed = command.seed,
-          .error = command.error,
-          .step_s = solved.step_s,
-          .change = solved.change,
-          .interrupted = solved.interrupted};
-}
-
-std::string Percent(double share, int digits) { return Rounded(100 * share, digits) + " %"; }
-
-/// What is known of the integration's error.
-std::string ErrorText(const HistoryOrigin& origin) {
-  if (!origin.step_s)
-    return "full system, integrated to " + FormatNumber(1e-3 * origin.error) +
-           " of its states; what that makes of the channels is not measured\n";
-  const std::string step = Rounded(1e3 * *origin.step_s, 3) + " ms";
-  if (!origin.change) return "step " + step + ", not compared with another\n";
-  // Less says nothing to a user.
-  const double change = std::max(1e-5, *origin.change);
-  return "halving the step to " + step + " changed no channel by more than " + Percent(change, 2) + " of its rms\n";
+HistoryOrigin OriginOf(const SimulateCommand& command, const Drive& drive, const SolvedHistory& answer) {
+  return {
+      .motion = drive.name, .by = answer.by, .seed = command.seed, .error = command.error, .interrupted = answer.ended};
 }
 
 std::string Text(const HistoryOrigin& origin, const std::vector<HistoryChannel>& channels) {
@@ -97,15 +78,20 @@ std::string Text(const HistoryOrigin& origin, const std::vector<HistoryChannel>&
     table.Add({channel.name, channel.unit, Rounded(extent.mean, 4), Rounded(extent.rms, 4), Rounded(extent.peak, 4),
                Rounded(extent.peak_to_peak, 4)});
   }
-  return origin.motion + '\n' + table.Format() + ErrorText(origin);
+  return origin.motion + '\n' + table.Format() + EngineText(origin.by);
 }
 
-void FindWhatIsOdd(const Job& job, const HistoryOrigin& origin, const SolvedHistory& solved, Diagnostics& findings) {
+void FindWhatIsOdd(const Job& job, const HistoryOrigin& origin, const AnsweredHistory& solved, Diagnostics& findings) {
   WarnOfLocked(job.vehicle, solved.locked, "this motion", findings);
-  if (solved.change && *solved.change > origin.error)
+  WarnOfPulls(job.vehicle, solved.pulls, "samples", "this motion", findings);
+  if (origin.by.change && *origin.by.change > origin.error)
     findings.Warning("--error", 0,
-                     "halving the step down to " + Rounded(1e6 * *solved.step_s, 3) +
-                         " us still changes a channel by " + Percent(*solved.change, 3) + " of its rms");
+                     (origin.by.step_s ? "halving the step down to " + Rounded(1e6 * *origin.by.step_s, 3) + " us"
+                                       : "a tenfold accuracy of the integrator") +
+                         " still changes a channel by " + Percent(*origin.by.change, 3) + " of its rms");
+  if (!origin.by.not_estimated.empty())
+    findings.Warning("--engine", 0,
+                     "what linear kinematics leave out could not be estimated: " + origin.by.not_estimated);
 }
 
 /// Two samples make a history.
@@ -121,18 +107,18 @@ int Run(const SimulateCommand& command) {
   Tell(job.findings);
   CatchInterrupts();
   Diagnostics found;
-  SolvedHistory solved = SolveHistory(command, job.vehicle, job.drive, found);
-  TimeHistory& history = solved.history;
+  AnsweredHistory solved = SolveHistory(command, job.vehicle, job.drive, found);
+  TimeHistory& history = solved.answer.history;
   if (!HasHistory(command, job.drive, history)) {
     std::fputs("interrupted before there was anything to keep\n", stderr);
     return kInterrupted;
   }
   Record(command, job.drive, history);
-  const HistoryOrigin origin = OriginOf(command, job.drive, solved);
+  const HistoryOrigin origin = OriginOf(command, job.drive, solved.answer);
   FindWhatIsOdd(job, origin, solved, found);
   Tell(found);
   for (const Diagnostic& item : found.items()) job.findings.Warning(item.file, item.line, item.message);
-  if (solved.interrupted)
+  if (solved.answer.ended)
     std::fprintf(stderr, "interrupted: the history ends at %s of %s s\n",
                  Rounded(history.TimeAt(history.size() - 1), 3).c_str(), Rounded(job.drive.end_s, 3).c_str());
   const std::vector<HistoryChannel> channels = ChannelsOf(job.vehicle, history, job.sensors);
@@ -142,7 +128,7 @@ int Run(const SimulateCommand& command) {
                                         history.rate_Hz, channels));
   if (command.json) Print(HistoryJson(job.vehicle, origin, history, channels, job.findings));
   else Print(command.output.empty() ? HistoryCsv(history, channels) : Text(origin, channels));
-  return solved.interrupted ? kInterrupted : kGood;
+  return solved.answer.ended ? kInterrupted : kGood;
 }
 
 }  // namespace fourpost

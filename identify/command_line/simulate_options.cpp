@@ -1,11 +1,9 @@
 #include "identify/command_line/simulate_options.h"
 
-#include <array>
 #include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "analysis/units.h"
 #include "identify/command_line/common_options.h"
@@ -15,8 +13,6 @@
 
 namespace fourpost {
 namespace {
-
-constexpr std::array<std::string_view, 2> kEngines = {"condensed", "full"};
 
 /// Adds options whose values carry units; what cannot be read joins the command's faults.
 class QuantityOptions {
@@ -156,14 +152,14 @@ void AddOptions(CLI::App& subcommand, SimulateCommand& command) {
   AddAcquisition(subcommand, command);
   subcommand
       .add_option_function<std::string>(
-          "--engine", [&command](const std::string& text) { command.full = text == "full"; },
-          "condensed: kinematics linearised about equilibrium, laws as they are; full: the multibody system (slow)")
-      ->check(OneOf("engine", kEngines))
-      ->default_str("condensed");
+          "--engine", [&command](const std::string& text) { command.engine = EngineNamed(text).value(); },
+          "reduced: kinematics linearised about equilibrium, laws as they are; full: the multibody system; auto: "
+          "reduced, checked by full, which answers where they visibly differ")
+      ->transform(EngineOf(kHistoryEngines))
+      ->default_str("auto");
   QuantityOptions(subcommand, command)
       .AddShare("--error",
-                "Allowed to the integration (default 0.1%): condensed: of each channel's rms, as halving the step "
-                "tells; full: its integrator is a thousand times as accurate, and the error is not measured",
+                "Allowed to the integration, of each channel's rms as halving the step shows it (default 0.1%)",
                 command.error);
   subcommand.add_option("-o,--output", command.output, "File for the CSV, in place of stdout; tells a summary then");
   subcommand.add_option("--chart", command.chart, "File for a picture of the history (.svg)");

@@ -10,7 +10,6 @@
 #include "identify/command_line/progress_line.h"
 #include "identify/command_line/text_table.h"
 #include "vehicles/ride/stability.h"
-#include "vehicles/simulation/multibody_system.h"
 
 namespace fourpost {
 namespace {
@@ -24,23 +23,24 @@ void WarnOfGrowth(const Vehicle& vehicle, const CondensedModel& model, Diagnosti
                        ", whatever the posts do; see `fourpost check`");
 }
 
-/// Tells how far a run is, and when another one, at half the step, begins.
+/// Shows what is run, how far it is, and when another run of it, at half the step, begins.
 class HistoryProgress {
  public:
   explicit HistoryProgress(const Drive& drive) : drive_(drive) {}
 
   /// Whether to go on.
-  bool At(double t) {
-    if (t < last_) {
-      ++run_;
+  bool At(const std::string& work, double t) {
+    if (work != work_ || t < last_) {
+      run_ = work == work_ ? run_ + 1 : 1;
+      work_ = work;
       began_s_ = line_.seconds();
     }
     last_ = t;
     const double start = drive_.start_s - drive_.lead_s;
     const double seconds = line_.seconds() - began_s_;
-    line_.Show("simulate: " + Rounded(std::max(0.0, t), 3) + " of " + Rounded(drive_.end_s, 3) + " s" +
+    line_.Show("simulate: " + work_ + ", " + Rounded(std::max(0.0, t), 3) + " of " + Rounded(drive_.end_s, 3) + " s" +
                TimeLeft((t - start) / (drive_.end_s - start), seconds) + Rate(t - start, seconds, "simulated s") +
-               (run_ == 1 ? "" : "; step halved " + std::to_string(run_ - 1) + " times"));
+               (run_ == 1 ? "" : ", run " + std::to_string(run_)));
     return !Interrupted();
   }
 
@@ -48,46 +48,43 @@ class HistoryProgress {
   const Drive& drive_;
   ProgressLine line_;
   double last_ = -HUGE_VAL;
+  std::string work_;
   int run_ = 1;
   double began_s_ = 0;
 };
 
-/// Takes the extensions, the last readings, away.
-Eigen::MatrixXd TakeExtensions(Eigen::Index sensors, TimeHistory& history) {
-  Eigen::MatrixXd extensions = history.readings.rightCols(history.readings.cols() - sensors);
-  history.readings.conservativeResize(Eigen::NoChange, sensors);
-  return extensions;
+/// Takes the last readings, which are so many, away.
+Eigen::MatrixXd TakeLast(std::size_t count, TimeHistory& history) {
+  const auto probes = static_cast<Eigen::Index>(count);
+  Eigen::MatrixXd last = history.readings.rightCols(probes);
+  history.readings.conservativeResize(Eigen::NoChange, history.readings.cols() - probes);
+  return last;
 }
 
 }  // namespace
 
-SolvedHistory SolveHistory(const SimulateCommand& command, const Vehicle& vehicle, const Drive& drive,
-                           Diagnostics& findings) {
+AnsweredHistory SolveHistory(const SimulateCommand& command, const Vehicle& vehicle, const Drive& drive,
+                             Diagnostics& findings) {
   Vehicle probed = vehicle;
-  for (Sensor& sensor : ExtensionSensors(vehicle, RubbingDampers(vehicle))) probed.sensors.push_back(std::move(sensor));
-  const std::vector<double> values = vehicle.ParameterValues();
-  const CondensedModel model = CondensedAtValues(probed);
-  WarnOfGrowth(vehicle, model, findings);
+  const std::vector<std::size_t> rubbing = RubbingDampers(vehicle);
+  const std::vector<std::size_t> linear = LinearTyres(vehicle);
+  for (Sensor& sensor : ExtensionSensors(vehicle, rubbing)) probed.sensors.push_back(std::move(sensor));
+  for (Sensor& sensor : ForceSensors(vehicle, linear)) probed.sensors.push_back(std::move(sensor));
+  CondensedAtValues(probed);
+  HistorySolver solver(probed);
+  WarnOfGrowth(vehicle, solver.model(), findings);
   const TimeGrid grid{drive.start_s, drive.end_s, command.rate_Hz, drive.lead_s};
   HistoryProgress progress(drive);
-  const GoOn go_on = [&](double t) { return progress.At(t); };
-  SolvedHistory solved;
-  if (command.full) {
-    Multibody multibody(probed);
-    multibody.SetParameters(values, model.preloads);
-    // Simbody weighs states by about 1 m, posts move by millimetres.
-    MultibodySystem system(multibody, 1e-3 * command.error);
-    solved.history = Simulate(system, drive.motion, grid, go_on);
-    solved.interrupted = solved.history.size() < grid.lead_count() + grid.count();
-  } else {
-    CondensedHistory answer =
-        SimulateCondensed(model, RigViewOf(probed), drive.motion, grid, {.error = command.error}, go_on);
-    solved = {.history = std::move(answer.history), .step_s = answer.step_s, .interrupted = answer.ended};
-    if (std::isfinite(answer.change)) solved.change = answer.change;
-  }
-  const Eigen::MatrixXd extensions = TakeExtensions(static_cast<Eigen::Index>(vehicle.sensors.size()), solved.history);
-  if (!solved.interrupted) solved.locked = FindLockedFriction(vehicle, extensions, command.rate_Hz);
-  return solved;
+  AnsweredHistory answered{
+      .answer = solver.Solve(drive.motion, grid,
+                             {.engine = command.engine, .error = command.error, .compared = vehicle.sensors.size()},
+                             [&](const char* work, double t) { return progress.At(work, t); })};
+  const Eigen::MatrixXd forces = TakeLast(linear.size(), answered.answer.history);
+  const Eigen::MatrixXd extensions = TakeLast(rubbing.size(), answered.answer.history);
+  const Eigen::Index lead = std::min(grid.lead_count(), forces.rows());
+  answered.pulls = FindTyrePulls(vehicle, solver.model().preloads.tyre, forces.bottomRows(forces.rows() - lead));
+  if (!answered.answer.ended) answered.locked = FindLockedFriction(vehicle, extensions, command.rate_Hz);
+  return answered;
 }
 
 }  // namespace fourpost

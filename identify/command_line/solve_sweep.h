@@ -4,7 +4,7 @@
 #include <string>
 
 #include "identify/command_line/progress_line.h"
-#include "vehicles/response/steady_response.h"
+#include "vehicles/engine/steady_response.h"
 
 namespace fourpost {
 

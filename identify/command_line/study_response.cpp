@@ -21,11 +21,14 @@
 #include "identify/command_line/solve_sweep.h"
 #include "identify/history_misfit_json.h"
 #include "identify/history_residuals.h"
+#include "identify/json_text.h"
 #include "identify/lint/recording_lint.h"
+#include "identify/lint/tyre_pull_lint.h"
 #include "identify/loaded_study.h"
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
 #include "identify/response_chart.h"
+#include "vehicles/multibody/simulation_error.h"
 
 namespace fourpost {
 namespace {
@@ -54,7 +57,7 @@ std::string AsJson(const std::vector<MeasuredRun>& runs, const std::vector<Frequ
     channels.push_back({{"name", misfit.name}, {"rms_dB", misfit.rms_dB}, {"rms_deg", misfit.rms_deg}});
   Json json = {{"recordings", recordings}, {"channels", channels}};
   if (!over_time.validation.empty()) json["validation"] = HistoryMisfitsJson(over_time.validation);
-  return json.dump(2) + '\n';
+  return JsonText(json);
 }
 
 /// A misfit needs an answer at every frequency; nothing when interrupted before.
@@ -64,7 +67,7 @@ std::optional<FrequencyResponse> WholeAnswer(const MeasuredRun& run, SteadySolve
   if (!answer) return std::nullopt;
   if (answer->unanswered.empty()) return std::move(answer->response);
   if (Interrupted()) return std::nullopt;
-  throw std::runtime_error("'" + run.name + "': " + answer->unanswered.front().why);
+  throw SimulationError("'" + run.name + "': " + answer->unanswered.front().why);
 }
 
 /// Those of the recordings that come before an interruption.
@@ -107,7 +110,11 @@ TimeMisfits OverTime(const LoadedStudy& loaded) {
   const auto condensed = std::make_shared<const CondensedVehicle>(loaded.vehicle);
   const auto misfits = [&](const std::vector<MeasuredHistory>& histories) {
     if (histories.empty()) return std::vector<HistoryMisfit>();
-    return HistoryMisfits(histories, HistoryResiduals(condensed, histories, {}).Modelled(values));
+    const HistoryResiduals residuals(condensed, histories, {});
+    Diagnostics findings;
+    LintTyrePulls(loaded.vehicle, values, histories, residuals.Steps(), findings);
+    Tell(findings);
+    return HistoryMisfits(histories, residuals.Modelled(values));
   };
   return {misfits(loaded.histories), misfits(loaded.validation)};
 }
@@ -141,6 +148,10 @@ int RespondToStudy(const ResponseCommand& command) {
   const std::optional<LoadedStudy> loaded = LoadStudy(command.input, diagnostics);
   if (!loaded) throw FaultyInput(diagnostics);
   LintRecordings(*loaded, diagnostics);
+  const std::vector<double> values = loaded->vehicle.ParameterValues();
+  if (!loaded->data.runs.empty())
+    LintTyrePulls(loaded->vehicle, values,
+                  InBand(loaded->data.runs, loaded->study.band_lower_Hz, loaded->study.band_upper_Hz), diagnostics);
   Tell(diagnostics);
   if (loaded->data.runs.empty()) return TellOverTime(command, *loaded);
   if (!command.output.empty()) {
@@ -148,7 +159,7 @@ int RespondToStudy(const ResponseCommand& command) {
     RequireNoOtherResult(command.output, ResultKind::kResponse);
     OutputFolder{command.output};
   }
-  const Engine engine = command.engine.value_or(Engine::kLinearised);
+  const Engine engine = command.engine.value_or(Engine::kReduced);
   std::vector<MeasuredRun> runs = InBand(loaded->data.runs, loaded->study.band_lower_Hz, loaded->study.band_upper_Hz);
   SteadySolver solver(loaded->vehicle);
   RequireStable(loaded->vehicle, solver);

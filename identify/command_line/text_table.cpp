@@ -5,11 +5,15 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "analysis/shortened.h"
 #include "analysis/units.h"
 #include "identify/command_line/text_width.h"
 
 namespace fourpost {
 namespace {
+
+/// Bytes of a cell; a name of megabytes would make each line as long.
+constexpr std::size_t kWidest = 200;
 
 /// Begins as a number does, or is what stands for one.
 bool IsNumber(const std::string& text) {
@@ -22,6 +26,8 @@ TextTable::TextTable(std::vector<std::string> head) { rows_.push_back(std::move(
 
 void TextTable::Add(std::vector<std::string> row) {
   if (row.size() != rows_.front().size()) throw std::invalid_argument("a table row needs one cell per column");
+  for (std::string& cell : row)
+    if (cell.size() > kWidest) cell = Shortened(cell, kWidest);
   rows_.push_back(std::move(row));
 }
 

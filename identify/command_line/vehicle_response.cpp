@@ -18,6 +18,7 @@
 #include "identify/sweep_files.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/response/friction_lock.h"
+#include "vehicles/response/tyre_pull.h"
 
 namespace fourpost {
 namespace {
@@ -100,8 +101,11 @@ int RespondOfVehicle(const ResponseCommand& command) {
   CondensedAtValues(job.vehicle);
   SteadySolver solver(job.vehicle);
   RequireStable(job.vehicle, solver);
-  for (const Sweep& sweep : job.request.sweeps)
+  for (const Sweep& sweep : job.request.sweeps) {
     WarnOfLocked(job.vehicle, FindLockedFriction(job.vehicle, sweep.excitation), sweep.mode, job.findings);
+    WarnOfPulls(job.vehicle, FindTyrePulls(job.vehicle, job.vehicle.ParameterValues(), sweep.excitation), "frequencies",
+                sweep.mode, job.findings);
+  }
   Tell(job.findings);
   const std::vector<SweptResponse> responses = SolveAll(solver, job.request, command.engine.value_or(Engine::kAuto));
   const Count count = CountAnswers(job.request, responses);

@@ -41,17 +41,18 @@ class FittedLoads {
     return sd;
   }
 
-  /// Change of each load by one standard deviation of each free parameter [N].
-  Eigen::MatrixXd Slopes() const {
+  /// Change of each load by one standard deviation of each of these free parameters [N].
+  Eigen::MatrixXd Slopes(const std::vector<Eigen::Index>& parameters) const {
     constexpr double kStep = 1e-3;
-    Eigen::MatrixXd slopes(Count(), static_cast<Eigen::Index>(study_.free.size()));
-    for (std::size_t i = 0; i < study_.free.size(); ++i) {
+    Eigen::MatrixXd slopes(Count(), static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      const auto i = static_cast<std::size_t>(parameters[k]);
       const double sd = fit_.parameters[i].sd;
       std::vector<double> upper = fit_.values;
       std::vector<double> lower = fit_.values;
       upper[study_.free[i]] += kStep * sd;
       lower[study_.free[i]] -= kStep * sd;
-      slopes.col(static_cast<Eigen::Index>(i)) = (At(upper) - At(lower)) / (2 * kStep);
+      slopes.col(static_cast<Eigen::Index>(k)) = (At(upper) - At(lower)) / (2 * kStep);
     }
     return slopes;
   }
@@ -75,7 +76,7 @@ class FittedLoads {
 /// What the loads are where the fit leaves them out [N].
 struct LoadsInMotion {
   Eigen::VectorXd loads;
-  /// Of their sum.
+  /// Of their sum, by noise and the stated model error, not inflated: what models miss is in kMissed.
   double sd = 0;
 };
 
@@ -83,19 +84,24 @@ struct LoadsInMotion {
 /// parameters, R their correlations, and B the derivatives of the loads' residuals by p/S: the rest of the data has the
 /// Hessian S^-1 (R^-1 - B'B) S^-1. Nothing where the rest does not tell the weight.
 std::optional<LoadsInMotion> LoadsWithoutThemselves(const FitResult& fit, const FittedLoads& loads) {
-  const auto is_known = [](const FittedParameter& parameter) {
-    return parameter.sd > 0 && std::isfinite(parameter.sd);
-  };
-  if (!fit.covariance || !std::all_of(fit.parameters.begin(), fit.parameters.end(), is_known)) return std::nullopt;
+  // What a bound holds stays there.
+  std::vector<Eigen::Index> known;
+  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+    const FittedParameter& parameter = fit.parameters[i];
+    if (parameter.sd > 0 && std::isfinite(parameter.sd)) known.push_back(static_cast<Eigen::Index>(i));
+    else if (parameter.state != ParameterState::kAtBound) return std::nullopt;
+  }
+  if (!fit.covariance || known.empty()) return std::nullopt;
   const double inflation = fit.covariance->inflation;
   const Eigen::VectorXd residuals = (loads.Modelled() - loads.Measured()).cwiseQuotient(loads.Deviations());
   const RobustLoss& fitted = fit.options.refine.loss;
   const RobustLoss loss =
       fitted.kind() == LossKind::kNone ? RobustLoss() : RobustLoss(fitted.kind(), fitted.scale(), 0);
   // By deviations that are not inflated.
-  const Eigen::MatrixXd slopes = loads.Slopes() / inflation;
+  const Eigen::MatrixXd slopes = loads.Slopes(known) / inflation;
   const Eigen::MatrixXd b = loads.Deviations().cwiseInverse().asDiagonal() * slopes;
-  const Eigen::MatrixXd rest = Correlations(*fit.covariance).inverse() - b.transpose() * b;
+  const Eigen::MatrixXd correlations = Correlations(*fit.covariance)(known, known);
+  const Eigen::MatrixXd rest = correlations.inverse() - b.transpose() * b;
   const Eigen::LDLT<Eigen::MatrixXd> solver(rest);
   // Pivots of the Land Rover: 0.06 and more with tyre forces, 8e-5 without, where the deviation says so by itself, 700
   // kg. Only rounding is that far below.
@@ -105,8 +111,7 @@ std::optional<LoadsInMotion> LoadsWithoutThemselves(const FitResult& fit, const 
   const Eigen::VectorXd sum = slopes.colwise().sum();
   const Eigen::VectorXd step =
       solver.solve(b.transpose() * loss.Transformed(residuals).cwiseProduct(loss.Slopes(residuals)));
-  return LoadsInMotion{.loads = loads.Modelled() + slopes * step,
-                       .sd = inflation * std::sqrt(sum.dot(solver.solve(sum)))};
+  return LoadsInMotion{.loads = loads.Modelled() + slopes * step, .sd = std::sqrt(sum.dot(solver.solve(sum)))};
 }
 
 /// Corners that were weighed: a load of a planar car is the sum of two.

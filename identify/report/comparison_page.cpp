@@ -4,6 +4,7 @@
 
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
+#include "identify/json_text.h"
 #include "identify/report/comparison_curves.h"
 #include "identify/report/comparison_tables.h"
 #include "identify/report/comparison_verdict.h"
@@ -77,8 +78,7 @@ std::string ComparisonPage(std::vector<std::pair<std::string, RunContents>> fold
       Curves(curves, "responses", "Frequency responses") + Curves(curves, "histories", "Time histories") +
       Curves(curves, "bench", "Damper bench") + "</main>\n" + PageFooter(Sources(runs));
   const OrderedJson data = {{"comparison", curves}};
-  return ReportDocument("Comparison of fits \u2013 fourpost report", body,
-                        data.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));
+  return ReportDocument("Comparison of fits \u2013 fourpost report", body, CompactJson(data));
 }
 
 }  // namespace fourpost

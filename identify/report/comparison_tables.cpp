@@ -30,6 +30,8 @@ std::string OfWhich(const Json& starts) {
 Cell EndCell(const Json& result) {
   std::string end = TextAt(result, "termination");
   std::replace(end.begin(), end.end(), '_', ' ');
+  const bool explains = ListAt(result.value("verdict", Json()), "reasons").empty();
+  if (!explains) end += ", does not explain its data";
   return {html::Escaped(end), end == "converged" ? "" : "remark calls"};
 }
 
@@ -78,6 +80,7 @@ Cell ValueCell(const ReportedParameter* parameter, const std::string& unit) {
     text += "<br><small>" + ShownDecimals(parameter->lower_95, decimals) + " \u2026 " +
             ShownDecimals(parameter->upper_95, decimals) + "</small>";
   else if (std::isinf(parameter->sd)) text += "<br><small>not determined</small>";
+  else if (parameter->state == ParameterState::kNoise) text += "<br><small>derivative is noise</small>";
   if (parameter->at_bound) text += "<br><small class=\"remark calls\">at its bound</small>";
   return {text, "n"};
 }

@@ -60,7 +60,8 @@ ModelRanking RankByPrediction(const std::vector<ComparedRun>& runs, const std::v
                       .fitted_percent = kNone,
                       .validation_percent = MeanOver(groups, run.predicted),
                       .criteria = {.parameters = run.parameters.size(), .aicc = kNone, .bic = kNone},
-                      .termination = TextAt(run.result, "termination")});
+                      .termination = TextAt(run.result, "termination"),
+                      .explains = ListAt(run.result.value("verdict", Json()), "reasons").empty()});
   return Rank(std::move(models));
 }
 

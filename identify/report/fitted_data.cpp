@@ -7,6 +7,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "identify/report/run_result.h"
+#include "identify/study_yaml.h"
 
 namespace fourpost {
 namespace {
@@ -42,12 +43,10 @@ Json FittedOf(const Json& recordings) {
 
 /// Of a study what its residuals depend on beside model and files; the text where it is no YAML.
 Json SettingsOf(const std::string& study) {
-  Json settings;
-  try {
-    settings = JsonOf(YAML::Load(study));
-  } catch (const YAML::Exception&) {
-    return study;
-  }
+  Diagnostics faults;
+  const std::optional<YAML::Node> root = ReadYaml(study, "study.yaml", faults);
+  if (!root) return study;
+  Json settings = JsonOf(*root);
   Erase(settings, {"vehicle", "free", "search", "refine", "target", "methods"});
   if (!settings.is_object()) return settings;
   for (const char* list : {"recordings", "histories"})

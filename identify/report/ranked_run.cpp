@@ -33,7 +33,8 @@ std::optional<FittedModel> ModelOf(const ComparedRun& run) {
                                   .parameters = static_cast<std::size_t>(parameters),
                                   .aicc = NumberAt(criteria, "aicc"),
                                   .bic = NumberAt(criteria, "bic")},
-                     .termination = TextAt(run.result, "termination")};
+                     .termination = TextAt(run.result, "termination"),
+                     .explains = ListAt(run.result.value("verdict", Json()), "reasons").empty()};
 }
 
 /// What was kept for validation: recordings and their bytes, in whichever order the study has them.

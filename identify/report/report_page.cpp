@@ -5,6 +5,7 @@
 
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
+#include "identify/json_text.h"
 #include "identify/report/history_table.h"
 #include "identify/report/page_footer.h"
 #include "identify/report/picture_number.h"
@@ -151,7 +152,7 @@ std::string Directions(const Json& result) {
   for (const Json& direction : ListAt(identifiability, "weakest"))
     if (direction.is_string()) items += html::Element("li", "", html::Escaped(WithMinusSigns(direction)));
   if (items.empty()) return "";
-  if (NumberAt(identifiability, "parameters") == 1) return OfOneParameter(NumberAt(identifiability, "rank") > 0);
+  if (ListAt(result, "parameters").size() == 1) return OfOneParameter(NumberAt(identifiability, "rank") > 0);
   const bool open = NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters");
   const double condition = NumberAt(identifiability, "condition");
   return "<p>" +
@@ -242,7 +243,7 @@ std::string ReportPage(const RunContents& run) {
                             {"histories", histories},
                             {"validation", validation},
                             {"bench", bench}};
-  const std::string text = data.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  const std::string text = CompactJson(data);
   return ReportDocument(TextAt(result, "vehicle") + " \u2013 fourpost report", body, text);
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "analysis/report/html.h"
+#include "identify/derivative_noise.h"
 #include "identify/report/judged_channel.h"
 #include "identify/report/shown_number.h"
 #include "identify/versions.h"
@@ -35,6 +36,12 @@ double MisfitOf(const Json& result) {
 }
 
 std::string Code(const std::string& name) { return html::Element("code", "", html::Escaped(name)); }
+
+std::vector<std::string> AsCode(const std::vector<std::string>& names) {
+  std::vector<std::string> codes;
+  for (const std::string& name : names) codes.push_back(Code(name));
+  return codes;
+}
 
 /// "a, b and c" of html.
 std::string Listed(const std::vector<std::string>& items) {
@@ -92,6 +99,16 @@ bool IsAnyFar(const std::vector<JudgedChannel>& channels) {
                      [](const JudgedChannel& channel) { return channel.follows == Follows::kNot; });
 }
 
+/// Empty for a run that explains its data, or does not say.
+std::string DoesNotExplain(const Json& result) {
+  const std::vector<Json> reasons = ListAt(result.value("verdict", Json()), "reasons");
+  std::vector<std::string> listed;
+  for (const Json& reason : reasons)
+    if (reason.is_string()) listed.push_back(html::Escaped(reason.get<std::string>()));
+  if (listed.empty()) return "";
+  return "<strong>This model does not explain these data:</strong> " + Listed(listed) + ". ";
+}
+
 /// A run that was cut short tells what it had done by then.
 std::string Agreement(const Json& result, bool is_cut_short) {
   const Json starts = result.value("starts", Json());
@@ -123,8 +140,9 @@ Verdict HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen)
   const double agreeing = NumberAt(starts, "agreeing");
   const double refined = NumberAt(starts, "refined");
   std::string name = "good";
-  std::string text;
-  if (end == "converged") text = "<strong>The fit converged.</strong> ";
+  std::string text = DoesNotExplain(result);
+  if (!text.empty()) name = "poor";
+  else if (end == "converged") text = "<strong>The fit converged.</strong> ";
   else if (end == "interrupted") text = "<strong>The fit was interrupted;</strong> this is the best it had found. ";
   else if (end == "all_failed") text = "<strong>Every simulation failed;</strong> nothing was fitted. ";
   else if (end == "not_converged") text = "<strong>The fit did not converge;</strong> a better point may lie near. ";
@@ -170,6 +188,10 @@ std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::o
   return text;
 }
 
+std::string Sentences(const std::string& first, const std::string& second) {
+  return first.empty() || second.empty() ? first + second : first + ' ' + second;
+}
+
 /// Of recordings that the fit has not seen.
 std::string WhatItMisses(const std::vector<JudgedChannel>& unseen) {
   const std::vector<std::string> far = Named(unseen, Follows::kNot, true);
@@ -204,6 +226,15 @@ std::string WhatItPredicts(const std::vector<Json>& validation, const std::vecto
   return std::to_string(well.size()) + " of " + std::to_string(channels.size()) + ' ' + Unseen(validation) +
          " that the fit has not seen are within " + ShownLimits(channels) + "; furthest off is " +
          Code(channels.back().name) + " (" + html::Escaped(channels.back().numbers) + ").";
+}
+
+/// Of what was kept for validation.
+std::string WhatWasLeftOut(const Json& result) {
+  std::string text;
+  for (const Json& recording : ListAt(result, "validation_left_out"))
+    text += "Left out of the validation: " + Code(TextAt(recording, "recording")) + " (" +
+            html::Escaped(TextAt(recording, "reason")) + "). ";
+  return text;
 }
 
 std::string WhatIsDetermined(const std::vector<ReportedParameter>& parameters) {
@@ -250,6 +281,8 @@ std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& 
     text += Listed(bound) +
             (bound.size() == 1 ? " is at the bound, which holds it" : " are at bounds, which hold them") +
             " there, not the data. ";
+  if (const std::vector<std::string> noisy = NamesIn(ParameterState::kNoise, parameters); !noisy.empty())
+    text += "Derivative is noise: " + Listed(AsCode(noisy)) + "; " + html::Escaped(kNoiseRemedy) + ". ";
   const Json identifiability = result.value("identifiability", Json());
   if (NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters"))
     for (const Json& direction : ListAt(identifiability, "weakest"))
@@ -346,6 +379,43 @@ std::string WhatWasOdd(const Json& result) {
   return items.empty() ? "" : html::Element("ul", "", items);
 }
 
+std::string Largest(const Json& error, const std::string& kind, const std::string& unit) {
+  const Json largest = error.value(kind, Json());
+  return ShownShort(NumberAt(largest, "value"), 2) + ' ' + unit + " (" + Code(TextAt(largest, "channel")) + ", " +
+         ShownShort(NumberAt(largest, "frequency_Hz"), 3) + " Hz)";
+}
+
+/// By how much linear kinematics are off in a recording; empty where the run does not tell.
+std::string OffBy(const Json& recording) {
+  const Json error = recording.value("linear_kinematics_error", Json());
+  if (!error.is_object()) return "";
+  if (const std::string why = TextAt(error, "not_estimated"); !why.empty())
+    return "what linear kinematics leave out could not be estimated: " + html::Escaped(why);
+  if (error.contains("gain_dB"))
+    return "linear kinematics are off by at most " + Largest(error, "gain_dB", "dB") + " and " +
+           Largest(error, "phase_deg", "degrees");
+  const std::string channel = TextAt(error, "channel");
+  return "linear kinematics are off by " + ShownShort(100 * NumberAt(error, "value"), 2) + " % rms" +
+         (channel.empty() ? "" : " (" + Code(channel) + ")");
+}
+
+/// The engine that modelled each recording, and its error; older runs tell none.
+std::string HowModelled(const Json& result) {
+  std::string items;
+  for (const char* kind : {"responses", "histories"})
+    for (const Json& recording : ListAt(result, kind)) {
+      const std::string off = OffBy(recording);
+      const double change = NumberAt(recording, "correction_change");
+      items += html::Element(
+          "li", "",
+          Code(TextAt(recording, "recording")) + ": engine " + html::Escaped(TextAt(recording, "engine")) +
+              (off.empty() ? "" : "; " + off) +
+              (std::isfinite(change) ? "; the correction would change by another " + ShownShort(100 * change, 2) + " %"
+                                     : ""));
+    }
+  return items.empty() ? "" : html::Element("ul", "", items);
+}
+
 }  // namespace
 
 std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>& parameters,
@@ -364,8 +434,8 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
     next += html::Element("li", "", advice);
   return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
          Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) + Item("What does not", misses) +
-         Item("What it predicts", WhatItPredicts(validation, unseen)) +
-         Item("What is known", WhatIsDetermined(parameters)) +
+         Item("What it predicts", Sentences(WhatItPredicts(validation, unseen), WhatWasLeftOut(result))) +
+         Item("How it was modelled", HowModelled(result)) + Item("What is known", WhatIsDetermined(parameters)) +
          Item("What is not determined", WhatIsNot(result, parameters)) +
          Item("What to measure next", html::Element("ul", "", next)) + "</dl>\n";
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/report/html.h"
+#include "identify/json_text.h"
 #include "identify/report/shown_number.h"
 
 namespace fourpost {
@@ -47,6 +48,8 @@ Cell BarCell(const ReportedParameter& parameter) {
 }
 
 std::string Determined(const ReportedParameter& parameter) {
+  if (parameter.state == ParameterState::kNoise) return "derivative is noise";
+  if (parameter.state == ParameterState::kAtBound) return "held by its " + parameter.BoundName() + " bound";
   if (std::isnan(parameter.sd)) return "";
   if (std::isinf(parameter.sd)) return "not determined";
   if (parameter.at_bound) return "held by its bound";
@@ -56,8 +59,9 @@ std::string Determined(const ReportedParameter& parameter) {
 
 Cell RemarkCell(const ReportedParameter& parameter) {
   std::string remark = Determined(parameter);
-  if (parameter.at_bound && !std::isfinite(parameter.sd))
-    remark += (remark.empty() ? "" : ", ") + std::string("at its bound");
+  const bool told = parameter.state == ParameterState::kAtBound || std::isfinite(parameter.sd);
+  if (parameter.at_bound && !told)
+    remark += (remark.empty() ? "" : ", ") + std::string("at its ") + parameter.BoundName() + " bound";
   const bool below = BelowLower(parameter);
   const bool above = AboveUpper(parameter);
   if ((below || above) && !parameter.at_bound)
@@ -69,7 +73,8 @@ Cell RemarkCell(const ReportedParameter& parameter) {
     cell += (cell.empty() ? "" : "; ") + std::string("tied to ") +
             html::Element("code", "", html::Escaped(parameter.partner)) + " (" +
             ShownDecimals(parameter.correlation, 2) + ")";
-  const bool calls = parameter.at_bound || std::isinf(parameter.sd) || parameter.RelativeSd() > 0.1;
+  const bool calls = parameter.at_bound || parameter.state == ParameterState::kNoise || std::isinf(parameter.sd) ||
+                     parameter.RelativeSd() > 0.1;
   return {cell, calls ? "remark calls" : "remark"};
 }
 
@@ -109,7 +114,7 @@ void AddRows(const std::string& group, const Json& object, Rows& rows) {
       rows.push_back(
           {TextCell(group.empty() ? key : group + '.' + key), TextCell(value.is_string() ? value.get<std::string>()
                                                                        : value.is_null() ? "none"
-                                                                                         : value.dump())});
+                                                                                         : CompactJson(value))});
   }
 }
 
@@ -149,8 +154,8 @@ std::string PolesText(const Json& mode) {
 }  // namespace
 
 std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters, const std::string& why_none) {
-  const bool has_sd = std::any_of(parameters.begin(), parameters.end(),
-                                  [](const auto& parameter) { return !std::isnan(parameter.sd); });
+  const bool has_sd =
+      std::any_of(parameters.begin(), parameters.end(), [](const auto& parameter) { return parameter.IsJudged(); });
   Rows rows;
   for (const ReportedParameter& parameter : parameters) rows.push_back(ParameterRow(parameter, has_sd));
   if (rows.empty()) return "";

@@ -1,10 +1,12 @@
 #include "identify/report/run_result.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "analysis/diagnostics.h"
 #include "analysis/units.h"
+#include "identify/result_reader.h"
 
 namespace fourpost {
 namespace {
@@ -17,9 +19,13 @@ bool FlagAt(const Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_boolean() && object[key].get<bool>();
 }
 
-double SdOf(const Json& parameter, bool has_covariance) {
-  const double sd = NumberAt(parameter, "sd");
-  return std::isnan(sd) && has_covariance ? std::numeric_limits<double>::infinity() : sd;
+/// Runs of older versions do not tell it; theirs have deviations at bounds, too.
+ParameterState StateOf(const Json& parameter, bool has_covariance) {
+  const std::string name = TextAt(parameter, "state");
+  const auto found = std::find(kParameterStateNames.begin(), kParameterStateNames.end(), name);
+  if (found != kParameterStateNames.end()) return static_cast<ParameterState>(found - kParameterStateNames.begin());
+  if (!std::isnan(NumberAt(parameter, "sd"))) return ParameterState::kDetermined;
+  return has_covariance ? ParameterState::kUndetermined : ParameterState::kNotComputed;
 }
 
 /// Runs of older versions tell no interval; theirs is that of a normal distribution.
@@ -41,6 +47,11 @@ void FindPartner(const Json& correlations, std::size_t i, const std::vector<Json
     reported.correlation = entry;
     reported.partner = TextAt(parameters[j], "name");
   }
+}
+
+std::string WhyNoResult(const std::string& text) {
+  if (text.size() <= kLargestResult) return "is no JSON that `fourpost fit` wrote; fit again";
+  return "is larger than " + std::to_string(kLargestResult >> 20) + " MiB, which no result of a fit is; fit again";
 }
 
 }  // namespace
@@ -82,8 +93,8 @@ Json FitResultOf(const RunContents& run) {
   if (file == run.files.end())
     faults.Error("result.json", 0, "is not there: a report needs a folder of `fourpost fit`");
   else {
-    const Json result = Json::parse(file->second, nullptr, false);
-    if (result.is_discarded()) faults.Error("result.json", 0, "is no JSON; fit again");
+    const Json result = ParseResult(file->second);
+    if (result.is_discarded()) faults.Error("result.json", 0, WhyNoResult(file->second));
     else if (!result.is_object() || !result.contains("termination") || !result.contains("parameters"))
       faults.Error("result.json", 0, "is not that of a fit; give a folder that `fourpost fit` wrote");
     else return result;
@@ -110,7 +121,9 @@ std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunC
     reported.start = NumberAt(parameter, "start") / si;
     reported.lower = NumberAt(parameter, "lower") / si;
     reported.upper = NumberAt(parameter, "upper") / si;
-    reported.sd = SdOf(parameter, identifiability.is_object()) / si;
+    reported.state = StateOf(parameter, identifiability.is_object());
+    reported.sd = reported.state == ParameterState::kUndetermined ? std::numeric_limits<double>::infinity()
+                                                                  : NumberAt(parameter, "sd") / si;
     ReadInterval(parameter, si, reported);
     reported.at_bound = FlagAt(parameter, "at_bound");
     FindPartner(correlations, i, parameters, reported);
@@ -119,9 +132,16 @@ std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunC
   return list;
 }
 
+std::vector<std::string> NamesIn(ParameterState state, const std::vector<ReportedParameter>& parameters) {
+  std::vector<std::string> names;
+  for (const ReportedParameter& parameter : parameters)
+    if (parameter.state == state) names.push_back(parameter.name);
+  return names;
+}
+
 std::string WhyNoDeviations(const Json& result, const std::vector<ReportedParameter>& parameters) {
   for (const ReportedParameter& parameter : parameters)
-    if (!std::isnan(parameter.sd)) return "";
+    if (parameter.IsJudged()) return "";
   if (parameters.empty()) return "";
   if (TextAt(result, "history_cost") == "compromise")
     return "The compromise cost weighs each output by its own error and not by noise: it tells no deviations. "

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "identify/parameter_state.h"
 #include "identify/report/run_contents.h"
 
 namespace fourpost {
@@ -18,12 +20,17 @@ struct ReportedParameter {
   double start = 0;
   double lower = 0;
   double upper = 0;
-  /// Standard deviation; infinite where nothing determines it, NaN where it was not computed.
+  ParameterState state = ParameterState::kNotComputed;
+  /// Standard deviation; infinite where nothing determines it, NaN in all other states but kDetermined.
   double sd = 0;
   /// Interval of 95 %; NaN and infinite like `sd`.
   double lower_95 = 0;
   double upper_95 = 0;
   bool at_bound = false;
+  /// Whether anything was found out of its deviation, such as that it has none.
+  bool IsJudged() const { return state != ParameterState::kNotComputed || !std::isnan(sd); }
+  /// "lower" or "upper", of one at its bound.
+  std::string BoundName() const { return value - lower < upper - value ? "lower" : "upper"; }
   /// The other parameter that it is most correlated with; empty where that is not told.
   std::string partner;
   double correlation = 0;
@@ -50,6 +57,9 @@ nlohmann::json FitResultOf(const RunContents& run);
 std::string NotUnderstood(const nlohmann::json::exception& fault);
 
 std::vector<ReportedParameter> ReportedParameters(const nlohmann::json& result, const RunContents& run);
+
+/// Names of those in this state.
+std::vector<std::string> NamesIn(ParameterState state, const std::vector<ReportedParameter>& parameters);
 
 /// Why no parameter has a standard deviation; empty where one has, or where there is none.
 std::string WhyNoDeviations(const nlohmann::json& result, const std::vector<ReportedParameter>& parameters);

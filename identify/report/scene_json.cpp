@@ -8,6 +8,7 @@
 #include "identify/modelled_response.h"
 #include "identify/report/picture_number.h"
 #include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/engine/engine.h"
 #include "vehicles/loops/design_kinematics.h"
 #include "vehicles/response/harmonic_balance.h"
 #include "vehicles/ride/named_modes.h"
@@ -222,6 +223,7 @@ Json MotionsJson(const CondensedModel& model, const std::vector<RecordedMotion>&
       answers.push_back(ComplexJson(answer));
     }
     list.push_back({{"name", motion.name},
+                    {"engine", EngineName(Engine::kReduced)},
                     {"frequency_Hz", motion.excitation.frequency_Hz},
                     {"amplitude_m", motion.excitation.amplitude_m},
                     {"posts", motion.excitation.shape},

@@ -11,6 +11,7 @@
 
 #include "analysis/output_folder.h"
 #include "analysis/sha256.h"
+#include "analysis/text_file.h"
 
 #include "identify/search/sqlite_database.h"
 
@@ -23,8 +24,8 @@ namespace fs = std::filesystem;
 constexpr std::string_view kApplication = "4pst";
 constexpr std::size_t kApplicationAt = 68;
 
-/// Of this layout; another one gets another number.
-constexpr int kLayout = 1;
+/// Of this layout; another one gets another number. Layout 1, of version 0.1.0, had no checksums.
+constexpr int kLayout = 2;
 
 // Values and residuals are bytes of doubles as the processor keeps them.
 static_assert(std::endian::native == std::endian::little);
@@ -43,11 +44,16 @@ CREATE TABLE evaluation (
   -- Of a failure, which has no residuals.
   failure TEXT, detail TEXT, violation REAL,
   paid INTEGER NOT NULL DEFAULT 1,
+  -- Of context, parameters and what came of them, each with its length.
+  checksum TEXT,
   PRIMARY KEY (context, parameters));
 -- The bytes 4pst.
 PRAGMA application_id = 0x34707374;
-PRAGMA user_version = 1;
+PRAGMA user_version = 2;
 )";
+
+/// Evaluations without a checksum stay; they belong to another build of fourpost and are not asked for.
+constexpr const char* kFromLayout1 = "ALTER TABLE evaluation ADD COLUMN checksum TEXT; PRAGMA user_version = 2";
 
 Failure FailureOf(std::string_view name) {
   for (int code = 0; FailureName(static_cast<Failure>(code)) != "unknown"; ++code)
@@ -58,6 +64,8 @@ Failure FailureOf(std::string_view name) {
 
 /// Throws for the file of another program. Not by SQLite, which takes in the log of whatever it opens.
 void RequireOurs(const fs::path& file) {
+  if (!WhyNoFile(file).empty())
+    throw OutputError(file.string() + ": it is a pipe or a device, no archive of evaluations: move it away");
   std::string head(kApplicationAt + kApplication.size(), '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -89,14 +97,26 @@ void MakeTables(const Database& database) {
   database.Execute("COMMIT");
 }
 
+/// Throws for layouts that came later than this program; those before are read.
 void RequireLayout(const Database& database) {
-  if (LayoutOf(database) != kLayout) database.Throw(SQLITE_NOTADB, "not the layout that this program knows");
+  const int layout = LayoutOf(database);
+  if (layout < 1 || layout > kLayout)
+    database.Throw(SQLITE_NOTADB, "its layout is " + std::to_string(layout) +
+                                      ", this version of fourpost knows up to " + std::to_string(kLayout));
+}
+
+/// Other programs may be about to do the same.
+void AddChecksums(const Database& database) {
+  database.Execute("BEGIN IMMEDIATE");
+  if (LayoutOf(database) == 1) database.Execute(kFromLayout1);
+  database.Execute("COMMIT");
 }
 
 /// Makes a file ready for use.
 const Database& Prepare(const Database& database) {
   if (IsEmpty(database)) MakeTables(database);
   RequireLayout(database);
+  if (LayoutOf(database) == 1) AddChecksums(database);
   database.Execute("PRAGMA journal_mode = WAL");
   // Flushes at checkpoints only: a killed program loses nothing by it.
   database.Execute("PRAGMA synchronous = NORMAL");
@@ -121,15 +141,31 @@ std::int64_t UseContext(const Database& database, const EvaluationContext& conte
   return id;
 }
 
-/// Of the columns residuals, failure, detail and violation from `column` on.
-Evaluation EvaluationAt(const Statement& row, int column) {
-  if (row.IsNull(column + 1)) {
+std::string_view ViewOf(const Eigen::VectorXd& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), static_cast<std::size_t>(numbers.size()) * sizeof(double)};
+}
+
+/// What stands in the row of these values when nobody changed it.
+std::string ChecksumOf(const EvaluationContext& context, const Eigen::VectorXd& values, const Evaluation& evaluation) {
+  Sha256 sum;
+  for (const std::string* part : {&context.vehicle, &context.data, &context.settings, &context.version})
+    sum.Add(std::string_view(*part));
+  sum.Add(ViewOf(values));
+  sum.Add(evaluation.ok() ? std::string_view() : FailureName(evaluation.failure));
+  sum.Add(evaluation.ok() ? ViewOf(evaluation.residuals) : std::string_view(evaluation.detail));
+  sum.Add(evaluation.ok() ? 0.0 : evaluation.violation);
+  return sum.Hex();
+}
+
+/// Of the columns residuals, failure, detail and violation.
+Evaluation EvaluationOf(const Statement& row) {
+  if (row.IsNull(1)) {
     Evaluation evaluation;
-    evaluation.residuals = row.Numbers(column);
+    evaluation.residuals = row.Numbers(0);
     return evaluation;
   }
-  Evaluation evaluation = Failed(FailureOf(row.Text(column + 1)), row.Text(column + 2));
-  evaluation.violation = row.Real(column + 3);
+  Evaluation evaluation = Failed(FailureOf(row.Text(1)), row.Text(2));
+  evaluation.violation = row.Real(3);
   return evaluation;
 }
 
@@ -151,18 +187,27 @@ struct EvaluationStore::Connection {
   explicit Connection(const fs::path& file)
       : database(file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE),
         find(Prepare(database),
-             "SELECT residuals, failure, detail, violation FROM evaluation WHERE context = ?1 AND "
+             "SELECT residuals, failure, detail, violation, checksum FROM evaluation WHERE context = ?1 AND "
              "parameters = ?2"),
-        put(database,
-            "INSERT INTO evaluation (context, parameters, residuals, failure, detail, violation) "
-            "VALUES (?1, ?2, ?3, ?4, ?5, ?6) ON CONFLICT DO UPDATE SET paid = paid + 1 RETURNING paid") {}
+        put(database, (kInsert + " ON CONFLICT DO UPDATE SET paid = paid + 1 RETURNING paid").c_str()),
+        replace(database, (kInsert + " ON CONFLICT DO UPDATE SET residuals = excluded.residuals, "
+                                     "failure = excluded.failure, detail = excluded.detail, "
+                                     "violation = excluded.violation, checksum = excluded.checksum, paid = 1 "
+                                     "RETURNING paid")
+                              .c_str()) {}
+
+  inline static const std::string kInsert =
+      "INSERT INTO evaluation (context, parameters, residuals, failure, detail, violation, checksum) "
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)";
 
   Database database;
   Statement find;
   Statement put;
+  Statement replace;
 };
 
-EvaluationStore::EvaluationStore(const fs::path& file, const EvaluationContext& context) : file_(file) {
+EvaluationStore::EvaluationStore(const fs::path& file, const EvaluationContext& context)
+    : file_(file), parts_(context) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   if (error)
@@ -209,28 +254,42 @@ std::optional<Evaluation> EvaluationStore::Find(const Eigen::VectorXd& values) c
   const StatementUse use(find);
   find.Bind(1, context_).Bind(2, values);
   if (!find.Step()) return std::nullopt;
-  return EvaluationAt(find, 0);
+  Evaluation evaluation = EvaluationOf(find);
+  if (find.Text(4) == ChecksumOf(parts_, values, evaluation)) return evaluation;
+  damaged_.insert(BytesOf(values));
+  return std::nullopt;
+}
+
+bool EvaluationStore::Insert(const Eigen::VectorXd& values, const Evaluation& evaluation, bool replace) {
+  const std::string checksum = ChecksumOf(parts_, values, evaluation);
+  const std::lock_guard lock(mutex_);
+  Statement& put = replace ? connection_->replace : connection_->put;
+  const StatementUse use(put);
+  put.Bind(1, context_).Bind(2, values);
+  if (evaluation.ok()) {
+    put.Bind(3, evaluation.residuals);
+  } else {
+    put.Bind(4, FailureName(evaluation.failure)).Bind(5, std::string_view(evaluation.detail));
+    put.Bind(6, evaluation.violation);
+  }
+  put.Bind(7, std::string_view(checksum));
+  put.Step();
+  const bool first = put.Integer(0) == 1;
+  // To the end, where SQLite commits.
+  put.Step();
+  return first;
 }
 
 Evaluation EvaluationStore::Put(const Eigen::VectorXd& values, Evaluation evaluation) {
-  {
-    const std::lock_guard lock(mutex_);
-    Statement& put = connection_->put;
-    const StatementUse use(put);
-    put.Bind(1, context_).Bind(2, values);
-    if (evaluation.ok()) {
-      put.Bind(3, evaluation.residuals);
-    } else {
-      put.Bind(4, FailureName(evaluation.failure)).Bind(5, std::string_view(evaluation.detail));
-      put.Bind(6, evaluation.violation);
-    }
-    put.Step();
-    const bool first = put.Integer(0) == 1;
-    // To the end, where SQLite commits.
-    put.Step();
-    if (first) return evaluation;
-  }
-  return *Find(values);
+  if (Insert(values, evaluation, false)) return evaluation;
+  if (std::optional<Evaluation> stored = Find(values)) return *std::move(stored);
+  Insert(values, evaluation, true);
+  return evaluation;
+}
+
+std::size_t EvaluationStore::damaged() const {
+  const std::lock_guard lock(mutex_);
+  return damaged_.size();
 }
 
 std::vector<std::string> ChangedParts(const fs::path& file, const EvaluationContext& context) {

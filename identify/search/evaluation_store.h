@@ -29,8 +29,9 @@ struct EvaluationContext {
 
 /// Evaluations kept in a file (SQLite, WAL), failures as well: whoever evaluates the same values in the same context,
 /// in this run or another, gets what was stored, to the last bit. Each is in the file before Put() returns, so that a
-/// killed program has lost none that it used; only a loss of power may take the last ones. Other contexts in the
-/// file stay and are not used. May be used from several threads, and the file by several programs at once.
+/// killed program has lost none that it used; only a loss of power may take the last ones. Each carries a checksum: one
+/// that was changed on the disk is as good as none, and is counted. Other contexts in the file stay and are not used.
+/// May be used from several threads, and the file by several programs at once.
 class EvaluationStore {
  public:
   /// Opens the file, or creates it. Throws OutputError when that is not possible, or when it is no such file, which
@@ -42,7 +43,8 @@ class EvaluationStore {
 
   const std::filesystem::path& file() const { return file_; }
 
-  /// Of these values, compared bit by bit. Throws OutputError when the file cannot be read.
+  /// Of these values, compared bit by bit; nothing where what is stored is damaged. Throws OutputError when the file
+  /// cannot be read.
   std::optional<Evaluation> Find(const Eigen::VectorXd& values) const;
 
   struct Answer {
@@ -60,13 +62,22 @@ class EvaluationStore {
   /// it cannot be written, as on a full disk; what was there before stays.
   Evaluation Put(const Eigen::VectorXd& values, Evaluation evaluation);
 
+  /// Evaluations that were asked for and whose stored bytes are not those of their checksum.
+  std::size_t damaged() const;
+
  private:
   struct Connection;
   class Claim;
+  /// False where another program was faster.
+  bool Insert(const Eigen::VectorXd& values, const Evaluation& evaluation, bool replace);
+
   std::filesystem::path file_;
+  EvaluationContext parts_;
   std::unique_ptr<Connection> connection_;
   std::int64_t context_ = 0;
   mutable std::mutex mutex_;
+  // The bytes of their values.
+  mutable std::unordered_set<std::string> damaged_;
   // The bytes of the values that a thread evaluates.
   std::unordered_set<std::string> claimed_;
   std::mutex claims_mutex_;

@@ -35,6 +35,10 @@ Database::Database(std::filesystem::path file, int flags) : file_(std::move(file
     Throw(code, reason);
   }
   sqlite3_busy_timeout(handle_, kPatience_ms);
+  // What a damaged or strange file says of triggers, views and pages is not believed.
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_exec(handle_, "PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
 }
 
 Database::~Database() { sqlite3_close_v2(handle_); }

@@ -28,6 +28,24 @@ TEST(CsvWriter, QuotesOnlyWhatItMust) {
   EXPECT_EQ(csv.text(), "a\nx y\n\"x,y\"\n\"\"\"x\"\"\"\n\" x\"\n\"x\ny\"\n");
 }
 
+TEST(CsvWriter, WritesTextsThatNoSpreadsheetComputes) {
+  CsvWriter csv({"=1+1", "number"});
+  csv.Add("=HYPERLINK(\"x\")").Add(-1.5).Add("@a").Add("-2.5");
+  EXPECT_EQ(csv.text(), "'=1+1,number\n\"'=HYPERLINK(\"\"x\"\")\",-1.5\n'@a,-2.5\n");
+  Diagnostics diagnostics;
+  const std::optional<CsvTable> table = ParseCsv(csv.text(), "t.csv", diagnostics);
+  ASSERT_TRUE(table) << diagnostics.Format();
+  EXPECT_EQ(table->names()[0], "=1+1");
+  EXPECT_EQ(table->Text(0, 0), "=HYPERLINK(\"x\")");
+  EXPECT_EQ(table->Text(1, 0), "@a");
+}
+
+TEST(CsvWriter, WritesUtf8) {
+  CsvWriter csv({"a"});
+  csv.Add("Sto\xDF");
+  EXPECT_EQ(csv.text(), "a\nSto\uFFFD\n");
+}
+
 TEST(CsvWriter, WritesWhatTheReaderReads) {
   CsvWriter csv({"text", "number"});
   csv.Add(" \"a\",\nb\t").Add(1.0 / 3);

@@ -52,6 +52,14 @@ TEST(Diagnostics, OfOneFileAreAllShownUpToAHundred) {
   EXPECT_THAT(diagnostics.Format(), EndsWith("a.csv:100: error: wrong"));
 }
 
+TEST(Diagnostics, KeepBeginningAndEndOfMessagesOfMegabytes) {
+  Diagnostics diagnostics;
+  diagnostics.Error("a.csv", 1, "unknown '" + std::string(5'000'000, 'n') + "'; remove it");
+  EXPECT_LT(diagnostics.Format().size(), 2100u);
+  EXPECT_THAT(diagnostics.Format(), testing::StartsWith("a.csv:1: error: unknown 'nnn"));
+  EXPECT_THAT(diagnostics.Format(), EndsWith("nnn'; remove it"));
+}
+
 TEST(FaultyInput, SaysWhatTheDiagnosticsSay) {
   Diagnostics diagnostics;
   diagnostics.Error("a.csv", 2, "wrong");

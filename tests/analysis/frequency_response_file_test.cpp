@@ -365,5 +365,11 @@ TEST(FrequencyResponseFile, TellsOnceOfAResultThatIsNoRecording) {
             "recording itself, as the `recordings` of a study do");
 }
 
+TEST(FrequencyResponseFile, ATimeHistoryIsToldWhereItBelongs) {
+  const std::string told = "frf.csv:1: error: is a time history, not a stepped sine: list it under 'histories'";
+  EXPECT_EQ(Faults("time,z_ground,a_body\ns,m,m/s^2\n0,0,0\n0.1,0,1\n"), told);
+  EXPECT_EQ(Faults("Time [s],z_ground [m]\n0,0\n0.1,0\n"), told);
+}
+
 }  // namespace
 }  // namespace fourpost

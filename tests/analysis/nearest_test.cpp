@@ -51,5 +51,11 @@ TEST(DidYouMean, ListsAllWhereNoneIsNear) {
   EXPECT_EQ(DidYouMeanOrAll("stiffness", legal), "; there are gain, phase");
 }
 
+TEST(Nearest, ComparesNoNamesOfMegabytes) {
+  const std::vector<std::string> names = {std::string(3'000'000, 'a'), "ab"};
+  EXPECT_EQ(DidYouMean(std::string(3'000'000, 'b'), names), "");
+  EXPECT_EQ(DidYouMean("abc", names), ", did you mean 'ab'?");
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -31,6 +31,13 @@ TEST(Sha256, HasThePublishedDigests) {
   EXPECT_EQ(DigestOf(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+TEST(Sha256, HasTheDigestInBase64AsWell) {
+  Sha256 digest;
+  digest.AddBytes("alert('Hello, world.');");
+  // The example of Mozilla's page on script-src.
+  EXPECT_EQ(digest.Base64(), "qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng=");
+}
+
 TEST(Sha256, DoesNotDependOnHowTheBytesCome) {
   const std::string text(200, 'x');
   for (const std::size_t first : {1u, 55u, 56u, 63u, 64u, 65u, 128u}) {

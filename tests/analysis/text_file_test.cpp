@@ -1,6 +1,8 @@
 #include "analysis/text_file.h"
 
-#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <gmock/gmock.h>
 
 #include "tests/temporary_folder.h"
 
@@ -40,6 +42,21 @@ TEST(TextFile, ThatIsNotThereIsReported) {
 TEST(TextFile, ThatIsAFolderIsReported) {
   const TemporaryFolder folder;
   EXPECT_EQ(Fault(folder.path()), folder.path().string() + ": error: cannot be read: Is a directory");
+}
+
+TEST(TextFile, IsNoPipeAndNoDevice) {
+  const TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe.csv";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(Fault(pipe), testing::HasSubstr("is a pipe, not a file; write what it holds to a file, and give that"));
+  EXPECT_THAT(Fault("/dev/zero"), testing::HasSubstr("is a device, not a file"));
+}
+
+TEST(TextFile, OfMoreThanAGibibyteIsRefused) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.Write("t.csv", "");
+  std::filesystem::resize_file(file, (std::uintmax_t{1} << 30) + 1);
+  EXPECT_THAT(Fault(file), testing::HasSubstr("is larger than 1 GiB; give a part of it, or a lower rate"));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ void Measure(benchmark::State& state, TimeSystem& system, TimeSystem& finer, con
   const TimeGrid grid = Grid(duration_s);
   TimeHistory history;
   for ([[maybe_unused]] auto _ : state) history = Simulate(system, posts, grid);
-  state.counters["error"] = Differences(history, Simulate(finer, posts, grid), system.rig().sensors).maxCoeff();
+  state.counters["error"] = RelativeDifferences(history, Simulate(finer, posts, grid), system.rig().sensors).maxCoeff();
 }
 
 void ByCondensedSteps(benchmark::State& state, const std::string& name, double duration_s, double step_s) {

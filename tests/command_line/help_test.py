@@ -87,9 +87,9 @@ class Help(ProgramTest):
         self.assertEqual(self.complete("fourpost", "re"), {"response", "report"})
         self.assertEqual(self.complete("fourpost", "fit", "--s"), {"--seed"})
         self.assertEqual(self.complete("fourpost", "response", "--engine", "m"), {"march"})
-        self.assertEqual(self.complete("fourpost", "simulate", "--engine", ""), {"condensed", "full"})
-        self.assertEqual(self.complete("fourpost", "simulate", "--engine", "="), {"condensed", "full"})
-        self.assertEqual(self.complete("fourpost", "simulate", "--engine", "=", "c"), {"condensed"})
+        self.assertEqual(self.complete("fourpost", "simulate", "--engine", ""), {"auto", "reduced", "full"})
+        self.assertEqual(self.complete("fourpost", "simulate", "--engine", "="), {"auto", "reduced", "full"})
+        self.assertEqual(self.complete("fourpost", "simulate", "--engine", "=", "r"), {"reduced"})
         self.assertEqual(self.complete("fourpost", "compare", "study.yaml", "--methods", "d"), {"dvhde", "direct", "de", "ds"})
         self.assertEqual(self.complete("fourpost", "compare", "study.yaml", "--methods", "gb,dv"), {"gb,dvhde"})
         self.assertEqual(self.complete("fourpost", "completion", ""), {"bash", "zsh", "fish"})
@@ -127,8 +127,8 @@ class Help(ProgramTest):
                           ("info ru\tfi\t\n", "<info><runs of may/first one.csv>"),
                           ("fit x -o ru\t\n", "<fit><x><-o><runs of may/>"),
                           ("fit --output=ru\t\n", "<fit><--output=runs of may/>"),
-                          ("simulate --engine=c\t\n", "<simulate><--engine=condensed>"),
-                          ("simulate --engine c\t\n", "<simulate><--engine><condensed>"),
+                          ("simulate --engine=r\t\n", "<simulate><--engine=reduced>"),
+                          ("simulate --engine r\t\n", "<simulate><--engine><reduced>"),
                           ("simulate --amp\t\n", "<simulate><--amplitude>"),
                           ("compare my\t --methods gb,dv\t\n", "<compare><my study.yaml><--methods><gb,dvhde>")):
             with self.subTest(keys):

@@ -123,7 +123,7 @@ class Outputs(ProgramTest):
 
     def test_folders_are_of_one_command_s_results(self):
         commands = {"fit": ("fit", "car/study.yaml"), "modes": ("modes", "car/vehicle.urdf"),
-                    "response": ("response", "car/vehicle.urdf", "--engine", "linearised"),
+                    "response": ("response", "car/vehicle.urdf", "--engine", "reduced"),
                     "predict": ("predict", "run", "--recording", "car/stepped_sine.csv")}
         folders = {"fit": "run", "modes": "modes", "response": "response", "predict": "predicted"}
         for kind, command in commands.items():
@@ -265,10 +265,11 @@ class Validation(ProgramTest):
         outcome = self.run_program("fit", folder / "study.yaml", "-o", "run")
         result = json.loads((self.folder / "run/result.json").read_text())
         for text in (outcome.stderr, "\n".join(result["warnings"])):
-            self.assertRegex(text, "what was kept for validation cannot be foretold by the fitted vehicle: the motion "
+            self.assertRegex(text, "left out of the validation: 'sweep_7mm[^']*' cannot be predicted by the fitted vehicle: the motion "
                                    "grows beyond all bounds before t = 0.0[0-9]* s; `fourpost check` of the vehicle.urdf of the results")
         self.assertEqual(result["termination"], "converged")
         self.assertNotIn("validation", result)
+        self.assertEqual([one["recording"] for one in result["validation_left_out"]], ["sweep_7mm"])
         self.assertNotIn("Not fitted:", outcome.stdout)
         names = {file.name for file in (self.folder / "run").iterdir()}
         self.assertTrue({"history.csv", "motion.csv", "report.html"} < names)

@@ -1,4 +1,4 @@
-// What the fuzzer has found stays read: its corpus, the broken files and the shipped vehicles, without a fuzzer.
+// What the fuzzers have found stays read: their corpora, the broken files and the shipped vehicles, without a fuzzer.
 
 #include <filesystem>
 #include <string>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/fuzz/vehicle_fuzzer.h"
+#include "tests/fuzz/fuzz_target.h"
 #include "tests/temporary_folder.h"
 #include "vehicles/tags/tag_table.h"
 
@@ -23,22 +23,32 @@ std::vector<fs::path> FilesIn(const fs::path& folder) {
   return files;
 }
 
-class FuzzedReader : public ::testing::TestWithParam<const char*> {};
+struct Fuzzed {
+  const char* name;
+  void (*fuzz)(const std::string&);
+  std::vector<const char*> folders;
+};
+
+class FuzzedReader : public ::testing::TestWithParam<Fuzzed> {};
 
 TEST_P(FuzzedReader, StandsEveryFile) {
-  const std::vector<fs::path> files = FilesIn(kSource / GetParam());
-  EXPECT_FALSE(files.empty());
-  for (const fs::path& file : files) {
-    const std::string text = fourpost::ReadText(file);
-    EXPECT_NO_THROW(LLVMFuzzerTestOneInput(reinterpret_cast<const unsigned char*>(text.data()), text.size())) << file;
+  for (const char* folder : GetParam().folders) {
+    const std::vector<fs::path> files = FilesIn(kSource / folder);
+    EXPECT_FALSE(files.empty());
+    for (const fs::path& file : files) EXPECT_NO_THROW(GetParam().fuzz(fourpost::ReadText(file))) << file;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, FuzzedReader, ::testing::Values("tests/fuzz/corpus", "tests/data/broken", "urdf"),
-                         [](const auto& test) {
-                           const std::string folder = test.param;
-                           return folder.substr(folder.rfind('/') + 1);
-                         });
+INSTANTIATE_TEST_SUITE_P(All, FuzzedReader,
+                         ::testing::Values(Fuzzed{"Vehicle",
+                                                  fourpost::FuzzVehicle,
+                                                  {"tests/fuzz/corpus/vehicle", "tests/data/broken", "urdf"}},
+                                           Fuzzed{"Mat", fourpost::FuzzMat, {"tests/fuzz/corpus/mat"}},
+                                           Fuzzed{"Table", fourpost::FuzzTable, {"tests/fuzz/corpus/table"}},
+                                           Fuzzed{"Study", fourpost::FuzzStudy, {"tests/fuzz/corpus/study"}},
+                                           Fuzzed{"Result", fourpost::FuzzResult, {"tests/fuzz/corpus/result"}},
+                                           Fuzzed{"Archive", fourpost::FuzzArchive, {"tests/fuzz/corpus/archive"}}),
+                         [](const auto& test) { return test.param.name; });
 
 TEST(FuzzDictionary, KnowsEveryTagAndAttribute) {
   const std::string dictionary = fourpost::ReadText(kSource / "tests/fuzz/vehicle.dict");

@@ -1,7 +1,9 @@
 #include "identify/bench_data.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <numbers>
 #include <sstream>
 
@@ -42,6 +44,10 @@ constexpr const char* kStudy =
     "vehicle: damper.urdf\nbench:\n  rig_filter: {order: 4, cutoff: 30 Hz}\n  recordings: [sine.csv]\n"
     "  validation: [fast.csv]\n";
 
+/// Where nothing is kept for validation, whose faults end no fit.
+constexpr const char* kBothFitted =
+    "vehicle: damper.urdf\nbench:\n  rig_filter: {order: 4, cutoff: 30 Hz}\n  recordings: [sine.csv, fast.csv]\n";
+
 /// The bench of kVehicle, 2 s, through the rig's filter. `force_of`: the amplitude that the force is of, in place of
 /// the one recorded.
 std::string Recording(double frequency_Hz, double amplitude_m, double force_of = 0, int order = 4) {
@@ -65,6 +71,20 @@ std::string Recording(double frequency_Hz, double amplitude_m, double force_of =
   for (std::size_t k = 0; k < x.size(); ++k)
     text << 0.002 * static_cast<double>(k) << ',' << x[k] << ',' << force[k] << '\n';
   return text.str();
+}
+
+/// The force of a recording cut off at 60 N.
+std::string Clipped(const std::string& recording) {
+  std::istringstream lines(recording);
+  std::string text;
+  std::string line;
+  for (int row = 0; std::getline(lines, line); ++row) {
+    const std::size_t comma = line.rfind(',');
+    if (row >= 2)
+      line = line.substr(0, comma + 1) + std::to_string(std::clamp(std::stod(line.substr(comma + 1)), -60.0, 60.0));
+    text += line + '\n';
+  }
+  return text;
 }
 
 class BenchDataTest : public testing::Test {
@@ -147,26 +167,29 @@ TEST_F(BenchDataTest, ResidualsSumToTheNormalisedError) {
 TEST_F(BenchDataTest, TellsFaultsOfAllRecordings) {
   folder_.Write("sine.csv", Replace(Recording(2, 0.01), "force", "push"));
   folder_.Write("fast.csv", Replace(Recording(20, 0.001), "s,m,N", "s,N,N"));
-  EXPECT_THAT(Faults(), AllOf(HasSubstr("sine.csv:1: error: column 'force', the damper's tension, is missing"),
-                              HasSubstr("fast.csv:2: error: column 'displacement', the damper's extension, has 'N'")));
+  EXPECT_THAT(Faults(kBothFitted),
+              AllOf(HasSubstr("sine.csv:1: error: column 'force', the damper's tension, is missing"),
+                    HasSubstr("fast.csv:2: error: column 'displacement', the damper's extension, has 'N'")));
 }
 
 // 1 mm at 20 Hz told as m spans some 2 m, more than the damper's length; 0.1 mm spans 0.2 m.
 TEST_F(BenchDataTest, TellsMillimetresForMetresAtSmallStroke) {
   const auto wrong = [](double amplitude_m) { return Recording(20, 1e3 * amplitude_m, amplitude_m); };
   folder_.Write("fast.csv", wrong(1e-3));
-  EXPECT_THAT(Faults(),
+  EXPECT_THAT(Faults(kBothFitted),
               HasSubstr("fast.csv: error: displacement spans 1.96 m, more than the damper's length of 0.4 m"));
   diagnostics_ = {};
   folder_.Write("fast.csv", wrong(1e-4));
-  EXPECT_THAT(Faults(), AllOf(HasSubstr("fast.csv: error: has a force of 1"), HasSubstr("N rms for a motion of"),
-                              HasSubstr("displacement looks like mm told as m, or force like kN told as N")));
+  EXPECT_THAT(Faults(kBothFitted),
+              AllOf(HasSubstr("fast.csv: error: has a force of 1"), HasSubstr("N rms for a motion of"),
+                    HasSubstr("displacement looks like mm told as m, or force like kN told as N")));
 }
 
 TEST_F(BenchDataTest, TellsMetresForMillimetres) {
   folder_.Write("fast.csv", Replace(Recording(20, 0.001), "s,m,N", "s,mm,N"));
-  EXPECT_THAT(Faults(), AllOf(HasSubstr("fast.csv: error: has a force of"),
-                              HasSubstr("displacement looks like m told as mm, or force like N told as kN")));
+  EXPECT_THAT(Faults(kBothFitted),
+              AllOf(HasSubstr("fast.csv: error: has a force of"),
+                    HasSubstr("displacement looks like m told as mm, or force like N told as kN")));
 }
 
 // A damper fifty times softer than the file's is another one, not a wrong unit.
@@ -176,7 +199,30 @@ TEST_F(BenchDataTest, LeavesDampersThatAreFarFromTheFiles) {
 }
 
 TEST_F(BenchDataTest, TellsFilesThatAreMissing) {
-  EXPECT_THAT(Faults(Replace(kStudy, "fast.csv", "slow.csv")), HasSubstr("study.yaml:5: error: there is no file"));
+  EXPECT_THAT(Faults(Replace(kBothFitted, "fast.csv", "slow.csv")), HasSubstr("study.yaml:4: error: there is no file"));
+}
+
+TEST_F(BenchDataTest, ALeftOutValidationRecordingEndsNoFit) {
+  const auto left_out = [&] {
+    diagnostics_ = {};
+    const std::optional<LoadedStudy> study = Load();
+    EXPECT_TRUE(study) << diagnostics_.Format();
+    EXPECT_FALSE(diagnostics_.HasErrors());
+    EXPECT_THAT(study->bench->validation, testing::IsEmpty());
+    EXPECT_THAT(study->validation_files, testing::IsEmpty());
+    EXPECT_EQ(study->left_out.at(0).name, "fast");
+    return diagnostics_.Format() + "\n" + study->left_out.at(0).reason;
+  };
+  folder_.Write("fast.csv", Replace(Recording(20, 0.001), "s,m,N", "s,N,N"));
+  EXPECT_THAT(left_out(), AllOf(HasSubstr("fast.csv:2: warning: left out of the validation: column 'displacement'"),
+                                HasSubstr("\ncolumn 'displacement', the damper's extension, has 'N'")));
+  folder_.Write("fast.csv", Clipped(Recording(20, 0.001)));
+  EXPECT_THAT(left_out(), HasSubstr("fast.csv: warning: left out of the validation: "));
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("clipped"));
+  std::filesystem::remove(folder_.path() / "fast.csv");
+  EXPECT_THAT(left_out(), HasSubstr("study.yaml:5: warning: left out of the validation: there is no file"));
+  // The same of what is fitted ends it.
+  EXPECT_THAT(Faults(kBothFitted), HasSubstr("study.yaml:4: error: there is no file"));
 }
 
 TEST_F(BenchDataTest, TellsDampersThatAreMissing) {

@@ -85,7 +85,7 @@ TEST(Covariance, InflatesByTheExcessOfTheCost) {
   EXPECT_EQ(EstimateCovariance(jacobian, Ones(4), 13).inflation, 1);
   const Covariance inflated = EstimateCovariance(jacobian, Ones(4), 9 * 26);
   EXPECT_DOUBLE_EQ(inflated.inflation, 3);
-  EXPECT_NEAR(inflated.reach_95, 2.056, 5e-4);  // a table of Student's t
+  EXPECT_NEAR(inflated.reach_95, 2.056, 5e-4);             // a table of Student's t
   EXPECT_TRUE(inflated.sd.isApprox(3 * plain.sd, 1e-15));  // rounding
   CovarianceOptions options;
   options.inflate = false;
@@ -257,6 +257,35 @@ TEST(DescribeDirection, PutsANullDirectionIntoWords) {
   jacobian.col(1) = 0.5 * jacobian.col(0);
   const Covariance covariance = EstimateCovariance(jacobian, Ones(3), 0);
   EXPECT_EQ(DescribeDirection(lattice, covariance.directions.col(2)), "b +1 %, a -0.5 %");
+}
+
+TEST(Covariance, HeldParametersTakeNoPart) {
+  const Eigen::MatrixXd jacobian = RandomMatrix(40, 4);
+  const Eigen::MatrixXd priors = RandomMatrix(2, 4);
+  Eigen::MatrixXd rest(40, 3);
+  rest << jacobian.col(0), jacobian.col(2), jacobian.col(3);
+  Eigen::MatrixXd rest_priors(2, 3);
+  rest_priors << priors.col(0), priors.col(2), priors.col(3);
+  const Covariance held = EstimateCovariance(jacobian, Ones(4), 50, {.held = {1}}, priors);
+  const Covariance without = EstimateCovariance(rest, Ones(3), 50, {}, rest_priors);
+  EXPECT_EQ(held.rank, 3);
+  EXPECT_EQ(held.singular_values, without.singular_values);
+  EXPECT_TRUE(std::isnan(held.sd[1]));
+  EXPECT_EQ(held.sd[0], without.sd[0]);
+  EXPECT_EQ(held.sd[3], without.sd[2]);
+  EXPECT_EQ(held.directions.row(1).norm(), 0);
+  EXPECT_EQ(held.directions(2, 0), without.directions(1, 0));
+  EXPECT_TRUE(std::isnan(Correlations(held)(1, 0)));
+  EXPECT_EQ(Correlations(held)(3, 0), Correlations(without)(2, 0));
+}
+
+TEST(Covariance, NothingIsLeftWhereAllAreHeld) {
+  const Covariance held = EstimateCovariance(RandomMatrix(9, 2), Ones(2), 36, {.held = {0, 1}});
+  EXPECT_EQ(held.rank, 0);
+  EXPECT_EQ(held.directions.cols(), 0);
+  EXPECT_EQ(held.inflation, 2);
+  EXPECT_THAT([] { EstimateCovariance(RandomMatrix(9, 2), Ones(2), 36, {.held = {2}}); },
+              ThrowsMessage<std::invalid_argument>(HasSubstr("held = 2, must be a place of a parameter")));
 }
 
 }  // namespace

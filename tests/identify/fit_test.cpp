@@ -11,6 +11,7 @@
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
 #include "tests/identify/shipped_study.h"
+#include "tests/identify/toy_objective.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
@@ -201,6 +202,61 @@ TEST(Fit, SaysWhichParametersLieAtTheirBounds) {
   const FitResult fit = Fit(objective, Options());
   EXPECT_TRUE(fit.parameters[0].at_bound);
   EXPECT_EQ(fit.parameters[0].value, mass.upper);
+  EXPECT_EQ(fit.parameters[0].BoundName(), "upper");
+  // It is known by its bound and not by the data, of which the others' deviations are while it stays there.
+  EXPECT_EQ(fit.parameters[0].state, ParameterState::kAtBound);
+  for (const double number : {fit.parameters[0].sd, fit.parameters[0].lower_95, fit.parameters[0].upper_95})
+    EXPECT_TRUE(std::isnan(number));
+  EXPECT_EQ(fit.covariance.value().directions.cols(), 11);
+  for (std::size_t i = 1; i < fit.parameters.size(); ++i) {
+    EXPECT_EQ(fit.parameters[i].state, ParameterState::kDetermined) << fit.parameters[i].name;
+    EXPECT_GT(fit.parameters[i].sd, 0);
+  }
+}
+
+/// p0 + p1 x with p1 of hardly any effect, between zero and 5, and noise of `scale` deviations.
+VehicleObjective Line(double scale) {
+  const VehicleObjective toy = ToyObjective(2, 100, 1e-9, {});
+  Vehicle vehicle = toy.vehicle();
+  vehicle.parameters[1].lower = 0;
+  // A file in which p1 is the rate of a spring and p0 a coordinate.
+  vehicle.text = R"(<robot xmlns:fp="urn:fourpost:vehicle:1"><fp:spring name="s" parent="a" child="b">
+    <linear stiffness="$p1" preload="$p0"/></fp:spring></robot>)";
+  ResidualBlock block{.name = "line", .count = 100, .accuracy = 1e-9};
+  block.evaluate = [scale](const std::vector<double>& p, const Deadline&) {
+    Evaluation evaluation;
+    evaluation.residuals.resize(100);
+    for (int i = 0; i < 100; ++i) {
+      // Most small, some large: a loss bounds the pull of these.
+      const double noise = scale * (i % 10 == 0 ? 6 : 0.4) * (i % 20 < 10 ? 1 : -1);
+      evaluation.residuals[i] = 10 * (p[0] - 1) + 0.05 * (p[1] - 1) * i / 10.0 + noise;
+    }
+    return evaluation;
+  };
+  return {std::move(vehicle), {0, 1}, {std::move(block)}};
+}
+
+TEST(Fit, AnIntervalDoesNotReachBeyondWhatIsPhysical) {
+  const VehicleObjective objective = Line(1.2);
+  const FitResult fit = Fit(objective, Options());
+  const FittedParameter& rate = fit.parameters[1];
+  ASSERT_EQ(rate.state, ParameterState::kDetermined);
+  // Beyond the user's bound where that is possible.
+  EXPECT_LT(rate.value - fit.covariance->reach_95 * rate.sd, 0);
+  EXPECT_EQ(rate.lower_95, 0);
+  EXPECT_NEAR(rate.upper_95, rate.value + fit.covariance->reach_95 * rate.sd, 1e-9);  // rounding
+  EXPECT_GT(rate.upper_95, rate.upper);
+}
+
+TEST(Fit, ALossLeavesDeviationsAsLargeAsTheMisfitSays) {
+  const VehicleObjective objective = Line(2);
+  const FitResult squares = Fit(objective, Options());
+  ASSERT_GT(squares.Misfit(), 2);
+  FitOptions options = Options();
+  options.refine.loss = RobustLoss(LossKind::kHuber, UsualScale(LossKind::kHuber), 0);
+  const FitResult huber = Fit(objective, options);
+  EXPECT_GE(huber.covariance->inflation, huber.Misfit() * (1 - 1e-12));  // rounding
+  EXPECT_GE(huber.parameters[0].sd, 0.99 * squares.parameters[0].sd);
 }
 
 TEST(Fit, TellsTheLowestCostSoFar) {

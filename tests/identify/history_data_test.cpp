@@ -183,5 +183,24 @@ TEST_F(HistoryDataTest, WarnsOfASaturatedSensorUnderNoise) {
   EXPECT_EQ(diagnostics_.Format(), "");
 }
 
+TEST_F(HistoryDataTest, AFaultyValidationRecordingIsLeftOut) {
+  history_.file = folder_.Write("sweep.csv", "time,z_ground\ns,m\n0,0\n");
+  StudyHistory missing = history_;
+  missing.name = "missing";
+  missing.file = folder_.path() / "swoop.csv";
+  std::vector<LeftOutRecording> left_out;
+  EXPECT_TRUE(LoadValidation({history_, missing}, "study.yaml", vehicle_, diagnostics_, left_out).empty());
+  EXPECT_FALSE(diagnostics_.HasErrors());
+  ASSERT_EQ(left_out.size(), 2u);
+  EXPECT_EQ(left_out[0].name, "sweep");
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("sweep.csv:1: warning: left out of the validation: column '"));
+  EXPECT_THAT(left_out[1].reason, HasSubstr("there is no file"));
+}
+
+TEST_F(HistoryDataTest, ASteppedSineIsToldWhereItBelongs) {
+  EXPECT_THAT(Fault("frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n1,0.01,a_body,1,0\n"),
+              HasSubstr("is a stepped sine, not a time history: list it under 'recordings'"));
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -32,16 +32,22 @@ TEST(HistoryFiles, TellPostsAndSensorsAtEightDigits) {
 }
 
 TEST(HistoryFiles, TellHowLargeChannelsAreAndWhatIsKnownOfTheError) {
-  HistoryOrigin origin{.motion = "step", .engine = "condensed", .seed = 3, .error = 1e-3};
+  HistoryOrigin origin{.motion = "step", .seed = 3, .error = 1e-3};
   Diagnostics findings;
   findings.Warning("--sweep", 0, "odd");
   const auto json = [&] {
     return Json::parse(HistoryJson(Car(), origin, Example(), ChannelsOf(Car(), Example(), {0}), findings));
   };
   EXPECT_TRUE(json()["integration"]["change_by_last_halving"].is_null());
-  origin.change = 2e-4;
-  origin.step_s = 1e-3;
+  EXPECT_TRUE(json()["linear_kinematics_error"].is_null());
+  origin.by.change = 2e-4;
+  origin.by.step_s = 1e-3;
+  origin.by.engine = Engine::kFull;
+  origin.by.kinematics_error = HistoryDifference{.share = 0.046, .channel = "a"};
   const Json out = json();
+  EXPECT_EQ(out["engine"], "full");
+  EXPECT_EQ(out["linear_kinematics_error"]["value"], 0.046);
+  EXPECT_EQ(out["linear_kinematics_error"]["channel"], "a");
   EXPECT_EQ(out["integration"]["change_by_last_halving"], 2e-4);
   EXPECT_EQ(out["integration"]["error_asked"], 1e-3);
   EXPECT_EQ(out["motion"], "step");

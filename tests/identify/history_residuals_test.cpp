@@ -127,15 +127,20 @@ TEST_F(HistoryResidualsTest, TellWhereHalfTheStepChangesThem) {
 TEST_F(HistoryResidualsTest, AgreeWithTheMultibodySystem) {
   const std::vector<MeasuredHistory> histories = Recording();
   const Eigen::MatrixXd condensed = Residuals(histories).Modelled(vehicle_.ParameterValues())[0];
-  const std::optional<Eigen::MatrixXd> full = SimulateFully(histories[0], vehicle_, 1e-6);
-  ASSERT_TRUE(full);
+  const std::vector<double> values = vehicle_.ParameterValues();
+  const std::optional<EngineHistory> answer = SimulateBy({.engine = Engine::kFull}, histories[0], vehicle_, values);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->by.engine, Engine::kFull);
+  const Eigen::MatrixXd& full = answer->modelled;
   for (Eigen::Index i = 0; i < condensed.cols(); ++i)
     // The condensed steps' error; the wheel moves straight, so that linear kinematics leave nothing out.
-    EXPECT_LT((condensed.col(i) - full->col(i)).norm(), 3e-3 * full->col(i).norm()) << i;
-  EXPECT_FALSE(SimulateFully(histories[0], vehicle_, 1e-6, [](double) { return false; }));
+    EXPECT_LT((condensed.col(i) - full.col(i)).norm(), 3e-3 * full.col(i).norm()) << i;
+  EXPECT_FALSE(SimulateBy({}, histories[0], vehicle_, values, [](const char*, double) { return false; }));
 }
 
 TEST_F(HistoryResidualsTest, AsABlockTurnFaultsOfTheMotionIntoFailures) {
+  // Off the ground no tyre pushes any more.
+  for (Tyre& tyre : vehicle_.tyres) tyre.lifts_off = false;
   const ResidualBlock block =
       HistoryBlock(std::make_shared<const CondensedVehicle>(vehicle_), Recording(), HistoryResiduals::Options{});
   EXPECT_EQ(block.evaluate(vehicle_.ParameterValues(), {}).residuals.size(), block.count);

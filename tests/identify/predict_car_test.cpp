@@ -28,7 +28,7 @@ class PredictCar : public ProgramTest {
 
   /// A stepped sine as a rig writes it: without pattern and engine.
   void RecordSine(const std::string& options) const {
-    const Outcome outcome = Run("response urdf/landrover110_engine.urdf --engine linearised -o response " + options);
+    const Outcome outcome = Run("response urdf/landrover110_engine.urdf --engine reduced -o response " + options);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     std::istringstream lines(ReadText(folder_ / "response/response.csv"));
     std::string text;

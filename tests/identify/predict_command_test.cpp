@@ -97,6 +97,25 @@ TEST_F(PredictCommandLine, ShowsWhatAFitIsWorthOnARecordingThatItHasNotSeen) {
   }
 }
 
+TEST_F(PredictCommandLine, WarnsOfATyreThatPulls) {
+  Vehicle vehicle = ShippedVehicle("single_wheel_station");
+  vehicle.tyres[0].lifts_off = false;
+  temporary_.Write("sweep.csv", StationCsv(RecordStation(vehicle, SensorModel::Filter{4, 30}, 0.01, 1.5), vehicle));
+  ReplaceIn("urdf/single_wheel_station.urdf", "stiffness=\"$kt\"", "stiffness=\"$kt\" liftoff=\"false\"");
+  const std::string warning = "fp:tyre 'tyre' pulls on the ground in [0-9]+ of [0-9]+ samples of 'sweep', down to -";
+  const Outcome fit = Run("fit study.yaml -o run");
+  EXPECT_THAT(fit.err, ContainsRegex(warning));
+  const Json result = Json::parse(ReadText(folder_ / "run/result.json"));
+  EXPECT_THAT(result["warnings"].dump(), ContainsRegex(warning));
+  const Outcome told = Run("predict run --recording sweep.csv --json");
+  EXPECT_THAT(told.err, ContainsRegex(warning));
+  EXPECT_THAT(Json::parse(told.out)["warnings"].dump(), ContainsRegex(warning));
+  EXPECT_THAT(Run("response study.yaml").err, ContainsRegex(warning));
+  // A quiet one.
+  temporary_.Write("sweep.csv", Recording(0.01));
+  EXPECT_THAT(Run("predict run --recording sweep.csv").err, Not(HasSubstr("pulls on the ground")));
+}
+
 TEST_F(PredictCommandLine, TellsOfAChannelThatIsNotSynchronised) {
   Fit();
   TimeHistory history = RecordStation(ShippedVehicle("single_wheel_station"), SensorModel::Filter{4, 30});
@@ -231,10 +250,28 @@ TEST_F(PredictCommandLine, ConfirmsAFitByTheMultibodySystem) {
   Fit();
   const Outcome told = Run("predict run --recording sweep.csv --engine full --json");
   ASSERT_EQ(told.code, 0) << told.err;
-  for (const Json& channel : Json::parse(told.out)["channels"])
+  const Json answer = Json::parse(told.out);
+  EXPECT_EQ(answer["engine"], "full");
+  EXPECT_LE(answer["integration"]["change_by_last_halving"].get<double>(), 1e-3);
+  for (const Json& channel : answer["channels"])
     // Both fit to the integration's error squared.
-    EXPECT_NEAR(channel["full_nmse_percent"].get<double>(), channel["nmse_percent"].get<double>(), 2e-3);
-  EXPECT_THAT(Run("predict run --recording sweep.csv --engine full").out, HasSubstr("multibody NMSE, %"));
+    EXPECT_NEAR(channel["reduced_nmse_percent"].get<double>(), channel["nmse_percent"].get<double>(), 2e-3);
+  EXPECT_THAT(Run("predict run --recording sweep.csv --engine full").out, HasSubstr("of reduced model"));
+}
+
+// The quarter car's wheel moves straight: there is nothing that linear kinematics leave out.
+TEST_F(PredictCommandLine, ChecksLinearKinematics) {
+  Fit();
+  const Outcome told = Run("predict run --recording sweep.csv --json");
+  ASSERT_EQ(told.code, 0) << told.err;
+  const Json answer = Json::parse(told.out);
+  EXPECT_EQ(answer["engine"], "reduced");
+  EXPECT_LT(answer["linear_kinematics_error"]["value"].get<double>(), 1e-5);
+  EXPECT_FALSE(answer["channels"][0].contains("reduced_nmse_percent"));
+  EXPECT_THAT(Run("predict run --recording sweep.csv").out, HasSubstr("less than shows (0.6 %): they answer"));
+  // By its older name too.
+  const Outcome reduced = Run("predict run --recording sweep.csv --engine condensed --json");
+  EXPECT_TRUE(Json::parse(reduced.out)["linear_kinematics_error"].is_null());
 }
 
 TEST_F(PredictCommandLine, TakesTheKalmanFiltersNoiseFromElsewhere) {

@@ -15,8 +15,9 @@ namespace fourpost {
 
 /// The single wheel station on a sweep from 1 to 20 Hz in 6 s, recorded at 500 Hz through a filter.
 inline TimeHistory RecordStation(const Vehicle& vehicle, std::optional<SensorModel::Filter> filter,
-                                 double amplitude_m = 0.01) {
-  const SweptSine sweep{.first_Hz = 1, .last_Hz = 20, .duration_s = 6, .amplitude_m = amplitude_m, .top_speed = 0.15};
+                                 double amplitude_m = 0.01, double top_speed = 0.15) {
+  const SweptSine sweep{
+      .first_Hz = 1, .last_Hz = 20, .duration_s = 6, .amplitude_m = amplitude_m, .top_speed = top_speed};
   const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
   TimeHistory history = SimulateCondensed(model, RigViewOf(vehicle), FollowPattern(sweep.Signal(), {1}),
                                           {.start_s = 0, .end_s = 6.5, .rate_Hz = 500}, {.error = 1e-4})

@@ -17,6 +17,7 @@
 namespace fourpost {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 using Json = nlohmann::json;
@@ -43,7 +44,7 @@ TEST_F(ResponseCommandLine, OfAVehicleIsATableAndAFolder) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "results: result\n");
   for (const char* part :
-       {"heave: 30 frequencies from 0.5", "swept up, engine linearised\n", "at most 12 mm, 0.15 m/s, 6 m/s^2\n",
+       {"heave: 30 frequencies from 0.5", "swept up, engine reduced\n", "at most 12 mm, 0.15 m/s, 6 m/s^2\n",
         "linear kinematics are off by at most", "a_sprung", "F_tyre"})
     EXPECT_THAT(outcome.out, HasSubstr(part));
   const std::string table = ReadText(folder_ / "result/response.csv");
@@ -59,7 +60,7 @@ TEST_F(ResponseCommandLine, OfAVehicleIsATableAndAFolder) {
 TEST_F(ResponseCommandLine, TellsModesChannelsAndSettingsAskedFor) {
   const Outcome outcome =
       Run("response urdf/landrover110_model3.urdf --mode roll --mode heave --channels a_cg,a_cg --frequencies 1Hz,2Hz "
-          "--amplitude 3mm --set k_FL=50kN/m --direction down --engine linearised --json");
+          "--amplitude 3mm --set k_FL=50kN/m --direction down --engine reduced --json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Json result = Json::parse(outcome.out);
   ASSERT_EQ(result["modes"].size(), 2u);
@@ -119,6 +120,17 @@ TEST_F(ResponseCommandLine, WarnsOfFrictionThatNeverSlides) {
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.err,
               HasSubstr("warning: fp:damper 'damper' never slides in heave: its friction of 5000 N holds"));
+}
+
+TEST_F(ResponseCommandLine, WarnsOfATyreThatPulls) {
+  const std::string sweep = std::string("response ") + kCar +
+                            " --frequencies 1Hz:16Hz:5 --amplitude 15mm --velocity 2m/s "
+                            "--acceleration 10g --engine reduced";
+  EXPECT_THAT(Run(sweep).err, Not(HasSubstr("pulls on the ground")));
+  ReplaceIn(kCar, "stiffness=\"$kt\"", "stiffness=\"$kt\" liftoff=\"false\"");
+  EXPECT_THAT(Run(sweep).err,
+              ContainsRegex("warning: fp:tyre 'tyre' pulls on the ground in [1-4] of 5 frequencies of heave, "
+                            "down to -[0-9.]+ N: remove liftoff=\"false\" or reduce the motion"));
 }
 
 TEST_F(ResponseCommandLine, WarnsAboveTheModelsRange) {

@@ -19,7 +19,7 @@ FittedParameter Mass() {
 Json ParametersOf(std::vector<FittedParameter> parameters) {
   FitResult fit;
   fit.parameters = std::move(parameters);
-  return Json::parse(ResultJson({}, 1, fit, {}, {}))["parameters"];
+  return Json::parse(ResultJson({}, 1, fit, {}, {}, {}))["parameters"];
 }
 
 TEST(ResultJson, TellsPriorsAndHowFarTheFitWentFromThem) {
@@ -31,11 +31,29 @@ TEST(ResultJson, TellsPriorsAndHowFarTheFitWentFromThem) {
   EXPECT_EQ(parameters[1]["prior"], expected);
 }
 
+TEST(ResultJson, SaysWhyAParameterHasNoDeviation) {
+  FittedParameter held = Mass();
+  held.sd = held.lower_95 = held.upper_95 = NAN;
+  held.state = ParameterState::kNoise;
+  const Json parameters = ParametersOf({held});
+  EXPECT_EQ(parameters[0]["state"], "noise");
+  EXPECT_EQ(parameters[0]["sd"], nullptr);
+  EXPECT_EQ(parameters[0]["interval_95"], Json({nullptr, nullptr}));
+}
+
+TEST(ResultJson, HasTheVerdictAndWhatWasLeftOutOfTheValidation) {
+  const Json result = Json::parse(
+      ResultJson({}, 1, {}, {.left_out = {{.name = "fast", .file = {}, .reason = "is clipped"}}}, {{"a reason"}}, {}));
+  EXPECT_EQ(result["verdict"], Json({{"explains_data", false}, {"reasons", {"a reason"}}}));
+  EXPECT_EQ(result["validation_left_out"], Json::array({{{"recording", "fast"}, {"reason", "is clipped"}}}));
+  EXPECT_FALSE(Json::parse(ResultJson({}, 1, {}, {}, {}, {})).contains("validation_left_out"));
+}
+
 TEST(ResultJson, TellsHowTheSearchEndedAndAllItsSettings) {
   FitResult fit;
   fit.search.reason = "evaluations used up: 300 of 300 evaluations";
   fit.search_settings = {{"population", "20"}};
-  const Json search = Json::parse(ResultJson({}, 1, fit, {}, {}))["search"];
+  const Json search = Json::parse(ResultJson({}, 1, fit, {}, {}, {}))["search"];
   EXPECT_EQ(search["end"], fit.search.reason);
   EXPECT_EQ(search["settings"]["population"], "20");
 }
@@ -47,7 +65,7 @@ TEST(ResultJson, TellsEverySettingBesideTheMethods) {
   fit.options.refine = {.max_iterations = 50, .step = 1e-5, .differences = Differences::kForward};
   fit.options.starts = 6;
   fit.options.deadline_s = 10;
-  const Json result = Json::parse(ResultJson({}, 1, fit, {}, {}));
+  const Json result = Json::parse(ResultJson({}, 1, fit, {}, {}, {}));
   EXPECT_EQ(result["search"]["stop"], Json::parse(R"({"target_cost": null, "evaluations": 300, "generations": 150,
       "seconds": null, "stagnant_generations": 0, "free_generations": 1000, "on_collapse": true})"));
   EXPECT_EQ(result["search"]["candidates"], Json::parse(R"({"count": 7, "separation": 0.25})"));
@@ -62,10 +80,10 @@ TEST(ResultJson, KeepsWarnings) {
   diagnostics.Warning("/somewhere/study.yaml", 12, "'a_cg' moves against what the vehicle would do");
   diagnostics.Warning("static.csv", 0, "too heavy");
   diagnostics.Error("study.yaml", 1, "is no warning");
-  const Json result = Json::parse(ResultJson({}, 1, {}, {}, WarningTexts(diagnostics)));
+  const Json result = Json::parse(ResultJson({}, 1, {}, {}, {}, WarningTexts(diagnostics)));
   const Json expected = {"study.yaml:12: 'a_cg' moves against what the vehicle would do", "static.csv: too heavy"};
   EXPECT_EQ(result["warnings"], expected);
-  EXPECT_EQ(Json::parse(ResultJson({}, 1, {}, {}, {}))["warnings"], Json::array());
+  EXPECT_EQ(Json::parse(ResultJson({}, 1, {}, {}, {}, {}))["warnings"], Json::array());
 }
 
 TEST(ResultJson, HasNoDeviationForWhatIsUndetermined) {

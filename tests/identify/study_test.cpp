@@ -69,6 +69,33 @@ class StudyTest : public testing::Test {
   Diagnostics diagnostics_;
 };
 
+TEST_F(StudyTest, IsOneDocument) {
+  EXPECT_THAT(Fault("refine:", "---\nrefine:"), HasSubstr(":25: error: a second document begins here"));
+}
+
+TEST_F(StudyTest, HasNoTags) {
+  EXPECT_TRUE(Read("vehicle: car.urdf", "vehicle: 'car.urdf'"));
+  EXPECT_THAT(Fault("seed: 7", "seed: !!int 7"),
+              HasSubstr(":20: error: has the tag 'tag:yaml.org,2002:int'; remove it"));
+  EXPECT_THAT(Fault("free: [k, c]", "free: !!python/object:os.system [k, c]"), HasSubstr(":13: error: has the tag"));
+}
+
+TEST_F(StudyTest, MayUseAliasesWithinReason) {
+  ASSERT_TRUE(Read("a_axle: a_axle", "a_axle: &axle a_axle\n  a_other: *axle")) << diagnostics_.Format();
+  std::string laughs = "free: &a0 [k, c]\n";
+  for (int i = 1; i < 20; ++i) {
+    laughs += "x" + std::to_string(i) + ": &a" + std::to_string(i) + " [";
+    for (int k = 0; k < 10; ++k) laughs += (k == 0 ? "*a" : ", *a") + std::to_string(i - 1);
+    laughs += "]\n";
+  }
+  EXPECT_THAT(Fault("free: [k, c]\n", laughs), HasSubstr("error: has more than 5000 values up to here"));
+  EXPECT_THAT(Fault("free: [k, c]", "free: &a [k, *a]"), HasSubstr(":13: error: is an alias of what it stands in"));
+}
+
+TEST_F(StudyTest, IsNoMebibyte) {
+  EXPECT_THAT(Fault("name: bounce", "name: " + std::string(1 << 20, 'x')), HasSubstr(": error: is longer than 1 MiB"));
+}
+
 TEST_F(StudyTest, ReadsEveryKey) {
   const std::optional<Study> study = Read();
   ASSERT_TRUE(study) << diagnostics_.Format();
@@ -111,6 +138,10 @@ TEST_F(StudyTest, ReportsAKeyThatStandsTwice) {
 
 TEST_F(StudyTest, ReportsAnEmptyBand) {
   EXPECT_THAT(Fault("[0.5 Hz, 12 Hz]", "[12 Hz, 0.5 Hz]"), HasSubstr(":14: error: 'band' is empty"));
+  EXPECT_THAT(Fault("[0.5 Hz, 12 Hz]", "[0 Hz, 1e308 Hz]"), HasSubstr(":14: error: 'band' ends above 100 kHz"));
+  EXPECT_THAT(Fault("evaluations: 400", "evaluations: 2147483648"),
+              HasSubstr(":21: error: 'evaluations' of 'search' must be a whole number from 1 to 1000000000"));
+  EXPECT_THAT(Fault("0.2 mm", "1e300 m"), HasSubstr(":18: error: 'mean' of 'model_error' must be at most 1e12 m"));
 }
 
 TEST_F(StudyTest, ReportsAMissingUnit) {

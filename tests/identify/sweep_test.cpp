@@ -118,7 +118,7 @@ TEST_F(SweepReading, WarnsWhereUsualLimitsNoLongerCount) {
 /// Two frequencies, from above, of two sensors.
 SweptResponse Example() {
   SteadyResponse answer{.response = {.frequency_Hz = {2, 1}, .amplitude_m = {0.1, 0.2}},
-                        .engine_at = {Engine::kMarch, Engine::kLinearised}};
+                        .engine_at = {Engine::kMarch, Engine::kReduced}};
   for (const char* name : {"one", "two"})
     answer.response.channels.push_back({.name = name,
                                         .unit = "m",
@@ -140,7 +140,7 @@ TEST(SweptResponse, IsByRisingFrequencyAndOfTheChannelsAskedFor) {
 TEST(SweptResponse, IsATableThatLeavesBlankWhatHasNoAnswer) {
   EXPECT_EQ(SweepCsv({Example()}),
             "mode,channel,unit,frequency_Hz,post_amplitude_m,gain,phase_deg,mean,second_harmonic,engine\n"
-            "heave,two,m,1,0.2,2,90,0.5,0.25,linearised\n"
+            "heave,two,m,1,0.2,2,90,0.5,0.25,reduced\n"
             "heave,two,m,2,0.1,,,,,march\n");
 }
 

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "analysis/random_stream.h"
+#include "vehicles/engine/steady_response.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/response/full_balance.h"
 #include "vehicles/response/march.h"
-#include "vehicles/response/steady_response.h"
 #include "vehicles/simulation/multibody_system.h"
 #include "vehicles/simulation/time_history.h"
 

@@ -22,9 +22,10 @@ inline QuarterCar SeriesCar() {
   return car;
 }
 
-/// The same car as a description.
+/// The same car as a description; the tyre of the equations pulls.
 inline Vehicle Describe(const QuarterCar& car) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
+  vehicle.tyres[0].lifts_off = false;
   Set(vehicle, "m_sprung", car.sprung_mass);
   Set(vehicle, "m_unsprung", car.unsprung_mass);
   Set(vehicle, "k", car.stiffness);

@@ -34,6 +34,17 @@ inline const std::string kTrailingArm =
 </robot>
 )";
 
+/// The same with sensors of what its arm's turning changes most: fore-aft acceleration, coil and tyre.
+inline std::string SensedTrailingArm() {
+  const std::string end = "</robot>";
+  std::string text = kTrailingArm;
+  return text.replace(text.rfind(end), end.size(), R"(
+  <fp:sensor name="a_fore" type="accelerometer" link="arm" xyz="-0.5 0 0" axis="1 0 0"/>
+  <fp:sensor name="s_coil" type="strut" parent="coil_top" child="coil_foot"/>
+  <fp:sensor name="F_tyre" type="load_cell" tyre="tyre"/>
+</robot>)");
+}
+
 /// A car in space on four trailing arms, alike on both sides, with an anti-roll bar in front.
 inline const std::string kIndependentCar = R"(<?xml version="1.0"?>
 <robot name="independent" xmlns:fp="urn:fourpost:vehicle:1">

@@ -21,6 +21,12 @@ inline Vehicle ShippedVehicle(const std::string& name) {
   return vehicle.value();
 }
 
+/// With tyres that pull as they push, as the written-out equations have them.
+inline Vehicle WithLinearTyres(Vehicle vehicle) {
+  for (Tyre& tyre : vehicle.tyres) tyre.lifts_off = false;
+  return vehicle;
+}
+
 /// Gives a parameter another value.
 inline void Set(Vehicle& vehicle, const std::string& parameter, double value) {
   for (Parameter& candidate : vehicle.parameters)

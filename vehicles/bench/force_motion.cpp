@@ -12,20 +12,50 @@
 
 namespace fourpost {
 
-double ShareOfMotion(std::span<const double> x, std::span<const double> v, std::span<const double> force) {
-  const auto count = static_cast<Eigen::Index>(force.size());
+namespace {
+
+/// 1, x, direction of v, v, |v| at each sample, columns alike in size.
+Eigen::MatrixXd MotionTerms(std::span<const double> x, std::span<const double> v) {
+  const auto count = static_cast<Eigen::Index>(x.size());
   const Eigen::Map<const Eigen::ArrayXd> displacement(x.data(), count);
   const Eigen::Map<const Eigen::ArrayXd> rate(v.data(), count);
   Eigen::MatrixXd motion(count, 5);
-  motion << Eigen::ArrayXd::Ones(count), displacement, rate, rate.abs(), rate.sign();
-  // Columns alike in size.
+  motion << Eigen::ArrayXd::Ones(count), displacement, rate.sign(), rate, rate.abs();
   for (Eigen::Index j = 0; j < motion.cols(); ++j)
     if (const double size = motion.col(j).norm(); size > 0) motion.col(j) /= size;
-  const Eigen::VectorXd wanted = Eigen::Map<const Eigen::VectorXd>(force.data(), count).array() - Mean(force);
+  return motion;
+}
+
+/// Without its mean.
+Eigen::VectorXd Centred(std::span<const double> force) {
+  return Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<Eigen::Index>(force.size())).array() - Mean(force);
+}
+
+}  // namespace
+
+double ShareOfMotion(std::span<const double> x, std::span<const double> v, std::span<const double> force) {
+  const Eigen::MatrixXd motion = MotionTerms(x, v);
+  const Eigen::VectorXd wanted = Centred(force);
   const double variance = wanted.squaredNorm();
   if (variance == 0) return 0;
   const Eigen::VectorXd left = wanted - motion * motion.colPivHouseholderQr().solve(wanted);
   return 1 - left.squaredNorm() / variance;
+}
+
+ForceSides SidesOf(std::span<const double> x, std::span<const double> v, std::span<const double> force) {
+  const Eigen::MatrixXd motion = MotionTerms(x, v);
+  const Eigen::VectorXd wanted = Centred(force);
+  const auto alike = motion.leftCols(4);
+  const Eigen::VectorXd terms = motion.colPivHouseholderQr().solve(wanted);
+  const double left = (wanted - motion * terms).squaredNorm();
+  const double left_alike = (wanted - alike * alike.colPivHouseholderQr().solve(wanted)).squaredNorm();
+  if (left_alike == 0) return {};
+  // What both sides take, and what rebound takes more.
+  const Eigen::Map<const Eigen::VectorXd> rate(v.data(), static_cast<Eigen::Index>(v.size()));
+  const double both = rate.dot(motion.middleCols(2, 2) * terms.segment(2, 2));
+  const double more = terms[4] * rate.cwiseAbs().dot(motion.col(4));
+  if (both <= std::abs(more)) return {};
+  return {.compression_over_rebound = (both - more) / (both + more), .share = 1 - left / left_alike};
 }
 
 MotionPhase PhaseOf(std::span<const double> x, std::span<const double> force, double step_s) {

@@ -10,6 +10,19 @@ namespace fourpost {
 /// force.
 double ShareOfMotion(std::span<const double> x, std::span<const double> v, std::span<const double> force);
 
+/// How a force resists compression and rebound, by least squares of force on
+///   1, x, direction of v, v, |v|
+/// The first two do no net work over a cycle: gas, an elastic force, an offset of the load cell. The last is the
+/// difference of the sides.
+struct ForceSides {
+  /// Work of what is dissipated in compression over that in rebound; 1 where one of the two would be negative.
+  double compression_over_rebound = 1;
+  /// Share of what the other terms leave of the force's variance that goes with |v|: 0 where the sides are alike, next
+  /// to 1 where nothing but their difference is left.
+  double share = 0;
+};
+ForceSides SidesOf(std::span<const double> x, std::span<const double> v, std::span<const double> force);
+
 /// Phase of a force against the extension. What only stores and dissipates has first harmonics
 /// F/X = k + i w c with k, c >= 0, between 0 and 90 degrees: a dashpot in line with a spring falls behind the speed,
 /// never before it, and never as far as the extension.

@@ -161,9 +161,10 @@ void CondensedVehicle::SolvePreloads() {
   holders.resize(size_, 0);
   for (Held& element : held_) {
     if (element.IsGiven()) {
+      std::optional<GivenForce::FreeSpring> free_spring;
+      if (element.free_length) free_spring = {element.law.At(values), element.shape.value};
       given.push_back({GivenForce::Kind::kPreload, element.element, element.source_line, element.GivenAt(values),
-                       element.Parameters(), element.shape.gradient, element.free_length.has_value(),
-                       !IsStopOrGas(element.element)});
+                       element.Parameters(), element.shape.gradient, free_spring, !IsStopOrGas(element.element)});
       continue;
     }
     element.unknown = holders_++;

@@ -41,6 +41,9 @@ bool IsBalanced(const std::vector<GivenForce>& forces, const Eigen::MatrixXd& ho
 /// To a thousandth of a newton.
 std::string RoundedText(double force) { return FormatNumber(std::round(force * 1e3) / 1e3 + 0.0); }
 
+/// To a hundredth of a micrometre, so that what is pasted is balanced.
+std::string LengthText(double length) { return FormatNumber(std::round(length * 1e8) / 1e8) + " m"; }
+
 int LineOf(const Vehicle& vehicle, const std::string& link) {
   const auto found =
       std::find_if(vehicle.links.begin(), vehicle.links.end(), [&](const Link& l) { return l.name == link; });
@@ -135,12 +138,15 @@ std::optional<double> BalancingSize(const GivenForce& preload, const StaticLoads
 }
 
 std::string ImbalanceText(const GivenForce& preload, const StaticLoads& loads) {
-  std::string text = "the preload of " + preload.element + (preload.has_free_length ? " by its free length, " : ", ") +
+  std::string text = "the preload of " + preload.element + (preload.free_spring ? " by its free length, " : ", ") +
                      RoundedText(preload.size) + " N, is not balanced";
-  if (const std::optional<double> size = BalancingSize(preload, loads))
-    text += ", " + RoundedText(*size) + " N would be";
-  if (preload.has_free_length)
-    return text + "; correct that length, or leave a spring or tyre that acts beside it to equilibrium";
+  const std::optional<double> size = BalancingSize(preload, loads);
+  if (size) text += ", " + RoundedText(*size) + " N would be";
+  if (preload.free_spring) {
+    const std::optional<double> length = size ? preload.free_spring->FreeLengthFor(*size) : std::nullopt;
+    return text + "; " + (length ? "write free_length=\"" + LengthText(*length) + "\"" : "correct that length") +
+           ", or leave a spring or tyre that acts beside it to equilibrium";
+  }
   return text + "; correct it or write preload=\"equilibrium\"";
 }
 

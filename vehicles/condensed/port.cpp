@@ -104,6 +104,14 @@ Slopes SlopesOf(const LiftoffRemainder& port, double x, double v) {
 
 Slopes SlopesOf(const HydraulicRemainder&, double, double) { return {kNan, kNan}; }
 
+/// A direction of s as one of [s x].
+Eigen::VectorXd OnMotion(const CondensedModel& model, const Eigen::VectorXd& direction) {
+  Eigen::VectorXd all =
+      Eigen::VectorXd::Zero(direction.size() + static_cast<Eigen::Index>(model.SeriesDampers().size()));
+  all.head(direction.size()) = direction;
+  return all;
+}
+
 double At(Signal signal, std::size_t k) { return signal.empty() ? 0 : signal[k]; }
 
 }  // namespace
@@ -204,15 +212,10 @@ void MendedSlopes(const PortLaw& law, std::span<const PortKink> kinks, Signal ex
   }
 }
 
-std::vector<Port> PortsOf(const CondensedModel& model) {
+std::vector<Port> HeldPortsOf(const CondensedModel& model) {
   std::vector<Port> ports;
   const Eigen::MatrixXd directions = DashpotDirections(model);
   const Eigen::Index n = model.mass.rows();
-  const auto on_motion = [&](const Eigen::VectorXd& direction) {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(directions.rows());
-    all.head(n) = direction;
-    return all;
-  };
   Eigen::Index x = n;
   // Of each dashpot, its series spring.
   std::vector<Eigen::Index> series(model.dashpots.size(), -1);
@@ -229,14 +232,19 @@ std::vector<Port> PortsOf(const CondensedModel& model) {
   }
   for (const CondensedModel::Stiffening& spring : model.stiffenings)
     ports.push_back(
-        {.direction = on_motion(spring.direction), .law = SpringRemainder{spring.law, spring.law.Slope(0)}});
+        {.direction = OnMotion(model, spring.direction), .law = SpringRemainder{spring.law, spring.law.Slope(0)}});
   for (const CondensedModel::Hydraulic& damper : model.hydraulics)
-    ports.push_back({.direction = on_motion(damper.direction),
+    ports.push_back({.direction = OnMotion(model, damper.direction),
                      .law = HydraulicRemainder{damper.law, HydraulicOil(damper.law).Linear()},
                      .lag = series[damper.dashpot]});
+  return ports;
+}
+
+std::vector<Port> PortsOf(const CondensedModel& model) {
+  std::vector<Port> ports = HeldPortsOf(model);
   for (std::size_t i = 0; i < model.liftoffs.size(); ++i) {
     const CondensedModel::Liftoff& tyre = model.liftoffs[i];
-    ports.push_back({.direction = on_motion(tyre.direction),
+    ports.push_back({.direction = OnMotion(model, tyre.direction),
                      .law = LiftoffRemainder{tyre.preload, tyre.stiffness, tyre.damping},
                      .post = tyre.post,
                      .liftoff = static_cast<int>(i)});

@@ -113,7 +113,10 @@ struct Port {
   Eigen::Index lag = -1;
 };
 
-/// Of every element that is not linear.
+/// Of every element that is not linear; those of tyres that lift off come last.
 std::vector<Port> PortsOf(const CondensedModel& model);
+
+/// The same where no tyre leaves its platform: without their ports, whose remainders are zero then.
+std::vector<Port> HeldPortsOf(const CondensedModel& model);
 
 }  // namespace fourpost

@@ -1,5 +1,6 @@
 #include "vehicles/condensed/receptance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -82,6 +83,7 @@ std::optional<Receptance::Poles> Receptance::FindPoles() const {
   Poles poles;
   poles.values = solver.eigenvalues()(kept);
   poles.inputs = inputs(kept, Eigen::all);
+  poles.input_sizes = poles.inputs.leftCols(directions_.cols()).cwiseAbs();
   poles.shapes.resize(vehicle_.size(), static_cast<Eigen::Index>(kept.size()));
   poles.shapes << vectors.topRows(n)(Eigen::all, kept), vectors.bottomRows(vehicle_.series())(Eigen::all, kept);
   poles.residues = ResiduesOf(poles, directions_.transpose() * poles.shapes, directions_.cols());
@@ -226,6 +228,42 @@ Eigen::MatrixXcd Receptance::UnitMotions(double omega) const {
   motions.col(count) += Complex(0, omega) * motions.col(count + 1);
   motions.conservativeResize(Eigen::NoChange, count + 1);
   return motions;
+}
+
+Eigen::MatrixXd Receptance::ModalSizes(const Eigen::MatrixXd& rows) const {
+  return (rows.cast<Complex>() * poles_->shapes).cwiseAbs();
+}
+
+/// Harmonic by harmonic up to the eighth; of the others by the nearest that i w may come to a pole l from W on,
+///   |i w - l| >= W - |l|, or |Re l| where W < |l|,   w / |i w - l| <= W / (W - |l|), or |l| / |Re l|
+/// and |i w - conj l| >= |l|, w / |i w - conj l| <= 1 of the other one of a pair.
+Eigen::MatrixX2d Receptance::ModalReach(double omega, const Eigen::MatrixXd& sizes) const {
+  constexpr Eigen::Index kSingle = 8;
+  const Eigen::Index last = std::min(kSingle, sizes.rows() - 1);
+  const Eigen::Index rest = sizes.rows() - 1 - last;
+  Eigen::MatrixXd forces(last, sizes.cols());
+  forces << sizes.middleRows(2, last - 1), sizes.bottomRows(rest).colwise().sum();
+  const Eigen::MatrixXd modal = forces.lazyProduct(poles_->input_sizes.transpose());
+  const double beyond = static_cast<double>(last + 1) * omega;
+  Eigen::MatrixX2d reach(pole_count(), 2);
+  for (Eigen::Index k = 0; k < pole_count(); ++k) {
+    const Complex pole = poles_->values[k];
+    const double size = std::abs(pole);
+    const bool is_pair = pole.imag() != 0;
+    const bool is_below = size < beyond;
+    const double nearest = is_below ? beyond - size : std::abs(pole.real());
+    const double tail = modal(last - 1, k);
+    reach(k, 0) = tail * (1 / nearest + (is_pair ? 1 / size : 0));
+    reach(k, 1) = tail * ((is_below ? beyond : size) / nearest + (is_pair ? 1 : 0));
+    for (Eigen::Index h = 2; h <= last; ++h) {
+      const double w = static_cast<double>(h) * omega;
+      double weight = 1 / std::sqrt(std::norm(Complex(0, w) - pole));
+      if (is_pair) weight += 1 / std::sqrt(std::norm(Complex(0, w) - std::conj(pole)));
+      reach(k, 0) += weight * modal(h - 2, k);
+      reach(k, 1) += w * weight * modal(h - 2, k);
+    }
+  }
+  return reach;
 }
 
 Eigen::VectorXcd Receptance::Driven(const Eigen::VectorXcd& motion) const {

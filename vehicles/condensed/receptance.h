@@ -29,6 +29,17 @@ class Receptance {
   /// [s x] per unit tension of each port, and per unit amplitude of the posts: size x (ports + 1).
   Eigen::MatrixXcd UnitMotions(double omega) const;
 
+  /// Poles of the upper half plane and the real axis; 0 where it does not go by them.
+  Eigen::Index pole_count() const { return poles_ ? poles_->values.size() : 0; }
+
+  /// |row u_k| of each pole k, rows x poles. `rows`: n x size.
+  Eigen::MatrixXd ModalSizes(const Eigen::MatrixXd& rows) const;
+
+  /// A bound of what tensions make of y = row [s x]. `sizes`: amplitudes of their harmonics 0, 1, .. of `omega`, in
+  /// rows, x ports. The amplitudes of all harmonics of y from the second on add up to ModalSizes(row) times the first
+  /// column at most, those of y' to that times the second. Poles x 2.
+  Eigen::MatrixX2d ModalReach(double omega, const Eigen::MatrixXd& sizes) const;
+
   /// Extensions of the ports per unit amplitude of the posts, which moves [s x] so.
   Eigen::VectorXcd Driven(const Eigen::VectorXcd& motion) const;
 
@@ -61,6 +72,8 @@ class Receptance {
     /// size x poles, of [s x]; poles x (ports, posts' heights, posts' velocities).
     Eigen::MatrixXcd shapes;
     Eigen::MatrixXcd inputs;
+    /// Amplitudes of those of the ports.
+    Eigen::MatrixXd input_sizes;
     /// 2 poles x ports^2, 2 poles x size (ports + 2): alpha, beta of Ports() and of the motion per unit input.
     Eigen::MatrixXd residues;
     Eigen::MatrixXd motion_residues;

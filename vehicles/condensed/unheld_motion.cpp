@@ -111,6 +111,18 @@ UnheldMotion Described(const StaticLoads& loads, const NamedMotion& motion) {
 
 }  // namespace
 
+/// tension(x) = preload + Force(x) is zero at x = free length - length; Force rises with x but for knees that soften.
+std::optional<double> GivenForce::FreeSpring::FreeLengthFor(double preload) const {
+  constexpr double kLongest_m = 100;
+  double low = -length;
+  double high = kLongest_m;
+  const auto tension = [&](double x) { return preload + law.Force(x); };
+  if (!(tension(low) < 0 && tension(high) >= 0)) return std::nullopt;
+  for (double middle = 0.5 * (low + high); middle > low && middle < high; middle = 0.5 * (low + high))
+    (tension(middle) < 0 ? low : high) = middle;
+  return length + high;
+}
+
 std::vector<UnheldMotion> UnheldMotions(const StaticLoads& loads) {
   std::vector<NamedMotion> motions = NameMotions(loads.links, Released(loads, FeltByNone(loads)));
   const auto falls = [&](const NamedMotion& motion) { return DoWork(loads.forces, motion.shape); };

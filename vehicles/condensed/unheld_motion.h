@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/laws/spring_law.h"
 #include "vehicles/loops/motion_name.h"
 
 namespace fourpost {
@@ -23,8 +25,16 @@ struct GivenForce {
   std::vector<int> parameters;
   /// Generalised force per unit of `size`.
   Eigen::VectorXd direction;
-  /// Whether a free length sets the preload.
-  bool has_free_length = false;
+  /// Of a spring whose free length sets the preload.
+  struct FreeSpring {
+    SpringLaw law;
+    /// In the design pose [m].
+    double length = 0;
+
+    /// The free length that makes this preload [m]; nothing where none does.
+    std::optional<double> FreeLengthFor(double preload) const;
+  };
+  std::optional<FreeSpring> free_spring;
   /// A preload that could be another one: not that of a stop or of gas, which do not set a vehicle's pose.
   bool carries = true;
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "analysis/units.h"
 #include "vehicles/description/element_list.h"
@@ -12,17 +14,60 @@
 namespace fourpost {
 namespace {
 
-/// Calls `compare` with each left item and its right partner; the two are of one part.
-template <typename Item, typename Part, typename Compare>
-void ForEachPair(const std::vector<Item>& items, const Part& part, const Compare& compare) {
-  std::multimap<std::string_view, const Item*> by_element;
-  for (const Item& item : items) by_element.emplace(item.element, &item);
-  for (const Item& left : items)
+/// Calls `compare` with each left point and its right partner; the two are of one part.
+template <typename Compare>
+void ForEachPair(const std::vector<ElementPoint>& points, const Compare& compare) {
+  std::multimap<std::string_view, const ElementPoint*> by_element;
+  for (const ElementPoint& point : points) by_element.emplace(point.element, &point);
+  for (const ElementPoint& left : points)
     for (const std::string& name : MirrorPartners(left.element)) {
       const auto [begin, end] = by_element.equal_range(name);
       for (auto right = begin; right != end; ++right)
-        if (part(*right->second) == part(left)) compare(left, *right->second);
+        if (std::string_view(right->second->part) == left.part) compare(left, *right->second);
     }
+}
+
+/// Of one element, in the order of its file.
+using NumbersOfOne = std::vector<const ElementNumber*>;
+
+/// Numbers of one kind, such as the forces of a table.
+NumbersOfOne Alike(const NumbersOfOne& numbers, const std::string& noun) {
+  NumbersOfOne alike;
+  for (const ElementNumber* number : numbers)
+    if (number->noun == noun) alike.push_back(number);
+  return alike;
+}
+
+std::string Difference(const DrawnVehicle& drawn, const ElementNumber& left, const ElementNumber& right) {
+  // Nobody types a number twice with other digits; what was identified for each side may well differ.
+  constexpr double kTyped = 1.01;
+  constexpr double kOfParameters = 1.5;
+  const double a = drawn.At(left.number);
+  const double b = drawn.At(right.number);
+  const bool is_typed = left.number.parameter < 0 && right.number.parameter < 0;
+  const double most = std::max(std::abs(a), std::abs(b));
+  const double ratio = is_typed ? kTyped : kOfParameters;
+  if (a * b >= 0 && most <= ratio * std::min(std::abs(a), std::abs(b))) return "";
+  const std::string si_unit = SiUnit(right.rule->dimension);
+  return right.noun + " of " + right.element + " is " + Readable(b, si_unit) + ", that of " + left.element + " (line " +
+         std::to_string(left.line) + ") " + Readable(a, si_unit) + ": correct one of them" +
+         (is_typed ? ", or make them parameters if they were measured so" : "");
+}
+
+/// Where the numbers of two elements that mirror each other differ, if they do: those of a kind one by one. Laws of
+/// other kinds, or tables of other lengths, are not compared number by number.
+std::string FirstDifference(const DrawnVehicle& drawn, const NumbersOfOne& left, const NumbersOfOne& right) {
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    const std::string& noun = right[i]->noun;
+    const NumbersOfOne on_left = Alike(left, noun);
+    const NumbersOfOne on_right = Alike(right, noun);
+    if (on_left.size() != on_right.size()) continue;
+    const auto place =
+        static_cast<std::size_t>(std::find(on_right.begin(), on_right.end(), right[i]) - on_right.begin());
+    std::string difference = Difference(drawn, *on_left[place], *right[i]);
+    if (!difference.empty()) return difference;
+  }
+  return "";
 }
 
 }  // namespace
@@ -39,29 +84,20 @@ void LintMirroredPoints(const DrawnVehicle& drawn, FileFaults& findings) {
                                      " off the mirror image of that of " + left.element + " (line " +
                                      std::to_string(left.line) + ") in the design pose: correct one, or use fp:mirror");
   };
-  ForEachPair(
-      PointsOf(drawn.vehicle), [](const ElementPoint& point) { return std::string_view(point.part); }, compare);
+  ForEachPair(PointsOf(drawn.vehicle), compare);
 }
 
 void LintMirroredNumbers(const DrawnVehicle& drawn, FileFaults& findings) {
-  // Nobody types a number twice with other digits; what was identified for each side may well differ.
-  constexpr double kTyped = 1.01;
-  constexpr double kOfParameters = 1.5;
-  const auto compare = [&](const ElementNumber& left, const ElementNumber& right) {
-    const double a = drawn.At(left.number);
-    const double b = drawn.At(right.number);
-    const bool is_typed = left.number.parameter < 0 && right.number.parameter < 0;
-    const double most = std::max(std::abs(a), std::abs(b));
-    const double ratio = is_typed ? kTyped : kOfParameters;
-    if (a * b >= 0 && most <= ratio * std::min(std::abs(a), std::abs(b))) return;
-    const std::string si_unit = SiUnit(right.rule->dimension);
-    findings.Warning(right.line, right.noun + " of " + right.element + " is " + Readable(b, si_unit) + ", that of " +
-                                     left.element + " (line " + std::to_string(left.line) + ") " +
-                                     Readable(a, si_unit) + ": correct one of them" +
-                                     (is_typed ? ", or make them parameters if they were measured so" : ""));
-  };
-  ForEachPair(
-      NumbersOf(drawn.vehicle), [](const ElementNumber& number) { return std::string_view(number.noun); }, compare);
+  const std::vector<ElementNumber> numbers = NumbersOf(drawn.vehicle);
+  std::map<std::string_view, NumbersOfOne> by_element;
+  for (const ElementNumber& number : numbers) by_element[number.element].push_back(&number);
+  for (const auto& [element, left] : by_element)
+    for (const std::string& name : MirrorPartners(std::string(element))) {
+      const auto right = by_element.find(name);
+      if (right == by_element.end()) continue;
+      const std::string difference = FirstDifference(drawn, left, right->second);
+      if (!difference.empty()) findings.Warning(right->second.front()->line, difference);
+    }
 }
 
 void LintBarSides(const DrawnVehicle& drawn, FileFaults& findings) {

@@ -12,6 +12,7 @@
 #include "vehicles/multibody/line_forces.h"
 #include "vehicles/multibody/loop_gaps.h"
 #include "vehicles/multibody/simbody_bodies.h"
+#include "vehicles/multibody/simulation_error.h"
 
 namespace fourpost {
 namespace {
@@ -345,8 +346,8 @@ void Multibody::Impl::Realize(SimTK::Stage stage) {
   try {
     system.realize(state, stage);
   } catch (const SimTK::Exception::Base& failure) {
-    throw std::runtime_error("the vehicle cannot be evaluated at t = " + std::to_string(state.getTime()) +
-                             " s: " + failure.getMessage());
+    throw SimulationError("the vehicle cannot be evaluated at t = " + std::to_string(state.getTime()) +
+                          " s: " + failure.getMessage());
   }
 }
 
@@ -598,8 +599,8 @@ void Multibody::Integrate(const Eigen::VectorXd& state, double start, double ste
       if (done()) return;
     }
   } catch (const SimTK::Exception::Base& failure) {
-    throw std::runtime_error("the simulation failed at t = " + std::to_string(integrator.getTime()) +
-                             " s: " + failure.getMessage());
+    throw SimulationError("the simulation failed at t = " + std::to_string(integrator.getTime()) +
+                          " s: " + failure.getMessage());
   }
 }
 

@@ -85,6 +85,12 @@ bool HasAStep(const Parameter& parameter) {
   return parameter.precision <= parameter.upper - parameter.lower + rounding;
 }
 
+/// Whether each step between the bounds has a number of its own, as searches need it.
+bool HasCountableSteps(const Parameter& parameter) {
+  constexpr double kMostSteps = 0x1p53;
+  return (parameter.upper - parameter.lower) / parameter.precision < kMostSteps;
+}
+
 }  // namespace
 
 bool Agrees(double literal, double bound) {
@@ -197,6 +203,10 @@ void ParameterReader::CheckBounds(const Tag& tag, const Parameter& parameter) co
     Fault(tag, "value", "is above " + given("upper") + ": it must lie between the bounds");
   else if (!HasAStep(parameter))
     Fault(tag, "precision", "must not exceed upper - lower; to fix the parameter, leave out all three");
+  else if (parameter.precision > 0 && !HasCountableSteps(parameter))
+    Fault(tag, "precision",
+          "splits the range into more than 2^53 steps; give the digits that matter, such as a "
+          "thousandth of the range");
 }
 
 /// Notes which parameters are used, and reports those that all uses contradict: the uses are right then.

@@ -44,7 +44,12 @@ class UseFinder {
   void AddBind(const XMLElement& parameter, const XMLElement& bind) {
     if (IsMade(bind)) return;
     const std::string path = AttributeText(bind, "to").value_or("");
-    uses_.push_back({AttributeText(parameter, "name").value_or(""), DimensionOfPath(path), LineOf(bind), path});
+    uses_.push_back({.parameter = AttributeText(parameter, "name").value_or(""),
+                     .dimension = DimensionOfPath(path),
+                     .sign = SignOfPath(path),
+                     .factor = ParseNumber(Trimmed(AttributeText(bind, "factor").value_or("1"))).value_or(1),
+                     .line = LineOf(bind),
+                     .what = path});
   }
 
   std::vector<ParameterUse> uses() const { return uses_; }
@@ -53,13 +58,21 @@ class UseFinder {
   void FindIn(std::string_view text, const AttributeRule* rule, int line, const std::string& what) {
     if (rule && rule->kind != AttributeKind::kScalar) return;
     if (const auto reference = ParseReference(text)) {
-      uses_.push_back({std::string(reference->name), rule ? std::optional(rule->dimension) : std::nullopt, line, what});
+      uses_.push_back({.parameter = std::string(reference->name),
+                       .dimension = rule ? std::optional(rule->dimension) : std::nullopt,
+                       .sign = rule ? rule->sign : Sign::kAny,
+                       .factor = reference->factor,
+                       .line = line,
+                       .what = what});
       return;
     }
-    if (const auto forgotten = ReferenceWithoutDollar(text))
-      uses_.push_back({std::string(forgotten->name), std::nullopt, line, what});
+    if (const auto forgotten = ReferenceWithoutDollar(text)) AddUnread(forgotten->name, line, what);
     for (std::size_t at = text.find('$'); at != std::string_view::npos; at = text.find('$', at + 1))
-      uses_.push_back({std::string(NameAtBegin(text.substr(at + 1))), std::nullopt, line, what});
+      AddUnread(NameAtBegin(text.substr(at + 1)), line, what);
+  }
+
+  void AddUnread(std::string_view parameter, int line, const std::string& what) {
+    uses_.push_back({.parameter = std::string(parameter), .dimension = std::nullopt, .line = line, .what = what});
   }
 
   std::vector<ParameterUse> uses_;

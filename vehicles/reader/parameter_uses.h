@@ -8,6 +8,7 @@
 #include <tinyxml2.h>
 
 #include "analysis/units.h"
+#include "vehicles/tags/tag_table.h"
 
 namespace fourpost {
 
@@ -28,6 +29,9 @@ struct ParameterUse {
   std::string parameter;
   /// Of the number that belongs there; nothing where that is not known for a fault.
   std::optional<Dimension> dimension;
+  /// Of the parameter times `factor`, which is that number; kAny where it is not known.
+  Sign sign = Sign::kAny;
+  double factor = 1;
   int line = 0;
   /// What it is the number of: "stiffness of <linear> of fp:spring 'coil'", or the path of an `<fp:bind>`.
   std::string what;

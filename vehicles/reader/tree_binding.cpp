@@ -144,6 +144,13 @@ std::optional<Dimension> DimensionOfPath(std::string_view path) {
   return number < 0 ? std::nullopt : std::optional(DimensionOf(number));
 }
 
+Sign SignOfPath(std::string_view path) {
+  constexpr int kLastMoment = 3;
+  const std::optional<TreePath> parts = ParsePath(path);
+  const int number = parts ? FindNumber(parts->number) : -1;
+  return number >= 0 && number <= kLastMoment ? Sign::kNotNegative : Sign::kAny;
+}
+
 std::vector<TreeBinding> ReadTreeBindings(const XMLElement& robot, const UrdfTree& tree,
                                           const ParameterReader& parameters, FileFaults& faults) {
   BindingReader reader(robot, tree, parameters, faults);

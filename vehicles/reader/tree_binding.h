@@ -26,6 +26,9 @@ inline constexpr const char* kInertiaNames[] = {"ixx", "iyy", "izz", "ixy", "ixz
 /// Of the number that a path such as "link[body]/mass" leads to; nothing for a path that no number can have.
 std::optional<Dimension> DimensionOfPath(std::string_view path);
 
+/// What that number may be: no mass and no moment of inertia about an axis is negative.
+Sign SignOfPath(std::string_view path);
+
 /// Reads every `<fp:bind>`; reports paths to nowhere and numbers bound twice.
 std::vector<TreeBinding> ReadTreeBindings(const tinyxml2::XMLElement& robot, const UrdfTree& tree,
                                           const ParameterReader& parameters, FileFaults& faults);

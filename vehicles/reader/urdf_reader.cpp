@@ -5,6 +5,7 @@
 #include <mutex>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 
 #include <console_bridge/console.h>
 #include <urdf_model/model.h>
@@ -197,12 +198,14 @@ void CheckMeshes(const UrdfTree& tree, FileFaults& faults) {
     if (filename.empty() || !checked.insert(filename).second) continue;
     const std::filesystem::path path = MeshPath(faults.file(), filename);
     const bool is_address = filename.find("://") != std::string::npos;
-    if (!is_address && !std::filesystem::exists(path)) {
+    std::error_code failure;
+    if (!is_address && !std::filesystem::exists(path, failure) && !failure) {
       faults.Warning(LineOf(*mesh),
                      "mesh '" + filename + "' is missing: no file " + path.string() + "; pictures are without it");
       continue;
     }
-    const std::string fault = MeshFault(faults.file(), filename);
+    const std::string fault =
+        failure ? "cannot be looked for: " + failure.message() : MeshFault(faults.file(), filename);
     if (!fault.empty()) faults.Error(LineOf(*mesh), "mesh '" + filename + "' " + fault);
   }
 }

@@ -93,9 +93,12 @@ BalanceChange::BalanceChange(LinearisedCycle& cycle, const CondensedModel& model
       changes_(changes),
       left_out_(kLeftOut * error) {
   for (std::size_t p = 0; p < changes.size(); ++p)
-    for (const ModelChange::Law& law : changes[p].laws)
+    for (const ModelChange::Law& law : changes[p].laws) {
+      // Of a tyre that is held.
+      if (law.port >= static_cast<int>(cycle.ports().size())) continue;
       laws_.push_back({static_cast<Eigen::Index>(p), &law,
                        law.changed ? KinksOf(law.changed->law) : std::vector<PortKink>{}, 1 / changes[p].step});
+    }
   directions_.resize(cycle.vehicle().size(), static_cast<Eigen::Index>(cycle.ports().size()));
   for (std::size_t j = 0; j < cycle.ports().size(); ++j)
     directions_.col(static_cast<Eigen::Index>(j)) = cycle.ports()[j].direction;

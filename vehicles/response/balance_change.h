@@ -20,8 +20,8 @@ namespace fourpost {
 /// with as many harmonics as count; Z is inverted by the poles of the linear vehicle.
 class BalanceChange {
  public:
-  /// `shape`: of the posts, see Excitation. `model`: that of the cycle. All but the shape must outlive this
-  /// object. `error`: that of the cycle, see HarmonicBalanceOptions.
+  /// `shape`: of the posts, see Excitation. `model`: that of the cycle, which may hold its tyres. All but the shape
+  /// must outlive this object. `error`: that of the cycle, see HarmonicBalanceOptions.
   BalanceChange(LinearisedCycle& cycle, const CondensedModel& model, const std::vector<double>& shape,
                 const std::vector<ModelChange>& changes, double error);
 

@@ -1,10 +1,11 @@
 #include "vehicles/response/balance_sensitivity.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "vehicles/condensed/model_change.h"
 #include "vehicles/response/balance_change.h"
-#include "vehicles/response/linearised_cycle.h"
+#include "vehicles/response/contact_cycle.h"
 #include "vehicles/response/response_recorder.h"
 
 namespace fourpost {
@@ -17,20 +18,24 @@ ResponseSensitivity SolveBalanceSensitivity(const CondensedVehicle& vehicle, std
   const ModelChanges model_changes(vehicle, values);
   std::vector<ModelChange> changes;
   for (const std::size_t parameter : parameters) changes.push_back(model_changes.By(parameter));
-  LinearisedCycle cycle(model_changes.model(), excitation.shape, options);
+  ContactCycle cycle(model_changes.model(), excitation.shape, options);
   // A balance of few harmonics is content with any error; its derivatives are not.
   const double error = std::min(options.error, HarmonicBalanceOptions{}.error);
-  BalanceChange change(cycle, model_changes.model(), excitation.shape, changes, error);
+  // One for either of its cycles.
+  std::optional<BalanceChange> held;
+  std::optional<BalanceChange> lifting;
   ResponseRecorder recorder(vehicle.vehicle().sensors, excitation);
   std::vector<ResponseRecorder> by_parameter(parameters.size(), recorder);
   ResponseSensitivity out;
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
     if (!cycle.Solve(excitation.frequency_Hz[i], excitation.amplitude_m[i]))
       out.periodic.unconverged_Hz.push_back(excitation.frequency_Hz[i]);
-    const SensorHarmonics sensors = cycle.Sensors();
+    const SensorHarmonics sensors = cycle.cycle().Sensors();
     recorder.Record(i, sensors);
-    change.Find(excitation.amplitude_m[i]);
-    for (std::size_t p = 0; p < parameters.size(); ++p) by_parameter[p].RecordChange(i, sensors, change.Sensors(p));
+    std::optional<BalanceChange>& change = cycle.lifts() ? lifting : held;
+    if (!change) change.emplace(cycle.cycle(), model_changes.model(), excitation.shape, changes, error);
+    change->Find(excitation.amplitude_m[i]);
+    for (std::size_t p = 0; p < parameters.size(); ++p) by_parameter[p].RecordChange(i, sensors, change->Sensors(p));
   }
   out.periodic.response = recorder.Take();
   for (ResponseRecorder& parameter : by_parameter) out.by_parameter.push_back(parameter.Take());

@@ -12,11 +12,11 @@
 #include <utility>
 #include <variant>
 
+#include "analysis/anderson_acceleration.h"
 #include "analysis/diagnostics.h"
 #include "vehicles/condensed/linear_vehicle.h"
-#include "vehicles/laws/count_check.h"
 #include "vehicles/laws/hydraulic_cycle.h"
-#include "vehicles/response/anderson_acceleration.h"
+#include "vehicles/multibody/simulation_error.h"
 
 namespace fourpost {
 namespace {
@@ -69,32 +69,8 @@ class Convergence {
   double before_ = 0;
 };
 
-/// Of [s x]; without the springs that stand for hydraulic dampers.
-std::vector<Eigen::Index> SeriesOf(const std::vector<Port>& ports, Eigen::Index n, Eigen::Index size) {
-  std::vector<Eigen::Index> series;
-  for (Eigen::Index x = n; x < size; ++x)
-    if (std::none_of(ports.begin(), ports.end(), [x](const Port& port) { return port.lag == x; })) series.push_back(x);
-  return series;
-}
-
 bool HasFriction(const std::vector<Port>& ports) {
   return std::any_of(ports.begin(), ports.end(), [](const Port& port) { return std::isfinite(StepOfRate(port.law)); });
-}
-
-std::vector<std::size_t> HydraulicsOf(const std::vector<Port>& ports) {
-  std::vector<std::size_t> hydraulics;
-  for (std::size_t j = 0; j < ports.size(); ++j)
-    if (std::holds_alternative<HydraulicRemainder>(ports[j].law)) hydraulics.push_back(j);
-  return hydraulics;
-}
-
-Eigen::MatrixXd SeriesDirections(const CondensedModel& model, const std::vector<Eigen::Index>& series) {
-  const std::vector<const CondensedModel::Dashpot*> dampers = model.SeriesDampers();
-  const Eigen::Index n = model.mass.rows();
-  Eigen::MatrixXd directions(n, static_cast<Eigen::Index>(series.size()));
-  for (std::size_t j = 0; j < series.size(); ++j)
-    directions.col(static_cast<Eigen::Index>(j)) = dampers[static_cast<std::size_t>(series[j] - n)]->direction;
-  return directions;
 }
 
 }  // namespace
@@ -104,30 +80,23 @@ FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const st
     : multibody_(multibody),
       shape_(shape),
       options_(options),
-      chart_(multibody),
-      linearised_(model, shape, {.tolerance = options.tolerance}),
+      full_(multibody, model),
+      contact_(model, shape, {.tolerance = options.tolerance}),
       fine_{std::max(options.harmonics, options.fine_harmonics), std::max(options.samples, options.fine_samples)},
-      coarse_(HasFriction(linearised_.ports()) ? Sampling{fine_.harmonics / 2, fine_.samples / 2}
-                                               : Sampling{options.harmonics, options.samples}),
-      hydraulics_(HydraulicsOf(linearised_.ports())) {
+      coarse_(HasFriction(cycle().ports()) ? Sampling{fine_.harmonics / 2, fine_.samples / 2}
+                                               : Sampling{options.harmonics, options.samples}) {
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
-  series_ = SeriesOf(linearised_.ports(), chart_.size(), linear.size());
-  series_directions_ = SeriesDirections(model, series_);
   stiffness_ = linear.stiffness.diagonal().cwiseAbs();
   mass_ = Eigen::VectorXd::Zero(linear.size());
   mass_.head(linear.mass.rows()) = linear.mass.diagonal();
-  const auto states = static_cast<Eigen::Index>(series_.size() + 2 * hydraulics_.size());
-  RequireCount("SolveFullBalance: model", "states of dampers",
-               static_cast<std::size_t>(multibody.state_size() - 2 * multibody.coordinate_count()),
-               static_cast<std::size_t>(states));
+  coordinates_ = linear.mass.rows();
 }
 
 void FullCycle::Take(const Sampling& sampling) {
   transform_ = &CycleTransform::Shared(sampling.harmonics, sampling.samples);
   lacking_.resize(sampling.samples, mass_.size());
   readings_.resize(sampling.samples, sensors_.rows());
-  pressures_.setZero(sampling.samples, static_cast<Eigen::Index>(2 * hydraulics_.size()));
-  tension_aliases_.setZero(sampling.harmonics + 1, linearised_.directions().cols());
+  pressures_.setZero(sampling.samples, static_cast<Eigen::Index>(2 * full_.hydraulics().size()));
   const Eigen::MatrixXcd before = std::exchange(added_, Eigen::MatrixXcd::Zero(sampling.harmonics + 1, mass_.size()));
   const Eigen::Index known = std::min(before.rows(), added_.rows());
   added_.topRows(known) = before.topRows(known);
@@ -135,8 +104,8 @@ void FullCycle::Take(const Sampling& sampling) {
 
 bool FullCycle::Solve(double frequency_Hz, double amplitude_m) {
   omega_ = 2 * std::numbers::pi * frequency_Hz;
-  const bool has_start = linearised_.Solve(frequency_Hz, amplitude_m);
-  const SensorHarmonics linearised = sensors_ = linearised_.Sensors();
+  const bool has_start = contact_.Solve(frequency_Hz, amplitude_m);
+  const SensorHarmonics linearised = sensors_ = cycle().Sensors();
   if (!has_start) return false;
   added_.resize(0, mass_.size());
   Take(coarse_);
@@ -177,7 +146,7 @@ bool FullCycle::SolveByWayOfLess(double frequency_Hz, double amplitude_m) {
     // Departures are of second order.
     added_ *= std::pow(share / before, 2);
     before = share;
-    if (!linearised_.Solve(frequency_Hz, share * amplitude_m) || !linearised_.SolveWith(added_)) return false;
+    if (!contact_.Solve(frequency_Hz, share * amplitude_m) || !cycle().SolveWith(added_)) return false;
     if (!TryAt(share * amplitude_m)) return false;
   }
   return true;
@@ -185,6 +154,7 @@ bool FullCycle::SolveByWayOfLess(double frequency_Hz, double amplitude_m) {
 
 bool FullCycle::TryAt(double amplitude_m) {
   multibody_.SetPostMotion(SteadySine(shape_, amplitude_m, omega_));
+  tension_aliases_.setZero(transform_->harmonics() + 1, cycle().directions().cols());
   try {
     return Iterate();
   } catch (const std::runtime_error&) {
@@ -200,7 +170,7 @@ bool FullCycle::Iterate() {
     return motion * weights.asDiagonal();
   };
   AndersonAcceleration acceleration(options_.history);
-  Eigen::MatrixXcd motion = linearised_.Coordinates(transform_->harmonics());
+  Eigen::MatrixXcd motion = cycle().Coordinates(transform_->harmonics());
   Convergence of_motion;
   Convergence of_departure;
   for (int iteration = 0; iteration < options_.max_iterations; ++iteration) {
@@ -210,12 +180,12 @@ bool FullCycle::Iterate() {
     const double left = of_departure.Next(RelativeSize(weighted(step), weighted(motion)));
     added_ = Unstacked(acceleration.Next(Stacked(weighted(added_)), Stacked(weighted(step))), added_.rows()) *
              weights.cwiseInverse().asDiagonal();
-    if (!linearised_.SolveWith(added_)) return false;
-    const Eigen::MatrixXcd before = std::exchange(motion, linearised_.Coordinates(transform_->harmonics()));
+    if (!cycle().SolveWith(added_)) return false;
+    const Eigen::MatrixXcd before = std::exchange(motion, cycle().Coordinates(transform_->harmonics()));
     const double next = of_motion.Next(RelativeSize(weighted(motion - before), weighted(motion)));
     // Acceleration may stand still far from where the two systems agree.
     if (iteration > 0 && next <= options_.tolerance && left <= options_.tolerance) {
-      sensors_ = linearised_.Sensors() + sensor_departure_;
+      sensors_ = cycle().Sensors() + sensor_departure_;
       return true;
     }
   }
@@ -229,18 +199,18 @@ Eigen::MatrixXcd FullCycle::Departure(const Eigen::MatrixXcd& motion, bool read)
   SampleCycle(motion, read);
   Eigen::MatrixXcd lacking;
   transform_->ToHarmonics(lacking_, lacking);
-  const Eigen::MatrixXcd coarse = linearised_.RemainderBy(*transform_);
+  const Eigen::MatrixXcd coarse = cycle().RemainderBy(*transform_);
   if (read) {
     Eigen::MatrixXcd readings;
     transform_->ToHarmonics(readings_, readings);
-    sensor_departure_ = readings.topRows(3).transpose() - linearised_.SensorsBy(coarse);
+    sensor_departure_ = readings.topRows(3).transpose() - cycle().SensorsBy(coarse);
   }
   Eigen::MatrixXcd aliases = coarse;
-  const Eigen::Index known = std::min(coarse.rows(), linearised_.remainder().rows());
-  aliases.topRows(known) -= linearised_.remainder().topRows(known);
-  for (const std::size_t j : hydraulics_)
+  const Eigen::Index known = std::min(coarse.rows(), cycle().remainder().rows());
+  aliases.topRows(known) -= cycle().remainder().topRows(known);
+  for (const std::size_t j : full_.hydraulics())
     aliases.col(static_cast<Eigen::Index>(j)) = tension_aliases_.col(static_cast<Eigen::Index>(j));
-  return linearised_.MotionBy(aliases * linearised_.directions().transpose() - lacking);
+  return cycle().MotionBy(aliases * cycle().directions().transpose() - lacking);
 }
 
 void FullCycle::SampleCycle(const Eigen::MatrixXcd& motion, bool read) {
@@ -253,43 +223,31 @@ void FullCycle::SampleCycle(const Eigen::MatrixXcd& motion, bool read) {
   transform_->ToTime(motion, position);
   transform_->ToTime(rates, velocity);
   transform_->ToTime(rate.asDiagonal() * rates, acceleration);
-  if (!hydraulics_.empty()) FindPressures(position);
-  const Eigen::Index n = chart_.size();
+  if (!full_.hydraulics().empty()) FindPressures(position);
+  const Eigen::Index n = coordinates_;
   for (Eigen::Index k = 0; k < samples; ++k) {
     const double t = 2 * std::numbers::pi * static_cast<double>(k) / (omega_ * static_cast<double>(samples));
-    const Chart::Motion now =
-        chart_.Follow(t, position.row(k).head(n).transpose(), velocity.row(k).head(n).transpose(),
-                      acceleration.row(k).head(n).transpose(), States(position.row(k), pressures_.row(k)));
-    // Rates of pressures follow from those, and move nothing.
-    Eigen::VectorXd derivative(multibody_.state_size());
-    derivative << now.rate, now.acceleration, States(velocity.row(k), Eigen::RowVectorXd::Zero(pressures_.cols()));
-    lacking_.row(k) = Lacking(now, derivative).transpose();
-    if (read) readings_.row(k) = multibody_.Readings(derivative).transpose();
+    lacking_.row(k) = full_
+                          .At(t, {.position = position.row(k).transpose(),
+                                  .rate = velocity.row(k).transpose(),
+                                  .acceleration = acceleration.row(k).head(n).transpose(),
+                                  .pressures = pressures_.row(k).transpose()})
+                          .transpose();
+    if (read) readings_.row(k) = full_.Readings().transpose();
   }
-}
-
-/// z of the multibody system.
-Eigen::VectorXd FullCycle::States(const Eigen::RowVectorXd& coordinates, const Eigen::RowVectorXd& pressures) const {
-  Eigen::VectorXd states(static_cast<Eigen::Index>(series_.size()) + pressures.size());
-  for (std::size_t j = 0; j < series_.size(); ++j) states[static_cast<Eigen::Index>(j)] = coordinates[series_[j]];
-  states.tail(pressures.size()) = pressures.transpose();
-  return states;
 }
 
 void FullCycle::FindPressures(const Eigen::MatrixXd& position) {
   const Eigen::Index samples = transform_->samples();
-  const Eigen::Index n = chart_.size();
-  Eigen::MatrixXd extensions(samples, static_cast<Eigen::Index>(hydraulics_.size()));
-  for (Eigen::Index k = 0; k < samples; ++k) {
-    chart_.MoveTo(position.row(k).head(n).transpose());
-    extensions.row(k) = multibody_.HydraulicExtensions().transpose();
-  }
+  Eigen::MatrixXd extensions(samples, static_cast<Eigen::Index>(full_.hydraulics().size()));
+  for (Eigen::Index k = 0; k < samples; ++k)
+    extensions.row(k) = full_.HydraulicExtensions(position.row(k).transpose()).transpose();
   Eigen::MatrixXcd full;
   transform_->ToHarmonics(extensions, full);
-  const Eigen::MatrixXcd& linearised = linearised_.extension();
-  for (std::size_t i = 0; i < hydraulics_.size(); ++i) {
+  const Eigen::MatrixXcd& linearised = cycle().extension();
+  for (std::size_t i = 0; i < full_.hydraulics().size(); ++i) {
     Eigen::VectorXcd extension = Eigen::VectorXcd::Zero(std::max(linearised.rows(), full.rows()));
-    extension.head(linearised.rows()) = linearised.col(static_cast<Eigen::Index>(hydraulics_[i]));
+    extension.head(linearised.rows()) = linearised.col(static_cast<Eigen::Index>(full_.hydraulics()[i]));
     extension.head(full.rows()) = full.col(static_cast<Eigen::Index>(i));
     FindPressures(i, extension);
   }
@@ -298,10 +256,10 @@ void FullCycle::FindPressures(const Eigen::MatrixXd& position) {
 /// By its cycle in at least as many steps as the linearised one needed, the samples among them.
 void FullCycle::FindPressures(std::size_t damper, const Eigen::VectorXcd& extension) {
   const Eigen::Index samples = transform_->samples();
-  const auto port = static_cast<Eigen::Index>(hydraulics_[damper]);
-  const auto& law = std::get<HydraulicRemainder>(linearised_.ports()[hydraulics_[damper]].law).law;
+  const auto port = static_cast<Eigen::Index>(full_.hydraulics()[damper]);
+  const auto& law = std::get<HydraulicRemainder>(cycle().ports()[full_.hydraulics()[damper]].law).law;
   const Eigen::Index highest = extension.size() - 1;
-  const Eigen::Index stride = std::max(linearised_.steps(), 4 * highest + 4) / samples + 1;
+  const Eigen::Index stride = std::max(cycle().steps(), 4 * highest + 4) / samples + 1;
   const Eigen::Index steps = stride * samples;
   const CycleTransform& fine = CycleTransform::Shared(static_cast<int>(highest), static_cast<int>(steps));
   const Eigen::VectorXcd rates = Rates(highest);
@@ -312,7 +270,7 @@ void FullCycle::FindPressures(std::size_t damper, const Eigen::VectorXcd& extens
   const auto count = static_cast<std::size_t>(steps);
   const std::optional<HydraulicCycle> cycle = HydraulicCycle::Solve(
       law, 2 * std::numbers::pi / omega_, {extensions.data(), count}, {extension_rates.data(), count});
-  if (!cycle) throw std::runtime_error("a chamber of a hydraulic damper closes");
+  if (!cycle) throw SimulationError("a chamber of a hydraulic damper closes");
   Eigen::MatrixXd tensions(steps, 1);
   for (Eigen::Index k = 0; k < steps; ++k) tensions(k, 0) = cycle->states()[static_cast<std::size_t>(k)].tension;
   Eigen::MatrixXd sampled(samples, 1);
@@ -327,18 +285,6 @@ void FullCycle::FindPressures(std::size_t damper, const Eigen::VectorXcd& extens
   transform_->ToHarmonics(sampled, of_samples);
   CycleTransform::Shared(transform_->harmonics(), static_cast<int>(steps)).ToHarmonics(tensions, of_steps);
   tension_aliases_.col(port) = of_samples - of_steps;
-}
-
-/// A series damper pulls on s with its spring in the multibody system, with its dashpot in the linear vehicle; what the
-/// two differ by is lacking on x. What stands for a hydraulic damper on x is linear in both, and lacks nothing.
-Eigen::VectorXd FullCycle::Lacking(const Chart::Motion& motion, const Eigen::VectorXd& derivative) {
-  const Eigen::VectorXd residual = multibody_.Residual(derivative);
-  const Eigen::VectorXd missing = residual.segment(motion.q.size(), series_directions_.cols());
-  Eigen::VectorXd lacking = Eigen::VectorXd::Zero(lacking_.cols());
-  lacking.head(chart_.size()) =
-      motion.tangent.transpose() * residual.head(motion.q.size()) - series_directions_ * missing;
-  for (std::size_t j = 0; j < series_.size(); ++j) lacking[series_[j]] = missing[static_cast<Eigen::Index>(j)];
-  return lacking;
 }
 
 /// Of the harmonics 0, 1, .. to the highest, by amplitude.

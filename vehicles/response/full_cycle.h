@@ -5,11 +5,11 @@
 #include <Eigen/Core>
 
 #include "vehicles/condensed/condensed_model.h"
-#include "vehicles/loops/chart.h"
+#include "vehicles/condensed/lacking_forces.h"
 #include "vehicles/multibody/multibody.h"
+#include "vehicles/response/contact_cycle.h"
 #include "vehicles/response/cycle_transform.h"
 #include "vehicles/response/full_balance_options.h"
-#include "vehicles/response/linearised_cycle.h"
 #include "vehicles/response/response_recorder.h"
 
 namespace fourpost {
@@ -48,26 +48,22 @@ class FullCycle {
   /// At each sample, what the pressures of the hydraulic dampers are. Throws std::runtime_error where they have none.
   void FindPressures(const Eigen::MatrixXd& position);
   void FindPressures(std::size_t damper, const Eigen::VectorXcd& extension);
-  Eigen::VectorXd States(const Eigen::RowVectorXd& coordinates, const Eigen::RowVectorXd& pressures) const;
-  Eigen::VectorXd Lacking(const Chart::Motion& motion, const Eigen::VectorXd& derivative);
   Eigen::VectorXcd Rates(Eigen::Index highest) const;
+  LinearisedCycle& cycle() { return contact_.cycle(); }
+  const LinearisedCycle& cycle() const { return contact_.cycle(); }
 
   Multibody& multibody_;
   const std::vector<double>& shape_;
   const FullBalanceOptions& options_;
-  Chart chart_;
-  LinearisedCycle linearised_;
+  LackingForces full_;
+  ContactCycle contact_;
   Sampling fine_;
   /// Where that will do.
   Sampling coarse_;
   /// By the sampling taken.
   const CycleTransform* transform_ = nullptr;
-  /// Indices in [s x] of the extensions that are states of the multibody system: those of series dampers.
-  std::vector<Eigen::Index> series_;
-  /// Of the series dampers, n x their number.
-  Eigen::MatrixXd series_directions_;
-  /// Of the hydraulic dampers, as indices in the ports.
-  std::vector<std::size_t> hydraulics_;
+  /// Of s.
+  Eigen::Index coordinates_ = 0;
   /// See EnergyWeights.
   Eigen::VectorXd stiffness_;
   Eigen::VectorXd mass_;

@@ -2,7 +2,7 @@
 
 #include "analysis/option_check.h"
 #include "vehicles/laws/count_check.h"
-#include "vehicles/response/linearised_cycle.h"
+#include "vehicles/response/contact_cycle.h"
 #include "vehicles/response/response_recorder.h"
 
 namespace fourpost {
@@ -20,14 +20,14 @@ PeriodicResponse SolveHarmonicBalance(const CondensedModel& model, const std::ve
   excitation.Validate(static_cast<std::size_t>(model.post_stiffness.cols()));
   RequireCount("SolveHarmonicBalance", "sensors of the model", static_cast<std::size_t>(model.on_position.rows()),
                sensors.size());
-  LinearisedCycle cycle(model, excitation.shape, options);
+  ContactCycle cycle(model, excitation.shape, options);
   ResponseRecorder recorder(sensors, excitation);
   PeriodicResponse out;
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
     options.deadline.Check();
     if (!cycle.Solve(excitation.frequency_Hz[i], excitation.amplitude_m[i]))
       out.unconverged_Hz.push_back(excitation.frequency_Hz[i]);
-    recorder.Record(i, cycle.Sensors());
+    recorder.Record(i, cycle.cycle().Sensors());
   }
   out.response = recorder.Take();
   return out;

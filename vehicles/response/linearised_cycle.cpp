@@ -29,11 +29,11 @@ bool HasSteps(const std::vector<Port>& ports) {
 }  // namespace
 
 LinearisedCycle::LinearisedCycle(const CondensedModel& model, const std::vector<double>& shape,
-                                 const HarmonicBalanceOptions& options)
+                                 const HarmonicBalanceOptions& options, std::vector<Port> ports)
     : model_(model),
       shape_(Eigen::Map<const Eigen::VectorXd>(shape.data(), static_cast<Eigen::Index>(shape.size()))),
       options_(options),
-      ports_(PortsOf(model)),
+      ports_(std::move(ports)),
       receptance_(model, ports_, shape),
       has_memory_(std::any_of(ports_.begin(), ports_.end(), [](const Port& port) { return UsesExtension(port.law); })),
       has_steps_(HasSteps(ports_)),
@@ -50,14 +50,14 @@ LinearisedCycle::LinearisedCycle(const CondensedModel& model, const std::vector<
   acceleration_norm_ = norm(model.on_acceleration);
 }
 
-bool LinearisedCycle::Solve(double frequency_Hz, double amplitude_m) {
+bool LinearisedCycle::Solve(double frequency_Hz, double amplitude_m, const Eigen::MatrixXcd& start) {
   omega_ = 2 * std::numbers::pi * frequency_Hz;
   NoteUnits();
   iterations_ = 0;
   SetAmplitude(amplitude_m);
   // From less, and where the motion of less has come to its end, from more.
   solved_before_ =
-      TrySolve() ||
+      TrySolve(start) ||
       (!ports_.empty() && (SolveByWayOf({0.1, 0.2, 0.35, 0.5, 0.7, 0.85}) || SolveByWayOf({4, 3, 2, 1.5, 1.2})));
   return solved_before_;
 }
@@ -93,9 +93,10 @@ bool LinearisedCycle::SolveWith(const Eigen::MatrixXcd& added) {
 }
 
 /// From few harmonics to as many as the error needs.
-bool LinearisedCycle::TrySolve() {
+bool LinearisedCycle::TrySolve(const Eigen::MatrixXcd& given) {
   Eigen::MatrixXcd start = driven_;
-  if (has_memory_ && solved_before_) start = cycle().extension();
+  if (given.size() > 0) start = given;
+  else if (has_memory_ && solved_before_) start = cycle().extension();
   // Two below what the last frequency needed, so that fewer may do again.
   std::size_t level = level_ > 2 ? level_ - 2 : 0;
   if (ports_.empty()) return SolveLevel(level, start, options_.tolerance);

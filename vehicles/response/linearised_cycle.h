@@ -16,12 +16,15 @@ namespace fourpost {
 /// frequency to the next. Harmonics are those of y(t) = Re sum_h Y_h exp(i h w t).
 class LinearisedCycle {
  public:
-  /// `shape`: of the posts, see Excitation. The model must outlive this object.
-  LinearisedCycle(const CondensedModel& model, const std::vector<double>& shape, const HarmonicBalanceOptions& options);
+  /// `shape`: of the posts, see Excitation. `ports`: PortsOf() the model, or HeldPortsOf() it, with tyres that pull.
+  /// The model must outlive this object.
+  LinearisedCycle(const CondensedModel& model, const std::vector<double>& shape, const HarmonicBalanceOptions& options,
+                  std::vector<Port> ports);
 
   /// Whether the iteration converged and more harmonics would change nothing that matters. A vehicle whose springs or
-  /// tyres are not linear may have several answers: the one next to the frequency before is taken.
-  bool Solve(double frequency_Hz, double amplitude_m);
+  /// tyres are not linear may have several answers: the one next to the frequency before is taken, or with `start` the
+  /// one next to these harmonics of the ports' extensions.
+  bool Solve(double frequency_Hz, double amplitude_m, const Eigen::MatrixXcd& start = {});
 
   /// Solves again from the last solution, with as many harmonics, under more forces: `added` has the harmonics of the
   /// motion [s x] that they would cause in the linear vehicle, (any number) x size. Whether it converged.
@@ -35,6 +38,8 @@ class LinearisedCycle {
   SensorHarmonics SensorsBy(const Eigen::MatrixXcd& remainder) const;
   /// (H + 1) x size: small motion s and extensions x of the series springs, see LinearVehicle.
   Eigen::MatrixXcd Coordinates(int harmonics) const;
+  /// One harmonic of these.
+  Eigen::VectorXcd CoordinatesOf(int h) const;
   /// (H + 1) x ports: harmonics of the ports' extensions.
   const Eigen::MatrixXcd& extension() const { return cycle().extension(); }
   /// (H + 1) x ports: harmonics of the ports' remainders, and what a transform of other samples would find them; zero
@@ -47,6 +52,10 @@ class LinearisedCycle {
   /// Its ports.
   const PortCycle& cycle() const { return *levels_[level_]; }
   double omega() const { return omega_; }
+  /// Of the posts.
+  const Eigen::VectorXd& shape() const { return shape_; }
+  double amplitude_m() const { return amplitude_; }
+  const Receptance& receptance() const { return receptance_; }
   const LinearVehicle& vehicle() const { return receptance_.vehicle(); }
   /// Of the ports, size x ports.
   const Eigen::MatrixXd& directions() const { return receptance_.directions(); }
@@ -62,11 +71,9 @@ class LinearisedCycle {
 
  private:
   bool SolveLevel(std::size_t level, const Eigen::MatrixXcd& start, double tolerance);
-  bool TrySolve();
+  bool TrySolve(const Eigen::MatrixXcd& given = {});
   bool SolveByWayOf(const std::vector<double>& shares);
   void SetAmplitude(double amplitude_m);
-  /// [s x] of one harmonic.
-  Eigen::VectorXcd CoordinatesOf(int h) const;
   /// What the sensors read of motions [s x] in columns, each at its frequency w; the posts' own apart.
   Eigen::MatrixXcd ReadingsOf(const Eigen::RowVectorXd& w, const Eigen::MatrixXcd& coordinates) const;
   void NoteUnits();

@@ -8,6 +8,7 @@
 
 #include "vehicles/condensed/port.h"
 #include "vehicles/response/march.h"
+#include "vehicles/response/tyre_pull.h"
 #include "vehicles/simulation/condensed_system.h"
 
 namespace fourpost {
@@ -15,6 +16,8 @@ namespace {
 
 constexpr double kOther = 0.05;
 constexpr double kNode = 0.03;
+/// Of a tyre's static load.
+constexpr double kNear = 0.25;
 
 std::optional<FrequencyResponse> FromRest(CondensedSystem& system, const Excitation& excitation) {
   try {
@@ -34,18 +37,31 @@ double LargestGain(const ChannelResponse& channel) {
 
 }  // namespace
 
-bool MayHaveSeveralMotions(const CondensedModel& model) {
-  const std::vector<Port> ports = PortsOf(model);
-  return std::any_of(ports.begin(), ports.end(), [](const Port& port) { return UsesExtension(port.law); });
+std::vector<bool> MayHaveSeveralMotions(const CondensedModel& model, const Excitation& excitation,
+                                        const HarmonicBalanceOptions& options) {
+  const std::vector<Port> ports = HeldPortsOf(model);
+  const std::size_t count = excitation.frequency_Hz.size();
+  if (std::any_of(ports.begin(), ports.end(), [](const Port& port) { return UsesExtension(port.law); }))
+    return std::vector<bool>(count, true);
+  std::vector<bool> several(count, false);
+  if (model.liftoffs.empty()) return several;
+  const Eigen::MatrixXd least = LeastTyreForces(model, model.liftoffs, excitation, options);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < model.liftoffs.size(); ++k)
+      if (least(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) < kNear * model.liftoffs[k].preload)
+        several[i] = true;
+  return several;
 }
 
 std::vector<OtherMotion> OtherMotionsFromRest(const CondensedModel& model, const Vehicle& vehicle,
-                                              const Excitation& excitation, const FrequencyResponse& found,
+                                              const Excitation& excitation, const std::vector<bool>& looked_at,
+                                              const FrequencyResponse& found,
                                               const std::function<void(std::size_t done)>& progress) {
   CondensedSystem system(model, RigViewOf(vehicle));
   std::vector<OtherMotion> others;
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
     if (progress) progress(i);
+    if (!looked_at[i]) continue;
     const Excitation one{{excitation.frequency_Hz[i]}, {excitation.amplitude_m[i]}, excitation.shape};
     const std::optional<FrequencyResponse> run = FromRest(system, one);
     if (!run) continue;

@@ -4,10 +4,10 @@
 
 #include <Eigen/Core>
 
+#include "analysis/anderson_acceleration.h"
 #include "analysis/deadline.h"
 #include "vehicles/condensed/port.h"
 #include "vehicles/condensed/receptance.h"
-#include "vehicles/response/anderson_acceleration.h"
 #include "vehicles/response/cycle_transform.h"
 
 namespace fourpost {

@@ -15,6 +15,8 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
 
+#include "analysis/text_file.h"
+
 namespace fourpost {
 namespace {
 
@@ -23,16 +25,33 @@ using Eigen::Index;
 constexpr std::size_t kMostTriangles = 2'000'000;
 constexpr std::size_t kLargestFile_MiB = 64;
 
-/// Files on disk, the mesh's own and those that it refers to, unless they are too large.
+/// Whether following `file`, links too, leads into the folder or one below it.
+bool IsWithin(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(file);
+  return std::mismatch(folder.begin(), folder.end(), whole.begin(), whole.end()).first == folder.end();
+}
+
+/// Files on disk, the mesh's own and those beside it that it refers to, unless they are too large.
 class SmallFiles : public Assimp::DefaultIOSystem {
  public:
+  explicit SmallFiles(const std::filesystem::path& mesh)
+      : mesh_(mesh.string()), folder_(std::filesystem::weakly_canonical(mesh.parent_path())) {}
+
   Assimp::IOStream* Open(const char* file, const char* mode) override {
+    // A mesh that came from elsewhere must not carry other files of this machine into a report.
+    if (file != mesh_ && !IsWithin(folder_, file))
+      throw std::runtime_error("it refers to the file " + std::string(file) +
+                               " outside its folder; put that beside the mesh");
     Assimp::IOStream* stream = DefaultIOSystem::Open(file, mode);
     if (!stream || stream->FileSize() <= kLargestFile_MiB << 20) return stream;
     Close(stream);
     throw std::runtime_error("file " + std::string(file) + " is larger than " + std::to_string(kLargestFile_MiB) +
                              " MiB");
   }
+
+ private:
+  std::string mesh_;
+  std::filesystem::path folder_;
 };
 
 Eigen::Vector3d ToEigen(const aiVector3D& v) {
@@ -64,9 +83,9 @@ void CheckPart(const aiMesh& part) {
 
 /// The file's scene, all polygons split into triangles.
 const aiScene& ReadScene(const std::filesystem::path& file, Assimp::Importer& importer) {
-  importer.SetIOHandler(new SmallFiles);  // the importer owns it
+  importer.SetIOHandler(new SmallFiles(std::filesystem::absolute(file)));  // the importer owns it
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  const aiScene* scene = importer.ReadFile(file.string(), 0);
+  const aiScene* scene = importer.ReadFile(std::filesystem::absolute(file).string(), 0);
   if (!scene) RethrowFault(importer);
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) CheckPart(*scene->mMeshes[i]);
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
@@ -148,6 +167,7 @@ void CheckFormat(const std::filesystem::path& file) {
 
 Mesh ReadAnyMesh(const std::filesystem::path& file) {
   CheckFormat(file);
+  if (const std::string reason = WhyNoFile(file); !reason.empty()) throw std::runtime_error(reason);
   Assimp::Importer importer;
   const aiScene& scene = ReadScene(file, importer);
   MeshBuilder builder;

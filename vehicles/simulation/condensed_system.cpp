@@ -7,6 +7,7 @@
 
 #include "analysis/option_check.h"
 #include "vehicles/laws/count_check.h"
+#include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/condensed_stepper.h"
 
 namespace fourpost {
@@ -39,11 +40,11 @@ void CondensedSystem::Run(const PostMotion& posts, double start, double step, co
     const double t = start + static_cast<double>(k) * step;
     stepper.Read(readings);
     if (stepper.unsolved_steps() > 0)
-      throw std::runtime_error("the forces of the vehicle's elements were not found at t = " + std::to_string(t) +
-                               " s; take a shorter step, or less motion if a hydraulic damper's piston meets its end");
+      throw SimulationError("the forces of the vehicle's elements were not found at t = " + std::to_string(t) +
+                            " s; take a shorter step, or less motion if a hydraulic damper's piston meets its end");
     // So written that it is true for NaN.
     if (!(stepper.state().norm() < kFarthest))
-      throw std::runtime_error("the motion grows beyond all bounds before t = " + std::to_string(t) + " s");
+      throw SimulationError("the motion grows beyond all bounds before t = " + std::to_string(t) + " s");
     sink(t, readings);
     if (done()) return;
     for (long part = 1; part <= parts; ++part) {

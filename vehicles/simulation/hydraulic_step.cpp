@@ -29,6 +29,11 @@ double HydraulicStep::Remainder(double extension, double lag) {
   return now_.tension - share_.stiffness * extension - share_.series * lag;
 }
 
+std::array<double, 2> HydraulicStep::PressuresAboveRest() const {
+  const std::array<double, 2> rest = oil_.Rest().pressures;
+  return {now_.pressures[0] - rest[0], now_.pressures[1] - rest[1]};
+}
+
 void HydraulicStep::Advance() {
   earlier_ = last_;
   last_ = now_.surplus - oil_.law().damper.annulus_area * extension_;

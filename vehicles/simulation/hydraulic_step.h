@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "vehicles/condensed/port.h"
 
 namespace fourpost {
@@ -19,6 +21,9 @@ class HydraulicStep {
 
   /// At the end of the step, if it comes to these [N]. NaN where a chamber closes.
   double Remainder(double extension, double lag);
+
+  /// What was evaluated last, of the rebound and the compression chamber [Pa].
+  std::array<double, 2> PressuresAboveRest() const;
 
   /// Derivatives there.
   double ByExtension() const { return by_extension_; }

@@ -15,10 +15,9 @@ constexpr double kTolerance = 1e-11;
 constexpr int kMostIterations = 60;
 constexpr int kMostHalvings = 12;
 
-/// Gauss with row pivoting, in place: `matrix` is used up, `right` becomes the solution. Of a handful of unknowns,
-/// where a general factorisation costs more than its arithmetic.
-void SolveInPlace(Eigen::MatrixXd& matrix, Eigen::VectorXd& right) {
-  const Eigen::Index n = right.size();
+/// Gauss with row pivoting, in place: of the first n rows and columns `matrix` is used up, `right` becomes the
+/// solution. Of a handful of unknowns, where a general factorisation costs more than its arithmetic.
+void SolveInPlace(Eigen::Index n, Eigen::MatrixXd& matrix, Eigen::VectorXd& right) {
   for (Eigen::Index k = 0; k < n; ++k) {
     Eigen::Index pivot = k;
     for (Eigen::Index i = k + 1; i < n; ++i)
@@ -70,25 +69,26 @@ void PortSolver::Rest() {
 
 double PortSolver::Evaluate(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate,
                             const Eigen::VectorXd& remainder) {
-  extension_ = extension;
-  extension_.noalias() += by_extension_ * remainder;
-  rate_ = rate;
-  rate_.noalias() += by_rate_ * remainder;
+  const auto acting = remainder.head(active_);
+  extension_.head(active_) = extension.head(active_);
+  extension_.head(active_).noalias() += by_extension_.topLeftCorner(active_, active_) * acting;
+  rate_.head(active_) = rate.head(active_);
+  rate_.head(active_).noalias() += by_rate_.topLeftCorner(active_, active_) * acting;
   double largest = 0;
-  for (Eigen::Index j = 0; j < remainder.size(); ++j) {
+  for (Eigen::Index j = 0; j < active_; ++j) {
     const auto port = static_cast<std::size_t>(j);
     if (hydraulics_[port]) law_[j] = hydraulics_[port]->Remainder(extension_[j], rate_[j]);
     else Remainders(laws_[port], One(extension_, j), One(rate_, j), {law_.data() + j, 1});
     residual_[j] = remainder[j] - law_[j];
     largest = std::max(largest, std::abs(residual_[j]));
   }
-  return residual_.allFinite() ? largest : std::numeric_limits<double>::quiet_NaN();
+  return residual_.head(active_).allFinite() ? largest : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// jacobian step = residual, jacobian = 1 - slopes compliance.
 void PortSolver::NewtonStep() {
   step_ = residual_;
-  for (Eigen::Index j = 0; j < step_.size(); ++j) {
+  for (Eigen::Index j = 0; j < active_; ++j) {
     double by_extension = 0;
     double by_rate = 0;
     const auto port = static_cast<std::size_t>(j);
@@ -98,34 +98,41 @@ void PortSolver::NewtonStep() {
     } else {
       RemainderSlopes(laws_[port], One(extension_, j), One(rate_, j), {&by_extension, 1}, {&by_rate, 1});
     }
-    jacobian_.row(j) = -by_extension * by_extension_.row(j) - by_rate * by_rate_.row(j);
+    jacobian_.row(j).head(active_) =
+        -by_extension * by_extension_.row(j).head(active_) - by_rate * by_rate_.row(j).head(active_);
     jacobian_(j, j) += 1;
   }
-  SolveInPlace(jacobian_, step_);
+  SolveInPlace(active_, jacobian_, step_);
 }
 
-bool PortSolver::Solve(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate, Eigen::VectorXd& remainder) {
+void PortSolver::Advance() {
+  for (std::optional<HydraulicStep>& hydraulic : hydraulics_)
+    if (hydraulic) hydraulic->Advance();
+}
+
+bool PortSolver::Solve(Eigen::Index count, const Eigen::VectorXd& extension, const Eigen::VectorXd& rate,
+                       Eigen::VectorXd& remainder) {
+  active_ = count;
+  remainder.tail(remainder.size() - count).setZero();
   double miss = Evaluate(extension, rate, remainder);
   for (int i = 0; i < kMostIterations; ++i) {
     // Of the forces so far, not of trials that went astray; and of one newton, for a vehicle at rest.
-    const double size = std::max({1.0, largest_, law_.size() > 0 ? law_.cwiseAbs().maxCoeff() : 0.0});
+    const double size = std::max({1.0, largest_, count > 0 ? law_.head(count).cwiseAbs().maxCoeff() : 0.0});
     if (miss <= kTolerance * size) {
       largest_ = size;
       // What the laws make of it, so that an exact law is met exactly.
-      remainder = law_;
-      for (std::optional<HydraulicStep>& hydraulic : hydraulics_)
-        if (hydraulic) hydraulic->Advance();
+      remainder.head(count) = law_.head(count);
       return true;
     }
     NewtonStep();
     double share = 1;
     double next = 0;
     for (int k = 0; k <= kMostHalvings; ++k, share /= 2) {
-      trial_ = remainder - share * step_;
+      trial_.head(count) = remainder.head(count) - share * step_.head(count);
       next = Evaluate(extension, rate, trial_);
       if (next < miss) break;
     }
-    remainder = trial_;
+    remainder.head(count) = trial_.head(count);
     miss = next;
     if (!std::isfinite(miss)) return false;
   }

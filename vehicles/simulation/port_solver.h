@@ -14,7 +14,7 @@ namespace fourpost {
 ///   r_j = R_j(e_j, e'_j),  e = extension + by_extension r,  e' = rate + by_rate r
 /// A hydraulic damper's has the place of e' for the extension x of the spring in its linear share, see HydraulicStep.
 /// by Newton's method on r - R, from where it was the time before, halving steps that lead away. Where laws have kinks
-/// it ends after some iterations in the right pieces. Keeps its memory: nothing is allocated after construction.
+/// it ends after some iterations in the right pieces. Keeps its memory: solving allocates nothing.
 class PortSolver {
  public:
   /// `step_s`: by which ports with memory go on from one solution to the next.
@@ -23,12 +23,22 @@ class PortSolver {
   /// Ports with memory have been at rest ever since.
   void Rest();
 
-  /// ports x ports: what remainders do to extensions [m/N] and to rates [m/s/N].
+  /// ports x ports, or of the first ones alone: what remainders do to extensions [m/N] and to rates [m/s/N].
   void SetCompliance(const Eigen::MatrixXd& by_extension, const Eigen::MatrixXd& by_rate);
 
-  /// Whether it converged; `remainder` holds the start and becomes the solution, or the best iterate. Then ports with
-  /// memory are a step further.
-  bool Solve(const Eigen::VectorXd& extension, const Eigen::VectorXd& rate, Eigen::VectorXd& remainder);
+  /// Of the first `count` ports; the remainders of the others are zero. Whether it converged; `remainder` holds the
+  /// start and becomes the solution, or the best iterate.
+  bool Solve(Eigen::Index count, const Eigen::VectorXd& extension, const Eigen::VectorXd& rate,
+             Eigen::VectorXd& remainder);
+
+  /// Ports with memory take the last solution for the end of their step.
+  void Advance();
+
+  /// Of each port, if it has one.
+  using Memory = std::vector<std::optional<HydraulicStep>>;
+  const Memory& memory() const { return hydraulics_; }
+  /// Goes back to what ports remembered at another step's start.
+  void Remember(const Memory& memory) { hydraulics_ = memory; }
 
  private:
   /// Residual at `remainder`; its largest entry, NaN where a law has no answer.
@@ -36,8 +46,10 @@ class PortSolver {
   void NewtonStep();
 
   std::vector<PortLaw> laws_;
+  /// How many are being solved for.
+  Eigen::Index active_ = 0;
   /// Of each port, if it is a hydraulic damper's.
-  std::vector<std::optional<HydraulicStep>> hydraulics_;
+  Memory hydraulics_;
   Eigen::MatrixXd by_extension_;
   Eigen::MatrixXd by_rate_;
   Eigen::VectorXd extension_;

@@ -20,12 +20,13 @@ Eigen::ArrayXd RootMeanSquares(const Eigen::MatrixXd& columns) {
   return (columns.colwise().squaredNorm().transpose().array() / static_cast<double>(columns.rows())).sqrt();
 }
 
-/// Each sensor's size, a tenth of the loudest of its kind at least.
-Eigen::ArrayXd Sizes(const Eigen::ArrayXd& size, const std::vector<Sensor>& sensors) {
+/// Each sensor's size, a tenth of the loudest of its kind at least, and of one unit per metre of the posts' rms: a kind
+/// may be silent as a whole, as a roll rate is in heave.
+Eigen::ArrayXd Sizes(const Eigen::ArrayXd& size, double post_rms, const std::vector<Sensor>& sensors) {
   constexpr double kFaint = 0.1;
   // Both are lengths.
   const auto kind = [](Sensor::Type type) { return type == Sensor::Type::kStrut ? Sensor::Type::kDisplacement : type; };
-  Eigen::ArrayXd sizes = size;
+  Eigen::ArrayXd sizes = size.max(kFaint * post_rms);
   for (Index i = 0; i < size.size(); ++i)
     for (Index j = 0; j < size.size(); ++j)
       if (kind(sensors[static_cast<std::size_t>(i)].type) == kind(sensors[static_cast<std::size_t>(j)].type))
@@ -78,10 +79,11 @@ TimeHistory Simulate(TimeSystem& system, const PostMotion& posts, const TimeGrid
   return history;
 }
 
-Eigen::ArrayXd Differences(const TimeHistory& history, const TimeHistory& reference,
-                           const std::vector<Sensor>& sensors) {
+Eigen::ArrayXd RelativeDifferences(const TimeHistory& history, const TimeHistory& reference,
+                                   const std::vector<Sensor>& sensors) {
+  const double posts = reference.posts.size() == 0 ? 0 : RootMeanSquares(reference.posts).maxCoeff();
   const Eigen::ArrayXd difference = RootMeanSquares(history.readings - reference.readings);
-  const Eigen::ArrayXd size = Sizes(RootMeanSquares(reference.readings), sensors);
+  const Eigen::ArrayXd size = Sizes(RootMeanSquares(reference.readings), posts, sensors);
   // No difference of nothing.
   return (difference == 0).select(0, difference / size);
 }
@@ -95,6 +97,15 @@ void CondensedHistoryOptions::Validate() const {
 
 CondensedHistory SimulateCondensed(const CondensedModel& model, const RigView& rig, const PostMotion& posts,
                                    const TimeGrid& grid, const CondensedHistoryOptions& options, const GoOn& go_on) {
+  const auto run = [&](double longest_step, const GoOn& goes_on) {
+    CondensedSystem system(model, rig, longest_step);
+    return Simulate(system, posts, grid, goes_on);
+  };
+  return SimulateByHalving(run, rig.sensors, grid, options, go_on);
+}
+
+CondensedHistory SimulateByHalving(const HistoryRun& run, const std::vector<Sensor>& sensors, const TimeGrid& grid,
+                                   const CondensedHistoryOptions& options, const GoOn& go_on) {
   options.Validate();
   grid.Validate();
   bool ended = false;
@@ -102,17 +113,13 @@ CondensedHistory SimulateCondensed(const CondensedModel& model, const RigView& r
     ended = go_on && !go_on(t);
     return !ended;
   };
-  const auto run = [&](double longest_step) {
-    CondensedSystem system(model, rig, longest_step);
-    return Simulate(system, posts, grid, watched);
-  };
   const double parts = std::ceil(1 / (grid.rate_Hz * options.longest_step_s));
   CondensedHistory out{.step_s = 1 / (grid.rate_Hz * parts), .change = std::numeric_limits<double>::infinity()};
   std::optional<TimeHistory> before;
   for (int i = 0; i <= options.most_halvings; ++i, out.step_s /= 2) {
     std::optional<TimeHistory> now;
     try {
-      now = run(out.step_s * (1 + 1e-9));
+      now = run(out.step_s * (1 + 1e-9), watched);
     } catch (const std::runtime_error&) {
       // A stop may want a shorter step; what grows at the shortest grows by itself.
       if (i == options.most_halvings) throw;
@@ -124,7 +131,7 @@ CondensedHistory SimulateCondensed(const CondensedModel& model, const RigView& r
       return out;
     }
     if (before && now) {
-      const Eigen::ArrayXd differences = Differences(*before, *now, rig.sensors);
+      const Eigen::ArrayXd differences = RelativeDifferences(*before, *now, sensors);
       out.change = differences.size() == 0 ? 0 : differences.maxCoeff();
       if (out.change <= options.error || i == options.most_halvings) {
         out.history = std::move(*now);

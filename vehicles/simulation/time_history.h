@@ -52,13 +52,14 @@ using GoOn = std::function<bool(double t)>;
 TimeHistory Simulate(TimeSystem& system, const PostMotion& posts, const TimeGrid& grid, const GoOn& go_on = {});
 
 /// Root mean square difference of each sensor of two histories, as a share of its root mean square in the second; of
-/// that of a tenth of the loudest sensor of its unit where that is more.
-Eigen::ArrayXd Differences(const TimeHistory& history, const TimeHistory& reference,
-                           const std::vector<Sensor>& sensors);
+/// that of a tenth of the loudest sensor of its unit where that is more, or of a tenth of a unit per metre of what the
+/// post that moves most does.
+Eigen::ArrayXd RelativeDifferences(const TimeHistory& history, const TimeHistory& reference,
+                                   const std::vector<Sensor>& sensors);
 
 struct CondensedHistoryOptions {
-  /// Halves the step until that changes no sensor by more than this, see Differences(). The error left is about a
-  /// third.
+  /// Halves the step until that changes no sensor by more than this, see RelativeDifferences(). The error left is about
+  /// a third.
   double error = 1e-3;
   /// The first step; one of the grid where that is shorter [s].
   double longest_step_s = 2e-3;
@@ -79,6 +80,14 @@ struct CondensedHistory {
   /// Ended from outside: the last whole history, with its step and change; without one what there is of the first.
   bool ended = false;
 };
+
+/// Runs a history by steps none longer than this; hears whether to go on.
+using HistoryRun = std::function<TimeHistory(double longest_step_s, const GoOn& go_on)>;
+
+/// A history to a stated error, by halving its step. Throws as `run` does, where that is so at the shortest step as
+/// well.
+CondensedHistory SimulateByHalving(const HistoryRun& run, const std::vector<Sensor>& sensors, const TimeGrid& grid,
+                                   const CondensedHistoryOptions& options = {}, const GoOn& go_on = {});
 
 /// The history of a condensed or closed-form model to a stated error. Throws as Simulate() does, where that is so at
 /// the shortest step as well.

@@ -91,7 +91,8 @@ std::vector<TagRule> MakeParameterTags() {
                       {.name = "value", .kind = Kind::kQuantity, .doc = "the number, with the unit it is shown in"},
                       Bound("lower", "least value of a search"),
                       Bound("upper", "greatest value of a search"),
-                      Bound("precision", "step of a search, above zero and at most upper - lower"),
+                      Bound("precision",
+                            "step of a search, above zero, at most upper - lower and at least a 2^53rd of it"),
                       {.name = "prior_sd",
                        .kind = Kind::kQuantity,
                        .required = false,
@@ -398,11 +399,11 @@ std::vector<TagRule> MakeTyreTags() {
             {.name = "liftoff",
              .kind = Kind::kChoice,
              .required = false,
-             .fallback = "false",
+             .fallback = "true",
              .doc =
                  "`true`: the vertical force never pulls, while lateral and longitudinal ones stay as they are, on a "
-                 "lifted tyre too; `false`: it may, as in a linear model",
-             .choices = {"false", "true"}}}},
+                 "lifted tyre too; `false`: it may, as in a linear model, and commands warn where it does",
+             .choices = {"true", "false"}}}},
       {.path = "fp:post",
        .doc =
            "A hydraulic post that drives the platform under a tyre; one a tyre at most. A study moves posts by their "

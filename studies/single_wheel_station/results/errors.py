@@ -28,9 +28,8 @@ def main():
         result = json.loads((run / "result.json").read_text())
         for recording, engine in (("sweep_12mm", "condensed"), ("sweep_12mm", "full"), ("sweep_7mm", "condensed")):
             told = json.loads(answer(program, "predict", run, "--recording", f"{recording}.csv", "--json", *(
-                ["--engine", "full"] if engine == "full" else [])))
-            key = "full_nmse_percent" if engine == "full" else "nmse_percent"
-            errors = {channel["name"]: channel[key] for channel in told["channels"]}
+                ["--engine", "reduced" if engine == "condensed" else engine])))
+            errors = {channel["name"]: channel["nmse_percent"] for channel in told["channels"]}
             print(study, recording, engine, result["evaluations"]["paid"], f"{result['cost']:.5g}",
                   *(f"{errors[channel]:.3g}" for channel in CHANNELS), sep=",", flush=True)
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "analysis/report/report_document.h"
+#include "analysis/sha256.h"
 
 namespace fourpost {
 namespace {
@@ -18,6 +19,8 @@ TEST(Html, EscapesText) {
   EXPECT_EQ(html::Escaped(std::string("a\x01\tb\nc")), "a  b\nc");
   EXPECT_EQ(html::TextCell("<i>").html, "&lt;i&gt;");
 }
+
+TEST(Html, IsValidUtf8WhateverTheText) { EXPECT_EQ(html::Escaped("Sto\xDF <"), "Sto\uFFFD &lt;"); }
 
 TEST(Html, JsonCannotEndItsElement) {
   EXPECT_EQ(html::ScriptJson(R"({"a":"</script><!--&"})"), R"({"a":"\u003c/script\u003e\u003c!--\u0026"})");
@@ -40,6 +43,11 @@ TEST(ReportDocument, HoldsAllItNeedsAndFetchesNothing) {
   EXPECT_THAT(page, StartsWith("<!doctype html>"));
   EXPECT_THAT(page, HasSubstr("<title>&lt;/script&gt;"));
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  // The script is named by its digest, so that no other one runs.
+  const std::size_t script = page.find("<script>") + 8;
+  Sha256 digest;
+  digest.AddBytes(std::string_view(page).substr(script, page.rfind("</script>") - script));
+  EXPECT_THAT(page, HasSubstr("; script-src 'sha256-" + digest.Base64() + "';"));
   EXPECT_THAT(page, HasSubstr("id=\"data\">{\"name\":\"\\u003c/script\\u003e\"}</script>"));
   // The scripts' licences and the style.
   EXPECT_THAT(page, HasSubstr("three.js authors"));

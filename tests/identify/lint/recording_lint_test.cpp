@@ -14,6 +14,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 std::string Lint(const LoadedStudy& study) {
   Diagnostics diagnostics;
@@ -96,6 +97,19 @@ TEST(RecordingLint, TellsWhatSetsTheScaleWithoutForces) {
     if (parameter.dimension == kMass) parameter.prior_sd = 1;
   }
   EXPECT_EQ(Lint(study), "");
+}
+
+// A mass that turns nothing and moves nothing sets no scale.
+TEST(RecordingLint, NamesOnlyWhatSetsTheScale) {
+  LoadedStudy study = WithoutForces("model2");
+  const auto hold = [&](const std::string& name) {
+    std::erase_if(study.free, [&](std::size_t i) { return study.vehicle.parameters[i].name == name; });
+  };
+  hold("m_sprung");
+  Parameter idle = study.vehicle.parameters[0];
+  idle.name = "m_idle";
+  study.vehicle.parameters.push_back(idle);
+  EXPECT_THAT(Lint(study), AllOf(HasSubstr("rests on what is held (m_sprung)"), Not(HasSubstr("m_idle"))));
 }
 
 TEST(RecordingLint, TellsOfAScaleThatIsOff) {

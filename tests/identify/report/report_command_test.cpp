@@ -66,7 +66,7 @@ TEST_F(ReportCommandLine, SaysWhatItNeeds) {
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("is not that of a fit"));
   temporary_.Write("empty/result.json", "{");
-  EXPECT_THAT(Run("report empty").err, HasSubstr("is no JSON; fit again"));
+  EXPECT_THAT(Run("report empty").err, HasSubstr("is no JSON that `fourpost fit` wrote; fit again"));
 }
 
 TEST_F(ReportCommandLine, ComparesRuns) {

@@ -156,6 +156,35 @@ TEST(Summary, DoesNotCallDeterminedWhatABoundHolds) {
                     HasSubstr("<code>k</code> is at the bound, which holds it there, not the data")));
 }
 
+TEST(Summary, IsPoorWhereTheModelDoesNotExplainItsData) {
+  Json result = Good();
+  result["verdict"] = {{"explains_data", false}, {"reasons", {"channel 'a' has an NMSE of 240 %"}}};
+  EXPECT_THAT(
+      SummaryHtml(result, Known(), {}),
+      AllOf(HasSubstr("class=\"verdict poor\""),
+            HasSubstr("<strong>This model does not explain these data:</strong> channel &#39;a&#39; has an NMSE"),
+            Not(HasSubstr("The fit converged"))));
+  result["verdict"] = {{"explains_data", true}, {"reasons", Json::array()}};
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("class=\"verdict good\""), HasSubstr("The fit converged")));
+}
+
+TEST(Summary, SaysWhichDerivativesAreNoise) {
+  std::vector<ReportedParameter> parameters = Known();
+  parameters[1].state = ParameterState::kNoise;
+  parameters[1].sd = NAN;
+  EXPECT_THAT(SummaryHtml(Good(), parameters, {}),
+              AllOf(HasSubstr("Derivative is noise: <code>k</code>; residuals jump between neighbouring values"),
+                    HasSubstr("1 of 2 parameters are determined"), Not(HasSubstr("the data do not tell"))));
+}
+
+TEST(Summary, SaysWhatWasLeftOutOfTheValidation) {
+  Json result = Good();
+  result["validation_left_out"] = {{{"recording", "fast"}, {"reason", "is clipped"}}};
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              HasSubstr("Left out of the validation: <code>fast</code> (is clipped)."));
+}
+
 TEST(Summary, TellsWhatIsOpenAndWhatToMeasure) {
   Json result = Good();
   result["identifiability"]["rank"] = 1;

@@ -44,7 +44,22 @@ TEST(ParameterTable, DoesNotCallDeterminedWhatABoundHolds) {
   EXPECT_THAT(ParameterTableHtml({held}, ""), AllOf(HasSubstr("held by its bound"), Not(HasSubstr("well determined")),
                                                     HasSubstr("class=\"interval below\"")));
   held.sd = HUGE_VAL;
-  EXPECT_THAT(ParameterTableHtml({held}, ""), HasSubstr("not determined, at its bound"));
+  EXPECT_THAT(ParameterTableHtml({held}, ""), HasSubstr("not determined, at its lower bound"));
+}
+
+TEST(ParameterTable, SaysWhyAParameterHasNoDeviation) {
+  ReportedParameter held = Known();
+  held.value = held.upper;
+  held.at_bound = true;
+  held.state = ParameterState::kAtBound;
+  held.sd = held.lower_95 = held.upper_95 = NAN;
+  EXPECT_THAT(ParameterTableHtml({held}, ""),
+              AllOf(HasSubstr("held by its upper bound"), HasSubstr(">sd"), Not(HasSubstr("at its upper bound")),
+                    Not(HasSubstr("not determined")), Not(HasSubstr("\u00b1"))));
+  held.at_bound = false;
+  held.state = ParameterState::kNoise;
+  EXPECT_THAT(ParameterTableHtml({held}, ""),
+              AllOf(HasSubstr("derivative is noise"), Not(HasSubstr("determined")), Not(HasSubstr("\u00b1"))));
 }
 
 TEST(ParameterTable, HasNoColumnsOfDeviationsThatNothingTells) {

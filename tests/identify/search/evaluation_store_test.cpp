@@ -1,6 +1,7 @@
 #include "identify/search/evaluation_store.h"
 
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include <atomic>
 #include <chrono>
@@ -184,8 +185,60 @@ TEST_F(EvaluationStoreTest, LeavesAnotherProgramsDatabaseAsItIs) {
 
 TEST_F(EvaluationStoreTest, RefusesALayoutThatItDoesNotKnow) {
   { const EvaluationStore store(file_, kContext); }
-  Database(file_, SQLITE_OPEN_READWRITE).Execute("PRAGMA user_version = 2");
-  EXPECT_THAT(OutputErrorOf(file_), HasSubstr("not the layout that this program knows"));
+  Database(file_, SQLITE_OPEN_READWRITE).Execute("PRAGMA user_version = 3");
+  EXPECT_THAT(OutputErrorOf(file_), HasSubstr("its layout is 3, this version of fourpost knows up to 2"));
+}
+
+TEST_F(EvaluationStoreTest, KeepsWhatVersion010Stored) {
+  EvaluationContext old = kContext;
+  old.version = "0.1.0";
+  EvaluationStore(file_, old).Put(At(1), Residuals({1}));
+  Database(file_, SQLITE_OPEN_READWRITE)
+      .Execute("ALTER TABLE evaluation DROP COLUMN checksum; PRAGMA user_version = 1");
+  EXPECT_THAT(ChangedParts(file_, kContext), ElementsAre("version"));
+  EvaluationStore(file_, kContext).Put(At(1), Residuals({2}));
+  EXPECT_EQ(EvaluationStore(file_, kContext).Find(At(1))->residuals[0], 2);
+  EXPECT_EQ(ReadStoredContent(file_).evaluations, 2);
+}
+
+TEST_F(EvaluationStoreTest, EvaluatesAnewWhatIsDamaged) {
+  const std::string damages[] = {"residuals = x'00000000000000400000000000000040'",
+                                 "residuals = x'0000'",
+                                 "residuals = NULL",
+                                 "residuals = x'000000000000F87F0000000000000040'",
+                                 "failure = 'exception'",
+                                 "checksum = NULL",
+                                 "parameters = x'000000000000F03F'"};
+  for (const std::string& damage : damages) {
+    SCOPED_TRACE(damage);
+    std::filesystem::remove_all(file_.parent_path());
+    EvaluationStore(file_, kContext).Put(At(2), Residuals({1, 2}));
+    Database(file_, SQLITE_OPEN_READWRITE).Execute(("UPDATE evaluation SET " + damage).c_str());
+    EvaluationStore store(file_, kContext);
+    const double value = damage.starts_with("parameters") ? 1 : 2;
+    const auto evaluate = [] { return Residuals({1, 2}); };
+    EXPECT_FALSE(store.FindOrEvaluate(At(value), evaluate).was_stored);
+    EXPECT_EQ(store.damaged(), 1u);
+    const EvaluationStore::Answer again = store.FindOrEvaluate(At(value), evaluate);
+    EXPECT_TRUE(again.was_stored);
+    EXPECT_THAT(again.evaluation.residuals, ElementsAre(1, 2));
+    EXPECT_EQ(store.damaged(), 1u);
+  }
+}
+
+TEST_F(EvaluationStoreTest, EvaluatesAnewAFailureThatIsDamaged) {
+  EvaluationStore(file_, kContext).Put(At(2), Infeasible(0.5, "no vehicle"));
+  Database(file_, SQLITE_OPEN_READWRITE).Execute("UPDATE evaluation SET violation = 0.25");
+  EvaluationStore store(file_, kContext);
+  EXPECT_FALSE(store.Find(At(2)));
+  EXPECT_EQ(store.damaged(), 1u);
+}
+
+TEST_F(EvaluationStoreTest, IsNoPipe) {
+  const std::filesystem::path pipe = folder_.path() / "archive.sqlite";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(OutputErrorOf(pipe), HasSubstr("archive.sqlite: it is a pipe or a device, no archive of evaluations"));
+  EXPECT_THROW(ChangedParts(pipe, kContext), OutputError);
 }
 
 TEST_F(EvaluationStoreTest, ThreadsThatAskAtOncePayOnce) {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -111,7 +112,20 @@ TEST(RecordingCheck, TellsAWrongSign) {
 TEST(RecordingCheck, SuspectsTwoWrongSigns) {
   TimeRecording recording = Good();
   for (std::vector<double>& channel : recording.channels) Apply(channel, [](double value) { return -value; });
-  EXPECT_THAT(WarningOf(recording), HasSubstr("warning: takes 2.53 times as much work in compression as in rebound"));
+  EXPECT_THAT(WarningOf(recording),
+              HasSubstr("warning: resists compression harder than rebound, by a factor of 2.5 in work"));
+}
+
+// Neither gas nor the load cell's offset does net work over a cycle.
+TEST(RecordingCheck, TakesNoGasAndNoOffsetForAHardCompression) {
+  for (const auto& [gas_N, offset_N] : {std::pair(300.0, 0.0), {0.0, -300.0}, {0.0, 300.0}}) {
+    TimeRecording recording = Good();
+    for (std::size_t k = 0; k < recording.channels[0].size(); ++k)
+      recording.channels[1][k] += offset_N - gas_N * std::pow(0.1 / (0.1 + recording.channels[0][k]), 1.2);
+    EXPECT_EQ(WarningOf(recording), "") << gas_N << ' ' << offset_N;
+    for (std::vector<double>& channel : recording.channels) Apply(channel, [](double value) { return -value; });
+    EXPECT_THAT(WarningOf(recording), HasSubstr("resists compression harder than rebound")) << gas_N << ' ' << offset_N;
+  }
 }
 
 TEST(RecordingCheck, TellsMillimetresForMetres) {

@@ -36,7 +36,7 @@ FullCar LopsidedCar() {
 /// Central differences of the acceleration by one of its arguments. It is linear in each, a bilinear damper that passes
 /// through rest at its mean rate: any step serves, and a large one loses fewest digits.
 template <typename F>
-Eigen::MatrixXd Differences(int size, F acceleration) {
+Eigen::MatrixXd RelativeDifferences(int size, F acceleration) {
   Eigen::MatrixXd matrix(7, size);
   for (int j = 0; j < size; ++j) {
     const Eigen::VectorXd step = Eigen::VectorXd::Unit(size, j);
@@ -55,15 +55,17 @@ TEST(FullCar, ModelHasTheDerivativesOfTheAcceleration) {
   const CondensedModel model = car.Model();
   const Vector7d rest = Vector7d::Zero();
   const Eigen::Vector4d level = Eigen::Vector4d::Zero();
-  ExpectEqual(model.mass * Differences(7, [&](const Vector7d& q) { return car.Acceleration(q, rest, level); }),
+  ExpectEqual(model.mass * RelativeDifferences(7, [&](const Vector7d& q) { return car.Acceleration(q, rest, level); }),
               -model.stiffness);
   Eigen::MatrixXd damping = model.damping;
   for (const CondensedModel::Dashpot& dashpot : model.dashpots)
     damping += dashpot.law.MeanRate() * dashpot.direction * dashpot.direction.transpose();
-  ExpectEqual(model.mass * Differences(7, [&](const Vector7d& rate) { return car.Acceleration(rest, rate, level); }),
-              -damping);
-  ExpectEqual(model.mass * Differences(4, [&](const Eigen::Vector4d& z) { return car.Acceleration(rest, rest, z); }),
-              model.post_stiffness);
+  ExpectEqual(
+      model.mass * RelativeDifferences(7, [&](const Vector7d& rate) { return car.Acceleration(rest, rate, level); }),
+      -damping);
+  ExpectEqual(
+      model.mass * RelativeDifferences(4, [&](const Eigen::Vector4d& z) { return car.Acceleration(rest, rest, z); }),
+      model.post_stiffness);
 }
 
 TEST(FullCar, DampersTellBumpFromRebound) {

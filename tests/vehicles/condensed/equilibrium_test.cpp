@@ -1,9 +1,12 @@
 #include "vehicles/condensed/equilibrium.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 #include <gmock/gmock.h>
 
+#include "analysis/units.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/loops/design_kinematics.h"
@@ -254,8 +257,26 @@ TEST(Equilibrium, TellsWhatAFreeLengthWouldHaveToMake) {
   Vehicle vehicle = WithHelper({.stiffness = {10e3}, .cubic = {}, .knees = {}});
   vehicle.springs.erase(vehicle.springs.begin());
   EXPECT_THAT(Fault(vehicle), HasSubstr("the preload of fp:spring 'helper' by its free length, -500 N, is not "
-                                        "balanced, -1961.33 N would be; correct that length, or leave a spring or tyre "
-                                        "that acts beside it to equilibrium"));
+                                        "balanced, -1961.33 N would be; write free_length=\""));
+}
+
+// What it says to write is balanced, of a law that bends too.
+TEST(Equilibrium, StatesTheFreeLengthThatIsBalanced) {
+  SpringDescription full{.stiffness = {10e3}, .cubic = {1e6}, .knees = {}};
+  full.knees.push_back({.side = 1, .at = {0.02}, .rate = {15e3}, .cubic = {}});
+  for (const SpringDescription& law : {SpringDescription{.stiffness = {10e3}, .cubic = {}, .knees = {}}, full}) {
+    Vehicle vehicle = WithHelper(law);
+    vehicle.springs.erase(vehicle.springs.begin());
+    const std::string fault = Fault(vehicle);
+    const std::string start = "write free_length=\"";
+    const std::size_t at = fault.find(start);
+    ASSERT_NE(at, std::string::npos) << fault;
+    const std::string length = fault.substr(at + start.size(), fault.find('"', at + start.size()) - at - start.size());
+    const std::optional<Quantity> quantity = ParseQuantity(length);
+    ASSERT_TRUE(quantity) << length;
+    vehicle.springs[0].free_length = Scalar{quantity->si};
+    EXPECT_EQ(Fault(vehicle), "");
+  }
 }
 
 // The thesis's Model 3 with its body 50 mm to the left: each axle takes the roll moment by its stiffness, coils and
@@ -312,9 +333,9 @@ TEST(Equilibrium, LeavesOutWhatIsBalancedByItself) {
   };
   const auto link = [](const char* name, const Eigen::RowVector2d& heave) {
     LinkMotion motion{.name = name,
-                                        .mass = 1,
-                                        .com_jacobian = Eigen::MatrixXd::Zero(3, 2),
-                                        .spin_jacobian = Eigen::MatrixXd::Zero(3, 2)};
+                      .mass = 1,
+                      .com_jacobian = Eigen::MatrixXd::Zero(3, 2),
+                      .spin_jacobian = Eigen::MatrixXd::Zero(3, 2)};
     motion.com_jacobian.row(2) = heave;
     return motion;
   };

@@ -206,7 +206,13 @@ TEST(Port, HasNoRemainderWhereAHydraulicDampersChamberCloses) {
 
 CondensedModel ModelOf(const Vehicle& vehicle) { return CondensedVehicle(vehicle).At(vehicle.ParameterValues()); }
 
-TEST(Port, ALinearVehicleHasNone) { EXPECT_TRUE(PortsOf(ModelOf(ShippedVehicle("quarter_car"))).empty()); }
+TEST(Port, ALinearVehicleHasOnlyThoseOfTyresThatLiftOff) {
+  Vehicle vehicle = ShippedVehicle("quarter_car");
+  EXPECT_EQ(PortsOf(ModelOf(vehicle)).size(), 1u);
+  EXPECT_TRUE(HeldPortsOf(ModelOf(vehicle)).empty());
+  vehicle.tyres[0].lifts_off = false;
+  EXPECT_TRUE(PortsOf(ModelOf(vehicle)).empty());
+}
 
 TEST(Port, EveryElementThatIsNotLinearHasOne) {
   Vehicle vehicle = ElementCar();
@@ -217,7 +223,11 @@ TEST(Port, EveryElementThatIsNotLinearHasOne) {
   for (const Port& port : ports) {
     ++count[port.law.index()];
     EXPECT_GT(port.direction.norm(), 0);
-    if (port.liftoff < 0) continue;
+    if (port.liftoff < 0) {
+      // Those of tyres come last.
+      EXPECT_EQ(count[2], 0u);
+      continue;
+    }
     EXPECT_EQ(port.post, model.liftoffs[static_cast<std::size_t>(port.liftoff)].post);
   }
   std::size_t dashpots = 0;

@@ -58,6 +58,32 @@ TEST_F(VehicleLintTest, LetsParametersOfBothSidesDifferByHalf) {
   ExpectWarning(text("660 N*s/m"), R"(<fp:damper name="damper_right")", "compression rate of fp:damper 'damper_right'");
 }
 
+/// The axle with a table for each damper.
+std::string WithTables(const std::string& left, const std::string& right) {
+  const std::string text =
+      Replaced(kAxle, R"(<bilinear compression="1000 N*s/m" rebound="2000 N*s/m"/>)", "<table>" + left + "</table>");
+  return Replaced(text, R"(<bilinear compression="999 N*s/m" rebound="2000 N*s/m"/>)", "<table>" + right + "</table>");
+}
+
+/// From -0.4 to 0.4 m/s.
+std::string Points(double rebound_factor) {
+  std::string points;
+  for (int i = -8; i <= 8; ++i)
+    points += "<point speed=\"" + std::to_string(0.05 * i) + " m/s\" force=\"" +
+              std::to_string(i * (i > 0 ? rebound_factor : 1) * 60) + " N\"/>";
+  return points;
+}
+
+// Each point is compared with its own partner, not with every other one.
+TEST_F(VehicleLintTest, LetsTablesOfBothSidesBeTheSame) { Look(WithTables(Points(2), Points(2))); }
+
+TEST_F(VehicleLintTest, TellsOnceOfTablesThatDiffer) {
+  const std::string text = WithTables(Points(2), Points(2.5));
+  Look(text);
+  ExpectWarning(text, R"(<fp:damper name="damper_right")",
+                "force in the table of fp:damper 'damper_right' is 150 N, that of fp:damper 'damper_left'");
+}
+
 TEST_F(VehicleLintTest, TellsOfABarWithBothLinesOnOneSide) {
   const std::string text = Replaced(kAxle, R"(<right parent="body" child="wheel_right"/>)",
                                     R"(<right parent="top_left" child="wheel_left"/>)");

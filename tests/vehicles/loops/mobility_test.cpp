@@ -170,6 +170,29 @@ TEST_F(MobilityTest, OfAWishboneSuspensionClosedWithABall) {
   EXPECT_THAT(mobility.redundant, ElementsAre("fp:ball 'upper_joint' (1 of 3)"));
 }
 
+/// A trailing rod of this length, level, so far above the axle.
+std::string Trailing(const std::string& name, double y, double length, double above) {
+  const auto at = [y](double x, double z) {
+    return " " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z);
+  };
+  return Closed("rod", name, "chassis" + at(-length, above - 0.45), "axle" + at(0, above));
+}
+
+// What urdf/README.md says of rods: an axle has six freedoms, wants two of them, and each rod takes one.
+TEST_F(MobilityTest, OfABeamAxleIsSixLessItsRods) {
+  const std::string two = Trailing("left", 0.4, 0.6, -0.15) + Trailing("right", -0.4, 0.6, -0.15);
+  const std::string third = Trailing("top", 0, 0.5, 0.15);
+  const int chassis = 6;
+  EXPECT_EQ(Of(BeamAxle(two + kLevelPanhard)).dof, chassis + 3);
+  EXPECT_EQ(Of(BeamAxle(two + third + kLevelPanhard)).dof, chassis + 2);
+  const std::string above = Trailing("top_left", 0.35, 0.5, 0.15) + Trailing("top_right", -0.35, 0.5, 0.15);
+  EXPECT_THAT(LockOf(BeamAxle(two + above + kLevelPanhard)), HasSubstr("roll of link 'axle'"));
+  EXPECT_NE(LockOf(BeamAxle(two + above + Panhard("0 0.4 -0.3"))), "");
+  const std::string converging = Closed("rod", "top_left", "chassis -0.5 0.1 -0.3", "axle 0 0.35 0.15") +
+                                 Closed("rod", "top_right", "chassis -0.5 -0.1 -0.3", "axle 0 -0.35 0.15");
+  EXPECT_EQ(Of(BeamAxle(two + converging)).dof, chassis + 2);
+}
+
 /// A double wishbone on the left (1) or right (-1) with a second rod, which takes the wheel's travel away.
 std::string LockedWishbone(const std::string& name, int side) {
   const auto at = [side](const std::string& x, double y, const std::string& z) {

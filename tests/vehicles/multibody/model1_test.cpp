@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kVehicles = 20;
 
-Vehicle Model1() { return ShippedVehicle("landrover110_model1"); }
+Vehicle Model1() { return WithLinearTyres(ShippedVehicle("landrover110_model1")); }
 
 /// Thesis 5.1-5.14 with the parameters of the vehicle, both sides together.
 HalfCar HalfCarOf(const Vehicle& vehicle) {

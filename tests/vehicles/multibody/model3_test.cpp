@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kVehicles = 20;
 
-Vehicle Model3() { return ShippedVehicle("landrover110_model3"); }
+Vehicle Model3() { return WithLinearTyres(ShippedVehicle("landrover110_model3")); }
 
 /// Lateral offset of a link's centre of mass [m].
 double Offset(const Vehicle& vehicle, const std::string& name) {

@@ -287,7 +287,7 @@ TEST_F(ElementReader, HasTheDefaultsOfTheReference) {
   EXPECT_EQ(top.HydraulicAt(vehicle->ParameterValues()).friction, 0);
   const Tyre& rear = vehicle->tyres.at(2);
   EXPECT_EQ(rear.longitudinal.value, 0);
-  EXPECT_FALSE(rear.lifts_off);
+  EXPECT_TRUE(rear.lifts_off);
   EXPECT_EQ(vehicle->bushings.at(3).stiffness[2].value, 0);
   EXPECT_FALSE(vehicle->bushings.at(3).holds);
   EXPECT_EQ(vehicle->dampers.at(2).law.friction->speed.value, 0.002);

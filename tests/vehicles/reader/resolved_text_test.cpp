@@ -46,7 +46,7 @@ TEST_F(Resolved, FillsInWhatIsLeftOutAndNothingElse) {
   fill(R"(<series stiffness="800 N/mm")", R"( cubic="0 N/m^3")");
   fill(R"(damping="50 N*s/m" preload="2 kN")",
        R"( radius="0 m" lateral="0 N/m" longitudinal="0 N/m" lateral_damping="0 N*s/m" )"
-       R"(longitudinal_damping="0 N*s/m" liftoff="false")");
+       R"(longitudinal_damping="0 N*s/m" liftoff="true")");
   fill(R"(type="accelerometer" link="body" xyz="1 0 0")", R"( axis="0 0 1")");
   fill(R"(type="load_cell" tyre="tyre")", R"( wheelpan="0 kg")");
   const std::string note = "<!-- fourpost check, resolved: defaults of fp: tags are filled in. -->";

@@ -122,8 +122,9 @@ TEST(FullBalance, TellsWhereItDidNotConverge) {
 // Ten metres at 30 Hz turn the links over many times.
 TEST(FullBalance, SurvivesAMotionThatNoVehicleFollows) {
   Prepared prepared(ShippedVehicle("landrover110_linkage"));
+  // 10 km.
   const PeriodicResponse balanced = prepared.Full({{1.2, 30}, {1e4, 10}, {1, -1}});
-  EXPECT_THAT(balanced.unconverged_Hz, testing::Contains(30));
+  EXPECT_THAT(balanced.unconverged_Hz, testing::Contains(1.2));
   for (const ChannelResponse& channel : balanced.response.channels)
     for (const Complex value : channel.response) EXPECT_TRUE(std::isfinite(std::abs(value))) << channel.name;
 }
@@ -167,7 +168,7 @@ TEST(FullBalance, TakesMoreSamplesWhereTheyCount) {
 
 // Next to the resonance of roll its acceleration leads nowhere from rest.
 TEST(FullBalance, ComesFromSmallerAmplitudesToLargeOnes) {
-  Prepared prepared(ShippedVehicle("landrover110"));
+  Prepared prepared(WithLinearTyres(ShippedVehicle("landrover110")));
   const Excitation excitation = RollOfTheCar(1.57, 0.0117);
   const PeriodicResponse with_short_memory = prepared.Full(excitation, {.history = 8});
   const PeriodicResponse with_long_memory = prepared.Full(excitation);

@@ -99,7 +99,7 @@ TEST(HarmonicBalance, EndsAtItsDeadline) {
   EXPECT_THROW(SolveHarmonicBalance(model, vehicle.sensors, endless, {.deadline = Deadline::In(0.01)}), TimedOut);
   EXPECT_NO_THROW(SolveHarmonicBalance(model, vehicle.sensors, {{1.2}, {0.01}, {1}}, {.deadline = Deadline::In(60)}));
   // Within one frequency, too.
-  LinearisedCycle cycle(model, {1}, {.deadline = Deadline::In(1e-9)});
+  LinearisedCycle cycle(model, {1}, {.deadline = Deadline::In(1e-9)}, PortsOf(model));
   EXPECT_THROW(cycle.Solve(1.2, 0.01), TimedOut);
 }
 

@@ -188,7 +188,8 @@ double Asymmetry(const Vehicle& vehicle, const std::vector<double>& shape, doubl
 TEST_P(BothCars, AreAlikeOnBothSidesButForThePanhardRod) {
   // Second derivatives of lengths are good to 1e-11 of the stiffness; resonances and sums over poles make more of it.
   constexpr double kDifferences = 1e-9;
-  const Vehicle alike = WithoutPanhardRod(vehicle_);
+  // The posts' amplitudes lift wheels in roll, and a motion with such kinks is known less well.
+  const Vehicle alike = WithLinearTyres(WithoutPanhardRod(vehicle_));
   EXPECT_LT(Asymmetry(alike, kBounce, 1), kDifferences);
   EXPECT_LT(Asymmetry(alike, kRoll, -1), kDifferences);
   EXPECT_GT(Asymmetry(vehicle_, kBounce, 1), 0.01);

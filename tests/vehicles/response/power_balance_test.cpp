@@ -99,7 +99,7 @@ double Dissipation(const Prepared& prepared, const std::vector<double>& shape, d
                    double amplitude_m) {
   const CondensedModel& model = prepared.model;
   const HarmonicBalanceOptions options;
-  LinearisedCycle cycle(model, shape, options);
+  LinearisedCycle cycle(model, shape, options, PortsOf(model));
   EXPECT_TRUE(cycle.Solve(frequency_Hz, amplitude_m));
   const double omega = 2 * std::numbers::pi * frequency_Hz;
   const Eigen::MatrixXcd rates = RatesOf(cycle.Coordinates(cycle.harmonics()), omega);

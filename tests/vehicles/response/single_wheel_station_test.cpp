@@ -38,7 +38,7 @@ TEST(SingleWheelStation, HasTheModesOfTheThesis) {
 TEST(SingleWheelStation, AcceleratesAsTheClosedForm) {
   Draw draw;
   for (int i = 0; i < 20; ++i) {
-    const Vehicle vehicle = draw.Parameters(Station());
+    const Vehicle vehicle = draw.Parameters(WithLinearTyres(Station()));
     const QuarterCar car = {.sprung_mass = ValueOf(vehicle, "m_sprung"),
                             .unsprung_mass = ValueOf(vehicle, "m_unsprung"),
                             .stiffness = ValueOf(vehicle, "k"),

@@ -153,6 +153,20 @@ TEST_F(ChangedBlock, IsRefusedWithoutItsBuffer) {
   ExpectRefused("buffer.gltf", Replace(Text("block.gltf"), "block.bin", "none.bin"), "none.bin");
 }
 
+TEST_F(ChangedBlock, IsRefusedWithABufferOutsideItsFolder) {
+  std::filesystem::create_directory(folder_.path() / "car");
+  std::filesystem::create_symlink("../block.bin", folder_.path() / "car/link.bin");
+  for (const char* buffer : {"../block.bin", "link.bin"}) {
+    const std::filesystem::path mesh = Write("car/block.gltf", Replace(Text("block.gltf"), "block.bin", buffer));
+    EXPECT_THAT([&] { ReadMesh(mesh); }, ThrowsMessage<std::runtime_error>(AllOf(
+                                             HasSubstr("outside its folder"), HasSubstr("put that beside the mesh"))));
+  }
+  std::filesystem::create_directory(folder_.path() / "parts");
+  std::filesystem::copy_file(kBlocks / "block.bin", folder_.path() / "parts/block.bin");
+  EXPECT_EQ(ReadMesh(Write("below.gltf", Replace(Text("block.gltf"), "block.bin", "parts/block.bin"))).triangles.cols(),
+            12);
+}
+
 TEST_F(ChangedBlock, IsRefusedCutShort) {
   ExpectRefused("short.stl", Text("block_binary.stl").substr(0, 600), "cannot be read");
 }

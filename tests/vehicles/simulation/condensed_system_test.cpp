@@ -2,8 +2,11 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -88,6 +91,36 @@ TEST(CondensedSystem, MarchesAVehicleFileAsItsBalanceHasIt) {
   const PeriodicResponse balanced = SolveHarmonicBalance(model, vehicle.sensors, excitation, {.error = 2e-5});
   ASSERT_TRUE(balanced.unconverged_Hz.empty());
   EXPECT_LT(LargestDifference(marched.response, balanced.response), kNode);
+}
+
+/// On posts that move by a sine of this amplitude.
+std::vector<double> HistoryOf(const Vehicle& vehicle, double amplitude_m) {
+  const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
+  CondensedSystem system(model, RigViewOf(vehicle), 5e-4);
+  std::vector<double> out;
+  const double w = 2 * std::numbers::pi * 3;
+  system.Run(
+      [&](double t, std::span<PostState> posts) {
+        for (PostState& post : posts)
+          post = {amplitude_m * (1 - std::cos(w * t)), amplitude_m * w * std::sin(w * t),
+                  amplitude_m * w * w * std::cos(w * t)};
+      },
+      0, 0.005, [&](double, const Eigen::VectorXd& y) { out.insert(out.end(), y.begin(), y.end()); },
+      [&] { return out.size() >= 200 * vehicle.sensors.size(); });
+  return out;
+}
+
+// To the last bit: while no tyre pulls, its port takes no part.
+TEST(CondensedSystem, TakesTyresThatPressForLinearOnes) {
+  for (const char* name : {"quarter_car", "landrover110_linkage", "landrover110_model3", "single_wheel_station"}) {
+    const auto history = [&](bool lift_off, double amplitude_m) {
+      Vehicle vehicle = ShippedVehicle(name);
+      for (Tyre& tyre : vehicle.tyres) tyre.lifts_off = lift_off;
+      return HistoryOf(vehicle, amplitude_m);
+    };
+    EXPECT_EQ(history(true, 0.001), history(false, 0.001)) << name;
+    EXPECT_NE(history(true, 0.05), history(false, 0.05)) << name;
+  }
 }
 
 // The full system at motions so small that its kinematics are linear.

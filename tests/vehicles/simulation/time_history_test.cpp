@@ -100,7 +100,7 @@ TEST(CondensedHistory, MeetsItsErrorAndSaysBySteps) {
   const CondensedHistory rough = SimulateCondensed(model, rig, HalfCarPosts, grid, {.error = 1e-3});
   EXPECT_LE(rough.change, 1e-3);
   EXPECT_GT(rough.step_s, 4 * exact.step_s);
-  const double error = Differences(rough.history, exact.history, rig.sensors).maxCoeff();
+  const double error = RelativeDifferences(rough.history, exact.history, rig.sensors).maxCoeff();
   EXPECT_LT(error, rough.change);
   EXPECT_GT(error, rough.change / 10);
 }
@@ -145,7 +145,7 @@ TEST(TimeHistory, OfBothEnginesAgreeOnTheLinkageCar) {
   EXPECT_LE(condensed.change, 1e-3);
   MultibodySystem system(car.multibody, 1e-7);
   const TimeHistory full = Simulate(system, posts, grid);
-  const Eigen::ArrayXd differences = Differences(condensed.history, full, rig.sensors);
+  const Eigen::ArrayXd differences = RelativeDifferences(condensed.history, full, rig.sensors);
   // 0.075 dB and 0.36 degrees are 1.1 %, promised for responses at the rig's amplitudes.
   EXPECT_LT(differences.maxCoeff(), 0.02);
   EXPECT_GT(differences.maxCoeff(), 1e-5);
@@ -161,7 +161,7 @@ double DifferenceOfEngines(const Vehicle& vehicle, double rms_m = 0.001) {
   const CondensedHistory condensed = SimulateCondensed(car.model, rig, posts, grid);
   EXPECT_LE(condensed.change, 1e-3);
   MultibodySystem system(car.multibody, 1e-6);
-  return Differences(condensed.history, Simulate(system, posts, grid), rig.sensors).maxCoeff();
+  return RelativeDifferences(condensed.history, Simulate(system, posts, grid), rig.sensors).maxCoeff();
 }
 
 // Of one mass on another on one line there is no kinematics to differ by: the integrators' 0.1 % remain.

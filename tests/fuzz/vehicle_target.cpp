@@ -1,11 +1,9 @@
-#include "tests/fuzz/vehicle_fuzzer.h"
-
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "tests/fuzz/fuzz_target.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/lint/vehicle_lint.h"
 #include "vehicles/loops/mobility.h"
@@ -25,10 +23,6 @@ constexpr std::size_t kMostLinksToCheck = 12;
 
 /// Stands nowhere; beside it stand the shipped vehicles, whose meshes are found from there.
 std::filesystem::path File() { return std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf/fuzz.urdf"; }
-
-void Require(bool condition, const std::string& claim, const std::string& details = "") {
-  if (!condition) throw std::logic_error("not so: " + claim + (details.empty() ? "" : "\n" + details));
-}
 
 /// Nothing must be refused without a word, or read with an error.
 std::optional<Vehicle> Read(const std::string& text, Diagnostics& diagnostics) {
@@ -95,15 +89,14 @@ void CheckModel(const Vehicle& vehicle) {
 }
 
 }  // namespace
-}  // namespace fourpost
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  fourpost::Diagnostics diagnostics;
-  const std::string text(reinterpret_cast<const char*>(data), size);
-  const std::optional<fourpost::Vehicle> vehicle = fourpost::Read(text, diagnostics);
-  if (!vehicle) return 0;
-  fourpost::CheckText(*vehicle);
-  fourpost::CheckResolvedText(*vehicle);
-  if (fourpost::IsSmall(*vehicle)) fourpost::CheckModel(*vehicle);
-  return 0;
+void FuzzVehicle(const std::string& bytes) {
+  Diagnostics diagnostics;
+  const std::optional<Vehicle> vehicle = Read(bytes, diagnostics);
+  if (!vehicle) return;
+  CheckText(*vehicle);
+  CheckResolvedText(*vehicle);
+  if (IsSmall(*vehicle)) CheckModel(*vehicle);
 }
+
+}  // namespace fourpost

@@ -1,4 +1,4 @@
-#include "vehicles/response/steady_response.h"
+#include "vehicles/engine/steady_response.h"
 
 #include <cmath>
 #include <numbers>
@@ -21,13 +21,13 @@ TEST(SteadyResponse, OfLinearKinematicsIsTheLinearisedOne) {
   const Excitation excitation{{1, 5, 15}, {0.01, 0.005, 0.001}, {1}};
   SteadySolver solver(vehicle);
   const SteadyResponse answer = solver.Solve(excitation, Engine::kAuto);
-  EXPECT_EQ(answer.engine, Engine::kLinearised);
-  EXPECT_THAT(answer.engine_at, Each(Engine::kLinearised));
+  EXPECT_EQ(answer.engine, Engine::kReduced);
+  EXPECT_THAT(answer.engine_at, Each(Engine::kReduced));
   ASSERT_TRUE(answer.kinematics_error);
   EXPECT_FALSE(answer.kinematics_error->IsVisible());
   EXPECT_THAT(answer.unanswered, IsEmpty());
   EXPECT_EQ(answer.response.channels[0].response,
-            solver.Solve(excitation, Engine::kLinearised).response.channels[0].response);
+            solver.Solve(excitation, Engine::kReduced).response.channels[0].response);
 }
 
 // Arms of the linkage car turn by so much in a motion of 40 mm that their radius counts.
@@ -52,7 +52,7 @@ TEST(SteadyResponse, MarchesWhereTheBalanceDoesNotConverge) {
   SteadySolver solver(vehicle);
   std::vector<std::string> heard;
   const SteadyResponse answer =
-      solver.Solve(excitation, Engine::kLinearised, {.error = 1e-15, .most_harmonics = 9, .max_iterations = 1},
+      solver.Solve(excitation, Engine::kReduced, {.error = 1e-15, .most_harmonics = 9, .max_iterations = 1},
                    [&](const SteadySolver::Stage& stage) {
                      const std::string text = std::string(stage.work) + ": " + std::to_string(stage.done) + " of " +
                                               std::to_string(stage.total);
@@ -93,13 +93,28 @@ Vehicle HoppingCar() {
   return vehicle;
 }
 
+TEST(SteadyResponse, RunsNothingFromRestWhereTyresStayWellOnTheGround) {
+  const Vehicle vehicle = HoppingCar();
+  const auto runs = [&](double amplitude) {
+    bool any = false;
+    SteadySolver(vehicle).Solve({{2, 25}, {amplitude, amplitude}, {1}}, Engine::kReduced, {},
+                                [&](const SteadySolver::Stage& stage) {
+                                  any = any || stage.work == std::string("from rest");
+                                  return true;
+                                });
+    return any;
+  };
+  EXPECT_FALSE(runs(0.001));
+  EXPECT_TRUE(runs(0.01));
+}
+
 // A wheel that leaves the ground takes every other cycle; the balance, which knows of whole cycles only, does not.
 TEST(SteadyResponse, WarnsWhereTheMotionFromRestIsAnother) {
   const Vehicle vehicle = HoppingCar();
   const auto others = [&](Engine engine, double amplitude) {
     return SteadySolver(vehicle).Solve({{25}, {amplitude}, {1}}, engine).other_motions;
   };
-  for (const Engine engine : {Engine::kAuto, Engine::kLinearised}) {
+  for (const Engine engine : {Engine::kAuto, Engine::kReduced}) {
     const std::vector<OtherMotion> found = others(engine, 0.01);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].frequency_Hz, 25);

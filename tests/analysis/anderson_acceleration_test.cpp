@@ -1,4 +1,4 @@
-#include "vehicles/response/anderson_acceleration.h"
+#include "analysis/anderson_acceleration.h"
 
 #include <Eigen/LU>
 

@@ -1,4 +1,4 @@
-#include "vehicles/response/steady_response.h"
+#include "vehicles/engine/steady_response.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,16 +57,6 @@ struct Ended {};
 constexpr const char* kInterrupted = "interrupted before";
 
 }  // namespace
-
-const char* EngineName(Engine engine) {
-  switch (engine) {
-    case Engine::kAuto: return "auto";
-    case Engine::kLinearised: return "linearised";
-    case Engine::kFull: return "full";
-    case Engine::kMarch: return "march";
-  }
-  return "";
-}
 
 KinematicsError CompareKinematics(const FrequencyResponse& linearised, const FrequencyResponse& full) {
   constexpr double kNode = 0.03;
@@ -130,11 +120,11 @@ SteadyResponse SteadySolver::Chosen(const Excitation& excitation, Engine engine,
   return out;
 }
 
-SteadyResponse SteadySolver::Checked(const Excitation& excitation, const HarmonicBalanceOptions& options,
-                                     const Progress& progress) {
+SteadyResponse SteadySolver::Check(const Excitation& excitation, const HarmonicBalanceOptions& options,
+                                   const Progress& progress) {
   Answer linearised = Linearised(excitation, options);
   const Answer full = Full(excitation, progress);
-  SteadyResponse out{.engine = Engine::kLinearised};
+  SteadyResponse out{.engine = Engine::kReduced};
   bool any = false;
   for (std::size_t i = 0; i < full.converged.size(); ++i) any = any || (full.converged[i] && linearised.converged[i]);
   if (any) out.kinematics_error = Compare(linearised, full);
@@ -157,8 +147,10 @@ SteadyResponse SteadySolver::Checked(const Excitation& excitation, const Harmoni
   return out;
 }
 
-void SteadySolver::FindOtherMotions(const Excitation& excitation, const Progress& progress, SteadyResponse& out) {
-  if (!MayHaveSeveralMotions(model_)) return;
+void SteadySolver::FindOtherMotions(const Excitation& excitation, const HarmonicBalanceOptions& options,
+                                    const Progress& progress, SteadyResponse& out) {
+  const std::vector<bool> several = MayHaveSeveralMotions(model_, excitation, options);
+  if (std::find(several.begin(), several.end(), true) == several.end()) return;
   const auto watch = [&](std::size_t done) {
     if (progress && !progress({"from rest", done, excitation.frequency_Hz.size()})) throw Ended();
   };
@@ -166,7 +158,7 @@ void SteadySolver::FindOtherMotions(const Excitation& excitation, const Progress
   for (std::size_t i = 0; i < out.engine_at.size(); ++i)
     if (out.engine_at[i] == Engine::kMarch) BlankFrequency(i, found);
   try {
-    out.other_motions = OtherMotionsFromRest(model_, vehicle_, excitation, found, watch);
+    out.other_motions = OtherMotionsFromRest(model_, vehicle_, excitation, several, found, watch);
   } catch (const Ended&) {
     // The answers are there; the march asks once more whether to go on.
   }
@@ -217,7 +209,7 @@ std::string SteadySolver::MarchOne(const Excitation& excitation, std::size_t ind
 SteadyResponse SteadySolver::Balanced(const Excitation& excitation, Engine engine,
                                       const HarmonicBalanceOptions& options, const Progress& progress) {
   const bool is_checked = engine == Engine::kAuto;
-  return is_checked ? Checked(excitation, options, progress) : Chosen(excitation, engine, options, progress);
+  return is_checked ? Check(excitation, options, progress) : Chosen(excitation, engine, options, progress);
 }
 
 SteadyResponse SteadySolver::Solve(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options,
@@ -226,7 +218,7 @@ SteadyResponse SteadySolver::Solve(const Excitation& excitation, Engine engine, 
   out.engine_at.assign(excitation.frequency_Hz.size(), engine);
   try {
     if (engine != Engine::kMarch) out = Balanced(excitation, engine, options, progress);
-    if (engine == Engine::kAuto || engine == Engine::kLinearised) FindOtherMotions(excitation, progress, out);
+    if (engine == Engine::kAuto || engine == Engine::kReduced) FindOtherMotions(excitation, options, progress, out);
   } catch (const Ended&) {
     for (std::size_t i = 0; i < out.engine_at.size(); ++i) {
       BlankFrequency(i, out.response);

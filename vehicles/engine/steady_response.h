@@ -9,27 +9,13 @@
 
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/engine/engine.h"
 #include "vehicles/multibody/multibody.h"
 #include "vehicles/response/excitation.h"
 #include "vehicles/response/harmonic_balance.h"
 #include "vehicles/response/motion_from_rest.h"
 
 namespace fourpost {
-
-/// How a periodic response is found.
-enum class Engine {
-  /// Linearised, checked by the full one, which answers where the two visibly differ.
-  kAuto,
-  /// Harmonic balance on kinematics linearised about static equilibrium: what the fit uses.
-  kLinearised,
-  /// Harmonic balance on the full multibody system.
-  kFull,
-  /// The full multibody system integrated to steady state: the reference.
-  kMarch,
-};
-
-/// "auto", "linearised", "full", "march".
-const char* EngineName(Engine engine);
 
 /// A difference of two answers, and where it is.
 struct LargestDifference {
@@ -46,9 +32,6 @@ struct KinematicsError {
   LargestDifference gain_dB;
   LargestDifference phase_deg;
 
-  /// What a rig's gains and phases repeat within, and what a plot shows.
-  static constexpr double kVisible_dB = 0.05;
-  static constexpr double kVisible_deg = 0.3;
   /// The larger of both differences over what is visible.
   double Size() const { return std::max(gain_dB.value / kVisible_dB, phase_deg.value / kVisible_deg); }
   bool IsVisible() const { return Size() > 1; }
@@ -67,7 +50,7 @@ struct SteadyResponse {
   /// NaN where no periodic motion was found.
   FrequencyResponse response;
   /// The one asked for, or of kAuto the one it chose; what it left to the march is told by engine_at.
-  Engine engine = Engine::kLinearised;
+  Engine engine = Engine::kReduced;
   /// One per frequency: a balance that does not converge leaves it to kMarch. The one that tried last where none did.
   std::vector<Engine> engine_at;
   std::vector<Unanswered> unanswered;
@@ -105,6 +88,11 @@ class SteadySolver {
   SteadyResponse Solve(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options = {},
                        const Progress& progress = {});
 
+  /// Of kAuto, without a look for other motions and without a march: what linear kinematics are off by. Throws as
+  /// Solve() does.
+  SteadyResponse Check(const Excitation& excitation, const HarmonicBalanceOptions& options = {},
+                       const Progress& progress = {});
+
  private:
   /// Answers and the frequencies that have none, by number.
   struct Answer {
@@ -119,8 +107,8 @@ class SteadySolver {
                           const Progress& progress);
   /// Over the frequencies at which both converged.
   static KinematicsError Compare(Answer linearised, const Answer& full);
-  SteadyResponse Checked(const Excitation& excitation, const HarmonicBalanceOptions& options, const Progress& progress);
-  void FindOtherMotions(const Excitation& excitation, const Progress& progress, SteadyResponse& response);
+  void FindOtherMotions(const Excitation& excitation, const HarmonicBalanceOptions& options, const Progress& progress,
+                        SteadyResponse& response);
   void MarchMissing(const Excitation& excitation, const Progress& progress, SteadyResponse& response);
   std::string MarchOne(const Excitation& excitation, std::size_t index, const std::function<bool()>& stop,
                        SteadyResponse& response);

@@ -1,0 +1,38 @@
+#include "identify/lint/tyre_pull_lint.h"
+
+#include <string>
+
+#include "identify/history_simulation.h"
+#include "identify/modelled_response.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/response/tyre_pull.h"
+
+namespace fourpost {
+namespace {
+
+std::string Quoted(const std::string& name) { return "'" + name + "'"; }
+
+}  // namespace
+
+void LintTyrePulls(const Vehicle& vehicle, std::span<const double> values, const std::vector<MeasuredRun>& runs,
+                   Diagnostics& diagnostics) {
+  for (const MeasuredRun& run : runs)
+    WarnOfPulls(vehicle, FindTyrePulls(vehicle, values, run.excitation, kFitBalance), "frequencies", Quoted(run.name),
+                diagnostics);
+}
+
+void LintTyrePulls(const Vehicle& vehicle, std::span<const double> values,
+                   const std::vector<MeasuredHistory>& histories, const std::vector<double>& steps_s,
+                   Diagnostics& diagnostics) {
+  Vehicle probed = vehicle;
+  probed.sensors = ForceSensors(vehicle, LinearTyres(vehicle));
+  if (probed.sensors.empty() || histories.empty()) return;
+  const CondensedModel model = CondensedVehicle(probed).At(values);
+  for (std::size_t h = 0; h < histories.size(); ++h) {
+    const Eigen::MatrixXd forces = HistorySimulation(histories[h], steps_s[h]).Readings(model);
+    WarnOfPulls(vehicle, FindTyrePulls(vehicle, model.preloads.tyre, forces), "samples", Quoted(histories[h].name),
+                diagnostics);
+  }
+}
+
+}  // namespace fourpost

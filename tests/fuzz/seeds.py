@@ -1,0 +1,203 @@
+"""Writes the files that the fuzzers begin with into corpus/, but for those of vehicles: python3 seeds.py"""
+import hashlib
+import json
+import math
+import pathlib
+import sqlite3
+import struct
+import zlib
+
+CORPUS = pathlib.Path(__file__).parent / "corpus"
+
+
+def write(name, content):
+    file = CORPUS / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+# MAT files of version 5 (MathWorks, "MAT-File Format"), and of version 4.
+
+def element(kind, content, order="<"):
+    return struct.pack(order + "II", kind, len(content)) + content + bytes(-len(content) % 8)
+
+
+def small(kind, content):
+    return struct.pack("<HH", kind, len(content)) + content.ljust(4, b"\0")
+
+
+def matrix(kind, dims, name, content, order="<"):
+    return element(14, element(6, struct.pack(order + "II", kind, 0), order) +
+                   element(5, struct.pack(order + f"{len(dims)}I", *dims), order) +
+                   element(1, name.encode(), order) + content, order)
+
+
+def doubles(name, values, order="<"):
+    return matrix(6, (len(values), 1), name, element(9, struct.pack(order + f"{len(values)}d", *values), order), order)
+
+
+def text(name, words):
+    return matrix(4, (1, len(words)), name, element(16, words.encode()))
+
+
+def cells(name, parts):
+    return matrix(1, (1, len(parts)), name, b"".join(parts))
+
+
+def structure(name, fields):
+    names = b"".join(field.encode().ljust(32, b"\0") for field in fields)
+    return matrix(2, (1, 1), name, small(5, struct.pack("<I", 32)) + element(1, names) + b"".join(fields.values()))
+
+
+def mat5(*variables, order=b"IM"):
+    return b"MATLAB 5.0 MAT-file".ljust(124) + (b"\0\1" if order == b"IM" else b"\1\0") + order + b"".join(variables)
+
+
+def packed(variable):
+    squeezed = zlib.compress(variable)
+    return struct.pack("<II", 15, len(squeezed)) + squeezed
+
+
+def mat4(name, values, kind=0):
+    return struct.pack("<5I", kind, len(values), 1, 0, len(name) + 1) + name.encode() + b"\0" + struct.pack(
+        f"<{len(values)}d", *values)
+
+
+def mat_files():
+    times = [0.01 * k for k in range(8)]
+    force = [100 * math.sin(k) for k in range(8)]
+    write("mat/channels", mat5(doubles("time", times), text("time_unit", "s"), doubles("force", force),
+                               text("force_unit", "N")))
+    write("mat/big_endian", mat5(doubles("force", force, ">"), order=b"MI"))
+    write("mat/packed", mat5(packed(doubles("time", times)), packed(doubles("force", force))))
+    write("mat/structures", mat5(structure("run", {
+        "time": doubles("", times), "force": structure("", {"data": doubles("", force), "unit": text("", "kN")}),
+        "notes": cells("", [text("", "third run"), doubles("", [1, 2])])})))
+    write("mat/rows", mat5(matrix(4, (2, 6), "channel", element(17, "as__btordut_".encode("utf-16-le"))),
+                           matrix(12, (1, 2), "gain", small(4, struct.pack("<HH", 1, 2)))))
+    write("mat/version4", mat4("time", times) + mat4("force", force) + mat4("force_unit", [78.0], 1))
+
+
+# Recordings in text.
+
+def tables():
+    write("table/time", "time,force,stroke\ns,N,mm\n" + "".join(
+        f"{0.001 * k:.3f},{math.sin(k):.4f},{math.cos(k):.4f}\n" for k in range(12)))
+    write("table/names_with_units", "sep=;\ntime [s];stroke [mm];force (kN);\n" + "".join(
+        f"{0.5 * k};{k % 3},5;1e{k};\n".replace(".", ",") for k in range(6)))
+    write("table/stepped_sine", "frequency_Hz,post_amplitude_m,channel,gain,phase_deg,gain_sd,phase_sd_deg,mean,unit\n"
+          "1,0.01,a_body,1.02,-3,0.01,0.5,,m/s^2\n1,0.01,s_strut,0.2,170,0.01,0.5,1e-3,m\n"
+          "2,0.01,a_body,1.2,-13,0.01,0.5,,m/s^2\n2,0.01,s_strut,0.4,150,0.01,0.5,1e-3,m\n")
+    write("table/static", "quantity,value,unit,sd\nF_FL,4500,N,20\nF_FR,4.4,kN,0.02\n")
+    write("table/quoted", '\ufefftime,"force, front","\'=1+1"\r\ns,N,m\r\n0,"1",2\r\n1,"""3""",\r\n\r\n2,"4\n",5\r\n')
+
+
+# Studies.
+
+STUDY = """vehicle: vehicle.urdf
+recordings:
+  - {name: heave, file: stepped_sine.csv, posts: heave}
+channels:
+  a_body: a_body
+  s_strut: {channel: s_strut, sign: -1, scale: 1.5, delay: 2 ms}
+free: [k, c]
+band: [0.5 Hz, 12 Hz]
+model_error: {gain_dB: 0.5, phase: 3 deg, mean: 0.2 mm, floor: 0.05, second_harmonic: 1 mm, history: 2 %}
+search: {seed: 7, method: dvhde, evaluations: 400, population: 30, starts: 3, deadline: 250 ms, time: 3 s}
+refine: {loss: cauchy, scale: 3}
+"""
+
+
+def studies():
+    starter = CORPUS.parents[2] / "studies"
+    write("study/starter", (starter / "starter/study.yaml").read_text())
+    write("study/all_keys", STUDY)
+    write("study/static", STUDY + "static_loads:\n  file: static.csv\n  tyres:\n    tyre: {sum: [F_FL, F_FR]}\n")
+    write("study/aliases", STUDY.replace("a_body: a_body", "a_body: &a {mean: [x, y]}\n  other: *a"))
+    write("study/methods", "problem: gear_train\ntarget: 3e-12\nsearch: {evaluations: 100}\nmethods:\n"
+          "  mine: {method: dvhde, population: 10}\n")
+    write("study/histories", "vehicle: vehicle.urdf\nhistories:\n  - name: run\n    file: run.csv\n    use: validation\n"
+          "    posts: {post: {channel: z, unit: mm}}\n    channels: {a_body: a}\n    start: 1 s\n    end: 2 s\n"
+          "    noise: {a_body: 0.1 m/s^2}\n    filter: {cutoff: 30 Hz, order: 2}\ncost: whitened\n")
+    write("study/bench", (starter / "damper/model3.yaml").read_text())
+
+
+# Folders of fits: result.json, response.csv, history.csv, motion.csv, validation.csv, bench.csv, study.yaml.
+
+def parameter(name, value):
+    return {"name": name, "unit": "N/m", "value": value, "start": 1.2 * value, "lower": 0.5 * value,
+            "upper": 2 * value, "sd": 0.01 * value, "interval_95": [0.98 * value, 1.02 * value], "at_bound": False}
+
+
+def results():
+    result = {
+        "termination": "converged", "vehicle": "quarter car", "study": "study.yaml", "seed": 1, "cost": 12.5,
+        "misfit": 1.2, "residuals": 40, "band_Hz": [0.5, 12], "evaluations": {"paid": 100, "reused": 3, "failed": 0},
+        "parameters": [parameter("k", 2e4), parameter("c", 1500)],
+        "identifiability": {"condition": 8.3, "correlation": [[1, 0.5], [0.5, 1]], "weakest": []},
+        "refine": {"loss": "huber", "scale": 1.345}, "starts": {"agreeing": 2, "refined": 2},
+        "recordings": [{"name": "heave", "posts": {"post": 1}}],
+        "channels": [{"recording": "heave", "name": "a_body", "rms_dB": 0.5, "rms_deg": 3, "nmse_percent": 1.1}],
+        "validation": [{"recording": "sweep", "name": "a_body", "nmse_percent": 2}], "warnings": ["check the sign"],
+        "fitted_files": [{"name": "stepped_sine.csv", "sha256": "0" * 64}], "versions": {"fourpost": "0.1.0"}}
+    header = ("recording,channel,unit,frequency_Hz,post_amplitude_m,gain_measured,phase_measured_deg,gain_modelled,"
+              "phase_modelled_deg,mean_measured,mean_modelled\n")
+    rows = "".join(f"heave,a_body,m/s^2,{f},0.01,1.1,-3,1.2,-4,,\n" for f in (1, 2, 4))
+    write("result/fit", json.dumps(result))
+    write("result/fit_with_files", "\x1e".join([json.dumps(result), header + rows, "", "", "", "", STUDY]))
+    history = "time,heave/a_body/measured,heave/a_body/modelled\ns,m/s^2,m/s^2\n" + "".join(
+        f"{0.01 * k:.2f},{math.sin(k):.3f},{math.sin(k + 0.1):.3f}\n" for k in range(10))
+    write("result/histories", "\x1e".join([json.dumps(result), "", history, "", history]))
+
+
+# Archives, as identify/search/evaluation_store.cpp has them.
+
+def digest(*parts):
+    total = hashlib.sha256()
+    for part in parts:
+        if isinstance(part, float):
+            total.update(struct.pack(">Qd", 1, part))
+        else:
+            total.update(struct.pack(">Q", len(part)) + part)
+    return total.hexdigest()
+
+
+def archive(name, layout):
+    file = CORPUS / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.unlink(missing_ok=True)
+    checksum = ", checksum TEXT" if layout > 1 else ""
+    database = sqlite3.connect(file)
+    database.executescript(f"""
+        PRAGMA page_size = 512;
+        CREATE TABLE context (id INTEGER PRIMARY KEY, vehicle TEXT NOT NULL, data TEXT NOT NULL,
+          settings TEXT NOT NULL, version TEXT NOT NULL, use INTEGER NOT NULL,
+          UNIQUE (vehicle, data, settings, version));
+        CREATE TABLE evaluation (context INTEGER NOT NULL REFERENCES context, parameters BLOB NOT NULL, residuals BLOB,
+          failure TEXT, detail TEXT, violation REAL, paid INTEGER NOT NULL DEFAULT 1{checksum},
+          PRIMARY KEY (context, parameters));
+        PRAGMA application_id = 0x34707374; PRAGMA user_version = {layout};
+        INSERT INTO context VALUES (1, 'car', 'rig', 'band', '1', 1);""")
+    context = [b"car", b"rig", b"band", b"1"]
+    for i in range(3):
+        values = struct.pack("<2d", i, 0.5)
+        residuals = struct.pack("<10d", *(i + k / 9 for k in range(10)))
+        row = (values, residuals, None, None, None, digest(*context, values, b"", residuals, 0.0))
+        if i == 2:
+            row = (values, None, "infeasible", "too far", 2.0,
+                   digest(*context, values, b"infeasible", b"too far", 2.0))
+        places = ", checksum) VALUES (1, ?, ?, ?, ?, ?, ?)" if layout > 1 else ") VALUES (1, ?, ?, ?, ?, ?)"
+        database.execute("INSERT INTO evaluation (context, parameters, residuals, failure, detail, violation" + places,
+                         row if layout > 1 else row[:-1])
+    database.commit()
+    database.close()
+
+
+if __name__ == "__main__":
+    mat_files()
+    tables()
+    studies()
+    results()
+    archive("archive/three", 2)
+    archive("archive/version_0_1_0", 1)
+    write("archive/empty", "")

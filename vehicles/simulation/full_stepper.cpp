@@ -1,0 +1,153 @@
+#include "vehicles/simulation/full_stepper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "analysis/anderson_acceleration.h"
+#include "analysis/option_check.h"
+#include "vehicles/condensed/linear_vehicle.h"
+#include "vehicles/multibody/simulation_error.h"
+
+namespace fourpost {
+namespace {
+
+using Eigen::Index;
+
+/// Of the largest inertia so far: what g is left to err by in a step.
+constexpr double kTolerance = 1e-5;
+constexpr int kMostIterations = 30;
+constexpr int kHistory = 8;
+
+/// Of a force on each coordinate: what acceleration it causes at 10 Hz, as the root of an energy.
+Eigen::VectorXd WeightsOf(const LinearVehicle& linear) {
+  const double omega = 2 * std::numbers::pi * 10;
+  Eigen::VectorXd inertia = linear.stiffness.diagonal().cwiseAbs() / (omega * omega);
+  inertia.head(linear.mass.rows()) += linear.mass.diagonal();
+  return inertia.cwiseSqrt().cwiseInverse();
+}
+
+}  // namespace
+
+FullStepper::FullStepper(Multibody& multibody, const CondensedModel& model, double step_s, long parts)
+    : full_(multibody, model),
+      parts_(parts),
+      stepper_(model, step_s / static_cast<double>(parts), CondensedStepper::Forces::kAdded),
+      mass_(model.mass) {
+  RequireOption(parts >= 1, "FullStepper: parts", static_cast<double>(parts), "at least 1");
+  const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
+  weights_ = WeightsOf(linear);
+  posts_.resize(stepper_.post_count());
+  const std::vector<Port> ports = PortsOf(model);
+  for (const std::size_t j : full_.hydraulics()) {
+    hydraulic_directions_.push_back(ports[j].direction);
+    oil_.emplace_back(std::get<HydraulicRemainder>(ports[j].law), stepper_.step_s());
+  }
+  extensions_.resize(parts + 1, static_cast<Index>(oil_.size()));
+}
+
+void FullStepper::Start(const PostMotion& posts, double t) {
+  start_s_ = t;
+  steps_ = evaluations_ = 0;
+  posts(t, posts_);
+  stepper_.Start(posts_);
+  added_.setZero(full_.size());
+  before_ = added_;
+  // A centimetre per second squared of all that moves: of a vehicle at rest what is left of forces is their rounding.
+  largest_ = Size(
+      (Eigen::VectorXd(full_.size()) << 0.01 * mass_.diagonal(), Eigen::VectorXd::Zero(full_.size() - mass_.rows()))
+          .finished());
+  extra_.setZero(static_cast<Index>(oil_.size()));
+  for (HydraulicStep& oil : oil_) oil.Rest();
+  extensions_.setZero();
+  oil_at_start_ = oil_;
+  extra_at_start_ = extra_;
+  Lacking(t);
+  readings_ = full_.Readings();
+}
+
+void FullStepper::StepParts(const PostMotion& posts, const Eigen::VectorXd& added) {
+  const double begin = start_s_ + static_cast<double>(steps_ * parts_) * stepper_.step_s();
+  const Index n = mass_.rows();
+  for (long part = 1; part <= parts_; ++part) {
+    const double share = static_cast<double>(part) / static_cast<double>(parts_);
+    posts(begin + static_cast<double>(part) * stepper_.step_s(), posts_);
+    stepper_.Step(posts_, added_ + share * (added - added_));
+    for (std::size_t i = 0; i < oil_.size(); ++i)
+      extensions_(part, static_cast<Index>(i)) =
+          hydraulic_directions_[i].head(n).dot(stepper_.state().head(n)) +
+          hydraulic_directions_[i].tail(full_.size() - n).dot(stepper_.state().tail(full_.size() - n));
+  }
+}
+
+/// By the oil's own steps, through the extensions of the full system: those of the condensed one, and straight from the
+/// start to the end what they differ by.
+Eigen::VectorXd FullStepper::Pressures(const Eigen::VectorXd& position) {
+  constexpr double kMegapascal = 1e6;
+  Eigen::VectorXd pressures(2 * static_cast<Index>(oil_.size()));
+  if (oil_.empty()) return pressures;
+  const Eigen::VectorXd extensions = full_.HydraulicExtensions(position);
+  for (std::size_t i = 0; i < oil_.size(); ++i) {
+    const auto column = static_cast<Index>(i);
+    extra_[column] = extensions[column] - extensions_(parts_, column);
+    oil_[i] = oil_at_start_[i];
+    for (long part = 1; part <= parts_; ++part) {
+      const double share = static_cast<double>(part) / static_cast<double>(parts_);
+      const double extension =
+          extensions_(part, column) + extra_at_start_[column] + share * (extra_[column] - extra_at_start_[column]);
+      if (!std::isfinite(oil_[i].Remainder(extension, 0)))
+        throw SimulationError("a chamber of a hydraulic damper closes");
+      oil_[i].Advance();
+    }
+    const std::array<double, 2> above = oil_[i].PressuresAboveRest();
+    for (Index c = 0; c < 2; ++c) pressures[2 * column + c] = above[static_cast<std::size_t>(c)] / kMegapascal;
+  }
+  return pressures;
+}
+
+Eigen::VectorXd FullStepper::Lacking(double t) {
+  const Index n = mass_.rows();
+  const Index series = full_.size() - n;
+  const Eigen::VectorXd rate = stepper_.StateRate();
+  motion_.position.resize(full_.size());
+  motion_.position << stepper_.state().head(n), stepper_.state().tail(series);
+  motion_.rate.resize(full_.size());
+  motion_.rate << rate.head(n), rate.tail(series);
+  motion_.acceleration = rate.segment(n, n);
+  motion_.pressures = Pressures(motion_.position);
+  ++evaluations_;
+  return full_.At(t, motion_);
+}
+
+void FullStepper::Step(const PostMotion& posts) {
+  const double end = start_s_ + static_cast<double>((steps_ + 1) * parts_) * stepper_.step_s();
+  stepper_.Store(moment_);
+  oil_at_start_ = oil_;
+  extra_at_start_ = extra_;
+  extensions_.row(0) = extensions_.row(parts_);
+  Eigen::VectorXd added = 2 * added_ - before_;
+  AndersonAcceleration acceleration(kHistory);
+  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    if (iteration > 0) stepper_.Return(moment_);
+    StepParts(posts, added);
+    const Eigen::VectorXd lacking = Lacking(end);
+    Eigen::VectorXd inertia = Eigen::VectorXd::Zero(full_.size());
+    inertia.head(mass_.rows()) = mass_ * motion_.acceleration;
+    if (!lacking.allFinite()) break;
+    if (Size(lacking) <= kTolerance * std::max(largest_, Size(inertia))) {
+      largest_ = std::max(largest_, Size(inertia));
+      readings_ = full_.Readings();
+      before_ = std::exchange(added_, std::move(added));
+      ++steps_;
+      return;
+    }
+    added = acceleration.Next(added.cwiseProduct(weights_), -lacking.cwiseProduct(weights_)).cwiseQuotient(weights_);
+  }
+  throw SimulationError("the full system does not follow the condensed one at t = " + std::to_string(end) +
+                        " s; take a shorter step");
+}
+
+}  // namespace fourpost

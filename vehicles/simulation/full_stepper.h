@@ -1,0 +1,80 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/condensed/lacking_forces.h"
+#include "vehicles/multibody/multibody.h"
+#include "vehicles/simulation/condensed_stepper.h"
+#include "vehicles/simulation/hydraulic_step.h"
+
+namespace fourpost {
+
+/// The full multibody system in time, by steps of its condensed model. That one moves as the full system does under the
+/// forces g by which the two differ:
+///   g = what the condensed vehicle needs to move as [s x](t) - what the full system needs to (LackingForces).
+/// Linear shares of both cancel, and so do most of the kinks of their laws: g is small and smooth, and goes straight
+/// over a step H that some shorter steps h of the CondensedStepper make up. Its value at the end, where both systems
+/// agree, is found from that at the starts of the last two steps by Anderson acceleration, in some two evaluations of
+/// the full system. What is left errs by H^2 of g and by what the condensed steps err.
+class FullStepper {
+ public:
+  /// `step_s`: H, of `parts` steps h. `multibody` must carry the parameters and preloads of `model`, and outlive this
+  /// object. Throws std::invalid_argument for steps that are not positive.
+  FullStepper(Multibody& multibody, const CondensedModel& model, double step_s, long parts);
+
+  /// At rest in the design pose at time t.
+  void Start(const PostMotion& posts, double t);
+
+  /// One step H. Throws SimulationError where g is not found.
+  void Step(const PostMotion& posts);
+
+  /// What the sensors read.
+  void Read(Eigen::Ref<Eigen::VectorXd> readings) const { readings = readings_; }
+
+  const CondensedStepper& condensed() const { return stepper_; }
+
+  /// Evaluations of the full system since Start().
+  long evaluations() const { return evaluations_; }
+
+ private:
+  /// Steps the condensed model to the end, where g has this value.
+  void StepParts(const PostMotion& posts, const Eigen::VectorXd& added);
+  /// There, at time t.
+  Eigen::VectorXd Lacking(double t);
+  Eigen::VectorXd Pressures(const Eigen::VectorXd& position);
+  /// Of forces on [s x], comparable with other sizes.
+  double Size(const Eigen::VectorXd& forces) const { return forces.cwiseProduct(weights_).norm(); }
+
+  LackingForces full_;
+  long parts_;
+  CondensedStepper stepper_;
+  Eigen::MatrixXd mass_;
+  Eigen::VectorXd weights_;
+  double start_s_ = 0;
+  long steps_ = 0;
+  long evaluations_ = 0;
+  /// g at the start of the step and a step before.
+  Eigen::VectorXd added_;
+  Eigen::VectorXd before_;
+  CondensedStepper::Moment moment_;
+  std::vector<PostState> posts_;
+  /// Of the inertia of the motion so far.
+  double largest_ = 0;
+  LackingForces::Motion motion_;
+  Eigen::VectorXd readings_;
+
+  /// Of the hydraulic dampers, as the full system extends them: at the start of the step and at its end.
+  std::vector<Eigen::VectorXd> hydraulic_directions_;
+  std::vector<HydraulicStep> oil_at_start_;
+  std::vector<HydraulicStep> oil_;
+  /// (parts + 1) x hydraulic dampers: extensions in the condensed model over the step; ...
+  Eigen::MatrixXd extensions_;
+  /// ... and by how much those of the full system are larger.
+  Eigen::VectorXd extra_at_start_;
+  Eigen::VectorXd extra_;
+};
+
+}  // namespace fourpost
