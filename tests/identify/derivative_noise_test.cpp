@@ -114,8 +114,8 @@ TEST(DerivativeNoise, WhatChangesNothingIsStillRefused) {
 }
 
 TEST(DerivativeNoise, NoiseIsNeverUndetermined) {
-  // So loud that nothing else seems to have an effect.
-  const VehicleObjective objective = Curve({1e4});
+  // So loud that nothing else seems to have an effect; steps are no multiples of the period.
+  const VehicleObjective objective = Curve({1e4, 3.7e-7});
   Archive archive(objective.MakeProblem());
   const Identifiability before = IdentifiabilityBefore(archive, objective, 1).value();
   EXPECT_FALSE(before.HasUndetermined());
