@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <utility>
 
 #include "analysis/csv_writer.h"
 #include "analysis/decibel.h"
-#include "vehicles/response/march.h"
-#include "vehicles/simulation/condensed_system.h"
+#include "vehicles/response/reduced_march.h"
 
 namespace fourpost {
 namespace {
@@ -46,55 +45,6 @@ void AddRow(const MeasuredRun& run, const MeasuredChannel& measured, const Chann
   csv.Add(start ? std::abs(start->response[i]) : none).Add(start ? PhaseDeg(start->response[i]) : none);
 }
 
-/// Speed within which the steepest friction turns round [m/s]; infinite without any.
-double TurningSpeed(const CondensedModel& model) {
-  double speed = std::numeric_limits<double>::infinity();
-  for (const CondensedModel::Dashpot& dashpot : model.dashpots) speed = std::min(speed, dashpot.law.StepSpeed());
-  return speed;
-}
-
-/// One frequency of an excitation by time integration. Friction turns round within TurningSpeed over the acceleration,
-/// of some A w^2, and jumps in accelerations alias into their harmonics: steps resolve the one, samples the other. Over
-/// 96 random stations, 1.3 to 22 Hz, that leaves 9e-5 of a response in nine of ten and 6e-4 at the most; 128 samples a
-/// cycle left 7e-3, and the last iterate of the harmonic balance, where it does not converge, 0.4.
-MarchedResponse HystereticResponse(const CondensedModel& model, const std::vector<Sensor>& sensors,
-                                   const Excitation& excitation, std::size_t index, const Deadline& deadline) {
-  constexpr double kLongestStep_s = 2.5e-4;
-  constexpr double kShortestStep_s = 2e-5;
-  constexpr int kFewestSamples = 128;
-  constexpr int kMostSamples = 512;
-  const double frequency = excitation.frequency_Hz[index];
-  const double amplitude = excitation.amplitude_m[index];
-  const double acceleration = amplitude * std::pow(2 * std::numbers::pi * frequency, 2);
-  const double step = std::clamp(0.5 * TurningSpeed(model) / acceleration, kShortestStep_s, kLongestStep_s);
-  const double samples = std::clamp(1 / (frequency * kLongestStep_s), double{kFewestSamples}, double{kMostSamples});
-  CondensedSystem system(model,
-                         {.sensors = sensors,
-                          .post_count = excitation.shape.size(),
-                          .tyre_stiffness = model.post_stiffness.cwiseAbs().maxCoeff()},
-                         step);
-  return March(
-      system, {.frequency_Hz = {frequency}, .amplitude_m = {amplitude}, .shape = excitation.shape},
-      {.tolerance = 1e-4, .longest_s = 20, .samples_per_cycle = static_cast<int>(samples), .deadline = deadline});
-}
-
-void Append(const MarchedResponse& one, PeriodicResponse& all) {
-  FrequencyResponse& response = all.response;
-  for (const UnsteadyMotion& unsteady : one.unsteady) all.unconverged_Hz.push_back(unsteady.frequency_Hz);
-  if (response.channels.empty()) {
-    response = one.response;
-    return;
-  }
-  const auto append = [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
-  append(one.response.frequency_Hz, response.frequency_Hz);
-  append(one.response.amplitude_m, response.amplitude_m);
-  for (std::size_t c = 0; c < response.channels.size(); ++c) {
-    append(one.response.channels[c].response, response.channels[c].response);
-    append(one.response.channels[c].mean, response.channels[c].mean);
-    append(one.response.channels[c].second_harmonic, response.channels[c].second_harmonic);
-  }
-}
-
 }  // namespace
 
 bool HasHysteresis(const CondensedModel& model) {
@@ -116,9 +66,13 @@ PeriodicResponse ModelledResponse(const CondensedModel& model, const std::vector
     balance.deadline = deadline;
     return SolveHarmonicBalance(model, sensors, excitation, balance);
   }
-  PeriodicResponse periodic;
-  for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i)
-    Append(HystereticResponse(model, sensors, excitation, i, deadline), periodic);
+  const RigView rig = {.sensors = sensors,
+                       .post_count = excitation.shape.size(),
+                       .tyre_stiffness = model.post_stiffness.cwiseAbs().maxCoeff()};
+  MarchedResponse marched =
+      MarchReduced(model, rig, excitation, {.tolerance = 1e-4, .longest_s = 20, .deadline = deadline});
+  PeriodicResponse periodic{.response = std::move(marched.response)};
+  for (const UnsteadyMotion& unsteady : marched.unsteady) periodic.unconverged_Hz.push_back(unsteady.frequency_Hz);
   return periodic;
 }
 

@@ -95,11 +95,11 @@ FrequencyResponse Completed(const FittedRun& model, const MeasuredRun& run, Freq
   ProgressLine progress;
   SteadySolver solver(model.vehicle);
   const std::optional<SteadyResponse> marched =
-      SolveSweep(solver, run.name, left, Engine::kMarch, kFitBalance, progress);
+      SolveSweep(solver, run.name, left, Engine::kReduced, kFitBalance, progress);
   for (std::size_t c = 0; marched && c < response.channels.size(); ++c)
     for (std::size_t i = 0; i < where.size(); ++i)
       response.channels[c].response[where[i]] = marched->response.channels[c].response[i];
-  std::fprintf(stderr, "%s: the balance converged at %zu of %zu frequencies; the others were marched\n",
+  std::fprintf(stderr, "%s: the balance converged at %zu of %zu frequencies; the others were integrated in time\n",
                run.name.c_str(), response.frequency_Hz.size() - where.size(), response.frequency_Hz.size());
   return response;
 }

@@ -11,6 +11,7 @@
 #include "analysis/decibel.h"
 #include "vehicles/response/full_balance.h"
 #include "vehicles/response/march.h"
+#include "vehicles/response/reduced_march.h"
 #include "vehicles/response/response_recorder.h"
 
 namespace fourpost {
@@ -190,9 +191,10 @@ std::string SteadySolver::MarchOne(const Excitation& excitation, std::size_t ind
   const Excitation one{.frequency_Hz = {excitation.frequency_Hz[index]},
                        .amplitude_m = {excitation.amplitude_m[index]},
                        .shape = excitation.shape};
-  Multibody& system = FullSystem();
   try {
-    const MarchedResponse marched = March(system, one, {.stop = stop});
+    const MarchedResponse marched = out.engine == Engine::kReduced ? MarchReduced(model_, RigViewOf(vehicle_), one,
+                                                                                  {.tolerance = 1e-4, .stop = stop})
+                                                                   : March(FullSystem(), one, {.stop = stop});
     CopyFrequency(marched.response, 0, index, out.response);
     return marched.unsteady.empty() ? "" : UnsteadyMessage(vehicle_, one, marched.unsteady[0]);
   } catch (const MarchStopped&) {

@@ -51,7 +51,8 @@ struct SteadyResponse {
   FrequencyResponse response;
   /// The one asked for, or of kAuto the one it chose; what it left to the march is told by engine_at.
   Engine engine = Engine::kReduced;
-  /// One per frequency: a balance that does not converge leaves it to kMarch. The one that tried last where none did.
+  /// One per frequency: a balance that does not converge leaves it to kMarch, of the reduced model where `engine` is
+  /// kReduced. The one that tried last where none did.
   std::vector<Engine> engine_at;
   std::vector<Unanswered> unanswered;
   /// Where the linearised balance found another motion than that from rest; not looked for by kFull and kMarch.

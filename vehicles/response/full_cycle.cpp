@@ -84,7 +84,7 @@ FullCycle::FullCycle(Multibody& multibody, const CondensedModel& model, const st
       contact_(model, shape, {.tolerance = options.tolerance}),
       fine_{std::max(options.harmonics, options.fine_harmonics), std::max(options.samples, options.fine_samples)},
       coarse_(HasFriction(cycle().ports()) ? Sampling{fine_.harmonics / 2, fine_.samples / 2}
-                                               : Sampling{options.harmonics, options.samples}) {
+                                           : Sampling{options.harmonics, options.samples}) {
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
   stiffness_ = linear.stiffness.diagonal().cwiseAbs();
   mass_ = Eigen::VectorXd::Zero(linear.size());
