@@ -63,7 +63,8 @@ ResidualBlock BenchResiduals(const Vehicle& vehicle, const BenchData& data, doub
   const auto residuals = static_cast<Eigen::Index>(count);
   return {.name = "bench recordings",
           .count = residuals,
-          // By which steps of another length change a force, see SeriesForces; often by less.
+          // Neighbouring values take nearly the same steps: forces change by a hundredth of what they err, see
+          // kSeriesTolerance.
           .accuracy = 1e-7,
           .evaluate = [damper = BenchDamper(vehicle, data.damper), targets = std::move(targets), residuals](
                           const std::vector<double>& values, const Deadline& deadline) {

@@ -21,14 +21,17 @@ std::span<const double> Compared(const BenchRecording& recording, const std::vec
   return std::span(signal).subspan(recording.first, recording.end - recording.first);
 }
 
+SimulationError ClosedChamber(const BenchRecording& recording) {
+  return SimulationError("the fitted damper cannot move as recorded in '" + recording.name +
+                         "': one of its chambers closes; give it more room");
+}
+
 }  // namespace
 
 ModelledRecording Modelled(const BenchDamper& damper, const BenchRecording& recording,
                            const std::vector<double>& values) {
   std::vector<double> force = ModelledForce(damper, recording, values);
-  if (force.empty())
-    throw SimulationError("the fitted damper cannot move as recorded in '" + recording.name +
-                          "': one of its chambers closes; give it more room");
+  if (force.empty()) throw ClosedChamber(recording);
   return {recording, std::move(force)};
 }
 
@@ -38,6 +41,16 @@ std::vector<ModelledRecording> ModelledRecordings(const BenchDamper& damper,
   std::vector<ModelledRecording> modelled;
   for (const BenchRecording& recording : recordings) modelled.push_back(Modelled(damper, recording, values));
   return modelled;
+}
+
+double IntegrationError(const BenchDamper& damper, const ModelledRecording& modelled,
+                        const std::vector<double>& values) {
+  const BenchRecording& recording = modelled.recording;
+  std::vector<double> finer = damper.FinerTensions(recording.motion, values);
+  if (finer.empty()) throw ClosedChamber(recording);
+  if (recording.filter) recording.filter->Apply(finer);
+  // Per cent of the finer one's variance.
+  return std::sqrt(NormalisedMse_percent(Compared(recording, finer), Compared(recording, modelled.force)) / 100);
 }
 
 std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& recordings) {

@@ -23,6 +23,11 @@ std::vector<ModelledRecording> ModelledRecordings(const BenchDamper& damper,
                                                   const std::vector<BenchRecording>& recordings,
                                                   const std::vector<double>& values);
 
+/// By how much half the steps and a tenth of the tolerance change a recording's force, as rms over that of its
+/// deviations: the error of the integration, or more. Throws std::runtime_error as Modelled().
+double IntegrationError(const BenchDamper& damper, const ModelledRecording& modelled,
+                        const std::vector<double>& values);
+
 /// Over the samples that are compared.
 std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& recordings);
 

@@ -10,13 +10,16 @@
 namespace fourpost {
 namespace {
 
-/// As root mean squares.
-constexpr double kLoud = 0.1;
+/// Of the loudest of its unit, as root mean squares. Next to a node small errors are large shares.
+constexpr double kLoudOverFrequency = 0.1;
+/// What an accelerometer takes of a motion across its axis is less.
+constexpr double kLoudOverTime = 0.02;
 
 /// Squares of errors over squares measured, of one channel or of one recording in one unit.
 struct Group {
   std::string words;
   std::string kind;
+  double loud = 0;
   double error = 0;
   double measured = 0;
 };
@@ -24,7 +27,10 @@ struct Group {
 void AddTo(std::vector<Group>& groups, const std::string& words, const ErrorShare& share) {
   auto found = std::find_if(groups.begin(), groups.end(),
                             [&](const Group& group) { return group.words == words && group.kind == share.kind; });
-  if (found == groups.end()) found = groups.insert(groups.end(), {.words = words, .kind = share.kind});
+  if (found == groups.end())
+    found = groups.insert(
+        groups.end(),
+        {.words = words, .kind = share.kind, .loud = share.has_nodes ? kLoudOverFrequency : kLoudOverTime});
   found->error += share.error;
   found->measured += share.measured;
 }
@@ -34,7 +40,7 @@ void AddPoor(const std::vector<Group>& groups, std::vector<std::string>& reasons
   std::map<std::string, double> loudest;
   for (const Group& group : groups) loudest[group.kind] = std::max(loudest[group.kind], group.measured);
   for (const Group& group : groups) {
-    const bool is_loud = group.measured > 0 && group.measured >= kLoud * kLoud * loudest[group.kind];
+    const bool is_loud = group.measured > 0 && group.measured >= group.loud * group.loud * loudest[group.kind];
     if (is_loud && group.error > group.measured)
       reasons.push_back(group.words + " has an NMSE of " + ShortNumber(100 * group.error / group.measured, 3) +
                         " %, more than if nothing were modelled (100 %)");
@@ -58,7 +64,7 @@ FitVerdict JudgeFit(const FitResult& fit, const Misfits& misfits) {
   std::vector<Group> recordings;
   for (const ErrorShare& share : misfits.shares) {
     AddTo(channels, "channel '" + share.channel + "'", share);
-    AddTo(recordings, "recording '" + share.recording + "'", share);
+    AddTo(recordings, "recording '" + share.recording + "' in " + share.unit, share);
   }
   FitVerdict verdict;
   AddPoor(channels, verdict.reasons);

@@ -13,6 +13,10 @@ namespace {
 
 using Eigen::Index;
 
+/// Of a signal's rms: what is left of the integration's error. Far less than shows is many standard deviations of a
+/// parameter over thousands of samples.
+constexpr double kNegligible = 1e-3;
+
 double ChangeOf(const MeasuredHistory& history, const Eigen::MatrixXd& correction) {
   double largest = 0;
   for (Index i = 0; i < correction.cols(); ++i) {
@@ -37,7 +41,7 @@ std::optional<std::vector<HistoryCheck>> CheckHistories(const LoadedStudy& study
   std::vector<HistoryCheck> checks;
   for (const MeasuredHistory& history : study.histories) {
     const std::optional<EngineHistory> answer =
-        SimulateBy({.error = options.error}, history, study.vehicle, values, progress);
+        SimulateBy({.error = options.error, .visible = kNegligible}, history, study.vehicle, values, progress);
     if (!answer) return std::nullopt;
     HistoryCheck check{.by = answer->by};
     // One that was corrected stays so.
@@ -63,7 +67,7 @@ std::optional<std::vector<HistoryCheck>> CheckHistories(const LoadedStudy& study
 
 bool IsCorrectionDue(const std::vector<HistoryCheck>& checks) {
   return std::any_of(checks.begin(), checks.end(),
-                     [](const HistoryCheck& check) { return check.change > kVisibleShare; });
+                     [](const HistoryCheck& check) { return check.change > kNegligible; });
 }
 
 void Correct(const std::vector<HistoryCheck>& checks, LoadedStudy& study) {

@@ -8,7 +8,7 @@
 
 namespace fourpost {
 
-// A fit of histories simulates by the reduced model. Where linear kinematics are visibly off at the fitted point, the
+// A fit of histories simulates by the reduced model. Where linear kinematics are off by 0.1 % at the fitted point, the
 // difference of the full geometry's signals to the reduced model's there is added to the latter, and the fit goes on
 // from there, until the difference changes no more: the residuals at the fitted point are then those of the full
 // geometry, their derivatives those of the reduced model.
@@ -28,7 +28,7 @@ struct HistoryCheck {
 std::optional<std::vector<HistoryCheck>> CheckHistories(const LoadedStudy& study, const std::vector<double>& values,
                                                         const HistorySolver::Progress& progress = {});
 
-/// Whether another fit with these corrections would visibly differ.
+/// Whether another fit with these corrections may differ.
 bool IsCorrectionDue(const std::vector<HistoryCheck>& checks);
 
 /// The study as it is fitted with them.

@@ -84,6 +84,8 @@ std::vector<ErrorShare> ErrorShares(const std::vector<MeasuredRun>& runs,
       shares.push_back({.channel = channel.name,
                         .recording = runs[r].name,
                         .kind = "gain of " + channel.unit,
+                        .unit = channel.unit,
+                        .has_nodes = true,
                         .error = sums.square_error,
                         .measured = sums.square_measured});
     }
@@ -96,6 +98,7 @@ std::vector<ErrorShare> ErrorShares(const std::vector<HistoryMisfit>& misfits) {
     shares.push_back({.channel = misfit.name,
                       .recording = misfit.recording,
                       .kind = misfit.unit,
+                      .unit = misfit.unit,
                       .error = misfit.nmse_percent / 100 * misfit.measured_squares,
                       .measured = misfit.measured_squares});
   return shares;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/frequency_response.h"
@@ -64,6 +65,9 @@ struct ErrorShare {
   std::string recording;
   /// Only what is alike here adds up: gains of one unit, or signals of one.
   std::string kind;
+  std::string unit;
+  /// Of amplitudes over frequency, which pass nodes where small errors are large shares.
+  bool has_nodes = false;
   double error = 0;
   double measured = 0;
 };
@@ -92,6 +96,8 @@ struct Misfits {
   std::vector<ModelledHistory> modelled_by;
   /// Of recordings of stepped sines, which the reduced model answers.
   std::vector<RunKinematics> kinematics;
+  /// Of a damper on a bench: of each recording, by which share of its rms the integration errs.
+  std::vector<std::pair<std::string, double>> integration;
   /// Of a damper on a bench.
   std::optional<ModelCriteria> criteria;
   /// Modelled load of each tyre of the vehicle at rest [N]; empty where it was not needed.

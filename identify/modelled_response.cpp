@@ -45,6 +45,42 @@ void AddRow(const MeasuredRun& run, const MeasuredChannel& measured, const Chann
   csv.Add(start ? std::abs(start->response[i]) : none).Add(start ? PhaseDeg(start->response[i]) : none);
 }
 
+/// By time integration.
+PeriodicResponse Integrated(const CondensedModel& model, const std::vector<Sensor>& sensors,
+                            const Excitation& excitation, const Deadline& deadline) {
+  const RigView rig = {.sensors = sensors,
+                       .post_count = excitation.shape.size(),
+                       .tyre_stiffness = model.post_stiffness.cwiseAbs().maxCoeff()};
+  MarchedResponse marched =
+      MarchReduced(model, rig, excitation, {.tolerance = 1e-4, .longest_s = 20, .deadline = deadline});
+  PeriodicResponse periodic{.response = std::move(marched.response)};
+  for (const UnsteadyMotion& unsteady : marched.unsteady) periodic.unconverged_Hz.push_back(unsteady.frequency_Hz);
+  return periodic;
+}
+
+/// What the balance did not find, until one frequency has no periodic motion at all.
+void IntegrateUnconverged(const CondensedModel& model, const std::vector<Sensor>& sensors, const Excitation& excitation,
+                          const Deadline& deadline, PeriodicResponse& periodic) {
+  const std::vector<double> unconverged = std::exchange(periodic.unconverged_Hz, {});
+  for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
+    const double frequency = excitation.frequency_Hz[i];
+    if (std::find(unconverged.begin(), unconverged.end(), frequency) == unconverged.end()) continue;
+    const PeriodicResponse one =
+        Integrated(model, sensors, {{frequency}, {excitation.amplitude_m[i]}, excitation.shape}, deadline);
+    if (!one.unconverged_Hz.empty()) {
+      periodic.unconverged_Hz = unconverged;
+      return;
+    }
+    for (std::size_t c = 0; c < one.response.channels.size(); ++c) {
+      const ChannelResponse& from = one.response.channels[c];
+      ChannelResponse& to = periodic.response.channels[c];
+      to.response[i] = from.response[0];
+      to.mean[i] = from.mean[0];
+      to.second_harmonic[i] = from.second_harmonic[0];
+    }
+  }
+}
+
 }  // namespace
 
 bool HasHysteresis(const CondensedModel& model) {
@@ -61,18 +97,13 @@ bool HasHysteresis(const CondensedModel& model) {
 
 PeriodicResponse ModelledResponse(const CondensedModel& model, const std::vector<Sensor>& sensors,
                                   const Excitation& excitation, const Deadline& deadline) {
-  if (!HasHysteresis(model)) {
-    HarmonicBalanceOptions balance = kFitBalance;
-    balance.deadline = deadline;
-    return SolveHarmonicBalance(model, sensors, excitation, balance);
-  }
-  const RigView rig = {.sensors = sensors,
-                       .post_count = excitation.shape.size(),
-                       .tyre_stiffness = model.post_stiffness.cwiseAbs().maxCoeff()};
-  MarchedResponse marched =
-      MarchReduced(model, rig, excitation, {.tolerance = 1e-4, .longest_s = 20, .deadline = deadline});
-  PeriodicResponse periodic{.response = std::move(marched.response)};
-  for (const UnsteadyMotion& unsteady : marched.unsteady) periodic.unconverged_Hz.push_back(unsteady.frequency_Hz);
+  if (HasHysteresis(model)) return Integrated(model, sensors, excitation, deadline);
+  HarmonicBalanceOptions balance = kFitBalance;
+  balance.deadline = deadline;
+  PeriodicResponse periodic = SolveHarmonicBalance(model, sensors, excitation, balance);
+  // A wheel that hops has a motion, though no few harmonics show it.
+  if (!model.liftoffs.empty() && !periodic.unconverged_Hz.empty())
+    IntegrateUnconverged(model, sensors, excitation, deadline, periodic);
   return periodic;
 }
 

@@ -266,6 +266,8 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
     entry.update(EngineJson(history.by, history.error));
     json["histories"].push_back(entry);
   }
+  for (const auto& [recording, error] : misfits.integration)
+    json["integration"].push_back({{"recording", recording}, {"error", error}});
   if (misfits.criteria) json["criteria"] = Criteria(*misfits.criteria);
   return JsonText(json);
 }

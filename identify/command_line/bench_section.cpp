@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -7,6 +8,7 @@
 #include "identify/bench_chart.h"
 #include "identify/bench_cycle.h"
 #include "identify/bench_result.h"
+#include "identify/command_line/engine_text.h"
 #include "identify/command_line/fit_section.h"
 #include "identify/command_line/text_table.h"
 #include "vehicles/reader/damper_text.h"
@@ -47,6 +49,23 @@ std::vector<ModelledRecording> Predicted(const BenchDamper& damper, const std::v
   return predicted;
 }
 
+/// What each force is integrated to, and a warning where that is seen.
+void AddIntegration(const BenchDamper& damper, const std::vector<ModelledRecording>& recordings,
+                    const std::vector<double>& values, FitSection& section) {
+  constexpr double kVisible = 1e-3;
+  std::vector<std::pair<std::string, double>>& errors = section.misfits.integration;
+  for (const ModelledRecording& modelled : recordings)
+    errors.emplace_back(modelled.recording.name, IntegrationError(damper, modelled, values));
+  const auto worst =
+      std::max_element(errors.begin(), errors.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (worst == errors.end()) return;
+  const std::string size = Percent(std::max(1e-6, worst->second), 2) + " of its rms";
+  section.text = "half the integration's step changes no force by more than " + size + '\n';
+  if (worst->second > kVisible)
+    section.findings.Warning(worst->first, 0,
+                             "the force is integrated to " + size + " only: its damper is too stiff for its samples");
+}
+
 }  // namespace
 
 FitSection BenchSection(const LoadedStudy& loaded, const FitResult& fit) {
@@ -63,7 +82,10 @@ FitSection BenchSection(const LoadedStudy& loaded, const FitResult& fit) {
   TextTable table({"recording", "", "NMSE, %", "VAF, %"});
   AddRows(section.misfits.histories, "fitted", table);
   AddRows(section.misfits.validation, "validation", table);
-  section.text = table.Format() + CriteriaText(*section.misfits.criteria) + '\n';
+  std::vector<ModelledRecording> shown = fitted;
+  shown.insert(shown.end(), all.begin(), all.end());
+  AddIntegration(damper, shown, fit.values, section);
+  section.text = table.Format() + section.text + CriteriaText(*section.misfits.criteria) + '\n';
 
   all.insert(all.begin(), fitted.begin(), fitted.end());
   const std::string& title = loaded.vehicle.name;

@@ -40,6 +40,14 @@ std::string KinematicsText(const KinematicsError& error) {
          " and " + AtMost(error.phase_deg.value, 2) + " deg" + Where(error.phase_deg);
 }
 
+std::string EngineText(const std::string& recording, const SteadyResponse& answer) {
+  const std::string engine = EngineName(answer.engine);
+  if (answer.kinematics_error)
+    return recording + ": " + KinematicsText(*answer.kinematics_error) + ": engine " + engine + '\n';
+  const std::string why = answer.not_estimated.empty() ? "" : "; linear kinematics: " + answer.not_estimated;
+  return recording + ": engine " + engine + why + '\n';
+}
+
 std::string Percent(double share, int digits) { return Rounded(100 * share, digits) + " %"; }
 
 std::string KinematicsText(const HistoryDifference& error) {

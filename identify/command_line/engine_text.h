@@ -13,6 +13,9 @@ std::string Percent(double share, int digits);
 /// What an answer over time says of its integration, and of linear kinematics: two sentences at most, each on a line.
 std::string EngineText(const HistoryEngine& by);
 
+/// What the answer to a recording of a stepped sine says of linear kinematics, and which engine it is.
+std::string EngineText(const std::string& recording, const SteadyResponse& answer);
+
 /// What a fit says of a history: how far linear kinematics are off at the fitted point, and what came of it.
 std::string FitEngineText(const std::string& recording, const HistoryEngine& by);
 

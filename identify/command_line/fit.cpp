@@ -71,8 +71,8 @@ void TellRestored(const EvaluationCounts& counts, const std::filesystem::path& a
 
 void TellDamaged(std::size_t damaged, const std::filesystem::path& archive) {
   if (damaged == 0) return;
-  std::fprintf(stderr, "%zu evaluation%s in %s %s damaged; they were evaluated anew and stored again\n", damaged,
-               damaged == 1 ? "" : "s", archive.c_str(), damaged == 1 ? "was" : "were");
+  std::fprintf(stderr, "damaged in %s, evaluated and stored again: %zu evaluation%s\n", archive.c_str(), damaged,
+               damaged == 1 ? "" : "s");
 }
 
 /// The archive is closed afterwards.

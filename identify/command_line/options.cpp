@@ -43,9 +43,9 @@ void AddOptions(CLI::App& subcommand, ResponseCommand& command) {
   subcommand
       .add_option_function<std::string>(
           "--engine", [&command](const std::string& name) { command.engine = EngineNamed(name); },
-          "reduced: harmonic balance on linear kinematics as in a fit (default of a study); full: on the full "
-          "multibody system; march: integrate that to steady state (slow, the reference); auto: reduced, checked by "
-          "full, which answers where they visibly differ (default of a vehicle)")
+          "reduced: harmonic balance on linear kinematics as in a fit; full: on the full multibody system; march: "
+          "integrate that to steady state (slow, the reference); auto: reduced, checked by full, which answers where "
+          "they visibly differ (default)")
       ->transform(EngineOf(kEngines));
   subcommand.add_option("-o,--output", command.output, "Folder for response.csv, response.svg and result.json");
   subcommand.add_flag("--json", command.json, "Print JSON");
@@ -98,8 +98,8 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
   subcommand
       .add_option_function<std::string>(
           "--engine", [&command](const std::string& name) { command.engine = EngineNamed(name); },
-          "Of a recording over time: reduced: linear kinematics; full: the multibody system; auto: reduced, checked by "
-          "full, which answers where they visibly differ (default)")
+          "reduced: linear kinematics; full: the multibody system; auto: reduced, checked by full, which answers where "
+          "they visibly differ (default)")
       ->transform(EngineOf(kHistoryEngines));
   subcommand.add_option(
       "-o,--output", command.output,

@@ -269,9 +269,8 @@ int Run(const PredictCommand& command) {
       return PredictHistory(command, model);
     case RecordingKind::kFrequency: break;
   }
-  for (const auto& [option, is_used] :
-       {std::pair{"--kalman", command.kalman}, {"--engine", command.engine.has_value()}})
-    RequireUnused(option, is_used, command.recording, "is a frequency response: this is for recordings over time");
+  RequireUnused("--kalman", command.kalman, command.recording,
+                "is a frequency response: this is for recordings over time");
   if (model.study.recordings.empty())
     Refuse(command.recording,
            "is a frequency response, but the model was fitted to none: nothing tells which channels are its sensors");

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 
 #include "analysis/frequency_response_file.h"
 #include "analysis/output_folder.h"
+#include "identify/command_line/engine_text.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/measured_channels.h"
@@ -26,10 +28,12 @@
 #include "identify/modelled_response.h"
 #include "identify/post_shape.h"
 #include "identify/response_chart.h"
+#include "identify/sweep_files.h"
 #include "identify/versions.h"
 #include "identify/warning_texts.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/post_pattern.h"
+#include "vehicles/multibody/simulation_error.h"
 
 namespace fourpost {
 namespace {
@@ -80,28 +84,18 @@ FrequencyResponse Respond(const FittedRun& model, const CondensedModel& condense
   return ModelledResponses(condensed, model.vehicle.sensors, {run}).front();
 }
 
-/// Frequencies at which the balance converged to nothing, by marching.
-FrequencyResponse Completed(const FittedRun& model, const MeasuredRun& run, FrequencyResponse response) {
-  Excitation left = {.shape = run.excitation.shape};
-  std::vector<std::size_t> where;
-  for (std::size_t i = 0; i < response.frequency_Hz.size(); ++i) {
-    if (std::isfinite(std::abs(response.channels.front().response[i]))) continue;
-    left.frequency_Hz.push_back(response.frequency_Hz[i]);
-    left.amplitude_m.push_back(response.amplitude_m[i]);
-    where.push_back(i);
-  }
-  if (where.empty()) return response;
+/// Nothing where it was interrupted.
+std::optional<SteadyResponse> Answer(const PredictCommand& command, const FittedRun& model, const MeasuredRun& run) {
   CatchInterrupts();
   ProgressLine progress;
   SteadySolver solver(model.vehicle);
-  const std::optional<SteadyResponse> marched =
-      SolveSweep(solver, run.name, left, Engine::kReduced, kFitBalance, progress);
-  for (std::size_t c = 0; marched && c < response.channels.size(); ++c)
-    for (std::size_t i = 0; i < where.size(); ++i)
-      response.channels[c].response[where[i]] = marched->response.channels[c].response[i];
-  std::fprintf(stderr, "%s: the balance converged at %zu of %zu frequencies; the others were integrated in time\n",
-               run.name.c_str(), response.frequency_Hz.size() - where.size(), response.frequency_Hz.size());
-  return response;
+  std::optional<SteadyResponse> answer =
+      SolveSweep(solver, run.name, run.excitation, command.engine.value_or(Engine::kAuto), kFitBalance, progress);
+  if (answer && !answer->unanswered.empty()) {
+    if (Interrupted()) return std::nullopt;
+    throw SimulationError("'" + run.name + "': " + answer->unanswered.front().why);
+  }
+  return answer;
 }
 
 /// The pattern whose responses are nearest, and the posts of `run` set to it. At the lowest frequencies a car follows
@@ -158,8 +152,22 @@ std::vector<std::string> TellLints(const FittedRun& model, const CondensedModel&
   return WarningTexts(findings);
 }
 
+/// Frequencies of the band in the place of those of the whole recording.
+void PutInBand(const FrequencyResponse& band, FrequencyResponse& whole) {
+  const auto first = std::find(whole.frequency_Hz.begin(), whole.frequency_Hz.end(), band.frequency_Hz.front());
+  const std::ptrdiff_t at = first - whole.frequency_Hz.begin();
+  for (std::size_t c = 0; c < whole.channels.size(); ++c) {
+    const ChannelResponse& from = band.channels[c];
+    ChannelResponse& to = whole.channels[c];
+    std::copy(from.response.begin(), from.response.end(), to.response.begin() + at);
+    std::copy(from.mean.begin(), from.mean.end(), to.mean.begin() + at);
+    std::copy(from.second_harmonic.begin(), from.second_harmonic.end(), to.second_harmonic.begin() + at);
+  }
+}
+
 std::string AsJson(const PredictCommand& command, const FittedRun& model, const std::string& mode,
-                   const std::vector<ChannelMisfit>& misfits, const std::vector<std::string>& warnings) {
+                   const SteadyResponse& answer, const std::vector<ChannelMisfit>& misfits,
+                   const std::vector<std::string>& warnings) {
   Json channels = Json::array();
   for (const ChannelMisfit& misfit : misfits)
     channels.push_back({{"name", misfit.name},
@@ -175,6 +183,8 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
   if (model.load) json["added_load"] = AddedLoadJson(*model.load);
   json.update({{"posts", mode},
                {"band_Hz", {model.study.band_lower_Hz, model.study.band_upper_Hz}},
+               {"engine", EngineName(answer.engine)},
+               {"linear_kinematics_error", KinematicsJson(answer.kinematics_error, answer.not_estimated)},
                {"channels", channels},
                {"warnings", warnings},
                {"versions", versions}});
@@ -196,12 +206,13 @@ int PredictResponses(const PredictCommand& command, const FittedRun& model) {
   const std::string mode = SetPosts(command, model, condensed, whole);
   const std::vector<std::string> warnings = TellLints(model, condensed, whole);
   const std::vector<MeasuredRun> in_band = InBand({whole}, lower, upper);
-  const FrequencyResponse response = Completed(model, in_band.front(), Respond(model, condensed, in_band.front()));
-  if (Interrupted()) return kInterrupted;
-  const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, {response});
-  const std::string json = AsJson(command, model, mode, misfits, warnings);
+  const std::optional<SteadyResponse> answer = Answer(command, model, in_band.front());
+  if (!answer) return kInterrupted;
+  const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, {answer->response});
+  const std::string json = AsJson(command, model, mode, *answer, misfits, warnings);
   if (!command.output.empty()) {
-    const std::vector<FrequencyResponse> modelled = {Respond(model, condensed, whole)};
+    std::vector<FrequencyResponse> modelled = {Respond(model, condensed, whole)};
+    PutInBand(answer->response, modelled.front());
     OutputFolder output(command.output);
     output.Add("response.csv", ResponseCsv({whole}, modelled, lower, upper));
     output.Add("response.svg", ResponseSvg({whole}, modelled, misfits, lower, upper));
@@ -209,7 +220,7 @@ int PredictResponses(const PredictCommand& command, const FittedRun& model) {
     output.Commit();
     std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   }
-  Print(command.json ? json : LoadText(model) + MisfitTable(misfits, {}));
+  Print(command.json ? json : LoadText(model) + MisfitTable(misfits, {}) + EngineText(whole.name, *answer));
   return kGood;
 }
 

@@ -9,6 +9,7 @@
 #include "analysis/output_folder.h"
 #include "identify/bench_result.h"
 #include "identify/channel_json.h"
+#include "identify/command_line/engine_text.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/history_table.h"
 #include "identify/command_line/inputs_elsewhere.h"
@@ -28,6 +29,7 @@
 #include "identify/misfit.h"
 #include "identify/modelled_response.h"
 #include "identify/response_chart.h"
+#include "identify/sweep_files.h"
 #include "vehicles/multibody/simulation_error.h"
 
 namespace fourpost {
@@ -41,15 +43,21 @@ struct TimeMisfits {
   std::vector<HistoryMisfit> validation;
 };
 
-std::string AsJson(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
+std::string AsJson(const std::vector<MeasuredRun>& runs, const std::vector<SteadyResponse>& answers,
                    const std::vector<ChannelMisfit>& misfits, const TimeMisfits& over_time) {
   Json recordings = Json::array();
   for (std::size_t r = 0; r < runs.size(); ++r) {
     Json channels = Json::array();
-    for (const ChannelResponse& channel : modelled[r].channels) channels.push_back(ChannelJson(channel));
+    const SteadyResponse& answer = answers[r];
+    for (const ChannelResponse& channel : answer.response.channels) channels.push_back(ChannelJson(channel));
+    Json engines = Json::array();
+    for (const Engine engine : answer.engine_at) engines.push_back(EngineName(engine));
     recordings.push_back({{"name", runs[r].name},
-                          {"frequency_Hz", modelled[r].frequency_Hz},
-                          {"post_amplitude_m", modelled[r].amplitude_m},
+                          {"engine", EngineName(answer.engine)},
+                          {"linear_kinematics_error", KinematicsJson(answer.kinematics_error, answer.not_estimated)},
+                          {"frequency_Hz", answer.response.frequency_Hz},
+                          {"post_amplitude_m", answer.response.amplitude_m},
+                          {"engine_at", engines},
                           {"channels", channels}});
   }
   Json channels = HistoryMisfitsJson(over_time.fitted);
@@ -61,26 +69,32 @@ std::string AsJson(const std::vector<MeasuredRun>& runs, const std::vector<Frequ
 }
 
 /// A misfit needs an answer at every frequency; nothing when interrupted before.
-std::optional<FrequencyResponse> WholeAnswer(const MeasuredRun& run, SteadySolver& solver, Engine engine,
-                                             ProgressLine& progress) {
+std::optional<SteadyResponse> WholeAnswer(const MeasuredRun& run, SteadySolver& solver, Engine engine,
+                                          ProgressLine& progress) {
   std::optional<SteadyResponse> answer = SolveSweep(solver, run.name, run.excitation, engine, kFitBalance, progress);
   if (!answer) return std::nullopt;
-  if (answer->unanswered.empty()) return std::move(answer->response);
+  if (answer->unanswered.empty()) return answer;
   if (Interrupted()) return std::nullopt;
   throw SimulationError("'" + run.name + "': " + answer->unanswered.front().why);
 }
 
 /// Those of the recordings that come before an interruption.
-std::vector<FrequencyResponse> WholeAnswers(const std::vector<MeasuredRun>& runs, SteadySolver& solver, Engine engine) {
+std::vector<SteadyResponse> WholeAnswers(const std::vector<MeasuredRun>& runs, SteadySolver& solver, Engine engine) {
   CatchInterrupts();
   ProgressLine progress;
-  std::vector<FrequencyResponse> modelled;
+  std::vector<SteadyResponse> answers;
   for (const MeasuredRun& run : runs) {
-    std::optional<FrequencyResponse> answer = WholeAnswer(run, solver, engine, progress);
-    if (answer) modelled.push_back(std::move(*answer));
+    std::optional<SteadyResponse> answer = WholeAnswer(run, solver, engine, progress);
+    if (answer) answers.push_back(std::move(*answer));
     if (Interrupted()) break;
   }
-  return modelled;
+  return answers;
+}
+
+std::string EnginesText(const std::vector<MeasuredRun>& runs, const std::vector<SteadyResponse>& answers) {
+  std::string text;
+  for (std::size_t r = 0; r < runs.size(); ++r) text += EngineText(runs[r].name, answers[r]);
+  return text;
 }
 
 void Write(const ResponseCommand& command, const LoadedStudy& loaded, const std::vector<MeasuredRun>& runs,
@@ -159,11 +173,13 @@ int RespondToStudy(const ResponseCommand& command) {
     RequireNoOtherResult(command.output, ResultKind::kResponse);
     OutputFolder{command.output};
   }
-  const Engine engine = command.engine.value_or(Engine::kReduced);
+  const Engine engine = command.engine.value_or(Engine::kAuto);
   std::vector<MeasuredRun> runs = InBand(loaded->data.runs, loaded->study.band_lower_Hz, loaded->study.band_upper_Hz);
   SteadySolver solver(loaded->vehicle);
   RequireStable(loaded->vehicle, solver);
-  const std::vector<FrequencyResponse> modelled = WholeAnswers(runs, solver, engine);
+  const std::vector<SteadyResponse> answers = WholeAnswers(runs, solver, engine);
+  std::vector<FrequencyResponse> modelled;
+  for (const SteadyResponse& answer : answers) modelled.push_back(answer.response);
   const bool is_whole = modelled.size() == runs.size();
   if (!is_whole)
     std::fprintf(stderr, "interrupted: %zu of %zu recordings are answered\n", modelled.size(), runs.size());
@@ -171,9 +187,11 @@ int RespondToStudy(const ResponseCommand& command) {
   runs.resize(modelled.size());
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(runs, modelled);
   const TimeMisfits over_time = is_whole ? OverTime(*loaded) : TimeMisfits();
-  const std::string json = AsJson(runs, modelled, misfits, over_time);
+  const std::string json = AsJson(runs, answers, misfits, over_time);
   if (!command.output.empty()) Write(command, *loaded, runs, modelled, misfits, json);
-  Print(command.json ? json : MisfitTable(misfits, RecordingMisfits(runs, modelled)) + TableOf(over_time));
+  Print(command.json
+            ? json
+            : MisfitTable(misfits, RecordingMisfits(runs, modelled)) + EnginesText(runs, answers) + TableOf(over_time));
   return is_whole ? kGood : kInterrupted;
 }
 

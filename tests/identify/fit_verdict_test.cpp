@@ -13,6 +13,8 @@ ErrorShare Share(const std::string& channel, const std::string& recording, doubl
   return {.channel = channel,
           .recording = recording,
           .kind = "m",
+          .unit = "m",
+          .has_nodes = true,
           .error = nmse_percent / 100 * measured,
           .measured = measured};
 }
@@ -64,11 +66,23 @@ TEST(FitVerdict, AQuietChannelIsNotJudged) {
   EXPECT_FALSE(JudgeFit({}, misfits).explains());
 }
 
+// On a road axles are ten times as loud as the body, whose accelerometer may be upside down.
+TEST(FitVerdict, OverTimeAQuietChannelIsJudged) {
+  Misfits misfits;
+  misfits.shares = {Share("a_axle", "road", 400, 1), Share("a_body", "road", 1, 170)};
+  for (ErrorShare& share : misfits.shares) share.has_nodes = false;
+  EXPECT_FALSE(JudgeFit({}, misfits).explains());
+  // What it takes of motion across its axis.
+  misfits.shares[1] = Share("a_body", "road", 0.1, 170);
+  misfits.shares[1].has_nodes = false;
+  EXPECT_TRUE(JudgeFit({}, misfits).explains());
+}
+
 TEST(FitVerdict, NamesARecordingThatIsNotModelledAtAll) {
   Misfits misfits;
   misfits.shares = {Share("s_front", "bounce", 4, 1), Share("s_rear", "bounce", 4, 1),
                     Share("s_front", "pitch", 1, 150), Share("s_rear", "pitch", 1, 130)};
-  EXPECT_THAT(JudgeFit({}, misfits).reasons, ElementsAre(HasSubstr("recording 'pitch' has an NMSE of 140 %")));
+  EXPECT_THAT(JudgeFit({}, misfits).reasons, ElementsAre(HasSubstr("recording 'pitch' in m has an NMSE of 140 %")));
 }
 
 FitResult Bounded(int at_bound, int parameters, double misfit) {

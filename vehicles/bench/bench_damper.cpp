@@ -41,11 +41,11 @@ bool AddHydraulic(const MountedHydraulicDamper& law, const BenchMotion& motion, 
 }
 
 /// Whether no chamber closes.
-bool AddDamper(const Damper& damper, const BenchMotion& motion, std::span<const double> values,
+bool AddDamper(const Damper& damper, const BenchMotion& motion, std::span<const double> values, double tolerance,
                std::vector<double>& tensions) {
   const SpringLaw series = damper.series ? damper.series->At(values) : SpringLaw{};
   if (damper.hydraulic) return AddHydraulic({damper.HydraulicAt(values), series}, motion, tensions);
-  if (damper.series) Add(SeriesForces({damper.law.At(values), series}, motion), tensions);
+  if (damper.series) Add(SeriesForces({damper.law.At(values), series}, motion, tolerance), tensions);
   else AddDashpot(damper.law.At(values), motion, tensions);
   return true;
 }
@@ -71,9 +71,18 @@ BenchDamper::BenchDamper(const Vehicle& vehicle, std::size_t damper) {
 }
 
 std::vector<double> BenchDamper::Tensions(const BenchMotion& motion, std::span<const double> values) const {
+  return Tensions(motion, values, kSeriesTolerance);
+}
+
+std::vector<double> BenchDamper::FinerTensions(const BenchMotion& motion, std::span<const double> values) const {
+  return Tensions(WithHalfTheStep(motion), values, kSeriesTolerance / 10);
+}
+
+std::vector<double> BenchDamper::Tensions(const BenchMotion& motion, std::span<const double> values,
+                                          double tolerance) const {
   std::vector<double> tensions(motion.samples());
   for (const Damper& damper : dampers_)
-    if (!AddDamper(damper, motion, values, tensions)) return {};
+    if (!AddDamper(damper, motion, values, tolerance, tensions)) return {};
   for (const Spring& spring : springs_) AddSpring(spring, motion, values, tensions);
   return tensions;
 }

@@ -13,14 +13,11 @@ double SlopeAtEnd(std::span<const double> values, double step) {
   return -SlopeAtStart({values.rbegin(), values.rend()}, step);
 }
 
-}  // namespace
-
-BenchMotion MotionThrough(std::span<const double> displacement, double sample_s) {
+BenchMotion InSteps(std::span<const double> displacement, double sample_s, std::size_t steps) {
   const std::vector<double> values(displacement.begin(), displacement.end());
   const UniformSpline spline(0, sample_s, values, SlopeAtStart(values, sample_s), SlopeAtEnd(displacement, sample_s));
   BenchMotion motion;
-  // A step that is the longest but for rounding does not need another one.
-  motion.steps = static_cast<std::size_t>(std::ceil(sample_s / kLongestStep_s - 1e-9));
+  motion.steps = steps;
   motion.step_s = sample_s / static_cast<double>(motion.steps);
   const std::size_t count = (values.size() - 1) * motion.steps + 1;
   motion.extension.reserve(count);
@@ -33,6 +30,19 @@ BenchMotion MotionThrough(std::span<const double> displacement, double sample_s)
     motion.acceleration.push_back(point.curvature);
   }
   return motion;
+}
+
+}  // namespace
+
+BenchMotion MotionThrough(std::span<const double> displacement, double sample_s) {
+  // A step that is the longest but for rounding does not need another one.
+  return InSteps(displacement, sample_s, static_cast<std::size_t>(std::ceil(sample_s / kLongestStep_s - 1e-9)));
+}
+
+BenchMotion WithHalfTheStep(const BenchMotion& motion) {
+  std::vector<double> displacement;
+  for (std::size_t k = 0; k < motion.extension.size(); k += motion.steps) displacement.push_back(motion.extension[k]);
+  return InSteps(displacement, motion.step_s * static_cast<double>(motion.steps), 2 * motion.steps);
 }
 
 }  // namespace fourpost

@@ -25,4 +25,7 @@ struct BenchMotion {
 /// most, and whole fractions of a sample. Throws std::invalid_argument as UniformSpline does.
 BenchMotion MotionThrough(std::span<const double> displacement, double sample_s);
 
+/// The same through the same samples.
+BenchMotion WithHalfTheStep(const BenchMotion& motion);
+
 }  // namespace fourpost

@@ -42,14 +42,12 @@ double LikelyForce(const SeriesDamper& damper, const BenchMotion& motion) {
 
 }  // namespace
 
-std::vector<double> SeriesForces(const SeriesDamper& damper, const BenchMotion& motion) {
-  // Most steps are off by far less; what is left of the force is some 1e-5 of its rms where laws have kinks.
-  constexpr double kTolerance = 1e-5;
+std::vector<double> SeriesForces(const SeriesDamper& damper, const BenchMotion& motion, double tolerance) {
   // A damper at rest has no force to compare with.
   constexpr double kLeast_N = 1e-9;
   if (StraightSeries::Holds(damper))
     return Forces(StraightSeries(damper, motion.step_s * static_cast<double>(motion.steps)), motion);
-  return Forces(ImplicitSeries(damper, std::max(kLeast_N, kTolerance * LikelyForce(damper, motion))), motion);
+  return Forces(ImplicitSeries(damper, std::max(kLeast_N, tolerance * LikelyForce(damper, motion))), motion);
 }
 
 }  // namespace fourpost

@@ -144,7 +144,8 @@ SolvedHistory HistorySolver::Solve(const PostMotion& posts, const TimeGrid& grid
   SolvedHistory reduced = Reduced(posts, grid, options.error, progress);
   if (options.engine == Engine::kReduced || reduced.ended) return reduced;
   Estimate(posts, grid, options.compared, progress, reduced);
-  if (reduced.ended || !reduced.by.kinematics_error || !reduced.by.kinematics_error->IsVisible()) return reduced;
+  if (reduced.ended || !reduced.by.kinematics_error || !(reduced.by.kinematics_error->share > options.visible))
+    return reduced;
   SolvedHistory full = Full(posts, grid, options.error, *reduced.by.step_s, progress);
   full.by.kinematics_error = full.ended
                                  ? reduced.by.kinematics_error

@@ -62,6 +62,8 @@ class HistorySolver {
     double error = 1e-3;
     /// So many sensors, the first ones, count in what linear kinematics are off by; the others only go along.
     std::size_t compared = static_cast<std::size_t>(-1);
+    /// Of kAuto: the full geometry answers where linear kinematics are off by more than this share of a channel's rms.
+    double visible = kVisibleShare;
   };
 
   /// Hears what is run ("reduced model", "full geometry", "multibody system") and the time it is at; false ends it.
