@@ -11,6 +11,7 @@
 #include "identify/modelled_response.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/response/balance_sensitivity.h"
+#include "vehicles/response/reduced_march.h"
 
 namespace fourpost {
 namespace {

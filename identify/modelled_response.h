@@ -15,10 +15,6 @@ namespace fourpost {
 /// response at the most, 2e-4 in the mean; the iteration's own error has to be small against that.
 inline constexpr HarmonicBalanceOptions kFitBalance{.error = 1e9, .tolerance = 1e-6};
 
-/// Whether the model has hysteresis: friction alone in line with a spring. It sticks and slides within a cycle with
-/// next to no rate of its own, and harmonic balance does not come to rest on it.
-bool HasHysteresis(const CondensedModel& model);
-
 /// What the model answers to an excitation: by harmonic balance, with hysteresis by Fourier coefficients of the
 /// condensed model run in time until its motion repeats (March; thesis 4.2.3), to a thousandth.
 PeriodicResponse ModelledResponse(const CondensedModel& model, const std::vector<Sensor>& sensors,

@@ -28,6 +28,11 @@ void TellMarched(const std::string& name, const Excitation& excitation, const St
   for (std::size_t i = 0; i < answer.engine_at.size(); ++i)
     if (answer.engine_at[i] == Engine::kMarch) marched.push_back(excitation.frequency_Hz[i]);
   if (marched.empty()) return;
+  if (answer.is_hysteretic) {
+    std::fprintf(stderr, "%s: friction in line with a spring sticks and slides within a cycle: integrated in time%s\n",
+                 name.c_str(), Interrupted() ? " until the interruption" : "");
+    return;
+  }
   std::fprintf(stderr, "%s: the %s balance converged to no periodic motion at %zu of %zu frequencies, %s: %s\n",
                name.c_str(), EngineName(answer.engine), marched.size(), answer.engine_at.size(), List(marched).c_str(),
                Interrupted() ? "left to the march, which was interrupted" : "these were marched from rest");

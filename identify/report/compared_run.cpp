@@ -149,9 +149,11 @@ std::vector<ChannelGroup> CommonGroups(const std::vector<ComparedRun>& runs,
                                        std::map<ChannelGroup, double> ComparedRun::*errors) {
   std::vector<ChannelGroup> common;
   if (runs.empty()) return common;
-  for (const auto& [group, error] : runs.front().*errors)
+  for (const auto& entry : runs.front().*errors) {
+    const ChannelGroup& group = entry.first;
     if (std::all_of(runs.begin(), runs.end(), [&](const ComparedRun& run) { return (run.*errors).contains(group); }))
       common.push_back(group);
+  }
   return common;
 }
 

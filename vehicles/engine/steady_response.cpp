@@ -211,7 +211,11 @@ std::string SteadySolver::MarchOne(const Excitation& excitation, std::size_t ind
 SteadyResponse SteadySolver::Balanced(const Excitation& excitation, Engine engine,
                                       const HarmonicBalanceOptions& options, const Progress& progress) {
   const bool is_checked = engine == Engine::kAuto;
-  return is_checked ? Check(excitation, options, progress) : Chosen(excitation, engine, options, progress);
+  SteadyResponse out =
+      is_checked ? Check(excitation, options, progress) : Chosen(excitation, engine, options, progress);
+  out.is_hysteretic = out.engine == Engine::kReduced && HasHysteresis(model_);
+  if (out.is_hysteretic) out.engine_at.assign(out.engine_at.size(), Engine::kMarch);
+  return out;
 }
 
 SteadyResponse SteadySolver::Solve(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options,

@@ -54,6 +54,8 @@ struct SteadyResponse {
   /// One per frequency: a balance that does not converge leaves it to kMarch, of the reduced model where `engine` is
   /// kReduced. The one that tried last where none did.
   std::vector<Engine> engine_at;
+  /// Whether all frequencies are left to the march for the model's hysteresis, see HasHysteresis.
+  bool is_hysteretic = false;
   std::vector<Unanswered> unanswered;
   /// Where the linearised balance found another motion than that from rest; not looked for by kFull and kMarch.
   std::vector<OtherMotion> other_motions;
