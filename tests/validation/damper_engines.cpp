@@ -8,9 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "analysis/random_stream.h"
+#include "tests/vehicles/random_dampers.h"
 #include "vehicles/engine/steady_response.h"
-#include "vehicles/reader/vehicle_file.h"
 #include "vehicles/response/full_balance.h"
 #include "vehicles/response/march.h"
 #include "vehicles/simulation/multibody_system.h"
@@ -22,90 +21,6 @@ using namespace fourpost;
 
 /// What a multibody run may take [s]: on a stiff mount Simbody's explicit integrator takes steps of microseconds.
 constexpr double kPatience_s = 60;
-
-class Draw {
- public:
-  Draw(std::uint64_t seed, std::uint64_t number) : stream_(seed, "damper engines", number) {}
-  double Log(double lower, double upper) { return lower * std::pow(upper / lower, stream_.Uniform()); }
-  bool Often(double share) { return stream_.Uniform() < share; }
-
- private:
-  RandomStream stream_;
-};
-
-std::string Text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
-struct Drawn {
-  std::string row;
-  std::string elements;
-};
-
-std::string LawElement(int law, double compression, double rebound) {
-  const std::string rates = " compression=\"" + Text(compression) + " N*s/m\" rebound=\"" + Text(rebound) + " N*s/m\"";
-  switch (law) {
-    case 0: return "<linear rate=\"" + Text(compression) + " N*s/m\"/>";
-    case 1: return "<bilinear" + rates + "/>";
-    case 2: return "<smooth" + rates + " speed=\"30 mm/s\"/>";
-    case 3:
-      return "<digressive" + rates + " compression_knee=\"0.08 m/s\" compression_beyond=\"" + Text(0.4 * compression) +
-             " N*s/m\" rebound_knee=\"0.1 m/s\" rebound_beyond=\"" + Text(0.4 * rebound) + " N*s/m\"/>";
-  }
-  std::string points;
-  for (const auto& [speed, share] : {std::pair{-0.4, -0.3}, {-0.1, -0.1}, {0.1, 0.1}, {0.4, 0.3}})
-    points += "<point speed=\"" + Text(speed) + " m/s\" force=\"" + Text(share * (speed < 0 ? compression : rebound)) +
-              " N\"/>";
-  return "<table>" + points + "</table>";
-}
-
-Drawn DrawDamper(int number, Draw& draw) {
-  const int law = number % 5;
-  const double compression = draw.Log(100, 3000);
-  const double rebound = compression * draw.Log(0.3, 6);
-  const double friction = draw.Often(0.2) ? 0 : draw.Log(5, 400);
-  const double speed = draw.Log(5e-4, 2e-2);
-  const double stiffness = draw.Often(0.2) ? 0 : draw.Log(1e5, 1e8);
-  const double cubic = draw.Often(0.3) ? stiffness * draw.Log(1e3, 1e6) : 0;
-  const double gas = draw.Often(0.3) ? 2000 : 0;
-  std::string elements = LawElement(law, compression, rebound);
-  if (friction > 0) elements += "<friction force=\"" + Text(friction) + " N\" speed=\"" + Text(speed) + " m/s\"/>";
-  if (stiffness > 0)
-    elements += "<series stiffness=\"" + Text(stiffness) + " N/m\" cubic=\"" + Text(cubic) + " N/m^3\"/>";
-  if (gas > 0) elements += "<gas force=\"100 N\" stiffness=\"" + Text(gas) + " N/m\"/>";
-  constexpr const char* kLaws[] = {"linear", "bilinear", "smooth", "digressive", "table"};
-  std::string row = kLaws[law];
-  for (const double value : {compression, rebound, friction, speed, stiffness, cubic, gas}) row += "," + Text(value);
-  return {std::move(row), std::move(elements)};
-}
-
-Vehicle QuarterCar(const std::string& damper) {
-  const auto body = [](const std::string& name, const std::string& mass, const std::string& height) {
-    return "<link name=\"" + name + "\"><inertial><mass value=\"" + mass +
-           "\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link><joint "
-           "name=\"" +
-           name + "_travel\" type=\"prismatic\"><parent link=\"ground\"/><child link=\"" + name +
-           "\"/><origin xyz=\"0 0 " + height +
-           "\"/><axis xyz=\"0 0 1\"/><limit lower=\"-0.2\" upper=\"0.2\" effort=\"0\" velocity=\"0\"/></joint>";
-  };
-  const std::string text =
-      R"(<robot name="quarter" xmlns:fp="urn:fourpost:vehicle:1"><link name="ground"/>)" + body("wheel", "38", "0.3") +
-      body("body", "285", "0.7") +
-      R"(<fp:spring name="spring" parent="body" child="wheel"><linear stiffness="15 N/mm"/></fp:spring>
-<fp:damper name="damper" parent="body" child="wheel">)" +
-      damper + R"(</fp:damper>
-<fp:tyre name="tyre" link="wheel" xyz="0 0 -0.3" stiffness="250 N/mm" damping="200 N*s/m"/><fp:post name="post" under="tyre"/>
-<fp:sensor name="a_body" type="accelerometer" link="body" xyz="0 0 0"/>
-<fp:sensor name="a_wheel" type="accelerometer" link="wheel" xyz="0 0 0"/>
-<fp:sensor name="s_strut" type="strut" parent="body" child="wheel"/>
-<fp:sensor name="F_tyre" type="load_cell" tyre="tyre"/></robot>)";
-  Diagnostics diagnostics;
-  std::optional<Vehicle> vehicle = ReadVehicleText(text, "quarter.urdf", diagnostics);
-  if (!vehicle) throw FaultyInput(diagnostics);
-  return std::move(*vehicle);
-}
 
 double Seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -147,7 +62,8 @@ std::string Responses(const Engines& engines) {
   try {
     const MarchedResponse marched =
         March(multibody, excitation, {.stop = [began] { return Seconds() - began > kPatience_s; }});
-    return row + Text(Off(balance.response, marched.response)) + "," + Text(Off(full.response, marched.response));
+    return row + NumberText(Off(balance.response, marched.response)) + "," +
+           NumberText(Off(full.response, marched.response));
   } catch (const MarchStopped&) {
     return row + ",";
   }
@@ -180,9 +96,9 @@ std::string History(const Engines& engines) {
   MultibodySystem system(multibody, 1e-8);
   const double began = Seconds();
   const TimeHistory full = Simulate(system, Move, grid, [began](double) { return Seconds() - began < kPatience_s; });
-  const std::string row = Text(reduced.change) + ",";
+  const std::string row = NumberText(reduced.change) + ",";
   if (full.size() < reduced.history.size()) return row;
-  return row + Text(Differences(reduced.history, full, engines.vehicle.sensors).maxCoeff());
+  return row + NumberText(Differences(reduced.history, full, engines.vehicle.sensors).maxCoeff());
 }
 
 }  // namespace
@@ -199,7 +115,7 @@ int main(int argc, char** argv) {
       "gas [N/m],balance unconverged,full balance unconverged,balance off,full balance off,history stated,"
       "history off");
   for (int i = 0; i < std::atoi(argv[1]); ++i) {
-    Draw draw(seed, static_cast<std::uint64_t>(i));
+    DamperDraw draw(seed, static_cast<std::uint64_t>(i));
     const Drawn drawn = DrawDamper(i, draw);
     const Vehicle vehicle = QuarterCar(drawn.elements);
     const Engines engines(vehicle);
