@@ -137,12 +137,38 @@ std::optional<double> BalancingSize(const GivenForce& preload, const StaticLoads
   return size;
 }
 
-std::string ImbalanceText(const GivenForce& preload, const StaticLoads& loads) {
+/// Elements whose force follows parameter `index`, and that nothing holds.
+std::string Followers(int index, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders) {
+  std::string names;
+  for (const GivenForce& force : forces) {
+    const bool follows = std::find(force.parameters.begin(), force.parameters.end(), index) != force.parameters.end();
+    if (!follows || IsHeld(force.direction, holders)) continue;
+    const bool is_weight = force.kind == GivenForce::Kind::kWeight;
+    names +=
+        (names.empty() ? "" : " and ") + std::string(is_weight ? "the weight of " : "the preload of ") + force.element;
+  }
+  return names;
+}
+
+/// The first parameter with bounds whose other values would not be balanced; empty without any.
+std::string Unbalancing(const Vehicle& vehicle, const StaticLoads& loads) {
+  for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
+    const Parameter& parameter = vehicle.parameters[i];
+    if (parameter.lower < parameter.upper && !Followers(static_cast<int>(i), loads.forces, loads.holders).empty())
+      return parameter.name;
+  }
+  return "";
+}
+
+std::string ImbalanceText(const Vehicle& vehicle, const GivenForce& preload, const StaticLoads& loads) {
   std::string text = "the preload of " + preload.element + (preload.free_spring ? " by its free length, " : ", ") +
                      RoundedText(preload.size) + " N, is not balanced";
   const std::optional<double> size = BalancingSize(preload, loads);
   if (size) text += ", " + RoundedText(*size) + " N would be";
   if (preload.free_spring) {
+    if (const std::string parameter = Unbalancing(vehicle, loads); !parameter.empty())
+      return text + "; no one length balances it over the bounds of fp:parameter '" + parameter +
+             "': remove free_length, and it carries what rests on it";
     const std::optional<double> length = size ? preload.free_spring->FreeLengthFor(*size) : std::nullopt;
     return text + "; " + (length ? "write free_length=\"" + LengthText(*length) + "\"" : "correct that length") +
            ", or leave a spring or tyre that acts beside it to equilibrium";
@@ -162,20 +188,7 @@ void ReportImbalance(const Vehicle& vehicle, const StaticLoads& loads, Diagnosti
   for (const GivenForce& force : loads.forces)
     if (force.kind == GivenForce::Kind::kPreload && (force.carries || force.size != 0) &&
         !IsHeld(force.direction, loads.holders) && told.insert(force.line).second)
-      faults.Error(vehicle.file, force.line, "no static equilibrium: " + ImbalanceText(force, loads));
-}
-
-/// Elements whose force follows parameter `index`, and that nothing holds.
-std::string Followers(int index, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders) {
-  std::string names;
-  for (const GivenForce& force : forces) {
-    const bool follows = std::find(force.parameters.begin(), force.parameters.end(), index) != force.parameters.end();
-    if (!follows || IsHeld(force.direction, holders)) continue;
-    const bool is_weight = force.kind == GivenForce::Kind::kWeight;
-    names +=
-        (names.empty() ? "" : " and ") + std::string(is_weight ? "the weight of " : "the preload of ") + force.element;
-  }
-  return names;
+      faults.Error(vehicle.file, force.line, "no static equilibrium: " + ImbalanceText(vehicle, force, loads));
 }
 
 void ReportFreeParameters(const Vehicle& vehicle, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders,

@@ -107,25 +107,42 @@ void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {
 
 void LawReader::ReadTable(const Tag& table, DashpotDescription& dashpot) {
   dashpot.kind = DashpotDescription::Kind::kTable;
+  std::vector<Tag> tags;
   for (const Tag& tag : TagsOf(*table.element, "fp:damper/table/point")) {
     const int errors = faults_.errors();
     const DashpotDescription::TablePoint point{parameters_.ReadScalar(tag, "speed"),
                                                parameters_.ReadScalar(tag, "force")};
     if (faults_.errors() > errors) continue;
-    const auto fault = [&](const std::string& text) {
-      faults_.Error(tag.Line(),
-                    "the point at \"" + tag.Text("speed") + "\" of " + Describe(*table.element) + " " + text);
-    };
-    if (!Resists(point))
-      fault("pushes on its own motion: force and speed must have one sign, over the whole range of parameters");
-    if (!dashpot.table.empty()) {
-      const DashpotDescription::TablePoint& before = dashpot.table.back();
-      if (!parameters_.IsBelow(before.speed, point.speed) || !parameters_.IsBelow(before.force, point.force))
-        fault("must have more speed and more force than the point before it, over the whole range of parameters");
-    }
     dashpot.table.push_back(point);
+    tags.push_back(tag);
   }
   if (dashpot.table.size() < 2) faults_.Error(table.Line(), Describe(*table.element) + " needs at least two <point>s");
+  const auto pushes = [this](const DashpotDescription::TablePoint& point) { return !Resists(point); };
+  const auto is_at_rest = [this](const DashpotDescription::TablePoint& point) {
+    return parameters_.Least(point.speed) == 0 && parameters_.Greatest(point.speed) == 0;
+  };
+  const auto all = std::count_if(dashpot.table.begin(), dashpot.table.end(), pushes);
+  const auto at_rest = std::count_if(dashpot.table.begin(), dashpot.table.end(), is_at_rest);
+  if (all > 1 && all + at_rest >= std::ssize(dashpot.table)) {
+    faults_.Error(table.Line(), Describe(*table.element) +
+                                    " pushes on its own motion at every speed: change the sign of its forces or of its "
+                                    "speeds; extension and tension are positive");
+    return;
+  }
+  for (std::size_t i = 0; i < tags.size(); ++i) CheckPoint(table, tags[i], i, dashpot.table);
+}
+
+void LawReader::CheckPoint(const Tag& table, const Tag& tag, std::size_t i,
+                           const std::vector<DashpotDescription::TablePoint>& points) {
+  const auto fault = [&](const std::string& text) {
+    faults_.Error(tag.Line(), "the point at \"" + tag.Text("speed") + "\" of " + Describe(*table.element) + " " + text);
+  };
+  if (!Resists(points[i]))
+    fault("pushes on its own motion: force and speed must have one sign, over the whole range of parameters");
+  if (i == 0) return;
+  if (!parameters_.IsBelow(points[i - 1].speed, points[i].speed) ||
+      !parameters_.IsBelow(points[i - 1].force, points[i].force))
+    fault("must have more speed and more force than the point before it, over the whole range of parameters");
 }
 
 /// Whether the force never acts with the motion, nor at rest.

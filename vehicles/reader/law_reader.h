@@ -28,6 +28,8 @@ class LawReader {
   void ReadKnees(const Tag& multirate, SpringDescription& law);
   void ReadRates(const Tag& law, DashpotDescription& dashpot);
   void ReadTable(const Tag& table, DashpotDescription& dashpot);
+  void CheckPoint(const Tag& table, const Tag& tag, std::size_t i,
+                  const std::vector<DashpotDescription::TablePoint>& points);
   void CheckInvertible(const Tag& damper, const Tag& series, const DashpotDescription& dashpot);
   bool Resists(const DashpotDescription::TablePoint& point) const;
   double LeastRate(const DashpotDescription& dashpot) const;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "vehicles/condensed/port.h"
 #include "vehicles/response/march.h"
@@ -16,6 +18,8 @@ namespace {
 
 constexpr double kOther = 0.05;
 constexpr double kNode = 0.03;
+/// Of the loudest of its unit.
+constexpr double kSilent = 0.01;
 /// Of a tyre's static load.
 constexpr double kNear = 0.25;
 
@@ -33,6 +37,14 @@ double LargestGain(const ChannelResponse& channel) {
   for (const std::complex<double>& value : channel.response)
     if (std::isfinite(std::abs(value))) largest = std::max(largest, std::abs(value));
   return largest;
+}
+
+/// Of each unit the largest gain, and one at least: a unit may be silent as a whole.
+std::map<std::string, double> LoudestOf(const FrequencyResponse& response) {
+  std::map<std::string, double> loudest;
+  for (const ChannelResponse& channel : response.channels)
+    loudest[channel.unit] = std::max({1.0, loudest[channel.unit], LargestGain(channel)});
+  return loudest;
 }
 
 }  // namespace
@@ -58,6 +70,7 @@ std::vector<OtherMotion> OtherMotionsFromRest(const CondensedModel& model, const
                                               const FrequencyResponse& found,
                                               const std::function<void(std::size_t done)>& progress) {
   CondensedSystem system(model, RigViewOf(vehicle));
+  const std::map<std::string, double> loudest = LoudestOf(found);
   std::vector<OtherMotion> others;
   for (std::size_t i = 0; i < excitation.frequency_Hz.size(); ++i) {
     if (progress) progress(i);
@@ -68,8 +81,10 @@ std::vector<OtherMotion> OtherMotionsFromRest(const CondensedModel& model, const
     OtherMotion other{.frequency_Hz = one.frequency_Hz[0]};
     for (std::size_t c = 0; c < found.channels.size(); ++c) {
       const std::complex<double> value = found.channels[c].response[i];
-      // A channel that is silent altogether has nothing to differ by.
-      const double size = std::max({std::abs(value), kNode * LargestGain(found.channels[c]), 1e-6});
+      const double largest = LargestGain(found.channels[c]);
+      // Silent by symmetry.
+      if (!(largest > kSilent * loudest.at(found.channels[c].unit))) continue;
+      const double size = std::max(std::abs(value), kNode * largest);
       const double difference = std::abs(run->channels[c].response[0] - value) / size;
       if (difference > other.difference) other = {other.frequency_Hz, found.channels[c].name, difference};
     }

@@ -29,7 +29,8 @@ std::vector<bool> MayHaveSeveralMotions(const CondensedModel& model, const Excit
 
 /// Balances do not tell whether the motion they find is stable. Runs the condensed vehicle from rest at each frequency
 /// for which `looked_at` holds, and compares first harmonics with `found`, of the linearised balance: those that differ
-/// by more than 5 % are told. Near a node, below 3 % of a channel's largest, differences count as a share of these 3 %.
+/// by more than 5 % are told. Near a node, below 3 % of a channel's largest, differences count as a share of these 3 %;
+/// channels that are silent, below 1 % of the loudest of their unit, are left out.
 /// Frequencies without a finite value, and those at which the run fails, are left out. `progress` hears how many
 /// frequencies are done, and may throw to end the work.
 std::vector<OtherMotion> OtherMotionsFromRest(const CondensedModel& model, const Vehicle& vehicle,

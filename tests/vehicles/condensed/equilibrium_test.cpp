@@ -260,6 +260,19 @@ TEST(Equilibrium, TellsWhatAFreeLengthWouldHaveToMake) {
                                         "balanced, -1961.33 N would be; write free_length=\""));
 }
 
+// No length would do: the next mass needs another one.
+TEST(Equilibrium, SaysToRemoveAFreeLengthWhereTheLoadHasBounds) {
+  Vehicle vehicle = WithHelper({.stiffness = {10e3}, .cubic = {}, .knees = {}});
+  vehicle.springs.erase(vehicle.springs.begin());
+  Link& body = vehicle.links[static_cast<std::size_t>(vehicle.joints.back().child)];
+  const int index = static_cast<int>(vehicle.parameters.size());
+  const double mass = body.mass.value;
+  vehicle.parameters.push_back({.name = "m_body", .value = mass, .lower = mass, .upper = 2 * mass, .precision = 1});
+  body.mass = Scalar{.value = mass, .parameter = index};
+  EXPECT_THAT(Fault(vehicle), HasSubstr("no one length balances it over the bounds of fp:parameter 'm_body': remove "
+                                        "free_length, and it carries what rests on it"));
+}
+
 // What it says to write is balanced, of a law that bends too.
 TEST(Equilibrium, StatesTheFreeLengthThatIsBalanced) {
   SpringDescription full{.stiffness = {10e3}, .cubic = {1e6}, .knees = {}};

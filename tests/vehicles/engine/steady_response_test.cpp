@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 
 #include "tests/vehicles/quarter_cars.h"
+#include "tests/vehicles/shipped_vehicle.h"
+#include "vehicles/description/post_pattern.h"
 #include "vehicles/response/march.h"
 
 namespace fourpost {
@@ -138,6 +140,14 @@ TEST(SteadyResponse, WarnsWhereTheMotionFromRestIsAnother) {
     EXPECT_GT(found[0].difference, 0.1);
     EXPECT_THAT(others(engine, 0.001), IsEmpty());
   }
+}
+
+// Roll leaves pitch silent, whose rounding is another one in every motion.
+TEST(SteadyResponse, HasNothingToWarnOfInWhatIsSilentBySymmetry) {
+  const Vehicle car = ShippedVehicle("independent_roadster");
+  const Excitation roll{{5.04}, {0.0047}, PostPattern(car, "roll")};
+  EXPECT_TRUE(MayHaveSeveralMotions(SteadySolver(car).model(), roll)[0]);
+  EXPECT_THAT(SteadySolver(car).Solve(roll, Engine::kReduced).other_motions, IsEmpty());
 }
 
 // Where nothing was compared no error is known.
