@@ -128,7 +128,7 @@ std::string Agreement(const Json& result, bool is_cut_short) {
 /// Said of a run that another version made.
 std::string OfAnotherVersion(const Json& result) {
   const std::string version = TextAt(result.value("versions", Json()), "fourpost");
-  const std::string& own = Versions().front().second;
+  const std::string own = Versions().front().second;
   if (version.empty() || version == own) return "";
   return "The run was made by fourpost " + html::Escaped(version) + ", this page by " + own +
          ": what it does not know of is left out.";
