@@ -456,7 +456,7 @@ describe('reports of other runs', () => {
       const result = JSON.parse(read('result.json'));
       result.termination = 'interrupted';
       result.identifiability = null;
-      for (const parameter of result.parameters) parameter.sd = null;
+      for (const parameter of result.parameters) Object.assign(parameter, { sd: null, interval_95: null, state: 'not_computed' });
       result.starts.runs = [];
       write('result.json', JSON.stringify(result));
       remove('vehicle.urdf');
