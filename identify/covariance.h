@@ -20,7 +20,7 @@ struct CovarianceOptions {
   /// Multiply standard deviations of the data by sqrt(cost / (N - rank)) when that exceeds 1: the model misses the data
   /// by more than their noise.
   bool inflate = true;
-  /// Parameters that take no part, such as those at a bound: everything is told of the others while these stay.
+  /// Parameters that take no part, such as those at a bound; the others are judged while these stay.
   std::vector<Eigen::Index> held = {};
 
   /// Throws std::invalid_argument naming the field, its value and its bound.

@@ -24,7 +24,7 @@ struct Slopes {
 
 double StepOf(const Archive& archive) { return StepFor(archive.problem().accuracy, Differences::kCentral); }
 
-/// Nothing where they cannot be told.
+/// Nothing where a point has no answer.
 std::optional<Slopes> SlopesAt(Archive& archive, const Eigen::VectorXd& values) {
   const FitVariables variables(archive.lattice());
   Slopes slopes{variables.FromValues(values), archive.EvaluateValues({values}).front(), {}};

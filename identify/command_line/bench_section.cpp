@@ -60,7 +60,7 @@ void AddIntegration(const BenchDamper& damper, const std::vector<ModelledRecordi
       std::max_element(errors.begin(), errors.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
   if (worst == errors.end()) return;
   const std::string size = Percent(std::max(1e-6, worst->second), 2) + " of its rms";
-  section.text = "half the integration's step changes no force by more than " + size + '\n';
+  section.text = "halving the step changed no force by more than " + size + '\n';
   if (worst->second > kVisible)
     section.findings.Warning(worst->first, 0,
                              "the force is integrated to " + size + " only: its damper is too stiff for its samples");

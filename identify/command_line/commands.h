@@ -44,7 +44,7 @@ struct ResponseCommand {
   /// A vehicle file or a study.
   std::filesystem::path input;
   bool json = false;
-  /// Empty: kAuto for a vehicle, kReduced for a study, as its fit does.
+  /// Empty: kAuto.
   std::optional<Engine> engine;
   /// Empty: nothing is written.
   std::filesystem::path output;

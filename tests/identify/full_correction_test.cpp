@@ -1,5 +1,6 @@
 // A fit of a time history whose motion linear kinematics do not show, by the program.
 #include <cmath>
+#include <regex>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -68,7 +69,16 @@ TEST_F(FullCorrection, FindsTheValuesThatTheFullGeometryWasGiven) {
 TEST_F(FullCorrection, GoesOnFromItsArchiveWithoutPaying) {
   ASSERT_EQ(Run("fit study.yaml -o run").code, 0);
   const Json first = Result("run");
-  ASSERT_EQ(Run("fit study.yaml -o run --resume").code, 0);
+  const Outcome resumed = Run("fit study.yaml -o run --resume");
+  ASSERT_EQ(resumed.code, 0);
+  // A line for each round.
+  const std::regex line("(\\d+) of (\\d+) evaluations come from run/archive\\.sqlite");
+  int restored = 0;
+  for (std::sregex_iterator found(resumed.err.begin(), resumed.err.end(), line), end; found != end; ++found) {
+    EXPECT_EQ((*found)[1], (*found)[2]);
+    restored += std::stoi((*found)[1]);
+  }
+  EXPECT_EQ(restored, first["evaluations"]["paid"]);
   const Json again = Result("run");
   EXPECT_EQ(again["parameters"], first["parameters"]);
   EXPECT_EQ(again["histories"], first["histories"]);

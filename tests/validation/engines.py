@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Compares the engines over every shipped vehicle: engines.py PROGRAM [--histories|--responses] [VEHICLE...] > engines.csv
+"""Compares the engines over every shipped vehicle, as CSV.
 
 Histories: `reduced` and `auto` against `full`, as the largest rms difference of a channel as a share of its rms.
 Stepped sines: `auto` against `march`, as the largest difference of a first harmonic as a share of the channel's largest.
 `stated` is the error that the result of `auto` itself states of linear kinematics, in the same shares.
 Channels below a hundredth of the loudest of their unit are silent by symmetry and left out.
 """
+import argparse
 import csv
 import json
 import math
@@ -16,8 +17,10 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parents[2]
 HISTORIES = {
-    "sweep": (["--sweep", "0.5Hz:30Hz", "--duration", "20s"], [[], ["--amplitude", "50mm", "--velocity", "0.5m/s"]]),
-    "sine": (["--sine", "1.5Hz", "--duration", "6s"], [["--amplitude", "5mm"], ["--amplitude", "40mm", "--velocity", "1m/s"]]),
+    "sweep": (["--sweep", "0.5Hz:30Hz", "--duration", "20s"],
+              [[], ["--amplitude", "50mm", "--velocity", "0.5m/s"]]),
+    "sine": (["--sine", "1.5Hz", "--duration", "6s"],
+             [["--amplitude", "5mm"], ["--amplitude", "40mm", "--velocity", "1m/s"]]),
     "step": (["--duration", "4s"], [["--step", "10mm"], ["--step", "60mm"]]),
     "random": (["--duration", "10s"], [["--random", "2mm"], ["--random", "10mm"]]),
     "road": (["--speed", "60km/h", "--duration", "10s"], [["--road", "A"], ["--road", "D"]]),
@@ -64,7 +67,8 @@ def history(program, folder, vehicle, arguments):
     for name in ("full", "reduced", "auto"):
         path = folder / f"{name}.csv"
         path.unlink(missing_ok=True)
-        outcome = run(program, "simulate", str(vehicle), *arguments, "--engine", name, "--rate", "500Hz", "-o", str(path), "--json")
+        outcome = run(program, "simulate", str(vehicle), *arguments, "--engine", name, "--rate", "500Hz",
+                      "-o", str(path), "--json")
         if outcome is None:
             return None
         found[name] = columns(path)
@@ -92,12 +96,14 @@ def response(program, folder, vehicle, arguments):
     found = {}
     engine = ""
     for name in ("march", "reduced", "auto"):
-        outcome = run(program, "response", str(vehicle), *arguments, "--engine", name, "-o", str(folder / name), "--json")
+        outcome = run(program, "response", str(vehicle), *arguments, "--engine", name,
+                      "-o", str(folder / name), "--json")
         if outcome is None:
             return None
         found[name] = responses(folder / name / "response.csv")
         if name == "auto":
-            engine = "+".join(sorted({row.rsplit(",", 1)[1] for row in (folder / name / "response.csv").read_text().splitlines()[1:]}))
+            rows = (folder / name / "response.csv").read_text().splitlines()[1:]
+            engine = "+".join(sorted({row.rsplit(",", 1)[1] for row in rows}))
     march = found["march"]
     loudest = {}
     for (unit, _), values in march.items():
@@ -119,21 +125,26 @@ def response(program, folder, vehicle, arguments):
 
 
 def main():
-    program, *names = sys.argv[1:]
-    only = names.pop(0)[2:] if names and names[0].startswith("--") else ""
-    vehicles = [Path(name) for name in names] or sorted((SOURCE / "urdf").glob("*.urdf"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("vehicles", nargs="*", type=Path, default=sorted((SOURCE / "urdf").glob("*.urdf")))
+    parser.add_argument("--histories", action="store_true", help="these only")
+    parser.add_argument("--responses", action="store_true", help="these only")
+    options = parser.parse_args()
+    cases = []
+    if not options.responses:
+        cases += [(history, name, common, level) for name, (common, levels) in HISTORIES.items() for level in levels]
+    if not options.histories:
+        cases += [(response, mode, ["--mode", mode, "--frequencies", FREQUENCIES], level)
+                  for mode in MODES for level in LEVELS]
     out = csv.writer(sys.stdout, lineterminator="\n")
     print("# tests/validation/engines.py build/release/fourpost; shares in per cent, see the script")
     out.writerow(["vehicle", "motion", "level", "reduced_off", "channel", "stated", "auto_engine", "auto_off"])
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
-        for vehicle in vehicles:
-            cases = [(history, name, common, level) for name, (common, levels) in HISTORIES.items() for level in levels]
-            cases = [] if only == "responses" else cases
-            cases += [] if only == "histories" else [(response, mode, ["--mode", mode, "--frequencies", FREQUENCIES], level)
-                      for mode in MODES for level in LEVELS]
+        for vehicle in options.vehicles:
             for compare, name, common, level in cases:
-                answer = compare(program, folder, vehicle, [*common, *level])
+                answer = compare(options.program, folder, vehicle, [*common, *level])
                 if answer is None:
                     continue  # No such motion of this vehicle.
                 share = lambda value: "" if value == "" else f"{100 * value:.3g}"
