@@ -1,5 +1,7 @@
-# fourpost_room(NAME HEADERS ... SOURCES ... PUBLIC ... PRIVATE ...)
-# A room is a static library with an explicit file list; each public header must compile alone.
+# fourpost_room(FOLDER [ALONE] USES room... PUBLIC library... PRIVATE library...)
+# A room is a folder and a static library of all that lies in it. USES names the rooms that it may include, "vehicles/laws";
+# the build refuses any other (arrows.cmake), and a circle of rooms. ALONE: its sources have words of their own that do
+# not go together into one compilation.
 add_library(fourpost_warnings INTERFACE)
 target_compile_options(fourpost_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
@@ -9,15 +11,53 @@ target_compile_options(fourpost_warnings INTERFACE
   -ffp-contract=off
   $<$<BOOL:${FOURPOST_WERROR}>:-Werror>)
 
-function(fourpost_room name)
-  cmake_parse_arguments(ROOM "" "" "HEADERS;SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  add_library(fourpost_${name} STATIC ${ROOM_SOURCES})
-  add_library(fourpost::${name} ALIAS fourpost_${name})
-  target_sources(fourpost_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ROOM_HEADERS})
-  target_compile_features(fourpost_${name} PUBLIC cxx_std_20)
-  target_link_libraries(fourpost_${name} PUBLIC ${ROOM_PUBLIC}
+include(${CMAKE_CURRENT_LIST_DIR}/precompiled.cmake)
+fourpost_precompiled(fourpost_headers)
+
+set(fourpost_cmake_dir ${CMAKE_CURRENT_LIST_DIR})
+
+function(fourpost_room folder)
+  cmake_parse_arguments(ROOM "ALONE" "" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
+  string(REPLACE "/" "_" name ${folder})
+  set(target fourpost_${name})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.h)
+  string(REPLACE "/" "_" rooms "${ROOM_USES}")
+  list(TRANSFORM rooms PREPEND fourpost::)
+
+  # A stamp that is newer than all files whose arrows have been looked at.
+  set(stamp ${PROJECT_BINARY_DIR}/arrows/${name})
+  string(REPLACE ";" "," uses "${ROOM_USES}")
+  add_custom_command(OUTPUT ${stamp}
+    COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR} -D ROOM=${folder} -D USES=${uses} -D STAMP=${stamp}
+      -P ${fourpost_cmake_dir}/arrows.cmake
+    DEPENDS ${sources} ${headers} ${fourpost_cmake_dir}/arrows.cmake VERBATIM
+    COMMENT "Arrows of ${folder}")
+
+  add_library(${target} STATIC ${sources} ${ROOM_SOURCES} ${stamp})
+  add_library(fourpost::${name} ALIAS ${target})
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC ${rooms} ${ROOM_PUBLIC}
     PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:fourpost_warnings>)
-  set_target_properties(fourpost_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   # All headers of a room in one check per header: `cmake --build ... --target fourpost_<room>_verify_interface_header_sets`.
-  set_target_properties(fourpost_${name} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+  if(ROOM_ALONE)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  endif()
+  fourpost_reuse(${target} fourpost_headers)
+  set_property(GLOBAL APPEND PROPERTY fourpost_rooms ${target})
+endfunction()
+
+# fourpost_part(NAME): all rooms under a folder of the top level, as one library to link to.
+function(fourpost_part name)
+  get_property(rooms GLOBAL PROPERTY fourpost_rooms)
+  list(FILTER rooms INCLUDE REGEX "^fourpost_${name}_")
+  add_library(fourpost_${name} INTERFACE)
+  add_library(fourpost::${name} ALIAS fourpost_${name})
+  string(REPLACE "fourpost_" "fourpost::" rooms "${rooms}")
+  target_link_libraries(fourpost_${name} INTERFACE ${rooms})
+  set_target_properties(fourpost_${name} PROPERTIES EXPORT_NAME ${name})
+  set_property(GLOBAL APPEND PROPERTY fourpost_parts fourpost_${name})
 endfunction()

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "analysis/utf8.h"
+#include "analysis/text/utf8.h"
 
 namespace fourpost::html {
 

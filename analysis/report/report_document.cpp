@@ -2,7 +2,7 @@
 
 #include "analysis/report/html.h"
 #include "analysis/report/report_bundle.h"
-#include "analysis/sha256.h"
+#include "analysis/files/sha256.h"
 
 namespace fourpost {
 namespace {

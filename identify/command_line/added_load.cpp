@@ -6,12 +6,12 @@
 
 #include <Eigen/Geometry>
 
-#include "analysis/diagnostics.h"
-#include "analysis/short_number.h"
-#include "analysis/units.h"
+#include "analysis/text/diagnostics.h"
+#include "analysis/text/short_number.h"
+#include "analysis/text/units.h"
 #include "identify/command_line/print.h"
-#include "identify/command_line/text_table.h"
-#include "identify/option_quantity.h"
+#include "analysis/text/text_table.h"
+#include "vehicles/requests/option_quantity.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/added_mass.h"
 #include "vehicles/description/design_poses.h"

@@ -8,7 +8,7 @@
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
-#include "identify/command_line/text_table.h"
+#include "analysis/text/text_table.h"
 #include "vehicles/lint/ride_lint.h"
 #include "vehicles/lint/vehicle_lint.h"
 #include "vehicles/loops/mobility.h"

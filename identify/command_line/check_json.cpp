@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "identify/command_line/check_text.h"
-#include "identify/json_text.h"
+#include "analysis/files/json_text.h"
 
 namespace fourpost {
 namespace {

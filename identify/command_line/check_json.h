@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "identify/command_line/checked_vehicle.h"
 
 namespace fourpost {

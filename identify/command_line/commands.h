@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/diagnostics.h"
-#include "identify/amplitude_limits.h"
-#include "identify/sweep.h"
+#include "analysis/text/diagnostics.h"
+#include "vehicles/requests/amplitude_limits.h"
+#include "identify/run/fit_run.h"
+#include "vehicles/requests/sweep.h"
 #include "vehicles/engine/steady_response.h"
 
 namespace fourpost {
@@ -114,22 +115,8 @@ struct SimulateCommand {
 };
 
 /// `fourpost fit STUDY -o DIR`
-struct FitCommand {
-  std::filesystem::path study;
-  std::filesystem::path output;
+struct FitCommand : FitRequest {
   bool json = false;
-  /// In place of the study's.
-  std::optional<std::uint64_t> seed;
-  /// 0: one per processor.
-  int threads = 0;
-  /// Refuse to start anew.
-  bool resume = false;
-  /// Fit although the data leave combinations of parameters open.
-  bool accept_unidentified = false;
-  /// Fit although posts of a recording move otherwise than the study tells.
-  bool accept_implausible = false;
-  /// Names of parameters to profile, or "all".
-  std::vector<std::string> profile = {};
 };
 
 /// `fourpost predict RUN --recording FILE`

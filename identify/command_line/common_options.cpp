@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "analysis/nearest.h"
+#include "analysis/text/nearest.h"
 #include "vehicles/engine/engine.h"
 
 namespace fourpost {

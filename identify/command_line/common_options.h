@@ -9,7 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "identify/amplitude_limits.h"
+#include "vehicles/requests/amplitude_limits.h"
 
 namespace fourpost {
 

@@ -4,24 +4,25 @@
 #include <mutex>
 #include <optional>
 
-#include "analysis/number.h"
+#include "analysis/text/number.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
-#include "identify/command_line/text_table.h"
-#include "identify/comparison.h"
-#include "identify/comparison_json.h"
-#include "identify/loaded_study.h"
-#include "identify/option_quantity.h"
+#include "analysis/text/progress_text.h"
+#include "analysis/text/text_table.h"
+#include "identify/comparison/comparison.h"
+#include "identify/comparison/comparison_json.h"
+#include "identify/study/loaded_study.h"
+#include "vehicles/requests/option_quantity.h"
 #include "identify/problems/test_problem.h"
 #include "identify/report/methods_page.h"
 #include "identify/search/evaluation_store.h"
 #include "identify/search/idle_parameters.h"
-#include "identify/study_context.h"
-#include "identify/study_methods.h"
+#include "identify/study/study_context.h"
+#include "identify/study/study_methods.h"
 #ifdef FOURPOST_PEERS
 #include "identify/peers/peer_methods.h"
 #endif

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 
 namespace fourpost {
 

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/number.h"
-#include "identify/amplitude_limits.h"
+#include "analysis/text/number.h"
+#include "vehicles/requests/amplitude_limits.h"
 #include "identify/command_line/file_kind.h"
-#include "identify/command_line/text_table.h"
-#include "identify/post_shape.h"
-#include "identify/rigid_range.h"
+#include "analysis/text/text_table.h"
+#include "vehicles/requests/post_shape.h"
+#include "vehicles/requests/rigid_range.h"
 #include "vehicles/posts/height_signals.h"
 #include "vehicles/posts/post_motions.h"
 #include "vehicles/posts/recorded_posts.h"

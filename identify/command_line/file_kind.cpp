@@ -4,7 +4,7 @@
 #include <cctype>
 #include <string>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 
 namespace fourpost {
 namespace {

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/progress_line.h"
-#include "identify/command_line/text_table.h"
+#include "analysis/text/progress_text.h"
+#include "analysis/text/text_table.h"
 
 namespace fourpost {
 namespace {
@@ -15,7 +18,7 @@ namespace {
 /// One line of how a fit gets on, what matters first.
 class FitLine {
  public:
-  explicit FitLine(const FitOptions& options) : options_(options) {}
+  explicit FitLine(FitOptions options) : options_(std::move(options)) {}
 
   void Show(const FitProgress& progress) {
     const double seconds = line_.seconds();
@@ -29,8 +32,6 @@ class FitLine {
                std::to_string(progress.reused) + " reused, " + std::to_string(progress.failed) + " failed, " +
                std::to_string(progress.restored) + " from the archive)");
   }
-
-  void ShowNext(const std::string& text) { line_.ShowNext(text); }
 
  private:
   /// Of this stage, with the time left where the end is known.
@@ -67,7 +68,7 @@ class FitLine {
            (loss.kind() == LossKind::kNone ? "" : " by " + std::string(loss.name()));
   }
 
-  const FitOptions& options_;
+  FitOptions options_;
   ProgressLine line_;
   std::string_view stage_;
   std::size_t profiled_ = 0;
@@ -78,14 +79,9 @@ class FitLine {
 
 }  // namespace
 
-FitResult FitWithProgress(const VehicleObjective& objective, const FitOptions& options, EvaluationStore& store) {
-  FitLine line(options);
-  FitHooks hooks;
-  hooks.progress = [&](const FitProgress& progress) { line.Show(progress); };
-  hooks.stop = Interrupted;
-  FitResult fit = Fit(objective, options, hooks, &store);
-  if (!fit.parameters.empty()) line.ShowNext("the fit is done; what it foretells, and its report, are computed");
-  return fit;
+FitHooks ShownFit(const FitOptions& options) {
+  const auto line = std::make_shared<FitLine>(options);
+  return {.progress = [line](const FitProgress& progress) { line->Show(progress); }, .stop = Interrupted};
 }
 
 }  // namespace fourpost

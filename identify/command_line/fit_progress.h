@@ -1,12 +1,10 @@
 #pragma once
 
-#include "identify/fit.h"
-#include "identify/search/evaluation_store.h"
-#include "identify/vehicle_objective.h"
+#include "identify/fit/fit.h"
 
 namespace fourpost {
 
-/// Fit(), showing how it gets on; an interrupt by the user ends it with what it has.
-FitResult FitWithProgress(const VehicleObjective& objective, const FitOptions& options, EvaluationStore& store);
+/// Shows how a fit with these options gets on; an interrupt by the user ends it with what it has.
+FitHooks ShownFit(const FitOptions& options);
 
 }  // namespace fourpost

@@ -1,6 +1,6 @@
 #include "identify/command_line/locked_friction.h"
 
-#include "identify/command_line/text_table.h"
+#include "analysis/text/text_table.h"
 
 namespace fourpost {
 

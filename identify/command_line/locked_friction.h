@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/response/friction_lock.h"
 

@@ -12,10 +12,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "analysis/diagnostics.h"
-#include "analysis/nearest.h"
-#include "analysis/output_folder.h"
-#include "analysis/shortened.h"
+#include "analysis/text/diagnostics.h"
+#include "analysis/text/nearest.h"
+#include "analysis/files/output_folder.h"
+#include "analysis/text/shortened.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/program.h"

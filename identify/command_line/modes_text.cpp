@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "identify/command_line/text_table.h"
+#include "analysis/text/text_table.h"
 #include "vehicles/condensed/mode_times.h"
 
 namespace fourpost {

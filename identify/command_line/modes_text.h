@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/pole_files.h"
+#include "vehicles/requests/pole_files.h"
 
 namespace fourpost {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "analysis/output_folder.h"
+#include "analysis/files/output_folder.h"
 
 namespace fourpost {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 
 namespace fourpost {
 

@@ -10,7 +10,7 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/simulate_options.h"
 #include "identify/command_line/whole_number.h"
-#include "identify/search_method_list.h"
+#include "identify/refine/search_method_list.h"
 
 namespace fourpost {
 

@@ -6,8 +6,8 @@
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
-#include "identify/command_line/text_table.h"
-#include "identify/json_text.h"
+#include "analysis/text/text_table.h"
+#include "analysis/files/json_text.h"
 #include "identify/report/ranked_run.h"
 
 namespace fourpost {
@@ -22,9 +22,6 @@ std::string Table(const ModelRanking& ranking) {
                Rounded(model.validation_percent, 3), Rounded(model.criteria.aicc, 5), Rounded(model.criteria.bic, 5)});
   return table.Format();
 }
-
-/// What is not finite becomes null.
-Json NumberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 std::string RankingJson(const ModelRanking& ranking) {
   Json models = Json::array();

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "identify/amplitude_limits.h"
-#include "identify/command_line/engine_text.h"
-#include "identify/command_line/text_table.h"
+#include "vehicles/requests/amplitude_limits.h"
+#include "vehicles/requests/engine_text.h"
+#include "analysis/text/text_table.h"
 
 namespace fourpost {
 namespace {

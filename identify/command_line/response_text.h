@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/sweep.h"
+#include "vehicles/requests/sweep.h"
 
 namespace fourpost {
 

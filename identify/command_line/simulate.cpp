@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/output_folder.h"
-#include "identify/chosen_sensors.h"
+#include "analysis/files/output_folder.h"
+#include "vehicles/requests/chosen_sensors.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/drive.h"
-#include "identify/command_line/engine_text.h"
+#include "vehicles/requests/engine_text.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
 #include "identify/command_line/interrupt.h"
@@ -16,10 +16,10 @@
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/solve_history.h"
-#include "identify/command_line/text_table.h"
-#include "identify/history_chart.h"
-#include "identify/history_files.h"
-#include "identify/parameter_setting.h"
+#include "analysis/text/text_table.h"
+#include "vehicles/requests/history_chart.h"
+#include "vehicles/requests/history_files.h"
+#include "vehicles/requests/parameter_setting.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/simulation/sensor_model.h"
 

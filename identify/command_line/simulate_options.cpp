@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "analysis/units.h"
+#include "analysis/text/units.h"
 #include "identify/command_line/common_options.h"
 #include "identify/command_line/whole_number.h"
-#include "identify/option_quantity.h"
+#include "vehicles/requests/option_quantity.h"
 #include "vehicles/posts/road.h"
 
 namespace fourpost {

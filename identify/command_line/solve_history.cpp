@@ -8,7 +8,8 @@
 #include "identify/command_line/condensed_at_values.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/progress_line.h"
-#include "identify/command_line/text_table.h"
+#include "analysis/text/progress_text.h"
+#include "analysis/text/text_table.h"
 #include "vehicles/ride/stability.h"
 
 namespace fourpost {

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "analysis/nearest.h"
-#include "analysis/number.h"
-#include "analysis/option_check.h"
+#include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
+#include "analysis/text/option_check.h"
 #include "identify/peers/nlopt_search.h"
 #include "identify/peers/pagmo_search.h"
 #include "identify/peers/scipy_search.h"

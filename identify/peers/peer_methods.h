@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/diagnostics.h"
-#include "identify/comparison.h"
+#include "analysis/text/diagnostics.h"
+#include "identify/comparison/comparison.h"
 
 namespace fourpost {
 

@@ -11,21 +11,21 @@ namespace fourpost {
 namespace {
 
 constexpr int kSamples = 501;
-constexpr double kStep_s = 0.01;
+constexpr double kSample_s = 0.01;
 
-using Jet = ceres::Jet<double, 3>;
+using Jet3 = ceres::Jet<double, 3>;
 
 double ValueOf(double x) { return x; }
-double ValueOf(const Jet& x) { return x.a; }
+double ValueOf(const Jet3& x) { return x.a; }
 
 template <typename T>
 using Matrix4 = Eigen::Matrix<T, 4, 4>;
 
 Eigen::VectorXd Chirp() {
-  const double amplitude = 0.02, first_Hz = 0.5, last_Hz = 5, duration_s = (kSamples - 1) * kStep_s;
+  const double amplitude = 0.02, first_Hz = 0.5, last_Hz = 5, duration_s = (kSamples - 1) * kSample_s;
   Eigen::VectorXd u(kSamples);
   for (int i = 0; i < kSamples; ++i) {
-    const double t = i * kStep_s;
+    const double t = i * kSample_s;
     u[i] = amplitude * std::sin(2 * std::numbers::pi * (first_Hz * t + (last_Hz - first_Hz) * t * t / 2 / duration_s));
   }
   return u;
@@ -58,11 +58,11 @@ Eigen::Matrix<T, Eigen::Dynamic, 2> Response(const T& m, const T& k, const T& d,
   rates.row(0) << T(0), T(1), d / m, T(0);
   rates.row(1) << -k / m, -d / m, k / m - d * d / (m * m), T(0);
   rates(2, 3) = T(1);
-  const Matrix4<T> step = Exponential<T>(T(kStep_s) * rates);
+  const Matrix4<T> step = Exponential<T>(T(kSample_s) * rates);
   Eigen::Matrix<T, Eigen::Dynamic, 2> response(u.size(), 2);
   Eigen::Matrix<T, 4, 1> state(T(0), -d / m * T(u[0]), T(0), T(0));
   for (Eigen::Index i = 0; i < u.size(); ++i) {
-    const double slope = i + 1 < u.size() ? (u[i + 1] - u[i]) / kStep_s : 0;
+    const double slope = i + 1 < u.size() ? (u[i + 1] - u[i]) / kSample_s : 0;
     state[2] = T(u[i]);
     state[3] = T(slope);
     const T relative_rate = state[1] + d / m * u[i] - T(slope);
@@ -95,7 +95,7 @@ Problem OscillatorProblem() {
     return evaluation;
   };
   const auto differentiate = [truth](const Eigen::VectorXd& p) {
-    const auto response = Response(Jet(p[0], 0), Jet(p[1], 1), Jet(p[2], 2), truth->u);
+    const auto response = Response(Jet3(p[0], 0), Jet3(p[1], 1), Jet3(p[2], 2), truth->u);
     const double scale = std::sqrt(100.0 / kSamples);
     Eigen::MatrixXd jacobian(2 * kSamples, 3);
     for (Eigen::Index c = 0; c < 2; ++c)

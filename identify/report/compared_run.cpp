@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "identify/report/fitted_data.h"
 #include "identify/report/shown_number.h"
 

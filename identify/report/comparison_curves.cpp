@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "analysis/csv.h"
+#include "analysis/files/csv.h"
 #include "identify/report/fitted_data.h"
 #include "identify/report/history_table.h"
 #include "identify/report/picture_number.h"

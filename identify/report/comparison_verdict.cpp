@@ -11,17 +11,17 @@
 namespace fourpost {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-/// Errors this close are one.
+constexpr double kNoError = std::numeric_limits<double>::quiet_NaN();
+/// GroupErrors this close are one.
 constexpr double kSame = 1e-2;
 
 using Json = nlohmann::json;
-using Errors = std::map<ChannelGroup, double> ComparedRun::*;
+using GroupErrors = std::map<ChannelGroup, double> ComparedRun::*;
 
 double MeanOver(const std::vector<ChannelGroup>& groups, const std::map<ChannelGroup, double>& errors) {
   double sum = 0;
   for (const ChannelGroup& group : groups) sum += errors.at(group);
-  return groups.empty() ? kNone : sum / static_cast<double>(groups.size());
+  return groups.empty() ? kNoError : sum / static_cast<double>(groups.size());
 }
 
 std::string Name(const ComparedRun& run) { return html::Element("strong", "", html::Escaped(run.name)); }
@@ -35,7 +35,7 @@ struct Noun {
 const Noun kChannels = {"group of channels", "groups of channels"};
 
 /// "X fits best: 0.9 % ..., next Y with 1.2 %".
-std::string Best(const std::vector<ComparedRun>& runs, const std::vector<ChannelGroup>& groups, Errors errors,
+std::string Best(const std::vector<ComparedRun>& runs, const std::vector<ChannelGroup>& groups, GroupErrors errors,
                  const std::string& verb, const Noun& noun) {
   std::vector<std::pair<double, const ComparedRun*>> order;
   for (const ComparedRun& run : runs) order.emplace_back(MeanOver(groups, run.*errors), &run);
@@ -57,9 +57,9 @@ ModelRanking RankByPrediction(const std::vector<ComparedRun>& runs, const std::v
   std::vector<FittedModel> models;
   for (const ComparedRun& run : runs)
     models.push_back({.name = run.name,
-                      .fitted_percent = kNone,
+                      .fitted_percent = kNoError,
                       .validation_percent = MeanOver(groups, run.predicted),
-                      .criteria = {.parameters = run.parameters.size(), .aicc = kNone, .bic = kNone},
+                      .criteria = {.parameters = run.parameters.size(), .aicc = kNoError, .bic = kNoError},
                       .termination = TextAt(run.result, "termination"),
                       .explains = ListAt(run.result.value("verdict", Json()), "reasons").empty()});
   return Rank(std::move(models));

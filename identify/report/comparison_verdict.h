@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/model_ranking.h"
+#include "identify/uncertainty/model_ranking.h"
 #include "identify/report/compared_run.h"
 
 namespace fourpost {

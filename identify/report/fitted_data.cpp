@@ -7,7 +7,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "identify/report/run_result.h"
-#include "identify/study_yaml.h"
+#include "identify/study_file/study_yaml.h"
 
 namespace fourpost {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/csv.h"
+#include "analysis/files/csv.h"
 
 namespace fourpost {
 

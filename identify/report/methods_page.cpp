@@ -5,7 +5,7 @@
 
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
-#include "identify/methods_chart.h"
+#include "identify/comparison/methods_chart.h"
 #include "identify/report/page_footer.h"
 #include "identify/report/shown_number.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "identify/comparison.h"
+#include "identify/comparison/comparison.h"
 
 namespace fourpost {
 

@@ -4,7 +4,7 @@
 #include <ctime>
 
 #include "analysis/report/html.h"
-#include "identify/versions.h"
+#include "vehicles/requests/versions.h"
 
 namespace fourpost {
 namespace {

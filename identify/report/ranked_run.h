@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "analysis/diagnostics.h"
-#include "identify/model_ranking.h"
+#include "analysis/text/diagnostics.h"
+#include "identify/uncertainty/model_ranking.h"
 #include "identify/report/compared_run.h"
 
 namespace fourpost {

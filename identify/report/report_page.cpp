@@ -5,7 +5,7 @@
 
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
-#include "identify/json_text.h"
+#include "analysis/files/json_text.h"
 #include "identify/report/history_table.h"
 #include "identify/report/page_footer.h"
 #include "identify/report/picture_number.h"

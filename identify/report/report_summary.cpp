@@ -9,10 +9,10 @@
 #include <set>
 
 #include "analysis/report/html.h"
-#include "identify/derivative_noise.h"
+#include "identify/uncertainty/derivative_noise.h"
 #include "identify/report/judged_channel.h"
 #include "identify/report/shown_number.h"
-#include "identify/versions.h"
+#include "vehicles/requests/versions.h"
 
 namespace fourpost {
 namespace {
@@ -89,7 +89,7 @@ std::optional<Octave> WorstOctave(const std::vector<ComparedChannel>& channels) 
   return worst;
 }
 
-struct Verdict {
+struct Judgement {
   std::string name;
   std::string html;
 };
@@ -134,7 +134,7 @@ std::string OfAnotherVersion(const Json& result) {
          ": what it does not know of is left out.";
 }
 
-Verdict HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {
+Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {
   const std::string end = TextAt(result, "termination");
   const Json starts = result.value("starts", Json());
   const double agreeing = NumberAt(starts, "agreeing");
@@ -424,7 +424,7 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
   const std::optional<Octave> worst = WorstOctave(channels);
   const std::vector<Json> validation = ListAt(result, "validation");
   const std::vector<JudgedChannel> unseen = JudgeChannels(validation);
-  const Verdict verdict = HowItEnded(result, unseen);
+  const Judgement verdict = HowItEnded(result, unseen);
   std::string misses = WhatDoesNot(judged, worst);
   if (misses.empty() && !judged.empty()) misses = WhatIsLeft(result) + ' ';
   if (!misses.empty() && !misses.ends_with(' ')) misses += ' ';

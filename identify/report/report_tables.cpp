@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analysis/report/html.h"
-#include "identify/json_text.h"
+#include "analysis/files/json_text.h"
 #include "identify/report/shown_number.h"
 
 namespace fourpost {

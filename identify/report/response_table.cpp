@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/csv.h"
+#include "analysis/files/csv.h"
 
 namespace fourpost {
 namespace {

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/diagnostics.h"
-#include "analysis/units.h"
-#include "identify/result_reader.h"
+#include "analysis/text/diagnostics.h"
+#include "analysis/text/units.h"
+#include "identify/study_file/result_reader.h"
 
 namespace fourpost {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 bool FlagAt(const Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_boolean() && object[key].get<bool>();
@@ -70,9 +70,9 @@ double ReportedParameter::RelativeSd() const {
 }
 
 double NumberAt(const Json& object, const std::string& key) {
-  if (!object.is_object()) return kNone;
+  if (!object.is_object()) return kNoNumber;
   const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<double>() : kNone;
+  return found != object.end() && found->is_number() ? found->get<double>() : kNoNumber;
 }
 
 std::string TextAt(const Json& object, const std::string& key) {

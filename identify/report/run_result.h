@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "identify/parameter_state.h"
+#include "identify/uncertainty/parameter_state.h"
 #include "identify/report/run_contents.h"
 
 namespace fourpost {

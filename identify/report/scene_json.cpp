@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "identify/modelled_response.h"
+#include "identify/experiments/four_post/modelled_response.h"
 #include "identify/report/picture_number.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/engine/engine.h"

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "identify/motion_file.h"
+#include "identify/experiments/time_history/motion_file.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/response/excitation.h"
 

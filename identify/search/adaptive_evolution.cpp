@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "identify/search/dvhde_operators.h"
 
 namespace fourpost {

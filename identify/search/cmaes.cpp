@@ -7,7 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "identify/search/dvhde_operators.h"
 
 namespace fourpost {

@@ -1,6 +1,6 @@
 #include "identify/search/downhill_simplex.h"
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "identify/search/draws.h"
 #include "identify/search/dvhde_operators.h"
 

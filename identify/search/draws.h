@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "analysis/mix_bits.h"
+#include "analysis/signals/mix_bits.h"
 
 namespace fourpost {
 

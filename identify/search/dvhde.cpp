@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "identify/search/dvhde_operators.h"
 
 namespace fourpost {

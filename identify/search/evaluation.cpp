@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/number.h"
+#include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "analysis/deadline.h"
+#include "analysis/process/deadline.h"
 
 #include "identify/search/lattice.h"
 

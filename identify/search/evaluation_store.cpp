@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/output_folder.h"
-#include "analysis/sha256.h"
-#include "analysis/text_file.h"
+#include "analysis/files/output_folder.h"
+#include "analysis/files/sha256.h"
+#include "analysis/files/text_file.h"
 
 #include "identify/search/sqlite_database.h"
 

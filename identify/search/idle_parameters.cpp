@@ -11,7 +11,7 @@ namespace {
 constexpr int kPlaces = 4;
 
 // The point, and others that differ in this gene alone.
-std::vector<LatticePoint> AlongAxis(const Lattice& lattice, const LatticePoint& point, std::size_t axis) {
+std::vector<LatticePoint> PlacesAlong(const Lattice& lattice, const LatticePoint& point, std::size_t axis) {
   std::vector<LatticePoint> points = {point};
   for (int k = 0; k < kPlaces; ++k) {
     points.push_back(point);
@@ -21,7 +21,7 @@ std::vector<LatticePoint> AlongAxis(const Lattice& lattice, const LatticePoint& 
 }
 
 bool IsIdle(Archive& archive, const LatticePoint& point, std::size_t axis) {
-  const std::vector<Score> scores = archive.Evaluate(AlongAxis(archive.lattice(), point, axis));
+  const std::vector<Score> scores = archive.Evaluate(PlacesAlong(archive.lattice(), point, axis));
   return scores.front().ok() &&
          std::all_of(scores.begin(), scores.end(), [&](const Score& score) { return score == scores.front(); });
 }

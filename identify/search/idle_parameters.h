@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "identify/search/archive.h"
 
 namespace fourpost {

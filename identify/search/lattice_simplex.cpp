@@ -26,7 +26,7 @@ bool Holds(const Population& population, const LatticePoint& point) {
 }
 
 // A twentieth of the range away, towards the further bound.
-LatticePoint AlongAxis(const Lattice& lattice, LatticePoint point, std::size_t axis) {
+LatticePoint SteppedAlong(const Lattice& lattice, LatticePoint point, std::size_t axis) {
   const std::int64_t count = lattice.count(axis);
   const auto step = std::max<std::int64_t>(1, std::llround(kAxisStep * static_cast<double>(count - 1)));
   point[axis] += 2 * point[axis] > count ? -step : step;
@@ -41,7 +41,7 @@ LatticeSimplex::LatticeSimplex(const Lattice& lattice, Population members) : lat
     if (vertices_.size() <= lattice.size() && !Holds(vertices_, member.point)) vertices_.push_back(member);
   }
   for (std::size_t j = 0; vertices_.size() + asked_.size() <= lattice.size(); ++j)
-    asked_.push_back(AlongAxis(lattice, vertices_.front().point, j));
+    asked_.push_back(SteppedAlong(lattice, vertices_.front().point, j));
   if (asked_.empty()) Iterate();
 }
 

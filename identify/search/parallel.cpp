@@ -9,7 +9,7 @@
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 

@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "analysis/output_folder.h"
+#include "analysis/files/output_folder.h"
 
 namespace fourpost {
 namespace {

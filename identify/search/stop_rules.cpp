@@ -1,6 +1,6 @@
 #include "identify/search/stop_rules.h"
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "tests/vehicles/acceptance.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/multibody/multibody.h"

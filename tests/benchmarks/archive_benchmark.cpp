@@ -6,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "analysis/random_stream.h"
+#include "analysis/signals/random_stream.h"
 #include "identify/search/archive.h"
 
 namespace fourpost {

@@ -7,7 +7,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "identify/loaded_study.h"
+#include "identify/study/loaded_study.h"
+#include "identify/experiments/bench/damper_bench.h"
 #include "vehicles/bench/series_history.h"
 
 namespace fourpost {
@@ -30,7 +31,7 @@ SeriesDamper Model3(const LoadedStudy& study) {
 void LawAlone(benchmark::State& state) {
   const LoadedStudy study = Load("model3");
   const SeriesDamper damper = Model3(study);
-  const BenchMotion& motion = study.bench->fitted[0].motion;
+  const BenchMotion& motion = study.study.experiments.Find<DamperBench>()->data.fitted[0].motion;
   const std::size_t count = motion.samples();
   std::vector<double> speed(count);
   std::vector<double> spring(count);
@@ -49,7 +50,7 @@ void LawAlone(benchmark::State& state) {
 void SeriesHistoryOfModel3(benchmark::State& state) {
   const LoadedStudy study = Load("model3");
   const SeriesDamper damper = Model3(study);
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(SeriesForces(damper, study.bench->fitted[0].motion));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(SeriesForces(damper, study.study.experiments.Find<DamperBench>()->data.fitted[0].motion));
 }
 
 void EvaluationOf(benchmark::State& state, const std::string& name) {

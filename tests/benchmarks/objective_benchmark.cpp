@@ -6,9 +6,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "identify/fit.h"
-#include "identify/loaded_study.h"
-#include "identify/study_methods.h"
+#include "identify/fit/fit.h"
+#include "identify/study/loaded_study.h"
+#include "identify/experiments/four_post/four_post.h"
+#include "identify/study/study_methods.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/response/march.h"
 
@@ -41,7 +42,7 @@ void ByMarch(benchmark::State& state, const std::string& name) {
   // As few as balance takes, so that dense sampling does not flatter the comparison.
   options.samples_per_cycle = 64;
   for ([[maybe_unused]] auto _ : state)
-    for (const MeasuredRun& run : InBand(study.data.runs, study.study.band_lower_Hz, study.study.band_upper_Hz))
+    for (const MeasuredRun& run : InBand(study.study.experiments.Find<FourPost>()->runs, study.study.experiments.Find<FourPost>()->plan.band_lower_Hz, study.study.experiments.Find<FourPost>()->plan.band_upper_Hz))
       benchmark::DoNotOptimize(March(multibody, run.excitation, options));
 }
 

@@ -1,4 +1,4 @@
-#include "analysis/output_folder.h"
+#include "analysis/files/output_folder.h"
 #include "identify/search/evaluation_store.h"
 #include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_target.h"

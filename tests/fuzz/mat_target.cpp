@@ -1,6 +1,6 @@
-#include "analysis/mat_file.h"
-#include "analysis/recorded_table.h"
-#include "analysis/recording_summary.h"
+#include "analysis/files/mat_file.h"
+#include "analysis/files/recorded_table.h"
+#include "analysis/files/recording_summary.h"
 #include "tests/fuzz/fuzz_target.h"
 
 namespace fourpost {

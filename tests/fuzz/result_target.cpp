@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/diagnostics.h"
-#include "analysis/utf8.h"
+#include "analysis/text/diagnostics.h"
+#include "analysis/text/utf8.h"
 #include "identify/report/comparison_page.h"
 #include "identify/report/report_page.h"
 #include "tests/fuzz/fuzz_target.h"

@@ -1,4 +1,4 @@
-#include "identify/loaded_study.h"
+#include "identify/study/loaded_study.h"
 #include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_target.h"
 

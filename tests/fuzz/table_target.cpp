@@ -1,8 +1,8 @@
-#include "analysis/frequency_response_file.h"
-#include "analysis/recorded_table.h"
-#include "analysis/recording_summary.h"
-#include "analysis/static_loads.h"
-#include "analysis/time_recording.h"
+#include "analysis/files/frequency_response_file.h"
+#include "analysis/files/recorded_table.h"
+#include "analysis/files/recording_summary.h"
+#include "analysis/files/static_loads.h"
+#include "analysis/files/time_recording.h"
 #include "tests/fuzz/fuzz_folder.h"
 #include "tests/fuzz/fuzz_target.h"
 

@@ -10,7 +10,7 @@
 
 #include <tinyxml2.h>
 
-#include "analysis/units.h"
+#include "analysis/text/units.h"
 #include "vehicles/tags/tag.h"
 #include "vehicles/tags/tag_table.h"
 

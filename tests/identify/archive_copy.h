@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "analysis/output_folder.h"
+#include "analysis/files/output_folder.h"
 #include "identify/search/evaluation_store.h"
 #include "tests/temporary_folder.h"
 

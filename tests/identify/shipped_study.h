@@ -5,7 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "identify/loaded_study.h"
+#include "identify/experiments/bench/damper_bench.h"
+#include "identify/experiments/four_post/four_post.h"
+#include "identify/experiments/static_loads/static_loads.h"
+#include "identify/experiments/time_history/time_histories.h"
+#include "identify/study/loaded_study.h"
 
 namespace fourpost {
 
@@ -19,5 +23,12 @@ inline LoadedStudy ShippedStudy(const std::string& name = "model2") {
   EXPECT_EQ(diagnostics.Format(), "");
   return std::move(study).value();
 }
+
+/// The experiments of a study that has them.
+inline FourPost& Sines(LoadedStudy& study) { return *study.study.experiments.Find<FourPost>(); }
+inline const FourPost& Sines(const LoadedStudy& study) { return *study.study.experiments.Find<FourPost>(); }
+inline StaticLoadTest& Rest(LoadedStudy& study) { return *study.study.experiments.Find<StaticLoadTest>(); }
+inline const StaticLoadTest& Rest(const LoadedStudy& study) { return *study.study.experiments.Find<StaticLoadTest>(); }
+inline const DamperBench& Bench(const LoadedStudy& study) { return *study.study.experiments.Find<DamperBench>(); }
 
 }  // namespace fourpost

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "identify/vehicle_objective.h"
+#include "identify/residuals/vehicle_objective.h"
 
 namespace fourpost {
 

@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "analysis/mat_file.h"
-#include "analysis/time_recording.h"
-#include "identify/bench_data.h"
-#include "identify/bench_residuals.h"
-#include "identify/bench_result.h"
-#include "identify/fit.h"
-#include "identify/vehicle_objective.h"
+#include "analysis/files/mat_file.h"
+#include "analysis/files/time_recording.h"
+#include "identify/experiments/bench/bench_data.h"
+#include "identify/experiments/bench/bench_residuals.h"
+#include "identify/experiments/bench/bench_result.h"
+#include "identify/fit/fit.h"
+#include "identify/residuals/vehicle_objective.h"
 #include "vehicles/bench/bench_motion.h"
 #include "vehicles/bench/recording_check.h"
 #include "vehicles/reader/vehicle_file.h"

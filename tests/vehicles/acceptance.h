@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/decibel.h"
-#include "analysis/frequency_response.h"
+#include "analysis/signals/decibel.h"
+#include "analysis/signals/frequency_response.h"
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/response/amplitude_law.h"

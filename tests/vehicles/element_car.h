@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {

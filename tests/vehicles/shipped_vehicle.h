@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/reader/vehicle_file.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analysis/uniform_spline.h"
+#include "analysis/signals/uniform_spline.h"
 
 namespace fourpost {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/deviation.h"
-#include "analysis/short_number.h"
+#include "analysis/signals/deviation.h"
+#include "analysis/text/short_number.h"
 
 namespace fourpost {
 namespace {

@@ -3,16 +3,16 @@
 #include <span>
 #include <string>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/bench/bench_damper.h"
 
 namespace fourpost {
 
-/// Looks whether a recording is off by a thousand, as of mm told as m or kN told as N, at whatever stroke: a fault
-/// where the damper at these values of all parameters would give 30 times more or less force (rms) for that motion, and
-/// comes within a factor of 5.6 of it for one a thousandth or a thousand times as large. A file's values are guesses,
-/// but not by so much, and no law of a damper hides it: force follows speed, and friction alone is no thirtieth of what
-/// it was. False when there was a fault.
+/// Checks whether a unit is off by a thousand, e.g. mm declared as m or kN as N, at any stroke. It is if, at these
+/// values of all parameters, the damper would give 30 times more or less force (rms) for that motion, and a force
+/// within a factor of 5.6 for a motion a thousandth or a thousand times as large. The file's values are guesses, but
+/// not that far off, and no damper law hides it: force follows velocity, and friction alone is not a thirtieth of its
+/// value. Reports an error and returns false in that case.
 bool CheckBenchUnits(const BenchDamper& damper, const BenchMotion& motion, std::span<const double> force,
                      std::span<const double> values, const std::string& file, Diagnostics& diagnostics);
 

@@ -7,8 +7,8 @@
 
 #include <Eigen/QR>
 
-#include "analysis/deviation.h"
-#include "analysis/turning_points.h"
+#include "analysis/signals/deviation.h"
+#include "analysis/signals/turning_points.h"
 
 namespace fourpost {
 

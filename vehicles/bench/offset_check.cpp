@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "analysis/deviation.h"
-#include "analysis/short_number.h"
-#include "analysis/turning_points.h"
+#include "analysis/signals/deviation.h"
+#include "analysis/text/short_number.h"
+#include "analysis/signals/turning_points.h"
 
 namespace fourpost {
 namespace {

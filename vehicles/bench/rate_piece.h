@@ -2,7 +2,7 @@
 
 namespace fourpost {
 
-/// A rate that goes as a parabola over a time: what a cubic spline of positions has between two samples.
+/// A rate that is a parabola of time: the rate of a cubic spline of positions between two samples.
 struct RatePiece {
   double duration_s = 0;
   /// At the start [m/s], [m/s^2], [m/s^3].
@@ -13,7 +13,7 @@ struct RatePiece {
   double RateAt(double t) const { return rate + (acceleration + 0.5 * jerk * t) * t; }
   double AccelerationAt(double t) const { return acceleration + jerk * t; }
 
-  /// What is left of it after time t.
+  /// The remaining piece after time t.
   RatePiece From(double t) const { return {duration_s - t, RateAt(t), AccelerationAt(t), jerk}; }
 };
 

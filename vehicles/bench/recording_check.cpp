@@ -10,13 +10,13 @@
 
 #include <Eigen/Core>
 
-#include "analysis/clipping.h"
-#include "analysis/deviation.h"
-#include "analysis/jumps.h"
-#include "analysis/short_number.h"
-#include "analysis/signal_levels.h"
-#include "analysis/spikes.h"
-#include "analysis/turning_points.h"
+#include "analysis/signals/clipping.h"
+#include "analysis/signals/deviation.h"
+#include "analysis/signals/jumps.h"
+#include "analysis/text/short_number.h"
+#include "analysis/signals/signal_levels.h"
+#include "analysis/signals/spikes.h"
+#include "analysis/signals/turning_points.h"
 #include "vehicles/bench/force_motion.h"
 
 namespace fourpost {
@@ -60,7 +60,7 @@ struct Cycle {
   double speed_mps = 0;
 };
 
-double Span(const Signal& signal) {
+double SpanOf(const Signal& signal) {
   const auto [least, most] = std::minmax_element(signal.begin(), signal.end());
   return *most - *least;
 }
@@ -84,7 +84,7 @@ class Checker {
         diagnostics_(diagnostics) {}
 
   bool Check() {
-    if (Span(force_) == 0) {
+    if (SpanOf(force_) == 0) {
       Fault("has a force of " + ShortNumber(force_.front()) +
             " N throughout, whatever the motion: the channel is dead; look at its plug and its amplifier");
       return good_;
@@ -130,12 +130,12 @@ class Checker {
   }
 
   void CheckStroke() {
-    const double span = Span(x_);
+    const double span = SpanOf(x_);
     // What is swapped has the rate of force times displacement for power: that of force times rate, with the other
     // sign.
     if (span > longest_stroke_m_ && Power() < 0)
       return Fault(
-          "displacement spans " + ShortNumber(span) + " m and force " + ShortNumber(Span(force_)) +
+          "displacement spans " + ShortNumber(span) + " m and force " + ShortNumber(SpanOf(force_)) +
           " N, and their product gives off work: the two columns look swapped; exchange their names, and the units "
           "with them");
     if (span > longest_stroke_m_)
@@ -153,8 +153,8 @@ class Checker {
     for (std::size_t i = 0; i + 2 < turns_.size(); ++i) {
       const auto [first, last] =
           std::pair(static_cast<std::ptrdiff_t>(turns_[i]), static_cast<std::ptrdiff_t>(turns_[i + 2]));
-      cycles.push_back({turns_[i], turns_[i + 2] - turns_[i], Span({force_.begin() + first, force_.begin() + last}),
-                        Span({rate_.begin() + first, rate_.begin() + last})});
+      cycles.push_back({turns_[i], turns_[i + 2] - turns_[i], SpanOf({force_.begin() + first, force_.begin() + last}),
+                        SpanOf({rate_.begin() + first, rate_.begin() + last})});
     }
     return cycles;
   }
@@ -280,7 +280,7 @@ class Checker {
            ShortNumber(100 * rate_rounding / DeviationOf(rate_)) +
            " % of the speed's rms: record with a finer range, or more slowly sampled");
     if (LevelOf(force_) / std::sqrt(12.0) > kCoarse * DeviationOf(force_))
-      Warn("force comes in levels of " + ShortNumber(LevelOf(force_)) + " N of a span of " + ShortNumber(Span(force_)) +
+      Warn("force comes in levels of " + ShortNumber(LevelOf(force_)) + " N of a span of " + ShortNumber(SpanOf(force_)) +
            " N: record with a finer range");
   }
 
@@ -296,10 +296,10 @@ class Checker {
       middles.push_back(0.5 * (x_[turns_[i]] + x_[turns_[i - 1]]));
       resting.push_back(0.5 * (force_[turns_[i]] + force_[turns_[i - 1]]));
     }
-    TellDrift(places, middles, Span(x_), "displacement", "m");
+    TellDrift(places, middles, SpanOf(x_), "displacement", "m");
     // Of a force that is late it is that of some speed.
     if (!is_delayed_ && samples_in_cycle_ >= kFewestForForce)
-      TellDrift(places, resting, Span(force_), "force at the turning points", "N");
+      TellDrift(places, resting, SpanOf(force_), "force at the turning points", "N");
   }
 
   /// By a straight line through the values over their places in the recording: turning points crowd where it is fast.

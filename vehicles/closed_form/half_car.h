@@ -8,7 +8,7 @@
 namespace fourpost {
 
 /// Model 1 of the thesis (5.1-5.14), closed form: body heave and pitch on two unsprung masses, q = (z_s, theta, z_f,
-/// z_r) from static equilibrium, z up, theta nose down. Front and rear rates are those of both sides together.
+/// z_r) from static equilibrium, z up, theta nose down. Front and rear rates are sums of both sides.
 struct HalfCar {
   double sprung_mass = 0;           // kg
   double pitch_inertia = 0;         // kg m^2
@@ -31,7 +31,7 @@ struct HalfCar {
                                const Eigen::Vector2d& ground) const;
 };
 
-/// The same for numbers T that may carry derivatives, of a car with HalfCar's members, whose dampers tell Force(rate).
+/// The same for numbers T that may carry derivatives, of a car with HalfCar's members and dampers with Force(rate).
 template <typename T, typename Car>
 Eigen::Vector<T, 4> HalfCarAcceleration(const Car& car, const Eigen::Vector<T, 4>& q, const Eigen::Vector<T, 4>& rate,
                                         const Eigen::Vector2d& ground) {

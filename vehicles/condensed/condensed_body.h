@@ -14,15 +14,15 @@
 
 namespace fourpost {
 
-/// A link about the design pose: how its mass, inertia and weight act on the independent coordinates. Everything but
-/// the mass matrix is affine in the place c of the centre of mass: value = [0] + c1 [1] + c2 [2] + c3 [3]; where no
-/// parameter moves it, [0] is the value and there is no more.
+/// A link about the design pose: contribution of its mass, inertia and weight in the independent coordinates.
+/// Everything except the mass matrix is affine in the centre of mass c: value = [0] + c1 [1] + c2 [2] + c3 [3]; if no
+/// parameter moves c, [0] is the value and the only entry.
 class CondensedBody {
  public:
-  /// The points whose heights are needed: the centre of mass, or the origin and the ends of the link's unit vectors.
+  /// Points whose heights are needed: the centre of mass, or the origin and the ends of the link's unit vectors.
   static std::vector<Point> HeightPoints(const Link& link, int index);
 
-  /// `heights`: shapes of these points' heights. The pose is the design pose.
+  /// `heights`: shapes of the heights of HeightPoints(). `pose`: the design pose.
   CondensedBody(const Link& link, int index, const Kinematics& pose, std::span<const DesignShape> heights);
 
   const std::string& name() const { return name_; }
@@ -34,7 +34,7 @@ class CondensedBody {
   Eigen::VectorXd WeightPerMass(std::span<const double> parameters) const { return At(weight_, parameters); }
   const Eigen::VectorXd& WeightByCom(std::size_t k) const { return weight_[k + 1]; }
 
-  /// Adds what the link has of both.
+  /// Adds the link's contribution to both.
   void AddTo(std::span<const double> parameters, Eigen::MatrixXd& mass, Eigen::MatrixXd& stiffness) const;
 
   Eigen::Vector3d Place(std::span<const double> parameters) const { return At(place_, parameters); }
@@ -59,7 +59,7 @@ class CondensedBody {
   std::vector<Eigen::Vector3d> place_;
   std::vector<Eigen::MatrixXd> com_jacobian_;
   Eigen::MatrixXd spin_jacobian_;
-  /// Per unit mass, where the centre of mass is fixed.
+  /// Per unit mass, if the centre of mass is fixed.
   Eigen::MatrixXd mass_matrix_;
   /// Per unit Ixx .. Iyz.
   std::array<Eigen::MatrixXd, 6> inertia_matrix_;

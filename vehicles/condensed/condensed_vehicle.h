@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/condensed/condensed_body.h"
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/condensed/preload_map.h"
@@ -20,31 +20,32 @@ namespace fourpost {
 
 struct IdleElement;
 
-/// The geometry of a vehicle about its design pose, taken once from its multibody system, so that a model for other
-/// masses, inertias, rates and laws costs microseconds and no Simbody.
+/// Geometry of a vehicle about its design pose, computed once from its multibody system. A reduced model for other
+/// masses, inertias, rates and laws then costs microseconds and no Simbody call.
 ///
-/// Preloads follow from equilibrium, see PreloadMap; where forces alone tell them, all matrices are linear in masses,
+/// Preloads follow from equilibrium, see PreloadMap. If forces alone determine them, all matrices are linear in masses,
 /// inertias and rates:
 ///   mass      = sum over links of m J'J + W' I W,
 ///   stiffness = sum k b b' (b = dL/ds) + preloads times the second derivatives of their lengths
 ///               + sum m g times the second derivatives of the heights of the centres of mass.
-/// L is the length of a spring, minus the height of a tyre's foot or its place on the platform, a displacement or turn
-/// of a bushing, the difference of an anti-roll bar's two lines. Springs count with their rate in the design pose, what
-/// else their laws do is apart. Immutable after construction; one object serves any number of threads.
+/// L is the length of a spring, minus the height of a tyre's foot or its position on the platform, a displacement or
+/// turn of a bushing, the difference of an anti-roll bar's two lines. Springs count with their rate in the design pose;
+/// the nonlinear parts of their laws are kept separately. Immutable after construction; one object serves any number of
+/// threads.
 class CondensedVehicle {
  public:
-  /// Throws FaultyInput when the loops cannot be assembled, when nothing can move, or when weights and given preloads
-  /// have no static equilibrium in the design pose, at the file's values or within the bounds of its parameters (names
-  /// the elements).
+  /// Throws FaultyInput if the loops cannot be assembled, if nothing can move, or if weights and given preloads have no
+  /// static equilibrium in the design pose, at the file's values or within the bounds of its parameters (names the
+  /// elements).
   explicit CondensedVehicle(const Vehicle& vehicle);
 
   /// Degrees of freedom.
   int size() const { return size_; }
 
-  /// What it was condensed from.
+  /// The vehicle that this model reduces.
   const Vehicle& vehicle() const { return vehicle_; }
 
-  /// `parameters`: SI, in the order of Vehicle::parameters; here and below, any other number of them throws
+  /// `parameters`: SI, in the order of Vehicle::parameters. Here and below, any other number of them throws
   /// std::invalid_argument.
   CondensedModel At(std::span<const double> parameters) const;
 
@@ -54,27 +55,27 @@ class CondensedVehicle {
   std::vector<LinkMotion> LinkMotions(std::span<const double> parameters) const;
 
  private:
-  /// What has a force in the design pose: a spring, a tyre in the vertical, a translation of a bushing.
+  /// An element that carries a force in the design pose: a spring, a tyre in the vertical, a translation of a bushing.
   struct Held {
     std::string element;
     int source_line = 0;
     DesignShape shape;
     std::optional<Scalar> preload;
-    /// In place of a preload: the law has no tension at this length.
+    /// Instead of a preload: the law has no tension at this length.
     std::optional<Scalar> free_length;
     SpringDescription law;
-    /// Index among the preloads that equilibrium sets; -1 for one that is given.
+    /// Index among the preloads that equilibrium sets; -1 for a given one.
     int unknown = -1;
 
     bool IsGiven() const { return preload || free_length; }
     double GivenAt(std::span<const double> parameters) const;
     std::vector<int> Parameters() const;
   };
-  /// A linear spring and damper along `direction`, without load in the design pose.
+  /// A linear spring-damper along `direction`, unloaded in the design pose.
   struct Bond {
     Scalar stiffness;
     Scalar damping;
-    /// Seconds: loss_time stiffness is more damping.
+    /// Adds damping = loss_time stiffness [s].
     Scalar loss_time;
     Eigen::VectorXd direction;
   };
@@ -96,14 +97,14 @@ class CondensedVehicle {
   Vehicle vehicle_;
   int size_ = 0;
   std::vector<CondensedBody> bodies_;
-  /// Of the springs, the tyres (minus the height of the foot), then three translations of each bushing.
+  /// Springs, tyres (minus the height of the foot), then three translations of each bushing.
   std::vector<Held> held_;
   std::vector<Bond> bonds_;
   std::vector<Eigen::VectorXd> damper_directions_;
   std::vector<int> post_of_tyre_;
-  /// How many preloads equilibrium sets.
+  /// Number of preloads that equilibrium sets.
   int holders_ = 0;
-  /// From forces that are given and rates to the preloads that equilibrium sets.
+  /// Maps given forces and rates to the preloads that equilibrium sets.
   PreloadMap preload_map_;
   /// Sensor rows that do not depend on parameters.
   CondensedModel sensors_;

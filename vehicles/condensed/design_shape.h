@@ -21,8 +21,8 @@ struct DesignShape {
 /// One such scalar in any pose.
 using GeometricScalar = std::function<Coordinate(const Kinematics& pose)>;
 
-/// Their shapes; the second derivatives by central differences of the exact first ones. Leaves the multibody in the
-/// design pose. Throws FaultyInput when the loops cannot follow a small motion.
+/// Shapes of these scalars; second derivatives by central differences of the exact first ones. Leaves the multibody in
+/// the design pose. Throws FaultyInput if the loops cannot follow a small motion.
 std::vector<DesignShape> DesignShapes(Multibody& multibody, Chart& chart, const std::vector<GeometricScalar>& scalars);
 
 }  // namespace fourpost

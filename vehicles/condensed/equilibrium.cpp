@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/number.h"
+#include "analysis/text/number.h"
 #include "vehicles/condensed/preload_map.h"
 
 namespace fourpost {

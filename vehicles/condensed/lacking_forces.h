@@ -12,13 +12,13 @@
 
 namespace fourpost {
 
-/// Inverse dynamics of the full multibody system along a motion of its condensed model: the forces that it lacks to
-/// move so, and what its sensors read. Motions and forces are those of [s x], see LinearVehicle; s: the coordinates of
-/// Chart about the design pose, which is the static equilibrium.
+/// Inverse dynamics of the full multibody system along a motion of its reduced model: the additional forces that the
+/// motion needs, and the sensor readings. Motions and forces are those of [s x], see LinearVehicle; s: the coordinates
+/// of Chart about the design pose, which is the static equilibrium.
 class LackingForces {
  public:
   /// `multibody` must carry the parameters and preloads of `model`, and outlive this object. Throws
-  /// std::invalid_argument for a model of other dampers.
+  /// std::invalid_argument for a model with other dampers.
   LackingForces(Multibody& multibody, const CondensedModel& model);
 
   struct Motion {
@@ -31,14 +31,14 @@ class LackingForces {
     Eigen::VectorXd pressures;
   };
 
-  /// Along dq/ds, at time t. Throws SimulationError where Simbody cannot evaluate the pose, FaultyInput where the
-  /// loops cannot follow.
+  /// Lacking force along dq/ds, at time t. Throws SimulationError if Simbody cannot evaluate the pose, FaultyInput if
+  /// the loops cannot follow.
   Eigen::VectorXd At(double t, const Motion& motion);
 
-  /// Of the sensors, in the motion evaluated last.
+  /// Sensor readings of the motion evaluated last.
   Eigen::VectorXd Readings() const { return multibody_.Readings(derivative_); }
 
-  /// Of each hydraulic damper with its mount, from the design pose on, in this position [m].
+  /// Extension of each hydraulic damper with its mount, from the design pose, in this position [m].
   Eigen::VectorXd HydraulicExtensions(const Eigen::VectorXd& position);
 
   Eigen::Index size() const { return size_; }
@@ -53,10 +53,10 @@ class LackingForces {
   Eigen::Index size_ = 0;
   /// Indices in [s x] of the extensions that are states of the multibody system: those of series dampers.
   std::vector<Eigen::Index> series_;
-  /// Of the series dampers, n x their number.
+  /// Directions of the series dampers, n x their number.
   Eigen::MatrixXd series_directions_;
   std::vector<std::size_t> hydraulics_;
-  /// Of [q u z].
+  /// Derivative of [q u z].
   Eigen::VectorXd derivative_;
 };
 

@@ -8,12 +8,13 @@
 
 namespace fourpost {
 
-/// A condensed vehicle whose dashpots are linear and whose other elements keep their rates of the design pose:
+/// A reduced vehicle with linear dashpots; all other elements keep their rates in the design pose:
 ///   mass s'' + (damping [s' x'] + stiffness [s x])_s = forces,  (damping [s' x'] + stiffness [s x])_x = 0
-/// with the n independent coordinates s and the extensions x of the series springs, which have no mass. All symmetric.
+/// with the n independent coordinates s and the extensions x of the series springs, which have no mass. All matrices
+/// are symmetric.
 struct LinearVehicle {
   enum class Rates {
-    /// DashpotLaw::MeanRate: what a small motion has.
+    /// DashpotLaw::MeanRate: the rate for small motion.
     kMean,
     /// CondensedModel::Dashpot::CentreRate.
     kCentre,
@@ -39,7 +40,8 @@ struct LinearVehicle {
   Eigen::MatrixXd stiffness;  // size x size
 };
 
-/// Directions of the forces of the model's dashpots on s and x, size x dashpots: one in series acts between s and x.
+/// Directions of the forces of the model's dashpots on s and x, size x dashpots: a dashpot in series acts between s and
+/// x.
 Eigen::MatrixXd DashpotDirections(const CondensedModel& model);
 
 }  // namespace fourpost

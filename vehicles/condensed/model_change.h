@@ -15,14 +15,14 @@ namespace fourpost {
 
 class CondensedVehicle;
 
-/// Derivatives of a condensed vehicle by one of its parameters, by a difference: matrices are linear in most parameters
-/// and smooth in all. A matrix without rows does not change.
+/// Derivatives of a reduced model by one of its parameters, by a difference: matrices are linear in most parameters and
+/// smooth in all. A matrix without rows does not change.
 struct ModelChange {
-  /// What a port's law becomes within the difference.
+  /// Change of an element's law within the difference.
   struct Law {
-    /// Index among the vehicle's ports; -1: an element that is linear without the difference, and no port.
+    /// Index among the vehicle's nonlinear elements; -1: an element that is linear without the difference.
     int port = -1;
-    /// Nothing: an element that is linear with the difference, and no port any more.
+    /// Empty: an element that is linear with the difference, and no longer a port.
     std::optional<Port> changed;
   };
 
@@ -42,11 +42,11 @@ struct ModelChange {
   Eigen::MatrixXd on_post_acceleration;
   /// Those that change.
   std::vector<Law> laws;
-  /// Of the parameter, by which laws change.
+  /// Difference of the parameter for `laws`.
   double step = 0;
 };
 
-/// A condensed vehicle at some values of its parameters, and what it needs to tell the change with any of them.
+/// A reduced vehicle at given values of its parameters, prepared to compute the change with any of them.
 class ModelChanges {
  public:
   /// Both must outlive this object.
@@ -54,8 +54,8 @@ class ModelChanges {
 
   const CondensedModel& model() const { return model_; }
 
-  /// Throws std::invalid_argument for an index beyond the parameters, and where a damper gains or loses its series
-  /// spring with the parameter.
+  /// Throws std::invalid_argument for an index beyond the parameters, and if a damper gains or loses its series spring
+  /// with the parameter.
   ModelChange By(std::size_t parameter) const;
 
  private:

@@ -12,7 +12,7 @@
 
 namespace fourpost {
 
-/// What an element's tension departs by from its linear share, over extension e [m] and rate e' [m/s] of its port.
+/// Nonlinear part of an element's tension, over extension e [m] and rate e' [m/s].
 struct DashpotRemainder {
   DashpotLaw law;
   double rate = 0;  // N s/m, in the linear share
@@ -25,7 +25,7 @@ struct SpringRemainder {
 
   bool operator==(const SpringRemainder&) const = default;
 };
-/// Minus the pull of a tyre that should have left its platform; all of its linear compression is the linear share.
+/// Minus the pull of a tyre that should have left its platform; its linear law is all in the linear part.
 struct LiftoffRemainder {
   double preload = 0;    // N
   double stiffness = 0;  // N/m
@@ -33,30 +33,30 @@ struct LiftoffRemainder {
 
   bool operator==(const LiftoffRemainder&) const = default;
 };
-/// Of a hydraulic damper with its mount. It remembers: a periodic tension follows from the whole cycle of the
-/// extension, see CycleRemainders.
+/// A hydraulic damper with its mount. It has memory: a periodic tension depends on the whole cycle of the extension,
+/// see CycleRemainders.
 struct HydraulicRemainder {
   MountedHydraulicDamper law;
   HydraulicOil::LinearShare share;
 
-  /// The share follows from the law.
+  /// The linear part follows from the law.
   bool operator==(const HydraulicRemainder& other) const { return law == other.law; }
 };
 using PortLaw = std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder, HydraulicRemainder>;
 
-/// Whether the extension, the rate decides on the remainder.
+/// Whether the nonlinear part depends on the extension or on the rate, respectively.
 bool UsesExtension(const PortLaw& law);
 bool UsesRate(const PortLaw& law);
 
-/// Change of rate within which the remainder takes a step [m/s]; infinite: none.
+/// Change of rate within which the nonlinear part has its transition [m/s]; infinite: none.
 double StepOfRate(const PortLaw& law);
 
-/// Remainder at each sample [N]; all spans of one length, those of what the law does not use may be empty. NaN for a
-/// law with memory.
+/// Nonlinear part at each sample [N]. All spans have one length; those that the law does not use may be empty. NaN for
+/// a law with memory.
 void Remainders(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
                 std::span<double> remainder);
 
-/// A value of a port's signal at which the slope of its remainder jumps.
+/// A value of an element's signal at which the slope of the nonlinear part jumps.
 struct PortKink {
   enum class Signal { kExtension, kRate, kCompression } signal = Signal::kRate;
   double at = 0;
@@ -65,58 +65,59 @@ struct PortKink {
 };
 std::vector<PortKink> KinksOf(const PortLaw& law);
 
-/// Of a whole cycle, samples equally spaced: Remainders(), but at the samples next to a kink such that sums over the
-/// cycle are integrals to third order in the spacing, where plain samples of a kinked signal give the second.
-/// The trapezoidal rule errs at a corner of slope s' - s'' a share t into its cell of width h by
+/// Remainders() of a whole cycle with kink-corrected quadrature, samples equally spaced. Samples next to a kink are
+/// corrected such that sums over the cycle are integrals to third order in the spacing; plain samples of a kinked
+/// signal give second order. The trapezoidal rule errs at a corner of slope s' - s'' a share t into its cell of width h
+/// by
 ///   (s' - s'') h^2 B(t) / 2, B(t) = t^2 - t + 1/6
 /// (Euler and Maclaurin's formula for a function with a corner). NaN for a law with memory.
 void MendedRemainders(const PortLaw& law, std::span<const PortKink> kinks, std::span<const double> extension,
                       std::span<const double> rate, std::span<double> remainder);
 
-/// Derivatives of the remainder by extension [N/m] and by rate [N s/m]. NaN for a law with memory.
+/// Derivatives of the nonlinear part by extension [N/m] and by rate [N s/m]. NaN for a law with memory.
 void RemainderSlopes(const PortLaw& law, std::span<const double> extension, std::span<const double> rate,
                      std::span<double> by_extension, std::span<double> by_rate);
 
-/// Of a whole cycle, samples equally spaced: RemainderSlopes(), but at the samples next to a kink such that sums over
-/// the cycle of a slope times any smooth signal are integrals to third order in the spacing, where plain samples of a
-/// slope that jumps give the first. Where it jumps by J a share t into a cell, the cell's integral over its width
-/// exceeds the trapezoidal rule's by
+/// RemainderSlopes() of a whole cycle with kink-corrected quadrature, samples equally spaced. Samples next to a kink
+/// are corrected such that sums over the cycle of a slope times any smooth signal are integrals to third order in the
+/// spacing; plain samples of a slope that jumps give first order. At a jump J a share t into a cell, the cell's
+/// integral over its width exceeds the trapezoidal rule's by
 ///   J (1/2 - t) g + J B(t) / 2 g'
-/// of a signal of value g there, that rises by g' per cell; B as above. NaN for a law with memory.
+/// for a signal of value g there that rises by g' per cell; B as above. NaN for a law with memory.
 void MendedSlopes(const PortLaw& law, std::span<const PortKink> kinks, std::span<const double> extension,
                   std::span<const double> rate, std::span<double> by_extension, std::span<double> by_rate);
 
-/// What the tension departs by from the share's spring `stiffness` [N], at each sample of a cycle of `period` [s] over
-/// which all are spread evenly, three or more. That, less LaggingShare times the extension at each harmonic, is the
-/// remainder. NaN where the damper has no such cycle: where a chamber closes.
+/// Tension minus that of the linear part's spring `stiffness` [N], at each sample of a cycle of `period` [s] over which
+/// the samples are spread evenly, three or more. Subtracting LaggingShare times the extension at each harmonic gives
+/// the nonlinear part. NaN if the damper has no such cycle because a chamber closes.
 void CycleRemainders(const HydraulicRemainder& port, double period, std::span<const double> extension,
                      std::span<const double> rate, std::span<double> remainder);
 
-/// Its first-order changes by changes of extension and rate, samples x changes. NaN likewise.
+/// First-order changes by changes of extension and rate, samples x changes. NaN likewise.
 void CycleChanges(const HydraulicRemainder& port, double period, std::span<const double> extension,
                   std::span<const double> rate, const Eigen::MatrixXd& extension_changes,
                   const Eigen::MatrixXd& rate_changes, Eigen::MatrixXd& remainder_changes);
 
-/// Tension per extension [N/m] of the share's dashpot and spring in line at the angular frequency w.
+/// Tension per extension [N/m] of the linear part's dashpot and spring in series at the angular frequency w.
 std::complex<double> LaggingShare(const HydraulicRemainder& port, double w);
 
-/// A place where a linear vehicle (LinearVehicle, centre rates) meets a force that is not linear: the element's
-/// extension is e = direction . [s x] + z of its post, its tension acts on [s x] as -direction f.
+/// A nonlinear element as seen by a linear vehicle (LinearVehicle, centre rates): its extension is e = direction . [s
+/// x] + z of its post, its tension acts on [s x] as -direction f.
 struct Port {
   Eigen::VectorXd direction;
   PortLaw law;
   /// -1: none.
   int post = -1;
-  /// Index in CondensedModel::liftoffs; -1: no tyre's.
+  /// Index in CondensedModel::liftoffs; -1: no tyre.
   int liftoff = -1;
-  /// Index in [s x] of the extension of the spring in a hydraulic damper's linear share; -1: no such damper's.
+  /// Index in [s x] of the extension of the spring in a hydraulic damper's linear part; -1: no hydraulic damper.
   Eigen::Index lag = -1;
 };
 
-/// Of every element that is not linear; those of tyres that lift off come last.
+/// All nonlinear elements; tyres that may lift off come last.
 std::vector<Port> PortsOf(const CondensedModel& model);
 
-/// The same where no tyre leaves its platform: without their ports, whose remainders are zero then.
+/// The same if no tyre leaves its platform: without the tyres, whose nonlinear parts are zero then.
 std::vector<Port> HeldPortsOf(const CondensedModel& model);
 
 }  // namespace fourpost

@@ -10,13 +10,14 @@
 
 namespace fourpost {
 
-/// What a linear vehicle does per unit of forces at its ports and per unit motion of the posts, at any frequency:
+/// Response of a linear vehicle to unit forces at its nonlinear elements and to unit motion of the posts, at any
+/// frequency:
 ///   [s x](w) = Z(w)^-1 (-P f + (K_post + i w C_post) shape a),   e = P' [s x] + share a
-/// P: the ports' directions, f: their tensions, a: amplitude of the posts, share: of each port's own post.
+/// P: directions of the elements, f: their tensions, a: amplitude of the posts, share: of each element's own post.
 ///
-/// By the poles of the state matrix, so that a frequency costs a sum over them in place of a factorisation:
-///   Z^-1 = sum over poles of u_k w_k' / (i w - l_k);
-/// by factorisation where two poles fall so near together that their shapes no longer span all motion.
+/// Uses the poles of the state matrix, so that a frequency costs a sum over them instead of a factorisation:
+///   Z^-1 = sum over poles of u_k w_k' / (i w - l_k).
+/// Factorises instead if two poles are so close that their shapes no longer span all motion.
 class Receptance {
  public:
   /// `shape`: of the posts, see Excitation.
@@ -29,27 +30,27 @@ class Receptance {
   /// [s x] per unit tension of each port, and per unit amplitude of the posts: size x (ports + 1).
   Eigen::MatrixXcd UnitMotions(double omega) const;
 
-  /// Poles of the upper half plane and the real axis; 0 where it does not go by them.
+  /// Number of poles in the upper half plane and on the real axis; 0 if poles are not used.
   Eigen::Index pole_count() const { return poles_ ? poles_->values.size() : 0; }
 
   /// |row u_k| of each pole k, rows x poles. `rows`: n x size.
   Eigen::MatrixXd ModalSizes(const Eigen::MatrixXd& rows) const;
 
-  /// A bound of what tensions make of y = row [s x]. `sizes`: amplitudes of their harmonics 0, 1, .. of `omega`, in
-  /// rows, x ports. The amplitudes of all harmonics of y from the second on add up to ModalSizes(row) times the first
-  /// column at most, those of y' to that times the second. Poles x 2.
+  /// A bound of y = row [s x] caused by tensions. `sizes`: amplitudes of their harmonics 0, 1, .. of `omega`, in rows,
+  /// x ports. The amplitudes of all harmonics of y from the second on add up to at most ModalSizes(row) times the first
+  /// column, those of y' to that times the second. Poles x 2.
   Eigen::MatrixX2d ModalReach(double omega, const Eigen::MatrixXd& sizes) const;
 
-  /// Extensions of the ports per unit amplitude of the posts, which moves [s x] so.
+  /// Extensions of the ports per unit amplitude of the posts, for this motion of [s x].
   Eigen::VectorXcd Driven(const Eigen::VectorXcd& motion) const;
 
-  /// [s x] at one frequency, from the tensions of the ports, and from posts of this amplitude.
+  /// [s x] at one frequency, for these tensions of the ports and this amplitude of the posts.
   Eigen::VectorXcd Motion(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const;
 
   /// Of [s x].
   Eigen::Index size() const { return vehicle_.size(); }
 
-  /// [s x] of harmonics 0, 1, .. of `omega` by forces on it, in rows.
+  /// [s x] of harmonics 0, 1, .. of `omega` under forces on it, in rows.
   Eigen::MatrixXcd MotionBy(double omega, const Eigen::MatrixXcd& forces) const;
 
   /// Z^-1 of harmonics 0..H of `omega`: (H + 1) x size^2, column i + size j. The first call costs more.
@@ -60,7 +61,7 @@ class Receptance {
   /// Of the ports, size x ports.
   const Eigen::MatrixXd& directions() const { return directions_; }
 
-  /// Whether it goes by poles.
+  /// Whether poles are used.
   bool by_poles() const { return poles_.has_value(); }
 
  private:
@@ -72,7 +73,7 @@ class Receptance {
     /// size x poles, of [s x]; poles x (ports, posts' heights, posts' velocities).
     Eigen::MatrixXcd shapes;
     Eigen::MatrixXcd inputs;
-    /// Amplitudes of those of the ports.
+    /// Amplitudes of the inputs at the ports.
     Eigen::MatrixXd input_sizes;
     /// 2 poles x ports^2, 2 poles x size (ports + 2): alpha, beta of Ports() and of the motion per unit input.
     Eigen::MatrixXd residues;
@@ -95,7 +96,7 @@ class Receptance {
   /// size x (ports, 1, 1): forces on [s x] per unit tension, post height and post velocity.
   Eigen::MatrixXd forces_;
   std::optional<Poles> poles_;
-  /// 2 poles x size^2: alpha, beta of Z^-1, once it has been asked for; empty where poles do not tell it.
+  /// 2 poles x size^2: alpha, beta of Z^-1, once requested; empty if poles are not used.
   std::optional<Eigen::MatrixXd> compliance_residues_;
 };
 

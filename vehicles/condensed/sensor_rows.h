@@ -6,8 +6,7 @@
 
 namespace fourpost {
 
-/// The rows of a CondensedModel that tell what sensors read, as far as they do not depend on parameters: those of load
-/// cells are zero.
+/// The sensor rows of a CondensedModel, as far as they do not depend on parameters: those of load cells are zero.
 CondensedModel SensorRows(const Kinematics& pose, const Vehicle& vehicle, Eigen::Index coordinates);
 
 }  // namespace fourpost

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/description/design_poses.h"
 
 namespace fourpost {

@@ -8,17 +8,17 @@
 
 namespace fourpost {
 
-/// How far the bodies of a drawn vehicle reach as far as its file tells, as boxes in ground axes. A body is a link with
-/// all that fixed joints hold to it.
+/// Extent of the bodies of a drawn vehicle, as far as its file describes them, as boxes in ground axes. A body is a
+/// link with everything that fixed joints hold to it.
 class BodyBoxes {
  public:
   /// `drawn` must outlive this object.
   explicit BodyBoxes(const DrawnVehicle& drawn);
 
-  /// Of the body that the link belongs to: its centres of mass, points of elements, joints that turn, boxes, cylinders
-  /// and spheres. Empty where it has none of these.
+  /// Box of the link's body: centres of mass, points of elements, rotating joints, boxes, cylinders and spheres. Empty
+  /// if it has none of these.
   const Eigen::AlignedBox3d& Of(int link) const { return boxes_[Body(link)]; }
-  /// That and the body's meshes; all of space where one of them is missing.
+  /// Of() and the body's meshes; all of space if one of them is missing.
   Eigen::AlignedBox3d WithMeshes(int link) const;
 
  private:
@@ -27,7 +27,7 @@ class BodyBoxes {
   void AddShapes(std::size_t link);
 
   const DrawnVehicle& drawn_;
-  /// Of each link the first link of its body.
+  /// For each link the first link of its body.
   std::vector<std::size_t> bodies_;
   /// By first link.
   std::vector<Eigen::AlignedBox3d> boxes_;

@@ -11,7 +11,7 @@ namespace fourpost {
 /// Poses of the links in the ground in the design pose, all joint coordinates zero; one per link.
 std::vector<Eigen::Isometry3d> DesignPoses(const Vehicle& vehicle);
 
-/// Place of a point in the ground, given these poses [m].
+/// Position of a point in ground axes, given these poses [m].
 Eigen::Vector3d PlaceOf(const Point& point, const std::vector<Eigen::Isometry3d>& poses);
 
 }  // namespace fourpost

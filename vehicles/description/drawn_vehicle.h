@@ -27,8 +27,8 @@ struct DrawnVehicle {
   std::vector<Eigen::Isometry3d> poses;
 };
 
-/// A lint that needs no more than the description, so that it finds its oddities also in a vehicle that cannot be
-/// assembled or held: adds a warning, with a remedy, for each.
+/// A plausibility check that needs only the description, so that it also works on a vehicle that cannot be assembled or
+/// held: adds a warning, with a remedy, for each finding.
 using DrawnLintRule = void (*)(const DrawnVehicle& drawn, FileFaults& findings);
 
 }  // namespace fourpost

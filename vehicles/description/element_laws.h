@@ -11,13 +11,13 @@
 
 namespace fourpost {
 
-// The laws of a vehicle's elements as its file gives them: numbers that may follow parameters. At() takes the values
-// (SI, in the order of Vehicle::parameters) and gives the law that all engines compute with.
+// Laws of a vehicle's elements as its file gives them: numbers that may follow parameters. At() takes the values (SI,
+// in the order of Vehicle::parameters) and returns the law that all engines use.
 
-/// Of a spring, a stop or a series spring: tension = stiffness x + cubic x^3 + what the knees add.
+/// Law of a spring, a stop or a series spring: tension = stiffness x + cubic x^3 + sum of the knees.
 struct SpringDescription {
-  /// Beyond x = side * at the rate is `rate`; with `adds` it comes on top, as a stop does, otherwise it replaces the
-  /// rate before it, as in a multirate spring. Knees of a side stand in the order in which they are met.
+  /// Beyond x = side * at the rate is `rate`; with `adds` it is added, as for a stop, otherwise it replaces the rate
+  /// before it, as in a multirate spring. Knees of a side are in the order in which they are met.
   struct Knee {
     int side = 1;
     Scalar at;  // m, >= 0
@@ -33,7 +33,7 @@ struct SpringDescription {
   bool IsLinear() const { return cubic.IsZero() && knees.empty(); }
 };
 
-/// Of a damper but a hydraulic one, with the friction of its seals.
+/// Law of a damper, hydraulic ones excepted, with the friction of its seals.
 struct DashpotDescription {
   enum class Kind { kBilinear, kSmooth, kDigressive, kTable };
   struct Knee {
@@ -51,23 +51,23 @@ struct DashpotDescription {
   Kind kind = Kind::kBilinear;
   Scalar compression;
   Scalar rebound;
-  /// Smooth: speed of the transition.
+  /// Smooth: velocity of the transition.
   Scalar transition;
   /// Digressive.
   Knee compression_knee;
   Knee rebound_knee;
-  /// Table: by rising speed.
+  /// Table: by rising velocity.
   std::vector<TablePoint> table;
   std::optional<Friction> friction;
 
   DashpotLaw At(std::span<const double> parameters) const;
 };
 
-/// Of a hydraulic damper without its friction: what of HydraulicDamper a file may tell.
+/// Hydraulic damper without its friction: the fields of HydraulicDamper that a file may set.
 struct HydraulicDescription {
   /// Effective area Cd A of the bleed, both directions [m^2].
   Scalar bleed;
-  /// Resistance of the rebound and the compression valve to mass flow [Pa s/kg].
+  /// Resistance of the rebound and the bump valve to mass flow [Pa s/kg].
   Scalar rebound_valve;
   Scalar compression_valve;
   /// Stiffness of the oil [Pa].
@@ -82,7 +82,7 @@ struct HydraulicDescription {
   Scalar gas_exponent;
   /// Of the oil [kg/m^3].
   Scalar density;
-  /// Pressure below which no chamber's falls [Pa].
+  /// Lower limit of the pressure in each chamber [Pa].
   Scalar cavitation;
 
   HydraulicDamper At(std::span<const double> parameters) const;

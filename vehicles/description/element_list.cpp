@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/units.h"
+#include "analysis/text/units.h"
 
 namespace fourpost {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/nearest.h"
+#include "analysis/text/nearest.h"
 #include "vehicles/description/design_poses.h"
 
 namespace fourpost {

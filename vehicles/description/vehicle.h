@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "analysis/units.h"
+#include "analysis/text/units.h"
 #include "vehicles/description/element_laws.h"
 #include "vehicles/description/scalar.h"
 
@@ -23,13 +23,13 @@ struct Parameter {
   double value = 0;
   double lower = 0;
   double upper = 0;
-  /// Lattice step of the search.
+  /// Grid step of the search.
   double precision = 0;
   Dimension dimension;
   /// Unit the user wrote; used when the value is shown.
   std::string unit;
   std::string source;
-  /// What is known before any fit: a normal distribution about `value`, with this standard deviation.
+  /// Prior knowledge: a normal distribution about `value`, with this standard deviation.
   std::optional<double> prior_sd;
   int line = 0;
 };
@@ -93,28 +93,29 @@ struct ForceLine {
 struct Spring {
   enum class Kind { kCoil, kStop, kGas };
   Kind kind = Kind::kCoil;
-  /// Of gas the damper's.
+  /// For gas the damper's name.
   std::string name;
   ForceLine line;
   SpringDescription law;
   /// Tension in the design pose [N]; empty: by free_length.
   std::optional<Scalar> preload;
-  /// Length without load [m]: preload = -law(free_length - L_design). Empty as well: whatever holds the design pose in
-  /// equilibrium.
+  /// Length without load [m]: preload = -law(free_length - L_design). If empty as well, equilibrium in the design pose
+  /// sets the preload.
   std::optional<Scalar> free_length;
   int source_line = 0;
 
-  /// As messages call it: "fp:spring 'coil'", "the gas of fp:damper 'strut'".
+  /// Name in messages: "fp:spring 'coil'", "the gas of fp:damper 'strut'".
   std::string Element() const;
 };
 
-/// A damper: its dashpot's force against extension rate, rebound and tension positive; alone or in line with a spring.
+/// A damper: its dashpot's force against extension rate, rebound and tension positive; alone or in series with a
+/// spring.
 struct Damper {
   std::string name;
   ForceLine line;
   DashpotDescription law;
   std::optional<SpringDescription> series;
-  /// In place of `law`, but for its friction.
+  /// Replaces `law`, except for its friction.
   std::optional<HydraulicDescription> hydraulic;
   int source_line = 0;
 
@@ -137,7 +138,7 @@ struct Bushing {
   /// Adds damping = factor stiffness / (2 pi frequency): rubber's loss factor at that frequency.
   Scalar loss_factor;
   double loss_frequency_Hz = 1;
-  /// Whether its translations take the forces that hold the design pose, as springs do; else it is without load there.
+  /// Whether its translations carry forces that hold the design pose, as springs do; otherwise it is unloaded there.
   bool holds = false;
   int source_line = 0;
 
@@ -145,7 +146,7 @@ struct Bushing {
 };
 
 /// An anti-roll bar: force stiffness (e_left - e_right) + damping (...)' along the left line, opposite along the right;
-/// e: extension of the line between its end of the bar and what it holds on to.
+/// e: extension of the line between the bar's end and the part it is linked to.
 struct AntiRollBar {
   std::string name;
   ForceLine left;
@@ -157,8 +158,8 @@ struct AntiRollBar {
 
 /// A tyre between the centre of a wheel and a post's platform. It stays upright however the link pitches, and leans
 /// with it in roll: its foot is `radius` below the centre, along the wheel's plane (normal: the link's y axis).
-/// Vertical force on the wheel = preload + stiffness squeeze + damping squeeze', squeeze: how much nearer the foot is
-/// to the platform. Lateral and longitudinal springs and dampers hold the foot to where it stands on the platform.
+/// Vertical force on the wheel = preload + stiffness squeeze + damping squeeze', squeeze: approach of foot and platform
+/// from the design pose. Lateral and longitudinal springs and dampers hold the foot to its position on the platform.
 struct Tyre {
   std::string name;
   Point point;
@@ -170,9 +171,9 @@ struct Tyre {
   Scalar longitudinal;
   Scalar lateral_damping;
   Scalar longitudinal_damping;
-  /// Whether the vertical force may not pull; those in the plane stay, see TyreForce.
+  /// Whether the vertical force may not pull; forces in the plane remain, see TyreForce.
   bool lifts_off = false;
-  /// Compression force in the design pose [N]; empty: whatever holds the design pose in equilibrium.
+  /// Vertical force in the design pose [N], pushing; empty: set by equilibrium in the design pose.
   std::optional<Scalar> preload;
   int source_line = 0;
 };
@@ -181,7 +182,7 @@ struct Tyre {
 struct Post {
   std::string name;
   int tyre = -1;
-  /// Whole travel [m], half of it up and half down from rest; empty: not told.
+  /// Whole travel [m], half of it up and half down from rest; empty: unknown.
   std::optional<double> stroke;
   int source_line = 0;
 };
@@ -232,7 +233,7 @@ struct Sensor {
   ForceLine line;
   /// Load cell: the tyre whose dynamic force is measured, more load positive.
   int tyre = -1;
-  /// Load cell: mass between it and the tyre, whose inertia it feels [kg].
+  /// Load cell: mass between it and the tyre, whose inertia it measures [kg].
   Scalar wheelpan;
   int source_line = 0;
 };
@@ -242,7 +243,7 @@ struct Sensor {
 struct Vehicle {
   std::string name;
   std::string file;
-  /// The file as it was read; empty for a vehicle that came from none.
+  /// The text of the file; empty for a vehicle without one.
   std::string text;
   std::vector<Parameter> parameters;
   std::vector<Link> links;
@@ -259,10 +260,10 @@ struct Vehicle {
   std::vector<Weld> welds;
   std::vector<Hinge> hinges;
   std::vector<Sensor> sensors;
-  /// Names that fp:mirror made, each with the written name that it mirrors.
+  /// Names generated by fp:mirror, each with the written name of its mirror partner.
   std::map<std::string, std::string, std::less<>> twins;
 
-  /// Values of the parameters as the file gives them.
+  /// Parameter values of the file.
   std::vector<double> ParameterValues() const;
 
   bool HasLoops() const { return !(rods.empty() && balls.empty() && welds.empty() && hinges.empty()); }

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "analysis/decibel.h"
+#include "analysis/signals/decibel.h"
 #include "vehicles/response/full_balance.h"
 #include "vehicles/response/march.h"
 #include "vehicles/response/reduced_march.h"

@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-/// For what a caller hands over: throws std::invalid_argument "place: needs a value for each of 2 posts, has 1" unless
+/// Checks a caller's argument: throws std::invalid_argument "place: needs a value for each of 2 posts, has 1" unless
 /// the counts agree. `nouns` is a plural.
 inline void RequireCount(const char* place, const char* nouns, std::size_t expected, std::size_t given) {
   if (given == expected) return;

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/laws/count_check.h"
 #include "vehicles/laws/increasing_root.h"
 

@@ -10,9 +10,9 @@
 
 namespace fourpost {
 
-/// Force f(v) of a dashpot [N], tension positive; v: extension rate [m/s], rebound positive. f(0) = 0. Rates
-/// [N s/m] are finite and not negative, speeds [m/s] and forces [N] of the laws are positive numbers: what makes a law
-/// throws std::invalid_argument naming the field otherwise.
+/// Force f(v) of a dashpot [N], tension positive; v: extension rate [m/s], rebound positive. f(0) = 0. Rates [N s/m]
+/// are finite and not negative, velocities [m/s] and forces [N] of the laws are positive. The functions that make a law
+/// throw std::invalid_argument naming the field otherwise.
 class DashpotLaw {
  public:
   /// Above `speed` [m/s, > 0] the rate is `rate` [N s/m].
@@ -26,7 +26,8 @@ class DashpotLaw {
   /// No force.
   DashpotLaw() = default;
 
-  /// f = rebound v for v > 0, compression v otherwise (thesis table 3.3.1, model 2); equal rates: linear (model 1).
+  /// f = rebound v for v > 0, bump rate (`compression`) times v otherwise (thesis table 3.3.1, model 2); equal rates:
+  /// linear (model 1).
   DashpotLaw(double compression, double rebound);
 
   /// f = [(rebound + compression)/2 + (rebound - compression)/2 tanh(v/speed)] v. The thesis's model 5 passes smoothly
@@ -40,7 +41,7 @@ class DashpotLaw {
   /// forces do not fall.
   static DashpotLaw Table(std::vector<double> speed, std::vector<double> force);
 
-  /// This law and Coulomb friction, f + force tanh(v/speed), in place of friction it had.
+  /// This law plus Coulomb friction, f + force tanh(v/speed); replaces any previous friction.
   DashpotLaw WithFriction(double force, double speed) const;
 
   double Force(double v) const {
@@ -48,7 +49,7 @@ class DashpotLaw {
     return bilinear && friction_ == 0 ? bilinear->Force(v) : AnyForce(v);
   }
 
-  /// Of many rates at once; spans of one length.
+  /// Forces at many rates at once; spans of one length.
   void Forces(std::span<const double> v, std::span<double> force) const;
 
   /// df/dv [N s/m]; at a kink the mean of both sides.
@@ -57,7 +58,7 @@ class DashpotLaw {
     return bilinear && friction_ == 0 ? bilinear->Slope(v) : AnyForceAndSlope(v).second;
   }
 
-  /// {f, df/dv}, cheaper than one after the other.
+  /// {f, df/dv}, cheaper than two calls.
   std::pair<double, double> ForceAndSlope(double v) const {
     const auto* bilinear = std::get_if<Bilinear>(&law_);
     return bilinear && friction_ == 0 ? std::pair(bilinear->Force(v), bilinear->Slope(v)) : AnyForceAndSlope(v);
@@ -66,32 +67,31 @@ class DashpotLaw {
   /// Whether it is bilinear or linear, without friction.
   bool IsBilinear() const { return std::holds_alternative<Bilinear>(law_) && friction_ == 0; }
 
-  /// The rate that carries this force. Needs LeastRate() > 0. Closed form for bilinear and digressive laws without
-  /// friction, else see IncreasingRoot.
+  /// The rate at this force. Needs LeastRate() > 0. Closed form for bilinear and digressive laws without friction, else
+  /// see IncreasingRoot.
   double Velocity(double force) const;
 
-  /// Bounds of the slope over all v [N s/m], attained or approached but for friction, whose slope lies between 0 and
-  /// force/speed.
+  /// Bounds of the slope over all v [N s/m], attained or approached, except for friction, whose slope lies between 0
+  /// and force/speed.
   double LeastRate() const;
   double GreatestRate() const;
 
-  /// Speed within which the force takes a step about v = 0 [m/s]: that of friction, or of a smooth law; infinite
-  /// without either.
+  /// Velocity range of the transition about v = 0 [m/s]: that of friction, or of a smooth law; infinite without either.
   double StepSpeed() const;
 
-  /// A speed at which the slope jumps [m/s], and by how much towards larger v [N s/m].
+  /// A velocity at which the slope jumps [m/s], and the jump towards larger v [N s/m].
   struct Kink {
     double speed = 0;
     double jump = 0;
   };
-  /// Where the law has corners: none of a smooth law or a table.
+  /// Corners of the law: none for a smooth law or a table.
   std::vector<Kink> Kinks() const;
 
-  /// (f(V) - f(-V)) / 2V at V = 0.1 m/s without friction: what linear models use. Of a bilinear law the mean of both
-  /// rates, which is also its exact first-harmonic rate for a sinusoidal v.
+  /// (f(V) - f(-V)) / 2V at V = 0.1 m/s without friction: the rate in linear models. For a bilinear law the mean of
+  /// both rates, which is also its exact first-harmonic rate for a sinusoidal v.
   double MeanRate() const;
 
-  /// Of one kind with the same numbers.
+  /// Same kind and same numbers.
   bool operator==(const DashpotLaw&) const = default;
 
  private:

@@ -6,15 +6,13 @@
 #include <string>
 #include <utility>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/laws/increasing_root.h"
 
 namespace fourpost {
 namespace {
 
-void RequirePositive(const std::string& field, double value) {
-  RequireOption(value > 0 && std::isfinite(value), "HydraulicDamper: " + field, value, "finite and positive");
-}
+void RequireField(const std::string& field, double value) { RequirePositive("HydraulicDamper: " + field, value); }
 
 }  // namespace
 
@@ -123,25 +121,25 @@ double HydraulicDamper::ValveResistance(double pressure_difference) const {
 double HydraulicDamper::Friction(double v) const { return friction * std::tanh(v / friction_speed); }
 
 void HydraulicDamper::Validate() const {
-  RequirePositive("bleed_resistance", bleed_resistance);
-  RequirePositive("rebound_valve_resistance", rebound_valve_resistance);
-  RequirePositive("compression_valve_resistance", compression_valve_resistance);
-  RequirePositive("bulk_modulus", bulk_modulus);
-  RequirePositive("piston_area", piston_area);
+  RequireField("bleed_resistance", bleed_resistance);
+  RequireField("rebound_valve_resistance", rebound_valve_resistance);
+  RequireField("compression_valve_resistance", compression_valve_resistance);
+  RequireField("bulk_modulus", bulk_modulus);
+  RequireField("piston_area", piston_area);
   RequireOption(annulus_area > 0 && annulus_area <= piston_area, "HydraulicDamper: annulus_area", annulus_area,
                 "positive and at most piston_area");
-  RequirePositive("rebound_volume", rebound_volume);
-  RequirePositive("compression_volume", compression_volume);
-  RequirePositive("gas_pressure", gas_pressure);
-  RequirePositive("gas_volume", gas_volume);
-  RequirePositive("gas_exponent", gas_exponent);
-  RequirePositive("density", density);
+  RequireField("rebound_volume", rebound_volume);
+  RequireField("compression_volume", compression_volume);
+  RequireField("gas_pressure", gas_pressure);
+  RequireField("gas_volume", gas_volume);
+  RequireField("gas_exponent", gas_exponent);
+  RequireField("density", density);
   RequireOption(friction >= 0 && std::isfinite(friction), "HydraulicDamper: friction", friction,
                 "finite and not negative");
-  RequirePositive("friction_speed", friction_speed);
+  RequireField("friction_speed", friction_speed);
   RequireOption(cavitation_pressure > 0 && cavitation_pressure < gas_pressure, "HydraulicDamper: cavitation_pressure",
                 cavitation_pressure, "positive and below gas_pressure");
-  RequirePositive("bleed_rounding", bleed_rounding);
+  RequireField("bleed_rounding", bleed_rounding);
 }
 
 }  // namespace fourpost

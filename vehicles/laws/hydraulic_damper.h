@@ -6,19 +6,19 @@ namespace fourpost {
 
 /// Adjustable monotube damper after appendix A of the thesis, which names its parts and three fitted parameters but not
 /// its equations: those here, and the geometry, are a reconstruction. Extension x [m] from mid-stroke and rebound
-/// positive, tension positive. Chambers: rebound (r, the annulus about the rod) and compression (c), which a massless
-/// floating piston parts from trapped gas.
+/// positive, tension positive. Chambers: rebound (r, the annulus about the rod) and bump (c), which a massless floating
+/// piston separates from trapped gas.
 ///   dP = P_r - P_c;  nominal mass flow m' = dP / (bleed sqrt(|dP| + rounding)) + dP / (rebound valve if dP > 0, else
-///   compression valve);  volume flow Q = m' / density at the pressure upstream, Q exp(|dP| / K) downstream
+///   bump valve);  volume flow Q = m' / density at the pressure upstream, Q exp(|dP| / K) downstream
 ///   P_r' = (A_a x' - Q_r) K / (V_r - A_a x)
 ///   P_c' = (Q_c - A_p x') / [V_oil / K + V_g / (gamma P_c)],  V_oil = V_c + A_p x + V_g0 - V_g
 ///   V_g = V_g0 (P_g0 / P_c)^(1/gamma)
 ///   f = P_r A_a - P_c A_p - P_g0 (A_a - A_p) + friction tanh(x' / friction speed)
-/// Oil of density ~ exp(P / K) is neither lost nor gained: with one Q for both chambers a cycle of work W would lose
-/// the volume W / K, and the gas its pressure within a sweep. No chamber's pressure falls below that of cavitation: a P
-/// below it stands for oil of that pressure and for vapour, which fills the share 1 - exp((P - P_cavitation) / K) of
-/// the chamber and has to go before the pressure rises. There the Q of the chamber's P counts its mean density. The
-/// default geometry: bore 30 mm, rod 12.5 mm, 0.1 m from mid-stroke to either end.
+/// Oil of density ~ exp(P / K) is conserved: with one Q for both chambers a cycle of work W would lose the volume W /
+/// K, and the gas its pressure within a sweep. Chamber pressure is clamped at the vapour pressure. A P below it stands
+/// for oil at that pressure and for vapour, which fills the share 1 - exp((P - P_cavitation) / K) of the chamber and
+/// must vanish before the pressure rises. There the Q of the chamber's P counts its mean density. The default geometry:
+/// bore 30 mm, rod 12.5 mm, 0.1 m from mid-stroke to either end.
 struct HydraulicDamper {
   double bleed_resistance = 4e4;                  // Pa^0.5 / (kg/s), adjustable, turbulent, both directions
   double rebound_valve_resistance = 1e7;          // Pa / (kg/s), laminar
@@ -40,27 +40,27 @@ struct HydraulicDamper {
   /// {P_r, P_c} at rest at mid-stroke [Pa].
   std::array<double, 2> Rest() const { return {gas_pressure, gas_pressure}; }
 
-  /// {P_r', P_c'} [Pa/s] at extension x, rate v and {P_r, P_c}. NaN where x closes a chamber.
+  /// {P_r', P_c'} [Pa/s] at extension x, rate v and {P_r, P_c}. NaN if x closes a chamber.
   std::array<double, 2> PressureRates(double x, double v, const std::array<double, 2>& p) const;
 
-  /// What oil and gas hold of the work done on them since they were at rest at mid-stroke [J], the static force's left
-  /// out: per volume of oil (P_g0 + K) (e^u - 1) - K u with u = (P - P_g0) / K, that of density ~ exp(P / K); of the
-  /// gas (P_c V_g - P_g0 V_g0) / (gamma - 1). With it
+  /// Energy that oil and gas store [J], relative to rest at mid-stroke, without the static force: per volume of oil
+  /// (P_g0 + K) (e^u - 1) - K u with u = (P - P_g0) / K, for density ~ exp(P / K); for the gas (P_c V_g - P_g0 V_g0) /
+  /// (gamma - 1). With it
   ///   Force v = d Energy / dt + Dissipation.
   double Energy(double x, const std::array<double, 2>& p) const;
 
-  /// Power that the valves and the friction take [W], not negative: K |Q_r - Q_c| is what oil loses that flows to a
+  /// Power dissipated in the valves and by friction [W], not negative: K |Q_r - Q_c| is the loss of oil that flows to a
   /// lower pressure, |dP| Q for stiff oil.
   double Dissipation(double v, const std::array<double, 2>& p) const;
 
   /// Tension without the static force of the gas [N].
   double Force(double v, const std::array<double, 2>& p) const;
 
-  /// Force [N] at mid-stroke of a slow cycle: constant v, stiff oil, gas at its pressure at rest. What linear models
-  /// use.
+  /// Force [N] at mid-stroke of a slow cycle: constant v, stiff oil, gas at its pressure at rest. Used by linear
+  /// models.
   double SteadyForce(double v) const;
 
-  /// Mean rate of the steady force without friction over the speeds that DashpotLaw::MeanRate looks at [N s/m].
+  /// Mean rate of the steady force without friction, over the velocities of DashpotLaw::MeanRate [N s/m].
   double MeanRate() const;
 
   /// m' [kg/s] of the valves, and its slope [kg/(s Pa)].
@@ -70,20 +70,20 @@ struct HydraulicDamper {
   /// V_g [m^3].
   double GasVolume(double pressure) const;
 
-  /// All positive and finite, friction not negative, cavitation below gas pressure, annulus within the piston; else
-  /// throws std::invalid_argument naming field, value and bound.
+  /// All positive and finite, friction not negative, vapour pressure below gas pressure, annulus within the piston;
+  /// else throws std::invalid_argument naming field, value and bound.
   void Validate() const;
 
   bool operator==(const HydraulicDamper&) const = default;
 
  private:
-  /// Volume flow from the rebound chamber and into the compression chamber [m^3/s].
+  /// Volume flow out of the rebound chamber and into the bump chamber [m^3/s].
   std::array<double, 2> Flows(double rebound_pressure, double compression_pressure) const;
   double ValveResistance(double pressure_difference) const;
   double Friction(double v) const;
-  /// Of oil, per volume [J/m^3].
+  /// Energy of oil, per volume [J/m^3].
   double OilEnergy(double pressure) const;
-  /// Of what fills a chamber, per volume [J/m^3]; P as the pressures of a state.
+  /// Energy of a chamber's content, per volume [J/m^3]; P as the pressures of a state.
   double ChamberEnergy(double p) const;
   /// Work done on the gas [J].
   double GasEnergy(double pressure) const;

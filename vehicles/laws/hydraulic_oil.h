@@ -6,13 +6,13 @@
 
 namespace fourpost {
 
-/// The equations of MountedHydraulicDamper, or of the damper alone, by one state: as oil is neither lost nor gained,
-/// one number tells where it is. With volumes of oil as dense as at rest, the rebound chamber holds V_r - A_a x +
-/// surplus, the compression chamber the rest of V_r + V_c;
+/// The equations of MountedHydraulicDamper, or of the damper alone, with a single state: as oil is conserved, one
+/// number determines its distribution. With volumes of oil at its density at rest, the rebound chamber holds V_r - A_a
+/// x + surplus, the bump chamber the rest of V_r + V_c;
 ///   surplus' = A_a x' - Q,   Q = m' / density
-/// x: extension of damper and mount together; m': the valves' flow out of the rebound chamber, of oil as dense as where
-/// it comes from. Pressures and the damper's own extension follow from x and the surplus: what the chambers hold, and
-/// the mount's force. Without friction, which has no state.
+/// x: extension of damper and mount together; m': the valves' flow out of the rebound chamber, of oil at the density of
+/// its source. Pressures and the damper's own extension follow from x and the surplus: from the oil in the chambers and
+/// the mount's force. Excludes friction, which has no state.
 class HydraulicOil {
  public:
   struct State {
@@ -30,8 +30,9 @@ class HydraulicOil {
     double tension_by_extension = 0;  // N/m
   };
 
-  /// The tension about rest: that of a spring `stiffness`, which gas makes of the rod, beside a dashpot `rate` in line
-  /// with a spring `series`, which oil and mount make while no valve opens. Valves at HydraulicDamper::MeanRate.
+  /// Linearised tension about rest: a spring `stiffness`, the effect of gas on the rod, in parallel with a dashpot
+  /// `rate` and spring `series` in series, the effect of oil and mount while no valve opens. Valves at
+  /// HydraulicDamper::MeanRate.
   struct LinearShare {
     double stiffness = 0;  // N/m
     double rate = 0;       // N s/m
@@ -43,9 +44,9 @@ class HydraulicOil {
   /// Pressures as at rest, at the extension 0.
   State Rest() const;
 
-  /// The state at extension x where share surplus + flow_share Q = target: with (1, 0, surplus) that of a surplus, with
-  /// (1 / h, 1, A_a x' + last surplus / h) the end of an implicit Euler step h. Neither share is negative. Searched
-  /// from `near`. NaN where x closes a chamber.
+  /// The state at extension x where share surplus + flow_share Q = target. (1, 0, surplus) gives the state of a
+  /// surplus, (1 / h, 1, A_a x' + last surplus / h) the end of an implicit Euler step h. Neither share is negative. The
+  /// search starts at `near`. NaN if x closes a chamber.
   State Find(double x, double surplus_share, double flow_share, double target, const State& near) const;
 
   Slopes SlopesAt(double x, const State& state) const;
@@ -55,7 +56,7 @@ class HydraulicOil {
   const MountedHydraulicDamper& law() const { return law_; }
 
  private:
-  /// Of a, b: oil in the rebound and the compression chamber [m^3]; of flow and tension; by {P_r, P_c} and x.
+  /// For a, b: oil in the rebound and the bump chamber [m^3], flow and tension; derivatives by {P_r, P_c} and x.
   struct Balance {
     double rebound = 0;
     double compression = 0;
@@ -72,7 +73,7 @@ class HydraulicOil {
   };
   Balance At(double x, const std::array<double, 2>& pressures) const;
   State StateAt(double x, const std::array<double, 2>& pressures) const;
-  /// What Find() does, by halving brackets where Newton's method leads nowhere.
+  /// Find() by bisection, for cases in which Newton's method fails.
   State Search(double x, double surplus_share, double flow_share, double target, const State& near) const;
   double CompressionPressure(double x, double rebound_pressure, double start) const;
   double AllOil() const { return law_.damper.rebound_volume + law_.damper.compression_volume; }

@@ -7,10 +7,10 @@
 
 namespace fourpost {
 
-/// Where the increasing function f equals `target` between `lower` and `upper`: Newton's method from `start`, which
-/// halves the bracket instead where a step would leave it or the one before gained less than half. f(x) returns {value,
-/// slope}. To rounding: |f - target| <= 4 ulp of the target, or steps of 4 ulp of x; `close`: or steps as small as
-/// this. At most 100 evaluations. NaN for a NaN.
+/// Root of f(x) = `target` for an increasing function f between `lower` and `upper`: Newton's method from `start`, with
+/// bisection if a step would leave the bracket or the last one gained less than half. f(x) returns {value, slope}. To
+/// rounding: |f - target| <= 4 ulp of the target, or steps of 4 ulp of x; `close`: or steps as small as this. At most
+/// 100 evaluations. NaN for a NaN.
 template <typename Function>
 double IncreasingRoot(const Function& f, double target, double lower, double upper, double start, double close = 0) {
   constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();

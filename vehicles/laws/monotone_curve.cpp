@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/laws/increasing_root.h"
 
 namespace fourpost {

@@ -7,12 +7,12 @@
 namespace fourpost {
 
 /// Monotone curve y(x) through given points: piecewise cubic with continuous slope. Inner slopes are those of the
-/// parabola through three neighbours, end slopes those of the chord, both reduced where the cubic would otherwise swing
-/// (Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238, region of radius 3). Beyond the ends straight on.
+/// parabola through three neighbours, end slopes those of the chord, both reduced where the cubic would otherwise
+/// overshoot (Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980) 238, region of radius 3). Linear beyond the ends.
 class MonotoneCurve {
  public:
-  /// At least two points, all finite, x strictly increasing, y nowhere falling; else throws std::invalid_argument that
-  /// calls x and y by the names given. Where y strictly increases over all points, so does the curve everywhere.
+  /// At least two points, all finite, x strictly increasing, y not falling; else throws std::invalid_argument with the
+  /// given names of x and y. If y strictly increases over all points, so does the curve everywhere.
   MonotoneCurve(std::vector<double> x, std::vector<double> y, const std::string& x_name = "MonotoneCurve: x",
                 const std::string& y_name = "MonotoneCurve: y");
 
@@ -29,8 +29,8 @@ class MonotoneCurve {
   bool operator==(const MonotoneCurve&) const = default;
 
  private:
-  /// y = y0 + (slope + (quadratic + cubic e) e) e, e = x - x0; (x0, y0) is the end nearer to x = 0, where a force law
-  /// needs all digits.
+  /// y = y0 + (slope + (quadratic + cubic e) e) e, e = x - x0. (x0, y0) is the end nearer to x = 0, where a force law
+  /// needs full precision.
   struct Piece {
     double x0 = 0;
     double y0 = 0;
@@ -46,12 +46,12 @@ class MonotoneCurve {
   /// Piece from point i to the next.
   Piece Between(std::size_t i, const std::vector<double>& slopes) const;
   const Piece& PieceAt(double x) const;
-  /// Slopes among which are the least and the greatest.
+  /// Candidates for the least and the greatest slope.
   std::vector<double> ExtremeSlopes() const;
 
   std::vector<double> x_;
   std::vector<double> y_;
-  /// Straight, cubics between the points, straight: piece i ends at x_[i].
+  /// Linear, cubics between the points, linear: piece i ends at x_[i].
   std::vector<Piece> pieces_;
 };
 

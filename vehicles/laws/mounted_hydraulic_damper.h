@@ -7,15 +7,15 @@
 
 namespace fourpost {
 
-/// Hydraulic damper in line with a spring, its top mount: x_s is the mount's extension, x - x_s the damper's own. The
-/// mount carries what oil and gas do, mount(x_s) = F(P), so that the pressures P tell x_s and
+/// Hydraulic damper in series with a spring, its top mount: x_s is the mount's extension, x - x_s the damper's own. The
+/// mount carries the force of oil and gas, mount(x_s) = F(P), so the pressures P determine x_s and
 ///   x_s' = (dF/dt) / mount'(x_s),   P' = damper's rates at x - x_s, x' - x_s'.
-/// Friction acts between the ends of both: below the mount it would hold the damper, and leave x_s' without an
-/// equation, wherever it exceeds what the mount carries. The mount must strictly increase, by at least its `stiffness`:
-/// no knees, cubic >= 0.
+/// Friction acts between the ends of both. Below the mount it would lock the damper, and leave x_s' without an
+/// equation, wherever it exceeds the mount's force. The mount must strictly increase, by at least its `stiffness`: no
+/// knees, cubic >= 0.
 struct MountedHydraulicDamper {
   HydraulicDamper damper;
-  /// Without stiffness: no mount; then the damper tells its own rates and energy.
+  /// Zero stiffness: no mount; rates and energy are then those of the damper.
   SpringLaw mount;
 
   bool HasMount() const { return mount.stiffness > 0; }
@@ -23,7 +23,7 @@ struct MountedHydraulicDamper {
   /// {P_r', P_c'} [Pa/s] at extension x and rate v of both together and pressures {P_r, P_c}.
   std::array<double, 2> PressureRates(double x, double v, const std::array<double, 2>& p) const;
 
-  /// What mount, oil and gas hold [J]; see HydraulicDamper::Energy.
+  /// Energy stored in mount, oil and gas [J]; see HydraulicDamper::Energy.
   double Energy(double x, const std::array<double, 2>& p) const;
 
   /// x_s [m] at these pressures.

@@ -12,14 +12,14 @@ inline Eigen::Matrix3d Cross(const Eigen::Vector3d& v) {
   return cross;
 }
 
-/// A small turn as twice the vector part of its quaternion (eta, eps), and what an angular velocity w makes of it:
+/// A small turn as twice the vector part of its quaternion (eta, eps), and its rate for an angular velocity w:
 ///   value = 2 eps,   value' = rate w = (eta - eps x) w.
 /// From q' = (0, w) q / 2. Differs from the turn's angle by a 24th of its cube.
 struct SmallTurn {
   Eigen::Vector3d value;
   Eigen::Matrix3d rate;
 
-  /// `turn`: from the turned axes to the axes in which w stands.
+  /// `turn`: from the turned axes to the axes in which w is given.
   explicit SmallTurn(const Eigen::Matrix3d& turn) {
     Eigen::Quaterniond q(turn);
     if (q.w() < 0) q.coeffs() = -q.coeffs();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 namespace {

@@ -4,10 +4,10 @@
 
 namespace fourpost {
 
-/// Tension of a spring [N] over its extension x from the design pose [m], preload apart: f(0) = 0.
+/// Tension of a spring [N] over its extension x from the design pose [m], without preload: f(0) = 0.
 ///   f = stiffness x + cubic x^3 + sum over knees of g(x) - g(0)
-/// g, the term of a knee, acts on one side of a point: stiffness e + cubic e^3, e = x - at, for side e > 0. What it
-/// carries in the design pose belongs to the preload.
+/// g, the term of a knee, acts on one side of a point: stiffness e + cubic e^3, e = x - at, for side e > 0. Its force
+/// in the design pose belongs to the preload.
 struct SpringLaw {
   /// Change of rate of a multirate spring (a negative one softens), or a stop.
   struct Knee {
@@ -29,7 +29,7 @@ struct SpringLaw {
   /// Integral of Force from 0 to x [J].
   double Energy(double x) const;
 
-  /// Whether no cubic and no knee adds anything.
+  /// Whether the law has no cubic term and no effective knee.
   bool IsLinear() const;
 
   /// All numbers finite, sides +1 or -1; else throws std::invalid_argument naming the field and its value.

@@ -8,7 +8,7 @@
 
 namespace fourpost {
 
-/// Where a tyre meets its platform: `radius` from the wheel's centre, in the plane across the wheel's axis a (the y
+/// Point of a tyre on its platform: `radius` from the wheel's centre, in the plane normal to the wheel's axis a (the y
 /// axis of its link), as low as that plane allows. With u = (z - (z . a) a) / s, s = |z - (z . a) a|, z up:
 ///   offset = -radius u,   offset' = rate w,  w the link's angular velocity;   all in ground axes.
 /// Turning the link about a does not move the foot.

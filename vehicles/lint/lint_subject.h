@@ -10,7 +10,7 @@
 
 namespace fourpost {
 
-/// A vehicle at its file's values, as lints look at it.
+/// A vehicle at its file's values, as seen by plausibility checks.
 struct LintSubject {
   /// Throws FaultyInput as CondensedVehicle does. The vehicle must outlive this object.
   explicit LintSubject(const Vehicle& described);
@@ -18,7 +18,7 @@ struct LintSubject {
   double At(const Scalar& scalar) const { return scalar.At(values); }
   /// In ground axes, design pose.
   Eigen::Vector3d Place(const Point& point) const { return pose.Location(point); }
-  /// [N]; of what can move.
+  /// Weight of all that can move [N].
   double Weight() const;
 
   const Vehicle& vehicle;
@@ -31,7 +31,7 @@ struct LintSubject {
   Kinematics pose;
 };
 
-/// A lint: adds a warning, with a remedy, for each place where it finds something odd.
+/// A plausibility check: adds a warning, with a remedy, for each finding.
 using LintRule = void (*)(const LintSubject& subject, FileFaults& findings);
 
 }  // namespace fourpost

@@ -4,8 +4,8 @@
 
 namespace fourpost {
 
-/// Balls, welds and hinges whose points are apart as written, so that closing them moves bodies from where they were
-/// drawn.
+/// Balls, welds and hinges whose points do not coincide as written, so that closing them moves bodies from their drawn
+/// position.
 void LintOpenClosures(const LintSubject& subject, FileFaults& findings);
 
 }  // namespace fourpost

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "analysis/units.h"
+#include "analysis/text/units.h"
 #include "vehicles/description/element_list.h"
 #include "vehicles/loops/motion_name.h"
 

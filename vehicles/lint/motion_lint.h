@@ -4,13 +4,13 @@
 
 namespace fourpost {
 
-/// Motions that meet no stiffness.
+/// Motions without stiffness.
 void LintFreeMotions(const LintSubject& subject, FileFaults& findings);
 
 /// Sensors that no small motion moves.
 void LintBlindSensors(const LintSubject& subject, FileFaults& findings);
 
-/// Modes below 30 Hz that ring on: damping ratio below 0.5 %, and no friction in them.
+/// Modes below 30 Hz with very low damping: damping ratio below 0.5 %, and no friction in them.
 void LintRingingModes(const LintSubject& subject, FileFaults& findings);
 
 }  // namespace fourpost

@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "analysis/units.h"
+#include "analysis/text/units.h"
 #include "vehicles/description/element_list.h"
 
 namespace fourpost {

@@ -4,7 +4,7 @@
 
 namespace fourpost {
 
-/// Parameters that change neither the motion nor a static load nor what a sensor reads.
+/// Parameters without effect on motion, static loads and sensor readings.
 void LintIdleParameters(const LintSubject& subject, FileFaults& findings);
 
 }  // namespace fourpost

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/ride/vehicle_summary.h"
 
 namespace fourpost {
 
-/// What `fourpost check` finds odd in how the assembled vehicle rides: a motion that grows, a wheel rate that no
-/// suspension has, a coil or damper that hardly follows its wheel or runs ahead of it. Such come from one coordinate
-/// mistyped, which no number tells by itself.
+/// Plausibility checks of `fourpost check` on the assembled vehicle: an unstable motion, an unusual wheel rate, a coil
+/// or damper with a motion ratio near zero or above one. One mistyped coordinate causes such findings, although each
+/// number alone looks plausible.
 Diagnostics LintRide(const Vehicle& vehicle, const VehicleSummary& summary);
 
 }  // namespace fourpost

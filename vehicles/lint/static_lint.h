@@ -7,7 +7,7 @@ namespace fourpost {
 /// Tyres that pull on their platform at rest.
 void LintTyreLoads(const LintSubject& subject, FileFaults& findings);
 
-/// Springs, of those that equilibrium loads, that are pulled at rest.
+/// Springs under tension at rest, among those whose preload equilibrium sets.
 void LintSpringLoads(const LintSubject& subject, FileFaults& findings);
 
 /// A weight that the tyres do not carry.

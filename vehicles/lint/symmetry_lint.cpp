@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/units.h"
+#include "analysis/text/units.h"
 #include "vehicles/description/element_list.h"
 #include "vehicles/description/mirror_partner.h"
 

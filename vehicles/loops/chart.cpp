@@ -17,7 +17,7 @@ Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& low
 using LeastNorm = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
 
 /// Equations that repeat others say the same but for rounding, which must not be divided by.
-LeastNorm Decomposed(const Eigen::MatrixXd& matrix) {
+LeastNorm FactorsOf(const Eigen::MatrixXd& matrix) {
   LeastNorm solver;
   solver.setThreshold(kLoopRankTolerance);
   solver.compute(matrix);
@@ -53,7 +53,7 @@ Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
     Eigen::VectorXd error(loop_error.size() + s.size());
     error << loop_error, basis_.transpose() * (q - multibody_.design_pose()) - s;
     if (error.lpNorm<Eigen::Infinity>() < kClosed) return q;
-    q -= Decomposed(Stacked(multibody_.LoopJacobian(), basis_.transpose())).solve(error);
+    q -= FactorsOf(Stacked(multibody_.LoopJacobian(), basis_.transpose())).solve(error);
     multibody_.SetPose(q);
   }
   throw LoopsCannotFollow(multibody_);
@@ -78,7 +78,7 @@ Chart::Motion Chart::Follow(double t, const Eigen::VectorXd& s, const Eigen::Vec
   }
   motion.q = Close(s);
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
-  const LeastNorm solver = Decomposed(Stacked(loops, basis_.transpose()));
+  const LeastNorm solver = FactorsOf(Stacked(loops, basis_.transpose()));
   motion.tangent = solver.solve(OfCoordinates(loops.rows(), size()));
   motion.rate = motion.tangent * rate;
   move();
@@ -90,7 +90,7 @@ Eigen::MatrixXd Chart::MoveTo(const Eigen::VectorXd& s) {
   Close(s);
   if (!has_loops_) return basis_;
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
-  return Decomposed(Stacked(loops, basis_.transpose())).solve(OfCoordinates(loops.rows(), size()));
+  return FactorsOf(Stacked(loops, basis_.transpose())).solve(OfCoordinates(loops.rows(), size()));
 }
 
 }  // namespace fourpost

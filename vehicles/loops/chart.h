@@ -6,9 +6,9 @@
 
 namespace fourpost {
 
-/// Independent coordinates s of a vehicle whose loop closures take some of its joint coordinates q away:
-/// q(s) closes the loops and N0' (q - q0) = s, where q0 is the design pose and the columns of N0 span the motions that
-/// the loops allow there. Without loops s = q - q0.
+/// Minimal coordinates s of a vehicle whose loop closures constrain its joint coordinates q: q(s) closes the loops and
+/// N0' (q - q0) = s, where q0 is the design pose and the columns of N0 span the motions that the loops allow there.
+/// Without loops s = q - q0.
 class Chart {
  public:
   explicit Chart(Multibody& multibody);
@@ -16,8 +16,8 @@ class Chart {
   /// Number of independent coordinates: the vehicle's degrees of freedom.
   int size() const { return static_cast<int>(basis_.cols()); }
 
-  /// Moves the multibody to the pose q(s) and returns dq/ds there, coordinates x size().
-  /// Throws FaultyInput, see LoopsCannotFollow, when the loops do not let it.
+  /// Moves the multibody to the pose q(s) and returns dq/ds there, coordinates x size(). Throws FaultyInput, see
+  /// LoopsCannotFollow, if the loops do not allow it.
   Eigen::MatrixXd MoveTo(const Eigen::VectorXd& s);
 
   /// The joint coordinates of a motion.
@@ -38,7 +38,7 @@ class Chart {
 
   Multibody& multibody_;
   Eigen::MatrixXd basis_;
-  /// Also true for loops that take no coordinate to first order, as a rod at dead centre does.
+  /// Also true for loops that remove no coordinate to first order, such as a rod in a singular pose.
   bool has_loops_ = false;
 };
 

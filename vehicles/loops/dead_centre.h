@@ -10,21 +10,21 @@
 
 namespace fourpost {
 
-/// A motion that loop closures let begin but not go on.
+/// A singular pose: a motion that loop closures allow to first order but not to second order.
 struct DeadCentre {
   NamedMotion motion;
-  /// Closures whose equations forbid to second order what they allow to first order.
+  /// Closures whose equations forbid the motion to second order but allow it to first order.
   Indices closures;
 };
 
 /// Closures that take part in states of stress, in columns.
 Indices Stressed(const Multibody& multibody, const Eigen::MatrixXd& stresses);
 
-/// Dead centres of the design pose. Let N span the motions that the loop equations g(q) = 0 allow, and l' dg/dq = 0 be
-/// a state of stress. Along a path in N v the closures stay closed to second order if, for each l,
+/// Singular motions of the design pose. Let N span the motions that the loop equations g(q) = 0 allow, and l' dg/dq = 0
+/// be a state of stress. Along a path in N v the closures stay closed to second order if, for each l,
 ///   sum_i l_i (d2g_i/dq2)(N v, N v) = 0,
-/// since what follows from dq of second order is l' dg/dq = 0. Where the matrix of this form is not zero, N has more
-/// motions than the neighbouring poses. `body`: the link against which motions are named where it can stand still.
+/// since the second-order part of dq contributes l' dg/dq = 0. Where the matrix of this form is not zero, N has more
+/// motions than the neighbouring poses. `body`: the link relative to which motions are named if it can stand still.
 /// Leaves the multibody in the design pose.
 std::vector<DeadCentre> DeadCentres(Multibody& multibody, const LoopPose& design, int body);
 

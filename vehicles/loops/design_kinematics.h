@@ -5,8 +5,8 @@
 
 namespace fourpost {
 
-/// The geometry of a vehicle in its design pose, by the independent coordinates that its CondensedVehicle has too.
-/// Throws FaultyInput when the loops cannot be assembled.
+/// The geometry of a vehicle in its design pose, in the same independent coordinates as its CondensedVehicle. Throws
+/// FaultyInput if the loops cannot be assembled.
 Kinematics DesignKinematics(const Vehicle& vehicle);
 
 }  // namespace fourpost

@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-/// A link with mass, and how it moves per unit of the independent coordinates.
+/// A link with mass, and its motion per unit of the independent coordinates.
 struct LinkMotion {
   std::string name;
   double mass = 0;

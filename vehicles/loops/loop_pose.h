@@ -10,30 +10,30 @@
 
 namespace fourpost {
 
-/// Motions are of unit length in radians and metres; a car's points follow them with 1e-3 or more, or not at all, and
-/// what rounding and nearly redundant closures leave is below this.
+/// Motions have unit length in radians and metres. A car's points follow them with 1e-3 or more, or not at all;
+/// rounding and nearly redundant closures leave less than this.
 constexpr double kStill = 1e-6;
 
-/// Positions in Vehicle::links or Multibody::loop_closures.
+/// Indices in Vehicle::links or Multibody::loop_closures.
 using Indices = std::vector<std::size_t>;
 
-/// The columns' combinations that `rows` do not see.
+/// Combinations of the columns in the null space of `rows`.
 Eigen::MatrixXd Unseen(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& columns);
 
-/// What moves how in one pose, in joint coordinates.
+/// Motions in one pose, in joint coordinates.
 class LoopPose {
  public:
-  /// Takes the pose of the multibody.
+  /// Uses the current pose of the multibody.
   explicit LoopPose(const Multibody& multibody);
 
   const Kinematics& kinematics() const { return kinematics_; }
-  /// Of the loop errors.
+  /// Jacobian of the loop errors.
   const Eigen::MatrixXd& jacobian() const { return jacobian_; }
   const LoopSpace& space() const { return space_; }
 
   Eigen::Index coordinates() const { return jacobian_.cols(); }
 
-  /// What these closures alone leave.
+  /// Motions that these closures alone allow.
   LoopSpace SpaceOf(const Indices& closures, Eigen::Index most_rank = std::numeric_limits<Eigen::Index>::max()) const;
 
   /// Whether no motion of these, in columns, moves two links against each other.

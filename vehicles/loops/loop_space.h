@@ -6,16 +6,17 @@
 
 namespace fourpost {
 
-/// A singular value of a loop Jacobian [m/m, m/rad, rad/rad] above this share of the largest, or of one where that is
-/// less, is an equation. Metres and radians weigh alike, for a car's points lie about a metre from its joints: real
-/// equations have 1e-3 to 10. Equations that repeat others leave the rounding of a closed pose, 1e-13; those that
-/// repeat them in numbers typed with seven digits, 1e-7, do lock a car, as they do in the multibody system.
+/// A singular value of a loop Jacobian [m/m, m/rad, rad/rad] counts as an equation if it is above this share of the
+/// largest, or of one where that is less. Metres and radians count alike, because a car's points lie about a metre from
+/// its joints: real equations have 1e-3 to 10. Redundant equations leave the rounding of a closed pose, 1e-13.
+/// Equations that are redundant except for numbers typed with seven digits, 1e-7, do lock a car, as in the multibody
+/// system.
 constexpr double kLoopRankTolerance = 1e-9;
 
-/// What loop closures leave of the joint coordinates' rates in one pose.
+/// Motions that loop closures allow in one pose, as rates of the joint coordinates.
 struct LoopSpace {
   Eigen::Index rank = 0;
-  /// Least singular value that counts; 1 where there is none.
+  /// Least singular value that counts; 1 if there is none.
   double least = 1;
   /// coordinates x (coordinates - rank), orthonormal: jacobian motions = 0.
   Eigen::MatrixXd motions;
@@ -23,7 +24,7 @@ struct LoopSpace {
   Eigen::MatrixXd stresses;
 };
 
-/// `most`: rank from another pose that is to be kept; smaller singular values are left out.
+/// `most`: rank of another pose that is to be kept; smaller singular values are left out.
 LoopSpace LoopSpaceOf(const Eigen::MatrixXd& jacobian, Eigen::Index most = std::numeric_limits<Eigen::Index>::max());
 
 }  // namespace fourpost

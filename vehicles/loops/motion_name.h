@@ -11,7 +11,7 @@
 
 namespace fourpost {
 
-/// Of all links but the ground, at the file's parameter values, in the coordinates of the pose.
+/// Motions of all links except the ground, at the file's parameter values, in the coordinates of the pose.
 std::vector<LinkMotion> LinkMotionsOf(const Vehicle& vehicle, const Kinematics& pose);
 
 /// A small motion of a vehicle, named by the link and the direction that carry most of its kinetic energy.
@@ -26,16 +26,16 @@ struct NamedMotion {
   std::string Text() const;
 };
 
-/// Six rows a link, of its translation and its turning in the links' order: the squares of their products with a motion
+/// Six rows per link, for its translation and rotation in the links' order: the squares of their products with a motion
 /// are twice the kinetic energies.
 Eigen::MatrixXd EnergyRows(const std::vector<LinkMotion>& links, Eigen::Index coordinates);
 
 /// "heave", "fore-aft motion" ...
 std::string Word(NamedMotion::Direction direction);
 
-/// Motions that together span the columns of `basis`, told apart as far as can be: each holds all that the basis has of
-/// one direction of one link, the most energetic first; the next ones leave that direction alone. Motions that move
-/// no mass have no name and are left out.
+/// Motions that together span the columns of `basis`, separated as far as possible: each contains all of the basis in
+/// one direction of one link, the most energetic first; the following ones are free of that direction. Motions that
+/// move no mass have no name and are left out.
 std::vector<NamedMotion> NameMotions(const std::vector<LinkMotion>& links, Eigen::MatrixXd basis);
 
 }  // namespace fourpost

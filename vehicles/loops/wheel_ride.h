@@ -9,20 +9,20 @@
 
 namespace fourpost {
 
-/// The centres of a vehicle's tyres, and what goes up and down with them.
+/// The centres of a vehicle's tyres, and the parts that rise and fall with them.
 class WheelRide {
  public:
   /// `design`: of the design pose.
   WheelRide(const Vehicle& vehicle, const LoopPose& design);
 
-  /// The chassis, see ChassisOf; the ground when there is none.
+  /// The chassis, see ChassisOf; the ground if there is none.
   int body() const { return body_; }
 
-  /// By the link that locates them: the tyre's, or what carries it where that only spins about the tyre's centre.
+  /// By the link that locates them: the tyre's, or its carrier if the tyre's link only spins about the tyre's centre.
   const std::map<int, std::vector<Point>>& centres() const { return centres_; }
 
-  /// How a link's tyres may go up and down against the body in a pose when only the tree says so, but not any more with
-  /// these motions: "heave", "roll" or "pitch"; empty when nothing is lost.
+  /// Vertical motion of a link's tyres against the body in a pose that the tree allows but these motions do not
+  /// contain: "heave", "roll" or "pitch"; empty if nothing is lost.
   std::string LostBy(const LoopPose& pose, int link, const Eigen::MatrixXd& motions) const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace fourpost {
 
-// What the elements read while they compute; changed between evaluations, never during one.
+// Inputs of the elements' force computation; changed between evaluations, never during one.
 
 struct BushingData {
   SimTK::MobilizedBody parent;
@@ -25,7 +25,7 @@ struct BushingData {
   Eigen::Vector3d design_place;
   std::array<double, 6> stiffness{};
   std::array<double, 6> damping{};
-  /// Along the bushing's axes: what it resists with in the design pose [N].
+  /// Along the bushing's axes: its force in the design pose [N].
   Eigen::Vector3d preload = Eigen::Vector3d::Zero();
 };
 
@@ -33,14 +33,14 @@ struct BushingData {
 struct BushingMotion {
   Eigen::Matrix<double, 6, 1> displacement;
   Eigen::Matrix<double, 6, 1> rate;
-  /// From bushing to ground axes, and the turn's rate by the relative angular velocity in bushing axes.
+  /// From bushing to ground axes, and the turn's rate per relative angular velocity in bushing axes.
   Eigen::Matrix3d axes;
   Eigen::Matrix3d turn_rate;
 };
 
 /// Needs Stage::Velocity.
 BushingMotion Motion(const BushingData& data, const SimTK::State& state);
-/// Takes the present pose for the design pose. Needs Stage::Position.
+/// Sets the design pose to the present pose. Needs Stage::Position.
 void MeasureDesign(BushingData& data, const SimTK::State& state);
 
 /// Six linear springs and dampers.
@@ -73,12 +73,12 @@ struct TyreData {
   int post = -1;
 };
 
-/// Takes the present pose for the design pose. Needs Stage::Position.
+/// Sets the design pose to the present pose. Needs Stage::Position.
 void MeasureDesign(TyreData& data, const SimTK::State& state);
 
-/// Force of the platform on the foot, see Tyre. Of a tyre that lifts off only the vertical force goes to zero: springs
-/// in the plane that fade with the load would give back more than they took to a foot that moves aside while lifted and
-/// returns when it has landed, and a foot that slips and lands elsewhere needs states of its own.
+/// Force of the platform on the foot, see Tyre. When a tyre lifts off, only the vertical force goes to zero. Springs in
+/// the plane that fade with the load would return more energy than they took to a foot that moves aside while lifted
+/// and returns after landing; a foot that slips and lands elsewhere needs states of its own.
 class TyreForce : public SimTK::Force::Custom::Implementation {
  public:
   TyreForce(const TyreData& data, const std::function<const Platforms&(double t)>& platforms)

@@ -4,7 +4,7 @@
 
 namespace fourpost {
 
-/// A ForceLine between two Simbody bodies; its law is told in vehicle.h.
+/// A ForceLine between two Simbody bodies; vehicle.h defines its law.
 struct BodyLine {
   SimTK::MobilizedBody parent;
   SimTK::MobilizedBody child;
@@ -22,7 +22,8 @@ struct LineMotion {
   /// Extension from the design pose [m] and its rate [m/s], rebound positive.
   double extension = 0;
   double rate = 0;
-  /// Where a tension acts, and its direction on the child; the parent feels the opposite at `on_parent`.
+  /// Point of action of a tension, and its direction on the child; the opposite force acts on the parent at
+  /// `on_parent`.
   SimTK::Vec3 on_child;
   SimTK::Vec3 on_parent;
   SimTK::Vec3 pull;

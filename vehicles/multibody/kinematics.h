@@ -17,18 +17,18 @@ struct Coordinate {
 /// The geometry of a vehicle in one pose, differentiated by coordinates s with dq = tangent ds.
 class Kinematics {
  public:
-  /// `tangent`: joint coordinates x coordinates s. The multibody must be in the pose that is meant.
+  /// `tangent`: joint coordinates x coordinates s. The multibody must already be in the intended pose.
   Kinematics(const Multibody& multibody, const Eigen::MatrixXd& tangent);
 
   Coordinate LineLength(const ForceLine& line) const;
   /// Difference of the lengths of an anti-roll bar's lines, left - right.
   Coordinate Twist(const AntiRollBar& bar) const;
-  /// Place of the child's point in the bushing's axes, then its turn, see Bushing. `child_axes`: of the child link,
-  /// along the bushing's axes in the design pose.
+  /// Position of the child's point in the bushing's axes, then its turn, see Bushing. `child_axes`: of the child link,
+  /// aligned with the bushing's axes in the design pose.
   std::array<Coordinate, 6> BushingPlace(const Bushing& bushing, const Eigen::Matrix3d& child_axes) const;
-  /// Axes of the child link that lie along those of the bushing in this pose.
+  /// Axes of the child link that are aligned with those of the bushing in this pose.
   Eigen::Matrix3d ChildAxes(const Bushing& bushing) const;
-  /// Component along `direction` (ground axes) of the place of a tyre's foot.
+  /// Component along `direction` (ground axes) of the position of a tyre's foot.
   Coordinate FootPosition(const Tyre& tyre, const Eigen::Vector3d& direction) const;
   /// Component along `direction` (ground axes) of the point's position.
   Coordinate Position(const Point& point, const Eigen::Vector3d& direction) const;
@@ -42,7 +42,7 @@ class Kinematics {
 
  private:
   Eigen::Vector3d Arm(int link, const Eigen::Vector3d& place) const;
-  /// By s: how far the link's point at this place moves along a direction, and how far the link turns about one.
+  /// Derivatives by s of the displacement of the link's point along a direction, and of the link's rotation about one.
   Eigen::VectorXd Along(int link, const Eigen::Vector3d& place, const Eigen::Vector3d& direction) const;
   Eigen::VectorXd About(int link, const Eigen::Vector3d& axis) const;
 

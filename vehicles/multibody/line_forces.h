@@ -11,7 +11,7 @@
 
 namespace fourpost {
 
-// What the elements read while they compute; changed between evaluations, never during one.
+// Inputs of the elements' force computation; changed between evaluations, never during one.
 
 struct SpringData {
   BodyLine line;
@@ -52,7 +52,7 @@ class SpringForce : public SimTK::Force::Custom::Implementation {
   const SpringData& data_;
 };
 
-/// Dashpot alone, or in line with a spring whose extension is a state of its own.
+/// Dashpot alone, or in series with a spring whose extension is a state of its own.
 class DamperForce : public SimTK::Force::Custom::Implementation {
  public:
   DamperForce(const DamperData& data, const SimTK::GeneralForceSubsystem& forces) : data_(data), forces_(forces) {}
@@ -89,10 +89,10 @@ class HydraulicForce : public SimTK::Force::Custom::Implementation {
   mutable SimTK::ZIndex pressures_;
 };
 
-/// States of an integration should be about 1 in size [Pa].
+/// Unit in which states of the integration are about 1 in size [Pa].
 inline constexpr double kHydraulicPressureUnit = 1e6;
 
-/// Rates of a hydraulic damper's states for its states [kHydraulicPressureUnit, kHydraulicPressureUnit/s].
+/// Rates of a hydraulic damper's states as a function of its states [kHydraulicPressureUnit, kHydraulicPressureUnit/s].
 std::array<double, 2> HydraulicRates(const HydraulicData& data, const LineMotion& motion,
                                      const std::array<double, 2>& states);
 

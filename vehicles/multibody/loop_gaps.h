@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/description/vehicle.h"
 
 namespace fourpost {
 
-/// A drawing's tenth of a millimetre [m]: points that are written further apart are not meant to be where they are.
+/// Tenth of a millimetre, the accuracy of a drawing [m]: points written further apart are an error of the drawing.
 constexpr double kDrawnGap_m = 1e-4;
 
-/// A ball, weld or hinge whose two points are apart as written: in the pose where all joint coordinates are zero. A rod
-/// keeps the distance that it has there, so it is never open.
+/// A ball, weld or hinge whose two points do not coincide as written, in the pose where all joint coordinates are zero.
+/// A rod keeps its distance there and is never open.
 struct OpenClosure {
-  /// As messages call it, with its twin of fp:mirror: "fp:ball 'joint_left' (and of 'joint_right')".
+  /// Name in messages, with its mirror partner: "fp:ball 'joint_left' (and of 'joint_right')".
   std::string element;
   int source_line = 0;
   Point parent;
@@ -24,7 +24,7 @@ struct OpenClosure {
   double gap = 0;
 };
 
-/// Those that are further open than `least` [m], a pair of twins once.
+/// Closures with a gap above `least` [m], each pair of mirror partners once.
 std::vector<OpenClosure> OpenClosures(const Vehicle& vehicle, double least);
 
 /// An error for each loop closure that is open as written and cannot be closed; one at least. `distance`: of two points

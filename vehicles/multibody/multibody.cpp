@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/description/gravity.h"
 #include "vehicles/laws/count_check.h"
 #include "vehicles/multibody/body_forces.h"

@@ -14,8 +14,8 @@
 
 namespace fourpost {
 
-/// Forces in the design pose: tension of each spring, compression of each tyre, and what each bushing resists with
-/// along its axes [N].
+/// Forces in the design pose: tension of each spring, vertical force of each tyre (pushing), and the forces of each
+/// bushing along its axes [N].
 struct Preloads {
   std::vector<double> spring;
   std::vector<double> tyre;
@@ -24,23 +24,23 @@ struct Preloads {
 
 /// A loop closure and its rows in LoopError and LoopJacobian.
 struct LoopClosure {
-  /// As messages call it: "fp:rod 'panhard'".
+  /// Name in messages: "fp:rod 'panhard'".
   std::string element;
   int source_line = 0;
   int first_row = 0;
   int rows = 0;
 };
 
-/// What an integration step reports: time, state [q u z] and the sensors' readings in their file order.
+/// Report of an integration step: time, state [q u z] and the sensors' readings in their file order.
 using MarchSink = std::function<void(double t, const Eigen::VectorXd& state, const Eigen::VectorXd& sensors)>;
 
-/// The vehicle as a nonlinear multibody system in Simbody: bodies, joints, loop closures and force elements.
-/// Joint coordinates q: revolute angle; prismatic travel; planar angle, x, y; floating body-fixed x-y-z angles, x, y,
-/// z; dq/dt = u for all of them. z: extension of the spring of each series damper in file order [m], then the pressures
-/// of each hydraulic damper above rest (rebound, compression chamber) [MPa]. Not thread-safe: one per thread.
+/// The vehicle as a nonlinear multibody system in Simbody: bodies, joints, loop closures and force elements. Joint
+/// coordinates q: revolute angle; prismatic travel; planar angle, x, y; floating body-fixed x-y-z angles, x, y, z;
+/// dq/dt = u for all of them. z: extension of the spring of each series damper in file order [m], then the pressures of
+/// each hydraulic damper above rest (rebound, bump chamber) [MPa]. Not thread-safe: one per thread.
 class Multibody {
  public:
-  /// Throws FaultyInput, naming the loops and their gaps, when the loop closures cannot be assembled.
+  /// Throws FaultyInput, naming the loops and their gaps, if the loop closures cannot be assembled.
   explicit Multibody(const Vehicle& vehicle);
   ~Multibody();
   Multibody(Multibody&&) noexcept;
@@ -48,7 +48,7 @@ class Multibody {
 
   const Vehicle& vehicle() const;
 
-  /// Number of joint coordinates, before loop closures take some away.
+  /// Number of joint coordinates, not reduced by loop closures.
   int coordinate_count() const;
   int state_size() const;
   /// Joint coordinates that close all loops, nearest to zero.
@@ -59,21 +59,21 @@ class Multibody {
   void SetParameters(std::span<const double> parameters, const Preloads& preloads);
   void SetPostMotion(PostMotion motion);
 
-  // Geometry in the pose set last, by SetPose or with the last state evaluated; at first in the design pose.
+  // Geometry in the last pose, set by SetPose or by the last state evaluated; initially the design pose.
   /// Throws std::invalid_argument for another number of coordinates, as do the functions below for another of states.
   void SetPose(const Eigen::VectorXd& q);
   Eigen::Isometry3d LinkPose(int link) const;
   /// 6 x coordinates: angular velocity and velocity of the link's origin, in ground axes, per unit u.
   Eigen::MatrixXd LinkJacobian(int link) const;
-  /// Of each hydraulic damper with its mount, in file order: from the design pose on [m].
+  /// Extension of each hydraulic damper with its mount, in file order, from the design pose [m].
   Eigen::VectorXd HydraulicExtensions() const;
   /// Loop closure errors [m, or rad] and their derivatives by q.
   const std::vector<LoopClosure>& loop_closures() const;
   Eigen::VectorXd LoopError() const;
   Eigen::MatrixXd LoopJacobian() const;
 
-  /// Moves the vehicle to time t and state [q u z], for the functions below that take none. Throws std::runtime_error
-  /// when Simbody cannot evaluate the state.
+  /// Moves the vehicle to time t and state [q u z], for the functions below without a state. Throws std::runtime_error
+  /// if Simbody cannot evaluate the state.
   void SetState(double t, const Eigen::VectorXd& state);
   /// Second derivatives of LoopError by time where u' = 0.
   Eigen::VectorXd LoopBias() const;
@@ -81,27 +81,28 @@ class Multibody {
   /// d[q u z]/dt at time t.
   Eigen::VectorXd StateDerivative(double t, const Eigen::VectorXd& state);
 
-  /// Inverse dynamics at time t: what the state [q u z] lacks to change at the rate `derivative` = d[q u z]/dt.
+  /// Inverse dynamics at time t: the lacking forces (or rates) for the state [q u z] to change at the rate `derivative`
+  /// = d[q u z]/dt.
   ///   per coordinate       M(q) u' - forces(t, q, u, z)                     [N, or N m for an angle], n entries,
   ///   per series damper    spring force(z) - dashpot force(v - z')         [N], in file order,
-  ///   per hydraulic damper z' - what its oil and valves make of v          [MPa/s], two each,
+  ///   per hydraulic damper z' - rates of its oil and valves at v           [MPa/s], two each,
   /// v: extension rate of the damper. All zero where derivative = StateDerivative(t, state), which costs more and
-  /// divides by the dashpots' rates. Forces of loop closures are left out.
-  /// Throws std::runtime_error when Simbody cannot evaluate the state.
+  /// divides by the dashpots' rates. Forces of loop closures are left out. Throws std::runtime_error if Simbody cannot
+  /// evaluate the state.
   Eigen::VectorXd Residual(double t, const Eigen::VectorXd& state, const Eigen::VectorXd& derivative);
   Eigen::VectorXd Residual(const Eigen::VectorXd& derivative);
 
-  /// What the sensors read at time t, in file order. Throws std::runtime_error when Simbody cannot evaluate the state.
+  /// Sensor readings at time t, in file order. Throws std::runtime_error if Simbody cannot evaluate the state.
   Eigen::VectorXd Readings(double t, const Eigen::VectorXd& state);
-  /// What they would read if it changed at the rate `derivative` = d[q u z]/dt.
+  /// Sensor readings if the state changed at the rate `derivative` = d[q u z]/dt.
   Eigen::VectorXd Readings(const Eigen::VectorXd& derivative);
 
   /// State at rest in the design pose.
   Eigen::VectorXd RestState() const;
 
-  /// Integrates from `state` at `start`, reporting at start + k step for k = 0 .. until `sink_done` returns true.
-  /// Error control of Simbody's Runge-Kutta-Merson integrator at this relative accuracy.
-  /// Throws std::runtime_error when the integration fails.
+  /// Integrates from `state` at `start`, reporting at start + k step for k = 0 .. until `sink_done` returns true. Error
+  /// control of Simbody's Runge-Kutta-Merson integrator at this relative accuracy. Throws std::runtime_error if the
+  /// integration fails.
   void Integrate(const Eigen::VectorXd& state, double start, double step, double accuracy, const MarchSink& sink,
                  const std::function<bool()>& done);
 

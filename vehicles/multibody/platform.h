@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-/// A post's platform, upward from rest.
+/// A post's platform, positive upward from rest.
 struct PostState {
   double height = 0;        // m
   double velocity = 0;      // m/s

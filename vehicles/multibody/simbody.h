@@ -1,7 +1,7 @@
 #pragma once
 
-// The only door to Simbody. Include it in sources of this room, never in a public header, and never write
-// `using namespace SimTK` beside Eigen: SimTK has a catch-all operator!= that breaks Eigen's own comparisons.
+// Single include for Simbody. Use it in sources of this room, never in a public header, and never write `using
+// namespace SimTK` beside Eigen: SimTK has a catch-all operator!= that breaks Eigen's own comparisons.
 
 #ifdef NDEBUG
 #error "Debian's Simbody was built without NDEBUG; its inline State has another layout under NDEBUG and would crash"
@@ -11,8 +11,8 @@
 
 namespace SimTK {
 
-/// Simbody's unique index types as C++20 sees them: `a == b` is ambiguous with its own reversed form unless an exact
-/// match exists.
+/// Comparison of Simbody's unique index types in C++20: `a == b` is ambiguous with its own reversed form unless an
+/// exact match exists.
 template <typename I>
 concept UniqueIndex = requires(I index) {
   index.next();

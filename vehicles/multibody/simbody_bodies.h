@@ -10,7 +10,7 @@
 
 namespace fourpost {
 
-// Simbody's forms of our vectors, links and joints, and back.
+// Conversion of our vectors, links and joints to Simbody's types, and back.
 
 SimTK::Vec3 ToSimbody(const Eigen::Vector3d& v);
 SimTK::Transform ToSimbody(const Eigen::Isometry3d& pose);
@@ -19,10 +19,10 @@ Eigen::Isometry3d ToEigen(const SimTK::Transform& transform);
 Eigen::VectorXd ToEigen(const SimTK::Vector& v);
 Eigen::MatrixXd ToEigen(const SimTK::Matrix& m);
 
-/// Of a link at these parameter values (SI), in its own frame.
+/// Mass properties of a link at these parameter values (SI), in its own frame.
 SimTK::MassProperties MassPropertiesAt(const Link& link, std::span<const double> parameters);
 
-/// Hangs a body on `parent` by the joint; all coordinates have dq/dt = u.
+/// Attaches a body to `parent` by the joint; all coordinates have dq/dt = u.
 SimTK::MobilizedBody AddMobilizer(const Joint& joint, SimTK::MobilizedBody& parent, const SimTK::Body& body);
 
 }  // namespace fourpost

@@ -4,7 +4,7 @@
 
 namespace fourpost {
 
-/// "3.7.0", of the library that runs.
+/// "3.7.0", the version of the loaded library.
 std::string SimbodyVersion();
 
 }  // namespace fourpost

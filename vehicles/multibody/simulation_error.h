@@ -4,8 +4,8 @@
 
 namespace fourpost {
 
-/// A simulation that cannot be computed: what() says of what, and from when on. The program's exit code 4 stands for it
-/// and for nothing else.
+/// A simulation that cannot be computed: what() names the simulation and the time. It alone causes the program's exit
+/// code 4.
 class SimulationError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -8,18 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/option_check.h"
-#include "analysis/random_stream.h"
+#include "analysis/text/option_check.h"
+#include "analysis/signals/random_stream.h"
 #include "vehicles/posts/band_noise.h"
 
 namespace fourpost {
 namespace {
 
 using std::numbers::pi;
-
-void RequirePositive(const char* field, double value) {
-  RequireOption(value > 0 && std::isfinite(value), field, value, "positive and finite");
-}
 
 /// Times a raised cosine over the first and the last part of a signal.
 double Fade(double t, double duration, double first, double last) {

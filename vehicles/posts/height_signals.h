@@ -3,17 +3,17 @@
 #include <cstdint>
 #include <limits>
 
-#include "analysis/uniform_spline.h"
+#include "analysis/signals/uniform_spline.h"
 
 namespace fourpost {
 
 // Motions of a reference post over time, from t = 0 to their duration; it rests before and after. All are splines
-// through samples, so that height, velocity and acceleration belong together.
+// through samples, so that height, velocity and acceleration are consistent.
 
-/// A sine whose frequency goes from one to another, at their ends faded in and out.
+/// A sine whose frequency sweeps from one value to another, faded in and out.
 struct SweptSine {
   double first_Hz = 0;
-  /// That of the end; the same: a plain sine.
+  /// Final frequency; equal to the first: a plain sine.
   double last_Hz = 0;
   double duration_s = 0;
   double amplitude_m = 0;
@@ -21,7 +21,7 @@ struct SweptSine {
   double top_speed = std::numeric_limits<double>::infinity();
   /// And as 1/f^2 where its peak acceleration would be higher [m/s^2].
   double top_acceleration = std::numeric_limits<double>::infinity();
-  /// So many octaves, or else so many hertz, in each second.
+  /// Rate of the sweep in octaves, or else in hertz, per second.
   bool logarithmic = true;
 
   double AmplitudeAt(double frequency_Hz) const;
@@ -41,9 +41,9 @@ struct SmoothStep {
   UniformSpline Signal() const;
 };
 
-/// Random heights of one-sided spectral density ~ 1/f^2 in a band, so of white velocity, as roads have it: sines of
-/// given size with random phases (Shinozuka and Deodatis, Applied Mechanics Reviews 44, 1991), faded in and out within
-/// a second.
+/// Random heights with one-sided spectral density ~ 1/f^2 in a band, i.e. white velocity, as of roads: sines of given
+/// size with random phases (Shinozuka and Deodatis, Applied Mechanics Reviews 44, 1991), faded in and out within a
+/// second.
 struct RandomHeights {
   double rms_m = 0;
   double lower_Hz = 0;

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/uniform_spline.h"
+#include "analysis/signals/uniform_spline.h"
 #include "vehicles/multibody/multibody.h"
 
 namespace fourpost {

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/low_pass.h"
-#include "analysis/time_recording.h"
-#include "analysis/unfiltered.h"
-#include "analysis/uniform_spline.h"
+#include "analysis/signals/low_pass.h"
+#include "analysis/files/time_recording.h"
+#include "analysis/signals/unfiltered.h"
+#include "analysis/signals/uniform_spline.h"
 #include "vehicles/posts/post_motions.h"
 
 namespace fourpost {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/multibody/multibody.h"
 
@@ -16,7 +16,7 @@ struct LowPassDesign {
   int order = 4;
   double cutoff_Hz = 0;
 
-  /// How much of a record's end a filter keeps back, and some more: four periods of the cut-off [s].
+  /// Part of a record's end that a filter still holds, with a margin: four periods of the cut-off [s].
   double UnknownEnd_s() const { return 4 / cutoff_Hz; }
 };
 
@@ -35,17 +35,16 @@ struct RecordedPosts {
   double lead_s = 0;
 };
 
-/// Posts through samples of their heights at start + k step, one vector per post. `filter`: the low-pass that the
-/// heights went through when they were recorded. It is taken back (Unfiltered) up to 1.5 times its cut-off, faded out
-/// to 2.5 times, so that the posts move as they did on the rig, not as the record shows them; the last
-/// UnknownEnd_s() of the record is not told by it then.
+/// Posts through samples of their heights at start + k step, one vector per post. `filter`: the low-pass of the
+/// recorded heights. It is inverted (Unfiltered) up to 1.5 times its cut-off, faded out to 2.5 times, so that the posts
+/// move as they did on the rig and not as recorded; the last UnknownEnd_s() of the record remain unknown then.
 RecordedPosts FollowHeights(const std::vector<std::vector<double>>& heights, double start_s, double step_s,
                             const LowPassDesign* filter = nullptr);
 
 /// Reads a CSV file of names and, below them, units: a column `time`, and one for each post of the vehicle, `FL` or
-/// `post_FL` for the post 'FL', in a unit of length, upward from where the posts stand under the resting vehicle. Other
-/// columns do not count. Reports all of: columns that are missing, units of another dimension, fields that are no
-/// numbers, gaps, times that are not evenly spaced, records too short. Nothing when there was one.
+/// `post_FL` for the post 'FL', in a unit of length, upward from the position under the resting vehicle. Other columns
+/// are ignored. Reports all of: missing columns, units of another dimension, fields that are no numbers, gaps, times
+/// that are not evenly spaced, records too short. Empty after any of these.
 std::optional<RecordedPosts> ReadRecordedPosts(const std::filesystem::path& file, const Vehicle& vehicle,
                                                Diagnostics& diagnostics);
 

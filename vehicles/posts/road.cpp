@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/option_check.h"
-#include "analysis/random_stream.h"
+#include "analysis/text/option_check.h"
+#include "analysis/signals/random_stream.h"
 #include "vehicles/description/design_poses.h"
 #include "vehicles/posts/band_noise.h"
 #include "vehicles/posts/post_motions.h"
@@ -21,10 +21,6 @@ using std::numbers::pi;
 constexpr double kReference_cpm = 0.1;
 /// Cars are measured to about a millimetre.
 constexpr double kInLine_m = 1e-3;
-
-void RequirePositive(const char* field, double value) {
-  RequireOption(value > 0 && std::isfinite(value), field, value, "positive and finite");
-}
 
 std::vector<Eigen::Vector3d> Places(const Vehicle& vehicle) {
   const std::vector<Eigen::Isometry3d> poses = DesignPoses(vehicle);

@@ -19,10 +19,10 @@ std::optional<double> RoadRoughness(std::string_view road_class);
 
 /// A random road under a vehicle at constant speed. Each track has the one-sided spectral density
 ///   G(n) = roughness (n / n0)^-2, n0 = 0.1 cycles/m                                                     (ISO 8608)
-/// over spatial frequency n, within the band of frequencies n speed that the posts follow; the vehicle comes from a
-/// level road and leaves to one within a second. Left and right track, b apart, have the coherence of a surface that is
-/// the same in all directions, x K1(x) with x = 2 pi n b and K1 the modified Bessel function (its G being ~ n^-2; after
-/// Kamash and Robson, J. Sound Vib. 57, 1978): long waves come alike on both sides, short ones apart.
+/// over spatial frequency n, within the band of frequencies n speed that the posts follow; the vehicle enters from and
+/// leaves to a level road within a second. Left and right track, b apart, have the coherence of an isotropic surface, x
+/// K1(x) with x = 2 pi n b and K1 the modified Bessel function (its G being ~ n^-2; after Kamash and Robson, J. Sound
+/// Vib. 57, 1978): long waves are alike on both sides, short ones differ.
 struct RandomRoad {
   double roughness_m3 = 0;
   /// m/s.
@@ -32,10 +32,10 @@ struct RandomRoad {
   double duration_s = 0;
   std::uint64_t seed = 0;
 
-  /// Motion of the vehicle's posts from t = 0, when the foremost meets the road; each follows the track of its side
-  /// after the way from the foremost post to it, over speed. Sides and ways are those of the points of the tyres in the
-  /// design pose; posts in line follow one track, one between two sides their mean.
-  /// Throws std::invalid_argument naming the field that is out of bounds.
+  /// Motion of the vehicle's posts from t = 0, when the foremost meets the road. Each follows the track of its side,
+  /// delayed by its distance from the foremost post over speed. Sides and distances are those of the points of the
+  /// tyres in the design pose; posts in line follow one track, a post between two sides their mean. Throws
+  /// std::invalid_argument naming the field that is out of bounds.
   PostMotion MotionOf(const Vehicle& vehicle) const;
 };
 

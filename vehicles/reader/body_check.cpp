@@ -8,7 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "analysis/units.h"
+#include "analysis/text/units.h"
 #include "vehicles/description/design_poses.h"
 
 namespace fourpost {

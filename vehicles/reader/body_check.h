@@ -5,8 +5,8 @@
 
 namespace fourpost {
 
-/// Reports bodies that cannot be: inertia that no mass distribution has, anywhere within the bounds of the parameters,
-/// and joints that move no mass.
+/// Reports impossible bodies: inertia that no mass distribution has, anywhere within the bounds of the parameters, and
+/// joints that move no mass.
 void CheckBodies(const Vehicle& vehicle, FileFaults& faults);
 
 /// Reports elements that act along the line between their ends when the ends coincide in the design pose.

@@ -5,8 +5,8 @@
 
 #include <tinyxml2.h>
 
-#include "analysis/number.h"
-#include "analysis/units.h"
+#include "analysis/text/number.h"
+#include "analysis/text/units.h"
 #include "vehicles/laws/count_check.h"
 #include "vehicles/tags/tag.h"
 

@@ -11,8 +11,8 @@
 
 #include <Eigen/Geometry>
 
-#include "analysis/nearest.h"
-#include "analysis/number.h"
+#include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
 #include "vehicles/description/design_poses.h"
 #include "vehicles/reader/line_reader.h"
 #include "vehicles/reader/tag_check.h"

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "analysis/nearest.h"
+#include "analysis/text/nearest.h"
 #include "vehicles/reader/law_reader.h"
 #include "vehicles/reader/line_reader.h"
 #include "vehicles/tags/tag.h"

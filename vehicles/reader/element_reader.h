@@ -7,7 +7,7 @@
 
 namespace fourpost {
 
-/// Reads what the tags of our own describe, but parameters, into the vehicle.
+/// Reads the elements of the `fp:` tags, parameters excepted, into the vehicle.
 void ReadElements(const tinyxml2::XMLElement& robot, const UrdfTree& tree, ParameterReader& parameters,
                   Vehicle& vehicle, FileFaults& faults);
 

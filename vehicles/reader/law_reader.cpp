@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/units.h"
+#include "analysis/text/units.h"
 
 namespace fourpost {
 namespace {

@@ -9,7 +9,7 @@
 
 namespace fourpost {
 
-/// Reads the laws of springs, stops and dampers, and says what is wrong with them.
+/// Reads the laws of springs, stops and dampers, and reports their errors.
 class LawReader {
  public:
   LawReader(ParameterReader& parameters, FileFaults& faults) : parameters_(parameters), faults_(faults) {}
@@ -18,7 +18,7 @@ class LawReader {
   SpringDescription ReadSpring(const Tag& law);
   /// Of the `<bump>` and `<rebound>` of an `<fp:stop>`.
   SpringDescription ReadStop(const Tag& stop);
-  /// Of a damper's law but `<hydraulic>`, with its friction; `series`: the spring it is in line with, if any.
+  /// Law of a damper, `<hydraulic>` excepted, with its friction; `series`: the spring in series with it, if any.
   DashpotDescription ReadDashpot(const Tag& damper, const Tag& law, const std::optional<Tag>& series);
   std::optional<DashpotDescription::Friction> ReadFriction(const Tag& damper);
   SpringDescription ReadSeries(const Tag& series);
@@ -39,7 +39,7 @@ class LawReader {
   FileFaults& faults_;
 };
 
-/// The first child of this name; nothing when it is not given.
+/// The first child of this name; empty if there is none.
 std::optional<Tag> ChildOf(const Tag& tag, std::string_view name);
 
 }  // namespace fourpost

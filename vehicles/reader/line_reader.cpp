@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "analysis/nearest.h"
+#include "analysis/text/nearest.h"
 #include "vehicles/reader/tag_check.h"
 
 namespace fourpost {

@@ -18,7 +18,7 @@ namespace fourpost {
 /// URDF's roll, pitch, yaw: turns about the fixed x, y and z axes, in this order.
 Eigen::Matrix3d TurnOf(const Eigen::Vector3d& rpy);
 
-/// Reads where the elements of a file act: points, ends that name a frame or a link, and the lines between them.
+/// Reads the points of elements, the ends that name a frame or a link, and the lines between them.
 class LineReader {
  public:
   /// Reads the file's frames.
@@ -26,9 +26,9 @@ class LineReader {
 
   /// From the attributes `link` and `xyz`.
   Point ReadPoint(const Tag& tag) const;
-  /// The link that the attribute `link` names; -1 with a fault.
+  /// The link that the attribute `link` names; -1 after an error.
   int ReadLink(const Tag& tag) const;
-  /// From `parent` and `child`, which must be on two links; `why` tells what is wrong with one.
+  /// From `parent` and `child`, which must be on two links; `why` explains the error of a line on one.
   std::pair<Point, Point> ReadEnds(const Tag& tag, const std::string& why) const;
   /// From `parent`, `child` and `axis`.
   ForceLine ReadLine(const Tag& tag) const;
@@ -37,7 +37,7 @@ class LineReader {
   /// Axes of the frame that `parent` names, in its link; those of the link when it names one.
   Eigen::Matrix3d ReadAxes(const Tag& tag) const;
 
-  /// Reports a name that stands for nothing.
+  /// Reports an unknown name.
   void Unknown(const Tag& tag, std::string_view attribute, const std::string& kind,
                const std::vector<std::string>& legal) const;
 
@@ -48,13 +48,13 @@ class LineReader {
   };
 
   void ReadFrame(const Tag& tag);
-  /// What an end may name.
+  /// Legal names of an end.
   std::vector<std::string> EndNames() const;
   Point ReadEnd(const Tag& tag, std::string_view attribute) const;
 
   const UrdfTree& tree_;
   FileFaults& faults_;
-  /// See LostNames: what refers to them is not at fault.
+  /// See LostNames: references to them are not reported.
   std::set<std::string, std::less<>> lost_names_;
   std::map<std::string, Frame> frames_;
 };

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/nearest.h"
-#include "analysis/number.h"
+#include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
@@ -32,8 +32,7 @@ bool CanHaveTwin(const XMLElement& element) {
   return IsOwn(element) || (rule && !rule->opaque);
 }
 
-/// What tells an element from others of its tag: its name, or of a tag of ours without one its link.
-std::string NameOf(const XMLElement& element) {
+std::string NameOrLink(const XMLElement& element) {
   if (std::optional<std::string> name = AttributeText(element, "name")) return *std::move(name);
   return IsOwn(element) ? AttributeText(element, "link").value_or("") : "";
 }
@@ -96,7 +95,7 @@ class Mirror {
     for (XMLElement* element : Children(robot)) {
       if (!CanHaveTwin(*element)) continue;
       written_.push_back(element);
-      taken_.insert({element->Name(), NameOf(*element)});
+      taken_.insert({element->Name(), NameOrLink(*element)});
     }
     for (XMLElement* parameter : Children(robot, "fp:parameter"))
       for (XMLElement* bind : Children(*parameter, "fp:bind")) {
@@ -117,7 +116,7 @@ class Mirror {
     for (XMLElement* element : written_)
       if (AttributeText(*element, "name")) AddTwin(*element, from);
     for (XMLElement* element : written_)
-      if (!AttributeText(*element, "name") && made_links_.contains(TwinOf(NameOf(*element)))) AddTwin(*element, from);
+      if (!AttributeText(*element, "name") && made_links_.contains(TwinOf(NameOrLink(*element)))) AddTwin(*element, from);
     for (XMLElement* bind : binds_) AddTwinOfBind(*bind);
   }
 
@@ -131,7 +130,7 @@ class Mirror {
 
   std::vector<std::string> Ends() const {
     std::set<std::string> ends;
-    for (const XMLElement* element : written_) ends.insert(EndOf(NameOf(*element)));
+    for (const XMLElement* element : written_) ends.insert(EndOf(NameOrLink(*element)));
     return {ends.begin(), ends.end()};
   }
 
@@ -139,7 +138,7 @@ class Mirror {
     twins_.clear();
     made_links_.clear();
     for (const XMLElement* element : written_) {
-      const std::string name = NameOf(*element);
+      const std::string name = NameOrLink(*element);
       if (!name.ends_with(from)) continue;
       const std::string twin = name.substr(0, name.size() - from.size()) + to;
       twins_[name] = twin;
@@ -154,7 +153,7 @@ class Mirror {
   }
 
   void AddTwin(XMLElement& element, const std::string& from) {
-    const std::string name = NameOf(element);
+    const std::string name = NameOrLink(element);
     const std::string twin_name = TwinOf(name);
     if (!name.ends_with(from) || !taken_.insert({element.Name(), twin_name}).second) return;
     if (IsItsOwnTwin(element)) {

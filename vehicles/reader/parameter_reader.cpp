@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/nearest.h"
-#include "analysis/number.h"
+#include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
 #include "vehicles/reader/tag_check.h"
 #include "vehicles/tags/attribute_check.h"
 

@@ -14,7 +14,7 @@
 
 namespace fourpost {
 
-/// Whether a number of the tree says what the parameter bound to it says.
+/// Whether a number of the tree agrees with the parameter bound to it.
 bool Agrees(double literal, double bound);
 
 /// Reads the parameters of a file and the numbers that refer to them.
@@ -26,17 +26,17 @@ class ParameterReader {
   /// As the file gives them.
   std::vector<double> Values() const;
 
-  /// The number in an attribute of the kind kScalar: "32 N/mm" or "0.5*$k". NaN with a fault when it cannot be read,
-  /// so that no comparison finds another fault in it.
+  /// The number in an attribute of the kind kScalar: "32 N/mm" or "0.5*$k". NaN after an error, so that comparisons
+  /// report no further one.
   Scalar ReadScalar(const Tag& tag, std::string_view attribute);
 
-  /// Ties a number of the tree, `literal` in the file, to the parameter of this `<fp:bind>`. Nothing after a fault.
+  /// Binds a number of the tree, `literal` in the file, to the parameter of this `<fp:bind>`. Empty after an error.
   std::optional<Scalar> Bind(const Tag& bind, double literal, const Dimension& dimension) const;
 
   /// The least and the greatest value that a number takes within the bounds of its parameter.
   double Least(const Scalar& scalar) const;
   double Greatest(const Scalar& scalar) const;
-  /// Whether a < b wherever their parameters go.
+  /// Whether a < b for all values of their parameters within bounds.
   bool IsBelow(const Scalar& a, const Scalar& b) const;
 
   /// Reports parameters that nothing refers to.
@@ -67,7 +67,7 @@ class ParameterReader {
   std::set<std::string, std::less<>> lost_names_;
   std::vector<bool> used_;
   int misspelt_ = 0;
-  /// Read without a fault of its own, so that what refers to it can be judged.
+  /// Read without an error of its own, so that references to it can be checked.
   std::vector<bool> sound_;
 };
 

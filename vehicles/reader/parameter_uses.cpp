@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "analysis/number.h"
+#include "analysis/text/number.h"
 #include "vehicles/reader/tree_binding.h"
 #include "vehicles/tags/tag.h"
 

@@ -7,14 +7,14 @@
 
 namespace fourpost {
 
-/// Values of a parameter, SI, with which all numbers that it stands for may be: a mass, a rate or a friction is not
-/// negative, a coordinate is anything. Its bounds lie within.
+/// Physically possible values of a parameter, SI: a mass, a rate or a friction is not negative, a coordinate is
+/// unlimited. Its bounds lie within.
 struct PhysicalRange {
   double least = -std::numeric_limits<double>::infinity();
   double greatest = std::numeric_limits<double>::infinity();
 };
 
-/// Of each of Vehicle::parameters, by the signs that the tags of its file ask for.
+/// Range of each of Vehicle::parameters, by the signs that the tags of its file require.
 std::vector<PhysicalRange> PhysicalRanges(const Vehicle& vehicle);
 
 }  // namespace fourpost

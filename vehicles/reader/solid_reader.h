@@ -7,9 +7,9 @@
 
 namespace fourpost {
 
-/// Reads every `<fp:solid>` and gives its link mass, centre of mass and inertia from the link's visual shapes. With a
-/// density that is a parameter, mass and inertia follow it. A vehicle without links has its tags checked all the same.
-/// Returns false, with faults, when a link has not got its mass.
+/// Reads every `<fp:solid>` and sets its link's mass, centre of mass and inertia from the link's visual shapes. If the
+/// density is a parameter, mass and inertia follow it. The tags are checked even in a vehicle without links. Returns
+/// false, with errors, if a link has no mass.
 bool ReadSolids(const tinyxml2::XMLElement& robot, const UrdfTree& tree, ParameterReader& parameters, Vehicle& vehicle,
                 FileFaults& faults);
 

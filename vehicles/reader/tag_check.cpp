@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/nearest.h"
+#include "analysis/text/nearest.h"
 #include "vehicles/reader/drake_tags.h"
 #include "vehicles/tags/attribute_check.h"
 #include "vehicles/tags/tag.h"

@@ -12,27 +12,27 @@
 
 namespace fourpost {
 
-/// The XML namespace of our tags.
+/// The XML namespace of the `fp:` tags.
 inline constexpr const char* kNamespace = "urn:fourpost:vehicle:1";
 
-/// Checks every tag and attribute against the table of tags: known, present, as often as legal, plain numbers legal;
-/// and that no name is given twice. Foreign prefixes are warned about once each.
+/// Checks every tag and attribute against the table of tags: known, present, legal count, legal plain numbers, unique
+/// names. Warns about each foreign prefix once.
 void CheckTags(const tinyxml2::XMLElement& robot, FileFaults& faults);
 
 /// Checks the attributes of one element against its rule.
 void CheckAttributes(const tinyxml2::XMLElement& element, const TagRule& rule, FileFaults& faults);
 
-/// Whether the element, whose path this is, has a child that CheckTags reports as unknown.
+/// Whether the element at this path has a child that CheckTags reports as unknown.
 bool HasUnknownTag(const tinyxml2::XMLElement& element, std::string_view path);
 
-/// Whether a child of `<robot>` is none of the known tags, ours or URDF's, so that CheckTags reports it.
+/// Whether a child of `<robot>` is unknown to the `fp:` tags and to URDF, so that CheckTags reports it.
 bool IsUnknownTag(const tinyxml2::XMLElement& element);
 
-/// Names that children of `<robot>` lack by a fault of their own: their tag is unknown, or their attribute `name` is
-/// misspelt. What refers to such a name is not at fault.
+/// Names that children of `<robot>` lack through an error of their own: their tag is unknown, or their attribute `name`
+/// is misspelt. References to such a name are not reported.
 std::set<std::string, std::less<>> LostNames(const tinyxml2::XMLElement& robot);
 
-/// To end a message about an unknown name with: the legal one that is near, or else all of them.
+/// End of a message about an unknown name: the nearest legal one, or else all of them.
 std::string Suggestion(std::string_view name, const std::vector<std::string_view>& legal);
 
 }  // namespace fourpost

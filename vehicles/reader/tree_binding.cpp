@@ -3,8 +3,8 @@
 #include <optional>
 #include <set>
 
-#include "analysis/nearest.h"
-#include "analysis/number.h"
+#include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
 #include "vehicles/reader/tag_check.h"
 #include "vehicles/tags/tag.h"
 

@@ -123,8 +123,6 @@ Link ReadLink(const urdf::Link& source, const XMLElement& element, const std::fi
   return link;
 }
 
-std::string NameOf(const XMLElement& element) { return AttributeText(element, "name").value_or(""); }
-
 /// Whether urdfdom reads all names as we do. XML parsers differ in blanks other than the space.
 bool HasAll(const urdf::ModelInterface& model, const UrdfTree& tree, FileFaults& faults) {
   const int errors = faults.errors();

@@ -9,15 +9,14 @@
 
 namespace fourpost {
 
-/// The mesh file that an attribute `filename` of a vehicle file means: an absolute path, relative ones start at the
-/// folder of the vehicle file.
+/// The mesh file of an attribute `filename`: an absolute path; relative ones start at the folder of the vehicle file.
 std::filesystem::path MeshPath(const std::filesystem::path& vehicle_file, const std::string& filename);
 
-/// Reports meshes that cannot be read, and warns of those that are missing.
+/// Reports unreadable meshes, and warns of missing ones.
 void CheckMeshes(const UrdfTree& tree, FileFaults& faults);
 
-/// Fills the vehicle's links and joints with what urdfdom reads from the file's text. What urdfdom says is reported;
-/// nothing is printed. The text must have passed the checks of tags and tree.
+/// Fills the vehicle's links and joints with the result of urdfdom for the file's text. Messages of urdfdom are
+/// reported; nothing is printed. The text must have passed the checks of tags and tree.
 void ReadUrdf(const std::string& text, const UrdfTree& tree, Vehicle& vehicle, FileFaults& faults);
 
 }  // namespace fourpost

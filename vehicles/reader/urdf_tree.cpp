@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "analysis/nearest.h"
+#include "analysis/text/nearest.h"
 #include "vehicles/reader/tag_check.h"
 #include "vehicles/tags/tag.h"
 
@@ -12,8 +12,6 @@ namespace fourpost {
 namespace {
 
 using tinyxml2::XMLElement;
-
-std::string NameOf(const XMLElement& element) { return AttributeText(element, "name").value_or(""); }
 
 /// The link at an end ("parent", "child") of a joint; empty when it is not given.
 std::string End(const XMLElement& joint, const char* end) {

@@ -17,23 +17,23 @@ struct UrdfTree {
   std::vector<const tinyxml2::XMLElement*> links;
   /// Parents before children.
   std::vector<const tinyxml2::XMLElement*> joints;
-  /// Positions of the links by their names.
+  /// Indices of the links by their names.
   std::map<std::string, int, std::less<>> link_index;
 
-  /// Notes the positions of the links.
+  /// Stores the indices of the links.
   void IndexLinks();
   std::vector<std::string> LinkNames() const;
-  /// ", did you mean 'body'?" to end a message with; empty when no name is near, or the message will not be shown.
+  /// ", did you mean 'body'?", the end of a message; empty if no name is near, or the message will not be shown.
   std::string LinkMeant(std::string_view name, const FileFaults& faults) const;
-  /// Position of the link with this name; -1 when there is none.
+  /// Index of the link with this name; -1 if there is none.
   int FindLink(std::string_view name) const;
 };
 
-/// How many coordinates the joints of a file may have: what a computer takes some seconds and some hundred megabytes
-/// for, which grow with the fourth and the third power. A car has some tens.
+/// Limit of joint coordinates in a file: some seconds and some hundred megabytes, which grow with the fourth and the
+/// third power. A car has some tens.
 inline constexpr int kMostJointCoordinates = 200;
 
-/// Orders links and joints; reports joints to unknown links, links with two parents, loops, all roots but one, and too
+/// Orders links and joints; reports joints to unknown links, links with two parents, loops, more than one root, and too
 /// many joint coordinates.
 UrdfTree ReadUrdfTree(const tinyxml2::XMLElement& robot, FileFaults& faults);
 

@@ -4,7 +4,7 @@
 
 #include <tinyxml2.h>
 
-#include "analysis/text_file.h"
+#include "analysis/files/text_file.h"
 #include "vehicles/reader/body_check.h"
 #include "vehicles/reader/drake_tags.h"
 #include "vehicles/reader/element_reader.h"

@@ -3,7 +3,7 @@
 
 #include <tinyxml2.h>
 
-#include "analysis/number.h"
+#include "analysis/text/number.h"
 #include "vehicles/laws/count_check.h"
 #include "vehicles/reader/tree_binding.h"
 #include "vehicles/reader/vehicle_file.h"
@@ -71,8 +71,6 @@ class TextEdits {
   std::map<const XMLElement*, std::size_t> index_;
   std::map<std::size_t, Edit> edits_;
 };
-
-std::string NameOf(const XMLElement& element) { return AttributeText(element, "name").value_or(""); }
 
 void ReplaceParameters(const XMLElement& robot, const Vehicle& vehicle, std::span<const double> values,
                        TextEdits& edits) {

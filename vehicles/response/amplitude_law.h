@@ -6,8 +6,8 @@
 
 namespace fourpost {
 
-/// How far a rig moves its reference post at each frequency: a(f) = min(d, v / w, b / w^2), w = 2 pi f, so that neither
-/// displacement d, velocity v nor acceleration b exceeds its limit. All are peak values; one at least is finite.
+/// Amplitude of the reference post at each frequency: a(f) = min(d, v / w, b / w^2), w = 2 pi f, so that displacement
+/// d, velocity v and acceleration b stay within their limits. All are peak values; at least one is finite.
 struct AmplitudeLaw {
   double displacement_m = std::numeric_limits<double>::infinity();
   double velocity_mps = std::numeric_limits<double>::infinity();

@@ -12,12 +12,12 @@
 
 namespace fourpost {
 
-/// How the harmonics of a cycle that is solved change with parameters of its vehicle. With those S of the motion, R of
-/// the ports' remainders and F of the posts' forces, Z S = F - P R at each harmonic. Differentiated, for all parameters
-/// at once:
+/// Sensitivity of the harmonic balance: change of a solved cycle's harmonics with parameters of its vehicle. S are the
+/// harmonics of the motion, R those of the nonlinear forces, F those of the posts' forces; Z S = F - P R at each
+/// harmonic. Differentiated, for all parameters at once:
 ///   Z dS = dF - dZ S - P (dR at the same motion + T de),   de = P' dS
-/// T: what the slopes of the remainders make of the harmonics of a change of extensions. Solved for T de at the ports
-/// with as many harmonics as count; Z is inverted by the poles of the linear vehicle.
+/// T: effect of the slopes of the nonlinear forces on the harmonics of a change of extensions. Solved for T de at the
+/// nonlinear elements, with the harmonics that count; Z is inverted by the poles of the linear vehicle.
 class BalanceChange {
  public:
   /// `shape`: of the posts, see Excitation. `model`: that of the cycle, which may hold its tyres. All but the shape
@@ -32,7 +32,7 @@ class BalanceChange {
   SensorHarmonics Sensors(std::size_t change) const;
 
  private:
-  /// Of a law that changes with a parameter.
+  /// Change of a law with a parameter.
   struct LawChange {
     Eigen::Index change = 0;
     const ModelChange::Law* law = nullptr;

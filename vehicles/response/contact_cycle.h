@@ -13,10 +13,9 @@
 
 namespace fourpost {
 
-/// One cycle of a condensed vehicle whose tyres may leave their platforms. It is solved with all tyres held first;
-/// where none of them would pull that is the answer, for the remainders of lift-off are zero, and costs what linear
-/// tyres cost. Where one would, it is solved with lift-off from there, and from then on from one frequency to the next
-/// while a tyre lifts.
+/// One cycle of a reduced vehicle whose tyres may leave their platforms. It is first solved with all tyres held. If
+/// none of them would pull, this is the result, at the cost of linear tyres, because the nonlinear parts of lift-off
+/// are zero. Otherwise it is solved with lift-off from there, and so are the following frequencies while a tyre lifts.
 class ContactCycle {
  public:
   /// `shape`: of the posts, see Excitation. The model must outlive this object.
@@ -27,7 +26,7 @@ class ContactCycle {
   /// See LinearisedCycle::Solve.
   bool Solve(double frequency_Hz, double amplitude_m);
 
-  /// That of the last solution: one for tyres that are held, another one where one lifts.
+  /// That of the last solution: one for held tyres, another if one lifts.
   LinearisedCycle& cycle() { return lifts_ ? *lifting_ : held_; }
   const LinearisedCycle& cycle() const { return lifts_ ? *lifting_ : held_; }
   bool lifts() const { return lifts_; }
@@ -41,7 +40,7 @@ class ContactCycle {
   std::vector<double> shape_;
   HarmonicBalanceOptions options_;
   LinearisedCycle held_;
-  /// Of the tyres that may lift, while held; none: there are none.
+  /// Contact of the tyres that may lift, while held; empty: there are none.
   std::optional<TyreContact> contact_;
   /// Made when needed.
   std::unique_ptr<LinearisedCycle> lifting_;

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 namespace {

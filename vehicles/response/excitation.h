@@ -9,12 +9,12 @@ namespace fourpost {
 struct Excitation {
   /// Positive.
   std::vector<double> frequency_Hz;
-  /// One per frequency, positive [m]; that of the reference, whose shape is 1.
+  /// One per frequency, positive [m]; that of the reference post, whose shape is 1.
   std::vector<double> amplitude_m;
-  /// One per post: how far it moves relative to the reference, negative for opposite phase.
+  /// One per post: its motion relative to the reference, negative for opposite phase.
   std::vector<double> shape;
 
-  /// Throws std::invalid_argument naming the field that has a wrong size, or a value that is not finite or not
+  /// Throws std::invalid_argument naming the field with a wrong size, or with a value that is not finite or not
   /// positive.
   void Validate(std::size_t post_count) const;
 };

@@ -12,8 +12,8 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/anderson_acceleration.h"
-#include "analysis/diagnostics.h"
+#include "analysis/signals/anderson_acceleration.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/condensed/linear_vehicle.h"
 #include "vehicles/laws/hydraulic_cycle.h"
 #include "vehicles/multibody/simulation_error.h"

@@ -25,8 +25,7 @@ class FullCycle {
   /// Whether the iterations of both the linearised cycle and this one converged.
   bool Solve(double frequency_Hz, double amplitude_m);
 
-  /// Of the last solution, sensors x 3: mean, first and second harmonic. Where there is none, those of the linearised
-  /// cycle.
+  /// For the last solution, sensors x 3: mean, first and second harmonic. Without one, those of the linearised cycle.
   const SensorHarmonics& Sensors() const { return sensors_; }
 
  private:
@@ -42,10 +41,10 @@ class FullCycle {
   bool DepartsFrom(const SensorHarmonics& linearised, double amplitude_m) const;
   bool Iterate();
   Eigen::MatrixXcd Departure(const Eigen::MatrixXcd& motion, bool read);
-  /// What the full system lacks to move so at each sample, in the columns of [s x], and, if asked, what its sensors
-  /// read.
+  /// Lacking force of the full system at each sample, in the columns of [s x], and, if requested, the readings of its
+  /// sensors.
   void SampleCycle(const Eigen::MatrixXcd& motion, bool read);
-  /// At each sample, what the pressures of the hydraulic dampers are. Throws std::runtime_error where they have none.
+  /// Pressures of the hydraulic dampers at each sample. Throws std::runtime_error if they have none.
   void FindPressures(const Eigen::MatrixXd& position);
   void FindPressures(std::size_t damper, const Eigen::VectorXcd& extension);
   Eigen::VectorXcd Rates(Eigen::Index highest) const;
@@ -58,9 +57,9 @@ class FullCycle {
   LackingForces full_;
   ContactCycle contact_;
   Sampling fine_;
-  /// Where that will do.
+  /// Whether that suffices.
   Sampling coarse_;
-  /// By the sampling taken.
+  /// For the current sampling.
   const CycleTransform* transform_ = nullptr;
   /// Of s.
   Eigen::Index coordinates_ = 0;
@@ -68,17 +67,17 @@ class FullCycle {
   Eigen::VectorXd stiffness_;
   Eigen::VectorXd mass_;
   double omega_ = 0;
-  /// (H + 1) x size: motion that the forces which linear kinematics leave out would cause in the linear vehicle.
+  /// (H + 1) x size: motion of the linear vehicle under the forces that linear kinematics leave out.
   Eigen::MatrixXcd added_;
   /// Samples in rows.
   Eigen::MatrixXd lacking_;
   Eigen::MatrixXd readings_;
   /// Of the hydraulic dampers at the samples, two each [MPa above rest].
   Eigen::MatrixXd pressures_;
-  /// (H + 1) x ports: of the hydraulic dampers' tensions, by how much the samples' harmonics miss them.
+  /// (H + 1) x ports: error of the samples' harmonics of the hydraulic dampers' tensions.
   Eigen::MatrixXcd tension_aliases_;
   SensorHarmonics sensors_;
-  /// What the sensors read more in the full system.
+  /// Difference of the sensor readings from the full system.
   SensorHarmonics sensor_departure_;
 };
 

@@ -12,7 +12,7 @@
 
 namespace fourpost {
 
-/// One cycle of a condensed vehicle at one frequency, by the method of SolveHarmonicBalance; keeps its memory from one
+/// One cycle of a reduced vehicle at one frequency, by the method of SolveHarmonicBalance; keeps its memory from one
 /// frequency to the next. Harmonics are those of y(t) = Re sum_h Y_h exp(i h w t).
 class LinearisedCycle {
  public:
@@ -21,20 +21,20 @@ class LinearisedCycle {
   LinearisedCycle(const CondensedModel& model, const std::vector<double>& shape, const HarmonicBalanceOptions& options,
                   std::vector<Port> ports);
 
-  /// Whether the iteration converged and more harmonics would change nothing that matters. A vehicle whose springs or
-  /// tyres are not linear may have several answers: the one next to the frequency before is taken, or with `start` the
+  /// Whether the iteration converged and more harmonics would make no significant change. A vehicle with nonlinear
+  /// springs or tyres may have several solutions: the one next to the previous frequency is taken, or with `start` the
   /// one next to these harmonics of the ports' extensions.
   bool Solve(double frequency_Hz, double amplitude_m, const Eigen::MatrixXcd& start = {});
 
-  /// Solves again from the last solution, with as many harmonics, under more forces: `added` has the harmonics of the
-  /// motion [s x] that they would cause in the linear vehicle, (any number) x size. Whether it converged.
+  /// Solves again from the last solution, with as many harmonics, under additional forces: `added` has the harmonics of
+  /// the motion [s x] that they would cause in the linear vehicle, (any number) x size. Returns whether it converged.
   bool SolveWith(const Eigen::MatrixXcd& added);
 
   // For the last solution.
 
   /// Sensors x 3: mean, first and second harmonic.
   SensorHarmonics Sensors() const { return SensorsBy(cycle().remainder()); }
-  /// The same where the ports' remainders have these harmonics in place of their own.
+  /// The same if the nonlinear forces have these harmonics instead of their own.
   SensorHarmonics SensorsBy(const Eigen::MatrixXcd& remainder) const;
   /// (H + 1) x size: small motion s and extensions x of the series springs, see LinearVehicle.
   Eigen::MatrixXcd Coordinates(int harmonics) const;
@@ -42,12 +42,12 @@ class LinearisedCycle {
   Eigen::VectorXcd CoordinatesOf(int h) const;
   /// (H + 1) x ports: harmonics of the ports' extensions.
   const Eigen::MatrixXcd& extension() const { return cycle().extension(); }
-  /// (H + 1) x ports: harmonics of the ports' remainders, and what a transform of other samples would find them; zero
-  /// of laws with memory.
+  /// (H + 1) x ports: harmonics of the nonlinear forces, and those that a transform of other samples would find; zero
+  /// for laws with memory.
   const Eigen::MatrixXcd& remainder() const { return cycle().remainder(); }
   Eigen::MatrixXcd RemainderBy(const CycleTransform& transform) const { return cycle().RemainderBy(transform); }
   const std::vector<Port>& ports() const { return ports_; }
-  /// What forces on [s x] cause in the linear vehicle at this frequency, harmonics in rows.
+  /// Motion of the linear vehicle under forces on [s x] at this frequency, harmonics in rows.
   Eigen::MatrixXcd MotionBy(const Eigen::MatrixXcd& forces) const { return receptance_.MotionBy(omega_, forces); }
   /// Its ports.
   const PortCycle& cycle() const { return *levels_[level_]; }
@@ -63,9 +63,9 @@ class LinearisedCycle {
   void Compliance(int harmonics, Eigen::MatrixXcd& compliance) {
     receptance_.Compliance(omega_, harmonics, compliance);
   }
-  /// What it needed.
+  /// Counts of the last solution.
   int harmonics() const { return cycle().harmonics(); }
-  /// Steps of a cycle in which it took laws with memory through it.
+  /// Steps per cycle for laws with memory.
   Eigen::Index steps() const { return cycle().steps(); }
   int iterations() const { return iterations_; }
 
@@ -74,12 +74,12 @@ class LinearisedCycle {
   bool TrySolve(const Eigen::MatrixXcd& given = {});
   bool SolveByWayOf(const std::vector<double>& shares);
   void SetAmplitude(double amplitude_m);
-  /// What the sensors read of motions [s x] in columns, each at its frequency w; the posts' own apart.
+  /// Sensor readings of motions [s x] in columns, each at its frequency w; the posts' direct part is separate.
   Eigen::MatrixXcd ReadingsOf(const Eigen::RowVectorXd& w, const Eigen::MatrixXcd& coordinates) const;
   void NoteUnits();
-  /// Tyres in the air press nothing: that is missing in what the linear vehicle reads.
+  /// Tyres in the air exert no force: corrects the readings of the linear vehicle for that.
   void AddLiftoffs(int h, const Eigen::MatrixXcd& remainder, Eigen::Ref<Eigen::VectorXcd> readings) const;
-  /// Of the first harmonic: the norm of its motion by root masses, and what the sensors read.
+  /// Of the first harmonic: the norm of its mass-weighted motion, and the sensor readings.
   struct First {
     double motion = 0;
     Eigen::VectorXcd readings;
@@ -92,16 +92,16 @@ class LinearisedCycle {
   HarmonicBalanceOptions options_;
   std::vector<Port> ports_;
   Receptance receptance_;
-  /// Each with twice as many samples, and about twice as many harmonics, as the one before; made when needed.
+  /// Each with twice as many samples, and about twice as many harmonics, as the one before; created when needed.
   std::vector<std::unique_ptr<PortCycle>> levels_;
   std::size_t level_ = 0;
   /// Whether a solution depends on where the iteration starts.
   bool has_memory_ = false;
   bool has_steps_ = false;
-  /// Share of the last doubling's change that is left after it, at most. Harmonics of a kinked force fall with their
-  /// square, their way back through the motion takes more: a doubling leaves an eighth to a third of the error.
+  /// Upper bound of the error after the last doubling, as a share of its change. Harmonics of a kinked force fall with
+  /// their square, their effect on the motion faster: a doubling leaves an eighth to a third of the error.
   double left_ = 1;
-  /// The sensors' rows on position, velocity and acceleration, one below the other.
+  /// The sensors' rows on position, velocity and acceleration, stacked.
   Eigen::MatrixXd sensors_;
   /// Square roots of the masses on the diagonal, and the norms of the sensors' rows per unit of root-mass motion.
   Eigen::VectorXd root_mass_;
@@ -112,13 +112,13 @@ class LinearisedCycle {
   double omega_ = 0;
   double amplitude_ = 0;
   Eigen::VectorXcd unit_driven_;
-  /// Of the first harmonic, per unit tension of each port and per unit amplitude of the posts: [s x], and what the
-  /// sensors read.
+  /// Of the first harmonic, per unit tension of each port and per unit amplitude of the posts: [s x], and the sensor
+  /// readings.
   Eigen::MatrixXcd unit_motion_;
   Eigen::MatrixXcd unit_readings_;
-  /// The posts' own share of the latter.
+  /// The posts' direct part of the latter.
   Eigen::VectorXcd post_readings_;
-  /// Harmonics of the ports' extensions and of [s x] that the posts, and added forces, cause in the linear vehicle.
+  /// Harmonics of the ports' extensions and of [s x] due to the posts, and to added forces, in the linear vehicle.
   Eigen::MatrixXcd driven_;
   Eigen::MatrixXcd added_;
   int iterations_ = 0;

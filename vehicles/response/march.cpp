@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "analysis/fourier.h"
-#include "analysis/number.h"
-#include "analysis/option_check.h"
+#include "analysis/signals/fourier.h"
+#include "analysis/text/number.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/response/response_recorder.h"
 #include "vehicles/ride/vehicle_summary.h"

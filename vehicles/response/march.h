@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/deadline.h"
-#include "analysis/frequency_response.h"
+#include "analysis/process/deadline.h"
+#include "analysis/signals/frequency_response.h"
 #include "vehicles/multibody/multibody.h"
 #include "vehicles/response/excitation.h"
 #include "vehicles/simulation/time_system.h"
@@ -15,44 +15,45 @@ namespace fourpost {
 
 struct MarchOptions {
   /// Relative accuracy of the Runge-Kutta-Merson integrator of a Multibody; other systems have their own. Simbody
-  /// weighs states by about 1 (m, rad) while the rig moves them by millimetres, hence the small number.
+  /// weights states by about 1 (m, rad) while the rig moves them by millimetres, hence the small number.
   double accuracy = 1e-8;
-  /// Steady when, from one window to the next, no sensor's first harmonic changes by more than this share of itself,
-  /// nor its mean by more than this share of itself or of the first harmonic, whichever is larger. For a sensor below a
-  /// tenth of the loudest of its unit, that tenth takes the place of itself: what symmetry keeps silent reads the
-  /// integrator's noise, about 20 `accuracy` of the loudest, and never repeats. Where all sensors of a unit read less
-  /// than a thousandth of what the posts impose, that stands for the loudest: for displacements and struts the posts'
+  /// Steady if, from one window to the next, no sensor's first harmonic changes by more than this share of itself, nor
+  /// its mean by more than this share of itself or of the first harmonic, whichever is larger. For a sensor below a
+  /// tenth of the loudest of its unit, that tenth is the reference: a channel that symmetry keeps silent shows only
+  /// integrator noise, about 20 `accuracy` of the loudest, which never repeats. If all sensors of a unit read less than
+  /// a thousandth of the imposed post motion, that motion replaces the loudest: for displacements and struts the posts'
   /// amplitude a, for accelerations a w^2, for angular velocities a w over half the largest distance of two posts (over
   /// 1 m for a lone post), for tyre forces a times the stiffest tyre.
   double tolerance = 1e-5;
-  /// Shortest window of whole cycles [s]: long against the decay of body modes within one cycle at high frequency.
+  /// Shortest window of whole cycles [s]: long compared with the decay of body modes within one cycle at high
+  /// frequency.
   double window_s = 0.5;
-  /// Gives up after this long [s].
+  /// Time limit [s].
   double longest_s = 60;
   /// The kinks of bilinear forces alias into accelerations: 64 samples left 1.5 % at a sensor near a node, 256 leave
   /// 0.04 %.
   int samples_per_cycle = 256;
-  /// Asked at each sample; throws TimedOut.
+  /// Checked at each sample; throws TimedOut.
   Deadline deadline;
-  /// Asked now and then; true ends the march by MarchStopped.
+  /// Called regularly; true ends the integration by MarchStopped.
   std::function<bool()> stop = {};
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;
 };
 
-/// Thrown where MarchOptions::stop asks for it.
+/// Thrown when MarchOptions::stop requests it.
 struct MarchStopped {};
 
 /// A frequency at which the motion was not periodic within the time allowed.
 struct UnsteadyMotion {
   double frequency_Hz = 0;
   double amplitude_m = 0;
-  /// The one that changed most from the window before to the last; empty for a vehicle without sensors.
+  /// The sensor that changed most from the last window but one to the last; empty for a vehicle without sensors.
   std::string sensor;
-  /// What changed: its mean, or its first harmonic.
+  /// The value that changed: its mean, or its first harmonic.
   bool is_mean = false;
-  /// By which share of what MarchOptions::tolerance is a share of.
+  /// Relative change, with the reference of MarchOptions::tolerance.
   double change = 0;
   /// Cycles in a window.
   int cycles = 0;
@@ -65,18 +66,17 @@ struct MarchedResponse {
   double simulated_s = 0;
 };
 
-/// Steady response to a stepped sine, found as the rig finds it: run until the motion repeats, then Fourier
-/// coefficients over whole cycles. Of the full nonlinear multibody system the reference for SolveHarmonicBalance.
-/// Throws std::invalid_argument for options or an excitation that do not fit, std::runtime_error when the integration
-/// fails.
-/// `progress` hears how many frequencies are done.
+/// Steady response to a stepped sine, found as on the rig: time integration to steady state, then Fourier coefficients
+/// over whole cycles. For the full nonlinear multibody system the reference of SolveHarmonicBalance. Throws
+/// std::invalid_argument for options or an excitation that do not fit, std::runtime_error if the integration fails.
+/// `progress` is called with the number of frequencies done.
 MarchedResponse March(TimeSystem& system, const Excitation& excitation, const MarchOptions& options = {},
                       const std::function<void(std::size_t done)>& progress = {});
 MarchedResponse March(Multibody& multibody, const Excitation& excitation, const MarchOptions& options = {},
                       const std::function<void(std::size_t done)>& progress = {});
 
-/// What did not settle, how much it misses, and which mode takes long to die away: "roll at 2.4 Hz, 5 mm: no periodic
-/// motion within 60 s; ...". The vehicle and the excitation that were marched.
+/// Message on a motion that did not settle, its change, and the mode that decays slowly: "roll at 2.4 Hz, 5 mm: no
+/// periodic motion within 60 s; ...". For the integrated vehicle and excitation.
 std::string UnsteadyMessage(const Vehicle& vehicle, const Excitation& excitation, const UnsteadyMotion& motion,
                             const MarchOptions& options = {});
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/frequency_response.h"
+#include "analysis/signals/frequency_response.h"
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/response/excitation.h"
@@ -13,26 +13,26 @@
 
 namespace fourpost {
 
-/// Where a vehicle set in motion from rest ends in another motion than the periodic one that was found.
+/// A frequency at which a vehicle, started from rest, reaches another motion than the periodic one that was found.
 struct OtherMotion {
   double frequency_Hz = 0;
-  /// The channel that differs most, and by which share of itself.
+  /// The channel that differs most, and its relative difference.
   std::string channel;
   double difference = 0;
 };
 
-/// At which frequencies a vehicle may have several periodic motions, some of them unstable: at all with a knee or a
-/// stop, else where a tyre that may lift off leaves its platform, or comes so near to it that less than a quarter of
-/// its static load is left.
+/// Frequencies at which a vehicle may have several periodic motions, some of them unstable: all of them with a knee or
+/// a stop, otherwise those at which a tyre that may lift off leaves its platform, or keeps less than a quarter of its
+/// static load.
 std::vector<bool> MayHaveSeveralMotions(const CondensedModel& model, const Excitation& excitation,
                                         const HarmonicBalanceOptions& options = {});
 
-/// Balances do not tell whether the motion they find is stable. Runs the condensed vehicle from rest at each frequency
-/// for which `looked_at` holds, and compares first harmonics with `found`, of the linearised balance: those that differ
-/// by more than 5 % are told. Near a node, below 3 % of a channel's largest, differences count as a share of these 3 %;
-/// channels that are silent, below 1 % of the loudest of their unit, are left out.
-/// Frequencies without a finite value, and those at which the run fails, are left out. `progress` hears how many
-/// frequencies are done, and may throw to end the work.
+/// Harmonic balance does not show whether its motion is stable. This integrates the reduced vehicle from rest at each
+/// frequency for which `looked_at` holds, and compares first harmonics with `found`, of the linearised harmonic
+/// balance; differences of more than 5 % are reported. Near a node, below 3 % of a channel's largest, differences are
+/// relative to these 3 %; channels that are silent, below 1 % of the loudest of their unit, are left out. Frequencies
+/// without a finite value, and those at which the integration fails, are left out. `progress` is called with the number
+/// of frequencies done, and may throw to end the work.
 std::vector<OtherMotion> OtherMotionsFromRest(const CondensedModel& model, const Vehicle& vehicle,
                                               const Excitation& excitation, const std::vector<bool>& looked_at,
                                               const FrequencyResponse& found,

@@ -4,22 +4,22 @@
 
 #include <Eigen/Core>
 
-#include "analysis/anderson_acceleration.h"
-#include "analysis/deadline.h"
+#include "analysis/signals/anderson_acceleration.h"
+#include "analysis/process/deadline.h"
 #include "vehicles/condensed/port.h"
 #include "vehicles/condensed/receptance.h"
 #include "vehicles/response/cycle_transform.h"
 
 namespace fourpost {
 
-/// One cycle of the extensions of a vehicle's ports, with so many harmonics and samples: the harmonics E, (H + 1) x
-/// ports, for which
+/// One cycle of the extensions of a vehicle's nonlinear elements, at given numbers of harmonics and samples: the
+/// harmonics E, (H + 1) x ports, for which
 ///   E = driven + receptance R(E),
-/// R: harmonics of the remainders that the signals of E cause, sampled over the cycle.
+/// R: harmonics of the nonlinear forces at the signals of E, sampled over the cycle.
 ///
-/// Iterated as it stands while that converges fast, as it does for dashpots whose rates differ little. Otherwise, for
-/// knees, stops, lift-off, friction and hydraulic dampers, by Newton's method with the remainders' slopes; with so many
-/// harmonics that its matrix would cost more than it saves, by Anderson acceleration: of the plain iteration, or with a
+/// Fixed-point iteration is used while it converges fast, as for dashpots whose rates differ little. Otherwise, for
+/// knees, stops, lift-off, friction and hydraulic dampers, Newton's method with the slopes of the nonlinear forces. If
+/// the number of harmonics makes its matrix too costly, Anderson acceleration: of the fixed-point iteration, or with a
 /// hydraulic damper of Newton's method for the lowest harmonics.
 class PortCycle {
  public:
@@ -27,32 +27,31 @@ class PortCycle {
   PortCycle(const std::vector<Port>& ports, const Receptance& receptance, int harmonics, int samples);
 
   int harmonics() const { return transform_.harmonics(); }
-  /// Of a cycle, in which laws with memory go through it.
+  /// Steps per cycle for laws with memory.
   Eigen::Index steps() const { return steps_.samples(); }
   Eigen::Index samples() const { return transform_.samples(); }
 
-  /// `driven`, `start`: harmonics 0, 1, .. of the extensions without remainders, and those to start from; any number of
-  /// them, beyond which they are zero. `tolerance`: see HarmonicBalanceOptions. Whether it converged; if not, the
+  /// `driven`, `start`: harmonics 0, 1, .. of the extensions without nonlinear forces, and initial ones; any number of
+  /// them, the others are zero. `tolerance`: see HarmonicBalanceOptions. Returns whether it converged; if not, the
   /// solution is the last iterate. Throws TimedOut after the deadline.
   bool Solve(double omega, const Eigen::MatrixXcd& driven, const Eigen::MatrixXcd& start, double tolerance,
              int max_iterations, const Deadline& deadline = {});
 
-  /// (H + 1) x ports: extensions [m] and remainders [N] of the last solution.
+  /// (H + 1) x ports: extensions [m] and nonlinear forces [N] of the last solution.
   const Eigen::MatrixXcd& extension() const { return extension_; }
   const Eigen::MatrixXcd& remainder() const { return remainder_; }
-  /// The remainders of the last solution's lower harmonics, sampled by another transform; zero of laws with
-  /// memory.
+  /// Nonlinear forces at the last solution's lower harmonics, sampled by another transform; zero for laws with memory.
   Eigen::MatrixXcd RemainderBy(const CycleTransform& transform) const;
 
-  /// Samples x ports of the last solution: extensions, empty where no port uses them, rates and remainders; the latter
-  /// mended, and zero of laws with memory.
+  /// Samples x ports of the last solution: extensions, empty if no port uses them, rates and nonlinear forces; the
+  /// latter kink-corrected, and zero for laws with memory.
   const Eigen::MatrixXd& extension_time() const { return extension_time_; }
   const Eigen::MatrixXd& rate_time() const { return rate_time_; }
   const Eigen::MatrixXd& remainder_time() const { return remainder_time_; }
   /// See Receptance::Ports.
   const Eigen::MatrixXcd& receptance() const { return ports_receptance_; }
   const std::vector<PortKink>& kinks(Eigen::Index port) const { return kinks_[static_cast<std::size_t>(port)]; }
-  /// Of one port at each step of a law with memory, steps x 1.
+  /// For one port at each step of a law with memory, steps x 1.
   struct SteppedMotion {
     Eigen::MatrixXd extension;
     Eigen::MatrixXd rate;
@@ -62,10 +61,11 @@ class PortCycle {
   double Period() const;
   const std::vector<Port>& ports() const { return ports_; }
 
-  /// Harmonics of the remainder of a law with memory, had this port it.
+  /// Harmonics of the nonlinear force if this port had a law with memory.
   Eigen::VectorXcd RemainderOf(const HydraulicRemainder& law, Eigen::Index port) const;
 
-  /// Whether steps of the remainders, as friction's, have a sample each time they are passed at full speed.
+  /// Whether sharp transitions of the forces, such as friction's, have a sample each time they are passed at full
+  /// velocity.
   bool ResolvesSteps() const;
 
   /// Iterations of the last solution.
@@ -89,7 +89,7 @@ class PortCycle {
   const Receptance& receptance_;
   const CycleTransform& transform_;
   std::vector<std::vector<PortKink>> kinks_;
-  /// With more samples, over which ports with memory step through the cycle.
+  /// Transform with more samples, over which ports with memory step through the cycle.
   const CycleTransform& steps_;
   bool uses_extension_ = false;
   bool has_memory_ = false;

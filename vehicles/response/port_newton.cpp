@@ -13,9 +13,9 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Harmonics 0, 1 .. H of a signal s(t) from m = -2 H .. 2 H of a real one: s = sum over m of two-sided c_m.
-class TwoSided {
+class TwoSidedSpectrum {
  public:
-  explicit TwoSided(const Eigen::VectorXcd& harmonics) : harmonics_(harmonics) {}
+  explicit TwoSidedSpectrum(const Eigen::VectorXcd& harmonics) : harmonics_(harmonics) {}
   Complex operator()(Eigen::Index m) const {
     if (m == 0) return harmonics_[0];
     return 0.5 * (m > 0 ? harmonics_[m] : std::conj(harmonics_[-m]));
@@ -76,8 +76,8 @@ std::vector<PortCoupling> Couplings(const PortCycle& cycle, Eigen::Index size) {
     transform.ToHarmonics(by_rate, of_rate);
     const Eigen::VectorXcd extension_column = of_extension.col(0);
     const Eigen::VectorXcd rate_column = of_rate.col(0);
-    const TwoSided a(extension_column);
-    const TwoSided b(rate_column);
+    const TwoSidedSpectrum a(extension_column);
+    const TwoSidedSpectrum b(rate_column);
     PortCoupling coupling{column, Eigen::MatrixXcd::Zero(size, size), Eigen::MatrixXcd::Zero(size, size)};
     for (Eigen::Index l = 0; l < size; ++l) {
       const double share = l > 0 ? 1 : 0.5;

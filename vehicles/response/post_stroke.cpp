@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "analysis/number.h"
+#include "analysis/text/number.h"
 #include "vehicles/laws/count_check.h"
 
 namespace fourpost {

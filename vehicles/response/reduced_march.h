@@ -7,16 +7,16 @@
 
 namespace fourpost {
 
-/// Whether the model has hysteresis: friction alone in line with a spring. It sticks and slides within a cycle with
-/// next to no rate of its own. Harmonic balance then converges at half of the frequencies only, and where it does it is
-/// off by up to 1 %, so that time integration answers in its place.
+/// Whether the model has hysteresis: friction alone in series with a spring. It sticks and slides within a cycle with
+/// nearly no rate of its own. Harmonic balance then converges at half of the frequencies only, with errors of up to 1
+/// %; time integration is used instead.
 bool HasHysteresis(const CondensedModel& model);
 
 /// Steady response of a reduced model to a stepped sine, by time integration with steps and samples that fit each
-/// frequency: for friction that turns round on a mount and tyres that leave the ground, where harmonic balance does not
+/// frequency: for friction that reverses on a mount and tyres that leave the ground, where harmonic balance does not
 /// converge. Over 96 random stations with friction, 1.3 to 22 Hz, the error is 9e-5 of a response in nine of ten and
-/// 6e-4 at most. Some 0.1 to 0.4 s a frequency.
-/// `options`: tolerance, longest_s, deadline and stop are used. Throws as March does.
+/// 6e-4 at most. Some 0.1 to 0.4 s per frequency. `options`: tolerance, longest_s, deadline and stop are used. Throws
+/// as March() does.
 MarchedResponse MarchReduced(const CondensedModel& model, const RigView& rig, const Excitation& excitation,
                              const MarchOptions& options);
 

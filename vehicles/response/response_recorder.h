@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "analysis/frequency_response.h"
+#include "analysis/signals/frequency_response.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/response/excitation.h"
 
@@ -17,9 +17,9 @@ std::string UnitOf(Sensor::Type type);
 /// Harmonics of every sensor at one frequency: sensors x (0, 1, 2, ...), y(t) = Re sum_h Y_h exp(i h w t).
 using SensorHarmonics = Eigen::MatrixXcd;
 
-/// Gathers sensor harmonics into a frequency response in the terms of the recordings: accelerometers relative to the
-/// acceleration of the reference post, all others, gyros too, relative to its displacement; mean and second harmonic
-/// absolute.
+/// Collects sensor harmonics into a frequency response with the definitions of the recordings: accelerometers relative
+/// to the acceleration of the reference post, all others, gyros too, relative to its displacement; mean and second
+/// harmonic absolute.
 class ResponseRecorder {
  public:
   ResponseRecorder(const std::vector<Sensor>& sensors, const Excitation& excitation);
@@ -27,7 +27,7 @@ class ResponseRecorder {
   /// `harmonics` has at least the columns 0, 1, 2; the reference post moves as Re(amplitude exp(i w t)).
   void Record(std::size_t frequency_index, const SensorHarmonics& harmonics);
 
-  /// In place of a response a derivative of it, with that `changes` of the harmonics.
+  /// A derivative of the response instead, for these `changes` of the harmonics.
   void RecordChange(std::size_t frequency_index, const SensorHarmonics& harmonics, const SensorHarmonics& changes);
 
   FrequencyResponse Take() { return std::move(response_); }

@@ -10,21 +10,21 @@
 
 namespace fourpost {
 
-/// Vertical forces over a cycle of tyres that are taken for linear: c(t) = preload + stiffness e + damping e', e the
-/// squeeze, see CondensedModel::Liftoff.
+/// Vertical forces over a cycle of tyres that are modelled as linear: c(t) = preload + stiffness e + damping e', e the
+/// deflection, see CondensedModel::Liftoff.
 class TyreContact {
  public:
   /// All must outlive this object.
   TyreContact(const std::vector<CondensedModel::Liftoff>& tyres, const LinearisedCycle& cycle);
 
-  /// Whether no tyre pulls in the cycle's last solution, between samples either. May be false where one nearly does.
-  /// Costs next to nothing where forces stay well above zero.
+  /// Whether no tyre pulls in the cycle's last solution, also between samples. May be false if one nearly does. Cheap
+  /// if forces stay well above zero.
   bool Presses() const;
 
-  /// (H + 1) x tyres, of the last solution: harmonics of the squeezes [m].
+  /// (H + 1) x tyres, of the last solution: harmonics of the deflections [m].
   Eigen::MatrixXcd Squeezes() const;
 
-  /// Least force of each tyre over a cycle of these squeezes [N], as samples have it.
+  /// Least force of each tyre over a cycle of these deflections [N], at the samples.
   std::vector<double> LeastForces(const Eigen::MatrixXcd& squeezes) const;
 
  private:

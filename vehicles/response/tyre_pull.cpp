@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "analysis/short_number.h"
+#include "analysis/text/short_number.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/laws/count_check.h"
 #include "vehicles/response/contact_cycle.h"

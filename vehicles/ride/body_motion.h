@@ -18,10 +18,10 @@ struct MassProperties {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
 
-/// Of several bodies as one. The centre of mass of bodies without mass is the middle of theirs.
+/// Of several bodies as one. If they have no mass, the centre of mass is the mean of theirs.
 MassProperties Joined(std::span<const MassProperties> bodies);
 
-/// A body that moves, a link or all links that fixed joints hold together, and how it moves per unit of the independent
+/// A moving body, a link or all links that fixed joints hold together, and its motion per unit of the independent
 /// coordinates; ground axes, design pose.
 struct BodyMotion {
   /// Of its heaviest link.
@@ -38,7 +38,7 @@ struct BodyMotion {
 std::vector<BodyMotion> BodyMotions(const Vehicle& vehicle, const Kinematics& pose, std::span<const double> parameters);
 
 /// Twice the kinetic energy of the body's motion at the rates J shape, by direction in ground axes: along x, y, z,
-/// about x, y, z. What products of inertia add goes to both of their axes by halves.
+/// about x, y, z. Half of each product-of-inertia term goes to each of its two axes.
 Eigen::Matrix<double, 6, 1> EnergyByDirection(const BodyMotion& body, const Eigen::VectorXcd& shape);
 
 }  // namespace fourpost

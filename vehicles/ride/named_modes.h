@@ -19,7 +19,7 @@ namespace fourpost {
 std::vector<Mode> NamedModes(const Vehicle& vehicle, const Kinematics& pose, const Suspension& suspension,
                              const CondensedModel& model, std::span<const double> parameters);
 
-/// The poles of a mode on and above the real axis [1/s]: two of an overdamped one, the slow one first.
+/// The poles of a mode on and above the real axis [1/s]: two for an overdamped one, the slow one first.
 std::vector<std::complex<double>> PolesOf(const Mode& mode);
 
 /// How one body moves in a mode; ground axes.
@@ -34,8 +34,8 @@ struct BodyShape {
   Eigen::Vector3d gyration = Eigen::Vector3d::Zero();
 };
 
-/// The mode as motion of the bodies, so scaled that the largest component is 1: of translations in m, and of rotations
-/// times the body's radius of gyration about that axis.
+/// The mode as motion of the bodies, scaled such that the largest component is 1: of translations in m, and of
+/// rotations times the body's radius of gyration about that axis.
 std::vector<BodyShape> BodyShapes(const std::vector<BodyMotion>& bodies, const Mode& mode);
 
 }  // namespace fourpost

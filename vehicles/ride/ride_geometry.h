@@ -11,43 +11,43 @@
 
 namespace fourpost {
 
-// What a chassis engineer knows a suspension by, in the design pose, chassis held: see HeldChassis for what moves and
-// what is held, Suspension for what the chassis is. SI.
+// Ride geometry of the suspension in the design pose, chassis held: see HeldChassis for the boundary conditions,
+// Suspension for the definition of the chassis. SI.
 
-/// Rates at a wheel. The wheel rate is the vertical force at the wheel per rise of its foot, with the change of motion
-/// ratios under preload, without the tyre; the ride rate is the wheel rate in series with the tyre,
+/// Rates at a wheel. The wheel rate is the vertical force at the wheel per rise of its foot, including the change of
+/// motion ratios under preload, without the tyre; the ride rate is the wheel rate in series with the tyre,
 ///   ride = wheel tyre / (wheel + tyre).
-/// Infinite where the wheel cannot move.
+/// Infinite if the wheel cannot move.
 struct WheelRates {
   struct Rates {
     double wheel_Npm = std::numeric_limits<double>::infinity();
     double ride_Npm = 0;
   };
   double tyre_Npm = 0;
-  /// This wheel alone moves, the others are held; it shares what an anti-roll bar or a beam axle adds.
+  /// This wheel alone moves, the others are held; includes its share of an anti-roll bar or a beam axle.
   Rates alone;
   /// All wheels of the axle move together.
   Rates together;
 };
 
-/// Moment about the longitudinal axis per roll of the axle's wheels against the chassis [N m/rad], tyres rigid; nothing
+/// Moment about the longitudinal axis per roll of the axle's wheels against the chassis [N m/rad], tyres rigid; empty
 /// for an axle that has one side only or cannot roll.
 struct AxleRates {
   std::optional<double> roll_Nm;
 };
 
-/// A spring, a damper or an anti-roll bar, and how it follows a wheel. Motion ratio = compression of the element per
-/// rise of the wheel; of an anti-roll bar, change of e_right - e_left.
+/// A spring, a damper or an anti-roll bar, and its motion ratio to a wheel. Motion ratio = shortening of the element
+/// per rise of the wheel; for an anti-roll bar, change of e_right - e_left.
 struct StrutGeometry {
-  /// In the design pose [m]; of an anti-roll bar, the difference of its lines' lengths.
+  /// In the design pose [m]; for an anti-roll bar, the difference of its lines' lengths.
   double length_m = 0;
-  /// In the design pose [N/m], of a damper its mean rate [N s/m] without mount and friction.
+  /// In the design pose [N/m]; for a damper its mean rate [N s/m] without mount and friction.
   double rate = 0;
-  /// Index in Suspension::wheels of the one that moves it most when moved alone; -1: none moves it.
+  /// Index in Suspension::wheels of the wheel that, moved alone, moves it most; -1: none moves it.
   int wheel = -1;
-  /// Motion ratio when that wheel moves alone; nothing when it cannot.
+  /// Motion ratio if that wheel moves alone; empty if it cannot.
   std::optional<double> alone;
-  /// When all wheels of its axle move together; nothing when they cannot.
+  /// If all wheels of its axle move together; empty if they cannot.
   std::optional<double> together;
 };
 
@@ -59,8 +59,8 @@ struct RideGeometry {
   std::vector<StrutGeometry> springs;
   std::vector<StrutGeometry> dampers;
   std::vector<StrutGeometry> antiroll_bars;
-  /// What the wheels carry of the weight of each moving body as they rise together, sum of m dz/d(rise) [kg]; of an arm
-  /// between chassis and wheel that is the share of its outer end. Nothing without wheels, or when they cannot rise.
+  /// Share of each moving body's weight that the wheels carry as they rise together, sum of m dz/d(rise) [kg]; for an
+  /// arm between chassis and wheel the share of its outer end. Empty without wheels, or if they cannot rise.
   std::optional<double> unsprung_mass_kg;
 };
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "analysis/number.h"
+#include "analysis/text/number.h"
 #include "vehicles/loops/design_kinematics.h"
 #include "vehicles/ride/named_modes.h"
 

@@ -10,11 +10,11 @@
 
 namespace fourpost {
 
-/// A vehicle that does not stay in its design pose.
+/// A vehicle with an unstable design pose.
 struct Growth {
   /// exp(rate t) [1/s].
   double rate_per_s = 0;
-  /// "'rear wind-up' and 'roll'"; "a motion" where the growth is a series spring's.
+  /// "'rear wind-up' and 'roll'"; "a motion" if the growth belongs to a series spring.
   std::string modes;
   bool is_one = true;
 
@@ -22,7 +22,7 @@ struct Growth {
   std::string Text() const;
 };
 
-/// `growth_rate`: largest real part of all poles; `modes` with their names. Nothing for a stable vehicle.
+/// `growth_rate`: largest real part of all poles; `modes` with their names. Empty for a stable vehicle.
 std::optional<Growth> GrowthOf(const std::vector<Mode>& modes, double growth_rate);
 
 /// Of the vehicle at its file's values, which `model` has.

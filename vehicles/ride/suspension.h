@@ -14,7 +14,7 @@
 
 namespace fourpost {
 
-/// A tyre and what carries it, design pose, ground axes.
+/// A tyre and its carrier, design pose, ground axes.
 struct Wheel {
   /// The tyre's.
   std::string name;
@@ -25,13 +25,13 @@ struct Wheel {
   Eigen::VectorXd foot_rise;
   /// 6 x n; velocity of the tyre's centre, angular velocity of its link.
   Eigen::MatrixXd jacobian;
-  /// +1 on the left of its axle, -1 on the right, 0 when the axle has one side only.
+  /// +1 on the left of its axle, -1 on the right, 0 if the axle has one side only.
   int side = 0;
 };
 
 /// Wheels that stand beside each other.
 struct Axle {
-  /// "front", "axle 2", "rear"; "wheel" when there is one axle only.
+  /// "front", "axle 2", "rear"; "wheel" if there is one axle only.
   std::string name;
   /// Indices in Suspension::wheels.
   std::vector<std::size_t> wheels;

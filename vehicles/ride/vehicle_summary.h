@@ -15,7 +15,7 @@
 
 namespace fourpost {
 
-/// What an engineer checks a description by, at one set of parameter values; SI, design pose, ground axes.
+/// Summary of a vehicle for checking its description, at one set of parameter values; SI, design pose, ground axes.
 struct VehicleSummary {
   struct CornerLoad {
     std::string tyre;
@@ -40,14 +40,14 @@ struct VehicleSummary {
   std::vector<ParameterView> views;
 
   double Weight_N() const;
-  /// Sum of what the tyres carry.
+  /// Sum of the tyre loads.
   double TyreLoad_N() const;
-  /// What does not belong to the unsprung mass; nothing where that is not known.
+  /// Mass without the unsprung mass; empty if unknown.
   std::optional<double> SprungMass_kg() const;
   bool IsStable() const { return growth_rate < kSlowestMotion_per_s; }
 };
 
-/// Throws FaultyInput when the vehicle cannot be assembled or held in its design pose.
+/// Throws FaultyInput if the vehicle cannot be assembled or held in its design pose.
 VehicleSummary Summarise(const Vehicle& vehicle, std::span<const double> parameters);
 
 }  // namespace fourpost

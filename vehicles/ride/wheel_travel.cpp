@@ -29,7 +29,7 @@ Eigen::MatrixXd NullSpace(const Eigen::MatrixXd& rows) {
 }
 
 /// They solve for the shortest of the best solutions.
-Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> Decomposed(const Eigen::MatrixXd& matrix) {
+Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> LeastNormOf(const Eigen::MatrixXd& matrix) {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
   factors.setThreshold(kRankTolerance);
   if (matrix.size() > 0) factors.compute(matrix);
@@ -42,9 +42,9 @@ HeldChassis::HeldChassis(const Suspension& suspension, Eigen::MatrixXd stiffness
     : stiffness_(std::move(stiffness)),
       constraints_(Constraints(suspension, stiffness_.rows())),
       free_(NullSpace(constraints_)),
-      leading_(Decomposed(constraints_)),
-      yielding_(Decomposed(free_.transpose() * stiffness_ * free_)),
-      holding_(Decomposed(constraints_.transpose())) {
+      leading_(LeastNormOf(constraints_)),
+      yielding_(LeastNormOf(free_.transpose() * stiffness_ * free_)),
+      holding_(LeastNormOf(constraints_.transpose())) {
   for (const Wheel& wheel : suspension.wheels) wheel_y_.push_back(wheel.foot.y());
 }
 

@@ -10,7 +10,7 @@
 
 namespace fourpost {
 
-/// The suspension moved at its wheels, to first order.
+/// Motion of the suspension driven at its wheels, to first order.
 struct WheelTravel {
   /// One per wheel: rise of its foot [m].
   Eigen::VectorXd rise;
@@ -20,19 +20,19 @@ struct WheelTravel {
   Eigen::VectorXd force;
 };
 
-/// A vehicle whose chassis is held and whose wheels are moved up and down by their feet, as on a kinematics and
-/// compliance rig with pads that float: the tyres are rigid upright and have no lateral and longitudinal rate. All that
-/// is neither held nor moved follows in static equilibrium:
+/// A vehicle with held chassis and wheels driven up and down by their feet, as on a kinematics and compliance rig with
+/// floating pads: the tyres are vertically rigid and have no lateral and longitudinal rate. All other coordinates
+/// follow in static equilibrium:
 ///   K s = C' f,  C s = (0, rise),
-/// K: stiffness of the vehicle without the rates of its tyres; C: six motions of the chassis, rises of the feet;
-/// f: forces that hold the chassis (none in the design pose) and move the wheels.
+/// K: stiffness of the vehicle without the rates of its tyres; C: six motions of the chassis, rises of the feet; f:
+/// forces that hold the chassis (none in the design pose) and move the wheels.
 class HeldChassis {
  public:
-  /// `stiffness`: of the condensed vehicle, with preloads and gravity, without the rates of the tyres.
+  /// `stiffness`: of the reduced vehicle, with preloads and gravity, without the rates of the tyres.
   HeldChassis(const Suspension& suspension, Eigen::MatrixXd stiffness);
 
-  /// For these rises of the feet, one per wheel [m]; nothing when the wheels cannot move so, as when one of two wheels
-  /// shall rise that no joint lets move against each other.
+  /// For these rises of the feet, one per wheel [m]; empty if the wheels cannot move so, e.g. if one of two wheels that
+  /// no joint lets move against each other must rise alone.
   std::optional<WheelTravel> Move(const Eigen::VectorXd& rise) const;
   std::optional<WheelTravel> MoveOne(std::size_t wheel) const;
   /// All wheels of the axle together.
@@ -45,7 +45,7 @@ class HeldChassis {
   std::vector<double> wheel_y_;
   Eigen::MatrixXd stiffness_;
   Eigen::MatrixXd constraints_;
-  /// Columns span what moves neither chassis nor feet.
+  /// Columns span the motions that move neither chassis nor feet.
   Eigen::MatrixXd free_;
   // Decomposed once for all travels: C, free' K free, C'.
   using Factors = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
@@ -54,7 +54,7 @@ class HeldChassis {
   Factors holding_;
 };
 
-/// The stiffness of the condensed vehicle without the rates of its tyres; their preloads keep their share.
+/// The stiffness of the reduced vehicle without the rates of its tyres; the effect of their preloads is included.
 Eigen::MatrixXd StiffnessWithoutTyres(const Vehicle& vehicle, const Kinematics& pose,
                                       std::span<const double> parameters, const Eigen::MatrixXd& stiffness);
 

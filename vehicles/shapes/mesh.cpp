@@ -15,7 +15,7 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/Importer.hpp>
 
-#include "analysis/text_file.h"
+#include "analysis/files/text_file.h"
 
 namespace fourpost {
 namespace {

@@ -7,7 +7,7 @@
 
 namespace fourpost {
 
-/// What the mass properties of a homogeneous body are made of; times a density they are those of the body.
+/// Volume integrals of a homogeneous body; times a density they are its mass properties.
 struct Solid {
   /// [m^3].
   double volume = 0;
@@ -31,20 +31,19 @@ Solid CylinderSolid(double radius, double length);
 /// A sphere about the origin [m].
 Solid SphereSolid(double radius);
 
-/// What a surface encloses, summed over the tetrahedra between its triangles and a point (divergence theorem). With a,
-/// b, c the corners as seen from that point, v = a . (b x c)/6 and s = a + b + c, a tetrahedron adds
+/// Volume integrals of a closed surface, summed over the tetrahedra between its triangles and a point (divergence
+/// theorem). With a, b, c the corners as seen from that point, v = a . (b x c)/6 and s = a + b + c, a tetrahedron adds
 ///   v to the volume,   v s/4 to the first moment,   v (a a' + b b' + c c' + s s')/20 to the second moment
-/// (F. Tonon, J. Math. Stat. 1 (2005) 8-11). A shell that faces inward is a cavity.
-/// Throws std::runtime_error, telling where, when the surface does not pass each of its edges once in either direction;
-/// and when it encloses nothing beyond the rounding of its vertices, or faces inward. Whether it cuts itself is not
-/// seen.
+/// (F. Tonon, J. Math. Stat. 1 (2005) 8-11). A shell that faces inward is a cavity. Throws std::runtime_error, with the
+/// place, if the surface does not pass each of its edges once in either direction; and if the volume is within the
+/// rounding of its vertices, or the surface faces inward. Self-intersection is not detected.
 Solid MeshSolid(const Mesh& mesh);
 
-/// The solid in the place where the map moves it; mirrors keep the volume positive. With A the map's linear part,
-/// volume |det A|, second moment |det A| A S A'. Throws std::invalid_argument when the map flattens it.
+/// The solid after a map; mirrors keep the volume positive. With A the map's linear part, volume |det A|, second moment
+/// |det A| A S A'. Throws std::invalid_argument if the map is singular.
 Solid Mapped(const Solid& solid, const Eigen::Affine3d& map);
 
-/// Both together; what they share counts twice.
+/// Sum of both; a common volume counts twice.
 Solid operator+(const Solid& a, const Solid& b);
 
 }  // namespace fourpost

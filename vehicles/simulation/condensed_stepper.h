@@ -12,20 +12,19 @@
 
 namespace fourpost {
 
-/// A condensed vehicle in time by steps of one length h. With X = [s s' x], the posts' motion z and the remainders r of
-/// the ports (LinearVehicle, centre rates)
+/// Time integration of a reduced vehicle by steps of one length h. With X = [s s' x], the posts' motion z and the
+/// nonlinear forces r of the elements (LinearVehicle, centre rates)
 ///   X' = A X + B z + C z' + P r,  r_j = R_j(e_j, e'_j)
-/// is solved for a step as exp(h A) has it, exactly for z the cubic through heights and velocities at its two ends, and
-/// for r that goes straight from its value at the start to that at the end, where all laws hold. Linear vehicles err by
-/// h^4 for what the posts do between, others by h^2. Dashpots of any rate leave the step stable at any length, for
-/// centre rates keep their remainders within what their linear shares damp. A stop that adds the rate k to a mass m
-/// wants h < 3.4 sqrt(m / k), as Newmark's method of linear acceleration does. The oil of hydraulic dampers goes
-/// along by HydraulicStep. Tyres that may lift off are taken for linear in a step; where one would pull at its end, the
-/// step is taken again with their ports. Matrices are made once, those of lift-off when a tyre first does; a step
-/// allocates nothing.
-/// With forces g added on [s x], which go straight from one end of a step to the other as remainders do,
+/// is solved over a step by exp(h A): exactly for z the cubic through heights and velocities at both ends, and for r
+/// linear in time between the ends, where all laws hold. Linear vehicles err by h^4 of the posts' motion within a step,
+/// others by h^2. Dashpots of any rate are stable at any step length, because centre rates keep their nonlinear parts
+/// within the damping of their linear parts. A stop that adds the rate k to a mass m needs h < 3.4 sqrt(m / k), as in
+/// Newmark's method of linear acceleration. The oil of hydraulic dampers is integrated by HydraulicStep. Tyres that may
+/// lift off are taken as linear in a step; if one would pull at its end, the step is repeated with their ports.
+/// Matrices are computed once, those of lift-off when a tyre first lifts; a step allocates nothing. With added forces g
+/// on [s x], linear in time over a step like r,
 ///   X' = A X + B z + C z' + P r + G g,
-/// and the ports of all tyres are taken in each step.
+/// and the ports of all tyres are included in each step.
 class CondensedStepper {
  public:
   /// Whether Step() takes added forces.
@@ -41,16 +40,16 @@ class CondensedStepper {
   /// The vehicle at rest in its design pose, the posts as given.
   void Start(std::span<const PostState> posts);
 
-  /// Another state, as a filter corrects it, the posts as given. Of vehicles without hydraulic dampers, whose oil has a
-  /// memory of its own.
+  /// Sets another state, for example corrected by a filter, the posts as given. Not for vehicles with hydraulic
+  /// dampers, whose oil has a memory of its own.
   void SetState(const Eigen::VectorXd& state, std::span<const PostState> posts);
 
-  /// One step, to these posts. Of Forces::kNone.
+  /// One step, to these posts. For Forces::kNone.
   void Step(std::span<const PostState> posts);
-  /// And to these added forces, which are zero at the start. Of Forces::kAdded.
+  /// With these added forces at its end; they are zero at the start. For Forces::kAdded.
   void Step(std::span<const PostState> posts, const Eigen::VectorXd& added);
 
-  /// An end of a step, to which Return() goes back.
+  /// An end of a step, to which Return() can go back.
   struct Moment {
     Eigen::VectorXd state;
     Eigen::VectorXd remainder;
@@ -69,13 +68,13 @@ class CondensedStepper {
   /// [s' s'' x'].
   Eigen::VectorXd StateRate() const;
 
-  /// Whether a tyre is off its platform. Of Forces::kNone.
+  /// Whether a tyre is off its platform. For Forces::kNone.
   bool lifts() const { return acting_ > held_; }
 
-  /// What the sensors read.
+  /// Sensor readings.
   void Read(Eigen::Ref<Eigen::VectorXd> readings) const;
 
-  /// Steps since Start() whose remainders did not converge.
+  /// Number of steps since Start() whose nonlinear forces did not converge.
   long unsolved_steps() const { return unsolved_steps_; }
 
  private:
@@ -94,32 +93,33 @@ class CondensedStepper {
 
   double step_s_;
   std::vector<Port> ports_;
-  /// Ports that are taken in each step: but those of tyres that may lift off, which come last, or with added forces
-  /// all. And how many, from the first on, have a remainder: these, or all while a tyre is off its platform.
+  /// Ports included in each step: all except tyres that may lift off, which come last; with added forces all. And the
+  /// number of ports with a nonlinear force, from the first on: these, or all while a tyre is off its platform.
   Eigen::Index held_ = 0;
   Eigen::Index acting_ = 0;
   /// A: N x N, and [B C]: N x 2 posts.
   Eigen::MatrixXd state_matrix_;
   Eigen::MatrixXd by_posts_;
-  /// N x [s x]: rate of the state by added forces; then what those at a step's start and end make of the state at its
-  /// end. Without columns: none are taken.
+  /// N x [s x]: rate of the state per added force; then the effect of those at a step's start and end on the state at
+  /// its end. Without columns: none are added.
   Eigen::MatrixXd on_added_;
   Eigen::MatrixXd added_from_start_;
   Eigen::MatrixXd added_from_end_;
-  /// N x ports: rate of the state by remainders.
+  /// N x ports: rate of the state per nonlinear force.
   Eigen::MatrixXd on_remainder_;
-  /// N x (N + held ports + 4 posts): of [X r, then z z' at the start and at the end], the state at the end but for ...
+  /// N x (N + held ports + 4 posts): maps [X r, then z z' at the start and at the end] to the state at the end, except
+  /// ...
   Eigen::MatrixXd from_start_;
-  /// ... N x ports, or held ports until a tyre lifts: the remainders at the end.
+  /// ... N x ports, or held ports until a tyre lifts: for the nonlinear forces at the end.
   Eigen::MatrixXd from_end_;
-  /// N x lift-offs, once a tyre lifts: the same of their remainders at the start.
+  /// N x lift-offs, once a tyre lifts: the same for their nonlinear forces at the start.
   Eigen::MatrixXd from_liftoff_;
   /// ports x N and ports x ports: extension and rate at an instant.
   Eigen::MatrixXd extension_on_state_;
   Eigen::MatrixXd rate_on_state_;
   Eigen::MatrixXd rate_on_remainder_;
   Eigen::MatrixXd rate_on_added_;
-  /// N x tyres that may lift off, 2 posts x tyres: compression of each [N] by state, heights and velocities; and at
+  /// N x tyres that may lift off, 2 posts x tyres: vertical force of each [N] by state, heights and velocities; and at
   /// rest.
   Eigen::MatrixXd compression_by_state_;
   Eigen::MatrixXd compression_by_post_;
@@ -137,7 +137,7 @@ class CondensedStepper {
   /// Heights, velocities, accelerations of the posts.
   Eigen::VectorXd post_;
   Eigen::VectorXd packed_;
-  /// At the end of a step without the remainders there.
+  /// State at the end of a step without the nonlinear forces there.
   Eigen::VectorXd free_;
   Eigen::VectorXd extension_;
   Eigen::VectorXd rate_;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/laws/count_check.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/condensed_stepper.h"

@@ -7,8 +7,8 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/anderson_acceleration.h"
-#include "analysis/option_check.h"
+#include "analysis/signals/anderson_acceleration.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/condensed/linear_vehicle.h"
 #include "vehicles/multibody/simulation_error.h"
 
@@ -18,8 +18,8 @@ namespace {
 using Eigen::Index;
 
 /// Of the largest inertia so far: what g is left to err by in a step.
-constexpr double kTolerance = 1e-5;
-constexpr int kMostIterations = 30;
+constexpr double kStepTolerance = 1e-5;
+constexpr int kMostNewtonSteps = 30;
 constexpr int kHistory = 8;
 
 /// Of a force on each coordinate: what acceleration it causes at 10 Hz, as the root of an energy.
@@ -130,14 +130,14 @@ void FullStepper::Step(const PostMotion& posts) {
   extensions_.row(0) = extensions_.row(parts_);
   Eigen::VectorXd added = 2 * added_ - before_;
   AndersonAcceleration acceleration(kHistory);
-  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMostNewtonSteps; ++iteration) {
     if (iteration > 0) stepper_.Return(moment_);
     StepParts(posts, added);
     const Eigen::VectorXd lacking = Lacking(end);
     Eigen::VectorXd inertia = Eigen::VectorXd::Zero(full_.size());
     inertia.head(mass_.rows()) = mass_ * motion_.acceleration;
     if (!lacking.allFinite()) break;
-    if (Size(lacking) <= kTolerance * std::max(largest_, Size(inertia))) {
+    if (Size(lacking) <= kStepTolerance * std::max(largest_, Size(inertia))) {
       largest_ = std::max(largest_, Size(inertia));
       readings_ = full_.Readings();
       before_ = std::exchange(added_, std::move(added));

@@ -12,13 +12,13 @@
 
 namespace fourpost {
 
-/// The full multibody system in time, by steps of its condensed model. That one moves as the full system does under the
-/// forces g by which the two differ:
-///   g = what the condensed vehicle needs to move as [s x](t) - what the full system needs to (LackingForces).
-/// Linear shares of both cancel, and so do most of the kinks of their laws: g is small and smooth, and goes straight
-/// over a step H that some shorter steps h of the CondensedStepper make up. Its value at the end, where both systems
-/// agree, is found from that at the starts of the last two steps by Anderson acceleration, in some two evaluations of
-/// the full system. What is left errs by H^2 of g and by what the condensed steps err.
+/// Time integration of the full multibody system, by steps of its reduced model. The reduced model moves like the full
+/// system under the difference g of their forces:
+///   g = force that the reduced vehicle needs to move as [s x](t) - that of the full system (LackingForces).
+/// Linear parts of both cancel, and so do most of the kinks of their laws: g is small and smooth, and linear in time
+/// over a step H that consists of some shorter steps h of the CondensedStepper. Its value at the end, where both
+/// systems agree, is extrapolated from the starts of the last two steps and iterated by Anderson acceleration, in some
+/// two evaluations of the full system. The remaining error is of order H^2 in g, plus that of the reduced steps.
 class FullStepper {
  public:
   /// `step_s`: H, of `parts` steps h. `multibody` must carry the parameters and preloads of `model`, and outlive this
@@ -28,10 +28,10 @@ class FullStepper {
   /// At rest in the design pose at time t.
   void Start(const PostMotion& posts, double t);
 
-  /// One step H. Throws SimulationError where g is not found.
+  /// One step H. Throws SimulationError if g is not found.
   void Step(const PostMotion& posts);
 
-  /// What the sensors read.
+  /// Sensor readings.
   void Read(Eigen::Ref<Eigen::VectorXd> readings) const { readings = readings_; }
 
   const CondensedStepper& condensed() const { return stepper_; }
@@ -40,7 +40,7 @@ class FullStepper {
   long evaluations() const { return evaluations_; }
 
  private:
-  /// Steps the condensed model to the end, where g has this value.
+  /// Steps the reduced model to the end, where g has this value.
   void StepParts(const PostMotion& posts, const Eigen::VectorXd& added);
   /// There, at time t.
   Eigen::VectorXd Lacking(double t);
@@ -66,13 +66,13 @@ class FullStepper {
   LackingForces::Motion motion_;
   Eigen::VectorXd readings_;
 
-  /// Of the hydraulic dampers, as the full system extends them: at the start of the step and at its end.
+  /// Extensions of the hydraulic dampers in the full system: at the start of the step and at its end.
   std::vector<Eigen::VectorXd> hydraulic_directions_;
   std::vector<HydraulicStep> oil_at_start_;
   std::vector<HydraulicStep> oil_;
-  /// (parts + 1) x hydraulic dampers: extensions in the condensed model over the step; ...
+  /// (parts + 1) x hydraulic dampers: extensions in the reduced model over the step; ...
   Eigen::MatrixXd extensions_;
-  /// ... and by how much those of the full system are larger.
+  /// ... and the excess of those in the full system.
   Eigen::VectorXd extra_at_start_;
   Eigen::VectorXd extra_;
 };

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/full_stepper.h"
 
@@ -11,7 +11,7 @@ namespace fourpost {
 namespace {
 
 /// Metres and metres per second that no vehicle on a rig comes to.
-constexpr double kFarthest = 1e6;
+constexpr double kFarthestPosition = 1e6;
 
 long PartsOf(double whole, double longest) {
   // Rounding makes no part of its own.
@@ -45,7 +45,7 @@ void FullSystem::Run(const PostMotion& posts, double start, double step, const R
     const double t = start + static_cast<double>(k) * step;
     stepper.Read(readings);
     // So written that it is true for NaN.
-    if (!(stepper.condensed().state().norm() < kFarthest) || stepper.condensed().unsolved_steps() > 0)
+    if (!(stepper.condensed().state().norm() < kFarthestPosition) || stepper.condensed().unsolved_steps() > 0)
       throw SimulationError("the motion of the full system was not found at t = " + std::to_string(t) + " s");
     sink(t, readings);
     evaluations_ = stepper.evaluations();

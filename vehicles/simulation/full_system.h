@@ -6,14 +6,15 @@
 
 namespace fourpost {
 
-/// The full nonlinear multibody system in time, by FullStepper: several times as fast as MultibodySystem, which checks
-/// it.
+/// The full nonlinear multibody system in time, by FullStepper: several times as fast as MultibodySystem, which
+/// verifies it.
 class FullSystem : public TimeSystem {
  public:
   struct Steps {
-    /// Of the forces that linear kinematics leave out: whole parts of what Run() reports in, none longer [s].
+    /// Step of the forces that linear kinematics leave out: a whole part of Run()'s output step, not longer than this
+    /// [s].
     double longest_s = 4e-3;
-    /// Of the condensed model: whole parts of those [s].
+    /// Step of the reduced model: a whole part of the former [s].
     double longest_part_s = 5e-4;
   };
 
@@ -21,11 +22,11 @@ class FullSystem : public TimeSystem {
   /// std::invalid_argument for steps that are not positive.
   FullSystem(Multibody& multibody, const CondensedModel& model, Steps steps);
 
-  /// Throws SimulationError where the motion grows beyond all numbers, or where it cannot be found.
+  /// Throws SimulationError if the motion diverges, or cannot be found.
   void Run(const PostMotion& posts, double start, double step, const ReadingSink& sink,
            const std::function<bool()>& done) override;
 
-  /// Of the full system, in the last run.
+  /// Evaluations of the full system in the last run.
   long evaluations() const { return evaluations_; }
 
  private:

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <span>
 
-#include "analysis/low_pass.h"
-#include "analysis/option_check.h"
-#include "analysis/random_stream.h"
+#include "analysis/signals/low_pass.h"
+#include "analysis/text/option_check.h"
+#include "analysis/signals/random_stream.h"
 
 namespace fourpost {
 namespace {

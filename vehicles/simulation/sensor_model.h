@@ -7,16 +7,15 @@
 
 namespace fourpost {
 
-/// What a rig's acquisition makes of motions, alike for every engine: its low-pass filter, at the rate of the samples,
-/// on posts and sensors, and noise. The mass of wheelpans is in the readings of load cells already.
+/// Model of a rig's data acquisition, the same for every engine: its low-pass filter, at the rate of the samples, on
+/// posts and sensors, and noise. Readings of load cells already include the mass of wheelpans.
 struct SensorModel {
   struct Filter {
     int order = 4;
     double cutoff_Hz = 0;
   };
   std::optional<Filter> filter;
-  /// Standard deviation of white noise as a share of each channel's own about its mean, added to what the filter
-  /// leaves.
+  /// Standard deviation of white noise as a share of each channel's own standard deviation, added after the filter.
   double noise = 0;
   std::uint64_t seed = 0;
 

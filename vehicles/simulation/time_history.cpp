@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/option_check.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/simulation/condensed_system.h"
 
 namespace fourpost {

@@ -11,7 +11,7 @@
 
 namespace fourpost {
 
-/// What a rig sees of a vehicle: its sensors, its posts, and how large motions are there.
+/// A vehicle as seen by a rig: its sensors, its posts, and reference sizes of motion.
 struct RigView {
   /// In the order of the readings.
   std::vector<Sensor> sensors;
@@ -25,11 +25,11 @@ struct RigView {
 /// Of a vehicle at its file's values.
 RigView RigViewOf(const Vehicle& vehicle);
 
-/// Hears the time [s] and what the sensors read.
+/// Called with the time [s] and the sensor readings.
 using ReadingSink = std::function<void(double t, const Eigen::VectorXd& readings)>;
 
-/// A vehicle on its posts that runs in time: the multibody system, or a condensed or closed-form model. What a march
-/// and time histories need of it.
+/// A vehicle on its posts that can be integrated in time: the multibody system, or a reduced or closed-form model.
+/// Interface for time integration to steady state and for time histories.
 class TimeSystem {
  public:
   virtual ~TimeSystem() = default;
@@ -38,8 +38,8 @@ class TimeSystem {
 
   const RigView& rig() const { return rig_; }
 
-  /// Runs from rest in the design pose at `start`, reporting at start + k step for k = 0, 1, ... until `done`.
-  /// Throws std::runtime_error when the motion cannot be computed.
+  /// Runs from rest in the design pose at `start`, reporting at start + k step for k = 0, 1, ... until `done`. Throws
+  /// std::runtime_error if the motion cannot be computed.
   virtual void Run(const PostMotion& posts, double start, double step, const ReadingSink& sink,
                    const std::function<bool()>& done) = 0;
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "analysis/nearest.h"
-#include "analysis/number.h"
+#include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {

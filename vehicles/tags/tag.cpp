@@ -1,6 +1,6 @@
 #include "vehicles/tags/tag.h"
 
-#include "analysis/number.h"
+#include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {

@@ -7,7 +7,7 @@
 namespace fourpost {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kXmlBlanks = " \t\r\n";
 
 /// Text between such marks holds no tags.
 struct Passage {
@@ -51,12 +51,12 @@ class Scanner {
 
   /// Nothing at the end of the tag.
   std::optional<AttributePlace> ReadAttribute() {
-    at_ = text_.find_first_not_of(kBlanks, at_);
+    at_ = text_.find_first_not_of(kXmlBlanks, at_);
     if (at_ >= text_.size() || text_[at_] == '>' || text_[at_] == '/') return std::nullopt;
     const std::size_t equals = text_.find('=', at_);
     if (equals == std::string_view::npos) return std::nullopt;
     AttributePlace place;
-    place.name = text_.substr(at_, std::min(equals, text_.find_first_of(kBlanks, at_)) - at_);
+    place.name = text_.substr(at_, std::min(equals, text_.find_first_of(kXmlBlanks, at_)) - at_);
     at_ = std::min(text_.find_first_of("\"'", equals), text_.size() - 1);
     place.quote = text_[at_];
     place.begin = at_ + 1;

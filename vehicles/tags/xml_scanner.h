@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-/// Where the value of an attribute stands in a text, without its quotes.
+/// Position of an attribute's value in a text, without its quotes.
 struct AttributePlace {
   std::string_view name;
   std::size_t begin = 0;
@@ -17,13 +17,13 @@ struct AttributePlace {
 
 /// The attributes of one start tag.
 struct TagPlaces {
-  /// Just behind the tag's name.
+  /// Position after the tag's name.
   std::size_t name_end = 0;
   std::vector<AttributePlace> attributes;
 };
 
 /// Finds the start tags of a well-formed XML text, in document order: the order in which a walk through the parsed
-/// document meets its elements. Comments, declarations and CDATA are passed over.
+/// document meets its elements. Comments, declarations and CDATA are skipped.
 std::vector<TagPlaces> ScanTags(std::string_view text);
 
 }  // namespace fourpost

@@ -1,6 +1,6 @@
 """Makes signal_tools.csv: what scipy (1.10) makes of two signals. Run: python3 signal_tools.py > signal_tools.csv"""
 import numpy as np
-from scipy import signal, stats
+from scipy import signal
 
 RATE = 500.0
 N = 512
@@ -28,11 +28,7 @@ def tell(name, values):
 print("quantity,index,value")
 tell("x", x)
 tell("y", y)
-tell("constant", signal.detrend(x, type="constant"))
-tell("linear", signal.detrend(x, type="linear"))
 tell("causal", signal.sosfilt(signal.butter(4, 30, fs=RATE, output="sos"), x))
-tell("zero_phase", signal.sosfiltfilt(signal.butter(4, 30, fs=RATE, output="sos"), x))
-tell("zero_phase_odd", signal.sosfiltfilt(signal.butter(3, 45, fs=RATE, output="sos"), x))
 f, p = signal.welch(x, RATE, nperseg=128)
 tell("frequency", f)
 tell("density", p)
@@ -42,7 +38,3 @@ tell("cross_imag", c.imag)
 _, g = signal.coherence(x, y, RATE, nperseg=128)
 tell("coherence", g)
 tell("deviation", np.std(x))
-(q, ordered), (slope, intercept, r) = stats.probplot(y[:64])
-tell("quantile", q)
-tell("ordered", ordered)
-tell("line", [slope, intercept, r])

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "analysis/report/report_document.h"
-#include "analysis/sha256.h"
+#include "analysis/files/sha256.h"
 
 namespace fourpost {
 namespace {

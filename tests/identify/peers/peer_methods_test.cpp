@@ -6,8 +6,8 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/mix_bits.h"
-#include "identify/comparison_json.h"
+#include "analysis/signals/mix_bits.h"
+#include "identify/comparison/comparison_json.h"
 #include "tests/identify/test_problems.h"
 
 namespace fourpost {

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "identify/report/comparison_curves.h"
 #include "identify/report/comparison_page.h"
 #include "identify/report/comparison_tables.h"

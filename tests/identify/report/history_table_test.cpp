@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 
 namespace fourpost {
 namespace {

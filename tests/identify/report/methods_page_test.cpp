@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "identify/methods_chart.h"
+#include "identify/comparison/methods_chart.h"
 
 namespace fourpost {
 namespace {

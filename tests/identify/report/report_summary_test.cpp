@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "identify/versions.h"
+#include "vehicles/requests/versions.h"
 
 namespace fourpost {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "identify/search/draws.h"
 #include "identify/search/dvhde_operators.h"
-#include "identify/search_method_list.h"
+#include "identify/refine/search_method_list.h"
 #include "tests/identify/test_problems.h"
 #include "tests/temporary_folder.h"
 

@@ -17,7 +17,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/output_folder.h"
+#include "analysis/files/output_folder.h"
 #include "identify/search/sqlite_database.h"
 #include "tests/temporary_folder.h"
 

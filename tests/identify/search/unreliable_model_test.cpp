@@ -7,8 +7,8 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/mix_bits.h"
-#include "identify/search_method_list.h"
+#include "analysis/signals/mix_bits.h"
+#include "identify/refine/search_method_list.h"
 
 namespace fourpost {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/fit_quality.h"
+#include "analysis/signals/fit_quality.h"
 
 namespace fourpost {
 namespace {

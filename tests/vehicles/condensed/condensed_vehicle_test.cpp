@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "tests/vehicles/resting.h"
 #include "tests/vehicles/same_model.h"
 #include "tests/vehicles/shipped_vehicle.h"

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/units.h"
+#include "analysis/text/units.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/loops/design_kinematics.h"

@@ -261,7 +261,7 @@ void ExpectRefused(Change change, const std::string& message) {
 
 TEST(HydraulicDamper, ValidatesItsNumbers) {
   using D = HydraulicDamper;
-  const std::string positive = ", must be finite and positive";
+  const std::string positive = ", must be positive and finite";
   EXPECT_NO_THROW(D{}.Validate());
   ExpectRefused([](D& d) { d.bleed_resistance = 0; }, "HydraulicDamper: bleed_resistance = 0" + positive);
   ExpectRefused([](D& d) { d.bulk_modulus = kNan; }, "HydraulicDamper: bulk_modulus = nan" + positive);

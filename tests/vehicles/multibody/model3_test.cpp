@@ -7,9 +7,9 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/frequency_response_file.h"
+#include "analysis/files/frequency_response_file.h"
 #include "tests/vehicles/closed_form.h"
-#include "vehicles/closed_form/full_car.h"
+#include "tests/closed_form/full_car.h"
 
 namespace fourpost {
 namespace {

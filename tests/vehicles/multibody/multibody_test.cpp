@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/diagnostics.h"
+#include "analysis/text/diagnostics.h"
 #include "tests/vehicles/resting.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/number.h"
+#include "analysis/text/number.h"
 #include "tests/vehicles/element_car.h"
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/condensed/condensed_vehicle.h"

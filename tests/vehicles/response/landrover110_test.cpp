@@ -10,7 +10,7 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/frequency_response_file.h"
+#include "analysis/files/frequency_response_file.h"
 #include "tests/vehicles/lint_all.h"
 #include "tests/vehicles/recorded_rig.h"
 #include "tests/vehicles/response/mode_band.h"

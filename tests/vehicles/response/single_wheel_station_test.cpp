@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/vehicles/closed_form.h"
-#include "vehicles/closed_form/quarter_car.h"
+#include "tests/closed_form/quarter_car.h"
 #include "vehicles/ride/vehicle_summary.h"
 
 namespace fourpost {

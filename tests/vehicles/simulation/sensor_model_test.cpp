@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/low_pass.h"
+#include "analysis/signals/low_pass.h"
 
 namespace fourpost {
 namespace {

@@ -1,0 +1,186 @@
+#include "analysis/files/csv.h"
+
+#include <algorithm>
+#include <limits>
+#include <unordered_set>
+#include <utility>
+
+#include "analysis/files/csv_fault.h"
+#include "analysis/files/csv_scanner.h"
+#include "analysis/text/number.h"
+#include "analysis/files/recorded_unit.h"
+#include "analysis/files/text_file.h"
+
+namespace fourpost {
+namespace {
+
+std::string Quote(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+std::string Count(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+/// Makes a table of records, and reports all that are faulty.
+class CsvParser {
+ public:
+  CsvParser(std::string_view text, std::string file, Diagnostics& diagnostics)
+      : dialect_(DialectOf(text)), scanner_(text, dialect_.separator), diagnostics_(diagnostics) {
+    table_.file_ = std::move(file);
+    table_.dialect_ = dialect_;
+    text_fault_ = FaultOfText(text);
+  }
+
+  std::optional<CsvTable> Parse(CsvHeader header) {
+    if (!text_fault_.empty()) Fault(0, text_fault_);
+    else ReadNames();
+    if (good_ && header == CsvHeader::kNamesAndUnits) ReadUnits();
+    if (good_) CheckNames();
+    // Without a header no row can be right.
+    if (!good_) return std::nullopt;
+    while (scanner_.Next(record_)) AddRow();
+    if (good_ && table_.rows() == 0) Fault(0, "has no rows below its header");
+    if (!good_) return std::nullopt;
+    return std::move(table_);
+  }
+
+ private:
+  void Fault(int line, std::string message) {
+    diagnostics_.Error(table_.file_, line, std::move(message));
+    good_ = false;
+  }
+
+  void ReadNames() {
+    // Excel's note of the separator.
+    bool found = scanner_.Next(record_);
+    if (found && record_.fields[0].starts_with("sep=")) found = scanner_.Next(record_);
+    if (!found) return Fault(0, "is empty; it needs a header line and rows of numbers");
+    if (!record_.fault.empty()) return Fault(record_.line, record_.fault);
+    table_.names_ = record_.fields;
+    names_line_ = record_.line;
+    ends_with_separator_ = table_.columns() > 1 && table_.names_.back().empty();
+    if (ends_with_separator_) table_.names_.pop_back();
+    const std::string fault = FaultOfNames(scanner_, table_.columns(), ends_with_separator_, dialect_.separator);
+    if (!fault.empty()) Fault(names_line_, fault);
+  }
+
+  void CheckNames() {
+    std::unordered_set<std::string_view> earlier;
+    for (std::size_t i = 0; i < table_.columns(); ++i) {
+      const std::string& name = table_.names_[i];
+      const std::string column = "column " + std::to_string(i + 1);
+      if (name.empty()) Fault(names_line_, column + " has no name");
+      else if (!earlier.insert(name).second)
+        Fault(names_line_, column + " has the name " + Quote(name) + " of an earlier one");
+    }
+  }
+
+  void ReadUnits() {
+    if (!scanner_.Next(record_)) return Fault(0, "has no row of units below its header");
+    if (!IsRowGood()) return;
+    table_.units_line_ = record_.line;
+    std::vector<std::string> fields = record_.fields;
+    for (std::string& field : fields) field = WithoutBrackets(field);
+    if (IsRowOfUnits(fields)) {
+      table_.units_ = std::move(fields);
+      return;
+    }
+    TakeUnitsFromNames();
+    Keep();
+  }
+
+  /// Has no numbers, or as many units; "1" is both.
+  bool IsRowOfUnits(const std::vector<std::string>& fields) const {
+    const auto is_number = [this](const std::string& field) { return table_.ToNumber(field).has_value(); };
+    const auto is_unit = [&](const std::string& field) { return ParseRecordedUnit(field) && !is_number(field); };
+    const auto numbers = std::count_if(fields.begin(), fields.end(), is_number);
+    const auto units = std::count_if(fields.begin(), fields.end(), is_unit);
+    return numbers == 0 || (units > 0 && units >= numbers);
+  }
+
+  void TakeUnitsFromNames() {
+    table_.units_line_ = names_line_;
+    for (std::string& name : table_.names_) {
+      NamedColumn column = SplitColumnName(name);
+      name = std::move(column.name);
+      table_.units_.push_back(std::move(column.unit));
+    }
+  }
+
+  void AddRow() {
+    if (IsRowGood()) Keep();
+  }
+
+  void Keep() {
+    table_.lines_.push_back(record_.line);
+    std::move(record_.fields.begin(), record_.fields.end(), std::back_inserter(table_.fields_));
+  }
+
+  bool IsRowGood() {
+    if (ends_with_separator_ && record_.fields.size() == table_.columns() + 1 && record_.fields.back().empty())
+      record_.fields.pop_back();
+    const std::size_t fields = record_.fields.size();
+    const std::size_t columns = table_.columns();
+    if (!record_.fault.empty()) Fault(record_.line, record_.fault);
+    else if (fields != columns)
+      Fault(record_.line, "the row has " + Count(fields, "field") + ", the header " + std::to_string(columns));
+    return record_.fault.empty() && fields == columns;
+  }
+
+  CsvDialect dialect_;
+  CsvScanner scanner_;
+  Diagnostics& diagnostics_;
+  CsvTable table_;
+  CsvRecord record_;
+  int names_line_ = 0;
+  std::string text_fault_;
+  /// A field too many in every line, which holds nothing.
+  bool ends_with_separator_ = false;
+  bool good_ = true;
+};
+
+std::optional<std::size_t> CsvTable::FindColumn(std::string_view name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names_.begin());
+}
+
+std::optional<double> CsvTable::ToNumber(std::string_view text) const {
+  if (dialect_.decimal == '.') return ParseNumber(text);
+  if (text.find('.') != std::string_view::npos) return std::nullopt;
+  std::string number(text);
+  if (const std::size_t at = number.find(','); at != std::string::npos) number[at] = '.';
+  return ParseNumber(number);
+}
+
+std::optional<double> CsvTable::Number(std::size_t row, std::size_t column) const {
+  const std::string& text = Text(row, column);
+  return text.empty() ? std::numeric_limits<double>::quiet_NaN() : ToNumber(text);
+}
+
+std::vector<double> CsvTable::Numbers(std::size_t column, Diagnostics& diagnostics) const {
+  std::vector<double> numbers;
+  numbers.reserve(rows());
+  for (std::size_t row = 0; row < rows(); ++row) {
+    const std::optional<double> number = Number(row, column);
+    if (!number)
+      diagnostics.Error(file_, line(row),
+                        names_[column] + " " + Quote(Text(row, column)) +
+                            " is not a finite number; correct it, or leave it empty where nothing was measured");
+    numbers.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
+  return numbers;
+}
+
+std::optional<CsvTable> ParseCsv(std::string_view text, std::string file, Diagnostics& diagnostics, CsvHeader header) {
+  return CsvParser(text, std::move(file), diagnostics).Parse(header);
+}
+
+std::optional<CsvTable> ReadCsv(const std::filesystem::path& file, Diagnostics& diagnostics, CsvHeader header) {
+  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
+  if (!text) return std::nullopt;
+  return ParseCsv(*text, file.string(), diagnostics, header);
+}
+
+}  // namespace fourpost

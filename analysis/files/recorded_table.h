@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "analysis/files/csv.h"
+#include "analysis/text/diagnostics.h"
+#include "analysis/files/mat_file.h"
+
+namespace fourpost {
+
+/// Columns of a recording as they stand in its file: text as CsvTable has it, or a MAT file (.mat).
+class RecordedTable {
+ public:
+  explicit RecordedTable(CsvTable csv);
+  RecordedTable(std::string file, std::vector<MatVector> vectors);
+
+  const std::string& file() const { return file_; }
+  const std::vector<std::string>& names() const { return names_; }
+  std::optional<std::size_t> FindColumn(std::string_view name) const;
+  /// Of a MAT file; text files have numbers or texts in any field.
+  bool HoldsText(std::size_t column) const;
+  /// Reports every required column that is missing, every column that is neither required nor optional, and every one
+  /// of another length than the first; false then.
+  bool CheckColumns(std::span<const std::string_view> required, std::span<const std::string_view> optional,
+                    Diagnostics& diagnostics) const;
+  /// As written; empty where the file tells none.
+  const std::string& unit(std::size_t column) const { return units_[column]; }
+  /// Lines of names, units and rows; 0 of a MAT file.
+  int names_line() const { return csv_ ? 1 : 0; }
+  int units_line() const { return csv_ ? csv_->units_line() : 0; }
+  int line(std::size_t row) const { return csv_ ? csv_->line(row) : 0; }
+  /// "line 7", or "row 6" of a file without lines.
+  std::string RowInWords(std::size_t row) const;
+  /// The message, after the row that it is about where no line tells it.
+  std::string WithRow(std::size_t row, const std::string& message) const;
+
+  std::size_t rows(std::size_t column) const;
+  /// NaN where there is none; nothing for what is no number.
+  std::optional<double> Number(std::size_t row, std::size_t column) const;
+  /// As written.
+  std::string Text(std::size_t row, std::size_t column) const;
+  /// Where a unit such as `such` of a column is written, to tell a user.
+  std::string WhereUnitsStand(const std::string& name, const std::string& such) const;
+
+ private:
+  void NumberColumns();
+
+  std::string file_;
+  std::vector<std::string> names_;
+  /// Place of each name.
+  std::unordered_map<std::string, std::size_t> columns_;
+  std::vector<std::string> units_;
+  /// One of both is filled.
+  std::optional<CsvTable> csv_;
+  std::vector<MatVector> vectors_;
+};
+
+/// `header` is that of text files. Adds every fault of the file to `diagnostics`; nothing when there was one.
+std::optional<RecordedTable> ReadRecordedTable(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                               CsvHeader header = CsvHeader::kNamesAndUnits);
+
+}  // namespace fourpost

@@ -1,0 +1,84 @@
+#include "analysis/files/recorded_unit.h"
+
+#include <array>
+#include <utility>
+
+#include "analysis/text/number.h"
+
+namespace fourpost {
+namespace {
+
+using Spelling = std::pair<std::string_view, std::string_view>;
+
+/// In UTF-8, then in Latin-1.
+constexpr std::array<Spelling, 13> kSpellings = {{
+    {"\xC2\xB2", "^2"},
+    {"\xC2\xB3", "^3"},
+    {"\xC2\xB0", "deg"},
+    {"\xC2\xB7", "*"},
+    {"\xC2\xB5", "u"},
+    {"\xCE\xBC", "u"},
+    {"\xB2", "^2"},
+    {"\xB3", "^3"},
+    {"\xB0", "deg"},
+    {"\xB7", "*"},
+    {"\xB5", "u"},
+    {"s2", "s^2"},
+    {"sec", "s"},
+}};
+
+std::string Normalised(std::string_view text) {
+  std::string normal(text);
+  for (const auto& [from, to] : kSpellings)
+    for (std::size_t at = normal.find(from); at != std::string::npos; at = normal.find(from, at + to.size()))
+      normal.replace(at, from.size(), to);
+  return normal;
+}
+
+std::string_view Trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// "Force [kN]" with '[' and ']'.
+std::optional<NamedColumn> SplitAt(std::string_view text, char open, char close) {
+  const std::size_t at = text.rfind(open);
+  if (!text.ends_with(close) || at == std::string_view::npos) return std::nullopt;
+  return NamedColumn{std::string(Trimmed(text.substr(0, at))),
+                     std::string(Trimmed(text.substr(at + 1, text.size() - at - 2)))};
+}
+
+}  // namespace
+
+std::optional<Unit> ParseRecordedUnit(std::string_view text) {
+  constexpr double kGravity = 9.80665;
+  const std::string unit = Normalised(Trimmed(text));
+  if (unit == "g" || unit == "gn") return Unit{kGravity, kAcceleration};
+  if (unit == "um") return Unit{1e-6, kLength};
+  if (unit == "-") return Unit{};
+  return ParseUnit(unit);
+}
+
+std::string WithoutBrackets(std::string_view unit) {
+  for (const std::string_view brackets : {"[]", "()"})
+    if (unit.size() > 2 && unit.front() == brackets[0] && unit.back() == brackets[1] &&
+        unit.find_last_of(brackets, unit.size() - 2) == 0)
+      return std::string(Trimmed(unit.substr(1, unit.size() - 2)));
+  return std::string(unit);
+}
+
+NamedColumn SplitColumnName(std::string_view text) {
+  if (std::optional<NamedColumn> column = SplitAt(text, '[', ']');
+      column && !column->name.empty() && !ParseNumber(column->unit))
+    return *column;
+  if (std::optional<NamedColumn> column = SplitAt(text, '(', ')');
+      column && !column->name.empty() && ParseRecordedUnit(column->unit))
+    return *column;
+  if (const std::size_t at = text.rfind(" / "); at != std::string_view::npos && at > 0)
+    if (const std::string_view unit = Trimmed(text.substr(at + 3)); ParseRecordedUnit(unit))
+      return {std::string(Trimmed(text.substr(0, at))), std::string(unit)};
+  return {std::string(text), ""};
+}
+
+}  // namespace fourpost

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "analysis/text/units.h"
+
+namespace fourpost {
+
+/// A unit as measurement systems write it: all that ParseUnit takes, and "m/s²", "m/s2", "mm/sec", "°/s", "µm", "-".
+/// In a recording "g" is the standard gravity; nobody records grams. Bytes of Latin-1 count as those of UTF-8.
+std::optional<Unit> ParseRecordedUnit(std::string_view text);
+
+/// "mm" of "[mm]" and "(mm)"; else the text as it is.
+std::string WithoutBrackets(std::string_view unit);
+
+/// A column's name and its unit, which may be empty.
+struct NamedColumn {
+  std::string name;
+  std::string unit;
+};
+
+/// Takes "Force [kN]" apart, and "Force (kN)" and "Force / kN" where what stands behind the name is a unit.
+NamedColumn SplitColumnName(std::string_view text);
+
+}  // namespace fourpost

@@ -1,0 +1,104 @@
+#include "analysis/files/recording_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "analysis/signals/median.h"
+#include "analysis/files/recorded_unit.h"
+#include "analysis/signals/signal_levels.h"
+#include "analysis/files/time_recording.h"
+
+namespace fourpost {
+namespace {
+
+/// NaN for what is no finite number.
+std::vector<double> Values(const RecordedTable& table, std::size_t column) {
+  std::vector<double> values(table.rows(column));
+  for (std::size_t row = 0; row < values.size(); ++row)
+    values[row] = table.Number(row, column).value_or(std::numeric_limits<double>::quiet_NaN());
+  return values;
+}
+
+std::optional<std::size_t> TimesOf(const RecordedTable& table) {
+  for (const std::string& name : kTimeColumn.names)
+    if (const std::optional<std::size_t> column = table.FindColumn(name)) return column;
+  for (std::size_t column = 0; column < table.names().size(); ++column)
+    if (const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column)); unit && unit->dimension == kTime)
+      return column;
+  return std::nullopt;
+}
+
+double Unevenness(const std::vector<double>& times) {
+  const double step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+  double worst = 0;
+  for (std::size_t k = 0; k < times.size(); ++k)
+    worst = std::max(worst, std::abs(times[k] - times.front() - step * static_cast<double>(k)));
+  return worst / step;
+}
+
+std::optional<TimeSummary> SummariseTimes(const RecordedTable& table, std::size_t column) {
+  std::vector<double> times = Values(table, column);
+  const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
+  const bool all = std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); });
+  if (times.size() < 2 || !all) return std::nullopt;
+  for (double& time : times) time *= unit && unit->dimension == kTime ? unit->si : 1;
+  std::vector<double> steps(times.size() - 1);
+  for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
+  const double usual = Median(steps);
+  if (!(usual > 0)) return std::nullopt;
+  TimeSummary summary = {.column = table.names()[column], .start_s = times.front(), .end_s = times.back()};
+  summary.rate_Hz = 1 / usual;
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    // As ReadTimeRecording has it.
+    if (std::abs(steps[k] - usual) >= 0.5 * usual) summary.gaps.push_back({table.line(k + 1), times[k], times[k + 1]});
+  if (!summary.gaps.empty()) return summary;
+  summary.rate_Hz = static_cast<double>(steps.size()) / (times.back() - times.front());
+  summary.unevenness = Unevenness(times);
+  return summary;
+}
+
+void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  summary.minimum = *least;
+  summary.maximum = *most;
+  const auto count = static_cast<double>(values.size());
+  for (const double value : values) summary.mean += value;
+  summary.mean /= count;
+  double squares = 0;
+  for (const double value : values) squares += (value - summary.mean) * (value - summary.mean);
+  summary.rms = std::sqrt(squares / count);
+  summary.level = LevelOf(values);
+  const std::size_t top = ClippedAtTop(values, summary.level);
+  const std::size_t bottom = ClippedAtBottom(values, summary.level);
+  if (top + bottom < kFewestClipped) return;
+  summary.clipped_top = top;
+  summary.clipped_bottom = bottom;
+}
+
+ColumnSummary SummariseColumn(const RecordedTable& table, std::size_t column) {
+  ColumnSummary summary = {.name = table.names()[column], .unit = table.unit(column)};
+  summary.unit_known = ParseRecordedUnit(summary.unit).has_value();
+  std::vector<double> values = Values(table, column);
+  summary.samples = values.size();
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (std::isfinite(values[row])) continue;
+    if (summary.missing++ == 0) summary.first_missing = row;
+  }
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  if (!values.empty()) AddExtent(values, summary);
+  return summary;
+}
+
+}  // namespace
+
+RecordingSummary Summarise(const RecordedTable& table) {
+  RecordingSummary summary;
+  const std::optional<std::size_t> times = TimesOf(table);
+  if (times) summary.time = SummariseTimes(table, *times);
+  for (std::size_t column = 0; column < table.names().size(); ++column)
+    if (column != times && !table.HoldsText(column)) summary.columns.push_back(SummariseColumn(table, column));
+  return summary;
+}
+
+}  // namespace fourpost

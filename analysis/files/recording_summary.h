@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/files/recorded_table.h"
+
+namespace fourpost {
+
+/// What a column of a recording looks like, in its own unit.
+struct ColumnSummary {
+  std::string name;
+  /// As written; empty where the file tells none.
+  std::string unit;
+  /// Whether ParseRecordedUnit knows it.
+  bool unit_known = false;
+  std::size_t samples = 0;
+  /// Samples without a finite number; the first of them.
+  std::size_t missing = 0;
+  std::size_t first_missing = 0;
+  /// Of the others; 0 without any. `rms` is that about the mean.
+  double minimum = 0;
+  double maximum = 0;
+  double mean = 0;
+  double rms = 0;
+  /// See LevelOf.
+  double level = 0;
+  /// See ClippedAtTop and ClippedAtBottom; 0 below kFewestClipped in all.
+  std::size_t clipped_top = 0;
+  std::size_t clipped_bottom = 0;
+};
+
+/// Times that are further apart than the usual step, or step back.
+struct TimeGap {
+  /// 0 of a MAT file.
+  int line = 0;
+  double from_s = 0;
+  double to_s = 0;
+};
+
+/// The samples' times.
+struct TimeSummary {
+  std::string column;
+  double start_s = 0;
+  double end_s = 0;
+  /// Of the usual step.
+  double rate_Hz = 0;
+  std::vector<TimeGap> gaps;
+  /// The largest difference from even steps between first and last sample, in steps; of a record without gaps.
+  double unevenness = 0;
+};
+
+struct RecordingSummary {
+  /// Nothing without a column of times, or where they do not rise.
+  std::optional<TimeSummary> time;
+  /// All columns but that of the times.
+  std::vector<ColumnSummary> columns;
+};
+
+/// Looks at all columns. Times are a column of kTimeColumn's names, else the first in a unit of time.
+RecordingSummary Summarise(const RecordedTable& table);
+
+}  // namespace fourpost

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "analysis/text/diagnostics.h"
+
+namespace fourpost {
+
+/// Why this is not read as a file, and what to do: a pipe, a device, a socket, which may have no end and are read once
+/// only. Empty for all else, also for what is not there.
+std::string WhyNoFile(const std::filesystem::path& file);
+
+/// The whole file, byte for byte; empty for an empty file. A file that is not there, a folder, what WhyNoFile() names,
+/// a file above 1 GiB or a failure while reading is reported with the reason, and gives nothing.
+std::optional<std::string> ReadTextFile(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+}  // namespace fourpost

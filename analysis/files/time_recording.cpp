@@ -1,0 +1,251 @@
+#include "analysis/files/time_recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/signals/median.h"
+#include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
+#include "analysis/files/recorded_table.h"
+#include "analysis/files/recorded_unit.h"
+#include "analysis/files/recording_layout.h"
+#include "analysis/signals/uniform_spline.h"
+
+namespace fourpost {
+namespace {
+
+/// So many of a kind are told one by one.
+constexpr int kMostFindings = 5;
+
+/// Rounded to what a file may tell.
+std::string Seconds(double time_s) { return FormatNumber(std::round(1e9 * time_s), -9) + " s"; }
+
+/// What was measured at each sample comes `delay_s` later in the values.
+std::vector<double> Advanced(const std::vector<double>& values, double step_s, double delay_s) {
+  const std::vector<double> backwards(values.rbegin(), values.rend());
+  const UniformSpline spline(0, step_s, values, SlopeAtStart(values, step_s), -SlopeAtStart(backwards, step_s));
+  std::vector<double> advanced(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    advanced[k] = spline.At(step_s * static_cast<double>(k) + delay_s).value;
+  return advanced;
+}
+
+/// Reads one file; remembers whether all was well.
+class RecordReader {
+ public:
+  RecordReader(const RecordedTable& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
+
+  std::optional<TimeRecording> Read(std::span<const RecordedChannel> wanted, const RecordedChannel& time) {
+    const std::vector<double> times = Column(time);
+    times_good_ = good_;
+    TimeRecording recording;
+    for (const RecordedChannel& channel : wanted) recording.channels.push_back(Column(channel));
+    // Times that were no numbers have been told.
+    if (times_good_) {
+      recording.step_s = Step(times);
+      CheckLengths(wanted, times.size(), recording);
+    }
+    if (!good_) return std::nullopt;
+    recording.start_s = times.front();
+    recording.end_s = times.back();
+    TakeDelaysBack(wanted, recording);
+    if (!good_) return std::nullopt;
+    return recording;
+  }
+
+ private:
+  void Fault(int line, const std::string& message) {
+    diagnostics_.Error(table_.file(), line, message);
+    good_ = false;
+  }
+
+  /// SI; empty where the column is not there.
+  std::vector<double> Column(const RecordedChannel& channel) {
+    for (const std::string& name : channel.names)
+      if (const std::optional<std::size_t> column = table_.FindColumn(name)) return Values(*column, channel);
+    const std::string& name = channel.names.front();
+    Fault(table_.names_line(),
+          "column '" + name + "', " + channel.what + ", is missing" + DidYouMean(name, Measuring(channel)));
+    return {};
+  }
+
+  /// Columns that could be the one wanted: of its dimension.
+  std::vector<std::string> Measuring(const RecordedChannel& channel) const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < table_.names().size(); ++i)
+      if (const std::optional<Unit> unit = ParseRecordedUnit(table_.unit(i));
+          unit && unit->dimension == channel.dimension)
+        names.push_back(table_.names()[i]);
+    return names;
+  }
+
+  std::vector<double> Values(std::size_t column, const RecordedChannel& channel) {
+    const std::string quoted = "column '" + table_.names()[column] + "'";
+    const double si = UnitOf(column, channel, quoted) * channel.factor;
+    std::vector<double> values(table_.rows(column));
+    int found = 0;
+    for (std::size_t row = 0; row < values.size() && found < kMostFindings; ++row) {
+      const std::optional<double> number = table_.Number(row, column);
+      if (number && std::isfinite(*number)) {
+        values[row] = *number * si;
+        continue;
+      }
+      ++found;
+      const std::string text = table_.Text(row, column);
+      Fault(table_.line(row), quoted + " has " + (text.empty() ? "no number" : "'" + text + "'") + Where(row) +
+                                  "; fill the gap or cut the record there");
+    }
+    return values;
+  }
+
+  std::string Where(std::size_t row) const {
+    return table_.line(row) > 0 ? " here" : " at sample " + std::to_string(row + 1);
+  }
+
+  double UnitOf(std::size_t column, const RecordedChannel& channel, const std::string& quoted) {
+    const std::string text = channel.unit.empty() ? table_.unit(column) : channel.unit;
+    const std::optional<Unit> unit = ParseRecordedUnit(text);
+    if (unit && unit->dimension == channel.dimension) return unit->si;
+    const std::string such = channel.dimension == kLength ? "mm" : SiUnit(channel.dimension);
+    const std::string wanted = DimensionName(channel.dimension) + " such as '" + such + "'";
+    const std::string& name = table_.names()[column];
+    std::string fault = quoted + ", " + channel.what + ", has ";
+    if (text.empty())
+      fault += "no unit; write that of a " + wanted + " " + table_.WhereUnitsStand(name, such) +
+               ", or name it in the study: {channel: " + name + ", unit: " + such + "}";
+    else fault += "'" + text + "' for its unit; it takes a " + wanted + LikelySwapped(channel);
+    Fault(table_.units_line(), fault);
+    return 1;
+  }
+
+  /// Times that are in a unit of something else.
+  std::string LikelySwapped(const RecordedChannel& channel) const {
+    const std::vector<std::string> others =
+        channel.dimension == kTime ? Measuring(channel) : std::vector<std::string>();
+    return others.empty() ? "" : "; column '" + others.front() + "' is in such a one: are the two swapped?";
+  }
+
+  void CheckLengths(std::span<const RecordedChannel> wanted, std::size_t samples, const TimeRecording& recording) {
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (const std::size_t size = recording.channels[i].size(); size > 0 && size != samples)
+        Fault(0, "column '" + wanted[i].names.front() + "' has " + std::to_string(size) + " samples, the times are " +
+                     std::to_string(samples) + ": save channels of one rate together");
+  }
+
+  /// What a channel has beyond the record is not known: all are cut alike.
+  void TakeDelaysBack(std::span<const RecordedChannel> wanted, TimeRecording& recording) {
+    double latest_s = 0;
+    double earliest_s = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const double delay_s = wanted[i].delay_s;
+      if (delay_s == 0) continue;
+      recording.channels[i] = Advanced(recording.channels[i], recording.step_s, delay_s);
+      latest_s = std::max(latest_s, delay_s);
+      earliest_s = std::min(earliest_s, delay_s);
+    }
+    // A whole number of samples may be rounded up.
+    const auto samples = [&](double delay_s) { return std::ceil(delay_s / recording.step_s - 1e-6); };
+    const double first = samples(-earliest_s);
+    const double last = samples(latest_s);
+    if (first + last + 4 > static_cast<double>(recording.samples()))
+      return Fault(0, "is shorter than the delays that the study tells of its channels");
+    for (std::vector<double>& channel : recording.channels) {
+      channel.erase(channel.end() - static_cast<std::ptrdiff_t>(last), channel.end());
+      channel.erase(channel.begin(), channel.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+    recording.start_s += first * recording.step_s;
+    recording.end_s -= last * recording.step_s;
+  }
+
+  /// Of evenly spaced times.
+  double Step(const std::vector<double>& times) {
+    if (times.size() < 4) {
+      Fault(0, "has " + std::to_string(times.size()) + " samples; it takes four at least");
+      return 0;
+    }
+    std::vector<double> steps(times.size() - 1);
+    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
+    const double usual = Median(steps);
+    if (StepBack(steps)) {
+      if (const std::optional<std::string> even = EvenlyRising()) {
+        Fault(0, "time steps back again and again, while column '" + *even +
+                     "' rises evenly: are the two swapped? exchange them, or name the column of times in the study");
+        return 0;
+      }
+    }
+    if (!(usual > 0)) {
+      Fault(0, "time does not rise from sample to sample; write the time of each sample in its unit");
+      return 0;
+    }
+    int found = 0;
+    for (std::size_t k = 0; k < steps.size() && found < kMostFindings; ++k) {
+      // Half a step is more than any rounding of times, and less than a sample that is lost.
+      if (std::abs(steps[k] - usual) < 0.5 * usual) continue;
+      ++found;
+      Fault(table_.line(k + 1), "time goes from " + FormatNumber(times[k]) + " s to " + FormatNumber(times[k + 1]) +
+                                    " s, else by " + Seconds(usual) +
+                                    ": samples must be evenly spaced; fill the gap or cut the record there");
+    }
+    const double step = (times.back() - times.front()) / static_cast<double>(steps.size());
+    if (found == 0) CheckGrid(times, step);
+    return step;
+  }
+
+  /// More than a fault here and there does.
+  static bool StepBack(const std::vector<double>& steps) {
+    constexpr double kOften = 0.3;
+    const auto back = std::count_if(steps.begin(), steps.end(), [](double step) { return step < 0; });
+    return static_cast<double>(back) > kOften * static_cast<double>(steps.size());
+  }
+
+  /// A column that looks like times.
+  std::optional<std::string> EvenlyRising() const {
+    for (std::size_t column = 0; column < table_.names().size(); ++column) {
+      std::vector<double> steps;
+      for (std::size_t row = 1; row < table_.rows(column); ++row)
+        steps.push_back(table_.Number(row, column).value_or(NAN) - table_.Number(row - 1, column).value_or(NAN));
+      if (steps.size() < 3) continue;
+      const double usual =
+          (table_.Number(steps.size(), column).value_or(NAN) - table_.Number(0, column).value_or(NAN)) /
+          static_cast<double>(steps.size());
+      const auto is_even = [&](double step) { return std::abs(step - usual) < 0.5 * usual; };
+      if (std::all_of(steps.begin(), steps.end(), is_even)) return table_.names()[column];
+    }
+    return std::nullopt;
+  }
+
+  /// Steps that each look well may still add up to another rate.
+  void CheckGrid(const std::vector<double>& times, double step) {
+    std::size_t worst = 0;
+    const auto off = [&](std::size_t k) { return times[k] - times.front() - step * static_cast<double>(k); };
+    for (std::size_t k = 0; k < times.size(); ++k)
+      if (std::abs(off(k)) > std::abs(off(worst))) worst = k;
+    if (std::abs(off(worst)) < 0.5 * step) return;
+    Fault(table_.line(worst), "time is " + Seconds(off(worst)) + " off even steps of " + Seconds(step) +
+                                  " here: samples must be evenly spaced; resample the record at one rate");
+  }
+
+  const RecordedTable& table_;
+  Diagnostics& diagnostics_;
+  bool good_ = true;
+  bool times_good_ = true;
+};
+
+}  // namespace
+
+std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file,
+                                               std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
+                                               const RecordedChannel& time) {
+  const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
+  if (!table) return std::nullopt;
+  if (IsSteppedSine(*table)) {
+    diagnostics.Error(
+        table->file(), table->names_line(),
+        "is a stepped sine, not a time history: list it under 'recordings' of a study of a vehicle on posts");
+    return std::nullopt;
+  }
+  return RecordReader(*table, diagnostics).Read(wanted, time);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,17 @@
+#include "analysis/process/deadline.h"
+
+#include "analysis/text/option_check.h"
+#include "analysis/process/thread_time.h"
+
+namespace fourpost {
+
+Deadline Deadline::In(double seconds) {
+  RequireOption(seconds > 0, "deadline", seconds, "above 0");
+  Deadline deadline;
+  deadline.end_s_ = ThreadTime_s() + seconds;
+  return deadline;
+}
+
+bool Deadline::HasPassed() const { return end_s_ != kNever && ThreadTime_s() >= end_s_; }
+
+}  // namespace fourpost

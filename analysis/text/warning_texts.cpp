@@ -1,0 +1,18 @@
+#include "analysis/text/warning_texts.h"
+
+#include <filesystem>
+
+namespace fourpost {
+
+std::vector<std::string> WarningTexts(const Diagnostics& diagnostics) {
+  std::vector<std::string> texts;
+  for (const Diagnostic& item : diagnostics.items()) {
+    if (item.severity != Severity::kWarning) continue;
+    std::string place = std::filesystem::path(item.file).filename().string();
+    if (item.line > 0) place += ":" + std::to_string(item.line);
+    texts.push_back((place.empty() ? "" : place + ": ") + item.message);
+  }
+  return texts;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "analysis/process/work_hooks.h"
+#include "identify/command_line/progress_line.h"
+
+namespace fourpost {
+
+/// Long work on a terminal: a line of how it gets on, which notes end, until the user interrupts it.
+class WorkProgress {
+ public:
+  /// Refer to this object.
+  WorkHooks Hooks();
+
+  /// Ends the line; the next work begins another one.
+  void End() { line_.reset(); }
+
+ private:
+  std::optional<ProgressLine> line_;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,84 @@
+#include "identify/experiments/bench/bench_result.h"
+
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/files/csv_writer.h"
+#include "analysis/signals/deviation.h"
+#include "analysis/signals/fit_quality.h"
+#include "analysis/text/short_number.h"
+#include "vehicles/multibody/simulation_error.h"
+
+namespace fourpost {
+namespace {
+
+/// More than any sensor tells.
+constexpr int kSignalDigits = 7;
+
+std::span<const double> Compared(const BenchRecording& recording, const std::vector<double>& signal) {
+  return std::span(signal).subspan(recording.first, recording.end - recording.first);
+}
+
+SimulationError ClosedChamber(const BenchRecording& recording) {
+  return SimulationError("the fitted damper cannot move as recorded in '" + recording.name +
+                         "': one of its chambers closes; give it more room");
+}
+
+}  // namespace
+
+ModelledRecording Modelled(const BenchDamper& damper, const BenchRecording& recording,
+                           const std::vector<double>& values) {
+  std::vector<double> force = ModelledForce(damper, recording, values);
+  if (force.empty()) throw ClosedChamber(recording);
+  return {recording, std::move(force)};
+}
+
+std::vector<ModelledRecording> ModelledRecordings(const BenchDamper& damper,
+                                                  const std::vector<BenchRecording>& recordings,
+                                                  const std::vector<double>& values) {
+  std::vector<ModelledRecording> modelled;
+  for (const BenchRecording& recording : recordings) modelled.push_back(Modelled(damper, recording, values));
+  return modelled;
+}
+
+double IntegrationError(const BenchDamper& damper, const ModelledRecording& modelled,
+                        const std::vector<double>& values) {
+  const BenchRecording& recording = modelled.recording;
+  std::vector<double> finer = damper.FinerTensions(recording.motion, values);
+  if (finer.empty()) throw ClosedChamber(recording);
+  if (recording.filter) recording.filter->Apply(finer);
+  // Per cent of the finer one's variance.
+  return std::sqrt(NormalisedMse_percent(Compared(recording, finer), Compared(recording, modelled.force)) / 100);
+}
+
+std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& recordings) {
+  std::vector<HistoryMisfit> misfits;
+  for (const auto& [recording, force] : recordings) {
+    const std::span<const double> measured = Compared(recording, recording.force);
+    const std::span<const double> modelled = Compared(recording, force);
+    misfits.push_back({.recording = recording.name,
+                       .name = "force",
+                       .nmse_percent = NormalisedMse_percent(measured, modelled),
+                       .vaf_percent = VarianceAccountedFor_percent(measured, modelled),
+                       .measured_squares = std::pow(DeviationOf(measured), 2) * static_cast<double>(measured.size())});
+  }
+  return misfits;
+}
+
+std::string BenchCsv(const std::vector<ModelledRecording>& recordings) {
+  CsvWriter csv({"recording", "time_s", "displacement_m", "speed_mps", "measured_N", "modelled_N"});
+  for (const auto& [recording, force] : recordings) {
+    for (std::size_t k = recording.first; k < recording.end; ++k) {
+      const std::size_t at = k * recording.motion.steps;
+      csv.Add(recording.name);
+      for (const double value : {recording.time_s(k), recording.motion.extension[at], recording.motion.rate[at],
+                                 recording.force[k], force[k]})
+        csv.Add(AtDigits(value, kSignalDigits));
+    }
+  }
+  return csv.text();
+}
+
+}  // namespace fourpost

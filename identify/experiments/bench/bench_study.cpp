@@ -1,0 +1,95 @@
+#include "identify/experiments/bench/bench_study.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "identify/study_file/channel_source_reader.h"
+
+namespace fourpost {
+namespace {
+
+class BenchReader {
+ public:
+  BenchReader(std::string file, Diagnostics& diagnostics) : file_(std::move(file)), diagnostics_(diagnostics) {}
+
+  BenchStudy Read(const YAML::Node& node) {
+    const StrictMap map(
+        node, "'bench'",
+        {"damper", "displacement", "force", "time", "rig_filter", "model_error", "recordings", "validation"}, file_,
+        diagnostics_);
+    study_.line = LineOf(node);
+    study_.damper = map.Text("damper");
+    const auto channel = [&](const char* key) {
+      return ReadSourceChannel(map.Get(key), "'" + std::string(key) + "'", ChannelKind::kHistory, file_, diagnostics_);
+    };
+    if (map.Has("displacement")) study_.displacement = channel("displacement");
+    if (map.Has("force")) study_.force = channel("force");
+    if (map.Has("time")) study_.time = channel("time");
+    if (map.Has("rig_filter")) ReadFilter(map.Get("rig_filter"));
+    study_.model_error = map.Quantity("model_error", kDimensionless, 0).value_or(study_.model_error);
+    if (study_.model_error == 0) map.Fault(map.Get("model_error"), "'model_error' of 'bench' must be above zero");
+    if (const YAML::Node list = map.Require("recordings"); list.IsDefined())
+      ReadRecordings(list, "'recordings'", study_.recordings);
+    if (map.Has("validation")) ReadRecordings(map.Get("validation"), "'validation'", study_.validation);
+    return study_;
+  }
+
+ private:
+  void ReadFilter(const YAML::Node& node) {
+    const StrictMap map(node, "'rig_filter'", {"order", "cutoff"}, file_, diagnostics_);
+    RigFilter filter;
+    filter.order = static_cast<int>(map.Integer("order", 1, 16).value_or(filter.order));
+    map.Require("cutoff");
+    filter.cutoff_Hz = map.Quantity("cutoff", kFrequency, 0).value_or(filter.cutoff_Hz);
+    if (filter.cutoff_Hz == 0) map.Fault(map.Get("cutoff"), "'cutoff' of 'rig_filter' must be above zero");
+    study_.rig_filter = filter;
+  }
+
+  /// Files, or {name, file}.
+  void ReadRecordings(const YAML::Node& list, const std::string& where, std::vector<BenchStudy::Recording>& out) {
+    if (!list.IsSequence() || list.size() == 0) {
+      diagnostics_.Error(file_, LineOf(list), where + " of 'bench' must be a list of files with at least one entry");
+      return;
+    }
+    for (const YAML::Node& entry : list) {
+      BenchStudy::Recording recording = ReadRecording(entry);
+      const auto same = [&](const BenchStudy::Recording& other) { return other.name == recording.name; };
+      if (std::any_of(study_.recordings.begin(), study_.recordings.end(), same) ||
+          std::any_of(study_.validation.begin(), study_.validation.end(), same))
+        diagnostics_.Error(file_, recording.line, "two recordings are called '" + recording.name + "'");
+      out.push_back(std::move(recording));
+    }
+  }
+
+  BenchStudy::Recording ReadRecording(const YAML::Node& entry) {
+    BenchStudy::Recording recording;
+    recording.line = LineOf(entry);
+    std::optional<std::string> name;
+    if (entry.IsScalar()) {
+      recording.file = Resolve(entry.Scalar());
+    } else {
+      const StrictMap map(entry, "the recording", {"name", "file"}, file_, diagnostics_);
+      map.Require("file");
+      if (const auto file = map.Text("file")) recording.file = Resolve(*file);
+      name = map.Text("name");
+    }
+    recording.name = name.value_or(recording.file.stem().string());
+    return recording;
+  }
+
+  std::filesystem::path Resolve(const std::string& path) const {
+    return (std::filesystem::path(file_).parent_path() / path).lexically_normal();
+  }
+
+  std::string file_;
+  Diagnostics& diagnostics_;
+  BenchStudy study_;
+};
+
+}  // namespace
+
+BenchStudy ReadBenchStudy(const YAML::Node& node, const std::string& file, Diagnostics& diagnostics) {
+  return BenchReader(file, diagnostics).Read(node);
+}
+
+}  // namespace fourpost

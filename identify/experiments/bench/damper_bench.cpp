@@ -1,0 +1,213 @@
+#include "identify/experiments/bench/damper_bench.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/files/json_text.h"
+#include "analysis/text/text_table.h"
+#include "identify/experiments/bench/bench_chart.h"
+#include "identify/experiments/bench/bench_cycle.h"
+#include "identify/experiments/bench/bench_residuals.h"
+#include "identify/experiments/bench/bench_result.h"
+#include "identify/residuals/history_misfit_json.h"
+#include "identify/residuals/history_table.h"
+#include "identify/uncertainty/model_criteria.h"
+#include "vehicles/reader/damper_text.h"
+#include "vehicles/requests/engine_text.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void AddRows(const std::vector<HistoryMisfit>& misfits, const std::string& use, TextTable& table) {
+  for (const HistoryMisfit& misfit : misfits)
+    table.Add({misfit.recording, use, Rounded(misfit.nmse_percent, 3), Rounded(misfit.vaf_percent, 4)});
+}
+
+std::string CriteriaText(const ModelCriteria& criteria) {
+  return "AICc " + Rounded(criteria.aicc, 6) + ", BIC " + Rounded(criteria.bic, 6) + " of " +
+         std::to_string(criteria.parameters) + " parameters for " + std::to_string(criteria.residuals) +
+         " residuals; `fourpost rank` compares them with those of other models\n";
+}
+
+Json CriteriaJson(const ModelCriteria& criteria) {
+  return {{"residuals", criteria.residuals},
+          {"parameters", criteria.parameters},
+          {"aicc", NumberOrNull(criteria.aicc)},
+          {"bic", NumberOrNull(criteria.bic)}};
+}
+
+/// Before the elements of damper.xml.
+constexpr const char* kPasteNote =
+    "<!-- Fitted to a bench. To use it in place of a vehicle's damper: set parent, child and points to those of that "
+    "damper, and take out each fp:parameter that only that damper used. -->\n";
+
+/// A fit stands though its damper cannot move as in some of what was kept for validation.
+std::vector<ModelledRecording> Predicted(const BenchDamper& damper, const std::vector<BenchRecording>& recordings,
+                                         const std::vector<double>& values, ExperimentResults& results) {
+  std::vector<ModelledRecording> predicted;
+  for (const BenchRecording& recording : recordings) {
+    Diagnostics found;
+    try {
+      predicted.push_back(Modelled(damper, recording, values));
+    } catch (const std::runtime_error& failure) {
+      found.Error(recording.name, 0, failure.what());
+    }
+    if (const std::optional<LeftOutRecording> out = LeftOutFor(found, recording.name, {}, results.findings))
+      results.json["validation_left_out"].push_back(LeftOutJson(*out));
+  }
+  return predicted;
+}
+
+/// What each force is integrated to, and a warning where that is seen.
+void AddIntegration(const BenchDamper& damper, const std::vector<ModelledRecording>& recordings,
+                    const std::vector<double>& values, ExperimentResults& results) {
+  constexpr double kVisible = 1e-3;
+  const ModelledRecording* worst = nullptr;
+  double largest = 0;
+  for (const ModelledRecording& modelled : recordings) {
+    const double error = IntegrationError(damper, modelled, values);
+    results.json["integration"].push_back({{"recording", modelled.recording.name}, {"error", error}});
+    if (worst != nullptr && error <= largest) continue;
+    worst = &modelled;
+    largest = error;
+  }
+  if (worst == nullptr) return;
+  const std::string size = Percent(std::max(1e-6, largest), 2) + " of its rms";
+  results.text += "halving the step changed no force by more than " + size + '\n';
+  if (largest > kVisible)
+    results.findings.Warning(worst->recording.name, 0,
+                             "the force is integrated to " + size + " only: its damper is too stiff for its samples");
+}
+
+}  // namespace
+
+std::unique_ptr<Experiment> DamperBench::Read(const StrictMap& study) {
+  if (!study.Has("bench")) return nullptr;
+  auto bench = std::make_unique<DamperBench>();
+  bench->file = study.file();
+  bench->plan = ReadBenchStudy(study.Get("bench"), study.file(), study.diagnostics());
+  return bench;
+}
+
+std::vector<ExperimentFile> DamperBench::Files() const {
+  std::vector<ExperimentFile> files;
+  for (const BenchStudy::Recording& recording : plan.recordings)
+    files.push_back({.path = recording.file, .line = recording.line});
+  for (const BenchStudy::Recording& recording : plan.validation)
+    files.push_back({.path = recording.file, .line = recording.line, .use = ExperimentFile::Use::kValidation});
+  return files;
+}
+
+void DamperBench::Load(const Subject& subject, Diagnostics& diagnostics) {
+  std::optional<BenchData> loaded = LoadBenchData(plan, file, subject.vehicle(), diagnostics);
+  if (!loaded) return;
+  data = *std::move(loaded);
+  left_out_ = data.left_out;
+}
+
+void DamperBench::AddTo(Sha256& digest, Sha256& settings) const {
+  digest.Add(static_cast<double>(data.damper));
+  for (const BenchRecording& recording : data.fitted) {
+    digest.Add(recording.name);
+    digest.Add(recording.sample_s);
+    digest.Add(recording.cutoff_Hz);
+    digest.Add(recording.motion.extension);
+    digest.Add(recording.force);
+  }
+  settings.Add(plan.model_error);
+}
+
+std::optional<ResidualBlock> DamperBench::Residuals(const Subject& subject) const {
+  return BenchResiduals(subject.vehicle(), data, plan.model_error);
+}
+
+ExperimentResults DamperBench::Results(const Subject& subject, const FitResult& fit) const {
+  const Vehicle& vehicle = subject.vehicle();
+  const BenchDamper damper(vehicle, data.damper);
+  const std::vector<ModelledRecording> fitted = ModelledRecordings(damper, data.fitted, fit.values);
+  ExperimentResults results;
+  const std::vector<ModelledRecording> kept = Predicted(damper, data.validation, fit.values, results);
+  for (const LeftOutRecording& recording : left_out_)
+    results.json["validation_left_out"].push_back(LeftOutJson(recording));
+  const std::vector<HistoryMisfit> misfits = BenchMisfits(fitted);
+  const std::vector<HistoryMisfit> kept_misfits = BenchMisfits(kept);
+  results.json["channels"] = HistoryMisfitsJson(misfits);
+  if (!kept_misfits.empty()) results.json["validation"] = HistoryMisfitsJson(kept_misfits);
+  results.shares = ErrorShares(misfits);
+  const ModelCriteria criteria = CriteriaOf(
+      fit.data_squares, static_cast<std::size_t>(fit.residual_count - fit.prior_count), subject.free().size());
+  results.json["criteria"] = CriteriaJson(criteria);
+  TextTable table({"recording", "", "NMSE, %", "VAF, %"});
+  AddRows(misfits, "fitted", table);
+  AddRows(kept_misfits, "validation", table);
+  results.text = table.Format();
+  std::vector<ModelledRecording> all = fitted;
+  all.insert(all.end(), kept.begin(), kept.end());
+  AddIntegration(damper, all, fit.values, results);
+  results.text += CriteriaText(criteria) + '\n';
+
+  const std::string& title = vehicle.name;
+  results.files = {{"bench.csv", BenchCsv(all)},
+                   {"cycles.csv", CyclesCsv(all)},
+                   {"diagrams.svg", DiagramSvg(title + ": work and characteristic diagrams", all)},
+                   {"frequency.svg", FrequencySvg(title + ": force, speed and frequency", fitted)},
+                   {"equivalent.svg", EquivalentSvg(title + ": linear equivalents of every cycle", fitted)}};
+  std::string elements;
+  for (const Damper& one : damper.dampers()) elements += DamperText(vehicle, one.name, fit.values);
+  if (!elements.empty()) results.files.emplace_back("damper.xml", kPasteNote + elements);
+  return results;
+}
+
+std::optional<ExperimentResults> DamperBench::Respond(const Subject& subject, std::optional<Engine> engine,
+                                                      const WorkHooks&) const {
+  if (engine) {
+    Diagnostics faults;
+    faults.Error("--engine", 0, "is for vehicles on posts, and this study has a damper on its bench; leave it out");
+    throw FaultyInput(faults);
+  }
+  const BenchDamper damper(subject.vehicle(), data.damper);
+  const std::vector<double> values = subject.vehicle().ParameterValues();
+  std::vector<ModelledRecording> all = ModelledRecordings(damper, data.fitted, values);
+  std::vector<HistoryMisfit> misfits = BenchMisfits(all);
+  ExperimentResults results;
+  results.json["channels"] = HistoryMisfitsJson(misfits);
+  const std::vector<ModelledRecording> kept = ModelledRecordings(damper, data.validation, values);
+  const std::vector<HistoryMisfit> kept_misfits = BenchMisfits(kept);
+  if (!kept.empty()) results.json["validation"] = HistoryMisfitsJson(kept_misfits);
+  misfits.insert(misfits.end(), kept_misfits.begin(), kept_misfits.end());
+  all.insert(all.end(), kept.begin(), kept.end());
+  results.text = HistoryTable(misfits);
+  results.files = {{"bench.csv", BenchCsv(all)}};
+  return results;
+}
+
+bool DamperBench::Reads(const RecordedTable& table) const {
+  return table.FindColumn(plan.displacement.name).has_value() && table.FindColumn(plan.force.name).has_value();
+}
+
+std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, const PredictionRequest& request,
+                                                      const WorkHooks&) const {
+  ExperimentResults results;
+  DamperBench other = *this;
+  other.plan.recordings = {{.name = request.recording.stem().string(), .file = request.recording}};
+  other.plan.validation.clear();
+  other.Load(subject, results.findings);
+  if (results.findings.HasErrors()) throw FaultyInput(results.findings);
+  const BenchDamper damper(subject.vehicle(), other.data.damper);
+  const std::vector<double> values = subject.vehicle().ParameterValues();
+  const std::vector<ModelledRecording> modelled = ModelledRecordings(damper, other.data.fitted, values);
+  const std::vector<HistoryMisfit> misfits = BenchMisfits(modelled);
+  results.text = HistoryTable(misfits);
+  AddIntegration(damper, modelled, values, results);
+  results.json["channels"] = HistoryMisfitsJson(misfits);
+  results.files = {{"bench.csv", BenchCsv(modelled)},
+                   {"diagrams.svg", DiagramSvg(subject.vehicle().name + ": work and characteristic diagrams", modelled)}};
+  return results;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,27 @@
+#include "identify/experiments/experiment.h"
+
+#include <iterator>
+
+namespace fourpost {
+
+nlohmann::ordered_json LeftOutJson(const LeftOutRecording& recording) {
+  return {{"recording", recording.name}, {"reason", recording.reason}};
+}
+
+void AddKeys(const nlohmann::ordered_json& part, nlohmann::ordered_json& whole) {
+  for (const auto& [key, value] : part.items()) {
+    if (value.is_array() && whole.contains(key)) whole[key].insert(whole[key].end(), value.begin(), value.end());
+    else whole[key] = value;
+  }
+}
+
+void AddResults(ExperimentResults part, ExperimentResults& whole) {
+  whole.text += part.text;
+  AddKeys(part.json, whole.json);
+  std::move(part.shares.begin(), part.shares.end(), std::back_inserter(whole.shares));
+  whole.findings.Add(part.findings);
+  std::move(part.remarks.begin(), part.remarks.end(), std::back_inserter(whole.remarks));
+  std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
+}
+
+}  // namespace fourpost

@@ -1,0 +1,292 @@
+#include "identify/experiments/four_post/four_post_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+
+#include "analysis/files/frequency_response_file.h"
+#include "analysis/text/named.h"
+#include "analysis/text/nearest.h"
+#include "vehicles/description/post_pattern.h"
+#include "vehicles/response/response_recorder.h"
+
+namespace fourpost {
+namespace {
+
+/// Root mean square over each value and its neighbours: with three repeats a frequency's own deviation is known to a
+/// factor of two only, five frequencies give it to a quarter, and noise changes little from one to the next.
+std::vector<double> PooledOverNeighbours(const std::vector<double>& values) {
+  constexpr std::size_t kReach = 2;
+  std::vector<double> pooled;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t first = i < kReach ? 0 : i - kReach;
+    const std::size_t last = std::min(i + kReach, values.size() - 1);
+    double sum = 0;
+    for (std::size_t j = first; j <= last; ++j) sum += values[j] * values[j];
+    pooled.push_back(std::sqrt(sum / static_cast<double>(last - first + 1)));
+  }
+  return pooled;
+}
+
+/// Standard deviations along and across the phasors of a channel.
+struct PhasorDeviation {
+  std::vector<double> radial;
+  std::vector<double> tangential;
+};
+
+PhasorDeviation DeviationOf(const ChannelResponse& channel) {
+  PhasorDeviation deviation;
+  const std::size_t points = channel.response.size();
+  deviation.radial = channel.gain_sd.empty() ? std::vector<double>(points, 0.0) : channel.gain_sd;
+  for (std::size_t i = 0; i < points; ++i)
+    deviation.tangential.push_back(
+        channel.phase_sd_rad.empty() ? 0 : std::abs(channel.response[i]) * channel.phase_sd_rad[i]);
+  return {PooledOverNeighbours(deviation.radial), PooledOverNeighbours(deviation.tangential)};
+}
+
+/// Deviations of the sum, along and across its own phasor, from which those of the sources are turned away.
+void AddDeviations(const std::vector<ChannelResponse>& sources, double share, MeasuredChannel& sum) {
+  sum.radial_sd.assign(sum.response.size(), 0);
+  sum.tangential_sd.assign(sum.response.size(), 0);
+  for (const ChannelResponse& source : sources) {
+    const PhasorDeviation deviation = DeviationOf(source);
+    for (std::size_t i = 0; i < sum.response.size(); ++i) {
+      const double turn = std::arg(source.response[i]) - std::arg(sum.response[i]);
+      const double c = share * std::abs(std::cos(turn));
+      const double s = share * std::abs(std::sin(turn));
+      sum.radial_sd[i] = std::hypot(sum.radial_sd[i], c * deviation.radial[i], s * deviation.tangential[i]);
+      sum.tangential_sd[i] = std::hypot(sum.tangential_sd[i], s * deviation.radial[i], c * deviation.tangential[i]);
+    }
+  }
+}
+
+/// The channel with its sign, scale and delay put right.
+ChannelResponse Corrected(ChannelResponse response, const std::vector<double>& frequency_Hz,
+                          const SourceChannel& channel) {
+  const double scale = std::abs(channel.factor);
+  for (std::size_t i = 0; i < response.response.size(); ++i)
+    response.response[i] *= std::polar(1.0, 2 * std::numbers::pi * frequency_Hz[i] * channel.delay_s) * channel.factor;
+  for (double& sd : response.gain_sd) sd *= scale;
+  for (double& mean : response.mean) mean *= channel.factor;
+  for (double& harmonic : response.second_harmonic) harmonic *= scale;
+  return response;
+}
+
+/// Sum of channels with their noise independent; a mean is the sum over their number.
+MeasuredChannel Combine(const std::vector<ChannelResponse>& sources, ChannelSource::Combine rule) {
+  const std::size_t points = sources.front().response.size();
+  const double share = rule == ChannelSource::Combine::kMean ? 1.0 / static_cast<double>(sources.size()) : 1.0;
+  MeasuredChannel out;
+  out.unit = sources.front().unit;
+  out.response.assign(points, 0);
+  // Struts only: the mean force of a tyre is its static load, whatever the damper does.
+  const bool has_mean = out.unit == "m" && std::all_of(sources.begin(), sources.end(),
+                                                       [](const ChannelResponse& c) { return !c.mean.empty(); });
+  if (has_mean) out.mean.assign(points, 0);
+  const bool has_second = out.unit == "m" && std::all_of(sources.begin(), sources.end(), [](const ChannelResponse& c) {
+                            return !c.second_harmonic.empty();
+                          });
+  if (has_second) out.second_harmonic.assign(points, 0);
+  for (const ChannelResponse& source : sources)
+    for (std::size_t i = 0; i < points; ++i) {
+      out.response[i] += share * source.response[i];
+      if (has_mean) out.mean[i] += share * source.mean[i];
+      // Of struts that move alike; amplitudes have no phase to add by.
+      if (has_second) out.second_harmonic[i] += share * source.second_harmonic[i];
+    }
+  AddDeviations(sources, share, out);
+  return out;
+}
+
+class DataLoader {
+ public:
+  DataLoader(const FourPostPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics)
+      : plan_(plan), vehicle_(vehicle), diagnostics_(diagnostics), file_(plan.file) {}
+
+  std::vector<MeasuredRun> Load() {
+    CheckChannelNames();
+    for (const StudyRecording& recording : plan_.recordings) LoadRun(recording);
+    return std::move(runs_);
+  }
+
+ private:
+  void CheckChannelNames() {
+    const std::vector<std::string> sensors = NamesOf(vehicle_.sensors);
+    for (const auto& [name, source] : plan_.channels)
+      if (!IndexOf(name, sensors))
+        diagnostics_.Error(file_, source.line, "the vehicle has no sensor '" + name + "'" + DidYouMean(name, sensors));
+  }
+
+  void LoadRun(const StudyRecording& recording) {
+    const std::optional<FrequencyResponse> measured = ReadFrequencyResponse(recording.file, diagnostics_);
+    MeasuredRun run;
+    run.name = recording.name;
+    run.excitation.shape = Shape(recording);
+    if (!measured) return;
+    run.excitation.frequency_Hz = measured->frequency_Hz;
+    run.excitation.amplitude_m = measured->amplitude_m;
+    const std::vector<std::string> sensors = NamesOf(vehicle_.sensors);
+    for (const auto& [name, source] : plan_.channels) {
+      const std::vector<ChannelResponse> channels = FindChannels(recording, source, *measured);
+      const std::optional<std::size_t> sensor = IndexOf(name, sensors);
+      if (channels.size() != source.channels.size() || channels.empty() || !sensor) continue;
+      if (!HaveUnit(channels, vehicle_.sensors[*sensor], source)) continue;
+      MeasuredChannel channel = Combine(channels, source.combine);
+      channel.has_opposed_members = HasOpposedMembers(channels, source, name);
+      channel.name = name;
+      channel.sensor = *sensor;
+      CheckDeviations(channel, source);
+      run.channels.push_back(std::move(channel));
+    }
+    runs_.push_back(std::move(run));
+  }
+
+  std::vector<double> Shape(const StudyRecording& recording) {
+    return recording.pattern ? PatternShape(recording) : SharesOfPosts(recording);
+  }
+
+  std::vector<double> PatternShape(const StudyRecording& recording) {
+    try {
+      return PostPattern(vehicle_, *recording.pattern);
+    } catch (const std::invalid_argument& fault) {
+      diagnostics_.Error(file_, recording.line, "recording '" + recording.name + "': " + fault.what());
+      return {};
+    }
+  }
+
+  std::vector<double> SharesOfPosts(const StudyRecording& recording) {
+    const std::vector<std::string> posts = NamesOf(vehicle_.posts);
+    std::vector<double> shape(posts.size(), 0.0);
+    std::vector<bool> told(posts.size(), false);
+    for (const auto& [name, share] : recording.posts) {
+      const std::optional<std::size_t> post = IndexOf(name, posts);
+      if (!post) {
+        diagnostics_.Error(file_, recording.line, "the vehicle has no post '" + name + "'" + DidYouMean(name, posts));
+        continue;
+      }
+      shape[*post] = share;
+      told[*post] = true;
+    }
+    for (std::size_t i = 0; i < posts.size(); ++i)
+      if (!told[i])
+        diagnostics_.Error(file_, recording.line,
+                           "recording '" + recording.name + "' does not tell how post '" + posts[i] +
+                               "' moved: give it a share, 0 if it stood still");
+    return shape;
+  }
+
+  std::vector<ChannelResponse> FindChannels(const StudyRecording& recording, const ChannelSource& source,
+                                            const FrequencyResponse& measured) {
+    std::vector<ChannelResponse> found;
+    for (const SourceChannel& wanted : source.channels) {
+      const std::string& name = wanted.name;
+      if (const ChannelResponse* channel = measured.Find(name))
+        found.push_back(Corrected(*channel, measured.frequency_Hz, wanted));
+      else
+        diagnostics_.Error(file_, source.line,
+                           recording.file.filename().string() + " has no channel '" + name + "'" +
+                               DidYouMean(name, NamesOf(measured.channels)));
+    }
+    return found;
+  }
+
+  bool HaveUnit(const std::vector<ChannelResponse>& channels, const Sensor& sensor, const ChannelSource& source) {
+    const std::string unit = UnitOf(sensor.type);
+    bool good = true;
+    for (const ChannelResponse& channel : channels) {
+      if (channel.unit == unit) continue;
+      diagnostics_.Error(file_, source.line,
+                         "channel '" + channel.name + "' is in " + channel.unit + ", sensor '" + sensor.name + "' in " +
+                             unit + ": they cannot be compared");
+      good = false;
+    }
+    return good;
+  }
+
+  /// A sensor of the vehicle that stands for several measured ones has them move alike. Whether they do not.
+  bool HasOpposedMembers(const std::vector<ChannelResponse>& channels, const ChannelSource& source,
+                         const std::string& name) {
+    constexpr double kOpposite = -0.4;
+    bool any = false;
+    for (std::size_t c = 1; c < channels.size(); ++c) {
+      std::complex<double> product;
+      double first = 0;
+      double other = 0;
+      for (std::size_t i = 0; i < channels[0].response.size(); ++i) {
+        product += std::conj(channels[0].response[i]) * channels[c].response[i];
+        first += std::norm(channels[0].response[i]);
+        other += std::norm(channels[c].response[i]);
+      }
+      if (!(product.real() < kOpposite * std::sqrt(first * other))) continue;
+      any = true;
+      // Once for all recordings.
+      if (told_opposed_.insert({name, c}).second)
+        diagnostics_.Warning(file_, source.line,
+                             "'" + channels[0].name + "' and '" + channels[c].name + "' of '" + name +
+                                 "' move against each other, so that their " +
+                                 (source.combine == ChannelSource::Combine::kMean ? "mean" : "sum") +
+                                 " all but vanishes: one of them has the opposite sign");
+    }
+    return any;
+  }
+
+  /// Something must say what a difference is worth.
+  void CheckDeviations(const MeasuredChannel& channel, const ChannelSource& source) {
+    const auto none = [](double model_error, const std::vector<double>& sd) {
+      return model_error == 0 && std::find(sd.begin(), sd.end(), 0.0) != sd.end();
+    };
+    if (none(plan_.model_error.gain_dB, channel.radial_sd) ||
+        none(plan_.model_error.phase_rad, channel.tangential_sd))
+      diagnostics_.Error(file_, source.line,
+                         "'" + channel.name +
+                             "' has frequencies without deviation over repeats: give gain_dB and phase "
+                             "of model_error above zero");
+  }
+
+  const FourPostPlan& plan_;
+  const Vehicle& vehicle_;
+  Diagnostics& diagnostics_;
+  std::string file_;
+  std::vector<MeasuredRun> runs_;
+  /// By name of the study and place among its channels.
+  std::set<std::pair<std::string, std::size_t>> told_opposed_;
+};
+
+template <typename Value>
+std::vector<Value> Kept(const std::vector<Value>& values, const std::vector<bool>& keep) {
+  std::vector<Value> kept;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (keep[i]) kept.push_back(values[i]);
+  return kept;
+}
+
+}  // namespace
+
+std::vector<MeasuredRun> LoadRuns(const FourPostPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics) {
+  return DataLoader(plan, vehicle, diagnostics).Load();
+}
+
+std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double lower_Hz, double upper_Hz) {
+  std::vector<MeasuredRun> out;
+  for (const MeasuredRun& run : runs) {
+    std::vector<bool> keep;
+    for (const double f : run.excitation.frequency_Hz) keep.push_back(f >= lower_Hz && f <= upper_Hz);
+    MeasuredRun part = run;
+    part.excitation.frequency_Hz = Kept(run.excitation.frequency_Hz, keep);
+    part.excitation.amplitude_m = Kept(run.excitation.amplitude_m, keep);
+    for (MeasuredChannel& channel : part.channels) {
+      channel.response = Kept(channel.response, keep);
+      channel.radial_sd = Kept(channel.radial_sd, keep);
+      channel.tangential_sd = Kept(channel.tangential_sd, keep);
+      if (!channel.mean.empty()) channel.mean = Kept(channel.mean, keep);
+      if (!channel.second_harmonic.empty()) channel.second_harmonic = Kept(channel.second_harmonic, keep);
+    }
+    out.push_back(std::move(part));
+  }
+  return out;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <complex>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/text/diagnostics.h"
+#include "identify/study_file/channel_source.h"
+#include "identify/study_file/model_error.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/response/excitation.h"
+
+namespace fourpost {
+
+/// A recording and the motion of the posts that made it.
+struct StudyRecording {
+  std::string name;
+  std::filesystem::path file;
+  /// Post of the vehicle, and how far it moves relative to the reference: -1 for opposite phase. Empty with a pattern.
+  std::vector<std::pair<std::string, double>> posts;
+  /// One of kPostPatterns, in place of `posts`.
+  std::optional<std::string> pattern;
+  int line = 0;
+};
+
+/// What was measured for one sensor of the vehicle in one recording; one entry per frequency.
+struct MeasuredChannel {
+  std::size_t sensor = 0;
+  std::string name;
+  std::string unit;
+  std::vector<std::complex<double>> response;
+  /// Standard deviations of the repeats along and across the response's phasor, pooled over neighbouring frequencies;
+  /// zero where there were no repeats.
+  std::vector<double> radial_sd;
+  std::vector<double> tangential_sd;
+  /// Mean offset [unit]; empty where not measured.
+  std::vector<double> mean;
+  /// Amplitude of the second harmonic [unit]; empty where not measured.
+  std::vector<double> second_harmonic;
+  /// Those that it is the mean or sum of move against each other, which a warning tells.
+  bool has_opposed_members = false;
+};
+
+struct MeasuredRun {
+  std::string name;
+  Excitation excitation;
+  std::vector<MeasuredChannel> channels;
+};
+
+/// Stepped sines as a study describes them; paths are resolved.
+struct FourPostPlan {
+  /// The study's.
+  std::string file;
+  std::vector<StudyRecording> recordings;
+  /// Sensor of the vehicle, and what was measured for it.
+  std::vector<std::pair<std::string, ChannelSource>> channels;
+  double band_lower_Hz = 0;
+  double band_upper_Hz = 0;
+  int band_line = 0;
+  ModelError model_error;
+};
+
+/// Reads the recordings and maps their channels to the vehicle's sensors. Adds every fault to `diagnostics`; recordings
+/// that cannot be read are left out.
+std::vector<MeasuredRun> LoadRuns(const FourPostPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics);
+
+/// The runs with only the frequencies from lower to upper.
+std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double lower_Hz, double upper_Hz);
+
+}  // namespace fourpost

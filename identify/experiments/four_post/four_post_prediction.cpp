@@ -1,0 +1,204 @@
+// What a vehicle that is given makes of another stepped sine.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/files/frequency_response_file.h"
+#include "analysis/text/text_table.h"
+#include "identify/experiments/four_post/four_post.h"
+#include "identify/experiments/four_post/misfit_table.h"
+#include "identify/experiments/four_post/modelled_response.h"
+#include "identify/experiments/four_post/recording_lint.h"
+#include "identify/experiments/four_post/response_chart.h"
+#include "identify/experiments/four_post/response_misfit_json.h"
+#include "identify/experiments/four_post/tyre_pull_lint.h"
+#include "identify/study_file/measured_channels.h"
+#include "vehicles/description/post_pattern.h"
+#include "vehicles/multibody/simulation_error.h"
+#include "vehicles/requests/engine_text.h"
+#include "vehicles/requests/post_shape.h"
+#include "vehicles/requests/solve_sweep.h"
+#include "vehicles/requests/sweep_files.h"
+
+namespace fourpost {
+namespace {
+
+[[noreturn]] void Refuse(const std::string& file, const std::string& message) {
+  Diagnostics faults;
+  faults.Error(file, 0, message);
+  throw FaultyInput(faults);
+}
+
+std::vector<std::string> ChannelsIn(const std::filesystem::path& recording) {
+  Diagnostics diagnostics;
+  const std::optional<FrequencyResponse> measured = ReadFrequencyResponse(recording, diagnostics);
+  if (!measured) throw FaultyInput(diagnostics);
+  std::vector<std::string> names;
+  for (const ChannelResponse& channel : measured->channels) names.push_back(channel.name);
+  return names;
+}
+
+/// Sum over the channels, each at most 1: a strut that friction holds at low frequencies says nothing of the pattern.
+double SquaredMisfit(const MeasuredRun& run, const FrequencyResponse& modelled) {
+  double square = 0;
+  for (const MeasuredChannel& channel : run.channels) {
+    double error = 0;
+    double measured = 0;
+    for (std::size_t i = 0; i < channel.response.size(); ++i) {
+      error += std::norm(modelled.channels[channel.sensor].response[i] - channel.response[i]);
+      measured += std::norm(channel.response[i]);
+    }
+    square += measured > 0 ? std::min(1.0, error / measured) : 0;
+  }
+  return square;
+}
+
+/// Frequencies of the band in the place of those of the whole recording.
+void PutInBand(const FrequencyResponse& band, FrequencyResponse& whole) {
+  const auto first = std::find(whole.frequency_Hz.begin(), whole.frequency_Hz.end(), band.frequency_Hz.front());
+  const std::ptrdiff_t at = first - whole.frequency_Hz.begin();
+  for (std::size_t c = 0; c < whole.channels.size(); ++c) {
+    const ChannelResponse& from = band.channels[c];
+    ChannelResponse& to = whole.channels[c];
+    std::copy(from.response.begin(), from.response.end(), to.response.begin() + at);
+    std::copy(from.mean.begin(), from.mean.end(), to.mean.begin() + at);
+    std::copy(from.second_harmonic.begin(), from.second_harmonic.end(), to.second_harmonic.begin() + at);
+  }
+}
+
+/// One recording and what is asked of it.
+class SinePrediction {
+ public:
+  SinePrediction(const FourPostPlan& plan, const Subject& subject, const PredictionRequest& request,
+                 const WorkHooks& hooks)
+      : plan_(plan),
+        subject_(subject),
+        request_(request),
+        hooks_(hooks),
+        model_(subject.Condensed()->At(subject.vehicle().ParameterValues())) {}
+
+  std::optional<ExperimentResults> Run() const {
+    const double lower = plan_.band_lower_Hz;
+    const double upper = plan_.band_upper_Hz;
+    MeasuredRun whole = Load();
+    if (InBand({whole}, lower, upper).front().excitation.frequency_Hz.empty())
+      Refuse(request_.recording.string(), "has no frequency within the band of the study that was fitted");
+    const std::string posts = SetPosts(whole);
+    const std::vector<MeasuredRun> in_band = InBand({whole}, lower, upper);
+    ExperimentResults results;
+    LintRuns({plan_, subject_.vehicle(), model_}, {whole}, results.findings);
+    LintTyrePulls(subject_.vehicle(), subject_.vehicle().ParameterValues(), in_band, results.findings);
+    const std::optional<SteadyResponse> answer = Answer(in_band.front());
+    if (!answer) return std::nullopt;
+    const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, {answer->response});
+    results.json = {{"posts", posts},
+                    {"band_Hz", {lower, upper}},
+                    {"engine", EngineName(answer->engine)},
+                    {"linear_kinematics_error", KinematicsJson(answer->kinematics_error, answer->not_estimated)},
+                    {"channels", ResponseMisfitsJson(misfits)}};
+    results.text = MisfitTable(misfits, {}) + EngineText(whole.name, *answer);
+    std::vector<FrequencyResponse> modelled = {Respond(whole)};
+    PutInBand(answer->response, modelled.front());
+    results.files = {{"response.csv", ResponseCsv({whole}, modelled, lower, upper)},
+                     {"response.svg", ResponseSvg({whole}, modelled, misfits, lower, upper)}};
+    return results;
+  }
+
+ private:
+  /// The recording in place of those fitted; its posts are set later.
+  MeasuredRun Load() const {
+    FourPostPlan plan = plan_;
+    plan.file = subject_.study_file().string();
+    const std::string left_out = KeepMeasured(request_.recording, ChannelsIn(request_.recording), plan.channels);
+    if (!left_out.empty())
+      hooks_.Note("not measured in " + request_.recording.filename().string() + ", left out: " + left_out);
+    StudyRecording recording = plan.recordings.front();
+    recording.file = request_.recording;
+    recording.name = request_.recording.stem().string();
+    plan.recordings = {recording};
+    Diagnostics diagnostics;
+    const std::vector<MeasuredRun> runs = LoadRuns(plan, subject_.vehicle(), diagnostics);
+    if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+    return runs.front();
+  }
+
+  FrequencyResponse Respond(const MeasuredRun& run) const {
+    return ModelledResponses(model_, subject_.vehicle().sensors, {run}).front();
+  }
+
+  std::string SetPosts(MeasuredRun& run) const {
+    if (request_.mode.empty()) return GuessPattern(run);
+    Diagnostics diagnostics;
+    run.excitation.shape = ReadPostShape(request_.mode, subject_.vehicle(), diagnostics);
+    if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+    return request_.mode;
+  }
+
+  /// The pattern whose responses are nearest, and the posts of `run` set to it. At the lowest frequencies a car follows
+  /// its posts, whatever its parameters are.
+  std::string GuessPattern(MeasuredRun& run) const {
+    constexpr std::size_t kFrequencies = 8;
+    const Vehicle& vehicle = subject_.vehicle();
+    const std::vector<double>& all = run.excitation.frequency_Hz;
+    const double last = all[std::min(kFrequencies, all.size()) - 1];
+    MeasuredRun low = InBand({run}, all.front(), last).front();
+    std::string best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::string_view pattern : kPostPatterns) {
+      try {
+        low.excitation.shape = PostPattern(vehicle, std::string(pattern));
+      } catch (const std::invalid_argument&) {
+        continue;  // Posts in a line make no roll.
+      }
+      const double misfit = SquaredMisfit(low, Respond(low));
+      if (!(misfit < least)) continue;
+      least = misfit;
+      best = pattern;
+    }
+    // Of a pattern that is right, a car misses some per cent.
+    constexpr double kNoFit = 0.5;
+    if (!(least < kNoFit * static_cast<double>(run.channels.size())))
+      Refuse(run.name, "no pattern that the posts of " + vehicle.name +
+                           " can make is like this recording at its lowest frequencies: tell --mode, or check that "
+                           "the vehicle can move so");
+    run.excitation.shape = PostPattern(vehicle, best);
+    hooks_.Note("posts: " + best + ", which fits best up to " + Rounded(last, 3) + " Hz; --mode tells another");
+    return best;
+  }
+
+  /// Nothing where it was interrupted.
+  std::optional<SteadyResponse> Answer(const MeasuredRun& run) const {
+    SteadySolver solver(subject_.vehicle());
+    std::optional<SteadyResponse> answer =
+        SolveSweep(solver, run.name, run.excitation, request_.engine.value_or(Engine::kAuto), kFitBalance, hooks_);
+    if (!answer || answer->unanswered.empty()) return answer;
+    if (hooks_.IsStopped()) return std::nullopt;
+    throw SimulationError("'" + run.name + "': " + answer->unanswered.front().why);
+  }
+
+  const FourPostPlan& plan_;
+  const Subject& subject_;
+  const PredictionRequest& request_;
+  const WorkHooks& hooks_;
+  CondensedModel model_;
+};
+
+}  // namespace
+
+std::optional<ExperimentResults> FourPost::Predict(const Subject& subject, const PredictionRequest& request,
+                                                   const WorkHooks& hooks) const {
+  if (request.has_kalman) {
+    Diagnostics faults;
+    faults.Error("--kalman", 0, request.recording.filename().string() +
+                                    " is a frequency response: this is for recordings over time; leave the option out");
+    throw FaultyInput(faults);
+  }
+  return SinePrediction(plan, subject, request, hooks).Run();
+}
+
+}  // namespace fourpost

@@ -1,0 +1,117 @@
+#include "identify/experiments/four_post/four_post.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "identify/study_file/channel_source_reader.h"
+#include "vehicles/description/post_pattern.h"
+
+namespace fourpost {
+namespace {
+
+class FourPostReader {
+ public:
+  explicit FourPostReader(const StrictMap& study) : study_(study), file_(study.file()) { plan_.file = file_; }
+
+  FourPostPlan Read() {
+    ReadRecordings(study_);
+    if (const YAML::Node channels = study_.Require("channels"); channels.IsDefined())
+      plan_.channels = ReadChannelSources(channels, "'channels'", "sensors", ChannelKind::kSteppedSine, file_,
+                                          study_.diagnostics());
+    ReadBand(study_);
+    plan_.model_error = ReadModelError(study_);
+    return std::move(plan_);
+  }
+
+ private:
+  void ReadRecordings(const StrictMap& top) {
+    const YAML::Node list = top.Require("recordings");
+    if (!list.IsDefined()) return;
+    if (!list.IsSequence() || list.size() == 0) {
+      Fault(list, "'recordings' must be a list with at least one entry");
+      return;
+    }
+    for (const YAML::Node& entry : list) {
+      const StrictMap map = Map(entry, "the recording", {"name", "file", "posts"});
+      StudyRecording recording;
+      recording.line = map.line();
+      map.Require("file");
+      if (const auto file = map.Text("file")) recording.file = study_.Resolve(*file);
+      recording.name = map.Text("name").value_or(recording.file.stem().string());
+      if (const YAML::Node posts = map.Require("posts"); posts.IsDefined()) ReadPosts(posts, recording);
+      for (const StudyRecording& other : plan_.recordings)
+        if (other.name == recording.name) Fault(entry, "two recordings are called '" + recording.name + "'");
+      plan_.recordings.push_back(recording);
+    }
+  }
+
+  void ReadPosts(const YAML::Node& node, StudyRecording& recording) {
+    if (node.IsScalar()) recording.pattern = Pattern(node);
+    else recording.posts = Shape(node);
+  }
+
+  std::string Pattern(const YAML::Node& node) {
+    const std::string& name = node.Scalar();
+    if (std::find(kPostPatterns.begin(), kPostPatterns.end(), name) == kPostPatterns.end())
+      Fault(node, "unknown pattern '" + name + "' of 'posts'" + Suggestion(name, kPostPatterns));
+    return name;
+  }
+
+  std::vector<std::pair<std::string, double>> Shape(const YAML::Node& node) {
+    std::vector<std::pair<std::string, double>> shape;
+    if (!node.IsMap() || node.size() == 0) {
+      Fault(node,
+            "'posts' must be a pattern such as pitch, or map each moving post to its share of the motion, such as "
+            "{front: 1, rear: -1}");
+      return shape;
+    }
+    std::vector<std::string> names;
+    for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
+    const StrictMap map = Map(node, "'posts'", {names.begin(), names.end()});
+    for (const std::string& name : names)
+      if (const auto share = map.Number(name, -1, 1)) shape.emplace_back(name, *share);
+    const auto is_reference = [](const auto& post) { return std::abs(post.second) == 1; };
+    if (shape.size() == names.size() && std::none_of(shape.begin(), shape.end(), is_reference))
+      Fault(node, "one of the 'posts' must be the reference and have the share 1 or -1");
+    return shape;
+  }
+
+  void ReadBand(const StrictMap& top) {
+    const YAML::Node node = top.Require("band");
+    if (!node.IsDefined()) return;
+    plan_.band_line = LineOf(node);
+    if (!node.IsSequence() || node.size() != 2) {
+      Fault(node, "'band' must be a list of two frequencies such as [0.5 Hz, 12 Hz]");
+      return;
+    }
+    const auto lower = ReadQuantity(node[0], kFrequency, "the lower end of 'band'", file_, study_.diagnostics());
+    const auto upper = ReadQuantity(node[1], kFrequency, "the upper end of 'band'", file_, study_.diagnostics());
+    if (!lower || !upper) return;
+    if (!(*lower >= 0 && *lower < *upper)) Fault(node, "'band' is empty: its lower end must be below its upper end");
+    // Beyond what any rig or vehicle does.
+    if (*upper > 1e5) Fault(node, "'band' ends above 100 kHz; give frequencies in Hz that the recordings have");
+    plan_.band_lower_Hz = *lower;
+    plan_.band_upper_Hz = *upper;
+  }
+
+  StrictMap Map(const YAML::Node& node, const std::string& where, const std::vector<std::string_view>& keys) {
+    return {node, where, keys, file_, study_.diagnostics()};
+  }
+
+  void Fault(const YAML::Node& node, std::string message) {
+    study_.diagnostics().Error(file_, LineOf(node), std::move(message));
+  }
+
+  const StrictMap& study_;
+  std::string file_;
+  FourPostPlan plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<Experiment> FourPost::Read(const StrictMap& study) {
+  return std::make_unique<FourPost>(FourPostReader(study).Read(), std::vector<MeasuredRun>());
+}
+
+}  // namespace fourpost

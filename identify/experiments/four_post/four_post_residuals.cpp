@@ -1,0 +1,176 @@
+#include "identify/experiments/four_post/four_post_residuals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "analysis/signals/decibel.h"
+#include "identify/experiments/four_post/modelled_response.h"
+#include "vehicles/multibody/simulation_error.h"
+#include "vehicles/response/balance_sensitivity.h"
+#include "vehicles/response/reduced_march.h"
+
+namespace fourpost {
+namespace {
+
+/// Second harmonics of a channel that are compared.
+std::size_t SecondHarmonics(const MeasuredChannel& channel, const ModelError& model_error) {
+  return model_error.second_harmonic_m > 0 ? channel.second_harmonic.size() : 0;
+}
+
+Eigen::Index CountOf(const std::vector<MeasuredRun>& runs, const ModelError& model_error) {
+  std::size_t count = 0;
+  for (const MeasuredRun& run : runs)
+    for (const MeasuredChannel& channel : run.channels)
+      count += 2 * channel.response.size() + channel.mean.size() + SecondHarmonics(channel, model_error);
+  return static_cast<Eigen::Index>(count);
+}
+
+/// Largest gain of all channels of this unit at a frequency.
+double Loudest(const MeasuredRun& run, const std::string& unit, std::size_t frequency) {
+  double loudest = 0;
+  for (const MeasuredChannel& channel : run.channels)
+    if (channel.unit == unit) loudest = std::max(loudest, std::abs(channel.response[frequency]));
+  return loudest;
+}
+
+/// What each response of a channel is compared by: error times `turn`, over the deviations.
+struct Scale {
+  std::complex<double> turn;
+  double radial_sd = 0;
+  double tangential_sd = 0;
+};
+
+Scale ScaleOf(const MeasuredRun& run, const MeasuredChannel& channel, const ModelError& model_error, std::size_t i) {
+  const double gain = std::abs(channel.response[i]);
+  const double gain_error = GainFromDecibel(model_error.gain_dB) - 1;
+  const double floor = model_error.floor * Loudest(run, channel.unit, i);
+  return {.turn = std::conj(channel.response[i]) / gain,
+          .radial_sd = std::hypot(channel.radial_sd[i], gain * gain_error, floor),
+          .tangential_sd = std::hypot(channel.tangential_sd[i], gain * model_error.phase_rad, floor)};
+}
+
+/// Along and across the measured phasor.
+Eigen::Vector2d WhitenedError(const MeasuredRun& run, const MeasuredChannel& channel, const FrequencyResponse& modelled,
+                              const ModelError& model_error, std::size_t i) {
+  const Scale scale = ScaleOf(run, channel, model_error, i);
+  const std::complex<double> error = (modelled.channels[channel.sensor].response[i] - channel.response[i]) * scale.turn;
+  return {error.real() / scale.radial_sd, error.imag() / scale.tangential_sd};
+}
+
+void AddRun(const MeasuredRun& run, const FrequencyResponse& modelled, const ModelError& model_error, double*& out) {
+  for (const MeasuredChannel& channel : run.channels) {
+    const ChannelResponse& model = modelled.channels[channel.sensor];
+    for (std::size_t i = 0; i < channel.response.size(); ++i) {
+      const Eigen::Vector2d error = WhitenedError(run, channel, modelled, model_error, i);
+      *out++ = error.x();
+      *out++ = error.y();
+    }
+    for (std::size_t i = 0; i < channel.mean.size(); ++i)
+      *out++ = (model.mean[i] - channel.mean[i]) / model_error.mean_m;
+    for (std::size_t i = 0; i < SecondHarmonics(channel, model_error); ++i)
+      *out++ = (model.second_harmonic[i] - channel.second_harmonic[i]) / model_error.second_harmonic_m;
+  }
+}
+
+/// One column of the Jacobian.
+void AddSlopes(const MeasuredRun& run, const FrequencyResponse& slopes, const ModelError& model_error, double*& out) {
+  for (const MeasuredChannel& channel : run.channels) {
+    const ChannelResponse& slope = slopes.channels[channel.sensor];
+    for (std::size_t i = 0; i < channel.response.size(); ++i) {
+      const Scale scale = ScaleOf(run, channel, model_error, i);
+      const std::complex<double> change = slope.response[i] * scale.turn;
+      *out++ = change.real() / scale.radial_sd;
+      *out++ = change.imag() / scale.tangential_sd;
+    }
+    for (std::size_t i = 0; i < channel.mean.size(); ++i) *out++ = slope.mean[i] / model_error.mean_m;
+    for (std::size_t i = 0; i < SecondHarmonics(channel, model_error); ++i)
+      *out++ = slope.second_harmonic[i] / model_error.second_harmonic_m;
+  }
+}
+
+Eigen::MatrixXd Differentiate(const CondensedVehicle& vehicle, const std::vector<MeasuredRun>& runs, Eigen::Index count,
+                              const ModelError& model_error, const std::vector<double>& values,
+                              const std::vector<std::size_t>& parameters) {
+  Eigen::MatrixXd jacobian(count, static_cast<Eigen::Index>(parameters.size()));
+  Eigen::Index first = 0;
+  for (const MeasuredRun& run : runs) {
+    const ResponseSensitivity sensitivity =
+        SolveBalanceSensitivity(vehicle, values, parameters, run.excitation, kFitBalance);
+    if (!sensitivity.periodic.unconverged_Hz.empty())
+      throw SimulationError("no periodic response of '" + run.name + "' to differentiate");
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+      double* out = jacobian.col(static_cast<Eigen::Index>(p)).data() + first;
+      AddSlopes(run, sensitivity.by_parameter[p], model_error, out);
+    }
+    first += CountOf({run}, model_error);
+  }
+  return jacobian;
+}
+
+Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredRun>& runs, Eigen::Index count,
+                    const ModelError& model_error, const std::vector<double>& values, const Deadline& deadline) {
+  const CondensedModel model = vehicle.At(values);
+  Evaluation evaluation;
+  evaluation.residuals.resize(count);
+  double* out = evaluation.residuals.data();
+  for (const MeasuredRun& run : runs) {
+    const PeriodicResponse modelled = ModelledResponse(model, vehicle.vehicle().sensors, run.excitation, deadline);
+    if (!modelled.unconverged_Hz.empty())
+      return Failed(Failure::kNotConverged, "no periodic response at " + std::to_string(modelled.unconverged_Hz[0]) +
+                                                " Hz of '" + run.name + "'");
+    AddRun(run, modelled.response, model_error, out);
+  }
+  return evaluation;
+}
+
+}  // namespace
+
+ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
+                                const ModelError& model_error) {
+  const Eigen::Index count = CountOf(runs, model_error);
+  // Marched: to March's tolerance, and without derivatives of its own.
+  if (HasHysteresis(vehicle->At(vehicle->vehicle().ParameterValues())))
+    return {
+        .name = "four-post responses",
+        .count = count,
+        .accuracy = 1e-4,
+        .evaluate = [vehicle, runs, count, model_error](const std::vector<double>& values, const Deadline& deadline) {
+          return Evaluate(*vehicle, runs, count, model_error, values, deadline);
+        }};
+  return {.name = "four-post responses",
+          .count = count,
+          // What the balance's iteration leaves: 3e-7 of a response in the mean, some 1e-6 at the most.
+          .accuracy = kFitBalance.tolerance,
+          .evaluate =
+              [vehicle, runs, count, model_error](const std::vector<double>& values, const Deadline& deadline) {
+                return Evaluate(*vehicle, runs, count, model_error, values, deadline);
+              },
+          .differentiate =
+              [vehicle, runs, count, model_error](const std::vector<double>& values,
+                                                  const std::vector<std::size_t>& parameters) {
+                return Differentiate(*vehicle, runs, count, model_error, values, parameters);
+              }};
+}
+
+std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyResponse& modelled,
+                                       const ModelError& model_error) {
+  std::vector<double> deviations;
+  for (const MeasuredChannel& channel : run.channels) {
+    double squares = 0;
+    double count = 0;
+    for (std::size_t i = 0; i < channel.response.size(); ++i) {
+      const double square = WhitenedError(run, channel, modelled, model_error, i).squaredNorm();
+      if (!std::isfinite(square)) continue;
+      squares += square;
+      count += 2;
+    }
+    deviations.push_back(std::sqrt(squares / count));
+  }
+  return deviations;
+}
+
+}  // namespace fourpost

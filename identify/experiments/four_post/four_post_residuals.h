@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "analysis/signals/frequency_response.h"
+#include "identify/experiments/four_post/four_post_data.h"
+#include "identify/residuals/residual_block.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+
+namespace fourpost {
+
+/// How far the vehicle is from stepped-sine responses:
+/// - per channel, recording and frequency the difference of the complex responses, resolved along and across the
+///   measured phasor: to first order the error of gain and of phase, but without a jump at 180 degrees and finite where
+///   a gain passes through zero. Each is divided by the root of the measured variance plus the squares of the model
+///   error and of its floor;
+/// - mean strut offsets over the model error of means: they alone tell bump from rebound.
+/// `runs` hold only the frequencies to fit.
+ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
+                                const ModelError& model_error);
+
+/// Of each channel of a run, the root mean square of those residuals of its responses: how many times what noise and
+/// model error explain. `modelled`: the answer at the run's frequencies, one channel per sensor of the vehicle.
+/// Frequencies at which it has none are left out; NaN where that is all of them.
+std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyResponse& modelled,
+                                       const ModelError& model_error);
+
+}  // namespace fourpost

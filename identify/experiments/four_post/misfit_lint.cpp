@@ -1,0 +1,87 @@
+#include "identify/experiments/four_post/misfit_lint.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "analysis/text/short_number.h"
+#include "identify/experiments/four_post/four_post_residuals.h"
+#include "identify/study_file/channel_warnings.h"
+#include "identify/experiments/four_post/modelled_response.h"
+
+namespace fourpost {
+namespace {
+
+/// Times noise and model error, as a root mean square over the band: chance makes that all but never.
+constexpr double kFarOff = 4;
+
+/// A channel of one recording.
+struct Finding {
+  std::string channel;
+  std::string unit;
+  std::string recording;
+  double off = 0;
+};
+
+std::vector<Finding> WorstFirst(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
+                                const ModelError& model_error) {
+  std::vector<Finding> findings;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const std::vector<double> off = ResponseDeviations(runs[r], modelled[r], model_error);
+    for (std::size_t c = 0; c < off.size(); ++c)
+      if (off[c] > kFarOff)
+        findings.push_back({runs[r].channels[c].name, runs[r].channels[c].unit, runs[r].name, off[c]});
+  }
+  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) { return a.off > b.off; });
+  return findings;
+}
+
+std::string KindOf(const std::string& unit) {
+  if (unit == "m/s^2") return "accelerations";
+  if (unit == "m") return "displacements";
+  if (unit == "N") return "forces";
+  return "turn rates";
+}
+
+/// "6 channels (4 displacements, 2 forces; 2 in 'bounce', 6 in 'roll')"
+std::string Groups(const std::vector<Finding>& findings) {
+  std::map<std::string, std::set<std::string>> kinds;
+  std::map<std::string, int> recordings;
+  std::set<std::string> channels;
+  for (const Finding& finding : findings) {
+    kinds[KindOf(finding.unit)].insert(finding.channel);
+    channels.insert(finding.channel);
+    ++recordings[finding.recording];
+  }
+  std::string of;
+  for (const auto& [kind, names] : kinds) of += (of.empty() ? "" : ", ") + std::to_string(names.size()) + " " + kind;
+  std::string in;
+  for (const auto& [recording, count] : recordings)
+    in += (in.empty() ? "" : ", ") + std::to_string(count) + " in '" + recording + "'";
+  return std::to_string(channels.size()) + " channels (" + of + "; " + in + ")";
+}
+
+}  // namespace
+
+void LintChannels(const FourPostPlan& plan, const std::vector<MeasuredRun>& in_band, const Vehicle& vehicle,
+                  const CondensedModel& model, Diagnostics& diagnostics) {
+  constexpr std::size_t kShown = 3;
+  const std::vector<Finding> findings =
+      WorstFirst(in_band, ModelledResponses(model, vehicle.sensors, in_band), plan.model_error);
+  if (findings.empty()) return;
+  std::string worst;
+  for (std::size_t i = 0; i < std::min(kShown, findings.size()); ++i)
+    worst += (i == 0 ? "'" : ", '") + findings[i].channel + "' is off in '" + findings[i].recording + "' by " +
+             ShortNumber(findings[i].off, 2);
+  const bool is_whole = findings.size() <= kShown;
+  ChannelWarnings(plan.file, plan.channels, diagnostics)
+      .AddAt(findings.front().channel,
+             (is_whole ? "" : Groups(findings) + " are far off, the worst: ") + worst +
+                 " times what noise and the stated model error explain: check sign, scale, delay and station, and that "
+                 "it is that channel; else the model lacks what it shows" +
+                 (is_whole ? "" : "; the table of channels and the pictures of responses show all"));
+}
+
+}  // namespace fourpost

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "identify/experiments/four_post/response_misfit.h"
+
+namespace fourpost {
+
+/// Misfit of each channel, and of all together; then of each recording, where there are several.
+std::string MisfitTable(const std::vector<ChannelMisfit>& misfits, const std::vector<ChannelMisfit>& recordings);
+
+}  // namespace fourpost

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/signals/frequency_response.h"
+#include "identify/experiments/four_post/four_post_data.h"
+#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/response/harmonic_balance.h"
+
+namespace fourpost {
+
+/// How a model that is compared with recordings balances harmonics: nine of them wherever no law takes a step. A fit
+/// differentiates, and more harmonics at one point than at the next would look like a slope. They leave 7e-4 of a
+/// response at the most, 2e-4 in the mean; the iteration's own error has to be small against that.
+inline constexpr HarmonicBalanceOptions kFitBalance{.error = 1e9, .tolerance = 1e-6};
+
+/// What the model answers to an excitation: by harmonic balance, with hysteresis by Fourier coefficients of the
+/// condensed model run in time until its motion repeats (March; thesis 4.2.3), to a thousandth.
+PeriodicResponse ModelledResponse(const CondensedModel& model, const std::vector<Sensor>& sensors,
+                                  const Excitation& excitation, const Deadline& deadline = {});
+
+/// What the model answers to the excitation of each run, see ModelledResponse: one channel per sensor, NaN at
+/// frequencies where no periodic response was found.
+std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, const std::vector<Sensor>& sensors,
+                                                 const std::vector<MeasuredRun>& runs);
+
+/// Measurement and model side by side as comma-separated text: one row per recording, channel and frequency, gains and
+/// phases relative to the reference post as in the recordings, mean offsets in the channel's unit. `in_band` is 1 where
+/// `lower_Hz <= f <= upper_Hz`. Standard deviations of the repeats are empty where there were none. `start`: what the
+/// vehicle answers as its file has it; none of it when empty.
+std::string ResponseCsv(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
+                        double lower_Hz, double upper_Hz, const std::vector<FrequencyResponse>& start = {});
+
+}  // namespace fourpost

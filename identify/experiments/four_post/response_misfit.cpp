@@ -1,0 +1,109 @@
+#include "identify/experiments/four_post/response_misfit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "analysis/signals/decibel.h"
+
+namespace fourpost {
+namespace {
+
+struct Sums {
+  double square_dB = 0;
+  double square_deg = 0;
+  double square_error = 0;
+  double square_measured = 0;
+  double count = 0;
+};
+
+void Add(const MeasuredChannel& measured, const ChannelResponse& modelled, Sums& sums) {
+  for (std::size_t i = 0; i < measured.response.size(); ++i) {
+    if (!std::isfinite(std::abs(modelled.response[i]))) continue;
+    const std::complex<double> ratio = modelled.response[i] / measured.response[i];
+    const double dB = DecibelFromGain(std::abs(ratio));
+    const double deg = DegreesFromRadians(std::arg(ratio));
+    sums.square_dB += dB * dB;
+    sums.square_deg += deg * deg;
+    sums.square_error += std::norm(modelled.response[i] - measured.response[i]);
+    sums.square_measured += std::norm(measured.response[i]);
+    sums.count += 1;
+  }
+}
+
+}  // namespace
+
+std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
+                                           const std::vector<FrequencyResponse>& modelled) {
+  std::vector<ChannelMisfit> misfits;
+  std::vector<Sums> sums;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    for (const MeasuredChannel& channel : runs[r].channels) {
+      const auto known = std::find_if(misfits.begin(), misfits.end(),
+                                      [&](const ChannelMisfit& misfit) { return misfit.name == channel.name; });
+      const auto index = static_cast<std::size_t>(known - misfits.begin());
+      if (known == misfits.end()) {
+        misfits.push_back({channel.name});
+        sums.emplace_back();
+      }
+      Add(channel, modelled[r].channels[channel.sensor], sums[index]);
+    }
+  for (std::size_t i = 0; i < misfits.size(); ++i) {
+    misfits[i].rms_dB = std::sqrt(sums[i].square_dB / sums[i].count);
+    misfits[i].rms_deg = std::sqrt(sums[i].square_deg / sums[i].count);
+    misfits[i].nmse_percent = 100 * sums[i].square_error / sums[i].square_measured;
+  }
+  return misfits;
+}
+
+std::vector<ChannelMisfit> RecordingMisfits(const std::vector<MeasuredRun>& runs,
+                                            const std::vector<FrequencyResponse>& modelled) {
+  std::vector<ChannelMisfit> misfits;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    Sums all;
+    std::map<std::string, Sums> units;
+    for (const MeasuredChannel& channel : runs[r].channels) {
+      Add(channel, modelled[r].channels[channel.sensor], all);
+      Add(channel, modelled[r].channels[channel.sensor], units[channel.unit]);
+    }
+    ChannelMisfit misfit{runs[r].name, std::sqrt(all.square_dB / all.count), std::sqrt(all.square_deg / all.count)};
+    for (const auto& [unit, sums] : units)
+      misfit.nmse_percent += 100 * sums.square_error / sums.square_measured / static_cast<double>(units.size());
+    misfits.push_back(misfit);
+  }
+  return misfits;
+}
+
+std::vector<ErrorShare> ErrorShares(const std::vector<MeasuredRun>& runs,
+                                    const std::vector<FrequencyResponse>& modelled) {
+  std::vector<ErrorShare> shares;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    for (const MeasuredChannel& channel : runs[r].channels) {
+      Sums sums;
+      Add(channel, modelled[r].channels[channel.sensor], sums);
+      shares.push_back({.channel = channel.name,
+                        .recording = runs[r].name,
+                        .kind = "gain of " + channel.unit,
+                        .unit = channel.unit,
+                        .has_nodes = true,
+                        .error = sums.square_error,
+                        .measured = sums.square_measured});
+    }
+  return shares;
+}
+
+ChannelMisfit GroupMisfit(const std::vector<ChannelMisfit>& channels, const std::string& prefix) {
+  Sums sums;
+  double nmse_percent = 0;
+  for (const ChannelMisfit& channel : channels) {
+    if (!channel.name.starts_with(prefix)) continue;
+    sums.square_dB += channel.rms_dB * channel.rms_dB;
+    sums.square_deg += channel.rms_deg * channel.rms_deg;
+    nmse_percent += channel.nmse_percent;
+    sums.count += 1;
+  }
+  return {prefix, std::sqrt(sums.square_dB / sums.count), std::sqrt(sums.square_deg / sums.count),
+          nmse_percent / sums.count};
+}
+
+}  // namespace fourpost

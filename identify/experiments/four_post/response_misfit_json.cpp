@@ -1,0 +1,24 @@
+#include "identify/experiments/four_post/response_misfit_json.h"
+
+#include "analysis/files/json_text.h"
+
+namespace fourpost {
+
+nlohmann::ordered_json ErrorsJson(const ChannelMisfit& misfit) {
+  return {{"rms_dB", NumberOrNull(misfit.rms_dB)},
+          {"rms_deg", NumberOrNull(misfit.rms_deg)},
+          {"nmse_percent", NumberOrNull(misfit.nmse_percent)}};
+}
+
+nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& misfits) {
+  auto list = nlohmann::ordered_json::array();
+  for (const ChannelMisfit& misfit : misfits) {
+    nlohmann::ordered_json entry = {{"name", misfit.name}};
+    entry.update(ErrorsJson(misfit));
+    entry["vaf_percent"] = NumberOrNull(100 - misfit.nmse_percent);
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "identify/experiments/four_post/response_misfit.h"
+
+namespace fourpost {
+
+/// "rms_dB", "rms_deg" and "nmse_percent"; what is not finite is null.
+nlohmann::ordered_json ErrorsJson(const ChannelMisfit& misfit);
+
+/// Of each channel its "name", ErrorsJson() and "vaf_percent".
+nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& misfits);
+
+}  // namespace fourpost

@@ -1,0 +1,219 @@
+#include "identify/experiments/static_loads/load_lint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "analysis/text/short_number.h"
+#include "identify/uncertainty/covariance.h"
+#include "identify/study_file/channel_warnings.h"
+#include "identify/refine/robust_loss.h"
+#include "vehicles/description/gravity.h"
+
+namespace fourpost {
+namespace {
+
+/// Standard deviations. A load is so far off once in 16 000 of normal errors.
+constexpr double kFarOff = 4;
+
+/// Static loads of the fitted vehicle.
+class FittedLoads {
+ public:
+  FittedLoads(const StaticLoadTest& measured, const Subject& subject, const FitResult& fit)
+      : measured_(measured), subject_(subject), fit_(fit) {}
+
+  /// [N], one per measured load.
+  Eigen::VectorXd Modelled() const { return At(fit_.values); }
+
+  Eigen::VectorXd Measured() const {
+    Eigen::VectorXd loads(Count());
+    for (Eigen::Index i = 0; i < Count(); ++i) loads[i] = Load(i).load_N;
+    return loads;
+  }
+
+  Eigen::VectorXd Deviations() const {
+    Eigen::VectorXd sd(Count());
+    for (Eigen::Index i = 0; i < Count(); ++i) sd[i] = Load(i).sd_N;
+    return sd;
+  }
+
+  /// Change of each load by one standard deviation of each of these free parameters [N].
+  Eigen::MatrixXd Slopes(const std::vector<Eigen::Index>& parameters) const {
+    constexpr double kStep = 1e-3;
+    Eigen::MatrixXd slopes(Count(), static_cast<Eigen::Index>(parameters.size()));
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      const auto i = static_cast<std::size_t>(parameters[k]);
+      const double sd = fit_.parameters[i].sd;
+      std::vector<double> upper = fit_.values;
+      std::vector<double> lower = fit_.values;
+      upper[subject_.free()[i]] += kStep * sd;
+      lower[subject_.free()[i]] -= kStep * sd;
+      slopes.col(static_cast<Eigen::Index>(k)) = (At(upper) - At(lower)) / (2 * kStep);
+    }
+    return slopes;
+  }
+
+ private:
+  Eigen::Index Count() const { return static_cast<Eigen::Index>(measured_.loads.size()); }
+  const MeasuredLoad& Load(Eigen::Index i) const { return measured_.loads[static_cast<std::size_t>(i)]; }
+
+  Eigen::VectorXd At(const std::vector<double>& values) const {
+    const Preloads preloads = subject_.Condensed()->PreloadsAt(values);
+    Eigen::VectorXd loads(Count());
+    for (Eigen::Index i = 0; i < Count(); ++i) loads[i] = preloads.tyre[Load(i).tyre];
+    return loads;
+  }
+
+  const StaticLoadTest& measured_;
+  const Subject& subject_;
+  const FitResult& fit_;
+};
+
+/// What the loads are where the fit leaves them out [N].
+struct LoadsInMotion {
+  Eigen::VectorXd loads;
+  /// Of their sum, by noise and the stated model error, not inflated: what models miss is in kMissed.
+  double sd = 0;
+};
+
+/// One step of Gauss and Newton's from the optimum without the loads' residuals. With S the deviations of the
+/// parameters, R their correlations, and B the derivatives of the loads' residuals by p/S: the rest of the data has the
+/// Hessian S^-1 (R^-1 - B'B) S^-1. Nothing where the rest does not tell the weight.
+std::optional<LoadsInMotion> LoadsWithoutThemselves(const FitResult& fit, const FittedLoads& loads) {
+  // What a bound holds stays there.
+  std::vector<Eigen::Index> known;
+  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+    const FittedParameter& parameter = fit.parameters[i];
+    if (parameter.sd > 0 && std::isfinite(parameter.sd)) known.push_back(static_cast<Eigen::Index>(i));
+    else if (parameter.state != ParameterState::kAtBound) return std::nullopt;
+  }
+  if (!fit.covariance || known.empty()) return std::nullopt;
+  const double inflation = fit.covariance->inflation;
+  const Eigen::VectorXd residuals = (loads.Modelled() - loads.Measured()).cwiseQuotient(loads.Deviations());
+  const RobustLoss& fitted = fit.options.refine.loss;
+  const RobustLoss loss =
+      fitted.kind() == LossKind::kNone ? RobustLoss() : RobustLoss(fitted.kind(), fitted.scale(), 0);
+  // By deviations that are not inflated.
+  const Eigen::MatrixXd slopes = loads.Slopes(known) / inflation;
+  const Eigen::MatrixXd b = loads.Deviations().cwiseInverse().asDiagonal() * slopes;
+  const Eigen::MatrixXd correlations = Correlations(*fit.covariance)(known, known);
+  const Eigen::MatrixXd rest = correlations.inverse() - b.transpose() * b;
+  const Eigen::LDLT<Eigen::MatrixXd> solver(rest);
+  // Pivots of the Land Rover: 0.06 and more with tyre forces, 8e-5 without, where the deviation says so by itself, 700
+  // kg. Only rounding is that far below.
+  constexpr double kUntold = 1e-9;
+  if (!rest.allFinite() || solver.info() != Eigen::Success || !(solver.vectorD().minCoeff() > kUntold))
+    return std::nullopt;
+  const Eigen::VectorXd sum = slopes.colwise().sum();
+  const Eigen::VectorXd step =
+      solver.solve(b.transpose() * loss.Transformed(residuals).cwiseProduct(loss.Slopes(residuals)));
+  return LoadsInMotion{.loads = loads.Modelled() + slopes * step, .sd = std::sqrt(sum.dot(solver.solve(sum)))};
+}
+
+/// Corners that were weighed: a load of a planar car is the sum of two.
+std::size_t Corners(const StaticLoadTest& measured) {
+  std::size_t corners = 0;
+  for (const auto& [tyre, source] : measured.plan.tyres) corners += source.channels.size();
+  return corners;
+}
+
+/// Deviations by which models miss the weight by forces in motion when the loads are right, at most: of the shipped
+/// recordings of the Land Rover 4.6 by Model 1, 6.5 (5.8 %) by Model 2, 1.9 by Model 3.
+constexpr double kMissed = 6.5;
+
+/// Whether the loads differ from those in motion all alike: without the one that differs most, the rest still does by
+/// more than models miss. Wheelpans of 25 kg on all posts of the Land Rover leave 6.9 deviations and more there, one
+/// cell 1000 N off 5.7 at most by Models 1 and 3. Not told apart by Model 2, which misses by 6.5 itself: 7.5.
+bool IsShared(const Eigen::VectorXd& measured, const LoadsInMotion& motion) {
+  const double sign = measured.sum() > motion.loads.sum() ? 1 : -1;
+  const Eigen::VectorXd off = sign * (measured - motion.loads);
+  Eigen::Index most = 0;
+  const double largest = off.maxCoeff(&most);
+  const double rest = measured.sum() - measured[most];
+  return (off.sum() - largest) * measured.sum() > kMissed * motion.sd * rest;
+}
+
+/// "between 57 and 320 kg", what the loads have too much or too little
+std::string RangeOf(double off_N, double sd_N) {
+  const auto kg = [](double force) { return ShortNumber(force / kGravity, 2); };
+  return "between " + kg(std::abs(off_N) - kMissed * sd_N) + " and " + kg(std::abs(off_N) + kMissed * sd_N) + " kg";
+}
+
+/// Whether it had something to tell.
+bool LintWeight(const StaticLoadTest& static_loads, const FitResult& fit, const FittedLoads& loads,
+                Diagnostics& diagnostics) {
+  // Beyond what models miss; 25 kg on all posts are 8.9 and more.
+  constexpr double kFarOffHere = 8;
+  static_assert(kFarOffHere > kMissed);
+  // 25 kg on each post are 4.5 % of the Land Rover, and found as 5.3 % and more: less is no wheelpan, however small the
+  // deviations of recordings without noise.
+  constexpr double kFarOffShare = 0.03;
+  const std::optional<LoadsInMotion> motion = LoadsWithoutThemselves(fit, loads);
+  if (!motion) return false;
+  const Eigen::VectorXd measured = loads.Measured();
+  const double rest = measured.sum();
+  const double more = rest - motion->loads.sum();
+  if (std::abs(more) < kFarOffShare * rest || std::abs(more) < kFarOffHere * motion->sd) return false;
+  if (!IsShared(measured, *motion)) return false;
+  const std::string range = RangeOf(more, motion->sd) + " in all";
+  const std::string corners = std::to_string(Corners(static_loads)) + " loads";
+  diagnostics.Warning(
+      static_loads.plan.table.string(), 0,
+      "the static loads add up to " + ShortNumber(rest / kGravity, 4) + " kg, forces in motion alone tell " +
+          ShortNumber(motion->loads.sum() / kGravity, 4) + " kg (sd " + ShortNumber(motion->sd / kGravity, 2) +
+          "; models miss it by up to " + ShortNumber(kMissed, 2) + " sd with right loads): " +
+          (more > 0
+               ? range + " are weighed along or not tared on the " + corners +
+                     ", such as wheelpans: weigh one, or see the rig's drawing, and take its mass out of the "
+                     "values there; or see whether the scale of the load cells in motion is right"
+               : range + " are missing on the " + corners + ", or the scale of the load cells in motion is wrong"));
+  return true;
+}
+
+std::string MassesAtBounds(const FitResult& fit) {
+  std::string names;
+  for (const FittedParameter& parameter : fit.parameters)
+    if (parameter.at_bound && parameter.dimension == kMass) names += (names.empty() ? "" : ", ") + parameter.name;
+  return names.empty() ? "" : " that hold masses (" + names + ")";
+}
+
+void LintEach(const StaticLoadTest& static_loads, const Vehicle& vehicle, const FitResult& fit, const FittedLoads& loads,
+              Diagnostics& diagnostics) {
+  // Less than a wheelpan, 5 %, and more than what friction in springs and dampers keeps a car at rest from settling by.
+  constexpr double kSettled = 0.04;
+  const double misfit = std::isfinite(fit.Misfit()) ? std::max(1.0, fit.Misfit()) : 1;
+  const Eigen::VectorXd modelled = loads.Modelled();
+  std::string text;
+  std::string first;
+  for (std::size_t i = 0; i < static_loads.loads.size(); ++i) {
+    const MeasuredLoad& load = static_loads.loads[i];
+    const double value = modelled[static_cast<Eigen::Index>(i)];
+    const double off = std::abs(value - load.load_N);
+    if (off <= kFarOff * misfit * load.sd_N || off <= kSettled * load.load_N) continue;
+    const std::string& name = vehicle.tyres[load.tyre].name;
+    if (first.empty()) first = name;
+    text += (text.empty() ? "'" : ", '") + name + "' carries " + ShortNumber(value, 4) + " N for the measured " +
+            ShortNumber(load.load_N, 4) + " N (" + ShortNumber(off / load.sd_N, 2) + " standard deviations off)";
+  }
+  if (text.empty()) return;
+  ChannelWarnings(static_loads.plan.file, static_loads.plan.tyres, diagnostics)
+      .AddAt(first, text +
+                        ", at rest after the fit: a load cell not tared, a wheelpan or a load weighed along, bounds" +
+                        MassesAtBounds(fit) +
+                        " that leave the answer out, an sd that is too small, or other channels that pull the masses "
+                        "away for what the model lacks");
+}
+
+}  // namespace
+
+void LintLoads(const StaticLoadTest& measured, const Subject& subject, const FitResult& fit, Diagnostics& diagnostics) {
+  if (measured.loads.empty()) return;
+  const FittedLoads loads(measured, subject, fit);
+  if (!LintWeight(measured, fit, loads, diagnostics)) LintEach(measured, subject.vehicle(), fit, loads, diagnostics);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// The vehicle that is tested, and what its study says of it. The vehicle and the list must outlive it. To be used by
+/// one thread.
+class Subject {
+ public:
+  /// `free`: parameters to fit, as indices into Vehicle::parameters.
+  Subject(const Vehicle& vehicle, const std::vector<std::size_t>& free, std::filesystem::path study_file,
+          double deadline_s = std::numeric_limits<double>::infinity())
+      : vehicle_(vehicle), free_(free), study_file_(std::move(study_file)), deadline_s_(deadline_s) {}
+
+  const Vehicle& vehicle() const { return vehicle_; }
+  const std::vector<std::size_t>& free() const { return free_; }
+  /// For findings.
+  const std::filesystem::path& study_file() const { return study_file_; }
+  /// What one evaluation may take.
+  double deadline_s() const { return deadline_s_; }
+
+  /// The equations in independent coordinates, made when first asked for. Throws FaultyInput when the vehicle cannot be
+  /// assembled or held.
+  const std::shared_ptr<const CondensedVehicle>& Condensed() const {
+    if (!condensed_) condensed_ = std::make_shared<const CondensedVehicle>(vehicle_);
+    return condensed_;
+  }
+
+ private:
+  const Vehicle& vehicle_;
+  const std::vector<std::size_t>& free_;
+  std::filesystem::path study_file_;
+  double deadline_s_;
+  mutable std::shared_ptr<const CondensedVehicle> condensed_;
+};
+
+}  // namespace fourpost

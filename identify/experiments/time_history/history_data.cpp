@@ -1,0 +1,262 @@
+#include "identify/experiments/time_history/history_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "analysis/signals/clipping.h"
+#include "analysis/files/near_file.h"
+#include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
+#include "analysis/text/short_number.h"
+#include "analysis/signals/spectrum.h"
+#include "analysis/files/time_recording.h"
+#include "analysis/text/units.h"
+#include "identify/study_file/filter_rate.h"
+#include "identify/study_file/source_recording.h"
+#include "vehicles/response/response_recorder.h"
+
+namespace fourpost {
+namespace {
+
+using Eigen::Index;
+
+template <typename Item>
+std::vector<std::string> NamesOf(const std::vector<Item>& items) {
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  return names;
+}
+
+std::optional<std::size_t> IndexOf(const std::string& name, const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+class HistoryLoader {
+ public:
+  HistoryLoader(const StudyHistory& study, const std::string& file, const Vehicle& vehicle, Diagnostics& diagnostics)
+      : study_(study),
+        file_(file),
+        vehicle_(vehicle),
+        diagnostics_(diagnostics),
+        posts_(NamesOf(vehicle.posts)),
+        sensors_(NamesOf(vehicle.sensors)) {}
+
+  std::optional<MeasuredHistory> Load() {
+    CheckNames();
+    for (const auto& [post, source] : study_.posts) Want(source, kLength, "the height of post '" + post + "'");
+    for (const auto& [sensor, source] : study_.channels)
+      if (const auto index = IndexOf(sensor, sensors_))
+        Want(source, ParseUnit(UnitOf(vehicle_.sensors[*index].type))->dimension, "sensor '" + sensor + "'");
+    const std::vector<double> noise = ReadNoise();
+    const std::optional<TimeRecording> recording =
+        ReadTimeRecording(study_.file, wanted_, diagnostics_, TimeColumn(study_.time));
+    if (!good_ || !recording) return std::nullopt;
+    MeasuredHistory history{.name = study_.name,
+                            .rate_Hz = recording->rate_Hz(),
+                            .filter = study_.filter,
+                            .process_sd = study_.process_sd.value_or(0)};
+    CheckRate(history.rate_Hz);
+    SetWindow(*recording, history);
+    if (!good_) return std::nullopt;
+    history.posts = Posts(*recording);
+    AddSignals(*recording, noise, history);
+    return history;
+  }
+
+ private:
+  void Fault(int line, std::string message) {
+    diagnostics_.Error(file_, line, std::move(message));
+    good_ = false;
+  }
+
+  void CheckNames() {
+    for (const auto& [post, source] : study_.posts)
+      if (!IndexOf(post, posts_))
+        Fault(source.line, "the vehicle has no post '" + post + "'" + DidYouMean(post, posts_));
+    for (const auto& [sensor, source] : study_.channels)
+      if (!IndexOf(sensor, sensors_))
+        Fault(source.line, "the vehicle has no sensor '" + sensor + "'" + DidYouMean(sensor, sensors_));
+    for (const std::string& post : posts_)
+      if (std::none_of(study_.posts.begin(), study_.posts.end(), [&](const auto& told) { return told.first == post; }))
+        Fault(study_.line, "history '" + study_.name + "' does not tell how post '" + post +
+                               "' moved: name the channel of its height under 'posts'");
+  }
+
+  void Want(const ChannelSource& source, const Dimension& dimension, const std::string& what) {
+    for (const SourceChannel& channel : source.channels) wanted_.push_back(AsRecorded(channel, dimension, what));
+  }
+
+  std::vector<double> ReadNoise() {
+    std::vector<double> noise(sensors_.size());
+    for (const StudyNoise& told : study_.noise) {
+      const std::optional<std::size_t> sensor = IndexOf(told.sensor, sensors_);
+      if (!sensor) {
+        Fault(told.line, "the vehicle has no sensor '" + told.sensor + "'" + DidYouMean(told.sensor, sensors_));
+        continue;
+      }
+      const std::string unit = UnitOf(vehicle_.sensors[*sensor].type);
+      const std::optional<Quantity> sd = ParseQuantity(told.sd);
+      if (sd && sd->unit.dimension == ParseUnit(unit)->dimension && sd->si >= 0) noise[*sensor] = sd->si;
+      else
+        Fault(told.line, "the noise of '" + told.sensor + "' must be a deviation with a unit such as '0.1 " + unit +
+                             "', got '" + told.sd + "'");
+    }
+    return noise;
+  }
+
+  void CheckRate(double rate_Hz) {
+    if (!study_.filter) return;
+    if (const std::optional<std::string> fault = RateFault(rate_Hz, study_.filter->cutoff_Hz))
+      Fault(study_.line, study_.file.filename().string() + " " + *fault);
+  }
+
+  /// Beyond it nothing of the posts is kept, see Unfiltered(): what is there is noise.
+  double TakenBack_Hz(double rate_Hz) const {
+    return study_.filter ? std::min(0.4 * rate_Hz, 2.5 * study_.filter->cutoff_Hz) : rate_Hz;
+  }
+
+  /// Between samples posts follow a spline, which six samples a period hold to a few per cent.
+  void CheckSampling(const std::string& post, const Eigen::VectorXd& height, double rate_Hz) {
+    constexpr double kLeast = 6;
+    constexpr double kMostOf = 0.95;
+    const auto segment = static_cast<std::size_t>(std::min<Index>(1024, height.size()));
+    const std::span<const double> heights(height.data(), static_cast<std::size_t>(height.size()));
+    if (height.size() < 16) return;
+    const Spectrum spectrum = WelchSpectrum(heights, heights, rate_Hz, segment);
+    std::vector<double> below;
+    double sum = 0;
+    // Of velocity, which dampers and sweeps go by.
+    for (std::size_t i = 0; i < spectrum.first.size() && spectrum.frequency_Hz[i] <= TakenBack_Hz(rate_Hz); ++i)
+      below.push_back(sum += std::pow(spectrum.frequency_Hz[i], 2) * spectrum.first[i]);
+    const auto upper = std::lower_bound(below.begin(), below.end(), kMostOf * sum) - below.begin();
+    const double upper_Hz = spectrum.frequency_Hz[static_cast<std::size_t>(upper)];
+    if (sum == 0 || rate_Hz >= kLeast * upper_Hz) return;
+    diagnostics_.Warning(file_, study_.line,
+                         "post '" + post + "' of history '" + study_.name + "' moves up to " +
+                             FormatNumber(std::round(10 * upper_Hz) / 10) + " Hz and is sampled at " +
+                             ShortNumber(rate_Hz, 4) + " Hz: " + FormatNumber(kLeast) +
+                             " samples a period are wanted; record faster, or the model is shaken by what lies between "
+                             "samples");
+  }
+
+  void SetWindow(const TimeRecording& recording, MeasuredHistory& history) {
+    const auto sample = [&](double t) { return (t - recording.start_s) * history.rate_Hz; };
+    const auto samples = static_cast<double>(recording.samples());
+    double end = samples - 1;
+    if (study_.filter) end -= study_.filter->UnknownEnd_s() * history.rate_Hz;
+    if (study_.end_s) end = std::min(end, sample(*study_.end_s));
+    const double start = study_.start_s ? std::max(0.0, sample(*study_.start_s)) : 0;
+    history.first = static_cast<Index>(std::ceil(start - 1e-6));
+    history.count = static_cast<Index>(std::floor(end + 1e-6)) - history.first + 1;
+    // Less is no history.
+    constexpr Index kLeast = 16;
+    if (history.count < kLeast)
+      Fault(study_.line, "history '" + study_.name + "' has no samples to compare: " + study_.file.filename().string() +
+                             " goes from " + FormatNumber(recording.start_s) + " s to " +
+                             FormatNumber(recording.end_s) + " s");
+  }
+
+  /// Sum or mean of its channels.
+  Eigen::VectorXd Combined(const TimeRecording& recording, const ChannelSource& source) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Index>(recording.samples()));
+    for (std::size_t k = 0; k < source.channels.size(); ++k)
+      sum += Eigen::Map<const Eigen::VectorXd>(recording.channels[next_++].data(), sum.size());
+    if (source.combine == ChannelSource::Combine::kMean) sum /= static_cast<double>(source.channels.size());
+    return sum;
+  }
+
+  RecordedPosts Posts(const TimeRecording& recording) {
+    std::vector<std::vector<double>> heights(posts_.size());
+    for (const auto& [post, source] : study_.posts) {
+      const Eigen::VectorXd height = WithoutMean(Combined(recording, source));
+      CheckSampling(post, height, recording.rate_Hz());
+      heights[*IndexOf(post, posts_)].assign(height.begin(), height.end());
+    }
+    return FollowHeights(heights, recording.start_s, recording.step_s, study_.filter ? &*study_.filter : nullptr);
+  }
+
+  void AddSignals(const TimeRecording& recording, const std::vector<double>& noise, MeasuredHistory& history) {
+    for (const auto& [name, source] : study_.channels) {
+      const std::size_t sensor = *IndexOf(name, sensors_);
+      const Eigen::VectorXd all = Combined(recording, source);
+      MeasuredSignal signal{.sensor = sensor,
+                            .name = name,
+                            .unit = UnitOf(vehicle_.sensors[sensor].type),
+                            .values = WithoutMean(all.segment(history.first, history.count)),
+                            .noise_sd = noise[sensor],
+                            .source = source};
+      if (signal.Deviation() == 0)
+        Fault(source.line, "'" + name + "' does not change in " + study_.file.filename().string() +
+                               ": a dead channel tells nothing; leave it out");
+      CheckSaturation(name, signal.unit, source, history, all);
+      history.signals.push_back(std::move(signal));
+    }
+  }
+
+  /// Of the window.
+  void CheckSaturation(const std::string& name, const std::string& unit, const ChannelSource& source,
+                       const MeasuredHistory& history, const Eigen::VectorXd& all) {
+    const std::span<const double> values(all.data() + history.first, static_cast<std::size_t>(history.count));
+    const std::optional<ClippedEnds> ends = ClippingAtEnds(values);
+    if (!ends) return;
+    const double first_s = history.TimeAt(static_cast<Index>(ends->first()));
+    diagnostics_.Warning(file_, source.line,
+                         "'" + name + "' " + ends->Text(unit, first_s) + " of " + study_.file.filename().string() +
+                             ", as a saturated sensor is: keep the window clear of it by 'start' and 'end' of the "
+                             "history, or leave the channel out");
+  }
+
+  const StudyHistory& study_;
+  const std::string& file_;
+  const Vehicle& vehicle_;
+  Diagnostics& diagnostics_;
+  std::vector<std::string> posts_;
+  std::vector<std::string> sensors_;
+  std::vector<RecordedChannel> wanted_;
+  /// Channel of the recording to take next.
+  std::size_t next_ = 0;
+  bool good_ = true;
+};
+
+}  // namespace
+
+double MeasuredSignal::Deviation() const { return std::sqrt((values.array() - values.mean()).square().mean()); }
+
+Index MeasuredHistory::Stride() const {
+  constexpr double kSamplesPerPeriod = 3;
+  if (!filter) return 1;
+  return std::max<Index>(1, static_cast<Index>(rate_Hz / (kSamplesPerPeriod * filter->cutoff_Hz)));
+}
+
+std::optional<std::vector<MeasuredHistory>> LoadHistories(const std::vector<StudyHistory>& histories,
+                                                          const std::string& study_file, const Vehicle& vehicle,
+                                                          Diagnostics& diagnostics) {
+  std::vector<MeasuredHistory> loaded;
+  for (const StudyHistory& study : histories)
+    if (std::optional<MeasuredHistory> history = HistoryLoader(study, study_file, vehicle, diagnostics).Load())
+      loaded.push_back(std::move(*history));
+  if (diagnostics.HasErrors()) return std::nullopt;
+  return loaded;
+}
+
+std::vector<MeasuredHistory> LoadValidation(const std::vector<StudyHistory>& histories, const std::string& study_file,
+                                            const Vehicle& vehicle, Diagnostics& diagnostics,
+                                            std::vector<LeftOutRecording>& left_out) {
+  std::vector<MeasuredHistory> loaded;
+  for (const StudyHistory& study : histories) {
+    Diagnostics found;
+    std::optional<MeasuredHistory> history;
+    if (RequireFile(study.file, study_file, study.line, found))
+      history = HistoryLoader(study, study_file, vehicle, found).Load();
+    if (std::optional<LeftOutRecording> out = LeftOutFor(found, study.name, study.file, diagnostics))
+      left_out.push_back(*std::move(out));
+    else if (history) loaded.push_back(std::move(*history));
+  }
+  return loaded;
+}
+
+}  // namespace fourpost

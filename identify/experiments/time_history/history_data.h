@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "analysis/text/diagnostics.h"
+#include "identify/experiments/time_history/history_study.h"
+#include "identify/study_file/left_out_recording.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/posts/recorded_posts.h"
+
+namespace fourpost {
+
+/// What was measured for one sensor of the vehicle, without its offset.
+struct MeasuredSignal {
+  std::size_t sensor = 0;
+  std::string name;
+  std::string unit;
+  /// Samples of the window, their mean taken away.
+  Eigen::VectorXd values;
+  /// Of the noise that the study states; 0: none.
+  double noise_sd = 0;
+  /// Of the recording.
+  ChannelSource source = {};
+
+  double Deviation() const;
+};
+
+/// A recording over time in the terms of the vehicle. Sensors, posts too, have offsets that say nothing: those of posts
+/// are their means over the record, those of outputs their means over the window, of model and measurement alike.
+struct MeasuredHistory {
+  std::string name;
+  double rate_Hz = 0;
+  /// With the rig's filter taken back.
+  RecordedPosts posts;
+  std::optional<LowPassDesign> filter;
+  /// Of a Kalman filter's process, as the study states it [m/s^2]; 0: it does not.
+  double process_sd = 0;
+  /// First sample compared, of the record; and how many are. Samples that the filter keeps back at the end are left
+  /// out.
+  Eigen::Index first = 0;
+  Eigen::Index count = 0;
+  std::vector<MeasuredSignal> signals;
+  /// Samples of the window x signals: what the full geometry adds to the reduced model's signals, see
+  /// full_correction.h; empty: nothing.
+  Eigen::MatrixXd correction = {};
+
+  double TimeAt(Eigen::Index k) const { return posts.start_s + static_cast<double>(first + k) / rate_Hz; }
+
+  /// Residuals take every so manieth sample: a filtered record sampled at three times the cut-off has all that passes
+  /// it, and noise that is nearly independent from sample to sample.
+  Eigen::Index Stride() const;
+};
+
+inline Eigen::VectorXd WithoutMean(const Eigen::VectorXd& values) { return values.array() - values.mean(); }
+
+/// Reads the recordings and maps their channels to the vehicle's sensors and posts. Adds every fault to `diagnostics`;
+/// nothing when there was an error.
+std::optional<std::vector<MeasuredHistory>> LoadHistories(const std::vector<StudyHistory>& histories,
+                                                          const std::string& study_file, const Vehicle& vehicle,
+                                                          Diagnostics& diagnostics);
+
+/// Likewise those that a fit does not see; each that has a fault is left out, with a warning, and added to `left_out`.
+std::vector<MeasuredHistory> LoadValidation(const std::vector<StudyHistory>& histories, const std::string& study_file,
+                                            const Vehicle& vehicle, Diagnostics& diagnostics,
+                                            std::vector<LeftOutRecording>& left_out);
+
+}  // namespace fourpost

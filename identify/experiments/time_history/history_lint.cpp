@@ -1,0 +1,159 @@
+#include "identify/experiments/time_history/history_lint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "analysis/text/short_number.h"
+#include "identify/experiments/time_history/history_remark.h"
+#include "identify/experiments/time_history/point_delay.h"
+
+namespace fourpost {
+namespace {
+
+using Cause = HistoryRemark::Cause;
+using Recording = std::span<const HistoryMisfit>;
+
+bool Has(const std::vector<HistoryRemark>& remarks, Cause cause) {
+  return std::any_of(remarks.begin(), remarks.end(), [&](const HistoryRemark& other) { return other.cause == cause; });
+}
+
+/// Of two that are not synchronised with each other it is the one that is farther from all others against the model.
+HistoryRemark PointRemark(const PointDelay& point, Recording fitted) {
+  const HistoryMisfit& z = fitted[point.displacement];
+  const HistoryMisfit& a = fitted[point.acceleration];
+  const double common_s = CommonDelay(fitted).value_or(0);
+  const bool is_displacement = std::abs(z.delay_s.value_or(0) - common_s) >= std::abs(a.delay_s.value_or(0) - common_s);
+  const HistoryMisfit& late = is_displacement ? z : a;
+  const HistoryMisfit& other = is_displacement ? a : z;
+  const double delay_s = is_displacement ? point.delay_s : -point.delay_s;
+  return {Cause::kDelay, late.recording, late.name,
+          "'" + late.name + "' of '" + late.recording + "' comes " + Lateness(delay_s) + " than '" + other.name +
+              "' of the same point, by the second derivative of '" + z.name +
+              "' and without any model, as if it were not synchronised: '" + late.name + ": " +
+              DelayRemedy(late, delay_s) + "' in the study takes that back"};
+}
+
+/// Of one recording.
+class HistoryLinter {
+ public:
+  HistoryLinter(Recording fitted, const RemediedErrors& fitted_errors, Recording start,
+                const RemediedErrors& start_errors, double sample_s)
+      : fitted_(fitted),
+        start_(start),
+        start_errors_(start_errors),
+        sample_s_(sample_s),
+        remarks_(RemarksOn({fitted.begin(), fitted.end()}, sample_s, fitted_errors)) {}
+
+  std::vector<HistoryRemark> Remarks(const std::vector<PointDelay>& points) {
+    AddSwapsAtStart();
+    // Delays against a model that does not fit are not told.
+    if (remarks_.empty() || Has(remarks_, Cause::kDelay)) ChooseDelays(points);
+    return std::move(remarks_);
+  }
+
+ private:
+  /// A fit may hide a swap: what the vehicle file's own values show of one, and the fitted ones do not.
+  void AddSwapsAtStart() {
+    for (std::size_t i = 0; i < start_.size(); ++i)
+      if (start_[i].swapped_with && !fitted_[i].swapped_with)
+        remarks_.push_back({Cause::kSwapped, start_[i].recording, start_[i].name,
+                            "'" + start_[i].name + "' of '" + start_[i].recording + "' is measured like '" +
+                                *start_[i].swapped_with +
+                                "' of the vehicle file, and the other way round, as if the two channels were swapped: "
+                                "exchange them in the study"});
+  }
+
+  /// Pairs of one point know nothing of the model; the file's parameters have not been adapted to a delay, which the
+  /// fitted ones meet half-way.
+  void ChooseDelays(const std::vector<PointDelay>& points) {
+    std::vector<HistoryRemark> surer;
+    for (const PointDelay& point : points) surer.push_back(PointRemark(point, fitted_));
+    if (surer.empty())
+      if (std::optional<HistoryRemark> posts = PostDelay(start_, sample_s_)) surer.push_back(*std::move(posts));
+    if (surer.empty()) surer = AtStart();
+    if (!surer.empty()) remarks_ = std::move(surer);
+  }
+
+  /// Of the channel that is the odd one out for the fitted values too, where that explains more.
+  std::vector<HistoryRemark> AtStart() const {
+    const auto named = [](Recording recording, const std::string& name) {
+      return *std::find_if(recording.begin(), recording.end(), [&](const auto& other) { return other.name == name; });
+    };
+    std::vector<HistoryRemark> start = RemarksOn({start_.begin(), start_.end()}, sample_s_, start_errors_);
+    const bool is_same = start.size() == 1 && remarks_.size() == 1 && start[0].cause == Cause::kDelay &&
+                         start[0].channel == remarks_[0].channel && !start[0].channel.empty();
+    if (!is_same) return {};
+    const std::string& channel = start[0].channel;
+    return *named(start_, channel).timed_nmse_percent < *named(fitted_, channel).timed_nmse_percent
+               ? start
+               : std::vector<HistoryRemark>();
+  }
+
+  Recording fitted_;
+  Recording start_;
+  const RemediedErrors& start_errors_;
+  double sample_s_;
+  std::vector<HistoryRemark> remarks_;
+};
+
+int LineOfChannel(const StudyHistory& history, const std::string& channel) {
+  const auto source = std::find_if(history.channels.begin(), history.channels.end(),
+                                   [&](const auto& told) { return told.first == channel; });
+  if (source != history.channels.end()) return source->second.line;
+  return history.posts.empty() ? history.line : history.posts.front().second.line;
+}
+
+/// Where the steps that the file's values need are too long for the fitted ones.
+void LintSteps(const std::vector<double>& values, const HistoryResiduals& residuals, const std::string& file,
+               Diagnostics& diagnostics) {
+  const std::vector<double> changes = residuals.ChangesByHalfStep(values);
+  for (std::size_t h = 0; h < changes.size(); ++h)
+    if (changes[h] > residuals.options().error)
+      diagnostics.Warning(file, 0,
+                          "the fitted values need shorter steps than those of the vehicle file: half of the " +
+                              ShortNumber(1e3 * residuals.Steps()[h]) + " ms taken changes a channel of '" +
+                              residuals.histories()[h].name + "' by " + ShortNumber(100 * changes[h], 2) +
+                              " % of its rms; fit again from the vehicle.urdf of these results");
+}
+
+/// By the vehicle file's values; what the fitted ones give where those cannot go through the recordings.
+std::vector<Eigen::MatrixXd> AtStart(const Vehicle& vehicle, const HistoryResiduals& residuals,
+                                     const std::vector<Eigen::MatrixXd>& fitted) {
+  try {
+    return residuals.Modelled(vehicle.ParameterValues());
+  } catch (const std::runtime_error&) {
+    return fitted;
+  }
+}
+
+}  // namespace
+
+void LintHistories(const std::string& study_file, const std::vector<StudyHistory>& told, const Vehicle& vehicle,
+                   const std::vector<double>& values, const HistoryResiduals& residuals,
+                   const std::vector<HistoryMisfit>& misfits, Diagnostics& diagnostics) {
+  const std::vector<MeasuredHistory>& histories = residuals.histories();
+  const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(values);
+  const std::vector<Eigen::MatrixXd> at_start = AtStart(vehicle, residuals, modelled);
+  const std::vector<HistoryMisfit> start = HistoryMisfits(histories, at_start);
+  const RemediedErrors fitted_errors(histories, modelled);
+  const RemediedErrors start_errors(histories, at_start);
+  std::size_t first = 0;
+  for (const MeasuredHistory& history : histories) {
+    const std::size_t count = history.signals.size();
+    HistoryLinter linter(Recording(misfits).subspan(first, count), fitted_errors,
+                         Recording(start).subspan(first, count), start_errors, 1 / history.rate_Hz);
+    const auto entry = std::find_if(told.begin(), told.end(),
+                                    [&](const StudyHistory& other) { return other.name == history.name; });
+    for (const HistoryRemark& remark : linter.Remarks(PointDelays(vehicle, history)))
+      diagnostics.Warning(study_file, entry == told.end() ? 0 : LineOfChannel(*entry, remark.channel),
+                          remark.message);
+    first += count;
+  }
+  LintSteps(values, residuals, study_file, diagnostics);
+}
+
+}  // namespace fourpost

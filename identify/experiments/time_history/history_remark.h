@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "identify/experiments/time_history/remedied_error.h"
+#include "identify/residuals/history_misfit.h"
+
+namespace fourpost {
+
+/// What is odd about a channel of a history, or about the height of its posts, with what a study does about it.
+struct HistoryRemark {
+  enum class Cause { kSwapped, kUnit, kSign, kDelay };
+  Cause cause = Cause::kDelay;
+  std::string recording;
+  /// A sensor; empty: the posts.
+  std::string channel;
+  /// Names both.
+  std::string message;
+};
+
+/// Channels that are swapped, and those whose error nearly goes with another unit, with the other sign, or with a delay
+/// of more than `sample_s`. Of several channels the odd one out is told, the farthest from the delay that they have in
+/// common; where that is larger, the posts. A channel of another scale moves the model, and with it all delays, which
+/// are not told then.
+/// Each tells a remedy in the terms of the study and the error that it leaves by itself, by `errors`; where one of
+/// unit, sign or delay leaves much, a scale or a delay is told with it.
+std::vector<HistoryRemark> RemarksOn(const std::vector<HistoryMisfit>& misfits, double sample_s,
+                                     const RemediedErrors& errors);
+
+/// Of one recording: its channels come earlier or later than the model, all alike.
+std::optional<HistoryRemark> PostDelay(std::span<const HistoryMisfit> misfits, double sample_s);
+
+/// What takes back that this channel comes `delay_s` later than it should, in the terms of the study.
+std::string DelayRemedy(const HistoryMisfit& misfit, double delay_s);
+
+/// "20.2 ms later".
+std::string Lateness(double delay_s);
+
+/// Delays of one recording's channels against the model that they have in common, their median; nothing without any.
+std::optional<double> CommonDelay(std::span<const HistoryMisfit> misfits);
+
+/// The misfits of each recording, which follow each other.
+std::vector<std::span<const HistoryMisfit>> ByRecording(const std::vector<HistoryMisfit>& misfits);
+
+}  // namespace fourpost

@@ -1,0 +1,215 @@
+#include "identify/experiments/time_history/history_residuals.h"
+
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "analysis/signals/fit_quality.h"
+#include "analysis/text/option_check.h"
+#include "analysis/signals/signal_timing.h"
+
+namespace fourpost {
+namespace {
+
+using Eigen::Index;
+
+Index Strided(Index count, Index stride) { return (count + stride - 1) / stride; }
+
+double LogDeterminantOf(const std::vector<KalmanPrediction>& predictions) {
+  double sum = 0;
+  for (const KalmanPrediction& prediction : predictions) sum += prediction.log_determinant;
+  return sum;
+}
+
+std::span<const double> Span(const Eigen::VectorXd& values) {
+  return {values.data(), static_cast<std::size_t>(values.size())};
+}
+
+}  // namespace
+
+HistoryResiduals::HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
+                                   std::vector<MeasuredHistory> histories, const Options& options)
+    : condensed_(std::move(vehicle)), histories_(std::move(histories)), options_(options) {
+  RequireOption(options.model_error >= 0 && std::isfinite(options.model_error), "HistoryResiduals: model_error",
+                options.model_error, "finite and not negative");
+  const CondensedModel model = condensed_->At(condensed_->vehicle().ParameterValues());
+  const RigView rig = RigViewOf(condensed_->vehicle());
+  simulations_.reserve(histories_.size());
+  for (const MeasuredHistory& history : histories_) {
+    simulations_.emplace_back(history, HistoryStep(history, model, rig, options.error));
+    if (options.cost == HistoryCost::kPrediction) predictors_.emplace_back(history);
+    count_ += CountOf(history) * static_cast<Index>(history.signals.size());
+  }
+  if (options.cost != HistoryCost::kPrediction) return;
+  noise_ = options.noise;
+  if (noise_.empty())
+    for (const KalmanPredictor& predictor : predictors_)
+      noise_.push_back(predictor.Estimate(model, options.noise_search));
+  RequireOption(noise_.size() == histories_.size(), "HistoryResiduals: noise", static_cast<double>(noise_.size()),
+                "one per history");
+  reference_log_determinant_ = LogDeterminantOf(Predicted(condensed_->vehicle().ParameterValues()));
+}
+
+Index HistoryResiduals::CountOf(const MeasuredHistory& history) const {
+  return options_.cost == HistoryCost::kWhitened ? Strided(history.count, history.Stride()) : history.count;
+}
+
+Eigen::VectorXd HistoryResiduals::At(const std::vector<double>& values, const Deadline& deadline) const {
+  if (options_.cost == HistoryCost::kPrediction) return OfPrediction(Predicted(values, deadline));
+  const CondensedModel model = condensed_->At(values);
+  Eigen::VectorXd residuals(count_);
+  Index at = 0;
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const MeasuredHistory& history = histories_[h];
+    const Index each = CountOf(history);
+    const Eigen::MatrixXd modelled = simulations_[h].Run(model, deadline);
+    for (std::size_t i = 0; i < history.signals.size(); ++i, at += each)
+      AddSignal(history, history.signals[i], modelled.col(static_cast<Index>(i)), residuals.segment(at, each));
+  }
+  return residuals;
+}
+
+Eigen::VectorXd HistoryResiduals::OfPrediction(const std::vector<KalmanPrediction>& predictions) const {
+  const auto count = static_cast<double>(count_);
+  const double scale = std::exp((LogDeterminantOf(predictions) - reference_log_determinant_) / (2 * count));
+  Eigen::VectorXd residuals(count_);
+  Index at = 0;
+  for (const KalmanPrediction& prediction : predictions) {
+    residuals.segment(at, prediction.whitened.size()) = scale * prediction.whitened.reshaped();
+    at += prediction.whitened.size();
+  }
+  return residuals;
+}
+
+void HistoryResiduals::AddSignal(const MeasuredHistory& history, const MeasuredSignal& signal,
+                                 const Eigen::VectorXd& modelled, Eigen::Ref<Eigen::VectorXd> out) const {
+  const double deviation = signal.Deviation();
+  if (options_.cost == HistoryCost::kCompromise) {
+    out = 10 / (std::sqrt(static_cast<double>(history.count)) * deviation) * (modelled - signal.values);
+    out *= out.norm();
+    return;
+  }
+  const double sd = std::hypot(signal.noise_sd, options_.model_error * deviation);
+  const Index stride = history.Stride();
+  for (Index k = 0; k < out.size(); ++k) out[k] = (modelled[k * stride] - signal.values[k * stride]) / sd;
+}
+
+std::vector<Eigen::MatrixXd> HistoryResiduals::Modelled(const std::vector<double>& values) const {
+  const CondensedModel model = condensed_->At(values);
+  std::vector<Eigen::MatrixXd> modelled;
+  for (const HistorySimulation& simulation : simulations_) modelled.push_back(simulation.Run(model));
+  return modelled;
+}
+
+std::vector<KalmanPrediction> HistoryResiduals::Predicted(const std::vector<double>& values,
+                                                          const Deadline& deadline) const {
+  const CondensedModel model = condensed_->At(values);
+  std::vector<KalmanPrediction> predicted;
+  for (std::size_t h = 0; h < predictors_.size(); ++h)
+    predicted.push_back(predictors_[h].Run(model, noise_[h], deadline));
+  return predicted;
+}
+
+std::vector<double> HistoryResiduals::Steps() const {
+  std::vector<double> steps;
+  for (const HistorySimulation& simulation : simulations_) steps.push_back(simulation.step_s());
+  return steps;
+}
+
+std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double>& values) const {
+  const CondensedModel model = condensed_->At(values);
+  std::vector<double> changes;
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const Eigen::MatrixXd coarse = simulations_[h].Run(model);
+    const Eigen::MatrixXd fine = HistorySimulation(histories_[h], 0.5 * simulations_[h].step_s()).Run(model);
+    changes.push_back(((coarse - fine).colwise().norm().array() / fine.colwise().norm().array()).maxCoeff());
+  }
+  return changes;
+}
+
+ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
+                           const HistoryResiduals::Options& options) {
+  const auto residuals = std::make_shared<const HistoryResiduals>(std::move(vehicle), std::move(histories), options);
+  return {.name = "time histories",
+          .count = residuals->count(),
+          // What the elements' forces are solved to, times what a step's error may grow to.
+          .accuracy = 1e-9,
+          .evaluate = [residuals](const std::vector<double>& values, const Deadline& deadline) {
+            try {
+              return Evaluation{.residuals = residuals->At(values, deadline)};
+            } catch (const std::runtime_error& fault) {
+              return Failed(Failure::kNotConverged, fault.what());
+            }
+          }};
+}
+
+void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,
+                      std::vector<HistoryMisfit>& misfits) {
+  auto misfit = misfits.begin();
+  for (std::size_t h = 0; h < histories.size(); ++h)
+    for (std::size_t i = 0; i < histories[h].signals.size(); ++i, ++misfit) {
+      const Eigen::VectorXd predicted = predictions[h].predicted.col(static_cast<Index>(i));
+      misfit->one_step_nmse_percent = NormalisedMse_percent(Span(histories[h].signals[i].values), Span(predicted));
+      const Whiteness whiteness = WhitenessOf(predictions[h].innovations.col(static_cast<Index>(i)));
+      misfit->innovation_correlation = whiteness.next;
+      misfit->innovations_beyond = whiteness.beyond;
+    }
+}
+
+void AddReducedErrors(const MeasuredHistory& history, const Eigen::MatrixXd& modelled,
+                      std::span<HistoryMisfit> misfits) {
+  for (std::size_t i = 0; i < history.signals.size(); ++i) {
+    const Eigen::VectorXd signal = modelled.col(static_cast<Index>(i));
+    misfits[i].reduced_nmse_percent = NormalisedMse_percent(Span(history.signals[i].values), Span(signal));
+  }
+}
+
+namespace {
+
+/// Of two signals that each fit the model of the other far better than their own.
+void FindSwapped(const MeasuredHistory& history, const Eigen::MatrixXd& modelled, std::span<HistoryMisfit> misfits) {
+  // A swap leaves what the model misses; a model that is only poor leaves much of it either way.
+  constexpr double kMuchNearer = 0.25;
+  const auto error = [&](std::size_t measured, std::size_t model) {
+    const Eigen::VectorXd signal = modelled.col(static_cast<Index>(model));
+    return NormalisedMse_percent(Span(history.signals[measured].values), Span(signal));
+  };
+  for (std::size_t i = 0; i < misfits.size(); ++i)
+    for (std::size_t j = i + 1; j < misfits.size(); ++j) {
+      if (history.signals[i].unit != history.signals[j].unit) continue;
+      if (!(error(i, j) < kMuchNearer * misfits[i].nmse_percent && error(j, i) < kMuch * misfits[j].nmse_percent)) continue;
+      misfits[i].swapped_with = misfits[j].name;
+      misfits[j].swapped_with = misfits[i].name;
+    }
+}
+
+}  // namespace
+
+std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,
+                                          const std::vector<Eigen::MatrixXd>& modelled) {
+  std::vector<HistoryMisfit> misfits;
+  for (std::size_t h = 0; h < histories.size(); ++h) {
+    const std::size_t first = misfits.size();
+    for (std::size_t i = 0; i < histories[h].signals.size(); ++i) {
+      const MeasuredSignal& signal = histories[h].signals[i];
+      const Eigen::VectorXd model = modelled[h].col(static_cast<Index>(i));
+      HistoryMisfit misfit{.recording = histories[h].name,
+                           .name = signal.name,
+                           .nmse_percent = NormalisedMse_percent(Span(signal.values), Span(model)),
+                           .vaf_percent = VarianceAccountedFor_percent(Span(signal.values), Span(model)),
+                           .measured_squares = std::pow(signal.Deviation(), 2) * static_cast<double>(model.size()),
+                           .unit = signal.unit,
+                           .source = signal.source};
+      const SignalTiming timing = TimingOf(signal.values, model, histories[h].rate_Hz);
+      misfit.gain = timing.gain;
+      misfit.delay_s = timing.delay_s;
+      misfit.timed_nmse_percent = timing.nmse_percent;
+      misfits.push_back(std::move(misfit));
+    }
+    FindSwapped(histories[h], modelled[h], std::span(misfits).subspan(first));
+  }
+  return misfits;
+}
+
+}  // namespace fourpost

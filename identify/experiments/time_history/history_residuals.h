@@ -1,0 +1,113 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "analysis/process/deadline.h"
+#include "identify/experiments/time_history/history_data.h"
+#include "identify/experiments/time_history/history_simulation.h"
+#include "identify/experiments/time_history/kalman_predictor.h"
+#include "identify/residuals/history_misfit.h"
+#include "identify/residuals/residual_block.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+
+namespace fourpost {
+
+/// How far a vehicle is from histories, as residuals. Whitened:
+///   (modelled - measured) / sqrt(noise^2 + (model error s)^2) at every MeasuredHistory::Stride-th sample,
+/// s: the signal's own deviation; no noise is white behind a filter at the full rate. By compromise (thesis 4.29):
+///   J_k r_k / |r_k|, J_k = |r_k|^2 the signal's normalised mean square error [%],
+/// whose squares add up to the sum of all J_k^2, with weights 1 and aims 0. By prediction: of the innovations e of a
+/// KalmanPredictor with covariances S
+///   S^-1/2 e exp((D - D_0) / 2N),  D = sum of ln det S, D_0 that of the file's values, N residuals.
+/// With C the sum of their squares, minus twice the log likelihood is N ln C + const once the common scale of all noise
+/// has its likeliest value, C / N: so they are least where the innovations are likeliest. Without the determinant they
+/// would be least where S is large. Ratios of the noise are held at those under which the file's values are likeliest.
+/// Immutable; serves any number of threads.
+class HistoryResiduals {
+ public:
+  struct Options {
+    HistoryCost cost = HistoryCost::kWhitened;
+    /// What the model leaves out, as a share of each signal's deviation.
+    double model_error = 0.02;
+    /// Of the integration, of each channel's rms; the error left is about a third of it, a ten-thousandth of a per cent
+    /// of a mean square.
+    double error = 3e-3;
+    /// Of a cost by prediction, one per history; empty: estimated at the file's values.
+    std::vector<KalmanNoise> noise = {};
+    /// Of the estimate's runs.
+    NoiseSearch noise_search = {};
+  };
+
+  /// Steps are those that the vehicle needs at its file's values. Throws FaultyInput as CondensedVehicle does, and as
+  /// KalmanPredictor does.
+  HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
+                   const Options& options);
+
+  /// Simulations refer to the histories.
+  HistoryResiduals(const HistoryResiduals&) = delete;
+  HistoryResiduals& operator=(const HistoryResiduals&) = delete;
+  HistoryResiduals(HistoryResiduals&&) = default;
+
+  Eigen::Index count() const { return count_; }
+
+  /// `values`: all parameters of the vehicle, SI. Throws TimedOut, and std::runtime_error where the motion cannot be
+  /// computed.
+  Eigen::VectorXd At(const std::vector<double>& values, const Deadline& deadline = {}) const;
+
+  /// Per history, samples of the window x signals.
+  std::vector<Eigen::MatrixXd> Modelled(const std::vector<double>& values) const;
+
+  /// Of a cost by prediction; of each history.
+  std::vector<KalmanPrediction> Predicted(const std::vector<double>& values, const Deadline& deadline = {}) const;
+  const std::vector<KalmanNoise>& noise() const { return noise_; }
+
+  const std::vector<MeasuredHistory>& histories() const { return histories_; }
+  /// Of each history [s].
+  std::vector<double> Steps() const;
+
+  /// By how much half the step changes each history at these values: of its signals the largest rms of the change, as a
+  /// share of the signal's own. Steps are those of the file's values, and others may want finer ones.
+  std::vector<double> ChangesByHalfStep(const std::vector<double>& values) const;
+
+  const Options& options() const { return options_; }
+
+ private:
+  /// Residuals of a signal.
+  Eigen::Index CountOf(const MeasuredHistory& history) const;
+  Eigen::VectorXd OfPrediction(const std::vector<KalmanPrediction>& predictions) const;
+  void AddSignal(const MeasuredHistory& history, const MeasuredSignal& signal, const Eigen::VectorXd& modelled,
+                 Eigen::Ref<Eigen::VectorXd> out) const;
+
+  std::shared_ptr<const CondensedVehicle> condensed_;
+  std::vector<MeasuredHistory> histories_;
+  Options options_;
+  std::vector<HistorySimulation> simulations_;
+  std::vector<KalmanPredictor> predictors_;
+  std::vector<KalmanNoise> noise_;
+  /// Sum of ln det S of all histories at the file's values.
+  double reference_log_determinant_ = 0;
+  Eigen::Index count_ = 0;
+};
+
+/// As a block of a study, "time histories".
+ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
+                           const HistoryResiduals::Options& options);
+
+/// Adds the errors of one-step predictions.
+void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,
+                      std::vector<HistoryMisfit>& misfits);
+
+/// Adds the errors of the reduced model through one history, `misfits` of its signals.
+void AddReducedErrors(const MeasuredHistory& history, const Eigen::MatrixXd& modelled,
+                      std::span<HistoryMisfit> misfits);
+
+/// How well models show each signal of each history; `modelled` as HistoryResiduals::Modelled gives it.
+std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,
+                                          const std::vector<Eigen::MatrixXd>& modelled);
+
+}  // namespace fourpost

@@ -1,0 +1,122 @@
+#include "identify/experiments/time_history/history_study.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "identify/study_file/channel_source_reader.h"
+#include "identify/study_file/strict_yaml.h"
+
+namespace fourpost {
+namespace {
+
+class HistoryReader {
+ public:
+  HistoryReader(std::filesystem::path study, Diagnostics& diagnostics)
+      : study_(std::move(study)), file_(study_.string()), diagnostics_(diagnostics) {}
+
+  StudyHistory Read(const YAML::Node& node) {
+    const StrictMap map = Map(
+        node, "the history",
+        {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use", "time"});
+    StudyHistory history;
+    history.line = map.line();
+    map.Require("file");
+    if (const auto file = map.Text("file")) history.file = (study_.parent_path() / *file).lexically_normal();
+    history.name = map.Text("name").value_or(history.file.stem().string());
+    where_ = "history '" + history.name + "'";
+    if (map.Has("time"))
+      history.time =
+          ReadSourceChannel(map.Get("time"), "'time' of " + where_, ChannelKind::kHistory, file_, diagnostics_);
+    history.posts = ReadChannelSources(map.Require("posts"), "'posts' of " + where_, "posts", ChannelKind::kHistory,
+                                       file_, diagnostics_);
+    history.channels = ReadChannelSources(map.Require("channels"), "'channels' of " + where_, "sensors",
+                                          ChannelKind::kHistory, file_, diagnostics_);
+    if (map.Has("filter")) history.filter = Filter(map.Get("filter"));
+    if (map.Has("noise")) history.noise = Noise(map.Get("noise"));
+    history.process_sd = map.Quantity("process", kAcceleration, 0);
+    if (history.process_sd && *history.process_sd == 0)
+      map.Fault(map.Get("process"), "'process' of " + where_ + " must be above zero");
+    if (const auto use = map.Text("use")) {
+      history.is_validation = *use == "validation";
+      if (*use != "fit" && *use != "validation")
+        map.Fault(map.Get("use"), "'use' of " + where_ + " must be fit or validation");
+    }
+    history.start_s = map.Quantity("start", kTime, -1e9);
+    history.end_s = map.Quantity("end", kTime, -1e9);
+    if (history.start_s && history.end_s && !(*history.start_s < *history.end_s))
+      map.Fault(map.Get("end"), "'end' of " + where_ + " must be later than 'start'");
+    return history;
+  }
+
+ private:
+  StrictMap Map(const YAML::Node& node, const std::string& where, const std::vector<std::string_view>& keys) {
+    return {node, where, keys, file_, diagnostics_};
+  }
+
+  void Fault(const YAML::Node& node, std::string message) {
+    diagnostics_.Error(file_, LineOf(node), std::move(message));
+  }
+
+  /// A mapping of names that are not known here.
+  std::vector<std::string> Keys(const YAML::Node& node, const std::string& where) {
+    std::vector<std::string> names;
+    for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
+    const StrictMap unique = Map(node, where, {names.begin(), names.end()});
+    return names;
+  }
+
+  std::optional<LowPassDesign> Filter(const YAML::Node& node) {
+    const StrictMap map = Map(node, "'filter' of " + where_, {"order", "cutoff"});
+    map.Require("order");
+    map.Require("cutoff");
+    const auto order = map.Integer("order", 1, 16);
+    const auto cutoff = map.Quantity("cutoff", kFrequency, 1e-6);
+    if (!order || !cutoff) return std::nullopt;
+    return LowPassDesign{.order = static_cast<int>(*order), .cutoff_Hz = *cutoff};
+  }
+
+  std::vector<StudyNoise> Noise(const YAML::Node& node) {
+    std::vector<StudyNoise> noise;
+    const std::string where = "'noise' of " + where_;
+    if (!node.IsMap() || node.size() == 0) {
+      Fault(node, where + " must map sensors of the vehicle to deviations such as 20 N");
+      return noise;
+    }
+    for (const std::string& name : Keys(node, where))
+      noise.push_back({name, node[name].IsScalar() ? node[name].Scalar() : "", LineOf(node[name])});
+    return noise;
+  }
+
+  std::filesystem::path study_;
+  std::string file_;
+  std::string where_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+std::vector<StudyHistory> HistoriesOf(const std::vector<StudyHistory>& all, bool validation) {
+  std::vector<StudyHistory> some;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(some),
+               [&](const StudyHistory& history) { return history.is_validation == validation; });
+  return some;
+}
+
+std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const std::filesystem::path& study,
+                                        Diagnostics& diagnostics) {
+  std::vector<StudyHistory> histories;
+  if (!list.IsSequence() || list.size() == 0) {
+    diagnostics.Error(study.string(), LineOf(list), "'histories' must be a list with at least one entry");
+    return histories;
+  }
+  for (const YAML::Node& node : list) {
+    StudyHistory history = HistoryReader(study, diagnostics).Read(node);
+    for (const StudyHistory& other : histories)
+      if (other.name == history.name)
+        diagnostics.Error(study.string(), history.line, "two histories are called '" + history.name + "'");
+    histories.push_back(std::move(history));
+  }
+  return histories;
+}
+
+}  // namespace fourpost

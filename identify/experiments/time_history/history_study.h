@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <yaml-cpp/yaml.h>
+
+#include "analysis/text/diagnostics.h"
+#include "identify/study_file/channel_source.h"
+#include "vehicles/posts/recorded_posts.h"
+
+namespace fourpost {
+
+/// The standard deviation of what a sensor reads at rest, as written: "20 N".
+struct StudyNoise {
+  std::string sensor;
+  std::string sd;
+  int line = 0;
+};
+
+/// A recording over time of a vehicle on moving posts, as a study tells it.
+struct StudyHistory {
+  std::string name;
+  std::filesystem::path file;
+  /// The column of times; one of the usual names when empty.
+  std::optional<SourceChannel> time;
+  /// Post of the vehicle, and the channels of its height.
+  std::vector<std::pair<std::string, ChannelSource>> posts;
+  /// Sensor of the vehicle, and what was measured for it.
+  std::vector<std::pair<std::string, ChannelSource>> channels;
+  /// Through which the rig sent all channels, heights of posts included.
+  std::optional<LowPassDesign> filter;
+  /// What sensors read at rest.
+  std::vector<StudyNoise> noise;
+  /// Of each coordinate's acceleration, white from sample to sample: what a Kalman filter takes for random. Turning
+  /// coordinates take it in rad/s^2.
+  std::optional<double> process_sd;
+  /// Samples before and after do not count; the vehicle goes through them all the same.
+  std::optional<double> start_s;
+  std::optional<double> end_s;
+  /// Not fitted, only predicted.
+  bool is_validation = false;
+  int line = 0;
+};
+
+/// What the residuals of histories are.
+enum class HistoryCost {
+  /// Differences over their deviations.
+  kWhitened,
+  /// The thesis's (4.29): mean square errors of the outputs weigh themselves, see CompromiseOf.
+  kCompromise,
+  /// The likelihood of a Kalman filter's innovations, see HistoryResiduals.
+  kPrediction,
+};
+inline constexpr std::array<std::string_view, 3> kHistoryCostNames{"whitened", "compromise", "prediction"};
+
+/// Those to fit, or those only to predict.
+std::vector<StudyHistory> HistoriesOf(const std::vector<StudyHistory>& all, bool validation);
+
+/// The list under `histories`. Adds every fault to `diagnostics`.
+std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const std::filesystem::path& study,
+                                        Diagnostics& diagnostics);
+
+}  // namespace fourpost

@@ -1,0 +1,23 @@
+#include "identify/experiments/time_history/history_tyre_pull_lint.h"
+
+#include "identify/experiments/time_history/history_simulation.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/response/tyre_pull.h"
+
+namespace fourpost {
+
+void LintTyrePulls(const Vehicle& vehicle, std::span<const double> values,
+                   const std::vector<MeasuredHistory>& histories, const std::vector<double>& steps_s,
+                   Diagnostics& diagnostics) {
+  Vehicle probed = vehicle;
+  probed.sensors = ForceSensors(vehicle, LinearTyres(vehicle));
+  if (probed.sensors.empty() || histories.empty()) return;
+  const CondensedModel model = CondensedVehicle(probed).At(values);
+  for (std::size_t h = 0; h < histories.size(); ++h) {
+    const Eigen::MatrixXd forces = HistorySimulation(histories[h], steps_s[h]).Readings(model);
+    WarnOfPulls(vehicle, FindTyrePulls(vehicle, model.preloads.tyre, forces), "samples", "'" + histories[h].name + "'",
+                diagnostics);
+  }
+}
+
+}  // namespace fourpost

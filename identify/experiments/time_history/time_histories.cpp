@@ -1,0 +1,195 @@
+#include "identify/experiments/time_history/time_histories.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "analysis/text/number.h"
+#include "analysis/text/progress_text.h"
+#include "analysis/text/text_table.h"
+#include "analysis/text/units.h"
+#include "identify/experiments/time_history/kalman_progress.h"
+#include "identify/study_file/source_recording.h"
+
+namespace fourpost {
+namespace {
+
+HistoryCost ReadCost(const StrictMap& study) {
+  const std::optional<std::string> cost = study.Text("cost");
+  if (!cost) return HistoryCost::kWhitened;
+  const auto* const found = std::find(kHistoryCostNames.begin(), kHistoryCostNames.end(), *cost);
+  if (found != kHistoryCostNames.end()) return static_cast<HistoryCost>(found - kHistoryCostNames.begin());
+  study.Fault(study.Get("cost"), "unknown cost '" + *cost + "'" + Suggestion(*cost, kHistoryCostNames));
+  return HistoryCost::kWhitened;
+}
+
+/// What a Kalman filter cannot serve.
+void CheckPrediction(const HistoryPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics) {
+  if (plan.cost != HistoryCost::kPrediction) return;
+  for (const StudyHistory& history : plan.histories)
+    if (history.filter && !history.is_validation)
+      diagnostics.Error(
+          plan.file, history.line,
+          "the cost 'prediction' takes recordings as they are: leave 'filter' of history '" + history.name + "' out");
+  for (const Damper& damper : vehicle.dampers)
+    if (damper.hydraulic)
+      diagnostics.Error(vehicle.file, damper.source_line,
+                        "the cost 'prediction' corrects positions and velocities, and knows nothing of the oil in the "
+                        "hydraulic damper '" +
+                            damper.name + "': fit by the cost 'whitened', or give the damper a law without memory");
+}
+
+/// Whitened residuals are over a deviation.
+void CheckDeviations(const HistoryPlan& plan, const std::vector<MeasuredHistory>& histories,
+                     Diagnostics& diagnostics) {
+  if (plan.cost != HistoryCost::kWhitened || plan.model_error.history > 0) return;
+  for (const MeasuredHistory& history : histories)
+    for (const MeasuredSignal& signal : history.signals) {
+      if (signal.noise_sd > 0) continue;
+      const auto entry = std::find_if(plan.histories.begin(), plan.histories.end(),
+                                      [&](const StudyHistory& other) { return other.name == history.name; });
+      diagnostics.Error(plan.file, entry->line,
+                        "'" + signal.name + "' of history '" + history.name +
+                            "' has no 'noise' and no 'model_error', so its residuals cannot be weighted: state its "
+                            "'noise', or 'history' of 'model_error' above zero");
+    }
+}
+
+void Add(Sha256& digest, const Eigen::VectorXd& values) {
+  digest.Add(std::vector<double>(values.begin(), values.end()));
+}
+
+void Add(Sha256& digest, const MeasuredHistory& history) {
+  digest.Add(history.name);
+  for (const double number : {history.rate_Hz, history.TimeAt(0), history.filter ? history.filter->cutoff_Hz : 0.0,
+                              history.filter ? static_cast<double>(history.filter->order) : 0.0, history.process_sd})
+    digest.Add(number);
+  std::vector<PostState> posts(history.posts.count);
+  for (Eigen::Index k = -history.first; k < history.count; ++k) {
+    history.posts.motion(history.TimeAt(k), posts);
+    for (const PostState& post : posts) digest.Add(post.height);
+  }
+  for (const MeasuredSignal& signal : history.signals) {
+    digest.Add(static_cast<double>(signal.sensor));
+    digest.Add(signal.noise_sd);
+    Add(digest, signal.values);
+  }
+  for (const double value : history.correction.reshaped()) digest.Add(value);
+}
+
+}  // namespace
+
+std::unique_ptr<Experiment> TimeHistories::Read(const StrictMap& study) {
+  if (!study.Has("histories")) return nullptr;
+  // What is wrong there is told once, by the stepped sines where there are any.
+  Diagnostics told_elsewhere;
+  const StrictMap shared = study.Has("recordings") ? study.ReportingTo(told_elsewhere) : study;
+  auto read = std::make_unique<TimeHistories>();
+  read->plan = {.file = study.file(),
+                .histories = ReadHistories(study.Get("histories"), study.file(), study.diagnostics()),
+                .cost = ReadCost(study),
+                .model_error = ReadModelError(shared)};
+  return read;
+}
+
+std::vector<ExperimentFile> TimeHistories::Files() const {
+  std::vector<ExperimentFile> files;
+  for (const StudyHistory& history : plan.histories)
+    files.push_back(
+        {.path = history.file,
+         .line = history.line,
+         .use = history.is_validation ? ExperimentFile::Use::kValidation : ExperimentFile::Use::kFitted});
+  return files;
+}
+
+void TimeHistories::Load(const Subject& subject, Diagnostics& diagnostics) {
+  const Vehicle& vehicle = subject.vehicle();
+  const std::optional<std::vector<MeasuredHistory>> histories =
+      LoadHistories(HistoriesOf(plan.histories, false), plan.file, vehicle, diagnostics);
+  validation = LoadValidation(HistoriesOf(plan.histories, true), plan.file, vehicle, diagnostics, left_out_);
+  CheckPrediction(plan, vehicle, diagnostics);
+  if (!histories) return;
+  CheckDeviations(plan, *histories, diagnostics);
+  fitted = *histories;
+}
+
+void TimeHistories::AddTo(Sha256& data, Sha256& settings) const {
+  for (const MeasuredHistory& history : fitted) Add(data, history);
+  settings.Add(plan.model_error.history);
+  settings.Add(static_cast<double>(plan.cost));
+}
+
+HistoryResiduals::Options TimeHistories::Options(const Subject& subject) const {
+  return {.cost = plan.cost,
+          .model_error = plan.model_error.history,
+          .noise = kalman_noise,
+          .noise_search = {.deadline_s = subject.deadline_s()}};
+}
+
+std::optional<ResidualBlock> TimeHistories::Residuals(const Subject& subject) const {
+  if (fitted.empty()) return std::nullopt;
+  return HistoryBlock(subject.Condensed(), fitted, Options(subject));
+}
+
+std::optional<ResidualBlock> TimeHistories::UnpreparedResiduals(const Subject& subject) const {
+  if (fitted.empty()) return std::nullopt;
+  HistoryResiduals::Options options = Options(subject);
+  options.cost = HistoryCost::kWhitened;
+  return HistoryBlock(subject.Condensed(), fitted, options);
+}
+
+bool TimeHistories::HasDeviations() const { return fitted.empty() || plan.cost != HistoryCost::kCompromise; }
+
+bool TimeHistories::MeasuresForce() const {
+  const auto is_force = [](const MeasuredSignal& signal) { return ParseUnit(signal.unit)->dimension == kForce; };
+  return std::any_of(fitted.begin(), fitted.end(), [&](const MeasuredHistory& history) {
+    return std::any_of(history.signals.begin(), history.signals.end(), is_force);
+  });
+}
+
+void TimeHistories::Prepare(const Subject& subject, const WorkHooks& hooks) {
+  if (plan.cost != HistoryCost::kPrediction) return;
+  const CondensedModel model = subject.Condensed()->At(subject.vehicle().ParameterValues());
+  kalman_noise.clear();
+  try {
+    for (const MeasuredHistory& history : fitted)
+      kalman_noise.push_back(KalmanPredictor(history).Estimate(
+          model, {.deadline_s = subject.deadline_s(), .progress = KalmanProgress(hooks)}));
+  } catch (const TimedOut&) {
+    Diagnostics diagnostics;
+    diagnostics.Error(plan.file, 0,
+                      "one run of the Kalman filter takes longer than the deadline of " +
+                          FormatNumber(subject.deadline_s()) +
+                          " s: raise 'deadline' of 'search', or cut the recording by 'start' and 'end'");
+    throw FaultyInput(diagnostics);
+  }
+}
+
+Experiment::Geometry TimeHistories::CheckGeometry(const Subject& subject, const std::vector<double>& values,
+                                                const WorkHooks& hooks) {
+  const bool is_corrected = plan.cost != HistoryCost::kPrediction;
+  std::optional<std::vector<HistoryCheck>> found =
+      CheckHistories(subject, fitted, Options(subject).error, is_corrected, values,
+                     [&hooks](const std::string& work, double t) {
+                       hooks.Show("fit: check of linear kinematics, " + work + " at " + Rounded(t, 3) + " s");
+                       return !hooks.IsStopped();
+                     });
+  if (!found) return Geometry::kInterrupted;
+  checks = *std::move(found);
+  return IsCorrectionDue(checks) ? Geometry::kCorrectionDue : Geometry::kGood;
+}
+
+void TimeHistories::Correct() {
+  for (std::size_t h = 0; h < checks.size(); ++h) fitted[h].correction = checks[h].correction;
+}
+
+bool TimeHistories::Reads(const RecordedTable& table) const {
+  std::vector<std::string> times = kTimeColumn.names;
+  for (const StudyHistory& history : plan.histories)
+    if (history.time) times.push_back(history.time->name);
+  return !table.FindColumn("frequency_Hz") &&
+         std::any_of(times.begin(), times.end(),
+                     [&](const std::string& name) { return table.FindColumn(name).has_value(); });
+}
+
+}  // namespace fourpost

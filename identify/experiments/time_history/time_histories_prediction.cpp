@@ -1,0 +1,196 @@
+// What a vehicle that is given makes of recordings over time.
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "analysis/text/text_table.h"
+#include "identify/experiments/time_history/history_fit_files.h"
+#include "identify/experiments/time_history/history_remark.h"
+#include "identify/experiments/time_history/history_tyre_pull_lint.h"
+#include "identify/experiments/time_history/kalman_noise_json.h"
+#include "identify/experiments/time_history/kalman_progress.h"
+#include "identify/experiments/time_history/remedied_error.h"
+#include "identify/experiments/time_history/time_histories.h"
+#include "identify/residuals/history_misfit_json.h"
+#include "identify/residuals/history_table.h"
+#include "identify/study_file/measured_channels.h"
+#include "vehicles/requests/engine_text.h"
+#include "vehicles/requests/history_files.h"
+
+namespace fourpost {
+namespace {
+
+[[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& message) {
+  Diagnostics faults;
+  faults.Error(file.string(), 0, message);
+  throw FaultyInput(faults);
+}
+
+/// Nothing where it is interrupted.
+std::optional<EngineHistory> Answer(const Subject& subject, const MeasuredHistory& history,
+                                    const HistorySolver::Options& options, const WorkHooks& hooks) {
+  const double end = history.TimeAt(history.count - 1);
+  return SimulateBy(options, history, subject.vehicle(), subject.vehicle().ParameterValues(),
+                    [&](const std::string& work, double t) {
+                      hooks.Show(work + ": " + Rounded(t, 3) + " of " + Rounded(end, 3) + " s");
+                      return !hooks.IsStopped();
+                    });
+}
+
+/// One recording and what is asked of it.
+class HistoryPrediction {
+ public:
+  HistoryPrediction(const HistoryPlan& plan, const Subject& subject, const PredictionRequest& request,
+                    const WorkHooks& hooks)
+      : plan_(plan), subject_(subject), request_(request), hooks_(hooks) {}
+
+  std::optional<ExperimentResults> Run() const {
+    ExperimentResults results;
+    const std::vector<MeasuredHistory> histories = {Load(Layout(request_.recording), results.findings)};
+    const MeasuredHistory& history = histories.front();
+    const HistoryResiduals reduced(subject_.Condensed(), histories, {});
+    const std::vector<double> values = subject_.vehicle().ParameterValues();
+    LintTyrePulls(subject_.vehicle(), values, histories, reduced.Steps(), results.findings);
+    const std::optional<EngineHistory> answer =
+        Answer(subject_, history, {.engine = request_.engine.value_or(Engine::kAuto)}, hooks_);
+    if (!answer) return std::nullopt;
+    const std::vector<Eigen::MatrixXd> modelled = {answer->modelled};
+    std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
+    if (answer->by.engine == Engine::kFull) AddReducedErrors(history, reduced.Modelled(values).front(), misfits);
+    if (request_.has_kalman) AddKalman(history, misfits);
+    if (hooks_.IsStopped()) return std::nullopt;
+    results.json = EngineJson(answer->by, HistorySolver::Options{}.error);
+    results.json.update({{"start_s", history.TimeAt(0)},
+                         {"end_s", history.TimeAt(history.count - 1)},
+                         {"samples", history.count},
+                         {"channels", HistoryMisfitsJson(misfits)}});
+    results.files = {{"history.csv", HistoryFitCsv(histories, modelled)},
+                     {"history.svg", HistoryFitSvg(history, modelled.front(), misfits)}};
+    results.text = HistoryTable(misfits) + EngineText(answer->by);
+    for (const HistoryRemark& remark :
+         RemarksOn(misfits, 1 / history.rate_Hz, RemediedErrors(histories, modelled))) {
+      results.remarks.push_back(remark.message);
+      results.text += remark.message + '\n';
+    }
+    return results;
+  }
+
+ private:
+  /// The first of the study's histories, of this recording.
+  StudyHistory Layout(const std::filesystem::path& recording) const {
+    StudyHistory history = plan_.histories.front();
+    history.file = recording;
+    history.name = recording.stem().string();
+    history.end_s.reset();
+    Diagnostics diagnostics;
+    const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
+    if (!table) throw FaultyInput(diagnostics);
+    if (const std::string left_out = KeepMeasured(recording, table->names(), history.channels); !left_out.empty())
+      hooks_.Note("not measured in " + recording.filename().string() + ", left out: " + left_out);
+    return history;
+  }
+
+  MeasuredHistory Load(const StudyHistory& layout, Diagnostics& diagnostics) const {
+    const std::optional<std::vector<MeasuredHistory>> histories =
+        LoadHistories({layout}, subject_.study_file().string(), subject_.vehicle(), diagnostics);
+    if (!histories) throw FaultyInput(diagnostics);
+    return histories->front();
+  }
+
+  /// As recorded: a Kalman filter takes no filter back.
+  MeasuredHistory LoadAsRecorded(const std::filesystem::path& recording, std::optional<double> end_s) const {
+    StudyHistory layout = Layout(recording);
+    layout.filter.reset();
+    layout.end_s = end_s;
+    // Those of the recording with its filter have been found.
+    Diagnostics findings;
+    return Load(layout, findings);
+  }
+
+  CondensedModel Model() const { return subject_.Condensed()->At(subject_.vehicle().ParameterValues()); }
+
+  /// Never of the recording that is judged.
+  KalmanNoise NoiseOf(const MeasuredHistory& judged) const {
+    if (request_.noise_from.empty()) {
+      const std::optional<KalmanNoise> held = ReadKalmanNoise(request_.run / "result.json", judged);
+      if (held) return *held;
+      Refuse(request_.run,
+             "tells no noise for a Kalman filter, for the fit was not by 'cost: prediction': name the "
+             "recording it was fitted to by --noise-from, for noise estimated on the recording that is "
+             "judged would flatter the model");
+    }
+    return KalmanPredictor(LoadAsRecorded(request_.noise_from, std::nullopt))
+        .Estimate(Model(), {.progress = KalmanProgress(hooks_)});
+  }
+
+  void AddKalman(const MeasuredHistory& judged, std::vector<HistoryMisfit>& misfits) const {
+    for (const Damper& damper : subject_.vehicle().dampers)
+      if (damper.hydraulic)
+        Refuse(request_.run / "vehicle.urdf", "fp:damper '" + damper.name +
+                                                  "' is hydraulic: a Kalman filter corrects positions and velocities, "
+                                                  "and knows nothing of its oil; leave --kalman out");
+    const MeasuredHistory recorded =
+        LoadAsRecorded(request_.recording, judged.TimeAt(judged.count - 1) + 0.5 / judged.rate_Hz);
+    const KalmanPrediction prediction = KalmanPredictor(recorded).Run(Model(), NoiseOf(recorded));
+    AddOneStepErrors({recorded}, {prediction}, misfits);
+  }
+
+  const HistoryPlan& plan_;
+  const Subject& subject_;
+  const PredictionRequest& request_;
+  const WorkHooks& hooks_;
+};
+
+/// Integrated in time, a steady response is one of the full geometry.
+Engine HistoryEngineOf(std::optional<Engine> engine) {
+  return engine == Engine::kMarch ? Engine::kFull : engine.value_or(Engine::kAuto);
+}
+
+/// By the engine that each needs; nothing where it is interrupted.
+std::optional<std::vector<HistoryMisfit>> Answers(const std::vector<MeasuredHistory>& histories, const Subject& subject,
+                                                  std::optional<Engine> engine, const WorkHooks& hooks,
+                                                  const std::string& file, ExperimentResults& results) {
+  if (histories.empty()) return std::vector<HistoryMisfit>();
+  const HistoryResiduals reduced(subject.Condensed(), histories, {});
+  const std::vector<double> values = subject.vehicle().ParameterValues();
+  LintTyrePulls(subject.vehicle(), values, histories, reduced.Steps(), results.findings);
+  std::vector<Eigen::MatrixXd> modelled;
+  for (const MeasuredHistory& history : histories) {
+    const HistorySolver::Options options{.engine = HistoryEngineOf(engine), .error = reduced.options().error};
+    std::optional<EngineHistory> answer = Answer(subject, history, options, hooks);
+    if (!answer) return std::nullopt;
+    nlohmann::ordered_json entry = {{"recording", history.name}};
+    entry.update(EngineJson(answer->by, options.error));
+    results.json["histories"].push_back(entry);
+    results.text += FitEngineText(history.name, answer->by);
+    modelled.push_back(std::move(answer->modelled));
+  }
+  results.files.emplace_back(file, HistoryFitCsv(histories, modelled));
+  return HistoryMisfits(histories, modelled);
+}
+
+}  // namespace
+
+std::optional<ExperimentResults> TimeHistories::Predict(const Subject& subject, const PredictionRequest& request,
+                                                      const WorkHooks& hooks) const {
+  if (!request.mode.empty())
+    hooks.Note("--mode: warning: " + request.recording.filename().string() +
+               " tells itself how its posts moved; the option is left out");
+  return HistoryPrediction(plan, subject, request, hooks).Run();
+}
+
+std::optional<ExperimentResults> TimeHistories::Respond(const Subject& subject, std::optional<Engine> engine,
+                                                      const WorkHooks& hooks) const {
+  ExperimentResults results;
+  const auto fit = Answers(fitted, subject, engine, hooks, "history.csv", results);
+  const auto kept = fit ? Answers(validation, subject, engine, hooks, "validation.csv", results) : std::nullopt;
+  if (!kept) return std::nullopt;
+  results.json["channels"] = HistoryMisfitsJson(*fit);
+  if (!kept->empty()) results.json["validation"] = HistoryMisfitsJson(*kept);
+  std::vector<HistoryMisfit> all = *fit;
+  all.insert(all.end(), kept->begin(), kept->end());
+  results.text = HistoryTable(all) + results.text;
+  return results;
+}
+
+}  // namespace fourpost

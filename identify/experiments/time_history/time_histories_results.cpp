@@ -1,0 +1,151 @@
+// What a fit by time histories leaves: tables, files and keys of result.json.
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "identify/experiments/time_history/history_fit_files.h"
+#include "identify/experiments/time_history/history_lint.h"
+#include "identify/experiments/time_history/history_tyre_pull_lint.h"
+#include "identify/experiments/time_history/kalman_noise_json.h"
+#include "identify/experiments/time_history/motion_file.h"
+#include "identify/experiments/time_history/time_histories.h"
+#include "identify/residuals/history_misfit_json.h"
+#include "identify/residuals/history_table.h"
+#include "vehicles/requests/engine_text.h"
+#include "vehicles/requests/history_files.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Table and files; `name` of the files.
+std::vector<HistoryMisfit> Show(const HistoryPlan& plan, const Vehicle& vehicle, const HistoryResiduals& residuals,
+                                const std::vector<double>& values, const std::vector<Eigen::MatrixXd>& modelled,
+                                bool has_one_step, const std::string& name, ExperimentResults& results) {
+  const std::vector<MeasuredHistory>& histories = residuals.histories();
+  std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
+  if (has_one_step) AddOneStepErrors(histories, residuals.Predicted(values), misfits);
+  LintHistories(plan.file, plan.histories, vehicle, values, residuals, misfits, results.findings);
+  LintTyrePulls(vehicle, values, histories, residuals.Steps(), results.findings);
+  results.text += HistoryTable(misfits) + '\n';
+  results.files.emplace_back(name + ".csv", HistoryFitCsv(histories, modelled));
+  auto misfit = misfits.begin();
+  for (std::size_t h = 0; h < histories.size(); ++h) {
+    const auto next = misfit + static_cast<std::ptrdiff_t>(histories[h].signals.size());
+    const std::string number = histories.size() == 1 ? "" : "_" + std::to_string(h + 1);
+    results.files.emplace_back(name + number + ".svg", HistoryFitSvg(histories[h], modelled[h], {misfit, next}));
+    misfit = next;
+  }
+  return misfits;
+}
+
+/// How the fitted vehicle moved in each.
+void AddMotions(const CondensedModel& model, const HistoryResiduals& residuals, std::vector<RecordedHistory>& motions) {
+  const std::vector<double> steps = residuals.Steps();
+  for (std::size_t h = 0; h < steps.size(); ++h) {
+    const MeasuredHistory& history = residuals.histories()[h];
+    const Eigen::Index columns = static_cast<Eigen::Index>(history.posts.count) + model.mass.rows();
+    motions.push_back(
+        {history.name, HistorySimulation(history, steps[h]).Motion(model, FrameStride(history, columns))});
+  }
+}
+
+void AddEngine(const std::string& recording, bool is_fitted, const HistoryEngine& by, double error,
+               ExperimentResults& results) {
+  Json entry = {{"recording", recording}, {"fitted", is_fitted}};
+  entry.update(EngineJson(by, error));
+  results.json["histories"].push_back(entry);
+  results.text += FitEngineText(recording, by);
+}
+
+void AddEngines(const TimeHistories& experiment, double error, ExperimentResults& results) {
+  for (std::size_t h = 0; h < experiment.checks.size(); ++h) {
+    const std::string& name = experiment.fitted[h].name;
+    const HistoryEngine& by = experiment.checks[h].by;
+    AddEngine(name, true, by, error, results);
+    if (by.engine == Engine::kReduced && by.kinematics_error && by.kinematics_error->IsVisible())
+      results.findings.Warning(experiment.plan.file, 0,
+                               "history '" + name + "': " + KinematicsText(*by.kinematics_error) +
+                                   ", and a cost by prediction is not corrected for it; take another 'cost'");
+  }
+  if (!experiment.checks.empty()) results.text += '\n';
+}
+
+/// Histories kept for validation and what the fitted vehicle makes of each, by the engine that it needs.
+struct Predictions {
+  std::vector<MeasuredHistory> histories;
+  std::vector<Eigen::MatrixXd> modelled;
+  std::vector<HistoryEngine> by;
+};
+
+/// Of those that the fitted vehicle can go through; a fit stands without the others.
+Predictions PredictAll(const TimeHistories& experiment, const Subject& subject, const FitResult& fit, double error,
+                       ExperimentResults& results) {
+  Predictions out;
+  for (const MeasuredHistory& history : experiment.validation) {
+    Diagnostics found;
+    try {
+      // Remarks on it and the motion shown are the reduced model's.
+      HistoryResiduals(subject.Condensed(), {history}, {}).Modelled(fit.values);
+      EngineHistory answer = SimulateBy({.error = error}, history, subject.vehicle(), fit.values).value();
+      out.histories.push_back(history);
+      out.modelled.push_back(std::move(answer.modelled));
+      out.by.push_back(std::move(answer.by));
+    } catch (const std::runtime_error& failure) {
+      found.Error(experiment.plan.file, 0,
+                  "'" + history.name + "' cannot be predicted by the fitted vehicle: " + failure.what() +
+                      "; `fourpost check` of the vehicle.urdf of the results tells more");
+    }
+    if (std::optional<LeftOutRecording> left_out = LeftOutFor(found, history.name, {}, results.findings))
+      results.json["validation_left_out"].push_back(LeftOutJson(*left_out));
+  }
+  return out;
+}
+
+void AddValidation(const TimeHistories& experiment, const Subject& subject, const FitResult& fit, double error,
+                   ExperimentResults& results, std::vector<RecordedHistory>& motions) {
+  const Predictions predictions = PredictAll(experiment, subject, fit, error, results);
+  if (predictions.histories.empty()) return;
+  const HistoryResiduals residuals(subject.Condensed(), predictions.histories, {});
+  results.text += "Not fitted:\n";
+  results.json["validation"] = HistoryMisfitsJson(Show(experiment.plan, subject.vehicle(), residuals, fit.values,
+                                                       predictions.modelled, false, "validation", results));
+  for (std::size_t h = 0; h < predictions.by.size(); ++h)
+    AddEngine(predictions.histories[h].name, false, predictions.by[h], error, results);
+  AddMotions(subject.Condensed()->At(fit.values), residuals, motions);
+}
+
+}  // namespace
+
+ExperimentResults TimeHistories::Results(const Subject& subject, const FitResult& fit) const {
+  ExperimentResults results;
+  for (const LeftOutRecording& recording : left_out_)
+    results.json["validation_left_out"].push_back(LeftOutJson(recording));
+  if (fitted.empty() && validation.empty()) return results;
+  const CondensedModel model = subject.Condensed()->At(fit.values);
+  const double error = Options(subject).error;
+  std::vector<RecordedHistory> motions;
+  if (!fitted.empty()) {
+    const HistoryResiduals residuals(subject.Condensed(), fitted, Options(subject));
+    const std::vector<HistoryMisfit> misfits =
+        Show(plan, subject.vehicle(), residuals, fit.values, residuals.Modelled(fit.values),
+             plan.cost == HistoryCost::kPrediction, "history", results);
+    results.json["channels"] = HistoryMisfitsJson(misfits);
+    results.json["history_cost"] = kHistoryCostNames[static_cast<std::size_t>(plan.cost)];
+    results.shares = ErrorShares(misfits);
+    AddMotions(model, residuals, motions);
+    // A fit that was cut short says nothing of its kinematics.
+    if (fit.end != FitEnd::kInterrupted) AddEngines(*this, error, results);
+  }
+  for (std::size_t h = 0; h < kalman_noise.size(); ++h)
+    results.json["kalman_noise"].push_back(KalmanNoiseJson(fitted[h], kalman_noise[h]));
+  if (!validation.empty()) AddValidation(*this, subject, fit, error, results, motions);
+  // A report cannot compute it anew: the folder of a run has no recordings.
+  results.files.emplace_back("motion.csv", MotionCsv(subject.vehicle(), motions));
+  return results;
+}
+
+}  // namespace fourpost

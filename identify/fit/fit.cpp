@@ -1,0 +1,336 @@
+#include "identify/fit/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "identify/uncertainty/derivative_noise.h"
+#include "identify/refine/fit_variables.h"
+#include "identify/refine/search_method_list.h"
+#include "vehicles/reader/physical_range.h"
+
+namespace fourpost {
+namespace {
+
+/// Within this share of its range a parameter counts as being at the bound: refinement stops at steps of 1e-8.
+constexpr double kAtBound = 1e-6;
+
+bool IsAtBound(const LatticeAxis& axis, double value) {
+  const double near = kAtBound * (axis.upper - axis.lower);
+  return value - axis.lower < near || axis.upper - value < near;
+}
+
+/// Deviation and interval of a parameter; `k`: its place among the free ones.
+void Tell(const Covariance& covariance, Eigen::Index k, bool is_logarithmic, const PhysicalRange& physical,
+          FittedParameter& fitted) {
+  fitted.sd = covariance.sd[k];
+  const double reach = covariance.reach_95 * covariance.variable_sd[k];
+  const double range = fitted.upper - fitted.lower;
+  fitted.lower_95 = is_logarithmic ? fitted.value * std::exp(-reach) : fitted.value - reach * range;
+  fitted.upper_95 = is_logarithmic ? fitted.value * std::exp(reach) : fitted.value + reach * range;
+  if (!std::isfinite(fitted.sd)) return;
+  fitted.lower_95 = std::max(fitted.lower_95, physical.least);
+  fitted.upper_95 = std::min(fitted.upper_95, physical.greatest);
+}
+
+/// What data and priors say at the optimum, and of which parameters they cannot say anything there.
+struct Certainty {
+  Covariance covariance;
+  /// One per free parameter.
+  std::vector<ParameterState> states;
+};
+
+std::vector<FittedParameter> Describe(const VehicleObjective& objective, const Lattice& lattice,
+                                      const Eigen::VectorXd& values, const std::optional<Certainty>& certainty) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  const FitVariables variables(lattice);
+  const std::vector<PhysicalRange> physical = PhysicalRanges(objective.vehicle());
+  std::vector<FittedParameter> out;
+  for (std::size_t i = 0; i < objective.free().size(); ++i) {
+    const Parameter& parameter = objective.vehicle().parameters[objective.free()[i]];
+    const Eigen::Index k = static_cast<Eigen::Index>(i);
+    FittedParameter fitted;
+    fitted.name = parameter.name;
+    fitted.start = parameter.value;
+    fitted.value = values[k];
+    fitted.prior_sd = parameter.prior_sd;
+    fitted.lower = parameter.lower;
+    fitted.upper = parameter.upper;
+    fitted.sd = fitted.lower_95 = fitted.upper_95 = kUnknown;
+    if (certainty) {
+      fitted.state = certainty->states[i];
+      Tell(certainty->covariance, k, variables.is_logarithmic(k), physical[objective.free()[i]], fitted);
+    }
+    fitted.at_bound = IsAtBound(lattice.axes()[i], values[k]);
+    fitted.dimension = parameter.dimension;
+    fitted.unit = parameter.unit;
+    out.push_back(fitted);
+  }
+  return out;
+}
+
+/// Of parameters that cannot have a deviation at this optimum. A parameter at its bound that changes nothing is not
+/// held there by the bound.
+std::vector<ParameterState> StatesBefore(const RefineResult& best, const Lattice& lattice,
+                                         const std::vector<Eigen::Index>& noisy) {
+  std::vector<ParameterState> states(lattice.size(), ParameterState::kDetermined);
+  const Eigen::VectorXd norms = best.jacobian.colwise().norm();
+  Eigen::VectorXd sound = norms;
+  for (const Eigen::Index j : noisy) {
+    states[static_cast<std::size_t>(j)] = ParameterState::kNoise;
+    sound[j] = 0;
+  }
+  const double least = CovarianceOptions().rank_threshold * sound.maxCoeff();
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const auto j = static_cast<Eigen::Index>(i);
+    if (IsAtBound(lattice.axes()[i], best.values[j]) && norms[j] > least) states[i] = ParameterState::kAtBound;
+  }
+  return states;
+}
+
+/// The priors' residuals come last. With a loss the cost is that of squares that would leave the same variance, but
+/// never less than the squares are: a loss bounds the pull of residuals, and knows nothing of why they are so large.
+Certainty CertaintyAt(const RefineResult& best, const RobustLoss& loss, Eigen::Index prior_count,
+                      const Lattice& lattice, const std::vector<Eigen::Index>& noisy) {
+  const Eigen::Index data = best.jacobian.rows() - prior_count;
+  const double cost = std::max(best.residuals.head(data).squaredNorm(), loss.EquivalentCost(best.residuals.head(data)));
+  Certainty certainty{.covariance = {}, .states = StatesBefore(best, lattice, noisy)};
+  CovarianceOptions options;
+  for (std::size_t i = 0; i < certainty.states.size(); ++i)
+    if (certainty.states[i] != ParameterState::kDetermined) options.held.push_back(static_cast<Eigen::Index>(i));
+  certainty.covariance = EstimateCovariance(best.jacobian.topRows(data), FitVariables(lattice).Slopes(best.values),
+                                            cost, options, best.jacobian.bottomRows(prior_count));
+  for (std::size_t i = 0; i < certainty.states.size(); ++i)
+    if (std::isinf(certainty.covariance.sd[static_cast<Eigen::Index>(i)]))
+      certainty.states[i] = ParameterState::kUndetermined;
+  return certainty;
+}
+
+/// Of the data's derivatives at an optimum; none where the user stops it.
+std::vector<Eigen::Index> NoisyAt(Archive& archive, const RefineResult& best, Eigen::Index prior_count,
+                                  const RefineOptions& options, const std::function<bool()>& stop) {
+  std::optional<Eigen::MatrixXd> again;
+  const FitVariables variables(archive.lattice());
+  archive.StopBatches(stop);
+  try {
+    again = JacobianAgain(archive, variables, variables.FromValues(best.values), best.residuals,
+                          options.DifferenceStep(archive.problem()));
+  } catch (const BatchStopped&) {
+  }
+  archive.StopBatches({});
+  if (!again) return {};
+  const Eigen::Index data = best.jacobian.rows() - prior_count;
+  return NoisyColumns(best.jacobian.topRows(data), again->topRows(data));
+}
+
+std::string FailureCauses(const EvaluationCounts& counts) {
+  std::string text = "every evaluation failed:";
+  for (const auto& [cause, tally] : counts.failures)
+    text += " " + std::to_string(tally.count) + " " + std::string(FailureName(cause)) + " (" + tally.example + ");";
+  return text;
+}
+
+FitEnd EndOf(const RefineResult& best, bool interrupted) {
+  if (interrupted) return FitEnd::kInterrupted;
+  return best.end == RefineEnd::kConverged ? FitEnd::kConverged : FitEnd::kNotConverged;
+}
+
+/// Distinct good points of the search, and the vehicle's own values.
+std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const VehicleObjective& objective, int count) {
+  std::vector<Eigen::VectorXd> starts;
+  for (const Candidate& candidate : search.candidates)
+    if (static_cast<int>(starts.size()) < count) starts.push_back(candidate.values);
+  starts.push_back(objective.FileValues());
+  return starts;
+}
+
+/// The model's own derivatives may be good enough for steps only: differences end what they began, and tell deviations.
+/// `report_and_ask` is called between the steps, `stop` within them.
+RefineResult Polished(Archive& archive, const RefineResult& best, RefineOptions options,
+                      const std::function<bool()>& report_and_ask, const std::function<bool()>& stop) {
+  if (options.differences != Differences::kAutomatic || !archive.problem().differentiate || stop()) return best;
+  options.differences = Differences::kCentral;
+  archive.StopBatches(stop);
+  RefineResult polished = best;
+  try {
+    polished = Refine(archive, best.values, options, report_and_ask);
+  } catch (const BatchStopped&) {
+  }
+  archive.StopBatches({});
+  return polished.has_cost() && polished.cost <= best.cost ? polished : best;
+}
+
+/// The vehicle's own values come last; after an interruption they may be left out.
+std::vector<RefinedStart> Summarised(const std::vector<RefineResult>& runs, std::size_t starts) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<RefinedStart> refined;
+  for (const RefineResult& run : runs) {
+    const bool is_last = refined.size() + 1 == starts;
+    refined.push_back({.from = is_last ? "vehicle file" : "search",
+                       .end = run.end,
+                       .start_cost = run.has_cost() ? run.start_cost : kNone,
+                       .cost = run.has_cost() ? run.cost : kNone,
+                       .iterations = run.iterations,
+                       .evaluations = run.evaluations,
+                       .agrees = run.agrees,
+                       .values = {run.values.begin(), run.values.end()}});
+  }
+  return refined;
+}
+
+/// By the refinement's loss; of the search squares are known, no residuals. NaN when it fails now.
+double CostOf(Archive& archive, const Candidate& candidate, const RobustLoss& loss) {
+  if (loss.kind() == LossKind::kNone) return candidate.cost;
+  const Evaluation again = archive.EvaluateValues({candidate.values}).front();
+  return again.ok() ? loss.Cost(again.residuals) : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+std::string_view FitEndName(FitEnd end) {
+  switch (end) {
+    case FitEnd::kNotRun: return "not_run";
+    case FitEnd::kConverged: return "converged";
+    case FitEnd::kNotConverged: return "not_converged";
+    case FitEnd::kInterrupted: return "interrupted";
+    case FitEnd::kAllFailed: return "all_failed";
+    case FitEnd::kUnidentified: return "unidentified";
+  }
+  return "";
+}
+
+double FitResult::Misfit() const {
+  if (!covariance) return std::numeric_limits<double>::quiet_NaN();
+  return std::sqrt(data_squares / static_cast<double>(residual_count - prior_count - covariance->rank));
+}
+
+void FitResult::DropDeviations() {
+  covariance.reset();
+  for (FittedParameter& parameter : parameters) {
+    parameter.state = ParameterState::kNotComputed;
+    parameter.sd = parameter.lower_95 = parameter.upper_95 = std::nan("");
+  }
+}
+
+FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
+              EvaluationStore* store) {
+  Problem problem = objective.MakeProblem();
+  problem.deadline_s = options.deadline_s;
+  Archive archive(std::move(problem), options.threads, store);
+  archive.Watch([&loss = options.refine.loss](const Eigen::VectorXd& residuals) { return loss.Cost(residuals); });
+  const std::function<bool()> stop = hooks.stop ? hooks.stop : [] { return false; };
+  FitResult result;
+  std::string_view stage_now;
+  std::int64_t paid_before = 0;
+  const auto begin = [&](std::string_view stage) {
+    stage_now = stage;
+    paid_before = archive.counts().paid;
+  };
+  const auto report_within = [&](std::int64_t of_batch) {
+    const EvaluationCounts& counts = archive.counts();
+    if (!hooks.progress) return;
+    const std::int64_t paid = counts.paid + of_batch;
+    hooks.progress({.stage = stage_now,
+                    .best_cost = archive.best_cost(),
+                    .paid = paid,
+                    .in_stage = paid - paid_before,
+                    .profiled = result.profiles.size(),
+                    .reused = counts.reused,
+                    .failed = counts.failed(),
+                    .restored = counts.restored});
+  };
+  archive.TellProgress(report_within);
+  const auto report = [&] { report_within(0); };
+
+  result.values = objective.vehicle().ParameterValues();
+  result.residual_count = objective.residual_count();
+  result.prior_count = objective.prior_count();
+  result.options = options;
+  result.options.refine.step = options.refine.DifferenceStep(archive.problem());
+  if (options.identify_first && !options.from) {
+    begin("identifiability");
+    report();
+    archive.StopBatches(stop);
+    try {
+      result.before = IdentifiabilityBefore(archive, objective, options.seed);
+    } catch (const BatchStopped&) {
+      result.end = FitEnd::kInterrupted;
+      result.message = "before its search began;";
+      result.evaluations = archive.counts();
+      return result;
+    }
+    archive.StopBatches({});
+    if (result.before && result.before->HasUndetermined() && !options.accept_unidentified) {
+      result.end = FitEnd::kUnidentified;
+      result.evaluations = archive.counts();
+      return result;
+    }
+  }
+  if (options.from) {
+    result.search.candidates = {{.values = *options.from}};
+  } else {
+    begin("search");
+    result.search = RunMethod(options.search, archive, options.seed, options.stop, options.candidates,
+                              {[&](const SearchGeneration&) { report(); }, stop});
+  }
+  result.search_settings = Settings(options.search);
+  result.evaluations = archive.counts();
+  if (result.search.candidates.empty()) {
+    result.end = stop() ? FitEnd::kInterrupted : FitEnd::kAllFailed;
+    result.message =
+        stop() ? "before its search found a point that can be evaluated;" : FailureCauses(archive.counts());
+    return result;
+  }
+
+  begin("refine");
+  const auto report_and_ask = [&] {
+    report();
+    return stop();
+  };
+  const std::vector<Eigen::VectorXd> starts =
+      options.from ? std::vector{*options.from} : Starts(result.search, objective, options.starts);
+  const MultiStartResult refined = RefineFrom(archive, starts, options.refine, report_and_ask);
+  result.starts = refined.ended;
+  result.agreeing = refined.agreeing;
+  result.refined = Summarised(refined.runs, starts.size());
+  if (options.from)
+    for (RefinedStart& run : result.refined) run.from = "fit";
+
+  Eigen::VectorXd values = result.search.candidates.front().values;
+  std::optional<Certainty> certainty;
+  result.end = stop() ? FitEnd::kInterrupted : FitEnd::kNotConverged;
+  if (refined.best >= 0) {
+    begin("deviations");
+    const RefineResult best =
+        Polished(archive, refined.runs[static_cast<std::size_t>(refined.best)], options.refine, report_and_ask, stop);
+    values = best.values;
+    result.cost = best.cost;
+    result.end = EndOf(best, stop());
+    result.message = best.message;
+    if (best.jacobian.size() > 0) {
+      const std::vector<Eigen::Index> noisy = NoisyAt(archive, best, result.prior_count, options.refine, stop);
+      certainty = CertaintyAt(best, options.refine.loss, result.prior_count, archive.lattice(), noisy);
+      result.covariance = certainty->covariance;
+      result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();
+      result.weakest = WeakestDirections(archive.lattice(), *result.covariance);
+      begin("profile");
+      const auto report_profile = [&] {
+        report();
+        return stop();
+      };
+      for (const Eigen::Index index : options.profiled)
+        if (!stop())
+          result.profiles.push_back(
+              ProfileOf(archive, best, *result.covariance, index, options.refine, report_profile));
+    }
+  } else {
+    result.cost = CostOf(archive, result.search.candidates.front(), options.refine.loss);
+  }
+  result.evaluations = archive.counts();
+  result.prior_cost = objective.PriorResiduals(values).squaredNorm();
+  result.parameters = Describe(objective, archive.lattice(), values, certainty);
+  result.values = objective.AllParameters(values);
+  return result;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,167 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "identify/uncertainty/covariance.h"
+#include "identify/fit/identifiability.h"
+#include "identify/uncertainty/parameter_state.h"
+#include "identify/uncertainty/profile.h"
+#include "identify/refine/refine.h"
+#include "identify/search/archive.h"
+#include "identify/refine/search_method_list.h"
+#include "identify/residuals/vehicle_objective.h"
+
+namespace fourpost {
+
+struct FitOptions {
+  /// How it explores before it refines.
+  MethodOptions search = PlainEvolution();
+  std::uint64_t seed = 1;
+  StopRules stop;
+  CandidateRules candidates;
+  RefineOptions refine;
+  /// Distinct good points of the search that are refined, beside the vehicle's own values.
+  int starts = 4;
+  /// Evaluations at once; 0: one per processor. No influence on the result.
+  int threads = 1;
+  /// Look first at what the data can tell, and end there where they leave something open that is not accepted.
+  bool identify_first = false;
+  bool accept_unidentified = false;
+  /// Free parameters to profile at the end, as their places among the free ones.
+  std::vector<Eigen::Index> profiled = {};
+  /// Of the free parameters: refine from here alone, without a look before or a search.
+  std::optional<Eigen::VectorXd> from = {};
+  /// What an evaluation may take [s]; see Problem.
+  double deadline_s = std::numeric_limits<double>::infinity();
+};
+
+enum class FitEnd { kNotRun, kConverged, kNotConverged, kInterrupted, kAllFailed, kUnidentified };
+
+/// "converged", "interrupted", ... as in result.json.
+std::string_view FitEndName(FitEnd end);
+
+/// A fitted parameter; SI.
+struct FittedParameter {
+  std::string name;
+  double start = 0;
+  double value = 0;
+  /// What was known of it before the fit: normal about `start`, with this deviation.
+  std::optional<double> prior_sd;
+  double lower = 0;
+  double upper = 0;
+  ParameterState state = ParameterState::kNotComputed;
+  /// Standard deviation, while parameters at a bound and those of noise stay where they are; infinite when nothing
+  /// determines the parameter, NaN in all other states.
+  double sd = 0;
+  /// Interval of 95 %, about the logarithm of the value where the fit is of that (see FitVariables): beyond the
+  /// parameter's bounds where the data are, but not beyond what is physical, see PhysicalRanges(). Infinite and NaN
+  /// like `sd`.
+  double lower_95 = 0;
+  double upper_95 = 0;
+  bool at_bound = false;
+  Dimension dimension;
+  /// As the vehicle file writes it.
+  std::string unit;
+
+  /// "lower" or "upper", of one at its bound.
+  std::string_view BoundName() const { return value - lower < upper - value ? "lower" : "upper"; }
+
+  /// How far the fit took it from its prior, in deviations of the prior; zero without one.
+  double FromPrior() const { return prior_sd ? (value - start) / *prior_sd : 0; }
+};
+
+/// What a refinement made of its start.
+struct RefinedStart {
+  /// "search", "vehicle file" or "fit", see FitOptions::from
+  std::string from;
+  RefineEnd end = RefineEnd::kNotRun;
+  double start_cost = 0;
+  double cost = 0;
+  int iterations = 0;
+  std::int64_t evaluations = 0;
+  /// With the best, see RefineOptions::agreement.
+  bool agrees = false;
+  /// Of the free parameters, SI.
+  std::vector<double> values;
+};
+
+struct FitResult {
+  FitEnd end = FitEnd::kNotRun;
+  std::string message;
+  /// Sum of squared whitened residuals, or of the refinement's loss of them, and how many there are; priors included.
+  double cost = 0;
+  /// With which it was run; the step of differences is the one that was used.
+  FitOptions options;
+  /// Sum of squares of the data's residuals, whatever the loss; with the covariance.
+  double data_squares = 0;
+  Eigen::Index residual_count = 0;
+  /// Those of the priors among them.
+  double prior_cost = 0;
+  Eigen::Index prior_count = 0;
+  std::vector<FittedParameter> parameters;
+  /// All parameters of the vehicle, the free ones at their fitted values.
+  std::vector<double> values;
+  /// Nothing when it was not asked for, or could not be computed at the file's values.
+  std::optional<Identifiability> before;
+  /// Nothing when the fit ended before it could be computed.
+  std::optional<Covariance> covariance;
+  /// Combinations of parameters that data and priors do not determine, in words; if there is none, the one they
+  /// determine least.
+  std::vector<std::string> weakest;
+  std::vector<Profile> profiles;
+  EvaluationCounts evaluations;
+  SearchResult search;
+  /// Every setting of the search and its value, in the words of a study.
+  std::vector<std::pair<std::string, std::string>> search_settings;
+  /// Refinements that ended by themselves, and how many of them in the best optimum.
+  int starts = 0;
+  int agreeing = 0;
+  /// Each that began, in the order of the starts: good points of the search, then the vehicle's own values.
+  std::vector<RefinedStart> refined;
+
+  /// Root mean square of the data's residuals over their degrees of freedom, whatever the loss: how many times what
+  /// noise and the stated model error explain. NaN without a covariance.
+  double Misfit() const;
+
+  /// Of a cost that weighs by other than noise, which has none; see LoadedStudy::TellsDeviations.
+  void DropDeviations();
+};
+
+/// What a running fit tells.
+struct FitProgress {
+  std::string_view stage;
+  /// Lowest of all evaluations so far, by the refinement's loss; infinite before the first.
+  double best_cost = 0;
+  /// Those of a batch that runs are taken for paid ones until it ends.
+  std::int64_t paid = 0;
+  /// Of the paid ones, those of this stage.
+  std::int64_t in_stage = 0;
+  /// Of parameters to profile, those whose profiles are done.
+  std::size_t profiled = 0;
+  std::int64_t reused = 0;
+  std::int64_t failed = 0;
+  /// Of the paid ones, those that were stored.
+  std::int64_t restored = 0;
+};
+
+struct FitHooks {
+  /// Called by one thread at a time, but not always by the same.
+  std::function<void(const FitProgress&)> progress;
+  /// True asks the fit to end with what it has.
+  std::function<bool()> stop;
+};
+
+/// A search over the lattice of the free parameters, then Levenberg-Marquardt from its distinct best points. `store`:
+/// where evaluations of this objective are kept; what it holds shortens the fit and does not change it. Throws
+/// OutputError when it cannot be written.
+FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks = {},
+              EvaluationStore* store = nullptr);
+
+}  // namespace fourpost

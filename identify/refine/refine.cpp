@@ -1,0 +1,313 @@
+#include "identify/refine/refine.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <ceres/ceres.h>
+#include <glog/logging.h>
+
+#include "analysis/text/option_check.h"
+#include "identify/refine/difference_jacobian.h"
+#include "identify/refine/fit_variables.h"
+
+namespace fourpost {
+namespace {
+
+// Residuals, and where they hold.
+struct Residuals {
+  Eigen::VectorXd x;
+  Eigen::VectorXd residuals;
+};
+
+// The residuals as Ceres wants them; remembers the latest ones and the latest Jacobian, for which Ceres asks apart.
+class ResidualFunction : public ceres::CostFunction {
+ public:
+  ResidualFunction(Archive& archive, const FitVariables& variables, const RefineOptions& options,
+                   const Eigen::VectorXd& x, const Eigen::VectorXd& residuals)
+      : archive_(archive),
+        variables_(variables),
+        step_(options.DifferenceStep(archive.problem())),
+        differences_(options.differences),
+        loss_(options.loss),
+        held_(options.held),
+        here_{x, residuals} {
+    set_num_residuals(static_cast<int>(residuals.size()));
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(x.size()));
+  }
+
+  // False for a failed evaluation: Ceres then refuses the step.
+  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], parameter_block_sizes()[0]);
+    if (!MoveTo(x)) return false;
+    const Eigen::VectorXd transformed = loss_.Transformed(here_.residuals);
+    Eigen::Map<Eigen::VectorXd>(residuals, num_residuals()) = transformed;
+    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+    if (!Linearise()) return false;
+    const Eigen::VectorXd slopes = loss_.Slopes(here_.residuals);
+    const Eigen::VectorXd gradient = jacobian_.transpose() * slopes.cwiseProduct(transformed);
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<RowMajor> free(jacobians[0], num_residuals(), x.size());
+    free = slopes.asDiagonal() * jacobian_;
+    for (Eigen::Index j = 0; j < x.size(); ++j) {
+      if (IsHeld(j, gradient[j])) free.col(j).setZero();
+    }
+    return true;
+  }
+
+  bool MoveTo(const Eigen::VectorXd& x) const {
+    if (x == here_.x) return true;
+    if (linearised_ && x == linearised_->x) {
+      here_ = *linearised_;
+      return true;
+    }
+    const Evaluation evaluation = archive_.EvaluateValues({variables_.ToValues(x)}).front();
+    if (!evaluation.ok()) {
+      failure_ = evaluation.detail.empty() ? FailureName(evaluation.failure) : evaluation.detail;
+      return false;
+    }
+    here_ = {x, evaluation.residuals};
+    return true;
+  }
+
+  // To the better of the two points remembered.
+  void MoveToBest() const {
+    if (linearised_ && loss_.Cost(linearised_->residuals) < loss_.Cost(here_.residuals)) here_ = *linearised_;
+  }
+
+  // The Jacobian where MoveTo() went.
+  bool Linearise() const {
+    if (linearised_ && here_.x == linearised_->x) return true;
+    std::optional<Eigen::MatrixXd> jacobian =
+        DifferenceJacobian(archive_, variables_, here_.x, here_.residuals, step_, differences_);
+    if (!jacobian) return false;
+    linearised_ = here_;
+    jacobian_ = *std::move(jacobian);
+    failure_.clear();
+    return true;
+  }
+
+  const Eigen::VectorXd& residuals() const { return here_.residuals; }
+  const Eigen::MatrixXd& jacobian() const { return jacobian_; }
+  const Eigen::VectorXd& x() const { return here_.x; }
+  // Why a step from the point of the Jacobian was refused; empty when none was.
+  const std::string& failure() const { return failure_; }
+
+ private:
+  // By the options, or at a bound, and the cost falls beyond it. Ceres computes a step as if there were no bounds and
+  // cuts it off there, which leaves the other variables short of their optimum; without its column in the Jacobian,
+  // this one has no part in it.
+  bool IsHeld(Eigen::Index j, double gradient) const {
+    if (std::find(held_.begin(), held_.end(), j) != held_.end()) return true;
+    return gradient > 0 ? here_.x[j] <= variables_.lower()[j] : here_.x[j] >= variables_.upper()[j];
+  }
+
+  Archive& archive_;
+  const FitVariables& variables_;
+  double step_;
+  Differences differences_;
+  const RobustLoss& loss_;
+  const std::vector<Eigen::Index>& held_;
+  // Ceres evaluates through const.
+  mutable Residuals here_;
+  mutable std::optional<Residuals> linearised_;
+  mutable Eigen::MatrixXd jacobian_;
+  mutable std::string failure_;
+};
+
+class StopCallback : public ceres::IterationCallback {
+ public:
+  explicit StopCallback(const std::function<bool()>& stop) : stop_(stop) {}
+
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return stop_() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const std::function<bool()>& stop_;
+};
+
+// Ceres reports refused steps as warnings on stderr, where they would break up a progress line.
+void QuietGlog() {
+  static const bool quiet = [] {
+    FLAGS_minloglevel = google::GLOG_FATAL;
+    return true;
+  }();
+  static_cast<void>(quiet);
+}
+
+ceres::Solver::Options SolverOptions(const RefineOptions& options) {
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::DENSE_QR;
+  solver.max_num_iterations = options.max_iterations;
+  solver.function_tolerance = options.cost_tolerance;
+  solver.parameter_tolerance = options.step_tolerance;
+  // Absolute, so it would mean something else for every problem: the other two decide.
+  solver.gradient_tolerance = 0;
+  // At a border of failures a step is halved as often, each time for one evaluation; then the trust region shrinks.
+  solver.max_num_line_search_step_size_iterations = 10;
+  // Cubic interpolation would ask for a Jacobian at every step tried at a bound.
+  solver.line_search_interpolation_type = ceres::QUADRATIC;
+  solver.logging_type = ceres::SILENT;
+  return solver;
+}
+
+// Steps refused until they are too short to count are no convergence.
+RefineEnd EndOf(ceres::TerminationType type, bool refused) {
+  switch (type) {
+    case ceres::CONVERGENCE: return refused ? RefineEnd::kFailed : RefineEnd::kConverged;
+    case ceres::NO_CONVERGENCE: return RefineEnd::kIterations;
+    case ceres::USER_SUCCESS: return RefineEnd::kStopped;
+    default: return RefineEnd::kFailed;
+  }
+}
+
+// Moves x to the optimum.
+ceres::Solver::Summary Solve(ResidualFunction& function, const FitVariables& variables, const RefineOptions& options,
+                             const std::function<bool()>& stop, Eigen::VectorXd& x) {
+  QuietGlog();
+  ceres::Problem::Options ownership;
+  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem problem(ownership);
+  problem.AddResidualBlock(&function, nullptr, x.data());
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    problem.SetParameterLowerBound(x.data(), static_cast<int>(j), variables.lower()[j]);
+    problem.SetParameterUpperBound(x.data(), static_cast<int>(j), variables.upper()[j]);
+  }
+  ceres::Solver::Options solver = SolverOptions(options);
+  StopCallback callback(stop);
+  if (stop) solver.callbacks.push_back(&callback);
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver, &problem, &summary);
+  return summary;
+}
+
+/// See RefineOptions::agreement.
+bool Agrees(const RefineResult& run, const RefineResult& best, double zero, const RefineOptions& options) {
+  const auto freedom = static_cast<double>(std::max<Eigen::Index>(1, best.residuals.size() - best.values.size()));
+  const double share = std::max(options.agreement / freedom, 100 * options.cost_tolerance);
+  return run.cost <= zero || run.cost - best.cost <= share * best.cost;
+}
+
+}  // namespace
+
+void RefineOptions::Validate() const {
+  RequireOption(max_iterations >= 0, "max_iterations", max_iterations, "0 or more");
+  RequireOption(step >= 0 && step <= 0.1, "step", step, "in [0, 0.1]");
+  RequireOption(cost_tolerance > 0 && cost_tolerance < 1, "cost_tolerance", cost_tolerance, "in (0, 1)");
+  RequireOption(step_tolerance > 0 && step_tolerance < 1, "step_tolerance", step_tolerance, "in (0, 1)");
+  RequireOption(agreement > 0 && agreement < 1, "agreement", agreement, "in (0, 1)");
+}
+
+std::string_view RefineEndName(RefineEnd end) {
+  switch (end) {
+    case RefineEnd::kNotRun: return "not run";
+    case RefineEnd::kConverged: return "converged";
+    case RefineEnd::kIterations: return "iterations used up";
+    case RefineEnd::kStartFailed: return "start could not be evaluated";
+    case RefineEnd::kFailed: return "ended by failed evaluations";
+    case RefineEnd::kStopped: return "stopped by the user";
+  }
+  return "unknown";
+}
+
+namespace {
+
+// From `here`, which it moves to the optimum.
+RefineResult Descend(Archive& archive, const FitVariables& variables, const RefineOptions& options,
+                     const std::function<bool()>& stop, Residuals& here) {
+  RefineResult result;
+  ResidualFunction function(archive, variables, options, here.x, here.residuals);
+  Eigen::VectorXd x = here.x;
+  const ceres::Solver::Summary summary = Solve(function, variables, options, stop, x);
+  result.end = EndOf(summary.termination_type, !function.failure().empty());
+  const bool refused = result.end == RefineEnd::kFailed && !function.failure().empty();
+  result.message = refused ? function.failure() : summary.message;
+  result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);
+  // Ceres takes a failure back to the start.
+  if (summary.IsSolutionUsable()) {
+    function.MoveTo(x);
+  } else {
+    function.MoveToBest();
+  }
+  if (function.Linearise()) result.jacobian = function.jacobian();
+  here = {function.x(), function.residuals()};
+  result.values = variables.ToValues(here.x);
+  result.residuals = here.residuals;
+  result.cost = options.loss.Cost(here.residuals);
+  return result;
+}
+
+/// Of the cost: a loss that leads need not end in its own optimum, only in the right valley.
+constexpr double kLeadingTolerance = 1e-4;
+
+/// The loss that leads to the one of the options; nothing where that one does itself. Huber's is convex in the
+/// residuals and leads to those that are not.
+std::optional<RobustLoss> Leading(const RefineOptions& options, const Eigen::VectorXd& residuals) {
+  const bool most_are_outliers = 2 * (residuals.array().abs() > options.loss.scale()).count() > residuals.size();
+  if (!most_are_outliers) return std::nullopt;
+  switch (options.loss.kind()) {
+    case LossKind::kNone: return std::nullopt;
+    case LossKind::kHuber:
+    case LossKind::kSoftL1: return options.loss.As(LossKind::kNone);
+    case LossKind::kCauchy:
+    case LossKind::kTukey: return options.loss.As(LossKind::kHuber);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+RefineResult Refine(Archive& archive, const Eigen::VectorXd& start, const RefineOptions& options,
+                    const std::function<bool()>& stop) {
+  options.Validate();
+  const FitVariables variables(archive.lattice());
+  const std::int64_t paid_before = archive.counts().paid;
+  Residuals here = {.x = variables.FromValues(start)};
+  const Evaluation first = archive.EvaluateValues({variables.ToValues(here.x)}).front();
+  if (!first.ok())
+    return {.end = RefineEnd::kStartFailed,
+            .message = first.detail,
+            .values = start,
+            .evaluations = archive.counts().paid - paid_before};
+  here.residuals = first.residuals;
+  RefineOptions rest = options;
+  if (const std::optional<RobustLoss> leading = Leading(options, here.residuals)) {
+    RefineOptions lead = options;
+    lead.loss = *leading;
+    lead.cost_tolerance = std::max(lead.cost_tolerance, kLeadingTolerance);
+    Residuals led = here;
+    rest.max_iterations -= Descend(archive, variables, lead, stop, led).iterations;
+    if (options.loss.Cost(led.residuals) < options.loss.Cost(here.residuals)) here = led;
+  }
+  RefineResult result = Descend(archive, variables, rest, stop, here);
+  result.start_cost = options.loss.Cost(first.residuals);
+  result.iterations += options.max_iterations - rest.max_iterations;
+  result.evaluations = archive.counts().paid - paid_before;
+  return result;
+}
+
+MultiStartResult RefineFrom(Archive& archive, const std::vector<Eigen::VectorXd>& starts, const RefineOptions& options,
+                            const std::function<bool()>& stop) {
+  MultiStartResult result;
+  double highest_start = 0;
+  for (const Eigen::VectorXd& start : starts) {
+    if (stop && stop()) break;
+    result.runs.push_back(Refine(archive, start, options, stop));
+    const RefineResult& run = result.runs.back();
+    result.ended += run.has_ended();
+    if (!run.has_cost()) continue;
+    highest_start = std::max(highest_start, run.start_cost);
+    const bool wins = result.best < 0 || run.cost < result.runs[static_cast<std::size_t>(result.best)].cost;
+    if (wins) result.best = static_cast<int>(result.runs.size()) - 1;
+  }
+  if (result.best < 0) return result;
+  const RefineResult& best = result.runs[static_cast<std::size_t>(result.best)];
+  for (RefineResult& run : result.runs) {
+    run.agrees = run.has_cost() && run.has_ended() && Agrees(run, best, 1e-12 * highest_start, options);
+    result.agreeing += run.agrees;
+  }
+  return result;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,17 @@
+#include "identify/residuals/history_misfit.h"
+
+namespace fourpost {
+
+std::vector<ErrorShare> ErrorShares(const std::vector<HistoryMisfit>& misfits) {
+  std::vector<ErrorShare> shares;
+  for (const HistoryMisfit& misfit : misfits)
+    shares.push_back({.channel = misfit.name,
+                      .recording = misfit.recording,
+                      .kind = misfit.unit,
+                      .unit = misfit.unit,
+                      .error = misfit.nmse_percent / 100 * misfit.measured_squares,
+                      .measured = misfit.measured_squares});
+  return shares;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,35 @@
+#include "identify/residuals/history_misfit_json.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/files/json_text.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+nlohmann::ordered_json HistoryMisfitsJson(const std::vector<HistoryMisfit>& misfits) {
+  Json list = Json::array();
+  for (const HistoryMisfit& misfit : misfits) {
+    list.push_back({{"recording", misfit.recording},
+                    {"name", misfit.name},
+                    {"nmse_percent", NumberOrNull(misfit.nmse_percent)},
+                    {"vaf_percent", NumberOrNull(misfit.vaf_percent)}});
+    if (misfit.gain) list.back()["gain"] = NumberOrNull(*misfit.gain);
+    if (misfit.delay_s) list.back()["delay_s"] = NumberOrNull(*misfit.delay_s);
+    if (misfit.reduced_nmse_percent) list.back()["reduced_nmse_percent"] = NumberOrNull(*misfit.reduced_nmse_percent);
+    if (misfit.one_step_nmse_percent)
+      list.back()["one_step_nmse_percent"] = NumberOrNull(*misfit.one_step_nmse_percent);
+    if (misfit.innovation_correlation)
+      list.back()["innovation_correlation"] = NumberOrNull(*misfit.innovation_correlation);
+    if (misfit.innovations_beyond) list.back()["innovations_beyond"] = NumberOrNull(*misfit.innovations_beyond);
+  }
+  return list;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "identify/residuals/history_misfit.h"
+
+namespace fourpost {
+
+/// As result.json tells them; what is not finite is null, what was not computed is not there.
+nlohmann::ordered_json HistoryMisfitsJson(const std::vector<HistoryMisfit>& misfits);
+
+}  // namespace fourpost

@@ -1,0 +1,52 @@
+#include "identify/residuals/history_table.h"
+
+#include <algorithm>
+
+#include "analysis/text/text_table.h"
+
+namespace fourpost {
+
+namespace {
+
+/// Empty without predictions.
+std::string OneStepTable(const std::vector<HistoryMisfit>& misfits) {
+  TextTable table({"recording", "channel", "simulated, %", "one step ahead, %", "innovations' correlation",
+                   "beyond white noise's"});
+  for (const HistoryMisfit& misfit : misfits) {
+    if (!misfit.one_step_nmse_percent) return "";
+    table.Add({misfit.recording, misfit.name, Rounded(misfit.nmse_percent, 3),
+               Rounded(*misfit.one_step_nmse_percent, 3), Rounded(*misfit.innovation_correlation, 2),
+               Rounded(100 * *misfit.innovations_beyond, 2) + " %"});
+  }
+  return "\nKalman filter as predictor. It is corrected by each sample before it predicts the next, so that a channel "
+         "that it\n"
+         "trusts has a far smaller error than in a simulation, whatever the model is worth: the two do not compare.\n"
+         "White innovations have no correlation from sample to sample, and 5 % of their first 25 autocorrelations "
+         "beyond "
+         "what\n95 % of those of white noise keep to.\n" +
+         table.Format();
+}
+
+}  // namespace
+
+std::string HistoryTable(const std::vector<HistoryMisfit>& misfits) {
+  // Of one recording or some of several.
+  const bool full = std::any_of(misfits.begin(), misfits.end(),
+                                [](const HistoryMisfit& misfit) { return misfit.reduced_nmse_percent.has_value(); });
+  std::vector<std::string> head = {"recording", "channel", "NMSE, %", "VAF, %", "gain", "delay, ms"};
+  if (full) head.insert(head.begin() + 3, "of reduced model");
+  TextTable table(head);
+  for (const HistoryMisfit& misfit : misfits) {
+    std::vector<std::string> row = {misfit.recording,
+                                    misfit.name,
+                                    Rounded(misfit.nmse_percent, 3),
+                                    Rounded(misfit.vaf_percent, 5),
+                                    misfit.gain ? Rounded(*misfit.gain, 4) : "",
+                                    misfit.delay_s ? Rounded(1e3 * *misfit.delay_s, 2) : ""};
+    if (full) row.insert(row.begin() + 3, misfit.reduced_nmse_percent ? Rounded(*misfit.reduced_nmse_percent, 3) : "");
+    table.Add(row);
+  }
+  return table.Format() + OneStepTable(misfits);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "analysis/process/deadline.h"
+#include "identify/search/evaluation.h"
+
+namespace fourpost {
+
+/// How far a vehicle is from one kind of data, as whitened residuals.
+struct ResidualBlock {
+  /// "four-post responses", "static loads", ...
+  std::string name;
+  /// Residuals it gives.
+  Eigen::Index count = 0;
+  /// Of the solver behind it, relative; see Problem.
+  double accuracy = 1e-15;
+  /// `values`: all parameters of the vehicle, SI. Called from several threads at once. Throws TimedOut.
+  std::function<Evaluation(const std::vector<double>& values, const Deadline& deadline)> evaluate;
+  /// Derivatives by these parameters (indices) per SI unit, count x parameters, for less than differences would cost
+  /// and good enough for steps of a refinement; empty where only differences tell. Throws what it cannot do.
+  std::function<Eigen::MatrixXd(const std::vector<double>& values, const std::vector<std::size_t>& parameters)>
+      differentiate = {};
+};
+
+}  // namespace fourpost

@@ -1,0 +1,96 @@
+#include "identify/residuals/vehicle_objective.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "analysis/text/option_check.h"
+
+namespace fourpost {
+
+VehicleObjective::VehicleObjective(Vehicle vehicle, std::vector<std::size_t> free, std::vector<ResidualBlock> blocks)
+    : vehicle_(std::move(vehicle)), free_(std::move(free)), blocks_(std::move(blocks)) {
+  CollectPriors();
+  residual_count_ = prior_count();
+  for (const ResidualBlock& block : blocks_) residual_count_ += block.count;
+}
+
+void VehicleObjective::CollectPriors() {
+  for (std::size_t i = 0; i < free_.size(); ++i) {
+    const Parameter& parameter = vehicle_.parameters[free_[i]];
+    if (!parameter.prior_sd) continue;
+    const double sd = *parameter.prior_sd;
+    RequireOption(sd > 0 && std::isfinite(sd), "prior_sd of " + parameter.name, sd, "positive and finite");
+    priors_.push_back({static_cast<Eigen::Index>(i), parameter.value, sd});
+  }
+}
+
+Problem VehicleObjective::MakeProblem() const {
+  std::vector<LatticeAxis> axes;
+  for (const std::size_t index : free_) {
+    const Parameter& parameter = vehicle_.parameters[index];
+    axes.push_back({parameter.name, parameter.lower, parameter.upper, parameter.precision});
+  }
+  Problem problem{.lattice = Lattice(std::move(axes)),
+                  .evaluate = [this](const Eigen::VectorXd& values,
+                                     const Deadline& deadline) { return Evaluate(values, deadline); },
+                  .residual_count = residual_count_};
+  for (const ResidualBlock& block : blocks_) problem.accuracy = std::max(problem.accuracy, block.accuracy);
+  const auto differentiates = [](const ResidualBlock& block) { return static_cast<bool>(block.differentiate); };
+  if (std::all_of(blocks_.begin(), blocks_.end(), differentiates))
+    problem.differentiate = [this](const Eigen::VectorXd& values) { return Jacobian(values); };
+  return problem;
+}
+
+Eigen::MatrixXd VehicleObjective::Jacobian(const Eigen::VectorXd& values) const {
+  const std::vector<double> all = AllParameters(values);
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(residual_count_, values.size());
+  Eigen::Index first = 0;
+  for (const ResidualBlock& block : blocks_) {
+    jacobian.middleRows(first, block.count) = block.differentiate(all, free_);
+    first += block.count;
+  }
+  for (const Prior& prior : priors_) jacobian(first++, prior.index) = 1 / prior.sd;
+  return jacobian;
+}
+
+std::vector<double> VehicleObjective::AllParameters(const Eigen::VectorXd& values) const {
+  std::vector<double> all = vehicle_.ParameterValues();
+  for (std::size_t i = 0; i < free_.size(); ++i) all[free_[i]] = values[static_cast<Eigen::Index>(i)];
+  return all;
+}
+
+Eigen::VectorXd VehicleObjective::FileValues() const {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(free_.size()));
+  for (std::size_t i = 0; i < free_.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = vehicle_.parameters[free_[i]].value;
+  return values;
+}
+
+Evaluation VehicleObjective::Evaluate(const Eigen::VectorXd& values, const Deadline& deadline) const {
+  const std::vector<double> all = AllParameters(values);
+  Evaluation whole;
+  whole.residuals.resize(residual_count_);
+  Eigen::Index first = 0;
+  for (const ResidualBlock& block : blocks_) {
+    Evaluation part = block.evaluate(all, deadline);
+    if (!part.ok()) return part;
+    if (part.residuals.size() != block.count)
+      return Failed(Failure::kWrongSize, block.name + " gave " + std::to_string(part.residuals.size()) +
+                                             " residuals in place of " + std::to_string(block.count));
+    whole.residuals.segment(first, block.count) = part.residuals;
+    first += block.count;
+  }
+  whole.residuals.tail(prior_count()) = PriorResiduals(values);
+  return whole;
+}
+
+Eigen::VectorXd VehicleObjective::PriorResiduals(const Eigen::VectorXd& values) const {
+  Eigen::VectorXd residuals(prior_count());
+  double* out = residuals.data();
+  for (const Prior& prior : priors_) *out++ = (values[prior.index] - prior.value) / prior.sd;
+  return residuals;
+}
+
+}  // namespace fourpost

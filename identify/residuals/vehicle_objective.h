@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/residuals/residual_block.h"
+#include "identify/search/evaluation.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// How far a vehicle is from the data of a study: the residuals of its blocks one after the other, then one for each
+/// free parameter with a prior, (p - value) / prior_sd. Immutable; may be evaluated from several threads at once.
+class VehicleObjective {
+ public:
+  /// `free`: indices of the parameters that vary. Throws std::invalid_argument for a prior_sd that is not above zero.
+  VehicleObjective(Vehicle vehicle, std::vector<std::size_t> free, std::vector<ResidualBlock> blocks);
+
+  /// The search problem over the free parameters. The objective must outlive it.
+  Problem MakeProblem() const;
+
+  /// `values`: SI, one per free parameter. Throws TimedOut.
+  Evaluation Evaluate(const Eigen::VectorXd& values, const Deadline& deadline = {}) const;
+
+  /// d residuals / d values, N x n. To be called only where all blocks differentiate.
+  Eigen::MatrixXd Jacobian(const Eigen::VectorXd& values) const;
+
+  /// The residuals of the priors alone, with which those of Evaluate() end.
+  Eigen::VectorXd PriorResiduals(const Eigen::VectorXd& values) const;
+
+  /// All parameters of the vehicle for these values of the free ones.
+  std::vector<double> AllParameters(const Eigen::VectorXd& values) const;
+
+  /// Values of the free parameters as the vehicle file has them.
+  Eigen::VectorXd FileValues() const;
+
+  const std::vector<std::size_t>& free() const { return free_; }
+  const Vehicle& vehicle() const { return vehicle_; }
+  const std::vector<ResidualBlock>& blocks() const { return blocks_; }
+  /// Priors included.
+  Eigen::Index residual_count() const { return residual_count_; }
+  Eigen::Index prior_count() const { return static_cast<Eigen::Index>(priors_.size()); }
+
+ private:
+  /// What is known of the value that stands at `index` of the free ones.
+  struct Prior {
+    Eigen::Index index = 0;
+    double value = 0;
+    double sd = 0;
+  };
+
+  void CollectPriors();
+
+  Vehicle vehicle_;
+  std::vector<std::size_t> free_;
+  std::vector<ResidualBlock> blocks_;
+  std::vector<Prior> priors_;
+  Eigen::Index residual_count_ = 0;
+};
+
+}  // namespace fourpost

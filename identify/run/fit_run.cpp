@@ -1,0 +1,254 @@
+#include "identify/run/fit_run.h"
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "analysis/files/inputs_elsewhere.h"
+#include "analysis/files/output_folder.h"
+#include "analysis/text/nearest.h"
+#include "analysis/text/warning_texts.h"
+#include "identify/fit/profile_chart.h"
+#include "identify/report/report_page.h"
+#include "identify/run/fit_text.h"
+#include "identify/run/fitted_vehicle.h"
+#include "identify/run/result_json.h"
+#include "identify/run/result_kind.h"
+#include "identify/run/study_fit.h"
+#include "identify/study/loaded_study.h"
+#include "identify/study/study_context.h"
+#include "vehicles/reader/vehicle_file.h"
+
+namespace fourpost {
+namespace {
+
+/// In the folder of the results, from the first evaluation on.
+constexpr const char* kArchive = "archive.sqlite";
+
+/// What a part of an EvaluationContext stands for.
+std::string InWords(const std::string& part) {
+  if (part == "vehicle") return "the vehicle";
+  if (part == "data") return "the recordings, their channels, the static loads, the band or the window";
+  if (part == "settings") return "the free parameters, the model error or the deadline";
+  return "the version of fourpost";
+}
+
+/// Places among the free parameters. Throws FaultyInput.
+std::vector<Eigen::Index> Profiled(const VehicleObjective& objective, const std::vector<std::string>& names) {
+  std::vector<std::string> legal = {"all"};
+  for (const std::size_t index : objective.free()) legal.push_back(objective.vehicle().parameters[index].name);
+  Diagnostics diagnostics;
+  std::vector<Eigen::Index> profiled;
+  for (const std::string& name : names) {
+    const auto found = std::find(legal.begin(), legal.end(), name);
+    if (found == legal.end())
+      diagnostics.Error("--profile", 0, "the study frees no parameter '" + name + "'" + DidYouMeanOrAll(name, legal));
+    else if (found != legal.begin()) profiled.push_back(found - legal.begin() - 1);
+    else
+      for (std::size_t i = 1; i < legal.size(); ++i) profiled.push_back(static_cast<Eigen::Index>(i) - 1);
+  }
+  if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+  return profiled;
+}
+
+/// Throws FaultyInput with all findings.
+void RequirePlausible(const LoadedStudy& loaded, Diagnostics findings) {
+  if (!findings.HasErrors()) return;
+  findings.Error(loaded.study.file.string(), 0,
+                 "a fit to posts that move otherwise than told is worth nothing; --accept-implausible fits all the "
+                 "same");
+  throw FaultyInput(findings);
+}
+
+/// Throws FaultyInput.
+[[noreturn]] void RefuseUnidentified(const LoadedStudy& loaded, const Identifiability& before) {
+  Diagnostics diagnostics;
+  const Eigen::MatrixXd& directions = before.covariance.directions;
+  for (std::size_t i = 0; i < before.weakest.size(); ++i)
+    diagnostics.Error(loaded.study.file.string(), loaded.study.free_line,
+                      "the data do not change when these change together: " + before.weakest[i] + "; " +
+                          RemedyFor(directions.col(before.covariance.rank + static_cast<Eigen::Index>(i))) +
+                          "; --accept-unidentified fits all the same");
+  throw FaultyInput(diagnostics);
+}
+
+/// The page that shows what the folder will hold.
+std::string Page(const LoadedStudy& loaded, const FitResult& fit,
+                 const std::vector<std::pair<std::string, std::string>>& files) {
+  Vehicle fitted = loaded.vehicle;
+  for (std::size_t i = 0; i < fit.values.size(); ++i) fitted.parameters[i].value = fit.values[i];
+  return ReportPage({.files = {files.begin(), files.end()}, .vehicle = std::move(fitted)});
+}
+
+/// The second fit, which went on from the first: what that one found before, and what both cost.
+FitResult GoneOn(const FitResult& first, FitResult second) {
+  second.before = first.before;
+  second.search = first.search;
+  second.search_settings = first.search_settings;
+  second.starts = first.starts;
+  second.agreeing = first.agreeing;
+  std::vector<RefinedStart> refined = first.refined;
+  refined.insert(refined.end(), second.refined.begin(), second.refined.end());
+  second.refined = std::move(refined);
+  second.options = first.options;
+  second.evaluations.paid += first.evaluations.paid;
+  second.evaluations.reused += first.evaluations.reused;
+  second.evaluations.restored += first.evaluations.restored;
+  for (const auto& [cause, tally] : first.evaluations.failures) {
+    FailureTally& sum = second.evaluations.failures[cause];
+    if (sum.count == 0) sum.example = tally.example;
+    sum.count += tally.count;
+  }
+  return second;
+}
+
+/// One fit from its study to its folder.
+class Fitter {
+ public:
+  Fitter(const FitRequest& request, const FitRunHooks& hooks) : request_(request), hooks_(hooks) {}
+
+  FitRun Run() {
+    LoadedStudy loaded = Load();
+    loaded.Prepare(hooks_.work);
+    const VehicleObjective objective = loaded.MakeObjective();
+    FitOptions options = FitOptionsOf(loaded.study, objective);
+    options.seed = request_.seed.value_or(options.seed);
+    options.threads = request_.threads;
+    options.accept_unidentified = request_.accept_unidentified;
+    options.profiled = Profiled(objective, request_.profile);
+    RequireInputsElsewhere(loaded.InputFiles(), request_.output);
+    RequireNoOtherResult(request_.output, ResultKind::kFit);
+    // What was begun is ended in order; until here nothing is lost.
+    if (hooks_.begin) hooks_.begin();
+    OutputFolder output(request_.output, kArchive);
+    const EvaluationContext context = ContextOf(loaded);
+    if (request_.resume) RequireSameContext(context);
+    FitRun run{.fit = FitInto(context, objective, options)};
+    if (run.fit.end == FitEnd::kUnidentified) {
+      output.Withdraw();
+      RefuseUnidentified(loaded, *run.fit.before);
+    }
+    if (run.fit.parameters.empty()) return run;
+    GoOnWithFullGeometry(options, loaded, run.fit);
+    if (!loaded.HasDeviations()) run.fit.DropDeviations();
+    Write(loaded, options.seed, output, run);
+    return run;
+  }
+
+ private:
+  LoadedStudy Load() {
+    Diagnostics diagnostics;
+    std::optional<LoadedStudy> loaded = LoadStudy(request_.study, diagnostics);
+    if (!loaded) throw FaultyInput(diagnostics);
+    CheckRecordings(*loaded, request_.accept_implausible ? Severity::kWarning : Severity::kError, diagnostics);
+    RequirePlausible(*loaded, diagnostics);
+    Keep(diagnostics);
+    return *std::move(loaded);
+  }
+
+  void Keep(const Diagnostics& findings) {
+    if (hooks_.find) hooks_.find(findings);
+    for (std::string& text : WarningTexts(findings)) warnings_.push_back(std::move(text));
+  }
+
+  std::filesystem::path Archive() const { return request_.output / kArchive; }
+
+  /// Throws FaultyInput when the archive is one of something else.
+  void RequireSameContext(const EvaluationContext& context) const {
+    if (std::error_code failure; !std::filesystem::exists(Archive(), failure))
+      hooks_.work.Note("there is no " + Archive().string() + " to resume from: starting from the beginning");
+    std::string changed;
+    for (const std::string& part : ChangedParts(Archive(), context))
+      changed += (changed.empty() ? "" : "; ") + InWords(part);
+    if (changed.empty()) return;
+    Diagnostics diagnostics;
+    diagnostics.Error(request_.study.string(), 0,
+                      "cannot resume, for what " + Archive().string() + " holds was evaluated with another state of: " +
+                          changed + "; undo the change, or leave --resume out to fit anew beside it");
+    throw FaultyInput(diagnostics);
+  }
+
+  /// The archive is closed afterwards.
+  FitResult FitInto(const EvaluationContext& context, const VehicleObjective& objective,
+                    const FitOptions& options) const {
+    EvaluationStore store(Archive(), context);
+    FitResult fit = Fit(objective, options, hooks_.fit ? hooks_.fit(options) : FitHooks(), &store);
+    const EvaluationCounts& counts = fit.evaluations;
+    if (counts.restored > 0)
+      hooks_.work.Note(std::to_string(counts.restored) + " of " + std::to_string(counts.paid) +
+                       " evaluations come from " + Archive().string());
+    if (store.damaged() > 0)
+      hooks_.work.Note("damaged in " + Archive().string() + ", evaluated and stored again: " +
+                       std::to_string(store.damaged()) + " evaluation" + (store.damaged() == 1 ? "" : "s"));
+    return fit;
+  }
+
+  /// Whether the full geometry asks for another round of any experiment; ends the fit where that was interrupted.
+  bool IsCorrectionDue(LoadedStudy& loaded, FitResult& fit) const {
+    const Subject subject = loaded.MakeSubject();
+    bool is_due = false;
+    for (Experiment& experiment : loaded.study.experiments) {
+      const Experiment::Geometry geometry = experiment.CheckGeometry(subject, fit.values, hooks_.work);
+      if (geometry == Experiment::Geometry::kInterrupted) fit.end = FitEnd::kInterrupted;
+      is_due = is_due || geometry == Experiment::Geometry::kCorrectionDue;
+    }
+    return is_due && fit.end != FitEnd::kInterrupted;
+  }
+
+  /// Goes on with what the full geometry adds to the model that was fitted, until that changes no more.
+  void GoOnWithFullGeometry(FitOptions options, LoadedStudy& loaded, FitResult& fit) const {
+    constexpr int kMostRounds = 4;
+    for (int round = 0; fit.end != FitEnd::kInterrupted && IsCorrectionDue(loaded, fit) && round < kMostRounds;
+         ++round) {
+      for (Experiment& experiment : loaded.study.experiments) experiment.Correct();
+      const VehicleObjective objective = loaded.MakeObjective();
+      options.from.emplace(static_cast<Eigen::Index>(loaded.free.size()));
+      for (std::size_t i = 0; i < loaded.free.size(); ++i)
+        (*options.from)[static_cast<Eigen::Index>(i)] = fit.values[loaded.free[i]];
+      FitResult next = FitInto(ContextOf(loaded), objective, options);
+      if (next.parameters.empty() || next.end == FitEnd::kInterrupted) fit.end = FitEnd::kInterrupted;
+      else fit = GoneOn(fit, std::move(next));
+    }
+  }
+
+  /// result.json goes last into the folder.
+  void Write(const LoadedStudy& loaded, std::uint64_t seed, OutputFolder& output, FitRun& run) {
+    const FitResult& fit = run.fit;
+    const Subject subject = loaded.MakeSubject();
+    if (fit.end != FitEnd::kInterrupted) {
+      Diagnostics findings;
+      for (const Experiment& experiment : loaded.study.experiments) experiment.CheckFit(subject, fit, findings);
+      Keep(findings);
+    }
+    hooks_.work.Show("fit: predictions and the report");
+    ExperimentResults results;
+    for (const Experiment& experiment : loaded.study.experiments) AddResults(experiment.Results(subject, fit), results);
+    Keep(results.findings);
+    run.verdict = JudgeFit(fit, results.shares);
+    run.text = FitText(fit, run.verdict, loaded.HasDeviations(), results.text);
+    run.json = ResultJson(loaded, seed, fit, results.json, run.verdict, warnings_);
+    std::vector<std::pair<std::string, std::string>>& files = results.files;
+    files.emplace_back("parameters.csv", ParametersCsv(loaded.vehicle, fit.parameters));
+    // Predictions of other recordings take from it how they are made.
+    files.emplace_back("study.yaml", loaded.study.text);
+    if (!fit.profiles.empty()) files.emplace_back("profile.svg", ProfileSvg(fit));
+    files.emplace_back("vehicle.urdf",
+                       VehicleTextWithValues(WithSources(loaded, seed, fit), fit.values, request_.output));
+    files.emplace_back("result.json", run.json);
+    for (const auto& [name, text] : files) output.Add(name, text);
+    output.Add("report.html", Page(loaded, fit, files));
+    output.Commit();
+    run.is_written = true;
+  }
+
+  const FitRequest& request_;
+  const FitRunHooks& hooks_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+FitRun FitStudy(const FitRequest& request, const FitRunHooks& hooks) { return Fitter(request, hooks).Run(); }
+
+}  // namespace fourpost

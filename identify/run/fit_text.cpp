@@ -1,0 +1,134 @@
+#include "identify/run/fit_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "analysis/text/number.h"
+#include "analysis/text/text_table.h"
+#include "identify/uncertainty/derivative_noise.h"
+
+namespace fourpost {
+namespace {
+
+/// In the unit of the vehicle file, at the digits that deviations of some per mille make sense of.
+std::string Shown(double value, const std::string& unit) { return InUnit(value, unit, 4); }
+
+std::string Deviation(const FittedParameter& parameter) {
+  if (std::isnan(parameter.sd)) return "-";
+  return std::isinf(parameter.sd) ? "undetermined" : Shown(parameter.sd, parameter.unit);
+}
+
+std::string IntervalText(const FittedParameter& parameter) {
+  if (!std::isfinite(parameter.sd)) return "";
+  return Shown(parameter.lower_95, parameter.unit) + " .. " + Shown(parameter.upper_95, parameter.unit);
+}
+
+/// What to look at twice.
+std::string Remark(const FittedParameter& parameter) {
+  // A good prior is this far off in one fit of twenty.
+  constexpr double kFar = 2;
+  std::string remark = parameter.at_bound ? "at " + std::string(parameter.BoundName()) + " bound" : "";
+  if (parameter.state == ParameterState::kNoise)
+    remark += (remark.empty() ? "" : ", ") + std::string("derivative is noise");
+  if (const double distance = std::abs(parameter.FromPrior()); distance > kFar)
+    remark += (remark.empty() ? "" : ", ") + Rounded(distance, 2) + " sd from prior";
+  return remark;
+}
+
+std::string ParameterTable(const std::vector<FittedParameter>& parameters) {
+  TextTable table({"parameter", "start", "fitted", "sd", "95 %", "lower", "upper", "unit", ""});
+  for (const FittedParameter& p : parameters)
+    table.Add({p.name, Shown(p.start, p.unit), Shown(p.value, p.unit), Deviation(p), IntervalText(p),
+               Shown(p.lower, p.unit), Shown(p.upper, p.unit), p.unit, Remark(p)});
+  return table.Format();
+}
+
+std::string ProfileTable(const FitResult& fit) {
+  if (fit.profiles.empty()) return "";
+  TextTable table({"profile", "fitted", "95 % by deviation", "95 % by profile", "unit", ""});
+  for (const Profile& profile : fit.profiles) {
+    const FittedParameter& p = *std::find_if(fit.parameters.begin(), fit.parameters.end(),
+                                             [&](const FittedParameter& other) { return other.name == profile.name; });
+    const auto end = [&](double value) { return std::isfinite(value) ? Shown(value, p.unit) : std::string("open"); };
+    const std::string remark = profile.interrupted    ? "interrupted"
+                               : profile.found_better ? "went below the fit: not its best optimum"
+                                                      : "";
+    table.Add({p.name, Shown(p.value, p.unit), IntervalText(p), end(profile.lower_95) + " .. " + end(profile.upper_95),
+               p.unit, remark});
+  }
+  return table.Format() + '\n';
+}
+
+std::string PriorShare(const FitResult& fit) {
+  if (fit.prior_count == 0) return "";
+  return ", of which priors " + Rounded(fit.prior_cost, 3) + " for " + std::to_string(fit.prior_count);
+}
+
+std::string LossWords(const RobustLoss& loss) {
+  if (loss.kind() == LossKind::kNone) return "";
+  return " by " + std::string(loss.name()) + " beyond " + FormatNumber(loss.scale()) + " sd";
+}
+
+std::string Agreement(const FitResult& fit) {
+  const bool is_cut_short = fit.end == FitEnd::kInterrupted;
+  if (is_cut_short && fit.starts == 0) return "stopped before any refinement had ended";
+  return std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " refinements " +
+         (is_cut_short ? "that had ended agree" : "agree");
+}
+
+std::string SearchEndText(const SearchResult& search) {
+  return (search.end == SearchEnd::kStopped ? "search " : "search ended by ") + search.reason;
+}
+
+/// "fit converged" is said of one that is worth something.
+std::string Summary(const FitResult& fit, const FitVerdict& verdict) {
+  const EvaluationCounts& counts = fit.evaluations;
+  return (verdict.explains() ? "fit " : "search and refinement ") + std::string(FitEndName(fit.end)) + ": cost " +
+         Rounded(fit.cost, 5) + LossWords(fit.options.refine.loss) + " for " + std::to_string(fit.residual_count) +
+         " residuals" + PriorShare(fit) + "; " + std::to_string(counts.paid) + " evaluations paid, " +
+         std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) + " failed; " + Agreement(fit) +
+         '\n' + SearchEndText(fit.search) + '\n';
+}
+
+/// Parameters that have no deviation for it, and what to do.
+std::string NoiseText(const FitResult& fit) {
+  std::string names;
+  for (const FittedParameter& parameter : fit.parameters)
+    if (parameter.state == ParameterState::kNoise) names += (names.empty() ? "" : ", ") + parameter.name;
+  return names.empty() ? "" : "derivative is noise: " + names + "; " + kNoiseRemedy + "\n";
+}
+
+/// How large the misfit is, and what the data say worst, in words.
+std::string Judgement(const FitResult& fit, bool has_deviations) {
+  if (!has_deviations)
+    return "no deviations: the compromise cost weighs outputs by their own errors, not by noise; 'cost: whitened' has "
+           "them\n";
+  if (!fit.covariance) return "ended before deviations could be computed\n";
+  const Covariance& covariance = *fit.covariance;
+  std::string text =
+      "the misfit is " + Rounded(fit.Misfit(), 2) + " times what noise and the stated model error explain\n";
+  text += NoiseText(fit);
+  const bool is_open = covariance.rank < covariance.directions.cols();
+  if (covariance.directions.cols() == 0) return text;
+  if (covariance.directions.cols() == 1)
+    return text + (is_open ? "the data do not change with the one free parameter\n" : "");
+  text +=
+      is_open
+          ? "undetermined: the data do not change when these change together; fix one, give it a prior, or measure a "
+            "force:\n"
+          : "the data tell least about these changes (condition " + Rounded(covariance.condition, 2) + "):\n";
+  for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string FitText(const FitResult& fit, const FitVerdict& verdict, bool has_deviations, const std::string& sections) {
+  const std::string judgement = VerdictText(verdict);
+  return ParameterTable(fit.parameters) + '\n' + ProfileTable(fit) + sections + Summary(fit, verdict) +
+         Judgement(fit, has_deviations) + (judgement.empty() ? "" : judgement + '\n');
+}
+
+}  // namespace fourpost

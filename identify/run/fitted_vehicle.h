@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "identify/fit/fit.h"
+#include "identify/study/loaded_study.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// The vehicle, its fitted parameters telling where their values come from, without priors; values as in its file.
+Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit);
+
+/// Values of the file, as those of parts on their benches, and fitted ones side by side; SI. Comma-separated, one row
+/// per parameter.
+std::string ParametersCsv(const Vehicle& vehicle, const std::vector<FittedParameter>& parameters);
+
+}  // namespace fourpost

@@ -1,0 +1,198 @@
+#include "identify/run/result_json.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "identify/study/fitted_files.h"
+#include "analysis/files/json_text.h"
+#include "identify/refine/method_settings.h"
+#include "vehicles/requests/versions.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json Evaluations(const EvaluationCounts& counts) {
+  Json causes = Json::object();
+  for (const auto& [cause, tally] : counts.failures) causes[std::string(FailureName(cause))] = tally.count;
+  return {{"paid", counts.paid}, {"reused", counts.reused}, {"failed", counts.failed()}, {"failures", causes}};
+}
+
+Json Prior(const FittedParameter& parameter) {
+  return {{"value", parameter.start}, {"sd", *parameter.prior_sd}, {"deviation_in_sd", parameter.FromPrior()}};
+}
+
+Json Parameters(const std::vector<FittedParameter>& parameters) {
+  Json list = Json::array();
+  for (const FittedParameter& parameter : parameters) {
+    list.push_back({{"name", parameter.name},
+                    {"start", parameter.start},
+                    {"value", parameter.value},
+                    {"unit", SiUnit(parameter.dimension)},
+                    {"lower", parameter.lower},
+                    {"upper", parameter.upper},
+                    {"sd", NumberOrNull(parameter.sd)},
+                    {"interval_95", {NumberOrNull(parameter.lower_95), NumberOrNull(parameter.upper_95)}},
+                    {"state", kParameterStateNames[static_cast<std::size_t>(parameter.state)]},
+                    {"at_bound", parameter.at_bound}});
+    if (parameter.prior_sd) list.back()["prior"] = Prior(parameter);
+  }
+  return list;
+}
+
+/// Row by row.
+Json Matrix(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(NumberOrNull(matrix(i, j)));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json Before(const FitResult& fit) {
+  if (!fit.before) return nullptr;
+  const Covariance& covariance = fit.before->covariance;
+  return {{"rank", covariance.rank},
+          {"parameters", covariance.directions.cols()},
+          {"condition", NumberOrNull(covariance.condition)},
+          {"noise", fit.before->noisy},
+          {"weakest", fit.before->weakest}};
+}
+
+Json After(const std::optional<Covariance>& covariance, const std::vector<std::string>& weakest) {
+  if (!covariance) return nullptr;
+  return {{"rank", covariance->rank},
+          {"parameters", covariance->directions.cols()},
+          {"condition", NumberOrNull(covariance->condition)},
+          {"weakest", weakest},
+          {"sd_inflation", covariance->inflation},
+          {"correlation", Matrix(Correlations(*covariance))}};
+}
+
+/// null of a fit that was interrupted.
+Json Verdict(const FitResult& fit, const FitVerdict& verdict) {
+  if (fit.end == FitEnd::kInterrupted) return nullptr;
+  return {{"explains_data", verdict.explains()}, {"reasons", verdict.reasons}};
+}
+
+/// Infinite ends: null.
+Json Profiles(const std::vector<Profile>& profiles) {
+  Json list = Json::array();
+  for (const Profile& profile : profiles) {
+    Json points = Json::array();
+    for (const ProfilePoint& point : profile.points) points.push_back({point.value, NumberOrNull(point.rise)});
+    list.push_back({{"name", profile.name},
+                    {"interval_95", {NumberOrNull(profile.lower_95), NumberOrNull(profile.upper_95)}},
+                    {"threshold", profile.threshold},
+                    {"found_better", profile.found_better},
+                    {"interrupted", profile.interrupted},
+                    {"points", points}});
+  }
+  return list;
+}
+
+/// Infinite and none: null.
+Json Stop(const StopRules& rules) {
+  return {{"target_cost", rules.target_cost ? Json(*rules.target_cost) : Json(nullptr)},
+          {"evaluations", rules.max_evaluations},
+          {"generations", rules.max_generations},
+          {"seconds", NumberOrNull(rules.max_seconds)},
+          {"stagnant_generations", rules.max_stagnant_generations},
+          {"free_generations", rules.max_free_generations},
+          {"on_collapse", rules.on_collapse}};
+}
+
+/// One entry per generation.
+Json Log(const SearchResult& search) {
+  Json log = Json::array();
+  for (const SearchGeneration& generation : search.log)
+    log.push_back({{"evaluations", generation.paid},
+                   {"best_cost", NumberOrNull(generation.best_cost)},
+                   {"diversity", NumberOrNull(generation.diversity)}});
+  return log;
+}
+
+Json Starts(const FitResult& fit) {
+  Json runs = Json::array();
+  for (const RefinedStart& run : fit.refined)
+    runs.push_back({{"from", run.from},
+                    {"end", RefineEndName(run.end)},
+                    {"start_cost", NumberOrNull(run.start_cost)},
+                    {"cost", NumberOrNull(run.cost)},
+                    {"iterations", run.iterations},
+                    {"evaluations", run.evaluations},
+                    {"agrees", run.agrees},
+                    {"values", run.values}});
+  return {{"asked", fit.options.starts}, {"refined", fit.starts}, {"agreeing", fit.agreeing}, {"runs", runs}};
+}
+
+Json Files(const std::vector<FileDigest>& files) {
+  Json list = Json::array();
+  for (const FileDigest& file : files) list.push_back({{"name", file.name}, {"sha256", file.sha256}});
+  return list;
+}
+
+Json Search(const FitResult& fit) {
+  Json settings = Json::object();
+  for (const auto& [key, value] : fit.search_settings) settings[key] = value;
+  const CandidateRules& candidates = fit.options.candidates;
+  return {{"end", fit.search.reason},
+          {"log", Log(fit.search)},
+          {"settings", settings},
+          {"stop", Stop(fit.options.stop)},
+          {"candidates", {{"count", candidates.count}, {"separation", candidates.separation}}}};
+}
+
+/// Only a loss has a scale.
+Json Refinement(const RefineOptions& options) {
+  Json refinement = {{"loss", options.loss.name()}};
+  if (options.loss.kind() != LossKind::kNone) refinement["scale"] = options.loss.scale();
+  refinement["differences"] = kDifferencesWords[static_cast<std::size_t>(options.differences)];
+  refinement["step"] = options.step;
+  refinement["iterations"] = options.max_iterations;
+  refinement["cost_tolerance"] = options.cost_tolerance;
+  refinement["step_tolerance"] = options.step_tolerance;
+  refinement["agreement"] = options.agreement;
+  return refinement;
+}
+
+}  // namespace
+
+std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit,
+                       const Json& of_experiments, const FitVerdict& verdict,
+                       const std::vector<std::string>& warnings) {
+  Json versions = Json::object();
+  for (const auto& [name, version] : Versions()) versions[name] = version;
+  Json json = {{"termination", FitEndName(fit.end)},
+               {"message", fit.message},
+               {"verdict", Verdict(fit, verdict)},
+               {"study", study.study.file.filename().string()},
+               {"vehicle", study.vehicle.name},
+               {"fitted_files", Files(study.fitted_files)},
+               {"validation_files", Files(study.validation_files)},
+               {"cost", NumberOrNull(fit.cost)},
+               {"residuals", fit.residual_count},
+               {"misfit", NumberOrNull(fit.Misfit())},
+               {"seed", seed},
+               {"evaluations", Evaluations(fit.evaluations)},
+               {"search", Search(fit)},
+               {"refine", Refinement(fit.options.refine)},
+               {"starts", Starts(fit)},
+               {"deadline_s", NumberOrNull(fit.options.deadline_s)},
+               {"identifiability_before", Before(fit)},
+               {"identifiability", After(fit.covariance, fit.weakest)},
+               {"parameters", Parameters(fit.parameters)},
+               {"warnings", warnings},
+               {"versions", versions}};
+  if (!fit.profiles.empty()) json["profiles"] = Profiles(fit.profiles);
+  // These are there whatever was measured.
+  for (const char* list : {"recordings", "channels", "static_loads"}) json[list] = Json::array();
+  AddKeys(of_experiments, json);
+  return JsonText(json);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,59 @@
+#include "identify/run/result_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/files/output_folder.h"
+#include "identify/study_file/result_reader.h"
+
+namespace fourpost {
+namespace {
+
+/// Keys that a command's results have, and none of those before it.
+struct Mark {
+  ResultKind kind;
+  std::array<std::string_view, 2> keys;
+};
+
+constexpr std::array<Mark, 5> kMarks = {{{ResultKind::kFit, {"termination", "parameters"}},
+                                         {ResultKind::kPrediction, {"was_fitted", "channels"}},
+                                         {ResultKind::kResponse, {"direction", "modes"}},
+                                         {ResultKind::kModes, {"parameters", "modes"}},
+                                         {ResultKind::kResponse, {"recordings", "channels"}}}};
+
+constexpr std::array<std::string_view, 4> kCommands = {"fit", "predict", "modes", "response"};
+
+std::optional<ResultKind> KindOf(const nlohmann::json& result) {
+  for (const Mark& mark : kMarks)
+    if (std::all_of(mark.keys.begin(), mark.keys.end(), [&](std::string_view key) { return result.contains(key); }))
+      return mark.kind;
+  return std::nullopt;
+}
+
+std::optional<ResultKind> KindOf(const std::filesystem::path& folder) {
+  std::error_code failure;
+  if (std::filesystem::exists(folder / "archive.sqlite", failure)) return ResultKind::kFit;
+  const nlohmann::json result = ReadResultFile(folder / "result.json");
+  return result.is_object() ? KindOf(result) : std::nullopt;
+}
+
+}  // namespace
+
+void RequireNoOtherResult(const std::filesystem::path& folder, ResultKind kind) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(folder / "result.json", failure)) return;
+  const std::optional<ResultKind> there = KindOf(folder);
+  if (there == kind) return;
+  const std::string what =
+      there ? "the results of `fourpost " + std::string(kCommands[static_cast<std::size_t>(*there)]) + "`"
+            : "a result.json that is none of this program's";
+  throw OutputError(folder.string() + " holds " + what + ", which would be lost; name a new or an empty folder");
+}
+
+}  // namespace fourpost

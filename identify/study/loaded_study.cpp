@@ -1,0 +1,111 @@
+#include "identify/study/loaded_study.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "analysis/files/near_file.h"
+#include "analysis/text/nearest.h"
+#include "identify/study/scale_lint.h"
+#include "vehicles/reader/vehicle_file.h"
+
+namespace fourpost {
+namespace {
+
+bool HasRange(const Parameter& parameter) { return parameter.upper > parameter.lower; }
+
+std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehicle, Diagnostics& diagnostics) {
+  std::vector<std::size_t> free;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
+    names.push_back(vehicle.parameters[i].name);
+    if (study.free.empty() && HasRange(vehicle.parameters[i])) free.push_back(i);
+  }
+  for (const std::string& name : study.free) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    const auto index = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end())
+      diagnostics.Error(study.file.string(), study.free_line,
+                        "the vehicle has no parameter '" + name + "'" + DidYouMean(name, names));
+    else if (!HasRange(vehicle.parameters[index]))
+      diagnostics.Error(vehicle.file, vehicle.parameters[index].line,
+                        "parameter '" + name + "' is to be fitted: give it lower, upper and precision");
+    else if (std::find(free.begin(), free.end(), index) != free.end())
+      diagnostics.Error(study.file.string(), study.free_line, "parameter '" + name + "' is freed twice");
+    else free.push_back(index);
+  }
+  if (free.empty() && study.free.empty())
+    diagnostics.Error(vehicle.file, 0,
+                      "no parameter has a range, so there is nothing to fit: give at least one "
+                      "fp:parameter lower, upper and precision");
+  return free;
+}
+
+/// Whether all files are there that are to be fitted; names the study's own line for one that is not.
+bool HasFiles(const Study& study, Diagnostics& diagnostics) {
+  bool all = RequireFile(study.vehicle, study.file.string(), study.vehicle_line, diagnostics);
+  for (const Experiment& experiment : study.experiments)
+    for (const ExperimentFile& file : experiment.Files())
+      if (file.use == ExperimentFile::Use::kFitted)
+        all = RequireFile(file.path, study.file.string(), file.line, diagnostics) && all;
+  return all;
+}
+
+}  // namespace
+
+bool LoadedStudy::HasDeviations() const {
+  return std::all_of(study.experiments.begin(), study.experiments.end(),
+                     [](const Experiment& experiment) { return experiment.HasDeviations(); });
+}
+
+void LoadedStudy::Prepare(const WorkHooks& hooks) {
+  const Subject subject = MakeSubject();
+  for (Experiment& experiment : study.experiments) experiment.Prepare(subject, hooks);
+}
+
+VehicleObjective LoadedStudy::MakeObjective() const {
+  const Subject subject = MakeSubject();
+  std::vector<ResidualBlock> blocks;
+  for (const Experiment& experiment : study.experiments)
+    if (std::optional<ResidualBlock> block = experiment.Residuals(subject)) blocks.push_back(*std::move(block));
+  return {vehicle, free, std::move(blocks)};
+}
+
+std::vector<std::filesystem::path> LoadedStudy::InputFiles() const {
+  std::vector<std::filesystem::path> files = {study.file, vehicle.file};
+  for (const Experiment& experiment : study.experiments)
+    for (const ExperimentFile& file : experiment.Files()) files.push_back(file.path);
+  return files;
+}
+
+std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  std::optional<Study> study = ReadStudy(file, diagnostics);
+  if (!study) return std::nullopt;
+  if (study->problem) {
+    diagnostics.Error(study->file.string(), study->problem_line,
+                      "this is a test problem for `fourpost compare`; here a study needs a vehicle and recordings");
+    return std::nullopt;
+  }
+  if (!HasFiles(*study, diagnostics)) return std::nullopt;
+  const std::optional<Vehicle> vehicle = ReadVehicle(study->vehicle, diagnostics);
+  if (!vehicle) {
+    for (const Experiment& experiment : study->experiments) experiment.CheckFiles(diagnostics);
+    return std::nullopt;
+  }
+  std::vector<std::size_t> free = FreeParameters(*study, *vehicle, diagnostics);
+  LoadedStudy loaded{*std::move(study), *vehicle, std::move(free)};
+  const Subject subject = loaded.MakeSubject();
+  for (Experiment& experiment : loaded.study.experiments) experiment.Load(subject, diagnostics);
+  if (diagnostics.HasErrors()) return std::nullopt;
+  loaded.fitted_files = FittedFiles(loaded.study);
+  loaded.validation_files = ValidationFiles(loaded.study);
+  return loaded;
+}
+
+void CheckRecordings(const LoadedStudy& study, Severity wrong_posts, Diagnostics& diagnostics) {
+  LintScale(study, diagnostics);
+  const Subject subject = study.MakeSubject();
+  for (const Experiment& experiment : study.study.experiments) experiment.Check(subject, wrong_posts, diagnostics);
+}
+
+}  // namespace fourpost

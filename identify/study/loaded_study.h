@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "analysis/process/work_hooks.h"
+#include "analysis/text/diagnostics.h"
+#include "identify/experiments/subject.h"
+#include "identify/residuals/vehicle_objective.h"
+#include "identify/study/fitted_files.h"
+#include "identify/study/study.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// A study with everything it names: its vehicle, and its experiments with their recordings.
+struct LoadedStudy {
+  Study study;
+  Vehicle vehicle;
+  /// Parameters to fit, as indices into Vehicle::parameters.
+  std::vector<std::size_t> free;
+  /// As they were read: a file may change while a fit runs.
+  std::vector<FileDigest> fitted_files = {};
+  std::vector<FileDigest> validation_files = {};
+
+  /// Refers to this study, which must outlive it.
+  Subject MakeSubject() const { return {vehicle, free, study.file, study.search.deadline_s}; }
+
+  /// Whether the cost weighs by noise, so that a fit has standard deviations.
+  bool HasDeviations() const;
+
+  /// What experiments need once before a fit. Throws FaultyInput.
+  void Prepare(const WorkHooks& hooks = {});
+
+  /// The misfit over all experiments. Throws FaultyInput when the vehicle cannot be assembled or held.
+  VehicleObjective MakeObjective() const;
+
+  /// The study, the vehicle and every file of its experiments.
+  std::vector<std::filesystem::path> InputFiles() const;
+};
+
+/// Reads a study, its vehicle and its recordings. Adds every fault of all of them to `diagnostics`; nothing when there
+/// was an error. Recordings for validation that have a fault are left out, with a warning.
+std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics);
+
+/// What in recordings can hardly be so, at the values of the vehicle's file, as warnings; posts that certainly move
+/// otherwise than stated as `wrong_posts`. Throws FaultyInput when the vehicle cannot be assembled.
+void CheckRecordings(const LoadedStudy& study, Severity wrong_posts, Diagnostics& diagnostics);
+
+}  // namespace fourpost

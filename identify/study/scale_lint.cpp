@@ -1,0 +1,129 @@
+#include "identify/study/scale_lint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "analysis/text/units.h"
+
+namespace fourpost {
+namespace {
+
+bool HasMass(const Parameter& parameter) { return parameter.dimension.kilogram != 0; }
+
+/// Any of its data or priors has it.
+bool HasScale(const LoadedStudy& study) {
+  const Experiments& experiments = study.study.experiments;
+  return std::any_of(experiments.begin(), experiments.end(),
+                     [](const Experiment& experiment) { return experiment.MeasuresForce(); }) ||
+         std::any_of(study.free.begin(), study.free.end(), [&](std::size_t index) {
+           const Parameter& parameter = study.vehicle.parameters[index];
+           return parameter.prior_sd && HasMass(parameter);
+         });
+}
+
+/// Places in Vehicle::parameters of what a common factor of the free ones rests on, as far as parameters hold it.
+std::vector<std::size_t> HeldOf(const LoadedStudy& study) {
+  std::vector<std::size_t> held;
+  for (std::size_t i = 0; i < study.vehicle.parameters.size(); ++i) {
+    const bool is_free = std::find(study.free.begin(), study.free.end(), i) != study.free.end();
+    if (!is_free && HasMass(study.vehicle.parameters[i])) held.push_back(i);
+  }
+  return held;
+}
+
+/// How the residuals change where parameters are scaled.
+class ScaleEffect {
+ public:
+  explicit ScaleEffect(const LoadedStudy& study) : values_(study.vehicle.ParameterValues()) {
+    const Subject subject = study.MakeSubject();
+    for (const Experiment& experiment : study.study.experiments)
+      if (std::optional<ResidualBlock> block = experiment.UnpreparedResiduals(subject))
+        blocks_.push_back(*std::move(block));
+    here_ = Residuals(values_);
+  }
+
+  /// Nothing where the model cannot be evaluated.
+  std::optional<Eigen::VectorXd> Of(const std::vector<std::size_t>& parameters) const {
+    std::vector<double> values = values_;
+    for (const std::size_t i : parameters) values[i] *= 1 + kStep;
+    const std::optional<Eigen::VectorXd> there = Residuals(values);
+    if (!here_ || !there) return std::nullopt;
+    return (*there - *here_) / kStep;
+  }
+
+ private:
+  static constexpr double kStep = 0.01;
+
+  std::optional<Eigen::VectorXd> Residuals(const std::vector<double>& values) const {
+    std::vector<double> all;
+    try {
+      for (const ResidualBlock& block : blocks_) {
+        const Evaluation part = block.evaluate(values, {});
+        if (!part.ok() || !part.residuals.allFinite()) return std::nullopt;
+        all.insert(all.end(), part.residuals.begin(), part.residuals.end());
+      }
+    } catch (const std::runtime_error&) {
+      return std::nullopt;
+    }
+    return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+  }
+
+  std::vector<double> values_;
+  std::vector<ResidualBlock> blocks_;
+  std::optional<Eigen::VectorXd> here_;
+};
+
+/// Names of the held parameters, the one that sets the scale most first, without those that hardly do: what a change of
+/// each takes of the free ones' common factor to make up for it. All of them where the model cannot be evaluated.
+std::vector<std::string> SettingTheScale(const LoadedStudy& study) {
+  constexpr double kLeast = 0.01;
+  std::vector<std::size_t> scaled;
+  for (const std::size_t index : study.free)
+    if (HasMass(study.vehicle.parameters[index])) scaled.push_back(index);
+  const ScaleEffect effect(study);
+  const std::optional<Eigen::VectorXd> of_free = effect.Of(scaled);
+  std::vector<std::pair<double, std::string>> weights;
+  for (const std::size_t index : HeldOf(study)) {
+    const std::optional<Eigen::VectorXd> of_this = effect.Of({index});
+    const double weight = of_free && of_this ? std::abs(of_free->dot(*of_this)) / of_free->squaredNorm()
+                                             : std::numeric_limits<double>::infinity();
+    // Also where nothing changes with the free ones.
+    if (!(weight < kLeast)) weights.emplace_back(weight, study.vehicle.parameters[index].name);
+  }
+  std::stable_sort(weights.begin(), weights.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::string> names;
+  for (const auto& [weight, name] : weights) names.push_back(name);
+  return names;
+}
+
+/// "m_wheel, I_body and 3 more"; empty for none.
+std::string Listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMost, names.size()); ++i) text += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " more" : text;
+}
+
+}  // namespace
+
+void LintScale(const LoadedStudy& study, Diagnostics& diagnostics) {
+  const bool is_scaled = std::any_of(study.free.begin(), study.free.end(),
+                                     [&](std::size_t index) { return HasMass(study.vehicle.parameters[index]); });
+  if (!is_scaled || HasScale(study)) return;
+  const std::string held = Listed(SettingTheScale(study));
+  diagnostics.Warning(study.study.file.string(), study.study.free_line,
+                      "no force or load is fitted, so masses, rates and dampings are told up to a common factor, "
+                      "which rests on what is held (" +
+                          (held.empty() ? "numbers of the vehicle file, if any" : held) + ")" +
+                          ": 1 % there is 1 % in all of them, and in no deviation; fit a tyre force or `static_loads`, "
+                          "or make sure of what is held");
+}
+
+}  // namespace fourpost

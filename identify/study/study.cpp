@@ -1,0 +1,218 @@
+#include "identify/study/study.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "analysis/files/text_file.h"
+#include "identify/experiments/bench/damper_bench.h"
+#include "identify/experiments/four_post/four_post.h"
+#include "identify/experiments/static_loads/static_loads.h"
+#include "identify/experiments/time_history/time_histories.h"
+#include "identify/problems/test_problem.h"
+#include "identify/refine/search_method_list.h"
+#include "identify/study_file/strict_yaml.h"
+#include "identify/study_file/study_yaml.h"
+
+namespace fourpost {
+namespace {
+
+/// Stepped sines are what a study is asked for that names no other recordings to fit.
+std::unique_ptr<Experiment> ReadFourPost(const StrictMap& study) {
+  const auto is_fitted = [](const YAML::Node& history) {
+    return !history.IsMap() || !history["use"].IsDefined() || history["use"].as<std::string>("") != "validation";
+  };
+  const YAML::Node histories = study.Get("histories");
+  const bool has_other = histories.IsDefined() && std::any_of(histories.begin(), histories.end(), is_fitted);
+  return study.Has("recordings") || !has_other ? FourPost::Read(study) : nullptr;
+}
+
+struct ExperimentKind {
+  std::span<const std::string_view> keys;
+  /// Nothing where the study has none.
+  std::unique_ptr<Experiment> (*read)(const StrictMap& study);
+  /// Of one that has no vehicle around it.
+  bool is_bench = false;
+};
+
+/// In the order in which their residuals stand.
+const std::array<ExperimentKind, 4> kExperimentKinds{{
+    {.keys = FourPost::kKeys, .read = &ReadFourPost},
+    {.keys = TimeHistories::kKeys, .read = &TimeHistories::Read},
+    {.keys = StaticLoadTest::kKeys, .read = &StaticLoadTest::Read},
+    {.keys = DamperBench::kKeys, .read = &DamperBench::Read, .is_bench = true},
+}};
+
+class StudyReader {
+ public:
+  StudyReader(const std::filesystem::path& file, Diagnostics& diagnostics)
+      : file_(file.string()), diagnostics_(diagnostics) {
+    study_.file = file;
+  }
+
+  Study Read(const YAML::Node& root) {
+    if (root.IsMap() && root["problem"].IsDefined()) return ReadTestProblem(root);
+    const StrictMap top = Map(root, "the study", KeysOf(root));
+    ReadVehicle(top);
+    ReadExperiments(top);
+    if (top.Has("free")) ReadFree(top.Get("free"));
+    if (top.Has("refine")) ReadRefine(top.Get("refine"));
+    ReadSearches(top);
+    return study_;
+  }
+
+ private:
+  Study ReadTestProblem(const YAML::Node& root) {
+    const StrictMap top = Map(root, "the study", {"problem", "search", "target", "methods"});
+    study_.problem = top.Text("problem");
+    study_.problem_line = LineOf(top.Get("problem"));
+    const auto known = [&](std::string_view name) { return name == study_.problem; };
+    if (study_.problem && std::none_of(kTestProblems.begin(), kTestProblems.end(), known))
+      Fault(top.Get("problem"),
+            "unknown problem '" + *study_.problem + "'" + Suggestion(*study_.problem, kTestProblems));
+    ReadSearches(top);
+    return study_;
+  }
+
+  /// Those of all kinds of experiments, but a damper on its bench is alone.
+  static std::vector<std::string_view> KeysOf(const YAML::Node& root) {
+    std::vector<std::string_view> keys = {"vehicle", "free", "search", "refine", "target", "methods"};
+    const bool is_bench = root.IsMap() && root["bench"].IsDefined();
+    for (const ExperimentKind& kind : kExperimentKinds)
+      if (kind.is_bench == is_bench) keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
+    return keys;
+  }
+
+  void ReadExperiments(const StrictMap& top) {
+    for (const ExperimentKind& kind : kExperimentKinds)
+      if (kind.is_bench == top.Has("bench"))
+        if (std::unique_ptr<Experiment> experiment = kind.read(top)) study_.experiments.Add(std::move(experiment));
+  }
+
+  void ReadSearches(const StrictMap& top) {
+    if (top.Has("search")) ReadSearch(top.Get("search"));
+    study_.target_cost = top.Number("target", 0, 1e300);
+    if (top.Has("methods")) ReadMethods(top.Get("methods"));
+  }
+
+  void ReadMethods(const YAML::Node& node) {
+    if (!node.IsMap()) return Fault(node, "'methods' must map names to settings");
+    std::vector<std::string> names;
+    for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
+    const StrictMap unique = Map(node, "'methods'", {names.begin(), names.end()});
+    for (const auto& entry : node) ReadMethod(entry.first.as<std::string>(), entry.second);
+  }
+
+  void ReadMethod(const std::string& name, const YAML::Node& node) {
+    const std::string where = "method '" + name + "'";
+    if (!node.IsMap()) return Fault(node, where + " must be a list of settings");
+    std::vector<std::string> keys;
+    for (const auto& entry : node) keys.push_back(entry.first.as<std::string>());
+    const StrictMap map = Map(node, where, {keys.begin(), keys.end()});
+    StudyMethod method = {.name = name, .line = LineOf(node)};
+    const YAML::Node preset = map.Require("method");
+    method.preset = map.Text("method").value_or("");
+    if (!method.preset.empty() &&
+        std::find(kMethodNames.begin(), kMethodNames.end(), method.preset) == kMethodNames.end())
+      Fault(preset, "unknown method '" + method.preset + "'" + Suggestion(method.preset, kMethodNames));
+    for (const auto& entry : node) {
+      const auto key = entry.first.as<std::string>();
+      if (key == "method") continue;
+      if (!entry.second.IsScalar()) Fault(entry.second, "'" + key + "' of " + where + " must be a single value");
+      else method.settings.push_back({key, entry.second.Scalar(), LineOf(entry.second)});
+    }
+    study_.methods.push_back(method);
+  }
+
+  StrictMap Map(const YAML::Node& node, const std::string& where, const std::vector<std::string_view>& keys) {
+    return {node, where, keys, file_, diagnostics_};
+  }
+
+  void Fault(const YAML::Node& node, std::string message) {
+    diagnostics_.Error(file_, LineOf(node), std::move(message));
+  }
+
+  std::filesystem::path Resolve(const std::string& path) const {
+    return (std::filesystem::path(file_).parent_path() / path).lexically_normal();
+  }
+
+  void ReadVehicle(const StrictMap& top) {
+    const YAML::Node node = top.Require("vehicle");
+    if (const std::optional<std::string> vehicle = top.Text("vehicle")) {
+      study_.vehicle = Resolve(*vehicle);
+      study_.vehicle_line = LineOf(node);
+    }
+  }
+
+  std::vector<std::string> Names(const YAML::Node& node, const std::string& where) {
+    std::vector<std::string> names;
+    if (node.IsSequence())
+      for (const YAML::Node& entry : node)
+        if (entry.IsScalar()) names.push_back(entry.Scalar());
+    if (names.empty() || names.size() != node.size()) Fault(node, where + " must be a list of names");
+    return names;
+  }
+
+  void ReadFree(const YAML::Node& node) {
+    study_.free = Names(node, "'free'");
+    study_.free_line = LineOf(node);
+  }
+
+  void ReadRefine(const YAML::Node& node) {
+    const StrictMap map = Map(node, "'refine'", {"loss", "scale"});
+    map.Require("loss");
+    study_.refine.scale = map.Number("scale", 1e-6, 1e6);
+    const std::optional<std::string> name = map.Text("loss");
+    if (!name) return;
+    const auto* const found = std::find(kLossNames.begin(), kLossNames.end(), *name);
+    if (found == kLossNames.end())
+      return Fault(map.Get("loss"), "unknown loss '" + *name + "'" + Suggestion(*name, kLossNames));
+    study_.refine.loss = static_cast<LossKind>(found - kLossNames.begin());
+  }
+
+  void ReadSearch(const YAML::Node& node) {
+    const StrictMap map =
+        Map(node, "'search'",
+            {"seed", "method", "evaluations", "population", "starts", "generations", "stagnation", "time", "deadline"});
+    StudySearch& search = study_.search;
+    search.seed = static_cast<std::uint64_t>(map.Integer("seed", 0, 1L << 62).value_or(static_cast<long>(search.seed)));
+    search.evaluations = map.Integer("evaluations", 1, 1000000000);
+    search.method = map.Text("method").value_or(search.method);
+    search.method_line = map.Has("method") ? LineOf(map.Get("method")) : map.line();
+    if (const auto population = map.Integer("population", 4, 100000)) search.population = static_cast<int>(*population);
+    search.stagnation = static_cast<int>(map.Integer("stagnation", 1, 1L << 30).value_or(search.stagnation));
+    search.time_s = map.Quantity("time", kTime, 0).value_or(search.time_s);
+    search.generations = static_cast<int>(map.Integer("generations", 1, 1L << 30).value_or(search.generations));
+    search.starts = static_cast<int>(map.Integer("starts", 1, 1000).value_or(search.starts));
+    search.deadline_s = map.Quantity("deadline", kTime, 0).value_or(search.deadline_s);
+    if (search.deadline_s == 0) map.Fault(map.Get("deadline"), "'deadline' of 'search' must be above zero");
+  }
+
+  std::string file_;
+  Diagnostics& diagnostics_;
+  Study study_;
+};
+
+}  // namespace
+
+std::optional<Study> ReadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  const std::optional<std::string> text = ReadTextFile(file, diagnostics);
+  if (!text) return std::nullopt;
+  const std::optional<YAML::Node> root = ReadYaml(*text, file.string(), diagnostics);
+  if (!root) return std::nullopt;
+  std::optional<Study> study;
+  try {
+    study = StudyReader(file, diagnostics).Read(*root);
+    study->text = *text;
+  } catch (const YAML::Exception& error) {
+    diagnostics.Error(file.string(), error.mark.is_null() ? 0 : error.mark.line + 1, "not YAML: " + error.msg);
+  }
+  if (diagnostics.HasErrors()) return std::nullopt;
+  return study;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,119 @@
+#include "identify/study_file/channel_source_reader.h"
+
+#include "analysis/text/number.h"
+#include "analysis/files/recorded_unit.h"
+#include "identify/study_file/strict_yaml.h"
+
+namespace fourpost {
+namespace {
+
+std::vector<std::string_view> KeysOf(ChannelKind kind) {
+  switch (kind) {
+    case ChannelKind::kHistory: return {"channel", "sign", "scale", "unit", "delay"};
+    case ChannelKind::kSteppedSine: return {"channel", "sign", "scale", "delay"};
+    case ChannelKind::kLoad: break;
+  }
+  return {"channel", "sign", "scale"};
+}
+
+double ReadFactor(const StrictMap& map, const std::string& what) {
+  const double sign = ParseNumber(map.Text("sign").value_or("1")).value_or(0);
+  if (sign != 1 && sign != -1) map.Fault(map.Get("sign"), "'sign' of " + what + " must be 1 or -1");
+  const double scale = map.Number("scale", 0, 1e12).value_or(1);
+  if (scale == 0)
+    map.Fault(map.Get("scale"), "'scale' of " + what + " must be above zero; 'sign' turns a channel round");
+  return sign * scale;
+}
+
+std::string ReadUnit(const StrictMap& map, const std::string& what) {
+  const std::string unit = map.Text("unit").value_or("");
+  if (!unit.empty() && !ParseRecordedUnit(unit))
+    map.Fault(map.Get("unit"),
+              "'unit' of " + what + " is '" + unit + "', which is none; write one such as mm, kN or m/s^2");
+  return unit;
+}
+
+bool IsCombination(const YAML::Node& node) {
+  return node.IsMap() && !node["channel"].IsDefined() && (node["mean"].IsDefined() || node["sum"].IsDefined());
+}
+
+/// `node`: of several channels. Its sign and scale are those of each of them.
+YAML::Node ListOf(const YAML::Node& node, const std::string& name, const std::string& file, double& factor,
+                  Diagnostics& diagnostics) {
+  const StrictMap map(node, "'" + name + "'", {"mean", "sum", "sign", "scale"}, file, diagnostics);
+  if (map.Has("mean") && map.Has("sum"))
+    map.Fault(node, "'" + name + "' is either the mean or the sum of its channels");
+  factor = ReadFactor(map, "'" + name + "'");
+  return map.Has("sum") ? map.Get("sum") : map.Get("mean");
+}
+
+ChannelSource ReadSource(const YAML::Node& node, const std::string& name, ChannelKind kind, const std::string& file,
+                         Diagnostics& diagnostics) {
+  ChannelSource source;
+  source.line = LineOf(node);
+  if (!IsCombination(node)) {
+    source.channels.push_back(ReadSourceChannel(node, "'" + name + "'", kind, file, diagnostics));
+    return source;
+  }
+  if (node["sum"].IsDefined()) source.combine = ChannelSource::Combine::kSum;
+  double factor = 1;
+  const YAML::Node list = ListOf(node, name, file, factor, diagnostics);
+  if (list.IsSequence())
+    for (const YAML::Node& entry : list)
+      source.channels.push_back(ReadSourceChannel(entry, "'" + name + "'", kind, file, diagnostics));
+  for (SourceChannel& channel : source.channels) channel.factor *= factor;
+  if (source.channels.empty()) diagnostics.Error(file, LineOf(list), "'" + name + "' must be a list of channels");
+  return source;
+}
+
+/// Of what names no channel, perhaps for a slip: reports them.
+bool HasUnknownKeys(const YAML::Node& node, const std::string& what, ChannelKind kind, const std::string& file,
+                    Diagnostics& diagnostics) {
+  if (!node.IsMap()) return false;
+  std::vector<std::string_view> keys = KeysOf(kind);
+  keys.insert(keys.end(), {"mean", "sum"});
+  const std::size_t before = diagnostics.items().size();
+  const StrictMap map(node, what, keys, file, diagnostics);
+  return diagnostics.items().size() > before;
+}
+
+}  // namespace
+
+SourceChannel ReadSourceChannel(const YAML::Node& node, const std::string& what, ChannelKind kind,
+                                const std::string& file, Diagnostics& diagnostics) {
+  if (node.IsScalar() && !node.Scalar().empty()) return node.Scalar();
+  if (!node.IsMap() || !node["channel"].IsDefined()) {
+    if (!HasUnknownKeys(node, what, kind, file, diagnostics))
+      diagnostics.Error(file, LineOf(node),
+                        what + " must be a measured channel, {channel: a, sign: -1}, {mean: [a, b]} or {sum: [a, b]}");
+    return {};
+  }
+  const StrictMap map(node, what, KeysOf(kind), file, diagnostics);
+  SourceChannel channel = map.Text("channel").value_or("");
+  channel.unit = ReadUnit(map, what);
+  channel.factor = ReadFactor(map, what);
+  channel.delay_s = map.Quantity("delay", kTime, -1e3).value_or(0);
+  return channel;
+}
+
+std::vector<std::pair<std::string, ChannelSource>> ReadChannelSources(const YAML::Node& node, const std::string& where,
+                                                                      const std::string& what, ChannelKind kind,
+                                                                      const std::string& file,
+                                                                      Diagnostics& diagnostics) {
+  std::vector<std::pair<std::string, ChannelSource>> sources;
+  if (!node.IsDefined()) return sources;
+  if (!node.IsMap() || node.size() == 0) {
+    diagnostics.Error(file, LineOf(node), where + " must map " + what + " of the vehicle to measured channels");
+    return sources;
+  }
+  std::vector<std::string> names;
+  for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
+  const StrictMap unique(node, where, {names.begin(), names.end()}, file, diagnostics);
+  for (const auto& entry : node) {
+    const auto name = entry.first.as<std::string>();
+    sources.emplace_back(name, ReadSource(entry.second, name, kind, file, diagnostics));
+  }
+  return sources;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,31 @@
+#include "identify/study_file/channel_source_text.h"
+
+#include <cmath>
+
+#include "analysis/text/short_number.h"
+
+namespace fourpost {
+namespace {
+
+constexpr int kDigits = 5;
+
+std::string ChannelText(const SourceChannel& channel) {
+  std::string keys;
+  if (!channel.unit.empty()) keys += ", unit: " + channel.unit;
+  if (channel.factor < 0) keys += ", sign: -1";
+  if (std::abs(channel.factor) != 1) keys += ", scale: " + ShortNumber(std::abs(channel.factor), kDigits);
+  if (channel.delay_s != 0) keys += ", delay: " + ShortNumber(1e3 * channel.delay_s, kDigits) + " ms";
+  return keys.empty() ? channel.name : "{channel: " + channel.name + keys + "}";
+}
+
+}  // namespace
+
+std::string SourceText(const ChannelSource& source) {
+  const bool is_mean = source.combine == ChannelSource::Combine::kMean;
+  if (source.channels.size() == 1 && is_mean) return ChannelText(source.channels.front());
+  std::string list;
+  for (const SourceChannel& channel : source.channels) list += (list.empty() ? "" : ", ") + ChannelText(channel);
+  return std::string(is_mean ? "{mean: [" : "{sum: [") + list + "]}";
+}
+
+}  // namespace fourpost

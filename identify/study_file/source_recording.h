@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "analysis/files/time_recording.h"
+#include "identify/study_file/channel_source.h"
+
+namespace fourpost {
+
+/// What a study says of a channel, as its reader takes it.
+inline RecordedChannel AsRecorded(const SourceChannel& channel, const Dimension& dimension, const std::string& what) {
+  return {.names = {channel.name},
+          .dimension = dimension,
+          .what = what,
+          .unit = channel.unit,
+          .factor = channel.factor,
+          .delay_s = channel.delay_s};
+}
+
+/// The usual one where a study tells none.
+inline RecordedChannel TimeColumn(const std::optional<SourceChannel>& time) {
+  return time ? AsRecorded(*time, kTime, kTimeColumn.what) : kTimeColumn;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,142 @@
+#include "identify/study_file/strict_yaml.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "analysis/text/nearest.h"
+
+namespace fourpost {
+
+int LineOf(const YAML::Node& node) { return node.Mark().is_null() ? 0 : node.Mark().line + 1; }
+
+std::string Suggestion(std::string_view word, std::span<const std::string_view> legal) {
+  std::string nearest = DidYouMean(word, legal);
+  if (!nearest.empty()) return nearest;
+  std::string all;
+  for (const std::string_view name : legal) all += (all.empty() ? "; legal: " : ", ") + std::string(name);
+  return all;
+}
+
+StrictMap::StrictMap(const YAML::Node& node, std::string where, const std::vector<std::string_view>& keys,
+                     std::string file, Diagnostics& diagnostics)
+    : node_(node), where_(std::move(where)), file_(std::move(file)), diagnostics_(diagnostics), line_(LineOf(node)) {
+  if (!node_.IsMap()) {
+    Fault(node_, where_ + " must be a mapping of keys to values");
+    return;
+  }
+  std::set<std::string> seen;
+  for (const auto& entry : node_) {
+    if (!entry.first.IsScalar()) {
+      Fault(entry.first, "a key of " + where_ + " must be a single word");
+      continue;
+    }
+    const std::string key = entry.first.Scalar();
+    if (!seen.insert(key).second) Fault(entry.first, "key '" + key + "' of " + where_ + " stands twice");
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      Fault(entry.first, "unknown key '" + key + "' in " + where_ + Suggestion(key, keys));
+  }
+}
+
+bool StrictMap::Has(std::string_view key) const { return Get(key).IsDefined(); }
+
+YAML::Node StrictMap::Get(std::string_view key) const {
+  if (!node_.IsMap()) return YAML::Node(YAML::NodeType::Undefined);
+  return node_[std::string(key)];
+}
+
+YAML::Node StrictMap::Require(std::string_view key) const {
+  const YAML::Node value = Get(key);
+  if (!value.IsDefined() && node_.IsMap()) Fault(node_, where_ + " needs the key '" + std::string(key) + "'");
+  return value;
+}
+
+std::optional<std::string> StrictMap::Text(std::string_view key) const {
+  const YAML::Node value = Get(key);
+  if (!value.IsDefined()) return std::nullopt;
+  if (value.IsScalar() && !value.Scalar().empty()) return value.Scalar();
+  Fault(value, "'" + std::string(key) + "' of " + where_ + " must be a text");
+  return std::nullopt;
+}
+
+std::optional<double> StrictMap::Number(std::string_view key, double lower, double upper) const {
+  const YAML::Node value = Get(key);
+  if (!value.IsDefined()) return std::nullopt;
+  double number = 0;
+  if (value.IsScalar()) {
+    const std::string& text = value.Scalar();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc() && end == text.data() + text.size() && number >= lower && number <= upper) return number;
+  }
+  Fault(value, "'" + std::string(key) + "' of " + where_ + " must be a number from " + FormatQuantity(lower, "") +
+                   " to " + FormatQuantity(upper, "") + ", without a unit");
+  return std::nullopt;
+}
+
+std::optional<long> StrictMap::Integer(std::string_view key, long lower, long upper) const {
+  const YAML::Node value = Get(key);
+  if (!value.IsDefined()) return std::nullopt;
+  long number = 0;
+  if (value.IsScalar()) {
+    const std::string& text = value.Scalar();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc() && end == text.data() + text.size() && number >= lower && number <= upper) return number;
+  }
+  Fault(value, "'" + std::string(key) + "' of " + where_ + " must be a whole number from " + std::to_string(lower) +
+                   " to " + std::to_string(upper));
+  return std::nullopt;
+}
+
+std::optional<double> StrictMap::Quantity(std::string_view key, const Dimension& dimension, double lower) const {
+  const YAML::Node value = Get(key);
+  if (!value.IsDefined()) return std::nullopt;
+  const std::string what = "'" + std::string(key) + "' of " + where_;
+  const std::optional<double> number = ReadQuantity(value, dimension, what, file_, diagnostics_);
+  // In SI units, beyond lengths, times, frequencies and shares of any rig.
+  constexpr double kMost = 1e12;
+  if (!number || (*number >= lower && *number <= kMost)) return number;
+  Fault(value, *number < lower ? what + " must be at least " + FormatQuantity(lower, SiUnit(dimension))
+                               : what + " must be at most " + FormatQuantity(kMost, SiUnit(dimension)));
+  return std::nullopt;
+}
+
+StrictMap StrictMap::Map(std::string_view key, const std::vector<std::string_view>& keys) const {
+  return {Get(key), "'" + std::string(key) + "'", keys, file_, diagnostics_};
+}
+
+StrictMap StrictMap::ReportingTo(Diagnostics& diagnostics) const {
+  StrictMap other = *this;
+  other.diagnostics_ = diagnostics;
+  return other;
+}
+
+std::filesystem::path StrictMap::Resolve(const std::string& path) const {
+  return (std::filesystem::path(file_).parent_path() / path).lexically_normal();
+}
+
+void StrictMap::Fault(const YAML::Node& node, std::string message) const {
+  diagnostics_.get().Error(file_, node.IsDefined() ? LineOf(node) : line_, std::move(message));
+}
+
+namespace {
+
+std::string UnitExample(const Dimension& dimension) {
+  if (dimension == kDimensionless) return "angle such as deg";
+  return DimensionName(dimension) + " such as " + SiUnit(dimension);
+}
+
+}  // namespace
+
+std::optional<double> ReadQuantity(const YAML::Node& node, const Dimension& dimension, const std::string& what,
+                                   const std::string& file, Diagnostics& diagnostics) {
+  const std::optional<Quantity> quantity = node.IsScalar() ? ParseQuantity(node.Scalar()) : std::nullopt;
+  // Angles are pure numbers, but degrees or radians must be told.
+  if (quantity && quantity->unit.dimension == dimension && !quantity->unit_text.empty()) return quantity->si;
+  diagnostics.Error(file, LineOf(node),
+                    what + " must be a number with a unit of " + UnitExample(dimension) +
+                        (node.IsScalar() ? ", got '" + node.Scalar() + "'" : ""));
+  return std::nullopt;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,162 @@
+#include "analysis/files/csv.h"
+
+#include <array>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+using ::testing::ElementsAre;
+
+CsvTable ParseGood(std::string_view text, CsvHeader header = CsvHeader::kNames) {
+  Diagnostics diagnostics;
+  std::optional<CsvTable> table = ParseCsv(text, "t.csv", diagnostics, header);
+  if (!table) throw std::runtime_error(diagnostics.Format());
+  EXPECT_EQ(diagnostics.Format(), "");
+  return *table;
+}
+
+std::string Faults(std::string_view text, CsvHeader header = CsvHeader::kNames) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(ParseCsv(text, "t.csv", diagnostics, header));
+  return diagnostics.Format();
+}
+
+TEST(Csv, HasNamesAndRowsAndTheirLines) {
+  const CsvTable table = ParseGood("f,gain\n1,2\n3,4\n");
+  EXPECT_EQ(table.file(), "t.csv");
+  EXPECT_THAT(table.names(), ElementsAre("f", "gain"));
+  EXPECT_THAT(table.units(), ElementsAre());
+  ASSERT_EQ(table.rows(), 2);
+  EXPECT_EQ(table.Text(1, 0), "3");
+  EXPECT_EQ(table.Number(1, 1), 4);
+  EXPECT_EQ(table.line(0), 2);
+  EXPECT_EQ(table.line(1), 3);
+  EXPECT_EQ(table.FindColumn("gain"), 1);
+  EXPECT_FALSE(table.FindColumn("phase"));
+}
+
+TEST(Csv, NeedsNoLineBreakAtItsEnd) { EXPECT_EQ(ParseGood("f\n1\n2").rows(), 2); }
+
+TEST(Csv, MayHaveARowOfUnits) {
+  const CsvTable table = ParseGood("t,z\ns,mm\n0,1\n", CsvHeader::kNamesAndUnits);
+  EXPECT_THAT(table.units(), ElementsAre("s", "mm"));
+  EXPECT_EQ(table.rows(), 1);
+  EXPECT_EQ(table.line(0), 3);
+}
+
+TEST(Csv, TakesTheLineBreaksAndTheMarkOfWindows) {
+  const CsvTable table = ParseGood(
+      "\xEF\xBB\xBF"
+      "f,gain\r\n1,2\r\n");
+  EXPECT_THAT(table.names(), ElementsAre("f", "gain"));
+  EXPECT_EQ(table.Text(0, 1), "2");
+}
+
+TEST(Csv, IgnoresBlanksAroundFieldsAndBlankLines) {
+  const CsvTable table = ParseGood("\n f , gain \n\n 1 ,\t2 \n  \n3,4\n");
+  EXPECT_THAT(table.names(), ElementsAre("f", "gain"));
+  ASSERT_EQ(table.rows(), 2);
+  EXPECT_EQ(table.Text(0, 1), "2");
+  EXPECT_EQ(table.line(1), 6);
+}
+
+TEST(Csv, TakesQuotedCommasQuotesBlanksAndLineBreaks) {
+  const CsvTable table = ParseGood("a,b\n\"x,y\",\" \"\"z\"\"\n\" \nlast,1\n");
+  EXPECT_EQ(table.Text(0, 0), "x,y");
+  EXPECT_EQ(table.Text(0, 1), " \"z\"\n");
+  EXPECT_EQ(table.line(1), 4);
+}
+
+TEST(Csv, NumberIsNaNForABlankAndNothingForText) {
+  const CsvTable table = ParseGood("a,b\n,x\n");
+  EXPECT_TRUE(std::isnan(table.Number(0, 0).value()));
+  EXPECT_FALSE(table.Number(0, 1));
+}
+
+TEST(Csv, NumbersReportsEveryFieldThatIsNone) {
+  const CsvTable table = ParseGood("a,b\n1,\n2,nan\n3,4\n5,1.2.3\n");
+  Diagnostics diagnostics;
+  const std::vector<double> numbers = table.Numbers(1, diagnostics);
+  EXPECT_EQ(diagnostics.Format(),
+            "t.csv:3: error: b 'nan' is not a finite number; correct it, or leave it empty where nothing was measured\n"
+            "t.csv:5: error: b '1.2.3' is not a finite number; correct it, or leave it empty where nothing was "
+            "measured");
+  ASSERT_EQ(numbers.size(), 4);
+  EXPECT_TRUE(std::isnan(numbers[0]));
+  EXPECT_TRUE(std::isnan(numbers[1]));
+  EXPECT_EQ(numbers[2], 4);
+}
+
+TEST(CsvFault, EmptyFile) {
+  EXPECT_EQ(Faults(""), "t.csv: error: is empty; it needs a header line and rows of numbers");
+  EXPECT_EQ(Faults("\n \n"), "t.csv: error: is empty; it needs a header line and rows of numbers");
+}
+
+TEST(CsvFault, NoRows) { EXPECT_EQ(Faults("a,b\n"), "t.csv: error: has no rows below its header"); }
+
+TEST(CsvFault, NoRowOfUnits) {
+  EXPECT_EQ(Faults("a,b\n", CsvHeader::kNamesAndUnits), "t.csv: error: has no row of units below its header");
+}
+
+TEST(CsvFault, ColumnWithoutName) { EXPECT_EQ(Faults("a,,c\n1,2,3\n"), "t.csv:1: error: column 2 has no name"); }
+
+TEST(CsvFault, ColumnWithTheNameOfAnother) {
+  EXPECT_EQ(Faults("a,b,a\n1,2,3\n"), "t.csv:1: error: column 3 has the name 'a' of an earlier one");
+}
+
+TEST(CsvFault, RowsOfAnotherLength) {
+  EXPECT_EQ(Faults("a,b\n1\n2,3\n4,5,6\n"),
+            "t.csv:2: error: the row has 1 field, the header 2\n"
+            "t.csv:4: error: the row has 3 fields, the header 2");
+}
+
+TEST(CsvFault, QuoteThatIsNeverClosed) {
+  EXPECT_EQ(Faults("a,b\n1,2\n\"3,4\n5,6\n"), "t.csv:3: error: the quote that opens in line 3 is never closed");
+}
+
+TEST(CsvFault, TextBehindAQuote) {
+  EXPECT_EQ(Faults("a,b\n\"1\"x,2\n"),
+            "t.csv:2: error: text after a closing quote; double the quotes inside a quoted field");
+}
+
+TEST(CsvFile, IsReadAsItsText) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const std::optional<CsvTable> table = ReadCsv(folder.Write("t.csv", "a\n1\n"), diagnostics);
+  ASSERT_TRUE(table) << diagnostics.Format();
+  EXPECT_EQ(table->file(), (folder.path() / "t.csv").string());
+  EXPECT_EQ(table->Number(0, 0), 1);
+}
+
+TEST(CsvFile, ThatIsEmptyIsToldApartFromAnUnreadableOne) {
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("t.csv", "");
+  Diagnostics diagnostics;
+  EXPECT_FALSE(ReadCsv(path, diagnostics));
+  EXPECT_EQ(diagnostics.Format(), path + ": error: is empty; it needs a header line and rows of numbers");
+}
+
+TEST(CsvFile, ThatIsNotThereIsReported) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "t.csv";
+  Diagnostics diagnostics;
+  EXPECT_FALSE(ReadCsv(path, diagnostics));
+  EXPECT_EQ(diagnostics.Format(), path + ": error: cannot be read: No such file or directory");
+}
+
+TEST(CsvFile, ThatIsAFolderIsReported) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path();
+  Diagnostics diagnostics;
+  EXPECT_FALSE(ReadCsv(path, diagnostics));
+  EXPECT_EQ(diagnostics.Format(), path + ": error: cannot be read: Is a directory");
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,250 @@
+#include "analysis/files/output_folder.h"
+
+#include <functional>
+#include <set>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::IsEmpty;
+using ::testing::MatchesRegex;
+using ::testing::UnorderedElementsAre;
+
+std::set<std::string> Names(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename());
+  return names;
+}
+
+std::string OutputErrorOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const OutputError& error) {
+    return error.what();
+  }
+  return "no OutputError";
+}
+
+OutputFolder TwoFiles(const fs::path& folder) {
+  OutputFolder output(folder);
+  output.Add("result.json", "{}\n");
+  output.Add("fit.csv", "a\n1\n");
+  return output;
+}
+
+TEST(OutputFolder, WritesItsFilesIntoANewFolder) {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path() / "runs" / "first";
+  TwoFiles(folder).Commit();
+  EXPECT_THAT(Names(folder), UnorderedElementsAre("result.json", "fit.csv"));
+  EXPECT_EQ(ReadText(folder / "result.json"), "{}\n");
+  EXPECT_EQ(ReadText(folder / "fit.csv"), "a\n1\n");
+}
+
+TEST(OutputFolder, WritesIntoAnEmptyFolder) {
+  const TemporaryFolder temporary;
+  TwoFiles(temporary.path()).Commit();
+  EXPECT_THAT(Names(temporary.path()), UnorderedElementsAre("result.json", "fit.csv"));
+}
+
+TEST(OutputFolder, MayEndWithASlash) {
+  const TemporaryFolder temporary;
+  TwoFiles(temporary.path() / "new/").Commit();
+  EXPECT_THAT(Names(temporary.path() / "new"), UnorderedElementsAre("result.json", "fit.csv"));
+}
+
+TEST(OutputFolder, ReplacesTheFilesOfAnEarlierRunAndKeepsOthers) {
+  const TemporaryFolder temporary;
+  temporary.Write("result.json", "old");
+  temporary.Write("notes.txt", "mine");
+  TwoFiles(temporary.path()).Commit();
+  EXPECT_EQ(ReadText(temporary.path() / "result.json"), "{}\n");
+  EXPECT_EQ(ReadText(temporary.path() / "notes.txt"), "mine");
+}
+
+TEST(OutputFolder, LeavesNothingWithoutCommit) {
+  const TemporaryFolder temporary;
+  TwoFiles(temporary.path() / "runs" / "first");
+  EXPECT_THAT(Names(temporary.path()), IsEmpty());
+}
+
+TEST(OutputFolder, WritesAllBytesOfALargeFile) {
+  const TemporaryFolder temporary;
+  const std::string content(3'000'000, '\0');
+  OutputFolder output(temporary.path());
+  output.Add("result.json", content);
+  output.Commit();
+  EXPECT_EQ(ReadText(temporary.path() / "result.json"), content);
+}
+
+TEST(OutputFolder, RefusesFilesThatAreNotOfAnEarlierRun) {
+  const TemporaryFolder temporary;
+  temporary.Write("thesis.doc", "years of work");
+  EXPECT_EQ(
+      OutputErrorOf([&] { OutputFolder output(temporary.path()); }),
+      temporary.path().string() + ": holds files, but no result.json of an earlier run; name a new or an empty folder");
+}
+
+TEST(OutputFolder, RefusesTheNameOfAFile) {
+  const TemporaryFolder temporary;
+  const fs::path file = temporary.Write("run", "");
+  EXPECT_EQ(OutputErrorOf([&] { OutputFolder output(file); }),
+            file.string() + ": is not a folder; name another one for the results");
+}
+
+TEST(OutputFolder, IsTakenForOursByTheTraceOfARun) {
+  const TemporaryFolder temporary;
+  temporary.Write("archive.sqlite", "");
+  EXPECT_THROW(OutputFolder output(temporary.path()), OutputError);
+  EXPECT_THROW(OutputFolder(temporary.path(), "another"), OutputError);
+  EXPECT_NO_THROW(OutputFolder(temporary.path(), "archive.sqlite"));
+  // Created at once, for the trace.
+  OutputFolder(temporary.path() / "new", "archive.sqlite");
+  EXPECT_TRUE(fs::is_empty(temporary.path() / "new"));
+}
+
+TEST(OutputFolder, WithdrawnIsAsItWasBefore) {
+  const TemporaryFolder temporary;
+  OutputFolder created(temporary.path() / "runs" / "first", "archive.sqlite");
+  temporary.Write("runs/first/archive.sqlite", "");
+  created.Withdraw();
+  EXPECT_THAT(Names(temporary.path()), IsEmpty());
+
+  OutputFolder empty(temporary.path(), "archive.sqlite");
+  temporary.Write("archive.sqlite", "");
+  empty.Withdraw();
+  EXPECT_THAT(Names(temporary.path()), IsEmpty());
+
+  temporary.Write("archive.sqlite", "paid for");
+  OutputFolder(temporary.path(), "archive.sqlite").Withdraw();
+  EXPECT_EQ(ReadText(temporary.path() / "archive.sqlite"), "paid for");
+}
+
+TEST(OutputFolder, IsEmptyToOneThatWasKilledWhileItLooked) {
+  const TemporaryFolder temporary;
+  temporary.Write(".fourpost.partial", "probe");
+  TwoFiles(temporary.path()).Commit();
+  EXPECT_TRUE(fs::exists(temporary.path() / "result.json"));
+}
+
+TEST(OutputFolder, OfTwoAtOnceIsThatOfOneOfThem) {
+  const TemporaryFolder temporary;
+  const std::string long_text(100000, 'x');
+  const auto commit = [&](const std::string& mark) {
+    for (int i = 0; i < 50; ++i) {
+      OutputFolder output(temporary.path() / "run");
+      output.Add("table.csv", mark + long_text);
+      output.Add("result.json", mark);
+      output.Commit();
+    }
+  };
+  fs::create_directory(temporary.path() / "run");
+  temporary.Write("run/result.json", "of an earlier run");
+  std::thread other([&] { commit("a"); });
+  commit("b");
+  other.join();
+  EXPECT_EQ(ReadText(temporary.path() / "run/table.csv"), ReadText(temporary.path() / "run/result.json") + long_text);
+}
+
+TEST(OutputFolder, RefusesAPathThroughAFile) {
+  const TemporaryFolder temporary;
+  const fs::path file = temporary.Write("run", "");
+  EXPECT_EQ(OutputErrorOf([&] { OutputFolder output(file / "first"); }),
+            file.string() + ": is not a folder; name another one for the results");
+}
+
+TEST(OutputFolder, RefusesALinkToNothing) {
+  const TemporaryFolder temporary;
+  const fs::path link = temporary.path() / "run";
+  fs::create_symlink(temporary.path() / "nothing", link);
+  EXPECT_EQ(OutputErrorOf([&] { OutputFolder output(link); }),
+            link.string() + ": is not a folder; name another one for the results");
+}
+
+TEST(OutputFolder, RefusesANameThatTheSystemCannotTake) {
+  const TemporaryFolder temporary;
+  const fs::path folder = temporary.path() / std::string(300, 'x');
+  EXPECT_EQ(OutputErrorOf([&] { OutputFolder output(folder); }),
+            folder.string() + ": cannot be written to (File name too long); allow it or name another folder");
+}
+
+TEST(OutputFolder, RefusesAnEmptyName) {
+  EXPECT_EQ(OutputErrorOf([] { OutputFolder output(""); }), "the folder for the results has no name; name one");
+}
+
+TEST(OutputFolder, RefusesAPlaceThatCannotBeWrittenTo) {
+  // Nobody, not even root, can create files there.
+  EXPECT_THAT(
+      OutputErrorOf([] { OutputFolder output("/proc/fourpost"); }),
+      MatchesRegex("/proc/fourpost: /proc takes no new folder \\(.*\\); name one elsewhere, or allow writing there"));
+}
+
+TEST(OutputFolder, IsUntouchedWithAFolderInTheWayOfAFile) {
+  const TemporaryFolder temporary;
+  temporary.Write("result.json", "old");
+  fs::create_directory(temporary.path() / "zeta.csv");
+  OutputFolder output = TwoFiles(temporary.path());
+  output.Add("zeta.csv", "1\n");
+  EXPECT_EQ(
+      OutputErrorOf([&] { output.Commit(); }),
+      temporary.path().string() +
+          ": the results cannot be written (zeta.csv: Is a directory); remove the obstacle or name another folder");
+  EXPECT_THAT(Names(temporary.path()), UnorderedElementsAre("result.json", "zeta.csv"));
+  EXPECT_EQ(ReadText(temporary.path() / "result.json"), "old");
+}
+
+TEST(OutputFolder, IsUntouchedWhenTheDiskIsFull) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const TemporaryFolder temporary;
+  temporary.Write("result.json", "old");
+  OutputFolder output = TwoFiles(temporary.path());
+  // The file that is written goes to the device that is always full.
+  fs::create_symlink("/dev/full", temporary.path() / "result.json.partial");
+  EXPECT_EQ(OutputErrorOf([&] { output.Commit(); }),
+            temporary.path().string() +
+                ": the results cannot be written (result.json.partial: No space left on device); free some space, or "
+                "name another folder");
+  EXPECT_THAT(Names(temporary.path()), UnorderedElementsAre("result.json"));
+  EXPECT_EQ(ReadText(temporary.path() / "result.json"), "old");
+}
+
+TEST(OutputFolder, RemovesTheFoldersItCreatedForNothing) {
+  const TemporaryFolder temporary;
+  OutputFolder output = TwoFiles(temporary.path() / "runs" / "first");
+  // Longer than a file system takes, once ".partial" is added.
+  output.Add(std::string(250, 'x'), "");
+  EXPECT_THROW(output.Commit(), OutputError);
+  EXPECT_THAT(Names(temporary.path()), IsEmpty());
+}
+
+TEST(OutputFolder, TakesOnlyNamesOfFilesWithinIt) {
+  const TemporaryFolder temporary;
+  OutputFolder output(temporary.path());
+  for (const char* name : {"", ".", "..", "a/b", "/a", "a/"})
+    EXPECT_THROW(output.Add(name, ""), std::invalid_argument) << name;
+}
+
+TEST(OutputFolder, TakesANameOnce) {
+  const TemporaryFolder temporary;
+  OutputFolder output(temporary.path());
+  output.Add("fit.csv", "");
+  EXPECT_THROW(output.Add("fit.csv", ""), std::invalid_argument);
+}
+
+TEST(OutputFolder, NeedsAResult) {
+  const TemporaryFolder temporary;
+  OutputFolder output(temporary.path() / "run");
+  output.Add("fit.csv", "");
+  EXPECT_THROW(output.Commit(), std::logic_error);
+  EXPECT_THAT(Names(temporary.path()), IsEmpty());
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,52 @@
+#include "analysis/files/recorded_unit.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace fourpost {
+namespace {
+
+TEST(RecordedUnit, IsTakenAsMeasurementSystemsWriteIt) {
+  const struct {
+    const char* text;
+    double si;
+    Dimension dimension;
+  } cases[] = {{"mm", 1e-3, kLength},         {"m/s^2", 1, kAcceleration},
+               {"m/s2", 1, kAcceleration},    {"m/s\xC2\xB2", 1, kAcceleration},
+               {"m/s\xB2", 1, kAcceleration},  // Latin-1
+               {"g", 9.80665, kAcceleration}, {" kN ", 1000, kForce},
+               {"\xC2\xB5m", 1e-6, kLength},  {"um", 1e-6, kLength},
+               {"mm/sec", 1e-3, kVelocity},   {"\xC2\xB0/s", std::numbers::pi / 180, kFrequency},
+               {"-", 1, kDimensionless}};
+  for (const auto& [text, si, dimension] : cases) {
+    const std::optional<Unit> unit = ParseRecordedUnit(text);
+    ASSERT_TRUE(unit) << text;
+    EXPECT_DOUBLE_EQ(unit->si, si) << text;
+    EXPECT_EQ(unit->dimension, dimension) << text;
+  }
+}
+
+TEST(RecordedUnit, IsNothingForWhatIsNone) {
+  for (const char* text : {"", "V", "furlong", "m/", "0.5"}) EXPECT_FALSE(ParseRecordedUnit(text)) << text;
+}
+
+TEST(ColumnName, IsTakenApart) {
+  const struct {
+    const char* text;
+    const char* name;
+    const char* unit;
+  } cases[] = {
+      {"Force [kN]", "Force", "kN"}, {"Force[kN]", "Force", "kN"},         {"Force (kN)", "Force", "kN"},
+      {"Force / kN", "Force", "kN"}, {"Force [V]", "Force", "V"},          {"Force (front)", "Force (front)", ""},
+      {"a / b", "a / b", ""},        {"channel[0]", "channel[0]", ""},     {"Force", "Force", ""},
+      {"[kN]", "[kN]", ""},          {"x (front) [mm]", "x (front)", "mm"}};
+  for (const auto& [text, name, unit] : cases) {
+    const NamedColumn column = SplitColumnName(text);
+    EXPECT_EQ(column.name, name);
+    EXPECT_EQ(column.unit, unit) << text;
+  }
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,181 @@
+#include "analysis/files/time_recording.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "tests/analysis/faults_of.h"
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::array<RecordedChannel, 2> kWanted = {
+    RecordedChannel{{"x", "displacement"}, kLength, "the extension"},
+    RecordedChannel{{"F"}, kForce, "the force"},
+};
+
+const char kGood[] =
+    "time,F,temperature,displacement\n"
+    "s,kN,1,mm\n"
+    "1,0.1,20,1\n"
+    "1.002,0.2,20,2\n"
+    "1.004,0.3,20,3\n"
+    "1.006,0.4,20,4\n"
+    "1.008,0.5,20,5\n"
+    "1.01,0.6,20,6\n";
+
+std::string Faults(const std::string& text) {
+  return FaultsOf("bench.csv", text, [](const std::string& file, Diagnostics& diagnostics) {
+    return ReadTimeRecording(file, kWanted, diagnostics);
+  });
+}
+
+TEST(TimeRecording, IsInSiAndInTheOrderWanted) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const auto recording = ReadTimeRecording(folder.Write("bench.csv", kGood), kWanted, diagnostics);
+  ASSERT_TRUE(recording) << diagnostics.Format();
+  EXPECT_EQ(recording->samples(), 6);
+  EXPECT_EQ(recording->start_s, 1);
+  // Times near 1 s are rounded to 2e-16 s.
+  EXPECT_NEAR(recording->step_s, 0.002, 1e-15);
+  EXPECT_NEAR(recording->rate_Hz(), 500, 1e-9);
+  EXPECT_EQ(recording->end_s, 1.01);
+  EXPECT_THAT(recording->channels[0], ElementsAre(0.001, 0.002, 0.003, 0.004, 0.005, 0.006));
+  EXPECT_THAT(recording->channels[1], ElementsAre(100, 200, 300, 400, 500, 600));
+}
+
+TEST(TimeRecording, TakesUnitSignScaleAndDelayFromTheStudy) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  std::ostringstream text;
+  text.precision(12);
+  text << "time,x,F\ns,V,N\n";
+  const double w = 2 * std::numbers::pi * 5;
+  for (int k = 0; k < 400; ++k) text << 0.002 * k << ',' << std::sin(w * 0.002 * k) << ',' << k << '\n';
+  const std::array<RecordedChannel, 2> wanted = {
+      RecordedChannel{
+          .names = {"x"}, .dimension = kLength, .what = "the extension", .unit = "mm", .factor = -3, .delay_s = 0.0031},
+      RecordedChannel{{"F"}, kForce, "the force"}};
+  const auto recording = ReadTimeRecording(folder.Write("r.csv", text.str()), wanted, diagnostics);
+  ASSERT_TRUE(recording) << diagnostics.Format();
+  // Two samples at the end are not known.
+  ASSERT_EQ(recording->samples(), 398u);
+  EXPECT_NEAR(recording->end_s, 0.794, 1e-12);
+  EXPECT_EQ(recording->channels[1].front(), 0);
+  EXPECT_EQ(recording->channels[1].back(), 397);
+  for (std::size_t k = 0; k < recording->samples(); ++k)
+    // The spline errs by 1e-7 of the amplitude, see UniformSpline, more next to the ends.
+    EXPECT_NEAR(recording->channels[0][k], -3e-3 * std::sin(w * (0.002 * static_cast<double>(k) + 0.0031)), 1e-8) << k;
+}
+
+TEST(TimeRecording, CutsTheStartWhereAChannelIsEarly) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  const std::array<RecordedChannel, 2> wanted = {
+      RecordedChannel{{"displacement"}, kLength, "the extension"},
+      RecordedChannel{.names = {"F"}, .dimension = kForce, .what = "the force", .delay_s = -0.002}};
+  const auto recording = ReadTimeRecording(folder.Write("bench.csv", kGood), wanted, diagnostics);
+  ASSERT_TRUE(recording) << diagnostics.Format();
+  EXPECT_NEAR(recording->start_s, 1.002, 1e-12);
+  EXPECT_THAT(recording->channels[0], ElementsAre(0.002, 0.003, 0.004, 0.005, 0.006));
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_NEAR(recording->channels[1][k], 100.0 * (1 + static_cast<double>(k)), 1e-9);
+}
+
+TEST(TimeRecordingFault, DelaysLongerThanTheRecord) {
+  std::array<RecordedChannel, 2> wanted = kWanted;
+  wanted[0].delay_s = 0.006;
+  EXPECT_EQ(FaultsOf("bench.csv", kGood,
+                     [&](const std::string& file, Diagnostics& diagnostics) {
+                       return ReadTimeRecording(file, wanted, diagnostics);
+                     }),
+            "bench.csv: error: is shorter than the delays that the study tells of its channels");
+}
+
+TEST(TimeRecordingFault, ColumnsAreMissing) {
+  EXPECT_THAT(Faults(Replace(Replace(kGood, "displacement", "y"), "time", "tame")),
+              AllOf(HasSubstr("bench.csv:1: error: column 'x', the extension, is missing"),
+                    HasSubstr("column 'time', the time of each sample, is missing, did you mean 'tame'?")));
+}
+
+TEST(TimeRecordingFault, UnitOfAnotherDimension) {
+  EXPECT_EQ(Faults(Replace(kGood, "kN", "mm/s")),
+            "bench.csv:2: error: column 'F', the force, has 'mm/s' for its unit; it takes a force such as 'N'");
+}
+
+TEST(TimeRecordingFault, NoRowOfUnits) {
+  EXPECT_THAT(
+      Faults(Replace(kGood, "s,kN,1,mm\n", "")),
+      AllOf(HasSubstr("bench.csv:1: error: column 'time', the time of each sample, has no unit; write that of a "
+                      "time such as 's' in a line below the names, or behind the name, as in 'time [s]'"),
+            HasSubstr("or name it in the study: {channel: F, unit: N}")));
+}
+
+TEST(TimeRecordingFault, FieldsThatAreNoNumbers) {
+  EXPECT_EQ(Faults(Replace(Replace(kGood, "0.2", "nan"), "20,4", "20,")),
+            "bench.csv:4: error: column 'F' has 'nan' here; fill the gap or cut the record there\n"
+            "bench.csv:6: error: column 'displacement' has no number here; fill the gap or cut the record there");
+}
+
+TEST(TimeRecordingFault, Gap) {
+  EXPECT_EQ(Faults(Replace(kGood, "1.006,0.4,20,4\n", "")),
+            "bench.csv:6: error: time goes from 1.004 s to 1.008 s, else by 0.002 s: samples must be evenly spaced; "
+            "fill the gap or cut the record there");
+}
+
+// Longer than the record itself: still one fault.
+TEST(TimeRecordingFault, LongGap) {
+  EXPECT_EQ(Faults(Replace(Replace(kGood, "1.008", "7.008"), "1.01,", "7.01,")),
+            "bench.csv:7: error: time goes from 1.006 s to 7.008 s, else by 0.002 s: samples must be evenly spaced; "
+            "fill the gap or cut the record there");
+}
+
+TEST(TimeRecordingFault, TimeStepsBack) {
+  EXPECT_THAT(Faults(Replace(kGood, "1.006", "0.006")), HasSubstr("time goes from 1.004 s to 0.006 s"));
+}
+
+TEST(TimeRecordingFault, TimeAndDisplacementAreSwapped) {
+  EXPECT_THAT(Faults("time,F,x\ns,N,m\n0,1,1\n1,5,1.01\n0,2,1.02\n-1,1,1.03\n0,0,1.04\n1,4,1.05\n"),
+              HasSubstr("time steps back again and again, while column 'x' rises evenly: are the two swapped?"));
+  EXPECT_THAT(Faults(Replace(Replace(kGood, "s,kN", "mm,kN"), "1,mm", "1,s")),
+              HasSubstr("column 'displacement' is in such a one: are the two swapped?"));
+}
+
+TEST(TimeRecordingFault, TimeStandsStill) {
+  EXPECT_THAT(Faults("time,F,x\ns,N,m\n1,1,1\n1,2,2\n1,3,3\n1,4,4\n1,5,5\n"),
+              HasSubstr("time does not rise from sample to sample"));
+}
+
+// Each step is within a quarter of the usual one.
+TEST(TimeRecordingFault, RateChangesOnTheWay) {
+  std::ostringstream text;
+  text << "time,F,x\ns,N,m\n";
+  for (int k = 0; k < 50; ++k) text << 0.002 * k << ",1,1\n";
+  for (int k = 0; k < 50; ++k) text << 0.1 + 0.0025 * k << ",1,1\n";
+  EXPECT_EQ(Faults(text.str()),
+            "bench.csv:53: error: time is -0.012373737 s off even steps of 0.002247475 s here: samples must be evenly "
+            "spaced; resample the record at one rate");
+}
+
+TEST(TimeRecordingFault, TooShort) {
+  EXPECT_EQ(Faults("time,F,x\ns,N,m\n0,1,1\n1,2,2\n2,3,3\n"),
+            "bench.csv: error: has 3 samples; it takes four at least");
+}
+
+TEST(TimeRecordingFault, AllAreToldAtOnce) {
+  const std::string text = Replace(Replace(Replace(kGood, "kN", "K"), "1.006,0.4,20,4\n", ""), "0.2", "lost");
+  EXPECT_THAT(Faults(text), AllOf(HasSubstr("'K' for its unit"), HasSubstr("has 'lost' here"),
+                                  HasSubstr("time goes from 1.004 s to 1.008 s")));
+}
+
+}  // namespace
+}  // namespace fourpost

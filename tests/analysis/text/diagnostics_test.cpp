@@ -1,0 +1,72 @@
+#include "analysis/text/diagnostics.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace fourpost {
+namespace {
+
+using ::testing::EndsWith;
+
+TEST(Diagnostic, HasTheFormEditorsUnderstand) {
+  EXPECT_EQ(Format({Severity::kError, "car.urdf", 12, "no mass"}), "car.urdf:12: error: no mass");
+  EXPECT_EQ(Format({Severity::kWarning, "car.urdf", 0, "no mass"}), "car.urdf: warning: no mass");
+  EXPECT_EQ(Format({Severity::kError, "", 0, "no mass"}), "error: no mass");
+}
+
+TEST(Diagnostics, HasNoErrorsWithWarningsOnly) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(diagnostics.HasErrors());
+  diagnostics.Warning("a.csv", 1, "odd");
+  EXPECT_FALSE(diagnostics.HasErrors());
+  diagnostics.Error("a.csv", 2, "wrong");
+  EXPECT_TRUE(diagnostics.HasErrors());
+  EXPECT_EQ(diagnostics.items().size(), 2);
+}
+
+TEST(Diagnostics, AreSortedByFileAndLineAndElseAsTheyCame) {
+  Diagnostics diagnostics;
+  diagnostics.Error("b.csv", 1, "fourth");
+  diagnostics.Error("a.csv", 10, "third");
+  diagnostics.Error("a.csv", 9, "first");
+  diagnostics.Warning("a.csv", 9, "second");
+  EXPECT_EQ(diagnostics.Format(),
+            "a.csv:9: error: first\n"
+            "a.csv:9: warning: second\n"
+            "a.csv:10: error: third\n"
+            "b.csv:1: error: fourth");
+}
+
+TEST(Diagnostics, AreEmptyTextWhenThereAreNone) { EXPECT_EQ(Diagnostics().Format(), ""); }
+
+TEST(Diagnostics, OfOneFileDoNotBuryThoseOfAnother) {
+  Diagnostics diagnostics;
+  for (int line = 1; line <= 103; ++line) diagnostics.Error("a.csv", line, "wrong");
+  diagnostics.Error("b.csv", 1, "wrong");
+  EXPECT_THAT(diagnostics.Format(), EndsWith("a.csv:100: error: wrong\na.csv: 3 more\nb.csv:1: error: wrong"));
+}
+
+TEST(Diagnostics, OfOneFileAreAllShownUpToAHundred) {
+  Diagnostics diagnostics;
+  for (int line = 1; line <= 100; ++line) diagnostics.Error("a.csv", line, "wrong");
+  EXPECT_THAT(diagnostics.Format(), EndsWith("a.csv:100: error: wrong"));
+}
+
+TEST(Diagnostics, KeepBeginningAndEndOfMessagesOfMegabytes) {
+  Diagnostics diagnostics;
+  diagnostics.Error("a.csv", 1, "unknown '" + std::string(5'000'000, 'n') + "'; remove it");
+  EXPECT_LT(diagnostics.Format().size(), 2100u);
+  EXPECT_THAT(diagnostics.Format(), testing::StartsWith("a.csv:1: error: unknown 'nnn"));
+  EXPECT_THAT(diagnostics.Format(), EndsWith("nnn'; remove it"));
+}
+
+TEST(FaultyInput, SaysWhatTheDiagnosticsSay) {
+  Diagnostics diagnostics;
+  diagnostics.Error("a.csv", 2, "wrong");
+  const FaultyInput error(diagnostics);
+  EXPECT_STREQ(error.what(), "a.csv:2: error: wrong");
+  EXPECT_EQ(error.diagnostics().items().size(), 1);
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,187 @@
+#include "identify/experiments/four_post/recording_lint.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "identify/study_file/channel_warnings.h"
+#include "tests/identify/shipped_study.h"
+#include "vehicles/description/gravity.h"
+
+namespace fourpost {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string Lint(const LoadedStudy& study) {
+  Diagnostics diagnostics;
+  CheckRecordings(study, Severity::kWarning, diagnostics);
+  EXPECT_FALSE(diagnostics.HasErrors());
+  return diagnostics.Format();
+}
+
+Sensor& SensorOf(LoadedStudy& study, const std::string& name) {
+  for (Sensor& sensor : study.vehicle.sensors)
+    if (sensor.name == name) return sensor;
+  throw std::invalid_argument("no sensor " + name);
+}
+
+/// Every response of a channel, changed by its run and place there.
+template <typename Change>
+void ChangeChannel(LoadedStudy& study, const std::string& name, const Change& change) {
+  for (MeasuredRun& run : Sines(study).runs)
+    for (MeasuredChannel& channel : run.channels)
+      for (std::size_t i = 0; channel.name == name && i < channel.response.size(); ++i)
+        change(run, i, channel.response[i]);
+}
+
+void Scale(LoadedStudy& study, const std::string& name, double factor) {
+  ChangeChannel(study, name, [&](const auto&, std::size_t, std::complex<double>& value) { value *= factor; });
+}
+
+class EveryStudy : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(RecordingLint, EveryStudy, testing::Values("model1", "model2", "model3", "full"));
+
+// Of the rig as it was: flexible mounts, sensors a few per cent off, a car that no model is.
+TEST_P(EveryStudy, HasNothingToTell) { EXPECT_EQ(Lint(ShippedStudy(GetParam())), ""); }
+
+TEST_P(EveryStudy, TellsOfAStationOffByAMetre) {
+  for (const double metres : {1.0, -1.0}) {
+    LoadedStudy study = ShippedStudy(GetParam());
+    // As if the sensor had sat a metre from where the file has it.
+    SensorOf(study, "a_cross_member").point.xyz.x() -= metres;
+    const std::string direction = metres > 0 ? "forward" : "back";
+    EXPECT_THAT(Lint(study), AllOf(HasSubstr("'a_cross_member' does not move with its body below 1 Hz"),
+                                   testing::ContainsRegex("as if it sat (0.9[0-9]?|1|1.1) m further " + direction)))
+        << metres;
+  }
+}
+
+TEST_P(EveryStudy, TellsOfATurnedAccelerometer) {
+  LoadedStudy study = ShippedStudy(GetParam());
+  Scale(study, "a_cross_member", -1);
+  EXPECT_THAT(Lint(study), HasSubstr("its sign is opposite: turn it round, as 'a_cross_member: "));
+  EXPECT_THAT(Lint(study), HasSubstr("sign: -1}"));
+}
+
+TEST_P(EveryStudy, TellsOfAnyChannelOfOppositeSign) {
+  const LoadedStudy shipped = ShippedStudy(GetParam());
+  for (const MeasuredChannel& channel : Sines(shipped).runs.front().channels) {
+    LoadedStudy study = shipped;
+    Scale(study, channel.name, -1);
+    EXPECT_THAT(Lint(study), AllOf(HasSubstr("'" + channel.name + "' moves against what the vehicle would do"),
+                                   HasSubstr("sign: -1")));
+  }
+}
+
+/// Of one without loads, whose recordings have no forces any more.
+LoadedStudy WithoutForces(const std::string& name) {
+  LoadedStudy study = ShippedStudy(name);
+  Rest(study).loads.clear();
+  for (MeasuredRun& run : Sines(study).runs)
+    std::erase_if(run.channels, [](const MeasuredChannel& channel) { return channel.unit == "N"; });
+  return study;
+}
+
+TEST(RecordingLint, TellsWhatSetsTheScaleWithoutForces) {
+  LoadedStudy study = WithoutForces("full");
+  const std::string told = Lint(study);
+  EXPECT_THAT(told, HasSubstr("rests on what is held ("));
+  EXPECT_THAT(told, HasSubstr("1 % there is 1 % in all of them"));
+  // A mass that was weighed sets it as well.
+  for (const std::size_t index : study.free) {
+    Parameter& parameter = study.vehicle.parameters[index];
+    if (parameter.dimension == kMass) parameter.prior_sd = 1;
+  }
+  EXPECT_EQ(Lint(study), "");
+}
+
+// A mass that turns nothing and moves nothing sets no scale.
+TEST(RecordingLint, NamesOnlyWhatSetsTheScale) {
+  LoadedStudy study = WithoutForces("model2");
+  const auto hold = [&](const std::string& name) {
+    std::erase_if(study.free, [&](std::size_t i) { return study.vehicle.parameters[i].name == name; });
+  };
+  hold("m_sprung");
+  Parameter idle = study.vehicle.parameters[0];
+  idle.name = "m_idle";
+  study.vehicle.parameters.push_back(idle);
+  EXPECT_THAT(Lint(study), AllOf(HasSubstr("rests on what is held (m_sprung)"), Not(HasSubstr("m_idle"))));
+}
+
+TEST(RecordingLint, TellsOfAScaleThatIsOff) {
+  LoadedStudy study = ShippedStudy("model1");
+  Scale(study, "a_cross_member", 9.80665);
+  EXPECT_THAT(Lint(study), HasSubstr("it reads 9.8 times what it should"));
+}
+
+/// Inertia of this mass between load cell and tyre, in a car whose channel stands for two tyres.
+void AddWheelpan(LoadedStudy& study, const std::string& name, double kg, std::size_t post) {
+  ChangeChannel(study, name, [&](const MeasuredRun& run, std::size_t i, std::complex<double>& value) {
+    value -= kg * std::pow(2 * std::numbers::pi * run.excitation.frequency_Hz[i], 2) * run.excitation.shape[post];
+  });
+}
+
+TEST(RecordingLint, TellsOfAForgottenWheelpan) {
+  LoadedStudy study = ShippedStudy("model1");
+  AddWheelpan(study, "F_tyre_rear", 50, 1);
+  EXPECT_THAT(Lint(study), testing::ContainsRegex("'F_tyre_rear' feels the inertia of some (4[5-9]|5[0-5]) kg"));
+  LoadedStudy full = ShippedStudy("full");
+  AddWheelpan(full, "F_tyre_FL", 25, 0);
+  EXPECT_THAT(Lint(full), testing::ContainsRegex("'F_tyre_FL' feels the inertia of some 2[2-8] kg"));
+}
+
+// One warning for all, with the mass, where it is written, and the sensors that have it.
+TEST_P(EveryStudy, TellsOfWheelpansForgottenOnAllPosts) {
+  LoadedStudy study = ShippedStudy(GetParam());
+  const bool is_planar = study.vehicle.posts.size() == 2;
+  for (std::size_t p = 0; p < study.vehicle.posts.size(); ++p)
+    for (const Sensor& sensor : study.vehicle.sensors)
+      if (sensor.tyre == study.vehicle.posts[p].tyre && sensor.name.starts_with("F_tyre"))
+        AddWheelpan(study, sensor.name, is_planar ? 50 : 25, p);
+  const std::string text = Lint(study);
+  EXPECT_THAT(text, testing::ContainsRegex(is_planar ? "write `wheelpan=\"(4[7-9]|5[0-2]) kg\"` at fp:sensor"
+                                                     : "write `wheelpan=\"2[3-6] kg\"` at fp:sensor"));
+  EXPECT_THAT(text, HasSubstr(is_planar ? "(F_pan_front, F_pan_rear)" : "(F_pan_FL, F_pan_FR, F_pan_RL, F_pan_RR)"));
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+}
+
+TEST(RecordingLint, TellsOfAWheelpanTakenOutTwice) {
+  LoadedStudy study = ShippedStudy("model1");
+  AddWheelpan(study, "F_tyre_rear", -50, 1);
+  EXPECT_THAT(Lint(study), testing::ContainsRegex("'F_tyre_rear' lacks the inertia of some (4[5-9]|5[0-5]) kg"));
+}
+
+TEST(RecordingLint, TellsOfLoadsThatNoMassesMake) {
+  LoadedStudy study = ShippedStudy("model1");
+  // Bounds leave it some 600 kg.
+  for (MeasuredLoad& load : Rest(study).loads) load.load_N += 400 * kGravity;
+  EXPECT_THAT(Lint(study), AllOf(HasSubstr("static.csv: warning: the static loads add up to 29 kN"),
+                                 HasSubstr("at their upper bounds"), HasSubstr("not tared")));
+  study = ShippedStudy("model1");
+  for (MeasuredLoad& load : Rest(study).loads) load.load_N *= 0.5;
+  EXPECT_THAT(Lint(study), AllOf(HasSubstr("at their lower bounds"), HasSubstr("corners or axles left out")));
+}
+
+TEST(ChannelWarnings, TellsHowAStudyTurnsAChannelRound) {
+  ChannelSource turned{.channels = {"a"}};
+  turned.channels[0].factor = -1;
+  ChannelSource late{.channels = {"a"}};
+  late.channels[0].delay_s = 0.01;
+  const ChannelWarnings::Channels channels = {{"x", {.channels = {"a"}}},
+                                              {"f", {.combine = ChannelSource::Combine::kSum, .channels = {"a", "b"}}},
+                                              {"turned", turned},
+                                              {"late", late}};
+  Diagnostics diagnostics;
+  const ChannelWarnings warnings("study.yaml", channels, diagnostics);
+  EXPECT_EQ(warnings.Turned("x"), "x: {channel: a, sign: -1}");
+  EXPECT_EQ(warnings.Turned("f"), "f: {sum: [{channel: a, sign: -1}, {channel: b, sign: -1}]}");
+  EXPECT_EQ(warnings.Turned("turned"), "turned: a");
+  EXPECT_EQ(warnings.Turned("late"), "late: {channel: a, sign: -1, delay: 10 ms}");
+}
+
+}  // namespace
+}  // namespace fourpost

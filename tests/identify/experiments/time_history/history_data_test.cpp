@@ -1,0 +1,206 @@
+#include "identify/experiments/time_history/history_data.h"
+
+#include <cmath>
+#include <random>
+
+#include <gmock/gmock.h>
+
+#include "tests/identify/recorded_station.h"
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+
+class HistoryDataTest : public testing::Test {
+ protected:
+  HistoryDataTest() {
+    history_.name = "sweep";
+    history_.posts = {{"ground", {.channels = {"z_ground"}, .line = 4}}};
+    for (const Sensor& sensor : vehicle_.sensors)
+      history_.channels.push_back({sensor.name, {.channels = {sensor.name}, .line = 5}});
+    history_.line = 3;
+  }
+
+  std::optional<std::vector<MeasuredHistory>> Load(const std::string& text) {
+    history_.file = folder_.Write("sweep.csv", text);
+    return LoadHistories({history_}, "study.yaml", vehicle_, diagnostics_);
+  }
+  std::optional<std::vector<MeasuredHistory>> Load() { return Load(StationCsv(recorded_, vehicle_)); }
+
+  /// The one fault.
+  std::string Fault(const std::string& text) {
+    EXPECT_FALSE(Load(text));
+    EXPECT_EQ(diagnostics_.items().size(), 1u) << diagnostics_.Format();
+    return diagnostics_.Format();
+  }
+  std::string Fault() { return Fault(StationCsv(recorded_, vehicle_)); }
+
+  Vehicle vehicle_ = ShippedVehicle("single_wheel_station");
+  TimeHistory recorded_ = RecordStation(vehicle_, std::nullopt);
+  TemporaryFolder folder_;
+  StudyHistory history_;
+  Diagnostics diagnostics_;
+};
+
+TEST_F(HistoryDataTest, TakesOffsetsAway) {
+  const auto histories = Load();
+  ASSERT_TRUE(histories) << diagnostics_.Format();
+  const MeasuredHistory& history = histories->front();
+  EXPECT_NEAR(history.rate_Hz, 500, 1e-9);
+  EXPECT_EQ(history.count, recorded_.size());
+  ASSERT_EQ(history.signals.size(), 5u);
+  EXPECT_EQ(history.signals[4].unit, "N");
+  for (const MeasuredSignal& signal : history.signals) EXPECT_NEAR(signal.values.mean(), 0, 1e-9 * signal.Deviation());
+  std::vector<PostState> post(1);
+  const double mean = recorded_.posts.mean();
+  for (const Eigen::Index k : {500, 1234, 2000}) {
+    history.posts.motion(history.TimeAt(k), post);
+    // Digits of the file.
+    EXPECT_NEAR(post[0].height, recorded_.posts(k, 0) - mean, 1e-9);
+  }
+}
+
+TEST_F(HistoryDataTest, LeavesOutWhatTheFilterKeepsBack) {
+  history_.filter = LowPassDesign{.order = 4, .cutoff_Hz = 30};
+  const auto histories = Load();
+  ASSERT_TRUE(histories);
+  EXPECT_NEAR(histories->front().TimeAt(histories->front().count - 1), 6.5 - 4 / 30.0, 2e-3);
+  EXPECT_EQ(histories->front().Stride(), 5);
+}
+
+TEST_F(HistoryDataTest, HasTheWindowAskedFor) {
+  history_.start_s = 1;
+  history_.end_s = 3;
+  const auto histories = Load();
+  ASSERT_TRUE(histories);
+  EXPECT_DOUBLE_EQ(histories->front().TimeAt(0), 1);
+  EXPECT_EQ(histories->front().count, 1001);
+  history_.start_s = 7;
+  history_.end_s.reset();
+  EXPECT_THAT(Fault(), HasSubstr("study.yaml:3: error: history 'sweep' has no samples to compare"));
+}
+
+TEST_F(HistoryDataTest, AddsChannelsUp) {
+  history_.channels = {{"F_tyre", {.combine = ChannelSource::Combine::kSum, .channels = {"F_tyre", "F_tyre"}}}};
+  const auto sum = Load();
+  history_.channels = {{"F_tyre", {.channels = {"F_tyre", "F_tyre"}}}};
+  const auto mean = Load();
+  ASSERT_TRUE(sum && mean);
+  EXPECT_TRUE(sum->front().signals[0].values.isApprox(2 * mean->front().signals[0].values));
+}
+
+TEST_F(HistoryDataTest, RefusesNamesThatAreNotThere) {
+  history_.channels[0].first = "z_sprang";
+  EXPECT_THAT(Fault(), HasSubstr("study.yaml:5: error: the vehicle has no sensor 'z_sprang', did you mean 'z_sprung'"));
+  diagnostics_ = {};
+  history_.channels[0].first = "z_sprung";
+  history_.channels[1].second.channels = {"z_unspring"};
+  EXPECT_THAT(Fault(), HasSubstr("z_unspring"));
+  diagnostics_ = {};
+  history_.channels.pop_back();
+  history_.channels[1].second.channels = {"z_unsprung"};
+  history_.posts.clear();
+  EXPECT_THAT(Fault(), HasSubstr("study.yaml:3: error: history 'sweep' does not tell how post 'ground' moved"));
+}
+
+TEST_F(HistoryDataTest, RefusesAnotherUnit) {
+  history_.channels[0].second.channels = {"F_tyre"};
+  history_.channels.resize(1);
+  EXPECT_THAT(Fault(), HasSubstr("'F_tyre', sensor 'z_sprung'"));
+}
+
+TEST_F(HistoryDataTest, ReadsNoise) {
+  history_.noise = {{"F_tyre", "0.02 kN", 6}};
+  const auto histories = Load();
+  ASSERT_TRUE(histories);
+  EXPECT_DOUBLE_EQ(histories->front().signals[4].noise_sd, 20);
+  history_.noise = {{"F_tyre", "20 mm", 6}};
+  EXPECT_THAT(Fault(), HasSubstr("study.yaml:6: error: the noise of 'F_tyre' must be a deviation with a unit"));
+}
+
+TEST_F(HistoryDataTest, RefusesSamplesTooFarApartForTheBand) {
+  history_.filter = LowPassDesign{.order = 4, .cutoff_Hz = 150};
+  EXPECT_THAT(Fault(), HasSubstr("sweep.csv is sampled at 500 Hz, too slowly for the band up to its filter's cut-off "
+                                 "at 150 Hz: record faster, at 600 Hz or more"));
+}
+
+TEST_F(HistoryDataTest, WarnsOfPostsSampledTooSlowly) {
+  EXPECT_TRUE(Load());
+  EXPECT_EQ(diagnostics_.Format(), "");
+  // Of 20 Hz and 500 Hz every eighth sample is left.
+  TimeHistory slow = recorded_;
+  slow.rate_Hz /= 8;
+  const Eigen::Index kept = recorded_.size() / 8;
+  slow.posts = recorded_.posts(Eigen::seqN(0, kept, 8), Eigen::all);
+  slow.readings = recorded_.readings(Eigen::seqN(0, kept, 8), Eigen::all);
+  EXPECT_TRUE(Load(StationCsv(slow, vehicle_)));
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("is sampled at 62.5 Hz: 6 samples a period are wanted"));
+}
+
+TEST_F(HistoryDataTest, NamesNoChannelOfAnotherQuantityForOneThatIsMissing) {
+  std::string text = StationCsv(recorded_, vehicle_);
+  text.replace(text.find("z_sprung"), 8, "z_body__");
+  // Nearest by its letters is a_sprung, an acceleration.
+  EXPECT_THAT(Fault(text), testing::AllOf(HasSubstr("column 'z_sprung', sensor 'z_sprung', is missing"),
+                                          testing::Not(HasSubstr("a_sprung"))));
+}
+
+TEST_F(HistoryDataTest, RefusesADeadChannel) {
+  recorded_.readings.col(2).setConstant(0.3);
+  EXPECT_THAT(Load() ? "" : diagnostics_.Format(), HasSubstr("'a_sprung' does not change"));
+}
+
+TEST_F(HistoryDataTest, WarnsOfASaturatedSensor) {
+  ASSERT_TRUE(Load());
+  EXPECT_EQ(diagnostics_.Format(), "");
+  recorded_.readings.col(4) = recorded_.readings.col(4).cwiseMin(0.5 * recorded_.readings.col(4).maxCoeff());
+  ASSERT_TRUE(Load());
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("study.yaml:5: warning: 'F_tyre' is clipped: "));
+}
+
+// Noise that came in behind the sensor; what is told to be done helps.
+TEST_F(HistoryDataTest, WarnsOfASaturatedSensorUnderNoise) {
+  auto force = recorded_.readings.col(4);
+  const double limit = 0.7 * force.maxCoeff();
+  Eigen::Index first = 0;
+  while (force[first] < limit) ++first;
+  const auto clipped = force.cwiseMin(limit).eval();
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> noise(0, 1e-3 * limit);
+  for (Eigen::Index k = 0; k < force.size(); ++k) force[k] += noise(engine);
+  ASSERT_TRUE(Load());
+  EXPECT_EQ(diagnostics_.Format(), "");
+  for (Eigen::Index k = 0; k < force.size(); ++k) force[k] = clipped[k] + noise(engine);
+  ASSERT_TRUE(Load());
+  EXPECT_THAT(diagnostics_.Format(),
+              testing::AllOf(HasSubstr("study.yaml:5: warning: 'F_tyre' looks clipped: "),
+                             HasSubstr(" but for noise of "), HasSubstr("by 'start' and 'end' of the history")));
+  diagnostics_ = {};
+  history_.end_s = recorded_.TimeAt(first - 1);
+  ASSERT_TRUE(Load());
+  EXPECT_EQ(diagnostics_.Format(), "");
+}
+
+TEST_F(HistoryDataTest, AFaultyValidationRecordingIsLeftOut) {
+  history_.file = folder_.Write("sweep.csv", "time,z_ground\ns,m\n0,0\n");
+  StudyHistory missing = history_;
+  missing.name = "missing";
+  missing.file = folder_.path() / "swoop.csv";
+  std::vector<LeftOutRecording> left_out;
+  EXPECT_TRUE(LoadValidation({history_, missing}, "study.yaml", vehicle_, diagnostics_, left_out).empty());
+  EXPECT_FALSE(diagnostics_.HasErrors());
+  ASSERT_EQ(left_out.size(), 2u);
+  EXPECT_EQ(left_out[0].name, "sweep");
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("sweep.csv:1: warning: left out of the validation: column '"));
+  EXPECT_THAT(left_out[1].reason, HasSubstr("there is no file"));
+}
+
+TEST_F(HistoryDataTest, ASteppedSineIsToldWhereItBelongs) {
+  EXPECT_THAT(Fault("frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n1,0.01,a_body,1,0\n"),
+              HasSubstr("is a stepped sine, not a time history: list it under 'recordings'"));
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,155 @@
+#include "identify/experiments/time_history/history_residuals.h"
+
+#include <cmath>
+#include <memory>
+
+#include <gmock/gmock.h>
+
+#include "tests/identify/recorded_station.h"
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+constexpr LowPassDesign kFilter{.order = 4, .cutoff_Hz = 30};
+
+/// The station with friction, which sees amplitudes.
+Vehicle RubbingStation() {
+  Vehicle vehicle = ShippedVehicle("single_wheel_station");
+  vehicle.dampers[0].law.friction = DashpotDescription::Friction{.force = {40}, .speed = {0.005}};
+  return vehicle;
+}
+
+class HistoryResidualsTest : public testing::Test {
+ protected:
+  /// What was recorded of the vehicle; `filter`: what the study says of it.
+  std::vector<MeasuredHistory> Recording(std::optional<LowPassDesign> filter = kFilter) {
+    StudyHistory study{.name = "sweep", .posts = {{"ground", {.channels = {"z_ground"}}}}, .filter = filter};
+    for (const Sensor& sensor : vehicle_.sensors) study.channels.push_back({sensor.name, {.channels = {sensor.name}}});
+    study.file = folder_.Write("sweep.csv", StationCsv(RecordStation(vehicle_, SensorModel::Filter{4, 30}), vehicle_));
+    Diagnostics diagnostics;
+    auto histories = LoadHistories({study}, "study.yaml", vehicle_, diagnostics);
+    EXPECT_TRUE(histories) << diagnostics.Format();
+    return *histories;
+  }
+
+  HistoryResiduals Residuals(std::vector<MeasuredHistory> histories, const HistoryResiduals::Options& options = {}) {
+    return {std::make_shared<const CondensedVehicle>(vehicle_), std::move(histories), options};
+  }
+
+  double WorstNmse(const HistoryResiduals& residuals) {
+    double worst = 0;
+    for (const HistoryMisfit& misfit :
+         HistoryMisfits(residuals.histories(), residuals.Modelled(vehicle_.ParameterValues())))
+      worst = std::max(worst, misfit.nmse_percent);
+    return worst;
+  }
+
+  Vehicle vehicle_ = RubbingStation();
+  TemporaryFolder folder_;
+};
+
+// A true post and one filter, against heights that the filter took amplitude from and none.
+TEST_F(HistoryResidualsTest, VanishForTheVehicleThatWasRecorded) {
+  const double filter_taken_back = WorstNmse(Residuals(Recording()));
+  const double as_recorded = WorstNmse(Residuals(Recording(std::nullopt)));
+  // The square of the integration's error of 1e-3.
+  EXPECT_LT(filter_taken_back, 1e-3);
+  EXPECT_GT(as_recorded, 0.05);
+}
+
+TEST_F(HistoryResidualsTest, AreOverNoiseAndModelError) {
+  std::vector<MeasuredHistory> histories = Recording();
+  histories[0].signals.resize(1);
+  histories[0].signals[0].noise_sd = 0.03 * histories[0].signals[0].Deviation();
+  vehicle_.parameters[0].value *= 1.1;
+  const HistoryResiduals residuals = Residuals(histories, {.model_error = 0.04});
+  const Eigen::VectorXd modelled = residuals.Modelled(vehicle_.ParameterValues())[0].col(0);
+  const Eigen::VectorXd given = residuals.At(vehicle_.ParameterValues());
+  ASSERT_EQ(given.size(), (modelled.size() + 4) / 5);
+  const double sd = 0.05 * histories[0].signals[0].Deviation();
+  for (const Eigen::Index k : {0, 1, 100, 555})
+    EXPECT_NEAR(given[k], (modelled[5 * k] - histories[0].signals[0].values[5 * k]) / sd, 1e-12);
+}
+
+TEST_F(HistoryResidualsTest, OfTheCompromiseAddUpToItsCost) {
+  vehicle_.parameters[0].value *= 1.1;
+  const HistoryResiduals residuals = Residuals(Recording(), {.cost = HistoryCost::kCompromise});
+  double cost = 0;
+  for (const HistoryMisfit& misfit :
+       HistoryMisfits(residuals.histories(), residuals.Modelled(vehicle_.ParameterValues())))
+    cost += misfit.nmse_percent * misfit.nmse_percent;
+  EXPECT_NEAR(residuals.At(vehicle_.ParameterValues()).squaredNorm(), cost, 1e-12 * cost);
+}
+
+TEST_F(HistoryResidualsTest, AskTheirDeadline) {
+  const HistoryResiduals residuals = Residuals(Recording());
+  EXPECT_THROW(residuals.At(vehicle_.ParameterValues(), Deadline::In(1e-9)), TimedOut);
+}
+
+TEST_F(HistoryResidualsTest, TellOfADelayAndOfAWrongSign) {
+  std::vector<MeasuredHistory> histories = Recording();
+  MeasuredSignal& delayed = histories[0].signals[0];
+  delayed.values.tail(delayed.values.size() - 10) = delayed.values.head(delayed.values.size() - 10).eval();
+  histories[0].signals[4].values *= -1;
+  const HistoryResiduals residuals = Residuals(histories);
+  const std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, residuals.Modelled(vehicle_.ParameterValues()));
+  EXPECT_NEAR(*misfits[0].delay_s, 0.02, 1e-4);
+  EXPECT_GT(misfits[0].nmse_percent, 100 * *misfits[0].timed_nmse_percent);
+  EXPECT_NEAR(*misfits[4].gain, -1, 1e-3);
+  EXPECT_NEAR(*misfits[1].delay_s, 0, 1e-5);
+}
+
+TEST_F(HistoryResidualsTest, TellOfSwappedChannels) {
+  std::vector<MeasuredHistory> histories = Recording();
+  std::swap(histories[0].signals[0].values, histories[0].signals[1].values);
+  const HistoryResiduals residuals = Residuals(histories);
+  const std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, residuals.Modelled(vehicle_.ParameterValues()));
+  EXPECT_EQ(misfits[0].swapped_with, "z_unsprung");
+  EXPECT_EQ(misfits[1].swapped_with, "z_sprung");
+  for (const std::size_t i : {2u, 3u, 4u}) EXPECT_FALSE(misfits[i].swapped_with) << i;
+}
+
+// Stiff friction in a vehicle whose file has none: the file's steps are too long for it.
+TEST_F(HistoryResidualsTest, TellWhereHalfTheStepChangesThem) {
+  const std::vector<MeasuredHistory> histories = Recording();
+  const HistoryResiduals residuals = Residuals(histories);
+  const std::vector<double> same = residuals.ChangesByHalfStep(vehicle_.ParameterValues());
+  ASSERT_EQ(same.size(), 1u);
+  // A halving changed less than the error asked for; the next changes less still.
+  EXPECT_LT(same[0], residuals.options().error);
+  vehicle_.dampers[0].law.friction = DashpotDescription::Friction{.force = {400}, .speed = {1e-4}};
+  std::vector<MeasuredHistory> again = histories;
+  const HistoryResiduals rough(std::make_shared<const CondensedVehicle>(vehicle_), again, {.error = 0.5});
+  EXPECT_GT(rough.ChangesByHalfStep(vehicle_.ParameterValues())[0], residuals.options().error);
+}
+
+TEST_F(HistoryResidualsTest, AgreeWithTheMultibodySystem) {
+  const std::vector<MeasuredHistory> histories = Recording();
+  const Eigen::MatrixXd condensed = Residuals(histories).Modelled(vehicle_.ParameterValues())[0];
+  const std::vector<double> values = vehicle_.ParameterValues();
+  const std::optional<EngineHistory> answer = SimulateBy({.engine = Engine::kFull}, histories[0], vehicle_, values);
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(answer->by.engine, Engine::kFull);
+  const Eigen::MatrixXd& full = answer->modelled;
+  for (Eigen::Index i = 0; i < condensed.cols(); ++i)
+    // The condensed steps' error; the wheel moves straight, so that linear kinematics leave nothing out.
+    EXPECT_LT((condensed.col(i) - full.col(i)).norm(), 3e-3 * full.col(i).norm()) << i;
+  EXPECT_FALSE(SimulateBy({}, histories[0], vehicle_, values, [](const char*, double) { return false; }));
+}
+
+TEST_F(HistoryResidualsTest, AsABlockTurnFaultsOfTheMotionIntoFailures) {
+  // Off the ground no tyre pushes any more.
+  for (Tyre& tyre : vehicle_.tyres) tyre.lifts_off = false;
+  const ResidualBlock block =
+      HistoryBlock(std::make_shared<const CondensedVehicle>(vehicle_), Recording(), HistoryResiduals::Options{});
+  EXPECT_EQ(block.evaluate(vehicle_.ParameterValues(), {}).residuals.size(), block.count);
+  // A tyre that pushes the wheel away.
+  Set(vehicle_, "kt", -ValueOf(vehicle_, "kt"));
+  const Evaluation failed = block.evaluate(vehicle_.ParameterValues(), {});
+  EXPECT_EQ(failed.failure, Failure::kNotConverged);
+  EXPECT_THAT(failed.detail, testing::HasSubstr("beyond all bounds"));
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,107 @@
+#include "identify/run/fit_verdict.h"
+
+#include <gmock/gmock.h>
+
+namespace fourpost {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+ErrorShare Share(const std::string& channel, const std::string& recording, double measured, double nmse_percent) {
+  return {.channel = channel,
+          .recording = recording,
+          .kind = "m",
+          .unit = "m",
+          .has_nodes = true,
+          .error = nmse_percent / 100 * measured,
+          .measured = measured};
+}
+
+TEST(FitVerdict, NothingSpeaksAgainstAFitThatFollowsItsChannels) {
+  std::vector<ErrorShare> misfits;
+  misfits = {Share("s_front", "bounce", 4, 5), Share("s_rear", "bounce", 1, 60)};
+  EXPECT_TRUE(JudgeFit({}, misfits).explains());
+  EXPECT_EQ(VerdictText(JudgeFit({}, misfits)), "");
+}
+
+TEST(FitVerdict, NamesAChannelThatIsWorseThanAConstant) {
+  std::vector<ErrorShare> misfits;
+  misfits = {Share("s_front", "bounce", 4, 1), Share("s_front", "pitch", 4, 1),
+                    Share("s_rear", "bounce", 1, 240), Share("s_rear", "pitch", 1, 240)};
+  EXPECT_THAT(VerdictText(JudgeFit({}, misfits)),
+              testing::StrEq("this model does not explain these data: channel 's_rear' has an NMSE of 240 %, more than "
+                             "if nothing were modelled (100 %)"));
+}
+
+TEST(FitVerdict, DoesNotJudgeAFitThatWasInterrupted) {
+  std::vector<ErrorShare> misfits;
+  misfits = {Share("s_rear", "bounce", 1, 240)};
+  FitResult fit;
+  fit.end = FitEnd::kConverged;
+  EXPECT_FALSE(JudgeFit(fit, misfits).explains());
+  fit.end = FitEnd::kInterrupted;
+  EXPECT_TRUE(JudgeFit(fit, misfits).explains());
+}
+
+// Of one recording a channel may be next to a node: over all recordings it is judged.
+TEST(FitVerdict, AChannelIsJudgedOverAllRecordings) {
+  std::vector<ErrorShare> misfits;
+  misfits = {Share("a_cg", "bounce", 4, 1), Share("a_cg", "pitch", 1, 300), Share("a_front", "pitch", 4, 1)};
+  EXPECT_THAT(JudgeFit({}, misfits).reasons, IsEmpty());
+}
+
+TEST(FitVerdict, AQuietChannelIsNotJudged) {
+  std::vector<ErrorShare> misfits;
+  // A tenth as a root mean square is a hundredth of the squares.
+  misfits = {Share("s_front", "bounce", 1, 1), Share("s_middle", "bounce", 0.0099, 1000)};
+  EXPECT_TRUE(JudgeFit({}, misfits).explains());
+  misfits[1].measured = 0.0101;
+  misfits[1].error = 0.0102;
+  EXPECT_FALSE(JudgeFit({}, misfits).explains());
+  // Nothing else of its kind.
+  misfits[1] = Share("s_middle", "bounce", 1e-6, 101);
+  misfits[1].kind = "N";
+  EXPECT_FALSE(JudgeFit({}, misfits).explains());
+}
+
+// On a road axles are ten times as loud as the body, whose accelerometer may be upside down.
+TEST(FitVerdict, OverTimeAQuietChannelIsJudged) {
+  std::vector<ErrorShare> misfits;
+  misfits = {Share("a_axle", "road", 400, 1), Share("a_body", "road", 1, 170)};
+  for (ErrorShare& share : misfits) share.has_nodes = false;
+  EXPECT_FALSE(JudgeFit({}, misfits).explains());
+  // What it takes of motion across its axis.
+  misfits[1] = Share("a_body", "road", 0.1, 170);
+  misfits[1].has_nodes = false;
+  EXPECT_TRUE(JudgeFit({}, misfits).explains());
+}
+
+TEST(FitVerdict, NamesARecordingThatIsNotModelledAtAll) {
+  std::vector<ErrorShare> misfits;
+  misfits = {Share("s_front", "bounce", 4, 1), Share("s_rear", "bounce", 4, 1),
+                    Share("s_front", "pitch", 1, 150), Share("s_rear", "pitch", 1, 130)};
+  EXPECT_THAT(JudgeFit({}, misfits).reasons, ElementsAre(HasSubstr("recording 'pitch' in m has an NMSE of 140 %")));
+}
+
+FitResult Bounded(int at_bound, int parameters, double misfit) {
+  FitResult fit;
+  fit.parameters.resize(static_cast<std::size_t>(parameters));
+  for (int i = 0; i < at_bound; ++i) fit.parameters[static_cast<std::size_t>(i)].at_bound = true;
+  fit.covariance = Covariance{};
+  fit.residual_count = 100;
+  fit.data_squares = 100 * misfit * misfit;
+  return fit;
+}
+
+TEST(FitVerdict, MostParametersAtBoundsExplainNothingWhereResidualsAreLarge) {
+  EXPECT_THAT(JudgeFit(Bounded(3, 5, 2), {}).reasons, ElementsAre("3 of 5 parameters are at their bounds"));
+  EXPECT_TRUE(JudgeFit(Bounded(2, 5, 2), {}).explains());
+  EXPECT_TRUE(JudgeFit(Bounded(2, 4, 2), {}).explains());
+  // No friction where there is none to find.
+  EXPECT_TRUE(JudgeFit(Bounded(1, 1, 1), {}).explains());
+}
+
+}  // namespace
+}  // namespace fourpost

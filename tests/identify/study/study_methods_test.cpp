@@ -1,0 +1,108 @@
+#include "identify/study/study_methods.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+
+#include "identify/problems/test_problem.h"
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+
+class StudyMethods : public testing::Test {
+ protected:
+  // The methods of these names in a study of the gear train with one method.
+  std::vector<ComparedMethod> Read(const std::string& method, const std::vector<std::string>& names = {"mine"}) {
+    diagnostics_ = {};
+    std::ofstream(file_) << "problem: gear_train\nmethods:\n  mine: {" << method << "}\n";
+    const std::optional<Study> study = ReadStudy(file_, diagnostics_);
+    if (!study) return {};
+    return MethodsOf(*study, names, MakeTestProblem("gear_train").problem, diagnostics_);
+  }
+
+  std::string Fault(const std::string& method, const std::vector<std::string>& names = {"mine"}) {
+    Read(method, names);
+    EXPECT_EQ(diagnostics_.items().size(), 1u) << diagnostics_.Format();
+    return diagnostics_.Format();
+  }
+
+  TemporaryFolder temporary_;
+  std::filesystem::path file_ = temporary_.path() / "study.yaml";
+  Diagnostics diagnostics_;
+};
+
+TEST_F(StudyMethods, ChangesSettingsOfAPreset) {
+  const auto methods =
+      Read("method: thesis, population: 33, base: random, factor: 0.8, forced_gene: true", {"de", "mine"});
+  ASSERT_EQ(methods.size(), 2u) << diagnostics_.Format();
+  const auto& options = std::get<DvhdeOptions>(methods[1].options);
+  EXPECT_EQ(options.population, 33);
+  EXPECT_EQ(options.base, MutationBase::kRandom);
+  EXPECT_EQ(options.factor, 0.8);
+  EXPECT_TRUE(options.forced_gene);
+  // The rest is the preset's.
+  EXPECT_EQ(options.crossover, ThesisDvhde().crossover);
+  EXPECT_EQ(std::get<DvhdeOptions>(methods[0].options).population, 20);
+}
+
+TEST_F(StudyMethods, ReadsBackEverySettingItPrints) {
+  const Problem problem = MakeTestProblem("oscillator").problem;
+  for (const std::string_view name : kMethodNames) {
+    Study study;
+    study.methods = {{.name = "copy", .preset = std::string(name)}};
+    const auto settings = Settings(MethodPreset(name, problem));
+    for (const auto& [key, value] : settings) study.methods[0].settings.push_back({key, value});
+    Diagnostics diagnostics;
+    const auto methods = MethodsOf(study, {"copy"}, problem, diagnostics);
+    ASSERT_FALSE(diagnostics.HasErrors()) << diagnostics.Format();
+    EXPECT_EQ(Settings(methods[0].options), settings);
+  }
+}
+
+TEST_F(StudyMethods, AFitExploresByTheMethodOfItsSearch) {
+  const Problem problem = MakeTestProblem("oscillator").problem;
+  Study study;
+  EXPECT_EQ(std::get<DvhdeOptions>(ExplorationOf(study, problem, diagnostics_)).simplex_iterations, 0);
+  study.search.method = "thesis";
+  study.search.population = 33;
+  const auto thesis = std::get<DvhdeOptions>(ExplorationOf(study, problem, diagnostics_));
+  EXPECT_EQ(thesis.simplex_iterations, ThesisDvhde().simplex_iterations);
+  EXPECT_EQ(thesis.population, 33);
+  EXPECT_FALSE(diagnostics_.HasErrors()) << diagnostics_.Format();
+}
+
+TEST_F(StudyMethods, AFitRefusesMethodsThatOnlyRefineAndUnknownOnes) {
+  const Problem problem = MakeTestProblem("oscillator").problem;
+  Study study;
+  study.file = "study.yaml";
+  study.search.method_line = 7;
+  study.search.method = "gb";
+  ExplorationOf(study, problem, diagnostics_);
+  EXPECT_THAT(diagnostics_.Format(), HasSubstr("study.yaml:7: error: 'gb' refines random points"));
+  diagnostics_ = {};
+  study.search.method = "dvhd";
+  ExplorationOf(study, problem, diagnostics_);
+  EXPECT_THAT(diagnostics_.Format(),
+              HasSubstr("study.yaml:7: error: there is no method 'dvhd', did you mean 'dvhde'?"));
+}
+
+TEST_F(StudyMethods, NamesFaultsWithTheirLine) {
+  EXPECT_THAT(Fault("method: thesis, popluation: 33"),
+              HasSubstr("3: error: method 'mine': unknown setting 'popluation', "
+                        "did you mean 'population'?"));
+  EXPECT_THAT(Fault("method: thesis, population: many"), HasSubstr("'population' cannot be 'many'"));
+  EXPECT_THAT(Fault("method: thesis, base: middle"), HasSubstr("'base' must be one of random, best"));
+  EXPECT_THAT(Fault("method: thesis, population: 3"),
+              HasSubstr("3: error: method 'mine': population = 3, must be 4 or more"));
+  EXPECT_THAT(Fault("method: thesis, factor: nan"), HasSubstr("'factor' cannot be 'nan'"));
+  EXPECT_THAT(Fault("method: theses"), HasSubstr("3: error: unknown method 'theses', did you mean 'thesis'?"));
+  EXPECT_THAT(Fault("population: 30"), HasSubstr("needs the key 'method'"));
+  EXPECT_THAT(Fault("method: de", {"mine", "mine"}), HasSubstr("method 'mine' is asked for twice"));
+  EXPECT_THAT(Fault("method: de", {"mien"}), HasSubstr("there is no method 'mien', did you mean 'mine'?"));
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,32 @@
+# cmake -D BUILD_DIR=... -D SCRATCH_DIR=... -P package_test.cmake
+# Makes the Debian package, unpacks it, and runs the program that is in it on a vehicle that is in it.
+function(run)
+  execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE ${SCRATCH_DIR})
+file(MAKE_DIRECTORY ${SCRATCH_DIR})
+get_filename_component(bin ${CMAKE_COMMAND} DIRECTORY)
+run(${bin}/cpack --config ${BUILD_DIR}/CPackConfig.cmake -B ${SCRATCH_DIR})
+file(GLOB packages ${SCRATCH_DIR}/*.deb)
+list(LENGTH packages count)
+if(NOT count EQUAL 1)
+  message(FATAL_ERROR "one package expected, made: ${packages}")
+endif()
+
+execute_process(COMMAND dpkg-deb --field ${packages} Depends OUTPUT_VARIABLE depends COMMAND_ERROR_IS_FATAL ANY)
+foreach(library IN ITEMS libceres libsimbody liburdfdom-model libyaml-cpp)
+  if(NOT depends MATCHES ${library})
+    message(FATAL_ERROR "the package does not depend on ${library}: ${depends}")
+  endif()
+endforeach()
+
+run(dpkg-deb --extract ${packages} ${SCRATCH_DIR}/root)
+set(data ${SCRATCH_DIR}/root/usr/share/fourpost)
+run(${SCRATCH_DIR}/root/usr/bin/fourpost check ${data}/urdf/quarter_car.urdf)
+foreach(file IN ITEMS man/man1/fourpost.1.gz doc/fourpost/copyright)
+  file(GLOB found ${SCRATCH_DIR}/root/usr/share/${file} ${SCRATCH_DIR}/root/usr/share/man/man1/fourpost.1)
+  if(NOT found)
+    message(FATAL_ERROR "share/${file} is not in the package")
+  endif()
+endforeach()

@@ -1,0 +1,65 @@
+#include "vehicles/requests/option_quantity.h"
+
+#include "vehicles/description/gravity.h"
+
+namespace fourpost {
+namespace {
+
+std::string Example(const Dimension& dimension) {
+  if (dimension == kLength) return "5 mm";
+  if (dimension == kVelocity) return "0.15 m/s";
+  if (dimension == kAcceleration) return "6 m/s^2 or 0.5 g";
+  if (dimension == kFrequency) return "2 Hz";
+  if (dimension == kTime) return "10 s";
+  return "2 " + SiUnit(dimension);
+}
+
+/// Units that mean this on a command line though they are of another dimension, or of none of their own.
+std::optional<double> SiOf(const Quantity& quantity, const Dimension& dimension) {
+  // Of an acceleration gravity's, not gram.
+  if (dimension == kAcceleration && quantity.unit_text == "g") return quantity.si * 1e3 * kGravity;
+  if (quantity.unit.dimension != dimension || quantity.unit_text.empty()) return std::nullopt;
+  // 2 pi rad/s make 1 Hz.
+  if (dimension == kFrequency && !quantity.unit_text.ends_with("Hz")) return std::nullopt;
+  return quantity.si;
+}
+
+}  // namespace
+
+std::optional<double> ReadQuantity(const std::string& text, const Dimension& dimension, const std::string& option,
+                                   Diagnostics& diagnostics, Sign sign) {
+  const std::optional<Quantity> quantity = ParseQuantity(text);
+  const std::optional<double> si = quantity ? SiOf(*quantity, dimension) : std::nullopt;
+  if (!si)
+    diagnostics.Error(option, 0,
+                      "'" + text + "' is no " + DimensionName(dimension) + ": write a number with its unit, such as " +
+                          Example(dimension));
+  else if (sign == Sign::kPositive && !(*si > 0)) diagnostics.Error(option, 0, "'" + text + "' must be above zero");
+  else return si;
+  return std::nullopt;
+}
+
+std::optional<double> ReadShare(const std::string& text, const std::string& option, Diagnostics& diagnostics) {
+  const std::optional<Quantity> quantity = ParseQuantity(text);
+  if (!quantity || quantity->unit_text != "%")
+    diagnostics.Error(option, 0, "'" + text + "' is no share: write it in percent, such as 1%");
+  else if (!(quantity->si > 0)) diagnostics.Error(option, 0, "'" + text + "' must be above zero");
+  else if (quantity->si > 1) diagnostics.Error(option, 0, "'" + text + "' must not be above 100%");
+  else return quantity->si;
+  return std::nullopt;
+}
+
+std::optional<FrequencyRange> ReadFrequencyRange(const std::string& text, const std::string& option,
+                                                 Diagnostics& diagnostics) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) {
+    diagnostics.Error(option, 0, "'" + text + "' is no range of frequencies: write first:last, such as 0.5Hz:30Hz");
+    return std::nullopt;
+  }
+  const std::optional<double> first = ReadQuantity(text.substr(0, colon), kFrequency, option, diagnostics);
+  const std::optional<double> last = ReadQuantity(text.substr(colon + 1), kFrequency, option, diagnostics);
+  if (!first || !last) return std::nullopt;
+  return FrequencyRange{*first, *last};
+}
+
+}  // namespace fourpost

@@ -1,0 +1,155 @@
+#include "vehicles/requests/parameter_setting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "analysis/text/number.h"
+#include "analysis/text/units.h"
+#include "analysis/text/known_names.h"
+
+namespace fourpost {
+namespace {
+
+/// One option's text about a vehicle's parameters.
+class SettingReader {
+ public:
+  SettingReader(const std::string& option, const Vehicle& vehicle, Diagnostics& diagnostics)
+      : option_(option), vehicle_(vehicle), diagnostics_(diagnostics) {}
+
+  bool faulty() const { return faulty_; }
+
+  void Fault(const std::string& message) {
+    faulty_ = true;
+    diagnostics_.Error(option_, 0, message);
+  }
+
+  std::optional<std::size_t> Parameter(const std::string& name) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < vehicle_.parameters.size(); ++i) {
+      if (vehicle_.parameters[i].name == name) return i;
+      names.push_back(vehicle_.parameters[i].name);
+    }
+    Fault("the vehicle has no parameter '" + name + "'" + KnownNames(name, names));
+    return std::nullopt;
+  }
+
+  double Value(std::size_t index, const std::string& text) {
+    const fourpost::Parameter& parameter = vehicle_.parameters[index];
+    const std::optional<Quantity> quantity = ParseQuantity(text);
+    const std::string wanted =
+        parameter.unit.empty() ? "a plain number" : "a number in " + parameter.unit + " or the like";
+    if (!quantity || quantity->unit.dimension != parameter.dimension)
+      Fault("'" + text + "' is no value of '" + parameter.name + "': give " + wanted);
+    else return Judged(parameter, quantity->si);
+    return parameter.value;
+  }
+
+ private:
+  static std::string Shown(double si, const fourpost::Parameter& parameter) {
+    return FormatQuantity(si, parameter.unit);
+  }
+
+  double Judged(const fourpost::Parameter& parameter, double value) {
+    const bool has_bounds = parameter.upper > parameter.lower;
+    if (has_bounds && value >= parameter.lower && value <= parameter.upper) return value;
+    const bool same_sign = value == parameter.value || value * parameter.value > 0;
+    if (!same_sign)
+      Fault("'" + parameter.name + "' = " + Shown(value, parameter) + " must be " +
+            (parameter.value > 0 ? "above" : "below") + " zero, as the file's value is");
+    else if (has_bounds)
+      diagnostics_.Warning(option_, 0,
+                           "'" + parameter.name + "' = " + Shown(value, parameter) + " is outside its bounds " +
+                               Shown(parameter.lower, parameter) + " .. " + Shown(parameter.upper, parameter));
+    return value;
+  }
+
+  const std::string& option_;
+  const Vehicle& vehicle_;
+  Diagnostics& diagnostics_;
+  bool faulty_ = false;
+};
+
+std::vector<double> EqualSteps(double first, double last, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(std::lerp(first, last, static_cast<double>(i) / (count - 1)));
+  return values;
+}
+
+std::vector<double> BoundToBound(const Parameter& parameter, SettingReader& reader) {
+  constexpr int kCount = 25;
+  if (!(parameter.upper > parameter.lower))
+    reader.Fault("'" + parameter.name + "' has no bounds: say how far it shall go, as in " + parameter.name + "=" +
+                 FormatQuantity(0.5 * parameter.value, parameter.unit) + ":" +
+                 FormatQuantity(2 * parameter.value, parameter.unit) + ":13");
+  return EqualSteps(parameter.lower, parameter.upper, kCount);
+}
+
+/// "20kN/m:80kN/m:13"
+std::vector<double> Written(std::size_t index, const std::string& text, SettingReader& reader) {
+  constexpr double kMost = 1000;
+  const std::size_t first_colon = text.find(':');
+  const std::size_t last_colon = text.rfind(':');
+  const std::optional<double> count =
+      last_colon == first_colon ? std::nullopt : ParseNumber(std::string_view(text).substr(last_colon + 1));
+  if (!count || !(*count >= 2 && *count <= kMost && *count == std::floor(*count))) {
+    reader.Fault("'" + text + "' is no range: write first:last:how many, as 20kN/m:80kN/m:13, with 2 to 1000 values");
+    return {};
+  }
+  const double first = reader.Value(index, text.substr(0, first_colon));
+  const double last = reader.Value(index, text.substr(first_colon + 1, last_colon - first_colon - 1));
+  if (!reader.faulty() && first == last) reader.Fault("the range '" + text + "' goes nowhere");
+  return EqualSteps(first, last, static_cast<int>(*count));
+}
+
+/// Of "name=..." the name: each may stand once.
+void CheckOnce(const std::vector<std::string>& texts, const std::string& option, Diagnostics& diagnostics) {
+  std::map<std::string, int> count;
+  for (const std::string& text : texts) {
+    const std::string name = text.substr(0, text.find('='));
+    if (++count[name] == 2) diagnostics.Error(option, 0, "'" + name + "' is given twice");
+  }
+}
+
+}  // namespace
+
+void SetParameter(const std::string& text, const std::string& option, Vehicle& vehicle, Diagnostics& diagnostics) {
+  SettingReader reader(option, vehicle, diagnostics);
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) {
+    reader.Fault("'" + text + "' sets nothing: write name=value with its unit");
+    return;
+  }
+  const std::optional<std::size_t> index = reader.Parameter(text.substr(0, equals));
+  if (index) vehicle.parameters[*index].value = reader.Value(*index, text.substr(equals + 1));
+}
+
+std::optional<ParameterRange> ReadParameterRange(const std::string& text, const std::string& option,
+                                                 const Vehicle& vehicle, Diagnostics& diagnostics) {
+  SettingReader reader(option, vehicle, diagnostics);
+  const std::size_t equals = text.find('=');
+  const std::optional<std::size_t> index = reader.Parameter(text.substr(0, equals));
+  if (!index) return std::nullopt;
+  std::vector<double> values = equals == std::string::npos ? BoundToBound(vehicle.parameters[*index], reader)
+                                                           : Written(*index, text.substr(equals + 1), reader);
+  if (reader.faulty()) return std::nullopt;
+  return ParameterRange{*index, std::move(values)};
+}
+
+void SetParameters(const std::vector<std::string>& texts, Vehicle& vehicle, Diagnostics& diagnostics) {
+  CheckOnce(texts, "--set", diagnostics);
+  for (const std::string& text : texts) SetParameter(text, "--set", vehicle, diagnostics);
+}
+
+std::vector<ParameterRange> ReadParameterRanges(const std::vector<std::string>& texts, const Vehicle& vehicle,
+                                                Diagnostics& diagnostics) {
+  CheckOnce(texts, "--vary", diagnostics);
+  std::vector<ParameterRange> ranges;
+  for (const std::string& text : texts)
+    if (std::optional<ParameterRange> range = ReadParameterRange(text, "--vary", vehicle, diagnostics))
+      ranges.push_back(std::move(*range));
+  return ranges;
+}
+
+}  // namespace fourpost
