@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "analysis/charts/chart_axis.h"
-#include "analysis/text/number.h"
 #include "analysis/charts/svg_element.h"
+#include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "analysis/text/number.h"
 #include "analysis/charts/svg_element.h"
+#include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {

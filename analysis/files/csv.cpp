@@ -7,9 +7,9 @@
 
 #include "analysis/files/csv_fault.h"
 #include "analysis/files/csv_scanner.h"
-#include "analysis/text/number.h"
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/text_file.h"
+#include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {

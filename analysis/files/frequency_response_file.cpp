@@ -9,10 +9,10 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/signals/decibel.h"
-#include "analysis/text/number.h"
 #include "analysis/files/recorded_table.h"
 #include "analysis/files/recording_layout.h"
+#include "analysis/signals/decibel.h"
+#include "analysis/text/number.h"
 #include "analysis/text/units.h"
 
 namespace fourpost {

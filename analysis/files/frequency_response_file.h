@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "analysis/text/diagnostics.h"
 #include "analysis/signals/frequency_response.h"
+#include "analysis/text/diagnostics.h"
 
 namespace fourpost {
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <vector>
 
-
 namespace fourpost {
 
 /// Throws OutputError when the folder, which results shall be written to, holds one of the files that are read.

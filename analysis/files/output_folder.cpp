@@ -160,7 +160,8 @@ void OutputFolder::Withdraw() const {
 }
 
 void OutputFolder::Commit() {
-  if (!content_of_.contains(std::string(kResultFile))) throw std::logic_error("results without a " + std::string(kResultFile));
+  if (!content_of_.contains(std::string(kResultFile)))
+    throw std::logic_error("results without a " + std::string(kResultFile));
   std::vector<fs::path> created;
   try {
     created = MissingFolders(folder_);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "analysis/files/csv.h"
-#include "analysis/text/diagnostics.h"
 #include "analysis/files/mat_file.h"
+#include "analysis/text/diagnostics.h"
 
 namespace fourpost {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/signals/median.h"
 #include "analysis/files/recorded_unit.h"
-#include "analysis/signals/signal_levels.h"
 #include "analysis/files/time_recording.h"
+#include "analysis/signals/median.h"
+#include "analysis/signals/signal_levels.h"
 
 namespace fourpost {
 namespace {

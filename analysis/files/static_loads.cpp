@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/text/number.h"
 #include "analysis/files/recorded_table.h"
+#include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "analysis/signals/median.h"
-#include "analysis/text/nearest.h"
-#include "analysis/text/number.h"
 #include "analysis/files/recorded_table.h"
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/recording_layout.h"
+#include "analysis/signals/median.h"
 #include "analysis/signals/uniform_spline.h"
+#include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {

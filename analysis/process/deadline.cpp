@@ -1,7 +1,7 @@
 #include "analysis/process/deadline.h"
 
-#include "analysis/text/option_check.h"
 #include "analysis/process/thread_time.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 

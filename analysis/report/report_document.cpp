@@ -1,8 +1,8 @@
 #include "analysis/report/report_document.h"
 
+#include "analysis/files/sha256.h"
 #include "analysis/report/html.h"
 #include "analysis/report/report_bundle.h"
-#include "analysis/files/sha256.h"
 
 namespace fourpost {
 namespace {

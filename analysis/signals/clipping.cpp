@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "analysis/signals/median.h"
-#include "analysis/text/short_number.h"
 #include "analysis/signals/signal_levels.h"
+#include "analysis/text/short_number.h"
 
 namespace fourpost {
 namespace {

@@ -16,8 +16,8 @@ namespace fourpost {
 std::vector<double> Unfiltered(std::span<const double> filtered, const LowPass& filter, double passes, double stops);
 
 /// The same up to one and a half times the filter's cutoff (cycles per sample), faded out up to two and a half times,
-/// where a filter of fourth order has left a fortieth; but for slow recordings up to 0.4 cycles per sample, short of the
-/// filter's zeros at half a cycle.
+/// where a filter of fourth order has left a fortieth; but for slow recordings up to 0.4 cycles per sample, short of
+/// the filter's zeros at half a cycle.
 std::vector<double> Unfiltered(std::span<const double> filtered, const LowPass& filter, double cutoff);
 
 }  // namespace fourpost

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "analysis/text/shortened.h"
-#include "analysis/text/units.h"
 #include "analysis/text/text_width.h"
+#include "analysis/text/units.h"
 
 namespace fourpost {
 namespace {

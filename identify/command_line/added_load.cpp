@@ -8,13 +8,13 @@
 
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/short_number.h"
+#include "analysis/text/text_table.h"
 #include "analysis/text/units.h"
 #include "identify/command_line/print.h"
-#include "analysis/text/text_table.h"
-#include "vehicles/requests/option_quantity.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/added_mass.h"
 #include "vehicles/description/design_poses.h"
+#include "vehicles/requests/option_quantity.h"
 
 namespace fourpost {
 namespace {

@@ -2,13 +2,13 @@
 #include <optional>
 #include <utility>
 
+#include "analysis/text/text_table.h"
 #include "identify/command_line/check_json.h"
 #include "identify/command_line/check_text.h"
 #include "identify/command_line/checked_vehicle.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
-#include "analysis/text/text_table.h"
 #include "vehicles/lint/ride_lint.h"
 #include "vehicles/lint/vehicle_lint.h"
 #include "vehicles/loops/mobility.h"

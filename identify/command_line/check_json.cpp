@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "identify/command_line/check_text.h"
 #include "analysis/files/json_text.h"
+#include "identify/command_line/check_text.h"
 
 namespace fourpost {
 namespace {

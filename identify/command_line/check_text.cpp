@@ -7,8 +7,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "analysis/text/units.h"
 #include "analysis/text/text_table.h"
+#include "analysis/text/units.h"
 
 namespace fourpost {
 namespace {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "analysis/text/diagnostics.h"
-#include "vehicles/requests/amplitude_limits.h"
 #include "identify/run/fit_run.h"
-#include "vehicles/requests/sweep.h"
 #include "vehicles/engine/steady_response.h"
+#include "vehicles/requests/amplitude_limits.h"
+#include "vehicles/requests/sweep.h"
 
 namespace fourpost {
 

@@ -5,24 +5,24 @@
 #include <optional>
 
 #include "analysis/text/number.h"
+#include "analysis/text/progress_text.h"
+#include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
-#include "analysis/text/progress_text.h"
-#include "analysis/text/text_table.h"
 #include "identify/comparison/comparison.h"
 #include "identify/comparison/comparison_json.h"
-#include "identify/study/loaded_study.h"
-#include "vehicles/requests/option_quantity.h"
 #include "identify/problems/test_problem.h"
 #include "identify/report/methods_page.h"
 #include "identify/search/evaluation_store.h"
 #include "identify/search/idle_parameters.h"
+#include "identify/study/loaded_study.h"
 #include "identify/study/study_context.h"
 #include "identify/study/study_methods.h"
+#include "vehicles/requests/option_quantity.h"
 #ifdef FOURPOST_PEERS
 #include "identify/peers/peer_methods.h"
 #endif

@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "analysis/text/number.h"
-#include "vehicles/requests/amplitude_limits.h"
-#include "identify/command_line/file_kind.h"
 #include "analysis/text/text_table.h"
-#include "vehicles/requests/post_shape.h"
-#include "vehicles/requests/rigid_range.h"
+#include "identify/command_line/file_kind.h"
 #include "vehicles/posts/height_signals.h"
 #include "vehicles/posts/post_motions.h"
 #include "vehicles/posts/recorded_posts.h"
 #include "vehicles/posts/road.h"
+#include "vehicles/requests/amplitude_limits.h"
+#include "vehicles/requests/post_shape.h"
+#include "vehicles/requests/rigid_range.h"
 #include "vehicles/response/post_stroke.h"
 
 namespace fourpost {

@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "identify/command_line/interrupt.h"
-#include "identify/command_line/progress_line.h"
 #include "analysis/text/progress_text.h"
 #include "analysis/text/text_table.h"
+#include "identify/command_line/interrupt.h"
+#include "identify/command_line/progress_line.h"
 
 namespace fourpost {
 namespace {

@@ -6,19 +6,19 @@
 
 #include "analysis/files/csv.h"
 #include "analysis/files/frequency_response_file.h"
-#include "analysis/text/number.h"
+#include "analysis/files/json_text.h"
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/recording_layout.h"
 #include "analysis/files/recording_summary.h"
 #include "analysis/files/static_loads.h"
 #include "analysis/files/time_recording.h"
-#include "identify/experiments/bench/bench_data.h"
+#include "analysis/text/number.h"
+#include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
 #include "identify/command_line/print.h"
-#include "analysis/text/text_table.h"
-#include "analysis/files/json_text.h"
+#include "identify/experiments/bench/bench_data.h"
 #include "vehicles/bench/recording_check.h"
 
 namespace fourpost {

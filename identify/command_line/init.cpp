@@ -4,13 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/files/json_text.h"
 #include "analysis/files/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/starter_files.h"
-#include "analysis/files/json_text.h"
 
 namespace fourpost {
 namespace {

@@ -12,9 +12,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "analysis/files/output_folder.h"
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/nearest.h"
-#include "analysis/files/output_folder.h"
 #include "analysis/text/shortened.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"

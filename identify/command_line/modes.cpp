@@ -2,22 +2,22 @@
 #include <optional>
 #include <stdexcept>
 
+#include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/output_folder.h"
+#include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/condensed_at_values.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
-#include "analysis/files/inputs_elsewhere.h"
 #include "identify/command_line/modes_text.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
 #include "identify/run/result_kind.h"
-#include "analysis/text/text_table.h"
+#include "vehicles/loops/design_kinematics.h"
+#include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/influence_files.h"
 #include "vehicles/requests/parameter_setting.h"
 #include "vehicles/requests/pole_files.h"
-#include "vehicles/loops/design_kinematics.h"
-#include "vehicles/reader/vehicle_file.h"
 #include "vehicles/ride/stability.h"
 
 namespace fourpost {

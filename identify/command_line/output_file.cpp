@@ -4,8 +4,8 @@
 #include <fstream>
 #include <system_error>
 
-#include "analysis/text/diagnostics.h"
 #include "analysis/files/output_folder.h"
+#include "analysis/text/diagnostics.h"
 
 namespace fourpost {
 

@@ -1,10 +1,10 @@
 #include <nlohmann/json.hpp>
 
+#include "analysis/files/json_text.h"
+#include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
-#include "analysis/text/text_table.h"
-#include "analysis/files/json_text.h"
 #include "vehicles/reader/parameter_uses.h"
 #include "vehicles/reader/vehicle_file.h"
 

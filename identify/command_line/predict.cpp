@@ -66,8 +66,7 @@ const Experiment& ExperimentOf(const std::filesystem::path& recording, const Stu
     if (experiment.Reads(*table)) return experiment;
   std::string kinds;
   for (const Experiment& experiment : study.experiments)
-    if (!experiment.Recordings().empty())
-      kinds += (kinds.empty() ? "" : "; ") + std::string(experiment.Recordings());
+    if (!experiment.Recordings().empty()) kinds += (kinds.empty() ? "" : "; ") + std::string(experiment.Recordings());
   Refuse(recording,
          "is no recording such as the model was fitted to, so the study does not say which channels are its posts and "
          "sensors. It was fitted to: " +

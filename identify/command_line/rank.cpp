@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/files/json_text.h"
+#include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
-#include "analysis/text/text_table.h"
-#include "analysis/files/json_text.h"
 #include "identify/report/ranked_run.h"
 
 namespace fourpost {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "analysis/text/text_table.h"
 #include "vehicles/requests/amplitude_limits.h"
 #include "vehicles/requests/engine_text.h"
-#include "analysis/text/text_table.h"
 
 namespace fourpost {
 namespace {

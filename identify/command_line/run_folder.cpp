@@ -4,9 +4,9 @@
 #include <array>
 #include <system_error>
 
-#include "analysis/text/diagnostics.h"
 #include "analysis/files/near_file.h"
 #include "analysis/files/text_file.h"
+#include "analysis/text/diagnostics.h"
 #include "identify/report/run_result.h"
 #include "vehicles/reader/vehicle_file.h"
 

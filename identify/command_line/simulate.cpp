@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "analysis/files/output_folder.h"
-#include "vehicles/requests/chosen_sensors.h"
+#include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/drive.h"
-#include "vehicles/requests/engine_text.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
 #include "identify/command_line/interrupt.h"
@@ -16,11 +15,12 @@
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/solve_history.h"
-#include "analysis/text/text_table.h"
+#include "vehicles/reader/vehicle_file.h"
+#include "vehicles/requests/chosen_sensors.h"
+#include "vehicles/requests/engine_text.h"
 #include "vehicles/requests/history_chart.h"
 #include "vehicles/requests/history_files.h"
 #include "vehicles/requests/parameter_setting.h"
-#include "vehicles/reader/vehicle_file.h"
 #include "vehicles/simulation/sensor_model.h"
 
 namespace fourpost {

@@ -8,8 +8,8 @@
 #include "analysis/text/units.h"
 #include "identify/command_line/common_options.h"
 #include "identify/command_line/whole_number.h"
-#include "vehicles/requests/option_quantity.h"
 #include "vehicles/posts/road.h"
+#include "vehicles/requests/option_quantity.h"
 
 namespace fourpost {
 namespace {

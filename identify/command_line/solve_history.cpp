@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
+#include "analysis/text/progress_text.h"
+#include "analysis/text/text_table.h"
 #include "identify/command_line/condensed_at_values.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/progress_line.h"
-#include "analysis/text/progress_text.h"
-#include "analysis/text/text_table.h"
 #include "vehicles/ride/stability.h"
 
 namespace fourpost {

@@ -1,22 +1,22 @@
 #include <cstdio>
 #include <optional>
 
+#include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/output_folder.h"
 #include "identify/command_line/condensed_at_values.h"
 #include "identify/command_line/exit_code.h"
-#include "analysis/files/inputs_elsewhere.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/locked_friction.h"
 #include "identify/command_line/print.h"
-#include "identify/command_line/work_progress.h"
 #include "identify/command_line/response_text.h"
 #include "identify/command_line/responses.h"
+#include "identify/command_line/work_progress.h"
 #include "identify/run/result_kind.h"
-#include "vehicles/requests/solve_sweep.h"
+#include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/parameter_setting.h"
+#include "vehicles/requests/solve_sweep.h"
 #include "vehicles/requests/sweep.h"
 #include "vehicles/requests/sweep_files.h"
-#include "vehicles/reader/vehicle_file.h"
 #include "vehicles/response/friction_lock.h"
 #include "vehicles/response/tyre_pull.h"
 
@@ -76,7 +76,8 @@ std::vector<SweptResponse> SolveAll(SteadySolver& solver, const SweepRequest& re
   WorkProgress progress;
   std::vector<SweptResponse> responses;
   for (const Sweep& sweep : request.sweeps) {
-    std::optional<SteadyResponse> answer = SolveSweep(solver, sweep.mode, sweep.excitation, engine, {}, progress.Hooks());
+    std::optional<SteadyResponse> answer =
+        SolveSweep(solver, sweep.mode, sweep.excitation, engine, {}, progress.Hooks());
     if (answer) responses.push_back(Sorted(sweep, std::move(*answer), request.channels));
     if (Interrupted()) break;
   }

@@ -5,9 +5,9 @@
 #include <limits>
 #include <mutex>
 
+#include "analysis/process/thread_time.h"
 #include "analysis/signals/median.h"
 #include "analysis/text/option_check.h"
-#include "analysis/process/thread_time.h"
 #include "identify/search/parallel.h"
 
 namespace fourpost {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "identify/uncertainty/derivative_noise.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/refine/search_method_list.h"
+#include "identify/uncertainty/derivative_noise.h"
 #include "vehicles/reader/physical_range.h"
 
 namespace fourpost {

@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "identify/uncertainty/covariance.h"
 #include "identify/fit/identifiability.h"
-#include "identify/uncertainty/parameter_state.h"
-#include "identify/uncertainty/profile.h"
 #include "identify/refine/refine.h"
-#include "identify/search/archive.h"
 #include "identify/refine/search_method_list.h"
 #include "identify/residuals/vehicle_objective.h"
+#include "identify/search/archive.h"
+#include "identify/uncertainty/covariance.h"
+#include "identify/uncertainty/parameter_state.h"
+#include "identify/uncertainty/profile.h"
 
 namespace fourpost {
 

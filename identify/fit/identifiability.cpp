@@ -6,11 +6,11 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "identify/uncertainty/derivative_noise.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/search/draws.h"
 #include "identify/search/dvhde_operators.h"
+#include "identify/uncertainty/derivative_noise.h"
 
 namespace fourpost {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "identify/uncertainty/covariance.h"
-#include "identify/search/archive.h"
 #include "identify/residuals/vehicle_objective.h"
+#include "identify/search/archive.h"
+#include "identify/uncertainty/covariance.h"
 
 namespace fourpost {
 

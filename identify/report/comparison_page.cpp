@@ -2,9 +2,9 @@
 
 #include <set>
 
+#include "analysis/files/json_text.h"
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
-#include "analysis/files/json_text.h"
 #include "identify/report/comparison_curves.h"
 #include "identify/report/comparison_tables.h"
 #include "identify/report/comparison_verdict.h"

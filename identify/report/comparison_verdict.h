@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "identify/uncertainty/model_ranking.h"
 #include "identify/report/compared_run.h"
+#include "identify/uncertainty/model_ranking.h"
 
 namespace fourpost {
 

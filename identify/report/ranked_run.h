@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "analysis/text/diagnostics.h"
-#include "identify/uncertainty/model_ranking.h"
 #include "identify/report/compared_run.h"
+#include "identify/uncertainty/model_ranking.h"
 
 namespace fourpost {
 

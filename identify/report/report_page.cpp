@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/files/json_text.h"
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
-#include "analysis/files/json_text.h"
 #include "identify/report/history_table.h"
 #include "identify/report/page_footer.h"
 #include "identify/report/picture_number.h"

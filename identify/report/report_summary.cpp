@@ -9,9 +9,9 @@
 #include <set>
 
 #include "analysis/report/html.h"
-#include "identify/uncertainty/derivative_noise.h"
 #include "identify/report/judged_channel.h"
 #include "identify/report/shown_number.h"
+#include "identify/uncertainty/derivative_noise.h"
 #include "vehicles/requests/versions.h"
 
 namespace fourpost {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/report/html.h"
 #include "analysis/files/json_text.h"
+#include "analysis/report/html.h"
 #include "identify/report/shown_number.h"
 
 namespace fourpost {

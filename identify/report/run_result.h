@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "identify/uncertainty/parameter_state.h"
 #include "identify/report/run_contents.h"
+#include "identify/uncertainty/parameter_state.h"
 
 namespace fourpost {
 

@@ -37,7 +37,8 @@ Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResu
     Parameter& parameter = vehicle.parameters[loaded.free[i]];
     const FittedParameter& fitted = fit.parameters[i];
     std::string source = std::string(kFitted) + ValidUtf8(loaded.study.file.filename().string()) + ", seed " +
-                         std::to_string(seed) + DeviationNote(fitted) + "; was " + InFileUnit(fitted.start, fitted.unit, 6);
+                         std::to_string(seed) + DeviationNote(fitted) + "; was " +
+                         InFileUnit(fitted.start, fitted.unit, 6);
     if (!parameter.source.starts_with(kFitted)) source += ", " + parameter.source;
     parameter.source = source;
     // The data are in the value now: known before them, they would count twice.

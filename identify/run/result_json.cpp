@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "identify/study/fitted_files.h"
 #include "analysis/files/json_text.h"
 #include "identify/refine/method_settings.h"
+#include "identify/study/fitted_files.h"
 #include "vehicles/requests/versions.h"
 
 namespace fourpost {
@@ -162,9 +162,8 @@ Json Refinement(const RefineOptions& options) {
 
 }  // namespace
 
-std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit,
-                       const Json& of_experiments, const FitVerdict& verdict,
-                       const std::vector<std::string>& warnings) {
+std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit, const Json& of_experiments,
+                       const FitVerdict& verdict, const std::vector<std::string>& warnings) {
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   Json json = {{"termination", FitEndName(fit.end)},

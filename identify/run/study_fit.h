@@ -1,8 +1,8 @@
 #pragma once
 
 #include "identify/fit/fit.h"
-#include "identify/study/study.h"
 #include "identify/residuals/vehicle_objective.h"
+#include "identify/study/study.h"
 
 namespace fourpost {
 

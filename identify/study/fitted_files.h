@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "identify/study_file/left_out_recording.h"
 #include "identify/study/study.h"
+#include "identify/study_file/left_out_recording.h"
 
 namespace fourpost {
 

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "identify/study/loaded_study.h"
 #include "identify/search/evaluation_store.h"
+#include "identify/study/loaded_study.h"
 
 namespace fourpost {
 

@@ -1,7 +1,7 @@
 #include "identify/study_file/channel_source_reader.h"
 
-#include "analysis/text/number.h"
 #include "analysis/files/recorded_unit.h"
+#include "analysis/text/number.h"
 #include "identify/study_file/strict_yaml.h"
 
 namespace fourpost {

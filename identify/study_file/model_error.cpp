@@ -5,8 +5,7 @@ namespace fourpost {
 ModelError ReadModelError(const StrictMap& study) {
   ModelError error;
   if (!study.Has("model_error")) return error;
-  const StrictMap map =
-      study.Map("model_error", {"gain_dB", "phase", "mean", "second_harmonic", "floor", "history"});
+  const StrictMap map = study.Map("model_error", {"gain_dB", "phase", "mean", "second_harmonic", "floor", "history"});
   error.gain_dB = map.Number("gain_dB", 0, 100).value_or(error.gain_dB);
   error.phase_rad = map.Quantity("phase", kDimensionless, 0).value_or(error.phase_rad);
   error.floor = map.Number("floor", 0, 1).value_or(error.floor);

@@ -3,8 +3,8 @@
 #include <optional>
 #include <system_error>
 
-#include "analysis/text/diagnostics.h"
 #include "analysis/files/text_file.h"
+#include "analysis/text/diagnostics.h"
 
 namespace fourpost {
 

@@ -10,8 +10,8 @@
 
 #include <Eigen/SVD>
 
-#include "analysis/text/option_check.h"
 #include "analysis/signals/student_t.h"
+#include "analysis/text/option_check.h"
 #include "identify/refine/fit_variables.h"
 
 namespace fourpost {

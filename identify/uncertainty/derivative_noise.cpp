@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "identify/uncertainty/covariance.h"
 #include "identify/refine/difference_jacobian.h"
+#include "identify/uncertainty/covariance.h"
 
 namespace fourpost {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
-#include "identify/uncertainty/covariance.h"
 #include "identify/refine/refine.h"
 #include "identify/search/archive.h"
+#include "identify/uncertainty/covariance.h"
 
 namespace fourpost {
 

@@ -7,8 +7,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "identify/study/loaded_study.h"
 #include "identify/experiments/bench/damper_bench.h"
+#include "identify/study/loaded_study.h"
 #include "vehicles/bench/series_history.h"
 
 namespace fourpost {
@@ -50,7 +50,8 @@ void LawAlone(benchmark::State& state) {
 void SeriesHistoryOfModel3(benchmark::State& state) {
   const LoadedStudy study = Load("model3");
   const SeriesDamper damper = Model3(study);
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(SeriesForces(damper, study.study.experiments.Find<DamperBench>()->data.fitted[0].motion));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(SeriesForces(damper, study.study.experiments.Find<DamperBench>()->data.fitted[0].motion));
 }
 
 void EvaluationOf(benchmark::State& state, const std::string& name) {

@@ -1,14 +1,14 @@
-// Cost of one objective evaluation of the Land Rover's studies, by harmonic balance and by marching the same responses in
-// Simbody, and of a whole fit of Model 1, to set against what its evaluations would have cost by marching.
+// Cost of one objective evaluation of the Land Rover's studies, by harmonic balance and by marching the same responses
+// in Simbody, and of a whole fit of Model 1, to set against what its evaluations would have cost by marching.
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 
 #include <benchmark/benchmark.h>
 
+#include "identify/experiments/four_post/four_post.h"
 #include "identify/fit/fit.h"
 #include "identify/study/loaded_study.h"
-#include "identify/experiments/four_post/four_post.h"
 #include "identify/study/study_methods.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/response/march.h"
@@ -42,7 +42,9 @@ void ByMarch(benchmark::State& state, const std::string& name) {
   // As few as balance takes, so that dense sampling does not flatter the comparison.
   options.samples_per_cycle = 64;
   for ([[maybe_unused]] auto _ : state)
-    for (const MeasuredRun& run : InBand(study.study.experiments.Find<FourPost>()->runs, study.study.experiments.Find<FourPost>()->plan.band_lower_Hz, study.study.experiments.Find<FourPost>()->plan.band_upper_Hz))
+    for (const MeasuredRun& run : InBand(study.study.experiments.Find<FourPost>()->runs,
+                                         study.study.experiments.Find<FourPost>()->plan.band_lower_Hz,
+                                         study.study.experiments.Find<FourPost>()->plan.band_upper_Hz))
       benchmark::DoNotOptimize(March(multibody, run.excitation, options));
 }
 

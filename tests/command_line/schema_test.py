@@ -64,6 +64,11 @@ class Schema(ProgramTest):
         for model in ("model1", "model2"):
             self.check("fit", "fit", SOURCE / f"studies/damper/{model}.yaml", "-o", model)
         self.check("rank", "rank", "model1", "model2")
+        sine = SOURCE / "studies/damper/sine_5Hz_6mm.csv"
+        predicted = self.check("predict", "predict", "model2", "--recording", sine)
+        fitted = json.loads((self.folder / "model2/result.json").read_text())
+        kept = [channel for channel in fitted["validation"] if channel["recording"] == sine.stem]
+        self.assertEqual(predicted["channels"], kept)
 
     def test_of_histories(self):
         misfits = self.check("study_response", "response", SOURCE / "studies/single_wheel_station/model1.yaml")

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tests/vehicles/shipped_vehicle.h"
 #include "tests/closed_form/quarter_car.h"
+#include "tests/vehicles/shipped_vehicle.h"
 
 namespace fourpost {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "analysis/text/diagnostics.h"
 #include "analysis/signals/random_stream.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/reader/vehicle_file.h"
 

@@ -11,9 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/files/frequency_response_file.h"
 #include "analysis/signals/decibel.h"
 #include "analysis/text/diagnostics.h"
-#include "analysis/files/frequency_response_file.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/multibody/multibody.h"
 #include "vehicles/response/full_balance.h"

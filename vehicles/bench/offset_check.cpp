@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "analysis/signals/deviation.h"
-#include "analysis/text/short_number.h"
 #include "analysis/signals/turning_points.h"
+#include "analysis/text/short_number.h"
 
 namespace fourpost {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "analysis/text/diagnostics.h"
 #include "analysis/signals/low_pass.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/bench/bench_damper.h"
 
 namespace fourpost {

@@ -13,10 +13,10 @@
 #include "analysis/signals/clipping.h"
 #include "analysis/signals/deviation.h"
 #include "analysis/signals/jumps.h"
-#include "analysis/text/short_number.h"
 #include "analysis/signals/signal_levels.h"
 #include "analysis/signals/spikes.h"
 #include "analysis/signals/turning_points.h"
+#include "analysis/text/short_number.h"
 #include "vehicles/bench/force_motion.h"
 
 namespace fourpost {
@@ -280,8 +280,8 @@ class Checker {
            ShortNumber(100 * rate_rounding / DeviationOf(rate_)) +
            " % of the speed's rms: record with a finer range, or more slowly sampled");
     if (LevelOf(force_) / std::sqrt(12.0) > kCoarse * DeviationOf(force_))
-      Warn("force comes in levels of " + ShortNumber(LevelOf(force_)) + " N of a span of " + ShortNumber(SpanOf(force_)) +
-           " N: record with a finer range");
+      Warn("force comes in levels of " + ShortNumber(LevelOf(force_)) + " N of a span of " +
+           ShortNumber(SpanOf(force_)) + " N: record with a finer range");
   }
 
   /// Of what stands at the turning points of the displacement, where the speed is zero.

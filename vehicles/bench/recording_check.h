@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "analysis/text/diagnostics.h"
 #include "analysis/files/time_recording.h"
+#include "analysis/text/diagnostics.h"
 
 namespace fourpost {
 

@@ -4,7 +4,7 @@
 
 #include "vehicles/condensed/equilibrium.h"
 #include "vehicles/condensed/sensor_rows.h"
-#include "vehicles/laws/count_check.h"
+#include "analysis/text/count_check.h"
 #include "vehicles/laws/hydraulic_oil.h"
 #include "vehicles/loops/chart.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "vehicles/laws/count_check.h"
+#include "analysis/text/count_check.h"
 
 namespace fourpost {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "analysis/text/option_check.h"
-#include "vehicles/laws/count_check.h"
-#include "vehicles/laws/increasing_root.h"
+#include "analysis/text/count_check.h"
+#include "analysis/numerics/increasing_root.h"
 
 namespace fourpost {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "vehicles/laws/increasing_root.h"
+#include "analysis/numerics/increasing_root.h"
 
 namespace fourpost {
 namespace {

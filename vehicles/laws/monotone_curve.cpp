@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "analysis/text/option_check.h"
-#include "vehicles/laws/increasing_root.h"
+#include "analysis/numerics/increasing_root.h"
 
 namespace fourpost {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "vehicles/laws/increasing_root.h"
+#include "analysis/numerics/increasing_root.h"
 
 namespace fourpost {
 

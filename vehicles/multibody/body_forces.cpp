@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "vehicles/laws/small_turn.h"
-#include "vehicles/laws/tyre_foot.h"
+#include "vehicles/multibody/small_turn.h"
+#include "vehicles/multibody/tyre_foot.h"
 #include "vehicles/multibody/simbody_bodies.h"
 
 namespace fourpost {

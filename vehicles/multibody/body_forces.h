@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "vehicles/multibody/platform.h"
+#include "vehicles/description/post_motion.h"
 #include "vehicles/multibody/simbody.h"
 
 namespace fourpost {

@@ -1,7 +1,7 @@
 #include "vehicles/multibody/kinematics.h"
 
-#include "vehicles/laws/small_turn.h"
-#include "vehicles/laws/tyre_foot.h"
+#include "vehicles/multibody/small_turn.h"
+#include "vehicles/multibody/tyre_foot.h"
 
 namespace fourpost {
 

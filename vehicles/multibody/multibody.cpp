@@ -6,7 +6,7 @@
 
 #include "analysis/text/diagnostics.h"
 #include "vehicles/description/gravity.h"
-#include "vehicles/laws/count_check.h"
+#include "analysis/text/count_check.h"
 #include "vehicles/multibody/body_forces.h"
 #include "vehicles/multibody/close_loops.h"
 #include "vehicles/multibody/line_forces.h"

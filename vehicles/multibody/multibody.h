@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 
 #include "vehicles/description/vehicle.h"
-#include "vehicles/multibody/platform.h"
+#include "vehicles/description/post_motion.h"
 
 namespace fourpost {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/text/option_check.h"
 #include "analysis/signals/random_stream.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/posts/band_noise.h"
 
 namespace fourpost {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/signals/low_pass.h"
 #include "analysis/files/time_recording.h"
+#include "analysis/signals/low_pass.h"
 #include "analysis/signals/unfiltered.h"
 #include "analysis/signals/uniform_spline.h"
 #include "vehicles/posts/post_motions.h"

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/text/option_check.h"
 #include "analysis/signals/random_stream.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/description/design_poses.h"
 #include "vehicles/posts/band_noise.h"
 #include "vehicles/posts/post_motions.h"

@@ -7,7 +7,7 @@
 
 #include "analysis/text/number.h"
 #include "analysis/text/units.h"
-#include "vehicles/laws/count_check.h"
+#include "analysis/text/count_check.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {

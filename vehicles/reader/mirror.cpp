@@ -116,7 +116,8 @@ class Mirror {
     for (XMLElement* element : written_)
       if (AttributeText(*element, "name")) AddTwin(*element, from);
     for (XMLElement* element : written_)
-      if (!AttributeText(*element, "name") && made_links_.contains(TwinOf(NameOrLink(*element)))) AddTwin(*element, from);
+      if (!AttributeText(*element, "name") && made_links_.contains(TwinOf(NameOrLink(*element))))
+        AddTwin(*element, from);
     for (XMLElement* bind : binds_) AddTwinOfBind(*bind);
   }
 

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/text/diagnostics.h"
 #include "analysis/signals/frequency_response.h"
+#include "analysis/text/diagnostics.h"
 
 namespace fourpost {
 

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/charts/svg_chart.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
-#include "analysis/charts/svg_chart.h"
 
 namespace fourpost {
 namespace {

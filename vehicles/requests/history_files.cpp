@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/files/csv_writer.h"
+#include "analysis/files/json_text.h"
 #include "analysis/text/number.h"
 #include "vehicles/requests/channel_json.h"
-#include "analysis/files/json_text.h"
 #include "vehicles/requests/versions.h"
 
 namespace fourpost {

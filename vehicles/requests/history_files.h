@@ -8,9 +8,9 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "analysis/text/diagnostics.h"
-#include "vehicles/requests/history_channel.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/engine/history_solver.h"
+#include "vehicles/requests/history_channel.h"
 
 namespace fourpost {
 

@@ -10,12 +10,12 @@
 #include "analysis/charts/bode_panel.h"
 #include "analysis/files/csv_writer.h"
 #include "analysis/text/units.h"
-#include "vehicles/requests/history_channel.h"
-#include "vehicles/requests/history_chart.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/condensed/linear_response.h"
 #include "vehicles/condensed/mode_times.h"
 #include "vehicles/condensed/state_space.h"
+#include "vehicles/requests/history_channel.h"
+#include "vehicles/requests/history_chart.h"
 #include "vehicles/response/response_recorder.h"
 
 namespace fourpost {

@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
+#include "analysis/text/known_names.h"
 #include "analysis/text/number.h"
 #include "analysis/text/units.h"
-#include "analysis/text/known_names.h"
 
 namespace fourpost {
 namespace {

@@ -6,13 +6,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "analysis/files/csv_writer.h"
 #include "analysis/charts/pole_chart.h"
-#include "analysis/text/units.h"
-#include "vehicles/requests/channel_json.h"
+#include "analysis/files/csv_writer.h"
 #include "analysis/files/json_text.h"
-#include "vehicles/requests/versions.h"
+#include "analysis/text/units.h"
 #include "vehicles/condensed/mode_times.h"
+#include "vehicles/requests/channel_json.h"
+#include "vehicles/requests/versions.h"
 
 namespace fourpost {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "analysis/text/number.h"
 #include "analysis/text/known_names.h"
+#include "analysis/text/number.h"
 #include "vehicles/description/post_pattern.h"
 
 namespace fourpost {

@@ -66,8 +66,8 @@ class SweepProgress {
     const auto done = static_cast<double>(stage.done);
     const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
     hooks_.Show(work_ + ": " + std::to_string(stage.done) + " of " + std::to_string(stage.total) + " frequencies" +
-               TimeLeft(done / static_cast<double>(stage.total), seconds) + Rate(done, seconds, "frequencies") + "; " +
-               name_);
+                TimeLeft(done / static_cast<double>(stage.total), seconds) + Rate(done, seconds, "frequencies") + "; " +
+                name_);
     return !hooks_.IsStopped();
   }
 

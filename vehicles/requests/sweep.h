@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "analysis/text/diagnostics.h"
-#include "vehicles/requests/amplitude_limits.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/engine/steady_response.h"
+#include "vehicles/requests/amplitude_limits.h"
 #include "vehicles/response/amplitude_law.h"
 #include "vehicles/response/excitation.h"
 

@@ -8,9 +8,9 @@
 
 #include "analysis/charts/bode_panel.h"
 #include "analysis/files/csv_writer.h"
+#include "analysis/files/json_text.h"
 #include "analysis/signals/decibel.h"
 #include "vehicles/requests/channel_json.h"
-#include "analysis/files/json_text.h"
 #include "vehicles/requests/versions.h"
 
 namespace fourpost {

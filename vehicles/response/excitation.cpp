@@ -5,7 +5,7 @@
 #include <string>
 
 #include "analysis/text/option_check.h"
-#include "vehicles/laws/count_check.h"
+#include "analysis/text/count_check.h"
 
 namespace fourpost {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "vehicles/condensed/condensed_vehicle.h"
-#include "vehicles/laws/count_check.h"
+#include "analysis/text/count_check.h"
 #include "vehicles/response/harmonic_balance.h"
 
 namespace fourpost {

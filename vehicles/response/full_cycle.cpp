@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/signals/anderson_acceleration.h"
+#include "analysis/numerics/anderson_acceleration.h"
 #include "analysis/text/diagnostics.h"
 #include "vehicles/condensed/linear_vehicle.h"
 #include "vehicles/laws/hydraulic_cycle.h"

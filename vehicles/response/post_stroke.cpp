@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "analysis/text/number.h"
-#include "vehicles/laws/count_check.h"
+#include "analysis/text/count_check.h"
 
 namespace fourpost {
 namespace {

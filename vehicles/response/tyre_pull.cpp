@@ -4,7 +4,7 @@
 
 #include "analysis/text/short_number.h"
 #include "vehicles/condensed/condensed_vehicle.h"
-#include "vehicles/laws/count_check.h"
+#include "analysis/text/count_check.h"
 #include "vehicles/response/contact_cycle.h"
 
 namespace fourpost {

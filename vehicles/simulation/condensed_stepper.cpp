@@ -6,7 +6,7 @@
 
 #include "analysis/text/option_check.h"
 #include "vehicles/condensed/linear_vehicle.h"
-#include "vehicles/laws/count_check.h"
+#include "analysis/text/count_check.h"
 
 namespace fourpost {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/text/option_check.h"
-#include "vehicles/laws/count_check.h"
+#include "analysis/text/count_check.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/condensed_stepper.h"
 

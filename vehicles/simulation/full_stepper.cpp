@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "analysis/signals/anderson_acceleration.h"
+#include "analysis/numerics/anderson_acceleration.h"
 #include "analysis/text/option_check.h"
 #include "vehicles/condensed/linear_vehicle.h"
 #include "vehicles/multibody/simulation_error.h"

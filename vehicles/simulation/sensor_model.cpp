@@ -4,8 +4,8 @@
 #include <span>
 
 #include "analysis/signals/low_pass.h"
-#include "analysis/text/option_check.h"
 #include "analysis/signals/random_stream.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 namespace {

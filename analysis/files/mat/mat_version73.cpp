@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "analysis/process/child_process.h"
 #include "analysis/files/mat/packed_variables.h"
+#include "analysis/process/child_process.h"
 
 namespace fourpost {
 namespace {

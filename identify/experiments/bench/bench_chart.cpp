@@ -8,8 +8,8 @@
 #include <span>
 #include <utility>
 
-#include "analysis/text/short_number.h"
 #include "analysis/charts/svg_chart.h"
+#include "analysis/text/short_number.h"
 #include "identify/experiments/bench/bench_cycle.h"
 
 namespace fourpost {

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "analysis/files/near_file.h"
-#include "analysis/text/nearest.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/unfiltered.h"
+#include "analysis/text/nearest.h"
 #include "identify/study_file/filter_rate.h"
 #include "identify/study_file/source_recording.h"
 #include "vehicles/bench/bench_unit_check.h"

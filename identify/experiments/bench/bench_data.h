@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/text/diagnostics.h"
 #include "analysis/signals/low_pass.h"
+#include "analysis/text/diagnostics.h"
 #include "identify/experiments/bench/bench_study.h"
 #include "identify/study_file/left_out_recording.h"
 #include "vehicles/bench/bench_damper.h"

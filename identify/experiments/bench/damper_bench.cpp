@@ -205,8 +205,9 @@ std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, co
   results.text = HistoryTable(misfits);
   AddIntegration(damper, modelled, values, results);
   results.json["channels"] = HistoryMisfitsJson(misfits);
-  results.files = {{"bench.csv", BenchCsv(modelled)},
-                   {"diagrams.svg", DiagramSvg(subject.vehicle().name + ": work and characteristic diagrams", modelled)}};
+  results.files = {
+      {"bench.csv", BenchCsv(modelled)},
+      {"diagrams.svg", DiagramSvg(subject.vehicle().name + ": work and characteristic diagrams", modelled)}};
   return results;
 }
 

@@ -31,7 +31,9 @@ class DamperBench : public Experiment {
   ExperimentResults Results(const Subject& subject, const FitResult& fit) const override;
   std::optional<ExperimentResults> Respond(const Subject& subject, std::optional<Engine> engine,
                                            const WorkHooks& hooks) const override;
-  std::string_view Recordings() const override { return "a damper on its bench, with columns of its displacement and force"; }
+  std::string_view Recordings() const override {
+    return "a damper on its bench, with columns of its displacement and force";
+  }
   bool Reads(const RecordedTable& table) const override;
   std::optional<ExperimentResults> Predict(const Subject& subject, const PredictionRequest& request,
                                            const WorkHooks& hooks) const override;

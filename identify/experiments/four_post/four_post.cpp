@@ -57,8 +57,7 @@ Json RecordingsJson(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs
   Json list = Json::array();
   for (std::size_t r = 0; r < misfits.size(); ++r) {
     Json posts = Json::object();
-    for (std::size_t p = 0; p < vehicle.posts.size(); ++p)
-      posts[vehicle.posts[p].name] = runs[r].excitation.shape[p];
+    for (std::size_t p = 0; p < vehicle.posts.size(); ++p) posts[vehicle.posts[p].name] = runs[r].excitation.shape[p];
     Json entry = {{"name", runs[r].name}, {"posts", posts}};
     entry.update(ErrorsJson(misfits[r]));
     list.push_back(std::move(entry));
@@ -190,10 +189,9 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
   results.shares = ErrorShares(in_band, fitted);
   results.text = MisfitTable(misfits, by_recording) + '\n';
   if (fit.end != FitEnd::kInterrupted) AddKinematics(plan, in_band, vehicle, fit.values, results);
-  results.files = {
-      {"response.csv", ResponseCsv(runs, modelled, plan.band_lower_Hz, plan.band_upper_Hz,
-                                   ModelledResponses(start, vehicle.sensors, runs))},
-      {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
+  results.files = {{"response.csv", ResponseCsv(runs, modelled, plan.band_lower_Hz, plan.band_upper_Hz,
+                                                ModelledResponses(start, vehicle.sensors, runs))},
+                   {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
   return results;
 }
 
@@ -221,12 +219,10 @@ std::optional<ExperimentResults> FourPost::Respond(const Subject& subject, std::
   answered.resize(modelled.size());
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(answered, modelled);
   for (const ChannelMisfit& misfit : misfits)
-    results.json["channels"].push_back(
-        {{"name", misfit.name}, {"rms_dB", misfit.rms_dB}, {"rms_deg", misfit.rms_deg}});
+    results.json["channels"].push_back({{"name", misfit.name}, {"rms_dB", misfit.rms_dB}, {"rms_deg", misfit.rms_deg}});
   results.text = MisfitTable(misfits, RecordingMisfits(answered, modelled)) + engines;
-  results.files = {
-      {"response.csv", ResponseCsv(answered, modelled, plan.band_lower_Hz, plan.band_upper_Hz)},
-      {"response.svg", ResponseSvg(answered, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
+  results.files = {{"response.csv", ResponseCsv(answered, modelled, plan.band_lower_Hz, plan.band_upper_Hz)},
+                   {"response.svg", ResponseSvg(answered, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
   return results;
 }
 

@@ -238,8 +238,7 @@ class DataLoader {
     const auto none = [](double model_error, const std::vector<double>& sd) {
       return model_error == 0 && std::find(sd.begin(), sd.end(), 0.0) != sd.end();
     };
-    if (none(plan_.model_error.gain_dB, channel.radial_sd) ||
-        none(plan_.model_error.phase_rad, channel.tangential_sd))
+    if (none(plan_.model_error.gain_dB, channel.radial_sd) || none(plan_.model_error.phase_rad, channel.tangential_sd))
       diagnostics_.Error(file_, source.line,
                          "'" + channel.name +
                              "' has frequencies without deviation over repeats: give gain_dB and phase "

@@ -194,8 +194,9 @@ std::optional<ExperimentResults> FourPost::Predict(const Subject& subject, const
                                                    const WorkHooks& hooks) const {
   if (request.has_kalman) {
     Diagnostics faults;
-    faults.Error("--kalman", 0, request.recording.filename().string() +
-                                    " is a frequency response: this is for recordings over time; leave the option out");
+    faults.Error("--kalman", 0,
+                 request.recording.filename().string() +
+                     " is a frequency response: this is for recordings over time; leave the option out");
     throw FaultyInput(faults);
   }
   return SinePrediction(plan, subject, request, hooks).Run();

@@ -17,8 +17,8 @@ class FourPostReader {
   FourPostPlan Read() {
     ReadRecordings(study_);
     if (const YAML::Node channels = study_.Require("channels"); channels.IsDefined())
-      plan_.channels = ReadChannelSources(channels, "'channels'", "sensors", ChannelKind::kSteppedSine, file_,
-                                          study_.diagnostics());
+      plan_.channels =
+          ReadChannelSources(channels, "'channels'", "sensors", ChannelKind::kSteppedSine, file_, study_.diagnostics());
     ReadBand(study_);
     plan_.model_error = ReadModelError(study_);
     return std::move(plan_);

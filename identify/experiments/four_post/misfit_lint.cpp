@@ -8,8 +8,8 @@
 
 #include "analysis/text/short_number.h"
 #include "identify/experiments/four_post/four_post_residuals.h"
-#include "identify/study_file/channel_warnings.h"
 #include "identify/experiments/four_post/modelled_response.h"
+#include "identify/study_file/channel_warnings.h"
 
 namespace fourpost {
 namespace {

@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "identify/study_file/channel_warnings.h"
+#include "identify/experiments/four_post/modelled_response.h"
 #include "identify/experiments/four_post/pattern_lint.h"
 #include "identify/experiments/four_post/sign_lint.h"
 #include "identify/experiments/four_post/station_lint.h"
-#include "identify/experiments/four_post/modelled_response.h"
+#include "identify/study_file/channel_warnings.h"
 
 namespace fourpost {
 namespace {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "analysis/charts/bode_panel.h"
-#include "analysis/text/number.h"
 #include "analysis/charts/svg_chart.h"
+#include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {

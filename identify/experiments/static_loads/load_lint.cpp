@@ -9,9 +9,9 @@
 #include <Eigen/Dense>
 
 #include "analysis/text/short_number.h"
-#include "identify/uncertainty/covariance.h"
-#include "identify/study_file/channel_warnings.h"
 #include "identify/refine/robust_loss.h"
+#include "identify/study_file/channel_warnings.h"
+#include "identify/uncertainty/covariance.h"
 #include "vehicles/description/gravity.h"
 
 namespace fourpost {
@@ -181,8 +181,8 @@ std::string MassesAtBounds(const FitResult& fit) {
   return names.empty() ? "" : " that hold masses (" + names + ")";
 }
 
-void LintEach(const StaticLoadTest& static_loads, const Vehicle& vehicle, const FitResult& fit, const FittedLoads& loads,
-              Diagnostics& diagnostics) {
+void LintEach(const StaticLoadTest& static_loads, const Vehicle& vehicle, const FitResult& fit,
+              const FittedLoads& loads, Diagnostics& diagnostics) {
   // Less than a wheelpan, 5 %, and more than what friction in springs and dampers keeps a car at rest from settling by.
   constexpr double kSettled = 0.04;
   const double misfit = std::isfinite(fit.Misfit()) ? std::max(1.0, fit.Misfit()) : 1;

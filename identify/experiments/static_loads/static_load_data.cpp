@@ -19,8 +19,7 @@ MeasuredLoad SumLoads(const StaticLoadPlan& plan, const ChannelSource& source,
     const std::optional<std::size_t> row = IndexOf(name, quantities);
     if (!row || table[*row].dimension != kForce) {
       diagnostics.Error(plan.file, source.line,
-                         plan.table.filename().string() + " has no force '" + name + "'" +
-                             DidYouMean(name, quantities));
+                        plan.table.filename().string() + " has no force '" + name + "'" + DidYouMean(name, quantities));
       continue;
     }
     load.load_N += channel.factor * table[*row].value;

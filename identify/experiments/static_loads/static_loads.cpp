@@ -56,10 +56,8 @@ ExperimentResults StaticLoadTest::Results(const Subject& subject, const FitResul
   for (const MeasuredLoad& load : loads) {
     const std::string& name = subject.vehicle().tyres[load.tyre].name;
     table.Add({name, Rounded(load.load_N, 5), Rounded(load.sd_N, 3), Rounded(modelled[load.tyre], 5)});
-    results.json["static_loads"].push_back({{"tyre", name},
-                                            {"measured_N", load.load_N},
-                                            {"sd_N", load.sd_N},
-                                            {"modelled_N", modelled[load.tyre]}});
+    results.json["static_loads"].push_back(
+        {{"tyre", name}, {"measured_N", load.load_N}, {"sd_N", load.sd_N}, {"modelled_N", modelled[load.tyre]}});
   }
   results.text = table.Format() + '\n';
   return results;

@@ -26,9 +26,9 @@ struct HistoryCheck {
   double change = 0;
 };
 
-/// Of each history at these values; nothing where `progress` ends it. `error`: of the integration, see HistoryResiduals.
-/// `is_corrected`: false for a cost by prediction, whose filter has its own way through a history. Throws as
-/// HistorySolver::Solve() does.
+/// Of each history at these values; nothing where `progress` ends it. `error`: of the integration, see
+/// HistoryResiduals. `is_corrected`: false for a cost by prediction, whose filter has its own way through a history.
+/// Throws as HistorySolver::Solve() does.
 std::optional<std::vector<HistoryCheck>> CheckHistories(const Subject& subject,
                                                         const std::vector<MeasuredHistory>& histories, double error,
                                                         bool is_corrected, const std::vector<double>& values,

@@ -5,13 +5,13 @@
 #include <span>
 #include <utility>
 
-#include "analysis/signals/clipping.h"
 #include "analysis/files/near_file.h"
+#include "analysis/files/time_recording.h"
+#include "analysis/signals/clipping.h"
+#include "analysis/signals/spectrum.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
-#include "analysis/signals/spectrum.h"
-#include "analysis/files/time_recording.h"
 #include "analysis/text/units.h"
 #include "identify/study_file/filter_rate.h"
 #include "identify/study_file/source_recording.h"

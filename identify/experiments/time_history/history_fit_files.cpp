@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/charts/svg_chart.h"
 #include "analysis/files/csv_writer.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
-#include "analysis/charts/svg_chart.h"
 
 namespace fourpost {
 namespace {

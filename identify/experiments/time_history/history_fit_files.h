@@ -15,9 +15,9 @@ namespace fourpost {
 std::string HistoryFitCsv(const std::vector<MeasuredHistory>& histories, const std::vector<Eigen::MatrixXd>& modelled);
 
 /// Measurement and model of a recording as an SVG document: a row of panels per signal, titled with its misfit. All of
-/// the window by the least and greatest value of some hundred slices, the model by its outline; the second in which most
-/// happens in its first and in its second half; and the error throughout, on the scale of the signal. `misfits`: one per
-/// signal.
+/// the window by the least and greatest value of some hundred slices, the model by its outline; the second in which
+/// most happens in its first and in its second half; and the error throughout, on the scale of the signal. `misfits`:
+/// one per signal.
 std::string HistoryFitSvg(const MeasuredHistory& history, const Eigen::MatrixXd& modelled,
                           const std::vector<HistoryMisfit>& misfits);
 

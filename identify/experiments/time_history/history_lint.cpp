@@ -146,11 +146,10 @@ void LintHistories(const std::string& study_file, const std::vector<StudyHistory
     const std::size_t count = history.signals.size();
     HistoryLinter linter(Recording(misfits).subspan(first, count), fitted_errors,
                          Recording(start).subspan(first, count), start_errors, 1 / history.rate_Hz);
-    const auto entry = std::find_if(told.begin(), told.end(),
-                                    [&](const StudyHistory& other) { return other.name == history.name; });
+    const auto entry =
+        std::find_if(told.begin(), told.end(), [&](const StudyHistory& other) { return other.name == history.name; });
     for (const HistoryRemark& remark : linter.Remarks(PointDelays(vehicle, history)))
-      diagnostics.Warning(study_file, entry == told.end() ? 0 : LineOfChannel(*entry, remark.channel),
-                          remark.message);
+      diagnostics.Warning(study_file, entry == told.end() ? 0 : LineOfChannel(*entry, remark.channel), remark.message);
     first += count;
   }
   LintSteps(values, residuals, study_file, diagnostics);

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "analysis/signals/fit_quality.h"
-#include "analysis/text/option_check.h"
 #include "analysis/signals/signal_timing.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 namespace {
@@ -178,7 +178,8 @@ void FindSwapped(const MeasuredHistory& history, const Eigen::MatrixXd& modelled
   for (std::size_t i = 0; i < misfits.size(); ++i)
     for (std::size_t j = i + 1; j < misfits.size(); ++j) {
       if (history.signals[i].unit != history.signals[j].unit) continue;
-      if (!(error(i, j) < kMuchNearer * misfits[i].nmse_percent && error(j, i) < kMuch * misfits[j].nmse_percent)) continue;
+      if (!(error(i, j) < kMuchNearer * misfits[i].nmse_percent && error(j, i) < kMuch * misfits[j].nmse_percent))
+        continue;
       misfits[i].swapped_with = misfits[j].name;
       misfits[j].swapped_with = misfits[i].name;
     }

@@ -15,9 +15,9 @@ class HistoryReader {
       : study_(std::move(study)), file_(study_.string()), diagnostics_(diagnostics) {}
 
   StudyHistory Read(const YAML::Node& node) {
-    const StrictMap map = Map(
-        node, "the history",
-        {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use", "time"});
+    const StrictMap map =
+        Map(node, "the history",
+            {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use", "time"});
     StudyHistory history;
     history.line = map.line();
     map.Require("file");

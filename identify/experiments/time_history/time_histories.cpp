@@ -40,8 +40,7 @@ void CheckPrediction(const HistoryPlan& plan, const Vehicle& vehicle, Diagnostic
 }
 
 /// Whitened residuals are over a deviation.
-void CheckDeviations(const HistoryPlan& plan, const std::vector<MeasuredHistory>& histories,
-                     Diagnostics& diagnostics) {
+void CheckDeviations(const HistoryPlan& plan, const std::vector<MeasuredHistory>& histories, Diagnostics& diagnostics) {
   if (plan.cost != HistoryCost::kWhitened || plan.model_error.history > 0) return;
   for (const MeasuredHistory& history : histories)
     for (const MeasuredSignal& signal : history.signals) {
@@ -95,10 +94,9 @@ std::unique_ptr<Experiment> TimeHistories::Read(const StrictMap& study) {
 std::vector<ExperimentFile> TimeHistories::Files() const {
   std::vector<ExperimentFile> files;
   for (const StudyHistory& history : plan.histories)
-    files.push_back(
-        {.path = history.file,
-         .line = history.line,
-         .use = history.is_validation ? ExperimentFile::Use::kValidation : ExperimentFile::Use::kFitted});
+    files.push_back({.path = history.file,
+                     .line = history.line,
+                     .use = history.is_validation ? ExperimentFile::Use::kValidation : ExperimentFile::Use::kFitted});
   return files;
 }
 
@@ -166,14 +164,13 @@ void TimeHistories::Prepare(const Subject& subject, const WorkHooks& hooks) {
 }
 
 Experiment::Geometry TimeHistories::CheckGeometry(const Subject& subject, const std::vector<double>& values,
-                                                const WorkHooks& hooks) {
+                                                  const WorkHooks& hooks) {
   const bool is_corrected = plan.cost != HistoryCost::kPrediction;
-  std::optional<std::vector<HistoryCheck>> found =
-      CheckHistories(subject, fitted, Options(subject).error, is_corrected, values,
-                     [&hooks](const std::string& work, double t) {
-                       hooks.Show("fit: check of linear kinematics, " + work + " at " + Rounded(t, 3) + " s");
-                       return !hooks.IsStopped();
-                     });
+  std::optional<std::vector<HistoryCheck>> found = CheckHistories(
+      subject, fitted, Options(subject).error, is_corrected, values, [&hooks](const std::string& work, double t) {
+        hooks.Show("fit: check of linear kinematics, " + work + " at " + Rounded(t, 3) + " s");
+        return !hooks.IsStopped();
+      });
   if (!found) return Geometry::kInterrupted;
   checks = *std::move(found);
   return IsCorrectionDue(checks) ? Geometry::kCorrectionDue : Geometry::kGood;
@@ -187,9 +184,9 @@ bool TimeHistories::Reads(const RecordedTable& table) const {
   std::vector<std::string> times = kTimeColumn.names;
   for (const StudyHistory& history : plan.histories)
     if (history.time) times.push_back(history.time->name);
-  return !table.FindColumn("frequency_Hz") &&
-         std::any_of(times.begin(), times.end(),
-                     [&](const std::string& name) { return table.FindColumn(name).has_value(); });
+  return !table.FindColumn("frequency_Hz") && std::any_of(times.begin(), times.end(), [&](const std::string& name) {
+    return table.FindColumn(name).has_value();
+  });
 }
 
 }  // namespace fourpost

@@ -67,8 +67,7 @@ class HistoryPrediction {
     results.files = {{"history.csv", HistoryFitCsv(histories, modelled)},
                      {"history.svg", HistoryFitSvg(history, modelled.front(), misfits)}};
     results.text = HistoryTable(misfits) + EngineText(answer->by);
-    for (const HistoryRemark& remark :
-         RemarksOn(misfits, 1 / history.rate_Hz, RemediedErrors(histories, modelled))) {
+    for (const HistoryRemark& remark : RemarksOn(misfits, 1 / history.rate_Hz, RemediedErrors(histories, modelled))) {
       results.remarks.push_back(remark.message);
       results.text += remark.message + '\n';
     }
@@ -172,7 +171,7 @@ std::optional<std::vector<HistoryMisfit>> Answers(const std::vector<MeasuredHist
 }  // namespace
 
 std::optional<ExperimentResults> TimeHistories::Predict(const Subject& subject, const PredictionRequest& request,
-                                                      const WorkHooks& hooks) const {
+                                                        const WorkHooks& hooks) const {
   if (!request.mode.empty())
     hooks.Note("--mode: warning: " + request.recording.filename().string() +
                " tells itself how its posts moved; the option is left out");
@@ -180,7 +179,7 @@ std::optional<ExperimentResults> TimeHistories::Predict(const Subject& subject, 
 }
 
 std::optional<ExperimentResults> TimeHistories::Respond(const Subject& subject, std::optional<Engine> engine,
-                                                      const WorkHooks& hooks) const {
+                                                        const WorkHooks& hooks) const {
   ExperimentResults results;
   const auto fit = Answers(fitted, subject, engine, hooks, "history.csv", results);
   const auto kept = fit ? Answers(validation, subject, engine, hooks, "validation.csv", results) : std::nullopt;

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/report/report_document.h"
 #include "analysis/files/sha256.h"
+#include "analysis/report/report_document.h"
 
 namespace fourpost {
 namespace {

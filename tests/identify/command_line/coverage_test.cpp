@@ -1,5 +1,5 @@
-// Whether intervals of 95 % hold the truth in 95 % of fits: a twin of Model 1 on the frequencies of its recordings, with
-// noise of known deviation, fitted anew for each of 500 noises.
+// Whether intervals of 95 % hold the truth in 95 % of fits: a twin of Model 1 on the frequencies of its recordings,
+// with noise of known deviation, fitted anew for each of 500 noises.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "analysis/signals/random_stream.h"
-#include "identify/fit/fit.h"
 #include "identify/experiments/four_post/modelled_response.h"
+#include "identify/fit/fit.h"
 #include "tests/identify/shipped_study.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 

@@ -8,9 +8,9 @@
 
 #include <gmock/gmock.h>
 
-#include "identify/residuals/history_misfit.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/experiments/four_post/response_misfit.h"
+#include "identify/residuals/history_misfit.h"
 #include "tests/identify/shipped_study.h"
 #include "tests/identify/toy_objective.h"
 #include "vehicles/condensed/condensed_vehicle.h"
@@ -55,8 +55,7 @@ LoadedStudy Twin(const std::vector<double>& truth, double noise) {
       for (std::size_t i = 0; i < channel.mean.size(); ++i)
         channel.mean[i] = truth_channel.mean[i] + Sines(study).plan.model_error.mean_m * draw(engine);
     }
-  for (MeasuredLoad& load : Rest(study).loads)
-    load.load_N = model.preloads.tyre[load.tyre] + load.sd_N * draw(engine);
+  for (MeasuredLoad& load : Rest(study).loads) load.load_N = model.preloads.tyre[load.tyre] + load.sd_N * draw(engine);
   return study;
 }
 
@@ -354,7 +353,8 @@ TEST(Fit, CostsTheLossWhereNothingWasRefined) {
 
 TEST(Fit, TellsWhenEveryEvaluationFails) {
   LoadedStudy study = ShippedStudy();
-  for (MeasuredRun& run : Sines(study).runs) run.excitation.amplitude_m.assign(run.excitation.amplitude_m.size(), 1e308);
+  for (MeasuredRun& run : Sines(study).runs)
+    run.excitation.amplitude_m.assign(run.excitation.amplitude_m.size(), 1e308);
   const VehicleObjective objective = study.MakeObjective();
   const FitResult fit = Fit(objective, Options());
   EXPECT_EQ(fit.end, FitEnd::kAllFailed);

@@ -10,11 +10,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "identify/refine/difference_jacobian.h"
 #include "identify/problems/coil_spring.h"
 #include "identify/problems/gear_train.h"
 #include "identify/problems/half_car_twin.h"
 #include "identify/problems/oscillator.h"
+#include "identify/refine/difference_jacobian.h"
 #include "identify/refine/refine.h"
 
 namespace fourpost {

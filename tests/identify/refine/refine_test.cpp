@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 #include <Eigen/LU>
 
-#include "identify/uncertainty/covariance.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/search/draws.h"
 #include "identify/search/dvhde.h"
 #include "identify/search/dvhde_operators.h"
+#include "identify/uncertainty/covariance.h"
 #include "tests/identify/test_problems.h"
 
 namespace fourpost {

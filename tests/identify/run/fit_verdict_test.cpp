@@ -28,8 +28,8 @@ TEST(FitVerdict, NothingSpeaksAgainstAFitThatFollowsItsChannels) {
 
 TEST(FitVerdict, NamesAChannelThatIsWorseThanAConstant) {
   std::vector<ErrorShare> misfits;
-  misfits = {Share("s_front", "bounce", 4, 1), Share("s_front", "pitch", 4, 1),
-                    Share("s_rear", "bounce", 1, 240), Share("s_rear", "pitch", 1, 240)};
+  misfits = {Share("s_front", "bounce", 4, 1), Share("s_front", "pitch", 4, 1), Share("s_rear", "bounce", 1, 240),
+             Share("s_rear", "pitch", 1, 240)};
   EXPECT_THAT(VerdictText(JudgeFit({}, misfits)),
               testing::StrEq("this model does not explain these data: channel 's_rear' has an NMSE of 240 %, more than "
                              "if nothing were modelled (100 %)"));
@@ -80,8 +80,8 @@ TEST(FitVerdict, OverTimeAQuietChannelIsJudged) {
 
 TEST(FitVerdict, NamesARecordingThatIsNotModelledAtAll) {
   std::vector<ErrorShare> misfits;
-  misfits = {Share("s_front", "bounce", 4, 1), Share("s_rear", "bounce", 4, 1),
-                    Share("s_front", "pitch", 1, 150), Share("s_rear", "pitch", 1, 130)};
+  misfits = {Share("s_front", "bounce", 4, 1), Share("s_rear", "bounce", 4, 1), Share("s_front", "pitch", 1, 150),
+             Share("s_rear", "pitch", 1, 130)};
   EXPECT_THAT(JudgeFit({}, misfits).reasons, ElementsAre(HasSubstr("recording 'pitch' in m has an NMSE of 140 %")));
 }
 

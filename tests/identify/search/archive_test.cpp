@@ -13,9 +13,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "identify/refine/search_method_list.h"
 #include "identify/search/draws.h"
 #include "identify/search/dvhde_operators.h"
-#include "identify/refine/search_method_list.h"
 #include "tests/identify/test_problems.h"
 #include "tests/temporary_folder.h"
 

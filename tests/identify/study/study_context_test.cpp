@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "analysis/files/sha256.h"
-#include "vehicles/requests/versions.h"
 #include "tests/identify/shipped_study.h"
 #include "tests/temporary_folder.h"
+#include "vehicles/requests/versions.h"
 
 namespace fourpost {
 namespace {

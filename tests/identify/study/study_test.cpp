@@ -107,11 +107,13 @@ TEST_F(StudyTest, ReadsEveryKey) {
   ASSERT_EQ(study->experiments.Find<FourPost>()->plan.recordings.size(), 1u);
   EXPECT_EQ(study->experiments.Find<FourPost>()->plan.recordings[0].name, "bounce");
   EXPECT_EQ(study->experiments.Find<FourPost>()->plan.recordings[0].file, folder_ / "bounce.csv");
-  EXPECT_THAT(study->experiments.Find<FourPost>()->plan.recordings[0].posts, testing::ElementsAre(testing::Pair("front", 1), testing::Pair("rear", -0.5)));
+  EXPECT_THAT(study->experiments.Find<FourPost>()->plan.recordings[0].posts,
+              testing::ElementsAre(testing::Pair("front", 1), testing::Pair("rear", -0.5)));
   ASSERT_EQ(study->experiments.Find<FourPost>()->plan.channels.size(), 2u);
   EXPECT_EQ(study->experiments.Find<FourPost>()->plan.channels[0].first, "a_body");
   EXPECT_EQ(study->experiments.Find<FourPost>()->plan.channels[0].second.combine, ChannelSource::Combine::kMean);
-  EXPECT_THAT(study->experiments.Find<FourPost>()->plan.channels[0].second.channels, testing::ElementsAre("a_left", "a_right"));
+  EXPECT_THAT(study->experiments.Find<FourPost>()->plan.channels[0].second.channels,
+              testing::ElementsAre("a_left", "a_right"));
   EXPECT_THAT(study->experiments.Find<FourPost>()->plan.channels[1].second.channels, testing::ElementsAre("a_axle"));
   EXPECT_EQ(study->experiments.Find<StaticLoadTest>()->plan.table, folder_ / "static.csv");
   EXPECT_EQ(study->experiments.Find<StaticLoadTest>()->plan.tyres[0].second.combine, ChannelSource::Combine::kSum);

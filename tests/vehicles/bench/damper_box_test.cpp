@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/files/time_recording.h"
 #include "analysis/signals/fit_quality.h"
 #include "analysis/signals/random_stream.h"
-#include "analysis/files/time_recording.h"
 #include "tests/vehicles/bench/bisected_series.h"
 #include "vehicles/bench/series_history.h"
 

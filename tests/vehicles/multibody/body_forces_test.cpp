@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "tests/vehicles/force_checker.h"
-#include "vehicles/laws/tyre_foot.h"
+#include "vehicles/multibody/tyre_foot.h"
 #include "vehicles/multibody/simbody_bodies.h"
 
 namespace fourpost {

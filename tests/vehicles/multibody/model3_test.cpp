@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 
 #include "analysis/files/frequency_response_file.h"
-#include "tests/vehicles/closed_form.h"
 #include "tests/closed_form/full_car.h"
+#include "tests/vehicles/closed_form.h"
 
 namespace fourpost {
 namespace {

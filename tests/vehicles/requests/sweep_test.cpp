@@ -5,8 +5,8 @@
 
 #include <gmock/gmock.h>
 
-#include "vehicles/requests/sweep_files.h"
 #include "tests/vehicles/shipped_vehicle.h"
+#include "vehicles/requests/sweep_files.h"
 
 namespace fourpost {
 namespace {

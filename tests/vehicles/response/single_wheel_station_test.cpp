@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/vehicles/closed_form.h"
 #include "tests/closed_form/quarter_car.h"
+#include "tests/vehicles/closed_form.h"
 #include "vehicles/ride/vehicle_summary.h"
 
 namespace fourpost {

@@ -10,10 +10,10 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/closed_form/full_car.h"
 #include "tests/vehicles/quarter_cars.h"
 #include "tests/vehicles/recorded_rig.h"
 #include "tests/vehicles/simulation/written_out_cars.h"
-#include "tests/closed_form/full_car.h"
 #include "vehicles/simulation/multibody_system.h"
 
 namespace fourpost {

@@ -13,9 +13,9 @@
 #include "identify/experiments/bench/bench_residuals.h"
 #include "identify/experiments/bench/bench_result.h"
 #include "identify/fit/fit.h"
+#include "identify/run/study_fit.h"
 #include "identify/study/loaded_study.h"
 #include "tests/identify/shipped_study.h"
-#include "identify/run/study_fit.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {

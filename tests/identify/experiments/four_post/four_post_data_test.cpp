@@ -10,12 +10,12 @@
 
 #include "analysis/signals/decibel.h"
 #include "analysis/text/number.h"
-#include "identify/experiments/static_loads/static_load_data.h"
+#include "identify/experiments/four_post/modelled_response.h"
 #include "identify/experiments/four_post/response_misfit.h"
+#include "identify/experiments/static_loads/static_load_data.h"
+#include "identify/residuals/history_misfit.h"
 #include "identify/study/loaded_study.h"
 #include "tests/identify/shipped_study.h"
-#include "identify/residuals/history_misfit.h"
-#include "identify/experiments/four_post/modelled_response.h"
 #include "tests/temporary_folder.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/post_pattern.h"
@@ -59,9 +59,7 @@ class FourPostDataTest : public testing::Test {
     std::vector<MeasuredLoad> static_loads;
   };
 
-  Data Read() {
-    return {LoadRuns(plan_, vehicle_, diagnostics_), LoadStaticLoads(rest_, vehicle_, diagnostics_)};
-  }
+  Data Read() { return {LoadRuns(plan_, vehicle_, diagnostics_), LoadStaticLoads(rest_, vehicle_, diagnostics_)}; }
 
   Data Load() {
     Data data = Read();
@@ -122,8 +120,8 @@ TEST_F(FourPostDataTest, RefusesAChannelOfAnotherQuantity) {
 
 TEST_F(FourPostDataTest, RefusesDifferencesThatNothingWeighs) {
   plan_.recordings[0].file = folder_.Write("run.csv",
-                                            "frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n"
-                                            "1,0.01,s_left,1,0\n1,0.01,s_right,1,90\n");
+                                           "frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n"
+                                           "1,0.01,s_left,1,0\n1,0.01,s_right,1,90\n");
   EXPECT_EQ(Load().runs.size(), 1u);
   plan_.model_error.gain_dB = 0;
   EXPECT_THAT(Fault(), HasSubstr("study.yaml:7: error: 'strut' has frequencies without deviation"));

@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "identify/experiments/four_post/recording_lint.h"
 #include "identify/experiments/four_post/modelled_response.h"
+#include "identify/experiments/four_post/recording_lint.h"
 #include "tests/identify/shipped_study.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/post_pattern.h"

@@ -1,4 +1,4 @@
-#include "vehicles/laws/increasing_root.h"
+#include "analysis/numerics/increasing_root.h"
 
 #include <gtest/gtest.h>
 

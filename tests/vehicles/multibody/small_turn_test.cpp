@@ -1,4 +1,4 @@
-#include "vehicles/laws/small_turn.h"
+#include "vehicles/multibody/small_turn.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "analysis/signals/anderson_acceleration.h"
+#include "analysis/numerics/anderson_acceleration.h"
 
 #include <Eigen/QR>
 

@@ -1,4 +1,4 @@
-#include "vehicles/laws/tyre_foot.h"
+#include "vehicles/multibody/tyre_foot.h"
 
 #include <cmath>
 #include <numbers>

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "vehicles/laws/small_turn.h"
+#include "vehicles/multibody/small_turn.h"
 
 namespace fourpost {
 
