@@ -24,19 +24,32 @@ void AddLine(const std::string& line, std::string& text) {
 
 }  // namespace
 
+const std::string& Name(const Place& place) { return place.option.empty() ? place.file : place.option; }
+
 std::string Format(const Diagnostic& diagnostic) {
-  std::string place = diagnostic.file;
-  if (diagnostic.line > 0) place += ":" + std::to_string(diagnostic.line);
+  std::string place = Name(diagnostic.place);
+  if (diagnostic.place.line > 0) place += ":" + std::to_string(diagnostic.place.line);
   if (!place.empty()) place += ": ";
   return place + (diagnostic.severity == Severity::kError ? "error: " : "warning: ") + diagnostic.message;
 }
 
+void Diagnostics::Report(const Finding& finding, Place place, const std::vector<std::string>& words) {
+  place.file = Short(std::move(place.file));
+  items_.push_back({std::string(finding.id()), finding.severity(), std::move(place), Short(finding.Message(words))});
+}
+
 void Diagnostics::Error(std::string file, int line, std::string message) {
-  items_.push_back({Severity::kError, Short(std::move(file)), line, Short(std::move(message))});
+  const bool is_option = file.starts_with("--");
+  Place place{.line = line};
+  (is_option ? place.option : place.file) = Short(std::move(file));
+  items_.push_back({"", Severity::kError, std::move(place), Short(std::move(message))});
 }
 
 void Diagnostics::Warning(std::string file, int line, std::string message) {
-  items_.push_back({Severity::kWarning, Short(std::move(file)), line, Short(std::move(message))});
+  const bool is_option = file.starts_with("--");
+  Place place{.line = line};
+  (is_option ? place.option : place.file) = Short(std::move(file));
+  items_.push_back({"", Severity::kWarning, std::move(place), Short(std::move(message))});
 }
 
 void Diagnostics::Add(const Diagnostics& others) {
@@ -52,15 +65,15 @@ std::string Diagnostics::Format() const {
   std::vector<const Diagnostic*> sorted;
   for (const Diagnostic& item : items_) sorted.push_back(&item);
   std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic* a, const Diagnostic* b) {
-    return std::tie(a->file, a->line) < std::tie(b->file, b->line);
+    return std::tie(Name(a->place), a->place.line) < std::tie(Name(b->place), b->place.line);
   });
   std::string text;
   for (auto first = sorted.begin(); first != sorted.end();) {
-    const auto last =
-        std::find_if(first, sorted.end(), [&](const Diagnostic* item) { return item->file != (*first)->file; });
+    const auto last = std::find_if(first, sorted.end(),
+                                   [&](const Diagnostic* item) { return Name(item->place) != Name((*first)->place); });
     const auto shown = first + std::min<std::ptrdiff_t>(last - first, kMostPerFile);
     for (auto item = first; item != shown; ++item) AddLine(fourpost::Format(**item), text);
-    if (shown != last) AddLine((*first)->file + ": " + std::to_string(last - shown) + " more", text);
+    if (shown != last) AddLine(Name((*first)->place) + ": " + std::to_string(last - shown) + " more", text);
     first = last;
   }
   return text;
@@ -68,5 +81,11 @@ std::string Diagnostics::Format() const {
 
 FaultyInput::FaultyInput(Diagnostics diagnostics)
     : std::runtime_error(diagnostics.Format()), diagnostics_(std::move(diagnostics)) {}
+
+void Refuse(const Finding& finding, Place place, const std::vector<std::string>& words) {
+  Diagnostics diagnostics;
+  diagnostics.Report(finding, std::move(place), words);
+  throw FaultyInput(std::move(diagnostics));
+}
 
 }  // namespace fourpost

@@ -2,28 +2,48 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "analysis/text/finding.h"
 
 namespace fourpost {
 
-enum class Severity { kError, kWarning };
+/// Where a finding is: in a file, or in an option of the command line.
+struct Place {
+  /// "--stroke": of the command line.
+  static Place Option(std::string name) { return {.option = std::move(name)}; }
 
-/// One finding about a user's file. `line` is 1-based; 0 means the file as a whole.
-struct Diagnostic {
-  Severity severity = Severity::kError;
-  std::string file;
+  std::string file = {};
+  /// 1-based; 0 means the file as a whole.
   int line = 0;
+  std::string option = {};
+};
+
+/// The option, or the file.
+const std::string& Name(const Place& place);
+
+/// A finding that was made.
+struct Diagnostic {
+  /// Of its Finding.
+  std::string id;
+  Severity severity = Severity::kError;
+  Place place;
   std::string message;
 };
 
-/// "file:line: error: message", the form editors understand; line 0 is left out.
+/// "file:line: error: message", the form editors understand; line 0 is left out. "--option: error: message".
 std::string Format(const Diagnostic& diagnostic);
 
-/// Collects every finding about a user's files, so that all faults are told at once.
+/// Collects every finding about a user's input, so that all faults are reported at once.
 class Diagnostics {
  public:
+  /// `words` fill the finding's text and remedy in order.
+  void Report(const Finding& finding, Place place, const std::vector<std::string>& words = {});
   void Error(std::string file, int line, std::string message);
   void Warning(std::string file, int line, std::string message);
+  /// One of others.
+  void Add(Diagnostic finding) { items_.push_back(std::move(finding)); }
   /// Those of others behind its own.
   void Add(const Diagnostics& others);
 
@@ -47,5 +67,8 @@ class FaultyInput : public std::runtime_error {
  private:
   Diagnostics diagnostics_;
 };
+
+/// Ends what runs with one finding. Throws FaultyInput.
+[[noreturn]] void Refuse(const Finding& finding, Place place, const std::vector<std::string>& words = {});
 
 }  // namespace fourpost

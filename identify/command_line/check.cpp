@@ -21,8 +21,7 @@ namespace {
 
 void Append(const Diagnostics& more, Diagnostics& findings) {
   for (const Diagnostic& item : more.items())
-    if (item.severity == Severity::kError) findings.Error(item.file, item.line, item.message);
-    else findings.Warning(item.file, item.line, item.message);
+    findings.Add(item);
 }
 
 /// Adds all that can be found in the file; nothing where an error keeps the vehicle from being checked.

@@ -4,6 +4,7 @@
 
 #include "analysis/files/json_text.h"
 #include "identify/command_line/check_text.h"
+#include "vehicles/requests/channel_json.h"
 
 namespace fourpost {
 namespace {
@@ -200,16 +201,6 @@ Json Views(const VehicleSummary& summary) {
   return views;
 }
 
-Json Findings(const Diagnostics& diagnostics) {
-  Json findings = Json::array();
-  for (const Diagnostic& item : diagnostics.items())
-    findings.push_back({{"file", item.file},
-                        {"line", item.line == 0 ? Json() : Json(item.line)},
-                        {"severity", item.severity == Severity::kError ? "error" : "warning"},
-                        {"text", item.message}});
-  return findings;
-}
-
 Json Told(const CheckedVehicle& checked) {
   const auto& [vehicle, mobility, summary] = checked;
   return {{"name", vehicle.name},
@@ -244,7 +235,7 @@ Json Told(const CheckedVehicle& checked) {
 
 std::string CheckJson(const std::optional<CheckedVehicle>& checked, const Diagnostics& findings) {
   Json json = checked ? Told(*checked) : Json::object();
-  json["findings"] = Findings(findings);
+  json["findings"] = FindingsJson(findings);
   // A file's name may be no UTF-8.
   return JsonText(json);
 }

@@ -50,7 +50,7 @@ Layout LayoutOf(const RecordedTable& table) {
 }
 
 std::string RefusalOf(const Diagnostic& fault) {
-  return (fault.line > 0 ? "line " + std::to_string(fault.line) + ": " : "") + fault.message;
+  return (fault.place.line > 0 ? "line " + std::to_string(fault.place.line) + ": " : "") + fault.message;
 }
 
 /// Of a recording of nothing but a displacement and a force, which is that of a damper on its bench, in this order.

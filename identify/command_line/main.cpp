@@ -29,7 +29,7 @@ using namespace fourpost;
 bool IsUsage(const Diagnostics& diagnostics) {
   const std::vector<Diagnostic>& items = diagnostics.items();
   return std::all_of(items.begin(), items.end(), [](const Diagnostic& item) {
-    return item.severity == Severity::kWarning || item.file.starts_with("--");
+    return item.severity == Severity::kWarning || !item.place.option.empty();
   });
 }
 

@@ -27,9 +27,9 @@ namespace {
 [[noreturn]] void RefuseTables(const std::vector<std::filesystem::path>& folders, const FaultyInput& fault) {
   Diagnostics faults;
   for (const Diagnostic& item : fault.diagnostics().items()) {
-    const bool is_named = std::filesystem::path(item.file).has_parent_path();
+    const bool is_named = std::filesystem::path(item.place.file).has_parent_path();
     const bool tells = item.message.find("fit") != std::string::npos;
-    faults.Error(is_named ? item.file : (folders.front() / item.file).string(), item.line,
+    faults.Error(is_named ? item.place.file : (folders.front() / item.place.file).string(), item.place.line,
                  item.message + (tells ? "" : "; the file is damaged: run `fourpost fit` with -o on its folder again"));
   }
   throw FaultyInput(faults);

@@ -117,7 +117,7 @@ int Run(const SimulateCommand& command) {
   const HistoryOrigin origin = OriginOf(command, job.drive, solved.answer);
   FindWhatIsOdd(job, origin, solved, found);
   Tell(found);
-  for (const Diagnostic& item : found.items()) job.findings.Warning(item.file, item.line, item.message);
+  for (const Diagnostic& item : found.items()) job.findings.Add(item);
   if (solved.answer.ended)
     std::fprintf(stderr, "interrupted: the history ends at %s of %s s\n",
                  Rounded(history.TimeAt(history.size() - 1), 3).c_str(), Rounded(job.drive.end_s, 3).c_str());

@@ -114,7 +114,7 @@ MethodOptions ExplorationOf(const Study& study, const Problem& problem, Diagnost
   Diagnostics faults;
   const std::vector<ComparedMethod> methods = MethodsOf(study, {study.search.method}, problem, faults);
   for (const Diagnostic& fault : faults.items())
-    diagnostics.Error(file, fault.line > 0 ? fault.line : study.search.method_line, fault.message);
+    diagnostics.Error(file, fault.place.line > 0 ? fault.place.line : study.search.method_line, fault.message);
   if (faults.HasErrors()) return MethodPreset("dvhde", problem);
   MethodOptions options = methods.front().options;
   if (const auto* refining = std::get_if<MultiStartOptions>(&options)) {

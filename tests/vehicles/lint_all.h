@@ -8,7 +8,7 @@ namespace fourpost {
 inline Diagnostics Lint(const Vehicle& vehicle) {
   Diagnostics findings = LintDescription(vehicle);
   const Diagnostics more = LintAssembled(vehicle);
-  for (const Diagnostic& item : more.items()) findings.Warning(item.file, item.line, item.message);
+  for (const Diagnostic& item : more.items()) findings.Add(item);
   return findings;
 }
 

@@ -114,7 +114,7 @@ class VehicleFileTest : public ::testing::Test {
   void Expect(Severity severity, int line, const std::string& part) {
     std::vector<Diagnostic> rest = diagnostics_.items();
     const auto found = std::find_if(rest.begin(), rest.end(), [&](const Diagnostic& item) {
-      return item.severity == severity && item.line == line && item.file == folder_ / "vehicle.urdf" &&
+      return item.severity == severity && item.place.line == line && item.place.file == folder_ / "vehicle.urdf" &&
              item.message.find(part) != std::string::npos;
     });
     if (found == rest.end()) {
@@ -125,8 +125,7 @@ class VehicleFileTest : public ::testing::Test {
     rest.erase(found);
     diagnostics_ = {};
     for (const Diagnostic& item : rest) {
-      if (item.severity == Severity::kError) diagnostics_.Error(item.file, item.line, item.message);
-      else diagnostics_.Warning(item.file, item.line, item.message);
+      diagnostics_.Add(item);
     }
   }
 

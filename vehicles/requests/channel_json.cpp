@@ -22,8 +22,9 @@ Json ChannelJson(const ChannelResponse& channel) {
 Json FindingsJson(const Diagnostics& findings) {
   Json list = Json::array();
   for (const Diagnostic& item : findings.items())
-    list.push_back({{"file", item.file},
-                    {"line", item.line == 0 ? Json() : Json(item.line)},
+    list.push_back({{"id", item.id},
+                    {"file", Name(item.place)},
+                    {"line", item.place.line == 0 ? Json() : Json(item.place.line)},
                     {"severity", item.severity == Severity::kError ? "error" : "warning"},
                     {"text", item.message}});
   return list;

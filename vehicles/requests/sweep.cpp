@@ -98,8 +98,7 @@ std::optional<SweepRequest> ReadSweep(const SweepText& text, const Vehicle& vehi
   SweepReader reader(text, vehicle);
   std::optional<SweepRequest> request = reader.Read();
   for (const Diagnostic& item : reader.found().items()) {
-    if (item.severity == Severity::kError) diagnostics.Error(item.file, item.line, item.message);
-    else diagnostics.Warning(item.file, item.line, item.message);
+    diagnostics.Add(item);
   }
   return request;
 }

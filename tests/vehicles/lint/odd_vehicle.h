@@ -104,8 +104,8 @@ inline std::vector<std::string> Findings(const Vehicle& vehicle, int line) {
   const Diagnostics findings = Lint(vehicle);
   for (const Diagnostic& item : findings.items()) {
     EXPECT_EQ(item.severity, Severity::kWarning);
-    EXPECT_EQ(item.file, vehicle.file);
-    EXPECT_EQ(item.line, line) << item.message;
+    EXPECT_EQ(item.place.file, vehicle.file);
+    EXPECT_EQ(item.place.line, line) << item.message;
     messages.push_back(item.message);
   }
   return messages;

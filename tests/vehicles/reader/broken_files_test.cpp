@@ -43,7 +43,7 @@ std::vector<std::string> Expected(std::string_view text) {
 }
 
 std::string Shown(const Diagnostic& found) {
-  return std::to_string(found.line) + (found.severity == Severity::kError ? ": error: " : ": warning: ") +
+  return std::to_string(found.place.line) + (found.severity == Severity::kError ? ": error: " : ": warning: ") +
          found.message;
 }
 
@@ -63,8 +63,7 @@ Diagnostics Findings(const fs::path& file) {
     if (vehicle) CondensedVehicle{*vehicle};
   } catch (const FaultyInput& fault) {
     for (const Diagnostic& item : fault.diagnostics().items())
-      if (item.severity == Severity::kError) diagnostics.Error(item.file, item.line, item.message);
-      else diagnostics.Warning(item.file, item.line, item.message);
+      diagnostics.Add(item);
   }
   return diagnostics;
 }
@@ -77,7 +76,7 @@ TEST_P(BrokenFiles, AreToldByTheirFault) {
   EXPECT_FALSE(expected.empty()) << "the file does not say what to expect";
   const Diagnostics findings = Findings(file);
   for (const Diagnostic& found : findings.items()) {
-    EXPECT_EQ(found.file, file.string());
+    EXPECT_EQ(found.place.file, file.string());
     const auto met = std::find_if(expected.begin(), expected.end(),
                                   [&](const std::string& expectation) { return Meets(found, expectation); });
     if (met == expected.end()) ADD_FAILURE() << "not expected: " << Shown(found);
