@@ -30,7 +30,8 @@ std::string Format(const Diagnostic& diagnostic) {
   std::string place = Name(diagnostic.place);
   if (diagnostic.place.line > 0) place += ":" + std::to_string(diagnostic.place.line);
   if (!place.empty()) place += ": ";
-  return place + (diagnostic.severity == Severity::kError ? "error: " : "warning: ") + diagnostic.message;
+  const std::string id = diagnostic.id.empty() ? "" : " [" + diagnostic.id + "]";
+  return place + (diagnostic.severity == Severity::kError ? "error: " : "warning: ") + diagnostic.message + id;
 }
 
 void Diagnostics::Report(const Finding& finding, Place place, const std::vector<std::string>& words) {

@@ -32,7 +32,7 @@ struct Diagnostic {
   std::string message;
 };
 
-/// "file:line: error: message", the form editors understand; line 0 is left out. "--option: error: message".
+/// "file:line: error: message [id]", the form editors understand; line 0 is left out. "--option: error: message [id]".
 std::string Format(const Diagnostic& diagnostic);
 
 /// Collects every finding about a user's input, so that all faults are reported at once.

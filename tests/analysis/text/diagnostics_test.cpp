@@ -9,7 +9,7 @@ namespace {
 using ::testing::EndsWith;
 
 TEST(Diagnostic, HasTheFormEditorsUnderstand) {
-  EXPECT_EQ(Format({"", Severity::kError, {"car.urdf", 12}, "no mass"}), "car.urdf:12: error: no mass");
+  EXPECT_EQ(Format({"mass", Severity::kError, {"car.urdf", 12}, "no mass"}), "car.urdf:12: error: no mass [mass]");
   EXPECT_EQ(Format({"", Severity::kWarning, {"car.urdf"}, "no mass"}), "car.urdf: warning: no mass");
   EXPECT_EQ(Format({"", Severity::kError, {}, "no mass"}), "error: no mass");
   EXPECT_EQ(Format({"", Severity::kError, Place::Option("--stroke"), "no length"}), "--stroke: error: no length");
