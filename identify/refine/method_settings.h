@@ -10,8 +10,10 @@
 namespace fourpost {
 
 /// Words for the values of a setting, in the order of its enumeration.
-inline constexpr std::array<std::string_view, 2> kMutationBaseWords = {"random", "best"};
-inline constexpr std::array<std::string_view, 3> kMutationFactorWords = {"constant", "per_generation", "per_gene"};
+inline constexpr std::array<std::string_view, 3> kMutationBaseWords = {"random", "best", "towards_best"};
+inline constexpr std::array<std::string_view, 4> kMutationFactorWords = {"constant", "per_generation", "per_gene",
+                                                                         "per_trial"};
+inline constexpr std::array<std::string_view, 3> kAccelerationWords = {"simplex", "pattern", "least_squares"};
 inline constexpr std::array<std::string_view, 2> kDiversityWords = {"range", "index"};
 inline constexpr std::array<std::string_view, 2> kDescentWords = {"levenberg_marquardt", "quasi_newton"};
 inline constexpr std::array<std::string_view, 3> kDifferencesWords = {"central", "forward", "automatic"};
@@ -23,15 +25,33 @@ template <typename Options, typename Number, typename Word>
 requires std::is_same_v<std::remove_const_t<Options>, DvhdeOptions>
 void VisitSettings(Options& o, const Number& number, const Word& word) {
   number("population", o.population);
+  number("draws_per_member", o.draws_per_member);
   word("base", o.base, kMutationBaseWords);
+  number("best_share", o.best_share);
   word("factor_rule", o.factor_rule, kMutationFactorWords);
   number("factor", o.factor);
+  number("factor_spread", o.factor_spread);
   number("crossover", o.crossover);
   number("forced_gene", o.forced_gene);
+  number("replaced_parents", o.replaced_parents);
   number("rank_violations", o.rank_violations);
-  number("simplex_iterations", o.simplex_iterations);
+  number("elites", o.elites);
+  number("elite_chance", o.elite_chance);
+  number("elite_factor", o.elite_factor);
+  word("acceleration", o.acceleration, kAccelerationWords);
   number("accelerate_below", o.accelerate_below);
+  number("simplex_iterations", o.simplex_iterations);
+  number("line_searches", o.line_searches);
+  number("kicks", o.kicks);
+  number("refinements", o.refinements);
+  number("refine_apart", o.refine_apart);
+  number("refine_iterations", o.refine_iterations);
   number("migrate_after", o.migrate_after);
+  number("count_new_trials", o.count_new_trials);
+  number("least_gain", o.least_gain);
+  number("keep_best", o.keep_best);
+  number("growth", o.growth);
+  number("most_members", o.most_members);
   number("migrate_below_diversity", o.migrate_below_diversity);
   word("diversity_measure", o.diversity_measure, kDiversityWords);
   number("gene_difference", o.gene_difference);

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "identify/refine/method_settings.h"
+#include "identify/refine/refine.h"
 
 namespace fourpost {
 namespace {
@@ -34,6 +35,16 @@ MultiStartOptions Gradient(const Problem& problem) {
   return options;
 }
 
+/// Population and patience where a generation is little beside a refinement.
+DvhdeOptions HybridEvolution(const Problem& problem) {
+  DvhdeOptions options;
+  if (!IsLeastSquares(problem) || DiscreteCount(problem.lattice) > 0) return options;
+  options.acceleration = Acceleration::kLeastSquares;
+  options.population = 10;
+  options.migrate_after = 3;
+  return options;
+}
+
 MethodOptions Default(const Problem& problem) {
   if (!IsLeastSquares(problem) || DiscreteCount(problem.lattice) > 0) return Direct(problem.lattice);
   MultiStartOptions options;
@@ -57,6 +68,16 @@ std::unique_ptr<SearchMethod> Make(const SimplexOptions& options, const Lattice&
   return std::make_unique<DownhillSimplex>(lattice, options, seed);
 }
 
+/// Levenberg-Marquardt as dvHDE accelerates by it.
+auto RefinementOf(Archive& archive, const DvhdeOptions& options) {
+  return
+      [&archive, most = options.refine_iterations](const Eigen::VectorXd& values, const std::function<bool()>& stop) {
+        const RefineOptions refine{.max_iterations = most, .step = 1e-5, .differences = Differences::kForward};
+        const RefineResult result = Refine(archive, values, refine, stop);
+        return result.has_cost() ? result.values : values;
+      };
+}
+
 template <typename Value>
 std::string Text(const Value& value) {
   std::ostringstream text;
@@ -67,7 +88,8 @@ std::string Text(const Value& value) {
 }  // namespace
 
 MethodOptions MethodPreset(std::string_view name, const Problem& problem) {
-  if (name == "dvhde") return Default(problem);
+  if (name == "auto") return Default(problem);
+  if (name == "dvhde") return HybridEvolution(problem);
   if (name == "direct") return Direct(problem.lattice);
   if (name == "thesis") return ThesisDvhde();
   if (name == "de") return PlainEvolution();
@@ -105,7 +127,9 @@ SearchResult RunMethod(const MethodOptions& options, Archive& archive, std::uint
           return RunMultiStart(archive, o, seed, rules, candidates, hooks);
         } else {
           const std::unique_ptr<SearchMethod> method = Make(o, archive.lattice(), seed);
-          return RunSearch(archive, *method, rules, candidates, hooks);
+          SearchHooks with_refine = hooks;
+          if constexpr (std::is_same_v<Options, DvhdeOptions>) with_refine.refine = RefinementOf(archive, o);
+          return RunSearch(archive, *method, rules, candidates, with_refine);
         }
       },
       options);

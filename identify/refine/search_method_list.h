@@ -31,8 +31,8 @@ using MethodOptions = std::variant<DvhdeOptions, AdaptiveOptions, CmaesOptions, 
 /// - bfgs: BFGS from one random point
 /// - multistart: gb from random points until a rule ends it
 /// - adaptive, cma: AdaptiveEvolution, Cmaes
-inline constexpr std::array<std::string_view, 10> kMethodNames = {"dvhde", "direct", "thesis",     "de",       "ds",
-                                                                  "gb",    "bfgs",   "multistart", "adaptive", "cma"};
+inline constexpr std::array<std::string_view, 11> kMethodNames = {"auto", "dvhde", "direct",     "thesis",   "de", "ds",
+                                                                  "gb",   "bfgs",  "multistart", "adaptive", "cma"};
 
 /// Settings of a preset for a problem. Throws std::invalid_argument for a name that is not in kMethodNames.
 MethodOptions MethodPreset(std::string_view name, const Problem& problem);

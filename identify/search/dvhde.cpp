@@ -1,49 +1,68 @@
 #include "identify/search/dvhde.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
-#include "analysis/text/option_check.h"
 #include "identify/search/dvhde_operators.h"
 
 namespace fourpost {
+namespace {
 
-void DvhdeOptions::Validate() const {
-  RequireOption(population >= 4, "population", population, "4 or more");
-  RequireOption(factor > 0 && factor <= 2, "factor", factor, "in (0, 2]");
-  RequireOption(crossover >= 0 && crossover <= 1, "crossover", crossover, "in [0, 1]");
-  RequireOption(simplex_iterations >= 0, "simplex_iterations", simplex_iterations, "0 or more");
-  RequireOption(accelerate_below >= 0 && accelerate_below <= 1, "accelerate_below", accelerate_below, "in [0, 1]");
-  RequireOption(migrate_after >= 0, "migrate_after", migrate_after, "0 or more");
-  RequireOption(migrate_below_diversity >= 0 && migrate_below_diversity <= 1, "migrate_below_diversity",
-                migrate_below_diversity, "in [0, 1]");
-  RequireOption(gene_difference > 0 && gene_difference < 1, "gene_difference", gene_difference, "in (0, 1)");
+// Of pattern search; all are ratios of steps.
+constexpr double kFirstLineStep = 0.25;  // of the range
+constexpr double kLineGrowth = 1.5;
+constexpr double kLineShrinkage = 0.3;
+constexpr double kFirstKickStep = 1.0 / 64;  // of the range
+constexpr double kKickGrowth = 2;
+constexpr double kKickShrinkage = 0.25;
+constexpr int kKickRounds = 4;
+
+double RangeOf(const Lattice& lattice, std::size_t axis) { return static_cast<double>(lattice.count(axis) - 1); }
+
+std::vector<std::size_t> AxesOf(const Lattice& lattice, bool discrete) {
+  std::vector<std::size_t> axes;
+  for (std::size_t j = 0; j < lattice.size(); ++j)
+    if (lattice.axes()[j].discrete == discrete) axes.push_back(j);
+  return axes;
 }
 
-DvhdeOptions ThesisDvhde() {
-  DvhdeOptions options;
-  options.population = 20;
-  options.base = MutationBase::kBest;
-  options.factor = 0.7;
-  options.crossover = 0.8;
-  options.forced_gene = false;
-  options.rank_violations = false;
-  options.migrate_after = 150;
-  options.migrate_below_diversity = 0.1;
-  options.diversity_measure = DiversityMeasure::kIndex;
-  return options;
+std::vector<double> FirstLineSteps(const Lattice& lattice) {
+  std::vector<double> steps;
+  for (std::size_t j = 0; j < lattice.size(); ++j) steps.push_back(kFirstLineStep * RangeOf(lattice, j));
+  return steps;
 }
 
-DvhdeOptions PlainEvolution() {
-  DvhdeOptions options = ThesisDvhde();
-  options.simplex_iterations = 0;
-  options.migrate_after = 0;
-  options.migrate_below_diversity = 0;
-  return options;
+/// The other genes after a kick: discrete ones by whole steps, then the others, finer and finer.
+std::vector<PatternSearch::Walk> WalksAfterKick(const Lattice& lattice, std::size_t kicked) {
+  std::vector<PatternSearch::Walk> walks;
+  const auto is_discrete = [&](std::size_t j) { return lattice.axes()[j].discrete; };
+  for (std::size_t j = 0; j < lattice.size(); ++j)
+    if (j != kicked && is_discrete(j)) walks.push_back({.axis = j, .step = 1, .growth = kKickGrowth});
+  double share = kFirstKickStep;
+  for (int round = 0; round < kKickRounds; ++round, share *= kKickShrinkage)
+    for (std::size_t j = 0; j < lattice.size(); ++j)
+      if (!is_discrete(j)) walks.push_back({.axis = j, .step = share * RangeOf(lattice, j), .growth = kKickGrowth});
+  return walks;
 }
+
+template <typename List>
+const auto& AnyOf(const List& list, Draws& draws) {
+  return list[static_cast<std::size_t>(draws.Integer(0, static_cast<std::int64_t>(list.size()) - 1))];
+}
+
+}  // namespace
 
 Dvhde::Dvhde(const Lattice& lattice, const DvhdeOptions& options, std::uint64_t seed)
-    : lattice_(&lattice), options_(options), seed_(seed) {
+    : lattice_(&lattice),
+      options_(options),
+      seed_(seed),
+      members_(static_cast<std::size_t>(options.population)),
+      continuous_(AxesOf(lattice, false)),
+      discrete_(AxesOf(lattice, true)),
+      line_steps_(FirstLineSteps(lattice)),
+      elites_(static_cast<std::size_t>(options.elites)) {
   options_.Validate();
   AskInitial();
 }
@@ -55,82 +74,256 @@ void Dvhde::Tell(const std::vector<Score>& told) {
   ends_generation_ = false;
   switch (stage_) {
     case Stage::kInitial:
-      for (std::size_t i = 0; i < scores.size(); ++i) population_.push_back({asked_[i], scores[i]});
-      return EndGeneration();
+      Keep(scores);
+      return options_.acceleration == Acceleration::kLeastSquares ? Accelerate() : EndGeneration();
     case Stage::kTrials: return Select(scores);
-    case Stage::kSimplex: simplex_->Tell(scores); return Accelerate();
+    case Stage::kSimplex:
+      simplex_->Tell(scores);
+      if (simplex_->iterations() >= options_.simplex_iterations || simplex_->IsCollapsed()) EndSimplex();
+      return;
+    case Stage::kLines: pattern_->Tell(scores.front()); return pattern_->Ask() ? AskOne() : EndLines();
+    case Stage::kKicks: pattern_->Tell(scores.front()); return pattern_->Ask() ? AskOne() : EndKick();
+    case Stage::kRefinements: return;
     case Stage::kMigrants: return Migrate(scores);
   }
 }
 
 void Dvhde::AskInitial() {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(options_.population); ++i) {
+  const std::size_t count = members_ * static_cast<std::size_t>(options_.draws_per_member);
+  for (std::size_t i = 0; i < count; ++i) {
     Draws draws = DrawsFor(DrawPurpose::kInitial, i);
     asked_.push_back(RandomPoint(*lattice_, draws));
   }
+}
+
+/// The best of the points asked for become the population.
+void Dvhde::Keep(const std::vector<Score>& scores) {
+  population_.clear();
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    population_.push_back({asked_[i], scores[i]});
+    elites_.Add(population_.back());
+    tried_.insert(asked_[i]);
+  }
+  if (population_.size() > members_) {
+    std::stable_sort(population_.begin(), population_.end(),
+                     [](const Individual& a, const Individual& b) { return IsBetter(a.score, b.score); });
+    population_.resize(members_);
+  }
+  if (record_.point.empty() || IsBetter(Best().score, record_.score)) record_ = Best();
+  reference_ = Best().score;
 }
 
 void Dvhde::AskTrials() {
   stage_ = Stage::kTrials;
   ++generation_;
   previous_ = Best().score;
-  const std::size_t best = BestIndex(population_);
   const double generation_factor = DrawsFor(DrawPurpose::kFactor, 0).Uniform();
   asked_.clear();
+  std::size_t fresh = 0;
   for (std::size_t i = 0; i < population_.size(); ++i) {
     Draws draws = DrawsFor(DrawPurpose::kTrial, i);
-    const auto [base, plus, minus] = PickThree(population_.size(), i, draws);
-    const LatticePoint& start = Point(options_.base == MutationBase::kBest ? best : base);
-    const LatticePoint mutant = Mutate(start, Point(plus), Point(minus), Factors(generation_factor, draws));
-    asked_.push_back(Cross(Point(i), mutant, options_.crossover, options_.forced_gene, draws));
-    Repair(*lattice_, asked_.back(), draws);
+    asked_.push_back(Trial(i, generation_factor, draws));
+    fresh += tried_.insert(asked_.back()).second;
   }
+  // Points that are known cost nothing, so that a generation of them tells little.
+  constexpr double kOfKnown = 0.02;
+  generation_weight_ =
+      options_.count_new_trials ? static_cast<double>(fresh) / static_cast<double>(population_.size()) + kOfKnown : 1;
+}
+
+LatticePoint Dvhde::Trial(std::size_t parent, double generation_factor, Draws& draws) const {
+  LatticePoint mutant;
+  const double chance = options_.elite_chance * std::min(1.0, stagnation_ / 2);
+  if (elites_.best().size() >= 4 && draws.Uniform() < chance) {
+    mutant = TrialOfElites(draws);
+  } else if (options_.base == MutationBase::kTowardsBest) {
+    mutant = TrialTowardsBest(parent, draws);
+  } else {
+    const auto [base, plus, minus] = PickThree(population_.size(), parent, draws);
+    const LatticePoint& start = Point(options_.base == MutationBase::kBest ? BestIndex(population_) : base);
+    mutant = Mutate(start, Point(plus), Point(minus), Factors(generation_factor, draws));
+  }
+  LatticePoint trial = Cross(Point(parent), mutant, options_.crossover, options_.forced_gene, draws);
+  Repair(*lattice_, trial, draws);
+  return trial;
+}
+
+LatticePoint Dvhde::TrialTowardsBest(std::size_t parent, Draws& draws) const {
+  const auto [plus, minus, start] = PickThree(population_.size(), parent, draws);
+  const LatticePoint* last = &Point(minus);
+  if (options_.replaced_parents && !replaced_.empty()) {
+    const auto members = static_cast<std::int64_t>(population_.size());
+    const std::int64_t k = draws.Integer(0, members + static_cast<std::int64_t>(replaced_.size()) - 1);
+    if (k >= members) last = &replaced_[static_cast<std::size_t>(k - members)];
+  }
+  const std::size_t best = OneOfTheBest(draws);
+  return MutateTowards(Point(start), Point(best), Point(plus), *last, TrialFactor(options_.factor, draws));
+}
+
+LatticePoint Dvhde::TrialOfElites(Draws& draws) const {
+  const Population& elites = elites_.best();
+  const auto [plus, minus, start] = PickThree(elites.size(), elites.size(), draws);
+  const LatticePoint& best = AnyOf(elites, draws).point;
+  return MutateTowards(elites[start].point, best, elites[plus].point, elites[minus].point,
+                       TrialFactor(options_.elite_factor, draws));
 }
 
 void Dvhde::Select(const std::vector<Score>& scores) {
   state_.accelerated = false;
   state_.migrated = false;
-  for (std::size_t i = 0; i < scores.size(); ++i) fourpost::Select(population_[i], {asked_[i], scores[i]});
-  if (!IsSlow()) return EndEvolution();
-  simplex_.emplace(*lattice_, population_);
-  stage_ = Stage::kSimplex;
-  state_.accelerated = true;
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    const Individual trial{asked_[i], scores[i]};
+    if (options_.elites > 0) elites_.Add(trial);
+    if (!IsBetter(trial.score, population_[i].score)) continue;
+    if (options_.replaced_parents) replaced_.push_back(population_[i].point);
+    population_[i] = trial;
+  }
+  while (replaced_.size() > population_.size()) replaced_.pop_front();
+  if (IsSlow()) Accelerate();
+  else EndEvolution();
 }
 
 void Dvhde::Accelerate() {
-  if (simplex_->iterations() >= options_.simplex_iterations || simplex_->IsCollapsed()) EndAcceleration();
+  state_.accelerated = true;
+  if (options_.acceleration == Acceleration::kPattern) return AskLines();
+  if (options_.acceleration == Acceleration::kLeastSquares) return AskRefinements();
+  simplex_.emplace(*lattice_, population_);
+  stage_ = Stage::kSimplex;
 }
 
-void Dvhde::EndAcceleration() {
+void Dvhde::EndSimplex() {
   // A copy of the best in place of the worst would only cost diversity.
   if (IsBetter(simplex_->best().score, Best().score)) population_[WorstIndex(population_)] = simplex_->best();
   EndEvolution();
 }
 
+void Dvhde::AskLines() {
+  stage_ = Stage::kLines;
+  std::vector<PatternSearch::Walk> walks;
+  for (int k = 0; k < options_.line_searches && !continuous_.empty(); ++k) {
+    const std::size_t axis = continuous_[(line_turn_ + static_cast<std::size_t>(k)) % continuous_.size()];
+    walks.push_back({.axis = axis, .step = line_steps_[axis], .growth = kLineGrowth});
+  }
+  line_axes_.clear();
+  for (const PatternSearch::Walk& walk : walks) line_axes_.push_back(walk.axis);
+  pattern_.emplace(*lattice_, Best(), std::move(walks));
+  if (pattern_->Ask()) AskOne();
+  else EndLines();
+}
+
+void Dvhde::EndLines() {
+  for (std::size_t k = 0; k < pattern_->ended().size(); ++k) {
+    const PatternSearch::Ended& walk = pattern_->ended()[k];
+    line_steps_[line_axes_[k]] = std::max(walk.helped ? walk.step : kLineShrinkage * walk.step, 0.5);
+  }
+  line_turn_ += pattern_->ended().size();
+  population_[BestIndex(population_)] = pattern_->best();
+  kicks_done_ = 0;
+  AskKick();
+}
+
+void Dvhde::AskKick() {
+  if (continuous_.empty() || discrete_.empty() || kicks_done_ == options_.kicks) return EndEvolution();
+  stage_ = Stage::kKicks;
+  Draws draws = DrawsFor(DrawPurpose::kLine, static_cast<std::size_t>(kicks_done_));
+  ++kicks_done_;
+  kicked_ = draws.Uniform() < 0.5 ? BestIndex(population_) : OneOfTheBest(draws);
+  const std::size_t axis = AnyOf(discrete_, draws);
+  LatticePoint point = Point(kicked_);
+  const int direction = draws.Uniform() < 0.5 ? -1 : 1;
+  const auto is_in = [&](std::int64_t gene) { return gene >= 1 && gene <= lattice_->count(axis); };
+  point[axis] += is_in(point[axis] + direction) ? direction : -direction;
+  pattern_.emplace(*lattice_, std::move(point), WalksAfterKick(*lattice_, axis));
+  AskOne();
+}
+
+void Dvhde::EndKick() {
+  if (IsBetter(pattern_->best().score, population_[kicked_].score)) population_[kicked_] = pattern_->best();
+  AskKick();
+}
+
+/// Of the best members those that are far from where refinements have been.
+void Dvhde::AskRefinements() {
+  std::vector<LatticePoint> known = refined_;
+  for (const std::size_t i : BestFirst()) {
+    const bool is_far = std::all_of(known.begin(), known.end(), [&](const LatticePoint& other) {
+      return LatticeDistance(*lattice_, Point(i), other) > options_.refine_apart;
+    });
+    if (!is_far || !population_[i].score.ok()) continue;
+    known.push_back(Point(i));
+    refined_from_.push_back(Point(i));
+    refined_members_.push_back(i);
+    if (refined_from_.size() == static_cast<std::size_t>(options_.refinements)) break;
+  }
+  if (refined_from_.empty()) return EndEvolution();
+  stage_ = Stage::kRefinements;
+  asked_.clear();
+}
+
+void Dvhde::TellRefined(const Population& found) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    Individual& member = population_[refined_members_[k]];
+    refined_.push_back(member.point);
+    refined_.push_back(found[k].point);
+    if (IsBetter(found[k].score, member.score)) member = found[k];
+  }
+  refined_from_.clear();
+  refined_members_.clear();
+  EndEvolution();
+}
+
+void Dvhde::AskOne() { asked_ = {*pattern_->Ask()}; }
+
 void Dvhde::EndEvolution() {
-  const bool gained = IsBetter(Best().score, previous_);
+  const Score best = Best().score;
+  if (IsBetter(best, record_.score)) record_ = Best();
+  const bool gained = IsBetter(best, previous_);
   state_.stagnant_generations = gained ? 0 : state_.stagnant_generations + 1;
-  since_gain_ = gained ? 0 : since_gain_ + 1;
+  Score wanted = reference_;
+  if (wanted.ok()) wanted.cost *= 1 - options_.least_gain;
+  if (IsBetter(best, wanted)) {
+    stagnation_ = 0;
+    reference_ = best;
+  } else {
+    stagnation_ += generation_weight_;
+  }
   if (NeedsMigration()) return AskMigrants();
   EndGeneration();
 }
 
 void Dvhde::AskMigrants() {
   stage_ = Stage::kMigrants;
-  kept_ = BestIndex(population_);
+  const std::size_t best = BestIndex(population_);
+  if (options_.keep_best) kept_ = population_[best];
+  members_ = std::min(static_cast<std::size_t>(options_.most_members),
+                      static_cast<std::size_t>(std::lround(options_.growth * static_cast<double>(members_))));
+  const std::size_t count = members_ * static_cast<std::size_t>(options_.draws_per_member);
+  const LatticePoint from = options_.keep_best ? Point(best) : record_.point;
   asked_.clear();
-  for (std::size_t i = 0; i < population_.size(); ++i) {
-    if (i == kept_) continue;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (options_.keep_best && i == best) continue;
     Draws draws = DrawsFor(DrawPurpose::kMigration, i);
-    asked_.push_back(Scatter(*lattice_, Point(kept_), draws));
+    asked_.push_back(Scatter(*lattice_, from, draws));
   }
 }
 
 void Dvhde::Migrate(const std::vector<Score>& scores) {
-  for (std::size_t i = 0; i < scores.size(); ++i) population_[i < kept_ ? i : i + 1] = {asked_[i], scores[i]};
+  const std::size_t best = kept_ ? BestIndex(population_) : 0;
+  elites_.Clear();
+  replaced_.clear();
+  line_steps_ = FirstLineSteps(*lattice_);
+  const std::size_t members = members_;
+  if (kept_) --members_;
+  Keep(scores);
+  members_ = members;
+  if (kept_)
+    population_.insert(population_.begin() + static_cast<std::ptrdiff_t>(std::min(best, population_.size())), *kept_);
+  kept_.reset();
+  reference_ = Best().score;
   state_.migrated = true;
-  since_gain_ = 0;
-  EndGeneration();
+  stagnation_ = 0;
+  if (options_.acceleration == Acceleration::kLeastSquares) Accelerate();
+  else EndGeneration();
 }
 
 void Dvhde::EndGeneration() {
@@ -143,12 +336,22 @@ void Dvhde::EndGeneration() {
 
 bool Dvhde::IsSlow() const {
   const Score now = Best().score;
-  if (options_.simplex_iterations == 0 || !previous_.ok()) return false;
+  if (!Accelerates() || !previous_.ok()) return false;
   return now.cost > (1 - options_.accelerate_below) * previous_.cost;
 }
 
+bool Dvhde::Accelerates() const {
+  switch (options_.acceleration) {
+    case Acceleration::kSimplex: return options_.simplex_iterations > 0;
+    case Acceleration::kPattern: return options_.line_searches + options_.kicks > 0;
+    case Acceleration::kLeastSquares: return true;
+  }
+  return false;
+}
+
 bool Dvhde::NeedsMigration() const {
-  if (options_.migrate_after > 0 && since_gain_ >= options_.migrate_after) return true;
+  if (options_.migrate_after > 0 && stagnation_ >= options_.migrate_after) return true;
+  if (options_.migrate_after > 0 && options_.count_new_trials && IsCollapsed()) return true;
   return CurrentDiversity() < options_.migrate_below_diversity;
 }
 
@@ -164,10 +367,30 @@ double Dvhde::CurrentDiversity() const {
 std::vector<double> Dvhde::Factors(double generation_factor, Draws& draws) const {
   const bool constant = options_.factor_rule == MutationFactor::kConstant;
   std::vector<double> factors(lattice_->size(), constant ? options_.factor : generation_factor);
+  if (options_.factor_rule == MutationFactor::kPerTrial)
+    std::fill(factors.begin(), factors.end(), TrialFactor(options_.factor, draws));
   if (options_.factor_rule == MutationFactor::kPerGene) {
     for (double& factor : factors) factor = draws.Uniform();
   }
   return factors;
+}
+
+double Dvhde::TrialFactor(double factor, Draws& draws) const {
+  return factor + options_.factor_spread * (2 * draws.Uniform() - 1);
+}
+
+std::vector<std::size_t> Dvhde::BestFirst() const {
+  std::vector<std::size_t> order(population_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return IsBetter(population_[a].score, population_[b].score); });
+  return order;
+}
+
+std::size_t Dvhde::OneOfTheBest(Draws& draws) const {
+  const auto count =
+      std::max<std::int64_t>(1, std::llround(options_.best_share * static_cast<double>(population_.size())));
+  return BestFirst()[static_cast<std::size_t>(draws.Integer(0, count - 1))];
 }
 
 Draws Dvhde::DrawsFor(DrawPurpose purpose, std::size_t individual) const {

@@ -36,6 +36,14 @@ LatticePoint Mutate(const LatticePoint& base, const LatticePoint& plus, const La
   return mutant;
 }
 
+LatticePoint MutateTowards(const LatticePoint& start, const LatticePoint& towards, const LatticePoint& plus,
+                           const LatticePoint& minus, double factor) {
+  LatticePoint mutant(start.size());
+  for (std::size_t j = 0; j < start.size(); ++j)
+    mutant[j] = start[j] + std::llround(factor * static_cast<double>(towards[j] - start[j] + plus[j] - minus[j]));
+  return mutant;
+}
+
 LatticePoint Cross(const LatticePoint& parent, const LatticePoint& mutant, double rate, bool forced_gene,
                    Draws& draws) {
   LatticePoint trial = parent;

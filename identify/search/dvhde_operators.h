@@ -19,6 +19,10 @@ std::array<std::size_t, 3> PickThree(std::size_t population, std::size_t exclude
 LatticePoint Mutate(const LatticePoint& base, const LatticePoint& plus, const LatticePoint& minus,
                     const std::vector<double>& factors);
 
+/// start + round(factor (towards - start) + factor (plus - minus)): rand-to-pbest/1; may leave the lattice.
+LatticePoint MutateTowards(const LatticePoint& start, const LatticePoint& towards, const LatticePoint& plus,
+                           const LatticePoint& minus, double factor);
+
 /// Binomial crossover (thesis eq. 2.3): a gene is the mutant's with probability `rate`, else the parent's. With
 /// `forced_gene` one gene, drawn at random, is the mutant's in any case, so that no trial equals its parent.
 LatticePoint Cross(const LatticePoint& parent, const LatticePoint& mutant, double rate, bool forced_gene, Draws& draws);

@@ -24,7 +24,7 @@ class SearchRun {
       if (EndsAfterGeneration()) break;
     }
     // What came after the last whole generation.
-    if (result_.log.empty() || result_.log.back().paid != Paid() || result_.log.back().best_cost != best_.cost) Log();
+    if (result_.log.empty() || result_.log.back().paid != Paid() || result_.log.back().best_cost != BestCost()) Log();
     result_.reason = Reason();
     return result_;
   }
@@ -35,6 +35,7 @@ class SearchRun {
   // Scores what the method asks for; false when the search ends within or before the batch.
   bool Step() {
     if (EndsBeforeBatch()) return false;
+    if (!method_.AskRefined().empty()) return RefineAsked();
     const std::vector<LatticePoint>& asked = method_.Ask();
     const std::vector<LatticePoint> affordable(asked.begin(), FirstBeyondBudget(asked));
     const std::vector<Score> scores = archive_.Evaluate(affordable);
@@ -42,13 +43,39 @@ class SearchRun {
       if (score.ok() && IsBetter(score, best_)) best_ = score;
     }
     if (affordable.size() < asked.size()) return !End(ReachesTarget() ? SearchEnd::kTarget : SearchEnd::kEvaluations);
+    if (ReachesTarget()) return !End(SearchEnd::kTarget);
     method_.Tell(scores);
     return true;
   }
 
+  bool RefineAsked() {
+    Population found;
+    for (const LatticePoint& point : method_.AskRefined()) {
+      const Eigen::VectorXd values = hooks_.refine(archive_.lattice().Values(point), [this] { return MustEnd(); });
+      if (MustEnd()) return !EndNow();
+      const LatticePoint near = archive_.lattice().Nearest(values);
+      found.push_back({near, archive_.Evaluate({near}).front()});
+      if (IsBetter(found.back().score, best_)) best_ = found.back().score;
+    }
+    method_.TellRefined(found);
+    return true;
+  }
+
+  /// What ends a search within a refinement.
+  bool MustEnd() const {
+    return ReachesTarget() || Paid() >= rules_.max_evaluations || Seconds() >= rules_.max_seconds ||
+           (hooks_.stop && hooks_.stop());
+  }
+  bool EndNow() {
+    if (ReachesTarget()) return End(SearchEnd::kTarget);
+    if (Paid() >= rules_.max_evaluations) return End(SearchEnd::kEvaluations);
+    return End(Seconds() >= rules_.max_seconds ? SearchEnd::kOutOfTime : SearchEnd::kStopped);
+  }
+
   bool EndsBeforeBatch() {
     if (hooks_.stop && hooks_.stop()) return End(SearchEnd::kStopped);
-    if (method_.Ask().empty()) return End(method_.state().collapsed ? SearchEnd::kCollapse : SearchEnd::kFinished);
+    if (method_.Ask().empty() && method_.AskRefined().empty())
+      return End(method_.state().collapsed ? SearchEnd::kCollapse : SearchEnd::kFinished);
     if (Seconds() >= rules_.max_seconds) return End(SearchEnd::kOutOfTime);
     return false;
   }
@@ -72,7 +99,14 @@ class SearchRun {
     return true;
   }
 
-  bool ReachesTarget() const { return best_.ok() && rules_.target_cost && best_.cost <= *rules_.target_cost; }
+  /// On the lattice or, by a refinement, off it.
+  double BestCost() const {
+    const auto& all = archive_.improvements();
+    const bool has_new = all.size() > improvements_before_;
+    return std::min(best_.ok() ? best_.cost : std::numeric_limits<double>::infinity(),
+                    has_new ? all.back().cost : std::numeric_limits<double>::infinity());
+  }
+  bool ReachesTarget() const { return rules_.target_cost && BestCost() <= *rules_.target_cost; }
 
   std::vector<LatticePoint>::const_iterator FirstBeyondBudget(const std::vector<LatticePoint>& points) const {
     const std::int64_t left = rules_.max_evaluations - Paid();
@@ -88,7 +122,7 @@ class SearchRun {
     const EvaluationCounts& counts = archive_.counts();
     const MethodState state = method_.state();
     const SearchGeneration generation = {.generation = state.generation,
-                                         .best_cost = best_.cost,
+                                         .best_cost = BestCost(),
                                          .paid = Paid(),
                                          .reused = counts.reused - before_.reused,
                                          .failed = counts.failed() - before_.failed(),
@@ -103,7 +137,7 @@ class SearchRun {
     std::ostringstream text;
     text << SearchEndName(result_.end) << ": ";
     switch (result_.end) {
-      case SearchEnd::kTarget: text << best_.cost << " for " << *rules_.target_cost << ", "; break;
+      case SearchEnd::kTarget: text << BestCost() << " for " << *rules_.target_cost << ", "; break;
       case SearchEnd::kGenerations: text << rules_.max_generations << " generations, "; break;
       case SearchEnd::kOutOfTime: text << Seconds() << " s of " << rules_.max_seconds << " s, "; break;
       case SearchEnd::kStagnation: text << method_.state().stagnant_generations << " generations, "; break;
@@ -122,6 +156,7 @@ class SearchRun {
   const StopRules& rules_;
   const SearchHooks& hooks_;
   const EvaluationCounts before_;
+  const std::size_t improvements_before_ = archive_.improvements().size();
   const Clock::time_point start_ = Clock::now();
   Score best_ = {std::numeric_limits<double>::infinity(), Failure::kNotFinite};
   std::int64_t paid_last_ = 0;

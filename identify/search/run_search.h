@@ -45,6 +45,8 @@ struct SearchHooks {
   std::function<void(const SearchGeneration&)> progress;
   /// Before each batch of evaluations; true ends the search with what it has.
   std::function<bool()> stop;
+  /// For methods that accelerate by derivatives: from these values to better ones, unless `stop` says to end.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& values, const std::function<bool()>& stop)> refine;
 };
 
 /// Which good points of the archive to report as candidates.

@@ -4,6 +4,7 @@
 
 #include "identify/search/archive.h"
 #include "identify/search/lattice.h"
+#include "identify/search/population.h"
 
 namespace fourpost {
 
@@ -34,6 +35,15 @@ class SearchMethod {
 
   /// Scores of the points asked for, in their order.
   virtual void Tell(const std::vector<Score>& scores) = 0;
+
+  /// Points to start refinements by derivatives from next, in place of points to score; most often none.
+  virtual const std::vector<LatticePoint>& AskRefined() const {
+    static const std::vector<LatticePoint> none;
+    return none;
+  }
+
+  /// Where each of them has led, in their order, on the lattice.
+  virtual void TellRefined(const Population&) {}
 
   /// Whether the scores told last completed a generation.
   virtual bool EndsGeneration() const = 0;

@@ -55,8 +55,26 @@ inline Problem Flat() {
   return {Lattice({{"a", 0, 1000, 1}, {"b", 0, 1000, 1}}), [](const Eigen::VectorXd&) { return OneResidual(1); }};
 }
 
+/// Differential evolution of 40 with the thesis's two hybrid operators, to test each mechanism by itself.
+inline DvhdeOptions ClassicDvhde() {
+  DvhdeOptions options = ThesisDvhde();
+  options.population = 40;
+  options.base = MutationBase::kRandom;
+  options.factor = 0.5;
+  options.crossover = 0.9;
+  options.forced_gene = true;
+  options.rank_violations = true;
+  options.migrate_after = 100;
+  options.migrate_below_diversity = 0;
+  options.diversity_measure = DiversityMeasure::kRange;
+  return options;
+}
+
 /// dvHDE with all that a search needs.
 struct DvhdeSearch : DvhdeOptions {
+  DvhdeSearch() : DvhdeOptions(ClassicDvhde()) {}
+  explicit DvhdeSearch(const DvhdeOptions& options) : DvhdeOptions(options) {}
+
   std::uint64_t seed = 1;
   std::int64_t max_evaluations = 10000;
   int max_generations = 1000;
