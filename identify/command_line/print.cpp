@@ -3,10 +3,17 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
-#include "analysis/files/output_folder.h"
+#include "identify/command_line/findings.h"
+#include "identify/command_line/output_file.h"
 
 namespace fourpost {
+namespace {
+
+void TellText(const std::string& text) { std::fprintf(stderr, "%s\n", WithoutControls(text).c_str()); }
+
+}  // namespace
 
 std::string WithoutControls(std::string text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -20,12 +27,20 @@ std::string WithoutControls(std::string text) {
 }
 
 void Tell(const Diagnostics& diagnostics) {
-  if (!diagnostics.items().empty()) std::fprintf(stderr, "%s\n", WithoutControls(diagnostics.Format()).c_str());
+  if (!diagnostics.items().empty()) TellText(diagnostics.Format());
 }
+
+void Tell(const Finding& finding, Place place, const std::vector<std::string>& words) {
+  Diagnostics one;
+  one.Report(finding, std::move(place), words);
+  Tell(one);
+}
+
+void Tell(const OutputError& error) { TellText(error.what()); }
 
 void Print(const std::string& text) {
   if (std::fputs(WithoutControls(text).c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return;
-  throw OutputError(std::string("cannot write the result to stdout: ") + std::strerror(errno));
+  RefuseToWrite(kStdoutNotWritten, {}, {std::strerror(errno)});
 }
 
 }  // namespace fourpost

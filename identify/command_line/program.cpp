@@ -117,7 +117,7 @@ void Program::AddFit() {
                   "model: response.csv and "
                   "response.svg, history.csv and history.svg; parameters.csv compares fitted values with the file's")
       ->required();
-  sub->add_option("--seed", fit_.seed, "Seed of the search, in place of the study's")->check(WholeNumber());
+  sub->add_option("--seed", fit_.seed, "Seed of the search, in place of the study's")->check(WholeNumber("--seed"));
   sub->add_option("--threads", fit_.threads, "Evaluations at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--accept-unidentified", fit_.accept_unidentified,
@@ -168,7 +168,8 @@ void Program::AddCompare() {
       ->type_name(Braced(kMethodNames))
       ->default_str("dvhde,thesis,de,ds,gb");
   sub->add_option("--runs", compare_.runs, "Of each method")->check(CLI::Range(1, 1000000))->capture_default_str();
-  sub->add_option("--seed", compare_.seed, "Of the first run; the others take those after it")->check(WholeNumber());
+  sub->add_option("--seed", compare_.seed, "Of the first run; the others take those after it")
+      ->check(WholeNumber("--seed"));
   sub->add_option("--threads", compare_.threads, "Runs at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_option("--near", compare_.near_best,
@@ -201,7 +202,7 @@ void Program::AddCompletion() {
                         Print(CompletionScript(CommandTable(app_), shell_));
                         return kGood;
                       });
-  sub->add_option("SHELL", shell_, "bash, zsh or fish")->required()->check(OneOf("shell", kShells));
+  sub->add_option("SHELL", shell_, "bash, zsh or fish")->required()->check(OneOf("SHELL", kShells));
 }
 
 void Program::AddMan() {
