@@ -1,6 +1,8 @@
 #include "analysis/numerics/anderson_acceleration.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
+
+#include "analysis/numerics/decompositions.h"
 
 namespace fourpost {
 namespace {
@@ -27,7 +29,7 @@ Eigen::VectorXd AndersonAcceleration::Next(const Eigen::VectorXd& x, const Eigen
   if (step_changes_.empty()) return x + f;
   const Eigen::MatrixXd step_changes = Columns(step_changes_);
   // Column pivoting leaves out differences that add nothing.
-  const Eigen::VectorXd weights = step_changes.colPivHouseholderQr().solve(f);
+  const Eigen::VectorXd weights = LeastSquares(step_changes, f);
   return x + f - (Columns(iterate_changes_) + step_changes) * weights;
 }
 

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/search/draws.h"
@@ -52,8 +53,8 @@ Covariance Judge(const Archive& archive, const Eigen::VectorXd& values, const Ei
 
 /// Largest singular value.
 double Largest(const Eigen::MatrixXd& jacobian) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> squares(jacobian.transpose() * jacobian, Eigen::EigenvaluesOnly);
-  return std::max(std::sqrt(squares.eigenvalues().maxCoeff()), std::numeric_limits<double>::min());
+  const Eigen::VectorXd squares = SymmetricEigenvaluesOf(jacobian.transpose() * jacobian);
+  return std::max(std::sqrt(squares.maxCoeff()), std::numeric_limits<double>::min());
 }
 
 }  // namespace

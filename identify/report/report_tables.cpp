@@ -19,7 +19,7 @@ using Rows = std::vector<std::vector<Cell>>;
 std::string Percent(double share) { return ShownDecimals(100 * share, 2) + '%'; }
 
 /// Where a value lies between the bounds, 0 to 1.
-double Place(const ReportedParameter& parameter, double value) {
+double ShareOfRange(const ReportedParameter& parameter, double value) {
   return std::clamp((value - parameter.lower) / (parameter.upper - parameter.lower), 0.0, 1.0);
 }
 
@@ -34,16 +34,16 @@ bool AboveUpper(const ReportedParameter& parameter) {
 Cell BarCell(const ReportedParameter& parameter) {
   if (!(parameter.upper > parameter.lower)) return TextCell("");
   // Open: anything between the bounds.
-  const double from = std::isfinite(parameter.sd) ? Place(parameter, parameter.lower_95) : 0;
-  const double to = std::isfinite(parameter.sd) ? Place(parameter, parameter.upper_95) : 1;
+  const double from = std::isfinite(parameter.sd) ? ShareOfRange(parameter, parameter.lower_95) : 0;
+  const double to = std::isfinite(parameter.sd) ? ShareOfRange(parameter, parameter.upper_95) : 1;
   std::string bar = "<span class=\"bar\" title=\"between the bounds: interval of 95 %, fitted value, start\">";
   if (!std::isnan(parameter.sd))
     bar += "<i class=\"interval" + std::string(std::isinf(parameter.sd) ? " open" : "") +
            (BelowLower(parameter) ? " below" : "") + (AboveUpper(parameter) ? " above" : "") +
            "\" style=\"left:" + Percent(from) + ";width:" + Percent(to - from) + "\"></i>";
   if (std::isfinite(parameter.start))
-    bar += "<i class=\"start\" style=\"left:" + Percent(Place(parameter, parameter.start)) + "\"></i>";
-  bar += "<i class=\"value\" style=\"left:" + Percent(Place(parameter, parameter.value)) + "\"></i></span>";
+    bar += "<i class=\"start\" style=\"left:" + Percent(ShareOfRange(parameter, parameter.start)) + "\"></i>";
+  bar += "<i class=\"value\" style=\"left:" + Percent(ShareOfRange(parameter, parameter.value)) + "\"></i></span>";
   return {bar, "barcell"};
 }
 

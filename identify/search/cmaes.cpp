@@ -5,8 +5,9 @@
 #include <numbers>
 #include <numeric>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "analysis/text/option_check.h"
 #include "identify/search/dvhde_operators.h"
 
@@ -171,10 +172,10 @@ void Cmaes::Decompose() {
     covariance_(j, j) = std::max(covariance_(j, j), least * least / (sigma_ * sigma_));
   }
   covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance_);
-  axes_ = solver.eigenvectors();
-  const double largest = solver.eigenvalues().maxCoeff();
-  scales_ = solver.eigenvalues().cwiseMax(1e-14 * largest).cwiseSqrt();
+  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(covariance_);
+  axes_ = pairs.vectors;
+  const double largest = pairs.values.maxCoeff();
+  scales_ = pairs.values.cwiseMax(1e-14 * largest).cwiseSqrt();
 }
 
 LatticePoint Cmaes::Rounded(const Eigen::VectorXd& unit) const {

@@ -8,8 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include <Eigen/SVD>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "analysis/signals/student_t.h"
 #include "analysis/text/option_check.h"
 #include "identify/refine/fit_variables.h"
@@ -46,10 +47,10 @@ void PointAlongLargest(Eigen::Ref<Eigen::VectorXd> direction) {
 
 void Decompose(const Eigen::MatrixXd& jacobian, double rank_threshold, Covariance& covariance) {
   const Eigen::Index n = jacobian.cols();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullV);
+  const SingularValues svd = SingularValuesOf(jacobian, SingularValues::kRight);
   covariance.singular_values = Eigen::VectorXd::Zero(n);
-  covariance.singular_values.head(svd.singularValues().size()) = svd.singularValues();
-  covariance.directions = svd.matrixV();
+  covariance.singular_values.head(svd.values.size()) = svd.values;
+  covariance.directions = svd.right;
   for (Eigen::Index i = 0; i < n; ++i) PointAlongLargest(covariance.directions.col(i));
 
   const Eigen::VectorXd& values = covariance.singular_values;

@@ -15,7 +15,7 @@ if(NOT count EQUAL 1)
 endif()
 
 execute_process(COMMAND dpkg-deb --field ${packages} Depends OUTPUT_VARIABLE depends COMMAND_ERROR_IS_FATAL ANY)
-foreach(library IN ITEMS libceres libsimbody liburdfdom-model libyaml-cpp)
+foreach(library IN ITEMS libassimp libsimbody liburdfdom-model libyaml-cpp)
   if(NOT depends MATCHES ${library})
     message(FATAL_ERROR "the package does not depend on ${library}: ${depends}")
   endif()

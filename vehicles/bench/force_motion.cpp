@@ -5,8 +5,9 @@
 #include <numbers>
 #include <vector>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "analysis/signals/deviation.h"
 #include "analysis/signals/turning_points.h"
 
@@ -38,7 +39,7 @@ double ShareOfMotion(std::span<const double> x, std::span<const double> v, std::
   const Eigen::VectorXd wanted = Centred(force);
   const double variance = wanted.squaredNorm();
   if (variance == 0) return 0;
-  const Eigen::VectorXd left = wanted - motion * motion.colPivHouseholderQr().solve(wanted);
+  const Eigen::VectorXd left = wanted - motion * LeastSquares(motion, wanted);
   return 1 - left.squaredNorm() / variance;
 }
 
@@ -46,9 +47,9 @@ ForceSides SidesOf(std::span<const double> x, std::span<const double> v, std::sp
   const Eigen::MatrixXd motion = MotionTerms(x, v);
   const Eigen::VectorXd wanted = Centred(force);
   const auto alike = motion.leftCols(4);
-  const Eigen::VectorXd terms = motion.colPivHouseholderQr().solve(wanted);
+  const Eigen::VectorXd terms = LeastSquares(motion, wanted);
   const double left = (wanted - motion * terms).squaredNorm();
-  const double left_alike = (wanted - alike * alike.colPivHouseholderQr().solve(wanted)).squaredNorm();
+  const double left_alike = (wanted - alike * LeastSquares(alike, wanted)).squaredNorm();
   if (left_alike == 0) return {};
   // What both sides take, and what rebound takes more.
   const Eigen::Map<const Eigen::VectorXd> rate(v.data(), static_cast<Eigen::Index>(v.size()));

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/numerics/decompositions.h"
 #include "analysis/text/number.h"
 #include "vehicles/condensed/preload_map.h"
 
@@ -18,7 +19,7 @@ constexpr const char* kHolder = R"(spring, tyre or bushing with preload="equilib
 /// The part of a generalised force that no combination of the columns can take.
 Eigen::VectorXd Rest(const Eigen::VectorXd& force, const Eigen::MatrixXd& columns) {
   if (columns.size() == 0) return force;
-  return force - columns * Decomposed(columns).solve(force);
+  return force - columns * LeastNorm(columns, kHeldShare).Solve(force);
 }
 
 bool IsHeld(const Eigen::VectorXd& direction, const Eigen::MatrixXd& columns) {

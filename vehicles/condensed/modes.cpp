@@ -5,8 +5,9 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "vehicles/condensed/linear_vehicle.h"
 
 namespace fourpost {
@@ -47,11 +48,11 @@ Mode WithoutOscillation(const RealPole& one, const RealPole& other) {
 /// Motions that nothing holds: K shape = w^2 M shape with |w| next to zero.
 std::vector<Mode> FreeModes(const CondensedModel& model) {
   const Eigen::MatrixXd stiffness = 0.5 * (model.stiffness + model.stiffness.transpose());
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, model.mass);
+  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(stiffness, model.mass);
   std::vector<Mode> modes;
-  for (Eigen::Index i = 0; i < solver.eigenvalues().size(); ++i)
-    if (std::abs(solver.eigenvalues()[i]) < kSlowestMotion_per_s * kSlowestMotion_per_s)
-      modes.push_back({.kind = Mode::Kind::kFree, .shape = Normalised(solver.eigenvectors().col(i))});
+  for (Eigen::Index i = 0; i < pairs.values.size(); ++i)
+    if (std::abs(pairs.values[i]) < kSlowestMotion_per_s * kSlowestMotion_per_s)
+      modes.push_back({.kind = Mode::Kind::kFree, .shape = Normalised(pairs.vectors.col(i))});
   return modes;
 }
 
@@ -107,13 +108,13 @@ Eigen::MatrixXd StateMatrix(const CondensedModel& model) {
 
 std::vector<Mode> ModesOf(const CondensedModel& model) {
   const Eigen::Index n = model.mass.rows();
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(StateMatrix(model));
+  const Eigenpairs pairs = EigenpairsOf(StateMatrix(model));
   std::vector<Mode> modes = FreeModes(model);
   std::vector<RealPole> real;
   const std::size_t free_modes = modes.size();
-  for (Eigen::Index i = 0; i < solver.eigenvalues().size(); ++i) {
-    const std::complex<double> pole = solver.eigenvalues()[i];
-    const Eigen::VectorXcd shape = solver.eigenvectors().col(i).head(n);
+  for (Eigen::Index i = 0; i < pairs.values.size(); ++i) {
+    const std::complex<double> pole = pairs.values[i];
+    const Eigen::VectorXcd shape = pairs.vectors.col(i).head(n);
     const bool is_slow = std::abs(pole) < kSlowestMotion_per_s;
     if (pole.imag() == 0 || is_slow) real.push_back({pole.real(), shape.real()});
     else if (pole.imag() > 0) modes.push_back(Oscillating(pole, shape));

@@ -1,21 +1,18 @@
 #include "vehicles/condensed/preload_map.h"
 
-namespace fourpost {
+#include <Eigen/Cholesky>
 
-Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> Decomposed(const Eigen::MatrixXd& columns) {
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-  factors.setThreshold(kHeldShare);
-  return factors.compute(columns);
-}
+#include "analysis/numerics/decompositions.h"
+
+namespace fourpost {
 
 PreloadMap::PreloadMap(const Eigen::MatrixXd& holders)
     : least_(Eigen::MatrixXd::Zero(holders.cols(), holders.rows())), redundant_(holders.cols(), 0) {
   if (holders.size() == 0) return;
-  const auto factors = Decomposed(holders);
-  least_ = -factors.pseudoInverse();
+  const LeastNorm factors(holders, kHeldShare);
+  least_ = -factors.PseudoInverse();
   if (factors.rank() == holders.cols()) return;
-  // H P = Q T Z: the last rows of Z span what H does not feel.
-  redundant_ = factors.colsPermutation() * factors.matrixZ().transpose().rightCols(holders.cols() - factors.rank());
+  redundant_ = factors.NullSpace();
 }
 
 Eigen::VectorXd PreloadMap::At(const Eigen::VectorXd& force, const Eigen::VectorXd& rates) const {

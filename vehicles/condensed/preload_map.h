@@ -1,16 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
 namespace fourpost {
 
 /// Directions are exact to rounding: projections leave about 1e-15 of them. A motion that nothing holds leaves a share
 /// set by the geometry, centimetres in metres at the least.
 inline constexpr double kHeldShare = 1e-9;
-
-/// Decomposition of directions in columns, at least one.
-Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> Decomposed(const Eigen::MatrixXd& columns);
 
 /// The preloads p that equilibrium sets: of all that hold a generalised force w, H p + w = 0, those of least strain
 /// energy, sum of p_i^2 / (2 k_i). On a statically indeterminate car, springs and tyres thus share the load by their

@@ -5,8 +5,10 @@
 #include <complex>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <Eigen/LU>
+
+#include "analysis/numerics/decompositions.h"
 
 namespace fourpost {
 namespace {
@@ -69,19 +71,19 @@ Receptance::Receptance(const CondensedModel& model, const std::vector<Port>& por
 std::optional<Receptance::Poles> Receptance::FindPoles() const {
   const Eigen::VectorXd units = StateUnits(vehicle_);
   const Eigen::VectorXd inverse = units.cwiseInverse();
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(inverse.asDiagonal() * vehicle_.StateMatrix() * units.asDiagonal());
-  if (solver.info() != Eigen::Success) return {};
-  const Eigen::MatrixXcd scaled = solver.eigenvectors();
+  const Eigenpairs pairs = EigenpairsOf(inverse.asDiagonal() * vehicle_.StateMatrix() * units.asDiagonal());
+  if (!pairs.converged) return {};
+  const Eigen::MatrixXcd& scaled = pairs.vectors;
   const Eigen::MatrixXcd inputs =
-      scaled.partialPivLu().solve((inverse.asDiagonal() * vehicle_.StateInput(forces_)).cast<Complex>());
+      Solved(scaled, (inverse.asDiagonal() * vehicle_.StateInput(forces_)).cast<Complex>().eval());
   if (!inputs.allFinite()) return {};
   const Eigen::MatrixXcd vectors = units.asDiagonal() * scaled;
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < vectors.cols(); ++k)
-    if (solver.eigenvalues()[k].imag() >= 0) kept.push_back(k);
+    if (pairs.values[k].imag() >= 0) kept.push_back(k);
   const Eigen::Index n = vehicle_.mass.rows();
   Poles poles;
-  poles.values = solver.eigenvalues()(kept);
+  poles.values = pairs.values(kept);
   poles.inputs = inputs(kept, Eigen::all);
   poles.input_sizes = poles.inputs.leftCols(directions_.cols()).cwiseAbs();
   poles.shapes.resize(vehicle_.size(), static_cast<Eigen::Index>(kept.size()));
@@ -129,8 +131,7 @@ void Receptance::Ports(double omega, int harmonics, Eigen::MatrixXcd& receptance
   if (!poles_) {
     for (int h = 0; h <= harmonics; ++h) {
       const Eigen::MatrixXcd across =
-          -directions_.transpose() *
-          vehicle_.Impedance(h * omega).partialPivLu().solve(directions_.cast<Complex>()).eval();
+          -directions_.transpose() * Solved(vehicle_.Impedance(h * omega), directions_.cast<Complex>().eval());
       receptance.row(h) = across.reshaped().transpose();
     }
     return;
@@ -222,7 +223,7 @@ Eigen::MatrixXcd Receptance::UnitMotions(double omega) const {
     SumResidues(omega, 1, 1, poles_->motion_residues, row);
     motions = row.row(0).reshaped(size(), count + 2);
   } else {
-    motions = vehicle_.Impedance(omega).partialPivLu().solve(forces_.cast<Complex>());
+    motions = Solved(vehicle_.Impedance(omega), forces_.cast<Complex>().eval());
   }
   // Posts act by height and velocity.
   motions.col(count) += Complex(0, omega) * motions.col(count + 1);
@@ -291,17 +292,16 @@ Eigen::VectorXcd Receptance::SumOverPoles(const Poles& poles, double omega, cons
 Eigen::MatrixXcd Receptance::MotionBy(double omega, const Eigen::MatrixXcd& forces) const {
   Eigen::MatrixXcd motion(forces.rows(), forces.cols());
   for (Eigen::Index h = 0; h < forces.rows(); ++h)
-    motion.row(h) = vehicle_.Impedance(static_cast<double>(h) * omega)
-                        .partialPivLu()
-                        .solve(forces.row(h).transpose().eval())
-                        .transpose();
+    motion.row(h) =
+        Solved(vehicle_.Impedance(static_cast<double>(h) * omega), Eigen::VectorXcd(forces.row(h).transpose()))
+            .transpose();
   return motion;
 }
 
 Eigen::VectorXcd Receptance::Motion(double omega, const Eigen::VectorXcd& tensions, double post_amplitude) const {
   const Eigen::VectorXcd inputs = Inputs(omega, tensions, post_amplitude);
   if (poles_) return SumOverPoles(*poles_, omega, inputs);
-  return vehicle_.Impedance(omega).partialPivLu().solve(forces_ * inputs);
+  return Solved(vehicle_.Impedance(omega), Eigen::VectorXcd(forces_ * inputs));
 }
 
 }  // namespace fourpost

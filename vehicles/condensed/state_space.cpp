@@ -1,7 +1,8 @@
 #include "vehicles/condensed/state_space.h"
 
-#include <unsupported/Eigen/MatrixFunctions>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "vehicles/condensed/linear_vehicle.h"
 
 namespace fourpost {
@@ -30,7 +31,7 @@ StateSpace::StateSpace(const CondensedModel& model) {
 }
 
 MatrixXd StateSpace::ImpulseResponse(const Eigen::VectorXd& shape, double step_s, Index samples) const {
-  const MatrixXd step = (a * step_s).exp();
+  const MatrixXd step = Exponential(a * step_s);
   Eigen::VectorXd state = b * shape;
   MatrixXd readings(samples, c.rows());
   for (Index k = 0; k < samples; ++k, state = step * state) readings.row(k) = (c * state).transpose();

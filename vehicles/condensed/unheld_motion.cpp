@@ -4,10 +4,9 @@
 #include <cmath>
 #include <functional>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "vehicles/condensed/preload_map.h"
 
 namespace fourpost {
@@ -27,9 +26,9 @@ Eigen::MatrixXd FeltByNone(const StaticLoads& loads) {
     if (IsPreload(force)) Append(force.direction, preloads);
   const Eigen::Index n = preloads.rows();
   if (preloads.cols() == 0) return Eigen::MatrixXd::Identity(n, n);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(preloads, Eigen::ComputeFullU);
-  const Eigen::VectorXd& sizes = svd.singularValues();
-  return svd.matrixU().rightCols(n - (sizes.array() > kHeldShare * std::max(1.0, sizes[0])).count());
+  const SingularValues svd = SingularValuesOf(preloads, SingularValues::kLeft);
+  const Eigen::VectorXd& sizes = svd.values;
+  return svd.left.rightCols(n - (sizes.array() > kHeldShare * std::max(1.0, sizes[0])).count());
 }
 
 /// Z' w of the forces that act in the motions Z.
@@ -50,11 +49,11 @@ Eigen::MatrixXd Released(const StaticLoads& loads, const Eigen::MatrixXd& motion
   if (acting.size() == 0) return {motions.rows(), 0};
   const Eigen::MatrixXd moved = EnergyRows(loads.links, motions.rows()) * motions;
   const Eigen::MatrixXd mass = moved.transpose() * moved;
-  const Eigen::MatrixXd accelerations = mass.completeOrthogonalDecomposition().solve(acting);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(acting.transpose() * accelerations);
-  const Eigen::VectorXd& energies = solver.eigenvalues();
+  const Eigen::MatrixXd accelerations = LeastNorm(mass).Solve(acting);
+  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(acting.transpose() * accelerations);
+  const Eigen::VectorXd& energies = pairs.values;
   const Eigen::Index count = (energies.array() > kOfItsOwn * kOfItsOwn * energies.maxCoeff()).count();
-  return motions * accelerations * solver.eigenvectors().rightCols(count) *
+  return motions * accelerations * pairs.vectors.rightCols(count) *
          energies.tail(count).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 

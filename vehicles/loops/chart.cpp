@@ -1,7 +1,8 @@
 #include "vehicles/loops/chart.h"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "vehicles/loops/loop_lock.h"
 #include "vehicles/loops/loop_space.h"
 
@@ -14,15 +15,8 @@ Eigen::MatrixXd Stacked(const Eigen::MatrixXd& upper, const Eigen::MatrixXd& low
   return stacked;
 }
 
-using LeastNorm = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
-
 /// Equations that repeat others say the same but for rounding, which must not be divided by.
-LeastNorm FactorsOf(const Eigen::MatrixXd& matrix) {
-  LeastNorm solver;
-  solver.setThreshold(kLoopRankTolerance);
-  solver.compute(matrix);
-  return solver;
-}
+LeastNorm FactorsOf(const Eigen::MatrixXd& matrix) { return LeastNorm(matrix, kLoopRankTolerance); }
 
 /// Errors of the loops and of s in one column per case.
 Eigen::MatrixXd OfLoops(const Eigen::MatrixXd& errors, Eigen::Index size) {
@@ -53,7 +47,7 @@ Eigen::VectorXd Chart::Close(const Eigen::VectorXd& s) {
     Eigen::VectorXd error(loop_error.size() + s.size());
     error << loop_error, basis_.transpose() * (q - multibody_.design_pose()) - s;
     if (error.lpNorm<Eigen::Infinity>() < kClosed) return q;
-    q -= FactorsOf(Stacked(multibody_.LoopJacobian(), basis_.transpose())).solve(error);
+    q -= FactorsOf(Stacked(multibody_.LoopJacobian(), basis_.transpose())).Solve(error);
     multibody_.SetPose(q);
   }
   throw LoopsCannotFollow(multibody_);
@@ -79,10 +73,10 @@ Chart::Motion Chart::Follow(double t, const Eigen::VectorXd& s, const Eigen::Vec
   motion.q = Close(s);
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
   const LeastNorm solver = FactorsOf(Stacked(loops, basis_.transpose()));
-  motion.tangent = solver.solve(OfCoordinates(loops.rows(), size()));
+  motion.tangent = solver.Solve(OfCoordinates(loops.rows(), size()));
   motion.rate = motion.tangent * rate;
   move();
-  motion.acceleration = motion.tangent * acceleration - solver.solve(OfLoops(multibody_.LoopBias(), size()));
+  motion.acceleration = motion.tangent * acceleration - solver.Solve(OfLoops(multibody_.LoopBias(), size()));
   return motion;
 }
 
@@ -90,7 +84,7 @@ Eigen::MatrixXd Chart::MoveTo(const Eigen::VectorXd& s) {
   Close(s);
   if (!has_loops_) return basis_;
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
-  return FactorsOf(Stacked(loops, basis_.transpose())).solve(OfCoordinates(loops.rows(), size()));
+  return FactorsOf(Stacked(loops, basis_.transpose())).Solve(OfCoordinates(loops.rows(), size()));
 }
 
 }  // namespace fourpost

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include <Eigen/SVD>
+#include <Eigen/Core>
+
+#include "analysis/numerics/decompositions.h"
 
 namespace fourpost {
 namespace {
@@ -39,8 +41,8 @@ Eigen::MatrixXd Bent(const std::vector<Eigen::MatrixXd>& bends, Eigen::Index mot
     all.rightCols(bend.cols()) = bend;
   }
   if (all.size() == 0) return {motions, 0};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeFullU);
-  return svd.matrixU().leftCols((svd.singularValues().array() > kStraight).count());
+  const SingularValues svd = SingularValuesOf(all, SingularValues::kLeft);
+  return svd.left.leftCols((svd.values.array() > kStraight).count());
 }
 
 /// The state of stress that a motion meets; all of them where it meets none by itself, but only with other motions.

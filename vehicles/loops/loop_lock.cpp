@@ -5,8 +5,9 @@
 #include <functional>
 #include <numeric>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "vehicles/loops/dead_centre.h"
 #include "vehicles/loops/loop_pose.h"
 #include "vehicles/loops/wheel_ride.h"
@@ -37,9 +38,7 @@ std::vector<LoopPose> SomePoses(Multibody& multibody) {
   Eigen::VectorXd q = multibody.design_pose() + kStep * motions * mix.normalized();
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     multibody.SetPose(q);
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(kLoopRankTolerance);
-    q -= solver.compute(multibody.LoopJacobian()).solve(multibody.LoopError());
+    q -= LeastNorm(multibody.LoopJacobian(), kLoopRankTolerance).Solve(multibody.LoopError());
   }
   multibody.SetPose(q);
   poses.emplace_back(multibody);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include <Eigen/SVD>
+#include <Eigen/Core>
+
+#include "analysis/numerics/decompositions.h"
 
 namespace fourpost {
 namespace {
@@ -17,8 +19,8 @@ Eigen::MatrixXd Identity(const Multibody& multibody) {
 Eigen::MatrixXd Unseen(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& columns) {
   const Eigen::MatrixXd seen = rows * columns;
   if (seen.size() == 0) return columns;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(seen, Eigen::ComputeFullV);
-  return columns * svd.matrixV().rightCols(columns.cols() - (svd.singularValues().array() > kStill).count());
+  const SingularValues svd = SingularValuesOf(seen, SingularValues::kRight);
+  return columns * svd.right.rightCols(columns.cols() - (svd.values.array() > kStill).count());
 }
 
 LoopPose::LoopPose(const Multibody& multibody)

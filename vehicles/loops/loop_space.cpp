@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include <Eigen/SVD>
+#include <Eigen/Core>
+
+#include "analysis/numerics/decompositions.h"
 
 namespace fourpost {
 
@@ -13,12 +15,12 @@ LoopSpace LoopSpaceOf(const Eigen::MatrixXd& jacobian, Eigen::Index most) {
   space.motions = Eigen::MatrixXd::Identity(columns, columns);
   space.stresses = Eigen::MatrixXd::Identity(rows, rows);
   if (jacobian.size() == 0) return space;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double tolerance = kLoopRankTolerance * std::max(1.0, svd.singularValues()[0]);
-  space.rank = std::min(most, (svd.singularValues().array() > tolerance).count());
-  if (space.rank > 0) space.least = svd.singularValues()[space.rank - 1];
-  space.motions = svd.matrixV().rightCols(columns - space.rank);
-  space.stresses = svd.matrixU().rightCols(rows - space.rank);
+  const SingularValues svd = SingularValuesOf(jacobian, SingularValues::kBoth);
+  const double tolerance = kLoopRankTolerance * std::max(1.0, svd.values[0]);
+  space.rank = std::min(most, (svd.values.array() > tolerance).count());
+  if (space.rank > 0) space.least = svd.values[space.rank - 1];
+  space.motions = svd.right.rightCols(columns - space.rank);
+  space.stresses = svd.left.rightCols(rows - space.rank);
   return space;
 }
 

@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
+
+#include "analysis/numerics/decompositions.h"
 
 namespace fourpost {
 namespace {
@@ -11,19 +13,18 @@ namespace {
 /// The part of the basis that moves mass, its columns of unit energy and without common energy.
 Eigen::MatrixXd Whitened(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& basis) {
   const Eigen::MatrixXd moved = rows * basis;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(moved.transpose() * moved);
-  const Eigen::VectorXd& energy = solver.eigenvalues();
+  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(moved.transpose() * moved);
+  const Eigen::VectorXd& energy = pairs.values;
   // Rounding of sums of squares.
   constexpr double kMassless = 1e-12;
   const Eigen::Index massless = (energy.array() <= kMassless * energy.maxCoeff()).count();
   const Eigen::Index kept = energy.size() - massless;
-  return basis * solver.eigenvectors().rightCols(kept) * energy.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  return basis * pairs.vectors.rightCols(kept) * energy.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 /// Orthonormal columns at right angles to a vector.
 Eigen::MatrixXd Across(const Eigen::VectorXd& vector) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(vector * vector.transpose());
-  return solver.eigenvectors().leftCols(vector.size() - 1);
+  return SymmetricEigenpairsOf(vector * vector.transpose()).vectors.leftCols(vector.size() - 1);
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/SVD>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "vehicles/description/chassis.h"
 
 namespace fourpost {
@@ -13,8 +14,8 @@ namespace {
 /// The column space, orthonormal.
 Eigen::MatrixXd Range(const Eigen::MatrixXd& matrix) {
   if (matrix.size() == 0) return {matrix.rows(), 0};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullU);
-  return svd.matrixU().leftCols((svd.singularValues().array() > kStill).count());
+  const SingularValues svd = SingularValuesOf(matrix, SingularValues::kLeft);
+  return svd.left.leftCols((svd.values.array() > kStill).count());
 }
 
 /// How high the points go with each motion.
@@ -60,7 +61,7 @@ std::string WheelRide::LostBy(const LoopPose& pose, int link, const Eigen::Matri
   const Eigen::MatrixXd left = Range(Heights(pose, centres, pose.Holding(body_, motions)));
   if (left.cols() >= all.cols()) return "";
   const Eigen::MatrixXd lost = all - left * (left.transpose() * all);
-  return Word(pose, centres, Eigen::JacobiSVD<Eigen::MatrixXd>(lost, Eigen::ComputeFullU).matrixU().col(0));
+  return Word(pose, centres, SingularValuesOf(lost, SingularValues::kLeft).left.col(0));
 }
 
 /// Names heights of the points.

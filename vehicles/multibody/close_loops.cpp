@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
+#include <Eigen/Core>
+
+#include "analysis/numerics/decompositions.h"
 
 namespace fourpost {
 namespace {
@@ -34,7 +36,7 @@ class LoopCloser {
   bool Improve(const Eigen::MatrixXd& jacobian) {
     // Share of the decrease that the linearised equations promise; a usual choice.
     constexpr double kArmijo = 0.1;
-    const Eigen::VectorXd newton = -jacobian.completeOrthogonalDecomposition().solve(error_);
+    const Eigen::VectorXd newton = -LeastNorm(jacobian).Solve(error_);
     const double share = ShareInReach(newton);
     return Try(share * newton, 1 - kArmijo * share) || ImproveDamped(jacobian);
   }

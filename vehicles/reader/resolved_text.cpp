@@ -73,10 +73,10 @@ std::string Note(const XMLElement& robot) {
 /// Tells that a text is UTF-8.
 constexpr std::string_view kMark = "\xEF\xBB\xBF";
 
-/// Behind the XML declaration, which must stand first.
+/// Behind the XML declaration, which must stand first; the parser takes any instruction for one.
 std::size_t PlaceOfNote(const std::string& text) {
   const std::size_t begin = text.starts_with(kMark) ? kMark.size() : 0;
-  if (text.compare(begin, 5, "<?xml") != 0) return begin;
+  if (text.compare(begin, 2, "<?") != 0) return begin;
   return text.find("?>", begin) + 2;
 }
 

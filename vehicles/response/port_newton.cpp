@@ -5,7 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
+
+#include "analysis/numerics/decompositions.h"
 
 namespace fourpost {
 namespace {
@@ -145,7 +147,7 @@ Eigen::MatrixXcd NewtonStep(const PortCycle& cycle, const Eigen::MatrixXcd& step
       matrix.block(p * unknowns, q * unknowns, unknowns, unknowns) -=
           Through(port, couplings[static_cast<std::size_t>(q)]);
   }
-  const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
+  const Eigen::VectorXd solution = Solved(matrix, right);
   Eigen::MatrixXcd newton = step;
   for (Eigen::Index i = 0; i < count; ++i)
     for (Eigen::Index q = 0; q < active; ++q)

@@ -9,8 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/condensed/modes.h"
 #include "vehicles/loops/design_kinematics.h"
@@ -30,8 +31,8 @@ struct Spectrum {
 };
 
 Spectrum SpectrumOf(const CondensedModel& model) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(StateMatrix(model));
-  Spectrum spectrum{.poles = solver.eigenvalues(), .shapes = solver.eigenvectors().topRows(model.mass.rows())};
+  const Eigenpairs pairs = EigenpairsOf(StateMatrix(model));
+  Spectrum spectrum{.poles = pairs.values, .shapes = pairs.vectors.topRows(model.mass.rows())};
   spectrum.momenta = model.mass * spectrum.shapes;
   for (Eigen::Index i = 0; i < spectrum.poles.size(); ++i) {
     const double size = std::sqrt(std::abs(spectrum.shapes.col(i).dot(spectrum.momenta.col(i))));

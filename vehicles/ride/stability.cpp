@@ -2,8 +2,9 @@
 
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "analysis/text/number.h"
 #include "vehicles/loops/design_kinematics.h"
 #include "vehicles/ride/named_modes.h"
@@ -27,7 +28,7 @@ std::optional<Growth> GrowthOf(const std::vector<Mode>& modes, double growth_rat
 }
 
 std::optional<Growth> GrowthOf(const Vehicle& vehicle, const CondensedModel& model) {
-  const double growth_rate = StateMatrix(model).eigenvalues().real().maxCoeff();
+  const double growth_rate = EigenvaluesOf(StateMatrix(model)).real().maxCoeff();
   if (growth_rate < kSlowestMotion_per_s) return std::nullopt;
   const std::vector<double> values = vehicle.ParameterValues();
   const Kinematics pose = DesignKinematics(vehicle);

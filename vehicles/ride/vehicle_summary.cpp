@@ -1,7 +1,8 @@
 #include "vehicles/ride/vehicle_summary.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/gravity.h"
 #include "vehicles/loops/design_kinematics.h"
@@ -43,7 +44,7 @@ VehicleSummary Summarise(const Vehicle& vehicle, std::span<const double> paramet
   summary.ride = RideGeometryOf(vehicle, pose, summary.suspension, held, parameters);
   summary.modes = ModesOf(model);
   NameModes(vehicle, pose, summary.suspension, held, summary.modes);
-  summary.growth_rate = StateMatrix(model).eigenvalues().real().maxCoeff();
+  summary.growth_rate = EigenvaluesOf(StateMatrix(model)).real().maxCoeff();
   summary.views = ParameterViews(vehicle, condensed, parameters);
   return summary;
 }

@@ -2,6 +2,8 @@
 
 #include <Eigen/SVD>
 
+#include "analysis/numerics/decompositions.h"
+
 namespace fourpost {
 namespace {
 
@@ -28,12 +30,8 @@ Eigen::MatrixXd NullSpace(const Eigen::MatrixXd& rows) {
   return svd.matrixV().rightCols(rows.cols() - svd.rank());
 }
 
-/// They solve for the shortest of the best solutions.
-Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> LeastNormOf(const Eigen::MatrixXd& matrix) {
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-  factors.setThreshold(kRankTolerance);
-  if (matrix.size() > 0) factors.compute(matrix);
-  return factors;
+LeastNorm LeastNormOf(const Eigen::MatrixXd& matrix) {
+  return matrix.size() > 0 ? LeastNorm(matrix, kRankTolerance) : LeastNorm();
 }
 
 }  // namespace
@@ -51,13 +49,14 @@ HeldChassis::HeldChassis(const Suspension& suspension, Eigen::MatrixXd stiffness
 std::optional<WheelTravel> HeldChassis::Move(const Eigen::VectorXd& rise) const {
   Eigen::VectorXd wanted(constraints_.rows());
   wanted << Eigen::VectorXd::Zero(kChassisRows), rise;
-  const Eigen::VectorXd led = leading_.solve(wanted);
+  const Eigen::VectorXd led = leading_.Solve(wanted);
   // Rounding of some ten coordinates is far below, a wheel that cannot move misses by a share of its rise.
   constexpr double kMissed = 1e-6;
   if ((constraints_ * led - wanted).norm() > kMissed * rise.norm()) return std::nullopt;
   WheelTravel travel{.rise = rise, .motion = led, .force = {}};
-  if (free_.cols() > 0) travel.motion -= free_ * yielding_.solve(free_.transpose() * (stiffness_ * led));
-  travel.force = holding_.solve(stiffness_ * travel.motion).tail(rise.size());
+  if (free_.cols() > 0)
+    travel.motion -= free_ * yielding_.Solve(Eigen::VectorXd(free_.transpose() * (stiffness_ * led)));
+  travel.force = holding_.Solve(Eigen::VectorXd(stiffness_ * travel.motion)).tail(rise.size());
   return travel;
 }
 

@@ -4,8 +4,8 @@
 #include <span>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
+#include "analysis/numerics/decompositions.h"
 #include "vehicles/ride/suspension.h"
 
 namespace fourpost {
@@ -48,10 +48,9 @@ class HeldChassis {
   /// Columns span the motions that move neither chassis nor feet.
   Eigen::MatrixXd free_;
   // Decomposed once for all travels: C, free' K free, C'.
-  using Factors = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
-  Factors leading_;
-  Factors yielding_;
-  Factors holding_;
+  LeastNorm leading_;
+  LeastNorm yielding_;
+  LeastNorm holding_;
 };
 
 /// The stiffness of the reduced vehicle without the rates of its tyres; the effect of their preloads is included.

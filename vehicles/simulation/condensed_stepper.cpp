@@ -2,11 +2,12 @@
 
 #include <cmath>
 
-#include <unsupported/Eigen/MatrixFunctions>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
+#include "analysis/text/count_check.h"
 #include "analysis/text/option_check.h"
 #include "vehicles/condensed/linear_vehicle.h"
-#include "analysis/text/count_check.h"
 
 namespace fourpost {
 namespace {
@@ -23,7 +24,7 @@ MatrixXd ExponentialAndMoments(const MatrixXd& matrix, const MatrixXd& input) {
   chain.topLeftCorner(n, n) = matrix;
   chain.block(0, n, n, m) = input;
   for (Index k = 0; k < 3; ++k) chain.block(n + k * m, n + (k + 1) * m, m, m).setIdentity();
-  return chain.exp().topRows(n);
+  return Exponential(chain).topRows(n);
 }
 
 /// Coefficients of u^k / k!, k = 0 to 3, of the cubic through [value slope] at u = 0 and at u = 1.

@@ -18,23 +18,23 @@ namespace {
 constexpr double kFarOff = 4;
 
 /// A channel of one recording.
-struct Finding {
+struct LargeMisfit {
   std::string channel;
   std::string unit;
   std::string recording;
   double off = 0;
 };
 
-std::vector<Finding> WorstFirst(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
+std::vector<LargeMisfit> WorstFirst(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
                                 const ModelError& model_error) {
-  std::vector<Finding> findings;
+  std::vector<LargeMisfit> findings;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const std::vector<double> off = ResponseDeviations(runs[r], modelled[r], model_error);
     for (std::size_t c = 0; c < off.size(); ++c)
       if (off[c] > kFarOff)
         findings.push_back({runs[r].channels[c].name, runs[r].channels[c].unit, runs[r].name, off[c]});
   }
-  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) { return a.off > b.off; });
+  std::stable_sort(findings.begin(), findings.end(), [](const LargeMisfit& a, const LargeMisfit& b) { return a.off > b.off; });
   return findings;
 }
 
@@ -46,11 +46,11 @@ std::string KindOf(const std::string& unit) {
 }
 
 /// "6 channels (4 displacements, 2 forces; 2 in 'bounce', 6 in 'roll')"
-std::string Groups(const std::vector<Finding>& findings) {
+std::string Groups(const std::vector<LargeMisfit>& findings) {
   std::map<std::string, std::set<std::string>> kinds;
   std::map<std::string, int> recordings;
   std::set<std::string> channels;
-  for (const Finding& finding : findings) {
+  for (const LargeMisfit& finding : findings) {
     kinds[KindOf(finding.unit)].insert(finding.channel);
     channels.insert(finding.channel);
     ++recordings[finding.recording];
@@ -68,7 +68,7 @@ std::string Groups(const std::vector<Finding>& findings) {
 void LintChannels(const FourPostPlan& plan, const std::vector<MeasuredRun>& in_band, const Vehicle& vehicle,
                   const CondensedModel& model, Diagnostics& diagnostics) {
   constexpr std::size_t kShown = 3;
-  const std::vector<Finding> findings =
+  const std::vector<LargeMisfit> findings =
       WorstFirst(in_band, ModelledResponses(model, vehicle.sensors, in_band), plan.model_error);
   if (findings.empty()) return;
   std::string worst;

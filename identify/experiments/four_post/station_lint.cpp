@@ -7,8 +7,9 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
+#include "analysis/numerics/decompositions.h"
 #include "analysis/text/short_number.h"
 #include "identify/experiments/four_post/real_factor.h"
 
@@ -79,10 +80,8 @@ RigidMotion MotionWithout(const std::vector<Station>& stations, std::size_t left
     ++row;
   }
   // A centimetre is no spread.
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-  solver.setThreshold(1e-2);
-  solver.compute(shape);
-  const Eigen::MatrixXcd motion = solver.pseudoInverse().cast<Complex>() * measured;
+  const LeastNorm solver(shape, 1e-2);
+  const Eigen::MatrixXcd motion = solver.PseudoInverse().cast<Complex>() * measured;
   const double squares = (shape.cast<Complex>() * motion - measured).squaredNorm();
   return {.motion = motion,
           .rms = std::sqrt(squares / static_cast<double>(samples * std::max<Eigen::Index>(rows - solver.rank(), 1))),

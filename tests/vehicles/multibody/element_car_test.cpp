@@ -312,7 +312,7 @@ TEST(ElementCar, EveryParameterMovesTheCondensedVehicle) {
   for (Damper& damper : vehicle.dampers)
     if (damper.law.friction && damper.law.friction->speed.parameter < 0) damper.law.friction->speed.value = 0.1;
   const CondensedVehicle condensed(vehicle);
-  const HarmonicBalanceOptions rough{.error = 0.5};
+  const HarmonicBalanceOptions rough{.error = 10, .most_harmonics = 17};
   const auto answer = [&](const std::vector<double>& values) {
     const CondensedModel model = condensed.At(values);
     VectorXd response(2 * static_cast<Index>(vehicle.sensors.size()));

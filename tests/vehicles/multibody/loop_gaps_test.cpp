@@ -97,7 +97,7 @@ TEST(LoopGaps, DoNotBlameALoopThatCloses) {
   const Diagnostics faults =
       LoopGapFaults(vehicle, [](const Point&, const Point& child) { return child.link == 1 ? 0.3 : 0; });
   ASSERT_EQ(faults.items().size(), 1U);
-  EXPECT_EQ(faults.items()[0].line, 1);
+  EXPECT_EQ(faults.items()[0].place.line, 1);
   EXPECT_THAT(faults.items()[0].message, testing::HasSubstr("moving the bodies leaves 300 mm of it"));
 }
 

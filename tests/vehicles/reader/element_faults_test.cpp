@@ -20,7 +20,7 @@ class ElementFaults : public VehicleFileTest, public ::testing::WithParamInterfa
     const Diagnostics found = std::exchange(diagnostics_, {});
     for (const Diagnostic& item : found.items())
       if (item.message.find("is not used: bind it") == std::string::npos)
-        diagnostics_.Error(item.file, item.line, item.message);
+        diagnostics_.Add(item);
   }
 };
 

@@ -103,6 +103,14 @@ TEST_F(Resolved, PutsItsNoteOnTopOfATextWithoutDeclaration) {
   EXPECT_THAT(Resolve("\xEF\xBB\xBF" + text), testing::StartsWith("\xEF\xBB\xBF<!-- fourpost check"));
 }
 
+// The parser takes any instruction at the top for the declaration, and none behind a comment.
+TEST_F(Resolved, PutsItsNoteBehindAnotherInstruction) {
+  const std::string text = Replaced(kSmallVehicle, R"(<?xml version="1.0"?>)", "<?lmv version=\"1.0\"?>");
+  const std::string resolved = Resolve(text);
+  EXPECT_THAT(resolved, testing::StartsWith("<?lmv version=\"1.0\"?>\n<!-- fourpost check, resolved"));
+  EXPECT_TRUE(Read(resolved).has_value()) << diagnostics_.Format();
+}
+
 TEST_F(Resolved, NamesMeshesFromItsFolder) {
   const std::filesystem::path file = std::filesystem::path(FOURPOST_SOURCE_DIR) / "urdf" / "quarter_car.urdf";
   const Vehicle vehicle = ReadVehicle(file, diagnostics_).value();

@@ -133,7 +133,7 @@ TEST(PatternLint, LeavesSignsAloneWhereTheMotionIsWrong) {
   Diagnostics diagnostics;
   CheckRecordings(study, Severity::kWarning, diagnostics);
   ASSERT_EQ(diagnostics.items().size(), 1U) << diagnostics.Format();
-  EXPECT_EQ(diagnostics.items()[0].line, Sines(study).plan.recordings[0].line);
+  EXPECT_EQ(diagnostics.items()[0].place.line, Sines(study).plan.recordings[0].line);
   EXPECT_THAT(diagnostics.items()[0].message,
               AllOf(HasSubstr("recording 'bounce'"), HasSubstr("look like heave (front 1, rear 1)"),
                     Not(HasSubstr("moves against"))));

@@ -1,4 +1,4 @@
-#include "identify/peers/nlopt_search.h"
+#include "tests/peers/nlopt_search.h"
 
 #include <algorithm>
 #include <exception>

@@ -1,4 +1,4 @@
-#include "identify/peers/peer_objective.h"
+#include "tests/peers/peer_objective.h"
 
 #include <array>
 #include <cmath>

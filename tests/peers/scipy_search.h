@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "identify/peers/peer_objective.h"
-#include "identify/peers/peer_settings.h"
+#include "tests/peers/peer_objective.h"
+#include "tests/peers/peer_settings.h"
 
 namespace fourpost {
 

@@ -1,4 +1,4 @@
-#include "identify/peers/pagmo_search.h"
+#include "tests/peers/pagmo_search.h"
 
 #include <limits>
 #include <utility>

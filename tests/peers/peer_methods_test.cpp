@@ -1,4 +1,4 @@
-#include "identify/peers/peer_methods.h"
+#include "tests/peers/peer_methods.h"
 
 #include <atomic>
 #include <cmath>

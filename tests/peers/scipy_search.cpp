@@ -1,4 +1,4 @@
-#include "identify/peers/scipy_search.h"
+#include "tests/peers/scipy_search.h"
 
 #include <fcntl.h>
 #include <spawn.h>

@@ -1,4 +1,4 @@
-#include "identify/peers/peer_methods.h"
+#include "tests/peers/peer_methods.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 #include "analysis/text/option_check.h"
-#include "identify/peers/nlopt_search.h"
-#include "identify/peers/pagmo_search.h"
-#include "identify/peers/scipy_search.h"
+#include "tests/peers/nlopt_search.h"
+#include "tests/peers/pagmo_search.h"
+#include "tests/peers/scipy_search.h"
 
 namespace fourpost {
 namespace {
