@@ -41,8 +41,9 @@ int Run(const FitCommand& command) {
     return CodeOf(fit.end);
   }
   progress.End();
-  std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
-  Print(command.json ? run.json : run.text);
+  if (command.json) Print(run.json);
+  else PrintText(run.text);
+  std::fprintf(stderr, "results: %s; open %s\n", command.output.c_str(), (command.output / "report.html").c_str());
   return fit.end == FitEnd::kConverged && !run.verdict.explains() ? kNotGood : CodeOf(fit.end);
 }
 

@@ -336,7 +336,8 @@ int Run(const InfoCommand& command) {
   std::vector<Described> files;
   for (const std::filesystem::path& file : command.files)
     if (std::optional<Described> described = Describe(file, faults)) files.push_back(*std::move(described));
-  if (!files.empty()) Print(command.json ? AllJson(files) : AllText(files));
+  if (!files.empty() && command.json) Print(AllJson(files));
+  else if (!files.empty()) PrintText(AllText(files));
   if (faults.HasErrors()) throw FaultyInput(faults);
   return kGood;
 }

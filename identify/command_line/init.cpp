@@ -72,7 +72,8 @@ std::string InitJson(const fs::path& folder) {
 int Run(const InitCommand& command) {
   CheckFolder(command.folder);
   WriteAll(command.folder);
-  Print(command.json ? InitJson(command.folder) : NextSteps(command.folder));
+  if (command.json) Print(InitJson(command.folder));
+  else PrintText(NextSteps(command.folder));
   return kGood;
 }
 

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 #include <exception>
@@ -14,10 +16,12 @@
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/shortened.h"
+#include "analysis/text/table_width.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/findings.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/program.h"
+#include "identify/command_line/terminal.h"
 #include "vehicles/multibody/simulation_error.h"
 
 namespace {
@@ -96,7 +100,7 @@ void TellUnknown(const CLI::App& app) {
 int PrintHelp(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
   app.exit(error, out, out);
-  Print(out.str());
+  PrintText(out.str());
   return kGood;
 }
 
@@ -105,6 +109,7 @@ int PrintHelp(const CLI::App& app, const CLI::ParseError& error) {
 int main(int argc, char** argv) {
   // A limit of the size of files then is an error like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
+  if (IsTerminal(STDOUT_FILENO)) SetTableWidth(TerminalColumns(STDOUT_FILENO));
   Program program;
   CLI::App& app = program.app();
   try {

@@ -120,7 +120,8 @@ int Run(const ModesCommand& command) {
   Tell(job.findings);
   const std::string json = ModesJson(job.vehicle, StateSpace(model), modes, paths, job.findings);
   if (!command.output.empty()) Write(command.output, json, job.vehicle, model, paths);
-  Print(command.json ? json : ModesText(job.vehicle, modes, paths));
+  if (command.json) Print(json);
+  else PrintText(ModesText(job.vehicle, modes, paths));
   return kGood;
 }
 

@@ -122,7 +122,8 @@ int Run(const PredictCommand& command) {
     output.Commit();
     std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   }
-  Print(command.json ? json : LoadText(model) + results->text);
+  if (command.json) Print(json);
+  else PrintText(LoadText(model) + results->text);
   return kGood;
 }
 

@@ -127,7 +127,8 @@ int Run(const SimulateCommand& command) {
     WriteFile(command.chart, HistorySvg("Time history of " + job.vehicle.name, origin.motion, history.start_s,
                                         history.rate_Hz, channels));
   if (command.json) Print(HistoryJson(job.vehicle, origin, history, channels, job.findings));
-  else Print(command.output.empty() ? HistoryCsv(history, channels) : Text(origin, channels));
+  else if (command.output.empty()) Print(HistoryCsv(history, channels));
+  else PrintText(Text(origin, channels));
   return solved.answer.ended ? kInterrupted : kGood;
 }
 

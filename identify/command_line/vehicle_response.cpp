@@ -113,7 +113,8 @@ int RespondOfVehicle(const ResponseCommand& command) {
   if (responses.empty()) return kInterrupted;
   const std::string json = SweepJson(job.vehicle, job.request, responses, job.findings);
   if (!command.output.empty()) Write(command.output, json, job.vehicle, responses);
-  Print(command.json ? json : ResponseText(job.request, responses));
+  if (command.json) Print(json);
+  else PrintText(ResponseText(job.request, responses));
   return CodeOf(count);
 }
 
