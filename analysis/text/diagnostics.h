@@ -50,8 +50,8 @@ class Diagnostics {
   bool HasErrors() const;
   const std::vector<Diagnostic>& items() const { return items_; }
 
-  /// One line each, sorted by file and line, without a newline at the end. Of more than 100 about one file the rest is
-  /// only counted.
+  /// One line each, without a newline at the end: files with errors first, of a file its errors before its warnings,
+  /// then by line. Of more than 100 about one file the rest is only counted.
   std::string Format() const;
 
  private:

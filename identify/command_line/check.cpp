@@ -59,7 +59,7 @@ int Run(const CheckCommand& command) {
   if (command.json) Print(CheckJson(checked, findings));
   if (!checked) throw FaultyInput(findings);
   Tell(findings);
-  if (!command.json) Print(CheckText(*checked));
+  if (!command.json) PrintText(CheckText(*checked));
   return kGood;
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "analysis/text/diagnostics.h"
 #include "analysis/text/nearest.h"
+#include "identify/command_line/findings.h"
 #include "vehicles/engine/engine.h"
 
 namespace fourpost {
@@ -46,16 +48,17 @@ std::string Braced(std::span<const std::string_view> words) {
   return text + "}";
 }
 
-CLI::Validator OneOf(const char* what, std::span<const std::string_view> legal) {
-  const auto fault = [what, legal](const std::string& text) -> std::string {
-    if (std::find(legal.begin(), legal.end(), text) != legal.end()) return "";
-    return "no " + std::string(what) + " is called '" + text + "'" + DidYouMeanOrAll(text, legal);
+CLI::Validator OneOf(const char* option, std::span<const std::string_view> legal) {
+  const auto fault = [option, legal](const std::string& text) -> std::string {
+    if (std::find(legal.begin(), legal.end(), text) == legal.end())
+      Refuse(kValueUnknown, Place::Option(option), {text, DidYouMeanOrAll(text, legal)});
+    return "";
   };
   return {fault, Braced(legal)};
 }
 
 CLI::Validator EngineOf(std::span<const std::string_view> legal) {
-  const auto replace = [one_of = OneOf("engine", legal)](std::string& text) {
+  const auto replace = [one_of = OneOf("--engine", legal)](std::string& text) {
     if (const std::optional<Engine> engine = EngineNamed(text)) text = EngineName(*engine);
     return one_of(text);
   };

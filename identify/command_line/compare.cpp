@@ -144,8 +144,8 @@ int Run(const CompareCommand& command) {
                 MethodsPage(comparison, command.study.stem().string(), Rule(comparison, options), command.time));
     std::fprintf(stderr, "results: %s\n", command.output.c_str());
   }
-  Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed, command.time)
-                     : Table(comparison, command.time) + '\n' + Details(comparison, options));
+  if (command.json) Print(ComparisonJson(comparison, command.study.string(), command.seed, command.time));
+  else PrintText(Table(comparison, command.time) + '\n' + Details(comparison, options));
   if (comparison.interrupted) return kInterrupted;
   return nothing_succeeded ? kAllSimulationsFailed : kGood;
 }

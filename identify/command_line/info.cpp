@@ -17,6 +17,7 @@
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/print.h"
 #include "identify/experiments/bench/bench_data.h"
 #include "vehicles/bench/recording_check.h"
@@ -50,7 +51,8 @@ Layout LayoutOf(const RecordedTable& table) {
 }
 
 std::string RefusalOf(const Diagnostic& fault) {
-  return (fault.place.line > 0 ? "line " + std::to_string(fault.place.line) + ": " : "") + fault.message;
+  return (fault.place.line > 0 ? "line " + std::to_string(fault.place.line) + ": " : "") + fault.message +
+         (fault.id.empty() ? "" : " [" + fault.id + "]");
 }
 
 /// Of a recording of nothing but a displacement and a force, which is that of a damper on its bench, in this order.
@@ -101,11 +103,12 @@ std::vector<std::string> Refusals(const std::filesystem::path& file, const Recor
 /// the times, and so no channels of this record.
 void AddLengths(const RecordingSummary& summary, const RecordedTable& table, std::vector<std::string>& refusals) {
   if (!summary.time) return;
+  Diagnostics faults;
   const std::size_t samples = table.rows(*table.FindColumn(summary.time->column));
   for (const ColumnSummary& column : summary.columns)
     if (!column.unit_known && column.samples != samples)
-      refusals.push_back("column '" + column.name + "' has " + std::to_string(column.samples) +
-                         " samples, the times are " + std::to_string(samples) + ": save channels of one rate together");
+      faults.Report(kChannelLength, {}, {column.name, std::to_string(column.samples), std::to_string(samples)});
+  for (const Diagnostic& fault : faults.items()) refusals.push_back(RefusalOf(fault));
 }
 
 OverTime Look(const std::filesystem::path& file, const RecordedTable& table) {
@@ -118,10 +121,7 @@ OverTime Look(const std::filesystem::path& file, const RecordedTable& table) {
 }
 
 std::optional<Described> Describe(const std::filesystem::path& file, Diagnostics& faults) {
-  if (const std::string remedy = NoRecording(file); !remedy.empty()) {
-    faults.Error(file.string(), 0, remedy);
-    return std::nullopt;
-  }
+  if (!MayBeRecording(file, faults)) return std::nullopt;
   const std::optional<RecordedTable> table = ReadRecordedTable(file, faults);
   if (!table) return std::nullopt;
   switch (LayoutOf(*table)) {
@@ -336,7 +336,8 @@ int Run(const InfoCommand& command) {
   std::vector<Described> files;
   for (const std::filesystem::path& file : command.files)
     if (std::optional<Described> described = Describe(file, faults)) files.push_back(*std::move(described));
-  if (!files.empty()) Print(command.json ? AllJson(files) : AllText(files));
+  if (!files.empty() && command.json) Print(AllJson(files));
+  else if (!files.empty()) PrintText(AllText(files));
   if (faults.HasErrors()) throw FaultyInput(faults);
   return kGood;
 }

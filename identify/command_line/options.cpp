@@ -26,7 +26,7 @@ std::vector<CLI::Option*> AddSweep(CLI::App& subcommand, ResponseCommand& comman
           .add_option_function<std::string>(
               "--direction", [&sweep](const std::string& way) { sweep.falling = way == "down"; },
               "Order of the frequencies, up or down: where several motions are possible, each follows the one before")
-          ->check(OneOf("direction", kDirections))
+          ->check(OneOf("--direction", kDirections))
           ->default_str("up"),
       AddStroke(subcommand, sweep.stroke),
       AddSettings(subcommand, command.set),

@@ -75,7 +75,8 @@ int Run(const ParamsCommand& command) {
   if (!vehicle) throw FaultyInput(findings);
   Tell(findings);
   const std::vector<ParameterUse> uses = FindParameterUses(vehicle->text);
-  Print(command.json ? ParamsJson(*vehicle, uses) : Text(*vehicle, uses));
+  if (command.json) Print(ParamsJson(*vehicle, uses));
+  else PrintText(Text(*vehicle, uses));
   return kGood;
 }
 

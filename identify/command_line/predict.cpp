@@ -12,6 +12,7 @@
 #include "identify/command_line/added_load.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
@@ -26,12 +27,6 @@ namespace fourpost {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-[[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& message) {
-  Diagnostics faults;
-  faults.Error(file.string(), 0, message);
-  throw FaultyInput(faults);
-}
 
 /// A fit's vehicle, and the study that it was fitted by.
 struct FittedRun {
@@ -49,7 +44,7 @@ FittedRun LoadModel(const std::filesystem::path& run) {
   RequireFitResult(run);
   for (const char* name : {"vehicle.urdf", "study.yaml"})
     if (std::error_code failure; !std::filesystem::exists(run / name, failure))
-      Refuse(run, std::string("holds no ") + name + ", which a fit writes; run `fourpost fit` with -o on it again");
+      Refuse(kRunFileMissing, {run.string()}, {name});
   Diagnostics diagnostics;
   std::optional<Vehicle> vehicle = ReadVehicle(run / "vehicle.urdf", diagnostics);
   std::optional<Study> study = ReadStudy(run / "study.yaml", diagnostics);
@@ -67,10 +62,7 @@ const Experiment& ExperimentOf(const std::filesystem::path& recording, const Stu
   std::string kinds;
   for (const Experiment& experiment : study.experiments)
     if (!experiment.Recordings().empty()) kinds += (kinds.empty() ? "" : "; ") + std::string(experiment.Recordings());
-  Refuse(recording,
-         "is no recording such as the model was fitted to, so the study does not say which channels are its posts and "
-         "sensors. It was fitted to: " +
-             kinds);
+  Refuse(kRecordingOfOtherKind, {recording.string()}, {kinds});
 }
 
 std::string AsJson(const PredictCommand& command, const FittedRun& model, const ExperimentResults& results,
@@ -115,9 +107,7 @@ int Run(const PredictCommand& command) {
   }
   FittedRun model = LoadModel(command.run);
   model.has_seen = WasFitted(command.run / "result.json", command.recording);
-  if (model.has_seen)
-    std::fprintf(stderr, "%s: the fit has seen this recording: what follows is fitted, not foretold\n",
-                 command.recording.c_str());
+  if (model.has_seen) Tell(kRecordingWasFitted, {command.recording.string()});
   if (!command.add_mass.empty()) model.load = AddLoad(command.add_mass, command.at, model.vehicle);
   const std::optional<ExperimentResults> results = Predict(command, model);
   if (!results) return kInterrupted;
@@ -132,7 +122,8 @@ int Run(const PredictCommand& command) {
     output.Commit();
     std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   }
-  Print(command.json ? json : LoadText(model) + results->text);
+  if (command.json) Print(json);
+  else PrintText(LoadText(model) + results->text);
   return kGood;
 }
 

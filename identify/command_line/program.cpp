@@ -1,10 +1,14 @@
 #include "identify/command_line/program.h"
 
+#include "analysis/text/diagnostics.h"
+#include "analysis/text/nearest.h"
 #include "identify/command_line/command_table.h"
 #include "identify/command_line/common_options.h"
 #include "identify/command_line/completion.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
+#include "identify/command_line/finding_list.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/manual_page.h"
 #include "identify/command_line/options.h"
 #include "identify/command_line/print.h"
@@ -13,12 +17,19 @@
 #include "identify/refine/search_method_list.h"
 
 namespace fourpost {
+namespace {
+
+constexpr const char* kAllTopics = "findings";
+
+}  // namespace
 
 Program::Program() {
   app_.set_version_flag("--version", FOURPOST_VERSION);
   app_.require_subcommand(1);
   app_.fallthrough();
-  app_.footer("`fourpost COMMAND --help` tells the options of a command.");
+  app_.footer(
+      "`fourpost help COMMAND` lists the options of a command.\n"
+      "`fourpost help ID` explains an error or a warning by the id in brackets at its end.");
   AddInit();
   AddInfo();
   AddCheck();
@@ -33,6 +44,7 @@ Program::Program() {
   AddRank();
   AddCompletion();
   AddMan();
+  AddHelp();
 }
 
 CLI::App* Program::Add(const char* name, const char* help, const char* examples, std::function<int()> run) {
@@ -117,7 +129,7 @@ void Program::AddFit() {
                   "model: response.csv and "
                   "response.svg, history.csv and history.svg; parameters.csv compares fitted values with the file's")
       ->required();
-  sub->add_option("--seed", fit_.seed, "Seed of the search, in place of the study's")->check(WholeNumber());
+  sub->add_option("--seed", fit_.seed, "Seed of the search, in place of the study's")->check(WholeNumber("--seed"));
   sub->add_option("--threads", fit_.threads, "Evaluations at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--accept-unidentified", fit_.accept_unidentified,
@@ -168,7 +180,8 @@ void Program::AddCompare() {
       ->type_name(Braced(kMethodNames))
       ->default_str("dvhde,thesis,de,ds,gb");
   sub->add_option("--runs", compare_.runs, "Of each method")->check(CLI::Range(1, 1000000))->capture_default_str();
-  sub->add_option("--seed", compare_.seed, "Of the first run; the others take those after it")->check(WholeNumber());
+  sub->add_option("--seed", compare_.seed, "Of the first run; the others take those after it")
+      ->check(WholeNumber("--seed"));
   sub->add_option("--threads", compare_.threads, "Runs at once, no influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_option("--near", compare_.near_best,
@@ -201,7 +214,7 @@ void Program::AddCompletion() {
                         Print(CompletionScript(CommandTable(app_), shell_));
                         return kGood;
                       });
-  sub->add_option("SHELL", shell_, "bash, zsh or fish")->required()->check(OneOf("shell", kShells));
+  sub->add_option("SHELL", shell_, "bash, zsh or fish")->required()->check(OneOf("SHELL", kShells));
 }
 
 void Program::AddMan() {
@@ -209,6 +222,30 @@ void Program::AddMan() {
     Print(ManualPage(CommandTable(app_)));
     return kGood;
   });
+}
+
+void Program::AddHelp() {
+  CLI::App* sub = Add("help", "Help on a command, or on an error or a warning by its id",
+                      "  fourpost help fit\n  fourpost help findings\n  fourpost help word-misspelt", [this] {
+                        PrintText(HelpOn(topic_));
+                        return kGood;
+                      });
+  sub->add_option("TOPIC", topic_, "A command, findings for a list of all errors and warnings, or the id of one");
+}
+
+std::string Program::HelpOn(const std::string& topic) const {
+  if (topic.empty()) return app_.get_formatter()->make_help(&app_, "fourpost", CLI::AppFormatMode::Normal);
+  if (topic == kAllTopics) return FindingsMarkdown();
+  std::vector<std::string> known = {kAllTopics};
+  for (const CommandRow& command : CommandTable(app_)) {
+    if (command.name == topic) return app_.get_subcommand(topic)->help("fourpost");
+    known.push_back(command.name);
+  }
+  for (const auto& [id, finding] : AllFindings()) {
+    if (topic == id || topic == "[" + std::string(id) + "]") return FindingText(*finding);
+    known.emplace_back(id);
+  }
+  Refuse(kHelpTopicUnknown, Place::Option("TOPIC"), {topic, DidYouMean(topic, known)});
 }
 
 }  // namespace fourpost

@@ -48,7 +48,8 @@ int Run(const RankCommand& command) {
   const ModelRanking ranking = Rank(std::move(models));
   std::string remarks;
   for (const std::string& remark : ranking.remarks) remarks += remark + "\n";
-  Print(command.json ? RankingJson(ranking) : Table(ranking) + "\n" + ranking.reason + "\n" + remarks);
+  if (command.json) Print(RankingJson(ranking));
+  else PrintText(Table(ranking) + "\n" + ranking.reason + "\n" + remarks);
   return kGood;
 }
 

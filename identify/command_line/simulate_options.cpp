@@ -7,6 +7,7 @@
 
 #include "analysis/text/units.h"
 #include "identify/command_line/common_options.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/whole_number.h"
 #include "vehicles/posts/road.h"
 #include "vehicles/requests/option_quantity.h"
@@ -87,7 +88,7 @@ MotionOptions AddMotions(CLI::App& app, SimulateCommand& command) {
   options.road =
       add("--road", Motion::kRoad, "Random road of ISO 8608 class A to H, at --speed, the rear after the front",
           [&command](const std::string& text) { command.road_class = text; });
-  options.road->check(OneOf("road class", kRoadClasses));
+  options.road->check(OneOf("--road", kRoadClasses));
   options.recording =
       add("--recording", Motion::kRecording, "CSV of recorded post heights: names, units, time and a column a post",
           [&command](const std::string& text) { command.recording = text; });
@@ -118,7 +119,7 @@ void AddDetails(CLI::App& app, SimulateCommand& command, const MotionOptions& mo
         command.first_Hz = range->first_Hz;
         command.last_Hz = range->last_Hz;
         if (!(command.first_Hz < command.last_Hz))
-          command.faults.Error("--band", 0, "'" + text + "' must go from a lower frequency to a higher one");
+          command.faults.Report(kBandNotRising, Place::Option("--band"), {text});
       },
       "Of a random motion or road (default 0.5Hz:30Hz)");
   forbid(band, {motions.sweep, motions.sine, motions.step, motions.recording});
@@ -140,7 +141,9 @@ void AddAcquisition(CLI::App& app, SimulateCommand& command) {
       ->capture_default_str()
       ->needs(filter);
   options.AddShare("--noise", "White noise on every channel, as a share of its deviation: 1%", command.noise);
-  app.add_option("--seed", command.seed, "Of random motions and noise")->check(WholeNumber())->capture_default_str();
+  app.add_option("--seed", command.seed, "Of random motions and noise")
+      ->check(WholeNumber("--seed"))
+      ->capture_default_str();
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ int RespondToStudy(const ResponseCommand& command) {
     output.Commit();
     std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   }
-  Print(command.json ? text : answers->text);
+  if (command.json) Print(text);
+  else PrintText(answers->text);
   return Interrupted() ? kInterrupted : kGood;
 }
 

@@ -6,6 +6,7 @@
 
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/units.h"
+#include "identify/report/findings.h"
 #include "identify/study_file/result_reader.h"
 
 namespace fourpost {
@@ -49,9 +50,11 @@ void FindPartner(const Json& correlations, std::size_t i, const std::vector<Json
   }
 }
 
-std::string WhyNoResult(const std::string& text) {
-  if (text.size() <= kLargestResult) return "is no JSON that `fourpost fit` wrote; fit again";
-  return "is larger than " + std::to_string(kLargestResult >> 20) + " MiB, which no result of a fit is; fit again";
+constexpr const char* kResultName = "result.json";
+
+[[noreturn]] void RefuseText(const std::string& text) {
+  if (text.size() <= kLargestResult) Refuse(kResultNotJson, {kResultName});
+  Refuse(kResultTooLarge, {kResultName}, {std::to_string(kLargestResult >> 20) + " MiB"});
 }
 
 }  // namespace
@@ -88,23 +91,17 @@ std::vector<Json> ListAt(const Json& object, const std::string& key) {
 }
 
 Json FitResultOf(const RunContents& run) {
-  Diagnostics faults;
-  const auto file = run.files.find("result.json");
-  if (file == run.files.end())
-    faults.Error("result.json", 0, "is not there: a report needs a folder of `fourpost fit`");
-  else {
-    const Json result = ParseResult(file->second);
-    if (result.is_discarded()) faults.Error("result.json", 0, WhyNoResult(file->second));
-    else if (!result.is_object() || !result.contains("termination") || !result.contains("parameters"))
-      faults.Error("result.json", 0, "is not that of a fit; give a folder that `fourpost fit` wrote");
-    else return result;
-  }
-  throw FaultyInput(faults);
+  const auto file = run.files.find(kResultName);
+  if (file == run.files.end()) Refuse(kResultMissing, {kResultName});
+  Json result = ParseResult(file->second);
+  if (result.is_discarded()) RefuseText(file->second);
+  if (!result.is_object() || !result.contains("termination") || !result.contains("parameters"))
+    Refuse(kResultNotOfFit, {kResultName});
+  return result;
 }
 
-std::string NotUnderstood(const Json::exception& fault) {
-  return std::string("is not understood, as of another version of fourpost (") + fault.what() +
-         "); run `fourpost fit` with -o on this folder again, it takes evaluations from the archive where it can";
+void RefuseResult(const std::string& file, const Json::exception& fault) {
+  Refuse(kResultNotUnderstood, {file}, {fault.what()});
 }
 
 std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunContents& run) {

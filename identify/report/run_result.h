@@ -53,8 +53,8 @@ std::vector<nlohmann::json> ListAt(const nlohmann::json& object, const std::stri
 /// result.json of a run. Throws FaultyInput where it is none of `fourpost fit`, naming what it is instead.
 nlohmann::json FitResultOf(const RunContents& run);
 
-/// What to say of a result.json in which something is of another kind than fits write, and what to do.
-std::string NotUnderstood(const nlohmann::json::exception& fault);
+/// Throws FaultyInput about a result.json in which something is of another kind than fits write.
+[[noreturn]] void RefuseResult(const std::string& file, const nlohmann::json::exception& fault);
 
 std::vector<ReportedParameter> ReportedParameters(const nlohmann::json& result, const RunContents& run);
 

@@ -46,18 +46,18 @@ class Report(ProgramTest):
 
     def test_tells_an_empty_run_and_one_that_was_killed(self):
         (self.folder / "empty").mkdir()
-        for folder, message in (("empty", "empty: error: is an empty folder; give one that `fourpost fit -o` wrote"),
-                                ("car", "car: error: holds a study and no results; fit it first, by `fourpost fit "
-                                        "car/study.yaml -o run`")):
+        for folder, finding in (("empty", "run-empty"), ("car", "run-not-fitted")):
             text = self.run_program("report", folder, code=3).stderr
-            self.assertIn(message, text)
+            self.assertTrue(text.startswith(f"{folder}: error: "), text)
+            self.assertTrue(text.endswith(f" [{finding}]\n"), text)
             self.assertNotIn("archive", text)
+        self.assertIn("`fourpost fit car/study.yaml -o run`", text)
         (self.folder / "run/result.json").unlink()
-        self.assertIn("it goes on from its archive", self.run_program("report", "run", code=3).stderr)
+        self.assertIn("[run-unfinished]", self.run_program("report", "run", code=3).stderr)
         (self.folder / "run/archive.sqlite").unlink()
-        self.assertIn("run: error: holds no result.json: it is none", self.run_program("report", "run", code=3).stderr)
+        self.assertIn("[run-without-result]", self.run_program("report", "run", code=3).stderr)
         self.write("run/result.json", "")
-        self.assertIn("is no JSON", self.run_program("report", "run", code=3).stderr)
+        self.assertIn("[result-not-json]", self.run_program("report", "run", code=3).stderr)
 
     def test_names_the_file_that_is_damaged_and_its_remedy(self):
         self.run_program("fit", "car/study.yaml", "-o", "other")
@@ -65,31 +65,29 @@ class Report(ProgramTest):
         self.write("run/response.csv", whole[:len(whole) // 2])
         for words in (("run",), ("run", "other", "-o", "both.html")):
             self.assertRegex(self.run_program("report", *words, code=3).stderr,
-                             r"^run/response.csv:\d+: error: the row has \d+ fields?, the header \d+; the file is "
-                             "damaged: run `fourpost fit` with -o on its folder again\n$")
+                             r"^run/response.csv: error: .*\[run-file-damaged\]\n"
+                             r"run/response.csv:\d+: error: the row has \d+ fields?, the header \d+")
 
     def test_compares_no_run_with_itself(self):
         for command in (["report", "run", "run/", "-o", "both.html"], ["rank", "run", "run"]):
-            self.assertIn("is given twice; a run is not compared with itself",
-                          self.run_program(*command, code=3).stderr)
+            self.assertIn("[run-named-twice]", self.run_program(*command, code=3).stderr)
         self.assertFalse((self.folder / "both.html").exists())
 
     def test_predicts_nothing_for_a_run_without_its_result(self):
         def refused():
             return self.run_program("predict", "run", "--recording", "car/stepped_sine.csv", code=3).stderr
 
-        for damage, fault in (("", "is no JSON"), ("{}", "is not that of a fit")):
+        for damage, fault in (("", "[result-not-json]"), ("{}", "[result-not-of-fit]")):
             self.write("run/result.json", damage)
             self.assertIn(fault, refused())
         (self.folder / "run/result.json").unlink()
-        self.assertIn("run: error: holds no result.json, which a fit writes at its end; run `fourpost fit` with -o on "
-                      "this folder again", refused())
+        self.assertRegex(refused(), r"^run: error: .*\[run-unfinished\]")
 
     def test_keeps_the_old_one_when_the_disk_is_full(self):
         before = (self.folder / "run/report.html").read_bytes()
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (50000, 50000))
         outcome = self.run_program("report", "run", code=5, preexec_fn=limit)
-        self.assertIn("cannot write", outcome.stderr)
+        self.assertIn("[output-not-written]", outcome.stderr)
         self.assertEqual((self.folder / "run/report.html").read_bytes(), before)
         self.assertEqual([file.name for file in (self.folder / "run").glob("*.partial")], [])
 
@@ -157,19 +155,18 @@ class Outputs(ProgramTest):
         before = self.content()
         simulate = ("simulate", "car/vehicle.urdf", "--step", "5mm")
         compare = ("compare", "car/study.yaml", "--runs", "1", "--evaluations", "10")
-        for command, file, like in ((compare, "car/stepped_sine.csv", "a page is written to a file in .html, such as "
-                                                                      "'car/stepped_sine.html'"),
-                                    (compare, "run/result.json", "such as 'run/result.html'"),
-                                    (("report", "run"), "car/study.yaml", "such as 'car/study.html'"),
-                                    (simulate, "run/result.json", "a table is written to a file in .csv, such as")):
+        for command, file, like in ((compare, "car/stepped_sine.csv", "car/stepped_sine.html"),
+                                    (compare, "run/result.json", "run/result.html"),
+                                    (("report", "run"), "car/study.yaml", "car/study.html"),
+                                    (simulate, "run/result.json", "run/result.csv")):
             with self.subTest(f"{command[0]} {file}"):
                 text = self.run_program(*command, "-o", file, code=2).stderr
                 self.assertIn(f"--output: error: '{file}': ", text)
-                self.assertIn(like, text)
+                self.assertIn(f"'{like}' [output-ending]", text)
         for command, file in ((compare, "car/study.yaml"), (("report", "run"), "run/result.json"),
                               (simulate, "car/vehicle.urdf")):
             with self.subTest(f"{command[0]} {file}"):
-                self.assertIn("it is an input", self.run_program(*command, "-o", file, code=5).stderr)
+                self.assertIn("[output-is-input]", self.run_program(*command, "-o", file, code=5).stderr)
         self.assertEqual(self.content(), before)
 
 
@@ -210,7 +207,7 @@ class FullDisk(ProgramTest):
             for folder in ("empty", "some/new", "new/"):
                 with self.subTest(f"{folder}, {room} bytes"):
                     text = self.run_program("init", folder, code=5, preexec_fn=limit).stderr
-                    self.assertIn("; free some space, or name another folder", text)
+                    self.assertIn(": free some space, or name another folder [output-not-written]", text)
                     self.assertEqual(list(self.folder.rglob("*")), [self.folder / "empty"])
         self.run_program("init", "empty")
 

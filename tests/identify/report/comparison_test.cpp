@@ -3,11 +3,12 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/text/diagnostics.h"
 #include "identify/report/comparison_curves.h"
 #include "identify/report/comparison_page.h"
 #include "identify/report/comparison_tables.h"
 #include "identify/report/comparison_verdict.h"
+#include "identify/report/findings.h"
+#include "tests/findings.h"
 
 namespace fourpost {
 namespace {
@@ -16,7 +17,6 @@ using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
-using testing::ThrowsMessage;
 using Json = nlohmann::json;
 
 /// A fit of stepped sines, of so many parameters.
@@ -311,7 +311,7 @@ TEST(ComparisonPage, EscapesNamesAndRefusesWhatIsNoFit) {
   EXPECT_THAT(ComparisonPage(folders),
               ContainsRegex("<footer>Made by fourpost [0-9.]+ on [0-9]{4}-[0-9]{2}-[0-9]{2} of the fits "));
   folders[1] = FolderOf("b", Json{{"a", 1}});
-  EXPECT_THAT([&] { ComparisonPage(folders); }, ThrowsMessage<FaultyInput>(HasSubstr("is not that of a fit")));
+  EXPECT_THAT([&] { ComparisonPage(folders); }, Refuses(kResultNotOfFit, 0));
 }
 
 }  // namespace
