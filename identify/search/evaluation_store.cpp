@@ -64,7 +64,7 @@ Failure FailureOf(std::string_view name) {
 
 /// Throws for the file of another program. Not by SQLite, which takes in the log of whatever it opens.
 void RequireOurs(const fs::path& file) {
-  if (!WhyNoFile(file).empty())
+  if (WhyNoFile(file))
     throw OutputError(file.string() + ": it is a pipe or a device, no archive of evaluations: move it away");
   std::string head(kApplicationAt + kApplication.size(), '\0');
   std::ifstream stream(file, std::ios::binary);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/text/diagnostics.h"
+
+namespace fourpost {
+
+/// A finding with its words, of one who does not know its place.
+struct Found {
+  /// nullptr: nothing is wrong.
+  const Finding* kind = nullptr;
+  std::vector<std::string> words = {};
+
+  explicit operator bool() const { return kind != nullptr; }
+  std::string Message() const { return kind->Message(words); }
+};
+
+}  // namespace fourpost
