@@ -41,6 +41,11 @@ void Diagnostics::Report(const Finding& finding, Place place, const std::vector<
   items_.push_back({std::string(finding.id()), finding.severity(), std::move(place), Short(finding.Message(words))});
 }
 
+void Diagnostics::ReportAsWarning(const Finding& finding, Place place, const std::vector<std::string>& words) {
+  Report(finding, std::move(place), words);
+  items_.back().severity = Severity::kWarning;
+}
+
 void Diagnostics::Error(std::string file, int line, std::string message) {
   const bool is_option = file.starts_with("--");
   Place place{.line = line};

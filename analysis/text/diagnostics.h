@@ -40,6 +40,8 @@ class Diagnostics {
  public:
   /// `words` fill the finding's text and remedy in order.
   void Report(const Finding& finding, Place place, const std::vector<std::string>& words = {});
+  /// An error that the user chose to accept, or that costs no more than a part of the input.
+  void ReportAsWarning(const Finding& finding, Place place, const std::vector<std::string>& words = {});
   void Error(std::string file, int line, std::string message);
   void Warning(std::string file, int line, std::string message);
   /// One of others.

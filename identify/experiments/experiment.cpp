@@ -20,7 +20,6 @@ void AddResults(ExperimentResults part, ExperimentResults& whole) {
   AddKeys(part.json, whole.json);
   std::move(part.shares.begin(), part.shares.end(), std::back_inserter(whole.shares));
   whole.findings.Add(part.findings);
-  std::move(part.remarks.begin(), part.remarks.end(), std::back_inserter(whole.remarks));
   std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
 }
 

@@ -49,9 +49,8 @@ struct ExperimentResults {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   /// Squares of the errors of all that was fitted, for the verdict.
   std::vector<ErrorShare> shares = {};
+  /// `warnings` of result.json.
   Diagnostics findings = {};
-  /// More of `warnings` in result.json, which `text` tells already.
-  std::vector<std::string> remarks = {};
   /// Names in the folder of the results, and what they hold.
   std::vector<std::pair<std::string, std::string>> files = {};
 };

@@ -1,18 +1,19 @@
-#include "analysis/text/warning_texts.h"
+#include "identify/study_file/warnings_json.h"
 
 #include <filesystem>
+#include <string>
 
 namespace fourpost {
 
-std::vector<std::string> WarningTexts(const Diagnostics& diagnostics) {
-  std::vector<std::string> texts;
+nlohmann::ordered_json WarningsJson(const Diagnostics& diagnostics) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Diagnostic& item : diagnostics.items()) {
     if (item.severity != Severity::kWarning) continue;
     std::string place = std::filesystem::path(Name(item.place)).filename().string();
     if (item.place.line > 0) place += ":" + std::to_string(item.place.line);
-    texts.push_back((place.empty() ? "" : place + ": ") + item.message);
+    list.push_back({{"id", item.id}, {"text", (place.empty() ? "" : place + ": ") + item.message}});
   }
-  return texts;
+  return list;
 }
 
 }  // namespace fourpost
