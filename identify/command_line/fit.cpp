@@ -30,7 +30,11 @@ int CodeOf(FitEnd end) {
 int Run(const FitCommand& command) {
   WorkProgress progress;
   const FitRunHooks hooks{.work = progress.Hooks(),
-                          .find = [](const Diagnostics& found) { Tell(found); },
+                          .find =
+                              [&progress](const Diagnostics& found) {
+                                progress.End();
+                                Tell(found);
+                              },
                           .begin = CatchInterrupts,
                           .fit = [](const FitOptions& options) { return ShownFit(options); }};
   const FitRun run = FitStudy(command, hooks);

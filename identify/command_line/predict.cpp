@@ -93,7 +93,8 @@ std::optional<ExperimentResults> Predict(const PredictCommand& command, const Fi
                              .engine = command.engine,
                              .mode = command.mode,
                              .has_kalman = command.kalman,
-                             .noise_from = command.noise_from},
+                             .noise_from = command.noise_from,
+                             .has_files = !command.output.empty()},
                             progress.Hooks());
 }
 

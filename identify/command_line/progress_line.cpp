@@ -19,7 +19,8 @@ double Seconds(std::chrono::steady_clock::duration duration) { return std::chron
 
 }  // namespace
 
-ProgressLine::ProgressLine() : terminal_(IsTerminal(STDERR_FILENO)), start_(Clock::now()), shown_(start_) {}
+ProgressLine::ProgressLine(Clock::time_point start)
+    : terminal_(IsTerminal(STDERR_FILENO)), start_(start), shown_(Clock::now()) {}
 
 ProgressLine::~ProgressLine() {
   if (line_open_) std::fputc('\n', stderr);

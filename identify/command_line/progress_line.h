@@ -9,7 +9,8 @@ namespace fourpost {
 /// elsewhere. Short tasks stay silent elsewhere.
 class ProgressLine {
  public:
-  ProgressLine();
+  /// `start`: of the work, of which this may be a later line.
+  explicit ProgressLine(std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now());
   /// Ends the line.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -22,7 +23,7 @@ class ProgressLine {
   /// Shows at once what comes next, after a task that was long enough to be told of.
   void ShowNext(const std::string& text);
 
-  /// Since construction.
+  /// Since the start of the work.
   double seconds() const;
 
  private:

@@ -22,12 +22,21 @@ std::optional<ExperimentResults> Answers(const LoadedStudy& loaded, const Respon
   WorkProgress progress;
   const WorkHooks hooks = progress.Hooks();
   std::optional<ExperimentResults> all;
+  std::size_t answered = 0;
   for (const Experiment& experiment : loaded.study.experiments) {
     std::optional<ExperimentResults> one = experiment.Respond(subject, command.engine, hooks);
     if (!one) break;
     if (!all) all.emplace();
     AddResults(*std::move(one), *all);
-    if (Interrupted()) break;
+    ++answered;
+    if (!all->is_whole) break;
+  }
+  const auto count =
+      static_cast<std::size_t>(std::distance(loaded.study.experiments.begin(), loaded.study.experiments.end()));
+  if (answered < count) {
+    hooks.Note("interrupted: " + std::to_string(answered) + " of " + std::to_string(count) +
+               " experiments are answered");
+    if (all) all->is_whole = false;
   }
   return all;
 }
@@ -51,6 +60,7 @@ int RespondToStudy(const ResponseCommand& command) {
   nlohmann::ordered_json json = {{"recordings", nlohmann::ordered_json::array()},
                                  {"channels", nlohmann::ordered_json::array()}};
   AddKeys(answers->json, json);
+  if (!answers->is_whole) json["interrupted"] = true;
   const std::string text = JsonText(json);
   if (!command.output.empty()) {
     OutputFolder output(command.output);
@@ -61,7 +71,7 @@ int RespondToStudy(const ResponseCommand& command) {
   }
   if (command.json) Print(text);
   else PrintText(answers->text);
-  return Interrupted() ? kInterrupted : kGood;
+  return answers->is_whole ? kGood : kInterrupted;
 }
 
 }  // namespace fourpost

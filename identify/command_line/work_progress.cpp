@@ -9,8 +9,9 @@ namespace fourpost {
 WorkHooks WorkProgress::Hooks() {
   return {.show =
               [this](const std::string& text) {
-                if (!line_) line_.emplace();
-                line_->Show(text);
+                if (line_) return line_->Show(text);
+                line_.emplace(start_);
+                line_->ShowNext(text);
               },
           .stop = Interrupted,
           .note =

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 
 #include "analysis/process/work_hooks.h"
@@ -17,6 +18,7 @@ class WorkProgress {
   void End() { line_.reset(); }
 
  private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::optional<ProgressLine> line_;
 };
 

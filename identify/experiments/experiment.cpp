@@ -20,6 +20,7 @@ void AddResults(ExperimentResults part, ExperimentResults& whole) {
   AddKeys(part.json, whole.json);
   std::move(part.shares.begin(), part.shares.end(), std::back_inserter(whole.shares));
   whole.findings.Add(part.findings);
+  whole.is_whole = whole.is_whole && part.is_whole;
   std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
 }
 

@@ -53,6 +53,8 @@ struct ExperimentResults {
   Diagnostics findings = {};
   /// Names in the folder of the results, and what they hold.
   std::vector<std::pair<std::string, std::string>> files = {};
+  /// False where an interruption left some recordings out.
+  bool is_whole = true;
 };
 
 /// A recording that a fitted vehicle is to predict.
@@ -67,6 +69,8 @@ struct PredictionRequest {
   /// One-step predictions of a Kalman filter as well, and where its noise is estimated; empty: as the fit held it.
   bool has_kalman = false;
   std::filesystem::path noise_from = {};
+  /// Whether the results' files are wanted, which may take longer than the rest.
+  bool has_files = false;
 };
 
 /// One kind of test on a rig: as a study describes it, after Load() with its recordings. A new kind is a class of its

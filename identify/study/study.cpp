@@ -27,7 +27,7 @@ std::unique_ptr<Experiment> ReadFourPost(const StrictMap& study) {
     return !history.IsMap() || !history["use"].IsDefined() || history["use"].as<std::string>("") != "validation";
   };
   const YAML::Node histories = study.Get("histories");
-  const bool has_other = histories.IsDefined() && std::any_of(histories.begin(), histories.end(), is_fitted);
+  const bool has_other = histories.IsSequence() && std::any_of(histories.begin(), histories.end(), is_fitted);
   return study.Has("recordings") || !has_other ? FourPost::Read(study) : nullptr;
 }
 

@@ -82,8 +82,7 @@ void AddIntegration(const BenchDamper& damper, const std::vector<ModelledRecordi
   if (worst == nullptr) return;
   const std::string size = Percent(std::max(1e-6, largest), 2) + " of its rms";
   results.text += "halving the step changed no force by more than " + size + '\n';
-  if (largest > kVisible)
-    results.findings.Report(kBenchForceInaccurate, {worst->recording.name}, {size});
+  if (largest > kVisible) results.findings.Report(kBenchForceInaccurate, {worst->recording.name}, {size});
 }
 
 }  // namespace
@@ -191,6 +190,14 @@ bool DamperBench::Reads(const RecordedTable& table) const {
 std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, const PredictionRequest& request,
                                                       const WorkHooks&) const {
   ExperimentResults results;
+  const auto refuse = [&](bool is_given, const char* option) {
+    if (is_given) results.findings.Report(kBenchEngine, Place::Option(option));
+  };
+  refuse(request.engine.has_value(), "--engine");
+  refuse(!request.mode.empty(), "--mode");
+  refuse(request.has_kalman, "--kalman");
+  refuse(!request.noise_from.empty(), "--noise-from");
+  if (results.findings.HasErrors()) throw FaultyInput(results.findings);
   DamperBench other = *this;
   other.plan.recordings = {{.name = request.recording.stem().string(), .file = request.recording}};
   other.plan.validation.clear();

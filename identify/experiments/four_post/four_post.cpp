@@ -215,6 +215,7 @@ std::optional<ExperimentResults> FourPost::Respond(const Subject& subject, std::
     hooks.Note("interrupted: " + std::to_string(modelled.size()) + " of " + std::to_string(answered.size()) +
                " recordings are answered");
   if (modelled.empty()) return std::nullopt;
+  results.is_whole = modelled.size() == answered.size();
   answered.resize(modelled.size());
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(answered, modelled);
   for (const ChannelMisfit& misfit : misfits)

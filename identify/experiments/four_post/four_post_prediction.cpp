@@ -97,6 +97,7 @@ class SinePrediction {
                     {"linear_kinematics_error", KinematicsJson(answer->kinematics_error, answer->not_estimated)},
                     {"channels", ResponseMisfitsJson(misfits)}};
     results.text = MisfitTable(misfits, {}) + EngineText(whole.name, *answer);
+    if (!request_.has_files) return results;
     std::vector<FrequencyResponse> modelled = {Respond(whole)};
     PutInBand(answer->response, modelled.front());
     results.files = {{"response.csv", ResponseCsv({whole}, modelled, lower, upper)},
@@ -183,8 +184,7 @@ class SinePrediction {
 
 std::optional<ExperimentResults> FourPost::Predict(const Subject& subject, const PredictionRequest& request,
                                                    const WorkHooks& hooks) const {
-  if (request.has_kalman)
-    Refuse(kKalmanOfSine, Place::Option("--kalman"), {request.recording.filename().string()});
+  if (request.has_kalman) Refuse(kKalmanOfSine, Place::Option("--kalman"), {request.recording.filename().string()});
   return SinePrediction(plan, subject, request, hooks).Run();
 }
 
