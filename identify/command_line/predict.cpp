@@ -8,7 +8,6 @@
 #include "analysis/files/json_text.h"
 #include "analysis/files/output_folder.h"
 #include "analysis/files/recorded_table.h"
-#include "analysis/text/warning_texts.h"
 #include "identify/command_line/added_load.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
@@ -20,6 +19,7 @@
 #include "identify/run/result_kind.h"
 #include "identify/study/fitted_files.h"
 #include "identify/study/study.h"
+#include "identify/study_file/warnings_json.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/versions.h"
 
@@ -65,8 +65,7 @@ const Experiment& ExperimentOf(const std::filesystem::path& recording, const Stu
   Refuse(kRecordingOfOtherKind, {recording.string()}, {kinds});
 }
 
-std::string AsJson(const PredictCommand& command, const FittedRun& model, const ExperimentResults& results,
-                   const std::vector<std::string>& warnings) {
+std::string AsJson(const PredictCommand& command, const FittedRun& model, const ExperimentResults& results) {
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   Json json = {{"vehicle", model.vehicle.name},
@@ -74,7 +73,7 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
                {"was_fitted", model.has_seen}};
   if (model.load) json["added_load"] = AddedLoadJson(*model.load);
   json.update(results.json);
-  json.update({{"warnings", warnings}, {"versions", versions}});
+  json.update({{"warnings", WarningsJson(results.findings)}, {"versions", versions}});
   return JsonText(json);
 }
 
@@ -113,9 +112,7 @@ int Run(const PredictCommand& command) {
   const std::optional<ExperimentResults> results = Predict(command, model);
   if (!results) return kInterrupted;
   Tell(results->findings);
-  std::vector<std::string> warnings = WarningTexts(results->findings);
-  warnings.insert(warnings.end(), results->remarks.begin(), results->remarks.end());
-  const std::string json = AsJson(command, model, *results, warnings);
+  const std::string json = AsJson(command, model, *results);
   if (!command.output.empty()) {
     OutputFolder output(command.output);
     for (const auto& [name, text] : results->files) output.Add(name, text);

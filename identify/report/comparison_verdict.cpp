@@ -67,7 +67,7 @@ ModelRanking RankByPrediction(const std::vector<ComparedRun>& runs, const std::v
 
 std::string Text(const ModelRanking& ranking) {
   std::string text = "To take: " + html::Escaped(ranking.reason) + ". ";
-  for (const std::string& remark : ranking.remarks) text += html::Escaped(remark) + ' ';
+  for (const Diagnostic& warning : ranking.warnings.items()) text += html::Escaped(warning.message) + ". ";
   return text;
 }
 

@@ -99,12 +99,18 @@ bool IsAnyFar(const std::vector<JudgedChannel>& channels) {
                      [](const JudgedChannel& channel) { return channel.follows == Follows::kNot; });
 }
 
+/// {"id", "text"}, or the text alone of an older run.
+std::string FindingText(const Json& finding) {
+  if (finding.is_string()) return finding.get<std::string>();
+  return finding.is_object() ? TextAt(finding, "text") : "";
+}
+
 /// Empty for a run that explains its data, or does not say.
 std::string DoesNotExplain(const Json& result) {
   const std::vector<Json> reasons = ListAt(result.value("verdict", Json()), "reasons");
   std::vector<std::string> listed;
   for (const Json& reason : reasons)
-    if (reason.is_string()) listed.push_back(html::Escaped(reason.get<std::string>()));
+    if (const std::string text = FindingText(reason); !text.empty()) listed.push_back(html::Escaped(text));
   if (listed.empty()) return "";
   return "<strong>This model does not explain these data:</strong> " + Listed(listed) + ". ";
 }
@@ -375,7 +381,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
 std::string WhatWasOdd(const Json& result) {
   std::string items;
   for (const Json& warning : ListAt(result, "warnings"))
-    if (warning.is_string()) items += html::Element("li", "", html::Escaped(warning.get<std::string>()));
+    if (const std::string text = FindingText(warning); !text.empty()) items += html::Element("li", "", html::Escaped(text));
   return items.empty() ? "" : html::Element("ul", "", items);
 }
 

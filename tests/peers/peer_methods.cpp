@@ -53,20 +53,27 @@ std::vector<std::string> Split(std::string_view text) {
   return parts;
 }
 
+std::string Text(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 // "population=40"
-void Change(PeerSettings& settings, const std::string& change) {
+void Change(PeerSettings& settings, const std::string& method, const std::string& change) {
   const std::size_t sign = change.find('=');
   const std::string name = change.substr(0, sign);
   std::vector<std::string> legal;
   for (const PeerSetting& setting : settings) legal.push_back(setting.name);
   const auto found = std::find(legal.begin(), legal.end(), name);
-  if (found == legal.end()) throw std::invalid_argument("unknown setting '" + name + "'" + DidYouMean(name, legal));
+  if (found == legal.end())
+    Refuse(kPeerSettingUnknown, Place::Option("--methods"), {method, name, DidYouMean(name, legal)});
   PeerSetting& setting = settings[static_cast<std::size_t>(found - legal.begin())];
   setting.value =
       sign == std::string::npos ? std::nan("") : ParseNumber(change.substr(sign + 1)).value_or(std::nan(""));
-  std::ostringstream bound;
-  bound << setting.lower << " to " << setting.upper;
-  RequireOption(setting.value >= setting.lower && setting.value <= setting.upper, name, setting.value, bound.str());
+  if (!(setting.value >= setting.lower && setting.value <= setting.upper))
+    Refuse(kPeerSettingOutOfRange, Place::Option("--methods"),
+           {method, name, Text(setting.value), Text(setting.lower), Text(setting.upper)});
 }
 
 PeerRules RulesOf(const PeerSettings& settings) {
@@ -93,12 +100,6 @@ SearchEnd RunPeer(const Peer& peer, const PeerSettings& settings, Archive& archi
   return objective.end();
 }
 
-std::string Text(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
 }  // namespace
 
 std::vector<std::string_view> PeerNames() {
@@ -112,9 +113,9 @@ ComparedMethod PeerMethod(std::string_view text) {
   const std::string name = parts.empty() ? "" : parts[0];
   const auto peer = std::find_if(Peers().begin(), Peers().end(), [&](const Peer& p) { return p.name == name; });
   if (peer == Peers().end())
-    throw std::invalid_argument("there is no peer '" + name + "'" + DidYouMean(name, PeerNames()));
+    Refuse(kPeerUnknown, Place::Option("--methods"), {name, DidYouMean(name, PeerNames())});
   PeerSettings settings = peer->settings;
-  for (std::size_t i = 1; i < parts.size(); ++i) Change(settings, parts[i]);
+  for (std::size_t i = 1; i < parts.size(); ++i) Change(settings, std::string(text), parts[i]);
 
   ForeignMethod foreign;
   for (const PeerSetting& setting : settings) foreign.settings.emplace_back(setting.name, Text(setting.value));
@@ -133,11 +134,14 @@ std::vector<ComparedMethod> TakePeers(std::vector<std::string>& names, Diagnosti
   std::set<std::string> seen;
   for (const std::string& name : names) {
     if (!is_peer(name)) continue;
+    if (!seen.insert(name).second) {
+      diagnostics.Report(kPeerTwice, Place::Option("--methods"), {name});
+      continue;
+    }
     try {
-      if (!seen.insert(name).second) throw std::invalid_argument("it is asked for twice");
       methods.push_back(PeerMethod(name));
-    } catch (const std::invalid_argument& error) {
-      diagnostics.Error("--methods", 0, "method '" + name + "': " + error.what());
+    } catch (const FaultyInput& fault) {
+      diagnostics.Add(fault.diagnostics());
     }
   }
   std::erase_if(names, is_peer);

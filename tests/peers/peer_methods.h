@@ -14,7 +14,7 @@ std::vector<std::string_view> PeerNames();
 
 /// The peer that `text` names, its settings changed by what follows: "pagmo_de:population=40:factor=0.7". Every peer
 /// has `population`, `patience` (populations asked for without a better cost, after which it starts anew from another
-/// seed; 0: never) and `logarithmic` (PeerRules). Throws std::invalid_argument saying what is wrong.
+/// seed; 0: never) and `logarithmic` (PeerRules). Throws FaultyInput about --methods.
 ComparedMethod PeerMethod(std::string_view text);
 
 /// Takes the peers out of `names`. Adds faults, names of ours excepted, to `diagnostics`.

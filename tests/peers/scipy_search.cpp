@@ -9,9 +9,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "analysis/text/diagnostics.h"
+#include "tests/peers/findings.h"
 
 extern char** environ;
 
@@ -21,7 +23,7 @@ namespace {
 // Both ends close when another program starts; what becomes its input or output is a copy that does not.
 struct Pipe {
   Pipe() {
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe to Python");
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) Refuse(kScipyFailed, {}, {"no pipe to Python"});
   }
   int reading() const { return ends[0]; }
   int writing() const { return ends[1]; }
@@ -56,7 +58,7 @@ class PythonProcess {
   std::string Read() {
     std::string line;
     for (int c = std::fgetc(from_); c != '\n'; c = std::fgetc(from_)) {
-      if (c == EOF) throw std::runtime_error("scipy_de.py ended; it needs python3-scipy");
+      if (c == EOF) Refuse(kScipyFailed, {}, {"scipy_de.py ended"});
       line += static_cast<char>(c);
     }
     return line;
@@ -73,7 +75,7 @@ class PythonProcess {
     std::array<char*, 3> arguments = {python.data(), script.data(), nullptr};
     const int error = posix_spawn(&process_, python.c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) throw std::runtime_error("cannot start " + python);
+    if (error != 0) Refuse(kScipyFailed, {}, {"cannot start " + python});
   }
 
   pid_t process_ = 0;
@@ -95,7 +97,7 @@ std::vector<double> Numbers(const std::string& line) {
   const char* at = line.c_str();
   for (char* end = nullptr; *at != '\0'; at = end) {
     numbers.push_back(std::strtod(at, &end));
-    if (end == at) throw std::runtime_error("scipy_de.py said: " + line);
+    if (end == at) Refuse(kScipyFailed, {}, {"unexpected answer '" + line + "'"});
   }
   return numbers;
 }

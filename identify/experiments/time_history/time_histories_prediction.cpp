@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analysis/text/text_table.h"
+#include "identify/experiments/time_history/findings.h"
 #include "identify/experiments/time_history/history_fit_files.h"
 #include "identify/experiments/time_history/history_remark.h"
 #include "identify/experiments/time_history/history_tyre_pull_lint.h"
@@ -19,12 +20,6 @@
 
 namespace fourpost {
 namespace {
-
-[[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& message) {
-  Diagnostics faults;
-  faults.Error(file.string(), 0, message);
-  throw FaultyInput(faults);
-}
 
 /// Nothing where it is interrupted.
 std::optional<EngineHistory> Answer(const Subject& subject, const MeasuredHistory& history,
@@ -46,7 +41,7 @@ class HistoryPrediction {
 
   std::optional<ExperimentResults> Run() const {
     ExperimentResults results;
-    const std::vector<MeasuredHistory> histories = {Load(Layout(request_.recording), results.findings)};
+    const std::vector<MeasuredHistory> histories = {Load(request_.recording, results.findings)};
     const MeasuredHistory& history = histories.front();
     const HistoryResiduals reduced(subject_.Condensed(), histories, {});
     const std::vector<double> values = subject_.vehicle().ParameterValues();
@@ -67,16 +62,14 @@ class HistoryPrediction {
     results.files = {{"history.csv", HistoryFitCsv(histories, modelled)},
                      {"history.svg", HistoryFitSvg(history, modelled.front(), misfits)}};
     results.text = HistoryTable(misfits) + EngineText(answer->by);
-    for (const HistoryRemark& remark : RemarksOn(misfits, 1 / history.rate_Hz, RemediedErrors(histories, modelled))) {
-      results.remarks.push_back(remark.message);
-      results.text += remark.message + '\n';
-    }
+    for (const HistoryRemark& remark : RemarksOn(misfits, 1 / history.rate_Hz, RemediedErrors(histories, modelled)))
+      results.findings.Report(*remark.found.kind, {request_.recording.string()}, remark.found.words);
     return results;
   }
 
  private:
   /// The first of the study's histories, of this recording.
-  StudyHistory Layout(const std::filesystem::path& recording) const {
+  StudyHistory Layout(const std::filesystem::path& recording, Diagnostics& findings) const {
     StudyHistory history = plan_.histories.front();
     history.file = recording;
     history.name = recording.stem().string();
@@ -84,9 +77,12 @@ class HistoryPrediction {
     Diagnostics diagnostics;
     const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
     if (!table) throw FaultyInput(diagnostics);
-    if (const std::string left_out = KeepMeasured(recording, table->names(), history.channels); !left_out.empty())
-      hooks_.Note("not measured in " + recording.filename().string() + ", left out: " + left_out);
+    KeepMeasured(recording, table->names(), history.channels, findings);
     return history;
+  }
+
+  MeasuredHistory Load(const std::filesystem::path& recording, Diagnostics& findings) const {
+    return Load(Layout(recording, findings), findings);
   }
 
   MeasuredHistory Load(const StudyHistory& layout, Diagnostics& diagnostics) const {
@@ -98,11 +94,11 @@ class HistoryPrediction {
 
   /// As recorded: a Kalman filter takes no filter back.
   MeasuredHistory LoadAsRecorded(const std::filesystem::path& recording, std::optional<double> end_s) const {
-    StudyHistory layout = Layout(recording);
-    layout.filter.reset();
-    layout.end_s = end_s;
     // Those of the recording with its filter have been found.
     Diagnostics findings;
+    StudyHistory layout = Layout(recording, findings);
+    layout.filter.reset();
+    layout.end_s = end_s;
     return Load(layout, findings);
   }
 
@@ -113,10 +109,7 @@ class HistoryPrediction {
     if (request_.noise_from.empty()) {
       const std::optional<KalmanNoise> held = ReadKalmanNoise(request_.run / "result.json", judged);
       if (held) return *held;
-      Refuse(request_.run,
-             "tells no noise for a Kalman filter, for the fit was not by 'cost: prediction': name the "
-             "recording it was fitted to by --noise-from, for noise estimated on the recording that is "
-             "judged would flatter the model");
+      Refuse(kKalmanWithoutNoise, {request_.run.string()});
     }
     return KalmanPredictor(LoadAsRecorded(request_.noise_from, std::nullopt))
         .Estimate(Model(), {.progress = KalmanProgress(hooks_)});
@@ -125,9 +118,7 @@ class HistoryPrediction {
   void AddKalman(const MeasuredHistory& judged, std::vector<HistoryMisfit>& misfits) const {
     for (const Damper& damper : subject_.vehicle().dampers)
       if (damper.hydraulic)
-        Refuse(request_.run / "vehicle.urdf", "fp:damper '" + damper.name +
-                                                  "' is hydraulic: a Kalman filter corrects positions and velocities, "
-                                                  "and knows nothing of its oil; leave --kalman out");
+        Refuse(kKalmanHydraulic, {(request_.run / "vehicle.urdf").string()}, {damper.name});
     const MeasuredHistory recorded =
         LoadAsRecorded(request_.recording, judged.TimeAt(judged.count - 1) + 0.5 / judged.rate_Hz);
     const KalmanPrediction prediction = KalmanPredictor(recorded).Run(Model(), NoiseOf(recorded));
@@ -172,10 +163,10 @@ std::optional<std::vector<HistoryMisfit>> Answers(const std::vector<MeasuredHist
 
 std::optional<ExperimentResults> TimeHistories::Predict(const Subject& subject, const PredictionRequest& request,
                                                         const WorkHooks& hooks) const {
-  if (!request.mode.empty())
-    hooks.Note("--mode: warning: " + request.recording.filename().string() +
-               " tells itself how its posts moved; the option is left out");
-  return HistoryPrediction(plan, subject, request, hooks).Run();
+  std::optional<ExperimentResults> results = HistoryPrediction(plan, subject, request, hooks).Run();
+  if (results && !request.mode.empty())
+    results->findings.Report(kModeOfHistory, Place::Option("--mode"), {request.recording.filename().string()});
+  return results;
 }
 
 std::optional<ExperimentResults> TimeHistories::Respond(const Subject& subject, std::optional<Engine> engine,

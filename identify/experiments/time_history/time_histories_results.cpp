@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "identify/experiments/time_history/findings.h"
 #include "identify/experiments/time_history/history_fit_files.h"
 #include "identify/experiments/time_history/history_lint.h"
 #include "identify/experiments/time_history/history_tyre_pull_lint.h"
@@ -67,9 +68,8 @@ void AddEngines(const TimeHistories& experiment, double error, ExperimentResults
     const HistoryEngine& by = experiment.checks[h].by;
     AddEngine(name, true, by, error, results);
     if (by.engine == Engine::kReduced && by.kinematics_error && by.kinematics_error->IsVisible())
-      results.findings.Warning(experiment.plan.file, 0,
-                               "history '" + name + "': " + KinematicsText(*by.kinematics_error) +
-                                   ", and a cost by prediction is not corrected for it; take another 'cost'");
+      results.findings.Report(kHistoryKinematicsVisible, {experiment.plan.file},
+                              {name, KinematicsText(*by.kinematics_error)});
   }
   if (!experiment.checks.empty()) results.text += '\n';
 }
@@ -95,9 +95,7 @@ Predictions PredictAll(const TimeHistories& experiment, const Subject& subject, 
       out.modelled.push_back(std::move(answer.modelled));
       out.by.push_back(std::move(answer.by));
     } catch (const std::runtime_error& failure) {
-      found.Error(experiment.plan.file, 0,
-                  "'" + history.name + "' cannot be predicted by the fitted vehicle: " + failure.what() +
-                      "; `fourpost check` of the vehicle.urdf of the results tells more");
+      found.Report(kHistoryNotPredicted, {experiment.plan.file}, {history.name, failure.what()});
     }
     if (std::optional<LeftOutRecording> left_out = LeftOutFor(found, history.name, {}, results.findings))
       results.json["validation_left_out"].push_back(LeftOutJson(*left_out));
