@@ -30,11 +30,7 @@ int CodeOf(FitEnd end) {
 int Run(const FitCommand& command) {
   WorkProgress progress;
   const FitRunHooks hooks{.work = progress.Hooks(),
-                          .find =
-                              [&progress](const Diagnostics& found) {
-                                progress.End();
-                                Tell(found);
-                              },
+                          .find = [&progress](const Diagnostics& found) { progress.Tell(found); },
                           .begin = CatchInterrupts,
                           .fit = [](const FitOptions& options) { return ShownFit(options); }};
   const FitRun run = FitStudy(command, hooks);

@@ -80,12 +80,12 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
 std::string LoadText(const FittedRun& model) { return model.load ? AddedLoadText(*model.load) + '\n' : ""; }
 
 /// Nothing where it was interrupted.
-std::optional<ExperimentResults> Predict(const PredictCommand& command, const FittedRun& model) {
+std::optional<ExperimentResults> Predict(const PredictCommand& command, const FittedRun& model,
+                                         WorkProgress& progress) {
   const std::vector<std::size_t> free;
   const Subject subject(model.vehicle, free, command.run / "study.yaml");
   const Experiment& experiment = ExperimentOf(command.recording, model.study);
   CatchInterrupts();
-  WorkProgress progress;
   return experiment.Predict(subject,
                             {.recording = command.recording,
                              .run = command.run,
@@ -109,9 +109,11 @@ int Run(const PredictCommand& command) {
   model.has_seen = WasFitted(command.run / "result.json", command.recording);
   if (model.has_seen) Tell(kRecordingWasFitted, {command.recording.string()});
   if (!command.add_mass.empty()) model.load = AddLoad(command.add_mass, command.at, model.vehicle);
-  const std::optional<ExperimentResults> results = Predict(command, model);
+  WorkProgress progress;
+  const std::optional<ExperimentResults> results = Predict(command, model, progress);
   if (!results) return kInterrupted;
-  Tell(results->findings);
+  progress.Tell(results->findings);
+  progress.End();
   const std::string json = AsJson(command, model, *results);
   if (!command.output.empty()) {
     OutputFolder output(command.output);

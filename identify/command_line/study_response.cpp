@@ -16,10 +16,10 @@ namespace fourpost {
 namespace {
 
 /// Those of all experiments that come before an interruption; nothing where none does.
-std::optional<ExperimentResults> Answers(const LoadedStudy& loaded, const ResponseCommand& command) {
+std::optional<ExperimentResults> Answers(const LoadedStudy& loaded, const ResponseCommand& command,
+                                         WorkProgress& progress) {
   const Subject subject = loaded.MakeSubject();
   CatchInterrupts();
-  WorkProgress progress;
   const WorkHooks hooks = progress.Hooks();
   std::optional<ExperimentResults> all;
   std::size_t answered = 0;
@@ -54,9 +54,11 @@ int RespondToStudy(const ResponseCommand& command) {
     RequireNoOtherResult(command.output, ResultKind::kResponse);
     OutputFolder{command.output};
   }
-  const std::optional<ExperimentResults> answers = Answers(*loaded, command);
+  WorkProgress progress;
+  const std::optional<ExperimentResults> answers = Answers(*loaded, command, progress);
   if (!answers) return kInterrupted;
-  Tell(answers->findings);
+  progress.Tell(answers->findings);
+  progress.End();
   nlohmann::ordered_json json = {{"recordings", nlohmann::ordered_json::array()},
                                  {"channels", nlohmann::ordered_json::array()}};
   AddKeys(answers->json, json);

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "identify/command_line/interrupt.h"
+#include "identify/command_line/print.h"
 
 namespace fourpost {
 
@@ -18,7 +19,17 @@ WorkHooks WorkProgress::Hooks() {
               [this](const std::string& text) {
                 End();
                 std::fprintf(stderr, "%s\n", text.c_str());
-              }};
+              },
+          .find = [this](const Diagnostics& findings) { Tell(findings); }};
+}
+
+void WorkProgress::Tell(const Diagnostics& findings) {
+  Diagnostics news;
+  for (const Diagnostic& item : findings.items())
+    if (told_.insert(Format(item)).second) news.Add(item);
+  if (news.items().empty()) return;
+  End();
+  fourpost::Tell(news);
 }
 
 }  // namespace fourpost

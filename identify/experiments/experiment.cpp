@@ -17,6 +17,7 @@ void AddKeys(const nlohmann::ordered_json& part, nlohmann::ordered_json& whole) 
 
 void AddResults(ExperimentResults part, ExperimentResults& whole) {
   whole.text += part.text;
+  whole.unseen_text += part.unseen_text;
   AddKeys(part.json, whole.json);
   std::move(part.shares.begin(), part.shares.end(), std::back_inserter(whole.shares));
   whole.findings.Add(part.findings);

@@ -43,8 +43,9 @@ struct ExperimentFile {
 
 /// What an experiment adds to the results of a fit or of `fourpost response STUDY`.
 struct ExperimentResults {
-  /// Tables for the terminal.
+  /// Tables for the terminal: of what was fitted, and of what a fit has not seen.
   std::string text = {};
+  std::string unseen_text = {};
   /// Keys of result.json; lists of several experiments are joined.
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   /// Squares of the errors of all that was fitted, for the verdict.

@@ -219,7 +219,7 @@ class Fitter {
     Keep(results.findings);
     run.verdict = JudgeFit(fit, results.shares);
     const Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
-    run.text = FitText(fit, run.verdict, conclusions, results.text);
+    run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text);
     run.json = ResultJson(loaded, seed, fit, results.json, {run.verdict, conclusions, warnings_});
     std::vector<std::pair<std::string, std::string>>& files = results.files;
     files.emplace_back("parameters.csv", ParametersCsv(loaded.vehicle, fit.parameters));

@@ -58,6 +58,9 @@ std::string KinematicsText(const HistoryDifference& error) {
 }
 
 std::string FitEngineText(const std::string& recording, const HistoryEngine& by) {
+  // An engine that was asked for estimates nothing.
+  if (!by.kinematics_error && by.not_estimated.empty())
+    return recording + ": engine " + std::string(EngineName(by.engine)) + '\n';
   if (!by.kinematics_error)
     return recording + ": what linear kinematics leave out could not be estimated: " + by.not_estimated + '\n';
   const std::string text = recording + ": " + KinematicsText(*by.kinematics_error) + ": ";

@@ -199,6 +199,7 @@ std::optional<ExperimentResults> FourPost::Respond(const Subject& subject, std::
   std::vector<MeasuredRun> answered = RunsInBand();
   ExperimentResults results;
   LintTyrePulls(subject.vehicle(), subject.vehicle().ParameterValues(), answered, results.findings);
+  hooks.Find(results.findings);
   SteadySolver solver(subject.vehicle());
   RequireStable(subject.vehicle(), solver);
   std::vector<FrequencyResponse> modelled;

@@ -88,6 +88,7 @@ class SinePrediction {
     const std::vector<MeasuredRun> in_band = InBand({whole}, lower, upper);
     LintRuns({plan_, subject_.vehicle(), model_}, {whole}, results.findings);
     LintTyrePulls(subject_.vehicle(), subject_.vehicle().ParameterValues(), in_band, results.findings);
+    hooks_.Find(results.findings);
     const std::optional<SteadyResponse> answer = Answer(in_band.front());
     if (!answer) return std::nullopt;
     const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, {answer->response});

@@ -31,8 +31,7 @@ void CheckPrediction(const HistoryPlan& plan, const Vehicle& vehicle, Diagnostic
     if (history.filter && !history.is_validation)
       diagnostics.Report(kPredictionFilter, {plan.file, history.line}, {history.name});
   for (const Damper& damper : vehicle.dampers)
-    if (damper.hydraulic)
-      diagnostics.Report(kPredictionHydraulic, {vehicle.file, damper.source_line}, {damper.name});
+    if (damper.hydraulic) diagnostics.Report(kPredictionHydraulic, {vehicle.file, damper.source_line}, {damper.name});
 }
 
 /// Whitened residuals are over a deviation.
@@ -73,14 +72,14 @@ void Add(Sha256& digest, const MeasuredHistory& history) {
 
 std::unique_ptr<Experiment> TimeHistories::Read(const StrictMap& study) {
   if (!study.Has("histories")) return nullptr;
-  // Faults there are reported once, by the stepped sines where there are any.
-  Diagnostics reported_elsewhere;
-  const StrictMap shared = study.Has("recordings") ? study.ReportingTo(reported_elsewhere) : study;
   auto read = std::make_unique<TimeHistories>();
   read->plan = {.file = study.file(),
                 .histories = ReadHistories(study.Get("histories"), study.file(), study.diagnostics()),
-                .cost = ReadCost(study),
-                .model_error = ReadModelError(shared)};
+                .cost = ReadCost(study)};
+  // Faults of what both share are reported once, by the stepped sines where they are read.
+  const bool has_sines = study.Has("recordings") || HistoriesOf(read->plan.histories, false).empty();
+  Diagnostics reported_elsewhere;
+  read->plan.model_error = ReadModelError(has_sines ? study.ReportingTo(reported_elsewhere) : study);
   return read;
 }
 
@@ -105,6 +104,7 @@ void TimeHistories::Load(const Subject& subject, Diagnostics& diagnostics) {
 }
 
 void TimeHistories::AddTo(Sha256& data, Sha256& settings) const {
+  if (fitted.empty()) return;
   for (const MeasuredHistory& history : fitted) Add(data, history);
   settings.Add(plan.model_error.history);
   settings.Add(static_cast<double>(plan.cost));

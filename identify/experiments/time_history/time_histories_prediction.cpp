@@ -46,6 +46,7 @@ class HistoryPrediction {
     const HistoryResiduals reduced(subject_.Condensed(), histories, {});
     const std::vector<double> values = subject_.vehicle().ParameterValues();
     LintTyrePulls(subject_.vehicle(), values, histories, reduced.Steps(), results.findings);
+    hooks_.Find(results.findings);
     const std::optional<EngineHistory> answer =
         Answer(subject_, history, {.engine = request_.engine.value_or(Engine::kAuto)}, hooks_);
     if (!answer) return std::nullopt;
@@ -117,8 +118,7 @@ class HistoryPrediction {
 
   void AddKalman(const MeasuredHistory& judged, std::vector<HistoryMisfit>& misfits) const {
     for (const Damper& damper : subject_.vehicle().dampers)
-      if (damper.hydraulic)
-        Refuse(kKalmanHydraulic, {(request_.run / "vehicle.urdf").string()}, {damper.name});
+      if (damper.hydraulic) Refuse(kKalmanHydraulic, {(request_.run / "vehicle.urdf").string()}, {damper.name});
     const MeasuredHistory recorded =
         LoadAsRecorded(request_.recording, judged.TimeAt(judged.count - 1) + 0.5 / judged.rate_Hz);
     const KalmanPrediction prediction = KalmanPredictor(recorded).Run(Model(), NoiseOf(recorded));
@@ -136,25 +136,32 @@ Engine HistoryEngineOf(std::optional<Engine> engine) {
   return engine == Engine::kMarch ? Engine::kFull : engine.value_or(Engine::kAuto);
 }
 
-/// By the engine that each needs; nothing where it is interrupted.
-std::optional<std::vector<HistoryMisfit>> Answers(const std::vector<MeasuredHistory>& histories, const Subject& subject,
-                                                  std::optional<Engine> engine, const WorkHooks& hooks,
-                                                  const std::string& file, ExperimentResults& results) {
-  if (histories.empty()) return std::vector<HistoryMisfit>();
+/// By the engine that each needs; of those before an interruption.
+std::vector<HistoryMisfit> Answers(std::vector<MeasuredHistory> histories, const Subject& subject,
+                                   std::optional<Engine> engine, const WorkHooks& hooks, const std::string& file,
+                                   ExperimentResults& results) {
+  if (histories.empty() || !results.is_whole) return {};
   const HistoryResiduals reduced(subject.Condensed(), histories, {});
   const std::vector<double> values = subject.vehicle().ParameterValues();
   LintTyrePulls(subject.vehicle(), values, histories, reduced.Steps(), results.findings);
+  hooks.Find(results.findings);
   std::vector<Eigen::MatrixXd> modelled;
   for (const MeasuredHistory& history : histories) {
     const HistorySolver::Options options{.engine = HistoryEngineOf(engine), .error = reduced.options().error};
     std::optional<EngineHistory> answer = Answer(subject, history, options, hooks);
-    if (!answer) return std::nullopt;
+    if (!answer) break;
     nlohmann::ordered_json entry = {{"recording", history.name}};
     entry.update(EngineJson(answer->by, options.error));
     results.json["histories"].push_back(entry);
     results.text += FitEngineText(history.name, answer->by);
     modelled.push_back(std::move(answer->modelled));
   }
+  if (modelled.size() < histories.size())
+    hooks.Note("interrupted: " + std::to_string(modelled.size()) + " of " + std::to_string(histories.size()) +
+               " recordings are answered");
+  results.is_whole = modelled.size() == histories.size();
+  histories.resize(modelled.size());
+  if (histories.empty()) return {};
   results.files.emplace_back(file, HistoryFitCsv(histories, modelled));
   return HistoryMisfits(histories, modelled);
 }
@@ -172,13 +179,13 @@ std::optional<ExperimentResults> TimeHistories::Predict(const Subject& subject, 
 std::optional<ExperimentResults> TimeHistories::Respond(const Subject& subject, std::optional<Engine> engine,
                                                         const WorkHooks& hooks) const {
   ExperimentResults results;
-  const auto fit = Answers(fitted, subject, engine, hooks, "history.csv", results);
-  const auto kept = fit ? Answers(validation, subject, engine, hooks, "validation.csv", results) : std::nullopt;
-  if (!kept) return std::nullopt;
-  results.json["channels"] = HistoryMisfitsJson(*fit);
-  if (!kept->empty()) results.json["validation"] = HistoryMisfitsJson(*kept);
-  std::vector<HistoryMisfit> all = *fit;
-  all.insert(all.end(), kept->begin(), kept->end());
+  const std::vector<HistoryMisfit> fit = Answers(fitted, subject, engine, hooks, "history.csv", results);
+  const std::vector<HistoryMisfit> kept = Answers(validation, subject, engine, hooks, "validation.csv", results);
+  if (!results.is_whole && fit.empty() && kept.empty()) return std::nullopt;
+  results.json["channels"] = HistoryMisfitsJson(fit);
+  if (!kept.empty()) results.json["validation"] = HistoryMisfitsJson(kept);
+  std::vector<HistoryMisfit> all = fit;
+  all.insert(all.end(), kept.begin(), kept.end());
   results.text = HistoryTable(all) + results.text;
   return results;
 }
