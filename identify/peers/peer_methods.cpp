@@ -9,7 +9,7 @@
 
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
-#include "analysis/text/option_check.h"
+#include "identify/peers/findings.h"
 #include "identify/peers/nlopt_search.h"
 #include "identify/peers/pagmo_search.h"
 #include "identify/peers/scipy_search.h"
