@@ -38,10 +38,10 @@ std::string Reason(const fs::filesystem_error& error) {
   throw OutputError(kind, {folder.string()}, words);
 }
 
-std::string FormatOne(const Finding& kind, Place place, const std::vector<std::string>& words) {
+Diagnostics OneFinding(const Finding& kind, Place place, const std::vector<std::string>& words) {
   Diagnostics found;
   found.Report(kind, std::move(place), words);
-  return found.Format();
+  return found;
 }
 
 /// A file or folder that is open for as long as this lives.
@@ -121,7 +121,10 @@ fs::path WithoutTrailingSlash(const fs::path& folder) { return folder.has_filena
 }  // namespace
 
 OutputError::OutputError(const Finding& kind, Place place, const std::vector<std::string>& words)
-    : std::runtime_error(FormatOne(kind, std::move(place), words)) {}
+    : OutputError(OneFinding(kind, std::move(place), words)) {}
+
+OutputError::OutputError(Diagnostics diagnostics)
+    : std::runtime_error(diagnostics.Format()), diagnostics_(std::move(diagnostics)) {}
 
 bool IsDiskFull(const std::error_code& reason) {
   return reason == std::errc::no_space_on_device || reason == std::errc::file_too_large ||

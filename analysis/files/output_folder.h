@@ -16,6 +16,13 @@ class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
   OutputError(const Finding& kind, Place place, const std::vector<std::string>& words = {});
+  /// Empty where it was made of a text.
+  const Diagnostics& diagnostics() const { return diagnostics_; }
+
+ private:
+  explicit OutputError(Diagnostics diagnostics);
+
+  Diagnostics diagnostics_;
 };
 
 /// Whether the system refuses to write for want of room.

@@ -39,6 +39,8 @@ struct ClippedEnds {
   /// "is clipped: 30 samples stand at 200 N exactly, the first at 1.5 s"; "looks clipped: ..." under noise. `first_s`:
   /// when first() was.
   std::string Text(const std::string& unit, double first_s) const;
+  /// "30 samples stand at 200 N exactly, the first at 1.5 s".
+  std::string Samples(const std::string& unit, double first_s) const;
 };
 
 /// Nothing where neither end is clipped.

@@ -14,7 +14,8 @@ struct Found {
   std::vector<std::string> words = {};
 
   explicit operator bool() const { return kind != nullptr; }
-  std::string Message() const { return kind->Message(words); }
+  /// "text: remedy [id]".
+  std::string Text() const { return kind->Message(words) + " [" + std::string(kind->id()) + "]"; }
 };
 
 }  // namespace fourpost

@@ -174,9 +174,9 @@ TEST_F(StudyTest, ReadsAPatternOfPosts) {
 
 TEST_F(StudyTest, ReportsAnUnknownPatternOfPosts) {
   EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "ptich"),
-              Reports(kPatternUnknown, 5, {"'ptich'", "'pitch'"}));
+              Reports(kSinePatternUnknown, 5, {"'ptich'", "'pitch'"}));
   EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "bounce"),
-              Reports(kPatternUnknown, 5, {"'bounce'", "heave, pitch, roll, warp"}));
+              Reports(kSinePatternUnknown, 5, {"'bounce'", "heave, pitch, roll, warp"}));
 }
 
 TEST_F(StudyTest, ReportsPostsThatAreNeitherPatternNorShares) {
