@@ -10,7 +10,7 @@ namespace fourpost {
 inline const Finding kObjectiveConstant{"objective-constant", Severity::kError,
                                         "the objective is constant, no parameter has an effect on it",
                                         "check bounds, channels and band of the study"};
-inline const Finding kParameterIdle{"parameter-idle", Severity::kWarning,
+inline const Finding kObjectiveIgnores{"objective-ignores", Severity::kWarning,
                                     "parameter '{}' has no effect on the objective", "fix it"};
 
 // The archive.

@@ -57,7 +57,7 @@ void CheckEffects(Archive& archive, const std::string& file, Diagnostics& diagno
   const std::vector<std::string> idle = IdleParameters(archive);
   if (idle.size() == archive.lattice().size())
     return diagnostics.Report(kObjectiveConstant, {file});
-  for (const std::string& name : idle) diagnostics.Report(kParameterIdle, {file}, {name});
+  for (const std::string& name : idle) diagnostics.Report(kObjectiveIgnores, {file}, {name});
 }
 
 }  // namespace fourpost

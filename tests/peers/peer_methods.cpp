@@ -9,7 +9,7 @@
 
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
-#include "analysis/text/option_check.h"
+#include "tests/peers/findings.h"
 #include "tests/peers/nlopt_search.h"
 #include "tests/peers/pagmo_search.h"
 #include "tests/peers/scipy_search.h"

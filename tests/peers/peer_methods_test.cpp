@@ -8,6 +8,8 @@
 
 #include "analysis/signals/mix_bits.h"
 #include "identify/comparison/comparison_json.h"
+#include "identify/peers/findings.h"
+#include "tests/findings.h"
 #include "tests/identify/test_problems.h"
 
 namespace fourpost {
@@ -172,18 +174,18 @@ TEST(PeerMethod, ChangesSettings) {
   EXPECT_THAT(method.foreign->settings, Contains(Pair("crossover", "0.9")));
 }
 
-std::string Fault(const std::string& name) {
+Diagnostics Fault(const std::string& name) {
   std::vector<std::string> names = {name};
   Diagnostics diagnostics;
   EXPECT_TRUE(TakePeers(names, diagnostics).empty());
-  return diagnostics.Format();
+  return diagnostics;
 }
 
 TEST(PeerMethod, NamesFaults) {
-  EXPECT_THAT(Fault("pagmo_sad"), HasSubstr("there is no peer 'pagmo_sad', did you mean 'pagmo_sade'?"));
-  EXPECT_THAT(Fault("nlopt_crs2:popluation=9"), HasSubstr("'popluation', did you mean 'population'?"));
-  EXPECT_THAT(Fault("pagmo_sade:population=6"), HasSubstr("population = 6, must be 7 to 100000"));
-  EXPECT_THAT(Fault("scipy_de:crossover"), HasSubstr("crossover = nan, must be 0 to 1"));
+  EXPECT_THAT(Fault("pagmo_sad"), ReportsOption(kPeerUnknown, "--methods", {"'pagmo_sad'", "'pagmo_sade'"}));
+  EXPECT_THAT(Fault("nlopt_crs2:popluation=9"), ReportsOption(kPeerSettingUnknown, "--methods", {"'popluation'", "'population'"}));
+  EXPECT_THAT(Fault("pagmo_sade:population=6"), ReportsOption(kPeerSettingOutOfRange, "--methods", {"population = 6", "7 to 100000"}));
+  EXPECT_THAT(Fault("scipy_de:crossover"), ReportsOption(kPeerSettingOutOfRange, "--methods", {"crossover = nan", "0 to 1"}));
 }
 
 TEST(PeerMethod, LeavesOurNamesAlone) {
@@ -191,7 +193,7 @@ TEST(PeerMethod, LeavesOurNamesAlone) {
   Diagnostics diagnostics;
   EXPECT_EQ(TakePeers(names, diagnostics).size(), 1u);
   EXPECT_THAT(names, testing::ElementsAre("dvhde", "de"));
-  EXPECT_THAT(diagnostics.Format(), HasSubstr("'scipy_de': it is asked for twice"));
+  EXPECT_THAT(diagnostics, ReportsOption(kPeerTwice, "--methods", {"'scipy_de'"}));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace fourpost {
 inline const Finding kSinesEmpty{"sines-empty", Severity::kError, "'recordings' must be a list with at least one entry"};
 inline const Finding kSineTwice{"sine-twice", Severity::kError, "two recordings have the name '{}'",
                                 "rename one with 'name'"};
-inline const Finding kPatternUnknown{"pattern-unknown", Severity::kError, "unknown pattern '{}' of 'posts'{}"};
+inline const Finding kSinePatternUnknown{"sine-pattern-unknown", Severity::kError, "unknown pattern '{}' of 'posts'{}"};
 inline const Finding kPatternImpossible{"pattern-impossible", Severity::kError, "recording '{}': {}"};
 inline const Finding kPostSharesMissing{"post-shares-missing", Severity::kError,
                                         "'posts' must be a pattern such as pitch, or map each moving post to its share "

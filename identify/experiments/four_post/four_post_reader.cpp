@@ -55,7 +55,7 @@ class FourPostReader {
   std::string Pattern(const YAML::Node& node) {
     const std::string& name = node.Scalar();
     if (std::find(kPostPatterns.begin(), kPostPatterns.end(), name) == kPostPatterns.end())
-      Fault(node, kPatternUnknown, {name, Suggestion(name, kPostPatterns)});
+      Fault(node, kSinePatternUnknown, {name, Suggestion(name, kPostPatterns)});
     return name;
   }
 

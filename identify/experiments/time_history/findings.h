@@ -58,11 +58,11 @@ inline const Finding kPostSampledTooSlowly{
 
 // Plausibility after the fit.
 
-inline const Finding kChannelsSwapped{"channels-swapped", Severity::kWarning,
+inline const Finding kHistoryChannelsSwapped{"history-channels-swapped", Severity::kWarning,
                                       "'{}' of '{}' is measured like the model's '{}' and vice versa, as if the two "
                                       "channels were swapped",
                                       "exchange them in the study"};
-inline const Finding kChannelsSwappedAtStart{"channels-swapped-at-start", Severity::kWarning,
+inline const Finding kHistoryChannelsSwappedAtStart{"history-channels-swapped-at-start", Severity::kWarning,
                                              "'{}' of '{}' is measured like '{}' of the vehicle file and vice versa, as "
                                              "if the two channels were swapped",
                                              "exchange them in the study"};

@@ -66,7 +66,7 @@ class HistoryLinter {
             {Cause::kSwapped,
              start_[i].recording,
              start_[i].name,
-             {&kChannelsSwappedAtStart, {start_[i].name, start_[i].recording, *start_[i].swapped_with}}});
+             {&kHistoryChannelsSwappedAtStart, {start_[i].name, start_[i].recording, *start_[i].swapped_with}}});
   }
 
   /// Pairs of one point know nothing of the model; the file's parameters have not been adapted to a delay, which the

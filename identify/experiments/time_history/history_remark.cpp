@@ -200,7 +200,7 @@ void AddScale(const HistoryMisfit& misfit, const RemediedErrors& errors, std::ve
   // Less than g; no model that has the shape right is so far off.
   constexpr double kOtherUnit = 5;
   if (misfit.swapped_with) {
-    remarks.push_back(Remark(Cause::kSwapped, misfit, kChannelsSwapped, {*misfit.swapped_with}));
+    remarks.push_back(Remark(Cause::kSwapped, misfit, kHistoryChannelsSwapped, {*misfit.swapped_with}));
     return;
   }
   if (!GainsByTiming(misfit)) return;

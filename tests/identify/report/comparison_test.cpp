@@ -196,7 +196,8 @@ TEST(ComparisonVerdict, ComparesByTheStepsThatAllRunsSaw) {
 }
 
 TEST(ComparisonVerdict, TakesTheRankingOfDampers) {
-  const ModelRanking ranking{.models = {}, .reason = "a <reason>", .remarks = {"A doubt."}};
+  ModelRanking ranking{.models = {}, .reason = "a <reason>"};
+  ranking.warnings.Report(kRankedUnexplained, {}, {"model9"});
   EXPECT_THAT(VerdictHtml(Runs({Result("one", 3, 5), Result("two", 4, 6)}), ranking),
               HasSubstr("To take: a &lt;reason&gt;. A doubt."));
 }

@@ -59,8 +59,8 @@ TEST_F(FittedModelsTest, OfOneStudyAreToldApartByTheirFolders) {
 TEST_F(FittedModelsTest, TellThatTheirFitsDidNotEnd) {
   other_["termination"] = "interrupted";
   const ModelRanking ranking = Rank(Models());
-  ASSERT_EQ(ranking.remarks.size(), 1) << diagnostics_.Format();
-  EXPECT_THAT(ranking.remarks[0], HasSubstr("The fit of model2 was interrupted: "));
+  EXPECT_THAT(ranking.warnings, Reports(kRankedInterrupted, 0, {"model2"}));
+  EXPECT_EQ(ranking.warnings.items().size(), 1u) << ranking.warnings.Format();
 }
 
 TEST_F(FittedModelsTest, MustBeOfTheSameRecordings) {

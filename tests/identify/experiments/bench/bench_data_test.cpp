@@ -12,9 +12,13 @@
 #include "identify/experiments/bench/bench_cycle.h"
 #include "identify/experiments/bench/bench_residuals.h"
 #include "identify/experiments/bench/bench_result.h"
+#include "analysis/files/findings.h"
+#include "identify/experiments/bench/findings.h"
 #include "identify/fit/fit.h"
 #include "identify/run/study_fit.h"
 #include "identify/study/loaded_study.h"
+#include "identify/study_file/findings.h"
+#include "tests/findings.h"
 #include "tests/identify/shipped_study.h"
 #include "tests/temporary_folder.h"
 
@@ -98,9 +102,14 @@ class BenchDataTest : public testing::Test {
   std::optional<LoadedStudy> Load(const std::string& study = kStudy) {
     return LoadStudy(folder_.Write("study.yaml", study), diagnostics_);
   }
-  std::string Faults(const std::string& study = kStudy) {
+  Diagnostics Faults(const std::string& study = kStudy) {
+    diagnostics_ = {};
     EXPECT_FALSE(Load(study));
-    return diagnostics_.Format();
+    return diagnostics_;
+  }
+  /// Of finding `item`: the file's name.
+  std::string FileOf(const Diagnostics& found, std::size_t item) const {
+    return std::filesystem::path(found.items().at(item).place.file).filename().string();
   }
 
   TemporaryFolder folder_;
@@ -168,9 +177,11 @@ TEST_F(BenchDataTest, ResidualsSumToTheNormalisedError) {
 TEST_F(BenchDataTest, TellsFaultsOfAllRecordings) {
   folder_.Write("sine.csv", Replace(Recording(2, 0.01), "force", "push"));
   folder_.Write("fast.csv", Replace(Recording(20, 0.001), "s,m,N", "s,N,N"));
-  EXPECT_THAT(Faults(kBothFitted),
-              AllOf(HasSubstr("sine.csv:1: error: column 'force', the damper's tension, is missing"),
-                    HasSubstr("fast.csv:2: error: column 'displacement', the damper's extension, has 'N'")));
+  const Diagnostics faults = Faults(kBothFitted);
+  EXPECT_THAT(faults, Reports(kChannelColumnMissing, 1, {"'force'"}));
+  EXPECT_EQ(FileOf(faults, 0), "sine.csv");
+  EXPECT_THAT(faults, Reports(kUnitOfOtherDimension, 2, {"'displacement'", "'N'"}));
+  EXPECT_EQ(FileOf(faults, 1), "fast.csv");
 }
 
 // 1 mm at 20 Hz told as m spans some 2 m, more than the damper's length; 0.1 mm spans 0.2 m.
