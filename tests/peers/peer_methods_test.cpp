@@ -8,7 +8,7 @@
 
 #include "analysis/signals/mix_bits.h"
 #include "identify/comparison/comparison_json.h"
-#include "identify/peers/findings.h"
+#include "tests/peers/findings.h"
 #include "tests/findings.h"
 #include "tests/identify/test_problems.h"
 
