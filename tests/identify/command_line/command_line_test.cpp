@@ -465,7 +465,7 @@ TEST_F(CommandLine, FitTellsProfilesOfTheParametersAsked) {
 
 TEST_F(CommandLine, AnswersHelpAndVersion) {
   EXPECT_THAT(Run("--help").out, HasSubstr("check"));
-  EXPECT_THAT(Run("--version").out, HasSubstr("0.1.0"));
+  EXPECT_THAT(Run("--version").out, HasSubstr("0.2.0"));
 }
 
 TEST_F(CommandLine, CompareCountsWhatEachMethodNeeds) {
