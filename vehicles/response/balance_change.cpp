@@ -31,7 +31,7 @@ double SlopeRange(const PortLaw& law) {
 }
 
 /// E_h -> direct E_h + conjugate conj(E_h) = R_l, in a matrix on the real, then the imaginary parts of harmonics 0..H.
-void Place(Complex direct, Complex conjugate, Eigen::Index l, Eigen::Index h, Eigen::MatrixXd& matrix) {
+void PlaceBlock(Complex direct, Complex conjugate, Eigen::Index l, Eigen::Index h, Eigen::MatrixXd& matrix) {
   const Eigen::Index rows = matrix.rows() / 2;
   matrix(l, h) = direct.real() + conjugate.real();
   matrix(l, rows + h) = conjugate.imag() - direct.imag();
@@ -57,11 +57,11 @@ Eigen::MatrixXd SlopeMatrix(const Eigen::MatrixXcd& slopes, double omega, Eigen:
   Eigen::MatrixXd matrix(2 * rows, 2 * rows);
   for (Eigen::Index l = 0; l < rows; ++l) {
     const double share = l > 0 ? 1 : 0.5;
-    Place(2 * share * TwoSided(slopes, 0, l), 0, l, 0, matrix);
+    PlaceBlock(2 * share * TwoSided(slopes, 0, l), 0, l, 0, matrix);
     for (Eigen::Index h = 1; h < rows; ++h) {
       const Complex iw(0, static_cast<double>(h) * omega);
-      Place(share * (TwoSided(slopes, 0, l - h) + iw * TwoSided(slopes, 1, l - h)),
-            share * (TwoSided(slopes, 0, l + h) - iw * TwoSided(slopes, 1, l + h)), l, h, matrix);
+      PlaceBlock(share * (TwoSided(slopes, 0, l - h) + iw * TwoSided(slopes, 1, l - h)),
+                 share * (TwoSided(slopes, 0, l + h) - iw * TwoSided(slopes, 1, l + h)), l, h, matrix);
     }
   }
   DropImaginaryMeans(matrix);
@@ -72,7 +72,7 @@ Eigen::MatrixXd SlopeMatrix(const PortCoupling& coupling) {
   const Eigen::Index rows = coupling.direct.rows();
   Eigen::MatrixXd matrix(2 * rows, 2 * rows);
   for (Eigen::Index h = 0; h < rows; ++h)
-    for (Eigen::Index l = 0; l < rows; ++l) Place(coupling.direct(l, h), coupling.conjugate(l, h), l, h, matrix);
+    for (Eigen::Index l = 0; l < rows; ++l) PlaceBlock(coupling.direct(l, h), coupling.conjugate(l, h), l, h, matrix);
   DropImaginaryMeans(matrix);
   return matrix;
 }
