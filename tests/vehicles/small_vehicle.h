@@ -56,7 +56,7 @@ inline const std::string kSmallVehicle = R"(<?xml version="1.0"?>
   <fp:spring name="coil" parent="top" child="wheel" axis="0 0 2"><linear stiffness="0.5*$k" preload="-2 kN"/></fp:spring>
   <fp:spring name="helper" parent="top" child="ground"><linear stiffness="$k"/></fp:spring>
   <fp:damper name="shock" parent="top" child="wheel">
-    <bilinear compression="1 kN*s/m" rebound="2 kN*s/m"/>
+    <bilinear bump="1 kN*s/m" rebound="2 kN*s/m"/>
     <series stiffness="800 N/mm"/>
   </fp:damper>
   <fp:damper name="hub" parent="top" child="ground"><linear rate="10 N*s/m"/></fp:damper>

@@ -24,7 +24,7 @@ bool IsSaidOtherwise(const XMLElement& element, const AttributeRule& attribute) 
 std::string Defaults(const XMLElement& element, const TagRule& rule) {
   std::string text;
   for (const AttributeRule& attribute : rule.attributes) {
-    const bool is_given = AttributeText(element, attribute.name).has_value();
+    const bool is_given = AttributeText(element, attribute.name) || AttributeText(element, attribute.former);
     if (is_given || attribute.fallback.empty() || IsSaidOtherwise(element, attribute)) continue;
     text += " " + std::string(attribute.name) + "=\"" + std::string(attribute.fallback) + "\"";
   }

@@ -35,7 +35,7 @@ TEST(VehicleLint, TellsOfADamperInKilonewtons) {
   Set(vehicle, "c_bump", 1.5e6);
   Set(vehicle, "c_rebound", 1.5e6);
   EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
-              ElementsAre(IsFinding(kNumberUnusual, {"compression rate", "fp:damper 'damper'"}),
+              ElementsAre(IsFinding(kNumberUnusual, {"bump rate", "fp:damper 'damper'"}),
                           IsFinding(kNumberUnusual, {"1.5 kN*s/m"})));
 }
 
@@ -198,7 +198,7 @@ const std::vector<OddNumber> kOddNumbers = {
        car.dampers[0].law.rebound_knee = {Fixed(0.15), Fixed(500)};
      },
      kNumberUnusual,
-     {"compression knee", "fp:damper 'damper'", "150 m/s", "0.001 m/s", "5 m/s", "0.15 m/s"}},
+     {"bump knee", "fp:damper 'damper'", "150 m/s", "0.001 m/s", "5 m/s", "0.15 m/s"}},
     {"lateral",
      [](Vehicle& car) { car.tyres[0].lateral = Fixed(90); },
      kNumberUnusual,
@@ -241,7 +241,7 @@ const std::vector<OddNumber> kOddNumbers = {
        car.dampers[0].hydraulic->compression_valve = Fixed(10);
      },
      kNumberUnusual,
-     {"compression_valve", "fp:damper 'damper'", "10"}},
+     {"bump_valve", "fp:damper 'damper'", "10"}},
     {"gas_volume",
      [](Vehicle& car) {
        car.dampers[0].hydraulic = Oil();

@@ -49,10 +49,10 @@ inline const std::string kAxle = R"(<robot name="axle" xmlns:fp="urn:fourpost:ve
 <fp:spring name="coil_left" parent="top_left" child="wheel_left"><linear stiffness="30 kN/m"/></fp:spring>
 <fp:spring name="coil_right" parent="top_right" child="wheel_right"><linear stiffness="30 kN/m"/></fp:spring>
 <fp:damper name="damper_left" parent="top_left" child="wheel_left">
-  <bilinear compression="1000 N*s/m" rebound="2000 N*s/m"/>
+  <bilinear bump="1000 N*s/m" rebound="2000 N*s/m"/>
 </fp:damper>
 <fp:damper name="damper_right" parent="body" child="wheel_right">
-  <bilinear compression="999 N*s/m" rebound="2000 N*s/m"/>
+  <bilinear bump="999 N*s/m" rebound="2000 N*s/m"/>
 </fp:damper>
 <fp:antiroll name="bar" stiffness="5 kN/m">
   <left parent="body" child="wheel_left"/><right parent="body" child="wheel_right"/>

@@ -30,7 +30,7 @@ TEST_F(VehicleLintTest, TellsOfNumbersThatDifferByATypingSlip) {
   const std::string text = Replaced(kAxle, "999 N*s/m", "99.9 N*s/m");
   Look(text);
   ExpectWarning(text, R"(<fp:damper name="damper_right")", kMirrorNumber,
-                {"compression rate", "fp:damper 'damper_right'", "fp:damper 'damper_left'", "99.9 N*s/m"});
+                {"bump rate", "fp:damper 'damper_right'", "fp:damper 'damper_left'", "99.9 N*s/m"});
 }
 
 TEST_F(VehicleLintTest, TellsOfACoilAtHalfTheOthersRate) {
@@ -56,14 +56,14 @@ TEST_F(VehicleLintTest, LetsParametersOfBothSidesDifferByHalf) {
   Look(text("670 N*s/m"));
   Look(text("660 N*s/m"));
   ExpectWarning(text("660 N*s/m"), R"(<fp:damper name="damper_right")", kMirrorNumber,
-                {"compression rate", "fp:damper 'damper_right'"});
+                {"bump rate", "fp:damper 'damper_right'"});
 }
 
 /// The axle with a table for each damper.
 std::string WithTables(const std::string& left, const std::string& right) {
   const std::string text =
-      Replaced(kAxle, R"(<bilinear compression="1000 N*s/m" rebound="2000 N*s/m"/>)", "<table>" + left + "</table>");
-  return Replaced(text, R"(<bilinear compression="999 N*s/m" rebound="2000 N*s/m"/>)", "<table>" + right + "</table>");
+      Replaced(kAxle, R"(<bilinear bump="1000 N*s/m" rebound="2000 N*s/m"/>)", "<table>" + left + "</table>");
+  return Replaced(text, R"(<bilinear bump="999 N*s/m" rebound="2000 N*s/m"/>)", "<table>" + right + "</table>");
 }
 
 /// From -0.4 to 0.4 m/s.

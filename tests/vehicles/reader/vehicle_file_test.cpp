@@ -125,6 +125,21 @@ TEST_F(VehicleFile, WarnsOncePerForeignPrefix) {
   Expect(54, kForeignPrefix, {"'x:'"});
 }
 
+// Files of earlier versions.
+TEST_F(VehicleFile, ReadsAnEarlierSpellingWithAWarning) {
+  const std::string text = Replaced(kSmallVehicle, R"(bump="1 kN*s/m")", R"(compression="1 kN*s/m")");
+  const std::optional<Vehicle> vehicle = Read(text);
+  ASSERT_TRUE(vehicle.has_value());
+  EXPECT_EQ(vehicle->dampers.at(0).law.compression.value, 1000);
+  Expect(LineOf(text, "compression="), kAttributeFormer, {"'compression'", "fp:damper 'shock'", "'bump'"});
+}
+
+TEST_F(VehicleFile, TakesOneSpellingOnly) {
+  const std::string text = Replaced(kSmallVehicle, R"(bump="1 kN*s/m")", R"(bump="1 kN*s/m" compression="1 kN*s/m")");
+  EXPECT_FALSE(Read(text).has_value());
+  Expect(LineOf(text, "compression="), kAttributeTwice, {"'compression'", "'bump'"});
+}
+
 TEST_F(VehicleFile, GivesTheTextAsItWasRead) { EXPECT_EQ(Read(kSmallVehicle).value().text, kSmallVehicle); }
 
 TEST_F(VehicleFile, ReportsAFileThatCannotBeRead) {
