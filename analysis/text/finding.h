@@ -7,7 +7,7 @@
 
 namespace fourpost {
 
-/// An error: the input cannot be used. A warning: it can, but is likely wrong or not as good as it seems.
+/// An error: the input cannot be used. A warning: it can, but is likely wrong or worse than it seems.
 enum class Severity { kError, kWarning };
 
 /// One kind of finding: all that is written of it but names and numbers. A room lists its own in `findings.h`:

@@ -65,12 +65,12 @@ std::string Note(const XMLElement& robot) {
                        [&](const XMLElement* child) { return std::string_view(child->Name()).starts_with(tag); });
   };
   std::string note = "<!-- fourpost check, resolved: defaults of fp: tags are filled in.";
-  if (has("fp:mirror")) note += " The twins that fp:mirror makes are not written out.";
+  if (has("fp:mirror")) note += " The mirror partners that fp:mirror makes are not written out.";
   if (has("drake:") || has("frame")) note += " Tags of Drake stand as they are.";
   return note + " -->";
 }
 
-/// Tells that a text is UTF-8.
+/// Says that a text is UTF-8.
 constexpr std::string_view kMark = "\xEF\xBB\xBF";
 
 /// Behind the XML declaration, which must stand first.

@@ -23,7 +23,7 @@ constexpr int kLeast = 3;
 /// What a matrix of the ports' harmonics may have.
 constexpr Eigen::Index kMostUnknowns = 240;
 
-/// Half of that of the slopes by rate; no bound is told of laws of the extension.
+/// Half of that of the slopes by rate; laws of the extension have no bound.
 double SlopeRange(const PortLaw& law) {
   const auto* dashpot = std::get_if<DashpotRemainder>(&law);
   return dashpot ? 0.5 * (dashpot->law.GreatestRate() - dashpot->law.LeastRate())

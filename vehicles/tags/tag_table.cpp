@@ -125,13 +125,12 @@ std::vector<TagRule> MakeParameterTags() {
 std::vector<TagRule> MakeMirrorTags() {
   return {
       {.path = "fp:mirror",
-       .doc =
-           "Gives every link, joint and tag of ours whose name ends in `from` a twin whose name ends in `to`, mirrored "
-           "left to right. What is written out under a twin's name stands instead. An anti-roll bar between twins "
-           "stays "
-           "single.",
+       .doc = "Gives every link, joint and tag of ours whose name ends in `from` a mirror partner whose name ends in "
+              "`to`, "
+              "mirrored left to right. What is written out under a partner's name stands instead. An anti-roll bar "
+              "between partners stays single.",
        .attributes = {{.name = "from", .kind = Kind::kName, .doc = "end of the names to mirror, such as `_left`"},
-                      {.name = "to", .kind = Kind::kName, .doc = "end of their twins' names, such as `_right`"}}},
+                      {.name = "to", .kind = Kind::kName, .doc = "end of their partners' names, such as `_right`"}}},
   };
 }
 
@@ -162,8 +161,8 @@ std::vector<TagRule> MakeSpringTags() {
                                      .usual_greatest = "2 m"};
   return {
       {.path = "fp:spring",
-       .doc = "A spring between two points. x is its extension from the design pose, of which cubic term and knees "
-              "tell as well when a free_length stands in place of the preload.",
+       .doc = "A spring between two points. x is its extension from the design pose, which cubic term and knees use "
+              "also when a free_length stands in place of the preload.",
        .attributes = {kNameRule, kParentRule, kChildRule, kGuideRule}},
       {.path = "fp:spring/linear",
        .occurs = Occurs::kOneOfAll,
@@ -182,7 +181,7 @@ std::vector<TagRule> MakeSpringTags() {
        .attributes = {Usual("1 kN/m", "1 MN/m", Stiffness("force per extension about the design pose")), preload,
                       free_length}},
       {.path = "fp:spring/multirate/knee",
-       .doc = "The rate beyond x = `at`: further in compression when `at` is below zero, further in extension when it "
+       .doc = "The rate beyond x = `at`: further in bump when `at` is below zero, further in extension when it "
               "is above. Knees of a side stand in the order in which they are met.",
        .attributes = {Usual("0.1 mm", "500 mm", Measure("at", kLength, Sign::kAny, "extension at the knee; not zero")),
                       Usual("100 N/m", "100 MN/m", Stiffness("force per extension beyond the knee"))}},
