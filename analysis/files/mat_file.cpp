@@ -18,7 +18,7 @@ namespace {
 
 using Kind = MatVariable::Kind;
 
-/// All but one side of it are 1.
+/// All sides except one are 1.
 bool IsVector(const MatVariable& variable) {
   const std::uint64_t length = variable.Length();
   return length > 1 && std::find(variable.dims.begin(), variable.dims.end(), length) != variable.dims.end();

@@ -44,7 +44,7 @@ constexpr double kFewestToJudge = 3;
 /// Crests of sines of twelve samples and fewer a cycle were taken for samples that stand out, of fourteen to twenty
 /// none.
 constexpr double kFewestForCrests = 14;
-/// The same of a cubic law's force, 1 - cos^3. Forces at turning points, too, were told to drift at ten.
+/// The same of a cubic law's force, 1 - cos^3. Forces at turning points, too, were reported to drift at ten.
 constexpr double kFewestForForce = 17;
 
 /// Of 5000 random dampers that resist rebound as hard or harder, with gas, friction, mounts, offsets and noise, one is

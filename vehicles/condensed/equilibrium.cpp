@@ -118,7 +118,7 @@ bool AreOfOneLine(const GivenForce& a, const GivenForce& b) {
   return a.kind == GivenForce::Kind::kPreload && b.kind == a.kind && a.line == b.line;
 }
 
-/// The size that the given preloads of one line, which twins share, would have to have, the others as they are; nothing
+/// The size that the given preloads of one line, which mirror partners share, would have to have, the others as they are; nothing
 /// where that does not help.
 std::optional<double> BalancingSize(const GivenForce& preload, const StaticLoads& loads) {
   std::vector<GivenForce> forces = loads.forces;

@@ -113,7 +113,7 @@ SteadySolver::Answer SteadySolver::Full(const Excitation& excitation, const Prog
   return {std::move(found.response), Converged(excitation, found.unconverged_Hz)};
 }
 
-/// One balance; what it leaves open is marked for the march.
+/// One balance; what it leaves open is marked for time integration.
 SteadyResponse SteadySolver::Chosen(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options,
                                     const Progress& progress) {
   Answer answer = engine == Engine::kFull ? Full(excitation, progress) : Linearised(excitation, options);
@@ -162,7 +162,7 @@ void SteadySolver::FindOtherMotions(const Excitation& excitation, const Harmonic
   try {
     out.other_motions = OtherMotionsFromRest(model_, vehicle_, excitation, several, found, watch);
   } catch (const Ended&) {
-    // The answers are there; the march asks once more whether to go on.
+    // The answers are there; time integration asks once more whether to go on.
   }
 }
 

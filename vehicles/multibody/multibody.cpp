@@ -89,7 +89,7 @@ struct Multibody::Impl {
   SimTK::GeneralForceSubsystem forces{system};
   std::vector<MobilizedBody> bodies;
   std::vector<SpringData> springs;
-  /// All but the hydraulic ones, and these; each with its place in Vehicle::dampers.
+  /// All except the hydraulic ones, and these; each with its place in Vehicle::dampers.
   std::vector<DamperData> dampers;
   std::vector<std::size_t> damper_index;
   std::vector<HydraulicData> hydraulics;

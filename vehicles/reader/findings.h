@@ -29,6 +29,10 @@ inline const Finding kTypeMissing{"type-missing", Severity::kError, "{} needs th
 inline const Finding kTypeUnknown{"type-unknown", Severity::kError, "unknown type '{}' of {}{}"};
 inline const Finding kAttributeMissing{"attribute-missing", Severity::kError, "{} needs the attribute '{}'{}"};
 inline const Finding kAttributeUnknown{"attribute-unknown", Severity::kError, "unknown attribute '{}' of {}{}"};
+inline const Finding kAttributeFormer{"attribute-former", Severity::kWarning,
+                                      "attribute '{}' of {} is the earlier spelling of '{}'", "rename it"};
+inline const Finding kAttributeTwice{"attribute-twice", Severity::kError,
+                                     "attribute '{}' of {} repeats '{}', its new spelling", "remove the first"};
 inline const Finding kNameTaken{"name-taken", Severity::kError, "{} is already defined in line {}"};
 
 // Numbers and parameters.

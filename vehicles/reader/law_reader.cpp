@@ -90,7 +90,7 @@ void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {
     dashpot.compression = dashpot.rebound = parameters_.ReadScalar(law, "rate");
     return;
   }
-  dashpot.compression = parameters_.ReadScalar(law, "compression");
+  dashpot.compression = parameters_.ReadScalar(law, "bump");
   dashpot.rebound = parameters_.ReadScalar(law, "rebound");
   if (law.rule->Name() == "smooth") {
     dashpot.kind = DashpotDescription::Kind::kSmooth;
@@ -98,8 +98,7 @@ void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {
   }
   if (law.rule->Name() == "digressive") {
     dashpot.kind = DashpotDescription::Kind::kDigressive;
-    dashpot.compression_knee = {parameters_.ReadScalar(law, "compression_knee"),
-                                parameters_.ReadScalar(law, "compression_beyond")};
+    dashpot.compression_knee = {parameters_.ReadScalar(law, "bump_knee"), parameters_.ReadScalar(law, "bump_beyond")};
     dashpot.rebound_knee = {parameters_.ReadScalar(law, "rebound_knee"), parameters_.ReadScalar(law, "rebound_beyond")};
   }
 }
@@ -204,12 +203,12 @@ HydraulicDescription LawReader::ReadHydraulic(const Tag& law) {
   const auto read = [&](std::string_view name) { return parameters_.ReadScalar(law, name); };
   HydraulicDescription damper{.bleed = read("bleed"),
                               .rebound_valve = read("rebound_valve"),
-                              .compression_valve = read("compression_valve"),
+                              .compression_valve = read("bump_valve"),
                               .bulk_modulus = read("bulk_modulus"),
                               .piston_diameter = read("piston"),
                               .rod_diameter = read("rod"),
                               .rebound_column = read("rebound_column"),
-                              .compression_column = read("compression_column"),
+                              .compression_column = read("bump_column"),
                               .gas_pressure = read("gas_pressure"),
                               .gas_volume = read("gas_volume"),
                               .gas_exponent = read("gas_exponent"),

@@ -73,7 +73,7 @@ bool Turns(const XMLElement& element) {
   return type == "revolute" || type == "continuous" || type == "gyro" || std::string_view(element.Name()) == "fp:hinge";
 }
 
-/// Whether the twin of a number of the tree, such as "link[body]/com/y", has the other sign.
+/// Whether the partner of a number of the tree, such as "link[body]/com/y", has the other sign.
 bool ChangesSign(std::string_view path) {
   return path.ends_with("/com/y") || path.ends_with("/ixy") || path.ends_with("/iyz");
 }
@@ -150,7 +150,7 @@ class Mirror {
     }
   }
 
-  /// The other name of the two; the name itself when it has no twin.
+  /// The other name of the two; the name itself when it has no partner.
   std::string TwinOf(const std::string& name) const {
     const auto found = twins_.find(name);
     return found == twins_.end() ? name : found->second;
@@ -220,13 +220,13 @@ class Mirror {
 
   XMLElement& robot_;
   FileFaults& faults_;
-  /// What may have a twin, without those made.
+  /// What may have a partner, without those made.
   std::vector<XMLElement*> written_;
   std::vector<XMLElement*> binds_;
   /// Tags and names that stand already.
   std::set<std::pair<std::string, std::string>> taken_;
   std::set<std::string> bound_;
-  /// Of the mirror at work: names and their twins, both ways, and links made by it.
+  /// Of the mirror at work: names and their partners, both ways, and links made by it.
   std::map<std::string, std::string> twins_;
   std::set<std::string> made_links_;
   /// Ends of the mirrors so far, and their lines.

@@ -112,6 +112,16 @@ std::string Suggestion(std::string_view name, const std::vector<std::string_view
   return legal.empty() ? ": none is legal here" : "; legal: " + Joined(legal);
 }
 
+namespace {
+
+void CheckFormer(const XMLElement& element, const AttributeRule& attribute, FileFaults& faults) {
+  const bool is_twice = AttributeText(element, attribute.name).has_value();
+  faults.Report(is_twice ? kAttributeTwice : kAttributeFormer, LineOf(element, attribute.former),
+                {std::string(attribute.former), Describe(element), std::string(attribute.name)});
+}
+
+}  // namespace
+
 void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults& faults) {
   const std::vector<std::string_view> legal = AttributeNames(rule);
   // Those given, rightly spelt or not.
@@ -119,8 +129,10 @@ void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults&
   for (const auto* given = element.FirstAttribute(); given; given = given->Next()) {
     const std::string_view name = given->Name();
     if (IsForeignAttribute(name)) continue;
-    seen.insert(FindAttribute(rule, name) ? name : Meant(name, legal).value_or(name));
-    if (const AttributeRule* attribute = FindAttribute(rule, name)) {
+    const AttributeRule* attribute = FindAttribute(rule, name);
+    seen.insert(attribute ? attribute->name : Meant(name, legal).value_or(name));
+    if (attribute) {
+      if (name == attribute->former) CheckFormer(element, *attribute, faults);
       CheckAttribute(element, *attribute, given->Value(), LineOf(element, given->Name()), faults);
       continue;
     }

@@ -66,7 +66,7 @@ std::string FitEngineText(const std::string& recording, const HistoryEngine& by)
   const std::string text = recording + ": " + KinematicsText(*by.kinematics_error) + ": ";
   if (by.correction_change)
     return text + "corrected by the full geometry, whose correction would change by another " +
-           Percent(*by.correction_change, 2) + " of a channel's deviation\n";
+           Percent(*by.correction_change, 2) + " of a channel's standard deviation\n";
   return text + (by.engine == Engine::kFull ? "the full geometry answers\n" : "the reduced model answers\n");
 }
 

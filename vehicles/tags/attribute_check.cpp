@@ -94,7 +94,7 @@ const Finding* RangeFault(double least, double greatest, Sign sign) {
 }
 
 std::string Quoted(std::string_view attribute, const Tag& tag) {
-  return QuotedText(attribute, tag.Text(attribute), *tag.element);
+  return QuotedText(tag.Spelling(attribute), tag.Text(attribute), *tag.element);
 }
 
 std::string Joined(const std::vector<std::string_view>& names) {

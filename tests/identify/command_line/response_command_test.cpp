@@ -115,8 +115,8 @@ TEST_F(ResponseCommandLine, RefusesMoreThanTheStroke) {
 }
 
 TEST_F(ResponseCommandLine, WarnsOfFrictionThatNeverSlides) {
-  ReplaceIn(kCar, "<bilinear compression=\"$c_bump\" rebound=\"$c_rebound\"/>",
-            "<bilinear compression=\"$c_bump\" rebound=\"$c_rebound\"/><friction force=\"5 kN\"/>");
+  ReplaceIn(kCar, "<bilinear bump=\"$c_bump\" rebound=\"$c_rebound\"/>",
+            "<bilinear bump=\"$c_bump\" rebound=\"$c_rebound\"/><friction force=\"5 kN\"/>");
   const Outcome outcome = Run(std::string("response ") + kCar + " --frequencies 1Hz:10Hz:5 --amplitude 1mm");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.err,

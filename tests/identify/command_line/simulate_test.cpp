@@ -193,8 +193,8 @@ TEST_F(Simulate, MovesThePostsWithinTheUsualLimits) {
 }
 
 TEST_F(Simulate, WarnsOfFrictionThatNeverSlides) {
-  ReplaceIn("urdf/quarter_car.urdf", "<bilinear compression=\"$c_bump\" rebound=\"$c_rebound\"/>",
-            "<bilinear compression=\"$c_bump\" rebound=\"$c_rebound\"/><friction force=\"5 kN\"/>");
+  ReplaceIn("urdf/quarter_car.urdf", "<bilinear bump=\"$c_bump\" rebound=\"$c_rebound\"/>",
+            "<bilinear bump=\"$c_bump\" rebound=\"$c_rebound\"/><friction force=\"5 kN\"/>");
   for (const char* motion : {"--sine 2Hz --amplitude 1mm", "--road A --speed 5m/s --duration 4s", "--step 2mm"}) {
     const Outcome outcome = Run("quarter_car", std::string(motion) + " --json");
     EXPECT_EQ(outcome.code, 0);

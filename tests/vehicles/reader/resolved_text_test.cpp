@@ -92,7 +92,7 @@ TEST_F(Resolved, GivesNoPreloadBesideAFreeLength) {
 
 TEST_F(Resolved, TellsWhatItLeavesUnexpanded) {
   EXPECT_THAT(Resolve(kSmallVehicle), Not(HasSubstr("not written out")));
-  EXPECT_THAT(Resolve(kIndependentCar), HasSubstr("The twins that fp:mirror makes are not written out. -->"));
+  EXPECT_THAT(Resolve(kIndependentCar), HasSubstr("The mirror partners that fp:mirror makes are not written out. -->"));
   const std::string text = Replaced(kSmallVehicle, "<fp:frame name=\"top\"", "<frame name=\"top\"");
   EXPECT_THAT(Resolve(text), HasSubstr("Tags of Drake stand as they are. -->"));
 }

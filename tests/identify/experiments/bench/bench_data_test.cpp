@@ -41,7 +41,7 @@ constexpr const char* kVehicle = R"(<?xml version="1.0"?>
     <origin xyz="0.4 0 0"/><axis xyz="1 0 0"/><limit lower="-1" upper="1" effort="0" velocity="0"/></joint>
   <fp:parameter name="bump" value="800 N*s/m" lower="100 N*s/m" upper="5 kN*s/m" precision="1 N*s/m" source="test"/>
   <fp:parameter name="rebound" value="2 kN*s/m" lower="100 N*s/m" upper="5 kN*s/m" precision="1 N*s/m" source="test"/>
-  <fp:damper name="strut" parent="tube" child="rod"><bilinear compression="$bump" rebound="$rebound"/></fp:damper>
+  <fp:damper name="strut" parent="tube" child="rod"><bilinear bump="$bump" rebound="$rebound"/></fp:damper>
 </robot>
 )";
 
