@@ -64,7 +64,7 @@ Eigen::AlignedBox3d BoxOf(const Vehicle& vehicle) {
   return box;
 }
 
-/// Loads may overhang wheels and sensors: by half the car, and where that is told by few points by a metre.
+/// Loads may overhang wheels and sensors: by half the car, and by a metre where few points show its size.
 void RequireNear(const Vehicle& vehicle, const Eigen::Vector3d& place, Diagnostics& diagnostics) {
   constexpr double kOverhang_m = 1;
   const Eigen::AlignedBox3d box = BoxOf(vehicle);
@@ -101,7 +101,7 @@ void RequireStanding(const AddedLoad& load, Diagnostics& diagnostics) {
                      {ShortNumber(load.mass_kg, 4) + " kg", InMetres(load.place_m), lifted});
 }
 
-/// Where the posts carry the load tells in which directions the body can turn.
+/// In which directions the body can turn follows from where the posts carry the load.
 void WarnOfPlace(const AddedLoad& load, const Vehicle& vehicle) {
   constexpr double kShows_m = 0.01;
   const std::vector<Eigen::Isometry3d> poses = DesignPoses(vehicle);

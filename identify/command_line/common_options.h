@@ -33,7 +33,8 @@ std::vector<CLI::Option*> AddLimits(CLI::App& app, LimitText& limits);
 /// --stroke
 CLI::Option* AddStroke(CLI::App& app, std::string& stroke);
 
-inline constexpr const char* kModeHelp = "heave, pitch, roll, warp, or shares of posts such as FL=1,FR=-1";
+inline constexpr const char* kModeHelp =
+    "Motion of the posts: heave, pitch, roll, warp, or an amplitude for each such as FL=1,FR=-1";
 
 /// "{up,down}": the type of an option for help and completion.
 std::string Braced(std::span<const std::string_view> words);

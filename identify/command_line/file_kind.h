@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-// By the file's ending, before it is read. Throw FaultyInput, telling what the file is and what is wanted, for a folder
+// By the file's ending, before it is read. Throw FaultyInput, saying what the file is and what is needed, for a folder
 // and for a file that is known to be of another kind.
 
 void RequireVehicleFile(const std::filesystem::path& file);

@@ -38,7 +38,7 @@ std::string FindingsMarkdown() {
       "All errors and warnings of fourpost. A message ends with its id in brackets, which `fourpost help ID` explains; "
       "ids "
       "do not change, words may. `...` stands for names and numbers.\n\n"
-      "An error: the input cannot be used. A warning: it can, but is likely wrong or not as good as it seems.\n\n"
+      "An error: the input cannot be used. A warning: it can, but it or the result is probably wrong.\n\n"
       "| id | severity | finding | remedy |\n|---|---|---|---|\n";
   for (const auto& [id, finding] : AllFindings())
     text += "| `" + std::string(id) + "` | " + SeverityName(*finding) + " | " + MarkdownCell(finding->text()) + " | " +

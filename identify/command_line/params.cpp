@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 bool HasRange(const Parameter& parameter) { return parameter.lower < parameter.upper; }
 
 std::string Range(const Parameter& parameter) {
-  if (!HasRange(parameter)) return "held";
+  if (!HasRange(parameter)) return "fixed";
   return InUnit(parameter.lower, parameter.unit, 4) + " .. " + InUnit(parameter.upper, parameter.unit, 4);
 }
 

@@ -32,7 +32,7 @@ using Json = nlohmann::ordered_json;
 struct FittedRun {
   Vehicle vehicle;
   Study study;
-  /// Whether the fit has seen the recording that is to be predicted.
+  /// Whether the recording that is to be predicted was fitted.
   bool has_seen = false;
   /// Already on `vehicle`.
   std::optional<AddedLoad> load = {};
@@ -40,7 +40,7 @@ struct FittedRun {
 
 /// Throws FaultyInput.
 FittedRun LoadModel(const std::filesystem::path& run) {
-  // It tells which recordings the fit has seen.
+  // It names the recordings that were fitted.
   RequireFitResult(run);
   for (const char* name : {"vehicle.urdf", "study.yaml"})
     if (std::error_code failure; !std::filesystem::exists(run / name, failure))

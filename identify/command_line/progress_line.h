@@ -5,7 +5,7 @@
 
 namespace fourpost {
 
-/// Tells on stderr how a long task gets on: one line that is rewritten on a terminal, now and then a plain line
+/// Shows on stderr how a long task gets on: one line that is rewritten on a terminal, now and then a plain line
 /// elsewhere. Short tasks stay silent elsewhere.
 class ProgressLine {
  public:
@@ -20,7 +20,7 @@ class ProgressLine {
   /// line: what matters should come first.
   void Show(const std::string& text);
 
-  /// Shows at once what comes next, after a task that was long enough to be told of.
+  /// Shows at once what comes next, after a task that was long enough to be shown.
   void ShowNext(const std::string& text);
 
   /// Since the start of the work.

@@ -8,7 +8,7 @@
 namespace fourpost {
 namespace {
 
-/// A study's recordings tell what the posts did.
+/// A study's recordings define what the posts did.
 void RequireNoVehicleOptions(const ResponseCommand& command) {
   Diagnostics faults;
   for (const std::string& option : command.vehicle_options)

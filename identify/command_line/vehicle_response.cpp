@@ -51,7 +51,7 @@ void Write(const std::filesystem::path& folder, const std::string& json, const V
   std::fprintf(stderr, "results: %s\n", folder.string().c_str());
 }
 
-/// How many frequencies have an answer, of how many asked for. Tells of each sweep how many have none.
+/// How many frequencies have an answer, of how many asked for. Reports of each sweep how many have none.
 struct Count {
   std::size_t answered = 0;
   std::size_t all = 0;

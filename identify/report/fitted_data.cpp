@@ -30,7 +30,7 @@ void Erase(Json& object, std::initializer_list<const char*> keys) {
   for (const char* key : keys) object.erase(key);
 }
 
-/// Without what the fit does not see. Files are told by their bytes, wherever they lie.
+/// Without what the fit does not see. Files are compared by their bytes, wherever they lie.
 Json FittedOf(const Json& recordings) {
   Json fitted = Json::array();
   for (Json recording : recordings) {

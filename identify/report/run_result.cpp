@@ -20,7 +20,7 @@ bool FlagAt(const Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_boolean() && object[key].get<bool>();
 }
 
-/// Runs of older versions do not tell it; theirs have deviations at bounds, too.
+/// Runs of older versions do not hold it; theirs have deviations at bounds, too.
 ParameterState StateOf(const Json& parameter, bool has_covariance) {
   const std::string name = TextAt(parameter, "state");
   const auto found = std::find(kParameterStateNames.begin(), kParameterStateNames.end(), name);
@@ -29,7 +29,7 @@ ParameterState StateOf(const Json& parameter, bool has_covariance) {
   return has_covariance ? ParameterState::kUndetermined : ParameterState::kNotComputed;
 }
 
-/// Runs of older versions tell no interval; theirs is that of a normal distribution.
+/// Runs of older versions hold no interval; theirs is that of a normal distribution.
 void ReadInterval(const Json& parameter, double si, ReportedParameter& reported) {
   constexpr double kReach = 1.96;
   const std::vector<Json> interval = ListAt(parameter, "interval_95");
@@ -141,8 +141,9 @@ std::string WhyNoDeviations(const Json& result, const std::vector<ReportedParame
     if (parameter.IsJudged()) return "";
   if (parameters.empty()) return "";
   if (TextAt(result, "history_cost") == "compromise")
-    return "The compromise cost weighs each output by its own error and not by noise: it tells no deviations. "
-           "Fit by the cost 'whitened' for them.";
+    return "The compromise cost weighs each output by its own error and not by noise, so there are no standard "
+           "deviations. "
+           "Fit with the cost 'whitened' for them.";
   return "The run ended before standard deviations could be computed.";
 }
 

@@ -16,7 +16,7 @@ struct ReportedParameter {
   std::string name;
   std::string unit;
   double value = 0;
-  /// NaN where the run does not tell.
+  /// NaN where the run does not hold it.
   double start = 0;
   double lower = 0;
   double upper = 0;
@@ -31,7 +31,7 @@ struct ReportedParameter {
   bool IsJudged() const { return state != ParameterState::kNotComputed || !std::isnan(sd); }
   /// "lower" or "upper", of one at its bound.
   std::string BoundName() const { return value - lower < upper - value ? "lower" : "upper"; }
-  /// The other parameter that it is most correlated with; empty where that is not told.
+  /// The other parameter that it is most correlated with; empty where that is not known.
   std::string partner;
   double correlation = 0;
 

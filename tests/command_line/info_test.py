@@ -82,7 +82,7 @@ class Info(ProgramTest):
         self.assertIn("line 103: column 'off' has 'nan' here", missing)
         self.assertIn("line 203: time goes from 0.398 s to 0.44 s", hole)
         text = self.run_program("info", "r.csv").stdout
-        self.assertIn("a fit refuses it as it is:", text)
+        self.assertIn("a fit refuses this recording:", text)
         self.assertIn("gap: from 0.398 to 0.44 s, line 203", text)
         self.assertIn("samples at 1.5", text)
         self.assertIn("1 missing, first in line 103", text)
@@ -98,7 +98,7 @@ class Info(ProgramTest):
 
         self.assertEqual(self.info("good.csv", bench(("time", "x", "F"), ("s", "mm", "N"), 1))["refusals"], [])
         (refusal,) = self.info("bad.csv", bench(("time", "x", "F"), ("s", "mm", "N"), -1))["refusals"]
-        self.assertIn("as that of a damper bench: ", refusal)
+        self.assertIn("as a recording of a damper bench: ", refusal)
         self.assertIn("sign", refusal)
         # Rows 198 to 227 are missing, and the times go on.
         rows = bench(("time", "x", "F"), ("s", "mm", "N"), 1).splitlines()
@@ -116,7 +116,7 @@ class Info(ProgramTest):
     def test_tells_that_times_and_units_are_missing(self):
         self.write("r.csv", table([("a", "b"), *[(math.sin(k), k * k) for k in range(40)]]))
         text = self.run_program("info", "r.csv").stdout
-        self.assertIn("name their column in the study, time: {channel: NAME, unit: s}", text)
+        self.assertIn("name it in the study, time: {channel: NAME, unit: s}", text)
         self.assertEqual(text.count("no unit"), 2)
 
     def test_of_other_layouts(self):

@@ -78,7 +78,7 @@ TEST_F(ReportCommandLine, ComparesRuns) {
   const std::string page = ReadText(folder_ / "models.html");
   // What `fourpost rank` says of them.
   const Json rank = Json::parse(Run("rank model1 model2 --json").out);
-  EXPECT_THAT(page, AllOf(HasSubstr("2 fits compared"), HasSubstr("To take: " + rank["reason"].get<std::string>()),
+  EXPECT_THAT(page, AllOf(HasSubstr("2 fits compared"), HasSubstr("Recommended: " + rank["reason"].get<std::string>()),
                           HasSubstr("data-draw=\"compared_bench\""), HasSubstr("damper bench")));
 }
 
