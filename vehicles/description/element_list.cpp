@@ -33,10 +33,7 @@ class NumberList {
   /// The number in an attribute of the tag with this path.
   void Add(const std::string& noun, const char* path, const char* attribute, const Scalar& number,
            bool is_linear = true) {
-    const AttributeRule* rule = nullptr;
-    for (const TagRule* form : FindTags(path))
-      if (!rule) rule = FindAttribute(*form, attribute);
-    numbers_.push_back({element_, noun, line_, rule, number, is_linear});
+    numbers_.push_back({element_, noun, line_, path, attribute, number, is_linear});
   }
 
   /// A number that only bends the law.

@@ -10,6 +10,7 @@
 #include "analysis/text/units.h"
 #include "vehicles/description/element_list.h"
 #include "vehicles/lint/findings.h"
+#include "vehicles/lint/number_rule.h"
 
 namespace fourpost {
 namespace {
@@ -88,7 +89,7 @@ bool StatesRates(const Damper& damper) {
 void LintNumbers(const DrawnVehicle& drawn, FileFaults& findings) {
   std::set<std::pair<std::string, std::string>> reported;
   for (const ElementNumber& item : NumbersOf(drawn.vehicle)) {
-    const auto oddity = Oddity(drawn.At(item.number), *item.rule, UnitOf(drawn, item.number));
+    const auto oddity = Oddity(drawn.At(item.number), RuleOf(item), UnitOf(drawn, item.number));
     // Of a table's points the first is enough.
     if (!oddity.empty() && reported.emplace(item.element, item.noun).second)
       ReportOddity(kNumberUnusual, kNumberFarOff, item.line, {item.noun, item.element}, oddity, findings);

@@ -11,6 +11,7 @@
 #include "vehicles/description/element_list.h"
 #include "vehicles/description/mirror_partner.h"
 #include "vehicles/lint/findings.h"
+#include "vehicles/lint/number_rule.h"
 
 namespace fourpost {
 namespace {
@@ -50,7 +51,7 @@ std::vector<std::string> Difference(const DrawnVehicle& drawn, const ElementNumb
   const double most = std::max(std::abs(a), std::abs(b));
   const double ratio = is_typed ? kTyped : kOfParameters;
   if (a * b >= 0 && most <= ratio * std::min(std::abs(a), std::abs(b))) return {};
-  const std::string si_unit = SiUnit(right.rule->dimension);
+  const std::string si_unit = SiUnit(RuleOf(right).dimension);
   return {right.noun,
           right.element,
           Readable(b, si_unit),

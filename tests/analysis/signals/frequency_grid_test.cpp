@@ -39,17 +39,17 @@ TEST(FrequencyGrid, AStepMakesEqualSteps) {
 TEST(FrequencyGrid, AListIsSorted) { EXPECT_THAT(Parsed("2Hz,1Hz,5Hz"), ElementsAre(1, 2, 5)); }
 
 TEST(FrequencyGrid, TellsEveryFault) {
-  EXPECT_THAT(Faults("0.5:30:40"), ReportsOption(kFrequencyUnreadable, "--frequencies", {"'0.5'", "'30'", "12 Hz"}));
-  EXPECT_THAT(Faults("5rad/s"), Reports(kFrequencyUnreadable));
-  EXPECT_THAT(Faults("-1Hz"), Reports(kFrequencyNotPositive, {"'-1Hz'"}));
-  EXPECT_THAT(Faults("0Hz"), Reports(kFrequencyNotPositive));
-  EXPECT_THAT(Faults("30Hz:1Hz:5"), Reports(kFrequencyRangeFalling));
-  EXPECT_THAT(Faults("1Hz:30Hz"), Reports(kFrequencyRangeMalformed));
-  EXPECT_THAT(Faults("1Hz:30Hz:1"), Reports(kFrequencyCount, {"2", "10000", "1"}));
-  EXPECT_THAT(Faults("1Hz:30Hz:2.5"), Reports(kFrequencyCount, {"2.5"}));
-  EXPECT_THAT(Faults("1Hz:2Hz:3Hz"), Reports(kFrequencyStep, {"3 Hz", "1"}));
-  EXPECT_THAT(Faults("1Hz,2Hz,1Hz"), Reports(kFrequencyTwice, {"1 Hz"}));
-  EXPECT_THAT(Faults(""), Reports(kFrequencyUnreadable));
+  EXPECT_THAT(Faults("0.5:30:40"), ReportsOption(kFrequencyUnreadable, "--frequencies", {"'0.5'", "12 Hz"}));
+  EXPECT_THAT(Faults("5rad/s"), ReportsOption(kFrequencyUnreadable, "--frequencies"));
+  EXPECT_THAT(Faults("-1Hz"), ReportsOption(kFrequencyNotPositive, "--frequencies", {"'-1Hz'"}));
+  EXPECT_THAT(Faults("0Hz"), ReportsOption(kFrequencyNotPositive, "--frequencies"));
+  EXPECT_THAT(Faults("30Hz:1Hz:5"), ReportsOption(kFrequencyRangeFalling, "--frequencies"));
+  EXPECT_THAT(Faults("1Hz:30Hz"), ReportsOption(kFrequencyRangeMalformed, "--frequencies"));
+  EXPECT_THAT(Faults("1Hz:30Hz:1"), ReportsOption(kFrequencyCount, "--frequencies", {"2", "10000", "1"}));
+  EXPECT_THAT(Faults("1Hz:30Hz:2.5"), ReportsOption(kFrequencyCount, "--frequencies", {"2.5"}));
+  EXPECT_THAT(Faults("1Hz:2Hz:3Hz"), ReportsOption(kFrequencyStep, "--frequencies", {"3 Hz", "1"}));
+  EXPECT_THAT(Faults("1Hz,2Hz,1Hz"), ReportsOption(kFrequencyTwice, "--frequencies", {"1 Hz"}));
+  EXPECT_THAT(Faults(""), ReportsOption(kFrequencyUnreadable, "--frequencies"));
 }
 
 }  // namespace
