@@ -55,8 +55,6 @@ std::vector<ModelledRecording> Predicted(const BenchDamper& damper, const std::v
     Diagnostics found;
     try {
       predicted.push_back(Modelled(damper, recording, values));
-    } catch (const FaultyInput& fault) {
-      found.Add(fault.diagnostics());
     } catch (const std::runtime_error& failure) {
       found.Report(kBenchNotPredicted, {}, {recording.name, failure.what()});
     }
@@ -82,8 +80,7 @@ void AddIntegration(const BenchDamper& damper, const std::vector<ModelledRecordi
   if (worst == nullptr) return;
   const std::string size = Percent(std::max(1e-6, largest), 2) + " of its rms";
   results.text += "halving the step changed no force by more than " + size + '\n';
-  if (largest > kVisible)
-    results.findings.Report(kBenchForceInaccurate, {worst->recording.name}, {size});
+  if (largest > kVisible) results.findings.Report(kBenchForceInaccurate, {worst->recording.name}, {size});
 }
 
 }  // namespace

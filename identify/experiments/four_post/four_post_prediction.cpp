@@ -183,8 +183,7 @@ class SinePrediction {
 
 std::optional<ExperimentResults> FourPost::Predict(const Subject& subject, const PredictionRequest& request,
                                                    const WorkHooks& hooks) const {
-  if (request.has_kalman)
-    Refuse(kKalmanOfSine, Place::Option("--kalman"), {request.recording.filename().string()});
+  if (request.has_kalman) Refuse(kKalmanOfSine, Place::Option("--kalman"), {request.recording.filename().string()});
   return SinePrediction(plan, subject, request, hooks).Run();
 }
 

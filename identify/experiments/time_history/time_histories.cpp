@@ -31,8 +31,7 @@ void CheckPrediction(const HistoryPlan& plan, const Vehicle& vehicle, Diagnostic
     if (history.filter && !history.is_validation)
       diagnostics.Report(kPredictionFilter, {plan.file, history.line}, {history.name});
   for (const Damper& damper : vehicle.dampers)
-    if (damper.hydraulic)
-      diagnostics.Report(kPredictionHydraulic, {vehicle.file, damper.source_line}, {damper.name});
+    if (damper.hydraulic) diagnostics.Report(kPredictionHydraulic, {vehicle.file, damper.source_line}, {damper.name});
 }
 
 /// Whitened residuals are over a deviation.

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/uncertainty/findings.h"
+#include "tests/findings.h"
+
 namespace fourpost {
 namespace {
 
