@@ -38,9 +38,10 @@ inline const Finding kSineChannelMissing{"sine-channel-missing", Severity::kErro
 inline const Finding kSineUnitsDiffer{"sine-units-differ", Severity::kError,
                                       "channel '{}' is in {}, sensor '{}' in {}, so they cannot be compared",
                                       "map a channel of the same quantity"};
-inline const Finding kSineWithoutWeight{"sine-without-weight", Severity::kError,
-                                        "'{}' has frequencies without deviation over repeats, and no model error",
-                                        "give 'gain_dB' and 'phase' of 'model_error' above zero"};
+inline const Finding kSineWithoutWeight{
+    "sine-without-weight", Severity::kError,
+    "'{}' has frequencies without standard deviation over repeats, and no model error",
+    "give 'gain_dB' and 'phase' of 'model_error' above zero"};
 inline const Finding kMembersOpposed{"members-opposed", Severity::kWarning,
                                      "'{}' and '{}' of '{}' move against each other, so their {} nearly vanishes",
                                      "one of them has the opposite sign"};
