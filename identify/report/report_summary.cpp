@@ -388,7 +388,8 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
 std::string WhatWasOdd(const Json& result) {
   std::string items;
   for (const Json& warning : ListAt(result, "warnings"))
-    if (const std::string text = FindingText(warning); !text.empty()) items += html::Element("li", "", html::Escaped(text));
+    if (const std::string text = FindingText(warning); !text.empty())
+      items += html::Element("li", "", html::Escaped(text));
   return items.empty() ? "" : html::Element("ul", "", items);
 }
 

@@ -18,9 +18,9 @@ inline const Finding kArchiveOfOtherState{
 inline const Finding kFolderOfOtherResult{"folder-of-other-result", Severity::kError,
                                           "folder holds the results of `fourpost {}`, which would be lost",
                                           "name a new or an empty folder"};
-inline const Finding kFolderOfForeignResult{"folder-of-foreign-result", Severity::kError,
-                                            "folder holds a result.json that fourpost did not write, which would be lost",
-                                            "name a new or an empty folder"};
+inline const Finding kFolderOfForeignResult{
+    "folder-of-foreign-result", Severity::kError,
+    "folder holds a result.json that fourpost did not write, which would be lost", "name a new or an empty folder"};
 
 // What the fit explains.
 

@@ -13,8 +13,8 @@
 #include "analysis/files/sha256.h"
 #include "analysis/files/text_file.h"
 
-#include "identify/search/sqlite_database.h"
 #include "identify/search/findings.h"
+#include "identify/search/sqlite_database.h"
 
 namespace fourpost {
 namespace {

@@ -11,13 +11,14 @@ inline const Finding kObjectiveConstant{"objective-constant", Severity::kError,
                                         "the objective is constant, no parameter has an effect on it",
                                         "check bounds, channels and band of the study"};
 inline const Finding kObjectiveIgnores{"objective-ignores", Severity::kWarning,
-                                    "parameter '{}' has no effect on the objective", "fix it"};
+                                       "parameter '{}' has no effect on the objective", "fix it"};
 
 // The archive.
 
 inline const Finding kArchiveNotFile{"archive-not-a-file", Severity::kError,
                                      "a pipe or a device, not an archive of evaluations", "move it away"};
-inline const Finding kArchiveForeign{"archive-foreign", Severity::kError, "not an archive of evaluations (left unchanged)",
+inline const Finding kArchiveForeign{"archive-foreign", Severity::kError,
+                                     "not an archive of evaluations (left unchanged)",
                                      "move it away, or name another one"};
 inline const Finding kArchiveLayout{"archive-layout", Severity::kError,
                                     "the archive has layout {}, this version of fourpost reads up to {}",

@@ -55,8 +55,7 @@ std::vector<std::string> IdleParameters(Archive& archive) {
 
 void CheckEffects(Archive& archive, const std::string& file, Diagnostics& diagnostics) {
   const std::vector<std::string> idle = IdleParameters(archive);
-  if (idle.size() == archive.lattice().size())
-    return diagnostics.Report(kObjectiveConstant, {file});
+  if (idle.size() == archive.lattice().size()) return diagnostics.Report(kObjectiveConstant, {file});
   for (const std::string& name : idle) diagnostics.Report(kObjectiveIgnores, {file}, {name});
 }
 

@@ -24,7 +24,8 @@ inline const Finding kNothingFree{"nothing-free", Severity::kError,
 inline const Finding kScaleNotMeasured{
     "scale-not-measured", Severity::kWarning,
     "no force or load is fitted, so masses, rates and damping constants are known up to a common factor, set by "
-    "what is held fixed ({}); an error of 1 % there is an error of 1 % in all of them, which no standard deviation includes",
+    "what is held fixed ({}); an error of 1 % there is an error of 1 % in all of them, which no standard deviation "
+    "includes",
     "fit a tyre force or `static_loads`, or make sure of the fixed values"};
 
 // Refinement and methods.

@@ -81,8 +81,9 @@ class ScaleEffect {
   std::optional<Eigen::VectorXd> here_;
 };
 
-/// Names of the held parameters, the one that sets the scale most first, without those of negligible effect: what a change of
-/// each takes of the free ones' common factor to make up for it. All of them where the model cannot be evaluated.
+/// Names of the held parameters, the one that sets the scale most first, without those of negligible effect: what a
+/// change of each takes of the free ones' common factor to make up for it. All of them where the model cannot be
+/// evaluated.
 std::vector<std::string> SettingTheScale(const LoadedStudy& study) {
   constexpr double kLeast = 0.01;
   std::vector<std::size_t> scaled;

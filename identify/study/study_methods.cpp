@@ -127,8 +127,7 @@ MethodOptions ExplorationOf(const Study& study, const Problem& problem, Diagnost
   if (faults.HasErrors()) return MethodPreset("dvhde", problem);
   MethodOptions options = methods.front().options;
   if (const auto* refining = std::get_if<MultiStartOptions>(&options)) {
-    if (refining->explore_evaluations == 0)
-      diagnostics.Report(kMethodOnlyRefines, asked, {study.search.method});
+    if (refining->explore_evaluations == 0) diagnostics.Report(kMethodOnlyRefines, asked, {study.search.method});
     const DvhdeOptions explore = refining->explore;
     options.emplace<DvhdeOptions>(explore);
   }

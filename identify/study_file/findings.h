@@ -51,14 +51,14 @@ inline const Finding kChannelMeanAndSum{"channel-mean-and-sum", Severity::kError
 inline const Finding kChannelSign{"channel-sign", Severity::kError, "'sign' of {} must be 1 or -1"};
 inline const Finding kChannelScale{"channel-scale", Severity::kError, "'scale' of {} must be above zero",
                                    "invert a channel with 'sign: -1'"};
-inline const Finding kChannelSourceUnit{"channel-source-unit", Severity::kError, "'unit' of {} is '{}', an unknown unit",
-                                        "write one such as mm, kN or m/s^2"};
+inline const Finding kChannelSourceUnit{"channel-source-unit", Severity::kError,
+                                        "'unit' of {} is '{}', an unknown unit", "write one such as mm, kN or m/s^2"};
 
 // Recordings.
 
-inline const Finding kFittedChannelsMissing{
-    "fitted-channels-missing", Severity::kError, "the recording has none of the channels that the model was fitted to",
-    "name a recording with the channels of the study"};
+inline const Finding kFittedChannelsMissing{"fitted-channels-missing", Severity::kError,
+                                            "the recording has none of the channels that the model was fitted to",
+                                            "name a recording with the channels of the study"};
 inline const Finding kSensorsNotMeasured{"sensors-not-measured", Severity::kWarning,
                                          "the recording has no channels for {}, which are left out"};
 inline const Finding kSampledTooSlowly{

@@ -25,15 +25,13 @@ class Inspector : public YAML::EventHandler {
   bool good() const { return good_; }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (++documents_ == 2)
-      Fault(mark, kStudyTwoDocuments);
+    if (++documents_ == 2) Fault(mark, kStudyTwoDocuments);
   }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { Begin(mark, "", anchor), End(); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto is_within = [&](const Open& open) { return open.anchor == anchor; };
-    if (std::any_of(open_.begin(), open_.end(), is_within))
-      Fault(mark, kStudyAliasOfItself);
+    if (std::any_of(open_.begin(), open_.end(), is_within)) Fault(mark, kStudyAliasOfItself);
     Count(mark, nodes_of_[anchor]);
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string&) override {
@@ -63,8 +61,7 @@ class Inspector : public YAML::EventHandler {
 
   void Begin(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     // "?" of plain and "!" of quoted values stand for none.
-    if (!tag.empty() && tag != "?" && tag != "!")
-      Fault(mark, kStudyTag, {tag});
+    if (!tag.empty() && tag != "?" && tag != "!") Fault(mark, kStudyTag, {tag});
     open_.push_back({anchor, nodes_});
     Count(mark, 1);
   }

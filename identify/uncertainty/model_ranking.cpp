@@ -41,7 +41,8 @@ std::string Reason(const std::vector<FittedModel>& models, double least, bool va
   std::string reason = chosen.name + ": ";
   if (chosen.validation_percent == least) reason += "lowest prediction error of all models, ";
   else
-    reason += "fewest parameters of the models within 10 % of the lowest prediction error, " + ShortNumber(least) + " %: ";
+    reason +=
+        "fewest parameters of the models within 10 % of the lowest prediction error, " + ShortNumber(least) + " %: ";
   reason += ShortNumber(chosen.validation_percent) + " %" + EquallyGood(models);
   if (std::any_of(models.begin(), models.end(),
                   [](const FittedModel& model) { return std::isnan(model.criteria.bic); }))

@@ -261,9 +261,11 @@ class Validation(ProgramTest):
         (folder / "study.yaml").write_text(text.replace("\nsearch:", lines + "\nsearch:"))
         outcome = self.run_program("fit", folder / "study.yaml", "-o", "run")
         result = json.loads((self.folder / "run/result.json").read_text())
-        for text in (outcome.stderr, "\n".join(result["warnings"])):
-            self.assertRegex(text, "left out of the validation: 'sweep_7mm[^']*' cannot be predicted by the fitted vehicle: the motion "
-                                   "grows beyond all bounds before t = 0.0[0-9]* s; `fourpost check` of the vehicle.urdf of the results")
+        for kind in ("validation-left-out", "history-not-predicted"):
+            self.assertRegex(outcome.stderr, f"'sweep_7mm.*\\[{kind}\\]")
+        warnings = {one["id"]: one["text"] for one in result["warnings"]}
+        self.assertIn("sweep_7mm", warnings["validation-left-out"])
+        self.assertRegex(warnings["history-not-predicted"], "sweep_7mm.* t = 0.0[0-9]* s")
         self.assertEqual(result["termination"], "converged")
         self.assertNotIn("validation", result)
         self.assertEqual([one["recording"] for one in result["validation_left_out"]], ["sweep_7mm"])

@@ -112,8 +112,7 @@ ComparedMethod PeerMethod(std::string_view text) {
   const std::vector<std::string> parts = Split(text);
   const std::string name = parts.empty() ? "" : parts[0];
   const auto peer = std::find_if(Peers().begin(), Peers().end(), [&](const Peer& p) { return p.name == name; });
-  if (peer == Peers().end())
-    Refuse(kPeerUnknown, Place::Option("--methods"), {name, DidYouMean(name, PeerNames())});
+  if (peer == Peers().end()) Refuse(kPeerUnknown, Place::Option("--methods"), {name, DidYouMean(name, PeerNames())});
   PeerSettings settings = peer->settings;
   for (std::size_t i = 1; i < parts.size(); ++i) Change(settings, std::string(text), parts[i]);
 

@@ -183,9 +183,12 @@ Diagnostics Fault(const std::string& name) {
 
 TEST(PeerMethod, NamesFaults) {
   EXPECT_THAT(Fault("pagmo_sad"), ReportsOption(kPeerUnknown, "--methods", {"'pagmo_sad'", "'pagmo_sade'"}));
-  EXPECT_THAT(Fault("nlopt_crs2:popluation=9"), ReportsOption(kPeerSettingUnknown, "--methods", {"'popluation'", "'population'"}));
-  EXPECT_THAT(Fault("pagmo_sade:population=6"), ReportsOption(kPeerSettingOutOfRange, "--methods", {"population = 6", "7 to 100000"}));
-  EXPECT_THAT(Fault("scipy_de:crossover"), ReportsOption(kPeerSettingOutOfRange, "--methods", {"crossover = nan", "0 to 1"}));
+  EXPECT_THAT(Fault("nlopt_crs2:popluation=9"),
+              ReportsOption(kPeerSettingUnknown, "--methods", {"'popluation'", "'population'"}));
+  EXPECT_THAT(Fault("pagmo_sade:population=6"),
+              ReportsOption(kPeerSettingOutOfRange, "--methods", {"population = 6", "7 to 100000"}));
+  EXPECT_THAT(Fault("scipy_de:crossover"),
+              ReportsOption(kPeerSettingOutOfRange, "--methods", {"crossover = nan", "0 to 1"}));
 }
 
 TEST(PeerMethod, LeavesOurNamesAlone) {

@@ -10,6 +10,7 @@
 #include "analysis/signals/fit_quality.h"
 #include "analysis/text/short_number.h"
 #include "identify/experiments/bench/findings.h"
+#include "vehicles/multibody/simulation_error.h"
 
 namespace fourpost {
 namespace {
@@ -26,7 +27,7 @@ std::span<const double> Compared(const BenchRecording& recording, const std::vec
 ModelledRecording Modelled(const BenchDamper& damper, const BenchRecording& recording,
                            const std::vector<double>& values) {
   std::vector<double> force = ModelledForce(damper, recording, values);
-  if (force.empty()) Refuse(kBenchChamberCloses, {}, {recording.name});
+  if (force.empty()) throw SimulationError(kBenchChamberCloses, {recording.name});
   return {recording, std::move(force)};
 }
 
@@ -42,7 +43,7 @@ double IntegrationError(const BenchDamper& damper, const ModelledRecording& mode
                         const std::vector<double>& values) {
   const BenchRecording& recording = modelled.recording;
   std::vector<double> finer = damper.FinerTensions(recording.motion, values);
-  if (finer.empty()) Refuse(kBenchChamberCloses, {}, {recording.name});
+  if (finer.empty()) throw SimulationError(kBenchChamberCloses, {recording.name});
   if (recording.filter) recording.filter->Apply(finer);
   // Per cent of the finer one's variance.
   return std::sqrt(NormalisedMse_percent(Compared(recording, finer), Compared(recording, modelled.force)) / 100);

@@ -55,8 +55,6 @@ std::vector<ModelledRecording> Predicted(const BenchDamper& damper, const std::v
     Diagnostics found;
     try {
       predicted.push_back(Modelled(damper, recording, values));
-    } catch (const FaultyInput& fault) {
-      found.Add(fault.diagnostics());
     } catch (const std::runtime_error& failure) {
       found.Report(kBenchNotPredicted, {}, {recording.name, failure.what()});
     }

@@ -7,16 +7,16 @@ namespace fourpost {
 
 // The study.
 
-inline const Finding kSinesEmpty{"sines-empty", Severity::kError, "'recordings' must be a list with at least one entry"};
+inline const Finding kSinesEmpty{"sines-empty", Severity::kError,
+                                 "'recordings' must be a list with at least one entry"};
 inline const Finding kSineTwice{"sine-twice", Severity::kError, "two recordings have the name '{}'",
                                 "rename one with 'name'"};
 inline const Finding kSinePatternUnknown{"sine-pattern-unknown", Severity::kError, "unknown pattern '{}' of 'posts'{}"};
-inline const Finding kPatternImpossible{"pattern-impossible", Severity::kError, "recording '{}': {}"};
 inline const Finding kPostSharesMissing{"post-shares-missing", Severity::kError,
                                         "'posts' must be a pattern such as pitch, or map each moving post to its share "
                                         "of the motion, such as {front: 1, rear: -1}"};
-inline const Finding kPostReferenceMissing{"post-reference-missing", Severity::kError,
-                                           "no share of 'posts' is 1 or -1", "give one to the reference post"};
+inline const Finding kPostReferenceMissing{"post-reference-missing", Severity::kError, "no share of 'posts' is 1 or -1",
+                                           "give one to the reference post"};
 inline const Finding kPostShareMissing{"post-share-missing", Severity::kError,
                                        "recording '{}' does not state how post '{}' moved",
                                        "give it a share, 0 if it stood still"};
@@ -38,9 +38,10 @@ inline const Finding kSineChannelMissing{"sine-channel-missing", Severity::kErro
 inline const Finding kSineUnitsDiffer{"sine-units-differ", Severity::kError,
                                       "channel '{}' is in {}, sensor '{}' in {}, so they cannot be compared",
                                       "map a channel of the same quantity"};
-inline const Finding kSineWithoutWeight{"sine-without-weight", Severity::kError,
-                                        "'{}' has frequencies without deviation over repeats, and no model error",
-                                        "give 'gain_dB' and 'phase' of 'model_error' above zero"};
+inline const Finding kSineWithoutWeight{
+    "sine-without-weight", Severity::kError,
+    "'{}' has frequencies without standard deviation over repeats, and no model error",
+    "give 'gain_dB' and 'phase' of 'model_error' above zero"};
 inline const Finding kMembersOpposed{"members-opposed", Severity::kWarning,
                                      "'{}' and '{}' of '{}' move against each other, so their {} nearly vanishes",
                                      "one of them has the opposite sign"};
@@ -79,23 +80,26 @@ inline const Finding kStationStray{
     "check its position in the vehicle file, its sign, its scale, and that it is this channel"};
 inline const Finding kWheelpanForgotten{
     "wheelpan-forgotten", Severity::kWarning,
-    "load cells feel the inertia of a mass that moves with the post, a wheelpan that the vehicle file does not have: {}",
+    "load cells feel the inertia of a mass that moves with the post, a wheelpan that the vehicle file does not have: "
+    "{}",
     "write `wheelpan=\"{} kg\"` at fp:sensor there{}, or subtract the inertia from the recording"};
-inline const Finding kWheelpanTakenOut{
-    "wheelpan-taken-out", Severity::kWarning,
-    "load cells lack the inertia of the wheelpan that is in the vehicle file: {}",
-    "remove `wheelpan` there if its inertia has been subtracted from the recording"};
+inline const Finding kWheelpanTakenOut{"wheelpan-taken-out", Severity::kWarning,
+                                       "load cells lack the inertia of the wheelpan that is in the vehicle file: {}",
+                                       "remove `wheelpan` there if its inertia has been subtracted from the recording"};
 
 // The fit.
 
+inline const Finding kSineNotPeriodic{"sine-not-periodic", Severity::kError,
+                                      "no periodic response of '{}' to differentiate"};
+
 inline const Finding kSinesFarOff{
-    "sines-far-off", Severity::kWarning,
-    "fit errors are far above what noise and the stated model error explain: {}",
+    "sines-far-off", Severity::kWarning, "fit errors are far above what noise and the stated model error explain: {}",
     "check the wiring (sign, scale, delay, position, channel); if it is right, the model lacks a mechanism"};
 inline const Finding kManySinesFarOff{
     "many-sines-far-off", Severity::kWarning,
     "fit errors of {} are far above what noise and the stated model error explain, the worst: {}",
-    "check the wiring (sign, scale, delay, position, channel); if it is right, the model lacks a mechanism; the table of "
+    "check the wiring (sign, scale, delay, position, channel); if it is right, the model lacks a mechanism; the table "
+    "of "
     "channels and the charts of responses show all"};
 inline const Finding kSineKinematicsVisible{
     "sine-kinematics-visible", Severity::kWarning,

@@ -152,8 +152,8 @@ class DataLoader {
   std::vector<double> PatternShape(const StudyRecording& recording) {
     try {
       return PostPattern(vehicle_, *recording.pattern);
-    } catch (const std::invalid_argument& fault) {
-      diagnostics_.Report(kPatternImpossible, {file_, recording.line}, {recording.name, fault.what()});
+    } catch (const PatternError& fault) {
+      diagnostics_.Report(*fault.found().kind, {file_, recording.line}, fault.found().words);
       return {};
     }
   }
@@ -184,9 +184,8 @@ class DataLoader {
       if (const ChannelResponse* channel = measured.Find(name))
         found.push_back(Corrected(*channel, measured.frequency_Hz, wanted));
       else
-        diagnostics_.Report(
-            kSineChannelMissing, {file_, source.line},
-            {recording.file.filename().string(), name, DidYouMean(name, NamesOf(measured.channels))});
+        diagnostics_.Report(kSineChannelMissing, {file_, source.line},
+                            {recording.file.filename().string(), name, DidYouMean(name, NamesOf(measured.channels))});
     }
     return found;
   }

@@ -26,8 +26,8 @@ struct LargeMisfit {
   double off = 0;
 };
 
-std::vector<LargeMisfit> WorstFirst(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
-                                const ModelError& model_error) {
+std::vector<LargeMisfit> WorstFirst(const std::vector<MeasuredRun>& runs,
+                                    const std::vector<FrequencyResponse>& modelled, const ModelError& model_error) {
   std::vector<LargeMisfit> findings;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const std::vector<double> off = ResponseDeviations(runs[r], modelled[r], model_error);
@@ -35,7 +35,8 @@ std::vector<LargeMisfit> WorstFirst(const std::vector<MeasuredRun>& runs, const 
       if (off[c] > kFarOff)
         findings.push_back({runs[r].channels[c].name, runs[r].channels[c].unit, runs[r].name, off[c]});
   }
-  std::stable_sort(findings.begin(), findings.end(), [](const LargeMisfit& a, const LargeMisfit& b) { return a.off > b.off; });
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const LargeMisfit& a, const LargeMisfit& b) { return a.off > b.off; });
   return findings;
 }
 

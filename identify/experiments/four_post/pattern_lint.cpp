@@ -145,8 +145,7 @@ Found PatternDoubt(const Vehicle& vehicle, const CondensedModel& model, const Me
   if (!is_other && *stated > kLikeNothing) return {};
   Found doubt{is_other ? &kPostsMoveOtherwise : &kPostsMatchNothing,
               {run.name, InWords(vehicle, run.excitation.shape), FormatNumber(kFollowsBelow_Hz)}};
-  if (is_other)
-    doubt.words.insert(doubt.words.end(), {InWords(vehicle, other.shape), ShortNumber(other.likeness, 2)});
+  if (is_other) doubt.words.insert(doubt.words.end(), {InWords(vehicle, other.shape), ShortNumber(other.likeness, 2)});
   doubt.words.push_back(ShortNumber(*stated, 2));
   return doubt;
 }

@@ -15,7 +15,7 @@ namespace {
 
 int LineOfRecording(const FourPostPlan& plan, const std::string& recording) {
   const auto stated = std::find_if(plan.recordings.begin(), plan.recordings.end(),
-                                 [&](const StudyRecording& other) { return other.name == recording; });
+                                   [&](const StudyRecording& other) { return other.name == recording; });
   return stated == plan.recordings.end() ? 0 : stated->line;
 }
 

@@ -122,8 +122,8 @@ std::size_t Corners(const StaticLoadTest& measured) {
   return corners;
 }
 
-/// Deviations by which models are off in the weight by forces in motion when the loads are right, at most: of the shipped
-/// recordings of the Land Rover 4.6 by Model 1, 6.5 (5.8 %) by Model 2, 1.9 by Model 3.
+/// Deviations by which models are off in the weight by forces in motion when the loads are right, at most: of the
+/// shipped recordings of the Land Rover 4.6 by Model 1, 6.5 (5.8 %) by Model 2, 1.9 by Model 3.
 constexpr double kMissed = 6.5;
 
 /// Whether the loads differ from those in motion all alike: without the one that differs most, the rest still does by

@@ -26,8 +26,7 @@ MeasuredLoad SumLoads(const StaticLoadPlan& plan, const ChannelSource& source,
     load.load_N += channel.factor * table[*row].value;
     load.sd_N = std::hypot(load.sd_N, channel.factor * table[*row].sd);
   }
-  if (!(load.load_N > 0) && load.sd_N > 0)
-    diagnostics.Report(kStaticLoadNotPositive, {plan.file, source.line});
+  if (!(load.load_N > 0) && load.sd_N > 0) diagnostics.Report(kStaticLoadNotPositive, {plan.file, source.line});
   if (!(load.sd_N > 0)) diagnostics.Report(kStaticLoadWithoutDeviation, {plan.file, source.line});
   if (source.combine == ChannelSource::Combine::kMean) {
     load.load_N /= static_cast<double>(source.channels.size());

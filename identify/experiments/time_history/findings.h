@@ -16,9 +16,10 @@ inline const Finding kHistoryWindowEmpty{"history-window-empty", Severity::kErro
                                          "'end' of {} must be later than 'start'"};
 inline const Finding kNoiseNotMapped{"noise-not-mapped", Severity::kError,
                                      "{} must map sensors of the vehicle to standard deviations such as 20 N"};
-inline const Finding kNoiseUnreadable{"noise-unreadable", Severity::kError,
-                                      "the noise of '{}' must be a standard deviation with a unit such as '0.1 {}', got "
-                                      "'{}'"};
+inline const Finding kNoiseUnreadable{
+    "noise-unreadable", Severity::kError,
+    "the noise of '{}' must be a standard deviation with a unit such as '0.1 {}', got "
+    "'{}'"};
 inline const Finding kHistoryCostUnknown{"history-cost-unknown", Severity::kError, "unknown cost '{}'{}"};
 inline const Finding kHistoryPostUnknown{"history-post-unknown", Severity::kError, "the vehicle has no post '{}'{}"};
 inline const Finding kHistoryPostMissing{"history-post-missing", Severity::kError,
@@ -58,14 +59,16 @@ inline const Finding kPostSampledTooSlowly{
 
 // Plausibility after the fit.
 
-inline const Finding kHistoryChannelsSwapped{"history-channels-swapped", Severity::kWarning,
-                                      "'{}' of '{}' is measured like the model's '{}' and vice versa, as if the two "
-                                      "channels were swapped",
-                                      "exchange them in the study"};
-inline const Finding kHistoryChannelsSwappedAtStart{"history-channels-swapped-at-start", Severity::kWarning,
-                                             "'{}' of '{}' is measured like '{}' of the vehicle file and vice versa, as "
-                                             "if the two channels were swapped",
-                                             "exchange them in the study"};
+inline const Finding kHistoryChannelsSwapped{
+    "history-channels-swapped", Severity::kWarning,
+    "'{}' of '{}' is measured like the model's '{}' and vice versa, as if the two "
+    "channels were swapped",
+    "exchange them in the study"};
+inline const Finding kHistoryChannelsSwappedAtStart{
+    "history-channels-swapped-at-start", Severity::kWarning,
+    "'{}' of '{}' is measured like '{}' of the vehicle file and vice versa, as "
+    "if the two channels were swapped",
+    "exchange them in the study"};
 inline const Finding kChannelScaledTwice{
     "channel-scaled-twice", Severity::kWarning,
     "'{}' of '{}' and the model differ by a factor of {}, as if the recording already had the scale of the study",
@@ -74,10 +77,10 @@ inline const Finding kChannelUnitMistaken{
     "channel-unit-mistaken", Severity::kWarning,
     "'{}' of '{}' and the model differ by a factor of {}, as if it were in {} instead of {}",
     "its error would be {} % with '{}' in the study"};
-inline const Finding kChannelUnitDoubtful{
-    "channel-unit-doubtful", Severity::kWarning,
-    "'{}' of '{}' and the model differ by a factor of {}, as if its unit were wrong (1000: mm for m, 9.81: g for m/s^2)",
-    "its error would be {} % with '{}' in the study"};
+inline const Finding kChannelUnitDoubtful{"channel-unit-doubtful", Severity::kWarning,
+                                          "'{}' of '{}' and the model differ by a factor of {}, as if its unit were "
+                                          "wrong (1000: mm for m, 9.81: g for m/s^2)",
+                                          "its error would be {} % with '{}' in the study"};
 inline const Finding kChannelInverted{"channel-inverted", Severity::kWarning,
                                       "'{}' of '{}' moves against the model, as if its sign were wrong",
                                       "its error would be {} % with '{}' in the study"};
@@ -103,15 +106,15 @@ inline const Finding kStepTooLong{
     "the fitted values need shorter time steps than those of the vehicle file, for halving the step of {} ms changes a "
     "channel of '{}' by {} % of its rms",
     "fit again from the vehicle.urdf of these results"};
-inline const Finding kHistoryKinematicsVisible{
-    "history-kinematics-visible", Severity::kWarning,
-    "history '{}': {}, and the cost 'prediction' is not corrected for it", "choose another 'cost'"};
+inline const Finding kHistoryKinematicsVisible{"history-kinematics-visible", Severity::kWarning,
+                                               "history '{}': {}, and the cost 'prediction' is not corrected for it",
+                                               "choose another 'cost'"};
 
 // Prediction.
 
-inline const Finding kHistoryNotPredicted{
-    "history-not-predicted", Severity::kError, "the fitted vehicle cannot predict '{}': {}",
-    "run `fourpost check` on the vehicle.urdf of the results"};
+inline const Finding kHistoryNotPredicted{"history-not-predicted", Severity::kError,
+                                          "the fitted vehicle cannot predict '{}': {}",
+                                          "run `fourpost check` on the vehicle.urdf of the results"};
 inline const Finding kModeOfHistory{"mode-of-history", Severity::kWarning,
                                     "{} contains the motion of its posts, so the option is ignored"};
 inline const Finding kKalmanWithoutNoise{
@@ -124,11 +127,22 @@ inline const Finding kKalmanHydraulic{
     "fp:damper '{}' is hydraulic, but a Kalman filter corrects positions and velocities, not its oil pressure",
     "leave --kalman out"};
 
+// Simulations that have no result.
+
+inline const Finding kMotionUnbounded{"motion-unbounded", Severity::kError, "the motion grows without bound",
+                                      "check damping and signs in the vehicle file"};
+inline const Finding kForcesUnsolved{"forces-unsolved", Severity::kError,
+                                     "the forces of the vehicle's elements were not found in {} steps"};
+inline const Finding kKalmanMotionUnsolved{"kalman-motion-unsolved", Severity::kError,
+                                           "the motion of the Kalman filter's model cannot be computed"};
+inline const Finding kKalmanCovariance{"kalman-covariance", Severity::kError,
+                                       "the Kalman filter's covariance is not finite"};
+
 // motion.csv of a run.
 
 inline const Finding kMotionColumns{"motion-columns", Severity::kError,
                                     "the columns are not this vehicle's posts and coordinates", "fit again"};
-inline const Finding kMotionUneven{"motion-uneven", Severity::kError,
-                                   "the rows of '{}' are not evenly spaced numbers", "fit again"};
+inline const Finding kMotionUneven{"motion-uneven", Severity::kError, "the rows of '{}' are not evenly spaced numbers",
+                                   "fit again"};
 
 }  // namespace fourpost

@@ -76,11 +76,9 @@ class HistoryLoader {
 
   void CheckNames() {
     for (const auto& [post, source] : study_.posts)
-      if (!IndexOf(post, posts_))
-        Fault(kHistoryPostUnknown, source.line, {post, DidYouMean(post, posts_)});
+      if (!IndexOf(post, posts_)) Fault(kHistoryPostUnknown, source.line, {post, DidYouMean(post, posts_)});
     for (const auto& [sensor, source] : study_.channels)
-      if (!IndexOf(sensor, sensors_))
-        Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMean(sensor, sensors_)});
+      if (!IndexOf(sensor, sensors_)) Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMean(sensor, sensors_)});
     for (const std::string& post : posts_)
       if (std::none_of(study_.posts.begin(), study_.posts.end(), [&](const auto& one) { return one.first == post; }))
         Fault(kHistoryPostMissing, study_.line, {study_.name, post});
@@ -184,8 +182,7 @@ class HistoryLoader {
                             .values = WithoutMean(all.segment(history.first, history.count)),
                             .noise_sd = noise[sensor],
                             .source = source};
-      if (signal.Deviation() == 0)
-        Fault(kChannelDead, source.line, {name, study_.file.filename().string()});
+      if (signal.Deviation() == 0) Fault(kChannelDead, source.line, {name, study_.file.filename().string()});
       CheckSaturation(name, signal.unit, source, history, all);
       history.signals.push_back(std::move(signal));
     }

@@ -115,9 +115,9 @@ void LintSteps(const std::vector<double>& values, const HistoryResiduals& residu
   const std::vector<double> changes = residuals.ChangesByHalfStep(values);
   for (std::size_t h = 0; h < changes.size(); ++h)
     if (changes[h] > residuals.options().error)
-      diagnostics.Report(kStepTooLong, {file},
-                         {ShortNumber(1e3 * residuals.Steps()[h]), residuals.histories()[h].name,
-                          ShortNumber(100 * changes[h], 2)});
+      diagnostics.Report(
+          kStepTooLong, {file},
+          {ShortNumber(1e3 * residuals.Steps()[h]), residuals.histories()[h].name, ShortNumber(100 * changes[h], 2)});
 }
 
 /// By the vehicle file's values; what the fitted ones give where those cannot go through the recordings.
@@ -146,8 +146,8 @@ void LintHistories(const std::string& study_file, const std::vector<StudyHistory
     const std::size_t count = history.signals.size();
     HistoryLinter linter(Recording(misfits).subspan(first, count), fitted_errors,
                          Recording(start).subspan(first, count), start_errors, 1 / history.rate_Hz);
-    const auto entry =
-        std::find_if(stated.begin(), stated.end(), [&](const StudyHistory& other) { return other.name == history.name; });
+    const auto entry = std::find_if(stated.begin(), stated.end(),
+                                    [&](const StudyHistory& other) { return other.name == history.name; });
     for (const HistoryRemark& remark : linter.Remarks(PointDelays(vehicle, history)))
       diagnostics.Report(*remark.found.kind,
                          {study_file, entry == stated.end() ? 0 : LineOfChannel(*entry, remark.channel)},

@@ -23,8 +23,8 @@ struct HistoryRemark {
 
 /// Channels that are swapped, and those whose error nearly goes with another unit, with the other sign, or with a delay
 /// of more than `sample_s`. Of several channels the odd one out is reported, the farthest from the delay that they have
-/// in common; where that is larger, the posts. A channel of another scale moves the model, and with it all delays, which
-/// are not reported then. Each has a remedy in the terms of the study and the error that it leaves by itself, by
+/// in common; where that is larger, the posts. A channel of another scale moves the model, and with it all delays,
+/// which are not reported then. Each has a remedy in the terms of the study and the error that it leaves by itself, by
 /// `errors`; where one of unit, sign or delay leaves much, a scale or a delay comes with it.
 std::vector<HistoryRemark> RemarksOn(const std::vector<HistoryMisfit>& misfits, double sample_s,
                                      const RemediedErrors& errors);

@@ -109,8 +109,7 @@ std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const std::files
   for (const YAML::Node& node : list) {
     StudyHistory history = HistoryReader(study, diagnostics).Read(node);
     for (const StudyHistory& other : histories)
-      if (other.name == history.name)
-        diagnostics.Report(kHistoryTwice, {study.string(), history.line}, {history.name});
+      if (other.name == history.name) diagnostics.Report(kHistoryTwice, {study.string(), history.line}, {history.name});
     histories.push_back(std::move(history));
   }
   return histories;

@@ -47,8 +47,7 @@ RecordedHistory HistoryOf(const CsvTable& table, std::size_t first, std::size_t 
   // Times are written in full; a tenth of a frame is none that was taken out.
   const bool is_even = rows > 1 && history.motion.rate_Hz > 0 && std::isfinite(history.motion.rate_Hz) &&
                        ((time - even).cwiseAbs().maxCoeff() * history.motion.rate_Hz < 0.1);
-  if (!is_even || !numbers.allFinite())
-    faults.Report(kMotionUneven, {table.file(), table.line(first)}, {history.name});
+  if (!is_even || !numbers.allFinite()) faults.Report(kMotionUneven, {table.file(), table.line(first)}, {history.name});
   return history;
 }
 

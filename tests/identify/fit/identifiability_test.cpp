@@ -66,12 +66,13 @@ TEST(Identifiability, TheScaleOfMostParametersWantsAForce) {
   EXPECT_EQ(UnidentifiedAs(direction).id(), kScaleUnidentified.id());
   EXPECT_EQ(UnidentifiedAs(-direction).id(), kScaleUnidentified.id());
   direction[1] = -0.44;
-  EXPECT_EQ(UnidentifiedAs(direction), testing::HasSubstr("out of `free`"));
+  EXPECT_EQ(UnidentifiedAs(direction).id(), kDirectionUnidentified.id());
 }
 
 TEST(Identifiability, OfAFewParametersTheRemedyIsNoForce) {
   EXPECT_EQ(UnidentifiedAs(Eigen::Vector<double, 6>(0.6, 0.58, 0.55, 0, 0, 0.05).eval()).id(), kScaleUnidentified.id());
-  EXPECT_THAT(RemedyFor(Eigen::Vector<double, 7>(0.6, 0.58, 0.55, 0, 0, 0.05, 0).eval()).id(), kDirectionUnidentified.id());
+  EXPECT_EQ(UnidentifiedAs(Eigen::Vector<double, 7>(0.6, 0.58, 0.55, 0, 0, 0.05, 0).eval()).id(),
+            kDirectionUnidentified.id());
   EXPECT_EQ(UnidentifiedAs(Eigen::Vector3d(0.8, -0.6, 0)).id(), kDirectionUnidentified.id());
 }
 

@@ -64,7 +64,7 @@ TEST(MethodsSvg, StepsUpAtEachSuccess) {
   Comparison comparison = Two();
   comparison.methods.pop_back();
   const std::string svg = MethodsSvg("car", comparison);
-  EXPECT_THAT(svg, AllOf(HasSubstr("slow"), HasSubstr("evaluations paid")));
+  EXPECT_THAT(svg, AllOf(HasSubstr("slow"), HasSubstr("new evaluations")));
   // A line that starts, then goes to each corner of three steps and to the axis' end.
   const std::size_t line = svg.rfind("<path d=\"M");
   ASSERT_NE(line, std::string::npos) << svg;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "identify/report/findings.h"
+#include "identify/uncertainty/findings.h"
 #include "tests/findings.h"
 
 namespace fourpost {

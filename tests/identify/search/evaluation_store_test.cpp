@@ -186,7 +186,8 @@ TEST_F(EvaluationStoreTest, LeavesAnotherProgramsDatabaseAsItIs) {
 TEST_F(EvaluationStoreTest, RefusesALayoutThatItDoesNotKnow) {
   { const EvaluationStore store(file_, kContext); }
   Database(file_, SQLITE_OPEN_READWRITE).Execute("PRAGMA user_version = 3");
-  EXPECT_THAT(OutputErrorOf(file_), testing::AllOf(HasSubstr("layout 3,"), HasSubstr("up to 2:"), HasSubstr("[archive-layout]")));
+  EXPECT_THAT(OutputErrorOf(file_),
+              testing::AllOf(HasSubstr("layout 3,"), HasSubstr("up to 2:"), HasSubstr("[archive-layout]")));
 }
 
 TEST_F(EvaluationStoreTest, KeepsWhatVersion010Stored) {
@@ -273,7 +274,8 @@ TEST_F(EvaluationStoreTest, TakesAnEmptyFileForANewOne) {
 }
 
 TEST_F(EvaluationStoreTest, SaysWhereItCannotWrite) {
-  EXPECT_THAT(OutputErrorOf("/proc/fourpost/archive.sqlite"), testing::AllOf(HasSubstr("/proc/fourpost"), HasSubstr("[archive-folder]")));
+  EXPECT_THAT(OutputErrorOf("/proc/fourpost/archive.sqlite"),
+              testing::AllOf(HasSubstr("/proc/fourpost"), HasSubstr("[archive-folder]")));
   std::filesystem::create_directories(file_);
   EXPECT_THAT(OutputErrorOf(file_), testing::AllOf(HasSubstr("archive.sqlite: "), HasSubstr("[archive-not-written]")));
 }

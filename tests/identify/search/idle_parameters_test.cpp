@@ -57,7 +57,8 @@ TEST(CheckEffects, NamesAConstantObjectiveAndAnIdleParameter) {
   const Diagnostics constant = found([](const Eigen::VectorXd&) { return OneResidual(3); });
   EXPECT_THAT(constant, Reports(kObjectiveConstant, 0));
   EXPECT_EQ(constant.items().at(0).place.file, "s.yaml");
-  EXPECT_THAT(found([](const Eigen::VectorXd& p) { return OneResidual(p[0]); }), Reports(kObjectiveIgnores, 0, {"'b'"}));
+  EXPECT_THAT(found([](const Eigen::VectorXd& p) { return OneResidual(p[0]); }),
+              Reports(kObjectiveIgnores, 0, {"'b'"}));
   EXPECT_EQ(found([](const Eigen::VectorXd& p) { return OneResidual(p.sum()); }).Format(), "");
 }
 

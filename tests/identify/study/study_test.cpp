@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 
 #include "analysis/files/findings.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/study/findings.h"
 #include "identify/study_file/findings.h"
-#include "identify/experiments/four_post/findings.h"
 #include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
@@ -75,14 +75,11 @@ class StudyTest : public testing::Test {
   Diagnostics diagnostics_;
 };
 
-TEST_F(StudyTest, IsOneDocument) {
-  EXPECT_THAT(Fault("refine:", "---\nrefine:"), Reports(kStudyTwoDocuments, 25));
-}
+TEST_F(StudyTest, IsOneDocument) { EXPECT_THAT(Fault("refine:", "---\nrefine:"), Reports(kStudyTwoDocuments, 25)); }
 
 TEST_F(StudyTest, HasNoTags) {
   EXPECT_TRUE(Read("vehicle: car.urdf", "vehicle: 'car.urdf'"));
-  EXPECT_THAT(Fault("seed: 7", "seed: !!int 7"),
-              Reports(kStudyTag, 20, {"'tag:yaml.org,2002:int'"}));
+  EXPECT_THAT(Fault("seed: 7", "seed: !!int 7"), Reports(kStudyTag, 20, {"'tag:yaml.org,2002:int'"}));
   EXPECT_THAT(Fault("free: [k, c]", "free: !!python/object:os.system [k, c]"), Reports(kStudyTag, 13));
 }
 
@@ -140,8 +137,7 @@ TEST_F(StudyTest, ReportsAnUnknownKeyWithTheNearest) {
 }
 
 TEST_F(StudyTest, ReportsAKeyThatStandsTwice) {
-  EXPECT_THAT(Fault("free: [k, c]", "free: [k, c]\nfree: [k]"),
-              Reports(kKeyTwice, 14, {"'free'"}));
+  EXPECT_THAT(Fault("free: [k, c]", "free: [k, c]\nfree: [k]"), Reports(kKeyTwice, 14, {"'free'"}));
 }
 
 TEST_F(StudyTest, ReportsAnEmptyBand) {
@@ -173,15 +169,13 @@ TEST_F(StudyTest, ReadsAPatternOfPosts) {
 }
 
 TEST_F(StudyTest, ReportsAnUnknownPatternOfPosts) {
-  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "ptich"),
-              Reports(kSinePatternUnknown, 5, {"'ptich'", "'pitch'"}));
+  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "ptich"), Reports(kSinePatternUnknown, 5, {"'ptich'", "'pitch'"}));
   EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "bounce"),
               Reports(kSinePatternUnknown, 5, {"'bounce'", "heave, pitch, roll, warp"}));
 }
 
 TEST_F(StudyTest, ReportsPostsThatAreNeitherPatternNorShares) {
-  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "[pitch]"),
-              Reports(kPostSharesMissing, 5));
+  EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "[pitch]"), Reports(kPostSharesMissing, 5));
   EXPECT_THAT(Fault("{front: 1, rear: -0.5}", "~"), Reports(kPostSharesMissing, 5));
 }
 
@@ -224,7 +218,9 @@ TEST_F(StudyTest, ReportsANumberOutOfRange) {
   EXPECT_THAT(Fault("population: 30", "population: 2"), Reports(kKeyNotInteger, 22, {"4"}));
 }
 
-TEST_F(StudyTest, ReportsAMissingKey) { EXPECT_THAT(Fault("vehicle: car.urdf\n", ""), Reports(kKeyMissing, 1, {"'vehicle'"})); }
+TEST_F(StudyTest, ReportsAMissingKey) {
+  EXPECT_THAT(Fault("vehicle: car.urdf\n", ""), Reports(kKeyMissing, 1, {"'vehicle'"}));
+}
 
 TEST_F(StudyTest, ReportsTextThatIsNotYaml) {
   EXPECT_THAT(Fault("free: [k, c]", "free: [k, c"), Reports(kStudyNotYaml, 14));

@@ -49,7 +49,8 @@ TEST(ModelRanking, SaysNothingOfABicThatIsNotTold) {
 TEST(ModelRanking, TakesTheSimplestOfThoseThatAreAlike) {
   const ModelRanking ranking = Rank({Model("large", 1, 9, 30), Model("small", 1.05, 3, 20), Model("poor", 2, 1, 90)});
   EXPECT_THAT(Names(ranking), testing::ElementsAre("small", "large", "poor"));
-  EXPECT_THAT(ranking.reason, testing::AllOf(testing::StartsWith("small: "), HasSubstr(", 1 %: 1.05 %; also the lowest BIC")));
+  EXPECT_THAT(ranking.reason,
+              testing::AllOf(testing::StartsWith("small: "), HasSubstr(", 1 %: 1.05 %; also the lowest BIC")));
 }
 
 TEST(ModelRanking, TellsWhichModelIsAsGood) {

@@ -24,7 +24,7 @@ double Model(double t) { return std::sin(2 * std::numbers::pi * (1 + 0.25 * t) *
 /// What is reported of a channel 'a' that was measured `factor` times the model, `delay_s` late, and is taken from
 /// `source`.
 Diagnostics Remarks(double factor, double delay_s, const SourceChannel& source = {"a"},
-                 const std::string& unit = "m/s^2") {
+                    const std::string& unit = "m/s^2") {
   Eigen::MatrixXd modelled(2000, 1);
   Eigen::VectorXd measured(2000);
   for (Eigen::Index k = 0; k < measured.size(); ++k) {
@@ -126,8 +126,8 @@ TEST(HistoryRemark, TakesBackTheScaleOfTheStudy) {
   for (const std::string unit : {"m", "mm", ""})
     for (const double scale : {1e-3, 1e3}) {
       const Diagnostics remarks = Remarks(scale, 0, Source(unit, scale), "m");
-      EXPECT_THAT(remarks, Reports(kChannelScaledTwice, 0,
-                                   {unit.empty() ? "'a: a'" : "'a: {channel: a, unit: " + unit + "}'"}));
+      EXPECT_THAT(remarks,
+                  Reports(kChannelScaledTwice, 0, {unit.empty() ? "'a: a'" : "'a: {channel: a, unit: " + unit + "}'"}));
       EXPECT_THAT(remarks, Not(Reports(kChannelScaledTwice, 0, {"scale: "})));
       EXPECT_LT(Promised(remarks), kNothing_percent);
     }

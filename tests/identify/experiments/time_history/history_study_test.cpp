@@ -56,8 +56,7 @@ TEST(HistoryStudy, ReadsEveryKey) {
 TEST(HistoryStudy, RefusesWhatIsWrong) {
   EXPECT_THAT(Fault("  file: data/sweep.csv\n", ""), Reports(kKeyMissing, 2, {"'file'"}));
   EXPECT_THAT(Fault("start:", "stard:"), Reports(kKeyUnknown, 9, {"'stard'", "'start'"}));
-  EXPECT_THAT(Fault("{ground: z_ground}", "[ground]"),
-              Reports(kChannelsNotMapped, 4, {"'posts' of history 'sweep'"}));
+  EXPECT_THAT(Fault("{ground: z_ground}", "[ground]"), Reports(kChannelsNotMapped, 4, {"'posts' of history 'sweep'"}));
   EXPECT_THAT(Fault("{sum: [F_left, F_right]}", "{product: [F_left]}"), Reports(kKeyUnknown, 5, {"'product'"}));
   EXPECT_THAT(Fault("order: 4", "order: 40"), Reports(kKeyNotInteger, 6, {"'order' of 'filter' of history 'sweep'"}));
   EXPECT_THAT(Fault("30 Hz}", "30}"), Reports(kKeyNotQuantity, 6, {"'cutoff' of 'filter' of history 'sweep'"}));
