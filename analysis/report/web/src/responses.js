@@ -126,10 +126,12 @@ export function card(channel, bands, sync) {
     else {
       const parts = [[series.gain, ' dB', 1], [series.phase, '\u00b0', 0]];
       if (series.mean) parts.push([series.mean, ` ${series.mean.unit}`, 1]);
-      // Units once, behind what was measured: there is one line of room.
-      const modelled = parts.map(([part, , decimals]) => part.lines.filter((line) => line.read !== false).map((line) => fixed(line.values[i], decimals)).join(' / '));
-      const measured = parts.map(([part, unit, decimals]) => fixed(part.measured[i], decimals) + unit);
-      reading.textContent = `${shown(series.x[i], 3)} Hz: model ${modelled.join(', ')}; measured ${measured.join(', ')}`;
+      // Short: there is one line of room.
+      const pairs = parts.map(([part, unit, decimals]) => {
+        const modelled = part.lines.filter((line) => line.read !== false).map((line) => fixed(line.values[i], decimals));
+        return `${modelled.join(', ')}/${fixed(part.measured[i], decimals)}${unit}`;
+      });
+      reading.textContent = `${shown(series.x[i], 3)} Hz: model/measured ${pairs.join(', ')}`;
     }
   };
   const draw = () => {
