@@ -35,9 +35,8 @@ std::string MarkdownCell(std::string_view text) {
 std::string FindingsMarkdown() {
   std::string text =
       "# Findings\n\n"
-      "All errors and warnings of fourpost. A message ends with its id in brackets, which `fourpost help ID` explains; "
-      "ids "
-      "do not change, words may. `...` stands for names and numbers.\n\n"
+      "All errors and warnings of fourpost. A message ends with its id in brackets, which `fourpost help ID` explains.\n"
+      "Ids do not change, words may. `...` stands for names and numbers.\n\n"
       "An error: the input cannot be used. A warning: it can, but it or the result is probably wrong.\n\n"
       "| id | severity | finding | remedy |\n|---|---|---|---|\n";
   for (const auto& [id, finding] : AllFindings())

@@ -43,7 +43,7 @@ std::string WrappedLine(const std::string& line, std::size_t width) {
 
 bool IsCommand(std::string_view line) {
   const std::size_t first = line.find_first_not_of(' ');
-  return first != kNone && line.substr(first).starts_with("fourpost ");
+  return first != kNone && first > 0 && line.substr(first).starts_with("fourpost ");
 }
 
 }  // namespace

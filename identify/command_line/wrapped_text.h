@@ -6,7 +6,7 @@
 namespace fourpost {
 
 /// The text with lines longer than `width` characters broken at blanks and indented as their last column is. Commands
-/// to copy, which begin with "fourpost", stay whole.
+/// to copy, indented lines that begin with "fourpost", stay whole.
 std::string Wrapped(const std::string& text, std::size_t width);
 
 }  // namespace fourpost

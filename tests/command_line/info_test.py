@@ -89,7 +89,7 @@ class Info(ProgramTest):
         coarse = [(t, round(x), 0) for t, x, _ in samples()]
         told = self.info("c.csv", table([("time", "x", "off"), ("s", "mm", "N"), *coarse]))
         self.assertEqual(told["channels"][0]["level"], 1)
-        self.assertIn("coarse: levels of", told["channels"][0]["remarks"][0])
+        self.assertIn("coarse resolution: levels of", told["channels"][0]["remarks"][0])
 
     def test_tells_why_a_fit_refuses_a_bench_recording(self):
         def bench(names, units, sign):

@@ -83,8 +83,8 @@ TEST_F(ResponseCommandLine, TellsFaultsOfOptionsAtOnce) {
 
 TEST_F(ResponseCommandLine, TellsOptionsThatAStudyDoesNotTake) {
   const std::string study = "studies/landrover110/model2.yaml --mode roll --amplitude 3mm";
-  ExpectRefused(study, "--mode: error: is for a vehicle file; model2.yaml is a study", 2);
-  ExpectRefused(study, "--amplitude: error: is for a vehicle file", 2);
+  for (const char* part : {"--mode: error: ", "--amplitude: error: ", " model2.yaml ", "[option-of-vehicle]"})
+    ExpectRefused(study, part, 2);
 }
 
 TEST_F(ResponseCommandLine, TellsFaultsOfTheFile) {

@@ -35,11 +35,12 @@ Comparison Two() {
 }
 
 TEST(MethodsPage, TellsWhichMethodIsCheapest) {
-  EXPECT_THAT(MethodsPage(Two(), "car", "Solved: cost 1 or less.", false),
-              AllOf(HasSubstr("<strong>&lt;quick&gt; solved it in 4 of 4 runs, at 30.0 evaluations per success</strong>; "
-                              "next slow solved it in 3 of 4 runs, at 90.0 evaluations per success. Solved: cost 1"),
-                    HasSubstr("verdict good"), HasSubstr("3 parameters, 100 residuals"), Not(HasSubstr("<quick>")),
-                    Not(HasSubstr("processor,&nbsp;s"))));
+  EXPECT_THAT(
+      MethodsPage(Two(), "car", "Solved: cost 1 or less.", false),
+      AllOf(HasSubstr("<strong>&lt;quick&gt; solved it in 4 of 4 runs, at 30.0 evaluations per success</strong>; "
+                      "next slow solved it in 3 of 4 runs, at 90.0 evaluations per success. Solved: cost 1"),
+            HasSubstr("verdict good"), HasSubstr("3 parameters, 100 residuals"), Not(HasSubstr("<quick>")),
+            Not(HasSubstr("processor,&nbsp;s"))));
 }
 
 TEST(MethodsPage, TellsMethodsApartOnlyWhereIntervalsDo) {

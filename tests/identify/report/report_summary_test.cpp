@@ -56,8 +56,8 @@ TEST(Summary, TellsHistoriesByTheirNmse) {
   Json result = Good();
   result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "a", "nmse_percent": 2, "vaf_percent": 98},
                                        {"recording": "sweep", "name": "s", "nmse_percent": 60, "vaf_percent": 40}])");
-  EXPECT_THAT(SummaryHtml(result, Known(), {}), AllOf(HasSubstr("<code>a</code> is within 5 % NMSE"),
-                                                      HasSubstr("Poor: <code>s</code> (60 % NMSE)")));
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("<code>a</code> is within 5 % NMSE"), HasSubstr("Poor: <code>s</code> (60 % NMSE)")));
 }
 
 TEST(Summary, TellsRecordingsApartAndWhatItPredicts) {
@@ -159,11 +159,10 @@ TEST(Summary, DoesNotCallDeterminedWhatABoundHolds) {
 TEST(Summary, IsPoorWhereTheModelDoesNotExplainItsData) {
   Json result = Good();
   result["verdict"] = {{"explains_data", false}, {"reasons", {"channel 'a' has an NMSE of 240 %"}}};
-  EXPECT_THAT(
-      SummaryHtml(result, Known(), {}),
-      AllOf(HasSubstr("class=\"verdict poor\""),
-            HasSubstr("<strong>The model does not explain the data:</strong> channel &#39;a&#39; has an NMSE"),
-            Not(HasSubstr("The fit converged"))));
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("class=\"verdict poor\""),
+                    HasSubstr("<strong>The model does not explain the data:</strong> channel &#39;a&#39; has an NMSE"),
+                    Not(HasSubstr("The fit converged"))));
   result["verdict"] = {{"explains_data", true}, {"reasons", Json::array()}};
   EXPECT_THAT(SummaryHtml(result, Known(), {}),
               AllOf(HasSubstr("class=\"verdict good\""), HasSubstr("The fit converged")));
@@ -181,8 +180,7 @@ TEST(Summary, SaysWhichDerivativesAreNoise) {
 TEST(Summary, SaysWhatWasLeftOutOfTheValidation) {
   Json result = Good();
   result["validation_left_out"] = {{{"recording", "fast"}, {"reason", "is clipped"}}};
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
-              HasSubstr("Left out of validation: <code>fast</code> (is clipped)."));
+  EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("Left out of validation: <code>fast</code> (is clipped)."));
 }
 
 TEST(Summary, TellsWhatIsOpenAndWhatToMeasure) {
@@ -194,9 +192,9 @@ TEST(Summary, TellsWhatIsOpenAndWhatToMeasure) {
   parameters[1].at_bound = true;
   const ComparedChannel acceleration = {.recording = "bounce", .name = "a_body", .unit = "m/s^2"};
   EXPECT_THAT(SummaryHtml(result, parameters, {acceleration}),
-              AllOf(HasSubstr("Not determined by the data: <code>m</code>"), HasSubstr("not by the data: <code>k</code>"),
-                    HasSubstr("Measure a force"), HasSubstr("Check the bounds of <code>k</code>"),
-                    HasSubstr("Record the mean offset")));
+              AllOf(HasSubstr("Not determined by the data: <code>m</code>"),
+                    HasSubstr("not by the data: <code>k</code>"), HasSubstr("Measure a force"),
+                    HasSubstr("Check the bounds of <code>k</code>"), HasSubstr("Record the mean offset")));
 }
 
 TEST(Summary, TellsTiesOnce) {
@@ -229,9 +227,9 @@ TEST(Summary, TellsOfAnInterruptedRunWhatItHadDone) {
               AllOf(HasSubstr("It was stopped after 523 evaluations, before any refinement had ended. "),
                     Not(HasSubstr("same optimum"))));
   result["starts"] = {{"refined", 1}, {"agreeing", 1}};
-  EXPECT_THAT(
-      SummaryHtml(result, Known(), {}),
-      AllOf(HasSubstr("It was stopped after 523 evaluations. Only one refinement ended, "), Not(HasSubstr("same optimum"))));
+  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+              AllOf(HasSubstr("It was stopped after 523 evaluations. Only one refinement ended, "),
+                    Not(HasSubstr("same optimum"))));
   result["starts"] = {{"refined", 3}, {"agreeing", 2}};
   EXPECT_THAT(SummaryHtml(result, Known(), {}),
               HasSubstr("2 of 3 refinements that had ended, each from its own start"));

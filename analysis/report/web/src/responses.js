@@ -126,9 +126,12 @@ export function card(channel, bands, sync) {
     else {
       const parts = [[series.gain, ' dB', 1], [series.phase, '\u00b0', 0]];
       if (series.mean) parts.push([series.mean, ` ${series.mean.unit}`, 1]);
-      const listed = (values) => parts.map(([part, unit, decimals]) => values(part).map((value) => fixed(value, decimals)).join(' / ') + unit).join(', ');
-      const modelled = listed((part) => part.lines.filter((line) => line.read !== false).map((line) => line.values[i]));
-      reading.textContent = `${shown(series.x[i], 3)} Hz: model ${modelled}; measured ${listed((part) => [part.measured[i]])}`;
+      // Short: there is one line of room.
+      const pairs = parts.map(([part, unit, decimals]) => {
+        const modelled = part.lines.filter((line) => line.read !== false).map((line) => fixed(line.values[i], decimals));
+        return `${modelled.join(', ')}/${fixed(part.measured[i], decimals)}${unit}`;
+      });
+      reading.textContent = `${shown(series.x[i], 3)} Hz: model/measured ${pairs.join(', ')}`;
     }
   };
   const draw = () => {
