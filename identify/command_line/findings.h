@@ -7,7 +7,7 @@ namespace fourpost {
 
 // Words.
 
-inline const Finding kWordMisspelt{"word-misspelt", Severity::kError, "{} does not take '{}'", "did you mean '{}'?"};
+inline const Finding kOptionMisspelt{"option-misspelt", Severity::kError, "{} does not take '{}'", "did you mean '{}'?"};
 inline const Finding kWordUnknown{"word-unknown", Severity::kError, "{} does not take '{}'", "see `{} --help`"};
 inline const Finding kUsageWrong{"usage", Severity::kError, "{}", "see `{} --help`"};
 inline const Finding kValueUnknown{"value-unknown", Severity::kError, "'{}' is not a valid value{}"};
@@ -154,7 +154,7 @@ inline const Finding kHistoryInterrupted{"history-interrupted", Severity::kWarni
                                          "interrupted: the history ends at {} of {}"};
 inline const Finding kInterruptedAtStart{"interrupted-at-start", Severity::kWarning,
                                          "interrupted before there was anything to keep"};
-inline const Finding kSimulationFailed{"simulation-failed", Severity::kError, "{}"};
+inline const Finding kNoMotionComputed{"no-motion-computed", Severity::kError, "{}"};
 inline const Finding kOutOfMemoryFound{"out-of-memory", Severity::kError, "out of memory",
                                        "use fewer --threads or free some; evaluations in an archive are kept"};
 inline const Finding kDefectFound{"defect", Severity::kError, "a defect of fourpost: {}", "please report it"};

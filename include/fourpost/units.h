@@ -9,7 +9,7 @@ namespace fourpost::api {
 double ToSi(const std::string& quantity, const std::string& unit);
 
 /// The value with that unit, at the fewest digits that read back to the same double: InUnit(40e3, "kN/m") is "40 kN/m".
-/// Throws Error (code `quantity`) for an unknown unit.
+/// Throws Error (code `unit-unknown`) for an unknown unit.
 std::string InUnit(double si, const std::string& unit);
 
 }  // namespace fourpost::api

@@ -118,8 +118,8 @@ bool AreOfOneLine(const GivenForce& a, const GivenForce& b) {
   return a.kind == GivenForce::Kind::kPreload && b.kind == a.kind && a.line == b.line;
 }
 
-/// The size that the given preloads of one line, which mirror partners share, would have to have, the others as they are; nothing
-/// where that does not help.
+/// The size that the given preloads of one line, which mirror partners share, would have to have, the others as they
+/// are; nothing where that does not help.
 std::optional<double> BalancingSize(const GivenForce& preload, const StaticLoads& loads) {
   std::vector<GivenForce> forces = loads.forces;
   Eigen::VectorXd others = Eigen::VectorXd::Zero(preload.direction.size());
@@ -169,7 +169,8 @@ Found Imbalance(const Vehicle& vehicle, const GivenForce& preload, const StaticL
     return {&kFreeLengthFollows, words};
   }
   const std::optional<double> length = size ? preload.free_spring->FreeLengthFor(*size) : std::nullopt;
-  words.push_back(length ? "write free_length=\"" + LengthText(*length) + "\"" : "correct that length");
+  if (!length) return {&kFreeLengthUnbalanced, words};
+  words.push_back(LengthText(*length));
   return {&kFreeLengthWrong, words};
 }
 

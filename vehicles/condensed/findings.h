@@ -33,7 +33,11 @@ inline const Finding kFreeLengthFollows{
 inline const Finding kFreeLengthWrong{
     "free-length-unbalanced", Severity::kError,
     "no static equilibrium, the preload of {} by its free length, {}, is not balanced{}",
-    "{}, or leave a spring or tyre that acts beside it to equilibrium"};
+    "write free_length=\"{}\", or leave a spring or tyre that acts beside it to equilibrium"};
+inline const Finding kFreeLengthUnbalanced{
+    "free-length-without-balance", Severity::kError,
+    "no static equilibrium, the preload of {} by its free length, {}, is not balanced{}",
+    "correct that length, or leave a spring or tyre that acts beside it to equilibrium"};
 inline const Finding kEquilibriumAtOneValue{
     "equilibrium-at-one-value", Severity::kError,
     "static equilibrium only at one value of fp:parameter '{}', {} follows it, but no spring, tyre or bushing with "

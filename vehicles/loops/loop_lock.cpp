@@ -245,8 +245,8 @@ void LockSearch::Report(const Finding& kind, const Indices& closures, std::vecto
       names.back() += " (line " + std::to_string(closure.source_line) + ")";
   }
   words.push_back(Enumerated(names));
-  words.push_back(closures.size() > 1 ? "put an fp:bushing in place of one of them, or correct their places"
-                                      : "correct its place, or put an fp:bushing there");
+  const bool is_one = closures.size() == 1;
+  words.insert(words.end(), {is_one ? "its place" : "their places", is_one ? "it" : "one of them"});
   faults_.Report(kind, {vehicle_.file, closures.empty() ? 0 : closures_[closures.front()].source_line}, words);
 }
 

@@ -64,7 +64,7 @@ TEST(VehicleLint, TellsOfABushingAsStiffAsARock) {
   EXPECT_THAT(Findings(vehicle, 7), IsEmpty());
   vehicle.bushings[0].stiffness[1].value = 3e9;
   EXPECT_THAT(Findings(vehicle, 7),
-              ElementsAre(IsFinding(kNumberFarOff, {"stiffness along y", "fp:bushing 'mount'", "3000 MN/m"})));
+              ElementsAre(IsFinding(kNumberUnusual, {"stiffness along y", "fp:bushing 'mount'", "3000 MN/m"})));
 }
 
 TEST(VehicleLint, TellsOfATyresRadius) {
@@ -233,7 +233,7 @@ const std::vector<OddNumber> kOddNumbers = {
        car.dampers[0].hydraulic = Oil();
        car.dampers[0].hydraulic->piston_diameter = Fixed(0.3);
      },
-     kNumberUnusual,
+     kNumberFarOff,
      {"piston", "fp:damper 'damper'", "300 mm", "10 mm", "150 mm"}},
     {"valve",
      [](Vehicle& car) {

@@ -9,6 +9,7 @@
 #include "tests/temporary_folder.h"
 #include "tests/vehicles/shapes/shape_refusal.h"
 #include "tests/vehicles/small_vehicle.h"
+#include "vehicles/reader/findings.h"
 #include "vehicles/shapes/findings.h"
 #include "vehicles/shapes/solid.h"
 
@@ -211,24 +212,24 @@ TEST_F(MeshFile, IsFoundBesideTheVehicleFile) {
 // The folder of a fit may be moved away from the meshes.
 TEST_F(MeshFile, MayBeMissing) {
   EXPECT_TRUE(Read(WithMesh(R"(filename="none.obj" scale="1 1 1")")).has_value());
-  Expect(Severity::kWarning, 16, "mesh 'none.obj' is missing");
+  Expect(16, kMeshMissing, {"mesh 'none.obj'"});
 }
 
 TEST_F(MeshFile, MustBeReadable) {
   Write("no mesh", "text.obj");
   EXPECT_FALSE(Read(WithMesh(R"(filename="text.obj" scale="1 1 1")")).has_value());
-  Expect(Severity::kError, 16, "mesh 'text.obj' is of no use");
+  Expect(16, kMeshUnreadable, {"mesh 'text.obj'"});
 }
 
 TEST_F(MeshFile, NeedsAScale) {
   Write(ReadText(kMeshes / "box.obj"), "cube.obj");
   EXPECT_FALSE(Read(WithMesh(R"(filename="cube.obj")")).has_value());
-  Expect(Severity::kError, 16, "needs the attribute 'scale'");
+  Expect(16, kAttributeMissing, {"'scale'"});
 }
 
 TEST_F(MeshFile, MustNotBeAPackageAddress) {
   EXPECT_FALSE(Read(WithMesh(R"(filename="package://fourpost/box.obj" scale="1 1 1")")).has_value());
-  Expect(Severity::kError, 16, "package:// are not supported");
+  Expect(16, kMeshAddress, {"package://fourpost/box.obj"});
 }
 
 TEST(Mesh, SaysWhyItCannotBeRead) {
