@@ -54,7 +54,7 @@ describe('a comparison of runs', () => {
     // One move is enough: a long reading does not push the chart from under the mouse.
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     assert.deepEqual(await page.locator('#responses .u-over').first().boundingBox(), box);
-    assert.match(await reading.textContent(), /^[\d.]+ Hz: model\/measured \S+, [^\s/]+\/\S+ dB, \S+, [^\s/]+\/\S+\u00b0$/);
+    assert.match(await reading.textContent(), /^[\d.]+ Hz: \S+, [^\s/]+\/\S+ dB, \S+, [^\s/]+\/\S+\u00b0$/);
     const close = await page.locator('#histories canvas').first().evaluate((canvas) => canvas.toDataURL());
     await page.locator('#histories button', { hasText: /^all$/ }).click();
     assert.ok((await page.locator('#histories canvas').first().evaluate((canvas) => canvas.toDataURL())) !== close);

@@ -74,7 +74,7 @@ describe('the report of a fit to frequency responses', () => {
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     const readings = await page.locator('#responses .reading').allTextContents();
     assert.equal(readings.length, 11);
-    const frequencies = new Set(readings.map((text) => /^([\d.]+) Hz: model\/measured [^\s/]+\/\S+ dB, [^\s/]+\/\S+\u00b0(?:, [^\s/]+\/\S+ mm)?$/.exec(text)?.[1]));
+    const frequencies = new Set(readings.map((text) => /^([\d.]+) Hz: [^\s/]+\/\S+ dB, [^\s/]+\/\S+\u00b0(?:, [^\s/]+\/\S+ mm)?$/.exec(text)?.[1]));
     assert.equal(frequencies.size, 1, readings.join('\n'));
     assert.ok(![...frequencies].includes(undefined), readings[0]);
     await page.context().close();

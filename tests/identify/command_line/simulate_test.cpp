@@ -152,13 +152,13 @@ TEST_F(Simulate, RefusesUsageItDoesNotKnow) {
   ExpectRefused("quarter_car", "--sine 2Hz --amplitude=-5mm", 2, "'-5mm' must be above zero");
   ExpectRefused("quarter_car", "--sweep 2Hz --amplitude 5mm", 2, "'2Hz' is no range of frequencies");
   ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5mm --mode hevae", 2, "did you mean 'heave'?");
-  ExpectRefused("quarter_car", "--road I --speed 10m/s", 2, "no road class is called 'I'");
+  ExpectRefused("quarter_car", "--road I --speed 10m/s", 2, "--road: error: 'I' ");
   ExpectRefused("quarter_car", "--random 5mm --band 9Hz:3Hz", 2, "from a lower frequency to a higher one");
   ExpectRefused("quarter_car", "--step 5mm --seed -1", 2, "--seed");
   ExpectRefused("quarter_car", "--step 5mm --noise 1", 2, "--noise: error: '1' is no share: write it in percent");
   ExpectRefused("quarter_car", "--step 5mm --noise 500%", 2, "'500%' must not be above 100%");
   ExpectRefused("quarter_car", "--step 5mm --chart x.png", 2,
-                "a picture is written to a file in .svg, such as 'x.svg'");
+                "'x.svg' [output-ending]");
   ExpectRefused("quarter_car", "--step 5mm --duration 0.4s", 2, "--duration: error: 0.4 s end before the step does");
   ExpectRefused("quarter_car", "--sine 2Hz --engine ful", 2, "did you mean 'full'?");
   ExpectRefused("quarter_car", "--stepp 5mm", 2, "did you mean '--step'?");

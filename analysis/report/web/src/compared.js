@@ -61,7 +61,7 @@ export function drawComparedResponses(place, { comparison: { runs, bands, respon
   const only = responses.every(({ recording }) => recording === responses[0].recording);
   const of = only ? `Recording ${responses[0].recording}. ` : '';
   const outside = shaded.length ? [['patch', 'line', shaded.length > 1 ? 'not fitted by some runs, darkest: by none' : 'not fitted']] : [];
-  place.append(legendOf('dot', responses, runs, ...outside), el('p', { class: 'note' }, `${of}Gain in dB, phase in degrees and mean offset in mm over frequency in Hz. ${zeroDecibel(responses.map(({ unit }) => unit))} The cursor shows the runs one after the other against the measurement.${left}`), charts);
+  place.append(legendOf('dot', responses, runs, ...outside), el('p', { class: 'note' }, `${of}Gain in dB, phase in degrees and mean offset in mm over frequency in Hz. ${zeroDecibel(responses.map(({ unit }) => unit))} The cursor shows the runs one after the other/measured.${left}`), charts);
   show();
 }
 

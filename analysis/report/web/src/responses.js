@@ -126,12 +126,12 @@ export function card(channel, bands, sync) {
     else {
       const parts = [[series.gain, ' dB', 1], [series.phase, '\u00b0', 0]];
       if (series.mean) parts.push([series.mean, ` ${series.mean.unit}`, 1]);
-      // Short: there is one line of room.
+      // Short, since there is one line of room; the note says which is which.
       const pairs = parts.map(([part, unit, decimals]) => {
         const modelled = part.lines.filter((line) => line.read !== false).map((line) => fixed(line.values[i], decimals));
         return `${modelled.join(', ')}/${fixed(part.measured[i], decimals)}${unit}`;
       });
-      reading.textContent = `${shown(series.x[i], 3)} Hz: model/measured ${pairs.join(', ')}`;
+      reading.textContent = `${shown(series.x[i], 3)} Hz: ${pairs.join(', ')}`;
     }
   };
   const draw = () => {
@@ -199,7 +199,7 @@ export function drawResponses(place, data) {
       ...(hasStart ? [['dash', 'start', 'start']] : []),
       ['patch', 'line', 'not fitted'],
     ),
-    el('p', { class: 'note' }, `Gain in dB, phase in degrees and, where it was measured, mean offset in mm, over frequency in Hz. ${zeroDecibel(data.responses.map(({ unit }) => unit))} The cursor shows model against measurement. Drag to zoom all charts, double-click to reset.`),
+    el('p', { class: 'note' }, `Gain in dB, phase in degrees and, where it was measured, mean offset in mm, over frequency in Hz. ${zeroDecibel(data.responses.map(({ unit }) => unit))} The cursor shows model/measured. Drag to zoom all charts, double-click to reset.`),
     charts,
   );
   redraw();
