@@ -160,14 +160,14 @@ TEST(ComparisonVerdict, SaysWhichFitsAndWhichForetellsBest) {
   EXPECT_THAT(text,
               AllOf(HasSubstr("class=\"verdict good\""),
                     HasSubstr("<strong>rich</strong> fits best: 1.00 % mean NMSE over the one group of channels"),
-                    HasSubstr("next plain with 2.00 %"), HasSubstr("<strong>plain</strong> predicts best: 4.00 %"),
-                    HasSubstr("Recommended: plain: of all models it misses least of what it was not fitted to, 4 %")));
+                    HasSubstr("next plain with 2.00 %"), HasSubstr("<strong>plain</strong> foretells best: 4.00 %"),
+                    HasSubstr("plain: lowest prediction error of all models, 4 %")));
   EXPECT_THAT(text, AllOf(Not(HasSubstr("BIC")), Not(HasSubstr("same data"))));
 }
 
 TEST(ComparisonVerdict, TakesTheSimplerOfTwoThatForetellAlike) {
   EXPECT_THAT(VerdictHtml(Runs({Result("rich", 1, 4, 5), Result("plain", 2, 4.2, 2)}), std::nullopt),
-              HasSubstr("Recommended: plain: it has the fewest parameters of those within 10 % of the least"));
+              HasSubstr("plain: fewest parameters of the models within 10 %"));
 }
 
 TEST(ComparisonVerdict, SaysWhatCannotBeCompared) {

@@ -238,7 +238,7 @@ TEST_F(BenchDataTest, ALeftOutValidationRecordingEndsNoFit) {
 
 TEST_F(BenchDataTest, TellsDampersThatAreMissing) {
   EXPECT_THAT(Faults(Replace(kStudy, "bench:\n", "bench:\n  damper: strud\n")),
-              Reports(kBenchDamperUnknown, 2, {"'strud'", "'strut'"}));
+              Reports(kBenchDamperUnknown, 3, {"'strud'", "'strut'"}));
 }
 
 TEST_F(BenchDataTest, TellsCutoffsBeyondTheSamplingRate) {

@@ -68,7 +68,7 @@ TEST(HistoryStudy, RefusesWhatIsWrong) {
 TEST(HistoryStudy, RefusesTwoOfOneName) {
   Diagnostics diagnostics;
   Read(std::string(kGood) + kGood, diagnostics);
-  EXPECT_THAT(diagnostics, Reports(kHistoryTwice, 11, {"'sweep'"}));
+  EXPECT_THAT(diagnostics, Reports(kHistoryTwice, 12, {"'sweep'"}));
 }
 
 }  // namespace
