@@ -160,7 +160,7 @@ TEST(ComparisonVerdict, SaysWhichFitsAndWhichForetellsBest) {
   EXPECT_THAT(text,
               AllOf(HasSubstr("class=\"verdict good\""),
                     HasSubstr("<strong>rich</strong> fits best: 1.00 % mean NMSE over the one group of channels"),
-                    HasSubstr("next plain with 2.00 %"), HasSubstr("<strong>plain</strong> foretells best: 4.00 %"),
+                    HasSubstr("next plain with 2.00 %"), HasSubstr("<strong>plain</strong> predicts best: 4.00 %"),
                     HasSubstr("plain: lowest prediction error of all models, 4 %")));
   EXPECT_THAT(text, AllOf(Not(HasSubstr("BIC")), Not(HasSubstr("same data"))));
 }
