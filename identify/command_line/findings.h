@@ -7,8 +7,9 @@ namespace fourpost {
 
 // Words.
 
-inline const Finding kOptionMisspelt{"option-misspelt", Severity::kError, "{} does not take '{}'", "did you mean '{}'?"};
-inline const Finding kWordUnknown{"word-unknown", Severity::kError, "{} does not take '{}'", "see `{} --help`"};
+inline const Finding kArgumentMisspelt{"argument-misspelt", Severity::kError, "{} does not take '{}'",
+                                       "did you mean '{}'?"};
+inline const Finding kArgumentUnknown{"argument-unknown", Severity::kError, "{} does not take '{}'", "see `{} --help`"};
 inline const Finding kUsageWrong{"usage", Severity::kError, "{}", "see `{} --help`"};
 inline const Finding kValueUnknown{"value-unknown", Severity::kError, "'{}' is not a valid value{}"};
 inline const Finding kNotWholeNumber{"not-a-whole-number", Severity::kError,
@@ -154,7 +155,7 @@ inline const Finding kHistoryInterrupted{"history-interrupted", Severity::kWarni
                                          "interrupted: the history ends at {} of {}"};
 inline const Finding kInterruptedAtStart{"interrupted-at-start", Severity::kWarning,
                                          "interrupted before there was anything to keep"};
-inline const Finding kNoMotionComputed{"no-motion-computed", Severity::kError, "{}"};
+inline const Finding kSimulationStopped{"simulation-stopped", Severity::kError, "{}"};
 inline const Finding kOutOfMemoryFound{"out-of-memory", Severity::kError, "out of memory",
                                        "use fewer --threads or free some; evaluations in an archive are kept"};
 inline const Finding kDefectFound{"defect", Severity::kError, "a defect of fourpost: {}", "please report it"};

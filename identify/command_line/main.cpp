@@ -46,7 +46,7 @@ int Guarded(const std::function<int()>& run) {
     Tell(error);
     return kCannotWrite;
   } catch (const SimulationError& error) {
-    Tell(kNoMotionComputed, {}, {error.what()});
+    Tell(kSimulationStopped, {}, {error.what()});
     return kAllSimulationsFailed;
   } catch (const std::bad_alloc&) {
     Tell(kOutOfMemoryFound);
@@ -88,8 +88,8 @@ void TellUnknown(const CLI::App& app) {
     const std::string name = word.substr(0, word.find('='));
     const std::string shown = Shortened(name, 200);
     if (const auto near = NearestName(name, known))
-      faults.Report(kOptionMisspelt, {}, {CalledAs(app), shown, std::string(*near)});
-    else faults.Report(kWordUnknown, {}, {CalledAs(app), shown, CalledAs(app)});
+      faults.Report(kArgumentMisspelt, {}, {CalledAs(app), shown, std::string(*near)});
+    else faults.Report(kArgumentUnknown, {}, {CalledAs(app), shown, CalledAs(app)});
     // The words after an unknown command are its own.
     if (given.empty() && !has_option) break;
   }

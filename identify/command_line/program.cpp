@@ -231,7 +231,7 @@ void Program::AddMan() {
 
 void Program::AddHelp() {
   CLI::App* sub = Add("help", "Help on a command, or on an error or a warning by its id",
-                      "  fourpost help fit\n  fourpost help findings\n  fourpost help word-misspelt", [this] {
+                      "  fourpost help fit\n  fourpost help findings\n  fourpost help argument-misspelt", [this] {
                         PrintText(HelpOn(topic_));
                         return kGood;
                       });

@@ -137,12 +137,12 @@ class Help(ProgramTest):
     def test_knows_what_was_meant(self):
         for words, meant in ((["fitt", "car/study.yaml", "more"], "fit"), (["--versoin"], "--version")):
             self.assertRegex(self.run_program(*words, code=2).stderr,
-                             rf"^error: fourpost .*'{words[0]}'.*'{meant}'\? \[option-misspelt\]\n$")
-        self.assertRegex(self.run_program("xyzzy", code=2).stderr, r"'xyzzy'.*`fourpost --help` \[word-unknown\]\n$")
+                             rf"^error: fourpost .*'{words[0]}'.*'{meant}'\? \[argument-misspelt\]\n$")
+        self.assertRegex(self.run_program("xyzzy", code=2).stderr, r"'xyzzy'.*`fourpost --help` \[argument-unknown\]\n$")
         for command in self.commands():
             outcome = self.run_program(command, "a", "--jsno", code=2)
             if command not in ("completion", "man", "help"):
-                self.assertRegex(outcome.stderr, r"'--jsno'.*'--json'\? \[option-misspelt\]", command)
+                self.assertRegex(outcome.stderr, r"'--jsno'.*'--json'\? \[argument-misspelt\]", command)
         for shell, words in (("bahs", "'bash'"), ("tcl", "bash, zsh, fish")):
             self.assertRegex(self.run_program("completion", shell, code=2).stderr,
                              rf"^SHELL: error: '{shell}' .*{words}.* \[value-unknown\]\n$")

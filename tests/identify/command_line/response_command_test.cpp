@@ -227,8 +227,8 @@ TEST_F(ResponseCommandLine, RefusesWordsItDoesNotKnow) {
   EXPECT_THAT(Run(std::string("response ") + kCar + " --engine ful").err,
               AllOf(HasSubstr("--engine: error: "), HasSubstr("'full'"), HasSubstr("[value-unknown]")));
   EXPECT_THAT(Run(std::string("response ") + kCar + " --amplitud 3mm").err,
-              AllOf(HasSubstr("'--amplitude'"), HasSubstr("[option-misspelt]")));
-  EXPECT_THAT(Run("respons").err, AllOf(HasSubstr("'response'"), HasSubstr("[option-misspelt]")));
+              AllOf(HasSubstr("'--amplitude'"), HasSubstr("[argument-misspelt]")));
+  EXPECT_THAT(Run("respons").err, AllOf(HasSubstr("'response'"), HasSubstr("[argument-misspelt]")));
 }
 
 }  // namespace
