@@ -29,7 +29,9 @@ std::unique_ptr<Experiment> ReadFourPost(const StrictMap& study) {
     return !history.IsMap() || !history["use"].IsDefined() || history["use"].as<std::string>("") != "validation";
   };
   const YAML::Node histories = study.Get("histories");
-  const bool has_other = histories.IsSequence() && std::any_of(histories.begin(), histories.end(), is_fitted);
+  // A missing node throws when it is asked for its type.
+  const bool has_other = histories.IsDefined() && histories.IsSequence() &&
+                         std::any_of(histories.begin(), histories.end(), is_fitted);
   return study.Has("recordings") || !has_other ? FourPost::Read(study) : nullptr;
 }
 
