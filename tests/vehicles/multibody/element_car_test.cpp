@@ -324,7 +324,8 @@ TEST(ElementCar, EveryParameterMovesTheCondensedVehicle) {
   const Vehicle vehicle = ElementCar();
   const CondensedVehicle condensed(vehicle);
   const auto answer = [&](const std::vector<double>& values) {
-    CondensedSystem system(condensed.At(values), RigViewOf(vehicle), 1e-3);
+    const CondensedModel model = condensed.At(values);
+    CondensedSystem system(model, RigViewOf(vehicle), 1e-3);
     return Simulate(system, LargeMotion, {.end_s = 0.7, .rate_Hz = 100}).readings;
   };
   const MatrixXd before = answer(vehicle.ParameterValues());
