@@ -137,11 +137,11 @@ class Outputs(ProgramTest):
                     continue
                 with self.subTest(f"{command[0]} over {kind}"):
                     text = self.run_program(*command, "-o", folder, code=5).stderr
-                    self.assertIn(f"{folder} holds the results of `fourpost {kind}`, which would be lost; name a new "
-                                  "or an empty folder", text)
+                    self.assert_finding(text, "folder-of-other-result", f"{folder}:")
+                    self.assertIn(f"`fourpost {kind}`", text)
         self.write("modes/result.json", "[1]")
-        self.assertIn("modes holds a result.json that is none of this program's",
-                      self.run_program(*commands["modes"], "-o", "modes", code=5).stderr)
+        self.assert_finding(self.run_program(*commands["modes"], "-o", "modes", code=5).stderr,
+                            "folder-of-foreign-result", "modes:")
         self.write("modes/result.json", before[self.folder / "modes/result.json"])
         self.assertEqual(self.content(), before)
 
@@ -186,7 +186,7 @@ class Misspelt(ProgramTest):
         study = self.folder / "car/study.yaml"
         study.write_text(study.read_text().replace("stepped_sine.csv", "steped_sine.csv"))
         self.assertRegex(self.run_program("fit", "car/study.yaml", "-o", "other", code=3).stderr,
-                         r"there is no file \S*steped_sine.csv, did you mean '\S*car/stepped_sine.csv'\?")
+                         r"steped_sine.csv does not exist, did you mean '\S*car/stepped_sine.csv'\?")
         # None is near.
         self.assertNotIn("did you mean", self.run_program("info", "car/landrover.csv", code=3).stderr)
 
@@ -215,7 +215,7 @@ class FullDisk(ProgramTest):
         self.run_program("init", "car")
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
         text = self.run_program("modes", "car/vehicle.urdf", "-o", "modes", code=5, preexec_fn=limit).stderr
-        self.assertIn("cannot be written to (File too large); free some space, or name another folder", text)
+        self.assert_finding(text, "disk-full", "modes:")
 
 
 class RefusedFit(ProgramTest):
@@ -231,7 +231,7 @@ class RefusedFit(ProgramTest):
         return self.run_program("fit", "car/study.yaml", *words, code=code).stderr
 
     def test_leaves_no_folder_that_was_not_there(self):
-        self.assertIn("the data do not change when these change together", self.fit("-o", "runs/first"))
+        self.assert_finding(self.fit("-o", "runs/first"), "scale-unidentified")
         self.assertFalse((self.folder / "runs").exists())
         (self.folder / "empty").mkdir()
         self.fit("-o", "empty")
@@ -310,20 +310,21 @@ class Data(ProgramTest):
 
     def test_is_told_what_it_lacks(self):
         rows = "".join(f"{k * 0.01:.2f};{k % 7};{k % 5}\n" for k in range(50))
-        for text, bench, message in (
+        for text, bench, place, finding, words in (
                 ("time;displacement;force\n" + rows, "damper: damper",
-                 "column 'force', the damper's tension, has no unit; write that of a force such as 'N' in a line below "
-                 "the names, or behind the name, as in 'force [N]', or name it in the study: {channel: force, unit: N}"),
+                 "r.csv:1:", "unit-missing", "force"),
                 ("time;displacement;force\ns;V;N\n" + rows, "damper: damper",
-                 "r.csv:2: error: column 'displacement', the damper's extension, has 'V' for its unit"),
+                 "r.csv:2:", "unit-of-other-dimension", "the damper's extension"),
                 ("time;displacment;force\ns;m;N\n" + rows, "damper: damper",
-                 "column 'displacement', the damper's extension, is missing, did you mean 'displacment'?"),
+                 "r.csv", "channel-column-missing", "did you mean 'displacment'?"),
                 ("time;displacement;force\ns;m;N\n" + rows.replace("0.07;0;2", "0.07;;2"), "damper: damper",
-                 "r.csv:10: error: column 'displacement' has no number here"),
+                 "r.csv:10:", "sample-missing", "displacement"),
                 ("time;displacement;force\ns;m;N\n" + rows, "force: {channel: force, scale: 0}",
-                 "study.yaml:4: error: 'scale' of 'force' must be above zero")):
-            with self.subTest(message):
-                self.assertIn(message, self.fit(text, bench, code=3))
+                 "study.yaml:4:", "channel-scale", "force")):
+            with self.subTest(finding):
+                message = self.fit(text, bench, code=3)
+                self.assert_finding(message, finding, place)
+                self.assertIn(words, message)
 
 
 if __name__ == "__main__":
