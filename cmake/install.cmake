@@ -8,9 +8,13 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/fourpost)
 
 get_property(rooms GLOBAL PROPERTY fourpost_rooms)
 get_property(parts GLOBAL PROPERTY fourpost_parts)
-install(TARGETS ${rooms} ${parts} EXPORT fourpostTargets
+get_property(public_target GLOBAL PROPERTY fourpost_public_target)
+list(REMOVE_ITEM rooms ${public_target})
+# Static: what links the public one links the rooms behind it, whose headers are not installed.
+install(TARGETS ${rooms} ${parts} EXPORT fourpostTargets ARCHIVE COMPONENT development)
+install(TARGETS ${public_target} EXPORT fourpostTargets
   ARCHIVE COMPONENT development
-  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/fourpost COMPONENT development)
+  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(EXPORT fourpostTargets NAMESPACE fourpost:: DESTINATION ${package_dir} COMPONENT development)
 
 configure_package_config_file(cmake/fourpostConfig.cmake.in fourpostConfig.cmake

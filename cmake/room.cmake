@@ -40,18 +40,28 @@ function(fourpost_room folder)
 
   add_library(${target} STATIC ${sources} ${ROOM_SOURCES} ${stamp})
   add_library(fourpost::${name} ALIAS ${target})
-  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PUBLIC ${rooms} ${ROOM_PUBLIC}
     PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:fourpost_warnings>)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-  # That each header stands alone is a check apart: `cmake --build --preset release --target all_verify_interface_header_sets`.
-  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
   if(ROOM_ALONE)
     set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
   endif()
   fourpost_reuse(${target} fourpost_headers)
   set_property(GLOBAL APPEND PROPERTY fourpost_rooms ${target})
+endfunction()
+
+# fourpost_public(FOLDER INCLUDE_DIR): a room as the library fourpost::fourpost with the headers that are installed; each
+# of them is compiled alone.
+function(fourpost_public folder include_dir)
+  string(REPLACE "/" "_" name ${folder})
+  set(target fourpost_${name})
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${include_dir}/*.h)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${include_dir} FILES ${headers})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME fourpost VERIFY_INTERFACE_HEADER_SETS ON)
+  add_library(fourpost::fourpost ALIAS ${target})
+  set_property(GLOBAL PROPERTY fourpost_public_target ${target})
 endfunction()
 
 # fourpost_part(NAME): all rooms under a folder of the top level, as one library to link to.

@@ -25,7 +25,7 @@ constexpr double kPlotWidth = kWidth - kLeft - 40;
 constexpr double kPlotHeight = kHeight - kTop - 46;
 constexpr double kMark = 4;
 
-/// Colours of Okabe and Ito that the colour-blind tell apart, without the palest.
+/// Colours of Okabe and Ito that the colour-blind distinguish, without the palest.
 constexpr std::array<const char*, 6> kColors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00"};
 
 struct Place {

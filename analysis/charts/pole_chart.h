@@ -31,7 +31,7 @@ struct PoleChart {
 
 /// The paths as an SVG document: real part across, imaginary part up, both over 2 pi [Hz], so that the distance from
 /// the origin is the undamped frequency; with lines of constant frequency and of constant damping ratio. Poles that
-/// hardly move are grey crosses, the others curves with a dot per value, a ring at the first and a disc at the last,
+/// barely move are grey crosses, the others curves with a dot per value, a ring at the first and a disc at the last,
 /// named at the last. Real poles much faster than all that oscillate are cut off. Throws std::invalid_argument for
 /// curves of unlike lengths, and for a chart without a pole to show.
 std::string PoleSvg(const PoleChart& chart);

@@ -7,14 +7,13 @@
 
 #include "analysis/files/csv_fault.h"
 #include "analysis/files/csv_scanner.h"
+#include "analysis/files/findings.h"
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/text_file.h"
 #include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {
-
-std::string Quote(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 std::string Count(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
@@ -33,21 +32,21 @@ class CsvParser {
   }
 
   std::optional<CsvTable> Parse(CsvHeader header) {
-    if (!text_fault_.empty()) Fault(0, text_fault_);
+    if (text_fault_) Fault(0, text_fault_);
     else ReadNames();
     if (good_ && header == CsvHeader::kNamesAndUnits) ReadUnits();
     if (good_) CheckNames();
     // Without a header no row can be right.
     if (!good_) return std::nullopt;
     while (scanner_.Next(record_)) AddRow();
-    if (good_ && table_.rows() == 0) Fault(0, "has no rows below its header");
+    if (good_ && table_.rows() == 0) Fault(0, {&kCsvNoRows});
     if (!good_) return std::nullopt;
     return std::move(table_);
   }
 
  private:
-  void Fault(int line, std::string message) {
-    diagnostics_.Error(table_.file_, line, std::move(message));
+  void Fault(int line, const Found& found) {
+    diagnostics_.Report(*found.kind, {table_.file_, line}, found.words);
     good_ = false;
   }
 
@@ -55,29 +54,28 @@ class CsvParser {
     // Excel's note of the separator.
     bool found = scanner_.Next(record_);
     if (found && record_.fields[0].starts_with("sep=")) found = scanner_.Next(record_);
-    if (!found) return Fault(0, "is empty; it needs a header line and rows of numbers");
-    if (!record_.fault.empty()) return Fault(record_.line, record_.fault);
+    if (!found) return Fault(0, {&kCsvEmpty});
+    if (record_.fault) return Fault(record_.line, record_.fault);
     table_.names_ = record_.fields;
     names_line_ = record_.line;
     ends_with_separator_ = table_.columns() > 1 && table_.names_.back().empty();
     if (ends_with_separator_) table_.names_.pop_back();
-    const std::string fault = FaultOfNames(scanner_, table_.columns(), ends_with_separator_, dialect_.separator);
-    if (!fault.empty()) Fault(names_line_, fault);
+    const Found fault = FaultOfNames(scanner_, table_.columns(), ends_with_separator_, dialect_.separator);
+    if (fault) Fault(names_line_, fault);
   }
 
   void CheckNames() {
     std::unordered_set<std::string_view> earlier;
     for (std::size_t i = 0; i < table_.columns(); ++i) {
       const std::string& name = table_.names_[i];
-      const std::string column = "column " + std::to_string(i + 1);
-      if (name.empty()) Fault(names_line_, column + " has no name");
-      else if (!earlier.insert(name).second)
-        Fault(names_line_, column + " has the name " + Quote(name) + " of an earlier one");
+      const std::string column = std::to_string(i + 1);
+      if (name.empty()) Fault(names_line_, {&kCsvColumnNameless, {column}});
+      else if (!earlier.insert(name).second) Fault(names_line_, {&kCsvColumnTwice, {column, name}});
     }
   }
 
   void ReadUnits() {
-    if (!scanner_.Next(record_)) return Fault(0, "has no row of units below its header");
+    if (!scanner_.Next(record_)) return Fault(0, {&kCsvNoUnits});
     if (!IsRowGood()) return;
     table_.units_line_ = record_.line;
     std::vector<std::string> fields = record_.fields;
@@ -122,10 +120,10 @@ class CsvParser {
       record_.fields.pop_back();
     const std::size_t fields = record_.fields.size();
     const std::size_t columns = table_.columns();
-    if (!record_.fault.empty()) Fault(record_.line, record_.fault);
+    if (record_.fault) Fault(record_.line, record_.fault);
     else if (fields != columns)
-      Fault(record_.line, "the row has " + Count(fields, "field") + ", the header " + std::to_string(columns));
-    return record_.fault.empty() && fields == columns;
+      Fault(record_.line, {&kCsvRowLength, {Count(fields, "field"), std::to_string(columns)}});
+    return !record_.fault && fields == columns;
   }
 
   CsvDialect dialect_;
@@ -134,7 +132,7 @@ class CsvParser {
   CsvTable table_;
   CsvRecord record_;
   int names_line_ = 0;
-  std::string text_fault_;
+  Found text_fault_;
   /// A field too many in every line, which holds nothing.
   bool ends_with_separator_ = false;
   bool good_ = true;
@@ -164,10 +162,7 @@ std::vector<double> CsvTable::Numbers(std::size_t column, Diagnostics& diagnosti
   numbers.reserve(rows());
   for (std::size_t row = 0; row < rows(); ++row) {
     const std::optional<double> number = Number(row, column);
-    if (!number)
-      diagnostics.Error(file_, line(row),
-                        names_[column] + " " + Quote(Text(row, column)) +
-                            " is not a finite number; correct it, or leave it empty where nothing was measured");
+    if (!number) diagnostics.Report(kCsvNotANumber, {file_, line(row)}, {names_[column], Text(row, column)});
     numbers.push_back(number.value_or(std::numeric_limits<double>::quiet_NaN()));
   }
   return numbers;

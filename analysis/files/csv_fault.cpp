@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "analysis/files/findings.h"
 #include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {
 
-/// Enough to tell what most rows are like.
+/// Enough to see what most rows are like.
 constexpr std::size_t kLooked = 100;
 
 /// "0.1|2|3" with '|', however many blanks are around.
@@ -53,16 +55,14 @@ std::string Columns(std::size_t count) { return std::to_string(count) + (count =
 
 }  // namespace
 
-std::string FaultOfText(std::string_view text) {
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return "is written in UTF-16; save it as UTF-8";
-  if (text.find('\0') != std::string_view::npos)
-    return "is no text but a binary file; export the table as CSV, or as MAT and name it .mat";
-  if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos)
-    return "ends its lines with CR alone; save it with line ends of Unix (LF) or Windows (CRLF)";
-  return "";
+Found FaultOfText(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return {&kCsvUtf16};
+  if (text.find('\0') != std::string_view::npos) return {&kCsvBinary};
+  if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos) return {&kCsvLineEnds};
+  return {};
 }
 
-std::string FaultOfNames(CsvScanner below, std::size_t names, bool ends_with_separator, char separator) {
+Found FaultOfNames(CsvScanner below, std::size_t names, bool ends_with_separator, char separator) {
   const std::vector<CsvRecord> records = FirstOf(below);
   for (const auto& [separating, name] : {std::pair{'|', "'|'"}, {' ', "blanks"}}) {
     // Lambdas of clang 14 cannot capture names of a structured binding.
@@ -70,16 +70,14 @@ std::string FaultOfNames(CsvScanner below, std::size_t names, bool ends_with_sep
     if (names == 1 && std::any_of(records.begin(), records.end(), [&](const CsvRecord& record) {
           return record.fields.size() == 1 && IsRowOf(record.fields.front(), other);
         }))
-      return std::string("separates its columns by ") + name + "; save it with commas, semicolons or tabs";
+      return {&kCsvSeparator, {name}};
   }
   const std::size_t most = MostFields(records, ends_with_separator);
-  if (most == 0 || most == names) return "";
-  const std::string seen = "the names have " + Columns(names) + ", the rows below " + std::to_string(most) + ": ";
-  if (most < names) return seen + "name as many columns as there are";
-  if (separator == ',' && most == 2 * names)
-    return seen + "remove the lines above the names; or separate columns by semicolons where decimals have commas";
-  return seen + "remove the lines above the names" +
-         (most == names + 1 ? ", or name the last column, which may be empty" : "");
+  if (most == 0 || most == names) return {};
+  const std::vector<std::string> words = {Columns(names), std::to_string(most)};
+  if (most < names) return {&kCsvTooManyNames, words};
+  if (separator == ',' && most == 2 * names) return {&kCsvDecimalCommas, words};
+  return {most == names + 1 ? &kCsvLastColumnUnnamed : &kCsvLinesAboveNames, words};
 }
 
 }  // namespace fourpost

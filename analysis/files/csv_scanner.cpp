@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/files/csv_text_mark.h"
+#include "analysis/files/findings.h"
 
 namespace fourpost {
 namespace {
@@ -15,9 +16,7 @@ std::string_view WithoutBlanksBehind(std::string_view text, std::string_view bla
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-bool IsBlank(const CsvRecord& record) {
-  return record.fault.empty() && record.fields.size() == 1 && record.fields[0].empty();
-}
+bool IsBlank(const CsvRecord& record) { return !record.fault && record.fields.size() == 1 && record.fields[0].empty(); }
 
 }  // namespace
 
@@ -37,7 +36,7 @@ bool CsvScanner::Next(CsvRecord& record) {
 void CsvScanner::ReadRecord(CsvRecord& record) {
   record.line = line_;
   record.fields.clear();
-  record.fault.clear();
+  record.fault = {};
   for (;;) {
     record.fields.emplace_back(WithoutTextMark(ReadField(record)));
     if (rest_.empty()) return;
@@ -65,15 +64,14 @@ std::string CsvScanner::ReadQuoted(CsvRecord& record) {
     line_ += static_cast<int>(std::count(piece.begin(), piece.end(), '\n'));
     field += piece;
     if (rest_.empty()) {
-      record.fault = "the quote that opens in line " + std::to_string(first_line) + " is never closed";
+      record.fault = {&kCsvQuoteOpen, {std::to_string(first_line)}};
       return field;
     }
     rest_.remove_prefix(1);
     // A doubled quote stands for one.
     if (rest_.starts_with('"')) field += '"';
   } while (rest_.starts_with('"'));
-  if (!WithoutBlanksBehind(Take(ends_), blanks_).empty())
-    record.fault = "text after a closing quote; double the quotes inside a quoted field";
+  if (!WithoutBlanksBehind(Take(ends_), blanks_).empty()) record.fault = {&kCsvTextBehindQuote};
   return field;
 }
 

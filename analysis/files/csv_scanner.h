@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/text/found.h"
+
 namespace fourpost {
 
 /// One line of a table in text; more than one when a quoted field holds a line break.
@@ -11,8 +13,8 @@ struct CsvRecord {
   /// 1-based line at which it begins.
   int line = 0;
   std::vector<std::string> fields;
-  /// What is wrong with its quotes; empty when nothing is.
-  std::string fault;
+  /// What is wrong with its quotes.
+  Found fault;
 };
 
 /// Splits text (RFC 4180, with any separator) into records. Blanks around a field and a

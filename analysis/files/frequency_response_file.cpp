@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/files/findings.h"
 #include "analysis/files/recorded_table.h"
 #include "analysis/files/recording_layout.h"
 #include "analysis/signals/decibel.h"
@@ -94,8 +95,8 @@ class FrequencyResponseReader {
   }
 
  private:
-  void Fault(std::size_t row, const std::string& message) {
-    diagnostics_.Error(table_.file(), table_.line(row), table_.WithRow(row, message));
+  void Fault(const Finding& kind, std::size_t row, const std::vector<std::string>& words = {}) {
+    table_.Report(kind, row, words, diagnostics_);
     good_ = false;
   }
 
@@ -107,21 +108,20 @@ class FrequencyResponseReader {
     return table_.Number(row, *table_.FindColumn(column));
   }
 
-  /// "a_cg at 3.2 Hz: ".
-  std::string Place(std::size_t row) const {
-    return Text(row, "channel") + " at " + Text(row, "frequency_Hz") + " Hz: ";
+  /// "a_cg at 3.2 Hz".
+  std::string PointOf(std::size_t row) const {
+    return Text(row, "channel") + " at " + Text(row, "frequency_Hz") + " Hz";
   }
 
   /// NaN, and reported, unless the field is a number of this sign.
   double ReadNumber(std::size_t row, std::string_view column, Sign sign) {
     const std::string text = Text(row, column);
-    const std::string field = Place(row) + std::string(column);
+    const std::string field(column);
     const std::optional<double> number = Number(row, column);
-    if (IsMissing(text)) Fault(row, field + " is missing (NaN); remove the whole frequency or repeat the measurement");
-    else if (!number) Fault(row, field + " '" + text + "' is not a finite number; correct it");
+    if (IsMissing(text)) Fault(kFieldMissing, row, {PointOf(row), field});
+    else if (!number) Fault(kFieldNotANumber, row, {PointOf(row), field, text});
     else if (!HasSign(*number, sign))
-      Fault(row, field + " " + text + " must " + (sign == Sign::kPositive ? "be above zero" : "not be negative") +
-                     "; correct it");
+      Fault(sign == Sign::kPositive ? kFieldNotPositive : kFieldNegative, row, {PointOf(row), field, text});
     else return *number;
     return kNaN;
   }
@@ -130,7 +130,7 @@ class FrequencyResponseReader {
     const std::string name = Text(row, "channel");
     const double frequency_Hz = ReadNumber(row, "frequency_Hz", Sign::kPositive);
     const double amplitude_m = ReadNumber(row, "post_amplitude_m", Sign::kPositive);
-    if (name.empty()) return Fault(row, "the channel has no name; write one or remove the row");
+    if (name.empty()) return Fault(kChannelNameless, row);
     ChannelRows& channel = FindChannel(name);
     if (!std::isnan(frequency_Hz)) AddToPoint(row, frequency_Hz, amplitude_m, channel);
     channel.rows.push_back(row);
@@ -146,16 +146,14 @@ class FrequencyResponseReader {
   void AddToPoint(std::size_t row, double frequency_Hz, double amplitude_m, const ChannelRows& channel) {
     Point& point = points_.emplace(frequency_Hz, Point{amplitude_m, row, {}}).first->second;
     if (amplitude_m != point.amplitude_m && !std::isnan(amplitude_m) && !std::isnan(point.amplitude_m))
-      Fault(row, Place(row) + "post_amplitude_m is " + Text(row, "post_amplitude_m") + ", but " +
-                     Text(point.first_row, "post_amplitude_m") + " in " + table_.RowInWords(point.first_row) +
-                     "; a frequency has one amplitude");
-    if (!point.channels.insert(channel.name).second)
-      return Fault(row, Place(row) + "the channel is there twice; remove one of the two rows");
+      Fault(kAmplitudesDiffer, row,
+            {PointOf(row), Text(row, "post_amplitude_m"), Text(point.first_row, "post_amplitude_m"),
+             table_.RowInWords(point.first_row)});
+    if (!point.channels.insert(channel.name).second) return Fault(kChannelTwice, row, {PointOf(row)});
     const std::optional<double> before =
         channel.rows.empty() ? std::nullopt : Number(channel.rows.back(), "frequency_Hz");
     if (before && *before > frequency_Hz)
-      Fault(row, Place(row) + "frequencies must increase, but " + Text(channel.rows.back(), "frequency_Hz") +
-                     " Hz stands above it; sort the rows");
+      Fault(kFrequenciesUnsorted, row, {PointOf(row), Text(channel.rows.back(), "frequency_Hz") + " Hz"});
   }
 
   void CheckComplete() {
@@ -164,8 +162,7 @@ class FrequencyResponseReader {
       for (const ChannelRows& channel : channels_)
         if (!point.channels.contains(channel.name)) missing.push_back(channel.name);
       if (!missing.empty())
-        Fault(point.first_row, "at " + FormatNumber(frequency_Hz) + " Hz there is no " + Join(missing) +
-                                   "; add what is missing or remove the whole frequency");
+        Fault(kChannelsMissing, point.first_row, {FormatNumber(frequency_Hz) + " Hz", Join(missing)});
     }
   }
 
@@ -195,9 +192,7 @@ class FrequencyResponseReader {
     const auto is_blank = [&](std::size_t row) { return IsMissing(Text(row, column)); };
     if (!table_.FindColumn(column) || std::all_of(channel.rows.begin(), channel.rows.end(), is_blank)) return values;
     for (const std::size_t row : channel.rows) {
-      if (is_blank(row))
-        Fault(row, Place(row) + std::string(column) +
-                       " is missing, but is there at other frequencies; fill it in for all of them or for none");
+      if (is_blank(row)) Fault(kFieldNotEverywhere, row, {PointOf(row), std::string(column)});
       else values.push_back(ReadNumber(row, column, sign));
     }
     return values;
@@ -207,15 +202,8 @@ class FrequencyResponseReader {
     const std::string text = UnitText(channel);
     const std::optional<Unit> unit = ParseUnit(text);
     if (IsChannelUnit(unit, text)) return *unit;
-    if (table_.FindColumn("unit"))
-      Fault(channel.rows.front(),
-            channel.name + ": the unit '" + text +
-                "' is not one of a length, a force, an acceleration or an angular velocity; write "
-                "one like mm, kN, m/s^2 or deg/s");
-    else
-      Fault(channel.rows.front(), "the unit of " + channel.name +
-                                      " is not to be told from its name (a_ for m/s^2, s_ for m, F_ for N); add a "
-                                      "column 'unit'");
+    if (table_.FindColumn("unit")) Fault(kChannelUnit, channel.rows.front(), {channel.name, text});
+    else Fault(kChannelUnitUnknown, channel.rows.front(), {channel.name});
     return {};
   }
 
@@ -231,8 +219,8 @@ class FrequencyResponseReader {
     const std::string first = Text(channel.rows.front(), "unit");
     for (const std::size_t row : channel.rows)
       if (Text(row, "unit") != first)
-        Fault(row, Place(row) + "the unit is '" + Text(row, "unit") + "', but '" + first + "' in " +
-                       table_.RowInWords(channel.rows.front()) + "; a channel has one unit");
+        Fault(kChannelUnitsDiffer, row,
+              {PointOf(row), Text(row, "unit"), first, table_.RowInWords(channel.rows.front())});
     return first;
   }
 
@@ -273,14 +261,11 @@ std::string RecordingsIn(const RecordedTable& table) {
 std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::path& file, Diagnostics& diagnostics) {
   const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics, CsvHeader::kNames);
   if (table && IsComparison(*table)) {
-    diagnostics.Error(table->file(), 1,
-                      "is a result, in which measurement and model stand side by side (" + RecordingsIn(*table) +
-                          "): name a recording itself, as the `recordings` of a study do");
+    diagnostics.Report(kComparisonAsRecording, {table->file(), 1}, {RecordingsIn(*table)});
     return std::nullopt;
   }
   if (table && IsTimeHistory(*table)) {
-    diagnostics.Error(table->file(), table->names_line(),
-                      "is a time history, not a stepped sine: list it under 'histories'");
+    diagnostics.Report(kHistoryAsSteppedSine, {table->file(), table->names_line()});
     return std::nullopt;
   }
   if (!table || !table->CheckColumns(kRequired, kOptional, diagnostics)) return std::nullopt;

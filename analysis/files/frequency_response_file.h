@@ -22,7 +22,7 @@ namespace fourpost {
 /// channel. Reports all of: what ReadRecordedTable reports, missing or unknown columns, a fit's response.csv, a gain,
 /// phase, frequency or amplitude that is missing or not a number, any of them but the phase not above zero, a negative
 /// sd or second harmonic, frequencies that do not increase, two amplitudes at one frequency, a channel missing or twice
-/// at one frequency, a unit that is unknown, changes, or is not to be told from the name. Nothing when there was one.
+/// at one frequency, a unit that is unknown, changes, or does not follow from the name. Nothing when there was one.
 std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::path& file, Diagnostics& diagnostics);
 
 }  // namespace fourpost

@@ -1,5 +1,6 @@
 #include "analysis/files/inputs_elsewhere.h"
 
+#include "analysis/files/findings.h"
 #include "analysis/files/output_folder.h"
 
 namespace fourpost {
@@ -14,7 +15,7 @@ void RequireInputsElsewhere(const std::vector<std::filesystem::path>& inputs, co
   };
   for (const std::filesystem::path& input : inputs)
     if (folder_of(input) == folder_of(folder / "result.json"))
-      throw OutputError(folder.string() + " holds the input " + input.filename().string() + "; give another folder");
+      throw OutputError(kFolderHoldsInput, {folder.string()}, {input.filename().string()});
 }
 
 }  // namespace fourpost

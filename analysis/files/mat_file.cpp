@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/files/findings.h"
 #include "analysis/files/mat/mat_variable.h"
 #include "analysis/files/mat/mat_version4.h"
 #include "analysis/files/mat/mat_version5.h"
@@ -17,7 +18,7 @@ namespace {
 
 using Kind = MatVariable::Kind;
 
-/// All but one side of it are 1.
+/// All sides except one are 1.
 bool IsVector(const MatVariable& variable) {
   const std::uint64_t length = variable.Length();
   return length > 1 && std::find(variable.dims.begin(), variable.dims.end(), length) != variable.dims.end();
@@ -59,7 +60,7 @@ class MatReader {
   std::optional<std::vector<MatVector>> Read(std::vector<MatVariable> variables) {
     for (MatVariable& variable : variables) Take(variable, variable.name);
     if (std::all_of(vectors_.begin(), vectors_.end(), [](const MatVector& vector) { return vector.values.empty(); }))
-      return Fault("holds no vector of real numbers; save each channel as a variable of its own");
+      return Fault(kMatNoVector);
     for (MatVector& vector : vectors_)
       if (vector.unit.empty()) vector.unit = units_[vector.name];
     if (!good_) return std::nullopt;
@@ -67,8 +68,8 @@ class MatReader {
   }
 
  private:
-  std::nullopt_t Fault(const std::string& message) {
-    diagnostics_.Error(file_, 0, message);
+  std::nullopt_t Fault(const Finding& kind, const std::vector<std::string>& words = {}) {
+    diagnostics_.Report(kind, {file_}, words);
     good_ = false;
     return std::nullopt;
   }
@@ -102,7 +103,7 @@ class MatReader {
     // Texts may be notes, of which each channel has its own.
     if (vector.values.empty()) return;
     MatVector& other = vectors_[place->second];
-    if (!other.values.empty()) Fault("holds two vectors called '" + vector.name + "'; rename one");
+    if (!other.values.empty()) Fault(kMatVectorTwice, {vector.name});
     other = std::move(vector);
   }
 
@@ -132,7 +133,7 @@ std::optional<std::vector<MatVector>> VectorsOf(const std::string& file, Diagnos
   try {
     return MatReader(file, diagnostics).Read(read());
   } catch (const MatFault& fault) {
-    diagnostics.Error(file, 0, fault.what());
+    diagnostics.Report(*fault.found().kind, {file}, fault.found().words);
     return std::nullopt;
   }
 }

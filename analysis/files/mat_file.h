@@ -13,7 +13,7 @@ namespace fourpost {
 /// A vector of numbers or of texts in a MAT file.
 struct MatVector {
   std::string name;
-  /// As written; empty where the file tells none.
+  /// As written; empty where the file has none.
   std::string unit;
   /// One of both is filled.
   std::vector<double> values;

@@ -4,6 +4,7 @@
 #include <system_error>
 #include <vector>
 
+#include "analysis/files/findings.h"
 #include "analysis/text/nearest.h"
 
 namespace fourpost {
@@ -27,9 +28,8 @@ std::string DidYouMeanFile(const std::filesystem::path& missing) {
 bool RequireFile(const std::filesystem::path& file, const std::string& named_by, int line, Diagnostics& diagnostics) {
   std::error_code failure;
   if (std::filesystem::exists(file, failure)) return true;
-  diagnostics.Error(
-      named_by, line,
-      "there is no file " + file.string() + DidYouMeanFile(file) + (failure ? " (" + failure.message() + ")" : ""));
+  diagnostics.Report(kFileNotThere, {named_by, line},
+                     {file.string(), DidYouMeanFile(file) + (failure ? " (" + failure.message() + ")" : "")});
   return false;
 }
 

@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "analysis/files/findings.h"
+
 namespace fourpost {
 namespace {
 
@@ -29,8 +31,17 @@ std::string Reason(const fs::filesystem_error& error) {
   return error.path1().filename().string() + ": " + error.code().message();
 }
 
-[[noreturn]] void ThrowUnusable(const fs::path& folder, const std::string& reason, const std::string& remedy) {
-  throw OutputError(folder.string() + ": " + reason + "; " + remedy);
+/// `kind`, unless the disk is full.
+[[noreturn]] void ThrowUnusable(const Finding& kind, const fs::path& folder, const std::error_code& code,
+                                const std::vector<std::string>& words) {
+  if (IsDiskFull(code)) throw OutputError(kDiskFull, {folder.string()}, {words.back()});
+  throw OutputError(kind, {folder.string()}, words);
+}
+
+Diagnostics OneFinding(const Finding& kind, Place place, const std::vector<std::string>& words) {
+  Diagnostics found;
+  found.Report(kind, std::move(place), words);
+  return found;
 }
 
 /// A file or folder that is open for as long as this lives.
@@ -74,11 +85,10 @@ bool IsEmpty(const fs::path& folder) {
 void CheckContent(const fs::path& folder, const std::string& trace) {
   if (IsEmpty(folder) || fs::is_regular_file(folder / kResultFile)) return;
   if (!trace.empty() && fs::is_regular_file(folder / trace)) return;
-  ThrowUnusable(folder, "holds files, but no " + std::string(kResultFile) + " of an earlier run",
-                "name a new or an empty folder");
+  throw OutputError(kFolderHoldsFiles, {folder.string()}, {std::string(kResultFile)});
 }
 
-/// By trying: permissions do not tell of file systems that are read-only, full, or not real.
+/// By trying: permissions do not show file systems that are read-only, full, or not real.
 void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing, bool keep) {
   const fs::path probe = folder / kProbe;
   std::error_code ignored;
@@ -86,8 +96,7 @@ void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing,
   fs::create_directories(folder, failure);
   if (failure) {
     RemoveFolders(missing);
-    ThrowUnusable(folder, missing.front().parent_path().string() + " takes no new folder (" + failure.message() + ")",
-                  WritingRemedy(failure, "name one elsewhere, or allow writing there"));
+    ThrowUnusable(kFolderTakesNoFolder, folder, failure, {missing.front().parent_path().string(), failure.message()});
   }
   try {
     Descriptor(probe, O_WRONLY | O_CREAT | O_TRUNC).Write("probe");
@@ -102,7 +111,7 @@ void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing,
 
 void CheckUsable(const fs::path& folder, const std::vector<fs::path>& missing, const std::string& trace) {
   const fs::path existing = missing.empty() ? folder : missing.front().parent_path();
-  if (!fs::is_directory(existing)) ThrowUnusable(existing, "is not a folder", "name another one for the results");
+  if (!fs::is_directory(existing)) throw OutputError(kFolderIsAFile, {existing.string()});
   if (missing.empty()) CheckContent(folder, trace);
   CheckWritable(folder, missing, !trace.empty());
 }
@@ -111,10 +120,19 @@ fs::path WithoutTrailingSlash(const fs::path& folder) { return folder.has_filena
 
 }  // namespace
 
+OutputError::OutputError(const Finding& kind, Place place, const std::vector<std::string>& words)
+    : OutputError(OneFinding(kind, std::move(place), words)) {}
+
+OutputError::OutputError(Diagnostics diagnostics)
+    : std::runtime_error(diagnostics.Format()), diagnostics_(std::move(diagnostics)) {}
+
+bool IsDiskFull(const std::error_code& reason) {
+  return reason == std::errc::no_space_on_device || reason == std::errc::file_too_large ||
+         reason == std::error_code(EDQUOT, std::generic_category());
+}
+
 std::string WritingRemedy(const std::error_code& reason, const std::string& otherwise) {
-  const bool is_full = reason == std::errc::no_space_on_device || reason == std::errc::file_too_large ||
-                       reason == std::error_code(EDQUOT, std::generic_category());
-  return is_full ? "free some space, or name another folder" : otherwise;
+  return IsDiskFull(reason) ? "free some space, or name another folder" : otherwise;
 }
 
 std::vector<fs::path> MissingFolders(const fs::path& folder) {
@@ -131,7 +149,7 @@ void RemoveFolders(const std::vector<fs::path>& outermost_first) {
 }
 
 OutputFolder::OutputFolder(const fs::path& folder, const std::string& trace) {
-  if (folder.empty()) throw OutputError("the folder for the results has no name; name one");
+  if (folder.empty()) throw OutputError(kFolderNameless, {});
   try {
     // Whole, since a program may change its working directory.
     folder_ = WithoutTrailingSlash(fs::weakly_canonical(fs::absolute(folder)));
@@ -140,8 +158,7 @@ OutputFolder::OutputFolder(const fs::path& folder, const std::string& trace) {
     CheckUsable(folder_, missing, trace);
     if (!trace.empty()) created_ = missing;
   } catch (const fs::filesystem_error& error) {
-    ThrowUnusable(folder, "cannot be written to (" + error.code().message() + ")",
-                  WritingRemedy(error.code(), "allow it or name another folder"));
+    ThrowUnusable(kFolderNotWritable, folder, error.code(), {error.code().message()});
   }
 }
 
@@ -174,8 +191,7 @@ void OutputFolder::Commit() {
     RenameFiles();
   } catch (const fs::filesystem_error& error) {
     RemoveTraces(created);
-    ThrowUnusable(folder_, "the results cannot be written (" + Reason(error) + ")",
-                  WritingRemedy(error.code(), "remove the obstacle or name another folder"));
+    ThrowUnusable(kResultsNotWritten, folder_, error.code(), {Reason(error)});
   }
 }
 
@@ -203,7 +219,7 @@ void OutputFolder::RenameFiles() const {
   Descriptor(folder_, O_RDONLY | O_DIRECTORY).Flush();
 }
 
-/// Leaves what is not ours; errors here would hide the one that is being told.
+/// Leaves what is not ours; errors here would hide the one that is reported.
 void OutputFolder::RemoveTraces(const std::vector<fs::path>& created) const {
   std::error_code ignored;
   for (const auto& [name, content] : content_of_) {

@@ -7,14 +7,26 @@
 #include <system_error>
 #include <vector>
 
+#include "analysis/text/diagnostics.h"
+
 namespace fourpost {
 
 /// A place where results cannot be written; `what()` names it and says why and what to do.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+  OutputError(const Finding& kind, Place place, const std::vector<std::string>& words = {});
+  /// Empty where it was made of a text.
+  const Diagnostics& diagnostics() const { return diagnostics_; }
+
+ private:
+  explicit OutputError(Diagnostics diagnostics);
+
+  Diagnostics diagnostics_;
 };
 
+/// Whether the system refuses to write for want of room.
+bool IsDiskFull(const std::error_code& reason);
 /// What to do when the system refuses to write: to make room where that is why, else what is said.
 std::string WritingRemedy(const std::error_code& reason, const std::string& otherwise);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/files/findings.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 
@@ -48,22 +49,22 @@ bool RecordedTable::HoldsText(std::size_t column) const { return !csv_ && !vecto
 bool RecordedTable::CheckColumns(std::span<const std::string_view> required, std::span<const std::string_view> optional,
                                  Diagnostics& diagnostics) const {
   bool good = true;
-  const auto fault = [&](const std::string& message) {
-    diagnostics.Error(file_, names_line(), message);
+  const auto fault = [&](const Finding& kind, const std::vector<std::string>& words) {
+    diagnostics.Report(kind, {file_, names_line()}, words);
     good = false;
   };
   for (const std::string_view name : required)
-    if (!FindColumn(name)) fault("column '" + std::string(name) + "' is missing; add it");
+    if (!FindColumn(name)) fault(kColumnMissing, {std::string(name)});
   std::vector<std::string_view> legal(required.begin(), required.end());
   legal.insert(legal.end(), optional.begin(), optional.end());
   for (std::size_t column = 0; column < names_.size(); ++column) {
-    const std::string name = "column '" + names_[column] + "'";
+    const std::string& name = names_[column];
     if (rows(column) != rows(0))
-      fault(name + " has " + std::to_string(rows(column)) + " rows, column '" + names_.front() + "' " +
-            std::to_string(rows(0)) + "; give all the same");
-    if (std::find(legal.begin(), legal.end(), names_[column]) != legal.end()) continue;
-    const std::string suggestion = DidYouMean(names_[column], legal);
-    fault("unknown " + name + (suggestion.empty() ? "; remove it" : suggestion));
+      fault(kColumnLength, {name, std::to_string(rows(column)), names_.front(), std::to_string(rows(0))});
+    if (std::find(legal.begin(), legal.end(), name) != legal.end()) continue;
+    const std::string suggestion = DidYouMean(name, legal);
+    if (suggestion.empty()) fault(kColumnSuperfluous, {name});
+    else fault(kColumnUnknown, {name, suggestion});
   }
   return good;
 }
@@ -72,8 +73,13 @@ std::string RecordedTable::RowInWords(std::size_t row) const {
   return csv_ ? "line " + std::to_string(line(row)) : "row " + std::to_string(row + 1);
 }
 
-std::string RecordedTable::WithRow(std::size_t row, const std::string& message) const {
-  return csv_ ? message : RowInWords(row) + ": " + message;
+void RecordedTable::Report(const Finding& kind, std::size_t row, const std::vector<std::string>& words,
+                           Diagnostics& diagnostics) const {
+  Diagnostics found;
+  found.Report(kind, {file_, line(row)}, words);
+  Diagnostic finding = found.items().front();
+  if (!csv_) finding.message.insert(0, RowInWords(row) + ": ");
+  diagnostics.Add(std::move(finding));
 }
 
 std::size_t RecordedTable::rows(std::size_t column) const {

@@ -29,7 +29,7 @@ class RecordedTable {
   /// of another length than the first; false then.
   bool CheckColumns(std::span<const std::string_view> required, std::span<const std::string_view> optional,
                     Diagnostics& diagnostics) const;
-  /// As written; empty where the file tells none.
+  /// As written; empty where the file has none.
   const std::string& unit(std::size_t column) const { return units_[column]; }
   /// Lines of names, units and rows; 0 of a MAT file.
   int names_line() const { return csv_ ? 1 : 0; }
@@ -37,15 +37,16 @@ class RecordedTable {
   int line(std::size_t row) const { return csv_ ? csv_->line(row) : 0; }
   /// "line 7", or "row 6" of a file without lines.
   std::string RowInWords(std::size_t row) const;
-  /// The message, after the row that it is about where no line tells it.
-  std::string WithRow(std::size_t row, const std::string& message) const;
+  /// Adds a finding about a row; its message begins with the row where the file has no lines.
+  void Report(const Finding& kind, std::size_t row, const std::vector<std::string>& words,
+              Diagnostics& diagnostics) const;
 
   std::size_t rows(std::size_t column) const;
   /// NaN where there is none; nothing for what is no number.
   std::optional<double> Number(std::size_t row, std::size_t column) const;
   /// As written.
   std::string Text(std::size_t row, std::size_t column) const;
-  /// Where a unit such as `such` of a column is written, to tell a user.
+  /// Where a user writes a unit such as `such` of a column.
   std::string WhereUnitsStand(const std::string& name, const std::string& such) const;
 
  private:

@@ -11,7 +11,7 @@ namespace fourpost {
 /// What a column of a recording looks like, in its own unit.
 struct ColumnSummary {
   std::string name;
-  /// As written; empty where the file tells none.
+  /// As written; empty where the file has none.
   std::string unit;
   /// Whether ParseRecordedUnit knows it.
   bool unit_known = false;

@@ -9,7 +9,7 @@
 
 namespace fourpost {
 
-/// The digest of a text or of numbers, to tell whether two are the same (SHA-256, FIPS 180-4).
+/// The digest of a text or of numbers, to compare two (SHA-256, FIPS 180-4).
 class Sha256 {
  public:
   /// The bytes alone: "ab" and "c" give the digest of "a" and "bc".

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/files/findings.h"
 #include "analysis/files/recorded_table.h"
 #include "analysis/text/number.h"
 
@@ -26,8 +27,8 @@ class StaticLoadsReader {
   }
 
  private:
-  void Fault(const std::string& message) {
-    diagnostics_.Error(table_.file(), table_.line(row_), table_.WithRow(row_, message));
+  void Fault(const Finding& kind, const std::vector<std::string>& words = {}) {
+    table_.Report(kind, row_, words, diagnostics_);
     good_ = false;
   }
 
@@ -38,19 +39,18 @@ class StaticLoadsReader {
     measurement.name = Text("quantity");
     CheckName(measurement.name);
     const std::optional<Unit> unit = ParseUnit(Text("unit"));
-    if (!unit)
-      Fault(measurement.name + ": the unit '" + Text("unit") + "' is not known; write one like N, kg, mm, or 1");
+    if (!unit) Fault(kQuantityUnit, {measurement.name, Text("unit")});
     else measurement.dimension = unit->dimension;
     measurement.value = ReadNumber("value", unit.has_value());
     measurement.sd = ReadNumber("sd", unit.has_value());
-    if (measurement.sd < 0) Fault(measurement.name + ": sd must not be negative; correct it");
+    if (measurement.sd < 0) Fault(kDeviationNegative, {measurement.name});
     return measurement;
   }
 
   void CheckName(const std::string& name) {
-    if (name.empty()) return Fault("the quantity has no name; write one or remove the row");
+    if (name.empty()) return Fault(kQuantityNameless);
     const auto [first, is_new] = row_of_.emplace(name, row_);
-    if (!is_new) Fault(name + " is in " + table_.RowInWords(first->second) + " already; remove one of the two");
+    if (!is_new) Fault(kQuantityTwice, {name, table_.RowInWords(first->second)});
   }
 
   /// In SI if the unit is known.
@@ -58,14 +58,14 @@ class StaticLoadsReader {
     const std::string text = Text(column);
     const std::optional<double> number = table_.Number(row_, *table_.FindColumn(column));
     if (!number || std::isnan(*number)) {
-      Fault(Text("quantity") + ": " + std::string(column) +
-            (text.empty() ? " is missing; write a number" : " '" + text + "' is not a finite number; correct it"));
+      if (text.empty()) Fault(kQuantityMissing, {Text("quantity"), std::string(column)});
+      else Fault(kQuantityNotANumber, {Text("quantity"), std::string(column), text});
       return 0;
     }
     if (!has_unit) return *number;
     // The number together with its unit, for powers of ten without a rounding of their own.
     const std::optional<Quantity> quantity = ParseQuantity(FormatNumber(*number) + " " + Text("unit"));
-    if (!quantity) Fault(Text("quantity") + ": " + std::string(column) + " '" + text + "' is too large; correct it");
+    if (!quantity) Fault(kQuantityTooLarge, {Text("quantity"), std::string(column), text});
     return quantity ? quantity->si : 0;
   }
 

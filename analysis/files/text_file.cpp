@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "analysis/files/findings.h"
 #include "analysis/files/near_file.h"
 
 namespace fourpost {
@@ -14,18 +15,18 @@ namespace {
 
 constexpr std::uintmax_t kLargest_GiB = 1;
 
-/// Why it is not opened at all; empty for a file.
-std::string WhyNotOpened(const std::filesystem::path& file) {
-  if (std::string reason = WhyNoFile(file); !reason.empty()) return reason;
+/// Why it is not opened at all.
+Found WhyNotOpened(const std::filesystem::path& file) {
+  if (Found reason = WhyNoFile(file)) return reason;
   std::error_code failure;
   const std::uintmax_t size = std::filesystem::file_size(file, failure);
-  if (failure || size <= kLargest_GiB << 30) return "";
-  return "is larger than " + std::to_string(kLargest_GiB) + " GiB; give a part of it, or a lower rate";
+  if (failure || size <= kLargest_GiB << 30) return {};
+  return {&kFileTooLarge, {std::to_string(kLargest_GiB) + " GiB"}};
 }
 
 }  // namespace
 
-std::string WhyNoFile(const std::filesystem::path& file) {
+Found WhyNoFile(const std::filesystem::path& file) {
   std::error_code ignored;
   const char* kind = nullptr;
   switch (std::filesystem::status(file, ignored).type()) {
@@ -33,14 +34,14 @@ std::string WhyNoFile(const std::filesystem::path& file) {
     case std::filesystem::file_type::socket: kind = "socket"; break;
     case std::filesystem::file_type::block:
     case std::filesystem::file_type::character: kind = "device"; break;
-    default: return "";
+    default: return {};
   }
-  return std::string("is a ") + kind + ", not a file; write what it holds to a file, and give that";
+  return {&kFileNotRegular, {kind}};
 }
 
 std::optional<std::string> ReadTextFile(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  if (std::string reason = WhyNotOpened(file); !reason.empty()) {
-    diagnostics.Error(file.string(), 0, std::move(reason));
+  if (const Found reason = WhyNotOpened(file)) {
+    diagnostics.Report(*reason.kind, {file.string()}, reason.words);
     return std::nullopt;
   }
   errno = 0;
@@ -51,7 +52,7 @@ std::optional<std::string> ReadTextFile(const std::filesystem::path& file, Diagn
   // Reading a folder opens well and fails here.
   if (errno == 0 && stream.is_open() && !stream.bad() && text) return std::move(text).str();
   const std::string reason = std::generic_category().message(errno);
-  diagnostics.Error(file.string(), 0, "cannot be read: " + reason + DidYouMeanFile(file));
+  diagnostics.Report(kFileUnreadable, {file.string()}, {reason, DidYouMeanFile(file)});
   return std::nullopt;
 }
 

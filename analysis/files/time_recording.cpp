@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "analysis/files/findings.h"
 #include "analysis/files/recorded_table.h"
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/recording_layout.h"
@@ -15,10 +16,10 @@
 namespace fourpost {
 namespace {
 
-/// So many of a kind are told one by one.
+/// So many of a kind are reported one by one.
 constexpr int kMostFindings = 5;
 
-/// Rounded to what a file may tell.
+/// Rounded to the digits of a file.
 std::string Seconds(double time_s) { return FormatNumber(std::round(1e9 * time_s), -9) + " s"; }
 
 /// What was measured at each sample comes `delay_s` later in the values.
@@ -41,7 +42,7 @@ class RecordReader {
     times_good_ = good_;
     TimeRecording recording;
     for (const RecordedChannel& channel : wanted) recording.channels.push_back(Column(channel));
-    // Times that were no numbers have been told.
+    // Times that were no numbers have been reported.
     if (times_good_) {
       recording.step_s = Step(times);
       CheckLengths(wanted, times.size(), recording);
@@ -55,8 +56,8 @@ class RecordReader {
   }
 
  private:
-  void Fault(int line, const std::string& message) {
-    diagnostics_.Error(table_.file(), line, message);
+  void Fault(const Finding& kind, int line, const std::vector<std::string>& words = {}) {
+    diagnostics_.Report(kind, {table_.file(), line}, words);
     good_ = false;
   }
 
@@ -65,8 +66,7 @@ class RecordReader {
     for (const std::string& name : channel.names)
       if (const std::optional<std::size_t> column = table_.FindColumn(name)) return Values(*column, channel);
     const std::string& name = channel.names.front();
-    Fault(table_.names_line(),
-          "column '" + name + "', " + channel.what + ", is missing" + DidYouMean(name, Measuring(channel)));
+    Fault(kChannelColumnMissing, table_.names_line(), {name, channel.what, DidYouMean(name, Measuring(channel))});
     return {};
   }
 
@@ -81,8 +81,7 @@ class RecordReader {
   }
 
   std::vector<double> Values(std::size_t column, const RecordedChannel& channel) {
-    const std::string quoted = "column '" + table_.names()[column] + "'";
-    const double si = UnitOf(column, channel, quoted) * channel.factor;
+    const double si = UnitOf(column, channel) * channel.factor;
     std::vector<double> values(table_.rows(column));
     int found = 0;
     for (std::size_t row = 0; row < values.size() && found < kMostFindings; ++row) {
@@ -93,44 +92,38 @@ class RecordReader {
       }
       ++found;
       const std::string text = table_.Text(row, column);
-      Fault(table_.line(row), quoted + " has " + (text.empty() ? "no number" : "'" + text + "'") + Where(row) +
-                                  "; fill the gap or cut the record there");
+      Fault(kSampleMissing, table_.line(row),
+            {table_.names()[column], text.empty() ? "no number" : "'" + text + "'", Where(row)});
     }
     return values;
   }
 
   std::string Where(std::size_t row) const {
-    return table_.line(row) > 0 ? " here" : " at sample " + std::to_string(row + 1);
+    return table_.line(row) > 0 ? "here" : "at sample " + std::to_string(row + 1);
   }
 
-  double UnitOf(std::size_t column, const RecordedChannel& channel, const std::string& quoted) {
+  double UnitOf(std::size_t column, const RecordedChannel& channel) {
     const std::string text = channel.unit.empty() ? table_.unit(column) : channel.unit;
     const std::optional<Unit> unit = ParseRecordedUnit(text);
     if (unit && unit->dimension == channel.dimension) return unit->si;
     const std::string such = channel.dimension == kLength ? "mm" : SiUnit(channel.dimension);
     const std::string wanted = DimensionName(channel.dimension) + " such as '" + such + "'";
     const std::string& name = table_.names()[column];
-    std::string fault = quoted + ", " + channel.what + ", has ";
-    if (text.empty())
-      fault += "no unit; write that of a " + wanted + " " + table_.WhereUnitsStand(name, such) +
-               ", or name it in the study: {channel: " + name + ", unit: " + such + "}";
-    else fault += "'" + text + "' for its unit; it takes a " + wanted + LikelySwapped(channel);
-    Fault(table_.units_line(), fault);
-    return 1;
-  }
-
-  /// Times that are in a unit of something else.
-  std::string LikelySwapped(const RecordedChannel& channel) const {
     const std::vector<std::string> others =
         channel.dimension == kTime ? Measuring(channel) : std::vector<std::string>();
-    return others.empty() ? "" : "; column '" + others.front() + "' is in such a one: are the two swapped?";
+    const int line = table_.units_line();
+    if (text.empty())
+      Fault(kUnitMissing, line, {name, channel.what, wanted, table_.WhereUnitsStand(name, such), name, such});
+    else if (others.empty()) Fault(kUnitOfOtherDimension, line, {name, channel.what, text, wanted});
+    // Times that are in a unit of something else.
+    else Fault(kTimeSwapped, line, {name, channel.what, text, wanted, others.front()});
+    return 1;
   }
 
   void CheckLengths(std::span<const RecordedChannel> wanted, std::size_t samples, const TimeRecording& recording) {
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (const std::size_t size = recording.channels[i].size(); size > 0 && size != samples)
-        Fault(0, "column '" + wanted[i].names.front() + "' has " + std::to_string(size) + " samples, the times are " +
-                     std::to_string(samples) + ": save channels of one rate together");
+        Fault(kSamplesDiffer, 0, {wanted[i].names.front(), std::to_string(size), std::to_string(samples)});
   }
 
   /// What a channel has beyond the record is not known: all are cut alike.
@@ -148,8 +141,7 @@ class RecordReader {
     const auto samples = [&](double delay_s) { return std::ceil(delay_s / recording.step_s - 1e-6); };
     const double first = samples(-earliest_s);
     const double last = samples(latest_s);
-    if (first + last + 4 > static_cast<double>(recording.samples()))
-      return Fault(0, "is shorter than the delays that the study tells of its channels");
+    if (first + last + 4 > static_cast<double>(recording.samples())) return Fault(kShorterThanDelays, 0);
     for (std::vector<double>& channel : recording.channels) {
       channel.erase(channel.end() - static_cast<std::ptrdiff_t>(last), channel.end());
       channel.erase(channel.begin(), channel.begin() + static_cast<std::ptrdiff_t>(first));
@@ -161,7 +153,7 @@ class RecordReader {
   /// Of evenly spaced times.
   double Step(const std::vector<double>& times) {
     if (times.size() < 4) {
-      Fault(0, "has " + std::to_string(times.size()) + " samples; it takes four at least");
+      Fault(kTooFewSamples, 0, {std::to_string(times.size())});
       return 0;
     }
     std::vector<double> steps(times.size() - 1);
@@ -169,13 +161,12 @@ class RecordReader {
     const double usual = Median(steps);
     if (StepBack(steps)) {
       if (const std::optional<std::string> even = EvenlyRising()) {
-        Fault(0, "time steps back again and again, while column '" + *even +
-                     "' rises evenly: are the two swapped? exchange them, or name the column of times in the study");
+        Fault(kTimeStepsBack, 0, {*even});
         return 0;
       }
     }
     if (!(usual > 0)) {
-      Fault(0, "time does not rise from sample to sample; write the time of each sample in its unit");
+      Fault(kTimeDoesNotRise, 0);
       return 0;
     }
     int found = 0;
@@ -183,9 +174,8 @@ class RecordReader {
       // Half a step is more than any rounding of times, and less than a sample that is lost.
       if (std::abs(steps[k] - usual) < 0.5 * usual) continue;
       ++found;
-      Fault(table_.line(k + 1), "time goes from " + FormatNumber(times[k]) + " s to " + FormatNumber(times[k + 1]) +
-                                    " s, else by " + Seconds(usual) +
-                                    ": samples must be evenly spaced; fill the gap or cut the record there");
+      Fault(kTimeStepUneven, table_.line(k + 1),
+            {FormatNumber(times[k]) + " s", FormatNumber(times[k + 1]) + " s", Seconds(usual)});
     }
     const double step = (times.back() - times.front()) / static_cast<double>(steps.size());
     if (found == 0) CheckGrid(times, step);
@@ -222,8 +212,7 @@ class RecordReader {
     for (std::size_t k = 0; k < times.size(); ++k)
       if (std::abs(off(k)) > std::abs(off(worst))) worst = k;
     if (std::abs(off(worst)) < 0.5 * step) return;
-    Fault(table_.line(worst), "time is " + Seconds(off(worst)) + " off even steps of " + Seconds(step) +
-                                  " here: samples must be evenly spaced; resample the record at one rate");
+    Fault(kTimeDrifts, table_.line(worst), {Seconds(off(worst)), Seconds(step)});
   }
 
   const RecordedTable& table_;
@@ -240,9 +229,7 @@ std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file
   const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
   if (!table) return std::nullopt;
   if (IsSteppedSine(*table)) {
-    diagnostics.Error(
-        table->file(), table->names_line(),
-        "is a stepped sine, not a time history: list it under 'recordings' of a study of a vehicle on posts");
+    diagnostics.Report(kSteppedSineAsHistory, {table->file(), table->names_line()});
     return std::nullopt;
   }
   return RecordReader(*table, diagnostics).Read(wanted, time);

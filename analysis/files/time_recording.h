@@ -18,7 +18,7 @@ struct RecordedChannel {
   Dimension dimension;
   /// For messages: "the height of a post".
   std::string what;
-  /// In place of the unit that the file tells; empty: that.
+  /// In place of the unit that the file has; empty: that.
   std::string unit = "";
   /// Sign and scale, which values in SI are multiplied by.
   double factor = 1;

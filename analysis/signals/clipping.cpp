@@ -105,7 +105,11 @@ std::size_t ClippedEnds::first() const {
 }
 
 std::string ClippedEnds::Text(const std::string& unit, double first_s) const {
-  std::string text = is_exact() ? "is clipped: " : "looks clipped: ";
+  return (is_exact() ? "is clipped: " : "looks clipped: ") + Samples(unit, first_s);
+}
+
+std::string ClippedEnds::Samples(const std::string& unit, double first_s) const {
+  std::string text;
   for (const std::optional<Clipping>& end : {top, bottom})
     if (end)
       text += std::to_string(end->samples) + " samples stand at " + ShortNumber(end->level) + " " + unit +

@@ -19,7 +19,7 @@ struct Clipping {
 };
 
 /// Samples at the greatest value, exactly (see ClippedAtTop) or but for noise, as where it was added behind what
-/// clipped: of the samples in the upper twentieth of the span that follow each other noise is told by their
+/// clipped: of the samples in the upper twentieth of the span that follow each other noise shows in their
 /// differences, s; those within 8 s of the greatest are at the top, in runs of six at least that begin and end steeply,
 /// by three times as much within an eighth of the run. A crest, however flat its noise makes it, ends slowly: that of a
 /// sine falls by half as much. Nothing below kFewestClipped of them in all, and under noise of more than 0.15 % of the
@@ -39,6 +39,8 @@ struct ClippedEnds {
   /// "is clipped: 30 samples stand at 200 N exactly, the first at 1.5 s"; "looks clipped: ..." under noise. `first_s`:
   /// when first() was.
   std::string Text(const std::string& unit, double first_s) const;
+  /// "30 samples stand at 200 N exactly, the first at 1.5 s".
+  std::string Samples(const std::string& unit, double first_s) const;
 };
 
 /// Nothing where neither end is clipped.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/signals/findings.h"
 #include "analysis/text/number.h"
 #include "analysis/text/units.h"
 
@@ -33,17 +34,16 @@ class Reader {
   }
 
  private:
-  void Fault(const std::string& message) {
+  void Fault(const Finding& kind, const std::vector<std::string>& words) {
     faulty_ = true;
-    diagnostics_.Error(option_, 0, message);
+    diagnostics_.Report(kind, Place::Option(option_), words);
   }
 
   double Frequency(std::string_view part) {
     const std::optional<Quantity> quantity = ParseQuantity(part);
     // Also rad/s has the dimension of a frequency.
-    if (!quantity || quantity->unit_text != "Hz")
-      Fault("'" + std::string(part) + "' is no frequency: write a number with its unit, such as 12 Hz");
-    else if (!(quantity->si > 0)) Fault("'" + std::string(part) + "' is no frequency above zero");
+    if (!quantity || quantity->unit_text != "Hz") Fault(kFrequencyUnreadable, {std::string(part)});
+    else if (!(quantity->si > 0)) Fault(kFrequencyNotPositive, {std::string(part)});
     else return quantity->si;
     return 1;
   }
@@ -53,28 +53,26 @@ class Reader {
     for (const std::string_view part : Split(text_, ',')) frequencies.push_back(Frequency(part));
     std::sort(frequencies.begin(), frequencies.end());
     const auto twice = std::adjacent_find(frequencies.begin(), frequencies.end());
-    if (!faulty_ && twice != frequencies.end()) Fault(FormatNumber(*twice) + " Hz stands twice");
+    if (!faulty_ && twice != frequencies.end()) Fault(kFrequencyTwice, {FormatNumber(*twice) + " Hz"});
     return frequencies;
   }
 
   std::vector<double> Range() {
     const std::vector<std::string_view> parts = Split(text_, ':');
     if (parts.size() != 3) {
-      Fault("'" + std::string(text_) + "' is no range: write 0.5Hz:30Hz:40, or 0.5Hz:30Hz:0.5Hz for equal steps");
+      Fault(kFrequencyRangeMalformed, {std::string(text_)});
       return {};
     }
     const double first = Frequency(parts[0]);
     const double last = Frequency(parts[1]);
-    if (!faulty_ && !(first < last))
-      Fault("the range " + std::string(text_) + " does not rise; `--direction down` takes it from above");
+    if (!faulty_ && !(first < last)) Fault(kFrequencyRangeFalling, {std::string(text_)});
     if (const std::optional<double> count = ParseNumber(parts[2])) return Steps(first, last, *count);
     return EverySo(first, last, Frequency(parts[2]));
   }
 
   std::vector<double> Steps(double first, double last, double count) {
     if (!(count >= 2 && count <= kMostFrequencies && count == std::floor(count)))
-      Fault("how many frequencies must be a whole number from 2 to " + FormatNumber(kMostFrequencies) + ", not " +
-            FormatNumber(count));
+      Fault(kFrequencyCount, {FormatNumber(count), FormatNumber(kMostFrequencies)});
     if (faulty_) return {};
     std::vector<double> frequencies;
     for (double i = 0; i < count; ++i) frequencies.push_back(first * std::pow(last / first, i / (count - 1)));
@@ -87,8 +85,7 @@ class Reader {
     constexpr double kSlack = 1e-9;
     const double steps = std::floor((last - first) / step + kSlack);
     if (!faulty_ && !(steps >= 1 && steps < kMostFrequencies))
-      Fault("steps of " + FormatNumber(step) + " Hz make " + FormatNumber(steps + 1) + " frequencies; 2 to " +
-            FormatNumber(kMostFrequencies) + " can be had");
+      Fault(kFrequencyStep, {FormatNumber(step) + " Hz", FormatNumber(steps + 1), FormatNumber(kMostFrequencies)});
     if (faulty_) return {};
     std::vector<double> frequencies;
     for (double i = 0; i <= steps; ++i) frequencies.push_back(std::min(first + i * step, last));

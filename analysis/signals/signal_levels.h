@@ -5,7 +5,7 @@
 
 namespace fourpost {
 
-/// Smallest difference between two values of a signal, which tells the resolution of its converter or of its file;
+/// Smallest difference between two values of a signal, which is the resolution of its converter or of its file;
 /// 0 of a constant. What differs by less than 1e-9 of the span is rounding of the same level.
 double LevelOf(std::span<const double> signal);
 

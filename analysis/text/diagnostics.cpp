@@ -1,6 +1,8 @@
 #include "analysis/text/diagnostics.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -39,6 +41,11 @@ void Diagnostics::Report(const Finding& finding, Place place, const std::vector<
   items_.push_back({std::string(finding.id()), finding.severity(), std::move(place), Short(finding.Message(words))});
 }
 
+void Diagnostics::ReportAsWarning(const Finding& finding, Place place, const std::vector<std::string>& words) {
+  Report(finding, std::move(place), words);
+  items_.back().severity = Severity::kWarning;
+}
+
 void Diagnostics::Error(std::string file, int line, std::string message) {
   const bool is_option = file.starts_with("--");
   Place place{.line = line};
@@ -65,9 +72,15 @@ bool Diagnostics::HasErrors() const {
 std::string Diagnostics::Format() const {
   std::vector<const Diagnostic*> sorted;
   for (const Diagnostic& item : items_) sorted.push_back(&item);
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic* a, const Diagnostic* b) {
-    return std::tie(Name(a->place), a->place.line) < std::tie(Name(b->place), b->place.line);
-  });
+  std::set<std::string_view> faulty;
+  for (const Diagnostic& item : items_)
+    if (item.severity == Severity::kError) faulty.insert(Name(item.place));
+  const auto rank = [&](const Diagnostic* item) {
+    return std::tuple(!faulty.contains(Name(item->place)), std::string_view(Name(item->place)), item->severity,
+                      item->place.line);
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const Diagnostic* a, const Diagnostic* b) { return rank(a) < rank(b); });
   std::string text;
   for (auto first = sorted.begin(); first != sorted.end();) {
     const auto last = std::find_if(first, sorted.end(),

@@ -40,6 +40,8 @@ class Diagnostics {
  public:
   /// `words` fill the finding's text and remedy in order.
   void Report(const Finding& finding, Place place, const std::vector<std::string>& words = {});
+  /// An error that the user chose to accept, or that costs no more than a part of the input.
+  void ReportAsWarning(const Finding& finding, Place place, const std::vector<std::string>& words = {});
   void Error(std::string file, int line, std::string message);
   void Warning(std::string file, int line, std::string message);
   /// One of others.
@@ -50,8 +52,8 @@ class Diagnostics {
   bool HasErrors() const;
   const std::vector<Diagnostic>& items() const { return items_; }
 
-  /// One line each, sorted by file and line, without a newline at the end. Of more than 100 about one file the rest is
-  /// only counted.
+  /// One line each, without a newline at the end: files with errors first, of a file its errors before its warnings,
+  /// then by line. Of more than 100 about one file the rest is only counted.
   std::string Format() const;
 
  private:

@@ -10,6 +10,7 @@
 #include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
 #include "analysis/text/units.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/print.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/added_mass.h"
@@ -63,7 +64,7 @@ Eigen::AlignedBox3d BoxOf(const Vehicle& vehicle) {
   return box;
 }
 
-/// Loads may overhang wheels and sensors: by half the car, and where that is told by few points by a metre.
+/// Loads may overhang wheels and sensors: by half the car, and by a metre where few points show its size.
 void RequireNear(const Vehicle& vehicle, const Eigen::Vector3d& place, Diagnostics& diagnostics) {
   constexpr double kOverhang_m = 1;
   const Eigen::AlignedBox3d box = BoxOf(vehicle);
@@ -75,11 +76,7 @@ void RequireNear(const Vehicle& vehicle, const Eigen::Vector3d& place, Diagnosti
   for (int k = 0; k < 3; ++k)
     car += std::string(k == 0 ? "" : ", ") + kAxes[k] + " from " + InMetres(box.min()[k]) + " to " +
            InMetres(box.max()[k]);
-  diagnostics.Error(
-      "--at", 0,
-      InMetres(place) + " is far outside the car, whose wheels, masses and sensors have " + car +
-          " m: count from the vehicle file's origin, and write the unit of numbers that are not metres, as in "
-          "-1200 mm,0,900 mm");
+  diagnostics.Report(kLoadFarOutside, Place::Option("--at"), {InMetres(place), car + " m"});
 }
 
 std::vector<AddedLoad::OnPost> Weigh(const Vehicle& without, const Vehicle& with) {
@@ -100,12 +97,11 @@ void RequireStanding(const AddedLoad& load, Diagnostics& diagnostics) {
       lifted += (lifted.empty() ? "" : ", ") + post.post + " " + ShortNumber(post.with_N, 4) + " N for " +
                 ShortNumber(post.without_N, 4) + " N";
   if (lifted.empty()) return;
-  diagnostics.Error("--at", 0,
-                    ShortNumber(load.mass_kg, 4) + " kg at " + InMetres(load.place_m) +
-                        " would tip the car over (loads on posts: " + lifted + "): check mass and place");
+  diagnostics.Report(kLoadTipsCar, Place::Option("--at"),
+                     {ShortNumber(load.mass_kg, 4) + " kg", InMetres(load.place_m), lifted});
 }
 
-/// Where the posts carry the load tells in which directions the body can turn.
+/// In which directions the body can turn follows from where the posts carry the load.
 void WarnOfPlace(const AddedLoad& load, const Vehicle& vehicle) {
   constexpr double kShows_m = 0.01;
   const std::vector<Eigen::Isometry3d> poses = DesignPoses(vehicle);
@@ -120,11 +116,8 @@ void WarnOfPlace(const AddedLoad& load, const Vehicle& vehicle) {
   for (int k = 0; k < 2; ++k) {
     const double carried = moment[k] / force;
     if (std::abs(carried - load.place_m[k]) < kShows_m) continue;
-    diagnostics.Warning("--at", 0,
-                        std::string("the body of ") + vehicle.name + " cannot " + (k == 0 ? "pitch" : "lean") +
-                            ": a load at " + kAxes[k] + " = " + InMetres(load.place_m[k]) + " m acts as at " +
-                            kAxes[k] + " = " + InMetres(carried) + " m; for what it does beside that take a " +
-                            (k == 0 ? "car with two axles" : "car with two sides"));
+    diagnostics.Report(k == 0 ? kLoadWithoutPitch : kLoadWithoutRoll, Place::Option("--at"),
+                       {vehicle.name, InMetres(load.place_m[k]) + " m", InMetres(carried) + " m"});
   }
   Tell(diagnostics);
 }
@@ -136,11 +129,7 @@ AddedLoad AddLoad(const std::string& mass, const std::string& place, Vehicle& ve
   const std::optional<double> mass_kg = ReadQuantity(mass, kMass, "--add-mass", diagnostics);
   const std::optional<Eigen::Vector3d> place_m = ReadPlace(place);
   if (place_m) RequireNear(vehicle, *place_m, diagnostics);
-  else
-    diagnostics.Error("--at", 0,
-                      "wants three lengths, in metres or with their units, such as -1.2,0,0.9 or -1200 mm,0,900 mm, "
-                      "got '" +
-                          place + "'");
+  else diagnostics.Report(kLoadPlaceUnreadable, Place::Option("--at"), {place});
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
   const std::vector<double> values = vehicle.ParameterValues();
   Vehicle loaded = WithMass(vehicle, values, *mass_kg, *place_m);

@@ -20,8 +20,7 @@ namespace fourpost {
 namespace {
 
 void Append(const Diagnostics& more, Diagnostics& findings) {
-  for (const Diagnostic& item : more.items())
-    findings.Add(item);
+  for (const Diagnostic& item : more.items()) findings.Add(item);
 }
 
 /// Adds all that can be found in the file; nothing where an error keeps the vehicle from being checked.
@@ -59,7 +58,7 @@ int Run(const CheckCommand& command) {
   if (command.json) Print(CheckJson(checked, findings));
   if (!checked) throw FaultyInput(findings);
   Tell(findings);
-  if (!command.json) Print(CheckText(*checked));
+  if (!command.json) PrintText(CheckText(*checked));
   return kGood;
 }
 

@@ -140,12 +140,12 @@ std::string Wheels(const VehicleSummary& summary) {
                    {InPerMm(rates.together.wheel_Npm), InPerMm(rates.together.ride_Npm)}, pairs));
   }
   const char* note =
-      "Chassis held. Wheel rate: at the foot of a wheel that moves alone; together: with its axle's other wheel. Ride\n"
-      "rate: that in series with the tyre. Rates and roll stiffness are those of the loaded suspension: springs,\n"
-      "bushings, and what the loads do as the links turn.\n";
+      "Chassis fixed. Wheel rate: at the contact point of a wheel that moves alone; together: with the other wheel of\n"
+      "its axle. Ride rate: wheel rate in series with the tyre. Rates and roll stiffness are those of the loaded\n"
+      "suspension: springs, bushings and geometric stiffness.\n";
   const char* short_note =
-      "Chassis held. Wheel rate: at the foot of a wheel, of the loaded suspension. Ride rate: that in series with the\n"
-      "tyre.\n";
+      "Chassis fixed. Wheel rate: at the contact point of a wheel, of the loaded suspension. Ride rate: wheel rate in\n"
+      "series with the tyre.\n";
   return table.Format() + (pairs ? note : short_note) + '\n';
 }
 
@@ -321,7 +321,7 @@ std::string Parameters(const Vehicle& vehicle) {
 
 std::string Views(const VehicleSummary& summary) {
   if (summary.views.empty()) return "";
-  TextTable table({"parameter", "seen best by", "then", "then"});
+  TextTable table({"parameter", "most sensitive", "second", "third"});
   for (const ParameterView& view : summary.views) {
     std::array<std::string, 3> cells;
     for (std::size_t i = 0; i < std::min(view.channels.size(), cells.size()); ++i)
@@ -331,16 +331,15 @@ std::string Views(const VehicleSummary& summary) {
     table.Add({view.parameter, cells[0], cells[1], cells[2]});
   }
   return table.Format() +
-         "Change of the sensor's frequency response, 0.5 to 30 Hz, in % per % of the parameter (at least per % of "
-         "half\n"
-         "its range), by the motion of the posts that shows it best; small motion, mean damper rates.\n";
+         "Sensitivity of the sensor's FRF, 0.5 to 30 Hz, in % per % of the parameter (at least per % of half its\n"
+         "range), for the motion of the posts with the largest; small motion, mean damper rates.\n";
 }
 
 std::string MobilityText(const Mobility& mobility) {
   std::string text = std::to_string(mobility.dof) + " degrees of freedom";
   if (mobility.loop_equations == 0) return text + '\n';
   text += ": " + std::to_string(mobility.joint_coordinates) + " of the joints less " +
-          std::to_string(mobility.independent_equations) + " that loops take, closed within " +
+          std::to_string(mobility.independent_equations) + " of loops, closed within " +
           FormatQuantity(std::ceil(mobility.loop_residual * 1e12) * 1e-12, "mm") + '\n';
   if (mobility.redundant.empty()) return text;
   text += "redundant:";

@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-/// A vehicle without a fault, with what `fourpost check` tells of it.
+/// A vehicle without a fault, with what `fourpost check` shows of it.
 struct CheckedVehicle {
   Vehicle vehicle;
   Mobility mobility;

@@ -7,7 +7,7 @@
 
 namespace fourpost {
 
-/// An option or argument of a command, as its help tells it.
+/// An option or argument of a command, as its help shows it.
 struct OptionRow {
   /// "--output", and "-o" or empty; of an argument its name in capitals.
   std::string name;

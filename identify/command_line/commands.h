@@ -143,7 +143,7 @@ struct PredictCommand {
 struct ReportCommand {
   /// Folders of fits; several: a page that compares them.
   std::vector<std::filesystem::path> runs;
-  /// report.html in the run's folder when empty; of several runs always told.
+  /// report.html in the run's folder when empty; of several runs always given.
   std::filesystem::path output;
   bool json = false;
 };
@@ -162,7 +162,7 @@ struct CompareCommand {
   std::string near_best;
   /// Of evaluations, shared by all runs; empty: nothing is kept.
   std::filesystem::path archive;
-  /// Tell processor time.
+  /// Report processor time.
   bool time = false;
   /// HTML file; empty: none is written.
   std::filesystem::path output;

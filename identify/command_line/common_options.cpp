@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "analysis/text/diagnostics.h"
 #include "analysis/text/nearest.h"
+#include "identify/command_line/findings.h"
 #include "vehicles/engine/engine.h"
 
 namespace fourpost {
@@ -17,11 +19,12 @@ void AddVehicle(CLI::App& app, std::filesystem::path& file) {
 }
 
 CLI::Option* AddSettings(CLI::App& app, std::vector<std::string>& settings) {
-  return AddList(app, "--set", settings, "name=value: another value of a parameter; may be given several times");
+  return AddList(app, "--set", settings,
+                 "Another value of a parameter, NAME=VALUE with its unit, e.g. k=20kN/m; may be given several times");
 }
 
 CLI::Option* AddChannels(CLI::App& app, std::vector<std::string>& channels) {
-  return app.add_option("--channels", channels, "Sensors to tell of, all by default: a_body_FL,a_body_FR")
+  return app.add_option("--channels", channels, "Sensors to report, e.g. a_body_FL,a_body_FR (default: all)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->take_all();
@@ -29,15 +32,15 @@ CLI::Option* AddChannels(CLI::App& app, std::vector<std::string>& channels) {
 
 std::vector<CLI::Option*> AddLimits(CLI::App& app, LimitText& limits) {
   return {app.add_option("--amplitude", limits.amplitude,
-                         "Most the reference post moves, peak (12mm). The least of the three limits counts at each "
-                         "frequency; without any: 12 mm, 0.15 m/s and 6 m/s^2"),
-          app.add_option("--velocity", limits.velocity, "Most it may move at, peak (0.15m/s)"),
-          app.add_option("--acceleration", limits.acceleration, "Most it may be accelerated, peak (6m/s^2, or 0.5g)")};
+                         "Largest displacement of the reference post, peak, e.g. 12mm. The lowest of the three limits "
+                         "applies at each frequency (default: 12 mm, 0.15 m/s and 6 m/s^2)"),
+          app.add_option("--velocity", limits.velocity, "Its largest velocity, peak, e.g. 0.15m/s"),
+          app.add_option("--acceleration", limits.acceleration, "Its largest acceleration, peak, e.g. 6m/s^2 or 0.5g")};
 }
 
 CLI::Option* AddStroke(CLI::App& app, std::string& stroke) {
   return app.add_option("--stroke", stroke,
-                        "Of posts whose stroke the vehicle file does not tell, from end to end (default 150mm)");
+                        "Stroke, from end to end, of posts for which the vehicle file gives none (default 150mm)");
 }
 
 std::string Braced(std::span<const std::string_view> words) {
@@ -46,16 +49,17 @@ std::string Braced(std::span<const std::string_view> words) {
   return text + "}";
 }
 
-CLI::Validator OneOf(const char* what, std::span<const std::string_view> legal) {
-  const auto fault = [what, legal](const std::string& text) -> std::string {
-    if (std::find(legal.begin(), legal.end(), text) != legal.end()) return "";
-    return "no " + std::string(what) + " is called '" + text + "'" + DidYouMeanOrAll(text, legal);
+CLI::Validator OneOf(const char* option, std::span<const std::string_view> legal) {
+  const auto fault = [option, legal](const std::string& text) -> std::string {
+    if (std::find(legal.begin(), legal.end(), text) == legal.end())
+      Refuse(kValueUnknown, Place::Option(option), {text, DidYouMeanOrAll(text, legal)});
+    return "";
   };
   return {fault, Braced(legal)};
 }
 
 CLI::Validator EngineOf(std::span<const std::string_view> legal) {
-  const auto replace = [one_of = OneOf("engine", legal)](std::string& text) {
+  const auto replace = [one_of = OneOf("--engine", legal)](std::string& text) {
     if (const std::optional<Engine> engine = EngineNamed(text)) text = EngineName(*engine);
     return one_of(text);
   };

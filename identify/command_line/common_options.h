@@ -33,13 +33,14 @@ std::vector<CLI::Option*> AddLimits(CLI::App& app, LimitText& limits);
 /// --stroke
 CLI::Option* AddStroke(CLI::App& app, std::string& stroke);
 
-inline constexpr const char* kModeHelp = "heave, pitch, roll, warp, or shares of posts such as FL=1,FR=-1";
+inline constexpr const char* kModeHelp =
+    "Motion of the posts: heave, pitch, roll, warp, or an amplitude for each such as FL=1,FR=-1";
 
 /// "{up,down}": the type of an option for help and completion.
 std::string Braced(std::span<const std::string_view> words);
 
-/// Takes one of these words; of another tells which is near, or all where none is.
-CLI::Validator OneOf(const char* what, std::span<const std::string_view> legal);
+/// Takes one of these words as the value of `option`; refuses another and names what is near, or all where none is.
+CLI::Validator OneOf(const char* option, std::span<const std::string_view> legal);
 
 /// Engines of time histories.
 inline constexpr std::array<std::string_view, 3> kHistoryEngines = {"auto", "reduced", "full"};

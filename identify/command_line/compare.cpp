@@ -15,60 +15,15 @@
 #include "identify/command_line/progress_line.h"
 #include "identify/comparison/comparison.h"
 #include "identify/comparison/comparison_json.h"
-#include "identify/problems/test_problem.h"
 #include "identify/report/methods_page.h"
 #include "identify/search/evaluation_store.h"
 #include "identify/search/idle_parameters.h"
-#include "identify/study/loaded_study.h"
-#include "identify/study/study_context.h"
 #include "identify/study/study_methods.h"
+#include "identify/study/study_problem.h"
 #include "vehicles/requests/option_quantity.h"
-#ifdef FOURPOST_PEERS
-#include "identify/peers/peer_methods.h"
-#endif
 
 namespace fourpost {
 namespace {
-
-/// What a study asks to solve, and what that refers to.
-struct StudyProblem {
-  std::optional<VehicleObjective> objective;
-  std::optional<Problem> problem;
-  std::optional<double> target_cost;
-  EvaluationContext context;
-};
-
-/// Throws FaultyInput.
-Study ReadStudyOrThrow(const std::filesystem::path& file) {
-  Diagnostics diagnostics;
-  std::optional<Study> study = ReadStudy(file, diagnostics);
-  if (!study) throw FaultyInput(diagnostics);
-  return *std::move(study);
-}
-
-/// In place: the problem of a vehicle refers to its objective. All but the deadline.
-void LoadModel(const Study& study, StudyProblem& out) {
-  if (study.problem) {
-    const TestProblem test = MakeTestProblem(*study.problem);
-    out.problem = test.problem;
-    out.context = ContextOfProblem(*study.problem, study.search.deadline_s);
-    out.target_cost = study.target_cost.value_or(test.target_cost);
-    return;
-  }
-  Diagnostics diagnostics;
-  const std::optional<LoadedStudy> loaded = LoadStudy(study.file, diagnostics);
-  if (!loaded) throw FaultyInput(diagnostics);
-  Tell(diagnostics);
-  out.objective.emplace(loaded->MakeObjective());
-  out.problem = out.objective->MakeProblem();
-  out.context = ContextOf(*loaded);
-  out.target_cost = study.target_cost;
-}
-
-void Load(const Study& study, StudyProblem& out) {
-  LoadModel(study, out);
-  out.problem->deadline_s = study.search.deadline_s;
-}
 
 void CheckEffectsOrThrow(const Study& study, const Problem& problem, EvaluationStore* store) {
   Archive archive(problem, 1, store);
@@ -78,15 +33,10 @@ void CheckEffectsOrThrow(const Study& study, const Problem& problem, EvaluationS
   Tell(diagnostics);
 }
 
-/// Ours, then other people's.
-std::vector<ComparedMethod> MethodsOrThrow(const Study& study, std::vector<std::string> names, const Problem& problem) {
+std::vector<ComparedMethod> MethodsOrThrow(const Study& study, const std::vector<std::string>& names,
+                                           const Problem& problem) {
   Diagnostics diagnostics;
-  std::vector<ComparedMethod> peers;
-#ifdef FOURPOST_PEERS
-  peers = TakePeers(names, diagnostics);
-#endif
   std::vector<ComparedMethod> methods = MethodsOf(study, names, problem, diagnostics);
-  methods.insert(methods.end(), peers.begin(), peers.end());
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
   return methods;
 }
@@ -168,7 +118,8 @@ int Run(const CompareCommand& command) {
   RequireEnding("--output", command.output, "a page", ".html");
   const Study study = ReadStudyOrThrow(command.study);
   StudyProblem loaded;
-  Load(study, loaded);
+  LoadProblem(study, loaded);
+  Tell(loaded.findings);
   const Problem& problem = *loaded.problem;
   const std::vector<ComparedMethod> methods = MethodsOrThrow(study, command.methods, problem);
   std::optional<EvaluationStore> opened;
@@ -193,8 +144,8 @@ int Run(const CompareCommand& command) {
                 MethodsPage(comparison, command.study.stem().string(), Rule(comparison, options), command.time));
     std::fprintf(stderr, "results: %s\n", command.output.c_str());
   }
-  Print(command.json ? ComparisonJson(comparison, command.study.string(), command.seed, command.time)
-                     : Table(comparison, command.time) + '\n' + Details(comparison, options));
+  if (command.json) Print(ComparisonJson(comparison, command.study.string(), command.seed, command.time));
+  else PrintText(Table(comparison, command.time) + '\n' + Details(comparison, options));
   if (comparison.interrupted) return kInterrupted;
   return nothing_succeeded ? kAllSimulationsFailed : kGood;
 }

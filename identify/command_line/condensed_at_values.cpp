@@ -1,10 +1,10 @@
 #include "identify/command_line/condensed_at_values.h"
 
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "analysis/text/diagnostics.h"
+#include "identify/command_line/findings.h"
 
 namespace fourpost {
 
@@ -15,9 +15,7 @@ CondensedModel CondensedAtValues(const Vehicle& vehicle) {
       if (damper.hydraulic) damper.HydraulicAt(values).Validate();
     return CondensedVehicle(vehicle).At(values);
   } catch (const std::invalid_argument& fault) {
-    Diagnostics faults;
-    faults.Error("--set", 0, std::string("these values do not go together: ") + fault.what());
-    throw FaultyInput(faults);
+    Refuse(kValuesInconsistent, Place::Option("--set"), {fault.what()});
   }
 }
 

@@ -10,6 +10,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
 #include "identify/command_line/file_kind.h"
+#include "identify/command_line/findings.h"
 #include "vehicles/posts/height_signals.h"
 #include "vehicles/posts/post_motions.h"
 #include "vehicles/posts/recorded_posts.h"
@@ -37,6 +38,10 @@ const char* OptionOf(Motion motion) {
   }
   return "";
 }
+
+std::string Hertz(double value) { return FormatNumber(value) + " Hz"; }
+
+std::string Seconds(double value) { return FormatNumber(value) + " s"; }
 
 double Duration(const SimulateCommand& command) {
   const double usual = command.motion == Motion::kStep ? 5 : command.motion == Motion::kSine ? 10 : 60;
@@ -115,7 +120,7 @@ Drive Replayed(const SimulateCommand& command, const Vehicle& vehicle, Diagnosti
   std::optional<RecordedPosts> record = ReadRecordedPosts(command.recording, vehicle, diagnostics);
   if (!record) throw FaultyInput(diagnostics);
   if (const double length = record->end_s - record->start_s; command.duration_s.value_or(0) > length * (1 + 1e-9))
-    findings.Warning("--duration", 0, "the recording ends after " + FormatNumber(length) + " s");
+    findings.Report(kRecordingEnds, Place::Option("--duration"), {Seconds(length)});
   const double end =
       command.duration_s ? std::min(record->end_s, record->start_s + *command.duration_s) : record->end_s;
   return {.name = "recording " + command.recording.filename().string(),
@@ -156,35 +161,27 @@ void CheckSampling(const SimulateCommand& command, Diagnostics& diagnostics) {
   const bool has_band = command.motion != Motion::kStep && command.motion != Motion::kRecording;
   const double upper_Hz = has_band ? std::max(command.first_Hz, command.last_Hz) : 0;
   if (command.rate_Hz < kLeastSamplesPerPeriod * upper_Hz)
-    diagnostics.Error("--rate", 0,
-                      FormatNumber(command.rate_Hz) + " Hz is too slow for motions up to " + FormatNumber(upper_Hz) +
-                          " Hz; take " + FormatNumber(kLeastSamplesPerPeriod * upper_Hz) + " Hz or more");
+    diagnostics.Report(kRateTooLow, Place::Option("--rate"),
+                       {Hertz(command.rate_Hz), Hertz(upper_Hz), Hertz(kLeastSamplesPerPeriod * upper_Hz)});
   if (command.filter_Hz && !(*command.filter_Hz < command.rate_Hz / 2))
-    diagnostics.Error("--filter", 0,
-                      FormatNumber(*command.filter_Hz) + " Hz must be below half the rate of " +
-                          FormatNumber(command.rate_Hz) + " Hz");
+    diagnostics.Report(kFilterTooHigh, Place::Option("--filter"), {Hertz(*command.filter_Hz), Hertz(command.rate_Hz)});
   if (!(command.rate_Hz * Duration(command) <= kMostSamples))
-    diagnostics.Error("--duration", 0,
-                      FormatNumber(Duration(command)) + " s at " + FormatNumber(command.rate_Hz) +
-                          " Hz are more than " + FormatNumber(kMostSamples) + " samples; take less of either");
+    diagnostics.Report(kHistoryTooLong, Place::Option("--duration"),
+                       {Seconds(Duration(command)), Hertz(command.rate_Hz), FormatNumber(kMostSamples)});
   if (!(command.rate_Hz * Duration(command) >= 1))
-    diagnostics.Error("--duration", 0,
-                      FormatNumber(Duration(command)) + " s hold no two samples at " + FormatNumber(command.rate_Hz) +
-                          " Hz; take more of either");
+    diagnostics.Report(kHistoryTooShort, Place::Option("--duration"),
+                       {Seconds(Duration(command)), Hertz(command.rate_Hz)});
   const double step_end = kStepStart_s + command.rise_s;
   if (command.motion == Motion::kStep && !(Duration(command) > step_end))
-    diagnostics.Error("--duration", 0,
-                      FormatNumber(Duration(command)) + " s end before the step does, which begins at " +
-                          FormatNumber(kStepStart_s) + " s and rises for " + FormatNumber(command.rise_s) +
-                          " s; take more than " + FormatNumber(step_end) + " s");
+    diagnostics.Report(kStepCutShort, Place::Option("--duration"),
+                       {Seconds(Duration(command)), Seconds(kStepStart_s), Seconds(command.rise_s), Seconds(step_end)});
 }
 
 }  // namespace
 
 void CheckMotion(const SimulateCommand& command, const Vehicle& vehicle, Diagnostics& diagnostics) {
   const bool has_mode = command.motion != Motion::kRoad && command.motion != Motion::kRecording;
-  if (vehicle.posts.empty())
-    diagnostics.Error(vehicle.file, 0, "the vehicle has no fp:post to move; add one under each tyre");
+  if (vehicle.posts.empty()) diagnostics.Report(kVehicleWithoutPosts, {vehicle.file});
   else if (has_mode) ReadPostShape(command.mode, vehicle, diagnostics);
   ReadLimits(command.limits, diagnostics);
   ReadStroke(command.stroke, diagnostics);
@@ -199,9 +196,7 @@ Drive DriveOf(const SimulateCommand& command, const Vehicle& vehicle, Diagnostic
     WarnAboveRigid(drive.upper_Hz, has_band ? "--band" : OptionOf(command.motion), findings);
     return drive;
   } catch (const std::invalid_argument& fault) {
-    Diagnostics faults;
-    faults.Error(OptionOf(command.motion), 0, fault.what());
-    throw FaultyInput(faults);
+    Refuse(kMotionImpossible, Place::Option(OptionOf(command.motion)), {fault.what()});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/text/diagnostics.h"
+#include "identify/command_line/findings.h"
 
 namespace fourpost {
 namespace {
@@ -34,55 +35,53 @@ const char* Called(FileKind kind) {
     case FileKind::kFolder: return "a folder";
     case FileKind::kUnknown: break;
   }
-  return "of unknown kind";
+  return "a file of unknown kind";
 }
 
-[[noreturn]] void Refuse(const std::filesystem::path& file, FileKind kind, const std::string& wanted) {
-  Diagnostics faults;
-  faults.Error(file.string(), 0, std::string("is ") + Called(kind) + "; " + wanted + " is wanted here");
-  throw FaultyInput(faults);
+[[noreturn]] void RefuseKind(const std::filesystem::path& file, FileKind kind, const std::string& needed) {
+  Refuse(kFileOfOtherKind, {file.string()}, {Called(kind), needed});
 }
 
 }  // namespace
 
 void RequireVehicleFile(const std::filesystem::path& file) {
   const FileKind kind = KindOf(file);
-  if (kind == FileKind::kStudy) Refuse(file, kind, "a vehicle file (.urdf), such as the one that it names,");
-  if (kind != FileKind::kVehicle && kind != FileKind::kUnknown) Refuse(file, kind, "a vehicle file (.urdf)");
+  if (kind == FileKind::kStudy) Refuse(kStudyForVehicle, {file.string()});
+  if (kind != FileKind::kVehicle && kind != FileKind::kUnknown) RefuseKind(file, kind, "a vehicle file (.urdf)");
 }
 
 void RequireStudyFile(const std::filesystem::path& file) {
   const FileKind kind = KindOf(file);
-  if (kind == FileKind::kVehicle) Refuse(file, kind, "a study (.yaml), which names its vehicle and recordings,");
-  if (kind != FileKind::kStudy && kind != FileKind::kUnknown) Refuse(file, kind, "a study (.yaml)");
+  if (kind == FileKind::kVehicle) Refuse(kVehicleForStudy, {file.string()});
+  if (kind != FileKind::kStudy && kind != FileKind::kUnknown) RefuseKind(file, kind, "a study (.yaml)");
 }
 
 void RequireTable(const std::filesystem::path& file) {
   const FileKind kind = KindOf(file);
-  if (kind != FileKind::kTable && kind != FileKind::kUnknown) Refuse(file, kind, "a table (.csv)");
+  if (kind != FileKind::kTable && kind != FileKind::kUnknown) RefuseKind(file, kind, "a table (.csv)");
 }
 
-std::string NoRecording(const std::filesystem::path& file) {
+bool MayBeRecording(const std::filesystem::path& file, Diagnostics& faults) {
   const FileKind kind = KindOf(file);
-  const std::string is = std::string("is ") + Called(kind) + "; ";
   switch (kind) {
-    case FileKind::kVehicle: return is + "`fourpost check` and `fourpost params` tell what it holds";
-    case FileKind::kStudy:
-      return is + "`fourpost response` compares its vehicle with its recordings; name these to see what they hold";
-    case FileKind::kFolder: return is + "name the recordings in it; what a fit wrote is shown by `fourpost report`";
+    case FileKind::kVehicle: faults.Report(kVehicleForRecording, {file.string()}); return false;
+    case FileKind::kStudy: faults.Report(kStudyForRecording, {file.string()}); return false;
+    case FileKind::kFolder: faults.Report(kFolderForRecording, {file.string()}); return false;
     case FileKind::kPicture:
-    case FileKind::kResult: return is + "a recording (.csv, .mat) is wanted here";
+    case FileKind::kResult:
+      faults.Report(kFileOfOtherKind, {file.string()}, {Called(kind), "a recording (.csv, .mat)"});
+      return false;
     case FileKind::kTable:
     case FileKind::kUnknown: break;
   }
-  return "";
+  return true;
 }
 
 bool IsStudyNotVehicle(const std::filesystem::path& file) {
   const FileKind kind = KindOf(file);
   if (kind == FileKind::kStudy) return true;
   if (kind != FileKind::kVehicle && kind != FileKind::kUnknown)
-    Refuse(file, kind, "a vehicle file (.urdf) or a study (.yaml)");
+    RefuseKind(file, kind, "a vehicle file (.urdf) or a study (.yaml)");
   return false;
 }
 

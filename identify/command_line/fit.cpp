@@ -4,6 +4,7 @@
 
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/fit_progress.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/print.h"
@@ -28,21 +29,21 @@ int CodeOf(FitEnd end) {
 
 int Run(const FitCommand& command) {
   WorkProgress progress;
-  const FitRunHooks hooks{
-      .work = progress.Hooks(), .find = Tell, .begin = CatchInterrupts, .fit = [](const FitOptions& options) {
-        return ShownFit(options);
-      }};
+  const FitRunHooks hooks{.work = progress.Hooks(),
+                          .find = [&progress](const Diagnostics& found) { progress.Tell(found); },
+                          .begin = CatchInterrupts,
+                          .fit = [](const FitOptions& options) { return ShownFit(options); }};
   const FitRun run = FitStudy(command, hooks);
   const FitResult& fit = run.fit;
   if (!run.is_written) {
-    std::fprintf(stderr, "fit %s: %s no results are written%s\n", std::string(FitEndName(fit.end)).c_str(),
-                 fit.message.c_str(),
-                 fit.end == FitEnd::kInterrupted ? "; the same command goes on from its archive" : "");
+    Tell(fit.end == FitEnd::kInterrupted ? kFitInterrupted : kFitWithoutResults, {},
+         {std::string(FitEndName(fit.end)), fit.message});
     return CodeOf(fit.end);
   }
   progress.End();
-  std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
-  Print(command.json ? run.json : run.text);
+  if (command.json) Print(run.json);
+  else PrintText(run.text);
+  std::fprintf(stderr, "results: %s; open %s\n", command.output.c_str(), (command.output / "report.html").c_str());
   return fit.end == FitEnd::kConverged && !run.verdict.explains() ? kNotGood : CodeOf(fit.end);
 }
 

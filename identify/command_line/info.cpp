@@ -17,6 +17,7 @@
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/print.h"
 #include "identify/experiments/bench/bench_data.h"
 #include "vehicles/bench/recording_check.h"
@@ -42,7 +43,7 @@ struct Described {
 
 enum class Layout { kOverTime, kSteppedSine, kStatic };
 
-/// Told by the names of its columns.
+/// Known by the names of its columns.
 Layout LayoutOf(const RecordedTable& table) {
   if (IsSteppedSine(table)) return Layout::kSteppedSine;
   if (table.FindColumn("quantity") && table.FindColumn("value")) return Layout::kStatic;
@@ -50,7 +51,8 @@ Layout LayoutOf(const RecordedTable& table) {
 }
 
 std::string RefusalOf(const Diagnostic& fault) {
-  return (fault.place.line > 0 ? "line " + std::to_string(fault.place.line) + ": " : "") + fault.message;
+  return (fault.place.line > 0 ? "line " + std::to_string(fault.place.line) + ": " : "") + fault.message +
+         (fault.id.empty() ? "" : " [" + fault.id + "]");
 }
 
 /// Of a recording of nothing but a displacement and a force, which is that of a damper on its bench, in this order.
@@ -93,7 +95,8 @@ std::vector<std::string> Refusals(const std::filesystem::path& file, const Recor
   Diagnostics findings;
   CheckBenchRecording(*recording, kLongestStroke_m, file.string(), findings);
   for (const Diagnostic& finding : findings.items())
-    if (finding.severity == Severity::kError) refusals.push_back("as that of a damper bench: " + RefusalOf(finding));
+    if (finding.severity == Severity::kError)
+      refusals.push_back("as a recording of a damper bench: " + RefusalOf(finding));
   return refusals;
 }
 
@@ -101,11 +104,12 @@ std::vector<std::string> Refusals(const std::filesystem::path& file, const Recor
 /// the times, and so no channels of this record.
 void AddLengths(const RecordingSummary& summary, const RecordedTable& table, std::vector<std::string>& refusals) {
   if (!summary.time) return;
+  Diagnostics faults;
   const std::size_t samples = table.rows(*table.FindColumn(summary.time->column));
   for (const ColumnSummary& column : summary.columns)
     if (!column.unit_known && column.samples != samples)
-      refusals.push_back("column '" + column.name + "' has " + std::to_string(column.samples) +
-                         " samples, the times are " + std::to_string(samples) + ": save channels of one rate together");
+      faults.Report(kChannelLength, {}, {column.name, std::to_string(column.samples), std::to_string(samples)});
+  for (const Diagnostic& fault : faults.items()) refusals.push_back(RefusalOf(fault));
 }
 
 OverTime Look(const std::filesystem::path& file, const RecordedTable& table) {
@@ -118,10 +122,7 @@ OverTime Look(const std::filesystem::path& file, const RecordedTable& table) {
 }
 
 std::optional<Described> Describe(const std::filesystem::path& file, Diagnostics& faults) {
-  if (const std::string remedy = NoRecording(file); !remedy.empty()) {
-    faults.Error(file.string(), 0, remedy);
-    return std::nullopt;
-  }
+  if (!MayBeRecording(file, faults)) return std::nullopt;
   const std::optional<RecordedTable> table = ReadRecordedTable(file, faults);
   if (!table) return std::nullopt;
   switch (LayoutOf(*table)) {
@@ -159,7 +160,7 @@ std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) 
   clipped(column.clipped_bottom, column.minimum);
   // A level's rounding has the deviation level/sqrt(12).
   if (column.rms > 0 && column.level / std::sqrt(12.0) > 0.05 * column.rms)
-    remarks.push_back("coarse: levels of " + Rounded(100 * column.level / column.rms, 2) + " % of its rms");
+    remarks.push_back("coarse resolution: levels of " + Rounded(100 * column.level / column.rms, 2) + " % of its rms");
   return remarks;
 }
 
@@ -173,8 +174,7 @@ std::string Joined(const std::vector<std::string>& parts) {
 std::string Short(double value) { return FormatNumber(std::round(1e9 * value), -9); }
 
 std::string TimesText(const RecordingSummary& summary) {
-  if (!summary.time)
-    return "no times that rise from sample to sample: name their column in the study, time: {channel: NAME, unit: s}\n";
+  if (!summary.time) return "no column of rising times: name it in the study, time: {channel: NAME, unit: s}\n";
   const TimeSummary& time = *summary.time;
   std::string text = Short(time.start_s) + " to " + Short(time.end_s) + " s at " +
                      Short(std::round(1e4 * time.rate_Hz) / 1e4) + " Hz ('" + time.column + "')\n";
@@ -184,14 +184,14 @@ std::string TimesText(const RecordingSummary& summary) {
     text += "gap: from " + Short(gap.from_s) + " to " + Short(gap.to_s) + " s" +
             (gap.line > 0 ? ", line " + std::to_string(gap.line) : "") + '\n';
   }
-  if (time.gaps.size() > kMost) text += "and " + std::to_string(time.gaps.size() - kMost) + " gaps more\n";
+  if (time.gaps.size() > kMost) text += "and " + std::to_string(time.gaps.size() - kMost) + " more gaps\n";
   if (time.unevenness > kUneven)
-    text += "uneven: up to " + Rounded(time.unevenness, 2) + " samples off even steps; resample the record\n";
+    text += "uneven: up to " + Rounded(time.unevenness, 2) + " samples off a constant rate; resample the recording\n";
   return text;
 }
 
 std::string TextOf(const OverTime& content) {
-  TextTable table({"channel", "unit", "least", "most", "mean", "rms", "level", ""});
+  TextTable table({"channel", "unit", "minimum", "maximum", "mean", "rms", "level", "remarks"});
   const std::vector<ColumnSummary>& columns = content.summary.columns;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const ColumnSummary& c = columns[i];
@@ -200,10 +200,10 @@ std::string TextOf(const OverTime& content) {
   }
   std::string refusals;
   for (const std::string& refusal : content.refusals) refusals += "  " + refusal + '\n';
-  if (!refusals.empty()) refusals = "a fit refuses it as it is:\n" + refusals;
+  if (!refusals.empty()) refusals = "a fit refuses this recording:\n" + refusals;
   const std::size_t samples = columns.empty() ? 0 : columns.front().samples;
-  return "over time, " + std::to_string(samples) + " samples, " + TimesText(content.summary) + table.Format() +
-         "rms: about the mean; level: the smallest difference of two values\n" + refusals;
+  return "time history, " + std::to_string(samples) + " samples, " + TimesText(content.summary) + table.Format() +
+         "rms: about the mean; level: smallest difference between two values\n" + refusals;
 }
 
 /// Root mean square of the deviations over repeats, as shares of the gain; NaN where there are none.
@@ -228,7 +228,7 @@ GainRange GainsOf(const ChannelResponse& channel) {
   return range;
 }
 
-/// Accelerations are told relative to that of the post.
+/// Accelerations are given relative to that of the post.
 std::string GainUnit(const ChannelResponse& channel) {
   return channel.unit == "m/s^2" ? "1" : channel.unit == "m" ? "m/m" : channel.unit + "/m";
 }
@@ -238,7 +238,7 @@ std::string TextOf(const FrequencyResponse& response) {
   std::string text = "stepped sine, " + std::to_string(response.frequency_Hz.size()) + " frequencies from " +
                      Rounded(response.frequency_Hz.front(), 4) + " to " + Rounded(response.frequency_Hz.back(), 4) +
                      " Hz, post amplitude " + Rounded(1e3 * *least, 3) + " to " + Rounded(1e3 * *most, 3) + " mm\n";
-  TextTable table({"channel", "gain", "least", "most", "sd over repeats", "mean"});
+  TextTable table({"channel", "gain", "minimum", "maximum", "sd of repeats", "mean offset"});
   for (const ChannelResponse& channel : response.channels) {
     const GainRange range = GainsOf(channel);
     const double noise = NoiseOf(channel);
@@ -336,7 +336,8 @@ int Run(const InfoCommand& command) {
   std::vector<Described> files;
   for (const std::filesystem::path& file : command.files)
     if (std::optional<Described> described = Describe(file, faults)) files.push_back(*std::move(described));
-  if (!files.empty()) Print(command.json ? AllJson(files) : AllText(files));
+  if (!files.empty() && command.json) Print(AllJson(files));
+  else if (!files.empty()) PrintText(AllText(files));
   if (faults.HasErrors()) throw FaultyInput(faults);
   return kGood;
 }

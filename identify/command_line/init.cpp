@@ -8,6 +8,7 @@
 #include "analysis/files/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/starter_files.h"
@@ -20,11 +21,13 @@ namespace fs = std::filesystem;
 /// Throws OutputError unless the folder is new or empty.
 void CheckFolder(const fs::path& folder) {
   std::error_code failure;
-  const auto refuse = [&](const std::string& why) {
-    throw OutputError("cannot write to " + folder.string() + ": " + why);
-  };
-  if (fs::exists(folder, failure) && !fs::is_directory(folder, failure)) refuse("it is a file; name a new folder");
-  if (fs::exists(folder, failure) && !fs::is_empty(folder, failure)) refuse("it is not empty; name a new folder");
+  if (!fs::exists(folder, failure)) return;
+  if (!fs::is_directory(folder, failure)) RefuseToWrite(kStarterFolderIsFile, folder);
+  if (!fs::is_empty(folder, failure)) RefuseToWrite(kStarterFolderNotEmpty, folder);
+}
+
+[[noreturn]] void RefuseFolder(const fs::path& folder, const std::error_code& reason) {
+  RefuseToWrite(kOutputNotWritten, folder, {reason.message(), WritingRemedy(reason, "name another folder")});
 }
 
 /// Throws OutputError for what cannot be a folder: a name too long, a link to itself.
@@ -32,7 +35,7 @@ std::vector<fs::path> FoldersToMake(const fs::path& folder) {
   try {
     return MissingFolders(fs::weakly_canonical(fs::absolute(folder)));
   } catch (const fs::filesystem_error& error) {
-    throw OutputError("cannot write to " + folder.string() + ": " + error.code().message() + "; name another folder");
+    RefuseFolder(folder, error.code());
   }
 }
 
@@ -42,7 +45,7 @@ void WriteAll(const fs::path& folder) {
   std::error_code failure;
   try {
     fs::create_directories(folder, failure);
-    if (failure) throw OutputError("cannot write to " + folder.string() + ": " + failure.message());
+    if (failure) RefuseFolder(folder, failure);
     for (const StarterFile& file : kStarterFiles) WriteFile(folder / file.name, std::string(file.text));
   } catch (const OutputError&) {
     for (const StarterFile& file : kStarterFiles) fs::remove(folder / file.name, failure);
@@ -69,7 +72,8 @@ std::string InitJson(const fs::path& folder) {
 int Run(const InitCommand& command) {
   CheckFolder(command.folder);
   WriteAll(command.folder);
-  Print(command.json ? InitJson(command.folder) : NextSteps(command.folder));
+  if (command.json) Print(InitJson(command.folder));
+  else PrintText(NextSteps(command.folder));
   return kGood;
 }
 

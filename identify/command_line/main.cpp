@@ -1,9 +1,9 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <functional>
-#include <limits>
 #include <new>
 #include <sstream>
 #include <stdexcept>
@@ -16,9 +16,12 @@
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/shortened.h"
+#include "analysis/text/table_width.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/program.h"
+#include "identify/command_line/terminal.h"
 #include "vehicles/multibody/simulation_error.h"
 
 namespace {
@@ -34,24 +37,23 @@ bool IsUsage(const Diagnostics& diagnostics) {
 }
 
 int Guarded(const std::function<int()>& run) {
-  const auto tell = [](const std::exception& error, int code) {
-    std::fprintf(stderr, "%s\n", WithoutControls(error.what()).c_str());
-    return code;
-  };
   try {
     return run();
   } catch (const FaultyInput& error) {
-    return tell(error, IsUsage(error.diagnostics()) ? kUsage : kUnreadableInput);
+    Tell(error.diagnostics());
+    return IsUsage(error.diagnostics()) ? kUsage : kUnreadableInput;
   } catch (const OutputError& error) {
-    return tell(error, kCannotWrite);
+    Tell(error);
+    return kCannotWrite;
   } catch (const SimulationError& error) {
-    return tell(error, kAllSimulationsFailed);
+    Tell(kSimulationStopped, {}, {error.what()});
+    return kAllSimulationsFailed;
   } catch (const std::bad_alloc&) {
-    std::fputs("out of memory; take fewer --threads, or free some: evaluations in an archive are kept\n", stderr);
+    Tell(kOutOfMemoryFound);
     return kOutOfMemory;
   } catch (const std::exception& error) {
-    std::fputs("a defect of fourpost, please report it: ", stderr);
-    return tell(error, kDefect);
+    Tell(kDefectFound, {}, {error.what()});
+    return kDefect;
   }
 }
 
@@ -65,32 +67,40 @@ void AddOptionNames(const CLI::App& app, std::vector<std::string>& names) {
   }
 }
 
+/// "fourpost fit"
+std::string CalledAs(const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  return given.empty() ? "fourpost" : "fourpost " + given.front()->get_name();
+}
+
 /// Words that are no options, arguments or commands, and what they were likely meant to be.
 void TellUnknown(const CLI::App& app) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   std::vector<std::string> known;
   AddOptionNames(given.empty() ? app : *given.front(), known);
-  const std::string of = given.empty() ? "fourpost" : "fourpost " + given.front()->get_name();
   const std::vector<std::string> words = app.remaining(true);
   const auto is_option = [](const std::string& word) { return word.starts_with("-"); };
   const bool has_option = std::any_of(words.begin(), words.end(), is_option);
+  Diagnostics faults;
   for (const std::string& word : words) {
     // Else it is an unknown option's value.
     if (has_option && !is_option(word)) continue;
     const std::string name = word.substr(0, word.find('='));
-    std::fprintf(stderr, "%s takes no '%s'%s\n", of.c_str(), Shortened(WithoutControls(name), 200).c_str(),
-                 DidYouMean(name, known).c_str());
+    const std::string shown = Shortened(name, 200);
+    if (const auto near = NearestName(name, known))
+      faults.Report(kArgumentMisspelt, {}, {CalledAs(app), shown, std::string(*near)});
+    else faults.Report(kArgumentUnknown, {}, {CalledAs(app), shown, CalledAs(app)});
     // The words after an unknown command are its own.
     if (given.empty() && !has_option) break;
   }
-  std::fprintf(stderr, "run `%s --help` for what it takes\n", of.c_str());
+  Tell(faults);
 }
 
 /// What --help or --version asked for. Throws OutputError.
 int PrintHelp(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
   app.exit(error, out, out);
-  Print(out.str());
+  PrintText(out.str());
   return kGood;
 }
 
@@ -99,6 +109,7 @@ int PrintHelp(const CLI::App& app, const CLI::ParseError& error) {
 int main(int argc, char** argv) {
   // A limit of the size of files then is an error like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
+  if (IsTerminal(STDOUT_FILENO)) SetTableWidth(TerminalColumns(STDOUT_FILENO));
   Program program;
   CLI::App& app = program.app();
   try {
@@ -106,8 +117,11 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const bool is_help = error.get_exit_code() == 0;
     if (is_help) return Guarded([&] { return PrintHelp(app, error); });
-    if (app.remaining(true).empty()) app.exit(error);
+    if (app.remaining(true).empty()) Tell(kUsageWrong, {}, {error.what(), CalledAs(app)});
     else TellUnknown(app);
+    return kUsage;
+  } catch (const FaultyInput& error) {
+    Tell(error.diagnostics());
     return kUsage;
   }
   return Guarded([&] { return program.RunCommand(); });

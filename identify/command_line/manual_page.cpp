@@ -7,10 +7,12 @@ namespace fourpost {
 namespace {
 
 constexpr std::array<std::pair<const char*, const char*>, 9> kExitCodes = {{
-    {"0", "Good."},
-    {"1", "Done, but not as wished: a fit that did not converge."},
-    {"2", "Usage: an option that is unknown or cannot be used."},
-    {"3", "A file that cannot be used; all its faults are told at once."},
+    {"0", "Success."},
+    {"1",
+     "Done with reservations: a fit did not converge, or its model does not explain the data; some frequencies have no "
+     "answer."},
+    {"2", "An option is unknown or has a value that cannot be used."},
+    {"3", "A file cannot be used; all its errors are listed at once."},
     {"4", "Every simulation failed."},
     {"5", "A result cannot be written."},
     {"70", "A defect of fourpost."},
@@ -60,8 +62,9 @@ std::string ManualPage(const std::vector<CommandRow>& commands) {
       ".TH FOURPOST 1 \"\" \"fourpost " FOURPOST_VERSION
       "\"\n.SH NAME\nfourpost \\- identify vehicle suspension models from rig tests\n.SH SYNOPSIS\n"
       ".B fourpost\n.I COMMAND\n.RI [ option ...]\n.SH DESCRIPTION\n"
-      "Describe a vehicle in a text file, give it the recordings of a four\\-post rig or a damper bench, and it finds "
-      "the masses, rates and dampings that explain them and says how well the data determine each.\n"
+      "fourpost estimates masses, inertias and the rates of springs, tyres and dampers of a vehicle, which a text file "
+      "describes, from recordings of a four\\-post rig or a damper bench, and reports how well the data determine "
+      "each.\n"
       "Results go to stdout, progress and messages to stderr. Numbers carry units.\n.SH COMMANDS\n";
   for (const CommandRow& command : commands) {
     text += ".SS " + Roff(command.name) + "\n" + Roff(command.help) + ".\n.PP\n" + Synopsis(command);

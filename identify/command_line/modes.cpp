@@ -9,6 +9,7 @@
 #include "identify/command_line/condensed_at_values.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/modes_text.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/progress_line.h"
@@ -43,7 +44,7 @@ Job ReadJob(const ModesCommand& command) {
 std::vector<ShapedMode> ModesOfVehicle(const Vehicle& vehicle, const CondensedModel& model, Diagnostics& findings) {
   const std::vector<double> values = vehicle.ParameterValues();
   if (const std::optional<Growth> growth = GrowthOf(vehicle, model))
-    findings.Warning(vehicle.file, 0, "the vehicle is unstable in its design pose: " + growth->Text());
+    findings.Report(kUnstableInDesignPose, {vehicle.file}, {growth->Text()});
   const Kinematics pose = DesignKinematics(vehicle);
   const Suspension suspension = SuspensionOf(vehicle, pose, values);
   std::vector<ShapedMode> shaped;
@@ -65,9 +66,7 @@ std::vector<PolePaths> Trace(const Job& job) {
     }
   } catch (const std::invalid_argument& fault) {
     // Within their bounds, parameters have been checked.
-    Diagnostics faults;
-    faults.Error("--vary", 0, std::string("a value does not go with the others: ") + fault.what());
-    throw FaultyInput(faults);
+    Refuse(kValuesInconsistent, Place::Option("--vary"), {fault.what()});
   }
   return paths;
 }
@@ -79,10 +78,9 @@ void WarnOfGrowth(const Vehicle& vehicle, const std::vector<PolePaths>& paths, D
     for (const PolePath& path : traced.paths)
       for (std::size_t i = 0; i < path.pole.size(); ++i) {
         if (!(path.pole[i].real() >= kSlowestMotion_per_s)) continue;
-        findings.Warning("--vary", 0,
-                         "'" + path.mode + "' grows at " + parameter.name + " = " +
-                             InUnit(traced.values[i], parameter.unit, 4) + " " + parameter.unit +
-                             (i + 1 < path.pole.size() ? " and maybe beyond" : ""));
+        findings.Report(kModeGrows, Place::Option("--vary"),
+                        {path.mode, parameter.name, InUnit(traced.values[i], parameter.unit, 4) + " " + parameter.unit,
+                         i + 1 < path.pole.size() ? " and maybe beyond" : ""});
         break;
       }
   }
@@ -122,7 +120,8 @@ int Run(const ModesCommand& command) {
   Tell(job.findings);
   const std::string json = ModesJson(job.vehicle, StateSpace(model), modes, paths, job.findings);
   if (!command.output.empty()) Write(command.output, json, job.vehicle, model, paths);
-  Print(command.json ? json : ModesText(job.vehicle, modes, paths));
+  if (command.json) Print(json);
+  else PrintText(ModesText(job.vehicle, modes, paths));
   return kGood;
 }
 

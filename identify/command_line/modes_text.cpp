@@ -58,7 +58,7 @@ struct Component {
 };
 
 /// The components that have most of the kinetic energy. Links, which are light and follow the bodies they join, are
-/// told where a mode is theirs.
+/// shown where a mode is theirs.
 std::string ShapeText(const std::vector<BodyShape>& shapes) {
   constexpr std::size_t kWidth = 88;
   constexpr double kLight = 0.02;

@@ -7,7 +7,7 @@
 
 namespace fourpost {
 
-/// What `fourpost modes` tells on a terminal: a table of poles, one of shapes, and of each parameter that is varied
+/// What `fourpost modes` shows on a terminal: a table of poles, one of shapes, and of each parameter that is varied
 /// what becomes of the poles from its first value to its last.
 std::string ModesText(const Vehicle& vehicle, const std::vector<ShapedMode>& modes,
                       const std::vector<PolePaths>& paths);

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kEngines = {"auto", "reduced", "full", "march"};
 constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
 
-/// Options that tell how the posts of a vehicle move, and what of it changes.
+/// Options for how the posts of a vehicle move, and what of it changes.
 std::vector<CLI::Option*> AddSweep(CLI::App& subcommand, ResponseCommand& command) {
   SweepText& sweep = command.sweep;
   std::vector<CLI::Option*> options = {
@@ -19,14 +19,14 @@ std::vector<CLI::Option*> AddSweep(CLI::App& subcommand, ResponseCommand& comman
           ->default_str("heave"),
       subcommand
           .add_option("--frequencies", sweep.frequencies,
-                      "first:last:how many (0.5Hz:30Hz:40), first:last:step (1Hz:5Hz:0.5Hz) or a list (1Hz,2Hz)")
+                      "FIRST:LAST:COUNT (0.5Hz:30Hz:40), FIRST:LAST:STEP (1Hz:5Hz:0.5Hz) or a list (1Hz,2Hz)")
           ->capture_default_str(),
       AddChannels(subcommand, sweep.channels),
       subcommand
           .add_option_function<std::string>(
               "--direction", [&sweep](const std::string& way) { sweep.falling = way == "down"; },
-              "Order of the frequencies, up or down: where several motions are possible, each follows the one before")
-          ->check(OneOf("direction", kDirections))
+              "Order of the frequencies: where several steady motions are possible, each continues the one before")
+          ->check(OneOf("--direction", kDirections))
           ->default_str("up"),
       AddStroke(subcommand, sweep.stroke),
       AddSettings(subcommand, command.set),
@@ -43,11 +43,12 @@ void AddOptions(CLI::App& subcommand, ResponseCommand& command) {
   subcommand
       .add_option_function<std::string>(
           "--engine", [&command](const std::string& name) { command.engine = EngineNamed(name); },
-          "reduced: harmonic balance on linear kinematics as in a fit; full: on the full multibody system; march: "
-          "integrate that to steady state (slow, the reference); auto: reduced, checked by full, which answers where "
-          "they visibly differ (default)")
+          "reduced: harmonic balance on linear kinematics, as in a fit; full: harmonic balance on the full multibody "
+          "system; march: time integration of that to steady state (slow, the reference); auto: reduced, checked by "
+          "full, which replaces it where they visibly differ (default)")
       ->transform(EngineOf(kEngines));
-  subcommand.add_option("-o,--output", command.output, "Folder for response.csv, response.svg and result.json");
+  subcommand.add_option("-o,--output", command.output,
+                        "Write response.csv, response.svg and result.json to this folder");
   subcommand.add_flag("--json", command.json, "Print JSON");
   subcommand.parse_complete_callback([&command, of_vehicle] {
     for (const CLI::Option* option : of_vehicle)
@@ -59,12 +60,12 @@ void AddOptions(CLI::App& subcommand, ModesCommand& command) {
   AddVehicle(subcommand, command.model);
   AddSettings(subcommand, command.set);
   AddList(subcommand, "--vary", command.vary,
-          "name, from bound to bound, or name=first:last:how many (k=20kN/m:80kN/m:13): follow the poles while this "
-          "parameter changes; may be given several times");
+          "Follow the poles while a parameter changes: NAME for all of its range, or NAME=FIRST:LAST:COUNT "
+          "(k=20kN/m:80kN/m:13); may be given several times");
   subcommand.add_option(
       "-o,--output", command.output,
-      "Folder for impulse.csv and impulse.svg, poles.csv, pictures of poles and responses per parameter, and "
-      "result.json");
+      "Write impulse.csv, impulse.svg, poles.csv, charts of poles and responses for each parameter, and result.json to "
+      "this folder");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 
@@ -72,39 +73,40 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
   subcommand.add_option("RUN", command.run, "Folder that `fourpost fit` wrote")->required();
   subcommand
       .add_option("--recording", command.recording,
-                  "A recording (.csv) of the same layout as those fitted, of another excitation")
+                  "Recording (.csv) of another excitation, in the layout of those that were fitted")
       ->required();
   subcommand.add_option("--mode", command.mode,
-                        "Of a stepped sine: how the posts moved, heave, pitch, roll, warp or the share of each "
-                        "(FL=1,FR=-1); default: the pattern that fits the lowest frequencies best");
+                        "How the posts moved in a stepped sine: heave, pitch, roll, warp, or an amplitude for each "
+                        "(FL=1,FR=-1); default: the motion that fits the lowest frequencies best");
   CLI::Option* const mass = subcommand.add_option("--add-mass", command.add_mass,
-                                                  "A load that the fitted vehicle did not have, as \"250 kg\"");
+                                                  "Load that the fitted vehicle did not have, e.g. \"250 kg\"");
   CLI::Option* const at = subcommand.add_option(
       "--at", command.at,
-      "Where it lies, X,Y,Z from the vehicle file's origin, x forward, y left, z up: in metres, or with units as "
+      "Its position X,Y,Z from the vehicle file's origin, x forward, y left, z up: in metres, or with units such as "
       "-600 mm,0,40 cm");
   mass->needs(at);
   at->needs(mass);
-  CLI::Option* const kalman =
-      subcommand.add_flag("--kalman", command.kalman,
-                          "Tell the errors of a Kalman filter's one-step predictions as well, its noise as a fit by "
-                          "'cost: prediction' held "
-                          "it; such errors are smaller than a simulation's whatever the model is worth");
+  CLI::Option* const kalman = subcommand.add_flag(
+      "--kalman", command.kalman,
+      "Report the errors of a Kalman filter's one-step predictions as well, with the noise of a fit "
+      "by 'cost: prediction'; these errors are smaller than those of a simulation even for a poor "
+      "model");
   subcommand
-      .add_option("--noise-from", command.noise_from,
-                  "With --kalman: a recording to estimate the filter's noise on, that of the fit and not the one that "
-                  "is judged; needed after a fit by another cost")
+      .add_option(
+          "--noise-from", command.noise_from,
+          "With --kalman: estimate the filter's noise on this recording, which should be one that was fitted, not "
+          "the one that is predicted; needed after a fit by another cost")
       ->needs(kalman);
   subcommand
       .add_option_function<std::string>(
           "--engine", [&command](const std::string& name) { command.engine = EngineNamed(name); },
-          "reduced: linear kinematics; full: the multibody system; auto: reduced, checked by full, which answers where "
-          "they visibly differ (default)")
+          "reduced: linear kinematics; full: the multibody system; auto: reduced, checked by full, which replaces it "
+          "where they visibly differ (default)")
       ->transform(EngineOf(kHistoryEngines));
   subcommand.add_option(
       "-o,--output", command.output,
-      "Folder for result.json and what was measured and predicted: of a stepped sine response.csv and "
-      "response.svg, of a recording over time history.csv and history.svg");
+      "Write result.json and the measured and predicted channels to this folder: response.csv and response.svg of a "
+      "stepped sine, history.csv and history.svg of a time history");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 

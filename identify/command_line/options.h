@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-// Tell the options of a subcommand; both must live until it has been parsed.
+// Add the options of a subcommand; both must live until it has been parsed.
 
 void AddOptions(CLI::App& subcommand, ResponseCommand& command);
 void AddOptions(CLI::App& subcommand, ModesCommand& command);

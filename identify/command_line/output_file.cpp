@@ -6,30 +6,31 @@
 
 #include "analysis/files/output_folder.h"
 #include "analysis/text/diagnostics.h"
+#include "identify/command_line/findings.h"
 
 namespace fourpost {
+
+void RefuseToWrite(const Finding& finding, const std::filesystem::path& place, const std::vector<std::string>& words) {
+  throw OutputError(Format({std::string(finding.id()), finding.severity(), {place.string()}, finding.Message(words)}));
+}
 
 void RequireWritable(const std::filesystem::path& file, const std::vector<std::filesystem::path>& inputs) {
   namespace fs = std::filesystem;
   if (file.empty()) return;
   std::error_code failure;
-  const auto refuse = [&](const std::string& why) { throw OutputError("cannot write " + file.string() + ": " + why); };
   for (const fs::path& input : inputs)
-    if (!input.empty() && fs::equivalent(input, file, failure)) refuse("it is an input; give another file");
+    if (!input.empty() && fs::equivalent(input, file, failure)) RefuseToWrite(kOutputIsInput, file);
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, failure)) refuse("there is no folder " + folder.string());
-  if (fs::is_directory(file, failure)) refuse("it is a folder; name a file");
+  if (!fs::is_directory(folder, failure)) RefuseToWrite(kOutputWithoutFolder, file, {folder.string()});
+  if (fs::is_directory(file, failure)) RefuseToWrite(kOutputIsFolder, file);
 }
 
 void RequireEnding(const std::string& option, const std::filesystem::path& file, const std::string& what,
                    const std::string& ending) {
   if (file.empty() || file.extension() == ending) return;
   std::filesystem::path named = file;
-  Diagnostics faults;
-  faults.Error(option, 0,
-               "'" + file.string() + "': " + what + " is written to a file in " + ending + ", such as '" +
-                   named.replace_extension(ending).string() + "'");
-  throw FaultyInput(faults);
+  named.replace_extension(ending);
+  Refuse(kOutputEnding, Place::Option(option), {file.string(), what, ending, named.string()});
 }
 
 void WriteFile(const std::filesystem::path& file, const std::string& text) {
@@ -39,8 +40,7 @@ void WriteFile(const std::filesystem::path& file, const std::string& text) {
   stream.close();
   if (stream) return;
   const std::error_code reason(errno == 0 ? EIO : errno, std::generic_category());
-  throw OutputError("cannot write " + file.string() + " (" + reason.message() + "); " +
-                    WritingRemedy(reason, "allow it or name another folder"));
+  RefuseToWrite(kOutputNotWritten, file, {reason.message(), WritingRemedy(reason, "allow it or name another folder")});
 }
 
 void ReplaceFile(const std::filesystem::path& file, const std::string& text) {
@@ -53,7 +53,7 @@ void ReplaceFile(const std::filesystem::path& file, const std::string& text) {
     throw;
   }
   std::filesystem::rename(partial, file, failure);
-  if (failure) throw OutputError("cannot write " + file.string() + ": " + failure.message());
+  if (failure) RefuseToWrite(kOutputNotWritten, file, {failure.message(), WritingRemedy(failure, "name another file")});
 }
 
 }  // namespace fourpost

@@ -4,7 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "analysis/text/finding.h"
+
 namespace fourpost {
+
+/// Throws OutputError about a place where results cannot be written.
+[[noreturn]] void RefuseToWrite(const Finding& finding, const std::filesystem::path& place,
+                                const std::vector<std::string>& words = {});
 
 /// Before the work, so that none is in vain: throws OutputError for a file that is one of the inputs, that lies in no
 /// folder, or that is one. An empty path is none.

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 bool HasRange(const Parameter& parameter) { return parameter.lower < parameter.upper; }
 
 std::string Range(const Parameter& parameter) {
-  if (!HasRange(parameter)) return "held";
+  if (!HasRange(parameter)) return "fixed";
   return InUnit(parameter.lower, parameter.unit, 4) + " .. " + InUnit(parameter.upper, parameter.unit, 4);
 }
 
@@ -75,7 +75,8 @@ int Run(const ParamsCommand& command) {
   if (!vehicle) throw FaultyInput(findings);
   Tell(findings);
   const std::vector<ParameterUse> uses = FindParameterUses(vehicle->text);
-  Print(command.json ? ParamsJson(*vehicle, uses) : Text(*vehicle, uses));
+  if (command.json) Print(ParamsJson(*vehicle, uses));
+  else PrintText(Text(*vehicle, uses));
   return kGood;
 }
 

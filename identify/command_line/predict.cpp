@@ -8,10 +8,10 @@
 #include "analysis/files/json_text.h"
 #include "analysis/files/output_folder.h"
 #include "analysis/files/recorded_table.h"
-#include "analysis/text/warning_texts.h"
 #include "identify/command_line/added_load.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
@@ -19,6 +19,7 @@
 #include "identify/run/result_kind.h"
 #include "identify/study/fitted_files.h"
 #include "identify/study/study.h"
+#include "identify/study_file/warnings_json.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/versions.h"
 
@@ -27,17 +28,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-[[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& message) {
-  Diagnostics faults;
-  faults.Error(file.string(), 0, message);
-  throw FaultyInput(faults);
-}
-
 /// A fit's vehicle, and the study that it was fitted by.
 struct FittedRun {
   Vehicle vehicle;
   Study study;
-  /// Whether the fit has seen the recording that is to be predicted.
+  /// Whether the recording that is to be predicted was fitted.
   bool has_seen = false;
   /// Already on `vehicle`.
   std::optional<AddedLoad> load = {};
@@ -45,11 +40,11 @@ struct FittedRun {
 
 /// Throws FaultyInput.
 FittedRun LoadModel(const std::filesystem::path& run) {
-  // It tells which recordings the fit has seen.
+  // It names the recordings that were fitted.
   RequireFitResult(run);
   for (const char* name : {"vehicle.urdf", "study.yaml"})
     if (std::error_code failure; !std::filesystem::exists(run / name, failure))
-      Refuse(run, std::string("holds no ") + name + ", which a fit writes; run `fourpost fit` with -o on it again");
+      Refuse(kRunFileMissing, {run.string()}, {name});
   Diagnostics diagnostics;
   std::optional<Vehicle> vehicle = ReadVehicle(run / "vehicle.urdf", diagnostics);
   std::optional<Study> study = ReadStudy(run / "study.yaml", diagnostics);
@@ -67,14 +62,10 @@ const Experiment& ExperimentOf(const std::filesystem::path& recording, const Stu
   std::string kinds;
   for (const Experiment& experiment : study.experiments)
     if (!experiment.Recordings().empty()) kinds += (kinds.empty() ? "" : "; ") + std::string(experiment.Recordings());
-  Refuse(recording,
-         "is no recording such as the model was fitted to, so the study does not say which channels are its posts and "
-         "sensors. It was fitted to: " +
-             kinds);
+  Refuse(kRecordingOfOtherKind, {recording.string()}, {kinds});
 }
 
-std::string AsJson(const PredictCommand& command, const FittedRun& model, const ExperimentResults& results,
-                   const std::vector<std::string>& warnings) {
+std::string AsJson(const PredictCommand& command, const FittedRun& model, const ExperimentResults& results) {
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   Json json = {{"vehicle", model.vehicle.name},
@@ -82,26 +73,27 @@ std::string AsJson(const PredictCommand& command, const FittedRun& model, const 
                {"was_fitted", model.has_seen}};
   if (model.load) json["added_load"] = AddedLoadJson(*model.load);
   json.update(results.json);
-  json.update({{"warnings", warnings}, {"versions", versions}});
+  json.update({{"warnings", WarningsJson(results.findings)}, {"versions", versions}});
   return JsonText(json);
 }
 
 std::string LoadText(const FittedRun& model) { return model.load ? AddedLoadText(*model.load) + '\n' : ""; }
 
 /// Nothing where it was interrupted.
-std::optional<ExperimentResults> Predict(const PredictCommand& command, const FittedRun& model) {
+std::optional<ExperimentResults> Predict(const PredictCommand& command, const FittedRun& model,
+                                         WorkProgress& progress) {
   const std::vector<std::size_t> free;
   const Subject subject(model.vehicle, free, command.run / "study.yaml");
   const Experiment& experiment = ExperimentOf(command.recording, model.study);
   CatchInterrupts();
-  WorkProgress progress;
   return experiment.Predict(subject,
                             {.recording = command.recording,
                              .run = command.run,
                              .engine = command.engine,
                              .mode = command.mode,
                              .has_kalman = command.kalman,
-                             .noise_from = command.noise_from},
+                             .noise_from = command.noise_from,
+                             .has_files = !command.output.empty()},
                             progress.Hooks());
 }
 
@@ -115,16 +107,14 @@ int Run(const PredictCommand& command) {
   }
   FittedRun model = LoadModel(command.run);
   model.has_seen = WasFitted(command.run / "result.json", command.recording);
-  if (model.has_seen)
-    std::fprintf(stderr, "%s: the fit has seen this recording: what follows is fitted, not foretold\n",
-                 command.recording.c_str());
+  if (model.has_seen) Tell(kRecordingWasFitted, {command.recording.string()});
   if (!command.add_mass.empty()) model.load = AddLoad(command.add_mass, command.at, model.vehicle);
-  const std::optional<ExperimentResults> results = Predict(command, model);
+  WorkProgress progress;
+  const std::optional<ExperimentResults> results = Predict(command, model, progress);
   if (!results) return kInterrupted;
-  Tell(results->findings);
-  std::vector<std::string> warnings = WarningTexts(results->findings);
-  warnings.insert(warnings.end(), results->remarks.begin(), results->remarks.end());
-  const std::string json = AsJson(command, model, *results, warnings);
+  progress.Tell(results->findings);
+  progress.End();
+  const std::string json = AsJson(command, model, *results);
   if (!command.output.empty()) {
     OutputFolder output(command.output);
     for (const auto& [name, text] : results->files) output.Add(name, text);
@@ -132,7 +122,8 @@ int Run(const PredictCommand& command) {
     output.Commit();
     std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   }
-  Print(command.json ? json : LoadText(model) + results->text);
+  if (command.json) Print(json);
+  else PrintText(LoadText(model) + results->text);
   return kGood;
 }
 

@@ -18,6 +18,9 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   CLI::App& app() { return app_; }
+  /// Of the program where `topic` is empty, else of a command, of all findings, or of the finding of this id. Throws
+  /// FaultyInput for another topic.
+  std::string HelpOn(const std::string& topic) const;
   /// Once the words have been parsed: runs the command given, see commands.h.
   int RunCommand() const { return run_(); }
 
@@ -37,6 +40,7 @@ class Program {
   void AddRank();
   void AddCompletion();
   void AddMan();
+  void AddHelp();
 
   CLI::App app_{"fourpost identifies vehicle suspension models from rig tests.", "fourpost"};
   std::function<int()> run_;
@@ -53,6 +57,7 @@ class Program {
   CompareCommand compare_;
   RankCommand rank_;
   std::string shell_;
+  std::string topic_;
 };
 
 }  // namespace fourpost

@@ -1,15 +1,13 @@
 #include "identify/command_line/progress_line.h"
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <string_view>
 
 #include "analysis/text/text_table.h"
 #include "analysis/text/text_width.h"
+#include "identify/command_line/terminal.h"
 
 namespace fourpost {
 namespace {
@@ -19,23 +17,10 @@ constexpr double kPlainInterval_s = 2;
 
 double Seconds(std::chrono::steady_clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
-/// A terminal that can clear a line.
-bool IsTerminal() {
-  const char* const kind = std::getenv("TERM");
-  return isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
-}
-
-/// Of the terminal now: users change it.
-std::size_t Columns() {
-  constexpr std::size_t kUsual = 80;
-  winsize size = {};
-  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return is_known ? size.ws_col : kUsual;
-}
-
 }  // namespace
 
-ProgressLine::ProgressLine() : terminal_(IsTerminal()), start_(Clock::now()), shown_(start_) {}
+ProgressLine::ProgressLine(Clock::time_point start)
+    : terminal_(IsTerminal(STDERR_FILENO)), start_(start), shown_(Clock::now()) {}
 
 ProgressLine::~ProgressLine() {
   if (line_open_) std::fputc('\n', stderr);
@@ -48,7 +33,7 @@ void ProgressLine::Show(const std::string& text) {
   line_open_ = terminal_;
   // Return to the line's start, and clear what a longer text left behind; a full line would lose its last character
   // by that.
-  if (terminal_) std::fprintf(stderr, "\r%s\033[K", CutToWidth(text, Columns() - 1).c_str());
+  if (terminal_) std::fprintf(stderr, "\r%s\033[K", CutToWidth(text, TerminalColumns(STDERR_FILENO) - 1).c_str());
   else std::fprintf(stderr, "%s\n", text.c_str());
   std::fflush(stderr);
 }

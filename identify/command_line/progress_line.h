@@ -5,11 +5,12 @@
 
 namespace fourpost {
 
-/// Tells on stderr how a long task gets on: one line that is rewritten on a terminal, now and then a plain line
+/// Shows on stderr how a long task gets on: one line that is rewritten on a terminal, now and then a plain line
 /// elsewhere. Short tasks stay silent elsewhere.
 class ProgressLine {
  public:
-  ProgressLine();
+  /// `start`: of the work, of which this may be a later line.
+  explicit ProgressLine(std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now());
   /// Ends the line.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
@@ -19,10 +20,10 @@ class ProgressLine {
   /// line: what matters should come first.
   void Show(const std::string& text);
 
-  /// Shows at once what comes next, after a task that was long enough to be told of.
+  /// Shows at once what comes next, after a task that was long enough to be shown.
   void ShowNext(const std::string& text);
 
-  /// Since construction.
+  /// Since the start of the work.
   double seconds() const;
 
  private:

@@ -9,6 +9,7 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/report/ranked_run.h"
+#include "identify/study_file/warnings_json.h"
 
 namespace fourpost {
 namespace {
@@ -34,7 +35,7 @@ std::string RankingJson(const ModelRanking& ranking) {
                       {"bic", NumberOrNull(model.criteria.bic)}});
   const Json json = {{"chosen", ranking.models.front().name},
                      {"reason", ranking.reason},
-                     {"remarks", ranking.remarks},
+                     {"warnings", WarningsJson(ranking.warnings)},
                      {"models", models}};
   return JsonText(json);
 }
@@ -46,9 +47,9 @@ int Run(const RankCommand& command) {
   std::vector<FittedModel> models = FittedModels(ComparedRuns(ReadRuns(command.runs)), diagnostics);
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
   const ModelRanking ranking = Rank(std::move(models));
-  std::string remarks;
-  for (const std::string& remark : ranking.remarks) remarks += remark + "\n";
-  Print(command.json ? RankingJson(ranking) : Table(ranking) + "\n" + ranking.reason + "\n" + remarks);
+  const std::string warnings = ranking.warnings.items().empty() ? "" : ranking.warnings.Format() + "\n";
+  if (command.json) Print(RankingJson(ranking));
+  else PrintText(Table(ranking) + "\n" + ranking.reason + "\n" + warnings);
   return kGood;
 }
 

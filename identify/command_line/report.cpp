@@ -1,4 +1,4 @@
-#include <cstdio>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -6,31 +6,32 @@
 #include "analysis/files/output_folder.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/report/comparison_page.h"
+#include "identify/report/findings.h"
 #include "identify/report/report_page.h"
 #include "identify/report/run_result.h"
 
 namespace fourpost {
 namespace {
 
-/// As a fault of the run's folder.
-[[noreturn]] void Refuse(const std::filesystem::path& folder, const std::string& reason) {
-  Diagnostics faults;
-  faults.Error((folder / "result.json").string(), 0, reason);
-  throw FaultyInput(faults);
+/// Whether it says itself how to get a file that is whole.
+bool SaysToFit(const Diagnostic& fault) {
+  return fault.id == kFitColumnMissing.id() || fault.id == kResultNotUnderstood.id();
 }
 
 /// As faults of files of these folders, and what to do.
 [[noreturn]] void RefuseTables(const std::vector<std::filesystem::path>& folders, const FaultyInput& fault) {
   Diagnostics faults;
+  std::set<std::string> damaged;
   for (const Diagnostic& item : fault.diagnostics().items()) {
-    const bool is_named = std::filesystem::path(item.place.file).has_parent_path();
-    const bool tells = item.message.find("fit") != std::string::npos;
-    faults.Error(is_named ? item.place.file : (folders.front() / item.place.file).string(), item.place.line,
-                 item.message + (tells ? "" : "; the file is damaged: run `fourpost fit` with -o on its folder again"));
+    const Diagnostic found = InFolder(folders.front(), item);
+    faults.Add(found);
+    if (!SaysToFit(found) && damaged.insert(found.place.file).second)
+      faults.Report(kRunFileDamaged, {found.place.file});
   }
   throw FaultyInput(faults);
 }
@@ -44,18 +45,14 @@ std::string PageOf(std::vector<std::pair<std::string, RunContents>> runs,
   } catch (const FaultyInput& fault) {
     RefuseTables(folders, fault);
   } catch (const nlohmann::json::exception& fault) {
-    Refuse(folders.front(), NotUnderstood(fault));
+    RefuseResult((folders.front() / "result.json").string(), fault);
   }
 }
 
 /// A page of several runs belongs into none of their folders.
 void RequireOutput(const ReportCommand& command) {
-  if (!command.output.empty()) return;
-  Diagnostics faults;
-  faults.Error("--output", 0,
-               "is wanted for a page that compares " + std::to_string(command.runs.size()) +
-                   " runs: -o FILE, such as -o models.html");
-  throw FaultyInput(faults);
+  if (command.output.empty())
+    Refuse(kPageWithoutName, Place::Option("--output"), {std::to_string(command.runs.size())});
 }
 
 }  // namespace
@@ -70,7 +67,7 @@ int Run(const ReportCommand& command) {
   RequireWritable(file, read);
   RequireEnding("--output", file, "a page", ".html");
   if (runs.size() == 1 && !runs.front().second.vehicle_fault.empty())
-    std::fprintf(stderr, "the report does not show the vehicle: %s\n", runs.front().second.vehicle_fault.c_str());
+    Tell(kVehicleNotShown, {command.runs.front().string()}, {runs.front().second.vehicle_fault});
   const std::string page = PageOf(std::move(runs), command.runs);
   ReplaceFile(file, page);
   if (command.json) Print(JsonText(nlohmann::ordered_json{{"file", file.string()}, {"bytes", page.size()}}));

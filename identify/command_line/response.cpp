@@ -2,18 +2,17 @@
 
 #include "identify/command_line/commands.h"
 #include "identify/command_line/file_kind.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/responses.h"
 
 namespace fourpost {
 namespace {
 
-/// A study's recordings tell what the posts did.
+/// A study's recordings define what the posts did.
 void RequireNoVehicleOptions(const ResponseCommand& command) {
   Diagnostics faults;
   for (const std::string& option : command.vehicle_options)
-    faults.Error(option, 0,
-                 "is for a vehicle file; " + command.input.filename().string() +
-                     " is a study, whose recordings and vehicle tell this");
+    faults.Report(kOptionOfVehicle, Place::Option(option), {command.input.filename().string()});
   if (faults.HasErrors()) throw FaultyInput(faults);
 }
 

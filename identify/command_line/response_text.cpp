@@ -64,7 +64,7 @@ std::string GainTable(const SweptResponse& swept) {
 /// What linear kinematics leave out, and what follows from it.
 std::string CheckText(const SteadyResponse& answer) {
   if (!answer.not_estimated.empty())
-    return "what linear kinematics leave out could not be estimated: " + answer.not_estimated + "\n";
+    return "the error of linear kinematics could not be estimated: " + answer.not_estimated + "\n";
   if (!answer.kinematics_error) return "";
   const KinematicsError& error = *answer.kinematics_error;
   return KinematicsText(error) + (error.IsVisible() ? ":\nthat shows (" : ":\nless than shows (") +

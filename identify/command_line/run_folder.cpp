@@ -7,6 +7,7 @@
 #include "analysis/files/near_file.h"
 #include "analysis/files/text_file.h"
 #include "analysis/text/diagnostics.h"
+#include "identify/command_line/findings.h"
 #include "identify/report/run_result.h"
 #include "vehicles/reader/vehicle_file.h"
 
@@ -26,7 +27,7 @@ std::string Reason(const Diagnostics& findings) {
 void ReadFittedVehicle(const std::filesystem::path& file, RunContents& run) {
   std::error_code failure;
   if (!std::filesystem::exists(file, failure)) {
-    run.vehicle_fault = "the folder has no vehicle.urdf";
+    run.vehicle_fault = "vehicle.urdf is missing";
     return;
   }
   Diagnostics findings;
@@ -39,24 +40,21 @@ void CheckIsFit(const RunContents& run, const std::filesystem::path& folder, Dia
   try {
     FitResultOf(run);
   } catch (const FaultyInput& fault) {
-    diagnostics.Error((folder / kResult).string(), 0, fault.diagnostics().items().front().message);
+    diagnostics.Add(InFolder(folder, fault.diagnostics().items().front()));
   }
 }
 
-/// What a folder without a result is, and what to do.
-std::string WithoutResult(const std::filesystem::path& folder) {
+/// Says what a folder without a result is.
+void ReportNoResult(const std::filesystem::path& folder, Diagnostics& diagnostics) {
   std::error_code failure;
   const auto holds = [&](const char* name) { return std::filesystem::exists(folder / name, failure); };
-  if (std::filesystem::is_empty(folder, failure)) return "is an empty folder; give one that `fourpost fit -o` wrote";
-  if (holds("archive.sqlite"))
-    return "holds no result.json, which a fit writes at its end; run `fourpost fit` with -o on this folder again, it "
-           "goes on from its archive";
+  const Place place{folder.string()};
+  if (std::filesystem::is_empty(folder, failure)) diagnostics.Report(kRunEmpty, place);
+  else if (holds("archive.sqlite")) diagnostics.Report(kRunUnfinished, place);
   // A run holds a copy, which refers to files elsewhere.
-  if (holds("study.yaml") && !holds("parameters.csv"))
-    return "holds a study and no results; fit it first, by `fourpost fit " + (folder / "study.yaml").string() +
-           " -o run`, and give that folder";
-  return "holds no result.json: it is none that `fourpost fit -o` wrote, or not all of it; give another one, or fit "
-         "anew";
+  else if (holds("study.yaml") && !holds("parameters.csv"))
+    diagnostics.Report(kRunNotFitted, place, {(folder / "study.yaml").string()});
+  else diagnostics.Report(kRunWithoutResult, place);
 }
 
 /// result.json alone; nothing, and reported, where it is not that of a fit.
@@ -64,12 +62,11 @@ RunContents ReadResult(const std::filesystem::path& folder, Diagnostics& diagnos
   RunContents run;
   std::error_code failure;
   if (!std::filesystem::is_directory(folder, failure)) {
-    diagnostics.Error(folder.string(), 0,
-                      "is no folder; give one that `fourpost fit -o` wrote" + DidYouMeanFile(folder));
+    diagnostics.Report(kRunNotThere, {folder.string()}, {DidYouMeanFile(folder)});
     return run;
   }
   if (!std::filesystem::exists(folder / kResult, failure)) {
-    diagnostics.Error(folder.string(), 0, WithoutResult(folder));
+    ReportNoResult(folder, diagnostics);
     return run;
   }
   if (std::optional<std::string> text = ReadTextFile(folder / kResult, diagnostics)) {
@@ -97,10 +94,16 @@ void CheckStandOnce(const std::vector<std::filesystem::path>& folders, Diagnosti
     if (std::any_of(folders.begin(), folder, [&](const std::filesystem::path& other) {
           return std::filesystem::equivalent(other, *folder, failure);
         }))
-      diagnostics.Error(folder->string(), 0, "is given twice; a run is not compared with itself");
+      diagnostics.Report(kRunNamedTwice, {folder->string()});
 }
 
 }  // namespace
+
+Diagnostic InFolder(const std::filesystem::path& folder, Diagnostic finding) {
+  if (!std::filesystem::path(finding.place.file).has_parent_path())
+    finding.place.file = (folder / finding.place.file).string();
+  return finding;
+}
 
 std::vector<std::pair<std::string, RunContents>> ReadRuns(const std::vector<std::filesystem::path>& folders) {
   Diagnostics diagnostics;

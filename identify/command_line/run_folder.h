@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/text/diagnostics.h"
 #include "identify/report/run_contents.h"
 
 namespace fourpost {
@@ -15,6 +16,9 @@ std::vector<std::pair<std::string, RunContents>> ReadRuns(const std::vector<std:
 
 /// Throws FaultyInput as ReadRuns() does for a folder without the result of a fit.
 void RequireFitResult(const std::filesystem::path& folder);
+
+/// A finding about a file of a run, at its path; as it is where it has one.
+Diagnostic InFolder(const std::filesystem::path& folder, Diagnostic finding);
 
 /// Files of a run's folder that an output must not replace.
 std::vector<std::filesystem::path> RunFiles(const std::filesystem::path& folder);

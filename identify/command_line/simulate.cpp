@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "identify/command_line/drive.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/locked_friction.h"
 #include "identify/command_line/output_file.h"
@@ -48,8 +48,7 @@ Job ReadJob(const SimulateCommand& command) {
 }
 
 void CheckOutputs(const SimulateCommand& command) {
-  if (!command.output.empty() && command.output == command.chart)
-    throw OutputError("cannot write " + command.output.string() + ": -o and --chart name the same file");
+  if (!command.output.empty() && command.output == command.chart) RefuseToWrite(kOutputNamedTwice, command.output);
   RequireWritable(command.output, {command.model, command.recording});
   RequireWritable(command.chart, {command.model, command.recording});
   RequireEnding("--output", command.output, "a table", ".csv");
@@ -84,14 +83,15 @@ std::string Text(const HistoryOrigin& origin, const std::vector<HistoryChannel>&
 void FindWhatIsOdd(const Job& job, const HistoryOrigin& origin, const AnsweredHistory& solved, Diagnostics& findings) {
   WarnOfLocked(job.vehicle, solved.locked, "this motion", findings);
   WarnOfPulls(job.vehicle, solved.pulls, "samples", "this motion", findings);
-  if (origin.by.change && *origin.by.change > origin.error)
-    findings.Warning("--error", 0,
-                     (origin.by.step_s ? "halving the step down to " + Rounded(1e6 * *origin.by.step_s, 3) + " us"
-                                       : "a tenfold accuracy of the integrator") +
-                         " still changes a channel by " + Percent(*origin.by.change, 3) + " of its rms");
+  const Place error = Place::Option("--error");
+  if (origin.by.change && *origin.by.change > origin.error) {
+    const std::string change = Percent(*origin.by.change, 3);
+    if (origin.by.step_s)
+      findings.Report(kStepNotConverged, error, {Rounded(1e6 * *origin.by.step_s, 3) + " us", change});
+    else findings.Report(kIntegratorNotConverged, error, {change});
+  }
   if (!origin.by.not_estimated.empty())
-    findings.Warning("--engine", 0,
-                     "what linear kinematics leave out could not be estimated: " + origin.by.not_estimated);
+    findings.Report(kLinearKinematicsUnknown, Place::Option("--engine"), {origin.by.not_estimated});
 }
 
 /// Two samples make a history.
@@ -110,7 +110,7 @@ int Run(const SimulateCommand& command) {
   AnsweredHistory solved = SolveHistory(command, job.vehicle, job.drive, found);
   TimeHistory& history = solved.answer.history;
   if (!HasHistory(command, job.drive, history)) {
-    std::fputs("interrupted before there was anything to keep\n", stderr);
+    Tell(kInterruptedAtStart);
     return kInterrupted;
   }
   Record(command, job.drive, history);
@@ -119,15 +119,16 @@ int Run(const SimulateCommand& command) {
   Tell(found);
   for (const Diagnostic& item : found.items()) job.findings.Add(item);
   if (solved.answer.ended)
-    std::fprintf(stderr, "interrupted: the history ends at %s of %s s\n",
-                 Rounded(history.TimeAt(history.size() - 1), 3).c_str(), Rounded(job.drive.end_s, 3).c_str());
+    Tell(kHistoryInterrupted, {},
+         {Rounded(history.TimeAt(history.size() - 1), 3) + " s", Rounded(job.drive.end_s, 3) + " s"});
   const std::vector<HistoryChannel> channels = ChannelsOf(job.vehicle, history, job.sensors);
   if (!command.output.empty()) WriteFile(command.output, HistoryCsv(history, channels));
   if (!command.chart.empty())
     WriteFile(command.chart, HistorySvg("Time history of " + job.vehicle.name, origin.motion, history.start_s,
                                         history.rate_Hz, channels));
   if (command.json) Print(HistoryJson(job.vehicle, origin, history, channels, job.findings));
-  else Print(command.output.empty() ? HistoryCsv(history, channels) : Text(origin, channels));
+  else if (command.output.empty()) Print(HistoryCsv(history, channels));
+  else PrintText(Text(origin, channels));
   return solved.answer.ended ? kInterrupted : kGood;
 }
 

@@ -7,6 +7,7 @@
 
 #include "analysis/text/units.h"
 #include "identify/command_line/common_options.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/whole_number.h"
 #include "vehicles/posts/road.h"
 #include "vehicles/requests/option_quantity.h"
@@ -54,7 +55,7 @@ struct MotionOptions {
 
 MotionOptions AddMotions(CLI::App& app, SimulateCommand& command) {
   using Motion = SimulateCommand::Motion;
-  CLI::Option_group* group = app.add_option_group("What the posts do");
+  CLI::Option_group* group = app.add_option_group("Motion of the posts");
   const auto add = [&](const char* name, Motion motion, const char* help,
                        std::function<void(const std::string&)> take) {
     const auto set = [&command, motion, take](const std::string& text) {
@@ -68,29 +69,31 @@ MotionOptions AddMotions(CLI::App& app, SimulateCommand& command) {
     command.last_Hz = range.last_Hz;
   };
   MotionOptions options;
-  options.sweep = add("--sweep", Motion::kSweep, "Swept sine, from one frequency to another: 0.5Hz:30Hz",
+  options.sweep = add("--sweep", Motion::kSweep, "Swept sine from one frequency to another, e.g. 0.5Hz:30Hz",
                       [&command, band](const std::string& text) {
                         if (const auto range = ReadFrequencyRange(text, "--sweep", command.faults)) band(*range);
                       });
-  options.sine = add("--sine", Motion::kSine, "Sine of one frequency: 2Hz", [&command, band](const std::string& text) {
-    if (const auto frequency = ReadQuantity(text, kFrequency, "--sine", command.faults)) band({*frequency, *frequency});
-  });
-  options.step = add("--step", Motion::kStep, "Step of this height after 0.5 s: 20mm, or -20mm",
+  options.sine =
+      add("--sine", Motion::kSine, "Sine of one frequency, e.g. 2Hz", [&command, band](const std::string& text) {
+        if (const auto frequency = ReadQuantity(text, kFrequency, "--sine", command.faults))
+          band({*frequency, *frequency});
+      });
+  options.step = add("--step", Motion::kStep, "Step of this height after 0.5 s, e.g. 20mm or -20mm",
                      [&command](const std::string& text) {
                        command.height_m = ReadQuantity(text, kLength, "--step", command.faults, Sign::kAny).value_or(0);
                      });
   options.random =
-      add("--random", Motion::kRandom, "Random heights of this rms, their velocity white within --band: 4mm",
+      add("--random", Motion::kRandom, "Random heights of this rms with white velocity within --band, e.g. 4mm",
           [&command](const std::string& text) {
             command.height_m = ReadQuantity(text, kLength, "--random", command.faults).value_or(0);
           });
   options.road =
-      add("--road", Motion::kRoad, "Random road of ISO 8608 class A to H, at --speed, the rear after the front",
+      add("--road", Motion::kRoad, "Random road of an ISO 8608 class, A to H, at --speed; the rear follows the front",
           [&command](const std::string& text) { command.road_class = text; });
-  options.road->check(OneOf("road class", kRoadClasses));
-  options.recording =
-      add("--recording", Motion::kRecording, "CSV of recorded post heights: names, units, time and a column a post",
-          [&command](const std::string& text) { command.recording = text; });
+  options.road->check(OneOf("--road", kRoadClasses));
+  options.recording = add("--recording", Motion::kRecording,
+                          "Recorded post heights, a CSV with names, units, a column of times and one for each post",
+                          [&command](const std::string& text) { command.recording = text; });
   group->require_option(1);
   return options;
 }
@@ -103,10 +106,11 @@ void AddDetails(CLI::App& app, SimulateCommand& command, const MotionOptions& mo
   };
   for (CLI::Option* limit : AddLimits(app, command.limits))
     forbid(limit, {motions.step, motions.random, motions.road, motions.recording});
-  app.add_flag("--linear", command.linear_sweep, "Sweep evenly in hertz rather than in octaves")->needs(motions.sweep);
-  options.Add("--rise", kTime, "Of a step (default 50ms)", [&command](double value) { command.rise_s = value; })
+  app.add_flag("--linear", command.linear_sweep, "Sweep linearly in hertz (default: in octaves)")->needs(motions.sweep);
+  options
+      .Add("--rise", kTime, "Rise time of a step (default 50ms)", [&command](double value) { command.rise_s = value; })
       ->needs(motions.step);
-  CLI::Option* speed = options.Add("--speed", kVelocity, "Of the vehicle on a road: 60km/h",
+  CLI::Option* speed = options.Add("--speed", kVelocity, "Speed of the vehicle on a road, e.g. 60km/h",
                                    [&command](double value) { command.speed = value; });
   motions.road->needs(speed);
   speed->needs(motions.road);
@@ -118,12 +122,12 @@ void AddDetails(CLI::App& app, SimulateCommand& command, const MotionOptions& mo
         command.first_Hz = range->first_Hz;
         command.last_Hz = range->last_Hz;
         if (!(command.first_Hz < command.last_Hz))
-          command.faults.Error("--band", 0, "'" + text + "' must go from a lower frequency to a higher one");
+          command.faults.Report(kBandNotRising, Place::Option("--band"), {text});
       },
-      "Of a random motion or road (default 0.5Hz:30Hz)");
+      "Band of a random motion or road (default 0.5Hz:30Hz)");
   forbid(band, {motions.sweep, motions.sine, motions.step, motions.recording});
   forbid(app.add_option("--mode", command.mode, kModeHelp)->capture_default_str(), {motions.road, motions.recording});
-  options.Add("--duration", kTime, "Default: 60 s, of a step 5 s, of a sine 10 s, of a recording its own",
+  options.Add("--duration", kTime, "Length of the history (default: 60 s; step 5 s, sine 10 s, recording its own)",
               [&command](double value) { command.duration_s = value; });
   AddStroke(app, command.stroke);
 }
@@ -131,16 +135,20 @@ void AddDetails(CLI::App& app, SimulateCommand& command, const MotionOptions& mo
 void AddAcquisition(CLI::App& app, SimulateCommand& command) {
   QuantityOptions options(app, command);
   AddChannels(app, command.channels);
-  options.Add("--rate", kFrequency, "Of the samples (default 500Hz)",
+  options.Add("--rate", kFrequency, "Sampling rate (default 500Hz)",
               [&command](double value) { command.rate_Hz = value; });
-  CLI::Option* filter = options.Add("--filter", kFrequency, "Cut-off of a Butterworth low-pass on every channel",
-                                    [&command](double value) { command.filter_Hz = value; });
-  app.add_option("--order", command.filter_order, "Of the filter")
+  CLI::Option* filter =
+      options.Add("--filter", kFrequency, "Cut-off frequency of a Butterworth low-pass on every channel",
+                  [&command](double value) { command.filter_Hz = value; });
+  app.add_option("--order", command.filter_order, "Order of the filter")
       ->check(CLI::Range(1, 16))
       ->capture_default_str()
       ->needs(filter);
-  options.AddShare("--noise", "White noise on every channel, as a share of its deviation: 1%", command.noise);
-  app.add_option("--seed", command.seed, "Of random motions and noise")->check(WholeNumber())->capture_default_str();
+  options.AddShare("--noise", "White noise on every channel, as a share of its standard deviation, e.g. 1%",
+                   command.noise);
+  app.add_option("--seed", command.seed, "Seed of random motions and noise")
+      ->check(WholeNumber("--seed"))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -153,17 +161,18 @@ void AddOptions(CLI::App& subcommand, SimulateCommand& command) {
   subcommand
       .add_option_function<std::string>(
           "--engine", [&command](const std::string& text) { command.engine = EngineNamed(text).value(); },
-          "reduced: kinematics linearised about equilibrium, laws as they are; full: the multibody system; auto: "
-          "reduced, checked by full, which answers where they visibly differ")
+          "reduced: kinematics linearised about equilibrium with nonlinear force laws; full: the multibody system; "
+          "auto: "
+          "reduced, checked by full, which replaces it where they visibly differ")
       ->transform(EngineOf(kHistoryEngines))
       ->default_str("auto");
   QuantityOptions(subcommand, command)
       .AddShare("--error",
-                "Allowed to the integration, of each channel's rms as halving the step shows it (default 0.1%)",
+                "Largest change of a channel when the time step is halved, as a share of its rms (default 0.1%)",
                 command.error);
-  subcommand.add_option("-o,--output", command.output, "File for the CSV, in place of stdout; tells a summary then");
-  subcommand.add_option("--chart", command.chart, "File for a picture of the history (.svg)");
-  subcommand.add_flag("--json", command.json, "Print the summary as JSON in place of CSV or table");
+  subcommand.add_option("-o,--output", command.output, "Write the CSV here (default: stdout) and print a summary");
+  subcommand.add_option("--chart", command.chart, "Write a chart of the history here (.svg)");
+  subcommand.add_flag("--json", command.json, "Print the summary as JSON instead of CSV or a table");
 }
 
 }  // namespace fourpost

@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-/// Tells the options of a subcommand; `command` must live until it has been parsed.
+/// Adds the options of a subcommand; `command` must live until it has been parsed.
 void AddOptions(CLI::App& subcommand, SimulateCommand& command);
 
 }  // namespace fourpost

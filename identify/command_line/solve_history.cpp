@@ -8,6 +8,7 @@
 #include "analysis/text/progress_text.h"
 #include "analysis/text/text_table.h"
 #include "identify/command_line/condensed_at_values.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/progress_line.h"
 #include "vehicles/ride/stability.h"
@@ -17,11 +18,8 @@ namespace {
 
 /// A history has a start: it can be drawn all the same.
 void WarnOfGrowth(const Vehicle& vehicle, const CondensedModel& model, Diagnostics& findings) {
-  const std::optional<Growth> growth = GrowthOf(vehicle, model);
-  if (!growth) return;
-  findings.Warning(vehicle.file, 0,
-                   "the vehicle is unstable in its design pose: " + growth->Text() +
-                       ", whatever the posts do; see `fourpost check`");
+  if (const std::optional<Growth> growth = GrowthOf(vehicle, model))
+    findings.Report(kUnstableInDesignPose, {vehicle.file}, {growth->Text()});
 }
 
 /// Shows what is run, how far it is, and when another run of it, at half the step, begins.

@@ -16,18 +16,27 @@ namespace fourpost {
 namespace {
 
 /// Those of all experiments that come before an interruption; nothing where none does.
-std::optional<ExperimentResults> Answers(const LoadedStudy& loaded, const ResponseCommand& command) {
+std::optional<ExperimentResults> Answers(const LoadedStudy& loaded, const ResponseCommand& command,
+                                         WorkProgress& progress) {
   const Subject subject = loaded.MakeSubject();
   CatchInterrupts();
-  WorkProgress progress;
   const WorkHooks hooks = progress.Hooks();
   std::optional<ExperimentResults> all;
+  std::size_t answered = 0;
   for (const Experiment& experiment : loaded.study.experiments) {
     std::optional<ExperimentResults> one = experiment.Respond(subject, command.engine, hooks);
     if (!one) break;
     if (!all) all.emplace();
     AddResults(*std::move(one), *all);
-    if (Interrupted()) break;
+    ++answered;
+    if (!all->is_whole) break;
+  }
+  const auto count =
+      static_cast<std::size_t>(std::distance(loaded.study.experiments.begin(), loaded.study.experiments.end()));
+  if (answered < count) {
+    hooks.Note("interrupted: " + std::to_string(answered) + " of " + std::to_string(count) +
+               " experiments are answered");
+    if (all) all->is_whole = false;
   }
   return all;
 }
@@ -45,12 +54,15 @@ int RespondToStudy(const ResponseCommand& command) {
     RequireNoOtherResult(command.output, ResultKind::kResponse);
     OutputFolder{command.output};
   }
-  const std::optional<ExperimentResults> answers = Answers(*loaded, command);
+  WorkProgress progress;
+  const std::optional<ExperimentResults> answers = Answers(*loaded, command, progress);
   if (!answers) return kInterrupted;
-  Tell(answers->findings);
+  progress.Tell(answers->findings);
+  progress.End();
   nlohmann::ordered_json json = {{"recordings", nlohmann::ordered_json::array()},
                                  {"channels", nlohmann::ordered_json::array()}};
   AddKeys(answers->json, json);
+  if (!answers->is_whole) json["interrupted"] = true;
   const std::string text = JsonText(json);
   if (!command.output.empty()) {
     OutputFolder output(command.output);
@@ -59,8 +71,9 @@ int RespondToStudy(const ResponseCommand& command) {
     output.Commit();
     std::fprintf(stderr, "results: %s\n", command.output.string().c_str());
   }
-  Print(command.json ? text : answers->text);
-  return Interrupted() ? kInterrupted : kGood;
+  if (command.json) Print(text);
+  else PrintText(answers->text);
+  return answers->is_whole ? kGood : kInterrupted;
 }
 
 }  // namespace fourpost

@@ -5,6 +5,7 @@
 #include "analysis/files/output_folder.h"
 #include "identify/command_line/condensed_at_values.h"
 #include "identify/command_line/exit_code.h"
+#include "identify/command_line/findings.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/locked_friction.h"
 #include "identify/command_line/print.h"
@@ -50,7 +51,7 @@ void Write(const std::filesystem::path& folder, const std::string& json, const V
   std::fprintf(stderr, "results: %s\n", folder.string().c_str());
 }
 
-/// How many frequencies have an answer, of how many asked for. Tells of each sweep how many have none.
+/// How many frequencies have an answer, of how many asked for. Reports of each sweep how many have none.
 struct Count {
   std::size_t answered = 0;
   std::size_t all = 0;
@@ -63,9 +64,7 @@ Count CountAnswers(const SweepRequest& request, const std::vector<SweptResponse>
     const std::size_t all = swept.excitation.frequency_Hz.size();
     const std::size_t none = swept.answer.unanswered.size();
     count.answered += all - none;
-    if (none > 0)
-      std::fprintf(stderr, "%s: no answer at %zu of %zu frequencies; the result tells why\n", swept.mode.c_str(), none,
-                   all);
+    if (none > 0) Tell(kFrequenciesUnanswered, {}, {swept.mode, std::to_string(none), std::to_string(all)});
   }
   return count;
 }
@@ -110,12 +109,12 @@ int RespondOfVehicle(const ResponseCommand& command) {
   Tell(job.findings);
   const std::vector<SweptResponse> responses = SolveAll(solver, job.request, command.engine.value_or(Engine::kAuto));
   const Count count = CountAnswers(job.request, responses);
-  if (Interrupted())
-    std::fprintf(stderr, "interrupted: %zu of %zu frequencies have an answer\n", count.answered, count.all);
+  if (Interrupted()) Tell(kResponseInterrupted, {}, {std::to_string(count.answered), std::to_string(count.all)});
   if (responses.empty()) return kInterrupted;
   const std::string json = SweepJson(job.vehicle, job.request, responses, job.findings);
   if (!command.output.empty()) Write(command.output, json, job.vehicle, responses);
-  Print(command.json ? json : ResponseText(job.request, responses));
+  if (command.json) Print(json);
+  else PrintText(ResponseText(job.request, responses));
   return CodeOf(count);
 }
 

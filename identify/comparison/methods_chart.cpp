@@ -61,7 +61,7 @@ std::string MethodsSvg(const std::string& title, const Comparison& comparison) {
                  .columns = {"share of runs that had solved it, %"},
                  .panel_width = 620,
                  .panel_height = 260,
-                 .x_label = "evaluations paid",
+                 .x_label = "new evaluations",
                  .rows = {}};
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
     const SvgStyle style{.label = comparison.methods[i].name, .color = kColors[i % kColors.size()], .width = 2};

@@ -17,10 +17,11 @@ void AddKeys(const nlohmann::ordered_json& part, nlohmann::ordered_json& whole) 
 
 void AddResults(ExperimentResults part, ExperimentResults& whole) {
   whole.text += part.text;
+  whole.unseen_text += part.unseen_text;
   AddKeys(part.json, whole.json);
   std::move(part.shares.begin(), part.shares.end(), std::back_inserter(whole.shares));
   whole.findings.Add(part.findings);
-  std::move(part.remarks.begin(), part.remarks.end(), std::back_inserter(whole.remarks));
+  whole.is_whole = whole.is_whole && part.is_whole;
   std::move(part.files.begin(), part.files.end(), std::back_inserter(whole.files));
 }
 

@@ -43,17 +43,19 @@ struct ExperimentFile {
 
 /// What an experiment adds to the results of a fit or of `fourpost response STUDY`.
 struct ExperimentResults {
-  /// Tables for the terminal.
+  /// Tables for the terminal: of what was fitted, and of what a fit has not seen.
   std::string text = {};
+  std::string unseen_text = {};
   /// Keys of result.json; lists of several experiments are joined.
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   /// Squares of the errors of all that was fitted, for the verdict.
   std::vector<ErrorShare> shares = {};
+  /// `warnings` of result.json.
   Diagnostics findings = {};
-  /// More of `warnings` in result.json, which `text` tells already.
-  std::vector<std::string> remarks = {};
   /// Names in the folder of the results, and what they hold.
   std::vector<std::pair<std::string, std::string>> files = {};
+  /// False where an interruption left some recordings out.
+  bool is_whole = true;
 };
 
 /// A recording that a fitted vehicle is to predict.
@@ -68,6 +70,8 @@ struct PredictionRequest {
   /// One-step predictions of a Kalman filter as well, and where its noise is estimated; empty: as the fit held it.
   bool has_kalman = false;
   std::filesystem::path noise_from = {};
+  /// Whether the results' files are wanted, which may take longer than the rest.
+  bool has_files = false;
 };
 
 /// One kind of test on a rig: as a study describes it, after Load() with its recordings. A new kind is a class of its

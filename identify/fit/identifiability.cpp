@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "analysis/numerics/decompositions.h"
+#include "identify/fit/findings.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/search/draws.h"
@@ -30,7 +31,7 @@ std::optional<Slopes> SlopesAt(Archive& archive, const Eigen::VectorXd& values) 
   const FitVariables variables(archive.lattice());
   Slopes slopes{variables.FromValues(values), archive.EvaluateValues({values}).front(), {}};
   if (!slopes.here.ok()) return std::nullopt;
-  // A model's own derivatives may be good for steps only; too rough to tell a small slope from none.
+  // A model's own derivatives may be good for steps only; too rough to distinguish a small slope from none.
   std::optional<Eigen::MatrixXd> jacobian =
       DifferenceJacobian(archive, variables, slopes.x, slopes.here.residuals, StepOf(archive), Differences::kCentral);
   if (!jacobian) return std::nullopt;
@@ -59,20 +60,14 @@ double Largest(const Eigen::MatrixXd& jacobian) {
 
 }  // namespace
 
-std::string RemedyFor(const Eigen::VectorXd& direction) {
+const Finding& UnidentifiedAs(const Eigen::VectorXd& direction) {
   constexpr double kAlike = 0.5;
   // Lengths and angles have no part in the scale, and other open directions may be mixed in.
   const double largest = direction.cwiseAbs().maxCoeff();
   const auto with = (direction.array() > kAlike * largest).count();
   const auto against = (direction.array() < -kAlike * largest).count();
   const bool is_scale = std::min(with, against) == 0 && with + against > 2 && 2 * (with + against) >= direction.size();
-  if (is_scale)
-    return "accelerations and strut motions do not change when all masses and rates are scaled alike: measure a force "
-           "(tyre forces or static loads), leave a mass out of `free`, or give one a prior_sd; where a force is "
-           "measured "
-           "already, another channel outweighs it by far: check the units";
-  return "leave one of them out of `free`, give it a prior_sd, or measure a channel or a pattern of the posts that "
-         "tells them apart";
+  return is_scale ? kScaleUnidentified : kDirectionUnidentified;
 }
 
 std::vector<std::string> WeakestDirections(const Lattice& lattice, const Covariance& covariance) {

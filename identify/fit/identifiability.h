@@ -5,19 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "analysis/text/finding.h"
 #include "identify/residuals/vehicle_objective.h"
 #include "identify/search/archive.h"
 #include "identify/uncertainty/covariance.h"
 
 namespace fourpost {
 
-/// What data and priors of a study can tell about its free parameters, before they are fitted.
+/// How well data and priors of a study determine its free parameters, before they are fitted.
 struct Identifiability {
   /// Parameters whose derivatives are noise are held in it.
   Covariance covariance;
   /// Names of parameters whose derivatives are noise, see NoisyColumns(): nothing is known of them.
   std::vector<std::string> noisy = {};
-  /// Combinations that nothing determines, in words; if there is none, the one that is determined least.
+  /// Combinations that nothing determines, in words; if there is none, the least identifiable direction.
   std::vector<std::string> weakest;
 
   bool HasUndetermined() const { return covariance.rank < covariance.directions.cols(); }
@@ -30,9 +31,9 @@ struct Identifiability {
 std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const VehicleObjective& objective,
                                                      std::uint64_t seed);
 
-/// What to do about a direction that nothing determines, in words: of all masses and rates together, a force fixes the
-/// scale; else one of them is to be fixed, known before, or told apart by another channel.
-std::string RemedyFor(const Eigen::VectorXd& direction);
+/// The finding about a direction that nothing determines: of all masses and rates together, a force fixes the scale;
+/// else one of them is to be fixed, known before, or distinguished by another channel. Its word: DescribeDirection().
+const Finding& UnidentifiedAs(const Eigen::VectorXd& direction);
 
 /// DescribeDirection() of all that a covariance leaves open, or of what it determines least.
 std::vector<std::string> WeakestDirections(const Lattice& lattice, const Covariance& covariance);

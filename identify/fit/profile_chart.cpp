@@ -17,7 +17,7 @@ SvgStyle Line(const std::string& label, const std::string& color) {
 }
 
 const SvgStyle kFitted = Line("others fitted anew", "#0072B2");
-const SvgStyle kParabola = Line("linear deviation", "#999999");
+const SvgStyle kParabola = Line("linear standard deviation", "#999999");
 const SvgStyle kLevel = Line("95 %", "#D55E00");
 
 const FittedParameter& Find(const FitResult& fit, const std::string& name) {
@@ -64,7 +64,8 @@ std::string ProfileSvg(const FitResult& fit) {
   SvgSheet sheet;
   sheet.title = "Profile likelihood";
   sheet.note =
-      "Rise of the cost over the square of the deviations' inflation, the parameter held and all others fitted";
+      "Rise of the cost over the squared inflation of the standard deviations, with the parameter held and all others "
+      "fitted";
   sheet.legend = {kFitted, kParabola, kLevel};
   sheet.columns = std::vector<std::string>(std::min(kColumns, fit.profiles.size()), "");
   for (std::size_t i = 0; i < fit.profiles.size(); ++i) {

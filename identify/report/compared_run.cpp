@@ -100,9 +100,7 @@ ComparedRun RunOf(const std::string& folder, RunContents contents, Json& data) {
     run.sines = SineErrors(run.result);
     data = FittedData(run.result, run.contents);
   } catch (const Json::exception& fault) {
-    Diagnostics faults;
-    faults.Error(run.FileNamed("result.json"), 0, NotUnderstood(fault));
-    throw FaultyInput(faults);
+    RefuseResult(run.FileNamed("result.json"), fault);
   }
   return run;
 }

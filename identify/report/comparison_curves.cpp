@@ -163,7 +163,7 @@ std::set<std::size_t> ShownRows(const Shared<TimedChannel>& shared, const Stretc
   return rows;
 }
 
-/// What to tell of a shared channel beside its lines, of the rows that are shown.
+/// What is known of a shared channel beside its lines, of the rows that are shown.
 using Tell = std::function<Json(const TimedChannel& first, const std::set<std::size_t>& rows)>;
 
 /// Thinned alike in all runs. `fitted`: of each run the recordings that it was fitted to.
@@ -254,7 +254,7 @@ Json BenchJson(const std::vector<ComparedRun>& runs) {
   return SharedOverTime(of_runs, FittedRecordingsOf(runs), tell);
 }
 
-/// The band [Hz] in which a run was fitted; null where it tells none.
+/// The band [Hz] in which a run was fitted; null where it has none.
 Json BandOf(const ComparedRun& run) {
   const std::vector<nlohmann::json> band = ListAt(run.result, "band_Hz");
   if (band.size() != 2 || !band[0].is_number() || !band[1].is_number() || !(band[1].get<double>() > 0)) return nullptr;

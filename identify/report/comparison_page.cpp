@@ -23,7 +23,7 @@ std::string Header(const std::vector<ComparedRun>& runs) {
          html::Escaped(names) + "</p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
 }
 
-/// "the fits a, b (by fourpost 0.1.0)", versions where they are told.
+/// "the fits a, b (by fourpost 0.1.0)", versions where they are known.
 std::string Sources(const std::vector<ComparedRun>& runs) {
   std::string text = "the fits ";
   std::set<std::string> versions;
@@ -49,12 +49,13 @@ std::string Errors(const std::vector<ComparedRun>& runs) {
   const std::string fitted = ErrorTableHtml(runs, &ComparedRun::fitted);
   const std::string predicted = ErrorTableHtml(runs, &ComparedRun::predicted);
   std::string html;
-  if (!sines.empty()) html += "<h3>Recordings of stepped sines that were fitted</h3>\n" + sines;
-  if (!fitted.empty()) html += "<h3>What was fitted</h3>\n" + fitted;
-  if (!predicted.empty()) html += "<h3>What the fit has not seen</h3>\n" + predicted;
+  if (!sines.empty()) html += "<h3>Fitted stepped sines</h3>\n" + sines;
+  if (!fitted.empty()) html += "<h3>Fitted channels</h3>\n" + fitted;
+  if (!predicted.empty()) html += "<h3>Validation</h3>\n" + predicted;
   return html +
-         "<p class=\"note\">Channels that differ by their place only, as front and rear or the four corners, are one "
-         "group and told by their mean; the least of each row stands out.</p>\n";
+         "<p class=\"note\">Channels that differ by their place only, such as front and rear or the four corners, are "
+         "one "
+         "group, of which the mean is shown; the least of each row is bold.</p>\n";
 }
 
 /// Of dampers fitted to the same recordings.

@@ -31,7 +31,7 @@ Cell EndCell(const Json& result) {
   std::string end = TextAt(result, "termination");
   std::replace(end.begin(), end.end(), '_', ' ');
   const bool explains = ListAt(result.value("verdict", Json()), "reasons").empty();
-  if (!explains) end += ", does not explain its data";
+  if (!explains) end += ", does not explain the data";
   return {html::Escaped(end), end == "converged" ? "" : "remark calls"};
 }
 
@@ -114,14 +114,14 @@ std::string RunTableHtml(const std::vector<ComparedRun>& runs) {
   if (has_criteria) head.insert(head.end(), {"AICc", "BIC"});
   head.insert(head.end(), {"evaluations", "agree"});
   return html::Table(head, rows) +
-         "<p class=\"note\">Data: runs of one letter were fitted to the same recordings, weighed alike, by the same "
-         "loss; cost" +
+         "<p class=\"note\">Data: runs of one letter were fitted to the same recordings with the same weights and "
+         "loss; "
+         "cost" +
          (has_criteria ? ", AICc and BIC compare" : " compares") +
-         " within a letter only. Misfit: times what noise and the stated model error explain. Fitted and predicted: "
-         "NMSE, means over its own groups of channels, of what each run was fitted to, and of recordings that it has "
-         "not seen. "
-         "Agree: refinements that end in the same optimum." +
-         (has_criteria ? "" : " AICc and BIC are told of dampers on a bench.") + "</p>\n";
+         " within a letter only. Misfit: residuals over noise and stated model error, about 1 is expected. Fitted and "
+         "predicted: NMSE, mean over the run's own groups of channels, of fitted and of validation recordings. "
+         "Agree: refinements that reach the same optimum." +
+         (has_criteria ? "" : " AICc and BIC are shown of dampers on a bench.") + "</p>\n";
 }
 
 std::string ErrorTableHtml(const std::vector<ComparedRun>& runs, std::map<ChannelGroup, double> ComparedRun::*errors) {
@@ -159,11 +159,11 @@ std::string ParametersSideBySideHtml(const std::vector<ComparedRun>& runs) {
     for (const ComparedRun& run : runs) row.push_back(ValueCell(Find(run, parameter->name), parameter->unit));
     rows.push_back(std::move(row));
   }
-  return rows.empty()
-             ? ""
-             : html::Table(Head({"parameter", "unit"}, runs), rows) +
-                   "<p class=\"note\">Fitted value, below it the interval of 95 %; blank where a run did not fit "
-                   "it.</p>\n";
+  return rows.empty() ? ""
+                      : html::Table(Head({"parameter", "unit"}, runs), rows) +
+                            "<p class=\"note\">Fitted value, below it the 95 % confidence interval; blank where a run "
+                            "did not fit "
+                            "it.</p>\n";
 }
 
 }  // namespace fourpost

@@ -7,7 +7,7 @@
 
 namespace fourpost {
 
-// Tables of a comparison of runs as HTML; empty where there is nothing to tell.
+// Tables of a comparison of runs as HTML; empty where there is nothing to show.
 
 /// A row per run: what was fitted, how much it took and how well it went.
 std::string RunTableHtml(const std::vector<ComparedRun>& runs);

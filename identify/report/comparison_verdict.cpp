@@ -52,7 +52,7 @@ std::string Best(const std::vector<ComparedRun>& runs, const std::vector<Channel
          html::Escaped(order[1].second->name) + " with " + ShownNumber(order[1].first, 3) + " %. ";
 }
 
-/// By the rules of `fourpost rank`, of what all runs foretold.
+/// By the rules of `fourpost rank`, of what all runs predicted.
 ModelRanking RankByPrediction(const std::vector<ComparedRun>& runs, const std::vector<ChannelGroup>& groups) {
   std::vector<FittedModel> models;
   for (const ComparedRun& run : runs)
@@ -66,8 +66,8 @@ ModelRanking RankByPrediction(const std::vector<ComparedRun>& runs, const std::v
 }
 
 std::string Text(const ModelRanking& ranking) {
-  std::string text = "To take: " + html::Escaped(ranking.reason) + ". ";
-  for (const std::string& remark : ranking.remarks) text += html::Escaped(remark) + ' ';
+  std::string text = "Recommended: " + html::Escaped(ranking.reason) + ". ";
+  for (const Diagnostic& warning : ranking.warnings.items()) text += html::Escaped(warning.message) + ". ";
   return text;
 }
 
@@ -93,8 +93,8 @@ std::string Doubts(const std::vector<ComparedRun>& runs) {
   std::string text;
   if (std::any_of(runs.begin(), runs.end(), [](const ComparedRun& run) { return run.data != 0; }))
     text +=
-        "The runs were not all fitted to the same data in the same weights, as far as their folders tell: each error "
-        "is that of what the run saw, and costs compare within a letter only. ";
+        "The runs were not all fitted to the same data with the same weights, as far as their folders show: each error "
+        "is that of the run's own recordings, and costs compare within a letter only. ";
   return text;
 }
 
@@ -105,10 +105,9 @@ std::string VerdictHtml(const std::vector<ComparedRun>& runs, const std::optiona
   const std::vector<ChannelGroup> predicted = CommonGroups(runs, &ComparedRun::predicted);
   const std::optional<std::string> fits = WhichFitsBest(runs);
   std::string text =
-      fits.value_or("No recording was fitted by all runs over one band: nothing tells which fits best. ");
-  if (predicted.empty())
-    text += "No recording was kept from all fits and foretold by all: nothing tells which foretells best. ";
-  else text += Best(runs, predicted, &ComparedRun::predicted, "foretell", kChannels);
+      fits.value_or("No recording was fitted by all runs over one band, so the runs cannot be ranked by fit. ");
+  if (predicted.empty()) text += "No common validation recording, so the runs cannot be ranked by prediction. ";
+  else text += Best(runs, predicted, &ComparedRun::predicted, "predict", kChannels);
   if (ranking) text += Text(*ranking);
   else if (!predicted.empty()) text += Text(RankByPrediction(runs, predicted));
   const bool tells = ranking || fits || !predicted.empty();

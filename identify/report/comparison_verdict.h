@@ -9,7 +9,7 @@
 
 namespace fourpost {
 
-/// Which run fits best, which foretells best and which to take, in plain words, as HTML; and what makes that doubtful.
+/// Which run fits best, which predicts best and which is recommended, as HTML; and what makes that doubtful.
 /// `ranking`: that of `fourpost rank`, where it can rank these runs.
 std::string VerdictHtml(const std::vector<ComparedRun>& runs, const std::optional<ModelRanking>& ranking);
 

@@ -30,7 +30,7 @@ void Erase(Json& object, std::initializer_list<const char*> keys) {
   for (const char* key : keys) object.erase(key);
 }
 
-/// Without what the fit does not see. Files are told by their bytes, wherever they lie.
+/// Without what the fit does not see. Files are compared by their bytes, wherever they lie.
 Json FittedOf(const Json& recordings) {
   Json fitted = Json::array();
   for (Json recording : recordings) {
@@ -86,7 +86,10 @@ Json FittedData(const Json& result, const RunContents& run) {
   Json channels = Json::array();
   for (const Json& channel : ListAt(result, "channels"))
     channels.push_back({TextAt(channel, "recording"), TextAt(channel, "name")});
+  std::sort(channels.begin(), channels.end());
   const Json refine = result.value("refine", Json::object());
+  // Fits of time histories alone once stated a band from 0 to 0 Hz.
+  const Json band = ListAt(result, "recordings").empty() ? Json() : result.value("band_Hz", Json());
   const auto study = run.files.find("study.yaml");
   return {FittedRecordings(result),
           channels,
@@ -94,7 +97,7 @@ Json FittedData(const Json& result, const RunContents& run) {
           StaticLoads(result),
           study == run.files.end() ? Json() : SettingsOf(study->second),
           result.value("residuals", Json()),
-          result.value("band_Hz", Json()),
+          band,
           TextAt(refine, "loss"),
           refine.value("scale", Json()),
           TextAt(result, "history_cost")};

@@ -11,7 +11,7 @@ namespace fourpost {
 
 /// What the costs of two runs must share to be compared: the recordings by their bytes, what is taken from them, the
 /// deviations that weigh them, and the loss. From result.json of a fit and the study beside it. Settings are as
-/// written: studies that write one setting in two ways differ. What an older run does not tell is null.
+/// written: studies that write one setting in two ways differ. What an older run does not hold is null.
 nlohmann::json FittedData(const nlohmann::json& result, const RunContents& run);
 
 /// Of the bytes of the recordings that were fitted, sorted.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identify/report/findings.h"
 #include "identify/report/picture_number.h"
 
 namespace fourpost {
@@ -52,10 +53,7 @@ std::vector<TimeTable> ReadHistories(const std::string& text, const std::string&
   const std::optional<CsvTable> table = ParseCsv(text, file, faults, header);
   if (!table) throw FaultyInput(faults);
   const std::optional<std::size_t> names = table->FindColumn("recording");
-  if (!names) {
-    faults.Error(file, 1, "has no column 'recording'; fit again");
-    throw FaultyInput(faults);
-  }
+  if (!names) Refuse(kFitColumnMissing, {file, 1}, {"recording"});
   std::vector<TimeTable> histories;
   // Rows of a recording stand together.
   for (std::size_t first = 0; first < table->rows();) {

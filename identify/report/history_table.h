@@ -12,7 +12,7 @@ namespace fourpost {
 
 struct TimeColumn {
   std::string name;
-  /// Empty where the file tells none.
+  /// Empty where the file has none.
   std::string unit;
   /// NaN where there is nothing.
   std::vector<double> values;

@@ -34,15 +34,15 @@ std::string Verdict(const Comparison& comparison, const std::string& rule) {
   std::stable_sort(order.begin(), order.end(),
                    [](const auto* a, const auto* b) { return a->expected_evaluations < b->expected_evaluations; });
   if (order.empty()) return "No run of any method solved it. " + html::Escaped(rule);
-  const auto told = [](const MethodSummary& method) {
+  const auto described = [](const MethodSummary& method) {
     return html::Escaped(method.name) + " solved it in " + Solved(method) + " runs, at " +
-           ShownNumber(method.expected_evaluations, 3) + " evaluations a success";
+           ShownNumber(method.expected_evaluations, 3) + " evaluations per success";
   };
-  std::string text = "<strong>" + told(*order[0]) + "</strong>";
+  std::string text = "<strong>" + described(*order[0]) + "</strong>";
   if (order.size() > 1) {
-    text += "; next " + told(*order[1]);
+    text += "; next " + described(*order[1]);
     if (order[1]->expected_interval.lower <= order[0]->expected_interval.upper)
-      text += ", which these runs do not tell apart: their intervals overlap";
+      text += "; these runs do not separate the two, their intervals overlap";
   }
   return text + ". " + html::Escaped(rule);
 }
@@ -59,8 +59,8 @@ std::string Range(const Interval& interval, int digits) {
 }
 
 std::string MethodTable(const Comparison& comparison, bool time) {
-  std::vector<std::string> head = {"method",    "solved", "share, 95 %", "evaluations",
-                                   "a success", "95 %",   "median cost", "worst cost"};
+  std::vector<std::string> head = {"method",      "solved", "share, 95 %", "evaluations",
+                                   "per success", "95 %",   "median cost", "worst cost"};
   if (time) head.emplace_back("processor, s");
   head.emplace_back("ended by");
   std::vector<std::vector<html::Cell>> rows;
@@ -78,8 +78,9 @@ std::string MethodTable(const Comparison& comparison, bool time) {
     rows.back().push_back({html::Escaped(Ends(method)), "wrap"});
   }
   return html::Table(head, rows) +
-         "<p class=\"note\">Evaluations: the mean of all runs. A success: evaluations of all runs over those that "
-         "solved it, with its interval by bootstrap; that of the share is Wilson's.</p>\n";
+         "<p class=\"note\">Evaluations: mean of all runs. Per success: evaluations of all runs over the number of "
+         "runs "
+         "that solved it, with a bootstrap interval; the interval of the share is Wilson's.</p>\n";
 }
 
 std::string SettingsTable(const Comparison& comparison) {
@@ -103,13 +104,13 @@ std::string MethodsPage(const Comparison& comparison, const std::string& study, 
   const bool is_solved = IsAnySolved(comparison);
   std::string runs = MethodTable(comparison, time);
   if (is_solved)
-    runs = html::Picture(MethodsSvg(study + ": what a success costs", comparison),
+    runs = html::Picture(MethodsSvg(study + ": evaluations per success", comparison),
                          "Share of each method's runs that had solved the problem, over evaluations") +
            runs;
   const std::string verdict =
       html::Element("p", is_solved ? "verdict good" : "verdict poor", Verdict(comparison, rule)) + '\n';
   const std::string stopped =
-      comparison.interrupted ? "<p class=\"note\">Interrupted: runs that had not ended are left out.</p>\n" : "";
+      comparison.interrupted ? "<p class=\"note\">Interrupted: unfinished runs are left out.</p>\n" : "";
   const std::string body = Header(comparison, study) + "<nav id=\"contents\"></nav>\n<main>\n" +
                            html::Section("summary", "Summary", verdict + stopped + runs) +
                            html::Section("settings", "Settings", SettingsTable(comparison)) + "</main>\n" +

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "identify/report/findings.h"
 #include "identify/report/run_result.h"
 
 namespace fourpost {
@@ -53,16 +54,12 @@ std::vector<FittedModel> FittedModels(const std::vector<ComparedRun>& runs, Diag
   for (const ComparedRun& run : runs) {
     std::optional<FittedModel> model = ModelOf(run);
     if (!model) {
-      diagnostics.Error(run.FileNamed("result.json"), 0,
-                        "is not the result of a fit to bench recordings; give folders that `fourpost fit` wrote for a "
-                        "study with 'bench', or compare these by `fourpost report RUN RUN -o FILE`");
+      diagnostics.Report(kRunNotOfBench, {run.FileNamed("result.json")});
       continue;
     }
     if (first == nullptr) first = &run;
     if (run.data != first->data || ValidationOf(run) != ValidationOf(*first))
-      diagnostics.Error(run.FileNamed("result.json"), 0,
-                        "was fitted or validated with other recordings, or another treatment of them, than " +
-                            first->folder + ": errors and criteria compare models of the same data only");
+      diagnostics.Report(kRunOfOtherData, {run.FileNamed("result.json")}, {first->folder});
     models.push_back(std::move(*model));
   }
   return models;

@@ -66,7 +66,7 @@ OrderedJson ChannelsJson(const std::vector<ComparedChannel>& channels) {
   return list;
 }
 
-/// The recordings whose posts' motion is told, with the frequencies of their channels.
+/// The recordings whose posts' motion is known, with the frequencies of their channels.
 std::vector<RecordedMotion> MotionsOf(const Json& result, const std::vector<ComparedChannel>& channels,
                                       const Vehicle& vehicle) {
   std::vector<RecordedMotion> motions;
@@ -141,8 +141,8 @@ std::string WithMinusSigns(std::string text) {
 
 std::string OfOneParameter(bool is_determined) {
   return std::string("<p>") +
-         (is_determined ? "One parameter was fitted: no other can stand in for it."
-                        : "The data do not change with the one parameter that was fitted.") +
+         (is_determined ? "One parameter was fitted, so it is correlated with no other."
+                        : "The data do not depend on the one parameter that was fitted.") +
          "</p>\n";
 }
 
@@ -155,11 +155,9 @@ std::string Directions(const Json& result) {
   if (ListAt(result, "parameters").size() == 1) return OfOneParameter(NumberAt(identifiability, "rank") > 0);
   const bool open = NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters");
   const double condition = NumberAt(identifiability, "condition");
-  return "<p>" +
-         std::string(open ? "The data do not change when these change together:"
-                          : "The data tell least about these changes") +
+  return "<p>" + std::string(open ? "Directions that are not identifiable:" : "Least identifiable direction") +
          (open                       ? ""
-          : std::isfinite(condition) ? " (condition " + ShownNumber(condition, 2) + "):"
+          : std::isfinite(condition) ? " (condition number " + ShownNumber(condition, 2) + "):"
                                      : ":") +
          "</p><ul class=\"directions\">" + items + "</ul>\n";
 }
@@ -169,7 +167,7 @@ std::string Profiles(const Json& result, const RunContents& run) {
   const auto chart = run.files.find("profile.svg");
   return table.empty() || chart == run.files.end()
              ? table
-             : table + html::Picture(chart->second, "Rise of the cost with each parameter held away from its value");
+             : table + html::Picture(chart->second, "Rise of the cost with each parameter held at other values");
 }
 
 std::string Determination(const Json& result, const std::string& why_no_deviations) {
@@ -211,7 +209,7 @@ std::string Body(const Json& result, const std::vector<ComparedChannel>& channel
   if (!scene.is_null() && is_shown)
     body += html::Section("modes", "Modes and poles",
                           Pair(ModeTableHtml(Json(scene["modes"])) +
-                                   "<p class=\"note\">About static equilibrium, dampers at their mean rates.</p>\n",
+                                   "<p class=\"note\">About static equilibrium, with mean damper rates.</p>\n",
                                Drawn("poles")));
   return body +
          html::Section("search", "Search and refinement",

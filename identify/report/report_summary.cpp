@@ -1,6 +1,7 @@
 #include "identify/report/report_summary.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <complex>
 #include <map>
@@ -22,13 +23,13 @@ using Json = nlohmann::json;
 // Relative standard deviations.
 constexpr double kWellKnown = 0.02;
 constexpr double kWeaklyKnown = 0.1;
-// Times what noise and stated model error explain: more than that a model misses, less than this nothing is left.
+// Residuals over noise and stated model error: above this the model lacks something, below that nothing is left.
 constexpr double kMisses = 1.5;
 constexpr double kExplained = 1.1;
 // Correlations.
 constexpr double kTied = 0.95;
 
-/// How many times what noise and model error explain; of older runs what deviations were multiplied by, which is the
+/// Residuals over noise and stated model error; of older runs what deviations were multiplied by, which is the
 /// same where no loss bounds the pull of outliers.
 double MisfitOf(const Json& result) {
   const double misfit = NumberAt(result, "misfit");
@@ -99,17 +100,23 @@ bool IsAnyFar(const std::vector<JudgedChannel>& channels) {
                      [](const JudgedChannel& channel) { return channel.follows == Follows::kNot; });
 }
 
+/// {"id", "text"}, or the text alone of an older run.
+std::string FindingText(const Json& finding) {
+  if (finding.is_string()) return finding.get<std::string>();
+  return finding.is_object() ? TextAt(finding, "text") : "";
+}
+
 /// Empty for a run that explains its data, or does not say.
 std::string DoesNotExplain(const Json& result) {
   const std::vector<Json> reasons = ListAt(result.value("verdict", Json()), "reasons");
   std::vector<std::string> listed;
   for (const Json& reason : reasons)
-    if (reason.is_string()) listed.push_back(html::Escaped(reason.get<std::string>()));
+    if (const std::string text = FindingText(reason); !text.empty()) listed.push_back(html::Escaped(text));
   if (listed.empty()) return "";
-  return "<strong>This model does not explain these data:</strong> " + Listed(listed) + ". ";
+  return "<strong>The model does not explain the data:</strong> " + Listed(listed) + ". ";
 }
 
-/// A run that was cut short tells what it had done by then.
+/// Of a run that was cut short what it had done by then.
 std::string Agreement(const Json& result, bool is_cut_short) {
   const Json starts = result.value("starts", Json());
   const double refined = NumberAt(starts, "refined");
@@ -119,9 +126,9 @@ std::string Agreement(const Json& result, bool is_cut_short) {
   if (is_cut_short && std::isfinite(paid)) text = "It was stopped after " + ShownDecimals(paid, 0) + " evaluations";
   if (!(refined > 0)) return text.empty() ? "" : text + ", before any refinement had ended. ";
   if (!text.empty()) text += ". ";
-  if (refined == 1) return text + "One refinement ended, so that nothing tells whether others agree. ";
+  if (refined == 1) return text + "Only one refinement ended, so agreement cannot be checked. ";
   return text + ShownDecimals(agreeing, 0) + " of " + ShownDecimals(refined, 0) + " refinements" +
-         (is_cut_short ? " that had ended" : "") + ", each from its own start, end in the same optimum" +
+         (is_cut_short ? " that had ended" : "") + ", each from its own start, reached the same optimum" +
          (agreeing < refined ? "; the others ended higher. " : ". ");
 }
 
@@ -131,7 +138,11 @@ std::string OfAnotherVersion(const Json& result) {
   const std::string own = Versions().front().second;
   if (version.empty() || version == own) return "";
   return "The run was made by fourpost " + html::Escaped(version) + ", this page by " + own +
-         ": what it does not know of is left out.";
+         ", which leaves out what it does not know.";
+}
+
+std::string ResidualsAre(double misfit) {
+  return "Residuals are " + ShownNumber(misfit, 2) + " times larger than noise and the stated model error explain";
 }
 
 Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {
@@ -143,25 +154,28 @@ Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unsee
   std::string text = DoesNotExplain(result);
   if (!text.empty()) name = "poor";
   else if (end == "converged") text = "<strong>The fit converged.</strong> ";
-  else if (end == "interrupted") text = "<strong>The fit was interrupted;</strong> this is the best it had found. ";
-  else if (end == "all_failed") text = "<strong>Every simulation failed;</strong> nothing was fitted. ";
-  else if (end == "not_converged") text = "<strong>The fit did not converge;</strong> a better point may lie near. ";
-  else text = "<strong>How the fit ended is not understood.</strong> ";
+  else if (end == "interrupted") text = "<strong>The fit was interrupted.</strong> This is the best point until then. ";
+  else if (end == "all_failed") text = "<strong>Every simulation failed.</strong> Nothing was fitted. ";
+  else if (end == "not_converged") text = "<strong>The fit did not converge.</strong> A better point may be near. ";
+  else text = "<strong>The end of the fit is of an unknown kind.</strong> ";
   if (end != "converged") name = "poor";
   text += Agreement(result, end == "interrupted");
   if (refined > 1 && agreeing < 2 && name == "good") name = "fair";
   const double misfit = MisfitOf(result);
   if (std::isfinite(misfit)) {
-    text += misfit > kMisses ? "The model misses the data by " + ShownNumber(misfit, 2) +
-                                   " times what noise and the stated model error explain."
-            : misfit > kExplained
-                ? "What is left is " + ShownNumber(misfit, 2) + " times what noise and the stated model error explain."
-                : "Noise and the stated model error explain what is left of the misfit.";
+    text += misfit > kExplained ? ResidualsAre(misfit) + "; about 1 is expected."
+                                : "Noise and the stated model error explain the residuals.";
     if (misfit > kMisses && name == "good") name = "fair";
   }
   if (IsAnyFar(unseen) && name == "good") name = "fair";
   if (!text.ends_with(' ')) text += ' ';
   return {name, text + OfAnotherVersion(result)};
+}
+
+/// As part of a sentence.
+std::string Lowered(std::string text) {
+  text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 std::string Item(const std::string& title, const std::string& html) {
@@ -180,8 +194,8 @@ std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::o
   const std::vector<std::string> roughly = Named(channels, Follows::kRoughly, true);
   const std::vector<std::string> far = Named(channels, Follows::kNot, true);
   std::string text;
-  if (!far.empty()) text += "Not followed: " + Listed(far) + ". ";
-  if (!roughly.empty()) text += "Roughly followed: " + Listed(roughly) + ". ";
+  if (!far.empty()) text += "Poor: " + Listed(far) + ". ";
+  if (!roughly.empty()) text += "Fair: " + Listed(roughly) + ". ";
   if (!text.empty() && worst)
     text += "The largest relative error is at " + Code(worst->channel) + " between " + ShownShort(worst->lower_Hz, 3) +
             " and " + ShownShort(2 * worst->lower_Hz, 3) + " Hz.";
@@ -192,21 +206,20 @@ std::string Sentences(const std::string& first, const std::string& second) {
   return first.empty() || second.empty() ? first + second : first + ' ' + second;
 }
 
-/// Of recordings that the fit has not seen.
+/// Of recordings that were not fitted.
 std::string WhatItMisses(const std::vector<JudgedChannel>& unseen) {
   const std::vector<std::string> far = Named(unseen, Follows::kNot, true);
-  return far.empty() ? "" : "Not foretold, of what the fit has not seen: " + Listed(far) + ". ";
+  return far.empty() ? "" : "Poor on recordings that were not fitted: " + Listed(far) + ". ";
 }
 
-/// Where all that was fitted is followed.
+/// Where all fitted channels are within tolerance.
 std::string WhatIsLeft(const Json& result) {
   const double misfit = MisfitOf(result);
-  if (!(misfit > kMisses)) return "Every channel that was fitted is followed.";
-  return "Every channel that was fitted is followed, but what is left is " + ShownNumber(misfit, 2) +
-         " times what noise and the stated model error explain.";
+  if (!(misfit > kMisses)) return "All fitted channels are within tolerance.";
+  return "All fitted channels are within tolerance, but " + Lowered(ResidualsAre(misfit)) + '.';
 }
 
-/// What channels of recordings that the fit has not seen are counted as: a damper has one in each, a vehicle many.
+/// What channels of recordings that were not fitted are counted as: a damper has one in each, a vehicle many.
 std::string Unseen(const std::vector<Json>& validation) {
   std::set<std::string> names;
   std::set<std::string> recordings;
@@ -219,20 +232,20 @@ std::string Unseen(const std::vector<Json>& validation) {
                                 : "channels of " + std::to_string(recordings.size()) + " recordings";
 }
 
-/// Of recordings that the fit has not seen.
+/// Of recordings that were not fitted.
 std::string WhatItPredicts(const std::vector<Json>& validation, const std::vector<JudgedChannel>& channels) {
   if (channels.empty()) return "";
   const std::vector<std::string> well = Named(channels, Follows::kWell, false);
   return std::to_string(well.size()) + " of " + std::to_string(channels.size()) + ' ' + Unseen(validation) +
-         " that the fit has not seen are within " + ShownLimits(channels) + "; furthest off is " +
-         Code(channels.back().name) + " (" + html::Escaped(channels.back().numbers) + ").";
+         " that were not fitted are within " + ShownLimits(channels) + "; the worst is " + Code(channels.back().name) +
+         " (" + html::Escaped(channels.back().numbers) + ").";
 }
 
 /// Of what was kept for validation.
 std::string WhatWasLeftOut(const Json& result) {
   std::string text;
   for (const Json& recording : ListAt(result, "validation_left_out"))
-    text += "Left out of the validation: " + Code(TextAt(recording, "recording")) + " (" +
+    text += "Left out of validation: " + Code(TextAt(recording, "recording")) + " (" +
             html::Escaped(TextAt(recording, "reason")) + "). ";
   return text;
 }
@@ -257,7 +270,7 @@ std::string WhatIsDetermined(const std::vector<ReportedParameter>& parameters) {
                      " parameters are determined, " + std::to_string(well) + " of them" + limit;
   if (parameters.size() == 1 && known == 1)
     text = "The one parameter is determined" + (well == 1 ? "," + limit : std::string("."));
-  if (!weak.empty()) text += " Weakly: " + Listed(weak) + ".";
+  if (!weak.empty()) text += " Weakly determined: " + Listed(weak) + ".";
   return text;
 }
 
@@ -276,19 +289,16 @@ std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& 
   for (const ReportedParameter& parameter : parameters)
     if (std::isinf(parameter.sd)) open.push_back(Code(parameter.name));
   std::string text;
-  if (!open.empty()) text += Listed(open) + ": the data do not tell. ";
-  if (!bound.empty())
-    text += Listed(bound) +
-            (bound.size() == 1 ? " is at the bound, which holds it" : " are at bounds, which hold them") +
-            " there, not the data. ";
+  if (!open.empty()) text += "Not determined by the data: " + Listed(open) + ". ";
+  if (!bound.empty()) text += "Held by a bound, not by the data: " + Listed(bound) + ". ";
   if (const std::vector<std::string> noisy = NamesIn(ParameterState::kNoise, parameters); !noisy.empty())
-    text += "Derivative is noise: " + Listed(AsCode(noisy)) + "; " + html::Escaped(kNoiseRemedy) + ". ";
+    text += "The derivative is noise: " + Listed(AsCode(noisy)) + "; " + html::Escaped(kNoiseRemedy) + ". ";
   const Json identifiability = result.value("identifiability", Json());
   if (NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters"))
     for (const Json& direction : ListAt(identifiability, "weakest"))
       if (direction.is_string())
-        text += "Changing together, without the data noticing: " + html::Escaped(direction.get<std::string>()) + ". ";
-  return text.empty() ? "Nothing: every parameter has a finite deviation and is off its bounds." : text;
+        text += "Not identifiable direction: " + html::Escaped(direction.get<std::string>()) + ". ";
+  return text.empty() ? "Nothing: every parameter has a finite standard deviation and is off its bounds." : text;
 }
 
 bool HasForce(const std::vector<ComparedChannel>& channels, const Json& result) {
@@ -303,7 +313,7 @@ bool HasMean(const std::vector<ComparedChannel>& channels) {
   });
 }
 
-/// Parameters of which the data know combinations better than each; empty where there are none.
+/// Parameters that are strongly correlated; empty where there are none.
 std::string Ties(const std::vector<ReportedParameter>& parameters) {
   std::vector<std::string> tied;
   double closest = 0;
@@ -313,10 +323,10 @@ std::string Ties(const std::vector<ReportedParameter>& parameters) {
     if (std::abs(parameter.correlation) > std::abs(closest)) closest = parameter.correlation;
   }
   if (tied.empty()) return "";
-  return Listed(tied) + (tied.size() == 1 ? " is" : " are") + " tied to others (correlation " +
+  return Listed(tied) + (tied.size() == 1 ? " is" : " are") + " strongly correlated with others (" +
          (tied.size() > 2 ? "up to " : "") + ShownDecimals(closest, 2) +
-         "): the data know combinations of them better than each. Weigh a part, or add a channel that feels one alone, "
-         "such as a force or a load at rest.";
+         "), so the data determine their combinations better than each. Weigh a part, or add a channel that depends on "
+         "one alone, such as a force or a static load.";
 }
 
 std::vector<std::string> WhatNext(const Json& result, const std::vector<ReportedParameter>& parameters,
@@ -324,58 +334,62 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
                                   const std::vector<JudgedChannel>& unseen) {
   // What has not ended says little of the model.
   if (TextAt(result, "termination") == "interrupted")
-    return {"Run the same command again: it goes on from its archive."};
+    return {"Run the same command again; it continues from its archive."};
   if (TextAt(result, "termination") == "not_converged")
-    return {
-        "Run the same command again with a larger budget of evaluations or iterations: it goes on from its archive."};
+    return {"Run the same command again with more evaluations or iterations; it continues from its archive."};
   std::vector<std::string> advice;
   const Json identifiability = result.value("identifiability", Json());
   const bool open = NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters");
   if (open && !channels.empty() && !HasForce(channels, result))
     advice.push_back(
-        "Measure a force, static corner loads or the wheel pans: accelerations alone leave the common "
-        "scale of masses, rates and damping open.");
+        "Measure a force, static corner loads or the wheel pans: accelerations alone do not determine the common scale "
+        "of masses, rates and damping.");
   else if (open)
     advice.push_back(
-        "Fix one parameter of each open combination or give it a prior, or measure a channel that it moves.");
+        "Fix one parameter of each direction that is not identifiable, give it a prior, or measure a channel that it "
+        "affects.");
   if (const std::vector<std::string> bound = AtBounds(parameters); !bound.empty())
-    advice.push_back("Look at the bounds of " + Listed(bound) +
-                     ": widen them if they are a guess; if they are sure, the model lacks something that " +
-                     (bound.size() == 1 ? "this parameter stands" : "these parameters stand") + " in for.");
+    advice.push_back("Check the bounds of " + Listed(bound) +
+                     ". If they are guesses, widen them. If they are certain, the model lacks a mechanism that " +
+                     (bound.size() == 1 ? "this parameter compensates." : "these parameters compensate."));
   if (const std::string ties = Ties(parameters); !ties.empty()) advice.push_back(ties);
   if (!channels.empty() && !HasMean(channels))
-    advice.push_back("Record the mean offset of the struts beside gain and phase: it tells bump from rebound damping.");
+    advice.push_back(
+        "Record the mean offset of the struts as well as gain and phase: it separates bump from rebound damping.");
   if (MisfitOf(result) > kMisses && worst)
-    advice.push_back("The model is short of something near " + ShownShort(std::sqrt(2.0) * worst->lower_Hz, 2) +
-                     " Hz at " + Code(worst->channel) +
+    advice.push_back("The model lacks a mechanism near " + ShownShort(std::sqrt(2.0) * worst->lower_Hz, 2) + " Hz at " +
+                     Code(worst->channel) +
                      (worst->lower_Hz < 2
-                          ? "; there strokes are small and slow, as where dry friction of the suspension "
-                            "counts. Repeat the low frequencies at another amplitude: friction shows in "
-                            "how gain depends on it."
-                          : ". Repeat the recording at another amplitude to tell a nonlinear law from "
-                            "a missing degree of freedom."));
+                          ? ". Small slow strokes are typical of dry friction. Add friction, or test these "
+                            "frequencies at two amplitudes: friction makes the gain depend on amplitude."
+                          : ". Repeat the recording at another amplitude: a nonlinear law changes with it, a missing "
+                            "degree of freedom does not."));
   else if (MisfitOf(result) > kMisses)
     advice.push_back(
-        "The model is short of something: fit a richer one to the same recordings and compare the runs; the curves "
-        "show where it misses.");
+        "The model lacks a mechanism. Fit a richer one to the same recordings and compare the runs; the curves show "
+        "where residuals are large.");
   if (IsAnyFar(unseen))
     advice.push_back(
-        "What was kept for validation is not foretold: give a richer model, or fit recordings that reach the same "
-        "frequencies and strokes as those.");
+        "The model does not predict the validation recordings. Use a richer model, or fit recordings that reach the "
+        "same frequencies and strokes.");
   if (!advice.empty()) return advice;
-  if (MisfitOf(result) <= kExplained) return {"Nothing is missing for this model; a richer one would ask for more."};
+  if (MisfitOf(result) <= kExplained) return {"Nothing is missing for this model; a richer one would need more data."};
   if (MisfitOf(result) <= kMisses)
-    return {"Little is missing: a richer model, fitted to the same recordings, would tell what explains the rest."};
+    return {"Little is missing. Fit a richer model to the same recordings to find what explains the rest."};
   if (TextAt(result, "history_cost") == "compromise")
-    return {"The compromise cost tells no misfit: fit by the cost 'whitened' to know whether something is missing."};
-  return {"The run tells no misfit: fit again to have it judged."};
+    return {
+        "The compromise cost does not weigh residuals by noise. Fit with the cost 'whitened' to see whether something "
+        "is "
+        "missing."};
+  return {"The run holds no misfit. Fit again to have it assessed."};
 }
 
-/// Of the inputs, and of what the fit leaves; older runs tell none.
+/// Of the inputs and the residuals; none of older runs.
 std::string WhatWasOdd(const Json& result) {
   std::string items;
   for (const Json& warning : ListAt(result, "warnings"))
-    if (warning.is_string()) items += html::Element("li", "", html::Escaped(warning.get<std::string>()));
+    if (const std::string text = FindingText(warning); !text.empty())
+      items += html::Element("li", "", html::Escaped(text));
   return items.empty() ? "" : html::Element("ul", "", items);
 }
 
@@ -385,21 +399,21 @@ std::string Largest(const Json& error, const std::string& kind, const std::strin
          ShownShort(NumberAt(largest, "frequency_Hz"), 3) + " Hz)";
 }
 
-/// By how much linear kinematics are off in a recording; empty where the run does not tell.
+/// The error of linear kinematics in a recording; empty where the run does not hold it.
 std::string OffBy(const Json& recording) {
   const Json error = recording.value("linear_kinematics_error", Json());
   if (!error.is_object()) return "";
   if (const std::string why = TextAt(error, "not_estimated"); !why.empty())
-    return "what linear kinematics leave out could not be estimated: " + html::Escaped(why);
+    return "the error of linear kinematics could not be estimated: " + html::Escaped(why);
   if (error.contains("gain_dB"))
-    return "linear kinematics are off by at most " + Largest(error, "gain_dB", "dB") + " and " +
+    return "error of linear kinematics at most " + Largest(error, "gain_dB", "dB") + " and " +
            Largest(error, "phase_deg", "degrees");
   const std::string channel = TextAt(error, "channel");
-  return "linear kinematics are off by " + ShownShort(100 * NumberAt(error, "value"), 2) + " % rms" +
+  return "error of linear kinematics " + ShownShort(100 * NumberAt(error, "value"), 2) + " % rms" +
          (channel.empty() ? "" : " (" + Code(channel) + ")");
 }
 
-/// The engine that modelled each recording, and its error; older runs tell none.
+/// The engine that modelled each recording, and its error; none of older runs.
 std::string HowModelled(const Json& result) {
   std::string items;
   for (const char* kind : {"responses", "histories"})
@@ -410,7 +424,7 @@ std::string HowModelled(const Json& result) {
           "li", "",
           Code(TextAt(recording, "recording")) + ": engine " + html::Escaped(TextAt(recording, "engine")) +
               (off.empty() ? "" : "; " + off) +
-              (std::isfinite(change) ? "; the correction would change by another " + ShownShort(100 * change, 2) + " %"
+              (std::isfinite(change) ? "; one more correction would change it by " + ShownShort(100 * change, 2) + " %"
                                      : ""));
     }
   return items.empty() ? "" : html::Element("ul", "", items);
@@ -433,9 +447,10 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
   for (const std::string& advice : WhatNext(result, parameters, channels, worst, unseen))
     next += html::Element("li", "", advice);
   return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
-         Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) + Item("What does not", misses) +
+         Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
+         Item("What does not fit", misses) +
          Item("What it predicts", Sentences(WhatItPredicts(validation, unseen), WhatWasLeftOut(result))) +
-         Item("How it was modelled", HowModelled(result)) + Item("What is known", WhatIsDetermined(parameters)) +
+         Item("How it was modelled", HowModelled(result)) + Item("What is determined", WhatIsDetermined(parameters)) +
          Item("What is not determined", WhatIsNot(result, parameters)) +
          Item("What to measure next", html::Element("ul", "", next)) + "</dl>\n";
 }

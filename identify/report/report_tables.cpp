@@ -70,7 +70,7 @@ Cell RemarkCell(const ReportedParameter& parameter) {
                                                                           : "the upper bound");
   std::string cell = html::Escaped(remark);
   if (std::abs(parameter.correlation) > 0.8 && std::isfinite(parameter.sd))
-    cell += (cell.empty() ? "" : "; ") + std::string("tied to ") +
+    cell += (cell.empty() ? "" : "; ") + std::string("correlated with ") +
             html::Element("code", "", html::Escaped(parameter.partner)) + " (" +
             ShownDecimals(parameter.correlation, 2) + ")";
   const bool calls = parameter.at_bound || parameter.state == ParameterState::kNoise || std::isinf(parameter.sd) ||
@@ -102,8 +102,7 @@ std::vector<Cell> ParameterRow(const ReportedParameter& parameter, bool has_sd) 
 
 std::vector<std::string> ParameterHead(bool has_sd) {
   if (!has_sd) return {"parameter", "start", "fitted", "unit", "lower", "between the bounds", "upper", ""};
-  return {"parameter",          "start", "fitted",           "sd", "unit", "sd, %", "lower",
-          "between the bounds", "upper", "what the data say"};
+  return {"parameter", "start", "fitted", "sd", "unit", "sd, %", "lower", "between the bounds", "upper", "assessment"};
 }
 
 void AddRows(const std::string& group, const Json& object, Rows& rows) {
@@ -118,7 +117,7 @@ void AddRows(const std::string& group, const Json& object, Rows& rows) {
   }
 }
 
-/// Of channels over time; gain and delay where they are told.
+/// Of channels over time; gain and delay where there are any.
 std::string HistoryTable(const std::string& title, const std::vector<Json>& channels) {
   if (channels.empty()) return "";
   const bool has_gain = std::any_of(channels.begin(), channels.end(),
@@ -163,9 +162,9 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters,
          html::Element(
              "p", "note",
              has_sd ? "Bar: interval of 95 %, with an arrow where it reaches beyond a bound; dot: fitted value; tick: "
-                      "start. \"sd, %\": of the value, or of the range where the bounds are of either sign. Deviations "
-                      "are those that noise and stated model error leave, times how far most residuals exceed these; "
-                      "what a richer model would say they do not know."
+                      "start. \"sd, %\": of the value, or of the range where the bounds have both signs. Standard "
+                      "deviations follow from noise and the stated model error, scaled up where residuals are larger; "
+                      "they do not include what a richer model would change."
                     : "Bar: the bounds; dot: fitted value; tick: start. " + html::Escaped(why_none)) +
          '\n';
 }
@@ -185,11 +184,12 @@ std::string ProfileTableHtml(const Json& result, const RunContents& run) {
       return value.is_number() ? ShownShort(value.get<double>() / (unit ? unit->si : 1), 4) : std::string("open");
     };
     const bool better = profile.value("found_better", false);
-    rows.push_back({{html::Element("code", "", html::Escaped(TextAt(profile, "name"))), ""},
-                    NumberCell(end(interval[0])),
-                    NumberCell(end(interval[1])),
-                    TextCell(ShownUnit(text)),
-                    {better ? "went below the fit: not its best optimum" : "", better ? "remark calls" : "remark"}});
+    rows.push_back(
+        {{html::Element("code", "", html::Escaped(TextAt(profile, "name"))), ""},
+         NumberCell(end(interval[0])),
+         NumberCell(end(interval[1])),
+         TextCell(ShownUnit(text)),
+         {better ? "found a lower cost than the fit: not the best optimum" : "", better ? "remark calls" : "remark"}});
   }
   return rows.empty() ? "" : html::Table({"95 % by profile", "from", "to", "unit", ""}, rows);
 }
@@ -206,7 +206,7 @@ std::string ChannelTableHtml(const Json& result) {
   std::string text;
   if (!responses.empty()) text += html::Table({"channel", "rms, dB", "rms, deg"}, responses);
   return text + HistoryTable("fitted recording", histories) +
-         HistoryTable("not seen by the fit", ListAt(result, "validation"));
+         HistoryTable("validation recording", ListAt(result, "validation"));
 }
 
 std::string StaticLoadTableHtml(const Json& result) {
@@ -220,7 +220,7 @@ std::string StaticLoadTableHtml(const Json& result) {
                     NumberCell(ShownDecimals(modelled, 0)),
                     NumberCell(ShownDecimals(100 * (modelled / measured - 1), 2))});
   }
-  return rows.empty() ? "" : html::Table({"static load", "measured, N", "sd", "modelled, N", "off by, %"}, rows);
+  return rows.empty() ? "" : html::Table({"static load", "measured, N", "sd", "modelled, N", "error, %"}, rows);
 }
 
 std::string ModeTableHtml(const Json& modes) {
@@ -253,7 +253,7 @@ std::string StartTableHtml(const Json& result) {
                     NumberCell(ShownDecimals(NumberAt(run, "evaluations"), 0)), TextCell(TextAt(run, "end"))});
   }
   if (rows.empty()) return "";
-  return html::Table({"", "start", "cost there", "cost after", "iterations", "evaluations", "end"}, rows);
+  return html::Table({"", "start", "cost at start", "cost at end", "iterations", "evaluations", "end"}, rows);
 }
 
 std::string SettingsHtml(const Json& result) {
@@ -265,7 +265,7 @@ std::string SettingsHtml(const Json& result) {
     else AddRows("", Json{{key, *found}}, rows);
   }
   return rows.empty() ? ""
-                      : "<details><summary>Every setting and version</summary>" +
+                      : "<details><summary>All settings and versions</summary>" +
                             html::Table({"setting", "value"}, rows) + "</details>\n";
 }
 

@@ -9,7 +9,7 @@
 
 namespace fourpost {
 
-// Tables of a report as HTML; empty where there is nothing to tell.
+// Tables of a report as HTML; empty where there is nothing to show.
 
 /// Start, value, deviation, and the interval of 95 % inside the bounds as a bar. `why_none`: where no parameter has a
 /// deviation, the reason, text; the columns of deviations are left out then.

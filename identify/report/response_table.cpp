@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/files/csv.h"
+#include "identify/report/findings.h"
 
 namespace fourpost {
 namespace {
@@ -49,7 +50,7 @@ std::vector<ComparedChannel> ReadResponseTable(const std::string& text, const st
   const std::optional<CsvTable> table = ParseCsv(text, file, faults);
   if (!table) throw FaultyInput(faults);
   for (const char* name : kRequired)
-    if (!table->FindColumn(name)) faults.Error(file, 1, std::string("has no column '") + name + "'; fit again");
+    if (!table->FindColumn(name)) faults.Report(kFitColumnMissing, {file, 1}, {name});
   if (faults.HasErrors()) throw FaultyInput(faults);
   std::vector<ComparedChannel> channels;
   const std::size_t in_band = *table->FindColumn("in_band");

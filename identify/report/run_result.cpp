@@ -6,6 +6,7 @@
 
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/units.h"
+#include "identify/report/findings.h"
 #include "identify/study_file/result_reader.h"
 
 namespace fourpost {
@@ -19,7 +20,7 @@ bool FlagAt(const Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_boolean() && object[key].get<bool>();
 }
 
-/// Runs of older versions do not tell it; theirs have deviations at bounds, too.
+/// Runs of older versions do not hold it; theirs have deviations at bounds, too.
 ParameterState StateOf(const Json& parameter, bool has_covariance) {
   const std::string name = TextAt(parameter, "state");
   const auto found = std::find(kParameterStateNames.begin(), kParameterStateNames.end(), name);
@@ -28,7 +29,7 @@ ParameterState StateOf(const Json& parameter, bool has_covariance) {
   return has_covariance ? ParameterState::kUndetermined : ParameterState::kNotComputed;
 }
 
-/// Runs of older versions tell no interval; theirs is that of a normal distribution.
+/// Runs of older versions hold no interval; theirs is that of a normal distribution.
 void ReadInterval(const Json& parameter, double si, ReportedParameter& reported) {
   constexpr double kReach = 1.96;
   const std::vector<Json> interval = ListAt(parameter, "interval_95");
@@ -49,9 +50,11 @@ void FindPartner(const Json& correlations, std::size_t i, const std::vector<Json
   }
 }
 
-std::string WhyNoResult(const std::string& text) {
-  if (text.size() <= kLargestResult) return "is no JSON that `fourpost fit` wrote; fit again";
-  return "is larger than " + std::to_string(kLargestResult >> 20) + " MiB, which no result of a fit is; fit again";
+constexpr const char* kResultName = "result.json";
+
+[[noreturn]] void RefuseText(const std::string& text) {
+  if (text.size() <= kLargestResult) Refuse(kResultNotJson, {kResultName});
+  Refuse(kResultTooLarge, {kResultName}, {std::to_string(kLargestResult >> 20) + " MiB"});
 }
 
 }  // namespace
@@ -88,23 +91,17 @@ std::vector<Json> ListAt(const Json& object, const std::string& key) {
 }
 
 Json FitResultOf(const RunContents& run) {
-  Diagnostics faults;
-  const auto file = run.files.find("result.json");
-  if (file == run.files.end())
-    faults.Error("result.json", 0, "is not there: a report needs a folder of `fourpost fit`");
-  else {
-    const Json result = ParseResult(file->second);
-    if (result.is_discarded()) faults.Error("result.json", 0, WhyNoResult(file->second));
-    else if (!result.is_object() || !result.contains("termination") || !result.contains("parameters"))
-      faults.Error("result.json", 0, "is not that of a fit; give a folder that `fourpost fit` wrote");
-    else return result;
-  }
-  throw FaultyInput(faults);
+  const auto file = run.files.find(kResultName);
+  if (file == run.files.end()) Refuse(kResultMissing, {kResultName});
+  Json result = ParseResult(file->second);
+  if (result.is_discarded()) RefuseText(file->second);
+  if (!result.is_object() || !result.contains("termination") || !result.contains("parameters"))
+    Refuse(kResultNotOfFit, {kResultName});
+  return result;
 }
 
-std::string NotUnderstood(const Json::exception& fault) {
-  return std::string("is not understood, as of another version of fourpost (") + fault.what() +
-         "); run `fourpost fit` with -o on this folder again, it takes evaluations from the archive where it can";
+void RefuseResult(const std::string& file, const Json::exception& fault) {
+  Refuse(kResultNotUnderstood, {file}, {fault.what()});
 }
 
 std::vector<ReportedParameter> ReportedParameters(const Json& result, const RunContents& run) {
@@ -144,8 +141,9 @@ std::string WhyNoDeviations(const Json& result, const std::vector<ReportedParame
     if (parameter.IsJudged()) return "";
   if (parameters.empty()) return "";
   if (TextAt(result, "history_cost") == "compromise")
-    return "The compromise cost weighs each output by its own error and not by noise: it tells no deviations. "
-           "Fit by the cost 'whitened' for them.";
+    return "The compromise cost weighs each output by its own error and not by noise, so there are no standard "
+           "deviations. "
+           "Fit with the cost 'whitened' for them.";
   return "The run ended before standard deviations could be computed.";
 }
 

@@ -16,7 +16,7 @@ struct ReportedParameter {
   std::string name;
   std::string unit;
   double value = 0;
-  /// NaN where the run does not tell.
+  /// NaN where the run does not hold it.
   double start = 0;
   double lower = 0;
   double upper = 0;
@@ -31,7 +31,7 @@ struct ReportedParameter {
   bool IsJudged() const { return state != ParameterState::kNotComputed || !std::isnan(sd); }
   /// "lower" or "upper", of one at its bound.
   std::string BoundName() const { return value - lower < upper - value ? "lower" : "upper"; }
-  /// The other parameter that it is most correlated with; empty where that is not told.
+  /// The other parameter that it is most correlated with; empty where that is not known.
   std::string partner;
   double correlation = 0;
 
@@ -53,8 +53,8 @@ std::vector<nlohmann::json> ListAt(const nlohmann::json& object, const std::stri
 /// result.json of a run. Throws FaultyInput where it is none of `fourpost fit`, naming what it is instead.
 nlohmann::json FitResultOf(const RunContents& run);
 
-/// What to say of a result.json in which something is of another kind than fits write, and what to do.
-std::string NotUnderstood(const nlohmann::json::exception& fault);
+/// Throws FaultyInput about a result.json in which something is of another kind than fits write.
+[[noreturn]] void RefuseResult(const std::string& file, const nlohmann::json::exception& fault);
 
 std::vector<ReportedParameter> ReportedParameters(const nlohmann::json& result, const RunContents& run);
 

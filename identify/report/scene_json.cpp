@@ -28,7 +28,7 @@ Json PoseJson(const Eigen::Vector3d& place, const Eigen::Matrix3d& rotation) {
   return {{"place", PictureNumbers(place)}, {"turn", PictureNumbers(turn.coeffs())}};
 }
 
-/// Meshes that several visuals share are told once.
+/// Meshes that several visuals share are listed once.
 class MeshList {
  public:
   /// Index of the file; -1 where it cannot be shown.

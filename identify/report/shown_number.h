@@ -14,7 +14,7 @@ std::string ShownShort(double value, int digits);
 /// At so many decimals.
 std::string ShownDecimals(double value, int decimals);
 
-/// Decimals at which a value is told that is known to this deviation: two digits of the deviation; four digits of the
+/// Decimals at which a value is shown that is known to this standard deviation: two digits of that; four digits of the
 /// value where the deviation is not finite.
 int DecimalsFor(double value, double sd);
 

@@ -8,9 +8,9 @@
 #include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/output_folder.h"
 #include "analysis/text/nearest.h"
-#include "analysis/text/warning_texts.h"
 #include "identify/fit/profile_chart.h"
 #include "identify/report/report_page.h"
+#include "identify/run/findings.h"
 #include "identify/run/fit_text.h"
 #include "identify/run/fitted_vehicle.h"
 #include "identify/run/result_json.h"
@@ -43,7 +43,7 @@ std::vector<Eigen::Index> Profiled(const VehicleObjective& objective, const std:
   for (const std::string& name : names) {
     const auto found = std::find(legal.begin(), legal.end(), name);
     if (found == legal.end())
-      diagnostics.Error("--profile", 0, "the study frees no parameter '" + name + "'" + DidYouMeanOrAll(name, legal));
+      diagnostics.Report(kProfileUnknown, Place::Option("--profile"), {name, DidYouMeanOrAll(name, legal)});
     else if (found != legal.begin()) profiled.push_back(found - legal.begin() - 1);
     else
       for (std::size_t i = 1; i < legal.size(); ++i) profiled.push_back(static_cast<Eigen::Index>(i) - 1);
@@ -55,9 +55,7 @@ std::vector<Eigen::Index> Profiled(const VehicleObjective& objective, const std:
 /// Throws FaultyInput with all findings.
 void RequirePlausible(const LoadedStudy& loaded, Diagnostics findings) {
   if (!findings.HasErrors()) return;
-  findings.Error(loaded.study.file.string(), 0,
-                 "a fit to posts that move otherwise than told is worth nothing; --accept-implausible fits all the "
-                 "same");
+  findings.Report(kPostsContradictStudy, {loaded.study.file.string()});
   throw FaultyInput(findings);
 }
 
@@ -66,10 +64,8 @@ void RequirePlausible(const LoadedStudy& loaded, Diagnostics findings) {
   Diagnostics diagnostics;
   const Eigen::MatrixXd& directions = before.covariance.directions;
   for (std::size_t i = 0; i < before.weakest.size(); ++i)
-    diagnostics.Error(loaded.study.file.string(), loaded.study.free_line,
-                      "the data do not change when these change together: " + before.weakest[i] + "; " +
-                          RemedyFor(directions.col(before.covariance.rank + static_cast<Eigen::Index>(i))) +
-                          "; --accept-unidentified fits all the same");
+    diagnostics.Report(UnidentifiedAs(directions.col(before.covariance.rank + static_cast<Eigen::Index>(i))),
+                       {loaded.study.file.string(), loaded.study.free_line}, {before.weakest[i]});
   throw FaultyInput(diagnostics);
 }
 
@@ -149,7 +145,7 @@ class Fitter {
 
   void Keep(const Diagnostics& findings) {
     if (hooks_.find) hooks_.find(findings);
-    for (std::string& text : WarningTexts(findings)) warnings_.push_back(std::move(text));
+    warnings_.Add(findings);
   }
 
   std::filesystem::path Archive() const { return request_.output / kArchive; }
@@ -162,11 +158,7 @@ class Fitter {
     for (const std::string& part : ChangedParts(Archive(), context))
       changed += (changed.empty() ? "" : "; ") + InWords(part);
     if (changed.empty()) return;
-    Diagnostics diagnostics;
-    diagnostics.Error(request_.study.string(), 0,
-                      "cannot resume, for what " + Archive().string() + " holds was evaluated with another state of: " +
-                          changed + "; undo the change, or leave --resume out to fit anew beside it");
-    throw FaultyInput(diagnostics);
+    Refuse(kArchiveOfOtherState, {request_.study.string()}, {Archive().string(), changed});
   }
 
   /// The archive is closed afterwards.
@@ -226,8 +218,9 @@ class Fitter {
     for (const Experiment& experiment : loaded.study.experiments) AddResults(experiment.Results(subject, fit), results);
     Keep(results.findings);
     run.verdict = JudgeFit(fit, results.shares);
-    run.text = FitText(fit, run.verdict, loaded.HasDeviations(), results.text);
-    run.json = ResultJson(loaded, seed, fit, results.json, run.verdict, warnings_);
+    const Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
+    run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text);
+    run.json = ResultJson(loaded, seed, fit, results.json, {run.verdict, conclusions, warnings_});
     std::vector<std::pair<std::string, std::string>>& files = results.files;
     files.emplace_back("parameters.csv", ParametersCsv(loaded.vehicle, fit.parameters));
     // Predictions of other recordings take from it how they are made.
@@ -244,7 +237,7 @@ class Fitter {
 
   const FitRequest& request_;
   const FitRunHooks& hooks_;
-  std::vector<std::string> warnings_;
+  Diagnostics warnings_;
 };
 
 }  // namespace

@@ -7,12 +7,11 @@
 
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
-#include "identify/uncertainty/derivative_noise.h"
 
 namespace fourpost {
 namespace {
 
-/// In the unit of the vehicle file, at the digits that deviations of some per mille make sense of.
+/// In the unit of the vehicle file, at digits that suit standard deviations of some per mille.
 std::string Shown(double value, const std::string& unit) { return InUnit(value, unit, 4); }
 
 std::string Deviation(const FittedParameter& parameter) {
@@ -25,7 +24,7 @@ std::string IntervalText(const FittedParameter& parameter) {
   return Shown(parameter.lower_95, parameter.unit) + " .. " + Shown(parameter.upper_95, parameter.unit);
 }
 
-/// What to look at twice.
+/// What deserves a second look.
 std::string Remark(const FittedParameter& parameter) {
   // A good prior is this far off in one fit of twenty.
   constexpr double kFar = 2;
@@ -47,13 +46,13 @@ std::string ParameterTable(const std::vector<FittedParameter>& parameters) {
 
 std::string ProfileTable(const FitResult& fit) {
   if (fit.profiles.empty()) return "";
-  TextTable table({"profile", "fitted", "95 % by deviation", "95 % by profile", "unit", ""});
+  TextTable table({"profile", "fitted", "95 % by standard deviation", "95 % by profile", "unit", ""});
   for (const Profile& profile : fit.profiles) {
     const FittedParameter& p = *std::find_if(fit.parameters.begin(), fit.parameters.end(),
                                              [&](const FittedParameter& other) { return other.name == profile.name; });
     const auto end = [&](double value) { return std::isfinite(value) ? Shown(value, p.unit) : std::string("open"); };
     const std::string remark = profile.interrupted    ? "interrupted"
-                               : profile.found_better ? "went below the fit: not its best optimum"
+                               : profile.found_better ? "found a lower cost than the fit: not its best optimum"
                                                       : "";
     table.Add({p.name, Shown(p.value, p.unit), IntervalText(p), end(profile.lower_95) + " .. " + end(profile.upper_95),
                p.unit, remark});
@@ -73,62 +72,43 @@ std::string LossWords(const RobustLoss& loss) {
 
 std::string Agreement(const FitResult& fit) {
   const bool is_cut_short = fit.end == FitEnd::kInterrupted;
-  if (is_cut_short && fit.starts == 0) return "stopped before any refinement had ended";
+  if (is_cut_short && fit.starts == 0) return "stopped before any refinement ended";
   return std::to_string(fit.agreeing) + " of " + std::to_string(fit.starts) + " refinements " +
-         (is_cut_short ? "that had ended agree" : "agree");
+         (is_cut_short ? "that ended agree" : "agree");
 }
 
 std::string SearchEndText(const SearchResult& search) {
   return (search.end == SearchEnd::kStopped ? "search " : "search ended by ") + search.reason;
 }
 
-/// "fit converged" is said of one that is worth something.
+/// "fit converged" only for one that explains the data.
 std::string Summary(const FitResult& fit, const FitVerdict& verdict) {
   const EvaluationCounts& counts = fit.evaluations;
   return (verdict.explains() ? "fit " : "search and refinement ") + std::string(FitEndName(fit.end)) + ": cost " +
          Rounded(fit.cost, 5) + LossWords(fit.options.refine.loss) + " for " + std::to_string(fit.residual_count) +
-         " residuals" + PriorShare(fit) + "; " + std::to_string(counts.paid) + " evaluations paid, " +
+         " residuals" + PriorShare(fit) + "; " + std::to_string(counts.paid) + " new evaluations, " +
          std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) + " failed; " + Agreement(fit) +
          '\n' + SearchEndText(fit.search) + '\n';
 }
 
-/// Parameters that have no deviation for it, and what to do.
-std::string NoiseText(const FitResult& fit) {
-  std::string names;
-  for (const FittedParameter& parameter : fit.parameters)
-    if (parameter.state == ParameterState::kNoise) names += (names.empty() ? "" : ", ") + parameter.name;
-  return names.empty() ? "" : "derivative is noise: " + names + "; " + kNoiseRemedy + "\n";
-}
-
-/// How large the misfit is, and what the data say worst, in words.
-std::string Judgement(const FitResult& fit, bool has_deviations) {
-  if (!has_deviations)
-    return "no deviations: the compromise cost weighs outputs by their own errors, not by noise; 'cost: whitened' has "
-           "them\n";
-  if (!fit.covariance) return "ended before deviations could be computed\n";
+/// How large the residuals are, and the direction that the data determine least.
+std::string Judgement(const FitResult& fit) {
+  if (!fit.covariance) return "";
   const Covariance& covariance = *fit.covariance;
-  std::string text =
-      "the misfit is " + Rounded(fit.Misfit(), 2) + " times what noise and the stated model error explain\n";
-  text += NoiseText(fit);
-  const bool is_open = covariance.rank < covariance.directions.cols();
-  if (covariance.directions.cols() == 0) return text;
-  if (covariance.directions.cols() == 1)
-    return text + (is_open ? "the data do not change with the one free parameter\n" : "");
-  text +=
-      is_open
-          ? "undetermined: the data do not change when these change together; fix one, give it a prior, or measure a "
-            "force:\n"
-          : "the data tell least about these changes (condition " + Rounded(covariance.condition, 2) + "):\n";
+  std::string text = "Residuals are " + Rounded(fit.Misfit(), 2) +
+                     " times larger than noise and the stated model error explain; about 1 is expected.\n";
+  if (covariance.rank < covariance.directions.cols() || covariance.directions.cols() < 2) return text;
+  text += "Least identifiable direction (condition number " + Rounded(covariance.condition, 2) + "):\n";
   for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";
   return text;
 }
 
 }  // namespace
 
-std::string FitText(const FitResult& fit, const FitVerdict& verdict, bool has_deviations, const std::string& sections) {
-  const std::string judgement = VerdictText(verdict);
-  return ParameterTable(fit.parameters) + '\n' + ProfileTable(fit) + sections + Summary(fit, verdict) +
-         Judgement(fit, has_deviations) + (judgement.empty() ? "" : judgement + '\n');
+std::string FitText(const FitResult& fit, const FitVerdict& verdict, const Diagnostics& conclusions,
+                    const std::string& sections) {
+  return ParameterTable(fit.parameters) + '\n' + ProfileTable(fit) + sections + Summary(fit, verdict) + Judgement(fit) +
+         (conclusions.items().empty() ? "" : conclusions.Format() + '\n');
 }
 
 }  // namespace fourpost

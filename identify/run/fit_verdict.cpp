@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "analysis/text/short_number.h"
+#include "identify/run/findings.h"
+#include "identify/uncertainty/findings.h"
 
 namespace fourpost {
 namespace {
@@ -17,14 +20,15 @@ constexpr double kLoudOverTime = 0.02;
 
 /// Squares of errors over squares measured, of one channel or of one recording in one unit.
 struct Group {
-  std::string words;
+  /// Of the finding where it is poor, but for the error.
+  std::vector<std::string> words;
   std::string kind;
   double loud = 0;
   double error = 0;
   double measured = 0;
 };
 
-void AddTo(std::vector<Group>& groups, const std::string& words, const ErrorShare& share) {
+void AddTo(std::vector<Group>& groups, const std::vector<std::string>& words, const ErrorShare& share) {
   auto found = std::find_if(groups.begin(), groups.end(),
                             [&](const Group& group) { return group.words == words && group.kind == share.kind; });
   if (found == groups.end())
@@ -35,25 +39,43 @@ void AddTo(std::vector<Group>& groups, const std::string& words, const ErrorShar
   found->measured += share.measured;
 }
 
-/// "channel 's_front' has an NMSE of 240 %, more than a constant would", of the groups that are loud enough.
-void AddPoor(const std::vector<Group>& groups, std::vector<std::string>& reasons) {
+/// Of the groups that are loud enough, those for which a constant would do better.
+void AddPoor(const std::vector<Group>& groups, const Finding& kind, Diagnostics& reasons) {
   std::map<std::string, double> loudest;
   for (const Group& group : groups) loudest[group.kind] = std::max(loudest[group.kind], group.measured);
   for (const Group& group : groups) {
     const bool is_loud = group.measured > 0 && group.measured >= group.loud * group.loud * loudest[group.kind];
-    if (is_loud && group.error > group.measured)
-      reasons.push_back(group.words + " has an NMSE of " + ShortNumber(100 * group.error / group.measured, 3) +
-                        " %, more than if nothing were modelled (100 %)");
+    if (!is_loud || group.error <= group.measured) continue;
+    std::vector<std::string> words = group.words;
+    words.push_back(ShortNumber(100 * group.error / group.measured, 3));
+    reasons.Report(kind, {}, words);
   }
 }
 
-void AddBounds(const FitResult& fit, std::vector<std::string>& reasons) {
+void AddBounds(const FitResult& fit, Diagnostics& reasons) {
   constexpr double kExplained = 1.5;
   const auto at_bound = std::count_if(fit.parameters.begin(), fit.parameters.end(),
                                       [](const FittedParameter& parameter) { return parameter.at_bound; });
   if (2 * at_bound <= std::ssize(fit.parameters) || fit.Misfit() <= kExplained) return;
-  reasons.push_back(std::to_string(at_bound) + " of " + std::to_string(fit.parameters.size()) +
-                    " parameters are at their bounds");
+  reasons.Report(kParametersAtBounds, {}, {std::to_string(at_bound), std::to_string(fit.parameters.size())});
+}
+
+/// Parameters and directions without standard deviation.
+void AddOpen(const FitResult& fit, Diagnostics& conclusions) {
+  std::string noisy;
+  for (const FittedParameter& parameter : fit.parameters)
+    if (parameter.state == ParameterState::kNoise) noisy += (noisy.empty() ? "" : ", ") + parameter.name;
+  if (!noisy.empty()) conclusions.Report(kDerivativeNoise, {}, {noisy});
+  const Covariance& covariance = *fit.covariance;
+  if (covariance.rank >= covariance.directions.cols()) return;
+  if (covariance.directions.cols() == 1) return conclusions.Report(kParameterUndetermined, {});
+  for (const std::string& combination : fit.weakest) conclusions.Report(kDirectionUndetermined, {}, {combination});
+}
+
+std::string Joined(const Diagnostics& reasons) {
+  std::string text;
+  for (const Diagnostic& reason : reasons.items()) text += (text.empty() ? "" : "; ") + reason.message;
+  return text;
 }
 
 }  // namespace
@@ -63,20 +85,24 @@ FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares)
   std::vector<Group> channels;
   std::vector<Group> recordings;
   for (const ErrorShare& share : shares) {
-    AddTo(channels, "channel '" + share.channel + "'", share);
-    AddTo(recordings, "recording '" + share.recording + "' in " + share.unit, share);
+    AddTo(channels, {share.channel}, share);
+    AddTo(recordings, {share.recording, share.unit}, share);
   }
   FitVerdict verdict;
-  AddPoor(channels, verdict.reasons);
-  AddPoor(recordings, verdict.reasons);
+  AddPoor(channels, kChannelUnexplained, verdict.reasons);
+  AddPoor(recordings, kRecordingUnexplained, verdict.reasons);
   AddBounds(fit, verdict.reasons);
   return verdict;
 }
 
-std::string VerdictText(const FitVerdict& verdict) {
-  std::string text;
-  for (const std::string& reason : verdict.reasons) text += (text.empty() ? "" : "; ") + reason;
-  return text.empty() ? "" : "this model does not explain these data: " + text;
+Diagnostics ConclusionsOf(const FitResult& fit, const FitVerdict& verdict, bool has_deviations) {
+  Diagnostics conclusions;
+  if (fit.end == FitEnd::kNotConverged) conclusions.Report(kFitNotConverged, {}, {fit.message});
+  if (!has_deviations) conclusions.Report(kCompromiseWithoutDeviations, {});
+  else if (fit.covariance) AddOpen(fit, conclusions);
+  else conclusions.Report(kEndedWithoutDeviations, {});
+  if (!verdict.explains()) conclusions.Report(kModelUnexplaining, {}, {Joined(verdict.reasons)});
+  return conclusions;
 }
 
 }  // namespace fourpost

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "analysis/text/diagnostics.h"
 #include "identify/fit/fit.h"
 #include "identify/residuals/error_share.h"
 
@@ -10,10 +10,10 @@ namespace fourpost {
 
 /// Whether a fit explains its data, however well its numbers converged.
 struct FitVerdict {
-  /// Why it does not; empty where nothing says so.
-  std::vector<std::string> reasons;
+  /// Why it does not; empty where nothing speaks against it.
+  Diagnostics reasons;
 
-  bool explains() const { return reasons.empty(); }
+  bool explains() const { return reasons.items().empty(); }
 };
 
 /// A model does not explain its data where, of what was fitted,
@@ -24,7 +24,8 @@ struct FitVerdict {
 /// A fit that was interrupted is not judged: no reasons.
 FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares);
 
-/// "this model does not explain these data: ..."; empty for one that does.
-std::string VerdictText(const FitVerdict& verdict);
+/// What the fit and its standard deviations are worth: whether it explains the data and converged, and which parameters
+/// they leave open. `has_deviations`: whether the cost weights by noise.
+Diagnostics ConclusionsOf(const FitResult& fit, const FitVerdict& verdict, bool has_deviations);
 
 }  // namespace fourpost

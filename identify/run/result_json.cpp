@@ -7,6 +7,7 @@
 #include "analysis/files/json_text.h"
 #include "identify/refine/method_settings.h"
 #include "identify/study/fitted_files.h"
+#include "identify/study_file/warnings_json.h"
 #include "vehicles/requests/versions.h"
 
 namespace fourpost {
@@ -76,7 +77,7 @@ Json After(const std::optional<Covariance>& covariance, const std::vector<std::s
 /// null of a fit that was interrupted.
 Json Verdict(const FitResult& fit, const FitVerdict& verdict) {
   if (fit.end == FitEnd::kInterrupted) return nullptr;
-  return {{"explains_data", verdict.explains()}, {"reasons", verdict.reasons}};
+  return {{"explains_data", verdict.explains()}, {"reasons", WarningsJson(verdict.reasons)}};
 }
 
 /// Infinite ends: null.
@@ -163,12 +164,12 @@ Json Refinement(const RefineOptions& options) {
 }  // namespace
 
 std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitResult& fit, const Json& of_experiments,
-                       const FitVerdict& verdict, const std::vector<std::string>& warnings) {
+                       const FitFindings& found) {
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   Json json = {{"termination", FitEndName(fit.end)},
                {"message", fit.message},
-               {"verdict", Verdict(fit, verdict)},
+               {"verdict", Verdict(fit, found.verdict)},
                {"study", study.study.file.filename().string()},
                {"vehicle", study.vehicle.name},
                {"fitted_files", Files(study.fitted_files)},
@@ -185,7 +186,8 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"identifiability_before", Before(fit)},
                {"identifiability", After(fit.covariance, fit.weakest)},
                {"parameters", Parameters(fit.parameters)},
-               {"warnings", warnings},
+               {"warnings", WarningsJson(found.warnings)},
+               {"conclusions", WarningsJson(found.conclusions)},
                {"versions", versions}};
   if (!fit.profiles.empty()) json["profiles"] = Profiles(fit.profiles);
   // These are there whatever was measured.

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/files/output_folder.h"
+#include "identify/run/findings.h"
 #include "identify/study_file/result_reader.h"
 
 namespace fourpost {
@@ -50,10 +51,9 @@ void RequireNoOtherResult(const std::filesystem::path& folder, ResultKind kind) 
   if (!std::filesystem::is_regular_file(folder / "result.json", failure)) return;
   const std::optional<ResultKind> there = KindOf(folder);
   if (there == kind) return;
-  const std::string what =
-      there ? "the results of `fourpost " + std::string(kCommands[static_cast<std::size_t>(*there)]) + "`"
-            : "a result.json that is none of this program's";
-  throw OutputError(folder.string() + " holds " + what + ", which would be lost; name a new or an empty folder");
+  if (!there) throw OutputError(kFolderOfForeignResult, {folder.string()});
+  throw OutputError(kFolderOfOtherResult, {folder.string()},
+                    {std::string(kCommands[static_cast<std::size_t>(*there)])});
 }
 
 }  // namespace fourpost

@@ -13,6 +13,7 @@
 #include "analysis/files/sha256.h"
 #include "analysis/files/text_file.h"
 
+#include "identify/search/findings.h"
 #include "identify/search/sqlite_database.h"
 
 namespace fourpost {
@@ -64,17 +65,14 @@ Failure FailureOf(std::string_view name) {
 
 /// Throws for the file of another program. Not by SQLite, which takes in the log of whatever it opens.
 void RequireOurs(const fs::path& file) {
-  if (!WhyNoFile(file).empty())
-    throw OutputError(file.string() + ": it is a pipe or a device, no archive of evaluations: move it away");
+  if (WhyNoFile(file)) throw OutputError(kArchiveNotFile, {file.string()});
   std::string head(kApplicationAt + kApplication.size(), '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  // A new one, or one that cannot be read at all, of which SQLite tells more.
+  // A new one, or one that cannot be read at all, which SQLite explains.
   if (stream.gcount() == 0) return;
   if (!head.starts_with("SQLite format 3") || !head.ends_with(kApplication))
-    throw OutputError(
-        file.string() +
-        ": it is no archive of evaluations: move it away, or name another one; it has been left as it is");
+    throw OutputError(kArchiveForeign, {file.string()});
 }
 
 int LayoutOf(const Database& database) {
@@ -101,8 +99,7 @@ void MakeTables(const Database& database) {
 void RequireLayout(const Database& database) {
   const int layout = LayoutOf(database);
   if (layout < 1 || layout > kLayout)
-    database.Throw(SQLITE_NOTADB, "its layout is " + std::to_string(layout) +
-                                      ", this version of fourpost knows up to " + std::to_string(kLayout));
+    throw OutputError(kArchiveLayout, {database.file().string()}, {std::to_string(layout), std::to_string(kLayout)});
 }
 
 /// Other programs may be about to do the same.
@@ -210,8 +207,7 @@ EvaluationStore::EvaluationStore(const fs::path& file, const EvaluationContext& 
     : file_(file), parts_(context) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  if (error)
-    throw OutputError(file.parent_path().string() + ": " + error.message() + "; allow it or name another folder");
+  if (error) throw OutputError(kArchiveFolder, {file.parent_path().string()}, {error.message()});
   RequireOurs(file);
   connection_ = std::make_unique<Connection>(file);
   context_ = UseContext(connection_->database, context);

@@ -4,6 +4,7 @@
 
 #include "identify/search/draws.h"
 #include "identify/search/dvhde_operators.h"
+#include "identify/search/findings.h"
 
 namespace fourpost {
 namespace {
@@ -54,10 +55,8 @@ std::vector<std::string> IdleParameters(Archive& archive) {
 
 void CheckEffects(Archive& archive, const std::string& file, Diagnostics& diagnostics) {
   const std::vector<std::string> idle = IdleParameters(archive);
-  if (idle.size() == archive.lattice().size())
-    return diagnostics.Error(file, 0, "the objective is constant: no parameter has an effect on it");
-  for (const std::string& name : idle)
-    diagnostics.Warning(file, 0, "parameter '" + name + "' has no effect on the objective: fix it");
+  if (idle.size() == archive.lattice().size()) return diagnostics.Report(kObjectiveConstant, {file});
+  for (const std::string& name : idle) diagnostics.Report(kObjectiveIgnores, {file}, {name});
 }
 
 }  // namespace fourpost

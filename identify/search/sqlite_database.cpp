@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/files/output_folder.h"
+#include "identify/search/findings.h"
 
 namespace fourpost {
 namespace {
@@ -15,13 +16,13 @@ namespace {
 /// Other programs write for a millisecond each.
 constexpr int kPatience_ms = 60000;
 
-std::string Remedy(int code) {
+const Finding& KindOf(int code) {
   switch (code) {
-    case SQLITE_FULL: return "make room on the disk; what is there has been kept";
+    case SQLITE_FULL: return kArchiveFull;
     case SQLITE_NOTADB:
-    case SQLITE_CORRUPT: return "it is no archive of evaluations, or damaged: move it away";
-    case SQLITE_BUSY: return "another program holds it";
-    default: return "allow writing, make room, or name another folder; what is there has been kept";
+    case SQLITE_CORRUPT: return kArchiveDamaged;
+    case SQLITE_BUSY: return kArchiveBusy;
+    default: return kArchiveNotWritten;
   }
 }
 
@@ -58,7 +59,7 @@ void Database::Check(int code) const {
 }
 
 void Database::Throw(int code, const std::string& reason) const {
-  throw OutputError(file_.string() + ": " + reason + "; " + Remedy(code));
+  throw OutputError(KindOf(code), {file_.string()}, {reason});
 }
 
 Statement::Statement(const Database& database, const char* sql) : database_(database) {

@@ -30,6 +30,7 @@ class Database {
   [[noreturn]] void Throw(int code, const std::string& reason) const;
 
   sqlite3* handle() const { return handle_; }
+  const std::filesystem::path& file() const { return file_; }
 
  private:
   std::filesystem::path file_;

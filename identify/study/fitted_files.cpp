@@ -16,7 +16,7 @@ namespace fourpost {
 namespace {
 
 std::optional<std::string> DigestOf(const std::filesystem::path& file) {
-  if (!WhyNoFile(file).empty()) return std::nullopt;
+  if (WhyNoFile(file)) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
   Sha256 digest;

@@ -6,6 +6,7 @@
 
 #include "analysis/files/near_file.h"
 #include "analysis/text/nearest.h"
+#include "identify/study/findings.h"
 #include "identify/study/scale_lint.h"
 #include "vehicles/reader/vehicle_file.h"
 
@@ -25,19 +26,14 @@ std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehic
     const auto found = std::find(names.begin(), names.end(), name);
     const auto index = static_cast<std::size_t>(found - names.begin());
     if (found == names.end())
-      diagnostics.Error(study.file.string(), study.free_line,
-                        "the vehicle has no parameter '" + name + "'" + DidYouMean(name, names));
+      diagnostics.Report(kFreeUnknown, {study.file.string(), study.free_line}, {name, DidYouMean(name, names)});
     else if (!HasRange(vehicle.parameters[index]))
-      diagnostics.Error(vehicle.file, vehicle.parameters[index].line,
-                        "parameter '" + name + "' is to be fitted: give it lower, upper and precision");
+      diagnostics.Report(kFreeWithoutRange, {vehicle.file, vehicle.parameters[index].line}, {name});
     else if (std::find(free.begin(), free.end(), index) != free.end())
-      diagnostics.Error(study.file.string(), study.free_line, "parameter '" + name + "' is freed twice");
+      diagnostics.Report(kFreeTwice, {study.file.string(), study.free_line}, {name});
     else free.push_back(index);
   }
-  if (free.empty() && study.free.empty())
-    diagnostics.Error(vehicle.file, 0,
-                      "no parameter has a range, so there is nothing to fit: give at least one "
-                      "fp:parameter lower, upper and precision");
+  if (free.empty() && study.free.empty()) diagnostics.Report(kNothingFree, {vehicle.file});
   return free;
 }
 
@@ -82,8 +78,7 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
   std::optional<Study> study = ReadStudy(file, diagnostics);
   if (!study) return std::nullopt;
   if (study->problem) {
-    diagnostics.Error(study->file.string(), study->problem_line,
-                      "this is a test problem for `fourpost compare`; here a study needs a vehicle and recordings");
+    diagnostics.Report(kStudyWithoutVehicle, {study->file.string(), study->problem_line});
     return std::nullopt;
   }
   if (!HasFiles(*study, diagnostics)) return std::nullopt;

@@ -44,8 +44,8 @@ struct LoadedStudy {
 /// was an error. Recordings for validation that have a fault are left out, with a warning.
 std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics);
 
-/// What in recordings can hardly be so, at the values of the vehicle's file, as warnings; posts that certainly move
-/// otherwise than stated as `wrong_posts`. Throws FaultyInput when the vehicle cannot be assembled.
+/// Implausible recordings, at the values of the vehicle's file, as warnings; posts that certainly move otherwise than
+/// stated as `wrong_posts`. Throws FaultyInput when the vehicle cannot be assembled.
 void CheckRecordings(const LoadedStudy& study, Severity wrong_posts, Diagnostics& diagnostics);
 
 }  // namespace fourpost

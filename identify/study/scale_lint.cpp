@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "analysis/text/units.h"
+#include "identify/study/findings.h"
 
 namespace fourpost {
 namespace {
@@ -80,8 +81,9 @@ class ScaleEffect {
   std::optional<Eigen::VectorXd> here_;
 };
 
-/// Names of the held parameters, the one that sets the scale most first, without those that hardly do: what a change of
-/// each takes of the free ones' common factor to make up for it. All of them where the model cannot be evaluated.
+/// Names of the held parameters, the one that sets the scale most first, without those of negligible effect: what a
+/// change of each takes of the free ones' common factor to make up for it. All of them where the model cannot be
+/// evaluated.
 std::vector<std::string> SettingTheScale(const LoadedStudy& study) {
   constexpr double kLeast = 0.01;
   std::vector<std::size_t> scaled;
@@ -118,12 +120,8 @@ void LintScale(const LoadedStudy& study, Diagnostics& diagnostics) {
                                      [&](std::size_t index) { return HasMass(study.vehicle.parameters[index]); });
   if (!is_scaled || HasScale(study)) return;
   const std::string held = Listed(SettingTheScale(study));
-  diagnostics.Warning(study.study.file.string(), study.study.free_line,
-                      "no force or load is fitted, so masses, rates and dampings are told up to a common factor, "
-                      "which rests on what is held (" +
-                          (held.empty() ? "numbers of the vehicle file, if any" : held) + ")" +
-                          ": 1 % there is 1 % in all of them, and in no deviation; fit a tyre force or `static_loads`, "
-                          "or make sure of what is held");
+  diagnostics.Report(kScaleNotMeasured, {study.study.file.string(), study.study.free_line},
+                     {held.empty() ? "numbers of the vehicle file, if any" : held});
 }
 
 }  // namespace fourpost

@@ -15,6 +15,8 @@
 #include "identify/experiments/time_history/time_histories.h"
 #include "identify/problems/test_problem.h"
 #include "identify/refine/search_method_list.h"
+#include "identify/study/findings.h"
+#include "identify/study_file/findings.h"
 #include "identify/study_file/strict_yaml.h"
 #include "identify/study_file/study_yaml.h"
 
@@ -27,7 +29,9 @@ std::unique_ptr<Experiment> ReadFourPost(const StrictMap& study) {
     return !history.IsMap() || !history["use"].IsDefined() || history["use"].as<std::string>("") != "validation";
   };
   const YAML::Node histories = study.Get("histories");
-  const bool has_other = histories.IsDefined() && std::any_of(histories.begin(), histories.end(), is_fitted);
+  // A missing node throws when it is asked for its type.
+  const bool has_other = histories.IsDefined() && histories.IsSequence() &&
+                         std::any_of(histories.begin(), histories.end(), is_fitted);
   return study.Has("recordings") || !has_other ? FourPost::Read(study) : nullptr;
 }
 
@@ -72,8 +76,7 @@ class StudyReader {
     study_.problem_line = LineOf(top.Get("problem"));
     const auto known = [&](std::string_view name) { return name == study_.problem; };
     if (study_.problem && std::none_of(kTestProblems.begin(), kTestProblems.end(), known))
-      Fault(top.Get("problem"),
-            "unknown problem '" + *study_.problem + "'" + Suggestion(*study_.problem, kTestProblems));
+      Fault(top.Get("problem"), kProblemUnknown, {*study_.problem, Suggestion(*study_.problem, kTestProblems)});
     ReadSearches(top);
     return study_;
   }
@@ -100,7 +103,7 @@ class StudyReader {
   }
 
   void ReadMethods(const YAML::Node& node) {
-    if (!node.IsMap()) return Fault(node, "'methods' must map names to settings");
+    if (!node.IsMap()) return Fault(node, kMethodsNotMapped);
     std::vector<std::string> names;
     for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
     const StrictMap unique = Map(node, "'methods'", {names.begin(), names.end()});
@@ -109,7 +112,7 @@ class StudyReader {
 
   void ReadMethod(const std::string& name, const YAML::Node& node) {
     const std::string where = "method '" + name + "'";
-    if (!node.IsMap()) return Fault(node, where + " must be a list of settings");
+    if (!node.IsMap()) return Fault(node, kMethodNotSettings, {where});
     std::vector<std::string> keys;
     for (const auto& entry : node) keys.push_back(entry.first.as<std::string>());
     const StrictMap map = Map(node, where, {keys.begin(), keys.end()});
@@ -118,11 +121,11 @@ class StudyReader {
     method.preset = map.Text("method").value_or("");
     if (!method.preset.empty() &&
         std::find(kMethodNames.begin(), kMethodNames.end(), method.preset) == kMethodNames.end())
-      Fault(preset, "unknown method '" + method.preset + "'" + Suggestion(method.preset, kMethodNames));
+      Fault(preset, kMethodPresetUnknown, {method.preset, Suggestion(method.preset, kMethodNames)});
     for (const auto& entry : node) {
       const auto key = entry.first.as<std::string>();
       if (key == "method") continue;
-      if (!entry.second.IsScalar()) Fault(entry.second, "'" + key + "' of " + where + " must be a single value");
+      if (!entry.second.IsScalar()) Fault(entry.second, kSettingNotValue, {key, where});
       else method.settings.push_back({key, entry.second.Scalar(), LineOf(entry.second)});
     }
     study_.methods.push_back(method);
@@ -132,8 +135,8 @@ class StudyReader {
     return {node, where, keys, file_, diagnostics_};
   }
 
-  void Fault(const YAML::Node& node, std::string message) {
-    diagnostics_.Error(file_, LineOf(node), std::move(message));
+  void Fault(const YAML::Node& node, const Finding& finding, const std::vector<std::string>& words = {}) {
+    diagnostics_.Report(finding, {file_, LineOf(node)}, words);
   }
 
   std::filesystem::path Resolve(const std::string& path) const {
@@ -153,7 +156,7 @@ class StudyReader {
     if (node.IsSequence())
       for (const YAML::Node& entry : node)
         if (entry.IsScalar()) names.push_back(entry.Scalar());
-    if (names.empty() || names.size() != node.size()) Fault(node, where + " must be a list of names");
+    if (names.empty() || names.size() != node.size()) Fault(node, kStudyNotNames, {where});
     return names;
   }
 
@@ -169,8 +172,7 @@ class StudyReader {
     const std::optional<std::string> name = map.Text("loss");
     if (!name) return;
     const auto* const found = std::find(kLossNames.begin(), kLossNames.end(), *name);
-    if (found == kLossNames.end())
-      return Fault(map.Get("loss"), "unknown loss '" + *name + "'" + Suggestion(*name, kLossNames));
+    if (found == kLossNames.end()) return Fault(map.Get("loss"), kLossUnknown, {*name, Suggestion(*name, kLossNames)});
     study_.refine.loss = static_cast<LossKind>(found - kLossNames.begin());
   }
 
@@ -189,7 +191,7 @@ class StudyReader {
     search.generations = static_cast<int>(map.Integer("generations", 1, 1L << 30).value_or(search.generations));
     search.starts = static_cast<int>(map.Integer("starts", 1, 1000).value_or(search.starts));
     search.deadline_s = map.Quantity("deadline", kTime, 0).value_or(search.deadline_s);
-    if (search.deadline_s == 0) map.Fault(map.Get("deadline"), "'deadline' of 'search' must be above zero");
+    if (search.deadline_s == 0) map.FaultOf("deadline", kKeyNotPositive);
   }
 
   std::string file_;
@@ -209,7 +211,7 @@ std::optional<Study> ReadStudy(const std::filesystem::path& file, Diagnostics& d
     study = StudyReader(file, diagnostics).Read(*root);
     study->text = *text;
   } catch (const YAML::Exception& error) {
-    diagnostics.Error(file.string(), error.mark.is_null() ? 0 : error.mark.line + 1, "not YAML: " + error.msg);
+    diagnostics.Report(kStudyNotYaml, {file.string(), error.mark.is_null() ? 0 : error.mark.line + 1}, {error.msg});
   }
   if (diagnostics.HasErrors()) return std::nullopt;
   return study;

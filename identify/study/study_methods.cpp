@@ -7,9 +7,11 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "analysis/text/found.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 #include "identify/refine/method_settings.h"
+#include "identify/study/findings.h"
 
 namespace fourpost {
 namespace {
@@ -44,25 +46,28 @@ std::string Listed(const Words& words) {
   return list;
 }
 
-// What is wrong with a setting; empty when it is set.
-std::string Set(MethodOptions& options, const StudySetting& setting) {
-  std::string fault = "unknown setting '" + setting.key + "'";
+// What is wrong with a setting of the method of this name; nothing when it is set.
+Found Set(MethodOptions& options, const std::string& method, const StudySetting& setting) {
+  bool is_known = false;
+  Found fault;
   std::vector<std::string> keys;
-  const auto number = [&](const std::string& key, auto& field) {
+  const auto is_meant = [&](const std::string& key) {
     keys.push_back(key);
-    if (key != setting.key) return;
-    fault = Parse(setting.value, field) ? "" : "'" + key + "' cannot be '" + setting.value + "'";
+    is_known = is_known || key == setting.key;
+    return key == setting.key;
+  };
+  const auto number = [&](const std::string& key, auto& field) {
+    if (is_meant(key) && !Parse(setting.value, field)) fault = {&kSettingUnreadable, {method, key, setting.value}};
   };
   const auto word = [&](const std::string& key, auto& field, const auto& words) {
-    keys.push_back(key);
-    if (key != setting.key) return;
+    if (!is_meant(key)) return;
     const auto found = std::find(words.begin(), words.end(), setting.value);
-    if (found != words.end()) field = static_cast<std::remove_reference_t<decltype(field)>>(found - words.begin());
-    fault = found != words.end() ? "" : "'" + key + "' must be one of " + Listed(words);
+    if (found == words.end()) fault = {&kSettingNotOneOf, {method, key, Listed(words)}};
+    else field = static_cast<std::remove_reference_t<decltype(field)>>(found - words.begin());
   };
   std::visit([&](auto& o) { VisitSettings(o, number, word); }, options);
-  const bool known = std::find(keys.begin(), keys.end(), setting.key) != keys.end();
-  return known ? fault : fault + DidYouMean(setting.key, keys);
+  if (!is_known) return {&kSettingUnknown, {method, setting.key, DidYouMean(setting.key, keys)}};
+  return fault;
 }
 
 void SetPopulation(MethodOptions& options, int population) {
@@ -76,22 +81,20 @@ void SetPopulation(MethodOptions& options, int population) {
 MethodOptions OptionsOf(const StudyMethod& method, const std::string& file, const Problem& problem,
                         Diagnostics& diagnostics) {
   MethodOptions options = MethodPreset(method.preset, problem);
-  const std::string where = "method '" + method.name + "': ";
   for (const StudySetting& setting : method.settings)
-    if (const std::string fault = Set(options, setting); !fault.empty())
-      diagnostics.Error(file, setting.line, where + fault);
+    if (const Found fault = Set(options, method.name, setting))
+      diagnostics.Report(*fault.kind, {file, setting.line}, fault.words);
   try {
     Validate(options);
   } catch (const std::invalid_argument& error) {
-    diagnostics.Error(file, method.line, where + error.what());
+    diagnostics.Report(kSettingOutOfRange, {file, method.line}, {method.name, error.what()});
   }
   return options;
 }
 
-}  // namespace
-
-std::vector<ComparedMethod> MethodsOf(const Study& study, const std::vector<std::string>& names, const Problem& problem,
-                                      Diagnostics& diagnostics) {
+// `asked`: where the names are.
+std::vector<ComparedMethod> NamedMethods(const Study& study, const std::vector<std::string>& names,
+                                         const Problem& problem, const Place& asked, Diagnostics& diagnostics) {
   const std::string file = study.file.string();
   std::vector<std::string> legal(kMethodNames.begin(), kMethodNames.end());
   for (const StudyMethod& method : study.methods) legal.push_back(method.name);
@@ -100,29 +103,31 @@ std::vector<ComparedMethod> MethodsOf(const Study& study, const std::vector<std:
   for (const std::string& name : names) {
     const auto own = std::find_if(study.methods.begin(), study.methods.end(),
                                   [&](const StudyMethod& method) { return method.name == name; });
-    if (!seen.insert(name).second) diagnostics.Error("--methods", 0, "method '" + name + "' is asked for twice");
+    if (!seen.insert(name).second) diagnostics.Report(kMethodTwice, asked, {name});
     else if (own != study.methods.end()) methods.push_back({name, OptionsOf(*own, file, problem, diagnostics)});
     else if (std::find(kMethodNames.begin(), kMethodNames.end(), name) != kMethodNames.end())
       methods.push_back({name, MethodPreset(name, problem)});
-    else diagnostics.Error("--methods", 0, "there is no method '" + name + "'" + DidYouMeanOrAll(name, legal));
+    else diagnostics.Report(kMethodUnknown, asked, {name, DidYouMeanOrAll(name, legal)});
   }
   return methods;
 }
 
+}  // namespace
+
+std::vector<ComparedMethod> MethodsOf(const Study& study, const std::vector<std::string>& names, const Problem& problem,
+                                      Diagnostics& diagnostics) {
+  return NamedMethods(study, names, problem, Place::Option("--methods"), diagnostics);
+}
+
 MethodOptions ExplorationOf(const Study& study, const Problem& problem, Diagnostics& diagnostics) {
-  const std::string file = study.file.string();
+  const Place asked{.file = study.file.string(), .line = study.search.method_line};
   Diagnostics faults;
-  const std::vector<ComparedMethod> methods = MethodsOf(study, {study.search.method}, problem, faults);
-  for (const Diagnostic& fault : faults.items())
-    diagnostics.Error(file, fault.place.line > 0 ? fault.place.line : study.search.method_line, fault.message);
+  const std::vector<ComparedMethod> methods = NamedMethods(study, {study.search.method}, problem, asked, faults);
+  diagnostics.Add(faults);
   if (faults.HasErrors()) return MethodPreset("dvhde", problem);
   MethodOptions options = methods.front().options;
   if (const auto* refining = std::get_if<MultiStartOptions>(&options)) {
-    if (refining->explore_evaluations == 0)
-      diagnostics.Error(file, study.search.method_line,
-                        "'" + study.search.method +
-                            "' refines random points, and a fit refines by itself: choose how it explores before, such "
-                            "as dvhde, thesis, de or direct");
+    if (refining->explore_evaluations == 0) diagnostics.Report(kMethodOnlyRefines, asked, {study.search.method});
     const DvhdeOptions explore = refining->explore;
     options.emplace<DvhdeOptions>(explore);
   }

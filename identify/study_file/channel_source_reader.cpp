@@ -2,6 +2,7 @@
 
 #include "analysis/files/recorded_unit.h"
 #include "analysis/text/number.h"
+#include "identify/study_file/findings.h"
 #include "identify/study_file/strict_yaml.h"
 
 namespace fourpost {
@@ -18,18 +19,15 @@ std::vector<std::string_view> KeysOf(ChannelKind kind) {
 
 double ReadFactor(const StrictMap& map, const std::string& what) {
   const double sign = ParseNumber(map.Text("sign").value_or("1")).value_or(0);
-  if (sign != 1 && sign != -1) map.Fault(map.Get("sign"), "'sign' of " + what + " must be 1 or -1");
+  if (sign != 1 && sign != -1) map.Fault(map.Get("sign"), kChannelSign, {what});
   const double scale = map.Number("scale", 0, 1e12).value_or(1);
-  if (scale == 0)
-    map.Fault(map.Get("scale"), "'scale' of " + what + " must be above zero; 'sign' turns a channel round");
+  if (scale == 0) map.Fault(map.Get("scale"), kChannelScale, {what});
   return sign * scale;
 }
 
 std::string ReadUnit(const StrictMap& map, const std::string& what) {
   const std::string unit = map.Text("unit").value_or("");
-  if (!unit.empty() && !ParseRecordedUnit(unit))
-    map.Fault(map.Get("unit"),
-              "'unit' of " + what + " is '" + unit + "', which is none; write one such as mm, kN or m/s^2");
+  if (!unit.empty() && !ParseRecordedUnit(unit)) map.Fault(map.Get("unit"), kChannelSourceUnit, {what, unit});
   return unit;
 }
 
@@ -37,13 +35,13 @@ bool IsCombination(const YAML::Node& node) {
   return node.IsMap() && !node["channel"].IsDefined() && (node["mean"].IsDefined() || node["sum"].IsDefined());
 }
 
-/// `node`: of several channels. Its sign and scale are those of each of them.
+/// `node`: several channels. Its sign and scale are those of each of them.
 YAML::Node ListOf(const YAML::Node& node, const std::string& name, const std::string& file, double& factor,
                   Diagnostics& diagnostics) {
-  const StrictMap map(node, "'" + name + "'", {"mean", "sum", "sign", "scale"}, file, diagnostics);
-  if (map.Has("mean") && map.Has("sum"))
-    map.Fault(node, "'" + name + "' is either the mean or the sum of its channels");
-  factor = ReadFactor(map, "'" + name + "'");
+  const std::string what = "'" + name + "'";
+  const StrictMap map(node, what, {"mean", "sum", "sign", "scale"}, file, diagnostics);
+  if (map.Has("mean") && map.Has("sum")) map.Fault(node, kChannelMeanAndSum, {what});
+  factor = ReadFactor(map, what);
   return map.Has("sum") ? map.Get("sum") : map.Get("mean");
 }
 
@@ -62,11 +60,11 @@ ChannelSource ReadSource(const YAML::Node& node, const std::string& name, Channe
     for (const YAML::Node& entry : list)
       source.channels.push_back(ReadSourceChannel(entry, "'" + name + "'", kind, file, diagnostics));
   for (SourceChannel& channel : source.channels) channel.factor *= factor;
-  if (source.channels.empty()) diagnostics.Error(file, LineOf(list), "'" + name + "' must be a list of channels");
+  if (source.channels.empty()) diagnostics.Report(kChannelListEmpty, {file, LineOf(list)}, {"'" + name + "'"});
   return source;
 }
 
-/// Of what names no channel, perhaps for a slip: reports them.
+/// Reports unknown keys of what names no channel, perhaps for a slip.
 bool HasUnknownKeys(const YAML::Node& node, const std::string& what, ChannelKind kind, const std::string& file,
                     Diagnostics& diagnostics) {
   if (!node.IsMap()) return false;
@@ -84,8 +82,7 @@ SourceChannel ReadSourceChannel(const YAML::Node& node, const std::string& what,
   if (node.IsScalar() && !node.Scalar().empty()) return node.Scalar();
   if (!node.IsMap() || !node["channel"].IsDefined()) {
     if (!HasUnknownKeys(node, what, kind, file, diagnostics))
-      diagnostics.Error(file, LineOf(node),
-                        what + " must be a measured channel, {channel: a, sign: -1}, {mean: [a, b]} or {sum: [a, b]}");
+      diagnostics.Report(kChannelNotNamed, {file, LineOf(node)}, {what});
     return {};
   }
   const StrictMap map(node, what, KeysOf(kind), file, diagnostics);
@@ -103,7 +100,7 @@ std::vector<std::pair<std::string, ChannelSource>> ReadChannelSources(const YAML
   std::vector<std::pair<std::string, ChannelSource>> sources;
   if (!node.IsDefined()) return sources;
   if (!node.IsMap() || node.size() == 0) {
-    diagnostics.Error(file, LineOf(node), where + " must map " + what + " of the vehicle to measured channels");
+    diagnostics.Report(kChannelsNotMapped, {file, LineOf(node)}, {where, what});
     return sources;
   }
   std::vector<std::string> names;

@@ -10,13 +10,10 @@ namespace fourpost {
 ChannelWarnings::ChannelWarnings(std::string file, const Channels& channels, Diagnostics& diagnostics)
     : file_(std::move(file)), channels_(channels), diagnostics_(diagnostics) {}
 
-void ChannelWarnings::Add(const std::string& channel, const std::string& message) {
-  AddAt(channel, "'" + channel + "' " + message);
-}
-
-void ChannelWarnings::AddAt(const std::string& channel, const std::string& message) {
+void ChannelWarnings::Report(const Finding& finding, const std::string& channel,
+                             const std::vector<std::string>& words) {
   const ChannelSource* const source = Find(channel);
-  diagnostics_.Warning(file_, source == nullptr ? 0 : source->line, message);
+  diagnostics_.Report(finding, {file_, source == nullptr ? 0 : source->line}, words);
 }
 
 std::string ChannelWarnings::Turned(const std::string& channel) const {

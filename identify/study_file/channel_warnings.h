@@ -17,11 +17,10 @@ class ChannelWarnings {
   /// `channels`: the study's; all must outlive this object.
   ChannelWarnings(std::string file, const Channels& channels, Diagnostics& diagnostics);
 
-  void Add(const std::string& channel, const std::string& message);
-  /// `message` names its channels itself; at the line of `channel`.
-  void AddAt(const std::string& channel, const std::string& message);
+  /// At the line of `channel`.
+  void Report(const Finding& finding, const std::string& channel, const std::vector<std::string>& words);
 
-  /// What the study would take the channel from with the other sign, in its terms.
+  /// The study's entry of the channel with the other sign.
   std::string Turned(const std::string& channel) const;
 
  private:

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "analysis/text/diagnostics.h"
+#include "identify/study_file/findings.h"
 
 namespace fourpost {
 
-std::string KeepMeasured(const std::filesystem::path& recording, const std::vector<std::string>& names,
-                         std::vector<std::pair<std::string, ChannelSource>>& channels) {
+void KeepMeasured(const std::filesystem::path& recording, const std::vector<std::string>& names,
+                  std::vector<std::pair<std::string, ChannelSource>>& channels, Diagnostics& diagnostics) {
   const auto is_there = [&](const SourceChannel& channel) {
     return std::find(names.begin(), names.end(), channel.name) != names.end();
   };
@@ -18,12 +18,8 @@ std::string KeepMeasured(const std::filesystem::path& recording, const std::vect
     left_out += (left_out.empty() ? "" : ", ") + entry.first;
     return true;
   });
-  if (channels.empty()) {
-    Diagnostics faults;
-    faults.Error(recording.string(), 0, "has none of the channels that the model was fitted to");
-    throw FaultyInput(faults);
-  }
-  return left_out;
+  if (channels.empty()) Refuse(kFittedChannelsMissing, {recording.string()});
+  if (!left_out.empty()) diagnostics.Report(kSensorsNotMeasured, {recording.string()}, {left_out});
 }
 
 }  // namespace fourpost

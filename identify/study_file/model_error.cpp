@@ -1,5 +1,7 @@
 #include "identify/study_file/model_error.h"
 
+#include "identify/study_file/findings.h"
+
 namespace fourpost {
 
 ModelError ReadModelError(const StrictMap& study) {
@@ -12,7 +14,7 @@ ModelError ReadModelError(const StrictMap& study) {
   error.mean_m = map.Quantity("mean", kLength, 0).value_or(error.mean_m);
   error.second_harmonic_m = map.Quantity("second_harmonic", kLength, 0).value_or(error.second_harmonic_m);
   error.history = map.Quantity("history", kDimensionless, 0).value_or(error.history);
-  if (error.mean_m == 0) map.Fault(map.Get("mean"), "'mean' of 'model_error' must be above zero");
+  if (error.mean_m == 0) map.FaultOf("mean", kKeyNotPositive);
   return error;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "analysis/text/nearest.h"
+#include "identify/study_file/findings.h"
 
 namespace fourpost {
 
@@ -15,7 +16,7 @@ std::string Suggestion(std::string_view word, std::span<const std::string_view> 
   std::string nearest = DidYouMean(word, legal);
   if (!nearest.empty()) return nearest;
   std::string all;
-  for (const std::string_view name : legal) all += (all.empty() ? "; legal: " : ", ") + std::string(name);
+  for (const std::string_view name : legal) all += (all.empty() ? "; known: " : ", ") + std::string(name);
   return all;
 }
 
@@ -23,19 +24,19 @@ StrictMap::StrictMap(const YAML::Node& node, std::string where, const std::vecto
                      std::string file, Diagnostics& diagnostics)
     : node_(node), where_(std::move(where)), file_(std::move(file)), diagnostics_(diagnostics), line_(LineOf(node)) {
   if (!node_.IsMap()) {
-    Fault(node_, where_ + " must be a mapping of keys to values");
+    Fault(node_, kKeysMissing, {where_});
     return;
   }
   std::set<std::string> seen;
   for (const auto& entry : node_) {
     if (!entry.first.IsScalar()) {
-      Fault(entry.first, "a key of " + where_ + " must be a single word");
+      Fault(entry.first, kKeyNotWord, {where_});
       continue;
     }
     const std::string key = entry.first.Scalar();
-    if (!seen.insert(key).second) Fault(entry.first, "key '" + key + "' of " + where_ + " stands twice");
+    if (!seen.insert(key).second) Fault(entry.first, kKeyTwice, {key, where_});
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      Fault(entry.first, "unknown key '" + key + "' in " + where_ + Suggestion(key, keys));
+      Fault(entry.first, kKeyUnknown, {key, where_, Suggestion(key, keys)});
   }
 }
 
@@ -48,7 +49,7 @@ YAML::Node StrictMap::Get(std::string_view key) const {
 
 YAML::Node StrictMap::Require(std::string_view key) const {
   const YAML::Node value = Get(key);
-  if (!value.IsDefined() && node_.IsMap()) Fault(node_, where_ + " needs the key '" + std::string(key) + "'");
+  if (!value.IsDefined() && node_.IsMap()) Fault(node_, kKeyMissing, {where_, std::string(key)});
   return value;
 }
 
@@ -56,7 +57,7 @@ std::optional<std::string> StrictMap::Text(std::string_view key) const {
   const YAML::Node value = Get(key);
   if (!value.IsDefined()) return std::nullopt;
   if (value.IsScalar() && !value.Scalar().empty()) return value.Scalar();
-  Fault(value, "'" + std::string(key) + "' of " + where_ + " must be a text");
+  FaultOf(key, kKeyNotText);
   return std::nullopt;
 }
 
@@ -69,8 +70,7 @@ std::optional<double> StrictMap::Number(std::string_view key, double lower, doub
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error == std::errc() && end == text.data() + text.size() && number >= lower && number <= upper) return number;
   }
-  Fault(value, "'" + std::string(key) + "' of " + where_ + " must be a number from " + FormatQuantity(lower, "") +
-                   " to " + FormatQuantity(upper, "") + ", without a unit");
+  FaultOf(key, kKeyNotNumber, {FormatQuantity(lower, ""), FormatQuantity(upper, "")});
   return std::nullopt;
 }
 
@@ -83,21 +83,19 @@ std::optional<long> StrictMap::Integer(std::string_view key, long lower, long up
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error == std::errc() && end == text.data() + text.size() && number >= lower && number <= upper) return number;
   }
-  Fault(value, "'" + std::string(key) + "' of " + where_ + " must be a whole number from " + std::to_string(lower) +
-                   " to " + std::to_string(upper));
+  FaultOf(key, kKeyNotInteger, {std::to_string(lower), std::to_string(upper)});
   return std::nullopt;
 }
 
 std::optional<double> StrictMap::Quantity(std::string_view key, const Dimension& dimension, double lower) const {
   const YAML::Node value = Get(key);
   if (!value.IsDefined()) return std::nullopt;
-  const std::string what = "'" + std::string(key) + "' of " + where_;
-  const std::optional<double> number = ReadQuantity(value, dimension, what, file_, diagnostics_);
+  const std::optional<double> number = ReadQuantity(value, dimension, NameOf(key), file_, diagnostics_);
   // In SI units, beyond lengths, times, frequencies and shares of any rig.
   constexpr double kMost = 1e12;
   if (!number || (*number >= lower && *number <= kMost)) return number;
-  Fault(value, *number < lower ? what + " must be at least " + FormatQuantity(lower, SiUnit(dimension))
-                               : what + " must be at most " + FormatQuantity(kMost, SiUnit(dimension)));
+  if (*number < lower) FaultOf(key, kKeyTooSmall, {FormatQuantity(lower, SiUnit(dimension))});
+  else FaultOf(key, kKeyTooLarge, {FormatQuantity(kMost, SiUnit(dimension))});
   return std::nullopt;
 }
 
@@ -115,8 +113,15 @@ std::filesystem::path StrictMap::Resolve(const std::string& path) const {
   return (std::filesystem::path(file_).parent_path() / path).lexically_normal();
 }
 
-void StrictMap::Fault(const YAML::Node& node, std::string message) const {
-  diagnostics_.get().Error(file_, node.IsDefined() ? LineOf(node) : line_, std::move(message));
+std::string StrictMap::NameOf(std::string_view key) const { return "'" + std::string(key) + "' of " + where_; }
+
+void StrictMap::Fault(const YAML::Node& node, const Finding& finding, const std::vector<std::string>& words) const {
+  diagnostics_.get().Report(finding, {file_, node.IsDefined() ? LineOf(node) : line_}, words);
+}
+
+void StrictMap::FaultOf(std::string_view key, const Finding& finding, std::vector<std::string> words) const {
+  words.insert(words.begin(), NameOf(key));
+  Fault(Get(key), finding, words);
 }
 
 namespace {
@@ -131,11 +136,10 @@ std::string UnitExample(const Dimension& dimension) {
 std::optional<double> ReadQuantity(const YAML::Node& node, const Dimension& dimension, const std::string& what,
                                    const std::string& file, Diagnostics& diagnostics) {
   const std::optional<Quantity> quantity = node.IsScalar() ? ParseQuantity(node.Scalar()) : std::nullopt;
-  // Angles are pure numbers, but degrees or radians must be told.
+  // Angles are pure numbers, but degrees or radians must be written.
   if (quantity && quantity->unit.dimension == dimension && !quantity->unit_text.empty()) return quantity->si;
-  diagnostics.Error(file, LineOf(node),
-                    what + " must be a number with a unit of " + UnitExample(dimension) +
-                        (node.IsScalar() ? ", got '" + node.Scalar() + "'" : ""));
+  diagnostics.Report(kKeyNotQuantity, {file, LineOf(node)},
+                     {what, UnitExample(dimension), node.IsScalar() ? ", got '" + node.Scalar() + "'" : ""});
   return std::nullopt;
 }
 

@@ -45,11 +45,17 @@ class StrictMap {
   const std::string& file() const { return file_; }
   Diagnostics& diagnostics() const { return diagnostics_; }
 
-  void Fault(const YAML::Node& node, std::string message) const;
+  /// At the line of the node.
+  void Fault(const YAML::Node& node, const Finding& finding, const std::vector<std::string>& words = {}) const;
+  /// At the line of a key; the first word is "'key' of 'map'".
+  void FaultOf(std::string_view key, const Finding& finding, std::vector<std::string> words = {}) const;
   /// Line of the mapping itself.
   int line() const { return line_; }
 
  private:
+  /// "'key' of 'map'"
+  std::string NameOf(std::string_view key) const;
+
   YAML::Node node_;
   std::string where_;
   std::string file_;
@@ -57,13 +63,13 @@ class StrictMap {
   int line_ = 0;
 };
 
-/// To end a message about an unknown word with: ", did you mean ...?", or all legal ones when none is near.
+/// To end a message about an unknown word with: ", did you mean ...?", or all known ones when none is near.
 std::string Suggestion(std::string_view word, std::span<const std::string_view> legal);
 
 /// 1-based line of a node.
 int LineOf(const YAML::Node& node);
 
-/// A quantity with its dimension checked; a fault and nothing when it is not one.
+/// A quantity of this dimension; a fault and nothing when it is not one.
 std::optional<double> ReadQuantity(const YAML::Node& node, const Dimension& dimension, const std::string& what,
                                    const std::string& file, Diagnostics& diagnostics);
 

@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include "identify/study_file/findings.h"
+
 namespace fourpost {
 namespace {
 
@@ -23,15 +25,13 @@ class Inspector : public YAML::EventHandler {
   bool good() const { return good_; }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (++documents_ == 2)
-      Fault(mark, "a second document begins here; a study is one: put each into a file of its own");
+    if (++documents_ == 2) Fault(mark, kStudyTwoDocuments);
   }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { Begin(mark, "", anchor), End(); }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto is_within = [&](const Open& open) { return open.anchor == anchor; };
-    if (std::any_of(open_.begin(), open_.end(), is_within))
-      Fault(mark, "is an alias of what it stands in; write it out");
+    if (std::any_of(open_.begin(), open_.end(), is_within)) Fault(mark, kStudyAliasOfItself);
     Count(mark, nodes_of_[anchor]);
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string&) override {
@@ -54,15 +54,14 @@ class Inspector : public YAML::EventHandler {
     std::size_t nodes_before;
   };
 
-  void Fault(const YAML::Mark& mark, const std::string& message) {
-    if (good_) diagnostics_.Error(file_, mark.line + 1, message);
+  void Fault(const YAML::Mark& mark, const Finding& finding, const std::vector<std::string>& words = {}) {
+    if (good_) diagnostics_.Report(finding, {file_, mark.line + 1}, words);
     good_ = false;
   }
 
   void Begin(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     // "?" of plain and "!" of quoted values stand for none.
-    if (!tag.empty() && tag != "?" && tag != "!")
-      Fault(mark, "has the tag '" + tag + "'; remove it, tags mean nothing in a study");
+    if (!tag.empty() && tag != "?" && tag != "!") Fault(mark, kStudyTag, {tag});
     open_.push_back({anchor, nodes_});
     Count(mark, 1);
   }
@@ -75,7 +74,7 @@ class Inspector : public YAML::EventHandler {
   void Count(const YAML::Mark& mark, std::size_t nodes) {
     nodes_ += nodes;
     if (nodes_ <= kMostNodes) return;
-    Fault(mark, "has more than " + std::to_string(kMostNodes) + " values up to here; leave out what is no study");
+    Fault(mark, kStudyTooManyValues, {std::to_string(kMostNodes)});
     // Aliases of aliases would else overflow.
     nodes_ = kMostNodes;
   }
@@ -91,7 +90,7 @@ class Inspector : public YAML::EventHandler {
 
 bool IsGood(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
   if (text.size() > kLongestText) {
-    diagnostics.Error(file, 0, "is longer than 1 MiB; leave out what is no study");
+    diagnostics.Report(kStudyTooLong, {file});
     return false;
   }
   std::istringstream stream(text);
@@ -108,7 +107,7 @@ std::optional<YAML::Node> ReadYaml(const std::string& text, const std::string& f
   try {
     if (IsGood(text, file, diagnostics)) return YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    diagnostics.Error(file, error.mark.is_null() ? 0 : error.mark.line + 1, "not YAML: " + error.msg);
+    diagnostics.Report(kStudyNotYaml, {file, error.mark.is_null() ? 0 : error.mark.line + 1}, {error.msg});
   }
   return std::nullopt;
 }

@@ -10,9 +10,9 @@
 
 namespace fourpost {
 
-/// What noise of derivatives is, and what to do about it; after the names of the parameters.
+/// Why derivatives are noise and the remedy; after the names of the parameters.
 inline constexpr const char* kNoiseRemedy =
-    "residuals jump between neighbouring values, so no standard deviation can be had from them; try a model without "
+    "residuals jump between neighbouring values, so there is no standard deviation; try a model without "
     "the kink or the stiff element that this parameter belongs to, or `--profile`, which needs no derivative";
 
 /// A Jacobian by differences again, in another way: by the model itself where it has derivatives, else by central

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/text/short_number.h"
+#include "identify/uncertainty/findings.h"
 
 namespace fourpost {
 namespace {
@@ -18,53 +19,50 @@ const FittedModel& LeastBic(const std::vector<FittedModel>& models) {
                            [](const FittedModel& a, const FittedModel& b) { return a.criteria.bic < b.criteria.bic; });
 }
 
-/// "; b is as good, 2.98 %" of models that foretell as well with as many parameters.
-std::string AsGood(const std::vector<FittedModel>& models) {
+/// "; b is equally good, 2.98 %" of models that predict as well with as many parameters.
+std::string EquallyGood(const std::vector<FittedModel>& models) {
   const FittedModel& chosen = models.front();
   std::string text;
   for (auto model = models.begin() + 1; model != models.end(); ++model)
     if (model->validation_percent <= kSame * chosen.validation_percent &&
         model->criteria.parameters == chosen.criteria.parameters)
-      text += "; " + model->name + " is as good, " + ShortNumber(model->validation_percent) + " %";
+      text += "; " + model->name + " is equally good, " + ShortNumber(model->validation_percent) + " %";
   return text;
 }
 
 std::string Reason(const std::vector<FittedModel>& models, double least, bool validated) {
   const FittedModel& chosen = models.front();
   if (models.size() == 1)
-    return chosen.name + ": misses " + ShortNumber(validated ? chosen.validation_percent : chosen.fitted_percent) +
-           (validated ? " % of what it was not fitted to"
-                      : " % of what it was fitted to; keep recordings for validation");
+    return chosen.name + (validated ? ": prediction error " : ": fit error ") +
+           ShortNumber(validated ? chosen.validation_percent : chosen.fitted_percent) +
+           (validated ? " %" : " %; keep recordings for validation");
   if (!validated)
-    return chosen.name + ": its BIC is the least; no recording was kept for validation, which would tell more";
+    return chosen.name + ": lowest BIC; no common validation recording, so the runs cannot be ranked by prediction";
   std::string reason = chosen.name + ": ";
-  if (chosen.validation_percent == least) reason += "of all models it misses least of what it was not fitted to, ";
+  if (chosen.validation_percent == least) reason += "lowest prediction error of all models, ";
   else
-    reason += "it has the fewest parameters of those within 10 % of the least validation error, " + ShortNumber(least) +
-              " %: ";
-  reason += ShortNumber(chosen.validation_percent) + " %" + AsGood(models);
+    reason +=
+        "fewest parameters of the models within 10 % of the lowest prediction error, " + ShortNumber(least) + " %: ";
+  reason += ShortNumber(chosen.validation_percent) + " %" + EquallyGood(models);
   if (std::any_of(models.begin(), models.end(),
                   [](const FittedModel& model) { return std::isnan(model.criteria.bic); }))
     return reason;
   const std::string& by_bic = LeastBic(models).name;
-  if (by_bic == chosen.name) return reason + "; its BIC is the least, too";
-  return reason + "; the least BIC has " + by_bic +
-         ", which the fitted recordings favour and the others do not: trust the others";
+  if (by_bic == chosen.name) return reason + "; also the lowest BIC";
+  return reason + "; " + by_bic +
+         " has the lowest BIC, so it fits the fitted recordings better, but predicts the others worse: trust the "
+         "prediction";
 }
 
-std::vector<std::string> Remarks(const std::vector<FittedModel>& models) {
-  std::vector<std::string> remarks;
-  if (models.size() == 1)
-    remarks.push_back("This is the only run given: fit other models to the same recordings to know what it is worth.");
+Diagnostics WarningsOf(const std::vector<FittedModel>& models) {
+  Diagnostics warnings;
+  if (models.size() == 1) warnings.Report(kRankedAlone, {});
   for (const FittedModel& model : models)
     if (model.termination != "converged")
-      remarks.push_back("The fit of " + model.name +
-                        (model.termination == "interrupted" ? " was interrupted" : " did not converge") +
-                        ": it may miss more than the model does; let it end before you judge it.");
+      warnings.Report(model.termination == "interrupted" ? kRankedInterrupted : kRankedNotConverged, {}, {model.name});
   for (const FittedModel& model : models)
-    if (!model.explains)
-      remarks.push_back(model.name + " does not explain the data that it was fitted to: its report says why.");
-  return remarks;
+    if (!model.explains) warnings.Report(kRankedUnexplained, {}, {model.name});
+  return warnings;
 }
 
 }  // namespace
@@ -88,8 +86,8 @@ ModelRanking Rank(std::vector<FittedModel> models) {
     std::rotate(models.begin(), simplest, simplest + 1);
   }
   std::string reason = Reason(models, least, validated);
-  std::vector<std::string> remarks = Remarks(models);
-  return {std::move(models), std::move(reason), std::move(remarks)};
+  Diagnostics warnings = WarningsOf(models);
+  return {std::move(models), std::move(reason), std::move(warnings)};
 }
 
 }  // namespace fourpost

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/text/diagnostics.h"
+
 #include "identify/uncertainty/model_criteria.h"
 
 namespace fourpost {
@@ -26,8 +28,8 @@ struct ModelRanking {
   std::vector<FittedModel> models;
   /// Why it is the first.
   std::string reason;
-  /// What makes that doubtful, one to a sentence: fits that did not converge, nothing to compare with.
-  std::vector<std::string> remarks;
+  /// Why that is doubtful: fits that did not converge, nothing to compare with.
+  Diagnostics warnings;
 };
 
 /// By the error of recordings that the fit has not seen, least first; without validation by BIC. Of models within 10 %

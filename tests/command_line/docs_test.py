@@ -9,6 +9,13 @@ import unittest
 from program import FOURPOST, SOURCE, ProgramTest
 
 
+class Findings(ProgramTest):
+    def test_are_those_of_the_program(self):
+        shown = self.run_program("help", "findings").stdout
+        self.assertTrue((SOURCE / "docs/findings.md").read_text() == shown,
+                        "docs/findings.md is old; renew it: build/release/fourpost help findings > docs/findings.md")
+
+
 class Tutorial(ProgramTest):
     def test_runs_as_it_stands(self):
         text = (SOURCE / "docs/tutorial.md").read_text()

@@ -47,7 +47,7 @@ class ExitCode(ProgramTest):
             size += 10_000_000
         outcome = self.run_program("fit", "car/study.yaml", "-o", "run", code=71,
                                    preexec_fn=limit(resource.RLIMIT_AS, size + 20_000_000))
-        self.assertIn("out of memory", outcome.stderr)
+        self.assertIn("[out-of-memory]", outcome.stderr)
 
     def test_is_130_at_once_of_a_second_interrupt(self):
         """Of a fit that begins with a generation of minutes, which it does not cut short."""

@@ -135,28 +135,79 @@ class Help(ProgramTest):
                 self.assertIn("got:" + got, self.typed("fourpost " + keys, "got:" + got))
 
     def test_knows_what_was_meant(self):
-        for words, message in ((["fitt", "car/study.yaml", "more"], "fourpost takes no 'fitt', did you mean 'fit'?"),
-                               (["--versoin"], "fourpost takes no '--versoin', did you mean '--version'?")):
-            self.assertEqual(self.run_program(*words, code=2).stderr,
-                             message + "\nrun `fourpost --help` for what it takes\n")
+        for words, meant in ((["fitt", "car/study.yaml", "more"], "fit"), (["--versoin"], "--version")):
+            self.assertRegex(self.run_program(*words, code=2).stderr,
+                             rf"^error: fourpost .*'{words[0]}'.*'{meant}'\? \[argument-misspelt\]\n$")
+        self.assertRegex(self.run_program("xyzzy", code=2).stderr, r"'xyzzy'.*`fourpost --help` \[argument-unknown\]\n$")
         for command in self.commands():
             outcome = self.run_program(command, "a", "--jsno", code=2)
-            if command not in ("completion", "man"):
-                self.assertIn("takes no '--jsno', did you mean '--json'?", outcome.stderr, command)
-        self.assertIn("no shell is called 'bahs', did you mean 'bash'?\n",
-                      self.run_program("completion", "bahs", code=2).stderr)
-        self.assertIn("no shell is called 'tcl'; there are bash, zsh, fish\n",
-                      self.run_program("completion", "tcl", code=2).stderr)
+            if command not in ("completion", "man", "help"):
+                self.assertRegex(outcome.stderr, r"'--jsno'.*'--json'\? \[argument-misspelt\]", command)
+        for shell, words in (("bahs", "'bash'"), ("tcl", "bash, zsh, fish")):
+            self.assertRegex(self.run_program("completion", shell, code=2).stderr,
+                             rf"^SHELL: error: '{shell}' .*{words}.* \[value-unknown\]\n$")
 
-    def test_has_no_colour(self):
-        """With and without NO_COLOR, on a terminal too."""
+    def on_terminal(self, *words, **environment):
+        """What a terminal of 60 columns shows."""
+        import fcntl
         import pty
-        for environment in ({}, {"NO_COLOR": "1"}):
-            leader, follower = pty.openpty()
-            subprocess.run([FOURPOST, "fitt"], stdout=follower, stderr=follower, env={**os.environ, **environment})
-            self.assertNotIn(b"\x1b[", os.read(leader, 10000))
-            os.close(leader)
-            os.close(follower)
+        import struct
+        import termios
+        leader, follower = pty.openpty()
+        fcntl.ioctl(follower, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 60, 0, 0))
+        usual = {name: value for name, value in os.environ.items() if name not in ("COLUMNS", "NO_COLOR")}
+        program = subprocess.Popen([FOURPOST, *words], stdout=follower, stderr=follower, cwd=self.folder,
+                                   env={**usual, "TERM": "xterm", **environment})
+        os.close(follower)
+        text = b""
+        try:
+            while part := os.read(leader, 10000):
+                text += part
+        except OSError:  # The other end is closed.
+            pass
+        program.wait()
+        os.close(leader)
+        return text.decode().replace("\r\n", "\n")
+
+    def test_colours_a_terminal_that_takes_them(self):
+        self.assertTrue(self.on_terminal("fitt").startswith("\x1b[1;31merror:\x1b[0m fourpost "))
+        for environment in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
+            self.assertNotIn("\x1b", self.on_terminal("fitt", **environment))
+        self.assertNotIn("\x1b", self.run_program("fitt", code=2).stderr)
+
+    def test_is_as_wide_as_the_terminal(self):
+        self.run_program("init", "car")
+        for words in (["--help"], ["fit", "--help"], ["help", "simulate"], ["check", "car/vehicle.urdf"],
+                      ["info", "car/stepped_sine.csv"], ["rank", "--help"]):
+            whole = self.run_program(*words).stdout
+            self.assertGreater(max(map(len, whole.splitlines())), 60)
+            for columns in (60, 80):
+                lines = self.on_terminal(*words, COLUMNS=str(columns)).splitlines()
+                wide = [line for line in lines if len(line) > columns and not line.startswith("  fourpost ")]
+                self.assertEqual(wide, [], words)
+            shown = self.on_terminal(*words).split()
+            self.assertEqual(set(whole.split()), set(shown))
+        self.assertEqual(max(map(len, self.on_terminal("fit", "--help").splitlines()[:9])),
+                         max(map(len, self.on_terminal("fit", "--help", COLUMNS="60").splitlines()[:9])))
+
+    def test_is_a_command_too(self):
+        self.assertEqual(self.run_program("help").stdout, self.run_program("--help").stdout)
+        for command in self.commands():
+            self.assertEqual(self.run_program("help", command).stdout, self.run_program(command, "--help").stdout)
+        text = self.run_program("help", "output-is-input").stdout
+        self.assertTrue(text.startswith("output-is-input, error\n"))
+        self.assertIn("Remedy\n", text)
+        self.assertEqual(text, self.run_program("help", "[output-is-input]").stdout)
+        for topic, meant in (("fitt", "'fit'"), ("output-is-inputt", "'output-is-input'")):
+            self.assertRegex(self.run_program("help", topic, code=2).stderr,
+                             rf"^TOPIC: error: '{topic}' .*{meant}.* \[help-topic-unknown\]\n$")
+
+    def test_is_found_of_every_finding(self):
+        ids = re.findall(r"^\| `([a-z0-9-]+)` \| (?:error|warning) \| \S", self.run_program("help", "findings").stdout, re.M)
+        self.assertGreater(len(ids), 50)
+        self.assertEqual(ids, sorted(ids))
+        for finding in ids[::7]:
+            self.assertTrue(self.run_program("help", finding).stdout.startswith(finding + ", "))
 
     def test_ends_with_5_when_stdout_is_full(self):
         for words in (["man"], ["completion", "zsh"], ["init", "car"]):

@@ -82,14 +82,14 @@ class Info(ProgramTest):
         self.assertIn("line 103: column 'off' has 'nan' here", missing)
         self.assertIn("line 203: time goes from 0.398 s to 0.44 s", hole)
         text = self.run_program("info", "r.csv").stdout
-        self.assertIn("a fit refuses it as it is:", text)
+        self.assertIn("a fit refuses this recording:", text)
         self.assertIn("gap: from 0.398 to 0.44 s, line 203", text)
         self.assertIn("samples at 1.5", text)
         self.assertIn("1 missing, first in line 103", text)
         coarse = [(t, round(x), 0) for t, x, _ in samples()]
         told = self.info("c.csv", table([("time", "x", "off"), ("s", "mm", "N"), *coarse]))
         self.assertEqual(told["channels"][0]["level"], 1)
-        self.assertIn("coarse: levels of", told["channels"][0]["remarks"][0])
+        self.assertIn("coarse resolution: levels of", told["channels"][0]["remarks"][0])
 
     def test_tells_why_a_fit_refuses_a_bench_recording(self):
         def bench(names, units, sign):
@@ -98,7 +98,7 @@ class Info(ProgramTest):
 
         self.assertEqual(self.info("good.csv", bench(("time", "x", "F"), ("s", "mm", "N"), 1))["refusals"], [])
         (refusal,) = self.info("bad.csv", bench(("time", "x", "F"), ("s", "mm", "N"), -1))["refusals"]
-        self.assertIn("as that of a damper bench: ", refusal)
+        self.assertIn("as a recording of a damper bench: ", refusal)
         self.assertIn("sign", refusal)
         # Rows 198 to 227 are missing, and the times go on.
         rows = bench(("time", "x", "F"), ("s", "mm", "N"), 1).splitlines()
@@ -116,7 +116,7 @@ class Info(ProgramTest):
     def test_tells_that_times_and_units_are_missing(self):
         self.write("r.csv", table([("a", "b"), *[(math.sin(k), k * k) for k in range(40)]]))
         text = self.run_program("info", "r.csv").stdout
-        self.assertIn("name their column in the study, time: {channel: NAME, unit: s}", text)
+        self.assertIn("name it in the study, time: {channel: NAME, unit: s}", text)
         self.assertEqual(text.count("no unit"), 2)
 
     def test_of_other_layouts(self):
@@ -128,13 +128,12 @@ class Info(ProgramTest):
 
     def test_says_what_else_fits_other_files(self):
         self.run_program("init", "car")
-        for name, message in (("car/study.yaml", "is a study; `fourpost response` compares its vehicle with its recordings"),
-                              ("car/vehicle.urdf", "is a vehicle file; `fourpost check` and `fourpost params` tell"),
-                              ("car", "is a folder; name the recordings in it"),
-                              ("response.svg", "is a picture; a recording (.csv, .mat) is wanted here")):
+        for name, finding in (("car/study.yaml", "study-for-recording"), ("car/vehicle.urdf", "vehicle-for-recording"),
+                              ("car", "folder-for-recording"), ("response.svg", "file-of-other-kind")):
             outcome = self.run_program("info", name, "car/stepped_sine.csv", code=3)
             self.assertIn("stepped sine", outcome.stdout)
-            self.assertTrue(outcome.stderr.startswith(f"{name}: error: {message}"), outcome.stderr)
+            self.assertTrue(outcome.stderr.startswith(f"{name}: error: "), outcome.stderr)
+            self.assertTrue(outcome.stderr.endswith(f" [{finding}]\n"), outcome.stderr)
             self.assertEqual(outcome.stderr.count("\n"), 1, outcome.stderr)
 
     def test_shows_what_can_be_read_and_tells_the_rest(self):
@@ -144,10 +143,9 @@ class Info(ProgramTest):
         outcome = self.run_program("info", "empty.csv", "ragged.csv", "utf16.csv", "none.csv", "x.mat",
                                    SOURCE / "studies/damper/sine_1Hz_5mm.csv", code=3)
         self.assertIn("displacement", outcome.stdout)
-        for fault in ("empty.csv: error: is empty", "ragged.csv:4: error: the row has 1 field, the header 2",
-                      "utf16.csv: error: is written in UTF-16; save it as UTF-8",
-                      "none.csv: error: cannot be read: No such file", "x.mat: error: cannot be read"):
-            self.assertIn(fault, outcome.stderr)
+        for place, finding in (("empty.csv:", "csv-empty"), ("ragged.csv:4:", "csv-row-length"),
+                               ("utf16.csv:", "csv-utf-16"), ("none.csv:", "file-unreadable"), ("x.mat:", "file-unreadable")):
+            self.assert_finding(outcome.stderr, finding, place)
 
 
 class Params(ProgramTest):

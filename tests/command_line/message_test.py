@@ -46,18 +46,18 @@ class Report(ProgramTest):
 
     def test_tells_an_empty_run_and_one_that_was_killed(self):
         (self.folder / "empty").mkdir()
-        for folder, message in (("empty", "empty: error: is an empty folder; give one that `fourpost fit -o` wrote"),
-                                ("car", "car: error: holds a study and no results; fit it first, by `fourpost fit "
-                                        "car/study.yaml -o run`")):
+        for folder, finding in (("empty", "run-empty"), ("car", "run-not-fitted")):
             text = self.run_program("report", folder, code=3).stderr
-            self.assertIn(message, text)
+            self.assertTrue(text.startswith(f"{folder}: error: "), text)
+            self.assertTrue(text.endswith(f" [{finding}]\n"), text)
             self.assertNotIn("archive", text)
+        self.assertIn("`fourpost fit car/study.yaml -o run`", text)
         (self.folder / "run/result.json").unlink()
-        self.assertIn("it goes on from its archive", self.run_program("report", "run", code=3).stderr)
+        self.assertIn("[run-unfinished]", self.run_program("report", "run", code=3).stderr)
         (self.folder / "run/archive.sqlite").unlink()
-        self.assertIn("run: error: holds no result.json: it is none", self.run_program("report", "run", code=3).stderr)
+        self.assertIn("[run-without-result]", self.run_program("report", "run", code=3).stderr)
         self.write("run/result.json", "")
-        self.assertIn("is no JSON", self.run_program("report", "run", code=3).stderr)
+        self.assertIn("[result-not-json]", self.run_program("report", "run", code=3).stderr)
 
     def test_names_the_file_that_is_damaged_and_its_remedy(self):
         self.run_program("fit", "car/study.yaml", "-o", "other")
@@ -65,31 +65,29 @@ class Report(ProgramTest):
         self.write("run/response.csv", whole[:len(whole) // 2])
         for words in (("run",), ("run", "other", "-o", "both.html")):
             self.assertRegex(self.run_program("report", *words, code=3).stderr,
-                             r"^run/response.csv:\d+: error: the row has \d+ fields?, the header \d+; the file is "
-                             "damaged: run `fourpost fit` with -o on its folder again\n$")
+                             r"^run/response.csv: error: .*\[run-file-damaged\]\n"
+                             r"run/response.csv:\d+: error: the row has \d+ fields?, the header \d+")
 
     def test_compares_no_run_with_itself(self):
         for command in (["report", "run", "run/", "-o", "both.html"], ["rank", "run", "run"]):
-            self.assertIn("is given twice; a run is not compared with itself",
-                          self.run_program(*command, code=3).stderr)
+            self.assertIn("[run-named-twice]", self.run_program(*command, code=3).stderr)
         self.assertFalse((self.folder / "both.html").exists())
 
     def test_predicts_nothing_for_a_run_without_its_result(self):
         def refused():
             return self.run_program("predict", "run", "--recording", "car/stepped_sine.csv", code=3).stderr
 
-        for damage, fault in (("", "is no JSON"), ("{}", "is not that of a fit")):
+        for damage, fault in (("", "[result-not-json]"), ("{}", "[result-not-of-fit]")):
             self.write("run/result.json", damage)
             self.assertIn(fault, refused())
         (self.folder / "run/result.json").unlink()
-        self.assertIn("run: error: holds no result.json, which a fit writes at its end; run `fourpost fit` with -o on "
-                      "this folder again", refused())
+        self.assertRegex(refused(), r"^run: error: .*\[run-unfinished\]")
 
     def test_keeps_the_old_one_when_the_disk_is_full(self):
         before = (self.folder / "run/report.html").read_bytes()
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (50000, 50000))
         outcome = self.run_program("report", "run", code=5, preexec_fn=limit)
-        self.assertIn("cannot write", outcome.stderr)
+        self.assertIn("[output-not-written]", outcome.stderr)
         self.assertEqual((self.folder / "run/report.html").read_bytes(), before)
         self.assertEqual([file.name for file in (self.folder / "run").glob("*.partial")], [])
 
@@ -139,11 +137,11 @@ class Outputs(ProgramTest):
                     continue
                 with self.subTest(f"{command[0]} over {kind}"):
                     text = self.run_program(*command, "-o", folder, code=5).stderr
-                    self.assertIn(f"{folder} holds the results of `fourpost {kind}`, which would be lost; name a new "
-                                  "or an empty folder", text)
+                    self.assert_finding(text, "folder-of-other-result", f"{folder}:")
+                    self.assertIn(f"`fourpost {kind}`", text)
         self.write("modes/result.json", "[1]")
-        self.assertIn("modes holds a result.json that is none of this program's",
-                      self.run_program(*commands["modes"], "-o", "modes", code=5).stderr)
+        self.assert_finding(self.run_program(*commands["modes"], "-o", "modes", code=5).stderr,
+                            "folder-of-foreign-result", "modes:")
         self.write("modes/result.json", before[self.folder / "modes/result.json"])
         self.assertEqual(self.content(), before)
 
@@ -157,19 +155,18 @@ class Outputs(ProgramTest):
         before = self.content()
         simulate = ("simulate", "car/vehicle.urdf", "--step", "5mm")
         compare = ("compare", "car/study.yaml", "--runs", "1", "--evaluations", "10")
-        for command, file, like in ((compare, "car/stepped_sine.csv", "a page is written to a file in .html, such as "
-                                                                      "'car/stepped_sine.html'"),
-                                    (compare, "run/result.json", "such as 'run/result.html'"),
-                                    (("report", "run"), "car/study.yaml", "such as 'car/study.html'"),
-                                    (simulate, "run/result.json", "a table is written to a file in .csv, such as")):
+        for command, file, like in ((compare, "car/stepped_sine.csv", "car/stepped_sine.html"),
+                                    (compare, "run/result.json", "run/result.html"),
+                                    (("report", "run"), "car/study.yaml", "car/study.html"),
+                                    (simulate, "run/result.json", "run/result.csv")):
             with self.subTest(f"{command[0]} {file}"):
                 text = self.run_program(*command, "-o", file, code=2).stderr
                 self.assertIn(f"--output: error: '{file}': ", text)
-                self.assertIn(like, text)
+                self.assertIn(f"'{like}' [output-ending]", text)
         for command, file in ((compare, "car/study.yaml"), (("report", "run"), "run/result.json"),
                               (simulate, "car/vehicle.urdf")):
             with self.subTest(f"{command[0]} {file}"):
-                self.assertIn("it is an input", self.run_program(*command, "-o", file, code=5).stderr)
+                self.assertIn("[output-is-input]", self.run_program(*command, "-o", file, code=5).stderr)
         self.assertEqual(self.content(), before)
 
 
@@ -189,7 +186,7 @@ class Misspelt(ProgramTest):
         study = self.folder / "car/study.yaml"
         study.write_text(study.read_text().replace("stepped_sine.csv", "steped_sine.csv"))
         self.assertRegex(self.run_program("fit", "car/study.yaml", "-o", "other", code=3).stderr,
-                         r"there is no file \S*steped_sine.csv, did you mean '\S*car/stepped_sine.csv'\?")
+                         r"steped_sine.csv does not exist, did you mean '\S*car/stepped_sine.csv'\?")
         # None is near.
         self.assertNotIn("did you mean", self.run_program("info", "car/landrover.csv", code=3).stderr)
 
@@ -210,7 +207,7 @@ class FullDisk(ProgramTest):
             for folder in ("empty", "some/new", "new/"):
                 with self.subTest(f"{folder}, {room} bytes"):
                     text = self.run_program("init", folder, code=5, preexec_fn=limit).stderr
-                    self.assertIn("; free some space, or name another folder", text)
+                    self.assertIn(": free some space, or name another folder [output-not-written]", text)
                     self.assertEqual(list(self.folder.rglob("*")), [self.folder / "empty"])
         self.run_program("init", "empty")
 
@@ -218,7 +215,7 @@ class FullDisk(ProgramTest):
         self.run_program("init", "car")
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
         text = self.run_program("modes", "car/vehicle.urdf", "-o", "modes", code=5, preexec_fn=limit).stderr
-        self.assertIn("cannot be written to (File too large); free some space, or name another folder", text)
+        self.assert_finding(text, "disk-full", "modes:")
 
 
 class RefusedFit(ProgramTest):
@@ -234,7 +231,7 @@ class RefusedFit(ProgramTest):
         return self.run_program("fit", "car/study.yaml", *words, code=code).stderr
 
     def test_leaves_no_folder_that_was_not_there(self):
-        self.assertIn("the data do not change when these change together", self.fit("-o", "runs/first"))
+        self.assert_finding(self.fit("-o", "runs/first"), "scale-unidentified")
         self.assertFalse((self.folder / "runs").exists())
         (self.folder / "empty").mkdir()
         self.fit("-o", "empty")
@@ -264,9 +261,11 @@ class Validation(ProgramTest):
         (folder / "study.yaml").write_text(text.replace("\nsearch:", lines + "\nsearch:"))
         outcome = self.run_program("fit", folder / "study.yaml", "-o", "run")
         result = json.loads((self.folder / "run/result.json").read_text())
-        for text in (outcome.stderr, "\n".join(result["warnings"])):
-            self.assertRegex(text, "left out of the validation: 'sweep_7mm[^']*' cannot be predicted by the fitted vehicle: the motion "
-                                   "grows beyond all bounds before t = 0.0[0-9]* s; `fourpost check` of the vehicle.urdf of the results")
+        for kind in ("validation-left-out", "history-not-predicted"):
+            self.assertRegex(outcome.stderr, f"'sweep_7mm.*\\[{kind}\\]")
+        warnings = {one["id"]: one["text"] for one in result["warnings"]}
+        self.assertIn("sweep_7mm", warnings["validation-left-out"])
+        self.assertRegex(warnings["history-not-predicted"], "sweep_7mm.* t = 0.0[0-9]* s")
         self.assertEqual(result["termination"], "converged")
         self.assertNotIn("validation", result)
         self.assertEqual([one["recording"] for one in result["validation_left_out"]], ["sweep_7mm"])
@@ -311,20 +310,21 @@ class Data(ProgramTest):
 
     def test_is_told_what_it_lacks(self):
         rows = "".join(f"{k * 0.01:.2f};{k % 7};{k % 5}\n" for k in range(50))
-        for text, bench, message in (
+        for text, bench, place, finding, words in (
                 ("time;displacement;force\n" + rows, "damper: damper",
-                 "column 'force', the damper's tension, has no unit; write that of a force such as 'N' in a line below "
-                 "the names, or behind the name, as in 'force [N]', or name it in the study: {channel: force, unit: N}"),
+                 "r.csv:1:", "unit-missing", "force"),
                 ("time;displacement;force\ns;V;N\n" + rows, "damper: damper",
-                 "r.csv:2: error: column 'displacement', the damper's extension, has 'V' for its unit"),
+                 "r.csv:2:", "unit-of-other-dimension", "the damper's extension"),
                 ("time;displacment;force\ns;m;N\n" + rows, "damper: damper",
-                 "column 'displacement', the damper's extension, is missing, did you mean 'displacment'?"),
+                 "r.csv", "channel-column-missing", "did you mean 'displacment'?"),
                 ("time;displacement;force\ns;m;N\n" + rows.replace("0.07;0;2", "0.07;;2"), "damper: damper",
-                 "r.csv:10: error: column 'displacement' has no number here"),
+                 "r.csv:10:", "sample-missing", "displacement"),
                 ("time;displacement;force\ns;m;N\n" + rows, "force: {channel: force, scale: 0}",
-                 "study.yaml:4: error: 'scale' of 'force' must be above zero")):
-            with self.subTest(message):
-                self.assertIn(message, self.fit(text, bench, code=3))
+                 "study.yaml:4:", "channel-scale", "force")):
+            with self.subTest(finding):
+                message = self.fit(text, bench, code=3)
+                self.assert_finding(message, finding, place)
+                self.assertIn(words, message)
 
 
 if __name__ == "__main__":

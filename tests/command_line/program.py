@@ -22,6 +22,11 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(outcome.returncode, code, outcome.stderr)
         return outcome
 
+    def assert_finding(self, text, finding, place=""):
+        """A line of `text` begins with `place` and ends with the id of `finding`."""
+        self.assertTrue(any(line.startswith(place) and line.endswith(f"[{finding}]") for line in text.splitlines()),
+                        f"no [{finding}] at '{place}' in\n{text}")
+
     def copy(self, *parts):
         for part in parts:
             shutil.copytree(SOURCE / part, self.folder / part)

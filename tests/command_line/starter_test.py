@@ -41,10 +41,10 @@ class Starter(ProgramTest):
 
     def test_spares_what_is_there(self):
         self.write("file", "mine")
-        self.assertIn("it is a file; name a new folder", self.run_program("init", "file", code=5).stderr)
+        self.assertIn("[starter-folder-is-file]", self.run_program("init", "file", code=5).stderr)
         (self.folder / "full").mkdir()
         self.write("full/study.yaml", "mine")
-        self.assertIn("it is not empty", self.run_program("init", "full", code=5).stderr)
+        self.assertIn("[starter-folder-not-empty]", self.run_program("init", "full", code=5).stderr)
         self.assertEqual((self.folder / "full/study.yaml").read_text(), "mine")
         (self.folder / "empty").mkdir()
         self.run_program("init", "empty")

@@ -19,6 +19,6 @@ if(EXISTS ${prefix}/bin/fourpost)
   endforeach()
 endif()
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${consumer} -G ${GENERATOR}
-  -D fourpost_ROOT=${prefix} -D CMAKE_CXX_COMPILER=${CXX_COMPILER} -D CMAKE_CXX_FLAGS=${CXX_FLAGS})
+  -D EXAMPLES=${CMAKE_CURRENT_LIST_DIR}/../../examples -D fourpost_ROOT=${prefix} -D CMAKE_CXX_COMPILER=${CXX_COMPILER} -D CMAKE_CXX_FLAGS=${CXX_FLAGS})
 run(${CMAKE_COMMAND} --build ${consumer})
-run(${consumer}/consumer)
+run(${consumer}/load_and_respond ${prefix}/share/fourpost)

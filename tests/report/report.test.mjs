@@ -74,7 +74,7 @@ describe('the report of a fit to frequency responses', () => {
     await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
     const readings = await page.locator('#responses .reading').allTextContents();
     assert.equal(readings.length, 11);
-    const frequencies = new Set(readings.map((text) => /^([\d.]+) Hz: \S+ for \S+ dB, \S+ for \S+\u00b0(, \S+ for \S+ mm)?$/.exec(text)?.[1]));
+    const frequencies = new Set(readings.map((text) => /^([\d.]+) Hz: [^\s/]+\/\S+ dB, [^\s/]+\/\S+\u00b0(?:, [^\s/]+\/\S+ mm)?$/.exec(text)?.[1]));
     assert.equal(frequencies.size, 1, readings.join('\n'));
     assert.ok(![...frequencies].includes(undefined), readings[0]);
     await page.context().close();
@@ -148,7 +148,7 @@ describe('the report of a fit to frequency responses', () => {
     assert.equal(await charts.count(), 11);
     for (let k = 0; k < 11; ++k)
       for (const colour of [measuredColour, modelColour]) assert.ok((await coloured(charts.nth(k).locator('canvas'), colour)) > 300, `chart ${k}`);
-    assert.match(await page.locator('#histories').textContent(), /bounce_sweep: not seen by the fit\. .*\d+ of 29933 samples are shown/);
+    assert.match(await page.locator('#histories').textContent(), /bounce_sweep: validation, not fitted\. .*\d+ of 29933 samples are shown/);
     assert.match(await charts.first().textContent(), /NMSE [\d.]+ %/);
     assert.deepEqual(page.faults, []);
     await page.context().close();
@@ -157,12 +157,12 @@ describe('the report of a fit to frequency responses', () => {
   test('says how large a mode is drawn, and what 0 dB is', async () => {
     const page = await open(browser, report);
     const caption = page.locator('.viewer .caption');
-    const size = async () => Number(/, drawn with ([\d.]+) mm at the most/.exec(await caption.textContent())?.[1]);
+    const size = async () => Number(/, scaled to ([\d.]+) mm/.exec(await caption.textContent())?.[1]);
     const before = await size();
     await page.locator('input[aria-label=exaggeration]').fill('0.5');
     // Of the slider's 4^0.5; both at two digits.
     assert.ok(Math.abs((await size()) / before - 2) < 0.1, `${before} before ${await size()}`);
-    assert.match(await page.locator('#responses .note').first().textContent(), /0 dB: accelerations as large as that of the post, lengths as large as its motion, forces of 1 N per m of its motion\./);
+    assert.match(await page.locator('#responses .note').first().textContent(), /0 dB: acceleration equal to that of the post, displacement equal to its motion, force of 1 N per m of its motion\./);
     await page.context().close();
   });
 
@@ -190,7 +190,7 @@ describe('the report of a fit to frequency responses', () => {
     const page = await open(browser, report);
     const select = page.locator('#vehicle select');
     const options = await select.locator('option').allTextContents();
-    // Four modes, two stepped sines, and the swept one that the fit has not seen.
+    // Four modes, two stepped sines, and the swept one that was not fitted.
     assert.equal(options.length, 7);
     assert.match(options[6], /^bounce_sweep, (59.\d|60) s$/);
     assert.match(options[0], /^heave, 1\.7\d Hz/);
@@ -336,10 +336,10 @@ test('the report of a fit to time histories opens without a fault', async () => 
   assert.equal(await page.locator('#histories .chart').count(), 5);
   for (let k = 0; k < 5; ++k)
     assert.ok((await coloured(page.locator('#histories canvas').nth(k), modelColour)) > 500, `curve of chart ${k}`);
-  await page.locator('#histories button', { hasText: 'where most happens' }).click();
+  await page.locator('#histories button', { hasText: 'busiest' }).click();
   assert.equal(await page.locator('#responses').count(), 0);
   // The vehicle goes through the recording, and the charts show where it is.
-  await page.locator('#histories button', { hasText: 'all of it' }).click();
+  await page.locator('#histories button', { hasText: /^all$/ }).click();
   assert.equal(await page.locator('#histories .playhead:visible').count(), 0);
   await page.locator('#vehicle select').selectOption('history 0');
   const canvas = page.locator('.viewer canvas');
@@ -355,7 +355,7 @@ test('the report of a fit to time histories opens without a fault', async () => 
   await page.locator('button.play').click();
   assert.ok((await picture()) !== still, 'a playing vehicle moves');
   await scrub.fill('17.45');
-  assert.match(await page.locator('.viewer .caption').textContent(), /^sweep_12mm at 17\.4\d s, in real time, 5\d frames a second, motion drawn \d\S* times as large$/);
+  assert.match(await page.locator('.viewer .caption').textContent(), /^sweep_12mm at 17\.4\d s, in real time, 5\d frames per second, motion scaled by \d\S*$/);
   const width = await page.locator('#histories .u-over').first().evaluate((element) => element.clientWidth);
   // Half of the recording.
   assert.ok(Math.abs((await line()) - 0.5 * width) < 0.01 * width);

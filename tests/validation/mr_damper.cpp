@@ -81,7 +81,7 @@ struct Model {
 std::vector<Model> Models() {
   const std::string rates = Parameter("bump", "2000", "100000", "N*s/m") + Parameter("pull", "2000", "100000", "N*s/m");
   const std::string friction = Parameter("friction", "50", "2000", "N") + Parameter("speed", "5", "100", "mm/s", "0.1");
-  const std::string bilinear = R"(<bilinear compression="$bump" rebound="$pull"/>)";
+  const std::string bilinear = R"(<bilinear bump="$bump" rebound="$pull"/>)";
   const std::string rubbing = R"(<friction force="$friction" speed="$speed"/>)";
   const std::string damper = std::string("<fp:damper name=\"damper\"") + kEnds;
   return {

@@ -23,7 +23,7 @@ def studies():
 
 def key_of(entry):
     if isinstance(entry, dict):
-        return str([entry.get(key) for key in ("recording", "name", "tyre")])
+        return str([entry.get(key) for key in ("recording", "name", "tyre", "id", "text")])
     return str(entry)
 
 

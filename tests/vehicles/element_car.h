@@ -134,7 +134,7 @@ inline const std::string kElementCar = R"(<?xml version="1.0"?>
   <fp:parameter name="v_smooth" value="0.05 m/s" source="test"/>
   <fp:parameter name="k_mount" value="400 N/mm" source="test"/>
   <fp:damper name="fl" parent="shock_fl" child="eye_fl">
-    <smooth compression="$c_bump" rebound="$c_rebound" speed="$v_smooth"/>
+    <smooth bump="$c_bump" rebound="$c_rebound" speed="$v_smooth"/>
     <series stiffness="$k_mount"/>
   </fp:damper>
   <fp:parameter name="v_bump" value="0.06 m/s" source="test"/>
@@ -144,8 +144,8 @@ inline const std::string kElementCar = R"(<?xml version="1.0"?>
   <fp:parameter name="f_friction" value="40 N" source="test"/>
   <fp:parameter name="v_friction" value="3 mm/s" source="test"/>
   <fp:damper name="fr" parent="shock_fr" child="eye_fr">
-    <digressive compression="$c_bump" rebound="$c_rebound" compression_knee="$v_bump" rebound_knee="$v_rebound"
-      compression_beyond="$c_beyond" rebound_beyond="2*$c_beyond"/>
+    <digressive bump="$c_bump" rebound="$c_rebound" bump_knee="$v_bump" rebound_knee="$v_rebound"
+      bump_beyond="$c_beyond" rebound_beyond="2*$c_beyond"/>
     <series stiffness="$k_mount" cubic="$k3_mount"/>
     <friction force="$f_friction" speed="$v_friction"/>
   </fp:damper>
@@ -172,8 +172,8 @@ inline const std::string kElementCar = R"(<?xml version="1.0"?>
   <fp:parameter name="f_seal" value="50 N" source="test"/>
   <fp:parameter name="v_seal" value="5 mm/s" source="test"/>
   <fp:damper name="rr" parent="shock_rr" child="eye_rr">
-    <hydraulic bleed="$bleed" rebound_valve="$valve" compression_valve="0.3*$valve" bulk_modulus="$oil" piston="$bore"
-      rod="$rod" rebound_column="$column" compression_column="$column" gas_pressure="$p_gas" gas_volume="$V_gas"/>
+    <hydraulic bleed="$bleed" rebound_valve="$valve" bump_valve="0.3*$valve" bulk_modulus="$oil" piston="$bore"
+      rod="$rod" rebound_column="$column" bump_column="$column" gas_pressure="$p_gas" gas_volume="$V_gas"/>
     <friction force="$f_seal" speed="$v_seal"/>
   </fp:damper>
   <fp:parameter name="k_top" value="600 N/mm" source="test"/>
@@ -184,7 +184,7 @@ inline const std::string kElementCar = R"(<?xml version="1.0"?>
   <fp:parameter name="c_tail" value="50 N*s/m" source="test"/>
   <fp:damper name="tail" parent="hook" child="tail" axis="0.2 0 1"><linear rate="$c_tail"/></fp:damper>
   <fp:damper name="torque" parent="reaction" child="lever">
-    <bilinear compression="$c_bump" rebound="$c_rebound"/>
+    <bilinear bump="$c_bump" rebound="$c_rebound"/>
   </fp:damper>
 
   <fp:frame name="mount_left" link="chassis" xyz="1.1 0.25 -0.05" rpy="0.5 0.2 0.1"/>

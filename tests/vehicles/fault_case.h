@@ -2,8 +2,11 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "analysis/text/finding.h"
 
 namespace fourpost {
 
@@ -14,7 +17,9 @@ struct FaultCase {
   std::string to;
   /// Stands first in the line that must be named.
   std::string at;
-  std::string message;
+  const Finding& kind;
+  /// Names and numbers in the message.
+  std::vector<std::string> words = {};
 };
 
 inline std::ostream& operator<<(std::ostream& out, const FaultCase& fault) { return out << fault.name; }

@@ -76,9 +76,9 @@ inline const std::vector<std::pair<std::string, std::string>>& Corners() {
       {R"(<fp:spring name="coil_left" parent="top_left" child="seat_left"><linear stiffness="$k"/></fp:spring>)",
        R"(<fp:spring name="coil_right" parent="top_right" child="seat_right"><linear stiffness="$k"/></fp:spring>)"},
       {R"(<fp:damper name="shock_left" parent="top_left" child="seat_left" axis="0 0.2 1">)"
-       R"(<bilinear compression="1 kN*s/m" rebound="2 kN*s/m"/></fp:damper>)",
+       R"(<bilinear bump="1 kN*s/m" rebound="2 kN*s/m"/></fp:damper>)",
        R"(<fp:damper name="shock_right" parent="top_right" child="seat_right" axis="0 -0.2 1">)"
-       R"(<bilinear compression="1 kN*s/m" rebound="2 kN*s/m"/></fp:damper>)"},
+       R"(<bilinear bump="1 kN*s/m" rebound="2 kN*s/m"/></fp:damper>)"},
       {R"(<fp:frame name="mount_in_left" link="body" xyz="0.1 0.35 -0.2" rpy="0.3 0.2 0.1"/>)",
        R"(<fp:frame name="mount_in_right" link="body" xyz="0.1 -0.35 -0.2" rpy="-0.3 0.2 -0.1"/>)"},
       {R"(<fp:frame name="mount_out_left" link="lower_left" xyz="0.05 0 0"/>)",

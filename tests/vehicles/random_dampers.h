@@ -41,13 +41,13 @@ struct Drawn {
 
 inline std::string LawElement(int law, double compression, double rebound) {
   const std::string rates =
-      " compression=\"" + NumberText(compression) + " N*s/m\" rebound=\"" + NumberText(rebound) + " N*s/m\"";
+      " bump=\"" + NumberText(compression) + " N*s/m\" rebound=\"" + NumberText(rebound) + " N*s/m\"";
   switch (law) {
     case 0: return "<linear rate=\"" + NumberText(compression) + " N*s/m\"/>";
     case 1: return "<bilinear" + rates + "/>";
     case 2: return "<smooth" + rates + " speed=\"30 mm/s\"/>";
     case 3:
-      return "<digressive" + rates + " compression_knee=\"0.08 m/s\" compression_beyond=\"" +
+      return "<digressive" + rates + " bump_knee=\"0.08 m/s\" bump_beyond=\"" +
              NumberText(0.4 * compression) + " N*s/m\" rebound_knee=\"0.1 m/s\" rebound_beyond=\"" +
              NumberText(0.4 * rebound) + " N*s/m\"/>";
   }

@@ -80,10 +80,10 @@ inline const std::string kIndependentCar = R"(<?xml version="1.0"?>
   <fp:spring name="front_left" parent="front_top_left" child="front_seat_left"><linear stiffness="$k_front"/></fp:spring>
   <fp:spring name="rear_left" parent="rear_top_left" child="rear_seat_left"><linear stiffness="35 N/mm"/></fp:spring>
   <fp:damper name="front_left" parent="front_top_left" child="front_seat_left">
-    <bilinear compression="1 kN*s/m" rebound="2 kN*s/m"/>
+    <bilinear bump="1 kN*s/m" rebound="2 kN*s/m"/>
   </fp:damper>
   <fp:damper name="rear_left" parent="rear_top_left" child="rear_seat_left">
-    <bilinear compression="1 kN*s/m" rebound="2 kN*s/m"/>
+    <bilinear bump="1 kN*s/m" rebound="2 kN*s/m"/>
   </fp:damper>
   <fp:antiroll name="bar" stiffness="10 N/mm">
     <left parent="front_top_left" child="front_seat_left"/><right parent="front_top_right" child="front_seat_right"/>

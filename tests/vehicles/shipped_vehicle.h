@@ -52,14 +52,14 @@ inline int LinkOf(const Vehicle& vehicle, const std::string& link) {
   return 0;
 }
 
-/// What makes the vehicle impossible to condense; empty when nothing does.
-inline std::string Fault(const Vehicle& vehicle) {
+/// What makes the vehicle impossible to condense.
+inline Diagnostics Fault(const Vehicle& vehicle) {
   try {
     const CondensedVehicle condensed(vehicle);
   } catch (const FaultyInput& fault) {
-    return fault.what();
+    return fault.diagnostics();
   }
-  return "";
+  return {};
 }
 
 }  // namespace fourpost

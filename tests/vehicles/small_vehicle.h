@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/findings.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -55,7 +56,7 @@ inline const std::string kSmallVehicle = R"(<?xml version="1.0"?>
   <fp:spring name="coil" parent="top" child="wheel" axis="0 0 2"><linear stiffness="0.5*$k" preload="-2 kN"/></fp:spring>
   <fp:spring name="helper" parent="top" child="ground"><linear stiffness="$k"/></fp:spring>
   <fp:damper name="shock" parent="top" child="wheel">
-    <bilinear compression="1 kN*s/m" rebound="2 kN*s/m"/>
+    <bilinear bump="1 kN*s/m" rebound="2 kN*s/m"/>
     <series stiffness="800 N/mm"/>
   </fp:damper>
   <fp:damper name="hub" parent="top" child="ground"><linear rate="10 N*s/m"/></fp:damper>
@@ -110,23 +111,22 @@ class VehicleFileTest : public ::testing::Test {
 
   std::optional<Vehicle> Read(const std::string& text) { return ReadVehicle(Write(text), diagnostics_); }
 
-  /// Takes one finding at this place, whose message holds `part`.
-  void Expect(Severity severity, int line, const std::string& part) {
+  /// Takes one finding of this kind in this line, whose message names each of `words`.
+  void Expect(int line, const Finding& kind, const std::vector<std::string>& words = {}) {
     std::vector<Diagnostic> rest = diagnostics_.items();
     const auto found = std::find_if(rest.begin(), rest.end(), [&](const Diagnostic& item) {
-      return item.severity == severity && item.place.line == line && item.place.file == folder_ / "vehicle.urdf" &&
-             item.message.find(part) != std::string::npos;
+      return item.place.line == line && item.place.file == folder_ / "vehicle.urdf" && Is(item, kind, words);
     });
     if (found == rest.end()) {
-      ADD_FAILURE() << "expected in line " << line << ": " << part << "\ngot:\n" << diagnostics_.Format();
+      ADD_FAILURE() << "expected in line " << line << ": [" << kind.id() << "] " << testing::PrintToString(words)
+                    << "\ngot:\n"
+                    << diagnostics_.Format();
       diagnostics_ = {};
       return;
     }
     rest.erase(found);
     diagnostics_ = {};
-    for (const Diagnostic& item : rest) {
-      diagnostics_.Add(item);
-    }
+    for (const Diagnostic& item : rest) diagnostics_.Add(item);
   }
 
   std::filesystem::path folder_;

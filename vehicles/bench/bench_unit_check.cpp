@@ -5,6 +5,7 @@
 
 #include "analysis/signals/deviation.h"
 #include "analysis/text/short_number.h"
+#include "vehicles/bench/findings.h"
 
 namespace fourpost {
 namespace {
@@ -34,15 +35,11 @@ bool CheckBenchUnits(const BenchDamper& damper, const BenchMotion& motion, std::
     if (std::isfinite(decades) && (decades > 0) != (factor > 1)) continue;
     if (!(std::abs(std::log10(recorded / modelled(factor))) < kNear)) continue;
     const bool large = factor < 1;
-    diagnostics.Error(
-        file, 0,
-        "has a force of " + ShortNumber(recorded) + " N rms for a motion of " + ShortNumber(DeviationOf(motion.rate)) +
-            " m/s rms, for which the damper would give " +
-            (std::isfinite(here) ? ShortNumber(here) + " N" : "more than its chambers allow") +
-            " at the values of the " + "vehicle file: " +
-            (large ? "displacement looks like mm told as m, or force like kN told as N"
-                   : "displacement looks like m told as mm, or force like N told as kN") +
-            "; correct the row of units, or the values in the vehicle file if they are off by a thousand");
+    diagnostics.Report(kBenchUnits, {file},
+                       {ShortNumber(recorded) + " N", ShortNumber(DeviationOf(motion.rate)) + " m/s",
+                        std::isfinite(here) ? ShortNumber(here) + " N" : "more than its chambers allow",
+                        large ? "displacement looks like mm stated as m, or force like kN stated as N"
+                              : "displacement looks like m stated as mm, or force like N stated as kN"});
     return false;
   }
   return true;

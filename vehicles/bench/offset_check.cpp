@@ -7,6 +7,7 @@
 #include "analysis/signals/deviation.h"
 #include "analysis/signals/turning_points.h"
 #include "analysis/text/short_number.h"
+#include "vehicles/bench/findings.h"
 
 namespace fourpost {
 namespace {
@@ -62,14 +63,8 @@ void CheckBenchOffsets(const BenchDamper& damper, const BenchMotion& motion, con
   if (turns.size() < 2 || span == 0) return;
   const double rest = AtRest(settled(force), turns);
   if (!damper.HasSprings() && std::abs(rest - AtRest(settled(modelled), turns)) > kOfForce * span)
-    diagnostics.Warning(file, 0,
-                        "has a force of " + ShortNumber(rest) +
-                            " N in the mean of its turning points, where it is at rest, of a span of " +
-                            ShortNumber(span) +
-                            " N, and the damper of the vehicle file has no gas or spring that makes it: take the load "
-                            "cell's offset off" +
-                            (rest < 0 ? ", or give the damper '<gas force=...>' with a parameter to fit"
-                                      : "; gas would push, and this pulls"));
+    diagnostics.Report(rest < 0 ? kForcePushes : kForcePulls, {file},
+                       {ShortNumber(rest) + " N", ShortNumber(span) + " N"});
   if (std::abs(mean) <= stroke) return;
   std::vector<double> centred = damper.Tensions(Centred(motion, mean), values);
   if (filter) filter->Apply(centred);
@@ -77,10 +72,7 @@ void CheckBenchOffsets(const BenchDamper& damper, const BenchMotion& motion, con
   for (std::size_t k = first; k < std::min(end, centred.size()); ++k)
     most = std::max(most, std::abs(centred[k] - modelled[k]));
   if (centred.size() == modelled.size() && most <= kOfForce * span) return;
-  diagnostics.Warning(file, 0,
-                      "has a displacement about " + ShortNumber(mean) + " m, of a span of " + ShortNumber(stroke) +
-                          " m, and what the vehicle file has on the bench acts otherwise there than about mid-stroke: "
-                          "take the sensor's offset off, or check that the recording is of such a place");
+  diagnostics.Report(kDisplacementOffset, {file}, {ShortNumber(mean) + " m", ShortNumber(stroke) + " m"});
 }
 
 }  // namespace fourpost

@@ -17,6 +17,7 @@
 #include "analysis/signals/spikes.h"
 #include "analysis/signals/turning_points.h"
 #include "analysis/text/short_number.h"
+#include "vehicles/bench/findings.h"
 #include "vehicles/bench/force_motion.h"
 
 namespace fourpost {
@@ -43,7 +44,7 @@ constexpr double kFewestToJudge = 3;
 /// Crests of sines of twelve samples and fewer a cycle were taken for samples that stand out, of fourteen to twenty
 /// none.
 constexpr double kFewestForCrests = 14;
-/// The same of a cubic law's force, 1 - cos^3. Forces at turning points, too, were told to drift at ten.
+/// The same of a cubic law's force, 1 - cos^3. Forces at turning points, too, were reported to drift at ten.
 constexpr double kFewestForForce = 17;
 
 /// Of 5000 random dampers that resist rebound as hard or harder, with gas, friction, mounts, offsets and noise, one is
@@ -85,24 +86,22 @@ class Checker {
 
   bool Check() {
     if (SpanOf(force_) == 0) {
-      Fault("has a force of " + ShortNumber(force_.front()) +
-            " N throughout, whatever the motion: the channel is dead; look at its plug and its amplifier");
+      Fault(kForceDead, {ShortNumber(force_.front()) + " N"});
       return good_;
     }
     CheckClipping(x_, "displacement", "m");
     CheckClipping(force_, "force", "N");
     turns_ = TurningPoints(x_);
     if (turns_.size() < 2) {
-      Fault("holds less than one cycle: displacement turns back " +
-            std::string(turns_.empty() ? "nowhere" : "once only") + " within " +
-            ShortNumber(recording_.end_s - recording_.start_s) + " s; record at least one cycle, better ten");
+      Fault(kCycleIncomplete,
+            {turns_.empty() ? "nowhere" : "only once", ShortNumber(recording_.end_s - recording_.start_s) + " s"});
       return good_;
     }
     CheckSampling();
     CheckJumps();
     // What is swapped or of a wrong unit shows at any rate.
-    if (samples_in_cycle_ >= kFewestForCrests) TellSpikes(x_, "displacement", "m");
-    if (samples_in_cycle_ >= kFewestForForce) TellSpikes(force_, "force", "N");
+    if (samples_in_cycle_ >= kFewestForCrests) ReportSpikes(x_, "displacement", "m");
+    if (samples_in_cycle_ >= kFewestForForce) ReportSpikes(force_, "force", "N");
     CheckStroke();
     if (samples_in_cycle_ < kFewestToJudge) return good_;
     if (good_) CheckAlive();
@@ -114,12 +113,12 @@ class Checker {
   }
 
  private:
-  void Fault(const std::string& message) {
-    diagnostics_.Error(file_, 0, message);
+  void Fault(const Finding& kind, const std::vector<std::string>& words) {
+    Warn(kind, words);
     good_ = false;
   }
 
-  void Warn(const std::string& message) { diagnostics_.Warning(file_, 0, message); }
+  void Warn(const Finding& kind, const std::vector<std::string>& words) { diagnostics_.Report(kind, {file_}, words); }
 
   /// Mean power that the damper takes [W].
   double Power() const {
@@ -134,16 +133,10 @@ class Checker {
     // What is swapped has the rate of force times displacement for power: that of force times rate, with the other
     // sign.
     if (span > longest_stroke_m_ && Power() < 0)
-      return Fault(
-          "displacement spans " + ShortNumber(span) + " m and force " + ShortNumber(SpanOf(force_)) +
-          " N, and their product gives off work: the two columns look swapped; exchange their names, and the units "
-          "with them");
+      return Fault(kChannelsSwapped, {ShortNumber(span) + " m", ShortNumber(SpanOf(force_)) + " N"});
     if (span > longest_stroke_m_)
-      return Fault("displacement spans " + ShortNumber(span) + " m, more than the damper's length of " +
-                   ShortNumber(longest_stroke_m_) + " m: it looks like mm; correct the row of units");
-    if (span < kShortestStroke_m)
-      Warn("displacement spans " + ShortNumber(span) +
-           " m only, less than any bench is set to: check the row of units");
+      return Fault(kStrokeTooLong, {ShortNumber(span) + " m", ShortNumber(longest_stroke_m_) + " m"});
+    if (span < kShortestStroke_m) Warn(kStrokeTooShort, {ShortNumber(span) + " m"});
   }
 
   double TimeAt(std::size_t k) const { return recording_.start_s + recording_.step_s * static_cast<double>(k); }
@@ -170,20 +163,16 @@ class Checker {
     const auto count = static_cast<double>(samples[samples.size() / 8]);
     samples_in_cycle_ = count;
     if (IsSampledWell()) return;
-    Warn("moves at " + ShortNumber(1 / (count * recording_.step_s), 2) + " Hz and more and is sampled at " +
-         ShortNumber(1 / recording_.step_s) + " Hz, " + ShortNumber(count) +
-         " samples a cycle, between which nobody knows its speed: record with ten a cycle at least");
+    Warn(kSampledSlowly, {ShortNumber(1 / (count * recording_.step_s), 2) + " Hz",
+                          ShortNumber(1 / recording_.step_s) + " Hz", ShortNumber(count)});
   }
 
   void CheckJumps() {
     const std::vector<std::size_t> jumps = Jumps(x_);
     if (jumps.empty()) return;
     const std::size_t at = jumps.front();
-    Fault("displacement jumps by " + ShortNumber(x_[at + 1] - x_[at]) + " m from one sample to the next at " +
-          ShortNumber(TimeAt(at), 5) + " s" +
-          (jumps.size() > 1 ? " and " + std::to_string(jumps.size() - 1) + " times more" : "") +
-          ", as where samples are missing and the times were closed up: save what lies before and behind as recordings "
-          "of their own");
+    Fault(kDisplacementJumps, {ShortNumber(x_[at + 1] - x_[at]) + " m", ShortNumber(TimeAt(at), 5) + " s",
+                               jumps.size() > 1 ? " and " + std::to_string(jumps.size() - 1) + " times more" : ""});
   }
 
   /// Whether the force lasts as long as the motion: cycles are compared with a strong one, the ninth of ten.
@@ -197,21 +186,14 @@ class Checker {
       return cycle.force_N < kDead * strong.force_N && cycle.speed_mps > 0.5 * strong.speed_mps;
     });
     if (dead == cycles.end()) return;
-    Fault(
-        "force stays within " + ShortNumber(dead->force_N) + " N in the cycle that begins at " +
-        ShortNumber(TimeAt(dead->first), 5) + " s, which has " +
-        ShortNumber(100 * dead->speed_mps / strong.speed_mps, 2) + " % of the speed of another one of " +
-        ShortNumber(strong.force_N) +
-        " N: the channel is dead there; look at its plug, and save what lies before and behind as recordings of their "
-        "own");
+    Fault(kForceDeadInCycle,
+          {ShortNumber(dead->force_N) + " N", ShortNumber(TimeAt(dead->first), 5) + " s",
+           ShortNumber(100 * dead->speed_mps / strong.speed_mps, 2) + " %", ShortNumber(strong.force_N) + " N"});
   }
 
   void CheckMotion() {
     const double share = ShareOfMotion(x_, rate_, force_);
-    if (share < kLittleOfMotion)
-      Warn("has a force of which " + ShortNumber(100 * share, 2) +
-           " % go with displacement or speed: the rest is noise, or the channel is another one; look at plugs and "
-           "names");
+    if (share < kLittleOfMotion) Warn(kForceUnrelated, {ShortNumber(100 * share, 2) + " %"});
   }
 
   /// Whether force acts against the motion, and at the time when a damper's does.
@@ -220,68 +202,52 @@ class Checker {
     const std::optional<MotionPhase> fastest = PhaseOfFastest(x_, force_, recording_.step_s);
     const double phase_deg = fastest ? fastest->phase_deg : PhaseOf(x_, force_, recording_.step_s).phase_deg;
     // A delay turns the phase bit by bit, the wrong sign by half a turn.
-    if (power < 0 && phase_deg < -45)
-      return Fault("force acts along the motion: the damper would give off " + ShortNumber(-power) +
-                   " W; change the sign of force or of displacement, extension and tension are positive");
+    if (power < 0 && phase_deg < -45) return Fault(kForceSign, {ShortNumber(-power) + " W"});
     if (IsSampledWell() && fastest && (phase_deg > 90 + kPhaseSlack_deg || phase_deg < -kPhaseSlack_deg))
-      TellDelay(*fastest);
+      ReportDelay(*fastest);
     CheckSides();
   }
 
-  /// Gas pushes, a load cell may have an offset, a mount yields: none of these tells the sides of the law apart.
+  /// Gas pushes, a load cell may have an offset, a mount yields: none of these separates the sides of the law.
   void CheckSides() {
     const ForceSides sides = SidesOf(x_, rate_, force_);
     if (!(sides.compression_over_rebound > kHarderInCompression && sides.share > kClearlyOtherSides)) return;
-    Warn("resists compression harder than rebound, by a factor of " + ShortNumber(sides.compression_over_rebound, 2) +
-         " in work, which few dampers do: if both signs are changed, correct them; extension and tension are positive");
+    Warn(kSidesSwapped, {ShortNumber(sides.compression_over_rebound, 2)});
   }
 
-  void TellDelay(const MotionPhase& fastest) {
+  void ReportDelay(const MotionPhase& fastest) {
     is_delayed_ = true;
-    const bool ahead = fastest.phase_deg > 90;
-    Warn("force comes " + ShortNumber(1e3 * std::abs(fastest.Lead_s()), 2) + " ms " + (ahead ? "before" : "after") +
-         " the speed at " + ShortNumber(fastest.frequency_Hz, 2) + " Hz, its phase against displacement is " +
-         ShortNumber(fastest.phase_deg, 2) +
-         " degrees, which is between 0 and 90 of all that stores and dissipates: record both channels with one device "
-         "and one filter" +
-         (ahead
-              ? ", and take off the inertia of what is between damper and load cell"
-              : "; a delay that is known is told as 'force: {channel: NAME, delay: ...}', and a damper's own spring is "
-                "part of this one"));
+    Warn(fastest.phase_deg > 90 ? kForceAhead : kForceLate,
+         {ShortNumber(1e3 * std::abs(fastest.Lead_s()), 2) + " ms", ShortNumber(fastest.frequency_Hz, 2) + " Hz",
+          ShortNumber(fastest.phase_deg, 2) + " degrees"});
   }
 
-  void TellSpikes(const Signal& signal, const std::string& name, const std::string& unit) {
+  void ReportSpikes(const Signal& signal, const std::string& name, const std::string& unit) {
     const std::vector<std::size_t> spikes = Spikes(signal);
     if (spikes.empty()) return;
-    Warn(name +
-         (spikes.size() == 1 ? " has a sample that stands out, at "
-                             : " has " + std::to_string(spikes.size()) + " samples that stand out, the first at ") +
-         ShortNumber(TimeAt(spikes.front()), 5) + " s with " + ShortNumber(signal[spikes.front()]) + " " + unit +
-         ": look at plugs and cables, put the mean of the neighbours there, or fit with 'refine: {loss: "
-         "huber}'");
+    const std::string time = ShortNumber(TimeAt(spikes.front()), 5) + " s";
+    const std::string value = ShortNumber(signal[spikes.front()]) + " " + unit;
+    if (spikes.size() == 1) Warn(kSpike, {name, time, value});
+    else Warn(kSpikes, {name, std::to_string(spikes.size()), time, value});
   }
 
   void CheckClipping(const Signal& signal, const std::string& name, const std::string& unit) {
     const std::optional<ClippedEnds> ends = ClippingAtEnds(signal);
     if (!ends) return;
-    const std::string message = name + " " + ends->Text(unit, TimeAt(ends->first())) +
-                                "; record with a wider range, or save the whole cycles between such stretches as "
-                                "recordings of their own";
-    if (ends->is_exact()) Fault(message);
-    else Warn(message);
+    const std::vector<std::string> words = {name, ends->Samples(unit, TimeAt(ends->first()))};
+    if (ends->is_exact()) Fault(kClipped, words);
+    else Warn(kLooksClipped, words);
   }
 
   void CheckLevels() {
-    // A level's rounding has the deviation level/sqrt(12); central differences take two of it over two steps.
+    // A level's rounding has the standard deviation level/sqrt(12); central differences take two of it over two steps.
     const double rounding = LevelOf(x_) / std::sqrt(12.0);
     const double rate_rounding = rounding / (std::sqrt(2.0) * recording_.step_s);
     if (rate_rounding > kCoarse * DeviationOf(rate_))
-      Warn("displacement comes in levels of " + ShortNumber(LevelOf(x_)) + " m, which is " +
-           ShortNumber(100 * rate_rounding / DeviationOf(rate_)) +
-           " % of the speed's rms: record with a finer range, or more slowly sampled");
+      Warn(kDisplacementCoarse,
+           {ShortNumber(LevelOf(x_)) + " m", ShortNumber(100 * rate_rounding / DeviationOf(rate_)) + " %"});
     if (LevelOf(force_) / std::sqrt(12.0) > kCoarse * DeviationOf(force_))
-      Warn("force comes in levels of " + ShortNumber(LevelOf(force_)) + " N of a span of " +
-           ShortNumber(SpanOf(force_)) + " N: record with a finer range");
+      Warn(kForceCoarse, {ShortNumber(LevelOf(force_)) + " N", ShortNumber(SpanOf(force_)) + " N"});
   }
 
   /// Of what stands at the turning points of the displacement, where the speed is zero.
@@ -296,22 +262,21 @@ class Checker {
       middles.push_back(0.5 * (x_[turns_[i]] + x_[turns_[i - 1]]));
       resting.push_back(0.5 * (force_[turns_[i]] + force_[turns_[i - 1]]));
     }
-    TellDrift(places, middles, SpanOf(x_), "displacement", "m");
+    ReportDrift(places, middles, SpanOf(x_), "displacement", "m");
     // Of a force that is late it is that of some speed.
     if (!is_delayed_ && samples_in_cycle_ >= kFewestForForce)
-      TellDrift(places, resting, SpanOf(force_), "force at the turning points", "N");
+      ReportDrift(places, resting, SpanOf(force_), "force at the turning points", "N");
   }
 
   /// By a straight line through the values over their places in the recording: turning points crowd where it is fast.
-  void TellDrift(const Signal& places, const Signal& values, double span, const std::string& name,
-                 const std::string& unit) {
+  void ReportDrift(const Signal& places, const Signal& values, double span, const std::string& name,
+                   const std::string& unit) {
     const Eigen::Map<const Eigen::ArrayXd> at(places.data(), static_cast<Eigen::Index>(places.size()));
     const Eigen::Map<const Eigen::ArrayXd> value(values.data(), static_cast<Eigen::Index>(values.size()));
     const Eigen::ArrayXd off = at - at.mean();
     const double drift = (off * (value - value.mean())).sum() / off.square().sum() * static_cast<double>(x_.size());
     if (std::abs(drift) < kDrift * span) return;
-    Warn(name + " drifts by " + ShortNumber(drift) + " " + unit + " from begin to end, of a span of " +
-         ShortNumber(span) + " " + unit + ": warm the amplifier and the damper up, or take the drift out");
+    Warn(kSignalDrifts, {name, ShortNumber(drift) + " " + unit, ShortNumber(span) + " " + unit});
   }
 
   double longest_stroke_m_;

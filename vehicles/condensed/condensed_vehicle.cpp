@@ -2,21 +2,15 @@
 
 #include <numbers>
 
-#include "vehicles/condensed/equilibrium.h"
-#include "vehicles/condensed/sensor_rows.h"
 #include "analysis/text/count_check.h"
+#include "vehicles/condensed/equilibrium.h"
+#include "vehicles/condensed/findings.h"
+#include "vehicles/condensed/sensor_rows.h"
 #include "vehicles/laws/hydraulic_oil.h"
 #include "vehicles/loops/chart.h"
 
 namespace fourpost {
 namespace {
-
-Diagnostics RigidityFault(const Vehicle& vehicle) {
-  Diagnostics faults;
-  faults.Error(vehicle.file, 0,
-               "nothing can move: the vehicle has no joint but fixed ones, or its loop closures take all freedom away");
-  return faults;
-}
 
 std::string Tagged(const char* tag, const std::string& name) { return std::string(tag) + " '" + name + "'"; }
 
@@ -37,7 +31,7 @@ CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
   Multibody multibody(vehicle);
   Chart chart(multibody);
   size_ = chart.size();
-  if (size_ == 0) throw FaultyInput(RigidityFault(vehicle));
+  if (size_ == 0) Refuse(kNothingMoves, {vehicle.file});
   const Kinematics undisturbed(multibody, chart.MoveTo(Eigen::VectorXd::Zero(size_)));
 
   std::vector<GeometricScalar> scalars;

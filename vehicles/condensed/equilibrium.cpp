@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "analysis/numerics/decompositions.h"
+#include "analysis/text/found.h"
 #include "analysis/text/number.h"
+#include "vehicles/condensed/findings.h"
 #include "vehicles/condensed/preload_map.h"
 
 namespace fourpost {
 namespace {
-
-constexpr const char* kHolder = R"(spring, tyre or bushing with preload="equilibrium")";
 
 /// The part of a generalised force that no combination of the columns can take.
 Eigen::VectorXd Rest(const Eigen::VectorXd& force, const Eigen::MatrixXd& columns) {
@@ -67,7 +67,8 @@ std::string EnumeratedLinks(std::vector<std::string> names) {
   return Enumerated(names);
 }
 
-std::string Remedy(const UnheldMotion& unheld) {
+/// Of a motion that nothing holds, the finding with the elements that its remedy names.
+Found Unheld(const UnheldMotion& unheld, const std::string& what) {
   using Kind = IdleElement::Kind;
   const auto of_kind = [&](Kind kind) {
     std::vector<std::string> elements;
@@ -76,14 +77,11 @@ std::string Remedy(const UnheldMotion& unheld) {
     return Enumerated(elements);
   };
   if (const std::string bushings = of_kind(Kind::kBushing); !bushings.empty())
-    return bushings.find("'drake_bushing_") == std::string::npos
-               ? "write preload=\"equilibrium\" in " + bushings
-               : "write an fp:bushing with preload=\"equilibrium\" in place of Drake's, " + bushings;
-  if (const std::string dampers = of_kind(Kind::kDamper); !dampers.empty())
-    return "a damper carries nothing at rest: add an fp:spring beside " + dampers;
-  if (const std::string stops = of_kind(Kind::kStop); !stops.empty())
-    return "a stop carries nothing at rest: add an fp:spring beside " + stops;
-  return std::string("add the fp:rod, fp:ball or joint that guides it, or a ") + kHolder + " that carries it";
+    return {bushings.find("'drake_bushing_") == std::string::npos ? &kUnheldBushing : &kUnheldDrakeBushing,
+            {what, bushings}};
+  if (const std::string dampers = of_kind(Kind::kDamper); !dampers.empty()) return {&kUnheldDamper, {what, dampers}};
+  if (const std::string stops = of_kind(Kind::kStop); !stops.empty()) return {&kUnheldStop, {what, stops}};
+  return {&kUnheld, {what}};
 }
 
 /// Motions that fp:mirror has made of one: its links keep their line.
@@ -120,8 +118,8 @@ bool AreOfOneLine(const GivenForce& a, const GivenForce& b) {
   return a.kind == GivenForce::Kind::kPreload && b.kind == a.kind && a.line == b.line;
 }
 
-/// The size that the given preloads of one line, which twins share, would have to have, the others as they are; nothing
-/// where that does not help.
+/// The size that the given preloads of one line, which mirror partners share, would have to have, the others as they
+/// are; nothing where that does not help.
 std::optional<double> BalancingSize(const GivenForce& preload, const StaticLoads& loads) {
   std::vector<GivenForce> forces = loads.forces;
   Eigen::VectorXd others = Eigen::VectorXd::Zero(preload.direction.size());
@@ -161,35 +159,37 @@ std::string Unbalancing(const Vehicle& vehicle, const StaticLoads& loads) {
   return "";
 }
 
-std::string ImbalanceText(const Vehicle& vehicle, const GivenForce& preload, const StaticLoads& loads) {
-  std::string text = "the preload of " + preload.element + (preload.free_spring ? " by its free length, " : ", ") +
-                     RoundedText(preload.size) + " N, is not balanced";
+Found Imbalance(const Vehicle& vehicle, const GivenForce& preload, const StaticLoads& loads) {
   const std::optional<double> size = BalancingSize(preload, loads);
-  if (size) text += ", " + RoundedText(*size) + " N would be";
-  if (preload.free_spring) {
-    if (const std::string parameter = Unbalancing(vehicle, loads); !parameter.empty())
-      return text + "; no one length balances it over the bounds of fp:parameter '" + parameter +
-             "': remove free_length, and it carries what rests on it";
-    const std::optional<double> length = size ? preload.free_spring->FreeLengthFor(*size) : std::nullopt;
-    return text + "; " + (length ? "write free_length=\"" + LengthText(*length) + "\"" : "correct that length") +
-           ", or leave a spring or tyre that acts beside it to equilibrium";
+  std::vector<std::string> words = {preload.element, RoundedText(preload.size) + " N",
+                                    size ? ", " + RoundedText(*size) + " N would be" : ""};
+  if (!preload.free_spring) return {&kPreloadUnbalanced, words};
+  if (const std::string parameter = Unbalancing(vehicle, loads); !parameter.empty()) {
+    words.push_back(parameter);
+    return {&kFreeLengthFollows, words};
   }
-  return text + "; correct it or write preload=\"equilibrium\"";
+  const std::optional<double> length = size ? preload.free_spring->FreeLengthFor(*size) : std::nullopt;
+  if (!length) return {&kFreeLengthUnbalanced, words};
+  words.push_back(LengthText(*length));
+  return {&kFreeLengthWrong, words};
+}
+
+void Add(const Found& found, const Vehicle& vehicle, int line, Diagnostics& faults) {
+  faults.Report(*found.kind, {vehicle.file, line}, found.words);
 }
 
 /// Motions that nothing holds; if there is none, the given preloads, of which one at least must be wrong.
 void ReportImbalance(const Vehicle& vehicle, const StaticLoads& loads, Diagnostics& faults) {
   const std::vector<UnheldMotion> unheld = UnheldMotions(loads);
   for (const UnheldMotion& motion : WithTwinsJoined(vehicle, unheld))
-    faults.Error(vehicle.file, LineOf(vehicle, motion.motion.link),
-                 "no static equilibrium: nothing holds " + Text(motion) + "; " + Remedy(motion));
+    Add(Unheld(motion, Text(motion)), vehicle, LineOf(vehicle, motion.motion.link), faults);
   if (!unheld.empty()) return;
-  // A stop has no preload to correct. Twins share the line, which is told once.
-  std::set<int> told;
+  // A stop has no preload to correct. Mirror partners share the line, which is reported once.
+  std::set<int> reported;
   for (const GivenForce& force : loads.forces)
     if (force.kind == GivenForce::Kind::kPreload && (force.carries || force.size != 0) &&
-        !IsHeld(force.direction, loads.holders) && told.insert(force.line).second)
-      faults.Error(vehicle.file, force.line, "no static equilibrium: " + ImbalanceText(vehicle, force, loads));
+        !IsHeld(force.direction, loads.holders) && reported.insert(force.line).second)
+      Add(Imbalance(vehicle, force, loads), vehicle, force.line, faults);
 }
 
 void ReportFreeParameters(const Vehicle& vehicle, const std::vector<GivenForce>& forces, const Eigen::MatrixXd& holders,
@@ -199,10 +199,7 @@ void ReportFreeParameters(const Vehicle& vehicle, const std::vector<GivenForce>&
     if (!(parameter.lower < parameter.upper)) continue;
     const std::string followers = Followers(static_cast<int>(i), forces, holders);
     if (followers.empty()) continue;
-    faults.Error(vehicle.file, parameter.line,
-                 "no static equilibrium but at one value of fp:parameter '" + parameter.name + "': " + followers +
-                     " follows it, but no " + kHolder +
-                     " makes up for that; add one, or remove the parameter's bounds");
+    faults.Report(kEquilibriumAtOneValue, {vehicle.file, parameter.line}, {parameter.name, followers});
   }
 }
 

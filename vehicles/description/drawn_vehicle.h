@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include "vehicles/description/vehicle.h"
-#include "vehicles/tags/file_faults.h"
 
 namespace fourpost {
 
@@ -26,9 +25,5 @@ struct DrawnVehicle {
   std::vector<double> values;
   std::vector<Eigen::Isometry3d> poses;
 };
-
-/// A plausibility check that needs only the description, so that it also works on a vehicle that cannot be assembled or
-/// held: adds a warning, with a remedy, for each finding.
-using DrawnLintRule = void (*)(const DrawnVehicle& drawn, FileFaults& findings);
 
 }  // namespace fourpost

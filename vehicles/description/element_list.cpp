@@ -33,10 +33,7 @@ class NumberList {
   /// The number in an attribute of the tag with this path.
   void Add(const std::string& noun, const char* path, const char* attribute, const Scalar& number,
            bool is_linear = true) {
-    const AttributeRule* rule = nullptr;
-    for (const TagRule* form : FindTags(path))
-      if (!rule) rule = FindAttribute(*form, attribute);
-    numbers_.push_back({element_, noun, line_, rule, number, is_linear});
+    numbers_.push_back({element_, noun, line_, path, attribute, number, is_linear});
   }
 
   /// A number that only bends the law.
@@ -85,9 +82,9 @@ void AddHydraulic(const HydraulicDescription& oil, NumberList& list) {
   constexpr const char* kPath = "fp:damper/hydraulic";
   for (const auto& [attribute, number] :
        {std::pair("bleed", oil.bleed), std::pair("rebound_valve", oil.rebound_valve),
-        std::pair("compression_valve", oil.compression_valve), std::pair("bulk_modulus", oil.bulk_modulus),
+        std::pair("bump_valve", oil.compression_valve), std::pair("bulk_modulus", oil.bulk_modulus),
         std::pair("piston", oil.piston_diameter), std::pair("rod", oil.rod_diameter),
-        std::pair("rebound_column", oil.rebound_column), std::pair("compression_column", oil.compression_column),
+        std::pair("rebound_column", oil.rebound_column), std::pair("bump_column", oil.compression_column),
         std::pair("gas_pressure", oil.gas_pressure), std::pair("gas_volume", oil.gas_volume),
         std::pair("gas_exponent", oil.gas_exponent), std::pair("density", oil.density),
         std::pair("cavitation", oil.cavitation)})
@@ -102,15 +99,15 @@ void AddDashpot(const DashpotDescription& law, NumberList& list) {
       list.AddBend("force in the table", "fp:damper/table/point", "force", point.force);
     }
   else {
-    list.Add("compression rate", "fp:damper/bilinear", "compression", law.compression);
+    list.Add("bump rate", "fp:damper/bilinear", "bump", law.compression);
     list.Add("rebound rate", "fp:damper/bilinear", "rebound", law.rebound);
   }
   if (law.kind == Kind::kSmooth) list.AddBend("speed of transition", "fp:damper/smooth", "speed", law.transition);
   if (law.kind == Kind::kDigressive) {
     constexpr const char* kPath = "fp:damper/digressive";
-    list.AddBend("compression knee", kPath, "compression_knee", law.compression_knee.speed);
+    list.AddBend("bump knee", kPath, "bump_knee", law.compression_knee.speed);
     list.AddBend("rebound knee", kPath, "rebound_knee", law.rebound_knee.speed);
-    list.AddBend("compression rate beyond the knee", kPath, "compression_beyond", law.compression_knee.rate);
+    list.AddBend("bump rate beyond the knee", kPath, "bump_beyond", law.compression_knee.rate);
     list.AddBend("rebound rate beyond the knee", kPath, "rebound_beyond", law.rebound_knee.rate);
   }
 }

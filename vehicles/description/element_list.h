@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "vehicles/description/vehicle.h"
-#include "vehicles/tags/tag_table.h"
 
 namespace fourpost {
 
@@ -29,8 +28,9 @@ struct ElementNumber {
   /// Its meaning: "stiffness", "bump gap".
   std::string noun;
   int line = 0;
-  /// Rule of its attribute; nullptr for none.
-  const AttributeRule* rule = nullptr;
+  /// Where a vehicle file states it: tag, "fp:damper/linear", and attribute.
+  std::string tag;
+  std::string attribute;
   Scalar number;
   /// Whether the linear model uses it directly; otherwise it bends a law that this model replaces by a rate.
   bool is_linear = true;

@@ -7,6 +7,7 @@
 
 #include "analysis/text/nearest.h"
 #include "vehicles/description/design_poses.h"
+#include "vehicles/description/findings.h"
 
 namespace fourpost {
 namespace {
@@ -20,10 +21,6 @@ struct Direction {
 
 constexpr Direction kForward = {.axis = 0, .ahead = "front", .behind = "rear"};
 constexpr Direction kLeft = {.axis = 1, .ahead = "left", .behind = "right"};
-
-[[noreturn]] void Refuse(std::string_view pattern, const std::string& why) {
-  throw std::invalid_argument("the posts cannot make '" + std::string(pattern) + "': " + why);
-}
 
 std::vector<double> PlacesAlong(const Vehicle& vehicle, Eigen::Index axis) {
   const std::vector<Eigen::Isometry3d> poses = DesignPoses(vehicle);
@@ -40,13 +37,15 @@ std::vector<double> Sides(const Vehicle& vehicle, std::string_view pattern, cons
   const std::vector<double> places = PlacesAlong(vehicle, direction.axis);
   const auto [least, greatest] = std::minmax_element(places.begin(), places.end());
   if (places.empty() || *greatest - *least <= kInLine_m)
-    Refuse(pattern, "it takes posts both " + std::string(direction.ahead) + " and " + std::string(direction.behind));
+    throw PatternError(
+        {&kPatternSides, {std::string(pattern), std::string(direction.ahead), std::string(direction.behind)}});
   const double middle = (*least + *greatest) / 2;
   std::vector<double> sides;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (std::abs(places[i] - middle) <= kInLine_m / 2)
-      Refuse(pattern, "post '" + vehicle.posts[i].name + "' stands in the middle, neither " +
-                          std::string(direction.ahead) + " nor " + std::string(direction.behind));
+      throw PatternError(
+          {&kPatternMiddle,
+           {std::string(pattern), vehicle.posts[i].name, std::string(direction.ahead), std::string(direction.behind)}});
     sides.push_back(places[i] > middle ? 1 : -1);
   }
   return sides;
@@ -59,9 +58,9 @@ void RequireCorners(const std::vector<double>& front, const std::vector<double>&
       bool found = false;
       for (std::size_t i = 0; i < front.size(); ++i) found = found || (front[i] == x && left[i] == y);
       if (!found)
-        Refuse("warp", "it takes a post at each corner, and none stands " +
-                           std::string(x > 0 ? kForward.ahead : kForward.behind) + " " +
-                           std::string(y > 0 ? kLeft.ahead : kLeft.behind));
+        throw PatternError({&kPatternCorner,
+                            {"warp", std::string(x > 0 ? kForward.ahead : kForward.behind),
+                             std::string(y > 0 ? kLeft.ahead : kLeft.behind)}});
     }
 }
 
@@ -81,8 +80,7 @@ std::vector<double> PostPattern(const Vehicle& vehicle, std::string_view name) {
   if (name == "pitch") return Sides(vehicle, name, kForward);
   if (name == "roll") return Sides(vehicle, name, kLeft);
   if (name == "warp") return Warp(vehicle);
-  throw std::invalid_argument("no pattern of posts is called '" + std::string(name) + "'" +
-                              DidYouMean(name, kPostPatterns));
+  throw PatternError({&kPatternUnknown, {std::string(name), DidYouMean(name, kPostPatterns)}});
 }
 
 }  // namespace fourpost

@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/text/found.h"
 #include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/engine/findings.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/full_system.h"
 #include "vehicles/simulation/multibody_system.h"
@@ -86,7 +88,7 @@ SolvedHistory HistorySolver::Full(const PostMotion& posts, const TimeGrid& grid,
   try {
     CondensedHistory answer = SimulateByHalving(
         run, rig_.sensors, grid, {.error = error, .longest_step_s = kLongestStep_s, .most_halvings = 3}, go_on);
-    if (!std::isfinite(answer.change) && !answer.ended) throw SimulationError("no two steps to compare");
+    if (!std::isfinite(answer.change) && !answer.ended) throw SimulationError(kOneStepOnly);
     return Taken(std::move(answer), Engine::kFull);
   } catch (const std::runtime_error&) {
     return Integrated(posts, grid, error, progress);
@@ -117,7 +119,7 @@ void HistorySolver::Estimate(const PostMotion& posts, const TimeGrid& grid, std:
     const TimeHistory full =
         Simulate(system, posts, WholeGrid(linear), [&](double t) { return !progress || progress(work, t); });
     reduced.ended = full.size() < linear.size();
-    if (reduced.ended) reduced.by.not_estimated = "interrupted";
+    if (reduced.ended) reduced.by.not_estimated = Found{&kInterrupted}.Text();
     else reduced.by.kinematics_error = LargestDifferenceOf(linear, full, rig_.sensors, compared);
   };
   try {

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "analysis/signals/decibel.h"
+#include "analysis/text/found.h"
+#include "vehicles/engine/findings.h"
 #include "vehicles/response/full_balance.h"
 #include "vehicles/response/march.h"
 #include "vehicles/response/reduced_march.h"
@@ -55,7 +57,6 @@ std::vector<bool> Converged(const Excitation& excitation, const std::vector<doub
 
 /// The work was not to go on.
 struct Ended {};
-constexpr const char* kInterrupted = "interrupted before";
 
 }  // namespace
 
@@ -112,7 +113,7 @@ SteadySolver::Answer SteadySolver::Full(const Excitation& excitation, const Prog
   return {std::move(found.response), Converged(excitation, found.unconverged_Hz)};
 }
 
-/// One balance; what it leaves open is marked for the march.
+/// One balance; what it leaves open is marked for time integration.
 SteadyResponse SteadySolver::Chosen(const Excitation& excitation, Engine engine, const HarmonicBalanceOptions& options,
                                     const Progress& progress) {
   Answer answer = engine == Engine::kFull ? Full(excitation, progress) : Linearised(excitation, options);
@@ -129,7 +130,7 @@ SteadyResponse SteadySolver::Check(const Excitation& excitation, const HarmonicB
   bool any = false;
   for (std::size_t i = 0; i < full.converged.size(); ++i) any = any || (full.converged[i] && linearised.converged[i]);
   if (any) out.kinematics_error = Compare(linearised, full);
-  else out.not_estimated = "the full balance converged at no frequency at which the linearised one did";
+  else out.not_estimated = Found{&kNothingToCompare}.Text();
   if (any && out.kinematics_error->IsVisible()) out.engine = Engine::kFull;
   const bool is_full = out.engine == Engine::kFull;
   out.response = is_full ? full.response : linearised.response;
@@ -161,7 +162,7 @@ void SteadySolver::FindOtherMotions(const Excitation& excitation, const Harmonic
   try {
     out.other_motions = OtherMotionsFromRest(model_, vehicle_, excitation, several, found, watch);
   } catch (const Ended&) {
-    // The answers are there; the march asks once more whether to go on.
+    // The answers are there; time integration asks once more whether to go on.
   }
 }
 
@@ -178,7 +179,7 @@ void SteadySolver::MarchMissing(const Excitation& excitation, const Progress& pr
       goes_on = !progress || progress(stage);
       return !goes_on;
     };
-    const std::string fault = goes_on ? MarchOne(excitation, i, stop, out) : kInterrupted;
+    const std::string fault = goes_on ? MarchOne(excitation, i, stop, out) : Found{&kInterrupted}.Text();
     if (fault.empty()) continue;
     BlankFrequency(i, out.response);
     out.unanswered.push_back({excitation.frequency_Hz[i], fault});
@@ -198,7 +199,7 @@ std::string SteadySolver::MarchOne(const Excitation& excitation, std::size_t ind
     CopyFrequency(marched.response, 0, index, out.response);
     return marched.unsteady.empty() ? "" : UnsteadyMessage(vehicle_, one, marched.unsteady[0]);
   } catch (const MarchStopped&) {
-    return kInterrupted;
+    return Found{&kInterrupted}.Text();
   } catch (const std::logic_error&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -228,7 +229,7 @@ SteadyResponse SteadySolver::Solve(const Excitation& excitation, Engine engine, 
   } catch (const Ended&) {
     for (std::size_t i = 0; i < out.engine_at.size(); ++i) {
       BlankFrequency(i, out.response);
-      out.unanswered.push_back({excitation.frequency_Hz[i], kInterrupted});
+      out.unanswered.push_back({excitation.frequency_Hz[i], Found{&kInterrupted}.Text()});
     }
     return out;
   }

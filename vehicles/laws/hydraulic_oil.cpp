@@ -111,7 +111,7 @@ HydraulicOil::State HydraulicOil::Find(double x, double surplus_share, double fl
   return Search(x, surplus_share, flow_share, target, near);
 }
 
-// The surplus, and the flow, rise with the rebound pressure, the compression pressure following.
+// The surplus, and the flow, rise with the rebound pressure, the bump pressure following.
 HydraulicOil::State HydraulicOil::Search(double x, double surplus_share, double flow_share, double target,
                                          const State& near) const {
   const HydraulicDamper& d = law_.damper;

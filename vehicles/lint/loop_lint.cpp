@@ -2,6 +2,7 @@
 
 #include "vehicles/description/design_poses.h"
 #include "vehicles/description/element_list.h"
+#include "vehicles/lint/findings.h"
 #include "vehicles/multibody/loop_gaps.h"
 
 namespace fourpost {
@@ -29,10 +30,8 @@ std::string FurthestMoved(const LintSubject& subject) {
 
 void LintOpenClosures(const LintSubject& subject, FileFaults& findings) {
   for (const OpenClosure& closure : OpenClosures(subject.vehicle, kDrawnGap_m))
-    findings.Warning(closure.source_line, "the two points of " + closure.element + " are " +
-                                              Readable(closure.gap, "m") +
-                                              " apart as written; closing the loops moves " + FurthestMoved(subject) +
-                                              ": correct the points or the joints between them");
+    findings.Report(kClosureOpen, closure.source_line,
+                    {closure.element, Readable(closure.gap, "m"), FurthestMoved(subject)});
 }
 
 }  // namespace fourpost

@@ -6,6 +6,7 @@
 
 #include "analysis/text/units.h"
 #include "vehicles/description/element_list.h"
+#include "vehicles/lint/findings.h"
 #include "vehicles/loops/motion_name.h"
 
 namespace fourpost {
@@ -30,12 +31,10 @@ Eigen::MatrixXd FreeMotions(const LintSubject& subject) {
   return motions;
 }
 
-std::string Remedy(const LintSubject& subject, Direction direction) {
-  if (!subject.vehicle.tyres.empty()) {
-    if (direction == Direction::kForeAft) return "give the tyres a longitudinal stiffness";
-    if (direction == Direction::kLateral || direction == Direction::kYaw) return "give the tyres a lateral stiffness";
-  }
-  return "add a spring or a bushing, or take a joint without this freedom";
+const Finding& FreeMotion(const LintSubject& subject, Direction direction) {
+  if (subject.vehicle.tyres.empty()) return kMotionFree;
+  if (direction == Direction::kForeAft) return kMotionFreeAlong;
+  return direction == Direction::kLateral || direction == Direction::kYaw ? kMotionFreeAcross : kMotionFree;
 }
 
 /// What a damper of this rate along `direction` adds to the mode's damping ratio, where that is small:
@@ -65,25 +64,25 @@ double TyreRatio(const LintSubject& subject, const Mode& mode, const Eigen::Vect
   return ratio;
 }
 
-std::string DampingRemedy(const LintSubject& subject, const Mode& mode, Direction direction) {
+/// The attribute of the tyres that would damp the mode; empty where none does.
+std::string TyreDamping(const LintSubject& subject, const Mode& mode, Direction direction) {
   constexpr double kWorthwhile = 0.02;
   const bool is_ride =
       direction == Direction::kHeave || direction == Direction::kRoll || direction == Direction::kPitch;
   const double along = TyreRatio(subject, mode, Eigen::Vector3d::UnitX());
   const double across = TyreRatio(subject, mode, Eigen::Vector3d::UnitY());
   if (!is_ride && std::max(along, across) > kWorthwhile)
-    return std::string("give the tyres ") + (along > across ? "longitudinal_damping" : "lateral_damping");
-  return "add an fp:damper, or damping to a bushing or tyre";
+    return along > across ? "longitudinal_damping" : "lateral_damping";
+  return "";
 }
 
 }  // namespace
 
 void LintFreeMotions(const LintSubject& subject, FileFaults& findings) {
-  std::set<std::string> told;  // a motion may have parts that go by one name
+  std::set<std::string> reported;  // a motion may have parts that go by one name
   for (const NamedMotion& motion : NameMotions(subject.links, FreeMotions(subject)))
-    if (told.insert(motion.Text()).second)
-      findings.Warning(LineOf(subject.vehicle, motion.link),
-                       "nothing resists " + motion.Text() + ": " + Remedy(subject, motion.direction));
+    if (reported.insert(motion.Text()).second)
+      findings.Report(FreeMotion(subject, motion.direction), LineOf(subject.vehicle, motion.link), {motion.Text()});
 }
 
 void LintBlindSensors(const LintSubject& subject, FileFaults& findings) {
@@ -100,9 +99,7 @@ void LintBlindSensors(const LintSubject& subject, FileFaults& findings) {
   for (std::size_t i = 0; i < subject.vehicle.sensors.size(); ++i) {
     const Sensor& sensor = subject.vehicle.sensors[i];
     if (reads(static_cast<Eigen::Index>(i))) continue;
-    findings.Warning(sensor.source_line, Called("fp:sensor", sensor.name) +
-                                             " reads nothing, however the vehicle moves: correct what carries it, or "
-                                             "its axis");
+    findings.Report(kSensorBlind, sensor.source_line, {Called("fp:sensor", sensor.name)});
   }
 }
 
@@ -115,11 +112,12 @@ void LintRingingModes(const LintSubject& subject, FileFaults& findings) {
     if (ratio + FrictionRatio(subject, mode) >= kLeastRatio) continue;
     const std::vector<NamedMotion> motions = NameMotions(subject.links, mode.shape.real());
     if (motions.empty()) continue;
-    findings.Warning(LineOf(subject.vehicle, motions.front().link),
-                     "hardly anything damps the mode '" + mode.name + "' at " + Readable(mode.frequency_Hz, "Hz") +
-                         " (damping ratio " + FormatQuantity(std::round(1e5 * ratio) / 1e5, "%") +
-                         "): no measured car rings so, and a march hardly settles; " +
-                         DampingRemedy(subject, mode, motions.front().direction));
+    const std::string by_tyres = TyreDamping(subject, mode, motions.front().direction);
+    std::vector<std::string> words = {mode.name, Readable(mode.frequency_Hz, "Hz"),
+                                      FormatQuantity(std::round(1e5 * ratio) / 1e5, "%")};
+    if (!by_tyres.empty()) words.push_back(by_tyres);
+    findings.Report(by_tyres.empty() ? kModeUndamped : kModeUndampedByTyres,
+                    LineOf(subject.vehicle, motions.front().link), words);
   }
 }
 

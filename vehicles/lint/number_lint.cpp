@@ -9,6 +9,8 @@
 
 #include "analysis/text/units.h"
 #include "vehicles/description/element_list.h"
+#include "vehicles/lint/findings.h"
+#include "vehicles/lint/number_rule.h"
 
 namespace fourpost {
 namespace {
@@ -35,11 +37,11 @@ std::string UnitOf(const DrawnVehicle& drawn, const Scalar& number) {
   return drawn.vehicle.parameters[static_cast<std::size_t>(number.parameter)].unit;
 }
 
-/// "; was 280 kN/m meant?"
+/// What was likely meant: "280 kN/m"; empty where no unit explains it.
 std::string Guess(double number, const Range& range, const std::string& si_unit) {
   for (const double factor : {1e3, 1e-3, 1e6, 1e-6})
-    if (range.Holds(factor * std::abs(number))) return "; was " + Readable(factor * number, si_unit) + " meant?";
-  return "; check its digits and its unit";
+    if (range.Holds(factor * std::abs(number))) return Readable(factor * number, si_unit);
+  return "";
 }
 
 std::string Bounds(const Range& range, const std::string& si_unit) {
@@ -47,12 +49,22 @@ std::string Bounds(const Range& range, const std::string& si_unit) {
   return "not within " + Readable(range.least, si_unit) + " to " + Readable(range.greatest, si_unit);
 }
 
-/// What is odd about a number; `unit`: that in which the user sees it.
-std::string Oddity(double number, const AttributeRule& rule, const std::string& unit) {
+/// The words for what is odd about a number: the number, the bounds and, if there is one, the guess; `unit`: that in
+/// which the user sees it. Empty where nothing is odd.
+std::vector<std::string> Oddity(double number, const AttributeRule& rule, const std::string& unit) {
   const Range range(rule);
-  if (number == 0 || range.Holds(std::abs(number))) return "";
+  if (number == 0 || range.Holds(std::abs(number))) return {};
   const std::string si_unit = SiUnit(rule.dimension);
-  return " is " + Readable(number, si_unit, unit) + ", " + Bounds(range, si_unit) + Guess(number, range, si_unit);
+  std::vector<std::string> words = {Readable(number, si_unit, unit), Bounds(range, si_unit)};
+  if (std::string guess = Guess(number, range, si_unit); !guess.empty()) words.push_back(std::move(guess));
+  return words;
+}
+
+/// `guessed` where the oddity has a guess, else `far_off`; `subject` stands before its words.
+void ReportOddity(const Finding& guessed, const Finding& far_off, int line, std::vector<std::string> subject,
+                  const std::vector<std::string>& oddity, FileFaults& findings) {
+  subject.insert(subject.end(), oddity.begin(), oddity.end());
+  findings.Report(oddity.size() == 3 ? guessed : far_off, line, subject);
 }
 
 /// The damper's law without what friction adds, at its file's values [N].
@@ -75,12 +87,12 @@ bool StatesRates(const Damper& damper) {
 }  // namespace
 
 void LintNumbers(const DrawnVehicle& drawn, FileFaults& findings) {
-  std::set<std::pair<std::string, std::string>> told;
+  std::set<std::pair<std::string, std::string>> reported;
   for (const ElementNumber& item : NumbersOf(drawn.vehicle)) {
-    const std::string oddity = Oddity(drawn.At(item.number), *item.rule, UnitOf(drawn, item.number));
+    const auto oddity = Oddity(drawn.At(item.number), RuleOf(item), UnitOf(drawn, item.number));
     // Of a table's points the first is enough.
-    if (!oddity.empty() && told.emplace(item.element, item.noun).second)
-      findings.Warning(item.line, item.noun + " of " + item.element + oddity);
+    if (!oddity.empty() && reported.emplace(item.element, item.noun).second)
+      ReportOddity(kNumberUnusual, kNumberFarOff, item.line, {item.noun, item.element}, oddity, findings);
   }
 }
 
@@ -90,10 +102,10 @@ void LintMeanRates(const DrawnVehicle& drawn, FileFaults& findings) {
     if (StatesRates(damper)) continue;
     const auto force = OilForce(drawn, damper);
     const double rate = (force(kUsualSpeed_mps) - force(-kUsualSpeed_mps)) / (2 * kUsualSpeed_mps);
-    const std::string oddity = Oddity(rate, rule, "");
+    const auto oddity = Oddity(rate, rule, "");
     if (!oddity.empty())
-      findings.Warning(damper.source_line, "mean rate of " + Called("fp:damper", damper.name) + " up to " +
-                                               Readable(kUsualSpeed_mps, "m/s") + oddity);
+      ReportOddity(kMeanRateUnusual, kMeanRateFarOff, damper.source_line,
+                   {Called("fp:damper", damper.name), Readable(kUsualSpeed_mps, "m/s")}, oddity, findings);
   }
 }
 
@@ -107,9 +119,8 @@ void LintHardening(const DrawnVehicle& drawn, FileFaults& findings) {
     const double linear = drawn.At(stiffness) * travel_m;
     const double hardening = drawn.At(cubic) * travel_m * travel_m * travel_m;
     if (linear == 0 || hardening <= kMost * linear) return;
-    findings.Warning(line, "cubic of " + element + " makes " + Readable(hardening, "N") + " at " +
-                               Readable(travel_m, "m") + ", its stiffness " + Readable(linear, "N") +
-                               ": check its digits and its unit");
+    findings.Report(kCubicDominates, line,
+                    {element, Readable(hardening, "N"), Readable(travel_m, "m"), Readable(linear, "N")});
   };
   for (const Spring& spring : drawn.vehicle.springs) {
     check(spring.Element(), spring.source_line, spring.law.stiffness, spring.law.cubic, kTravel_m);
@@ -126,8 +137,7 @@ void LintPlacesInMillimetres(const DrawnVehicle& drawn, FileFaults& findings) {
   constexpr double kFar_m = 50;
   const auto check = [&](const std::string& what, int line, const Eigen::Vector3d& xyz) {
     if (xyz.norm() <= kFar_m) return;
-    findings.Warning(line, what + " is " + Readable(xyz.norm(), "m") + " from the origin of its axes; was " +
-                               Readable(1e-3 * xyz.norm(), "m") + " meant? xyz is in metres");
+    findings.Report(kPlaceInMillimetres, line, {what, Readable(xyz.norm(), "m"), Readable(1e-3 * xyz.norm(), "m")});
   };
   for (const ElementPoint& item : PointsOf(drawn.vehicle))
     check(std::string(item.part) + " of " + item.element, item.line, item.point.xyz);
@@ -140,10 +150,7 @@ void LintStopGaps(const DrawnVehicle& drawn, FileFaults& findings) {
     std::set<int> closed;
     for (const SpringDescription::Knee& knee : spring.law.knees)
       if (knee.adds && drawn.At(knee.at) == 0) closed.insert(knee.side);
-    if (closed.size() == 2)
-      findings.Warning(
-          spring.source_line,
-          spring.Element() + " has no gap on either side, so that it acts as a spring: give its gaps, or make it one");
+    if (closed.size() == 2) findings.Report(kStopWithoutGap, spring.source_line, {spring.Element()});
   }
 }
 
@@ -153,10 +160,8 @@ void LintGaps(const DrawnVehicle& drawn, FileFaults& findings) {
     const double length = drawn.Length(spring.line);
     for (const SpringDescription::Knee& knee : spring.law.knees)
       if (knee.side < 0 && drawn.At(knee.at) >= length)
-        findings.Warning(spring.source_line, spring.Element() + " is " + Readable(length, "m") +
-                                                 " long in the design pose, so it is never compressed by " +
-                                                 Readable(drawn.At(knee.at), "m") +
-                                                 ": correct its ends, its gap or its knee");
+        findings.Report(kGapBeyondLength, spring.source_line,
+                        {spring.Element(), Readable(length, "m"), Readable(drawn.At(knee.at), "m")});
   }
 }
 
@@ -171,11 +176,9 @@ void LintOilColumns(const DrawnVehicle& drawn, FileFaults& findings) {
         const HydraulicDescription& oil = *damper.hydraulic;
         const double column = drawn.At(knee.side < 0 ? oil.compression_column : oil.rebound_column);
         if (drawn.At(knee.at) >= column)
-          findings.Warning(damper.source_line,
-                           (knee.side < 0 ? "the compression column of " : "the rebound column of ") +
-                               Called("fp:damper", damper.name) + " is " + Readable(column, "m") + " long, but " +
-                               stop.Element() + " begins after " + Readable(drawn.At(knee.at), "m") +
-                               ": the piston meets the end before the stop; correct one of them");
+          findings.Report(kOilColumnShort, damper.source_line,
+                          {knee.side < 0 ? "bump" : "rebound", Called("fp:damper", damper.name), Readable(column, "m"),
+                           stop.Element(), Readable(drawn.At(knee.at), "m")});
       }
     }
 }
@@ -187,11 +190,9 @@ void LintSwappedDamping(const DrawnVehicle& drawn, FileFaults& findings) {
     const double bump = -force(-kUsualSpeed_mps) / kUsualSpeed_mps;
     const double rebound = force(kUsualSpeed_mps) / kUsualSpeed_mps;
     if (rebound >= kLeastRatio * bump) continue;
-    findings.Warning(damper.source_line, Called("fp:damper", damper.name) + " resists compression with " +
-                                             Readable(bump, "N*s/m") + " and rebound with " +
-                                             Readable(rebound, "N*s/m") +
-                                             (StatesRates(damper) ? "" : " at " + Readable(kUsualSpeed_mps, "m/s")) +
-                                             ": are the two swapped?");
+    findings.Report(kDampingSwapped, damper.source_line,
+                    {Called("fp:damper", damper.name), Readable(bump, "N*s/m"), Readable(rebound, "N*s/m"),
+                     StatesRates(damper) ? "" : " at " + Readable(kUsualSpeed_mps, "m/s")});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "vehicles/description/element_list.h"
+#include "vehicles/lint/findings.h"
 
 namespace fourpost {
 namespace {
@@ -86,9 +87,7 @@ void LintIdleParameters(const LintSubject& subject, FileFaults& findings) {
     const CondensedModel low = subject.condensed.At(values);
     values[i] = upper;
     if (!Differ(low, subject.condensed.At(values), subject.Weight()))
-      findings.Warning(parameter.line, "fp:parameter '" + parameter.name +
-                                           "' changes neither the motion nor a static load nor what a sensor reads: "
-                                           "remove it, or what keeps its element from moving");
+      findings.Report(kParameterIdle, parameter.line, {parameter.name});
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "vehicles/description/body_box.h"
 #include "vehicles/description/element_list.h"
+#include "vehicles/lint/findings.h"
 
 namespace fourpost {
 
@@ -24,11 +25,9 @@ void LintSensorPlaces(const DrawnVehicle& drawn, FileFaults& findings) {
     if (link == 0 || boxes.Of(link).isEmpty() || off(boxes.Of(link), drawn.Place(sensor.point)) == 0) continue;
     const double distance = off(boxes.WithMeshes(link), drawn.Place(sensor.point));
     if (distance > 0)
-      findings.Warning(sensor.line, sensor.element + " is " + Readable(distance, "m") +
-                                        " off all that the file tells of link '" +
-                                        drawn.vehicle.links[static_cast<std::size_t>(link)].name +
-                                        "', which carries it: correct the link, or xyz, which is in metres and in the "
-                                        "axes of its link");
+      findings.Report(
+          kSensorOffBody, sensor.line,
+          {sensor.element, Readable(distance, "m"), drawn.vehicle.links[static_cast<std::size_t>(link)].name});
   }
 }
 
@@ -48,11 +47,9 @@ void LintInertias(const DrawnVehicle& drawn, FileFaults& findings) {
       return (place - box.min()).cwiseAbs().cwiseMax((place - box.max()).cwiseAbs()).norm() + kUnseen_m;
     };
     if (radius <= reach(boxes.Of(com.link)) || radius <= reach(boxes.WithMeshes(com.link))) continue;
-    findings.Warning(link.line, "inertia of " + Called("link", link.name) + " is " + Readable(greatest, "kg*m^2") +
-                                    " at a mass of " + Readable(mass, "kg") + ", a radius of gyration of " +
-                                    Readable(radius, "m") +
-                                    ", beyond all that the file tells of the body: check the "
-                                    "digits and units of both");
+    findings.Report(
+        kInertiaUnusual, link.line,
+        {Called("link", link.name), Readable(greatest, "kg*m^2"), Readable(mass, "kg"), Readable(radius, "m")});
   }
 }
 
@@ -63,13 +60,11 @@ void LintTyreHeights(const DrawnVehicle& drawn, FileFaults& findings) {
   constexpr double kHighest_m = 1.5;
   for (const Tyre& tyre : drawn.vehicle.tyres) {
     const double height = drawn.Place(tyre.point).z();
-    const std::string what = "the point of " + Called("fp:tyre", tyre.name) + " is " + Readable(height, "m") +
-                             " above the platform, z = 0, in the design pose";
+    const std::string name = Called("fp:tyre", tyre.name);
     if (tyre.radius > 0 && std::abs(height - tyre.radius) > kLevel_m)
-      findings.Warning(tyre.source_line, what + ", but its radius is " + Readable(tyre.radius, "m") +
-                                             ": correct the joint's origin, the point or the radius");
+      findings.Report(kTyreRadiusOff, tyre.source_line, {name, Readable(height, "m"), Readable(tyre.radius, "m")});
     if (tyre.radius == 0 && (height < kLowest_m || height > kHighest_m))
-      findings.Warning(tyre.source_line, what + ": correct the joint's origin or the point");
+      findings.Report(kTyreHeight, tyre.source_line, {name, Readable(height, "m")});
   }
 }
 
@@ -80,10 +75,7 @@ void LintLengths(const DrawnVehicle& drawn, FileFaults& findings) {
     if (ends.axis) return;
     const double length = drawn.Length(ends);
     if (length >= kShort_m && length <= kLong_m) return;
-    findings.Warning(line, element + " is " + Readable(length, "m") + " long in the design pose: " +
-                               (length > kLong_m ? "correct its ends"
-                                                 : "its direction turns with the least motion; correct its ends, or "
-                                                   "give it an axis"));
+    findings.Report(length > kLong_m ? kLineLong : kLineShort, line, {element, Readable(length, "m")});
   };
   for (const Spring& spring : drawn.vehicle.springs) check(spring.Element(), spring.source_line, spring.line);
   for (const Damper& damper : drawn.vehicle.dampers)
@@ -92,20 +84,17 @@ void LintLengths(const DrawnVehicle& drawn, FileFaults& findings) {
 
 void LintPosts(const DrawnVehicle& drawn, FileFaults& findings) {
   const Vehicle& vehicle = drawn.vehicle;
-  if (vehicle.posts.empty() && !vehicle.tyres.empty())
-    findings.Warning(0, "the vehicle has tyres but no post, so nothing can move it: add an fp:post under each tyre");
+  if (vehicle.posts.empty() && !vehicle.tyres.empty()) findings.Report(kPostsNone, 0);
   for (std::size_t i = 0; i < vehicle.tyres.size() && !vehicle.posts.empty(); ++i) {
     const bool has_post = std::any_of(vehicle.posts.begin(), vehicle.posts.end(),
                                       [&](const Post& post) { return post.tyre == static_cast<int>(i); });
     if (!has_post)
-      findings.Warning(vehicle.tyres[i].source_line, Called("fp:tyre", vehicle.tyres[i].name) +
-                                                         " has no post while others have one: add an fp:post under it");
+      findings.Report(kPostMissing, vehicle.tyres[i].source_line, {Called("fp:tyre", vehicle.tyres[i].name)});
   }
 }
 
 void LintSensors(const DrawnVehicle& drawn, FileFaults& findings) {
-  if (drawn.vehicle.sensors.empty())
-    findings.Warning(0, "the vehicle has no sensor, so nothing of its response is seen: add fp:sensor tags");
+  if (drawn.vehicle.sensors.empty()) findings.Report(kSensorsNone, 0);
 }
 
 }  // namespace fourpost

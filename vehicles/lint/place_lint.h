@@ -1,6 +1,7 @@
 #pragma once
 
 #include "vehicles/description/drawn_vehicle.h"
+#include "vehicles/tags/file_faults.h"
 
 namespace fourpost {
 

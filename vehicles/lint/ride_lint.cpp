@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "vehicles/lint/findings.h"
 #include "vehicles/ride/stability.h"
 #include "vehicles/tags/file_faults.h"
 
@@ -24,8 +25,7 @@ std::string Short(double value) {
 void LintStability(const VehicleSummary& summary, FileFaults& findings) {
   const std::optional<Growth> growth = GrowthOf(summary.modes, summary.growth_rate);
   if (!growth) return;
-  findings.Warning(0, "the vehicle is unstable in its design pose: " + growth->Text() +
-                          "; a rod or a spring that holds it is missing, or positions, axes or rates are wrong");
+  findings.Report(kVehicleUnstable, 0, {growth->Text()});
 }
 
 void LintWheelRates(const Vehicle& vehicle, const VehicleSummary& summary, FileFaults& findings) {
@@ -37,9 +37,8 @@ void LintWheelRates(const Vehicle& vehicle, const VehicleSummary& summary, FileF
     const std::string& name = summary.suspension.wheels[i].name;
     const auto tyre = std::find_if(vehicle.tyres.begin(), vehicle.tyres.end(),
                                    [&](const Tyre& candidate) { return candidate.name == name; });
-    findings.Warning(tyre->source_line, "the wheel rate at fp:tyre '" + name + "' is " + Short(rate / 1e3) + " N/mm, " +
-                                            (rate < 0 ? "less than nothing" : "more than the tyre's") +
-                                            ": check the points of its links, rods and springs, and its own");
+    findings.Report(rate < 0 ? kWheelRateNegative : kWheelRateHigh, tyre->source_line,
+                    {name, Short(rate / 1e3) + " N/mm"});
   }
 }
 
@@ -50,8 +49,7 @@ void LintRatio(const StrutGeometry& strut, const std::string& element, int line,
   if (!strut.alone || strut.wheel < 0) return;
   const double ratio = std::abs(*strut.alone);
   if (ratio >= kLeast && ratio <= kMost) return;
-  findings.Warning(line, element + " has a motion ratio of " + Short(*strut.alone) + " to its wheel: check its ends" +
-                             (ratio < kLeast ? " and its axis" : ""));
+  findings.Report(kMotionRatio, line, {element, Short(*strut.alone), ratio < kLeast ? " and its axis" : ""});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "vehicles/description/element_list.h"
+#include "vehicles/lint/findings.h"
 
 namespace fourpost {
 namespace {
@@ -39,9 +40,7 @@ void LintTyreLoads(const LintSubject& subject, FileFaults& findings) {
     const Tyre& tyre = subject.vehicle.tyres[i];
     const double load = subject.model.preloads.tyre[i];
     if (load < -Trifle(subject))
-      findings.Warning(tyre.source_line, Called("fp:tyre", tyre.name) + " pulls on its platform with " +
-                                             Readable(-load, "N") +
-                                             " at rest: check where the masses are and what preloads are given");
+      findings.Report(kTyrePullsAtRest, tyre.source_line, {Called("fp:tyre", tyre.name), Readable(-load, "N")});
   }
 }
 
@@ -50,10 +49,9 @@ void LintSpringLoads(const LintSubject& subject, FileFaults& findings) {
     const Spring& spring = subject.vehicle.springs[i];
     const double tension = subject.model.preloads.spring[i];
     if (!spring.preload && !spring.free_length && tension > Trifle(subject))
-      findings.Warning(spring.source_line,
-                       spring.Element() + " is pulled with " + Readable(tension, "N") +
-                           " at rest, which a coil does not bear: check its ends" +
-                           (spring.line.axis ? ", and its axis, which points from child to parent" : ""));
+      findings.Report(kSpringPulled, spring.source_line,
+                      {spring.Element(), Readable(tension, "N"),
+                       spring.line.axis ? ", and its axis, which points from child to parent" : ""});
   }
 }
 
@@ -65,10 +63,8 @@ void LintWeightOnTyres(const LintSubject& subject, FileFaults& findings) {
   const double weight = subject.Weight();
   if (std::abs(sum - weight) <= kShare * weight) return;
   const std::vector<std::string> props = Props(subject.vehicle);
-  findings.Warning(0, "the tyres carry " + Readable(sum, "N") + " at rest, but the vehicle weighs " +
-                          Readable(weight, "N") + ": the rest is on " +
-                          (props.empty() ? "nothing that is known" : Listed(props)) +
-                          "; free that, or take the loads for those of a guided vehicle");
+  findings.Report(kWeightElsewhere, 0,
+                  {Readable(sum, "N"), Readable(weight, "N"), props.empty() ? "unknown supports" : Listed(props)});
 }
 
 }  // namespace fourpost

@@ -10,6 +10,8 @@
 #include "analysis/text/units.h"
 #include "vehicles/description/element_list.h"
 #include "vehicles/description/mirror_partner.h"
+#include "vehicles/lint/findings.h"
+#include "vehicles/lint/number_rule.h"
 
 namespace fourpost {
 namespace {
@@ -38,7 +40,8 @@ NumbersOfOne Alike(const NumbersOfOne& numbers, const std::string& noun) {
   return alike;
 }
 
-std::string Difference(const DrawnVehicle& drawn, const ElementNumber& left, const ElementNumber& right) {
+/// The words of kMirrorNumber; empty where the two agree.
+std::vector<std::string> Difference(const DrawnVehicle& drawn, const ElementNumber& left, const ElementNumber& right) {
   // Nobody types a number twice with other digits; what was identified for each side may well differ.
   constexpr double kTyped = 1.01;
   constexpr double kOfParameters = 1.5;
@@ -47,16 +50,21 @@ std::string Difference(const DrawnVehicle& drawn, const ElementNumber& left, con
   const bool is_typed = left.number.parameter < 0 && right.number.parameter < 0;
   const double most = std::max(std::abs(a), std::abs(b));
   const double ratio = is_typed ? kTyped : kOfParameters;
-  if (a * b >= 0 && most <= ratio * std::min(std::abs(a), std::abs(b))) return "";
-  const std::string si_unit = SiUnit(right.rule->dimension);
-  return right.noun + " of " + right.element + " is " + Readable(b, si_unit) + ", that of " + left.element + " (line " +
-         std::to_string(left.line) + ") " + Readable(a, si_unit) + ": correct one of them" +
-         (is_typed ? ", or make them parameters if they were measured so" : "");
+  if (a * b >= 0 && most <= ratio * std::min(std::abs(a), std::abs(b))) return {};
+  const std::string si_unit = SiUnit(RuleOf(right).dimension);
+  return {right.noun,
+          right.element,
+          Readable(b, si_unit),
+          left.element,
+          std::to_string(left.line),
+          Readable(a, si_unit),
+          is_typed ? ", or make them parameters if they were measured so" : ""};
 }
 
 /// Where the numbers of two elements that mirror each other differ, if they do: those of a kind one by one. Laws of
 /// other kinds, or tables of other lengths, are not compared number by number.
-std::string FirstDifference(const DrawnVehicle& drawn, const NumbersOfOne& left, const NumbersOfOne& right) {
+std::vector<std::string> FirstDifference(const DrawnVehicle& drawn, const NumbersOfOne& left,
+                                         const NumbersOfOne& right) {
   for (std::size_t i = 0; i < right.size(); ++i) {
     const std::string& noun = right[i]->noun;
     const NumbersOfOne on_left = Alike(left, noun);
@@ -64,10 +72,10 @@ std::string FirstDifference(const DrawnVehicle& drawn, const NumbersOfOne& left,
     if (on_left.size() != on_right.size()) continue;
     const auto place =
         static_cast<std::size_t>(std::find(on_right.begin(), on_right.end(), right[i]) - on_right.begin());
-    std::string difference = Difference(drawn, *on_left[place], *right[i]);
+    std::vector<std::string> difference = Difference(drawn, *on_left[place], *right[i]);
     if (!difference.empty()) return difference;
   }
-  return "";
+  return {};
 }
 
 }  // namespace
@@ -80,9 +88,9 @@ void LintMirroredPoints(const DrawnVehicle& drawn, FileFaults& findings) {
     const Eigen::Vector3d image = drawn.Place(left.point).cwiseProduct(Eigen::Vector3d(1, -1, 1));
     const double gap = (drawn.Place(right.point) - image).norm();
     if (gap <= kExact_m || gap >= std::max(kNear_m, kNearShare * std::abs(image.y()))) return;
-    findings.Warning(right.line, std::string(right.part) + " of " + right.element + " is " + Readable(gap, "m") +
-                                     " off the mirror image of that of " + left.element + " (line " +
-                                     std::to_string(left.line) + ") in the design pose: correct one, or use fp:mirror");
+    findings.Report(
+        kMirrorPoint, right.line,
+        {std::string(right.part), right.element, Readable(gap, "m"), left.element, std::to_string(left.line)});
   };
   ForEachPair(PointsOf(drawn.vehicle), compare);
 }
@@ -95,8 +103,8 @@ void LintMirroredNumbers(const DrawnVehicle& drawn, FileFaults& findings) {
     for (const std::string& name : MirrorPartners(std::string(element))) {
       const auto right = by_element.find(name);
       if (right == by_element.end()) continue;
-      const std::string difference = FirstDifference(drawn, left, right->second);
-      if (!difference.empty()) findings.Warning(right->second.front()->line, difference);
+      const std::vector<std::string> difference = FirstDifference(drawn, left, right->second);
+      if (!difference.empty()) findings.Report(kMirrorNumber, right->second.front()->line, difference);
     }
 }
 
@@ -109,9 +117,7 @@ void LintBarSides(const DrawnVehicle& drawn, FileFaults& findings) {
     const double left = side(bar.left);
     const double right = side(bar.right);
     if (left * right <= 0 || std::min(std::abs(left), std::abs(right)) < kAside_m) continue;
-    findings.Warning(bar.source_line, "both lines of " + Called("fp:antiroll", bar.name) + " are on the " +
-                                          (left > 0 ? "left" : "right") +
-                                          " of the car: give one the points of the other side");
+    findings.Report(kBarSide, bar.source_line, {Called("fp:antiroll", bar.name), left > 0 ? "left" : "right"});
   }
 }
 

@@ -15,6 +15,10 @@
 namespace fourpost {
 namespace {
 
+/// A plausibility check that needs only the description, so that it also works on a vehicle that cannot be assembled or
+/// held: adds a warning, with a remedy, for each finding.
+using DrawnLintRule = void (*)(const DrawnVehicle& drawn, FileFaults& findings);
+
 constexpr std::array<DrawnLintRule, 17> kDrawnRules = {
     LintNumbers,  LintMeanRates,    LintHardening,      LintPlacesInMillimetres, LintStopGaps,
     LintGaps,     LintOilColumns,   LintSwappedDamping, LintMirroredPoints,      LintMirroredNumbers,

@@ -9,6 +9,7 @@
 
 #include "analysis/numerics/decompositions.h"
 #include "vehicles/loops/dead_centre.h"
+#include "vehicles/loops/findings.h"
 #include "vehicles/loops/loop_pose.h"
 #include "vehicles/loops/wheel_ride.h"
 
@@ -79,8 +80,7 @@ class LockSearch {
 
   FaultyInput CannotFollow() {
     Faults();
-    if (!faults_.HasErrors())
-      Report(Stressed(multibody_, poses_[0].space().stresses), "a motion of some millimetres cannot be followed");
+    if (!faults_.HasErrors()) Report(kLoopsStiff, Stressed(multibody_, poses_[0].space().stresses), {});
     return FaultyInput(faults_);
   }
 
@@ -98,7 +98,8 @@ class LockSearch {
   void FindRigidLinks();
   void FindLockedWheels();
   void FindDeadCentres();
-  void Report(const Indices& closures, const std::string& what);
+  /// `words` stand before the closures and the remedy.
+  void Report(const Finding& kind, const Indices& closures, std::vector<std::string> words);
   std::string PrecisionHint() const;
 
   Multibody& multibody_;
@@ -197,7 +198,7 @@ void LockSearch::FindRigidLinks() {
     for (const std::vector<int>& part : ApartFromTheBody(set)) {
       std::vector<std::string> names;
       for (const int link : part) names.push_back(Quoted(vehicle_.links[static_cast<std::size_t>(link)]));
-      Report(RigidifyingSet(part), Enumerated(names) + " cannot move against each other" + PrecisionHint());
+      Report(kLoopsRigid, RigidifyingSet(part), {Enumerated(names), PrecisionHint()});
     }
   }
 }
@@ -216,15 +217,15 @@ void LockSearch::FindLockedWheels() {
     const Indices closures = LockingSet(loses);
     const bool is_meant = closures.size() == 1 && closures_[closures[0]].rows >= 5;
     if (is_meant) continue;
-    Report(closures, lost + " of " + Quoted(vehicle_.links[static_cast<std::size_t>(link)]) + " against " +
-                         Quoted(vehicle_.links[static_cast<std::size_t>(wheels_.body())]) + " is impossible" +
-                         PrecisionHint());
+    Report(kLoopsWheel, closures,
+           {lost, Quoted(vehicle_.links[static_cast<std::size_t>(link)]),
+            Quoted(vehicle_.links[static_cast<std::size_t>(wheels_.body())]), PrecisionHint()});
   }
 }
 
 void LockSearch::FindDeadCentres() {
   for (const DeadCentre& dead : DeadCentres(multibody_, poses_[0], wheels_.body()))
-    Report(dead.closures, dead.motion.Text() + " is free in the design pose only and cannot go on");
+    Report(kLoopsDeadCentre, dead.closures, {dead.motion.Text()});
 }
 
 /// Equations of typed numbers that are meant to agree, as along parallel axes, but do so to a few digits only.
@@ -232,10 +233,10 @@ std::string LockSearch::PrecisionHint() const {
   // An angle typed with three digits.
   constexpr double kNearly = 5e-4;
   if (poses_[0].space().least > kNearly) return "";
-  return ", though by little (do axes or points that are meant to agree have too few digits?),";
+  return ", though only just (axes or points that should agree may have too few digits),";
 }
 
-void LockSearch::Report(const Indices& closures, const std::string& what) {
+void LockSearch::Report(const Finding& kind, const Indices& closures, std::vector<std::string> words) {
   std::vector<std::string> names;
   for (const std::size_t i : closures) {
     const LoopClosure& closure = closures_[i];
@@ -243,10 +244,10 @@ void LockSearch::Report(const Indices& closures, const std::string& what) {
     if (closures.size() > 1 && closure.source_line > 0)
       names.back() += " (line " + std::to_string(closure.source_line) + ")";
   }
-  faults_.Error(vehicle_.file, closures.empty() ? 0 : closures_[closures.front()].source_line,
-                "the loops lock the vehicle: " + what + " because of " + Enumerated(names) +
-                    (closures.size() > 1 ? "; put an fp:bushing in place of one of them, or correct their places"
-                                         : "; correct its place, or put an fp:bushing there"));
+  words.push_back(Enumerated(names));
+  const bool is_one = closures.size() == 1;
+  words.insert(words.end(), {is_one ? "its place" : "their places", is_one ? "it" : "one of them"});
+  faults_.Report(kind, {vehicle_.file, closures.empty() ? 0 : closures_[closures.front()].source_line}, words);
 }
 
 }  // namespace

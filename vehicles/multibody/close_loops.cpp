@@ -42,7 +42,7 @@ class LoopCloser {
   }
 
   bool ImproveDamped(const Eigen::MatrixXd& jacobian) {
-    // Between what the square of the Jacobian can tell from rounding and steps that are lost in it.
+    // Between what the square of the Jacobian can separate from rounding and steps that are lost in it.
     constexpr double kLeast = 1e-4;
     constexpr double kGreatest = 1e4;
     // What is less is rounding of a pose that cannot be better.

@@ -6,6 +6,7 @@
 
 #include "vehicles/description/design_poses.h"
 #include "vehicles/description/element_list.h"
+#include "vehicles/multibody/findings.h"
 
 namespace fourpost {
 namespace {
@@ -41,11 +42,14 @@ class OpenClosureList {
   std::vector<OpenClosure> open_;
 };
 
-std::string Outcome(double written, double best) {
-  // A gap that hardly changes was not closed by anything that could move.
+/// `best`: the gap that moving the bodies leaves [m].
+void Report(const OpenClosure& closure, double best, const std::string& file, Diagnostics& faults) {
+  // A gap that barely changes was not closed by anything that could move.
   constexpr double kNoNearer = 0.99;
-  if (best >= kNoNearer * written) return "and moving the bodies brings them no nearer";
-  return "and moving the bodies leaves " + Readable(best, "m") + " of it";
+  const Place place{file, closure.source_line};
+  const std::string gap = Readable(closure.gap, "m");
+  if (best >= kNoNearer * closure.gap) faults.Report(kLoopStuck, place, {closure.element, gap});
+  else faults.Report(kLoopOpen, place, {closure.element, gap, Readable(best, "m")});
 }
 
 }  // namespace
@@ -62,7 +66,7 @@ Diagnostics LoopGapFaults(const Vehicle& vehicle, const std::function<double(con
   std::vector<OpenClosure> open = OpenClosures(vehicle, 0);
   double largest = 0;
   for (const OpenClosure& closure : open) largest = std::max(largest, closure.gap);
-  // Where one is open by more than a drawing tells, those that are within it are not to blame.
+  // Where one is open by more than a drawing shows, those that are within it are not to blame.
   const double least = std::min(kDrawnGap_m, 0.5 * largest);
   std::erase_if(open, [&](const OpenClosure& closure) { return closure.gap < least; });
   const auto best = [&](const OpenClosure& closure) { return distance(closure.parent, closure.child); };
@@ -71,11 +75,7 @@ Diagnostics LoopGapFaults(const Vehicle& vehicle, const std::function<double(con
   const auto is_closed = [&](const OpenClosure& closure) { return best(closure) < kClosed_m; };
   if (!std::all_of(open.begin(), open.end(), is_closed)) std::erase_if(open, is_closed);
   Diagnostics faults;
-  for (const OpenClosure& closure : open)
-    faults.Error(vehicle.file, closure.source_line,
-                 "the loop cannot be closed: the two points of " + closure.element + " are " +
-                     Readable(closure.gap, "m") + " apart as written, " + Outcome(closure.gap, best(closure)) +
-                     "; correct their positions or the joints between them");
+  for (const OpenClosure& closure : open) Report(closure, best(closure), vehicle.file, faults);
   return faults;
 }
 

@@ -4,11 +4,12 @@
 #include <limits>
 #include <stdexcept>
 
+#include "analysis/text/count_check.h"
 #include "analysis/text/diagnostics.h"
 #include "vehicles/description/gravity.h"
-#include "analysis/text/count_check.h"
 #include "vehicles/multibody/body_forces.h"
 #include "vehicles/multibody/close_loops.h"
+#include "vehicles/multibody/findings.h"
 #include "vehicles/multibody/line_forces.h"
 #include "vehicles/multibody/loop_gaps.h"
 #include "vehicles/multibody/simbody_bodies.h"
@@ -88,7 +89,7 @@ struct Multibody::Impl {
   SimTK::GeneralForceSubsystem forces{system};
   std::vector<MobilizedBody> bodies;
   std::vector<SpringData> springs;
-  /// All but the hydraulic ones, and these; each with its place in Vehicle::dampers.
+  /// All except the hydraulic ones, and these; each with its place in Vehicle::dampers.
   std::vector<DamperData> dampers;
   std::vector<std::size_t> damper_index;
   std::vector<HydraulicData> hydraulics;
@@ -346,8 +347,7 @@ void Multibody::Impl::Realize(SimTK::Stage stage) {
   try {
     system.realize(state, stage);
   } catch (const SimTK::Exception::Base& failure) {
-    throw SimulationError("the vehicle cannot be evaluated at t = " + std::to_string(state.getTime()) +
-                          " s: " + failure.getMessage());
+    throw SimulationError(kNotEvaluated, {std::to_string(state.getTime()) + " s", failure.getMessage()});
   }
 }
 
@@ -599,8 +599,7 @@ void Multibody::Integrate(const Eigen::VectorXd& state, double start, double ste
       if (done()) return;
     }
   } catch (const SimTK::Exception::Base& failure) {
-    throw SimulationError("the simulation failed at t = " + std::to_string(integrator.getTime()) +
-                          " s: " + failure.getMessage());
+    throw SimulationError(kSimulationFailed, {std::to_string(integrator.getTime()) + " s", failure.getMessage()});
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "analysis/text/units.h"
 #include "vehicles/description/design_poses.h"
+#include "vehicles/reader/findings.h"
 
 namespace fourpost {
 namespace {
@@ -37,12 +38,10 @@ bool IsPhysical(const Eigen::Matrix3d& inertia) {
   return moments[0] >= -slack && moments[0] + moments[1] >= moments[2] - slack;
 }
 
-/// What is wrong with it.
-std::string InertiaFault(const Eigen::Matrix3d& inertia) {
+std::string MomentsText(const Eigen::Matrix3d& inertia) {
   std::ostringstream text;
   const Eigen::Vector3d moments = PrincipalMoments(inertia);
-  text << ": its principal moments are " << moments[0] << ", " << moments[1] << " and " << moments[2]
-       << " kg*m^2, and none may be below zero or exceed the sum of the other two";
+  text << moments[0] << ", " << moments[1] << " and " << moments[2] << " kg*m^2";
   return text.str();
 }
 
@@ -53,7 +52,7 @@ std::vector<std::size_t> ParametersOf(const Link& link) {
   return {indices.begin(), indices.end()};
 }
 
-/// The parameter values at the corner of this number: bit i tells which bound the i-th of these parameters takes.
+/// The parameter values at the corner of this number: bit i is which bound the i-th of these parameters takes.
 std::vector<double> CornerValues(const Vehicle& vehicle, const std::vector<std::size_t>& indices, unsigned corner) {
   std::vector<double> values = vehicle.ParameterValues();
   for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -80,11 +79,8 @@ void CheckInertiaWithinBounds(const Vehicle& vehicle, const Link& link, FileFaul
     const std::vector<double> values = CornerValues(vehicle, indices, corner);
     const Eigen::Matrix3d inertia = InertiaAt(link, values);
     if (IsPhysical(inertia)) continue;
-    faults.Error(link.line, "link '" + link.name +
-                                "' has an inertia that no body has at some of its parameters' "
-                                "bounds, such as " +
-                                ValuesText(vehicle, indices, values) + InertiaFault(inertia) +
-                                "; bind another of its moments as well, or narrow the bounds");
+    faults.Report(kInertiaImpossibleAtBounds, link.line,
+                  {link.name, ValuesText(vehicle, indices, values), MomentsText(inertia)});
     return;
   }
 }
@@ -96,10 +92,9 @@ bool HasInertiaAlone(const Vehicle& vehicle, const Link& link) {
 
 void CheckInertia(const Vehicle& vehicle, const Link& link, FileFaults& faults) {
   const Eigen::Matrix3d inertia = InertiaAt(link, vehicle.ParameterValues());
-  if (HasInertiaAlone(vehicle, link)) faults.Error(link.line, "link '" + link.name + "' has inertia but no mass");
-  else if (!inertia.allFinite()) faults.Error(link.line, "link '" + link.name + "' has an inertia that is too large");
-  else if (!IsPhysical(inertia))
-    faults.Error(link.line, "link '" + link.name + "' has an inertia that no body has" + InertiaFault(inertia));
+  if (HasInertiaAlone(vehicle, link)) faults.Report(kInertiaWithoutMass, link.line, {link.name});
+  else if (!inertia.allFinite()) faults.Report(kInertiaTooLarge, link.line, {link.name});
+  else if (!IsPhysical(inertia)) faults.Report(kInertiaImpossible, link.line, {link.name, MomentsText(inertia)});
   else CheckInertiaWithinBounds(vehicle, link, faults);
 }
 
@@ -118,16 +113,17 @@ class LengthCheck {
  public:
   LengthCheck(const Vehicle& vehicle, FileFaults& faults) : poses_(DesignPoses(vehicle)), faults_(faults) {}
 
-  void Check(const std::string& element, int line, const Point& parent, const Point& child, const std::string& remedy) {
+  void Check(const std::string& element, int line, const Point& parent, const Point& child,
+             const Finding& kind = kLineWithoutLength) {
     constexpr double kShortest_m = 1e-9;
-    // Ends that are unknown or on one link are told already.
+    // Ends that are unknown or on one link are reported already.
     if (parent.link < 0 || child.link < 0 || parent.link == child.link ||
         (PlaceOf(parent, poses_) - PlaceOf(child, poses_)).norm() > kShortest_m)
       return;
-    faults_.Error(line, element + " has no length, so it has no direction: " + remedy);
+    faults_.Report(kind, line, {element});
   }
   void Check(const std::string& element, int line, const ForceLine& points) {
-    if (!points.axis) Check(element, line, points.parent, points.child, "move an end, or give it an axis");
+    if (!points.axis) Check(element, line, points.parent, points.child);
   }
 
  private:
@@ -150,7 +146,7 @@ void CheckLengths(const Vehicle& vehicle, FileFaults& faults) {
     check.Check("the right line of fp:antiroll '" + bar.name + "'", bar.source_line, bar.right);
   }
   for (const Rod& rod : vehicle.rods)
-    check.Check("fp:rod '" + rod.name + "'", rod.source_line, rod.parent, rod.child, "move an end, or use fp:ball");
+    check.Check("fp:rod '" + rod.name + "'", rod.source_line, rod.parent, rod.child, kRodWithoutLength);
 }
 
 void CheckWheels(const Vehicle& vehicle, FileFaults& faults) {
@@ -162,9 +158,7 @@ void CheckWheels(const Vehicle& vehicle, FileFaults& faults) {
     const auto link = static_cast<std::size_t>(tyre.point.link);
     const Eigen::Vector3d axis = poses[link].linear().col(1);
     if (std::abs(axis.y()) > kSideways) continue;
-    faults.Error(tyre.source_line, "fp:tyre '" + tyre.name +
-                                       "' has a radius, so its wheel turns about the y axis of link '" +
-                                       vehicle.links[link].name + "', but that does not point sideways; turn the link");
+    faults.Report(kWheelAxis, tyre.source_line, {tyre.name, vehicle.links[link].name});
   }
 }
 
@@ -175,8 +169,7 @@ void CheckBodies(const Vehicle& vehicle, FileFaults& faults) {
     const Link& link = vehicle.links[static_cast<std::size_t>(joint.child)];
     if (HasInertiaAlone(vehicle, link)) continue;
     if (joint.type != Joint::Type::kFixed && masses[static_cast<std::size_t>(joint.child)] <= 0)
-      faults.Error(link.line, "joint '" + joint.name + "' moves link '" + link.name +
-                                  "', but neither it nor what it carries has a mass");
+      faults.Report(kMassMissing, link.line, {joint.name, link.name});
   }
 }
 

@@ -5,9 +5,9 @@
 
 #include <tinyxml2.h>
 
+#include "analysis/text/count_check.h"
 #include "analysis/text/number.h"
 #include "analysis/text/units.h"
-#include "analysis/text/count_check.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {

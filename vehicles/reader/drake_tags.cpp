@@ -14,6 +14,7 @@
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 #include "vehicles/description/design_poses.h"
+#include "vehicles/reader/findings.h"
 #include "vehicles/reader/line_reader.h"
 #include "vehicles/reader/tag_check.h"
 #include "vehicles/tags/tag.h"
@@ -96,16 +97,15 @@ class DrakeTags {
       const std::string_view name = child->Name();
       const auto rule = std::find_if(rules.begin(), rules.end(), [&](const TagRule& r) { return r.path == name; });
       if (rule == rules.end()) {
-        faults_.Error(LineOf(*child),
-                      "unknown tag <" + std::string(name) + "> in " + Describe(tag) + Suggestion(name, legal));
+        faults_.Report(kTagUnknown, LineOf(*child),
+                       {std::string(name), " in " + Describe(tag), Suggestion(name, legal)});
         misspelt.insert(NearestName(name, legal).value_or(name));
-      } else if (++count[name] > 1)
-        faults_.Error(LineOf(*child), Describe(tag) + " has more than one <" + std::string(name) + ">");
+      } else if (++count[name] > 1) faults_.Report(kTagTwice, LineOf(*child), {Describe(tag), std::string(name)});
       else CheckAttributes(*child, *rule, faults_);
     }
     for (const std::string_view name : legal)
       if (count[name] == 0 && !misspelt.contains(name))
-        faults_.Error(LineOf(tag), Describe(tag) + " needs a <" + std::string(name) + ">");
+        faults_.Report(kTagMissing, LineOf(tag), {Describe(tag), std::string(name)});
     return faults_.errors() == errors;
   }
 
@@ -239,10 +239,8 @@ void CheckDrakeBushings(const XMLElement& robot, const Vehicle& vehicle, FileFau
         Eigen::AngleAxisd(axes(bushing->parent, bushing->axes).transpose() * axes(bushing->child, child_axes)).angle();
     if (gap <= kCoincide_m && angle <= kParallel_rad) continue;
     const auto rounded = [](double value) { return FormatNumber(std::round(10 * value) / 10); };
-    faults.Warning(LineOf(*element), "the frames of " + Describe(*element) + " stand " + rounded(gap * 1e3) +
-                                         " mm and " + rounded(angle / kDegree) +
-                                         " deg apart in the design pose: Drake's bushing has a load there, this one "
-                                         "is without load");
+    faults.Report(kDrakeFramesApart, LineOf(*element),
+                  {Describe(*element), rounded(gap * 1e3) + " mm", rounded(angle / kDegree) + " deg"});
   }
 }
 

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "analysis/text/nearest.h"
+#include "vehicles/reader/findings.h"
 #include "vehicles/reader/law_reader.h"
 #include "vehicles/reader/line_reader.h"
+#include "vehicles/tags/attribute_check.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
@@ -57,7 +59,7 @@ class ElementReader {
   Closure ReadClosure(const Tag& tag) {
     Closure closure;
     closure.name = tag.Text("name");
-    std::tie(closure.parent, closure.child) = lines_.ReadEnds(tag, "it joins nothing");
+    std::tie(closure.parent, closure.child) = lines_.ReadEnds(tag, kClosureOnOneLink);
     closure.source_line = tag.Line();
     return closure;
   }
@@ -71,9 +73,7 @@ class ElementReader {
   /// A number of the geometry, which no parameter can change.
   double ReadConstant(const Tag& tag, std::string_view attribute) {
     const Scalar scalar = parameters_.ReadScalar(tag, attribute);
-    if (scalar.parameter >= 0)
-      faults_.Error(tag.Line(attribute), std::string(attribute) + "=\"" + tag.Text(attribute) + "\" of " +
-                                             Describe(*tag.element) + " must be a number: no parameter can change it");
+    if (scalar.parameter >= 0) faults_.Report(kConstantFollows, tag.Line(attribute), {Quoted(attribute, tag)});
     return scalar.value;
   }
 
@@ -92,12 +92,8 @@ class ElementReader {
       if (!AttributeText(*law->element, "free_length")) continue;
       spring.free_length = parameters_.ReadScalar(*law, "free_length");
       if (AttributeText(*law->element, "preload"))
-        faults_.Error(law->Line("free_length"), Describe(*tag.element) + " has a preload and a free_length: give one");
-      else if (spring.line.axis)
-        faults_.Error(law->Line("free_length"),
-                      Describe(*tag.element) +
-                          " is guided by an axis, so its length is not that of a coil: give its "
-                          "preload in place of free_length");
+        faults_.Report(kPreloadAndFreeLength, law->Line("free_length"), {Describe(*tag.element)});
+      else if (spring.line.axis) faults_.Report(kFreeLengthGuided, law->Line("free_length"), {Describe(*tag.element)});
     }
     vehicle_.springs.push_back(spring);
   }
@@ -152,10 +148,7 @@ class ElementReader {
     laws += ReadAxes(tag, "rotation", 3, bushing.stiffness);
     laws += ReadAxes(tag, "translation_damping", 0, bushing.damping);
     laws += ReadAxes(tag, "rotation_damping", 3, bushing.damping);
-    if (laws == 0)
-      faults_.Error(tag.Line(), Describe(*tag.element) +
-                                    " resists nothing: give it a <translation>, a <rotation>, a <translation_damping> "
-                                    "or a <rotation_damping>");
+    if (laws == 0) faults_.Report(kBushingResistsNothing, tag.Line(), {Describe(*tag.element)});
     if (const std::optional<Tag> loss = ChildOf(tag, "loss")) {
       bushing.loss_factor = parameters_.ReadScalar(*loss, "factor");
       bushing.loss_frequency_Hz = ReadConstant(*loss, "frequency");
@@ -183,10 +176,7 @@ class ElementReader {
     if (const std::optional<Tag> left = ChildOf(tag, "left")) bar.left = lines_.ReadLine(*left);
     if (const std::optional<Tag> right = ChildOf(tag, "right")) {
       bar.right = lines_.ReadLine(*right);
-      if (HaveSameEnds(bar.left, bar.right))
-        faults_.Error(right->Line(), Describe(*tag.element) +
-                                         " joins the same two points on the left and on the right, so it never acts: "
-                                         "give each side its own");
+      if (HaveSameEnds(bar.left, bar.right)) faults_.Report(kBarSamePoints, right->Line(), {Describe(*tag.element)});
     }
     vehicle_.antiroll_bars.push_back(bar);
   }
@@ -222,8 +212,7 @@ class ElementReader {
     if (AttributeText(*tag.element, "stroke")) post.stroke = ReadConstant(tag, "stroke");
     for (const Post& other : vehicle_.posts)
       if (post.tyre >= 0 && other.tyre == post.tyre)
-        faults_.Error(tag.Line("under"),
-                      Describe(*tag.element) + " drives the tyre that fp:post '" + other.name + "' drives already");
+        faults_.Report(kTyreTwoPosts, tag.Line("under"), {Describe(*tag.element), other.name});
     vehicle_.posts.push_back(post);
   }
 

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "analysis/text/units.h"
+#include "vehicles/reader/findings.h"
+#include "vehicles/tags/attribute_check.h"
 
 namespace fourpost {
 namespace {
@@ -46,14 +48,11 @@ void LawReader::ReadKnees(const Tag& multirate, SpringDescription& law) {
                                        .adds = false};
     Scalar& before = last[side > 0 ? 1 : 0];
     if (faults_.errors() == errors && !parameters_.IsBelow(before, knee.at))
-      faults_.Error(tag.Line("at"), "at=\"" + tag.Text("at") + "\" of " + Describe(*tag.element) +
-                                        " must lie beyond the knee before it, on either side of zero: knees stand in "
-                                        "the order in which the spring meets them, over the whole range of parameters");
+      faults_.Report(kKneeOrder, tag.Line("at"), {Quoted("at", tag)});
     before = knee.at;
     law.knees.push_back(knee);
   }
-  if (law.knees.empty())
-    faults_.Error(multirate.Line(), Describe(*multirate.element) + " needs at least one <knee>, or make it <linear>");
+  if (law.knees.empty()) faults_.Report(kKneeNone, multirate.Line(), {Describe(*multirate.element)});
 }
 
 SpringDescription LawReader::ReadStop(const Tag& stop) {
@@ -65,7 +64,7 @@ SpringDescription LawReader::ReadStop(const Tag& stop) {
                            .rate = parameters_.ReadScalar(*tag, "stiffness"),
                            .cubic = parameters_.ReadScalar(*tag, "cubic"),
                            .adds = true});
-  if (law.knees.empty()) faults_.Error(stop.Line(), Describe(*stop.element) + " needs a <bump>, a <rebound> or both");
+  if (law.knees.empty()) faults_.Report(kStopEmpty, stop.Line(), {Describe(*stop.element)});
   return law;
 }
 
@@ -91,7 +90,7 @@ void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {
     dashpot.compression = dashpot.rebound = parameters_.ReadScalar(law, "rate");
     return;
   }
-  dashpot.compression = parameters_.ReadScalar(law, "compression");
+  dashpot.compression = parameters_.ReadScalar(law, "bump");
   dashpot.rebound = parameters_.ReadScalar(law, "rebound");
   if (law.rule->Name() == "smooth") {
     dashpot.kind = DashpotDescription::Kind::kSmooth;
@@ -99,8 +98,7 @@ void LawReader::ReadRates(const Tag& law, DashpotDescription& dashpot) {
   }
   if (law.rule->Name() == "digressive") {
     dashpot.kind = DashpotDescription::Kind::kDigressive;
-    dashpot.compression_knee = {parameters_.ReadScalar(law, "compression_knee"),
-                                parameters_.ReadScalar(law, "compression_beyond")};
+    dashpot.compression_knee = {parameters_.ReadScalar(law, "bump_knee"), parameters_.ReadScalar(law, "bump_beyond")};
     dashpot.rebound_knee = {parameters_.ReadScalar(law, "rebound_knee"), parameters_.ReadScalar(law, "rebound_beyond")};
   }
 }
@@ -116,7 +114,7 @@ void LawReader::ReadTable(const Tag& table, DashpotDescription& dashpot) {
     dashpot.table.push_back(point);
     tags.push_back(tag);
   }
-  if (dashpot.table.size() < 2) faults_.Error(table.Line(), Describe(*table.element) + " needs at least two <point>s");
+  if (dashpot.table.size() < 2) faults_.Report(kTablePoints, table.Line(), {Describe(*table.element)});
   const auto pushes = [this](const DashpotDescription::TablePoint& point) { return !Resists(point); };
   const auto is_at_rest = [this](const DashpotDescription::TablePoint& point) {
     return parameters_.Least(point.speed) == 0 && parameters_.Greatest(point.speed) == 0;
@@ -124,9 +122,7 @@ void LawReader::ReadTable(const Tag& table, DashpotDescription& dashpot) {
   const auto all = std::count_if(dashpot.table.begin(), dashpot.table.end(), pushes);
   const auto at_rest = std::count_if(dashpot.table.begin(), dashpot.table.end(), is_at_rest);
   if (all > 1 && all + at_rest >= std::ssize(dashpot.table)) {
-    faults_.Error(table.Line(), Describe(*table.element) +
-                                    " pushes on its own motion at every speed: change the sign of its forces or of its "
-                                    "speeds; extension and tension are positive");
+    faults_.Report(kTableSign, table.Line(), {Describe(*table.element)});
     return;
   }
   for (std::size_t i = 0; i < tags.size(); ++i) CheckPoint(table, tags[i], i, dashpot.table);
@@ -134,15 +130,14 @@ void LawReader::ReadTable(const Tag& table, DashpotDescription& dashpot) {
 
 void LawReader::CheckPoint(const Tag& table, const Tag& tag, std::size_t i,
                            const std::vector<DashpotDescription::TablePoint>& points) {
-  const auto fault = [&](const std::string& text) {
-    faults_.Error(tag.Line(), "the point at \"" + tag.Text("speed") + "\" of " + Describe(*table.element) + " " + text);
+  const auto fault = [&](const Finding& kind) {
+    faults_.Report(kind, tag.Line(), {tag.Text("speed"), Describe(*table.element)});
   };
-  if (!Resists(points[i]))
-    fault("pushes on its own motion: force and speed must have one sign, over the whole range of parameters");
+  if (!Resists(points[i])) fault(kPointSign);
   if (i == 0) return;
   if (!parameters_.IsBelow(points[i - 1].speed, points[i].speed) ||
       !parameters_.IsBelow(points[i - 1].force, points[i].force))
-    fault("must have more speed and more force than the point before it, over the whole range of parameters");
+    fault(kPointOrder);
 }
 
 /// Whether the force never acts with the motion, nor at rest.
@@ -185,18 +180,16 @@ double LawReader::LeastRate(const DashpotDescription& dashpot) const {
 
 void LawReader::CheckInvertible(const Tag& damper, const Tag& series, const DashpotDescription& dashpot) {
   if (CanStick(dashpot)) {
-    faults_.Error(series.Line(), Describe(*damper.element) + " has a series spring: its rates must be above zero");
+    faults_.Report(kSeriesWithoutRate, series.Line(), {Describe(*damper.element)});
     return;
   }
   try {
     if (LeastRate(dashpot) > 0) return;
   } catch (const std::invalid_argument&) {
-    // A number is missing or its parameter is faulty, which is told there.
+    // A number is missing or its parameter is faulty, which is reported there.
     return;
   }
-  faults_.Error(series.Line(), Describe(*damper.element) +
-                                   " has a series spring: its force must rise with speed everywhere; for a smooth "
-                                   "law neither rate may be more than eleven times the other");
+  faults_.Report(kSeriesNotRising, series.Line(), {Describe(*damper.element)});
 }
 
 SpringDescription LawReader::ReadSeries(const Tag& series) {
@@ -210,12 +203,12 @@ HydraulicDescription LawReader::ReadHydraulic(const Tag& law) {
   const auto read = [&](std::string_view name) { return parameters_.ReadScalar(law, name); };
   HydraulicDescription damper{.bleed = read("bleed"),
                               .rebound_valve = read("rebound_valve"),
-                              .compression_valve = read("compression_valve"),
+                              .compression_valve = read("bump_valve"),
                               .bulk_modulus = read("bulk_modulus"),
                               .piston_diameter = read("piston"),
                               .rod_diameter = read("rod"),
                               .rebound_column = read("rebound_column"),
-                              .compression_column = read("compression_column"),
+                              .compression_column = read("bump_column"),
                               .gas_pressure = read("gas_pressure"),
                               .gas_volume = read("gas_volume"),
                               .gas_exponent = read("gas_exponent"),
@@ -223,12 +216,9 @@ HydraulicDescription LawReader::ReadHydraulic(const Tag& law) {
                               .cavitation = read("cavitation")};
   if (faults_.errors() > errors) return damper;
   if (!parameters_.IsBelow(damper.rod_diameter, damper.piston_diameter))
-    faults_.Error(law.Line("rod"), "rod=\"" + law.Text("rod") + "\" of " + Describe(*law.element) +
-                                       " must be thinner than the piston, \"" + law.Text("piston") + "\"");
+    faults_.Report(kRodThickness, law.Line("rod"), {Quoted("rod", law), law.Text("piston")});
   if (!parameters_.IsBelow(damper.cavitation, damper.gas_pressure))
-    faults_.Error(law.Line("gas_pressure"), "gas_pressure=\"" + law.Text("gas_pressure") + "\" of " +
-                                                Describe(*law.element) + " must be above that of cavitation, \"" +
-                                                law.Text("cavitation") + "\"");
+    faults_.Report(kGasPressure, law.Line("gas_pressure"), {Quoted("gas_pressure", law), law.Text("cavitation")});
   return damper;
 }
 

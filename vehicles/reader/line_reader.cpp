@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "analysis/text/nearest.h"
+#include "vehicles/reader/findings.h"
 #include "vehicles/reader/tag_check.h"
 
 namespace fourpost {
@@ -25,8 +26,7 @@ void LineReader::Unknown(const Tag& tag, std::string_view attribute, const std::
                          const std::vector<std::string>& legal) const {
   const std::string name = tag.Text(attribute);
   if (lost_names_.contains(name)) return faults_.Follow();
-  faults_.Error(tag.Line(attribute),
-                Describe(*tag.element) + " refers to an unknown " + kind + " '" + name + "'" + DidYouMean(name, legal));
+  faults_.Report(kReferenceUnknown, tag.Line(attribute), {Describe(*tag.element), kind, name, DidYouMean(name, legal)});
 }
 
 int LineReader::ReadLink(const Tag& tag) const {
@@ -41,8 +41,7 @@ Point LineReader::ReadPoint(const Tag& tag) const {
 
 void LineReader::ReadFrame(const Tag& tag) {
   const std::string name = tag.Text("name");
-  if (tree_.FindLink(name) >= 0)
-    faults_.Error(tag.Line(), Describe(*tag.element) + " has the name of a link: a name must tell which one is meant");
+  if (tree_.FindLink(name) >= 0) faults_.Report(kFrameNamedAsLink, tag.Line(), {Describe(*tag.element)});
   frames_.try_emplace(name,
                       Frame{ReadPoint(tag), TurnOf(ParseVector(tag.Text("rpy")).value_or(Eigen::Vector3d(0, 0, 0)))});
 }
@@ -64,12 +63,12 @@ Point LineReader::ReadEnd(const Tag& tag, std::string_view attribute) const {
   return point;
 }
 
-std::pair<Point, Point> LineReader::ReadEnds(const Tag& tag, const std::string& why) const {
+std::pair<Point, Point> LineReader::ReadEnds(const Tag& tag, const Finding& on_one) const {
   const Point parent = ReadEnd(tag, "parent");
   const Point child = ReadEnd(tag, "child");
   if (parent.link >= 0 && parent.link == child.link)
-    faults_.Error(tag.Line(), Describe(*tag.element) + " has both ends on link '" +
-                                  tree_.LinkNames()[static_cast<std::size_t>(parent.link)] + "': " + why);
+    faults_.Report(on_one, tag.Line(),
+                   {Describe(*tag.element), tree_.LinkNames()[static_cast<std::size_t>(parent.link)]});
   return {parent, child};
 }
 
@@ -81,7 +80,7 @@ std::optional<Eigen::Vector3d> LineReader::ReadAxis(const Tag& tag) {
 
 ForceLine LineReader::ReadLine(const Tag& tag) const {
   ForceLine line;
-  std::tie(line.parent, line.child) = ReadEnds(tag, "its length can never change");
+  std::tie(line.parent, line.child) = ReadEnds(tag, kLineOnOneLink);
   line.axis = ReadAxis(tag);
   return line;
 }

@@ -28,8 +28,8 @@ class LineReader {
   Point ReadPoint(const Tag& tag) const;
   /// The link that the attribute `link` names; -1 after an error.
   int ReadLink(const Tag& tag) const;
-  /// From `parent` and `child`, which must be on two links; `why` explains the error of a line on one.
-  std::pair<Point, Point> ReadEnds(const Tag& tag, const std::string& why) const;
+  /// From `parent` and `child`, which must be on two links; `on_one`: the finding about a line on one.
+  std::pair<Point, Point> ReadEnds(const Tag& tag, const Finding& on_one) const;
   /// From `parent`, `child` and `axis`.
   ForceLine ReadLine(const Tag& tag) const;
   /// The attribute `axis` as a unit vector; nothing when there is none.

@@ -11,6 +11,8 @@
 
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
+#include "vehicles/reader/findings.h"
+#include "vehicles/tags/attribute_check.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
@@ -71,7 +73,7 @@ bool Turns(const XMLElement& element) {
   return type == "revolute" || type == "continuous" || type == "gyro" || std::string_view(element.Name()) == "fp:hinge";
 }
 
-/// Whether the twin of a number of the tree, such as "link[body]/com/y", has the other sign.
+/// Whether the partner of a number of the tree, such as "link[body]/com/y", has the other sign.
 bool ChangesSign(std::string_view path) {
   return path.ends_with("/com/y") || path.ends_with("/ixy") || path.ends_with("/iyz");
 }
@@ -108,11 +110,11 @@ class Mirror {
     const std::string from = tag.Text("from");
     const std::string to = tag.Text("to");
     if (from.empty() || to.empty()) return;
-    if (from == to) return Fault(tag, "to", "must differ from its from");
+    if (from == to) return Fault(kMirrorEnds, tag, "to");
     const auto [first, is_new] = mirrors_.try_emplace({from, to}, tag.Line());
-    if (!is_new) return Fault(tag, "from", "stands twice: line " + std::to_string(first->second) + " mirrors the same");
+    if (!is_new) return Fault(kMirrorTwice, tag, "from", {std::to_string(first->second)});
     FindTwins(from, to);
-    if (twins_.empty()) return Fault(tag, "from", "is the end of no name" + DidYouMean(from, Ends()));
+    if (twins_.empty()) return Fault(kMirrorNothing, tag, "from", {DidYouMean(from, Ends())});
     for (XMLElement* element : written_)
       if (AttributeText(*element, "name")) AddTwin(*element, from);
     for (XMLElement* element : written_)
@@ -124,9 +126,10 @@ class Mirror {
   const TwinNames& made() const { return made_; }
 
  private:
-  void Fault(const Tag& tag, std::string_view attribute, const std::string& message) {
-    faults_.Error(tag.Line(attribute), std::string(attribute) + "=\"" + tag.Text(attribute) + "\" of " +
-                                           Describe(*tag.element) + " " + message);
+  /// `words` follow the attribute.
+  void Fault(const Finding& kind, const Tag& tag, std::string_view attribute, std::vector<std::string> words = {}) {
+    words.insert(words.begin(), Quoted(attribute, tag));
+    faults_.Report(kind, tag.Line(attribute), words);
   }
 
   std::vector<std::string> Ends() const {
@@ -147,7 +150,7 @@ class Mirror {
     }
   }
 
-  /// The other name of the two; the name itself when it has no twin.
+  /// The other name of the two; the name itself when it has no partner.
   std::string TwinOf(const std::string& name) const {
     const auto found = twins_.find(name);
     return found == twins_.end() ? name : found->second;
@@ -158,11 +161,7 @@ class Mirror {
     const std::string twin_name = TwinOf(name);
     if (!name.ends_with(from) || !taken_.insert({element.Name(), twin_name}).second) return;
     if (IsItsOwnTwin(element)) {
-      faults_.Warning(LineOf(element, "name"),
-                      Describe(element) +
-                          " is its own mirror image, so <fp:mirror> leaves it single: end its name "
-                          "otherwise than in '" +
-                          from + "'");
+      faults_.Report(kMirrorOfItself, LineOf(element, "name"), {Describe(element), from});
       return;
     }
     XMLElement& twin = CopyOf(element);
@@ -208,9 +207,7 @@ class Mirror {
     const std::string link = LinkOf(path);
     const std::string twin = TwinOf(link);
     if (made_links_.contains(link)) {
-      faults_.Error(LineOf(bind, "to"), "to=\"" + path + "\" of " + Describe(bind) +
-                                            " is a number that follows link '" + twin +
-                                            "' by fp:mirror: bind that one, or write link '" + link + "' out");
+      faults_.Report(kBindMirrored, LineOf(bind, "to"), {"to=\"" + path + "\" of " + Describe(bind), twin, link});
       return;
     }
     const std::string twin_path = "link[" + twin + path.substr(std::min(path.size(), path.find("]/")));
@@ -223,13 +220,13 @@ class Mirror {
 
   XMLElement& robot_;
   FileFaults& faults_;
-  /// What may have a twin, without those made.
+  /// What may have a partner, without those made.
   std::vector<XMLElement*> written_;
   std::vector<XMLElement*> binds_;
   /// Tags and names that stand already.
   std::set<std::pair<std::string, std::string>> taken_;
   std::set<std::string> bound_;
-  /// Of the mirror at work: names and their twins, both ways, and links made by it.
+  /// Of the mirror at work: names and their partners, both ways, and links made by it.
   std::map<std::string, std::string> twins_;
   std::set<std::string> made_links_;
   /// Ends of the mirrors so far, and their lines.
@@ -242,7 +239,7 @@ class Mirror {
 TwinNames AddTwins(XMLElement& robot, FileFaults& faults) {
   const std::vector<Tag> tags = TagsOf(robot, "fp:mirror");
   if (tags.size() > kMostMirrors) {
-    faults.Error(tags[kMostMirrors].Line(), "more than " + std::to_string(kMostMirrors) + " <fp:mirror>");
+    faults.Report(kMirrorCount, tags[kMostMirrors].Line(), {std::to_string(kMostMirrors)});
     return {};
   }
   Mirror mirror(robot, faults);

@@ -6,49 +6,48 @@
 
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
+#include "vehicles/reader/findings.h"
 #include "vehicles/reader/tag_check.h"
 #include "vehicles/tags/attribute_check.h"
+#include "vehicles/tags/findings.h"
 
 namespace fourpost {
 namespace {
 
+constexpr const char* kOverRange = " over the whole range of the parameter";
+
 const Scalar kUnreadable{.value = std::numeric_limits<double>::quiet_NaN()};
 
-std::string Quoted(std::string_view attribute, const Tag& tag) {
-  return std::string(attribute) + "=\"" + tag.Text(attribute) + "\" of " + Describe(*tag.element);
-}
+// The words of these faults are to follow the attribute's.
 
-/// Why this is no quantity.
-std::string QuantityFault(std::string_view text) {
+/// Why this is no quantity; `needed`: what is, with an example.
+Found QuantityFault(std::string_view text, const std::string& needed) {
   const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE"), text.size());
-  if (end < text.size() && ParseNumber(text.substr(0, end)))
-    return text[end] == ',' ? "has a comma: write a point"
-                            : "has the unknown unit '" + std::string(Trimmed(text.substr(end))) + "'";
-  return "is not a number with a unit";
+  if (end == text.size() || !ParseNumber(text.substr(0, end))) return {&kNotAQuantity, {needed}};
+  if (text[end] == ',') return {&kNumberComma, {needed}};
+  return {&kNumberUnknownUnit, {std::string(Trimmed(text.substr(end))), needed}};
 }
 
-std::string Example(const Dimension& dimension) { return "\"1 " + SiUnit(dimension) + "\""; }
+std::string Example(const Dimension& dimension) { return "1 " + SiUnit(dimension); }
 
-/// Why a quantity does not have this dimension.
-std::string DimensionFault(const Quantity& quantity, std::string_view text, const Dimension& wanted) {
+/// Why a quantity does not have this dimension; `as`: as what else.
+Found DimensionFault(const Quantity& quantity, std::string_view text, const Dimension& wanted,
+                     const std::string& as = "") {
   if (quantity.unit_text.empty())
-    return "has no unit: " + WithArticle(wanted) + " is needed, such as \"" + std::string(Trimmed(text)) + " " +
-           LikelyUnit(wanted, quantity.si) + "\"";
-  return "is " + WithArticle(quantity.unit.dimension) + ": " + WithArticle(wanted) + " is needed, such as " +
-         Example(wanted);
+    return {&kNumberWithoutUnit,
+            {WithArticle(wanted), std::string(Trimmed(text)) + " " + LikelyUnit(wanted, quantity.si), as}};
+  return {&kNumberOfOtherDimension, {WithArticle(quantity.unit.dimension), WithArticle(wanted), Example(wanted), as}};
 }
 
 /// Why a text with '$' is no reference.
-std::string ReferenceFault(std::string_view text) {
-  const std::string remedy = "; write a number with a unit, or a parameter as in \"$k\", \"-$k\" or \"0.5*$k\"";
+const Finding& ReferenceFault(std::string_view text) {
   const auto is_operator = [&](std::size_t i) {
     return (text[i] == '+' || text[i] == '-') && text[i - 1] != 'e' && text[i - 1] != 'E';
   };
   bool is_sum = false;
   for (std::size_t i = 1; i < text.size(); ++i) is_sum = is_sum || is_operator(i);
-  if (is_sum) return "is a sum, which is not supported" + remedy;
-  if (std::count(text.begin(), text.end(), '$') > 1) return "combines parameters, which is not supported" + remedy;
-  return "cannot be read" + remedy;
+  if (is_sum) return kReferenceSum;
+  return std::count(text.begin(), text.end(), '$') > 1 ? kReferenceProduct : kReferenceUnreadable;
 }
 
 /// The quantity in an attribute of `<fp:parameter>`; nothing when it is left out or faulty.
@@ -117,8 +116,7 @@ Parameter ParameterReader::ReadParameter(const Tag& tag) const {
   parameter.source = tag.Text("source");
   parameter.line = tag.Line();
   const auto is_legal = [](char c) { return c != '-' && c != '.'; };
-  if (!std::all_of(parameter.name.begin(), parameter.name.end(), is_legal))
-    Fault(tag, "name", "may hold letters, digits and '_' only");
+  if (!std::all_of(parameter.name.begin(), parameter.name.end(), is_legal)) Fault(tag, "name", {&kParameterName});
   const int errors = faults_.errors();
   CheckQuantities(tag);
   const std::optional<Quantity> value = QuantityIn(tag, "value");
@@ -138,9 +136,9 @@ void ParameterReader::CheckQuantities(const Tag& tag) const {
     const std::string text(Trimmed(tag.Text(attribute)));
     if (text.empty()) continue;
     const std::optional<Quantity> quantity = QuantityIn(tag, attribute);
-    const std::string fault =
-        quantity ? RangeFault(quantity->si, quantity->si, Sign::kAny) : QuantityFault(text) + ", such as \"32 N/mm\"";
-    if (!fault.empty()) Fault(tag, attribute, fault);
+    if (!quantity) Fault(tag, attribute, QuantityFault(text, "a number with a unit, such as \"32 N/mm\""));
+    else if (const Finding* fault = RangeFault(quantity->si, quantity->si, Sign::kAny))
+      Fault(tag, attribute, {fault, {""}});
   }
 }
 
@@ -159,23 +157,22 @@ void ParameterReader::CheckDimensions(const Tag& tag, const Parameter& parameter
   if (is_outvoted) {
     const auto& [attribute, quantity] = others.front();
     const std::string name(attribute);
-    Fault(tag, "value",
-          parameter.unit.empty()
-              ? "has no unit, but " + name + " has: write \"" + tag.Text("value") + " " + quantity.unit_text + "\""
-              : "is " + WithArticle(parameter.dimension) + ", but " + NamesOf(others) +
-                    (others.size() > 1 ? " are " + Plural(quantity.unit.dimension)
-                                       : " is " + WithArticle(quantity.unit.dimension)));
+    const std::string are =
+        others.size() > 1 ? " are " + Plural(quantity.unit.dimension) : " is " + WithArticle(quantity.unit.dimension);
+    if (parameter.unit.empty())
+      Fault(tag, "value", {&kValueWithoutUnit, {name, tag.Text("value") + " " + quantity.unit_text}});
+    else Fault(tag, "value", {&kValueOfOtherDimension, {WithArticle(parameter.dimension), NamesOf(others) + are}});
     return;
   }
   for (const auto& other : others)
     if (contradicts(other))
       Fault(tag, other.first,
-            DimensionFault(other.second, tag.Text(other.first), parameter.dimension) + ", as its value");
+            DimensionFault(other.second, tag.Text(other.first), parameter.dimension, ", as its value"));
 }
 
 void ParameterReader::ReadPrior(const Tag& tag, Parameter& parameter) const {
   const std::optional<Quantity> sd = QuantityIn(tag, "prior_sd");
-  if (sd && sd->si <= 0) Fault(tag, "prior_sd", "must be above zero");
+  if (sd && sd->si <= 0) Fault(tag, "prior_sd", {&kNumberNotPositive, {""}});
   if (sd) parameter.prior_sd = sd->si;
 }
 
@@ -189,24 +186,17 @@ void ParameterReader::ReadBounds(const Tag& tag, Parameter& parameter) const {
     if (const std::optional<Quantity> quantity = QuantityIn(tag, attribute)) *place = quantity->si;
   }
   if (given == places.size()) return CheckBounds(tag, parameter);
-  if (given > 0)
-    faults_.Error(tag.Line(), Describe(*tag.element) + " needs all of lower, upper and precision, or none to be fixed");
+  if (given > 0) faults_.Report(kBoundsIncomplete, tag.Line(), {Describe(*tag.element)});
 }
 
 void ParameterReader::CheckBounds(const Tag& tag, const Parameter& parameter) const {
   const auto given = [&](const char* attribute) { return std::string(attribute) + "=\"" + tag.Text(attribute) + "\""; };
-  if (parameter.precision <= 0) Fault(tag, "precision", "must be above zero");
-  if (parameter.lower > parameter.upper) Fault(tag, "lower", "is above " + given("upper") + ": swap them");
-  else if (parameter.value < parameter.lower)
-    Fault(tag, "value", "is below " + given("lower") + ": it must lie between the bounds");
-  else if (parameter.value > parameter.upper)
-    Fault(tag, "value", "is above " + given("upper") + ": it must lie between the bounds");
-  else if (!HasAStep(parameter))
-    Fault(tag, "precision", "must not exceed upper - lower; to fix the parameter, leave out all three");
-  else if (parameter.precision > 0 && !HasCountableSteps(parameter))
-    Fault(tag, "precision",
-          "splits the range into more than 2^53 steps; give the digits that matter, such as a "
-          "thousandth of the range");
+  if (parameter.precision <= 0) Fault(tag, "precision", {&kNumberNotPositive, {""}});
+  if (parameter.lower > parameter.upper) Fault(tag, "lower", {&kBoundsSwapped, {given("upper")}});
+  else if (parameter.value < parameter.lower) Fault(tag, "value", {&kValueBelowLower, {given("lower")}});
+  else if (parameter.value > parameter.upper) Fault(tag, "value", {&kValueAboveUpper, {given("upper")}});
+  else if (!HasAStep(parameter)) Fault(tag, "precision", {&kPrecisionTooCoarse});
+  else if (parameter.precision > 0 && !HasCountableSteps(parameter)) Fault(tag, "precision", {&kPrecisionTooFine});
 }
 
 /// Notes which parameters are used, and reports those that all uses contradict: the uses are right then.
@@ -225,9 +215,9 @@ void ParameterReader::JudgeByUses(const tinyxml2::XMLElement& robot) {
   }
 }
 
-/// A misspelt name is told where it is used, and counts as a use of what it probably means.
+/// A misspelt name is reported where it is used, and counts as a use of what it probably means.
 void ParameterReader::NoteMisspelt(const std::string& name) {
-  // Of so many, not all are told.
+  // Of so many, not all are reported.
   constexpr int kMost = 100;
   if (++misspelt_ > kMost) return;
   const std::vector<std::string> names = Names();
@@ -245,20 +235,22 @@ bool ParameterReader::AgreesWithUses(const Parameter& parameter, const std::vect
   const auto contradicts = [&](const Dimension& dimension) {
     return dimension != parameter.dimension && dimension == needed.front();
   };
-  // Of a single use nobody can tell which of the two is wrong.
+  // Of a single use nobody knows which of the two is wrong.
   if (needed.size() < 2 || !std::all_of(needed.begin(), needed.end(), contradicts)) return true;
-  faults_.Error(parameter.line, "fp:parameter '" + parameter.name + "' is " + WithArticle(parameter.dimension) +
-                                    ", but where it is used, " + LinesText(lines) + ", " + WithArticle(needed.front()) +
-                                    " is needed, such as " + Example(needed.front()));
+  faults_.Report(kParameterMisused, parameter.line,
+                 {parameter.name, WithArticle(parameter.dimension), WithArticle(needed.front()), LinesText(lines),
+                  Example(needed.front())});
   return false;
 }
 
-Scalar ParameterReader::Fault(const Tag& tag, std::string_view attribute, const std::string& message) const {
-  faults_.Error(tag.Line(attribute), Quoted(attribute, tag) + " " + message);
+Scalar ParameterReader::Fault(const Tag& tag, std::string_view attribute, const Found& fault) const {
+  std::vector<std::string> words = fault.words;
+  words.insert(words.begin(), Quoted(attribute, tag));
+  faults_.Report(*fault.kind, tag.Line(attribute), words);
   return kUnreadable;
 }
 
-/// For a number whose fault is told already.
+/// For a number whose fault is reported already.
 Scalar ParameterReader::Unreadable() const {
   faults_.Follow();
   return kUnreadable;
@@ -279,15 +271,15 @@ Scalar ParameterReader::ReadScalar(const Tag& tag, std::string_view attribute) {
 }
 
 /// Why this is no number with a unit, and what it should be.
-std::string ParameterReader::NumberFault(const AttributeRule& rule, const std::string& text) const {
+Found ParameterReader::NumberFault(const AttributeRule& rule, const std::string& text) const {
   const auto reference = ReferenceWithoutDollar(text);
   const auto found = reference ? index_.find(reference->name) : index_.end();
-  if (found != index_.end()) return "is not a number; for the parameter write '$' before its name";
+  if (found != index_.end()) return {&kParameterWithoutDollar};
   const std::vector<std::string_view> words = {rule.word};
-  const std::string needed = ": " + WithArticle(rule.dimension) + " is needed, such as " + Example(rule.dimension);
-  if (rule.word.empty()) return QuantityFault(text) + needed;
-  const std::string near = DidYouMean(text, words);
-  return QuantityFault(text) + (near.empty() ? needed + ", or " + std::string(rule.word) : near);
+  const std::string needed = WithArticle(rule.dimension) + " such as \"" + Example(rule.dimension) + "\"";
+  if (rule.word.empty()) return QuantityFault(text, needed);
+  if (const std::string near = DidYouMean(text, words); !near.empty()) return {&kWordMisspelt, {near}};
+  return QuantityFault(text, needed + ", or " + std::string(rule.word));
 }
 
 Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule, const std::string& text) {
@@ -295,17 +287,17 @@ Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule,
   const auto found = index_.find(reference ? std::string(reference->name) : text.substr(text.find('$') + 1));
   // The name may be what is wrong with the parameter.
   if (found != index_.end() && !sound_[static_cast<std::size_t>(found->second)]) return Unreadable();
-  if (!reference) return Fault(tag, rule.name, ReferenceFault(text));
+  if (!reference) return Fault(tag, rule.name, {&ReferenceFault(text)});
   if (found == index_.end() && lost_names_.contains(reference->name)) return Unreadable();
   if (found == index_.end())
     return Fault(tag, rule.name,
-                 "refers to an unknown parameter '" + std::string(reference->name) + "'" +
-                     (faults_.IsShown() ? DidYouMeanOrAll(reference->name, Names()) : ""));
+                 {&kParameterUnknown,
+                  {std::string(reference->name), faults_.IsShown() ? DidYouMeanOrAll(reference->name, Names()) : ""}});
   const Parameter& parameter = parameters_[static_cast<std::size_t>(found->second)];
   if (parameter.dimension != rule.dimension)
     return Fault(tag, rule.name,
-                 "refers to " + WithArticle(parameter.dimension) + ": " + WithArticle(rule.dimension) +
-                     " is needed; the parameter stands in line " + std::to_string(parameter.line));
+                 {&kParameterOfOtherDimension,
+                  {WithArticle(parameter.dimension), std::to_string(parameter.line), WithArticle(rule.dimension)}});
   const double factor = reference->factor;
   const Scalar scalar{.value = factor * parameter.value, .parameter = found->second, .factor = factor};
   CheckRange(tag, rule, scalar);
@@ -313,9 +305,8 @@ Scalar ParameterReader::ReadReference(const Tag& tag, const AttributeRule& rule,
 }
 
 void ParameterReader::CheckRange(const Tag& tag, const AttributeRule& rule, const Scalar& scalar) const {
-  const std::string fault = RangeFault(Least(scalar), Greatest(scalar), rule.sign);
-  if (!fault.empty())
-    Fault(tag, rule.name, fault + (scalar.parameter < 0 ? "" : " over the whole range of the parameter"));
+  if (const Finding* fault = RangeFault(Least(scalar), Greatest(scalar), rule.sign))
+    Fault(tag, rule.name, {fault, {scalar.parameter < 0 ? "" : kOverRange}});
 }
 
 std::optional<Scalar> ParameterReader::Bind(const Tag& bind, double literal, const Dimension& dimension) const {
@@ -328,22 +319,21 @@ std::optional<Scalar> ParameterReader::Bind(const Tag& bind, double literal, con
   }
   const Parameter& parameter = parameters_[static_cast<std::size_t>(found->second)];
   const Scalar scalar{.value = *factor * parameter.value, .parameter = found->second, .factor = *factor};
-  const std::string fault = BindFault(scalar, parameter.dimension, literal, dimension);
-  if (fault.empty()) return scalar;
+  const Found fault = BindFault(scalar, parameter.dimension, literal, dimension);
+  if (!fault) return scalar;
   if (IsMade(*bind.element)) faults_.Follow();
-  else faults_.Error(bind.Line("to"), Quoted("to", bind) + " " + fault);
+  else Fault(bind, "to", fault);
   return std::nullopt;
 }
 
-std::string ParameterReader::BindFault(const Scalar& scalar, const Dimension& given, double literal,
-                                       const Dimension& wanted) const {
-  if (given != wanted) return "is " + WithArticle(wanted) + ", but the parameter is " + WithArticle(given);
-  if (!Agrees(literal, scalar.value))
-    return "is " + FormatNumber(literal) + " " + SiUnit(wanted) + " in the tree, but factor times value is " +
-           FormatNumber(scalar.value) + " " + SiUnit(wanted) + ": make them equal";
+Found ParameterReader::BindFault(const Scalar& scalar, const Dimension& given, double literal,
+                                 const Dimension& wanted) const {
+  if (given != wanted) return {&kBindDimension, {WithArticle(wanted), WithArticle(given)}};
+  const auto text = [&](double number) { return FormatNumber(number) + " " + SiUnit(wanted); };
+  if (!Agrees(literal, scalar.value)) return {&kBindValue, {text(literal), text(scalar.value)}};
   const Sign sign = wanted == kMass ? Sign::kNotNegative : Sign::kAny;
-  const std::string fault = RangeFault(Least(scalar), Greatest(scalar), sign);
-  return fault.empty() ? "" : fault + " over the whole range of the parameter";
+  const Finding* fault = RangeFault(Least(scalar), Greatest(scalar), sign);
+  return fault ? Found{fault, {kOverRange}} : Found{};
 }
 
 double ParameterReader::Least(const Scalar& scalar) const {
@@ -369,8 +359,7 @@ void ParameterReader::CheckUse() const {
     const Parameter& parameter = parameters_[i];
     const bool is_first = index_.find(parameter.name)->second == static_cast<int>(i);
     if (sound_[i] && !used_[i] && is_first && !parameter.name.empty())
-      faults_.Error(parameter.line, "fp:parameter '" + parameter.name + "' is not used: bind it or refer to it as \"$" +
-                                        parameter.name + "\"");
+      faults_.Report(kParameterUnused, parameter.line, {parameter.name, parameter.name});
   }
 }
 

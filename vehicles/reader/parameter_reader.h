@@ -53,11 +53,12 @@ class ParameterReader {
   void NoteMisspelt(const std::string& name);
   bool AgreesWithUses(const Parameter& parameter, const std::vector<ParameterUse>& uses) const;
   Scalar ReadReference(const Tag& tag, const AttributeRule& rule, const std::string& text);
-  std::string NumberFault(const AttributeRule& rule, const std::string& text) const;
-  Scalar Fault(const Tag& tag, std::string_view attribute, const std::string& message) const;
+  Found NumberFault(const AttributeRule& rule, const std::string& text) const;
+  /// The attribute stands before the words of `fault`.
+  Scalar Fault(const Tag& tag, std::string_view attribute, const Found& fault) const;
   Scalar Unreadable() const;
   void CheckRange(const Tag& tag, const AttributeRule& rule, const Scalar& scalar) const;
-  std::string BindFault(const Scalar& scalar, const Dimension& given, double literal, const Dimension& wanted) const;
+  Found BindFault(const Scalar& scalar, const Dimension& given, double literal, const Dimension& wanted) const;
   std::vector<std::string> Names() const;
 
   FileFaults& faults_;

@@ -24,7 +24,7 @@ bool IsSaidOtherwise(const XMLElement& element, const AttributeRule& attribute) 
 std::string Defaults(const XMLElement& element, const TagRule& rule) {
   std::string text;
   for (const AttributeRule& attribute : rule.attributes) {
-    const bool is_given = AttributeText(element, attribute.name).has_value();
+    const bool is_given = AttributeText(element, attribute.name) || AttributeText(element, attribute.former);
     if (is_given || attribute.fallback.empty() || IsSaidOtherwise(element, attribute)) continue;
     text += " " + std::string(attribute.name) + "=\"" + std::string(attribute.fallback) + "\"";
   }
@@ -65,18 +65,18 @@ std::string Note(const XMLElement& robot) {
                        [&](const XMLElement* child) { return std::string_view(child->Name()).starts_with(tag); });
   };
   std::string note = "<!-- fourpost check, resolved: defaults of fp: tags are filled in.";
-  if (has("fp:mirror")) note += " The twins that fp:mirror makes are not written out.";
+  if (has("fp:mirror")) note += " The mirror partners that fp:mirror makes are not written out.";
   if (has("drake:") || has("frame")) note += " Tags of Drake stand as they are.";
   return note + " -->";
 }
 
-/// Tells that a text is UTF-8.
+/// Says that a text is UTF-8.
 constexpr std::string_view kMark = "\xEF\xBB\xBF";
 
-/// Behind the XML declaration, which must stand first.
+/// Behind the XML declaration, which must stand first; the parser takes any instruction for one.
 std::size_t PlaceOfNote(const std::string& text) {
   const std::size_t begin = text.starts_with(kMark) ? kMark.size() : 0;
-  if (text.compare(begin, 5, "<?xml") != 0) return begin;
+  if (text.compare(begin, 2, "<?") != 0) return begin;
   return text.find("?>", begin) + 2;
 }
 

@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "vehicles/reader/findings.h"
 #include "vehicles/shapes/mesh.h"
+#include "vehicles/shapes/shape_error.h"
 #include "vehicles/shapes/solid.h"
 #include "vehicles/tags/tag.h"
 
@@ -60,8 +62,14 @@ class SolidReader {
   }
 
  private:
-  void Fault(const Tag& tag, const std::string& message) {
-    faults_.Error(tag.Line("link"), Describe(*tag.element) + " of link '" + tag.Text("link") + "': " + message);
+  /// `words` follow the tag and its link.
+  void Fault(const Finding& kind, const Tag& tag, std::vector<std::string> words = {}) {
+    words.insert(words.begin(), {Describe(*tag.element), tag.Text("link")});
+    faults_.Report(kind, tag.Line("link"), words);
+  }
+
+  void Fault(const ShapeError& error, const Visual& visual, const Tag& tag) {
+    faults_.Report(error.About(ShapeName(visual) + " of link '" + tag.Text("link") + "'"), tag.Line("link"));
   }
 
   /// Position of the link, with a fault where it takes no mass from its shapes.
@@ -69,15 +77,15 @@ class SolidReader {
     const std::string name = tag.Text("link");
     const int index = tree_.FindLink(name);
     if (index < 0) {
-      if (!name.empty()) Fault(tag, "the link is unknown" + tree_.LinkMeant(name, faults_));
+      if (!name.empty()) Fault(kSolidLink, tag, {tree_.LinkMeant(name, faults_)});
       return index;
     }
     const XMLElement& link = *tree_.links[static_cast<std::size_t>(index)];
     const auto [first, is_new] = lines_.try_emplace(index, tag.Line());
-    if (!is_new) Fault(tag, "there is one in line " + std::to_string(first->second) + " already");
-    if (index == 0) Fault(tag, "the ground must not have a mass");
-    else if (link.FirstChildElement("inertial")) Fault(tag, "the link has an <inertial> already");
-    else if (!link.FirstChildElement("visual")) Fault(tag, "the link has no <visual>, whose shape would give its mass");
+    if (!is_new) Fault(kSolidTwice, tag, {std::to_string(first->second)});
+    if (index == 0) Fault(kSolidGround, tag);
+    else if (link.FirstChildElement("inertial")) Fault(kSolidInertial, tag);
+    else if (!link.FirstChildElement("visual")) Fault(kSolidNoVisual, tag);
     return index;
   }
 
@@ -93,11 +101,11 @@ class SolidReader {
   }
 
   std::optional<Solid> SolidOf(const Visual& visual, const Tag& tag) {
-    if (visual.shape == Visual::Shape::kMesh && !Load(visual.mesh_file, tag)) return std::nullopt;
     try {
+      if (visual.shape == Visual::Shape::kMesh) Load(visual.mesh_file);
       return ShapeSolid(visual);
-    } catch (const std::exception& error) {
-      Fault(tag, ShapeName(visual) + " " + error.what());
+    } catch (const ShapeError& error) {
+      Fault(error, visual, tag);
       return std::nullopt;
     }
   }
@@ -116,15 +124,8 @@ class SolidReader {
   }
 
   /// Reads a mesh file unless it is known.
-  bool Load(const std::string& file, const Tag& tag) {
-    if (meshes_.contains(file)) return true;
-    try {
-      meshes_.emplace(file, ReadMesh(file));
-      return true;
-    } catch (const std::runtime_error& error) {
-      Fault(tag, error.what());
-      return false;
-    }
+  void Load(const std::string& file) {
+    if (!meshes_.contains(file)) meshes_.emplace(file, ReadMesh(file));
   }
 
   const UrdfTree& tree_;

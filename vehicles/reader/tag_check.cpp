@@ -5,6 +5,7 @@
 
 #include "analysis/text/nearest.h"
 #include "vehicles/reader/drake_tags.h"
+#include "vehicles/reader/findings.h"
 #include "vehicles/tags/attribute_check.h"
 #include "vehicles/tags/tag.h"
 
@@ -43,17 +44,15 @@ class PrefixCheck {
   void CheckDeclaration(const XMLElement& robot) {
     const std::string wanted = std::string("xmlns:fp=\"") + kNamespace + "\"";
     const std::optional<std::string> declared = AttributeText(robot, "xmlns:fp");
-    if (declared && *declared != kNamespace)
-      faults_.Error(LineOf(robot), "xmlns:fp is \"" + *declared + "\", expected " + wanted);
-    if (!declared && own_used_)
-      faults_.Error(LineOf(robot), "<robot> needs " + wanted + " since the file uses fp: tags");
+    if (declared && *declared != kNamespace) faults_.Report(kNamespaceOther, LineOf(robot), {*declared, wanted});
+    if (!declared && own_used_) faults_.Report(kNamespaceMissing, LineOf(robot), {wanted});
   }
 
  private:
   void Warn(const std::string& what, std::string_view prefix, int line) {
     if (!seen_.insert(std::string(prefix)).second) return;
-    const std::string but = prefix == "drake" ? " but " + DrakeTagNames() : "";
-    faults_.Warning(line, what + " is ignored, as is all with the prefix '" + std::string(prefix) + ":'" + but);
+    faults_.Report(kForeignPrefix, line,
+                   {what, std::string(prefix), prefix == "drake" ? " except " + DrakeTagNames() : ""});
   }
 
   FileFaults& faults_;
@@ -113,6 +112,16 @@ std::string Suggestion(std::string_view name, const std::vector<std::string_view
   return legal.empty() ? ": none is legal here" : "; legal: " + Joined(legal);
 }
 
+namespace {
+
+void CheckFormer(const XMLElement& element, const AttributeRule& attribute, FileFaults& faults) {
+  const bool is_twice = AttributeText(element, attribute.name).has_value();
+  faults.Report(is_twice ? kAttributeTwice : kAttributeFormer, LineOf(element, attribute.former),
+                {std::string(attribute.former), Describe(element), std::string(attribute.name)});
+}
+
+}  // namespace
+
 void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults& faults) {
   const std::vector<std::string_view> legal = AttributeNames(rule);
   // Those given, rightly spelt or not.
@@ -120,23 +129,25 @@ void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults&
   for (const auto* given = element.FirstAttribute(); given; given = given->Next()) {
     const std::string_view name = given->Name();
     if (IsForeignAttribute(name)) continue;
-    seen.insert(FindAttribute(rule, name) ? name : Meant(name, legal).value_or(name));
-    if (const AttributeRule* attribute = FindAttribute(rule, name)) {
+    const AttributeRule* attribute = FindAttribute(rule, name);
+    seen.insert(attribute ? attribute->name : Meant(name, legal).value_or(name));
+    if (attribute) {
+      if (name == attribute->former) CheckFormer(element, *attribute, faults);
       CheckAttribute(element, *attribute, given->Value(), LineOf(element, given->Name()), faults);
       continue;
     }
-    faults.Error(LineOf(element, given->Name()),
-                 "unknown attribute '" + std::string(name) + "' of " + Describe(element) + Suggestion(name, legal));
+    faults.Report(kAttributeUnknown, LineOf(element, given->Name()),
+                  {std::string(name), Describe(element), Suggestion(name, legal)});
   }
   for (const AttributeRule& attribute : rule.attributes)
     if (attribute.required && !seen.contains(attribute.name))
-      faults.Error(LineOf(element), Describe(element) + " needs the attribute '" + std::string(attribute.name) + "'" +
-                                        Expectation(attribute));
+      faults.Report(kAttributeMissing, LineOf(element),
+                    {Describe(element), std::string(attribute.name), Expectation(attribute)});
 }
 
 namespace {
 
-/// The legal tags that the unknown children, which are told, were probably meant to be.
+/// The legal tags that the unknown children, which are reported, were probably meant to be.
 std::set<std::string_view> MisspeltChildren(const XMLElement& element, std::string_view path) {
   const std::vector<std::string_view> legal = NamesOf(TagsBelow(path));
   std::set<std::string_view> meant;
@@ -161,20 +172,20 @@ void CheckOccurrences(const XMLElement& element, std::string_view path, FileFaul
       has_misspelt_choice = has_misspelt_choice || misspelt.contains(name);
     }
     if (rule->occurs == Occurs::kOnce && found.empty() && !misspelt.contains(name))
-      faults.Error(LineOf(element), Describe(element) + " needs a <" + name + ">");
+      faults.Report(kTagMissing, LineOf(element), {Describe(element), name});
     if (rule->occurs != Occurs::kAny && rule->occurs != Occurs::kOneOfAll && found.size() > 1)
-      faults.Error(LineOf(*found[1]), Describe(element) + " has more than one <" + name + ">");
+      faults.Report(kTagTwice, LineOf(*found[1]), {Describe(element), name});
   }
   if (!choices.empty() && chosen != 1 && !has_misspelt_choice)
-    faults.Error(LineOf(element), Describe(element) + " needs one law or shape, and no more: " + Joined(choices));
+    faults.Report(kNotOneLaw, LineOf(element), {Describe(element), Joined(choices)});
 }
 
 void ReportForm(const XMLElement& element, std::string_view path, FileFaults& faults) {
   std::vector<std::string_view> types;
   for (const TagRule* rule : FindTags(path)) types.push_back(rule->type);
   const std::optional<std::string> type = AttributeText(element, "type");
-  if (!type) faults.Error(LineOf(element), Describe(element) + " needs the attribute 'type': " + Joined(types));
-  else faults.Error(LineOf(element), "unknown type '" + *type + "' of " + Describe(element) + Suggestion(*type, types));
+  if (!type) faults.Report(kTypeMissing, LineOf(element), {Describe(element), Joined(types)});
+  else faults.Report(kTypeUnknown, LineOf(element), {*type, Describe(element), Suggestion(*type, types)});
 }
 
 void CheckElement(const XMLElement& element, const std::string& above, FileFaults& faults) {
@@ -182,8 +193,8 @@ void CheckElement(const XMLElement& element, const std::string& above, FileFault
   const std::string path = above.empty() ? element.Name() : above + "/" + element.Name();
   if (FindTags(path).empty()) {
     const std::string place = above.empty() ? "" : " in " + Describe(*element.Parent()->ToElement());
-    faults.Error(LineOf(element), "unknown tag <" + std::string(element.Name()) + ">" + place +
-                                      Suggestion(element.Name(), NamesOf(TagsBelow(above))));
+    faults.Report(kTagUnknown, LineOf(element),
+                  {element.Name(), place, Suggestion(element.Name(), NamesOf(TagsBelow(above)))});
     return;
   }
   const TagRule* rule = FormOf(element, path);
@@ -202,7 +213,7 @@ void CheckNames(const XMLElement& robot, FileFaults& faults) {
     if (!rule || rule->opaque || !name) continue;
     const auto [first, is_new] = lines.try_emplace({element->Name(), *name}, LineOf(*element));
     if (is_new) continue;
-    faults.Error(LineOf(*element), Describe(*element) + " is already defined in line " + std::to_string(first->second));
+    faults.Report(kNameTaken, LineOf(*element), {Describe(*element), std::to_string(first->second)});
   }
 }
 
@@ -213,7 +224,7 @@ void CheckTags(const XMLElement& robot, FileFaults& faults) {
   prefixes.Walk(robot);
   prefixes.CheckDeclaration(robot);
   if (AttributeText(robot, "name").value_or("").empty())
-    faults.Error(LineOf(robot), "<robot> needs the attribute 'name'");
+    faults.Report(kAttributeMissing, LineOf(robot), {"<robot>", "name", ""});
   for (const XMLElement* child : Children(robot)) CheckElement(*child, "", faults);
   CheckNames(robot, faults);
 }

@@ -5,7 +5,9 @@
 
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
+#include "vehicles/reader/findings.h"
 #include "vehicles/reader/tag_check.h"
+#include "vehicles/tags/attribute_check.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
@@ -47,8 +49,8 @@ constexpr int kFirstCom = 7;
 
 Dimension DimensionOf(int number) { return number == 0 ? kMass : number < kFirstCom ? kInertia : kLength; }
 
-/// Whether the number's place in the link has a fault of its own, which is told: a misspelt tag, or a required one that
-/// is missing or holds no number.
+/// Whether the number's place in the link has a fault of its own, which is reported: a misspelt tag, or a required one
+/// that is missing or holds no number.
 bool IsFaulty(const XMLElement& link, int number) {
   const XMLElement* inertial = link.FirstChildElement("inertial");
   const XMLElement* origin = inertial ? inertial->FirstChildElement("origin") : nullptr;
@@ -91,10 +93,9 @@ class BindingReader {
     const XMLElement& link = *tree_.links[static_cast<std::size_t>(binding.link)];
     const std::optional<double> literal = Literal(link, binding.number);
     if (!literal && IsFaulty(link, binding.number)) return faults_.Follow();
-    if (!literal) return Fault(bind, "finds no such number: give it in the <inertial> of " + Describe(link));
-    if (binding.number > 0 && binding.number < kFirstCom && HasTurnedInertia(link))
-      return Fault(bind, "needs an <inertial> without rpy: a parameter cannot follow turned axes");
-    if (!seen_.insert({binding.link, binding.number}).second) return Fault(bind, "is bound twice");
+    if (!literal) return Fault(kBindNumberMissing, bind, {Describe(link)});
+    if (binding.number > 0 && binding.number < kFirstCom && HasTurnedInertia(link)) return Fault(kBindTurned, bind);
+    if (!seen_.insert({binding.link, binding.number}).second) return Fault(kBindTwice, bind);
     const std::optional<Scalar> scalar = parameters_.Bind(bind, *literal, DimensionOf(binding.number));
     if (!scalar) return;
     binding.scalar = *scalar;
@@ -104,9 +105,11 @@ class BindingReader {
   const std::vector<TreeBinding>& bindings() const { return bindings_; }
 
  private:
-  void Fault(const Tag& bind, const std::string& message) {
+  /// `words` follow the attribute.
+  void Fault(const Finding& kind, const Tag& bind, std::vector<std::string> words = {}) {
     if (IsMade(*bind.element)) return faults_.Follow();
-    faults_.Error(bind.Line("to"), "to=\"" + bind.Text("to") + "\" of " + Describe(*bind.element) + " " + message);
+    words.insert(words.begin(), Quoted("to", bind));
+    faults_.Report(kind, bind.Line("to"), words);
   }
 
   bool Resolve(const Tag& bind, TreeBinding& binding) {
@@ -114,17 +117,14 @@ class BindingReader {
     if (text.empty()) return false;
     const std::optional<TreePath> path = ParsePath(text);
     if (!path) {
-      Fault(bind,
-            "must be link[NAME]/mass, link[NAME]/com/x (y, z) or link[NAME]/inertia/ixx (iyy, izz, ixy, ixz, iyz)");
+      Fault(kBindUnreadable, bind);
       return false;
     }
     binding.link = tree_.FindLink(path->link);
     binding.number = FindNumber(path->number);
     if (binding.link < 0 && lost_names_.contains(path->link)) faults_.Follow();
-    else if (binding.link < 0)
-      Fault(bind, "has an unknown link '" + path->link + "'" + tree_.LinkMeant(path->link, faults_));
-    if (binding.number < 0)
-      Fault(bind, "has an unknown number '" + path->number + "'" + DidYouMean(path->number, NumberNames()));
+    else if (binding.link < 0) Fault(kBindLinkUnknown, bind, {path->link, tree_.LinkMeant(path->link, faults_)});
+    if (binding.number < 0) Fault(kBindNumberUnknown, bind, {path->number, DidYouMean(path->number, NumberNames())});
     return binding.link >= 0 && binding.number >= 0;
   }
 

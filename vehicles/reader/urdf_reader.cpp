@@ -11,7 +11,9 @@
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include "vehicles/reader/findings.h"
 #include "vehicles/shapes/mesh.h"
+#include "vehicles/shapes/shape_error.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
@@ -49,11 +51,9 @@ urdf::ModelInterfaceSharedPtr Parse(std::string text, FileFaults& faults) {
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
   const ConsoleCapture capture;
   urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text);
-  for (const std::string& message : capture.messages()) {
-    if (model) faults.Warning(0, "urdfdom: " + message);
-    else faults.Error(0, "urdfdom: " + message);
-  }
-  if (!model && capture.messages().empty()) faults.Error(0, "urdfdom cannot read the file");
+  for (const std::string& message : capture.messages())
+    faults.Report(model ? kUrdfdomWarning : kUrdfdomError, 0, {message});
+  if (!model && capture.messages().empty()) faults.Report(kUrdfdomSilent, 0);
   return model;
 }
 
@@ -127,9 +127,7 @@ Link ReadLink(const urdf::Link& source, const XMLElement& element, const std::fi
 bool HasAll(const urdf::ModelInterface& model, const UrdfTree& tree, FileFaults& faults) {
   const int errors = faults.errors();
   const auto report = [&](const XMLElement& element) {
-    faults.Error(LineOf(element, "name"), Describe(element) +
-                                              " has a name that parsers read differently: keep to letters, digits, "
-                                              "'_', '-' and '.'");
+    faults.Report(kNameReadDifferently, LineOf(element, "name"), {Describe(element)});
   };
   for (const XMLElement* element : tree.links)
     if (!model.getLink(NameOf(*element))) report(*element);
@@ -172,15 +170,20 @@ std::vector<const XMLElement*> MeshElements(const UrdfTree& tree) {
   return meshes;
 }
 
-std::string MeshFault(const std::filesystem::path& vehicle_file, const std::string& filename) {
-  if (filename.find("://") != std::string::npos)
-    return "must be a path relative to the vehicle file: addresses such as package:// are not supported";
+bool IsAddress(const std::string& filename) { return filename.find("://") != std::string::npos; }
+
+Found MeshFault(const std::filesystem::path& path, const std::string& filename) {
+  if (IsAddress(filename)) return {&kMeshAddress, {filename}};
+  std::error_code failure;
+  const bool is_there = std::filesystem::exists(path, failure);
+  if (failure) return {&kMeshUnknown, {filename, failure.message()}};
+  if (!is_there) return {&kMeshMissing, {filename, path.string()}};
   try {
-    ReadMesh(MeshPath(vehicle_file, filename));
-  } catch (const std::runtime_error& error) {
-    return std::string("is of no use: ") + error.what();
+    ReadMesh(path);
+  } catch (const ShapeError& error) {
+    return error.About("mesh '" + filename + "'");
   }
-  return "";
+  return {};
 }
 
 }  // namespace
@@ -194,17 +197,7 @@ void CheckMeshes(const UrdfTree& tree, FileFaults& faults) {
   for (const XMLElement* mesh : MeshElements(tree)) {
     const std::string filename = AttributeText(*mesh, "filename").value_or("");
     if (filename.empty() || !checked.insert(filename).second) continue;
-    const std::filesystem::path path = MeshPath(faults.file(), filename);
-    const bool is_address = filename.find("://") != std::string::npos;
-    std::error_code failure;
-    if (!is_address && !std::filesystem::exists(path, failure) && !failure) {
-      faults.Warning(LineOf(*mesh),
-                     "mesh '" + filename + "' is missing: no file " + path.string() + "; pictures are without it");
-      continue;
-    }
-    const std::string fault =
-        failure ? "cannot be looked for: " + failure.message() : MeshFault(faults.file(), filename);
-    if (!fault.empty()) faults.Error(LineOf(*mesh), "mesh '" + filename + "' " + fault);
+    if (const Found fault = MeshFault(MeshPath(faults.file(), filename), filename)) faults.Report(fault, LineOf(*mesh));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "analysis/text/nearest.h"
+#include "vehicles/reader/findings.h"
 #include "vehicles/reader/tag_check.h"
 #include "vehicles/tags/tag.h"
 
@@ -58,16 +59,15 @@ class TreeReader {
     if (link.empty() || tree_.FindLink(link) >= 0) return;
     sound_ = false;
     if (lost_names_.contains(link)) return;
-    faults_.Error(LineOf(*joint.FirstChildElement(end)), Describe(joint) + " has the unknown " + end + " link '" +
-                                                             link + "'" + tree_.LinkMeant(link, faults_));
+    faults_.Report(kJointLink, LineOf(*joint.FirstChildElement(end)),
+                   {Describe(joint), end, link, tree_.LinkMeant(link, faults_)});
   }
 
   void CheckLimit(const XMLElement& joint) {
     const std::string type = AttributeText(joint, "type").value_or("");
     if ((type != "revolute" && type != "prismatic") || joint.FirstChildElement("limit")) return;
-    const std::string remedy = type == "revolute" ? ", or make it continuous" : "";
-    faults_.Error(LineOf(joint),
-                  Describe(joint) + " is " + type + ": URDF asks for a <limit effort=\"0\" velocity=\"0\"/>" + remedy);
+    faults_.Report(kJointLimit, LineOf(joint),
+                   {Describe(joint), type, type == "revolute" ? ", or make it continuous" : ""});
   }
 
   void AddParent(const XMLElement& joint) {
@@ -78,8 +78,7 @@ class TreeReader {
     }
     const auto [first, is_new] = parent_joint_.try_emplace(child, &joint);
     if (is_new) return;
-    faults_.Error(LineOf(joint), "link '" + child + "' has two parents: " + Describe(*first->second) + " and " +
-                                     Describe(joint) + "; close a loop with fp:rod or fp:ball");
+    faults_.Report(kJointTwoParents, LineOf(joint), {child, Describe(*first->second), Describe(joint)});
     sound_ = false;
   }
 
@@ -87,10 +86,8 @@ class TreeReader {
     const auto is_root = [&](const XMLElement* link) { return !parent_joint_.contains(NameOf(*link)); };
     const auto ground = std::find_if(tree_.links.begin(), tree_.links.end(), is_root);
     if (ground == tree_.links.end()) {
-      const bool is_told = !sound_ || !lost_names_.empty();
-      if (!is_told)
-        faults_.Error(
-            0, tree_.links.empty() ? "there is no link" : "there is no ground: every link is the child of a joint");
+      const bool is_reported = !sound_ || !lost_names_.empty();
+      if (!is_reported) faults_.Report(tree_.links.empty() ? kLinkNone : kGroundNone, 0);
       sound_ = false;
       return;
     }
@@ -102,14 +99,12 @@ class TreeReader {
     const std::string name = NameOf(*tree_.links.front());
     for (std::size_t i = 1; i < tree_.links.size(); ++i)
       if (is_root(tree_.links[i]) && NameOf(*tree_.links[i]) != name)
-        faults_.Error(
-            LineOf(*tree_.links[i]),
-            Describe(*tree_.links[i]) + " is the child of no joint: only the ground, '" + name + "', may be so");
+        faults_.Report(kGroundSecond, LineOf(*tree_.links[i]), {Describe(*tree_.links[i]), name});
   }
 
   void CheckGround(const XMLElement& ground) {
     if (const XMLElement* inertial = ground.FirstChildElement("inertial"))
-      faults_.Error(LineOf(*inertial), Describe(ground) + " is the ground and must not have an <inertial>");
+      faults_.Report(kGroundInertial, LineOf(*inertial), {Describe(ground)});
   }
 
   /// Goes on from the ground; what it never reaches is a loop.
@@ -130,17 +125,14 @@ class TreeReader {
       }
     }
     for (const XMLElement* joint : joints_)
-      if (!ordered.contains(joint))
-        faults_.Error(LineOf(*joint), Describe(*joint) + " is part of a loop of joints that the ground does not carry");
+      if (!ordered.contains(joint)) faults_.Report(kJointLoop, LineOf(*joint), {Describe(*joint)});
   }
 
   void CountCoordinates() {
     int count = 0;
     for (const XMLElement* joint : joints_) count += CoordinatesOf(*joint);
     if (count <= kMostJointCoordinates) return;
-    faults_.Error(0, "the joints have " + std::to_string(count) + " coordinates, more than " +
-                         std::to_string(kMostJointCoordinates) +
-                         ": leave out bodies, or fix joints that need not move");
+    faults_.Report(kJointCoordinates, 0, {std::to_string(count), std::to_string(kMostJointCoordinates)});
   }
 
   FileFaults& faults_;

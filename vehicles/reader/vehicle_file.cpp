@@ -8,6 +8,7 @@
 #include "vehicles/reader/body_check.h"
 #include "vehicles/reader/drake_tags.h"
 #include "vehicles/reader/element_reader.h"
+#include "vehicles/reader/findings.h"
 #include "vehicles/reader/mirror.h"
 #include "vehicles/reader/parameter_reader.h"
 #include "vehicles/reader/solid_reader.h"
@@ -25,26 +26,26 @@ namespace {
 using tinyxml2::XMLElement;
 
 /// What tinyxml2 means by its commonest errors.
-std::string XmlFault(const tinyxml2::XMLDocument& document) {
+Found XmlFault(const tinyxml2::XMLDocument& document) {
   switch (document.ErrorID()) {
-    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT: return "the file is empty";
-    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: return "the tag that begins here is not closed by its own end tag";
-    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE: return "an attribute has no value in quotes or is given twice";
-    case tinyxml2::XML_ERROR_PARSING_COMMENT: return "a comment has no end";
-    default: return document.ErrorName();
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT: return {&kXmlEmpty};
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: return {&kXmlTagOpen};
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE: return {&kXmlAttribute};
+    case tinyxml2::XML_ERROR_PARSING_COMMENT: return {&kXmlComment};
+    default: return {&kXmlUnreadable, {document.ErrorName()}};
   }
 }
 
 /// Nothing, with a fault, for a text that is no XML or does not describe one robot.
 XMLElement* ParseRobot(const std::string& text, tinyxml2::XMLDocument& document, FileFaults& faults) {
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-    faults.Error(document.ErrorLineNum(), "not XML: " + XmlFault(document));
+    faults.Report(XmlFault(document), document.ErrorLineNum());
     return nullptr;
   }
   XMLElement* root = document.RootElement();
   const XMLElement* second = root ? root->NextSiblingElement() : nullptr;
   if (root && !second && std::string_view(root->Name()) == "robot") return root;
-  faults.Error(second ? LineOf(*second) : root ? LineOf(*root) : 0, "the file must hold one <robot> and no more");
+  faults.Report(kNotOneRobot, second ? LineOf(*second) : root ? LineOf(*root) : 0);
   return nullptr;
 }
 

@@ -3,8 +3,8 @@
 
 #include <tinyxml2.h>
 
-#include "analysis/text/number.h"
 #include "analysis/text/count_check.h"
+#include "analysis/text/number.h"
 #include "vehicles/reader/tree_binding.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/tags/tag.h"

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "analysis/text/units.h"
+#include "vehicles/requests/findings.h"
 #include "vehicles/requests/option_quantity.h"
 
 namespace fourpost {
@@ -68,9 +69,7 @@ void WarnBeyondUsual(const AmplitudeLaw& law, std::span<const double> frequency_
   const auto warn = [&](const char* option, double limit, double reached, double usual, double scale,
                         const char* unit) {
     if (std::isfinite(limit) || reached <= kSlack * usual) return;
-    diagnostics.Warning(option, 0,
-                        "is not given, and with another limit given its usual " + Shown(scale * usual, unit) +
-                            " does not count: the post reaches " + Shown(scale * reached, unit));
+    diagnostics.Report(kLimitOpen, Place::Option(option), {Shown(scale * usual, unit), Shown(scale * reached, unit)});
   };
   warn("--amplitude", law.displacement_m, most.displacement_m, kUsualAmplitude.displacement_m, 1e3, "mm");
   warn("--velocity", law.velocity_mps, most.velocity_mps, kUsualAmplitude.velocity_mps, 1, "m/s");

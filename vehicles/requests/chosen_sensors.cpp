@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/text/known_names.h"
+#include "vehicles/requests/findings.h"
 
 namespace fourpost {
 
@@ -15,7 +16,7 @@ std::vector<std::size_t> ChosenSensors(const std::vector<std::string>& names, co
     const auto found = std::find(known.begin(), known.end(), name);
     const auto index = static_cast<std::size_t>(found - known.begin());
     if (found == known.end())
-      diagnostics.Error("--channels", 0, "the vehicle has no sensor '" + name + "'" + KnownNames(name, known));
+      diagnostics.Report(kOptionSensor, Place::Option("--channels"), {name, KnownNames(name, known)});
     else if (std::find(chosen.begin(), chosen.end(), index) == chosen.end()) chosen.push_back(index);
   }
   return chosen;

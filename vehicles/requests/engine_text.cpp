@@ -58,12 +58,15 @@ std::string KinematicsText(const HistoryDifference& error) {
 }
 
 std::string FitEngineText(const std::string& recording, const HistoryEngine& by) {
+  // An engine that was asked for estimates nothing.
+  if (!by.kinematics_error && by.not_estimated.empty())
+    return recording + ": engine " + std::string(EngineName(by.engine)) + '\n';
   if (!by.kinematics_error)
     return recording + ": what linear kinematics leave out could not be estimated: " + by.not_estimated + '\n';
   const std::string text = recording + ": " + KinematicsText(*by.kinematics_error) + ": ";
   if (by.correction_change)
     return text + "corrected by the full geometry, whose correction would change by another " +
-           Percent(*by.correction_change, 2) + " of a channel's deviation\n";
+           Percent(*by.correction_change, 2) + " of a channel's standard deviation\n";
   return text + (by.engine == Engine::kFull ? "the full geometry answers\n" : "the reduced model answers\n");
 }
 

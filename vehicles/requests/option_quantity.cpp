@@ -1,6 +1,7 @@
 #include "vehicles/requests/option_quantity.h"
 
 #include "vehicles/description/gravity.h"
+#include "vehicles/requests/findings.h"
 
 namespace fourpost {
 namespace {
@@ -30,21 +31,19 @@ std::optional<double> ReadQuantity(const std::string& text, const Dimension& dim
                                    Diagnostics& diagnostics, Sign sign) {
   const std::optional<Quantity> quantity = ParseQuantity(text);
   const std::optional<double> si = quantity ? SiOf(*quantity, dimension) : std::nullopt;
-  if (!si)
-    diagnostics.Error(option, 0,
-                      "'" + text + "' is no " + DimensionName(dimension) + ": write a number with its unit, such as " +
-                          Example(dimension));
-  else if (sign == Sign::kPositive && !(*si > 0)) diagnostics.Error(option, 0, "'" + text + "' must be above zero");
+  const Place place = Place::Option(option);
+  if (!si) diagnostics.Report(kOptionQuantity, place, {text, DimensionName(dimension), Example(dimension)});
+  else if (sign == Sign::kPositive && !(*si > 0)) diagnostics.Report(kOptionNotPositive, place, {text});
   else return si;
   return std::nullopt;
 }
 
 std::optional<double> ReadShare(const std::string& text, const std::string& option, Diagnostics& diagnostics) {
   const std::optional<Quantity> quantity = ParseQuantity(text);
-  if (!quantity || quantity->unit_text != "%")
-    diagnostics.Error(option, 0, "'" + text + "' is no share: write it in percent, such as 1%");
-  else if (!(quantity->si > 0)) diagnostics.Error(option, 0, "'" + text + "' must be above zero");
-  else if (quantity->si > 1) diagnostics.Error(option, 0, "'" + text + "' must not be above 100%");
+  const Place place = Place::Option(option);
+  if (!quantity || quantity->unit_text != "%") diagnostics.Report(kOptionShare, place, {text});
+  else if (!(quantity->si > 0)) diagnostics.Report(kOptionNotPositive, place, {text});
+  else if (quantity->si > 1) diagnostics.Report(kOptionShareAbove, place, {text});
   else return quantity->si;
   return std::nullopt;
 }
@@ -53,7 +52,7 @@ std::optional<FrequencyRange> ReadFrequencyRange(const std::string& text, const 
                                                  Diagnostics& diagnostics) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) {
-    diagnostics.Error(option, 0, "'" + text + "' is no range of frequencies: write first:last, such as 0.5Hz:30Hz");
+    diagnostics.Report(kOptionFrequencyRange, Place::Option(option), {text});
     return std::nullopt;
   }
   const std::optional<double> first = ReadQuantity(text.substr(0, colon), kFrequency, option, diagnostics);

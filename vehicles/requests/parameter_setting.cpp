@@ -8,6 +8,7 @@
 #include "analysis/text/known_names.h"
 #include "analysis/text/number.h"
 #include "analysis/text/units.h"
+#include "vehicles/requests/findings.h"
 
 namespace fourpost {
 namespace {
@@ -20,9 +21,9 @@ class SettingReader {
 
   bool faulty() const { return faulty_; }
 
-  void Fault(const std::string& message) {
+  void Fault(const Finding& kind, const std::vector<std::string>& words) {
     faulty_ = true;
-    diagnostics_.Error(option_, 0, message);
+    diagnostics_.Report(kind, Place::Option(option_), words);
   }
 
   std::optional<std::size_t> Parameter(const std::string& name) {
@@ -31,22 +32,27 @@ class SettingReader {
       if (vehicle_.parameters[i].name == name) return i;
       names.push_back(vehicle_.parameters[i].name);
     }
-    Fault("the vehicle has no parameter '" + name + "'" + KnownNames(name, names));
+    Fault(kOptionParameter, {name, KnownNames(name, names)});
     return std::nullopt;
   }
 
   double Value(std::size_t index, const std::string& text) {
     const fourpost::Parameter& parameter = vehicle_.parameters[index];
     const std::optional<Quantity> quantity = ParseQuantity(text);
-    const std::string wanted =
-        parameter.unit.empty() ? "a plain number" : "a number in " + parameter.unit + " or the like";
-    if (!quantity || quantity->unit.dimension != parameter.dimension)
-      Fault("'" + text + "' is no value of '" + parameter.name + "': give " + wanted);
-    else return Judged(parameter, quantity->si);
+    if (quantity && quantity->unit.dimension == parameter.dimension) return Judged(parameter, quantity->si);
+    if (parameter.unit.empty()) Fault(kSettingNotANumber, {parameter.name, text});
+    else Fault(kSettingUnit, {parameter.name, text, parameter.name + "=" + Example(text, parameter)});
     return parameter.value;
   }
 
  private:
+  /// What may be meant: "20kN/m" of "20"; the file's value where the text is no number.
+  static std::string Example(const std::string& text, const fourpost::Parameter& parameter) {
+    std::string example = ParseNumber(text) ? text + parameter.unit : Shown(parameter.value, parameter);
+    std::erase(example, ' ');
+    return example;
+  }
+
   static std::string Shown(double si, const fourpost::Parameter& parameter) {
     return FormatQuantity(si, parameter.unit);
   }
@@ -56,12 +62,11 @@ class SettingReader {
     if (has_bounds && value >= parameter.lower && value <= parameter.upper) return value;
     const bool same_sign = value == parameter.value || value * parameter.value > 0;
     if (!same_sign)
-      Fault("'" + parameter.name + "' = " + Shown(value, parameter) + " must be " +
-            (parameter.value > 0 ? "above" : "below") + " zero, as the file's value is");
+      Fault(kSettingSign, {parameter.name, Shown(value, parameter), parameter.value > 0 ? "above" : "below"});
     else if (has_bounds)
-      diagnostics_.Warning(option_, 0,
-                           "'" + parameter.name + "' = " + Shown(value, parameter) + " is outside its bounds " +
-                               Shown(parameter.lower, parameter) + " .. " + Shown(parameter.upper, parameter));
+      diagnostics_.Report(kSettingOutOfBounds, Place::Option(option_),
+                          {parameter.name, Shown(value, parameter), Shown(parameter.lower, parameter),
+                           Shown(parameter.upper, parameter)});
     return value;
   }
 
@@ -80,9 +85,9 @@ std::vector<double> EqualSteps(double first, double last, int count) {
 std::vector<double> BoundToBound(const Parameter& parameter, SettingReader& reader) {
   constexpr int kCount = 25;
   if (!(parameter.upper > parameter.lower))
-    reader.Fault("'" + parameter.name + "' has no bounds: say how far it shall go, as in " + parameter.name + "=" +
-                 FormatQuantity(0.5 * parameter.value, parameter.unit) + ":" +
-                 FormatQuantity(2 * parameter.value, parameter.unit) + ":13");
+    reader.Fault(kRangeUnbounded,
+                 {parameter.name, parameter.name + "=" + FormatQuantity(0.5 * parameter.value, parameter.unit) + ":" +
+                                      FormatQuantity(2 * parameter.value, parameter.unit) + ":13"});
   return EqualSteps(parameter.lower, parameter.upper, kCount);
 }
 
@@ -94,12 +99,12 @@ std::vector<double> Written(std::size_t index, const std::string& text, SettingR
   const std::optional<double> count =
       last_colon == first_colon ? std::nullopt : ParseNumber(std::string_view(text).substr(last_colon + 1));
   if (!count || !(*count >= 2 && *count <= kMost && *count == std::floor(*count))) {
-    reader.Fault("'" + text + "' is no range: write first:last:how many, as 20kN/m:80kN/m:13, with 2 to 1000 values");
+    reader.Fault(kRangeMalformed, {text});
     return {};
   }
   const double first = reader.Value(index, text.substr(0, first_colon));
   const double last = reader.Value(index, text.substr(first_colon + 1, last_colon - first_colon - 1));
-  if (!reader.faulty() && first == last) reader.Fault("the range '" + text + "' goes nowhere");
+  if (!reader.faulty() && first == last) reader.Fault(kRangeEmpty, {text});
   return EqualSteps(first, last, static_cast<int>(*count));
 }
 
@@ -108,7 +113,7 @@ void CheckOnce(const std::vector<std::string>& texts, const std::string& option,
   std::map<std::string, int> count;
   for (const std::string& text : texts) {
     const std::string name = text.substr(0, text.find('='));
-    if (++count[name] == 2) diagnostics.Error(option, 0, "'" + name + "' is given twice");
+    if (++count[name] == 2) diagnostics.Report(kOptionParameterTwice, Place::Option(option), {name});
   }
 }
 
@@ -118,7 +123,7 @@ void SetParameter(const std::string& text, const std::string& option, Vehicle& v
   SettingReader reader(option, vehicle, diagnostics);
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) {
-    reader.Fault("'" + text + "' sets nothing: write name=value with its unit");
+    reader.Fault(kSettingIncomplete, {text});
     return;
   }
   const std::optional<std::size_t> index = reader.Parameter(text.substr(0, equals));

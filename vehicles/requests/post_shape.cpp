@@ -7,14 +7,12 @@
 
 #include "analysis/text/known_names.h"
 #include "analysis/text/number.h"
+#include "vehicles/description/findings.h"
 #include "vehicles/description/post_pattern.h"
+#include "vehicles/requests/findings.h"
 
 namespace fourpost {
 namespace {
-
-bool IsPattern(std::string_view mode) {
-  return std::find(kPostPatterns.begin(), kPostPatterns.end(), mode) != kPostPatterns.end();
-}
 
 class ShareReader {
  public:
@@ -31,17 +29,16 @@ class ShareReader {
       begin = end + 1;
     }
     const auto is_reference = [](const std::optional<double>& share) { return std::abs(share.value_or(0)) == 1; };
-    if (!faulty_ && std::none_of(shares_.begin(), shares_.end(), is_reference))
-      Fault("'" + mode + "': one post is the reference, whose share is 1 or -1");
+    if (!faulty_ && std::none_of(shares_.begin(), shares_.end(), is_reference)) Fault(kShareNoReference, {mode});
     std::vector<double> shape;
     for (const std::optional<double>& share : shares_) shape.push_back(share.value_or(0));
     return shape;
   }
 
  private:
-  void Fault(const std::string& message) {
+  void Fault(const Finding& kind, const std::vector<std::string>& words) {
     faulty_ = true;
-    diagnostics_.Error("--mode", 0, message);
+    diagnostics_.Report(kind, Place::Option("--mode"), words);
   }
 
   void Add(const std::string& part) {
@@ -50,9 +47,9 @@ class ShareReader {
     const std::optional<double> share = equals < part.size() ? ParseNumber(part.substr(equals + 1)) : std::nullopt;
     const auto post = std::find(posts_.begin(), posts_.end(), name);
     std::optional<double>* const place = post == posts_.end() ? nullptr : &shares_[post - posts_.begin()];
-    if (!place) Fault("the vehicle has no post '" + name + "'" + KnownNames(name, posts_));
-    else if (!share) Fault("'" + part + "' is no share of a post: write " + name + "=1, or -1 against it");
-    else if (*place) Fault("post '" + name + "' is named twice");
+    if (!place) Fault(kSharePost, {name, KnownNames(name, posts_)});
+    else if (!share) Fault(kShareMalformed, {part, name});
+    else if (*place) Fault(kSharePostTwice, {name});
     else *place = share;
   }
 
@@ -68,9 +65,13 @@ std::vector<double> ReadPostShape(const std::string& mode, const Vehicle& vehicl
   if (mode.find('=') != std::string::npos) return ShareReader(vehicle, diagnostics).Read(mode);
   try {
     return PostPattern(vehicle, mode);
-  } catch (const std::invalid_argument& refusal) {
-    const std::string shares = "; or tell the share of each post, as " + vehicle.posts.front().name + "=1";
-    diagnostics.Error("--mode", 0, refusal.what() + (IsPattern(mode) ? "" : shares));
+  } catch (const PatternError& refusal) {
+    Found found = refusal.found();
+    if (found.kind == &kPatternUnknown) {
+      found.kind = &kModeUnknown;
+      found.words.push_back(vehicle.posts.front().name);
+    }
+    diagnostics.Report(*found.kind, Place::Option("--mode"), found.words);
     return {};
   }
 }

@@ -9,6 +9,7 @@
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/progress_text.h"
 #include "analysis/text/text_table.h"
+#include "vehicles/requests/findings.h"
 #include "vehicles/ride/stability.h"
 
 namespace fourpost {
@@ -23,6 +24,14 @@ std::string List(const std::vector<double>& frequencies_Hz) {
   return text + (frequencies_Hz.size() > kMost ? " ... Hz" : " Hz");
 }
 
+/// Shows a finding about the motion `name` at once.
+void Remark(const Finding& kind, const std::string& name, const std::vector<std::string>& words,
+            const WorkHooks& hooks) {
+  Diagnostics found;
+  found.Report(kind, {name}, words);
+  hooks.Note(found.Format());
+}
+
 void NoteIntegrated(const std::string& name, const Excitation& excitation, const SteadyResponse& answer,
                     const WorkHooks& hooks) {
   std::vector<double> integrated;
@@ -30,12 +39,11 @@ void NoteIntegrated(const std::string& name, const Excitation& excitation, const
     if (answer.engine_at[i] == Engine::kMarch) integrated.push_back(excitation.frequency_Hz[i]);
   if (integrated.empty()) return;
   if (answer.is_hysteretic)
-    return hooks.Note(name + ": friction in line with a spring sticks and slides within a cycle: integrated in time" +
-                      (hooks.IsStopped() ? " until the interruption" : ""));
-  hooks.Note(name + ": the " + EngineName(answer.engine) + " balance converged to no periodic motion at " +
-             std::to_string(integrated.size()) + " of " + std::to_string(answer.engine_at.size()) + " frequencies, " +
-             List(integrated) + ": " +
-             (hooks.IsStopped() ? "left to the march, which was interrupted" : "these were marched from rest"));
+    return Remark(kIntegratedHysteresis, name, {hooks.IsStopped() ? " until the interruption" : ""}, hooks);
+  Remark(hooks.IsStopped() ? kBalanceInterrupted : kBalanceUnconverged, name,
+         {EngineName(answer.engine), std::to_string(integrated.size()), std::to_string(answer.engine_at.size()),
+          List(integrated)},
+         hooks);
 }
 
 void NoteOtherMotions(const std::string& name, const SteadyResponse& answer, const WorkHooks& hooks) {
@@ -46,11 +54,10 @@ void NoteOtherMotions(const std::string& name, const SteadyResponse& answer, con
     frequencies.push_back(other.frequency_Hz);
     if (other.difference > most.difference) most = other;
   }
-  hooks.Note(name + ": warning: set in motion from rest, the vehicle takes another motion at " + List(frequencies) +
-             " ('" + most.channel + "' at " + Rounded(most.frequency_Hz, 3) + " Hz differs by " +
-             Rounded(100 * most.difference, 2) +
-             " %): the periodic one told is unstable, or one of several; compare --engine march or `fourpost "
-             "simulate`");
+  Remark(kOtherMotion, name,
+         {List(frequencies), most.channel, Rounded(most.frequency_Hz, 3) + " Hz",
+          Rounded(100 * most.difference, 2) + " %"},
+         hooks);
 }
 
 /// One line for what takes long, with the time left, until the user asks to stop.
@@ -86,11 +93,7 @@ class SweepProgress {
 void RequireStable(const Vehicle& vehicle, const SteadySolver& solver) {
   const std::optional<Growth> growth = GrowthOf(vehicle, solver.model());
   if (!growth) return;
-  Diagnostics faults;
-  faults.Error(vehicle.file, 0,
-               "the vehicle is unstable in its design pose, so it has no steady response: " + growth->Text() +
-                   "; see `fourpost check`");
-  throw FaultyInput(faults);
+  Refuse(kUnstable, {vehicle.file}, {growth->Text()});
 }
 
 std::optional<SteadyResponse> SolveSweep(SteadySolver& solver, const std::string& name, const Excitation& excitation,
@@ -102,9 +105,7 @@ std::optional<SteadyResponse> SolveSweep(SteadySolver& solver, const std::string
     NoteOtherMotions(name, answer, hooks);
     return answer;
   } catch (const std::invalid_argument& refusal) {
-    Diagnostics faults;
-    faults.Error("--engine", 0, refusal.what());
-    throw FaultyInput(faults);
+    Refuse(kEngineRefused, Place::Option("--engine"), {refusal.what()});
   }
 }
 

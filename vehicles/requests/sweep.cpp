@@ -6,6 +6,7 @@
 #include "analysis/signals/frequency_grid.h"
 #include "analysis/text/number.h"
 #include "vehicles/requests/chosen_sensors.h"
+#include "vehicles/requests/findings.h"
 #include "vehicles/requests/post_shape.h"
 #include "vehicles/requests/rigid_range.h"
 #include "vehicles/response/post_stroke.h"
@@ -36,16 +37,14 @@ class SweepReader {
 
  private:
   std::vector<std::size_t> Channels() {
-    if (vehicle_.sensors.empty())
-      found_.Error(vehicle_.file, 0, "the vehicle has no fp:sensor, so nothing tells how it answers: give it one");
+    if (vehicle_.sensors.empty()) found_.Report(kSensorNone, {vehicle_.file});
     return ChosenSensors(text_.channels, vehicle_, found_);
   }
 
   void AddSweep(const std::string& mode, SweepRequest& request) {
     const auto same = [&](const Sweep& sweep) { return sweep.mode == mode; };
     if (std::any_of(request.sweeps.begin(), request.sweeps.end(), same)) return;
-    if (vehicle_.posts.empty())
-      found_.Error(vehicle_.file, 0, "the vehicle has no fp:post to move; add one under each tyre");
+    if (vehicle_.posts.empty()) found_.Report(kPostNone, {vehicle_.file});
     else request.sweeps.push_back({.mode = mode, .excitation = {.shape = ReadPostShape(mode, vehicle_, found_)}});
   }
 

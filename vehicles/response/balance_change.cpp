@@ -24,7 +24,7 @@ constexpr int kLeast = 3;
 /// What a matrix of the ports' harmonics may have.
 constexpr Eigen::Index kMostUnknowns = 240;
 
-/// Half of that of the slopes by rate; no bound is told of laws of the extension.
+/// Half of that of the slopes by rate; laws of the extension have no bound.
 double SlopeRange(const PortLaw& law) {
   const auto* dashpot = std::get_if<DashpotRemainder>(&law);
   return dashpot ? 0.5 * (dashpot->law.GreatestRate() - dashpot->law.LeastRate())
@@ -32,7 +32,7 @@ double SlopeRange(const PortLaw& law) {
 }
 
 /// E_h -> direct E_h + conjugate conj(E_h) = R_l, in a matrix on the real, then the imaginary parts of harmonics 0..H.
-void Put(Complex direct, Complex conjugate, Eigen::Index l, Eigen::Index h, Eigen::MatrixXd& matrix) {
+void PlaceBlock(Complex direct, Complex conjugate, Eigen::Index l, Eigen::Index h, Eigen::MatrixXd& matrix) {
   const Eigen::Index rows = matrix.rows() / 2;
   matrix(l, h) = direct.real() + conjugate.real();
   matrix(l, rows + h) = conjugate.imag() - direct.imag();
@@ -58,11 +58,11 @@ Eigen::MatrixXd SlopeMatrix(const Eigen::MatrixXcd& slopes, double omega, Eigen:
   Eigen::MatrixXd matrix(2 * rows, 2 * rows);
   for (Eigen::Index l = 0; l < rows; ++l) {
     const double share = l > 0 ? 1 : 0.5;
-    Put(2 * share * TwoSided(slopes, 0, l), 0, l, 0, matrix);
+    PlaceBlock(2 * share * TwoSided(slopes, 0, l), 0, l, 0, matrix);
     for (Eigen::Index h = 1; h < rows; ++h) {
       const Complex iw(0, static_cast<double>(h) * omega);
-      Put(share * (TwoSided(slopes, 0, l - h) + iw * TwoSided(slopes, 1, l - h)),
-            share * (TwoSided(slopes, 0, l + h) - iw * TwoSided(slopes, 1, l + h)), l, h, matrix);
+      PlaceBlock(share * (TwoSided(slopes, 0, l - h) + iw * TwoSided(slopes, 1, l - h)),
+                 share * (TwoSided(slopes, 0, l + h) - iw * TwoSided(slopes, 1, l + h)), l, h, matrix);
     }
   }
   DropImaginaryMeans(matrix);
@@ -73,7 +73,7 @@ Eigen::MatrixXd SlopeMatrix(const PortCoupling& coupling) {
   const Eigen::Index rows = coupling.direct.rows();
   Eigen::MatrixXd matrix(2 * rows, 2 * rows);
   for (Eigen::Index h = 0; h < rows; ++h)
-    for (Eigen::Index l = 0; l < rows; ++l) Put(coupling.direct(l, h), coupling.conjugate(l, h), l, h, matrix);
+    for (Eigen::Index l = 0; l < rows; ++l) PlaceBlock(coupling.direct(l, h), coupling.conjugate(l, h), l, h, matrix);
   DropImaginaryMeans(matrix);
   return matrix;
 }

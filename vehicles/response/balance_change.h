@@ -20,7 +20,7 @@ namespace fourpost {
 /// nonlinear elements, with the harmonics that count; Z is inverted by the poles of the linear vehicle.
 class BalanceChange {
  public:
-  /// `shape`: of the posts, see Excitation. `model`: that of the cycle, which may hold its tyres. All but the shape
+  /// `shape`: of the posts, see Excitation. `model`: that of the cycle, which may hold its tyres. All except the shape
   /// must outlive this object. `error`: that of the cycle, see HarmonicBalanceOptions.
   BalanceChange(LinearisedCycle& cycle, const CondensedModel& model, const std::vector<double>& shape,
                 const std::vector<ModelChange>& changes, double error);

@@ -15,7 +15,7 @@ namespace {
 /// Ten thousand times the motion: none of it reaches the damper.
 constexpr double kNotReached = 1e4;
 
-/// Extension over that at which friction begins to slide, where e, with a mount, or v tells that.
+/// Extension over that at which friction begins to slide, where e, with a mount, or v shows that.
 double Sliding(const Damper& damper, std::span<const double> values, double extension, double rate) {
   const DashpotDescription::Friction& friction = *damper.law.friction;
   // The friction of a hydraulic damper acts beside its mount.
@@ -68,7 +68,7 @@ std::vector<LockedFriction> FindLockedFriction(const Vehicle& vehicle, const Exc
   if (rubbing.empty()) return {};
   Vehicle probed = vehicle;
   probed.sensors = ExtensionSensors(vehicle, rubbing);
-  // Whether it slides is told by few harmonics.
+  // Whether it slides shows in few harmonics.
   const PeriodicResponse found = SolveHarmonicBalance(CondensedVehicle(probed).At(vehicle.ParameterValues()),
                                                       probed.sensors, excitation, {.error = 0.1});
   std::vector<LockedFriction> locked;

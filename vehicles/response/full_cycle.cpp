@@ -17,6 +17,7 @@
 #include "vehicles/condensed/linear_vehicle.h"
 #include "vehicles/laws/hydraulic_cycle.h"
 #include "vehicles/multibody/simulation_error.h"
+#include "vehicles/simulation/findings.h"
 
 namespace fourpost {
 namespace {
@@ -270,7 +271,7 @@ void FullCycle::FindPressures(std::size_t damper, const Eigen::VectorXcd& extens
   const auto count = static_cast<std::size_t>(steps);
   const std::optional<HydraulicCycle> cycle = HydraulicCycle::Solve(
       law, 2 * std::numbers::pi / omega_, {extensions.data(), count}, {extension_rates.data(), count});
-  if (!cycle) throw SimulationError("a chamber of a hydraulic damper closes");
+  if (!cycle) throw SimulationError(kChamberCloses);
   Eigen::MatrixXd tensions(steps, 1);
   for (Eigen::Index k = 0; k < steps; ++k) tensions(k, 0) = cycle->states()[static_cast<std::size_t>(k)].tension;
   Eigen::MatrixXd sampled(samples, 1);

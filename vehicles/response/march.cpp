@@ -10,9 +10,11 @@
 #include <string_view>
 
 #include "analysis/signals/fourier.h"
+#include "analysis/text/found.h"
 #include "analysis/text/number.h"
 #include "analysis/text/option_check.h"
 #include "vehicles/description/post_pattern.h"
+#include "vehicles/response/findings.h"
 #include "vehicles/response/response_recorder.h"
 #include "vehicles/ride/vehicle_summary.h"
 #include "vehicles/simulation/multibody_system.h"
@@ -193,29 +195,27 @@ std::string Short(double value) {
   return text.data();
 }
 
-/// The mode that dies away last; null for a vehicle without one.
+/// The mode that decays last; null for a vehicle without one.
 const Mode* SlowestMode(const std::vector<Mode>& modes) {
   const auto slower = [](const Mode& a, const Mode& b) { return a.pole.real() > b.pole.real(); };
   const auto slowest = std::min_element(modes.begin(), modes.end(), slower);
   return slowest == modes.end() ? nullptr : &*slowest;
 }
 
-/// Why the motion may not repeat, and what to do.
-std::string Remedy(const Vehicle& vehicle, const MarchOptions& options) {
+/// Why the motion may not repeat; `words`: the motion, the time, the channel that still changes.
+Found Unsteady(const Vehicle& vehicle, const MarchOptions& options, std::vector<std::string> words) {
   const VehicleSummary summary = Summarise(vehicle, vehicle.ParameterValues());
   const Mode* mode = SlowestMode(summary.modes);
-  if (!mode) return "";
-  const std::string name = "the mode '" + mode->name + "'";
-  if (mode->kind == Mode::Kind::kFree || mode->kind == Mode::Kind::kDiverging)
-    return name + " is " + KindName(mode->kind) + ": see `fourpost check`";
+  if (!mode) return {&kUnsteady, words};
+  words.push_back(mode->name);
+  if (mode->kind == Mode::Kind::kFree || mode->kind == Mode::Kind::kDiverging) {
+    words.push_back(KindName(mode->kind));
+    return {&kUnsteadyMode, words};
+  }
   const double settling_s = -std::log(options.tolerance) / -mode->pole.real();
-  const std::string what = name + " at " + Short(mode->frequency_Hz) + " Hz, damping ratio " +
-                           Short(mode->damping_ratio) + ", takes " + FormatNumber(std::ceil(settling_s)) +
-                           " s to die away";
-  if (settling_s < options.longest_s / 2)
-    return what + ", none longer: friction, stops or tyres that lift off may keep the motion from repeating; try " +
-           "another amplitude";
-  return what + ": see `fourpost check`, and give it damping or use harmonic balance, which has nothing to wait for";
+  words.insert(words.end(), {Short(mode->frequency_Hz) + " Hz", Short(mode->damping_ratio),
+                             FormatNumber(std::ceil(settling_s)) + " s"});
+  return {settling_s < options.longest_s / 2 ? &kUnsteadyAmplitude : &kUnsteadyDamping, words};
 }
 
 }  // namespace
@@ -275,16 +275,15 @@ MarchedResponse March(Multibody& multibody, const Excitation& excitation, const 
 
 std::string UnsteadyMessage(const Vehicle& vehicle, const Excitation& excitation, const UnsteadyMotion& motion,
                             const MarchOptions& options) {
-  std::string text = ShapeText(vehicle, excitation.shape) + " at " + Short(motion.frequency_Hz) + " Hz, " +
-                     Short(1e3 * motion.amplitude_m) + " mm: no periodic motion within " +
-                     FormatNumber(options.longest_s) + " s";
-  if (!motion.sensor.empty())
-    text += "; '" + motion.sensor + "' still changes its " + (motion.is_mean ? "mean" : "first harmonic") + " by " +
-            Short(motion.change) + " per " +
-            (motion.cycles == 1 ? "cycle" : std::to_string(motion.cycles) + " cycles") + ", tolerance " +
-            Short(options.tolerance);
-  const std::string remedy = Remedy(vehicle, options);
-  return remedy.empty() ? text : text + "; " + remedy;
+  const std::string what = ShapeText(vehicle, excitation.shape) + " at " + Short(motion.frequency_Hz) + " Hz, " +
+                           Short(1e3 * motion.amplitude_m) + " mm";
+  const std::string changes =
+      motion.sensor.empty() ? ""
+                            : " ('" + motion.sensor + "' still changes its " +
+                                  (motion.is_mean ? "mean" : "first harmonic") + " by " + Short(motion.change) +
+                                  " per " + (motion.cycles == 1 ? "cycle" : std::to_string(motion.cycles) + " cycles") +
+                                  ", tolerance " + Short(options.tolerance) + ")";
+  return Unsteady(vehicle, options, {what, FormatNumber(options.longest_s) + " s", changes}).Text();
 }
 
 }  // namespace fourpost

@@ -2,8 +2,9 @@
 
 #include <cmath>
 
-#include "analysis/text/number.h"
 #include "analysis/text/count_check.h"
+#include "analysis/text/number.h"
+#include "vehicles/response/findings.h"
 
 namespace fourpost {
 namespace {
@@ -24,10 +25,8 @@ void CheckStroke(const Vehicle& vehicle, std::span<const double> excursion_m, co
     if (!stroke) continue;
     const double reach = *stroke / 2;
     if (excursion_m[p] <= reach * (1 + kSlack)) continue;
-    diagnostics.Error(vehicle.file, post.source_line,
-                      "fp:post '" + post.name + "' reaches " + Millimetres(reach) + " up and down, and " + motion +
-                          " asks " + Millimetres(excursion_m[p]) + " of it: ask less, or " +
-                          (post.stroke ? "correct its stroke" : "tell the stroke it has"));
+    diagnostics.Report(post.stroke ? kStrokeExceeded : kUsualStrokeExceeded, {vehicle.file, post.source_line},
+                       {post.name, Millimetres(reach), motion, Millimetres(excursion_m[p])});
   }
 }
 

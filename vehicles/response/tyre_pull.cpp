@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "analysis/text/count_check.h"
 #include "analysis/text/short_number.h"
 #include "vehicles/condensed/condensed_vehicle.h"
-#include "analysis/text/count_check.h"
 #include "vehicles/response/contact_cycle.h"
+#include "vehicles/response/findings.h"
 
 namespace fourpost {
 namespace {
@@ -89,10 +90,9 @@ void WarnOfPulls(const Vehicle& vehicle, const std::vector<TyrePull>& pulls, con
                  const std::string& motion, Diagnostics& findings) {
   for (const TyrePull& pull : pulls) {
     const Tyre& tyre = vehicle.tyres[pull.tyre];
-    findings.Warning(vehicle.file, tyre.source_line,
-                     "fp:tyre '" + tyre.name + "' pulls on the ground in " + std::to_string(pull.count) + " of " +
-                         std::to_string(pull.of) + ' ' + samples + " of " + motion + ", down to " +
-                         ShortNumber(-pull.pull_N, 4) + " N: remove liftoff=\"false\" or reduce the motion");
+    findings.Report(kTyrePulls, {vehicle.file, tyre.source_line},
+                    {tyre.name, std::to_string(pull.count), std::to_string(pull.of), samples, motion,
+                     ShortNumber(-pull.pull_N, 4) + " N"});
   }
 }
 

@@ -16,6 +16,8 @@
 #include <assimp/Importer.hpp>
 
 #include "analysis/files/text_file.h"
+#include "vehicles/shapes/findings.h"
+#include "vehicles/shapes/shape_error.h"
 
 namespace fourpost {
 namespace {
@@ -39,14 +41,11 @@ class SmallFiles : public Assimp::DefaultIOSystem {
 
   Assimp::IOStream* Open(const char* file, const char* mode) override {
     // A mesh that came from elsewhere must not carry other files of this machine into a report.
-    if (file != mesh_ && !IsWithin(folder_, file))
-      throw std::runtime_error("it refers to the file " + std::string(file) +
-                               " outside its folder; put that beside the mesh");
+    if (file != mesh_ && !IsWithin(folder_, file)) throw ShapeError(kMeshElsewhere, {file});
     Assimp::IOStream* stream = DefaultIOSystem::Open(file, mode);
     if (!stream || stream->FileSize() <= kLargestFile_MiB << 20) return stream;
     Close(stream);
-    throw std::runtime_error("file " + std::string(file) + " is larger than " + std::to_string(kLargestFile_MiB) +
-                             " MiB");
+    throw ShapeError(kMeshFileTooLarge, {file, std::to_string(kLargestFile_MiB) + " MiB"});
   }
 
  private:
@@ -69,16 +68,15 @@ Eigen::Affine3d ToEigen(const aiMatrix4x4& m) {
 /// Throws for what must not meet code that trusts it.
 void CheckPart(const aiMesh& part) {
   for (unsigned i = 0; i < part.mNumVertices; ++i)
-    if (!ToEigen(part.mVertices[i]).allFinite()) throw std::runtime_error("a vertex is not finite");
+    if (!ToEigen(part.mVertices[i]).allFinite()) throw ShapeError(kMeshVertex);
   for (unsigned i = 0; i < part.mNumFaces; ++i)
     for (unsigned corner = 0; corner < part.mFaces[i].mNumIndices; ++corner)
-      if (part.mFaces[i].mIndices[corner] >= part.mNumVertices)
-        throw std::runtime_error("an index of a vertex is out of range");
+      if (part.mFaces[i].mIndices[corner] >= part.mNumVertices) throw ShapeError(kMeshIndex);
 }
 
 [[noreturn]] void RethrowFault(const Assimp::Importer& importer) {
   if (importer.GetException()) std::rethrow_exception(importer.GetException());
-  throw std::runtime_error(importer.GetErrorString());
+  throw ShapeError(kMeshUnreadable, {importer.GetErrorString()});
 }
 
 /// The file's scene, all polygons split into triangles.
@@ -89,7 +87,7 @@ const aiScene& ReadScene(const std::filesystem::path& file, Assimp::Importer& im
   if (!scene) RethrowFault(importer);
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) CheckPart(*scene->mMeshes[i]);
   scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
-  if (!scene || !scene->mRootNode) throw std::runtime_error("it holds no scene");
+  if (!scene || !scene->mRootNode) throw ShapeError(kMeshNoScene);
   return *scene;
 }
 
@@ -139,13 +137,12 @@ class MeshBuilder {
 
   void Add(const Eigen::Vector3i& triangle) {
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) return;
-    if (triangles_.size() == kMostTriangles)
-      throw std::runtime_error("it has more than " + std::to_string(kMostTriangles) + " triangles");
+    if (triangles_.size() == kMostTriangles) throw ShapeError(kMeshTriangles, {std::to_string(kMostTriangles)});
     triangles_.push_back(triangle);
   }
 
   int Place(const Eigen::Vector3d& vertex) {
-    if (!vertex.allFinite()) throw std::runtime_error("a vertex is not finite");
+    if (!vertex.allFinite()) throw ShapeError(kMeshVertex);
     const auto [place, is_new] = places_.try_emplace(vertex, static_cast<int>(vertices_.size()));
     if (is_new) vertices_.push_back(vertex);
     return place->second;
@@ -162,18 +159,18 @@ void CheckFormat(const std::filesystem::path& file) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const char* known : {".obj", ".stl", ".dae", ".gltf", ".glb"})
     if (extension == known) return;
-  throw std::runtime_error("its format must be OBJ, STL, DAE or glTF: .obj, .stl, .dae, .gltf or .glb");
+  throw ShapeError(kMeshFormat);
 }
 
 Mesh ReadAnyMesh(const std::filesystem::path& file) {
   CheckFormat(file);
-  if (const std::string reason = WhyNoFile(file); !reason.empty()) throw std::runtime_error(reason);
+  if (const Found reason = WhyNoFile(file)) throw ShapeError(kMeshNotAFile, reason.words);
   Assimp::Importer importer;
   const aiScene& scene = ReadScene(file, importer);
   MeshBuilder builder;
   builder.Add(scene, *scene.mRootNode, Eigen::Affine3d::Identity());
   Mesh mesh = builder.Result();
-  if (mesh.triangles.cols() == 0) throw std::runtime_error("it has no triangles");
+  if (mesh.triangles.cols() == 0) throw ShapeError(kMeshEmpty);
   return mesh;
 }
 
@@ -186,10 +183,13 @@ Eigen::AlignedBox3d Mesh::Bounds() const {
 }
 
 Mesh ReadMesh(const std::filesystem::path& file) {
+  const std::string name = "mesh '" + file.string() + "'";
   try {
     return ReadAnyMesh(file);
+  } catch (const ShapeError& error) {
+    throw ShapeError(error.kind(), error.words(), name);
   } catch (const std::exception& error) {
-    throw std::runtime_error("mesh '" + file.string() + "' cannot be read: " + error.what());
+    throw ShapeError(kMeshUnreadable, {error.what()}, name);
   }
 }
 

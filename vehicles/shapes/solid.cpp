@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "vehicles/shapes/findings.h"
+#include "vehicles/shapes/shape_error.h"
+
 namespace fourpost {
 namespace {
 
@@ -16,7 +19,7 @@ using Eigen::Index;
 using Eigen::Vector3d;
 
 void RequireLength(double length) {
-  if (!(length > 0)) throw std::invalid_argument("must have lengths above zero");
+  if (!(length > 0)) throw ShapeError(kShapeLength);
 }
 
 /// A side of a triangle: the two vertices, and whether it is passed from the lower to the higher index.
@@ -55,12 +58,11 @@ std::string EdgeText(const Mesh& mesh, const Side& side) {
 }
 
 /// What is wrong with the edge that `count` triangles share, beginning with `side`.
-std::string EdgeFault(const Mesh& mesh, const Side& side, std::ptrdiff_t count) {
+ShapeError EdgeFault(const Mesh& mesh, const Side& side, std::ptrdiff_t count) {
   const std::string edge = EdgeText(mesh, side);
-  if (count == 1) return "is not closed: " + edge + " belongs to one triangle alone";
-  if (count == 2)
-    return "is inside out in part: the two triangles at " + edge + " face opposite sides; flip one of them";
-  return "does not bound a solid: " + std::to_string(count) + " triangles, not two, meet at " + edge;
+  if (count == 1) return ShapeError(kSurfaceOpen, {edge});
+  if (count == 2) return ShapeError(kSurfaceFlipped, {edge});
+  return ShapeError(kSurfaceBranches, {std::to_string(count), edge});
 }
 
 /// Throws unless two triangles meet at each edge and pass it in opposite directions.
@@ -69,8 +71,7 @@ void RequireClosed(const Mesh& mesh) {
   for (auto side = sides.begin(); side != sides.end();) {
     const auto next = std::find_if(
         side, sides.end(), [&](const Side& other) { return other.low != side->low || other.high != side->high; });
-    if (next - side != 2 || side[0].is_upward == side[1].is_upward)
-      throw std::runtime_error(EdgeFault(mesh, *side, next - side));
+    if (next - side != 2 || side[0].is_upward == side[1].is_upward) throw EdgeFault(mesh, *side, next - side);
     side = next;
   }
 }
@@ -105,8 +106,8 @@ Moments MomentsOf(const Mesh& mesh, const Vector3d& origin) {
 void RequireVolume(const Mesh& mesh, const Moments& moments) {
   // Files and their reader give vertices in single precision.
   const double rounding = std::numeric_limits<float>::epsilon() * mesh.vertices.cwiseAbs().maxCoeff() * moments.area;
-  if (!(std::abs(moments.volume) > rounding)) throw std::runtime_error("encloses no volume");
-  if (moments.volume < 0) throw std::runtime_error("faces inward: flip all its triangles");
+  if (!(std::abs(moments.volume) > rounding)) throw ShapeError(kSurfaceFlat);
+  if (moments.volume < 0) throw ShapeError(kSurfaceInward);
 }
 
 }  // namespace
@@ -133,7 +134,7 @@ Solid SphereSolid(double radius) {
 }
 
 Solid MeshSolid(const Mesh& mesh) {
-  if (mesh.triangles.cols() == 0) throw std::runtime_error("encloses no volume");
+  if (mesh.triangles.cols() == 0) throw ShapeError(kSurfaceFlat);
   RequireClosed(mesh);
   // Near the surface, so that large parts do not cancel.
   const Vector3d origin = mesh.Bounds().center();
@@ -148,7 +149,7 @@ Solid MeshSolid(const Mesh& mesh) {
 Solid Mapped(const Solid& solid, const Eigen::Affine3d& map) {
   const Eigen::Matrix3d a = map.linear();
   const double stretch = std::abs(a.determinant());
-  if (!(stretch > 0)) throw std::invalid_argument("has a scale of zero, which leaves it no volume");
+  if (!(stretch > 0)) throw ShapeError(kShapeScale);
   return {.volume = stretch * solid.volume,
           .com = map * solid.com,
           .second_moment = stretch * a * solid.second_moment * a.transpose()};

@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/text/option_check.h"
 #include "analysis/text/count_check.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/condensed_stepper.h"
+#include "vehicles/simulation/findings.h"
 
 namespace fourpost {
 namespace {
@@ -39,12 +40,9 @@ void CondensedSystem::Run(const PostMotion& posts, double start, double step, co
   for (long k = 0;; ++k) {
     const double t = start + static_cast<double>(k) * step;
     stepper.Read(readings);
-    if (stepper.unsolved_steps() > 0)
-      throw SimulationError("the forces of the vehicle's elements were not found at t = " + std::to_string(t) +
-                            " s; take a shorter step, or less motion if a hydraulic damper's piston meets its end");
+    if (stepper.unsolved_steps() > 0) throw SimulationError(kForcesNotFound, {std::to_string(t) + " s"});
     // So written that it is true for NaN.
-    if (!(stepper.state().norm() < kFarthest))
-      throw SimulationError("the motion grows beyond all bounds before t = " + std::to_string(t) + " s");
+    if (!(stepper.state().norm() < kFarthest)) throw SimulationError(kMotionDiverges, {std::to_string(t) + " s"});
     sink(t, readings);
     if (done()) return;
     for (long part = 1; part <= parts; ++part) {

@@ -11,6 +11,7 @@
 #include "analysis/text/option_check.h"
 #include "vehicles/condensed/linear_vehicle.h"
 #include "vehicles/multibody/simulation_error.h"
+#include "vehicles/simulation/findings.h"
 
 namespace fourpost {
 namespace {
@@ -98,8 +99,7 @@ Eigen::VectorXd FullStepper::Pressures(const Eigen::VectorXd& position) {
       const double share = static_cast<double>(part) / static_cast<double>(parts_);
       const double extension =
           extensions_(part, column) + extra_at_start_[column] + share * (extra_[column] - extra_at_start_[column]);
-      if (!std::isfinite(oil_[i].Remainder(extension, 0)))
-        throw SimulationError("a chamber of a hydraulic damper closes");
+      if (!std::isfinite(oil_[i].Remainder(extension, 0))) throw SimulationError(kChamberCloses);
       oil_[i].Advance();
     }
     const std::array<double, 2> above = oil_[i].PressuresAboveRest();
@@ -146,8 +146,7 @@ void FullStepper::Step(const PostMotion& posts) {
     }
     added = acceleration.Next(added.cwiseProduct(weights_), -lacking.cwiseProduct(weights_)).cwiseQuotient(weights_);
   }
-  throw SimulationError("the full system does not follow the condensed one at t = " + std::to_string(end) +
-                        " s; take a shorter step");
+  throw SimulationError(kFullDeparts, {std::to_string(end) + " s"});
 }
 
 }  // namespace fourpost

@@ -5,6 +5,7 @@
 
 #include "analysis/text/option_check.h"
 #include "vehicles/multibody/simulation_error.h"
+#include "vehicles/simulation/findings.h"
 #include "vehicles/simulation/full_stepper.h"
 
 namespace fourpost {
@@ -46,7 +47,7 @@ void FullSystem::Run(const PostMotion& posts, double start, double step, const R
     stepper.Read(readings);
     // So written that it is true for NaN.
     if (!(stepper.condensed().state().norm() < kFarthestPosition) || stepper.condensed().unsolved_steps() > 0)
-      throw SimulationError("the motion of the full system was not found at t = " + std::to_string(t) + " s");
+      throw SimulationError(kMotionNotFound, {std::to_string(t) + " s"});
     sink(t, readings);
     evaluations_ = stepper.evaluations();
     if (done()) return;

@@ -4,46 +4,49 @@
 
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
+#include "vehicles/tags/findings.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
 namespace {
 
-constexpr const char* kTooLarge = "must not exceed 1e30 in SI units";
-
-/// What is wrong with a plain number; empty: nothing.
-std::string NumberFault(std::string_view text, Sign sign) {
+/// What is wrong with a plain number; nullptr: nothing.
+const Finding* NumberFault(std::string_view text, Sign sign) {
   const std::optional<double> number = ParseNumber(Trimmed(text));
-  if (!number) return "is not a plain number";
-  return RangeFault(*number, *number, sign);
+  return number ? RangeFault(*number, *number, sign) : &kNotAPlainNumber;
 }
 
-std::string VectorFault(std::string_view text, bool must_point) {
+const Finding* VectorFault(std::string_view text, bool must_point) {
   const std::optional<Eigen::Vector3d> vector = ParseVector(text);
-  if (!vector) return "must be three numbers, such as \"0 0 1\"";
-  if (vector->cwiseAbs().maxCoeff() > kLargestNumber) return kTooLarge;
+  if (!vector) return &kNotAVector;
+  if (vector->cwiseAbs().maxCoeff() > kLargestNumber) return &kNumberTooLarge;
   // Its length is a square root of squares, which may be zero before the direction is.
-  return must_point && vector->norm() < 1 / kLargestNumber ? "must not be zero: it is a direction" : "";
+  return must_point && vector->norm() < 1 / kLargestNumber ? &kZeroDirection : nullptr;
 }
 
-std::string ChoiceFault(const std::string& text, const std::vector<std::string_view>& choices) {
-  if (std::find(choices.begin(), choices.end(), text) != choices.end()) return "";
-  return "must be one of " + Joined(choices) + DidYouMean(text, choices);
+bool IsOneOf(const std::string& text, const std::vector<std::string_view>& choices) {
+  return std::find(choices.begin(), choices.end(), text) != choices.end();
 }
 
-std::string Fault(const AttributeRule& rule, const std::string& text) {
-  if (Trimmed(text).empty()) return "is empty";
+const Finding* Fault(const AttributeRule& rule, const std::string& text) {
+  if (Trimmed(text).empty()) return &kAttributeEmpty;
   switch (rule.kind) {
     case AttributeKind::kName:
-      return std::all_of(text.begin(), text.end(), IsNameCharacter) ? ""
-                                                                    : "may hold letters, digits, '_', '-' and '.' only";
+      return std::all_of(text.begin(), text.end(), IsNameCharacter) ? nullptr : &kNameCharacters;
     case AttributeKind::kNumber: return NumberFault(text, rule.sign);
     case AttributeKind::kVector: return VectorFault(text, false);
     case AttributeKind::kDirection: return VectorFault(text, true);
-    case AttributeKind::kChoice: return ChoiceFault(text, rule.choices);
-    default: return "";
+    case AttributeKind::kChoice: return IsOneOf(text, rule.choices) ? nullptr : &kUnknownChoice;
+    default: return nullptr;
   }
 }
+
+std::string QuotedText(std::string_view attribute, const std::string& text, const tinyxml2::XMLElement& element) {
+  return std::string(attribute) + "=\"" + text + "\" of " + Describe(element);
+}
+
+/// Whether a finding has a word behind the attribute's, for the range of a parameter.
+bool IsAboutRange(const Finding& fault) { return fault.text().ends_with("{}"); }
 
 }  // namespace
 
@@ -53,9 +56,12 @@ bool IsNameCharacter(char c) {
 
 void CheckAttribute(const tinyxml2::XMLElement& element, const AttributeRule& rule, const std::string& text, int line,
                     FileFaults& faults) {
-  const std::string fault = Fault(rule, text);
-  if (fault.empty()) return;
-  faults.Error(line, std::string(rule.name) + "=\"" + text + "\" of " + Describe(element) + " " + fault);
+  const Finding* fault = Fault(rule, text);
+  if (!fault) return;
+  std::vector<std::string> words = {QuotedText(rule.name, text, element)};
+  if (fault == &kUnknownChoice) words.insert(words.end(), {Joined(rule.choices), DidYouMean(text, rule.choices)});
+  else if (IsAboutRange(*fault)) words.emplace_back();
+  faults.Report(*fault, line, words);
 }
 
 std::string Expectation(const AttributeRule& rule) {
@@ -80,11 +86,15 @@ std::string Plural(const Dimension& dimension) {
   return name + (name.ends_with("s") ? "es" : "s");
 }
 
-std::string RangeFault(double least, double greatest, Sign sign) {
-  if (sign == Sign::kNotNegative && !(least >= 0)) return "must not be negative";
+const Finding* RangeFault(double least, double greatest, Sign sign) {
+  if (sign == Sign::kNotNegative && !(least >= 0)) return &kNumberNegative;
   if (sign == Sign::kPositive && !(least >= 1 / kLargestNumber))
-    return least > 0 ? "must be 1e-30 in SI units at least" : "must be above zero";
-  return least >= -kLargestNumber && greatest <= kLargestNumber ? "" : kTooLarge;
+    return least > 0 ? &kNumberTooSmall : &kNumberNotPositive;
+  return least >= -kLargestNumber && greatest <= kLargestNumber ? nullptr : &kNumberTooLarge;
+}
+
+std::string Quoted(std::string_view attribute, const Tag& tag) {
+  return QuotedText(tag.Spelling(attribute), tag.Text(attribute), *tag.element);
 }
 
 std::string Joined(const std::vector<std::string_view>& names) {

@@ -7,6 +7,7 @@
 #include <tinyxml2.h>
 
 #include "vehicles/tags/file_faults.h"
+#include "vehicles/tags/tag.h"
 #include "vehicles/tags/tag_table.h"
 
 namespace fourpost {
@@ -31,8 +32,12 @@ std::string Plural(const Dimension& dimension);
 /// of several stay within a double, so that nothing after the reader overflows or divides by zero.
 inline constexpr double kLargestNumber = 1e30;
 
-/// The error of a number that may take every value from `least` to `greatest`; empty: none.
-std::string RangeFault(double least, double greatest, Sign sign);
+/// The error of a number that may take every value from `least` to `greatest`; nullptr: none. Its words are the
+/// attribute, and where the number follows a parameter " over the whole range of the parameter".
+const Finding* RangeFault(double least, double greatest, Sign sign);
+
+/// What most findings about an attribute begin with: `mass="2" of link 'body'`.
+std::string Quoted(std::string_view attribute, const Tag& tag);
 
 /// "a, b, c".
 std::string Joined(const std::vector<std::string_view>& names);

@@ -6,20 +6,16 @@
 
 namespace fourpost {
 
-void FileFaults::Error(int line, std::string message) {
-  if (!IsTold(line, message)) diagnostics_.Error(file_, line, std::move(message));
-  ++errors_;
+void FileFaults::Report(const Finding& finding, int line, const std::vector<std::string>& words) {
+  if (finding.severity() == Severity::kError) ++errors_;
+  if (!IsReported(line, finding.Message(words))) diagnostics_.Report(finding, {file_, line}, words);
 }
 
-void FileFaults::Warning(int line, std::string message) {
-  if (!IsTold(line, message)) diagnostics_.Warning(file_, line, std::move(message));
-}
-
-bool FileFaults::IsTold(int line, const std::string& message) {
+bool FileFaults::IsReported(int line, const std::string& message) {
   if (twins_.empty()) return false;
   std::string written = AsWritten(message);
   const bool is_of_twin = written != message;
-  const bool is_new = told_.emplace(line, std::move(written)).second;
+  const bool is_new = reported_.emplace(line, std::move(written)).second;
   return is_of_twin && !is_new;
 }
 

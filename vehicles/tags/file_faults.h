@@ -4,8 +4,9 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "analysis/text/diagnostics.h"
+#include "analysis/text/found.h"
 
 namespace fourpost {
 
@@ -20,12 +21,12 @@ class FileFaults {
   /// From here on, a finding for a written element is not repeated for its mirror partner.
   void SetTwins(TwinNames twins) { twins_ = std::move(twins); }
 
-  void Error(int line, std::string message);
+  void Report(const Finding& finding, int line, const std::vector<std::string>& words = {});
+  void Report(const Found& found, int line) { Report(*found.kind, line, found.words); }
   /// Whether a further error is shown, not only counted; otherwise suggestions, which cost time, are not needed.
   bool IsShown() const { return errors_ < kMostShown; }
   /// Counts an error that follows from a reported one, without reporting it.
   void Follow() { ++errors_; }
-  void Warning(int line, std::string message);
 
   const std::string& file() const { return file_; }
   /// Errors so far, in this file.
@@ -36,7 +37,7 @@ class FileFaults {
   static constexpr int kMostShown = 100;
 
   /// Stores the message; returns whether it repeats, for a mirror partner, a reported one.
-  bool IsTold(int line, const std::string& message);
+  bool IsReported(int line, const std::string& message);
   /// The message with the written names in place of the generated ones.
   std::string AsWritten(const std::string& message) const;
 
@@ -44,7 +45,7 @@ class FileFaults {
   Diagnostics& diagnostics_;
   int errors_ = 0;
   TwinNames twins_;
-  std::set<std::pair<int, std::string>> told_;
+  std::set<std::pair<int, std::string>> reported_;
 };
 
 }  // namespace fourpost

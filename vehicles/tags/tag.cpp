@@ -42,8 +42,15 @@ tinyxml2::XMLElement& CopyOf(tinyxml2::XMLElement& element) {
   return copy;
 }
 
+std::string_view Tag::Spelling(std::string_view attribute) const {
+  const AttributeRule* known = FindAttribute(*rule, attribute);
+  const bool is_former =
+      known && !known->former.empty() && !Find(*element, known->name) && Find(*element, known->former);
+  return is_former ? known->former : attribute;
+}
+
 std::string Tag::Text(std::string_view attribute) const {
-  if (std::optional<std::string> text = AttributeText(*element, attribute)) return *std::move(text);
+  if (std::optional<std::string> text = AttributeText(*element, Spelling(attribute))) return *std::move(text);
   const AttributeRule* known = FindAttribute(*rule, attribute);
   return known ? std::string(known->fallback) : std::string();
 }

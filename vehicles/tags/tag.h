@@ -36,7 +36,9 @@ struct Tag {
   const TagRule* rule = nullptr;
 
   int Line() const { return LineOf(*element); }
-  int Line(std::string_view attribute) const { return LineOf(*element, attribute); }
+  int Line(std::string_view attribute) const { return LineOf(*element, Spelling(attribute)); }
+  /// The attribute's name as it is spelt here: the earlier spelling where only that stands.
+  std::string_view Spelling(std::string_view attribute) const;
   /// The attribute's text or its fallback; empty if there is neither.
   std::string Text(std::string_view attribute) const;
 };

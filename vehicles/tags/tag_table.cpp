@@ -125,13 +125,12 @@ std::vector<TagRule> MakeParameterTags() {
 std::vector<TagRule> MakeMirrorTags() {
   return {
       {.path = "fp:mirror",
-       .doc =
-           "Gives every link, joint and tag of ours whose name ends in `from` a twin whose name ends in `to`, mirrored "
-           "left to right. What is written out under a twin's name stands instead. An anti-roll bar between twins "
-           "stays "
-           "single.",
+       .doc = "Gives every link, joint and tag of ours whose name ends in `from` a mirror partner whose name ends in "
+              "`to`, "
+              "mirrored left to right. What is written out under a partner's name stands instead. An anti-roll bar "
+              "between partners stays single.",
        .attributes = {{.name = "from", .kind = Kind::kName, .doc = "end of the names to mirror, such as `_left`"},
-                      {.name = "to", .kind = Kind::kName, .doc = "end of their twins' names, such as `_right`"}}},
+                      {.name = "to", .kind = Kind::kName, .doc = "end of their partners' names, such as `_right`"}}},
   };
 }
 
@@ -162,8 +161,8 @@ std::vector<TagRule> MakeSpringTags() {
                                      .usual_greatest = "2 m"};
   return {
       {.path = "fp:spring",
-       .doc = "A spring between two points. x is its extension from the design pose, of which cubic term and knees "
-              "tell as well when a free_length stands in place of the preload.",
+       .doc = "A spring between two points. x is its extension from the design pose, which cubic term and knees use "
+              "also when a free_length stands in place of the preload.",
        .attributes = {kNameRule, kParentRule, kChildRule, kGuideRule}},
       {.path = "fp:spring/linear",
        .occurs = Occurs::kOneOfAll,
@@ -182,7 +181,7 @@ std::vector<TagRule> MakeSpringTags() {
        .attributes = {Usual("1 kN/m", "1 MN/m", Stiffness("force per extension about the design pose")), preload,
                       free_length}},
       {.path = "fp:spring/multirate/knee",
-       .doc = "The rate beyond x = `at`: further in compression when `at` is below zero, further in extension when it "
+       .doc = "The rate beyond x = `at`: further in bump when `at` is below zero, further in extension when it "
               "is above. Knees of a side stand in the order in which they are met.",
        .attributes = {Usual("0.1 mm", "500 mm", Measure("at", kLength, Sign::kAny, "extension at the knee; not zero")),
                       Usual("100 N/m", "100 MN/m", Stiffness("force per extension beyond the knee"))}},
@@ -210,7 +209,11 @@ std::vector<TagRule> MakeDamperTags() {
   const auto speed = [](std::string_view name, std::string_view doc) {
     return Usual("1 mm/s", "5 m/s", Measure(name, kVelocity, Sign::kPositive, doc));
   };
-  const AttributeRule compression = Rate("compression", "force per speed in bump");
+  const auto formerly = [](std::string_view former, AttributeRule rule) {
+    rule.former = former;
+    return rule;
+  };
+  const AttributeRule bump = formerly("compression", Rate("bump", "force per speed in bump"));
   const AttributeRule rebound = Rate("rebound", "force per speed in rebound");
   return {
       {.path = "fp:damper",
@@ -223,18 +226,18 @@ std::vector<TagRule> MakeDamperTags() {
        .attributes = {Rate("rate", "force per speed")}},
       {.path = "fp:damper/bilinear",
        .occurs = Occurs::kOneOfAll,
-       .doc = "f = rebound v in extension, compression v in compression",
-       .attributes = {compression, rebound}},
+       .doc = "f = rebound v in extension, bump v in compression",
+       .attributes = {bump, rebound}},
       {.path = "fp:damper/smooth",
        .occurs = Occurs::kOneOfAll,
-       .doc = "f = ((rebound + compression) / 2 + (rebound - compression) / 2 tanh(v / speed)) v",
-       .attributes = {compression, rebound, speed("speed", "speed over which one rate passes into the other")}},
+       .doc = "f = ((rebound + bump) / 2 + (rebound - bump) / 2 tanh(v / speed)) v",
+       .attributes = {bump, rebound, speed("speed", "speed over which one rate passes into the other")}},
       {.path = "fp:damper/digressive",
        .occurs = Occurs::kOneOfAll,
-       .doc = "f = rebound v up to v = rebound_knee and on with the slope rebound_beyond; likewise in compression.",
-       .attributes = {compression, rebound, speed("compression_knee", "speed of the knee in bump"),
+       .doc = "f = rebound v up to v = rebound_knee and on with the slope rebound_beyond; likewise in bump.",
+       .attributes = {bump, rebound, formerly("compression_knee", speed("bump_knee", "speed of the knee in bump")),
                       speed("rebound_knee", "speed of the knee in rebound"),
-                      Rate("compression_beyond", "slope beyond the knee in bump", "1 N*s/m"),
+                      formerly("compression_beyond", Rate("bump_beyond", "slope beyond the knee in bump", "1 N*s/m")),
                       Rate("rebound_beyond", "slope beyond the knee in rebound", "1 N*s/m")}},
       {.path = "fp:damper/table",
        .occurs = Occurs::kOneOfAll,
@@ -248,7 +251,7 @@ std::vector<TagRule> MakeDamperTags() {
       {.path = "fp:damper/hydraulic",
        .occurs = Occurs::kOneOfAll,
        .doc = "An adjustable monotube damper with gas behind a floating piston: a bleed in both directions, a rebound "
-              "and a compression valve, oil that yields, cavitation. A reconstruction of the thesis's appendix A; "
+              "and a bump valve, oil that yields, cavitation. A reconstruction of the thesis's appendix A; "
               "equations in `vehicles/laws/hydraulic_damper.h`.",
        .attributes =
            {Usual("0.01 mm^2", "100 mm^2",
@@ -256,9 +259,9 @@ std::vector<TagRule> MakeDamperTags() {
             Usual("10 kPa*s/kg", "1000 MPa*s/kg",
                   Measure("rebound_valve", kFlowResistance, Sign::kPositive,
                           "pressure per mass flow of the rebound valve")),
-            Usual("10 kPa*s/kg", "1000 MPa*s/kg",
-                  Measure("compression_valve", kFlowResistance, Sign::kPositive,
-                          "pressure per mass flow of the bump valve", "2.597 MPa*s/kg")),
+            formerly("compression_valve", Usual("10 kPa*s/kg", "1000 MPa*s/kg",
+                                                Measure("bump_valve", kFlowResistance, Sign::kPositive,
+                                                        "pressure per mass flow of the bump valve", "2.597 MPa*s/kg"))),
             Usual("10 MPa", "3000 MPa",
                   Measure("bulk_modulus", kPressure, Sign::kPositive, "stiffness of the oil", "300 MPa")),
             Usual("10 mm", "150 mm", Measure("piston", kLength, Sign::kPositive, "diameter of the bore", "30 mm")),
@@ -266,9 +269,10 @@ std::vector<TagRule> MakeDamperTags() {
             Usual("10 mm", "1 m",
                   Measure("rebound_column", kLength, Sign::kPositive,
                           "length of the oil column about the rod in the design pose", "100 mm")),
-            Usual("10 mm", "1 m",
-                  Measure("compression_column", kLength, Sign::kPositive,
-                          "length of the oil column before the piston in the design pose", "100 mm")),
+            formerly("compression_column",
+                     Usual("10 mm", "1 m",
+                           Measure("bump_column", kLength, Sign::kPositive,
+                                   "length of the oil column before the piston in the design pose", "100 mm"))),
             Usual("0.1 MPa", "20 MPa",
                   Measure("gas_pressure", kPressure, Sign::kPositive, "pressure of the gas at rest", "2 MPa")),
             Usual("1 cm^3", "10000 cm^3",
@@ -518,8 +522,9 @@ std::vector<const TagRule*> FindTags(std::string_view path) {
 std::vector<const TagRule*> TagsBelow(std::string_view path) { return Collect(IsBelow, path); }
 
 const AttributeRule* FindAttribute(const TagRule& tag, std::string_view name) {
-  const auto found = std::find_if(tag.attributes.begin(), tag.attributes.end(),
-                                  [&](const AttributeRule& attribute) { return attribute.name == name; });
+  const auto found = std::find_if(tag.attributes.begin(), tag.attributes.end(), [&](const AttributeRule& attribute) {
+    return attribute.name == name || (!name.empty() && attribute.former == name);
+  });
   return found == tag.attributes.end() ? nullptr : &*found;
 }
 

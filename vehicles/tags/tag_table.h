@@ -39,6 +39,8 @@ struct AttributeRule {
   std::string_view name;
   AttributeKind kind = AttributeKind::kText;
   bool required = true;
+  /// An earlier spelling, which is read with a warning; empty: none.
+  std::string_view former = {};
   /// Used if an optional attribute is missing; empty: none.
   std::string_view fallback = {};
   std::string_view doc = {};
@@ -82,7 +84,7 @@ std::vector<const TagRule*> FindTags(std::string_view path);
 /// The tags below this path ("" for those directly below `<robot>`), each form of its own.
 std::vector<const TagRule*> TagsBelow(std::string_view path);
 
-/// The attribute's rule; nullptr if the tag has none of that name.
+/// The rule of the attribute of this name, or of this earlier spelling; nullptr if the tag has none.
 const AttributeRule* FindAttribute(const TagRule& tag, std::string_view name);
 
 /// The reference of the `fp:` tags, in Markdown: part of `urdf/README.md`.

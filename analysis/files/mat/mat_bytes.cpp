@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 
+#include "analysis/files/mat/findings.h"
 #include "analysis/files/mat/mat_variable.h"
 
 namespace fourpost {
@@ -25,7 +26,7 @@ Number NumberAt(const char* place, bool is_big_endian) {
 MatBytes MatBytes::Take(std::uint64_t count) { return {TakeText(count), is_big_endian_}; }
 
 std::string_view MatBytes::TakeText(std::uint64_t count) {
-  if (count > rest_.size()) ThrowCutShort();
+  if (count > rest_.size()) throw MatFault(kMatCutShort);
   const std::string_view taken = rest_.substr(0, count);
   rest_.remove_prefix(count);
   return taken;
@@ -35,7 +36,7 @@ std::uint32_t MatBytes::TakeUint32() { return NumberAt<std::uint32_t>(TakeText(4
 
 template <typename Number>
 std::vector<double> MatBytes::All() const {
-  if (rest_.size() % sizeof(Number) != 0) ThrowDamaged("numbers end within one");
+  if (rest_.size() % sizeof(Number) != 0) throw MatFault(kMatPartialNumber);
   std::vector<double> numbers(rest_.size() / sizeof(Number));
   for (std::size_t i = 0; i < numbers.size(); ++i)
     numbers[i] = static_cast<double>(NumberAt<Number>(rest_.data() + i * sizeof(Number), is_big_endian_));
@@ -54,7 +55,7 @@ std::vector<double> MatBytes::Numbers(MatType type) const {
     case MatType::kDouble: return All<double>();
     case MatType::kInt64: return All<std::int64_t>();
     case MatType::kUint64: return All<std::uint64_t>();
-    default: ThrowDamaged("numbers of the unknown type " + std::to_string(static_cast<std::uint32_t>(type)));
+    default: throw MatFault(kMatNumberType, {std::to_string(static_cast<std::uint32_t>(type))});
   }
 }
 

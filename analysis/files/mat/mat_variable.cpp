@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "analysis/files/mat/findings.h"
+
 namespace fourpost {
 
 std::uint64_t MatVariable::Length() const {
@@ -14,14 +16,9 @@ std::uint64_t MatVariable::Length() const {
   return length;
 }
 
-void ThrowCutShort() { throw MatFault("is cut short; save or copy it again"); }
-
-void ThrowDamaged(const std::string& where) { throw MatFault("is damaged: " + where + "; save or copy it again"); }
-
 void RequireLength(const MatVariable& variable, std::uint64_t held, const std::string& what) {
   if (held == variable.Length()) return;
-  ThrowDamaged("variable '" + variable.name + "' holds " + std::to_string(held) + " " + what + ", its dimensions say " +
-               std::to_string(variable.Length()));
+  throw MatFault(kMatLength, {variable.name, std::to_string(held), what, std::to_string(variable.Length())});
 }
 
 std::vector<std::string> RowsOf(const std::vector<std::string>& characters, std::uint64_t rows) {

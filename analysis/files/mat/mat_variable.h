@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
+#include <exception>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "analysis/text/found.h"
 
 namespace fourpost {
 
@@ -26,10 +29,15 @@ struct MatVariable {
   std::uint64_t Length() const;
 };
 
-/// Why a MAT file is not read, and what to do: "is cut short; save or copy it again".
-class MatFault : public std::runtime_error {
+/// Why a MAT file is not read.
+class MatFault : public std::exception {
  public:
-  using std::runtime_error::runtime_error;
+  explicit MatFault(const Finding& kind, std::vector<std::string> words = {}) : found_{&kind, std::move(words)} {}
+  const Found& found() const { return found_; }
+  const char* what() const noexcept override { return found_.kind->id().data(); }
+
+ private:
+  Found found_;
 };
 
 /// Parts of parts of parts: no recording goes that far down, and each level takes some of the stack.
@@ -38,9 +46,6 @@ constexpr int kDeepestMat = 20;
 /// Bytes of characters: names and units are shorter, and what is longer is no text that anyone asks for.
 constexpr std::size_t kLongestMatText = std::size_t{1} << 20;
 
-[[noreturn]] void ThrowCutShort();
-/// `where`: such as "variable 'force' has 3 numbers, its dimensions say 100000".
-[[noreturn]] void ThrowDamaged(const std::string& where);
 /// That a variable holds `held` numbers, characters or cells, as its dimensions say; throws where they say otherwise.
 void RequireLength(const MatVariable& variable, std::uint64_t held, const std::string& what);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "analysis/files/mat/findings.h"
 #include "analysis/files/mat/mat_bytes.h"
 
 namespace fourpost {
@@ -21,14 +22,14 @@ Type TypeOf(std::string_view bytes) {
   constexpr std::array<MatType, 6> kNumbers = {MatType::kDouble, MatType::kSingle, MatType::kInt32,
                                                MatType::kInt16,  MatType::kUint16, MatType::kUint8};
   constexpr std::array<Kind, 3> kKinds = {Kind::kNumbers, Kind::kText, Kind::kOther};
-  if (bytes.size() < 4) ThrowCutShort();
+  if (bytes.size() < 4) throw MatFault(kMatCutShort);
   for (const bool is_big_endian : {false, true}) {
     const std::uint32_t code = MatBytes(bytes, is_big_endian).TakeUint32();
     const bool is_known = code / 1000 == (is_big_endian ? 1 : 0) && code / 100 % 10 == 0 &&
                           code / 10 % 10 < kNumbers.size() && code % 10 < kKinds.size();
     if (is_known) return {is_big_endian, kNumbers[code / 10 % 10], kKinds[code % 10]};
   }
-  throw MatFault("is no MAT file that can be read; save it anew, with -v7 for instance");
+  throw MatFault(kMatNotReadable);
 }
 
 std::uint64_t BytesOf(MatType type) {
@@ -51,7 +52,7 @@ MatVariable TakeMatrix(std::string_view& bytes) {
   // Ends with a zero.
   variable.name = name.substr(0, name.find('\0'));
   // Lengths of 32 bits: no product of these is beyond 64.
-  if (variable.Length() > bytes.size()) ThrowCutShort();
+  if (variable.Length() > bytes.size()) throw MatFault(kMatCutShort);
   const MatBytes numbers = rest.Take(variable.Length() * BytesOf(type.numbers));
   if (is_complex) rest.Take(variable.Length() * BytesOf(type.numbers));
   bytes = rest.text();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "analysis/files/mat/findings.h"
 #include "analysis/files/mat/mat_bytes.h"
 
 namespace fourpost {
@@ -42,7 +43,7 @@ Element TakeElement(MatBytes& rest) {
 
 MatBytes TakeNumbersOf(MatBytes& rest, MatType type) {
   const Element element = TakeElement(rest);
-  if (element.type != type) ThrowDamaged("a variable does not begin with its class, dimensions and name");
+  if (element.type != type) throw MatFault(kMatHeader);
   return element.bytes;
 }
 
@@ -52,7 +53,7 @@ std::vector<MatVariable> TakeParts(MatBytes& rest, std::uint64_t count, int dept
   std::vector<MatVariable> parts;
   for (; count > 0; --count) {
     const Element element = TakeElement(rest);
-    if (element.type != MatType::kMatrix) ThrowDamaged("a cell or field is no variable");
+    if (element.type != MatType::kMatrix) throw MatFault(kMatPart);
     parts.push_back(ReadMatrix(element.bytes, depth + 1));
   }
   return parts;
@@ -102,13 +103,13 @@ MatVariable ReadMatrix(MatBytes rest, int depth) {
   MatVariable variable;
   // An empty one has not even a class.
   if (rest.empty()) return variable;
-  if (depth > kDeepestMat) ThrowDamaged("cells or fields stand " + std::to_string(depth) + " deep in each other");
+  if (depth > kDeepestMat) throw MatFault(kMatDepth, {std::to_string(depth)});
   const std::uint32_t flags = TakeNumbersOf(rest, MatType::kUint32).TakeUint32();
   for (const double side : TakeNumbersOf(rest, MatType::kInt32).Numbers(MatType::kInt32)) {
-    if (side < 0) ThrowDamaged("a dimension is negative");
+    if (side < 0) throw MatFault(kMatNegativeDimension);
     variable.dims.push_back(static_cast<std::uint64_t>(side));
   }
-  if (variable.dims.size() < 2) ThrowDamaged("a variable has fewer than two dimensions");
+  if (variable.dims.size() < 2) throw MatFault(kMatDimensions);
   variable.name = TakeElement(rest).bytes.text();
   constexpr std::uint32_t kComplex = 0x800;
   const std::uint32_t kind = flags & 0xFF;
@@ -143,8 +144,7 @@ class Inflater {
     stream_.next_out = reinterpret_cast<Bytef*>(bytes.data());
     stream_.avail_out = static_cast<uInt>(most);
     const int code = inflate(&stream_, Z_NO_FLUSH);
-    if (code != Z_OK && code != Z_STREAM_END && code != Z_BUF_ERROR)
-      ThrowDamaged("a compressed variable cannot be unpacked");
+    if (code != Z_OK && code != Z_STREAM_END && code != Z_BUF_ERROR) throw MatFault(kMatInflate);
     bytes.resize(most - stream_.avail_out);
     return bytes;
   }
@@ -159,8 +159,7 @@ std::string Inflated(std::string_view compressed, std::size_t most) {
   Inflater inflater(compressed);
   std::string all;
   for (std::string piece = inflater.Next(kPiece); !piece.empty(); piece = inflater.Next(kPiece)) {
-    if (all.size() + piece.size() > most)
-      throw MatFault("holds more than 1 GiB of compressed variables; save fewer of them, or a part");
+    if (all.size() + piece.size() > most) throw MatFault(kMatTooLarge);
     all += piece;
   }
   return all;

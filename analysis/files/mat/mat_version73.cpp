@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "analysis/files/mat/findings.h"
 #include "analysis/files/mat/packed_variables.h"
 #include "analysis/process/child_process.h"
 
@@ -25,7 +26,7 @@ constexpr std::uint64_t kClosestPacked = 1032;
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
-    if (id_ < 0) ThrowDamaged("an object of it cannot be opened");
+    if (id_ < 0) throw MatFault(kMatObject);
   }
   ~Handle() { close_(id_); }
   Handle(const Handle&) = delete;
@@ -54,7 +55,7 @@ std::vector<std::uint64_t> DimsOf(hid_t dataset) {
   const Handle space(H5Dget_space(dataset), H5Sclose);
   std::array<hsize_t, H5S_MAX_RANK> sides{};
   const int rank = H5Sget_simple_extent_dims(space, sides.data(), nullptr);
-  if (rank < 0) ThrowDamaged("a variable has no dimensions");
+  if (rank < 0) throw MatFault(kMatNoDimensions);
   // Stored row after row, so the sides stand the other way round.
   std::vector<std::uint64_t> dims(sides.rend() - rank, sides.rend());
   while (dims.size() < 2) dims.push_back(1);
@@ -66,7 +67,7 @@ std::uint64_t ChunkLength(hid_t layout, std::uint64_t size) {
   if (H5Pget_layout(layout) != H5D_CHUNKED) return 0;
   std::array<hsize_t, H5S_MAX_RANK> sides{};
   const int rank = H5Pget_chunk(layout, H5S_MAX_RANK, sides.data());
-  if (rank < 0) ThrowDamaged("the layout of a variable cannot be read");
+  if (rank < 0) throw MatFault(kMatLayout);
   MatVariable chunk;
   chunk.dims.assign(sides.begin(), sides.begin() + rank);
   chunk.dims.push_back(size);
@@ -81,12 +82,11 @@ void RequireStored(const MatVariable& variable, hid_t dataset) {
   const std::uint64_t size = std::max<std::uint64_t>(H5Tget_size(type), 1);
   const H5D_layout_t kind = H5Pget_layout(layout);
   if (kind == H5D_VIRTUAL || kind < 0 || H5Pget_external_count(layout) != 0)
-    ThrowDamaged("variable '" + variable.name + "' is stored in another file");
+    throw MatFault(kMatElsewhere, {variable.name});
   const std::uint64_t most = kind == H5D_CHUNKED ? kClosestPacked * stored : stored;
   const std::uint64_t length = std::max(variable.Length(), ChunkLength(layout, size) / size);
   if (length > most / size)
-    ThrowDamaged("variable '" + variable.name + "' has " + std::to_string(variable.Length()) + " elements and stores " +
-                 std::to_string(stored) + " bytes of them");
+    throw MatFault(kMatStorage, {variable.name, std::to_string(variable.Length()), std::to_string(stored)});
 }
 
 class Reader {
@@ -103,7 +103,7 @@ class Reader {
   /// Of a group, by name; not what MATLAB keeps for itself.
   std::vector<MatVariable> Members(hid_t group, int depth) {
     H5G_info_t info;
-    if (H5Gget_info(group, &info) < 0) ThrowDamaged("a group cannot be read");
+    if (H5Gget_info(group, &info) < 0) throw MatFault(kMatGroup);
     std::vector<MatVariable> members;
     for (hsize_t i = 0; i < info.nlinks; ++i) {
       const std::string name = NameOf(group, i);
@@ -120,15 +120,13 @@ class Reader {
     std::array<char, 1024> name{};
     const ssize_t length =
         H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_NATIVE, i, name.data(), name.size(), H5P_DEFAULT);
-    if (length < 0) ThrowDamaged("the name of a variable cannot be read");
+    if (length < 0) throw MatFault(kMatName);
     return name.data();
   }
 
   MatVariable ReadObject(hid_t object, const std::string& name, int depth) {
     if (++objects_ > kMostObjects || depth > kDeepestMat)
-      ThrowDamaged("it has more than " + std::to_string(kMostObjects) +
-                   " variables, cells and fields, or these stand " + std::to_string(kDeepestMat) +
-                   " deep in each other");
+      throw MatFault(kMatObjects, {std::to_string(kMostObjects), std::to_string(kDeepestMat)});
     MatVariable variable{.name = name, .dims = {1, 1}};
     const H5I_type_t type = H5Iget_type(object);
     if (type == H5I_GROUP) {
@@ -158,7 +156,7 @@ class Reader {
     if (is_text && variable.Length() > kLongestMatText) return;
     std::vector<double> numbers(variable.Length());
     if (H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
-      ThrowDamaged("the numbers of '" + variable.name + "' cannot be read");
+      throw MatFault(kMatContent, {variable.name});
     if (!is_text) {
       variable.kind = Kind::kNumbers;
       variable.numbers = std::move(numbers);
@@ -174,10 +172,10 @@ class Reader {
   void ReadCells(hid_t dataset, hid_t type, int depth, MatVariable& variable) {
     if (H5Tequal(type, H5T_STD_REF_OBJ) <= 0) return;
     variable.kind = Kind::kCells;
-    if (variable.Length() > kMostObjects) ThrowDamaged("'" + variable.name + "' has too many cells");
+    if (variable.Length() > kMostObjects) throw MatFault(kMatCells, {variable.name});
     std::vector<hobj_ref_t> references(variable.Length());
     if (H5Dread(dataset, H5T_STD_REF_OBJ, H5S_ALL, H5S_ALL, H5P_DEFAULT, references.data()) < 0)
-      ThrowDamaged("the cells of '" + variable.name + "' cannot be read");
+      throw MatFault(kMatContent, {variable.name});
     for (const hobj_ref_t& reference : references) {
       const Handle cell(H5Rdereference2(dataset, H5P_DEFAULT, H5R_OBJECT, &reference), H5Oclose);
       variable.parts.push_back(ReadObject(cell, "", depth + 1));
@@ -199,9 +197,9 @@ std::string AnswerOf(const std::filesystem::path& file) {
   try {
     return kVariables + Packed(Reader(file).Read());
   } catch (const MatFault& fault) {
-    return kFault + std::string(fault.what());
+    return kFault + Packed(fault);
   } catch (const std::exception&) {
-    return kFault + std::string("takes more memory than there is; save fewer channels, or a part");
+    return kFault + Packed(MatFault(kMatOutOfMemory));
   }
 }
 
@@ -216,8 +214,8 @@ bool IsMatVersion73(std::string_view bytes) {
 std::vector<MatVariable> ReadMatVersion73(const std::filesystem::path& file) {
   // HDF5 trusts much of what a file says, and is not ours to mend: a crash in it is a fault of the file.
   const std::optional<std::string> answer = AnswerOfChild([&] { return AnswerOf(file); });
-  if (!answer) ThrowDamaged("HDF5 cannot read it");
-  if (answer->front() == kFault) throw MatFault(answer->substr(1));
+  if (!answer) throw MatFault(kMatCrashed);
+  if (answer->front() == kFault) throw UnpackedFault(std::string_view(*answer).substr(1));
   return Unpacked(std::string_view(*answer).substr(1));
 }
 

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "analysis/files/mat/findings.h"
+
 namespace fourpost {
 namespace {
 
@@ -16,13 +18,21 @@ class Packer {
       Add(static_cast<std::uint64_t>(variable.kind));
       AddArray(variable.dims);
       AddArray(variable.numbers);
-      Add(variable.rows.size());
-      for (const std::string& row : variable.rows) Add(row);
+      Add(variable.rows);
       Add(variable.parts);
     }
   }
 
+  void Add(const Found& fault) {
+    Add(std::string(fault.kind->id()));
+    Add(fault.words);
+  }
+
  private:
+  void Add(const std::vector<std::string>& texts) {
+    Add(texts.size());
+    for (const std::string& text : texts) Add(text);
+  }
   void Add(std::uint64_t number) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); }
   void Add(const std::string& text) {
     Add(text.size());
@@ -47,16 +57,21 @@ class Unpacker {
       variable.kind = static_cast<MatVariable::Kind>(TakeNumber());
       variable.dims = TakeArray<std::uint64_t>();
       variable.numbers = TakeArray<double>();
-      for (std::uint64_t rows = TakeNumber(); rows > 0; --rows) variable.rows.push_back(TakeText());
+      variable.rows = TakeTexts();
       variable.parts = TakeVariables();
       variables.push_back(std::move(variable));
     }
     return variables;
   }
 
+  MatFault TakeFault() {
+    const std::string id = TakeText();
+    return MatFault(*AllFindings().at(id), TakeTexts());
+  }
+
  private:
   std::string_view Take(std::uint64_t count) {
-    if (count > rest_.size()) ThrowCutShort();
+    if (count > rest_.size()) throw MatFault(kMatCutShort);
     const std::string_view taken = rest_.substr(0, count);
     rest_.remove_prefix(count);
     return taken;
@@ -67,10 +82,15 @@ class Unpacker {
     return number;
   }
   std::string TakeText() { return std::string(Take(TakeNumber())); }
+  std::vector<std::string> TakeTexts() {
+    std::vector<std::string> texts;
+    for (std::uint64_t count = TakeNumber(); count > 0; --count) texts.push_back(TakeText());
+    return texts;
+  }
   template <typename Number>
   std::vector<Number> TakeArray() {
     const std::uint64_t count = TakeNumber();
-    if (count > rest_.size() / sizeof(Number)) ThrowCutShort();
+    if (count > rest_.size() / sizeof(Number)) throw MatFault(kMatCutShort);
     std::vector<Number> numbers(count);
     const std::string_view bytes = Take(count * sizeof(Number));
     if (count > 0) std::memcpy(numbers.data(), bytes.data(), bytes.size());
@@ -89,5 +109,13 @@ std::string Packed(const std::vector<MatVariable>& variables) {
 }
 
 std::vector<MatVariable> Unpacked(std::string_view bytes) { return Unpacker(bytes).TakeVariables(); }
+
+std::string Packed(const MatFault& fault) {
+  Packer packer;
+  packer.Add(fault.found());
+  return std::move(packer.bytes);
+}
+
+MatFault UnpackedFault(std::string_view bytes) { return Unpacker(bytes).TakeFault(); }
 
 }  // namespace fourpost

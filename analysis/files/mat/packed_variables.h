@@ -12,4 +12,8 @@ namespace fourpost {
 std::string Packed(const std::vector<MatVariable>& variables);
 std::vector<MatVariable> Unpacked(std::string_view bytes);
 
+/// The same of a fault.
+std::string Packed(const MatFault& fault);
+MatFault UnpackedFault(std::string_view bytes);
+
 }  // namespace fourpost

@@ -7,6 +7,7 @@
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/unfiltered.h"
 #include "analysis/text/nearest.h"
+#include "identify/experiments/bench/findings.h"
 #include "identify/study_file/filter_rate.h"
 #include "identify/study_file/source_recording.h"
 #include "vehicles/bench/bench_unit_check.h"
@@ -23,20 +24,17 @@ std::optional<std::size_t> FindDamper(const BenchStudy& study, const std::string
   for (const Damper& damper : vehicle.dampers) names.push_back(damper.name);
   if (!study.damper && names.size() == 1) return 0;
   if (!study.damper) {
-    diagnostics.Error(file, study.line,
-                      names.empty() ? "the vehicle has no fp:damper"
-                                    : "the vehicle has " + std::to_string(names.size()) +
-                                          " dampers: name the one on the bench with 'damper'");
+    if (names.empty()) diagnostics.Report(kBenchNoDamper, {file, study.line});
+    else diagnostics.Report(kBenchDamperOpen, {file, study.line}, {std::to_string(names.size())});
     return std::nullopt;
   }
   const auto found = std::find(names.begin(), names.end(), *study.damper);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  diagnostics.Error(file, study.line,
-                    "the vehicle has no damper '" + *study.damper + "'" + DidYouMean(*study.damper, names));
+  diagnostics.Report(kBenchDamperUnknown, {file, study.line}, {*study.damper, DidYouMean(*study.damper, names)});
   return std::nullopt;
 }
 
-/// Of what was before a recording, which the modelled filter did not see: less than a model misses.
+/// What is left of the time before a recording, which the modelled filter did not see: less than a model misses.
 constexpr double kForgotten = 1e-3;
 
 /// `damper`: nothing where the vehicle has no such.
@@ -49,11 +47,9 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
   std::optional<TimeRecording> read = ReadTimeRecording(from.file, wanted, diagnostics, TimeColumn(study.time));
   if (!read) return std::nullopt;
   // Before anything else, which would be an effect of it.
-  if (study.rig_filter)
-    if (const std::optional<std::string> fault = RateFault(read->rate_Hz(), study.rig_filter->cutoff_Hz)) {
-      diagnostics.Error(from.file.string(), 0, *fault);
-      return std::nullopt;
-    }
+  if (study.rig_filter && !CheckFilterRate(from.file.filename().string(), read->rate_Hz(), study.rig_filter->cutoff_Hz,
+                                           {from.file.string()}, diagnostics))
+    return std::nullopt;
   if (!CheckBenchRecording(*read, length_m, from.file.string(), diagnostics)) return std::nullopt;
   BenchRecording recording{.name = from.name,
                            .start_s = read->start_s,
@@ -71,7 +67,7 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
     recording.first = recording.filter->SettlingSamples(kForgotten);
     recording.end -= std::min(recording.end, recording.first);
     if (recording.first >= recording.end) {
-      diagnostics.Error(from.file.string(), 0, "is over before the filter of the rig has settled; record longer");
+      diagnostics.Report(kBenchFilterUnsettled, {from.file.string()});
       return std::nullopt;
     }
   }

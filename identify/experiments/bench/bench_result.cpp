@@ -9,21 +9,17 @@
 #include "analysis/signals/deviation.h"
 #include "analysis/signals/fit_quality.h"
 #include "analysis/text/short_number.h"
+#include "identify/experiments/bench/findings.h"
 #include "vehicles/multibody/simulation_error.h"
 
 namespace fourpost {
 namespace {
 
-/// More than any sensor tells.
+/// More than any sensor resolves.
 constexpr int kSignalDigits = 7;
 
 std::span<const double> Compared(const BenchRecording& recording, const std::vector<double>& signal) {
   return std::span(signal).subspan(recording.first, recording.end - recording.first);
-}
-
-SimulationError ClosedChamber(const BenchRecording& recording) {
-  return SimulationError("the fitted damper cannot move as recorded in '" + recording.name +
-                         "': one of its chambers closes; give it more room");
 }
 
 }  // namespace
@@ -31,7 +27,7 @@ SimulationError ClosedChamber(const BenchRecording& recording) {
 ModelledRecording Modelled(const BenchDamper& damper, const BenchRecording& recording,
                            const std::vector<double>& values) {
   std::vector<double> force = ModelledForce(damper, recording, values);
-  if (force.empty()) throw ClosedChamber(recording);
+  if (force.empty()) throw SimulationError(kBenchChamberCloses, {recording.name});
   return {recording, std::move(force)};
 }
 
@@ -47,7 +43,7 @@ double IntegrationError(const BenchDamper& damper, const ModelledRecording& mode
                         const std::vector<double>& values) {
   const BenchRecording& recording = modelled.recording;
   std::vector<double> finer = damper.FinerTensions(recording.motion, values);
-  if (finer.empty()) throw ClosedChamber(recording);
+  if (finer.empty()) throw SimulationError(kBenchChamberCloses, {recording.name});
   if (recording.filter) recording.filter->Apply(finer);
   // Per cent of the finer one's variance.
   return std::sqrt(NormalisedMse_percent(Compared(recording, finer), Compared(recording, modelled.force)) / 100);

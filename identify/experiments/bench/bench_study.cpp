@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "identify/experiments/bench/findings.h"
 #include "identify/study_file/channel_source_reader.h"
+#include "identify/study_file/findings.h"
 
 namespace fourpost {
 namespace {
@@ -27,7 +29,7 @@ class BenchReader {
     if (map.Has("time")) study_.time = channel("time");
     if (map.Has("rig_filter")) ReadFilter(map.Get("rig_filter"));
     study_.model_error = map.Quantity("model_error", kDimensionless, 0).value_or(study_.model_error);
-    if (study_.model_error == 0) map.Fault(map.Get("model_error"), "'model_error' of 'bench' must be above zero");
+    if (study_.model_error == 0) map.FaultOf("model_error", kKeyNotPositive);
     if (const YAML::Node list = map.Require("recordings"); list.IsDefined())
       ReadRecordings(list, "'recordings'", study_.recordings);
     if (map.Has("validation")) ReadRecordings(map.Get("validation"), "'validation'", study_.validation);
@@ -41,14 +43,14 @@ class BenchReader {
     filter.order = static_cast<int>(map.Integer("order", 1, 16).value_or(filter.order));
     map.Require("cutoff");
     filter.cutoff_Hz = map.Quantity("cutoff", kFrequency, 0).value_or(filter.cutoff_Hz);
-    if (filter.cutoff_Hz == 0) map.Fault(map.Get("cutoff"), "'cutoff' of 'rig_filter' must be above zero");
+    if (filter.cutoff_Hz == 0) map.FaultOf("cutoff", kKeyNotPositive);
     study_.rig_filter = filter;
   }
 
   /// Files, or {name, file}.
   void ReadRecordings(const YAML::Node& list, const std::string& where, std::vector<BenchStudy::Recording>& out) {
     if (!list.IsSequence() || list.size() == 0) {
-      diagnostics_.Error(file_, LineOf(list), where + " of 'bench' must be a list of files with at least one entry");
+      diagnostics_.Report(kBenchRecordingsEmpty, {file_, LineOf(list)}, {where});
       return;
     }
     for (const YAML::Node& entry : list) {
@@ -56,7 +58,7 @@ class BenchReader {
       const auto same = [&](const BenchStudy::Recording& other) { return other.name == recording.name; };
       if (std::any_of(study_.recordings.begin(), study_.recordings.end(), same) ||
           std::any_of(study_.validation.begin(), study_.validation.end(), same))
-        diagnostics_.Error(file_, recording.line, "two recordings are called '" + recording.name + "'");
+        diagnostics_.Report(kBenchRecordingTwice, {file_, recording.line}, {recording.name});
       out.push_back(std::move(recording));
     }
   }

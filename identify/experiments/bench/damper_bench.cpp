@@ -12,6 +12,7 @@
 #include "identify/experiments/bench/bench_cycle.h"
 #include "identify/experiments/bench/bench_residuals.h"
 #include "identify/experiments/bench/bench_result.h"
+#include "identify/experiments/bench/findings.h"
 #include "identify/residuals/history_misfit_json.h"
 #include "identify/residuals/history_table.h"
 #include "identify/uncertainty/model_criteria.h"
@@ -55,7 +56,7 @@ std::vector<ModelledRecording> Predicted(const BenchDamper& damper, const std::v
     try {
       predicted.push_back(Modelled(damper, recording, values));
     } catch (const std::runtime_error& failure) {
-      found.Error(recording.name, 0, failure.what());
+      found.Report(kBenchNotPredicted, {}, {recording.name, failure.what()});
     }
     if (const std::optional<LeftOutRecording> out = LeftOutFor(found, recording.name, {}, results.findings))
       results.json["validation_left_out"].push_back(LeftOutJson(*out));
@@ -63,7 +64,7 @@ std::vector<ModelledRecording> Predicted(const BenchDamper& damper, const std::v
   return predicted;
 }
 
-/// What each force is integrated to, and a warning where that is seen.
+/// The integration error of each force, and a warning where it is visible.
 void AddIntegration(const BenchDamper& damper, const std::vector<ModelledRecording>& recordings,
                     const std::vector<double>& values, ExperimentResults& results) {
   constexpr double kVisible = 1e-3;
@@ -79,9 +80,7 @@ void AddIntegration(const BenchDamper& damper, const std::vector<ModelledRecordi
   if (worst == nullptr) return;
   const std::string size = Percent(std::max(1e-6, largest), 2) + " of its rms";
   results.text += "halving the step changed no force by more than " + size + '\n';
-  if (largest > kVisible)
-    results.findings.Warning(worst->recording.name, 0,
-                             "the force is integrated to " + size + " only: its damper is too stiff for its samples");
+  if (largest > kVisible) results.findings.Report(kBenchForceInaccurate, {worst->recording.name}, {size});
 }
 
 }  // namespace
@@ -165,11 +164,7 @@ ExperimentResults DamperBench::Results(const Subject& subject, const FitResult& 
 
 std::optional<ExperimentResults> DamperBench::Respond(const Subject& subject, std::optional<Engine> engine,
                                                       const WorkHooks&) const {
-  if (engine) {
-    Diagnostics faults;
-    faults.Error("--engine", 0, "is for vehicles on posts, and this study has a damper on its bench; leave it out");
-    throw FaultyInput(faults);
-  }
+  if (engine) Refuse(kBenchEngine, Place::Option("--engine"));
   const BenchDamper damper(subject.vehicle(), data.damper);
   const std::vector<double> values = subject.vehicle().ParameterValues();
   std::vector<ModelledRecording> all = ModelledRecordings(damper, data.fitted, values);
@@ -193,6 +188,14 @@ bool DamperBench::Reads(const RecordedTable& table) const {
 std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, const PredictionRequest& request,
                                                       const WorkHooks&) const {
   ExperimentResults results;
+  const auto refuse = [&](bool is_given, const char* option) {
+    if (is_given) results.findings.Report(kBenchEngine, Place::Option(option));
+  };
+  refuse(request.engine.has_value(), "--engine");
+  refuse(!request.mode.empty(), "--mode");
+  refuse(request.has_kalman, "--kalman");
+  refuse(!request.noise_from.empty(), "--noise-from");
+  if (results.findings.HasErrors()) throw FaultyInput(results.findings);
   DamperBench other = *this;
   other.plan.recordings = {{.name = request.recording.stem().string(), .file = request.recording}};
   other.plan.validation.clear();

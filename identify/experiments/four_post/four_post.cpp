@@ -11,6 +11,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
 #include "analysis/text/units.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/four_post_residuals.h"
 #include "identify/experiments/four_post/kinematics_check.h"
 #include "identify/experiments/four_post/misfit_lint.h"
@@ -37,7 +38,7 @@ using Json = nlohmann::ordered_json;
 void CheckBand(const FourPostPlan& plan, const std::vector<MeasuredRun>& runs, Diagnostics& diagnostics) {
   for (const MeasuredRun& run : InBand(runs, plan.band_lower_Hz, plan.band_upper_Hz))
     if (run.excitation.frequency_Hz.empty())
-      diagnostics.Error(plan.file, plan.band_line, "the band holds no frequency of recording '" + run.name + "'");
+      diagnostics.Report(kBandWithoutFrequency, {plan.file, plan.band_line}, {run.name});
 }
 
 void Add(Sha256& digest, const MeasuredChannel& channel) {
@@ -65,7 +66,7 @@ Json RecordingsJson(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs
   return list;
 }
 
-/// What the fit's linear kinematics leave out; a warning where that is no longer small beside the stated model error.
+/// The error of the fit's linear kinematics; a warning where it is not small compared with the stated model error.
 void AddKinematics(const FourPostPlan& plan, const std::vector<MeasuredRun>& runs, const Vehicle& vehicle,
                    const std::vector<double>& values, ExperimentResults& results) {
   constexpr double kMuch = 0.5;
@@ -77,17 +78,15 @@ void AddKinematics(const FourPostPlan& plan, const std::vector<MeasuredRun>& run
                                          {"linear_kinematics_error", KinematicsJson(run.error, run.not_estimated)}});
     if (!run.error) {
       results.text +=
-          run.recording + ": what linear kinematics leave out could not be estimated: " + run.not_estimated + '\n';
+          run.recording + ": the error of linear kinematics could not be estimated: " + run.not_estimated + '\n';
       continue;
     }
     results.text += run.recording + ": " + KinematicsText(*run.error) + '\n';
     if (run.error->IsVisible() && (run.error->gain_dB.value > kMuch * allowed.gain_dB ||
                                    run.error->phase_deg.value > kMuch * DegreesFromRadians(allowed.phase_rad)))
-      results.findings.Warning(plan.file, 0,
-                               "recording '" + run.recording + "': " + KinematicsText(*run.error) +
-                                   ", which is not small beside the model error of " + Rounded(allowed.gain_dB, 2) +
-                                   " dB and " + Rounded(DegreesFromRadians(allowed.phase_rad), 2) +
-                                   " degrees that the study states; the fit makes up for it by its parameters");
+      results.findings.Report(kSineKinematicsVisible, {plan.file},
+                              {run.recording, KinematicsText(*run.error), Rounded(allowed.gain_dB, 2),
+                               Rounded(DegreesFromRadians(allowed.phase_rad), 2)});
   }
   results.text += '\n';
 }
@@ -200,6 +199,7 @@ std::optional<ExperimentResults> FourPost::Respond(const Subject& subject, std::
   std::vector<MeasuredRun> answered = RunsInBand();
   ExperimentResults results;
   LintTyrePulls(subject.vehicle(), subject.vehicle().ParameterValues(), answered, results.findings);
+  hooks.Find(results.findings);
   SteadySolver solver(subject.vehicle());
   RequireStable(subject.vehicle(), solver);
   std::vector<FrequencyResponse> modelled;
@@ -216,6 +216,7 @@ std::optional<ExperimentResults> FourPost::Respond(const Subject& subject, std::
     hooks.Note("interrupted: " + std::to_string(modelled.size()) + " of " + std::to_string(answered.size()) +
                " recordings are answered");
   if (modelled.empty()) return std::nullopt;
+  results.is_whole = modelled.size() == answered.size();
   answered.resize(modelled.size());
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(answered, modelled);
   for (const ChannelMisfit& misfit : misfits)

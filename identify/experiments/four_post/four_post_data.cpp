@@ -10,6 +10,7 @@
 #include "analysis/files/frequency_response_file.h"
 #include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
+#include "identify/experiments/four_post/findings.h"
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/response/response_recorder.h"
 
@@ -117,7 +118,7 @@ class DataLoader {
     const std::vector<std::string> sensors = NamesOf(vehicle_.sensors);
     for (const auto& [name, source] : plan_.channels)
       if (!IndexOf(name, sensors))
-        diagnostics_.Error(file_, source.line, "the vehicle has no sensor '" + name + "'" + DidYouMean(name, sensors));
+        diagnostics_.Report(kSineSensorUnknown, {file_, source.line}, {name, DidYouMean(name, sensors)});
   }
 
   void LoadRun(const StudyRecording& recording) {
@@ -151,8 +152,8 @@ class DataLoader {
   std::vector<double> PatternShape(const StudyRecording& recording) {
     try {
       return PostPattern(vehicle_, *recording.pattern);
-    } catch (const std::invalid_argument& fault) {
-      diagnostics_.Error(file_, recording.line, "recording '" + recording.name + "': " + fault.what());
+    } catch (const PatternError& fault) {
+      diagnostics_.Report(*fault.found().kind, {file_, recording.line}, fault.found().words);
       return {};
     }
   }
@@ -160,21 +161,18 @@ class DataLoader {
   std::vector<double> SharesOfPosts(const StudyRecording& recording) {
     const std::vector<std::string> posts = NamesOf(vehicle_.posts);
     std::vector<double> shape(posts.size(), 0.0);
-    std::vector<bool> told(posts.size(), false);
+    std::vector<bool> stated(posts.size(), false);
     for (const auto& [name, share] : recording.posts) {
       const std::optional<std::size_t> post = IndexOf(name, posts);
       if (!post) {
-        diagnostics_.Error(file_, recording.line, "the vehicle has no post '" + name + "'" + DidYouMean(name, posts));
+        diagnostics_.Report(kSinePostUnknown, {file_, recording.line}, {name, DidYouMean(name, posts)});
         continue;
       }
       shape[*post] = share;
-      told[*post] = true;
+      stated[*post] = true;
     }
     for (std::size_t i = 0; i < posts.size(); ++i)
-      if (!told[i])
-        diagnostics_.Error(file_, recording.line,
-                           "recording '" + recording.name + "' does not tell how post '" + posts[i] +
-                               "' moved: give it a share, 0 if it stood still");
+      if (!stated[i]) diagnostics_.Report(kPostShareMissing, {file_, recording.line}, {recording.name, posts[i]});
     return shape;
   }
 
@@ -186,9 +184,8 @@ class DataLoader {
       if (const ChannelResponse* channel = measured.Find(name))
         found.push_back(Corrected(*channel, measured.frequency_Hz, wanted));
       else
-        diagnostics_.Error(file_, source.line,
-                           recording.file.filename().string() + " has no channel '" + name + "'" +
-                               DidYouMean(name, NamesOf(measured.channels)));
+        diagnostics_.Report(kSineChannelMissing, {file_, source.line},
+                            {recording.file.filename().string(), name, DidYouMean(name, NamesOf(measured.channels))});
     }
     return found;
   }
@@ -198,9 +195,7 @@ class DataLoader {
     bool good = true;
     for (const ChannelResponse& channel : channels) {
       if (channel.unit == unit) continue;
-      diagnostics_.Error(file_, source.line,
-                         "channel '" + channel.name + "' is in " + channel.unit + ", sensor '" + sensor.name + "' in " +
-                             unit + ": they cannot be compared");
+      diagnostics_.Report(kSineUnitsDiffer, {file_, source.line}, {channel.name, channel.unit, sensor.name, unit});
       good = false;
     }
     return good;
@@ -223,26 +218,21 @@ class DataLoader {
       if (!(product.real() < kOpposite * std::sqrt(first * other))) continue;
       any = true;
       // Once for all recordings.
-      if (told_opposed_.insert({name, c}).second)
-        diagnostics_.Warning(file_, source.line,
-                             "'" + channels[0].name + "' and '" + channels[c].name + "' of '" + name +
-                                 "' move against each other, so that their " +
-                                 (source.combine == ChannelSource::Combine::kMean ? "mean" : "sum") +
-                                 " all but vanishes: one of them has the opposite sign");
+      if (reported_opposed_.insert({name, c}).second)
+        diagnostics_.Report(kMembersOpposed, {file_, source.line},
+                            {channels[0].name, channels[c].name, name,
+                             source.combine == ChannelSource::Combine::kMean ? "mean" : "sum"});
     }
     return any;
   }
 
-  /// Something must say what a difference is worth.
+  /// Residuals need a deviation to be weighted by.
   void CheckDeviations(const MeasuredChannel& channel, const ChannelSource& source) {
     const auto none = [](double model_error, const std::vector<double>& sd) {
       return model_error == 0 && std::find(sd.begin(), sd.end(), 0.0) != sd.end();
     };
     if (none(plan_.model_error.gain_dB, channel.radial_sd) || none(plan_.model_error.phase_rad, channel.tangential_sd))
-      diagnostics_.Error(file_, source.line,
-                         "'" + channel.name +
-                             "' has frequencies without deviation over repeats: give gain_dB and phase "
-                             "of model_error above zero");
+      diagnostics_.Report(kSineWithoutWeight, {file_, source.line}, {channel.name});
   }
 
   const FourPostPlan& plan_;
@@ -251,7 +241,7 @@ class DataLoader {
   std::string file_;
   std::vector<MeasuredRun> runs_;
   /// By name of the study and place among its channels.
-  std::set<std::pair<std::string, std::size_t>> told_opposed_;
+  std::set<std::pair<std::string, std::size_t>> reported_opposed_;
 };
 
 template <typename Value>

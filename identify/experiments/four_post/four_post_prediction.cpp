@@ -10,6 +10,7 @@
 
 #include "analysis/files/frequency_response_file.h"
 #include "analysis/text/text_table.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/four_post.h"
 #include "identify/experiments/four_post/misfit_table.h"
 #include "identify/experiments/four_post/modelled_response.h"
@@ -27,12 +28,6 @@
 
 namespace fourpost {
 namespace {
-
-[[noreturn]] void Refuse(const std::string& file, const std::string& message) {
-  Diagnostics faults;
-  faults.Error(file, 0, message);
-  throw FaultyInput(faults);
-}
 
 std::vector<std::string> ChannelsIn(const std::filesystem::path& recording) {
   Diagnostics diagnostics;
@@ -85,14 +80,15 @@ class SinePrediction {
   std::optional<ExperimentResults> Run() const {
     const double lower = plan_.band_lower_Hz;
     const double upper = plan_.band_upper_Hz;
-    MeasuredRun whole = Load();
+    ExperimentResults results;
+    MeasuredRun whole = Load(results.findings);
     if (InBand({whole}, lower, upper).front().excitation.frequency_Hz.empty())
-      Refuse(request_.recording.string(), "has no frequency within the band of the study that was fitted");
+      Refuse(kSineOutsideBand, {request_.recording.string()});
     const std::string posts = SetPosts(whole);
     const std::vector<MeasuredRun> in_band = InBand({whole}, lower, upper);
-    ExperimentResults results;
     LintRuns({plan_, subject_.vehicle(), model_}, {whole}, results.findings);
     LintTyrePulls(subject_.vehicle(), subject_.vehicle().ParameterValues(), in_band, results.findings);
+    hooks_.Find(results.findings);
     const std::optional<SteadyResponse> answer = Answer(in_band.front());
     if (!answer) return std::nullopt;
     const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, {answer->response});
@@ -102,6 +98,7 @@ class SinePrediction {
                     {"linear_kinematics_error", KinematicsJson(answer->kinematics_error, answer->not_estimated)},
                     {"channels", ResponseMisfitsJson(misfits)}};
     results.text = MisfitTable(misfits, {}) + EngineText(whole.name, *answer);
+    if (!request_.has_files) return results;
     std::vector<FrequencyResponse> modelled = {Respond(whole)};
     PutInBand(answer->response, modelled.front());
     results.files = {{"response.csv", ResponseCsv({whole}, modelled, lower, upper)},
@@ -111,12 +108,10 @@ class SinePrediction {
 
  private:
   /// The recording in place of those fitted; its posts are set later.
-  MeasuredRun Load() const {
+  MeasuredRun Load(Diagnostics& findings) const {
     FourPostPlan plan = plan_;
     plan.file = subject_.study_file().string();
-    const std::string left_out = KeepMeasured(request_.recording, ChannelsIn(request_.recording), plan.channels);
-    if (!left_out.empty())
-      hooks_.Note("not measured in " + request_.recording.filename().string() + ", left out: " + left_out);
+    KeepMeasured(request_.recording, ChannelsIn(request_.recording), plan.channels, findings);
     StudyRecording recording = plan.recordings.front();
     recording.file = request_.recording;
     recording.name = request_.recording.stem().string();
@@ -163,11 +158,9 @@ class SinePrediction {
     // Of a pattern that is right, a car misses some per cent.
     constexpr double kNoFit = 0.5;
     if (!(least < kNoFit * static_cast<double>(run.channels.size())))
-      Refuse(run.name, "no pattern that the posts of " + vehicle.name +
-                           " can make is like this recording at its lowest frequencies: tell --mode, or check that "
-                           "the vehicle can move so");
+      Refuse(kPatternNotFound, {run.name}, {vehicle.name});
     run.excitation.shape = PostPattern(vehicle, best);
-    hooks_.Note("posts: " + best + ", which fits best up to " + Rounded(last, 3) + " Hz; --mode tells another");
+    hooks_.Note("posts: " + best + ", which fits best up to " + Rounded(last, 3) + " Hz; choose another with --mode");
     return best;
   }
 
@@ -192,13 +185,7 @@ class SinePrediction {
 
 std::optional<ExperimentResults> FourPost::Predict(const Subject& subject, const PredictionRequest& request,
                                                    const WorkHooks& hooks) const {
-  if (request.has_kalman) {
-    Diagnostics faults;
-    faults.Error("--kalman", 0,
-                 request.recording.filename().string() +
-                     " is a frequency response: this is for recordings over time; leave the option out");
-    throw FaultyInput(faults);
-  }
+  if (request.has_kalman) Refuse(kKalmanOfSine, Place::Option("--kalman"), {request.recording.filename().string()});
   return SinePrediction(plan, subject, request, hooks).Run();
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "identify/experiments/four_post/findings.h"
 #include "identify/study_file/channel_source_reader.h"
 #include "vehicles/description/post_pattern.h"
 
@@ -29,7 +30,7 @@ class FourPostReader {
     const YAML::Node list = top.Require("recordings");
     if (!list.IsDefined()) return;
     if (!list.IsSequence() || list.size() == 0) {
-      Fault(list, "'recordings' must be a list with at least one entry");
+      Fault(list, kSinesEmpty);
       return;
     }
     for (const YAML::Node& entry : list) {
@@ -41,7 +42,7 @@ class FourPostReader {
       recording.name = map.Text("name").value_or(recording.file.stem().string());
       if (const YAML::Node posts = map.Require("posts"); posts.IsDefined()) ReadPosts(posts, recording);
       for (const StudyRecording& other : plan_.recordings)
-        if (other.name == recording.name) Fault(entry, "two recordings are called '" + recording.name + "'");
+        if (other.name == recording.name) Fault(entry, kSineTwice, {recording.name});
       plan_.recordings.push_back(recording);
     }
   }
@@ -54,16 +55,14 @@ class FourPostReader {
   std::string Pattern(const YAML::Node& node) {
     const std::string& name = node.Scalar();
     if (std::find(kPostPatterns.begin(), kPostPatterns.end(), name) == kPostPatterns.end())
-      Fault(node, "unknown pattern '" + name + "' of 'posts'" + Suggestion(name, kPostPatterns));
+      Fault(node, kSinePatternUnknown, {name, Suggestion(name, kPostPatterns)});
     return name;
   }
 
   std::vector<std::pair<std::string, double>> Shape(const YAML::Node& node) {
     std::vector<std::pair<std::string, double>> shape;
     if (!node.IsMap() || node.size() == 0) {
-      Fault(node,
-            "'posts' must be a pattern such as pitch, or map each moving post to its share of the motion, such as "
-            "{front: 1, rear: -1}");
+      Fault(node, kPostSharesMissing);
       return shape;
     }
     std::vector<std::string> names;
@@ -73,7 +72,7 @@ class FourPostReader {
       if (const auto share = map.Number(name, -1, 1)) shape.emplace_back(name, *share);
     const auto is_reference = [](const auto& post) { return std::abs(post.second) == 1; };
     if (shape.size() == names.size() && std::none_of(shape.begin(), shape.end(), is_reference))
-      Fault(node, "one of the 'posts' must be the reference and have the share 1 or -1");
+      Fault(node, kPostReferenceMissing);
     return shape;
   }
 
@@ -82,15 +81,15 @@ class FourPostReader {
     if (!node.IsDefined()) return;
     plan_.band_line = LineOf(node);
     if (!node.IsSequence() || node.size() != 2) {
-      Fault(node, "'band' must be a list of two frequencies such as [0.5 Hz, 12 Hz]");
+      Fault(node, kBandNotPair);
       return;
     }
     const auto lower = ReadQuantity(node[0], kFrequency, "the lower end of 'band'", file_, study_.diagnostics());
     const auto upper = ReadQuantity(node[1], kFrequency, "the upper end of 'band'", file_, study_.diagnostics());
     if (!lower || !upper) return;
-    if (!(*lower >= 0 && *lower < *upper)) Fault(node, "'band' is empty: its lower end must be below its upper end");
+    if (!(*lower >= 0 && *lower < *upper)) Fault(node, kBandEmpty);
     // Beyond what any rig or vehicle does.
-    if (*upper > 1e5) Fault(node, "'band' ends above 100 kHz; give frequencies in Hz that the recordings have");
+    if (*upper > 1e5) Fault(node, kBandTooHigh);
     plan_.band_lower_Hz = *lower;
     plan_.band_upper_Hz = *upper;
   }
@@ -99,8 +98,8 @@ class FourPostReader {
     return {node, where, keys, file_, study_.diagnostics()};
   }
 
-  void Fault(const YAML::Node& node, std::string message) {
-    study_.diagnostics().Error(file_, LineOf(node), std::move(message));
+  void Fault(const YAML::Node& node, const Finding& finding, const std::vector<std::string>& words = {}) {
+    study_.diagnostics().Report(finding, {file_, LineOf(node)}, words);
   }
 
   const StrictMap& study_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/signals/decibel.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/response/balance_sensitivity.h"
@@ -100,8 +101,7 @@ Eigen::MatrixXd Differentiate(const CondensedVehicle& vehicle, const std::vector
   for (const MeasuredRun& run : runs) {
     const ResponseSensitivity sensitivity =
         SolveBalanceSensitivity(vehicle, values, parameters, run.excitation, kFitBalance);
-    if (!sensitivity.periodic.unconverged_Hz.empty())
-      throw SimulationError("no periodic response of '" + run.name + "' to differentiate");
+    if (!sensitivity.periodic.unconverged_Hz.empty()) throw SimulationError(kSineNotPeriodic, {run.name});
     for (std::size_t p = 0; p < parameters.size(); ++p) {
       double* out = jacobian.col(static_cast<Eigen::Index>(p)).data() + first;
       AddSlopes(run, sensitivity.by_parameter[p], model_error, out);

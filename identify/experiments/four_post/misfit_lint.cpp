@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/text/short_number.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/four_post_residuals.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/study_file/channel_warnings.h"
@@ -14,7 +15,7 @@
 namespace fourpost {
 namespace {
 
-/// Times noise and model error, as a root mean square over the band: chance makes that all but never.
+/// Times noise and model error, as a root mean square over the band: practically never by chance.
 constexpr double kFarOff = 4;
 
 /// A channel of one recording.
@@ -25,8 +26,8 @@ struct LargeMisfit {
   double off = 0;
 };
 
-std::vector<LargeMisfit> WorstFirst(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
-                                const ModelError& model_error) {
+std::vector<LargeMisfit> WorstFirst(const std::vector<MeasuredRun>& runs,
+                                    const std::vector<FrequencyResponse>& modelled, const ModelError& model_error) {
   std::vector<LargeMisfit> findings;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const std::vector<double> off = ResponseDeviations(runs[r], modelled[r], model_error);
@@ -34,7 +35,8 @@ std::vector<LargeMisfit> WorstFirst(const std::vector<MeasuredRun>& runs, const 
       if (off[c] > kFarOff)
         findings.push_back({runs[r].channels[c].name, runs[r].channels[c].unit, runs[r].name, off[c]});
   }
-  std::stable_sort(findings.begin(), findings.end(), [](const LargeMisfit& a, const LargeMisfit& b) { return a.off > b.off; });
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const LargeMisfit& a, const LargeMisfit& b) { return a.off > b.off; });
   return findings;
 }
 
@@ -73,15 +75,11 @@ void LintChannels(const FourPostPlan& plan, const std::vector<MeasuredRun>& in_b
   if (findings.empty()) return;
   std::string worst;
   for (std::size_t i = 0; i < std::min(kShown, findings.size()); ++i)
-    worst += (i == 0 ? "'" : ", '") + findings[i].channel + "' is off in '" + findings[i].recording + "' by " +
-             ShortNumber(findings[i].off, 2);
-  const bool is_whole = findings.size() <= kShown;
-  ChannelWarnings(plan.file, plan.channels, diagnostics)
-      .AddAt(findings.front().channel,
-             (is_whole ? "" : Groups(findings) + " are far off, the worst: ") + worst +
-                 " times what noise and the stated model error explain: check sign, scale, delay and station, and that "
-                 "it is that channel; else the model lacks what it shows" +
-                 (is_whole ? "" : "; the table of channels and the pictures of responses show all"));
+    worst += (i == 0 ? "'" : ", '") + findings[i].channel + "' in '" + findings[i].recording + "' " +
+             ShortNumber(findings[i].off, 2) + " times";
+  ChannelWarnings warnings(plan.file, plan.channels, diagnostics);
+  if (findings.size() <= kShown) warnings.Report(kSinesFarOff, findings.front().channel, {worst});
+  else warnings.Report(kManySinesFarOff, findings.front().channel, {Groups(findings), worst});
 }
 
 }  // namespace fourpost

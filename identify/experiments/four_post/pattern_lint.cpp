@@ -4,11 +4,14 @@
 #include <cmath>
 #include <complex>
 #include <map>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "vehicles/description/post_pattern.h"
 
@@ -68,14 +71,14 @@ std::optional<Shape> PatternOf(const Vehicle& vehicle, std::string_view pattern)
   }
 }
 
-/// What the post at the other end of an axis does: `turned` and `kept` tell on which side of two axes each post is.
-std::optional<Shape> Swapped(const Shape& told, const Shape& turned, const Shape& kept) {
-  Shape swapped = told;
-  for (std::size_t p = 0; p < told.size(); ++p) {
+/// What the post at the other end of an axis does: `turned` and `kept` say on which side of two axes each post is.
+std::optional<Shape> Swapped(const Shape& stated, const Shape& turned, const Shape& kept) {
+  Shape swapped = stated;
+  for (std::size_t p = 0; p < stated.size(); ++p) {
     int found = 0;
-    for (std::size_t q = 0; q < told.size(); ++q) {
+    for (std::size_t q = 0; q < stated.size(); ++q) {
       if (turned[q] == turned[p] || kept[q] != kept[p]) continue;
-      swapped[p] = told[q];
+      swapped[p] = stated[q];
       ++found;
     }
     if (found != 1) return std::nullopt;
@@ -84,17 +87,17 @@ std::optional<Shape> Swapped(const Shape& told, const Shape& turned, const Shape
 }
 
 /// Without their opposites.
-std::vector<Shape> OtherMotions(const Vehicle& vehicle, const Shape& told) {
-  std::vector<Shape> motions = {told};
+std::vector<Shape> OtherMotions(const Vehicle& vehicle, const Shape& stated) {
+  std::vector<Shape> motions = {stated};
   const auto add = [&](const std::optional<Shape>& shape) {
     if (shape && std::find(motions.begin(), motions.end(), *shape) == motions.end()) motions.push_back(*shape);
   };
   for (const std::string_view pattern : kPostPatterns) add(PatternOf(vehicle, pattern));
-  const Shape alike(told.size(), 1);
+  const Shape alike(stated.size(), 1);
   const std::optional<Shape> front = PatternOf(vehicle, "pitch");
   const std::optional<Shape> left = PatternOf(vehicle, "roll");
-  if (front) add(Swapped(told, *front, left.value_or(alike)));
-  if (left) add(Swapped(told, *left, front.value_or(alike)));
+  if (front) add(Swapped(stated, *front, left.value_or(alike)));
+  if (left) add(Swapped(stated, *left, front.value_or(alike)));
   return motions;
 }
 
@@ -113,14 +116,14 @@ struct Match {
   double likeness = -1;
 };
 
-/// Of the motions that are not told.
+/// Among the motions that are not stated.
 Match BestOther(const Vehicle& vehicle, const CondensedModel& model, MeasuredRun low) {
-  const Shape told = low.excitation.shape;
+  const Shape stated = low.excitation.shape;
   Match best;
-  for (const Shape& shape : OtherMotions(vehicle, told)) {
+  for (const Shape& shape : OtherMotions(vehicle, stated)) {
     low.excitation.shape = shape;
     const double likeness = Likeness(low, ModelledResponses(model, vehicle.sensors, {low}).front()).value_or(0);
-    if (shape != told && likeness > best.likeness) best = {shape, likeness};
+    if (shape != stated && likeness > best.likeness) best = {shape, likeness};
     if (-likeness <= best.likeness) continue;
     // Half a period later.
     best = {shape, -likeness};
@@ -131,27 +134,20 @@ Match BestOther(const Vehicle& vehicle, const CondensedModel& model, MeasuredRun
 
 }  // namespace
 
-std::optional<PatternFault> PatternDoubt(const Vehicle& vehicle, const CondensedModel& model, const MeasuredRun& run) {
+Found PatternDoubt(const Vehicle& vehicle, const CondensedModel& model, const MeasuredRun& run) {
   constexpr double kSlack = 1e-6;
   const MeasuredRun low = InBand({run}, 0, kFollowsBelow_Hz * (1 + kSlack)).front();
-  if (low.excitation.frequency_Hz.empty()) return std::nullopt;
-  const std::optional<double> told = Likeness(low, ModelledResponses(model, vehicle.sensors, {low}).front());
-  if (!told || *told > kRight) return std::nullopt;
+  if (low.excitation.frequency_Hz.empty()) return {};
+  const std::optional<double> stated = Likeness(low, ModelledResponses(model, vehicle.sensors, {low}).front());
+  if (!stated || *stated > kRight) return {};
   const Match other = BestOther(vehicle, model, low);
-  const bool is_other = other.likeness > kRight && other.likeness > *told + kClearlyMore;
-  if (!is_other && *told > kLikeNothing) return std::nullopt;
-  const std::string begin = "recording '" + run.name + "' is told to be of posts that move as " +
-                            InWords(vehicle, run.excitation.shape) + ", but up to " + FormatNumber(kFollowsBelow_Hz) +
-                            " Hz, where a car follows its posts, accelerations and forces look like ";
-  const std::string as_told = "as told " + ShortNumber(*told, 2) + ")";
-  if (is_other)
-    return PatternFault{begin + InWords(vehicle, other.shape) + " (correlation " + ShortNumber(other.likeness, 2) +
-                            ", " + as_told +
-                            ": correct what is told of its posts, or which channel is where and of which sign",
-                        true};
-  return PatternFault{
-      begin + "none that these posts can make (correlation " + as_told +
-      ": is it a recording of this car and of this motion, is each channel where the study has it, and of its sign?"};
+  const bool is_other = other.likeness > kRight && other.likeness > *stated + kClearlyMore;
+  if (!is_other && *stated > kLikeNothing) return {};
+  Found doubt{is_other ? &kPostsMoveOtherwise : &kPostsMatchNothing,
+              {run.name, InWords(vehicle, run.excitation.shape), FormatNumber(kFollowsBelow_Hz)}};
+  if (is_other) doubt.words.insert(doubt.words.end(), {InWords(vehicle, other.shape), ShortNumber(other.likeness, 2)});
+  doubt.words.push_back(ShortNumber(*stated, 2));
+  return doubt;
 }
 
 }  // namespace fourpost

@@ -1,7 +1,6 @@
 #include "identify/experiments/four_post/recording_lint.h"
 
 #include <algorithm>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,9 +14,9 @@ namespace fourpost {
 namespace {
 
 int LineOfRecording(const FourPostPlan& plan, const std::string& recording) {
-  const auto told = std::find_if(plan.recordings.begin(), plan.recordings.end(),
-                                 [&](const StudyRecording& other) { return other.name == recording; });
-  return told == plan.recordings.end() ? 0 : told->line;
+  const auto stated = std::find_if(plan.recordings.begin(), plan.recordings.end(),
+                                   [&](const StudyRecording& other) { return other.name == recording; });
+  return stated == plan.recordings.end() ? 0 : stated->line;
 }
 
 }  // namespace
@@ -27,14 +26,14 @@ std::vector<MeasuredRun> LintRuns(const RunLint& lint, const std::vector<Measure
   const Vehicle& vehicle = lint.vehicle;
   ChannelWarnings warnings(plan.file, plan.channels, diagnostics);
   LintStations(vehicle, runs, warnings);
-  // Of the others signs could not be told from the motion of the posts.
+  // In the others a wrong sign and a wrong motion of the posts look alike.
   std::vector<MeasuredRun> sure;
   for (const MeasuredRun& run : runs) {
-    const std::optional<PatternFault> fault = PatternDoubt(vehicle, lint.model, run);
-    if (!fault) sure.push_back(run);
-    else if (fault->is_certain && lint.wrong_posts == Severity::kError)
-      diagnostics.Error(plan.file, LineOfRecording(plan, run.name), fault->text);
-    else diagnostics.Warning(plan.file, LineOfRecording(plan, run.name), fault->text);
+    const Found doubt = PatternDoubt(vehicle, lint.model, run);
+    const Place place{.file = plan.file, .line = LineOfRecording(plan, run.name)};
+    if (!doubt) sure.push_back(run);
+    else if (lint.wrong_posts == Severity::kError) diagnostics.Report(*doubt.kind, place, doubt.words);
+    else diagnostics.ReportAsWarning(*doubt.kind, place, doubt.words);
   }
   const std::vector<MeasuredRun> in_band = InBand(sure, plan.band_lower_Hz, plan.band_upper_Hz);
   LintSigns(vehicle, in_band, ModelledResponses(lint.model, vehicle.sensors, in_band), warnings);

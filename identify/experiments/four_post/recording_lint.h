@@ -14,14 +14,14 @@ struct RunLint {
   const FourPostPlan& plan;
   const Vehicle& vehicle;
   const CondensedModel& model;
-  /// Of posts that certainly move otherwise than told.
+  /// Of posts that certainly move otherwise than stated.
   Severity wrong_posts = Severity::kWarning;
 };
 
-/// What in stepped-sine responses can hardly be so, as warnings (but see RunLint::wrong_posts): an accelerometer that
-/// does not move with its body below 1 Hz, where that is rigid (its station is wrong by far, or its sign, or its
-/// scale); posts that are told to move otherwise than the car shows below 1 Hz, where it follows them; a channel of
-/// another sign than the vehicle has. Returns those runs whose posts are as told.
+/// Implausible stepped-sine responses, as warnings (but see RunLint::wrong_posts): an accelerometer that does not move
+/// with its body below 1 Hz, where that is rigid (its position is wrong by far, or its sign, or its scale); posts that
+/// move otherwise than stated, as the car shows below 1 Hz, where it follows them; a channel of another sign than the
+/// vehicle has. Returns those runs whose posts are as stated.
 std::vector<MeasuredRun> LintRuns(const RunLint& lint, const std::vector<MeasuredRun>& runs, Diagnostics& diagnostics);
 
 }  // namespace fourpost

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "analysis/text/short_number.h"
+#include "identify/experiments/four_post/findings.h"
 
 namespace fourpost {
 namespace {
@@ -47,10 +48,8 @@ void LintSigns(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
     if (measured.size() == 0 || model.squaredNorm() == 0) continue;
     const double correlation = model.dot(measured).real() / (model.norm() * measured.norm());
     if (correlation < kOpposite)
-      warnings.Add(vehicle.sensors[s].name,
-                   "moves against what the vehicle would do (correlation " + ShortNumber(correlation, 2) +
-                       "): its sign is opposite, for up, extension and more load are positive; '" +
-                       warnings.Turned(vehicle.sensors[s].name) + "' in the study turns it round");
+      warnings.Report(kSignOpposite, vehicle.sensors[s].name,
+                      {vehicle.sensors[s].name, ShortNumber(correlation, 2), warnings.Turned(vehicle.sensors[s].name)});
   }
 }
 

@@ -10,7 +10,9 @@
 #include <Eigen/Core>
 
 #include "analysis/numerics/decompositions.h"
+#include "analysis/text/found.h"
 #include "analysis/text/short_number.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/real_factor.h"
 
 namespace fourpost {
@@ -60,7 +62,7 @@ std::vector<Station> StationsOf(const Vehicle& vehicle, const std::vector<Measur
 
 /// Heave, and the slopes along and across the body, through all stations but one.
 struct RigidMotion {
-  /// 3 x samples; zero for a slope that the stations cannot tell.
+  /// 3 x samples; zero for a slope that the stations do not determine.
   Eigen::MatrixXcd motion;
   /// Root mean square of what the stations are off from it.
   double rms = 0;
@@ -106,23 +108,26 @@ Eigen::VectorXcd MotionAt(const RigidMotion& others, const Eigen::Vector3d& plac
   return (shape * others.motion).transpose();
 }
 
-std::string ExplanationOf(const Station& station, const RigidMotion& others, const ChannelWarnings& warnings) {
+/// `words`: of the finding so far.
+Found ExplanationOf(const Station& station, const RigidMotion& others, const ChannelWarnings& warnings,
+                    std::vector<std::string> words) {
   constexpr double kMost = 0.9;
+  const auto with = [&words](const Finding& kind, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return Found{&kind, words};
+  };
   const Eigen::VectorXcd measured = MeasuredAt(station);
   const Eigen::VectorXcd expected = MotionAt(others, station.place);
   const auto [factor, by_factor] = RealFactorOf(measured, expected);
   const auto [forward, by_forward] = RealFactorOf(measured - expected, others.motion.row(1).transpose());
   const auto [left, by_left] = RealFactorOf(measured - expected, others.motion.row(2).transpose());
-  if (factor < 0 && by_factor > kMost)
-    return "its sign is opposite: turn it round, as '" + warnings.Turned(station.name) + "' in the study";
+  if (factor < 0 && by_factor > kMost) return with(kStationSign, {warnings.Turned(station.name)});
   if (by_forward > kMost && by_forward >= by_left)
-    return "it moves as if it sat " + ShortNumber(std::abs(forward), 2) + " m further " +
-           (forward > 0 ? "forward" : "back") + ": check its station in the vehicle file";
+    return with(kStationAlong, {ShortNumber(std::abs(forward), 2), forward > 0 ? "forward" : "back"});
   if (by_left > kMost)
-    return "it moves as if it sat " + ShortNumber(std::abs(left), 2) + " m further to the " +
-           (left > 0 ? "left" : "right") + ": check its station in the vehicle file";
-  if (by_factor > kMost) return "it reads " + ShortNumber(factor, 2) + " times what it should: check its scale";
-  return "check its station in the vehicle file, its sign, its scale, and whether it is that channel";
+    return with(kStationAlong, {ShortNumber(std::abs(left), 2), left > 0 ? "to the left" : "to the right"});
+  if (by_factor > kMost) return with(kStationScale, {ShortNumber(factor, 2)});
+  return with(kStationStray, {});
 }
 
 void LintBody(const std::vector<Station>& stations, ChannelWarnings& warnings) {
@@ -140,10 +145,10 @@ void LintBody(const std::vector<Station>& stations, ChannelWarnings& warnings) {
   }
   if (stray.rms < kFarOff || stray.rms < kFarMoreThanOthers * stray.others_rms) return;
   const Station& station = stations[stray.station];
-  warnings.Add(station.name, "does not move with its body below 1 Hz, as the other accelerometers there do (off by " +
-                                 ShortNumber(100 * stray.rms, 2) + " % of the loudest, they by " +
-                                 ShortNumber(100 * stray.others_rms, 2) +
-                                 " %): " + ExplanationOf(station, stray.others, warnings));
+  const Found found =
+      ExplanationOf(station, stray.others, warnings,
+                    {station.name, ShortNumber(100 * stray.rms, 2), ShortNumber(100 * stray.others_rms, 2)});
+  warnings.Report(*found.kind, station.name, found.words);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "analysis/text/short_number.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/real_factor.h"
 
 namespace fourpost {
@@ -86,26 +87,24 @@ ExtraMass ExtraMassOf(const Vehicle& vehicle, const std::vector<MeasuredRun>& ru
 }
 
 /// Load cells, and the mass that each feels beside what the vehicle file has [kg].
-using Findings = std::vector<std::pair<const Sensor*, double>>;
+using ExtraMasses = std::vector<std::pair<const Sensor*, double>>;
 
-double MeanOf(const Findings& findings) {
+double MeanOf(const ExtraMasses& findings) {
   double sum = 0;
   for (const auto& [sensor, kg] : findings) sum += kg;
   return sum / static_cast<double>(findings.size());
 }
 
-/// "'F_FL' feels the inertia of some 24 kg, 'F_FR' of 25 kg"
-std::string InWords(const Findings& findings, const std::string& does) {
+/// "'F_FL' about 24 kg, 'F_FR' about 25 kg"
+std::string InWords(const ExtraMasses& findings) {
   std::string text;
   for (const auto& [sensor, kg] : findings)
-    text +=
-        (text.empty() ? "'" + sensor->name + "' " + does + " the inertia of some " : ", '" + sensor->name + "' of ") +
-        ShortNumber(std::abs(kg), 2) + " kg";
+    text += (text.empty() ? "'" : ", '") + sensor->name + "' about " + ShortNumber(std::abs(kg), 2) + " kg";
   return text;
 }
 
 /// The vehicle's load cells under the same tyres that have a wheelpan of about this mass; empty unless all have one.
-std::string OthersWithWheelpan(const Vehicle& vehicle, const Findings& findings, double kg) {
+std::string OthersWithWheelpan(const Vehicle& vehicle, const ExtraMasses& findings, double kg) {
   constexpr double kAlike = 0.3;
   const std::vector<double> values = vehicle.ParameterValues();
   std::string names;
@@ -120,24 +119,18 @@ std::string OthersWithWheelpan(const Vehicle& vehicle, const Findings& findings,
   return names;
 }
 
-void WarnOfForgotten(const Vehicle& vehicle, const Findings& findings, ChannelWarnings& warnings) {
+void WarnOfForgotten(const Vehicle& vehicle, const ExtraMasses& findings, ChannelWarnings& warnings) {
   if (findings.empty()) return;
   const double kg = MeanOf(findings);
   const std::string others = OthersWithWheelpan(vehicle, findings, kg);
-  warnings.AddAt(findings.front().first->name,
-                 InWords(findings, "feels") +
-                     " that move with the post: a wheelpan that the vehicle file does not have; write `wheelpan=\"" +
-                     ShortNumber(kg, 2) + " kg\"` at fp:sensor there" +
-                     (others.empty() ? "" : ", or name in `channels` those that have one (" + others + ")") +
-                     ", or take the inertia out of the recording");
+  warnings.Report(kWheelpanForgotten, findings.front().first->name,
+                  {InWords(findings), ShortNumber(kg, 2),
+                   others.empty() ? "" : ", or name in `channels` those that have one (" + others + ")"});
 }
 
-void WarnOfTakenOut(const Findings& findings, ChannelWarnings& warnings) {
+void WarnOfTakenOut(const ExtraMasses& findings, ChannelWarnings& warnings) {
   if (findings.empty()) return;
-  warnings.AddAt(findings.front().first->name,
-                 InWords(findings, "lacks") +
-                     " of the wheelpan that is in the vehicle file: leave `wheelpan` out there when its inertia is out "
-                     "of the recording");
+  warnings.Report(kWheelpanTakenOut, findings.front().first->name, {InWords(findings)});
 }
 
 }  // namespace
@@ -148,8 +141,8 @@ void LintWheelpans(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
   // Of the recordings of the Land Rover with and without a wheelpan's inertia, at the files' values: 0.5 to 0.98, and
   // 0.04 at the most.
   constexpr double kMost = 0.4;
-  Findings forgotten;
-  Findings taken_out;
+  ExtraMasses forgotten;
+  ExtraMasses taken_out;
   for (std::size_t s = 0; s < vehicle.sensors.size(); ++s) {
     const Sensor& sensor = vehicle.sensors[s];
     if (sensor.type != Sensor::Type::kLoadCell) continue;

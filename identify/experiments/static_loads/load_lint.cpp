@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include "analysis/text/short_number.h"
+#include "identify/experiments/static_loads/findings.h"
 #include "identify/refine/robust_loss.h"
 #include "identify/study_file/channel_warnings.h"
 #include "identify/uncertainty/covariance.h"
@@ -82,7 +83,7 @@ struct LoadsInMotion {
 
 /// One step of Gauss and Newton's from the optimum without the loads' residuals. With S the deviations of the
 /// parameters, R their correlations, and B the derivatives of the loads' residuals by p/S: the rest of the data has the
-/// Hessian S^-1 (R^-1 - B'B) S^-1. Nothing where the rest does not tell the weight.
+/// Hessian S^-1 (R^-1 - B'B) S^-1. Nothing where the rest does not determine the weight.
 std::optional<LoadsInMotion> LoadsWithoutThemselves(const FitResult& fit, const FittedLoads& loads) {
   // What a bound holds stays there.
   std::vector<Eigen::Index> known;
@@ -121,13 +122,13 @@ std::size_t Corners(const StaticLoadTest& measured) {
   return corners;
 }
 
-/// Deviations by which models miss the weight by forces in motion when the loads are right, at most: of the shipped
-/// recordings of the Land Rover 4.6 by Model 1, 6.5 (5.8 %) by Model 2, 1.9 by Model 3.
+/// Deviations by which models are off in the weight by forces in motion when the loads are right, at most: of the
+/// shipped recordings of the Land Rover 4.6 by Model 1, 6.5 (5.8 %) by Model 2, 1.9 by Model 3.
 constexpr double kMissed = 6.5;
 
 /// Whether the loads differ from those in motion all alike: without the one that differs most, the rest still does by
 /// more than models miss. Wheelpans of 25 kg on all posts of the Land Rover leave 6.9 deviations and more there, one
-/// cell 1000 N off 5.7 at most by Models 1 and 3. Not told apart by Model 2, which misses by 6.5 itself: 7.5.
+/// cell 1000 N off 5.7 at most by Models 1 and 3. Indistinguishable by Model 2, which is off by 6.5 itself: 7.5.
 bool IsShared(const Eigen::VectorXd& measured, const LoadsInMotion& motion) {
   const double sign = measured.sum() > motion.loads.sum() ? 1 : -1;
   const Eigen::VectorXd off = sign * (measured - motion.loads);
@@ -137,13 +138,7 @@ bool IsShared(const Eigen::VectorXd& measured, const LoadsInMotion& motion) {
   return (off.sum() - largest) * measured.sum() > kMissed * motion.sd * rest;
 }
 
-/// "between 57 and 320 kg", what the loads have too much or too little
-std::string RangeOf(double off_N, double sd_N) {
-  const auto kg = [](double force) { return ShortNumber(force / kGravity, 2); };
-  return "between " + kg(std::abs(off_N) - kMissed * sd_N) + " and " + kg(std::abs(off_N) + kMissed * sd_N) + " kg";
-}
-
-/// Whether it had something to tell.
+/// Whether it found something.
 bool LintWeight(const StaticLoadTest& static_loads, const FitResult& fit, const FittedLoads& loads,
                 Diagnostics& diagnostics) {
   // Beyond what models miss; 25 kg on all posts are 8.9 and more.
@@ -159,18 +154,12 @@ bool LintWeight(const StaticLoadTest& static_loads, const FitResult& fit, const 
   const double more = rest - motion->loads.sum();
   if (std::abs(more) < kFarOffShare * rest || std::abs(more) < kFarOffHere * motion->sd) return false;
   if (!IsShared(measured, *motion)) return false;
-  const std::string range = RangeOf(more, motion->sd) + " in all";
-  const std::string corners = std::to_string(Corners(static_loads)) + " loads";
-  diagnostics.Warning(
-      static_loads.plan.table.string(), 0,
-      "the static loads add up to " + ShortNumber(rest / kGravity, 4) + " kg, forces in motion alone tell " +
-          ShortNumber(motion->loads.sum() / kGravity, 4) + " kg (sd " + ShortNumber(motion->sd / kGravity, 2) +
-          "; models miss it by up to " + ShortNumber(kMissed, 2) + " sd with right loads): " +
-          (more > 0
-               ? range + " are weighed along or not tared on the " + corners +
-                     ", such as wheelpans: weigh one, or see the rig's drawing, and take its mass out of the "
-                     "values there; or see whether the scale of the load cells in motion is right"
-               : range + " are missing on the " + corners + ", or the scale of the load cells in motion is wrong"));
+  const auto kg = [](double force_N, int digits) { return ShortNumber(force_N / kGravity, digits); };
+  const double reach = kMissed * motion->sd;
+  diagnostics.Report(
+      more > 0 ? kStaticLoadsHeavierThanMotion : kStaticLoadsLighterThanMotion, {static_loads.plan.table.string()},
+      {kg(rest, 4), kg(motion->loads.sum(), 4), kg(motion->sd, 2), ShortNumber(kMissed, 2),
+       kg(std::abs(more) - reach, 2), kg(std::abs(more) + reach, 2), std::to_string(Corners(static_loads))});
   return true;
 }
 
@@ -178,7 +167,7 @@ std::string MassesAtBounds(const FitResult& fit) {
   std::string names;
   for (const FittedParameter& parameter : fit.parameters)
     if (parameter.at_bound && parameter.dimension == kMass) names += (names.empty() ? "" : ", ") + parameter.name;
-  return names.empty() ? "" : " that hold masses (" + names + ")";
+  return names.empty() ? "" : " (at a bound: " + names + ")";
 }
 
 void LintEach(const StaticLoadTest& static_loads, const Vehicle& vehicle, const FitResult& fit,
@@ -196,16 +185,12 @@ void LintEach(const StaticLoadTest& static_loads, const Vehicle& vehicle, const 
     if (off <= kFarOff * misfit * load.sd_N || off <= kSettled * load.load_N) continue;
     const std::string& name = vehicle.tyres[load.tyre].name;
     if (first.empty()) first = name;
-    text += (text.empty() ? "'" : ", '") + name + "' carries " + ShortNumber(value, 4) + " N for the measured " +
+    text += (text.empty() ? "'" : "; '") + name + "' fitted " + ShortNumber(value, 4) + " N, measured " +
             ShortNumber(load.load_N, 4) + " N (" + ShortNumber(off / load.sd_N, 2) + " standard deviations off)";
   }
   if (text.empty()) return;
   ChannelWarnings(static_loads.plan.file, static_loads.plan.tyres, diagnostics)
-      .AddAt(first, text +
-                        ", at rest after the fit: a load cell not tared, a wheelpan or a load weighed along, bounds" +
-                        MassesAtBounds(fit) +
-                        " that leave the answer out, an sd that is too small, or other channels that pull the masses "
-                        "away for what the model lacks");
+      .Report(kStaticLoadFarOff, first, {text, MassesAtBounds(fit)});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "analysis/files/static_loads.h"
 #include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
+#include "identify/experiments/static_loads/findings.h"
 
 namespace fourpost {
 namespace {
@@ -18,17 +19,15 @@ MeasuredLoad SumLoads(const StaticLoadPlan& plan, const ChannelSource& source,
     const std::string& name = channel.name;
     const std::optional<std::size_t> row = IndexOf(name, quantities);
     if (!row || table[*row].dimension != kForce) {
-      diagnostics.Error(plan.file, source.line,
-                        plan.table.filename().string() + " has no force '" + name + "'" + DidYouMean(name, quantities));
+      diagnostics.Report(kStaticLoadMissing, {plan.file, source.line},
+                         {plan.table.filename().string(), name, DidYouMean(name, quantities)});
       continue;
     }
     load.load_N += channel.factor * table[*row].value;
     load.sd_N = std::hypot(load.sd_N, channel.factor * table[*row].sd);
   }
-  if (!(load.load_N > 0) && load.sd_N > 0)
-    diagnostics.Error(plan.file, source.line, "a static load presses on the post and must be above zero");
-  if (!(load.sd_N > 0))
-    diagnostics.Error(plan.file, source.line, "a static load needs a standard deviation above zero to be weighed");
+  if (!(load.load_N > 0) && load.sd_N > 0) diagnostics.Report(kStaticLoadNotPositive, {plan.file, source.line});
+  if (!(load.sd_N > 0)) diagnostics.Report(kStaticLoadWithoutDeviation, {plan.file, source.line});
   if (source.combine == ChannelSource::Combine::kMean) {
     load.load_N /= static_cast<double>(source.channels.size());
     load.sd_N /= static_cast<double>(source.channels.size());
@@ -64,8 +63,7 @@ std::vector<MeasuredLoad> LoadStaticLoads(const StaticLoadPlan& plan, const Vehi
   std::vector<MeasuredLoad> loads;
   for (const auto& [name, source] : plan.tyres) {
     const std::optional<std::size_t> tyre = IndexOf(name, tyres);
-    if (!tyre)
-      diagnostics.Error(plan.file, source.line, "the vehicle has no tyre '" + name + "'" + DidYouMean(name, tyres));
+    if (!tyre) diagnostics.Report(kStaticLoadTyreUnknown, {plan.file, source.line}, {name, DidYouMean(name, tyres)});
     if (!table) continue;
     MeasuredLoad load = SumLoads(plan, source, *table, diagnostics);
     load.tyre = tyre.value_or(0);

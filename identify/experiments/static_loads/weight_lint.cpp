@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/text/short_number.h"
+#include "identify/experiments/static_loads/findings.h"
 #include "vehicles/description/gravity.h"
 
 namespace fourpost {
@@ -37,14 +38,10 @@ void LintWeights(const StaticLoadTest& static_loads, const Subject& subject, Dia
   const double heaviest = WeightAt(static_loads, subject, true);
   if (measured > lightest - kDeviations * sd && measured < heaviest + kDeviations * sd) return;
   const bool is_heavy = measured > heaviest;
-  const double beyond = (is_heavy ? measured - heaviest : lightest - measured) / kGravity;
-  diagnostics.Warning(
-      static_loads.plan.table.string(), 0,
-      "the static loads add up to " + ShortNumber(measured / 1000, 2) + " kN, the vehicle with all masses at their " +
-          (is_heavy ? "upper" : "lower") + " bounds to " + ShortNumber((is_heavy ? heaviest : lightest) / 1000, 2) +
-          " kN, " + ShortNumber(beyond, 2) + " kg" + (is_heavy ? " less" : " more") + ": " +
-          (is_heavy ? "load cells not tared, wheelpans or a load weighed along" : "corners or axles left out") +
-          ", or bounds of masses that leave the answer out");
+  const double bound = is_heavy ? heaviest : lightest;
+  diagnostics.Report(is_heavy ? kStaticLoadsAboveBounds : kStaticLoadsBelowBounds, {static_loads.plan.table.string()},
+                     {ShortNumber(measured / 1000, 2), ShortNumber(bound / 1000, 2),
+                      ShortNumber(std::abs(measured - bound) / kGravity, 2)});
 }
 
 }  // namespace fourpost

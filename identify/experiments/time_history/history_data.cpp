@@ -13,6 +13,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
 #include "analysis/text/units.h"
+#include "identify/experiments/time_history/findings.h"
 #include "identify/study_file/filter_rate.h"
 #include "identify/study_file/source_recording.h"
 #include "vehicles/response/response_recorder.h"
@@ -68,22 +69,19 @@ class HistoryLoader {
   }
 
  private:
-  void Fault(int line, std::string message) {
-    diagnostics_.Error(file_, line, std::move(message));
+  void Fault(const Finding& finding, int line, const std::vector<std::string>& words) {
+    diagnostics_.Report(finding, {file_, line}, words);
     good_ = false;
   }
 
   void CheckNames() {
     for (const auto& [post, source] : study_.posts)
-      if (!IndexOf(post, posts_))
-        Fault(source.line, "the vehicle has no post '" + post + "'" + DidYouMean(post, posts_));
+      if (!IndexOf(post, posts_)) Fault(kHistoryPostUnknown, source.line, {post, DidYouMean(post, posts_)});
     for (const auto& [sensor, source] : study_.channels)
-      if (!IndexOf(sensor, sensors_))
-        Fault(source.line, "the vehicle has no sensor '" + sensor + "'" + DidYouMean(sensor, sensors_));
+      if (!IndexOf(sensor, sensors_)) Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMean(sensor, sensors_)});
     for (const std::string& post : posts_)
-      if (std::none_of(study_.posts.begin(), study_.posts.end(), [&](const auto& told) { return told.first == post; }))
-        Fault(study_.line, "history '" + study_.name + "' does not tell how post '" + post +
-                               "' moved: name the channel of its height under 'posts'");
+      if (std::none_of(study_.posts.begin(), study_.posts.end(), [&](const auto& one) { return one.first == post; }))
+        Fault(kHistoryPostMissing, study_.line, {study_.name, post});
   }
 
   void Want(const ChannelSource& source, const Dimension& dimension, const std::string& what) {
@@ -92,26 +90,24 @@ class HistoryLoader {
 
   std::vector<double> ReadNoise() {
     std::vector<double> noise(sensors_.size());
-    for (const StudyNoise& told : study_.noise) {
-      const std::optional<std::size_t> sensor = IndexOf(told.sensor, sensors_);
+    for (const StudyNoise& stated : study_.noise) {
+      const std::optional<std::size_t> sensor = IndexOf(stated.sensor, sensors_);
       if (!sensor) {
-        Fault(told.line, "the vehicle has no sensor '" + told.sensor + "'" + DidYouMean(told.sensor, sensors_));
+        Fault(kHistorySensorUnknown, stated.line, {stated.sensor, DidYouMean(stated.sensor, sensors_)});
         continue;
       }
       const std::string unit = UnitOf(vehicle_.sensors[*sensor].type);
-      const std::optional<Quantity> sd = ParseQuantity(told.sd);
+      const std::optional<Quantity> sd = ParseQuantity(stated.sd);
       if (sd && sd->unit.dimension == ParseUnit(unit)->dimension && sd->si >= 0) noise[*sensor] = sd->si;
-      else
-        Fault(told.line, "the noise of '" + told.sensor + "' must be a deviation with a unit such as '0.1 " + unit +
-                             "', got '" + told.sd + "'");
+      else Fault(kNoiseUnreadable, stated.line, {stated.sensor, unit, stated.sd});
     }
     return noise;
   }
 
   void CheckRate(double rate_Hz) {
-    if (!study_.filter) return;
-    if (const std::optional<std::string> fault = RateFault(rate_Hz, study_.filter->cutoff_Hz))
-      Fault(study_.line, study_.file.filename().string() + " " + *fault);
+    if (study_.filter && !CheckFilterRate(study_.file.filename().string(), rate_Hz, study_.filter->cutoff_Hz,
+                                          {file_, study_.line}, diagnostics_))
+      good_ = false;
   }
 
   /// Beyond it nothing of the posts is kept, see Unfiltered(): what is there is noise.
@@ -135,12 +131,9 @@ class HistoryLoader {
     const auto upper = std::lower_bound(below.begin(), below.end(), kMostOf * sum) - below.begin();
     const double upper_Hz = spectrum.frequency_Hz[static_cast<std::size_t>(upper)];
     if (sum == 0 || rate_Hz >= kLeast * upper_Hz) return;
-    diagnostics_.Warning(file_, study_.line,
-                         "post '" + post + "' of history '" + study_.name + "' moves up to " +
-                             FormatNumber(std::round(10 * upper_Hz) / 10) + " Hz and is sampled at " +
-                             ShortNumber(rate_Hz, 4) + " Hz: " + FormatNumber(kLeast) +
-                             " samples a period are wanted; record faster, or the model is shaken by what lies between "
-                             "samples");
+    diagnostics_.Report(kPostSampledTooSlowly, {file_, study_.line},
+                        {post, study_.name, FormatNumber(std::round(10 * upper_Hz) / 10), ShortNumber(rate_Hz, 4),
+                         FormatNumber(kLeast)});
   }
 
   void SetWindow(const TimeRecording& recording, MeasuredHistory& history) {
@@ -155,9 +148,9 @@ class HistoryLoader {
     // Less is no history.
     constexpr Index kLeast = 16;
     if (history.count < kLeast)
-      Fault(study_.line, "history '" + study_.name + "' has no samples to compare: " + study_.file.filename().string() +
-                             " goes from " + FormatNumber(recording.start_s) + " s to " +
-                             FormatNumber(recording.end_s) + " s");
+      Fault(kHistoryWindowOutside, study_.line,
+            {study_.name, study_.file.filename().string(), FormatNumber(recording.start_s),
+             FormatNumber(recording.end_s)});
   }
 
   /// Sum or mean of its channels.
@@ -189,9 +182,7 @@ class HistoryLoader {
                             .values = WithoutMean(all.segment(history.first, history.count)),
                             .noise_sd = noise[sensor],
                             .source = source};
-      if (signal.Deviation() == 0)
-        Fault(source.line, "'" + name + "' does not change in " + study_.file.filename().string() +
-                               ": a dead channel tells nothing; leave it out");
+      if (signal.Deviation() == 0) Fault(kChannelDead, source.line, {name, study_.file.filename().string()});
       CheckSaturation(name, signal.unit, source, history, all);
       history.signals.push_back(std::move(signal));
     }
@@ -204,10 +195,8 @@ class HistoryLoader {
     const std::optional<ClippedEnds> ends = ClippingAtEnds(values);
     if (!ends) return;
     const double first_s = history.TimeAt(static_cast<Index>(ends->first()));
-    diagnostics_.Warning(file_, source.line,
-                         "'" + name + "' " + ends->Text(unit, first_s) + " of " + study_.file.filename().string() +
-                             ", as a saturated sensor is: keep the window clear of it by 'start' and 'end' of the "
-                             "history, or leave the channel out");
+    diagnostics_.Report(kChannelSaturated, {file_, source.line},
+                        {name, ends->Text(unit, first_s), study_.file.filename().string()});
   }
 
   const StudyHistory& study_;

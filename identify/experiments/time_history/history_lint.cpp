@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "analysis/text/short_number.h"
+#include "identify/experiments/time_history/findings.h"
 #include "identify/experiments/time_history/history_remark.h"
 #include "identify/experiments/time_history/point_delay.h"
 
@@ -30,11 +31,12 @@ HistoryRemark PointRemark(const PointDelay& point, Recording fitted) {
   const HistoryMisfit& late = is_displacement ? z : a;
   const HistoryMisfit& other = is_displacement ? a : z;
   const double delay_s = is_displacement ? point.delay_s : -point.delay_s;
-  return {Cause::kDelay, late.recording, late.name,
-          "'" + late.name + "' of '" + late.recording + "' comes " + Lateness(delay_s) + " than '" + other.name +
-              "' of the same point, by the second derivative of '" + z.name +
-              "' and without any model, as if it were not synchronised: '" + late.name + ": " +
-              DelayRemedy(late, delay_s) + "' in the study takes that back"};
+  return {Cause::kDelay,
+          late.recording,
+          late.name,
+          {&kChannelLateOfPoint,
+           {late.name, late.recording, Lateness(delay_s), other.name, z.name,
+            late.name + ": " + DelayRemedy(late, delay_s)}}};
 }
 
 /// Of one recording.
@@ -50,7 +52,7 @@ class HistoryLinter {
 
   std::vector<HistoryRemark> Remarks(const std::vector<PointDelay>& points) {
     AddSwapsAtStart();
-    // Delays against a model that does not fit are not told.
+    // Delays against a model that does not fit are not reported.
     if (remarks_.empty() || Has(remarks_, Cause::kDelay)) ChooseDelays(points);
     return std::move(remarks_);
   }
@@ -60,11 +62,11 @@ class HistoryLinter {
   void AddSwapsAtStart() {
     for (std::size_t i = 0; i < start_.size(); ++i)
       if (start_[i].swapped_with && !fitted_[i].swapped_with)
-        remarks_.push_back({Cause::kSwapped, start_[i].recording, start_[i].name,
-                            "'" + start_[i].name + "' of '" + start_[i].recording + "' is measured like '" +
-                                *start_[i].swapped_with +
-                                "' of the vehicle file, and the other way round, as if the two channels were swapped: "
-                                "exchange them in the study"});
+        remarks_.push_back(
+            {Cause::kSwapped,
+             start_[i].recording,
+             start_[i].name,
+             {&kHistoryChannelsSwappedAtStart, {start_[i].name, start_[i].recording, *start_[i].swapped_with}}});
   }
 
   /// Pairs of one point know nothing of the model; the file's parameters have not been adapted to a delay, which the
@@ -102,7 +104,7 @@ class HistoryLinter {
 
 int LineOfChannel(const StudyHistory& history, const std::string& channel) {
   const auto source = std::find_if(history.channels.begin(), history.channels.end(),
-                                   [&](const auto& told) { return told.first == channel; });
+                                   [&](const auto& one) { return one.first == channel; });
   if (source != history.channels.end()) return source->second.line;
   return history.posts.empty() ? history.line : history.posts.front().second.line;
 }
@@ -113,11 +115,9 @@ void LintSteps(const std::vector<double>& values, const HistoryResiduals& residu
   const std::vector<double> changes = residuals.ChangesByHalfStep(values);
   for (std::size_t h = 0; h < changes.size(); ++h)
     if (changes[h] > residuals.options().error)
-      diagnostics.Warning(file, 0,
-                          "the fitted values need shorter steps than those of the vehicle file: half of the " +
-                              ShortNumber(1e3 * residuals.Steps()[h]) + " ms taken changes a channel of '" +
-                              residuals.histories()[h].name + "' by " + ShortNumber(100 * changes[h], 2) +
-                              " % of its rms; fit again from the vehicle.urdf of these results");
+      diagnostics.Report(
+          kStepTooLong, {file},
+          {ShortNumber(1e3 * residuals.Steps()[h]), residuals.histories()[h].name, ShortNumber(100 * changes[h], 2)});
 }
 
 /// By the vehicle file's values; what the fitted ones give where those cannot go through the recordings.
@@ -132,7 +132,7 @@ std::vector<Eigen::MatrixXd> AtStart(const Vehicle& vehicle, const HistoryResidu
 
 }  // namespace
 
-void LintHistories(const std::string& study_file, const std::vector<StudyHistory>& told, const Vehicle& vehicle,
+void LintHistories(const std::string& study_file, const std::vector<StudyHistory>& stated, const Vehicle& vehicle,
                    const std::vector<double>& values, const HistoryResiduals& residuals,
                    const std::vector<HistoryMisfit>& misfits, Diagnostics& diagnostics) {
   const std::vector<MeasuredHistory>& histories = residuals.histories();
@@ -146,10 +146,12 @@ void LintHistories(const std::string& study_file, const std::vector<StudyHistory
     const std::size_t count = history.signals.size();
     HistoryLinter linter(Recording(misfits).subspan(first, count), fitted_errors,
                          Recording(start).subspan(first, count), start_errors, 1 / history.rate_Hz);
-    const auto entry =
-        std::find_if(told.begin(), told.end(), [&](const StudyHistory& other) { return other.name == history.name; });
+    const auto entry = std::find_if(stated.begin(), stated.end(),
+                                    [&](const StudyHistory& other) { return other.name == history.name; });
     for (const HistoryRemark& remark : linter.Remarks(PointDelays(vehicle, history)))
-      diagnostics.Warning(study_file, entry == told.end() ? 0 : LineOfChannel(*entry, remark.channel), remark.message);
+      diagnostics.Report(*remark.found.kind,
+                         {study_file, entry == stated.end() ? 0 : LineOfChannel(*entry, remark.channel)},
+                         remark.found.words);
     first += count;
   }
   LintSteps(values, residuals, study_file, diagnostics);

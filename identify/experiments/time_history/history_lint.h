@@ -9,12 +9,12 @@
 
 namespace fourpost {
 
-/// What in recordings over time can hardly be so, as warnings at their lines of the study: RemarksOn the fitted
+/// Implausible time histories, as warnings at their lines of the study: RemarksOn the fitted
 /// vehicle; channels swapped, and posts that are not synchronised, at the values of the vehicle's file, which a fit may
 /// hide by its parameters; displacements and accelerations of one point that are not synchronised; and steps that are
-/// too long for the fitted values. One cause is told once. `misfits`: of `residuals` at the fitted values.
-/// `study_file`, `told`: where they stand; `values`: fitted ones, of all parameters.
-void LintHistories(const std::string& study_file, const std::vector<StudyHistory>& told, const Vehicle& vehicle,
+/// too long for the fitted values. One cause is reported once. `misfits`: of `residuals` at the fitted values.
+/// `study_file`, `stated`: where they stand; `values`: fitted ones, of all parameters.
+void LintHistories(const std::string& study_file, const std::vector<StudyHistory>& stated, const Vehicle& vehicle,
                    const std::vector<double>& values, const HistoryResiduals& residuals,
                    const std::vector<HistoryMisfit>& misfits, Diagnostics& diagnostics);
 

@@ -6,6 +6,7 @@
 
 #include "analysis/signals/median.h"
 #include "analysis/text/short_number.h"
+#include "identify/experiments/time_history/findings.h"
 #include "identify/study_file/channel_source_text.h"
 
 namespace fourpost {
@@ -20,10 +21,13 @@ bool GainsByTiming(const HistoryMisfit& misfit) {
   return misfit.gain && *misfit.timed_nmse_percent < kMuch * misfit.nmse_percent;
 }
 
-std::string Called(const HistoryMisfit& misfit) { return "'" + misfit.name + "' of '" + misfit.recording + "'"; }
+using Words = std::vector<std::string>;
 
-HistoryRemark Remark(Cause cause, const HistoryMisfit& misfit, const std::string& message) {
-  return {cause, misfit.recording, misfit.name, message};
+/// `words`: behind the names of channel and recording.
+HistoryRemark Remark(Cause cause, const HistoryMisfit& misfit, const Finding& kind, const Words& words) {
+  Words all = {misfit.name, misfit.recording};
+  all.insert(all.end(), words.begin(), words.end());
+  return {cause, misfit.recording, misfit.name, {&kind, std::move(all)}};
 }
 
 std::string Milliseconds(double delay_s) { return ShortNumber(1e3 * delay_s) + " ms"; }
@@ -57,8 +61,7 @@ Remedy Scaled(const Remedy& remedy, const HistoryMisfit& misfit) {
 }
 
 /// The first that leaves little, or the last: each with the error that it has by itself.
-std::string WithFirstOf(const std::vector<Remedy>& remedies, const HistoryMisfit& misfit,
-                        const RemediedErrors& errors) {
+Words WithFirstOf(const std::vector<Remedy>& remedies, const HistoryMisfit& misfit, const RemediedErrors& errors) {
   // A model's own scale is off by up to a fifth, of which the error is 4 %.
   const double little_percent = 2 * *misfit.timed_nmse_percent + 4;
   const auto error = [&](const Remedy& remedy) {
@@ -67,31 +70,29 @@ std::string WithFirstOf(const std::vector<Remedy>& remedies, const HistoryMisfit
   auto chosen = std::find_if(remedies.begin(), remedies.end(),
                              [&](const Remedy& remedy) { return error(remedy) < little_percent; });
   if (chosen == remedies.end()) --chosen;
-  return ": its error would be " + ShortNumber(error(*chosen), 2) + " % with '" + misfit.name + ": " +
-         SourceText(chosen->source) + "' in the study";
+  return {ShortNumber(error(*chosen), 2), misfit.name + ": " + SourceText(chosen->source)};
 }
 
 /// A scale, a delay or both beside a remedy of unit or sign.
-std::string WithRemedy(const Remedy& remedy, const HistoryMisfit& misfit, const RemediedErrors& errors) {
+Words WithRemedy(const Remedy& remedy, const HistoryMisfit& misfit, const RemediedErrors& errors) {
   const Remedy scaled = Scaled(remedy, misfit);
   return WithFirstOf({remedy, scaled, Earlier(remedy, *misfit.delay_s), Earlier(scaled, *misfit.delay_s)}, misfit,
                      errors);
 }
 
-HistoryRemark LateChannel(const HistoryMisfit& misfit, double delay_s, const std::string& against,
+/// `kind`: what it is late against.
+HistoryRemark LateChannel(const HistoryMisfit& misfit, double delay_s, const Finding& kind,
                           const RemediedErrors& errors) {
   const Remedy remedy = Earlier({SourceOf(misfit)}, delay_s);
-  return Remark(Cause::kDelay, misfit,
-                Called(misfit) + " comes " + Lateness(delay_s) + against +
-                    WithFirstOf({remedy, Scaled(remedy, misfit)}, misfit, errors));
+  Words words = WithFirstOf({remedy, Scaled(remedy, misfit)}, misfit, errors);
+  words.insert(words.begin(), Lateness(delay_s));
+  return Remark(Cause::kDelay, misfit, kind, words);
 }
 
 /// Of channels that come so much later than the model, the posts come earlier.
 HistoryRemark Posts(const std::string& recording, double common_s) {
-  return {Cause::kDelay, recording, "",
-          "all channels of '" + recording + "' come " + Lateness(common_s) +
-              " than the model, as if the height of its post were not synchronised with them: add 'delay: " +
-              Milliseconds(-common_s) + "' to the channels of its 'posts' in the study"};
+  return {
+      Cause::kDelay, recording, "", {&kPostsNotSynchronised, {recording, Lateness(common_s), Milliseconds(-common_s)}}};
 }
 
 std::vector<double> DelaysOf(std::span<const HistoryMisfit> misfits) {
@@ -119,25 +120,21 @@ void AddDelays(std::span<const HistoryMisfit> misfits, double sample_s, const Re
     const HistoryMisfit& odd = *std::max_element(misfits.begin(), misfits.end(),
                                                  [&](const auto& a, const auto& b) { return off(a) < off(b); });
     if (off(odd) > sample_s && GainsByTiming(odd))
-      remarks.push_back(LateChannel(odd, *odd.delay_s - common,
-                                    " than the other channels do against the model, as if it were not synchronised",
-                                    errors));
+      remarks.push_back(LateChannel(odd, *odd.delay_s - common, kChannelLateOfOthers, errors));
     return;
   }
   // Of two it is anybody's guess.
   for (const HistoryMisfit& misfit : misfits)
     if (GainsByTiming(misfit) && std::abs(*misfit.delay_s) > sample_s)
-      remarks.push_back(LateChannel(misfit, *misfit.delay_s,
-                                    " than the model, as if it, or the height of its post, were not synchronised",
-                                    errors));
+      remarks.push_back(LateChannel(misfit, *misfit.delay_s, kChannelLateOfModel, errors));
 }
 
 /// Of what a model's own scale is off by; no two factors of one unit are as near.
 constexpr double kNear = 1.5;
 
-/// A unit that a channel may be told in, another that it may be in, and how much larger it then comes out.
+/// A unit that a channel may be stated in, another that it may be in, and how much larger it then comes out.
 struct Mistaken {
-  const char* told;
+  const char* stated;
   const char* true_unit;
   double factor;
 };
@@ -148,11 +145,11 @@ constexpr std::array<Mistaken, 6> kMistaken{{{"m", "mm", 1e3},
                                              {"N", "kN", 1e-3},
                                              {"kN", "N", 1e3}}};
 
-/// What `told` is in truth, where the gain goes with one.
-const Mistaken* MistakenUnit(const std::string& told, double gain) {
+/// The true unit in place of `stated`, where the gain goes with one.
+const Mistaken* MistakenUnit(const std::string& stated, double gain) {
   for (const Mistaken& mistaken : kMistaken)
     if (const double ratio = std::abs(gain) / mistaken.factor;
-        told == mistaken.told && ratio < kNear && ratio > 1 / kNear)
+        stated == mistaken.stated && ratio < kNear && ratio > 1 / kNear)
       return &mistaken;
   return nullptr;
 }
@@ -165,8 +162,8 @@ bool IsDoneTwice(const ChannelSource& source, double gain) {
   });
 }
 
-/// Of all channels, as the study tells it; that of the model where it leaves it to the file; nothing of several.
-std::string ToldUnit(const HistoryMisfit& misfit, const ChannelSource& source) {
+/// Of all channels, as the study has it; that of the model where it leaves it to the file; nothing of several.
+std::string StatedUnit(const HistoryMisfit& misfit, const ChannelSource& source) {
   const std::string& first = source.channels.front().unit;
   for (const SourceChannel& channel : source.channels)
     if (channel.unit != first) return "";
@@ -177,7 +174,7 @@ HistoryRemark OtherScale(const HistoryMisfit& misfit, const RemediedErrors& erro
   const double size = std::abs(*misfit.gain);
   Remedy remedy{SourceOf(misfit)};
   const bool done_twice = IsDoneTwice(remedy.source, size);
-  const Mistaken* unit = done_twice ? nullptr : MistakenUnit(ToldUnit(misfit, remedy.source), size);
+  const Mistaken* unit = done_twice ? nullptr : MistakenUnit(StatedUnit(misfit, remedy.source), size);
   if (done_twice) {
     remedy.factor = 1 / std::abs(remedy.source.channels.front().factor);
     for (SourceChannel& channel : remedy.source.channels) channel.factor = std::copysign(1, channel.factor);
@@ -188,13 +185,14 @@ HistoryRemark OtherScale(const HistoryMisfit& misfit, const RemediedErrors& erro
     remedy = Scaled(remedy, misfit);
   }
   if (*misfit.gain < 0) remedy = Times(remedy, -1);
-  const std::string why = done_twice ? "the scale of the study were in it already"
-                          : unit
-                              ? std::string("its unit were wrong (") + unit->true_unit + " told as " + unit->told + ")"
-                              : "its unit were wrong (1000: mm for m, 9.81: g for m/s^2)";
+  Words words = WithRemedy(remedy, misfit, errors);
+  if (unit) words.insert(words.begin(), {unit->true_unit, unit->stated});
+  words.insert(words.begin(), ShortNumber(std::max(size, 1 / size)));
   return Remark(Cause::kUnit, misfit,
-                Called(misfit) + " and the model differ by a factor of " + ShortNumber(std::max(size, 1 / size)) +
-                    ", as if " + why + WithRemedy(remedy, misfit, errors));
+                done_twice ? kChannelScaledTwice
+                : unit     ? kChannelUnitMistaken
+                           : kChannelUnitDoubtful,
+                words);
 }
 
 /// Unit, sign and place of a channel.
@@ -202,19 +200,15 @@ void AddScale(const HistoryMisfit& misfit, const RemediedErrors& errors, std::ve
   // Less than g; no model that has the shape right is so far off.
   constexpr double kOtherUnit = 5;
   if (misfit.swapped_with) {
-    remarks.push_back(
-        Remark(Cause::kSwapped, misfit,
-               Called(misfit) + " is measured like the model's '" + *misfit.swapped_with +
-                   "', and the other way round, as if the two channels were swapped: exchange them in the study"));
+    remarks.push_back(Remark(Cause::kSwapped, misfit, kHistoryChannelsSwapped, {*misfit.swapped_with}));
     return;
   }
   if (!GainsByTiming(misfit)) return;
   const double size = std::abs(*misfit.gain);
   if (std::max(size, 1 / size) > kOtherUnit) remarks.push_back(OtherScale(misfit, errors));
   else if (*misfit.gain < 0)
-    remarks.push_back(Remark(Cause::kSign, misfit,
-                             Called(misfit) + " goes against the model, as if its sign were wrong" +
-                                 WithRemedy(Times({SourceOf(misfit)}, -1), misfit, errors)));
+    remarks.push_back(
+        Remark(Cause::kSign, misfit, kChannelInverted, WithRemedy(Times({SourceOf(misfit)}, -1), misfit, errors)));
 }
 
 }  // namespace

@@ -5,28 +5,27 @@
 #include <string>
 #include <vector>
 
+#include "analysis/text/found.h"
 #include "identify/experiments/time_history/remedied_error.h"
 #include "identify/residuals/history_misfit.h"
 
 namespace fourpost {
 
-/// What is odd about a channel of a history, or about the height of its posts, with what a study does about it.
+/// An oddity of a channel of a history, or of the height of its posts, with the study's remedy.
 struct HistoryRemark {
   enum class Cause { kSwapped, kUnit, kSign, kDelay };
   Cause cause = Cause::kDelay;
   std::string recording;
   /// A sensor; empty: the posts.
   std::string channel;
-  /// Names both.
-  std::string message;
+  Found found;
 };
 
 /// Channels that are swapped, and those whose error nearly goes with another unit, with the other sign, or with a delay
-/// of more than `sample_s`. Of several channels the odd one out is told, the farthest from the delay that they have in
-/// common; where that is larger, the posts. A channel of another scale moves the model, and with it all delays, which
-/// are not told then.
-/// Each tells a remedy in the terms of the study and the error that it leaves by itself, by `errors`; where one of
-/// unit, sign or delay leaves much, a scale or a delay is told with it.
+/// of more than `sample_s`. Of several channels the odd one out is reported, the farthest from the delay that they have
+/// in common; where that is larger, the posts. A channel of another scale moves the model, and with it all delays,
+/// which are not reported then. Each has a remedy in the terms of the study and the error that it leaves by itself, by
+/// `errors`; where one of unit, sign or delay leaves much, a scale or a delay comes with it.
 std::vector<HistoryRemark> RemarksOn(const std::vector<HistoryMisfit>& misfits, double sample_s,
                                      const RemediedErrors& errors);
 

@@ -178,7 +178,7 @@ void FindSwapped(const MeasuredHistory& history, const Eigen::MatrixXd& modelled
   for (std::size_t i = 0; i < misfits.size(); ++i)
     for (std::size_t j = i + 1; j < misfits.size(); ++j) {
       if (history.signals[i].unit != history.signals[j].unit) continue;
-      if (!(error(i, j) < kMuchNearer * misfits[i].nmse_percent && error(j, i) < kMuch * misfits[j].nmse_percent))
+      if (!(error(i, j) < kMuchNearer * misfits[i].nmse_percent && error(j, i) < kMuchNearer * misfits[j].nmse_percent))
         continue;
       misfits[i].swapped_with = misfits[j].name;
       misfits[j].swapped_with = misfits[i].name;

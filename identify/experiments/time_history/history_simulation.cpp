@@ -8,6 +8,7 @@
 
 #include "analysis/signals/low_pass.h"
 #include "analysis/text/option_check.h"
+#include "identify/experiments/time_history/findings.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/condensed_stepper.h"
@@ -74,11 +75,9 @@ void HistorySimulation::March(const CondensedModel& model, const Deadline& deadl
     for (long part = 0; part < parts_ && k > 0; ++part) stepper.Step(PostsAt((k - 1) * parts_ + part + 1));
     sample(k, stepper);
     // So written that it is true for NaN.
-    if (!(stepper.state().norm() < kFarthest)) throw SimulationError("the motion grows beyond all bounds");
+    if (!(stepper.state().norm() < kFarthest)) throw SimulationError(kMotionUnbounded);
   }
-  if (stepper.unsolved_steps() > 0)
-    throw SimulationError("the forces of the vehicle's elements were not found in " +
-                          std::to_string(stepper.unsolved_steps()) + " steps");
+  if (stepper.unsolved_steps() > 0) throw SimulationError(kForcesUnsolved, {std::to_string(stepper.unsolved_steps())});
 }
 
 Eigen::MatrixXd HistorySimulation::Run(const CondensedModel& model, const Deadline& deadline) const {

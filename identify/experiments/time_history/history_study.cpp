@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "identify/experiments/time_history/findings.h"
 #include "identify/study_file/channel_source_reader.h"
+#include "identify/study_file/findings.h"
 #include "identify/study_file/strict_yaml.h"
 
 namespace fourpost {
@@ -35,26 +37,21 @@ class HistoryReader {
     if (map.Has("noise")) history.noise = Noise(map.Get("noise"));
     history.process_sd = map.Quantity("process", kAcceleration, 0);
     if (history.process_sd && *history.process_sd == 0)
-      map.Fault(map.Get("process"), "'process' of " + where_ + " must be above zero");
+      map.Fault(map.Get("process"), kKeyNotPositive, {"'process' of " + where_});
     if (const auto use = map.Text("use")) {
       history.is_validation = *use == "validation";
-      if (*use != "fit" && *use != "validation")
-        map.Fault(map.Get("use"), "'use' of " + where_ + " must be fit or validation");
+      if (*use != "fit" && *use != "validation") map.Fault(map.Get("use"), kHistoryUse, {where_});
     }
     history.start_s = map.Quantity("start", kTime, -1e9);
     history.end_s = map.Quantity("end", kTime, -1e9);
     if (history.start_s && history.end_s && !(*history.start_s < *history.end_s))
-      map.Fault(map.Get("end"), "'end' of " + where_ + " must be later than 'start'");
+      map.Fault(map.Get("end"), kHistoryWindowEmpty, {where_});
     return history;
   }
 
  private:
   StrictMap Map(const YAML::Node& node, const std::string& where, const std::vector<std::string_view>& keys) {
     return {node, where, keys, file_, diagnostics_};
-  }
-
-  void Fault(const YAML::Node& node, std::string message) {
-    diagnostics_.Error(file_, LineOf(node), std::move(message));
   }
 
   /// A mapping of names that are not known here.
@@ -79,7 +76,7 @@ class HistoryReader {
     std::vector<StudyNoise> noise;
     const std::string where = "'noise' of " + where_;
     if (!node.IsMap() || node.size() == 0) {
-      Fault(node, where + " must map sensors of the vehicle to deviations such as 20 N");
+      diagnostics_.Report(kNoiseNotMapped, {file_, LineOf(node)}, {where});
       return noise;
     }
     for (const std::string& name : Keys(node, where))
@@ -106,14 +103,13 @@ std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const std::files
                                         Diagnostics& diagnostics) {
   std::vector<StudyHistory> histories;
   if (!list.IsSequence() || list.size() == 0) {
-    diagnostics.Error(study.string(), LineOf(list), "'histories' must be a list with at least one entry");
+    diagnostics.Report(kHistoriesEmpty, {study.string(), LineOf(list)});
     return histories;
   }
   for (const YAML::Node& node : list) {
     StudyHistory history = HistoryReader(study, diagnostics).Read(node);
     for (const StudyHistory& other : histories)
-      if (other.name == history.name)
-        diagnostics.Error(study.string(), history.line, "two histories are called '" + history.name + "'");
+      if (other.name == history.name) diagnostics.Report(kHistoryTwice, {study.string(), history.line}, {history.name});
     histories.push_back(std::move(history));
   }
   return histories;

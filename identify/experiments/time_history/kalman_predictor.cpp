@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 
 #include "analysis/text/option_check.h"
+#include "identify/experiments/time_history/findings.h"
 #include "vehicles/condensed/port.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/simulation/condensed_stepper.h"
@@ -45,8 +46,7 @@ class Maps {
   VectorXd Step(const VectorXd& state, std::span<const PostState> from, std::span<const PostState> to) {
     stepper_.SetState(state, from);
     stepper_.Step(to);
-    if (stepper_.unsolved_steps() > 0 || !stepper_.state().allFinite())
-      throw SimulationError("the motion of a Kalman filter's model cannot be computed");
+    if (stepper_.unsolved_steps() > 0 || !stepper_.state().allFinite()) throw SimulationError(kKalmanMotionUnsolved);
     return stepper_.state();
   }
 
@@ -188,7 +188,7 @@ KalmanPrediction KalmanPredictor::Run(const CondensedModel& model, const KalmanN
     const MatrixXd kept = MatrixXd::Identity(n, n) - gain * read;
     covariance = kept * covariance * kept.transpose() + gain * sensor * gain.transpose();
   }
-  if (!std::isfinite(out.Deviance())) throw SimulationError("a Kalman filter's covariance is not finite");
+  if (!std::isfinite(out.Deviance())) throw SimulationError(kKalmanCovariance);
   return out;
 }
 

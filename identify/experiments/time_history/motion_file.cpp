@@ -5,6 +5,7 @@
 
 #include "analysis/files/csv.h"
 #include "analysis/files/csv_writer.h"
+#include "identify/experiments/time_history/findings.h"
 
 namespace fourpost {
 namespace {
@@ -46,9 +47,7 @@ RecordedHistory HistoryOf(const CsvTable& table, std::size_t first, std::size_t 
   // Times are written in full; a tenth of a frame is none that was taken out.
   const bool is_even = rows > 1 && history.motion.rate_Hz > 0 && std::isfinite(history.motion.rate_Hz) &&
                        ((time - even).cwiseAbs().maxCoeff() * history.motion.rate_Hz < 0.1);
-  if (!is_even || !numbers.allFinite())
-    faults.Error(table.file(), table.line(first),
-                 "the rows of '" + history.name + "' are not evenly spaced numbers; fit again");
+  if (!is_even || !numbers.allFinite()) faults.Report(kMotionUneven, {table.file(), table.line(first)}, {history.name});
   return history;
 }
 
@@ -78,10 +77,8 @@ std::vector<RecordedHistory> ReadMotionCsv(const std::string& text, const std::s
   if (!table) throw FaultyInput(faults);
   const std::size_t before = 2 + vehicle.posts.size();
   if (table->columns() < before ||
-      table->names() != Names(vehicle, static_cast<Index>(table->columns()) - static_cast<Index>(before))) {
-    faults.Error(file, 1, "has not the columns of this vehicle's posts and coordinates; fit again");
-    throw FaultyInput(faults);
-  }
+      table->names() != Names(vehicle, static_cast<Index>(table->columns()) - static_cast<Index>(before)))
+    Refuse(kMotionColumns, {file, 1});
   std::vector<RecordedHistory> histories;
   for (std::size_t first = 0; first < table->rows();) {
     std::size_t last = first + 1;

@@ -8,6 +8,7 @@
 #include "analysis/text/progress_text.h"
 #include "analysis/text/text_table.h"
 #include "analysis/text/units.h"
+#include "identify/experiments/time_history/findings.h"
 #include "identify/experiments/time_history/kalman_progress.h"
 #include "identify/study_file/source_recording.h"
 
@@ -19,7 +20,7 @@ HistoryCost ReadCost(const StrictMap& study) {
   if (!cost) return HistoryCost::kWhitened;
   const auto* const found = std::find(kHistoryCostNames.begin(), kHistoryCostNames.end(), *cost);
   if (found != kHistoryCostNames.end()) return static_cast<HistoryCost>(found - kHistoryCostNames.begin());
-  study.Fault(study.Get("cost"), "unknown cost '" + *cost + "'" + Suggestion(*cost, kHistoryCostNames));
+  study.Fault(study.Get("cost"), kHistoryCostUnknown, {*cost, Suggestion(*cost, kHistoryCostNames)});
   return HistoryCost::kWhitened;
 }
 
@@ -28,15 +29,9 @@ void CheckPrediction(const HistoryPlan& plan, const Vehicle& vehicle, Diagnostic
   if (plan.cost != HistoryCost::kPrediction) return;
   for (const StudyHistory& history : plan.histories)
     if (history.filter && !history.is_validation)
-      diagnostics.Error(
-          plan.file, history.line,
-          "the cost 'prediction' takes recordings as they are: leave 'filter' of history '" + history.name + "' out");
+      diagnostics.Report(kPredictionFilter, {plan.file, history.line}, {history.name});
   for (const Damper& damper : vehicle.dampers)
-    if (damper.hydraulic)
-      diagnostics.Error(vehicle.file, damper.source_line,
-                        "the cost 'prediction' corrects positions and velocities, and knows nothing of the oil in the "
-                        "hydraulic damper '" +
-                            damper.name + "': fit by the cost 'whitened', or give the damper a law without memory");
+    if (damper.hydraulic) diagnostics.Report(kPredictionHydraulic, {vehicle.file, damper.source_line}, {damper.name});
 }
 
 /// Whitened residuals are over a deviation.
@@ -47,10 +42,7 @@ void CheckDeviations(const HistoryPlan& plan, const std::vector<MeasuredHistory>
       if (signal.noise_sd > 0) continue;
       const auto entry = std::find_if(plan.histories.begin(), plan.histories.end(),
                                       [&](const StudyHistory& other) { return other.name == history.name; });
-      diagnostics.Error(plan.file, entry->line,
-                        "'" + signal.name + "' of history '" + history.name +
-                            "' has no 'noise' and no 'model_error', so its residuals cannot be weighted: state its "
-                            "'noise', or 'history' of 'model_error' above zero");
+      diagnostics.Report(kHistoryWithoutWeight, {plan.file, entry->line}, {signal.name, history.name});
     }
 }
 
@@ -80,14 +72,14 @@ void Add(Sha256& digest, const MeasuredHistory& history) {
 
 std::unique_ptr<Experiment> TimeHistories::Read(const StrictMap& study) {
   if (!study.Has("histories")) return nullptr;
-  // What is wrong there is told once, by the stepped sines where there are any.
-  Diagnostics told_elsewhere;
-  const StrictMap shared = study.Has("recordings") ? study.ReportingTo(told_elsewhere) : study;
   auto read = std::make_unique<TimeHistories>();
   read->plan = {.file = study.file(),
                 .histories = ReadHistories(study.Get("histories"), study.file(), study.diagnostics()),
-                .cost = ReadCost(study),
-                .model_error = ReadModelError(shared)};
+                .cost = ReadCost(study)};
+  // Faults of what both share are reported once, by the stepped sines where they are read.
+  const bool has_sines = study.Has("recordings") || HistoriesOf(read->plan.histories, false).empty();
+  Diagnostics reported_elsewhere;
+  read->plan.model_error = ReadModelError(has_sines ? study.ReportingTo(reported_elsewhere) : study);
   return read;
 }
 
@@ -112,6 +104,7 @@ void TimeHistories::Load(const Subject& subject, Diagnostics& diagnostics) {
 }
 
 void TimeHistories::AddTo(Sha256& data, Sha256& settings) const {
+  if (fitted.empty()) return;
   for (const MeasuredHistory& history : fitted) Add(data, history);
   settings.Add(plan.model_error.history);
   settings.Add(static_cast<double>(plan.cost));
@@ -154,12 +147,7 @@ void TimeHistories::Prepare(const Subject& subject, const WorkHooks& hooks) {
       kalman_noise.push_back(KalmanPredictor(history).Estimate(
           model, {.deadline_s = subject.deadline_s(), .progress = KalmanProgress(hooks)}));
   } catch (const TimedOut&) {
-    Diagnostics diagnostics;
-    diagnostics.Error(plan.file, 0,
-                      "one run of the Kalman filter takes longer than the deadline of " +
-                          FormatNumber(subject.deadline_s()) +
-                          " s: raise 'deadline' of 'search', or cut the recording by 'start' and 'end'");
-    throw FaultyInput(diagnostics);
+    Refuse(kKalmanTooSlow, {plan.file}, {FormatNumber(subject.deadline_s())});
   }
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "analysis/text/text_table.h"
+#include "identify/experiments/time_history/findings.h"
 #include "identify/experiments/time_history/history_fit_files.h"
 #include "identify/experiments/time_history/history_remark.h"
 #include "identify/experiments/time_history/history_tyre_pull_lint.h"
@@ -19,12 +20,6 @@
 
 namespace fourpost {
 namespace {
-
-[[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& message) {
-  Diagnostics faults;
-  faults.Error(file.string(), 0, message);
-  throw FaultyInput(faults);
-}
 
 /// Nothing where it is interrupted.
 std::optional<EngineHistory> Answer(const Subject& subject, const MeasuredHistory& history,
@@ -46,11 +41,12 @@ class HistoryPrediction {
 
   std::optional<ExperimentResults> Run() const {
     ExperimentResults results;
-    const std::vector<MeasuredHistory> histories = {Load(Layout(request_.recording), results.findings)};
+    const std::vector<MeasuredHistory> histories = {Load(request_.recording, results.findings)};
     const MeasuredHistory& history = histories.front();
     const HistoryResiduals reduced(subject_.Condensed(), histories, {});
     const std::vector<double> values = subject_.vehicle().ParameterValues();
     LintTyrePulls(subject_.vehicle(), values, histories, reduced.Steps(), results.findings);
+    hooks_.Find(results.findings);
     const std::optional<EngineHistory> answer =
         Answer(subject_, history, {.engine = request_.engine.value_or(Engine::kAuto)}, hooks_);
     if (!answer) return std::nullopt;
@@ -67,16 +63,14 @@ class HistoryPrediction {
     results.files = {{"history.csv", HistoryFitCsv(histories, modelled)},
                      {"history.svg", HistoryFitSvg(history, modelled.front(), misfits)}};
     results.text = HistoryTable(misfits) + EngineText(answer->by);
-    for (const HistoryRemark& remark : RemarksOn(misfits, 1 / history.rate_Hz, RemediedErrors(histories, modelled))) {
-      results.remarks.push_back(remark.message);
-      results.text += remark.message + '\n';
-    }
+    for (const HistoryRemark& remark : RemarksOn(misfits, 1 / history.rate_Hz, RemediedErrors(histories, modelled)))
+      results.findings.Report(*remark.found.kind, {request_.recording.string()}, remark.found.words);
     return results;
   }
 
  private:
   /// The first of the study's histories, of this recording.
-  StudyHistory Layout(const std::filesystem::path& recording) const {
+  StudyHistory Layout(const std::filesystem::path& recording, Diagnostics& findings) const {
     StudyHistory history = plan_.histories.front();
     history.file = recording;
     history.name = recording.stem().string();
@@ -84,9 +78,12 @@ class HistoryPrediction {
     Diagnostics diagnostics;
     const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
     if (!table) throw FaultyInput(diagnostics);
-    if (const std::string left_out = KeepMeasured(recording, table->names(), history.channels); !left_out.empty())
-      hooks_.Note("not measured in " + recording.filename().string() + ", left out: " + left_out);
+    KeepMeasured(recording, table->names(), history.channels, findings);
     return history;
+  }
+
+  MeasuredHistory Load(const std::filesystem::path& recording, Diagnostics& findings) const {
+    return Load(Layout(recording, findings), findings);
   }
 
   MeasuredHistory Load(const StudyHistory& layout, Diagnostics& diagnostics) const {
@@ -98,11 +95,11 @@ class HistoryPrediction {
 
   /// As recorded: a Kalman filter takes no filter back.
   MeasuredHistory LoadAsRecorded(const std::filesystem::path& recording, std::optional<double> end_s) const {
-    StudyHistory layout = Layout(recording);
-    layout.filter.reset();
-    layout.end_s = end_s;
     // Those of the recording with its filter have been found.
     Diagnostics findings;
+    StudyHistory layout = Layout(recording, findings);
+    layout.filter.reset();
+    layout.end_s = end_s;
     return Load(layout, findings);
   }
 
@@ -113,10 +110,7 @@ class HistoryPrediction {
     if (request_.noise_from.empty()) {
       const std::optional<KalmanNoise> held = ReadKalmanNoise(request_.run / "result.json", judged);
       if (held) return *held;
-      Refuse(request_.run,
-             "tells no noise for a Kalman filter, for the fit was not by 'cost: prediction': name the "
-             "recording it was fitted to by --noise-from, for noise estimated on the recording that is "
-             "judged would flatter the model");
+      Refuse(kKalmanWithoutNoise, {request_.run.string()});
     }
     return KalmanPredictor(LoadAsRecorded(request_.noise_from, std::nullopt))
         .Estimate(Model(), {.progress = KalmanProgress(hooks_)});
@@ -124,10 +118,7 @@ class HistoryPrediction {
 
   void AddKalman(const MeasuredHistory& judged, std::vector<HistoryMisfit>& misfits) const {
     for (const Damper& damper : subject_.vehicle().dampers)
-      if (damper.hydraulic)
-        Refuse(request_.run / "vehicle.urdf", "fp:damper '" + damper.name +
-                                                  "' is hydraulic: a Kalman filter corrects positions and velocities, "
-                                                  "and knows nothing of its oil; leave --kalman out");
+      if (damper.hydraulic) Refuse(kKalmanHydraulic, {(request_.run / "vehicle.urdf").string()}, {damper.name});
     const MeasuredHistory recorded =
         LoadAsRecorded(request_.recording, judged.TimeAt(judged.count - 1) + 0.5 / judged.rate_Hz);
     const KalmanPrediction prediction = KalmanPredictor(recorded).Run(Model(), NoiseOf(recorded));
@@ -145,25 +136,32 @@ Engine HistoryEngineOf(std::optional<Engine> engine) {
   return engine == Engine::kMarch ? Engine::kFull : engine.value_or(Engine::kAuto);
 }
 
-/// By the engine that each needs; nothing where it is interrupted.
-std::optional<std::vector<HistoryMisfit>> Answers(const std::vector<MeasuredHistory>& histories, const Subject& subject,
-                                                  std::optional<Engine> engine, const WorkHooks& hooks,
-                                                  const std::string& file, ExperimentResults& results) {
-  if (histories.empty()) return std::vector<HistoryMisfit>();
+/// By the engine that each needs; of those before an interruption.
+std::vector<HistoryMisfit> Answers(std::vector<MeasuredHistory> histories, const Subject& subject,
+                                   std::optional<Engine> engine, const WorkHooks& hooks, const std::string& file,
+                                   ExperimentResults& results) {
+  if (histories.empty() || !results.is_whole) return {};
   const HistoryResiduals reduced(subject.Condensed(), histories, {});
   const std::vector<double> values = subject.vehicle().ParameterValues();
   LintTyrePulls(subject.vehicle(), values, histories, reduced.Steps(), results.findings);
+  hooks.Find(results.findings);
   std::vector<Eigen::MatrixXd> modelled;
   for (const MeasuredHistory& history : histories) {
     const HistorySolver::Options options{.engine = HistoryEngineOf(engine), .error = reduced.options().error};
     std::optional<EngineHistory> answer = Answer(subject, history, options, hooks);
-    if (!answer) return std::nullopt;
+    if (!answer) break;
     nlohmann::ordered_json entry = {{"recording", history.name}};
     entry.update(EngineJson(answer->by, options.error));
     results.json["histories"].push_back(entry);
     results.text += FitEngineText(history.name, answer->by);
     modelled.push_back(std::move(answer->modelled));
   }
+  if (modelled.size() < histories.size())
+    hooks.Note("interrupted: " + std::to_string(modelled.size()) + " of " + std::to_string(histories.size()) +
+               " recordings are answered");
+  results.is_whole = modelled.size() == histories.size();
+  histories.resize(modelled.size());
+  if (histories.empty()) return {};
   results.files.emplace_back(file, HistoryFitCsv(histories, modelled));
   return HistoryMisfits(histories, modelled);
 }
@@ -172,22 +170,22 @@ std::optional<std::vector<HistoryMisfit>> Answers(const std::vector<MeasuredHist
 
 std::optional<ExperimentResults> TimeHistories::Predict(const Subject& subject, const PredictionRequest& request,
                                                         const WorkHooks& hooks) const {
-  if (!request.mode.empty())
-    hooks.Note("--mode: warning: " + request.recording.filename().string() +
-               " tells itself how its posts moved; the option is left out");
-  return HistoryPrediction(plan, subject, request, hooks).Run();
+  std::optional<ExperimentResults> results = HistoryPrediction(plan, subject, request, hooks).Run();
+  if (results && !request.mode.empty())
+    results->findings.Report(kModeOfHistory, Place::Option("--mode"), {request.recording.filename().string()});
+  return results;
 }
 
 std::optional<ExperimentResults> TimeHistories::Respond(const Subject& subject, std::optional<Engine> engine,
                                                         const WorkHooks& hooks) const {
   ExperimentResults results;
-  const auto fit = Answers(fitted, subject, engine, hooks, "history.csv", results);
-  const auto kept = fit ? Answers(validation, subject, engine, hooks, "validation.csv", results) : std::nullopt;
-  if (!kept) return std::nullopt;
-  results.json["channels"] = HistoryMisfitsJson(*fit);
-  if (!kept->empty()) results.json["validation"] = HistoryMisfitsJson(*kept);
-  std::vector<HistoryMisfit> all = *fit;
-  all.insert(all.end(), kept->begin(), kept->end());
+  const std::vector<HistoryMisfit> fit = Answers(fitted, subject, engine, hooks, "history.csv", results);
+  const std::vector<HistoryMisfit> kept = Answers(validation, subject, engine, hooks, "validation.csv", results);
+  if (!results.is_whole && fit.empty() && kept.empty()) return std::nullopt;
+  results.json["channels"] = HistoryMisfitsJson(fit);
+  if (!kept.empty()) results.json["validation"] = HistoryMisfitsJson(kept);
+  std::vector<HistoryMisfit> all = fit;
+  all.insert(all.end(), kept.begin(), kept.end());
   results.text = HistoryTable(all) + results.text;
   return results;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "identify/experiments/time_history/findings.h"
 #include "identify/experiments/time_history/history_fit_files.h"
 #include "identify/experiments/time_history/history_lint.h"
 #include "identify/experiments/time_history/history_tyre_pull_lint.h"
@@ -24,13 +25,14 @@ using Json = nlohmann::ordered_json;
 /// Table and files; `name` of the files.
 std::vector<HistoryMisfit> Show(const HistoryPlan& plan, const Vehicle& vehicle, const HistoryResiduals& residuals,
                                 const std::vector<double>& values, const std::vector<Eigen::MatrixXd>& modelled,
-                                bool has_one_step, const std::string& name, ExperimentResults& results) {
+                                bool has_one_step, const std::string& name, std::string& text,
+                                ExperimentResults& results) {
   const std::vector<MeasuredHistory>& histories = residuals.histories();
   std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
   if (has_one_step) AddOneStepErrors(histories, residuals.Predicted(values), misfits);
   LintHistories(plan.file, plan.histories, vehicle, values, residuals, misfits, results.findings);
   LintTyrePulls(vehicle, values, histories, residuals.Steps(), results.findings);
-  results.text += HistoryTable(misfits) + '\n';
+  text += HistoryTable(misfits) + '\n';
   results.files.emplace_back(name + ".csv", HistoryFitCsv(histories, modelled));
   auto misfit = misfits.begin();
   for (std::size_t h = 0; h < histories.size(); ++h) {
@@ -58,7 +60,7 @@ void AddEngine(const std::string& recording, bool is_fitted, const HistoryEngine
   Json entry = {{"recording", recording}, {"fitted", is_fitted}};
   entry.update(EngineJson(by, error));
   results.json["histories"].push_back(entry);
-  results.text += FitEngineText(recording, by);
+  (is_fitted ? results.text : results.unseen_text) += FitEngineText(recording, by);
 }
 
 void AddEngines(const TimeHistories& experiment, double error, ExperimentResults& results) {
@@ -67,9 +69,8 @@ void AddEngines(const TimeHistories& experiment, double error, ExperimentResults
     const HistoryEngine& by = experiment.checks[h].by;
     AddEngine(name, true, by, error, results);
     if (by.engine == Engine::kReduced && by.kinematics_error && by.kinematics_error->IsVisible())
-      results.findings.Warning(experiment.plan.file, 0,
-                               "history '" + name + "': " + KinematicsText(*by.kinematics_error) +
-                                   ", and a cost by prediction is not corrected for it; take another 'cost'");
+      results.findings.Report(kHistoryKinematicsVisible, {experiment.plan.file},
+                              {name, KinematicsText(*by.kinematics_error)});
   }
   if (!experiment.checks.empty()) results.text += '\n';
 }
@@ -95,9 +96,7 @@ Predictions PredictAll(const TimeHistories& experiment, const Subject& subject, 
       out.modelled.push_back(std::move(answer.modelled));
       out.by.push_back(std::move(answer.by));
     } catch (const std::runtime_error& failure) {
-      found.Error(experiment.plan.file, 0,
-                  "'" + history.name + "' cannot be predicted by the fitted vehicle: " + failure.what() +
-                      "; `fourpost check` of the vehicle.urdf of the results tells more");
+      found.Report(kHistoryNotPredicted, {experiment.plan.file}, {history.name, failure.what()});
     }
     if (std::optional<LeftOutRecording> left_out = LeftOutFor(found, history.name, {}, results.findings))
       results.json["validation_left_out"].push_back(LeftOutJson(*left_out));
@@ -110,9 +109,10 @@ void AddValidation(const TimeHistories& experiment, const Subject& subject, cons
   const Predictions predictions = PredictAll(experiment, subject, fit, error, results);
   if (predictions.histories.empty()) return;
   const HistoryResiduals residuals(subject.Condensed(), predictions.histories, {});
-  results.text += "Not fitted:\n";
-  results.json["validation"] = HistoryMisfitsJson(Show(experiment.plan, subject.vehicle(), residuals, fit.values,
-                                                       predictions.modelled, false, "validation", results));
+  results.unseen_text += "Not fitted:\n";
+  results.json["validation"] =
+      HistoryMisfitsJson(Show(experiment.plan, subject.vehicle(), residuals, fit.values, predictions.modelled, false,
+                              "validation", results.unseen_text, results));
   for (std::size_t h = 0; h < predictions.by.size(); ++h)
     AddEngine(predictions.histories[h].name, false, predictions.by[h], error, results);
   AddMotions(subject.Condensed()->At(fit.values), residuals, motions);
@@ -132,7 +132,7 @@ ExperimentResults TimeHistories::Results(const Subject& subject, const FitResult
     const HistoryResiduals residuals(subject.Condensed(), fitted, Options(subject));
     const std::vector<HistoryMisfit> misfits =
         Show(plan, subject.vehicle(), residuals, fit.values, residuals.Modelled(fit.values),
-             plan.cost == HistoryCost::kPrediction, "history", results);
+             plan.cost == HistoryCost::kPrediction, "history", results.text, results);
     results.json["channels"] = HistoryMisfitsJson(misfits);
     results.json["history_cost"] = kHistoryCostNames[static_cast<std::size_t>(plan.cost)];
     results.shares = ErrorShares(misfits);

@@ -3,12 +3,13 @@
 #include <gmock/gmock.h>
 
 #include "analysis/files/csv.h"
+#include "analysis/files/findings.h"
+#include "tests/findings.h"
 
 namespace fourpost {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 CsvTable Parse(std::string_view text, CsvHeader header = CsvHeader::kNamesAndUnits) {
   Diagnostics diagnostics;
@@ -17,11 +18,11 @@ CsvTable Parse(std::string_view text, CsvHeader header = CsvHeader::kNamesAndUni
   return *table;
 }
 
-std::string Faults(std::string_view text) {
+Diagnostics Faults(std::string_view text) {
   Diagnostics diagnostics;
   const std::optional<CsvTable> table = ParseCsv(text, "t.csv", diagnostics, CsvHeader::kNamesAndUnits);
   if (table) table->Numbers(1, diagnostics);
-  return diagnostics.Format();
+  return diagnostics;
 }
 
 /// The same two samples as a system writes them.
@@ -81,51 +82,41 @@ TEST(CsvDialect, TakesARowOfPureNumbersFor1) {
 }
 
 TEST(CsvDialectFault, TwoDecimalSigns) {
-  EXPECT_THAT(Faults("time;F\ns;N\n0;1,5\n1;2.5\n"), HasSubstr("t.csv:4: error: F '2.5' is not a finite number"));
-  EXPECT_THAT(Faults("time;F\ns;N\n0;1.234,5\n1;2,5\n"), HasSubstr("F '1.234,5' is not a finite number"));
+  EXPECT_THAT(Faults("time;F\ns;N\n0;1,5\n1;2.5\n"), Reports(kCsvNotANumber, 4, {"'2.5'"}));
+  EXPECT_THAT(Faults("time;F\ns;N\n0;1.234,5\n1;2,5\n"), Reports(kCsvNotANumber, {"'1.234,5'"}));
 }
 
 TEST(CsvDialectFault, RowsOfAnotherLength) {
-  EXPECT_EQ(Faults("time;F\ns;N\n0;1,5\n1\n"), "t.csv:4: error: the row has 1 field, the header 2");
-  EXPECT_EQ(Faults("time;F;\ns;N;\n0;1,5;7\n"), "t.csv:3: error: the row has 3 fields, the header 2");
+  EXPECT_THAT(Faults("time;F\ns;N\n0;1,5\n1\n"), ReportsOnly(kCsvRowLength, 4, {"1", "2"}));
+  EXPECT_THAT(Faults("time;F;\ns;N;\n0;1,5;7\n"), ReportsOnly(kCsvRowLength, 3, {"3", "2"}));
 }
 
 TEST(CsvDialectFault, LinesAboveTheNames) {
   std::string rows = "time,F,x\ns,N,m\n";
   for (int i = 0; i < 100; ++i) rows += "0," + std::to_string(i) + ",2\n";
-  EXPECT_EQ(Faults("Recorder 7\nof Monday\n" + rows),
-            "t.csv:1: error: the names have 1 column, the rows below 3: remove the lines above the names");
+  EXPECT_THAT(Faults("Recorder 7\nof Monday\n" + rows), ReportsOnly(kCsvLinesAboveNames, 1, {"1", "3"}));
   Diagnostics diagnostics;
   EXPECT_FALSE(ParseCsv("Recorder,7\n" + rows, "t.csv", diagnostics));
-  EXPECT_EQ(diagnostics.Format(),
-            "t.csv:1: error: the names have 2 columns, the rows below 3: remove the lines above the names, or name the "
-            "last column, which may be empty");
-  EXPECT_EQ(Faults("t,F,x\ns,N,m\n0,1\n1,1\n2,1\n"),
-            "t.csv:1: error: the names have 3 columns, the rows below 2: name as many columns as there are");
-  EXPECT_EQ(Faults("t,F\ns,N\n0,1,1,5\n0,2,2,5\n0,3,3,5\n"),
-            "t.csv:1: error: the names have 2 columns, the rows below 4: remove the lines above the names; or separate "
-            "columns by semicolons where decimals have commas");
+  EXPECT_THAT(diagnostics, ReportsOnly(kCsvLastColumnUnnamed, 1, {"2", "3"}));
+  EXPECT_THAT(Faults("t,F,x\ns,N,m\n0,1\n1,1\n2,1\n"), ReportsOnly(kCsvTooManyNames, 1, {"3", "2"}));
+  EXPECT_THAT(Faults("t,F\ns,N\n0,1,1,5\n0,2,2,5\n0,3,3,5\n"), ReportsOnly(kCsvDecimalCommas, 1, {"2", "4"}));
 }
 
 TEST(CsvDialectFault, AnotherSeparator) {
-  EXPECT_EQ(Faults("time|F\ns|N\n0|1.5\n0.1 | 2\n"),
-            "t.csv:1: error: separates its columns by '|'; save it with commas, semicolons or tabs");
-  EXPECT_EQ(Faults("time  F\n   s  N\n   0  1.5\n 0.1  2\n"),
-            "t.csv:1: error: separates its columns by blanks; save it with commas, semicolons or tabs");
+  EXPECT_THAT(Faults("time|F\ns|N\n0|1.5\n0.1 | 2\n"), ReportsOnly(kCsvSeparator, 1, {"'|'"}));
+  EXPECT_THAT(Faults("time  F\n   s  N\n   0  1.5\n 0.1  2\n"), ReportsOnly(kCsvSeparator, 1));
 }
 
 TEST(CsvDialectFault, LinesThatEndWithCarriageReturns) {
-  EXPECT_EQ(Faults("time,F\rs,N\r0,1.5\r0.1,2\r"),
-            "t.csv: error: ends its lines with CR alone; save it with line ends of Unix (LF) or Windows (CRLF)");
+  EXPECT_THAT(Faults("time,F\rs,N\r0,1.5\r0.1,2\r"), ReportsOnly(kCsvLineEnds, 0));
 }
 
 TEST(CsvDialectFault, Binary) {
-  EXPECT_EQ(Faults(std::string("PK\x03\x04\n\0,\0\n,,", 11)),
-            "t.csv: error: is no text but a binary file; export the table as CSV, or as MAT and name it .mat");
+  EXPECT_THAT(Faults(std::string("PK\x03\x04\n\0,\0\n,,", 11)), ReportsOnly(kCsvBinary, 0));
 }
 
 TEST(CsvDialectFault, Utf16) {
-  EXPECT_EQ(Faults(std::string("\xFF\xFEt\0i\0", 6)), "t.csv: error: is written in UTF-16; save it as UTF-8");
+  EXPECT_THAT(Faults(std::string("\xFF\xFEt\0i\0", 6)), ReportsOnly(kCsvUtf16, 0, {"16", "8"}));
 }
 
 }  // namespace

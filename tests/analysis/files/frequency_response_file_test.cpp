@@ -6,15 +6,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/files/findings.h"
 #include "tests/analysis/faults_of.h"
 #include "tests/analysis/files/mat_writer.h"
+#include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 constexpr double kRadian = std::numbers::pi / 180;
@@ -43,7 +44,7 @@ FrequencyResponse ReadGood(const std::string& text) {
   return *response;
 }
 
-std::string Faults(const std::string& text) { return FaultsOf("frf.csv", text, ReadFrequencyResponse); }
+Diagnostics Faults(const std::string& text) { return FaultsOf("frf.csv", text, ReadFrequencyResponse); }
 
 TEST(FrequencyResponseFile, HasItsFrequenciesAmplitudesAndChannels) {
   const FrequencyResponse response = ReadGood(kGood);
@@ -189,8 +190,7 @@ TEST(FrequencyResponseFile, OfMatlabTellsRows) {
   }
   Diagnostics diagnostics;
   EXPECT_FALSE(ReadFrequencyResponse(file, diagnostics));
-  EXPECT_THAT(diagnostics.Format(),
-              HasSubstr("frf.mat: error: row 2: s_FL at 1 Hz: gain -1 must be above zero; correct it"));
+  EXPECT_THAT(diagnostics, Reports(kFieldNotPositive, 0, {"2", "1 Hz", "-1"}));
 }
 
 TEST(FrequencyResponseFile, OfTheLandRoverIsRead) {
@@ -207,147 +207,121 @@ TEST(FrequencyResponseFile, OfTheLandRoverIsRead) {
 }
 
 TEST(FrequencyResponseFault, MissingColumn) {
-  EXPECT_EQ(Faults("frequency_Hz,post_amplitude_m,channel,gain,phase_sd_deg\n1,0.01,a_cg,1,0\n"),
-            "frf.csv:1: error: column 'phase_deg' is missing; add it");
+  EXPECT_THAT(Faults("frequency_Hz,post_amplitude_m,channel,gain,phase_sd_deg\n1,0.01,a_cg,1,0\n"),
+              ReportsOnly(kColumnMissing, 1, {"'phase_deg'"}));
 }
 
 TEST(FrequencyResponseFault, UnknownColumn) {
-  EXPECT_EQ(Faults(Replace(kGood, "second_harmonic", "second_harmonics")),
-            "frf.csv:1: error: unknown column 'second_harmonics', did you mean 'second_harmonic'?");
+  EXPECT_THAT(Faults(Replace(kGood, "second_harmonic", "second_harmonics")),
+              ReportsOnly(kColumnUnknown, 1, {"'second_harmonics'", "'second_harmonic'"}));
 }
 
 TEST(FrequencyResponseFault, MissingGain) {
   for (const char* gain : {"", "NaN"})
-    EXPECT_EQ(Faults(Replace(kGood, "1.34", gain)),
-              "frf.csv:5: error: a_cg at 3.2 Hz: gain is missing (NaN); remove the whole frequency or repeat the "
-              "measurement");
+    EXPECT_THAT(Faults(Replace(kGood, "1.34", gain)), ReportsOnly(kFieldMissing, 5, {"3.2 Hz"}));
 }
 
 TEST(FrequencyResponseFault, GainThatIsNotANumber) {
-  EXPECT_EQ(Faults(Replace(kGood, "1.34", "1.3.4")),
-            "frf.csv:5: error: a_cg at 3.2 Hz: gain '1.3.4' is not a finite number; correct it");
+  EXPECT_THAT(Faults(Replace(kGood, "1.34", "1.3.4")), ReportsOnly(kFieldNotANumber, 5, {"'1.3.4'", "3.2 Hz"}));
 }
 
 TEST(FrequencyResponseFault, GainNotAboveZero) {
-  EXPECT_EQ(Faults(Replace(kGood, "1.34", "0")),
-            "frf.csv:5: error: a_cg at 3.2 Hz: gain 0 must be above zero; correct it");
-  EXPECT_EQ(Faults(Replace(kGood, "1.34", "-1.34")),
-            "frf.csv:5: error: a_cg at 3.2 Hz: gain -1.34 must be above zero; correct it");
+  EXPECT_THAT(Faults(Replace(kGood, "1.34", "0")), ReportsOnly(kFieldNotPositive, 5, {"3.2 Hz", "0"}));
+  EXPECT_THAT(Faults(Replace(kGood, "1.34", "-1.34")), ReportsOnly(kFieldNotPositive, 5, {"3.2 Hz", "-1.34"}));
 }
 
 TEST(FrequencyResponseFault, MissingPhase) {
-  EXPECT_EQ(Faults(Replace(kGood, "-95", "nan")),
-            "frf.csv:5: error: a_cg at 3.2 Hz: phase_deg is missing (NaN); remove the whole frequency or repeat the "
-            "measurement");
+  EXPECT_THAT(Faults(Replace(kGood, "-95", "nan")), ReportsOnly(kFieldMissing, 5, {"3.2 Hz"}));
 }
 
 TEST(FrequencyResponseFault, PhaseThatIsNotANumber) {
-  EXPECT_EQ(Faults(Replace(kGood, "-95", "lag")),
-            "frf.csv:5: error: a_cg at 3.2 Hz: phase_deg 'lag' is not a finite number; correct it");
+  EXPECT_THAT(Faults(Replace(kGood, "-95", "lag")), ReportsOnly(kFieldNotANumber, 5, {"'lag'", "3.2 Hz"}));
 }
 
 TEST(FrequencyResponseFault, NegativeDeviation) {
-  EXPECT_EQ(Faults(Replace(kGood, "0.02,", "-0.02,")),
-            "frf.csv:5: error: a_cg at 3.2 Hz: gain_sd -0.02 must not be negative; correct it");
-  EXPECT_EQ(Faults(Replace(kGood, "1.6,", "-1.6,")),
-            "frf.csv:6: error: s_FL at 3.2 Hz: phase_sd_deg -1.6 must not be negative; correct it");
+  EXPECT_THAT(Faults(Replace(kGood, "0.02,", "-0.02,")), ReportsOnly(kFieldNegative, 5, {"3.2 Hz", "-0.02"}));
+  EXPECT_THAT(Faults(Replace(kGood, "1.6,", "-1.6,")), ReportsOnly(kFieldNegative, 6, {"3.2 Hz", "-1.6"}));
 }
 
 TEST(FrequencyResponseFault, NegativeSecondHarmonic) {
-  EXPECT_EQ(Faults(Replace(kGood, "6e-6", "-6e-6")),
-            "frf.csv:5: error: a_cg at 3.2 Hz: second_harmonic -6e-6 must not be negative; correct it");
+  EXPECT_THAT(Faults(Replace(kGood, "6e-6", "-6e-6")), ReportsOnly(kFieldNegative, 5, {"3.2 Hz", "-6e-6"}));
 }
 
 TEST(FrequencyResponseFault, OptionalValueThatIsNotANumber) {
-  EXPECT_EQ(Faults(Replace(kGood, "0.004", "low")),
-            "frf.csv:6: error: s_FL at 3.2 Hz: mean 'low' is not a finite number; correct it");
+  EXPECT_THAT(Faults(Replace(kGood, "0.004", "low")), ReportsOnly(kFieldNotANumber, 6, {"'low'", "3.2 Hz"}));
 }
 
 TEST(FrequencyResponseFault, BlankInOnlySomeRows) {
-  EXPECT_EQ(Faults(Replace(kGood, "0.004", "")),
-            "frf.csv:6: error: s_FL at 3.2 Hz: mean is missing, but is there at other frequencies; fill it in for all "
-            "of them or for none");
+  EXPECT_THAT(Faults(Replace(kGood, "0.004", "")), ReportsOnly(kFieldNotEverywhere, 6, {"3.2 Hz"}));
 }
 
 TEST(FrequencyResponseFault, FrequencyNotAboveZero) {
-  EXPECT_EQ(Faults(Replace(kGood, "3.2,0.007,a_cg", "0,0.007,a_cg")),
-            "frf.csv:5: error: a_cg at 0 Hz: frequency_Hz 0 must be above zero; correct it");
+  EXPECT_THAT(Faults(Replace(kGood, "3.2,0.007,a_cg", "0,0.007,a_cg")),
+              ReportsOnly(kFieldNotPositive, 5, {"0 Hz", "0"}));
 }
 
 TEST(FrequencyResponseFault, FrequenciesThatDoNotIncrease) {
-  EXPECT_EQ(Faults("frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n"
-                   "1,0.01,a_cg,1,0\n3,0.01,a_cg,1,0\n2,0.01,a_cg,1,0\n4,0.01,a_cg,1,0\n"),
-            "frf.csv:4: error: a_cg at 2 Hz: frequencies must increase, but 3 Hz stands above it; sort the rows");
+  EXPECT_THAT(Faults("frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n"
+                     "1,0.01,a_cg,1,0\n3,0.01,a_cg,1,0\n2,0.01,a_cg,1,0\n4,0.01,a_cg,1,0\n"),
+              ReportsOnly(kFrequenciesUnsorted, 4, {"2 Hz", "3 Hz"}));
 }
 
 TEST(FrequencyResponseFault, AmplitudeNotAboveZero) {
-  EXPECT_EQ(Faults(Replace(kGood, "0.007,a_cg", "-0.007,a_cg")),
-            "frf.csv:5: error: a_cg at 3.2 Hz: post_amplitude_m -0.007 must be above zero; correct it");
+  EXPECT_THAT(Faults(Replace(kGood, "0.007,a_cg", "-0.007,a_cg")),
+              ReportsOnly(kFieldNotPositive, 5, {"3.2 Hz", "-0.007"}));
 }
 
 TEST(FrequencyResponseFault, TwoAmplitudesAtOneFrequency) {
-  EXPECT_EQ(Faults(Replace(kGood, "0.007,s_FL", "0.008,s_FL")),
-            "frf.csv:6: error: s_FL at 3.2 Hz: post_amplitude_m is 0.008, but 0.007 in line 5; a frequency has one "
-            "amplitude");
+  EXPECT_THAT(Faults(Replace(kGood, "0.007,s_FL", "0.008,s_FL")),
+              ReportsOnly(kAmplitudesDiffer, 6, {"3.2 Hz", "0.008", "0.007", "5"}));
 }
 
 TEST(FrequencyResponseFault, ChannelWithoutName) {
-  EXPECT_EQ(Faults(Replace(kGood, "0.007,s_FL", "0.007,")),
-            "frf.csv:6: error: the channel has no name; write one or remove the row");
+  EXPECT_THAT(Faults(Replace(kGood, "0.007,s_FL", "0.007,")), ReportsOnly(kChannelNameless, 6));
 }
 
 TEST(FrequencyResponseFault, ChannelMissingAtAFrequency) {
-  EXPECT_EQ(Faults(Replace(kGood, "3.2,0.007,s_FL,0.45,10,0.003,1.6,0.004,2e-5\n", "")),
-            "frf.csv:5: error: at 3.2 Hz there is no s_FL; add what is missing or remove the whole frequency");
+  EXPECT_THAT(Faults(Replace(kGood, "3.2,0.007,s_FL,0.45,10,0.003,1.6,0.004,2e-5\n", "")),
+              ReportsOnly(kChannelsMissing, 5, {"3.2 Hz"}));
 }
 
 TEST(FrequencyResponseFault, ChannelTwiceAtOneFrequency) {
-  EXPECT_EQ(Faults(std::string(kGood) + "3.2,0.007,a_cg,1.34,-95,0.02,0.3,,6e-6\n"),
-            "frf.csv:8: error: a_cg at 3.2 Hz: the channel is there twice; remove one of the two rows");
+  EXPECT_THAT(Faults(std::string(kGood) + "3.2,0.007,a_cg,1.34,-95,0.02,0.3,,6e-6\n"),
+              ReportsOnly(kChannelTwice, 8, {"3.2 Hz"}));
 }
 
 TEST(FrequencyResponseFault, NameThatDoesNotTellTheUnit) {
   const std::string file =
       "frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n1,0.01,engine,1,0\n2,0.01,engine,1,0\n";
-  EXPECT_EQ(Faults(file),
-            "frf.csv:2: error: the unit of engine is not to be told from its name (a_ for m/s^2, s_ for m, F_ for N); "
-            "add a column 'unit'");
+  EXPECT_THAT(Faults(file), ReportsOnly(kChannelUnitUnknown, 2, {"'unit'", "2"}));
 }
 
 TEST(FrequencyResponseFault, UnknownUnit) {
-  EXPECT_EQ(Faults(Replace(kGoodWithUnits, "mm", "inch")),
-            "frf.csv:3: error: strut: the unit 'inch' is not one of a length, a force, an acceleration or an angular "
-            "velocity; write one like mm, kN, m/s^2 or deg/s");
+  EXPECT_THAT(Faults(Replace(kGoodWithUnits, "mm", "inch")), ReportsOnly(kChannelUnit, 3, {"'inch'", "2"}));
 }
 
 TEST(FrequencyResponseFault, UnitOfAnotherDimension) {
   // Grams, where the user thinks of gravity.
-  EXPECT_EQ(Faults(Replace(kGoodWithUnits, "cm/s^2", "g")),
-            "frf.csv:2: error: body: the unit 'g' is not one of a length, a force, an acceleration or an angular "
-            "velocity; write one like mm, kN, m/s^2 or deg/s");
+  EXPECT_THAT(Faults(Replace(kGoodWithUnits, "cm/s^2", "g")), ReportsOnly(kChannelUnit, 2, {"'g'", "2"}));
 }
 
 // Not even of the dimension of rad/s: a turn a second is 2 pi of them, and an angle is no rate.
 TEST(FrequencyResponseFault, UnitOfNoAngularVelocity) {
   for (const std::string unit : {"Hz", "1/s", "rad", "deg/s^2"})
-    EXPECT_EQ(Faults(Gyro(unit)), "frf.csv:2: error: pitch_rate: the unit '" + unit +
-                                      "' is not one of a length, a force, an acceleration or an angular velocity; "
-                                      "write one like mm, kN, m/s^2 or deg/s");
+    EXPECT_THAT(Faults(Gyro(unit)), ReportsOnly(kChannelUnit, 2, {"pitch_rate", "'" + unit + "'"}));
 }
 
 TEST(FrequencyResponseFault, UnitThatChanges) {
-  EXPECT_EQ(Faults(std::string("frequency_Hz,post_amplitude_m,channel,unit,gain,phase_deg\n"
-                               "1,0.01,strut,mm,1,0\n2,0.01,strut,m,1,0\n")),
-            "frf.csv:3: error: strut at 2 Hz: the unit is 'm', but 'mm' in line 2; a channel has one unit");
+  EXPECT_THAT(Faults(std::string("frequency_Hz,post_amplitude_m,channel,unit,gain,phase_deg\n"
+                                 "1,0.01,strut,mm,1,0\n2,0.01,strut,m,1,0\n")),
+              ReportsOnly(kChannelUnitsDiffer, 3, {"'m'", "'mm'", "2 Hz", "2"}));
 }
 
 TEST(FrequencyResponseFault, AllAreReportedAtOnce) {
-  EXPECT_EQ(Faults(Replace(Replace(Replace(kGood, "1.02", ""), "0.007,s_FL", "0.008,s_FL"), "9100", "x")),
-            "frf.csv:2: error: a_cg at 0.5 Hz: gain is missing (NaN); remove the whole frequency or repeat the "
-            "measurement\n"
-            "frf.csv:6: error: s_FL at 3.2 Hz: post_amplitude_m is 0.008, but 0.007 in line 5; a frequency has one "
-            "amplitude\n"
-            "frf.csv:7: error: F_FL at 3.2 Hz: gain 'x' is not a finite number; correct it");
+  EXPECT_THAT(
+      Faults(Replace(Replace(Replace(kGood, "1.02", ""), "0.007,s_FL", "0.008,s_FL"), "9100", "x")),
+      AllOf(Reports(kFieldMissing, 2, {"0.5 Hz"}), Reports(kAmplitudesDiffer, 6, {"3.2 Hz", "0.008", "0.007", "5"}),
+            Reports(kFieldNotANumber, 7, {"'x'", "3.2 Hz"})));
 }
 
 TEST(FrequencyResponseFault, UnreadableFile) {
@@ -355,20 +329,19 @@ TEST(FrequencyResponseFault, UnreadableFile) {
   const std::string path = folder.path() / "frf.csv";
   Diagnostics diagnostics;
   EXPECT_FALSE(ReadFrequencyResponse(path, diagnostics));
-  EXPECT_EQ(diagnostics.Format(), path + ": error: cannot be read: No such file or directory");
+  EXPECT_THAT(diagnostics, ReportsOnly(kFileUnreadable, 0));
 }
 
 TEST(FrequencyResponseFile, TellsOnceOfAResultThatIsNoRecording) {
-  EXPECT_EQ(Faults("recording,channel,frequency_Hz,post_amplitude_m,gain_measured,gain_modelled\n"
-                   "bounce,a_cg,1,0.01,1,1\nbounce,a_cg,2,0.01,1,1\npitch,a_cg,1,0.01,1,1\n"),
-            "frf.csv:1: error: is a result, in which measurement and model stand side by side (bounce, pitch): name a "
-            "recording itself, as the `recordings` of a study do");
+  EXPECT_THAT(Faults("recording,channel,frequency_Hz,post_amplitude_m,gain_measured,gain_modelled\n"
+                     "bounce,a_cg,1,0.01,1,1\nbounce,a_cg,2,0.01,1,1\npitch,a_cg,1,0.01,1,1\n"),
+              ReportsOnly(kComparisonAsRecording, 1));
 }
 
 TEST(FrequencyResponseFile, ATimeHistoryIsToldWhereItBelongs) {
-  const std::string told = "frf.csv:1: error: is a time history, not a stepped sine: list it under 'histories'";
-  EXPECT_EQ(Faults("time,z_ground,a_body\ns,m,m/s^2\n0,0,0\n0.1,0,1\n"), told);
-  EXPECT_EQ(Faults("Time [s],z_ground [m]\n0,0\n0.1,0\n"), told);
+  const auto sends_it_there = ReportsOnly(kHistoryAsSteppedSine, 1);
+  EXPECT_THAT(Faults("time,z_ground,a_body\ns,m,m/s^2\n0,0,0\n0.1,0,1\n"), sends_it_there);
+  EXPECT_THAT(Faults("Time [s],z_ground [m]\n0,0\n0.1,0\n"), sends_it_there);
 }
 
 }  // namespace

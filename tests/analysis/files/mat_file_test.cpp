@@ -7,15 +7,17 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/files/findings.h"
+#include "analysis/files/mat/findings.h"
 #include "analysis/files/time_recording.h"
 #include "tests/analysis/files/mat_writer.h"
+#include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 std::vector<MatVector> Read(const std::string& file) {
   Diagnostics diagnostics;
@@ -24,10 +26,10 @@ std::vector<MatVector> Read(const std::string& file) {
   return *vectors;
 }
 
-std::string Faults(const std::string& file) {
+Diagnostics Faults(const std::string& file) {
   Diagnostics diagnostics;
   EXPECT_FALSE(ReadMatFile(file, diagnostics));
-  return diagnostics.Format();
+  return diagnostics;
 }
 
 class MatVersions : public testing::TestWithParam<mat_ft> {
@@ -153,10 +155,7 @@ TEST_F(MatFile, WithoutUnitsSaysWhereTheyGo) {
   Diagnostics diagnostics;
   const std::vector<RecordedChannel> wanted = {{.names = {"force"}, .dimension = kForce, .what = "the force"}};
   EXPECT_FALSE(ReadTimeRecording(file_, wanted, diagnostics));
-  EXPECT_THAT(
-      diagnostics.Format(),
-      HasSubstr("run.mat: error: column 'force', the force, has no unit; write that of a force such as 'N' as a "
-                "text 'force_unit' in the file, or name it in the study: {channel: force, unit: N}"));
+  EXPECT_THAT(diagnostics, Reports(kUnitMissing, 0, {"'force'", "'N'", "'force_unit'"}));
 }
 
 TEST_F(MatFile, TellsLengthsThatDiffer) {
@@ -165,21 +164,21 @@ TEST_F(MatFile, TellsLengthsThatDiffer) {
   Diagnostics diagnostics;
   const std::vector<RecordedChannel> wanted = {{.names = {"force"}, .dimension = kForce, .what = "the force"}};
   EXPECT_FALSE(ReadTimeRecording(file_, wanted, diagnostics));
-  EXPECT_THAT(diagnostics.Format(), HasSubstr("column 'force' has 3 samples, the times are 4"));
+  EXPECT_THAT(diagnostics, Reports(kSamplesDiffer, {"'force'", "3", "4"}));
 }
 
 TEST_F(MatFile, RefusesWhatIsNone) {
-  EXPECT_THAT(Faults(folder_.Write("run.mat", "time,force\n1,2\n")), HasSubstr("is no MAT file"));
-  EXPECT_THAT(Faults(folder_.Write("run.mat", "")), HasSubstr("holds no vector of real numbers"));
-  EXPECT_THAT(Faults((folder_.path() / "none.mat").string()), HasSubstr("cannot be read"));
+  EXPECT_THAT(Faults(folder_.Write("run.mat", "time,force\n1,2\n")), Reports(kMatNotReadable));
+  EXPECT_THAT(Faults(folder_.Write("run.mat", "")), Reports(kMatNoVector));
+  EXPECT_THAT(Faults((folder_.path() / "none.mat").string()), Reports(kFileUnreadable));
   Write({MatWriter::Text("comment", "nothing else")});
-  EXPECT_THAT(Faults(file_), HasSubstr("holds no vector of real numbers"));
+  EXPECT_THAT(Faults(file_), Reports(kMatNoVector));
 }
 
 TEST_F(MatFile, TellsTwoVectorsOfOneName) {
   Write(
       {MatWriter::Column("force", {1, 2}), MatWriter::Struct("run", {{"force", MatWriter::Column(nullptr, {5, 6})}})});
-  EXPECT_THAT(Faults(file_), HasSubstr("holds two vectors called 'force'"));
+  EXPECT_THAT(Faults(file_), Reports(kMatVectorTwice, {"'force'"}));
 }
 
 TEST_F(MatFile, OfVersion4ThatIsCutShortIsNoRecording) {
@@ -193,8 +192,7 @@ TEST_F(MatFile, OfVersion4ThatIsCutShortIsNoRecording) {
   for (const std::size_t size : {whole.size() - 1, whole.size() - 4000, whole.size() - 8003, whole.size() - 8010,
                                  std::size_t{4000}, std::size_t{100}}) {
     SCOPED_TRACE(size);
-    EXPECT_THAT(Faults(folder_.Write("run.mat", whole.substr(0, size))),
-                HasSubstr("is cut short; save or copy it again"));
+    EXPECT_THAT(Faults(folder_.Write("run.mat", whole.substr(0, size))), Reports(kMatCutShort));
   }
   // The first alone is a file as well.
   Diagnostics diagnostics;
@@ -274,13 +272,12 @@ TEST_F(RawMatFile, HoldsNumbersOfEitherOrderOfBytes) {
 TEST_F(RawMatFile, HoldsCompressedVariables) {
   EXPECT_THAT(Read(Make(raw_.Compressed(force_)))[0].values, ElementsAre(1, 2, 3));
   const std::string packed = raw_.Compressed(force_);
-  EXPECT_THAT(Faults(Make(packed.substr(0, 8) + std::string(packed.size() - 8, 'x'))),
-              HasSubstr("is damaged: a compressed variable cannot be unpacked"));
+  EXPECT_THAT(Faults(Make(packed.substr(0, 8) + std::string(packed.size() - 8, 'x'))), Reports(kMatInflate));
 }
 
 TEST_F(RawMatFile, HoldsOnlyTheNumbersThatAreThere) {
   EXPECT_THAT(Faults(Make(raw_.Matrix(6, 1, 100000, "force", raw_.Doubles(std::vector<double>(400, 1.0))))),
-              HasSubstr("is damaged: variable 'force' holds 400 numbers, its dimensions say 100000"));
+              Reports(kMatLength, {"'force'", "400", "100000"}));
 }
 
 TEST_F(RawMatFile, HoldsOnlyTheCharactersThatAreThere) {
@@ -288,18 +285,18 @@ TEST_F(RawMatFile, HoldsOnlyTheCharactersThatAreThere) {
       Read(Make(force_ + raw_.Matrix(4, 1, 4000, "force_unit", raw_.Element(16, "N"))));
   EXPECT_EQ(vectors[0].unit, "N");
   EXPECT_THAT(Faults(Make(force_ + raw_.Matrix(4, 1u << 30, 1, "force_unit", raw_.Element(16, "N")))),
-              HasSubstr("holds 1 characters, its dimensions say 1073741824"));
+              Reports(kMatLength, {"1", "1073741824"}));
   EXPECT_EQ(Read(Make(force_ + raw_.Matrix(4, 0x7FFFFFFF, 0, "note", raw_.Element(16, "")))).size(), 1u);
 }
 
 TEST_F(RawMatFile, HoldsOnlyTheCellsThatAreThere) {
-  EXPECT_THAT(Faults(Make(force_ + raw_.Matrix(1, 1, 0x7FFFFFFF, "names", ""))), HasSubstr("is cut short"));
+  EXPECT_THAT(Faults(Make(force_ + raw_.Matrix(1, 1, 0x7FFFFFFF, "names", ""))), Reports(kMatCutShort));
 }
 
 TEST_F(RawMatFile, HasNoCellsWithinCellsWithoutEnd) {
   std::string cell = raw_.Matrix(6, 0, 0, "", raw_.Doubles({}));
   for (int i = 0; i < 10000; ++i) cell = raw_.Matrix(1, 1, 1, "", cell);
-  EXPECT_THAT(Faults(Make(force_ + cell)), HasSubstr("deep in each other"));
+  EXPECT_THAT(Faults(Make(force_ + cell)), Reports(kMatDepth));
 }
 
 TEST_F(RawMatFile, SaysWhichCharactersItsUnitHas) {
@@ -324,7 +321,7 @@ void WriteEmptyHdf5(const std::string& file, hsize_t length) {
 
 TEST_F(MatFile, OfVersion73HoldsOnlyTheNumbersThatAreThere) {
   WriteEmptyHdf5(file_, hsize_t{1} << 40);
-  EXPECT_THAT(Faults(file_), HasSubstr("variable 'force' has 1099511627776 elements and stores 0 bytes of them"));
+  EXPECT_THAT(Faults(file_), Reports(kMatStorage, {"'force'", "1099511627776", "0"}));
 }
 
 TEST_F(MatFile, OfVersion73ThatIsDamagedLeavesTheTerminalAlone) {
@@ -335,14 +332,15 @@ TEST_F(MatFile, OfVersion73ThatIsDamagedLeavesTheTerminalAlone) {
   std::string bytes = ReadText(file_);
   bytes.resize(bytes.size() / 2);
   testing::internal::CaptureStderr();
-  EXPECT_THAT(Faults(folder_.Write("run.mat", bytes)), HasSubstr("is damaged: "));
+  EXPECT_THAT(Faults(folder_.Write("run.mat", bytes)).items(),
+              ElementsAre(testing::Field(&Diagnostic::id, testing::StartsWith("mat-"))));
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 TEST_F(MatFile, ThatIsCutShortIsNoRecording) {
   Write({MatWriter::Column("force", std::vector<double>(1000, 1.0))});
   std::filesystem::resize_file(file_, std::filesystem::file_size(file_) / 2);
-  EXPECT_THAT(Faults(file_), HasSubstr("is cut short; save or copy it again"));
+  EXPECT_THAT(Faults(file_), Reports(kMatCutShort));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/files/findings.h"
+#include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
@@ -14,7 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::IsEmpty;
-using ::testing::MatchesRegex;
 using ::testing::UnorderedElementsAre;
 
 std::set<std::string> Names(const fs::path& folder) {
@@ -23,13 +24,15 @@ std::set<std::string> Names(const fs::path& folder) {
   return names;
 }
 
-std::string OutputErrorOf(const std::function<void()>& action) {
+/// Of an action that must fail.
+Diagnostics OutputErrorOf(const std::function<void()>& action) {
   try {
     action();
   } catch (const OutputError& error) {
-    return error.what();
+    return error.diagnostics();
   }
-  return "no OutputError";
+  ADD_FAILURE() << "no OutputError";
+  return {};
 }
 
 OutputFolder TwoFiles(const fs::path& folder) {
@@ -87,16 +90,15 @@ TEST(OutputFolder, WritesAllBytesOfALargeFile) {
 TEST(OutputFolder, RefusesFilesThatAreNotOfAnEarlierRun) {
   const TemporaryFolder temporary;
   temporary.Write("thesis.doc", "years of work");
-  EXPECT_EQ(
-      OutputErrorOf([&] { OutputFolder output(temporary.path()); }),
-      temporary.path().string() + ": holds files, but no result.json of an earlier run; name a new or an empty folder");
+  const Diagnostics found = OutputErrorOf([&] { OutputFolder output(temporary.path()); });
+  EXPECT_THAT(found, ReportsOnly(kFolderHoldsFiles, 0, {"result.json"}));
+  EXPECT_EQ(found.items().at(0).place.file, temporary.path().string());
 }
 
 TEST(OutputFolder, RefusesTheNameOfAFile) {
   const TemporaryFolder temporary;
   const fs::path file = temporary.Write("run", "");
-  EXPECT_EQ(OutputErrorOf([&] { OutputFolder output(file); }),
-            file.string() + ": is not a folder; name another one for the results");
+  EXPECT_THAT(OutputErrorOf([&] { OutputFolder output(file); }), ReportsOnly(kFolderIsAFile, 0));
 }
 
 TEST(OutputFolder, IsTakenForOursByTheTraceOfARun) {
@@ -156,34 +158,33 @@ TEST(OutputFolder, OfTwoAtOnceIsThatOfOneOfThem) {
 TEST(OutputFolder, RefusesAPathThroughAFile) {
   const TemporaryFolder temporary;
   const fs::path file = temporary.Write("run", "");
-  EXPECT_EQ(OutputErrorOf([&] { OutputFolder output(file / "first"); }),
-            file.string() + ": is not a folder; name another one for the results");
+  const Diagnostics found = OutputErrorOf([&] { OutputFolder output(file / "first"); });
+  EXPECT_THAT(found, ReportsOnly(kFolderIsAFile, 0));
+  EXPECT_EQ(found.items().at(0).place.file, file.string());
 }
 
 TEST(OutputFolder, RefusesALinkToNothing) {
   const TemporaryFolder temporary;
   const fs::path link = temporary.path() / "run";
   fs::create_symlink(temporary.path() / "nothing", link);
-  EXPECT_EQ(OutputErrorOf([&] { OutputFolder output(link); }),
-            link.string() + ": is not a folder; name another one for the results");
+  EXPECT_THAT(OutputErrorOf([&] { OutputFolder output(link); }), ReportsOnly(kFolderIsAFile, 0));
 }
 
 TEST(OutputFolder, RefusesANameThatTheSystemCannotTake) {
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path() / std::string(300, 'x');
-  EXPECT_EQ(OutputErrorOf([&] { OutputFolder output(folder); }),
-            folder.string() + ": cannot be written to (File name too long); allow it or name another folder");
+  EXPECT_THAT(OutputErrorOf([&] { OutputFolder output(folder); }),
+              ReportsOnly(kFolderNotWritable, 0, {"File name too long"}));
 }
 
 TEST(OutputFolder, RefusesAnEmptyName) {
-  EXPECT_EQ(OutputErrorOf([] { OutputFolder output(""); }), "the folder for the results has no name; name one");
+  EXPECT_THAT(OutputErrorOf([] { OutputFolder output(""); }), ReportsOnly(kFolderNameless, 0));
 }
 
 TEST(OutputFolder, RefusesAPlaceThatCannotBeWrittenTo) {
   // Nobody, not even root, can create files there.
-  EXPECT_THAT(
-      OutputErrorOf([] { OutputFolder output("/proc/fourpost"); }),
-      MatchesRegex("/proc/fourpost: /proc takes no new folder \\(.*\\); name one elsewhere, or allow writing there"));
+  EXPECT_THAT(OutputErrorOf([] { OutputFolder output("/proc/fourpost"); }),
+              ReportsOnly(kFolderTakesNoFolder, 0, {"/proc"}));
 }
 
 TEST(OutputFolder, IsUntouchedWithAFolderInTheWayOfAFile) {
@@ -192,10 +193,8 @@ TEST(OutputFolder, IsUntouchedWithAFolderInTheWayOfAFile) {
   fs::create_directory(temporary.path() / "zeta.csv");
   OutputFolder output = TwoFiles(temporary.path());
   output.Add("zeta.csv", "1\n");
-  EXPECT_EQ(
-      OutputErrorOf([&] { output.Commit(); }),
-      temporary.path().string() +
-          ": the results cannot be written (zeta.csv: Is a directory); remove the obstacle or name another folder");
+  EXPECT_THAT(OutputErrorOf([&] { output.Commit(); }),
+              ReportsOnly(kResultsNotWritten, 0, {"zeta.csv: Is a directory"}));
   EXPECT_THAT(Names(temporary.path()), UnorderedElementsAre("result.json", "zeta.csv"));
   EXPECT_EQ(ReadText(temporary.path() / "result.json"), "old");
 }
@@ -207,10 +206,8 @@ TEST(OutputFolder, IsUntouchedWhenTheDiskIsFull) {
   OutputFolder output = TwoFiles(temporary.path());
   // The file that is written goes to the device that is always full.
   fs::create_symlink("/dev/full", temporary.path() / "result.json.partial");
-  EXPECT_EQ(OutputErrorOf([&] { output.Commit(); }),
-            temporary.path().string() +
-                ": the results cannot be written (result.json.partial: No space left on device); free some space, or "
-                "name another folder");
+  EXPECT_THAT(OutputErrorOf([&] { output.Commit(); }),
+              ReportsOnly(kDiskFull, 0, {"result.json.partial: No space left on device"}));
   EXPECT_THAT(Names(temporary.path()), UnorderedElementsAre("result.json"));
   EXPECT_EQ(ReadText(temporary.path() / "result.json"), "old");
 }

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/files/findings.h"
+#include "tests/findings.h"
+
 namespace fourpost {
 namespace {
 
@@ -15,11 +18,11 @@ RecordedTable TableOf(std::string_view text) {
 
 class RecordedColumns : public ::testing::Test {
  protected:
-  std::string Check(std::string_view text) {
+  Diagnostics Check(std::string_view text) {
     Diagnostics diagnostics;
     const bool good = TableOf(text).CheckColumns(required_, optional_, diagnostics);
     EXPECT_EQ(good, !diagnostics.HasErrors());
-    return diagnostics.Format();
+    return diagnostics;
   }
 
   const std::array<std::string_view, 2> required_ = {"frequency", "gain"};
@@ -27,20 +30,18 @@ class RecordedColumns : public ::testing::Test {
 };
 
 TEST_F(RecordedColumns, MayLackOptionalOnes) {
-  EXPECT_EQ(Check("gain,frequency\n1,2\n"), "");
-  EXPECT_EQ(Check("gain,phase,frequency\n1,2,3\n"), "");
+  EXPECT_THAT(Check("gain,frequency\n1,2\n").items(), testing::IsEmpty());
+  EXPECT_THAT(Check("gain,phase,frequency\n1,2,3\n").items(), testing::IsEmpty());
 }
 
 TEST_F(RecordedColumns, MayNotLackRequiredOnes) {
-  EXPECT_EQ(Check("phase\n1\n"),
-            "t.csv:1: error: column 'frequency' is missing; add it\n"
-            "t.csv:1: error: column 'gain' is missing; add it");
+  EXPECT_THAT(Check("phase\n1\n"),
+              AllOf(Reports(kColumnMissing, 1, {"'frequency'"}), Reports(kColumnMissing, 1, {"'gain'"})));
 }
 
 TEST_F(RecordedColumns, MayNotHaveOthers) {
-  EXPECT_EQ(Check("gain,frequency,phsae,colour\n1,2,3,4\n"),
-            "t.csv:1: error: unknown column 'phsae', did you mean 'phase'?\n"
-            "t.csv:1: error: unknown column 'colour'; remove it");
+  EXPECT_THAT(Check("gain,frequency,phsae,colour\n1,2,3,4\n"),
+              AllOf(Reports(kColumnUnknown, 1, {"'phsae'", "'phase'"}), Reports(kColumnSuperfluous, 1, {"'colour'"})));
 }
 
 TEST_F(RecordedColumns, AreOfOneLength) {
@@ -49,18 +50,21 @@ TEST_F(RecordedColumns, AreOfOneLength) {
                                       {.name = "phase", .values = {1, 2}}});
   Diagnostics diagnostics;
   EXPECT_FALSE(table.CheckColumns(required_, optional_, diagnostics));
-  EXPECT_EQ(diagnostics.Format(), "t.mat: error: column 'gain' has 3 rows, column 'frequency' 2; give all the same");
+  EXPECT_THAT(diagnostics, ReportsOnly(kColumnLength, 0, {"'gain'", "'frequency'", "3", "2"}));
 }
 
 TEST(RecordedTable, OfAMatFileHasRowsInPlaceOfLines) {
   const RecordedTable table("t.mat",
                             {{.name = "channel", .texts = {"body", "axle"}}, {.name = "gain", .values = {1, 2}}});
-  EXPECT_EQ(table.WithRow(1, "is wrong"), "row 2: is wrong");
+  Diagnostics diagnostics;
+  table.Report(kQuantityNameless, 1, {}, diagnostics);
+  EXPECT_THAT(diagnostics, ReportsOnly(kQuantityNameless, 0, {"row 2: "}));
   EXPECT_TRUE(table.HoldsText(0));
   EXPECT_EQ(table.Text(1, 0), "axle");
   EXPECT_FALSE(table.Number(1, 0));
   EXPECT_EQ(table.Text(1, 1), "2");
-  EXPECT_EQ(TableOf("a\n1\n").WithRow(0, "is wrong"), "is wrong");
+  TableOf("a\n1\n").Report(kQuantityNameless, 0, {}, diagnostics);
+  EXPECT_THAT(diagnostics, Reports(kQuantityNameless, 2));
 }
 
 }  // namespace

@@ -4,15 +4,17 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/files/findings.h"
+#include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
 namespace {
 
-std::string Fault(const std::filesystem::path& file) {
+Diagnostics Fault(const std::filesystem::path& file) {
   Diagnostics diagnostics;
   EXPECT_FALSE(ReadTextFile(file, diagnostics));
-  return diagnostics.Format();
+  return diagnostics;
 }
 
 TEST(TextFile, IsReadByteForByte) {
@@ -36,27 +38,27 @@ TEST(TextFile, MayBeEmpty) {
 TEST(TextFile, ThatIsNotThereIsReported) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "t.txt";
-  EXPECT_EQ(Fault(file), file.string() + ": error: cannot be read: No such file or directory");
+  EXPECT_THAT(Fault(file), ReportsOnly(kFileUnreadable, 0));
 }
 
 TEST(TextFile, ThatIsAFolderIsReported) {
   const TemporaryFolder folder;
-  EXPECT_EQ(Fault(folder.path()), folder.path().string() + ": error: cannot be read: Is a directory");
+  EXPECT_THAT(Fault(folder.path()), ReportsOnly(kFileUnreadable, 0));
 }
 
 TEST(TextFile, IsNoPipeAndNoDevice) {
   const TemporaryFolder folder;
   const std::filesystem::path pipe = folder.path() / "pipe.csv";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_THAT(Fault(pipe), testing::HasSubstr("is a pipe, not a file; write what it holds to a file, and give that"));
-  EXPECT_THAT(Fault("/dev/zero"), testing::HasSubstr("is a device, not a file"));
+  EXPECT_THAT(Fault(pipe), Reports(kFileNotRegular));
+  EXPECT_THAT(Fault("/dev/zero"), Reports(kFileNotRegular));
 }
 
 TEST(TextFile, OfMoreThanAGibibyteIsRefused) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.Write("t.csv", "");
   std::filesystem::resize_file(file, (std::uintmax_t{1} << 30) + 1);
-  EXPECT_THAT(Fault(file), testing::HasSubstr("is larger than 1 GiB; give a part of it, or a lower rate"));
+  EXPECT_THAT(Fault(file), Reports(kFileTooLarge, {"1 GiB"}));
 }
 
 }  // namespace

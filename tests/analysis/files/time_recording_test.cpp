@@ -7,7 +7,9 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/files/findings.h"
 #include "tests/analysis/faults_of.h"
+#include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
@@ -15,7 +17,6 @@ namespace {
 
 using testing::AllOf;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 const std::array<RecordedChannel, 2> kWanted = {
     RecordedChannel{{"x", "displacement"}, kLength, "the extension"},
@@ -32,7 +33,7 @@ const char kGood[] =
     "1.008,0.5,20,5\n"
     "1.01,0.6,20,6\n";
 
-std::string Faults(const std::string& text) {
+Diagnostics Faults(const std::string& text) {
   return FaultsOf("bench.csv", text, [](const std::string& file, Diagnostics& diagnostics) {
     return ReadTimeRecording(file, kWanted, diagnostics);
   });
@@ -94,65 +95,57 @@ TEST(TimeRecording, CutsTheStartWhereAChannelIsEarly) {
 TEST(TimeRecordingFault, DelaysLongerThanTheRecord) {
   std::array<RecordedChannel, 2> wanted = kWanted;
   wanted[0].delay_s = 0.006;
-  EXPECT_EQ(FaultsOf("bench.csv", kGood,
-                     [&](const std::string& file, Diagnostics& diagnostics) {
-                       return ReadTimeRecording(file, wanted, diagnostics);
-                     }),
-            "bench.csv: error: is shorter than the delays that the study tells of its channels");
+  EXPECT_THAT(FaultsOf("bench.csv", kGood,
+                       [&](const std::string& file, Diagnostics& diagnostics) {
+                         return ReadTimeRecording(file, wanted, diagnostics);
+                       }),
+              ReportsOnly(kShorterThanDelays, 0));
 }
 
 TEST(TimeRecordingFault, ColumnsAreMissing) {
   EXPECT_THAT(Faults(Replace(Replace(kGood, "displacement", "y"), "time", "tame")),
-              AllOf(HasSubstr("bench.csv:1: error: column 'x', the extension, is missing"),
-                    HasSubstr("column 'time', the time of each sample, is missing, did you mean 'tame'?")));
+              AllOf(Reports(kChannelColumnMissing, 1, {"'x'"}), Reports(kChannelColumnMissing, {"'time'", "'tame'"})));
 }
 
 TEST(TimeRecordingFault, UnitOfAnotherDimension) {
-  EXPECT_EQ(Faults(Replace(kGood, "kN", "mm/s")),
-            "bench.csv:2: error: column 'F', the force, has 'mm/s' for its unit; it takes a force such as 'N'");
+  EXPECT_THAT(Faults(Replace(kGood, "kN", "mm/s")), ReportsOnly(kUnitOfOtherDimension, 2, {"'F'", "'mm/s'", "'N'"}));
 }
 
 TEST(TimeRecordingFault, NoRowOfUnits) {
-  EXPECT_THAT(
-      Faults(Replace(kGood, "s,kN,1,mm\n", "")),
-      AllOf(HasSubstr("bench.csv:1: error: column 'time', the time of each sample, has no unit; write that of a "
-                      "time such as 's' in a line below the names, or behind the name, as in 'time [s]'"),
-            HasSubstr("or name it in the study: {channel: F, unit: N}")));
+  EXPECT_THAT(Faults(Replace(kGood, "s,kN,1,mm\n", "")),
+              AllOf(Reports(kUnitMissing, 1, {"'time'", "'s'", "'time [s]'"}),
+                    Reports(kUnitMissing, 1, {"{channel: F, unit: N}"})));
 }
 
 TEST(TimeRecordingFault, FieldsThatAreNoNumbers) {
-  EXPECT_EQ(Faults(Replace(Replace(kGood, "0.2", "nan"), "20,4", "20,")),
-            "bench.csv:4: error: column 'F' has 'nan' here; fill the gap or cut the record there\n"
-            "bench.csv:6: error: column 'displacement' has no number here; fill the gap or cut the record there");
+  EXPECT_THAT(Faults(Replace(Replace(kGood, "0.2", "nan"), "20,4", "20,")),
+              AllOf(Reports(kSampleMissing, 4, {"'F'", "'nan'"}), Reports(kSampleMissing, 6, {"'displacement'"})));
 }
 
 TEST(TimeRecordingFault, Gap) {
-  EXPECT_EQ(Faults(Replace(kGood, "1.006,0.4,20,4\n", "")),
-            "bench.csv:6: error: time goes from 1.004 s to 1.008 s, else by 0.002 s: samples must be evenly spaced; "
-            "fill the gap or cut the record there");
+  EXPECT_THAT(Faults(Replace(kGood, "1.006,0.4,20,4\n", "")),
+              ReportsOnly(kTimeStepUneven, 6, {"1.004 s", "1.008 s", "0.002 s"}));
 }
 
 // Longer than the record itself: still one fault.
 TEST(TimeRecordingFault, LongGap) {
-  EXPECT_EQ(Faults(Replace(Replace(kGood, "1.008", "7.008"), "1.01,", "7.01,")),
-            "bench.csv:7: error: time goes from 1.006 s to 7.008 s, else by 0.002 s: samples must be evenly spaced; "
-            "fill the gap or cut the record there");
+  EXPECT_THAT(Faults(Replace(Replace(kGood, "1.008", "7.008"), "1.01,", "7.01,")),
+              ReportsOnly(kTimeStepUneven, 7, {"1.006 s", "7.008 s", "0.002 s"}));
 }
 
 TEST(TimeRecordingFault, TimeStepsBack) {
-  EXPECT_THAT(Faults(Replace(kGood, "1.006", "0.006")), HasSubstr("time goes from 1.004 s to 0.006 s"));
+  EXPECT_THAT(Faults(Replace(kGood, "1.006", "0.006")), Reports(kTimeStepUneven, {"1.004 s", "0.006 s"}));
 }
 
 TEST(TimeRecordingFault, TimeAndDisplacementAreSwapped) {
   EXPECT_THAT(Faults("time,F,x\ns,N,m\n0,1,1\n1,5,1.01\n0,2,1.02\n-1,1,1.03\n0,0,1.04\n1,4,1.05\n"),
-              HasSubstr("time steps back again and again, while column 'x' rises evenly: are the two swapped?"));
+              Reports(kTimeStepsBack, {"'x'"}));
   EXPECT_THAT(Faults(Replace(Replace(kGood, "s,kN", "mm,kN"), "1,mm", "1,s")),
-              HasSubstr("column 'displacement' is in such a one: are the two swapped?"));
+              Reports(kTimeSwapped, {"'displacement'"}));
 }
 
 TEST(TimeRecordingFault, TimeStandsStill) {
-  EXPECT_THAT(Faults("time,F,x\ns,N,m\n1,1,1\n1,2,2\n1,3,3\n1,4,4\n1,5,5\n"),
-              HasSubstr("time does not rise from sample to sample"));
+  EXPECT_THAT(Faults("time,F,x\ns,N,m\n1,1,1\n1,2,2\n1,3,3\n1,4,4\n1,5,5\n"), Reports(kTimeDoesNotRise));
 }
 
 // Each step is within a quarter of the usual one.
@@ -161,20 +154,17 @@ TEST(TimeRecordingFault, RateChangesOnTheWay) {
   text << "time,F,x\ns,N,m\n";
   for (int k = 0; k < 50; ++k) text << 0.002 * k << ",1,1\n";
   for (int k = 0; k < 50; ++k) text << 0.1 + 0.0025 * k << ",1,1\n";
-  EXPECT_EQ(Faults(text.str()),
-            "bench.csv:53: error: time is -0.012373737 s off even steps of 0.002247475 s here: samples must be evenly "
-            "spaced; resample the record at one rate");
+  EXPECT_THAT(Faults(text.str()), ReportsOnly(kTimeDrifts, 53, {"-0.012373737 s", "0.002247475 s"}));
 }
 
 TEST(TimeRecordingFault, TooShort) {
-  EXPECT_EQ(Faults("time,F,x\ns,N,m\n0,1,1\n1,2,2\n2,3,3\n"),
-            "bench.csv: error: has 3 samples; it takes four at least");
+  EXPECT_THAT(Faults("time,F,x\ns,N,m\n0,1,1\n1,2,2\n2,3,3\n"), ReportsOnly(kTooFewSamples, 0, {"3"}));
 }
 
 TEST(TimeRecordingFault, AllAreToldAtOnce) {
   const std::string text = Replace(Replace(Replace(kGood, "kN", "K"), "1.006,0.4,20,4\n", ""), "0.2", "lost");
-  EXPECT_THAT(Faults(text), AllOf(HasSubstr("'K' for its unit"), HasSubstr("has 'lost' here"),
-                                  HasSubstr("time goes from 1.004 s to 1.008 s")));
+  EXPECT_THAT(Faults(text), AllOf(Reports(kUnitOfOtherDimension, {"'K'"}), Reports(kSampleMissing, {"'lost'"}),
+                                  Reports(kTimeStepUneven, {"1.004 s", "1.008 s"})));
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/signals/findings.h"
+#include "tests/findings.h"
+
 namespace fourpost {
 namespace {
 
 using testing::DoubleNear;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 std::vector<double> Parsed(const std::string& text) {
   Diagnostics diagnostics;
@@ -16,10 +18,10 @@ std::vector<double> Parsed(const std::string& text) {
   return frequencies.value_or(std::vector<double>());
 }
 
-std::string Faults(const std::string& text) {
+Diagnostics Faults(const std::string& text) {
   Diagnostics diagnostics;
   EXPECT_FALSE(ParseFrequencies(text, "--frequencies", diagnostics)) << text;
-  return diagnostics.Format();
+  return diagnostics;
 }
 
 TEST(FrequencyGrid, ACountMakesEqualRatios) {
@@ -37,18 +39,17 @@ TEST(FrequencyGrid, AStepMakesEqualSteps) {
 TEST(FrequencyGrid, AListIsSorted) { EXPECT_THAT(Parsed("2Hz,1Hz,5Hz"), ElementsAre(1, 2, 5)); }
 
 TEST(FrequencyGrid, TellsEveryFault) {
-  EXPECT_THAT(Faults("0.5:30:40"), HasSubstr("--frequencies: error: '0.5' is no frequency: write a number with its "
-                                             "unit, such as 12 Hz\n--frequencies: error: '30' is no"));
-  EXPECT_THAT(Faults("5rad/s"), HasSubstr("is no frequency"));
-  EXPECT_THAT(Faults("-1Hz"), HasSubstr("'-1Hz' is no frequency above zero"));
-  EXPECT_THAT(Faults("0Hz"), HasSubstr("above zero"));
-  EXPECT_THAT(Faults("30Hz:1Hz:5"), HasSubstr("does not rise; `--direction down`"));
-  EXPECT_THAT(Faults("1Hz:30Hz"), HasSubstr("is no range"));
-  EXPECT_THAT(Faults("1Hz:30Hz:1"), HasSubstr("from 2 to 10000, not 1"));
-  EXPECT_THAT(Faults("1Hz:30Hz:2.5"), HasSubstr("not 2.5"));
-  EXPECT_THAT(Faults("1Hz:2Hz:3Hz"), HasSubstr("steps of 3 Hz make 1 frequencies"));
-  EXPECT_THAT(Faults("1Hz,2Hz,1Hz"), HasSubstr("1 Hz stands twice"));
-  EXPECT_THAT(Faults(""), HasSubstr("is no frequency"));
+  EXPECT_THAT(Faults("0.5:30:40"), ReportsOption(kFrequencyUnreadable, "--frequencies", {"'0.5'", "12 Hz"}));
+  EXPECT_THAT(Faults("5rad/s"), ReportsOption(kFrequencyUnreadable, "--frequencies"));
+  EXPECT_THAT(Faults("-1Hz"), ReportsOption(kFrequencyNotPositive, "--frequencies", {"'-1Hz'"}));
+  EXPECT_THAT(Faults("0Hz"), ReportsOption(kFrequencyNotPositive, "--frequencies"));
+  EXPECT_THAT(Faults("30Hz:1Hz:5"), ReportsOption(kFrequencyRangeFalling, "--frequencies"));
+  EXPECT_THAT(Faults("1Hz:30Hz"), ReportsOption(kFrequencyRangeMalformed, "--frequencies"));
+  EXPECT_THAT(Faults("1Hz:30Hz:1"), ReportsOption(kFrequencyCount, "--frequencies", {"2", "10000", "1"}));
+  EXPECT_THAT(Faults("1Hz:30Hz:2.5"), ReportsOption(kFrequencyCount, "--frequencies", {"2.5"}));
+  EXPECT_THAT(Faults("1Hz:2Hz:3Hz"), ReportsOption(kFrequencyStep, "--frequencies", {"3 Hz", "1"}));
+  EXPECT_THAT(Faults("1Hz,2Hz,1Hz"), ReportsOption(kFrequencyTwice, "--frequencies", {"1 Hz"}));
+  EXPECT_THAT(Faults(""), ReportsOption(kFrequencyUnreadable, "--frequencies"));
 }
 
 }  // namespace

@@ -25,17 +25,21 @@ TEST(Diagnostics, HasNoErrorsWithWarningsOnly) {
   EXPECT_EQ(diagnostics.items().size(), 2);
 }
 
-TEST(Diagnostics, AreSortedByFileAndLineAndElseAsTheyCame) {
+TEST(Diagnostics, StandByFileErrorsFirstThenByLineAndElseAsTheyCame) {
   Diagnostics diagnostics;
-  diagnostics.Error("b.csv", 1, "fourth");
-  diagnostics.Error("a.csv", 10, "third");
-  diagnostics.Error("a.csv", 9, "first");
-  diagnostics.Warning("a.csv", 9, "second");
+  diagnostics.Warning("a.csv", 1, "sixth");
+  diagnostics.Error("c.csv", 1, "fifth");
+  diagnostics.Error("b.csv", 10, "third");
+  diagnostics.Error("b.csv", 9, "first");
+  diagnostics.Error("b.csv", 9, "second");
+  diagnostics.Warning("b.csv", 2, "fourth");
   EXPECT_EQ(diagnostics.Format(),
-            "a.csv:9: error: first\n"
-            "a.csv:9: warning: second\n"
-            "a.csv:10: error: third\n"
-            "b.csv:1: error: fourth");
+            "b.csv:9: error: first\n"
+            "b.csv:9: error: second\n"
+            "b.csv:10: error: third\n"
+            "b.csv:2: warning: fourth\n"
+            "c.csv:1: error: fifth\n"
+            "a.csv:1: warning: sixth");
 }
 
 TEST(Diagnostics, AreEmptyTextWhenThereAreNone) { EXPECT_EQ(Diagnostics().Format(), ""); }

@@ -196,7 +196,7 @@ TEST_F(CommandLine, CheckPrintsTablesThatFitATerminal) {
     const Outcome outcome = Run("check '" + entry.path().string() + "'");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     for (const char* part : {"motion ", "degrees of freedom", "centre of mass", "ride rate", "motion ratio",
-                             "damping ratio", "source", "seen best by"})
+                             "damping ratio", "source", "most sensitive"})
       EXPECT_THAT(outcome.out, HasSubstr(part)) << entry.path();
     std::istringstream lines(outcome.out);
     for (std::string line; std::getline(lines, line);) {
@@ -465,7 +465,7 @@ TEST_F(CommandLine, FitTellsProfilesOfTheParametersAsked) {
 
 TEST_F(CommandLine, AnswersHelpAndVersion) {
   EXPECT_THAT(Run("--help").out, HasSubstr("check"));
-  EXPECT_THAT(Run("--version").out, HasSubstr("0.1.0"));
+  EXPECT_THAT(Run("--version").out, HasSubstr("0.2.0"));
 }
 
 TEST_F(CommandLine, CompareCountsWhatEachMethodNeeds) {

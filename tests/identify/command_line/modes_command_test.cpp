@@ -69,7 +69,7 @@ TEST_F(ModesCommandLine, WarnsOfWhatGrows) {
             "<fp:tyre name=\"front_tyre\" link=\"front_axle\" xyz=\"0.870 0 -15\"");
   const Outcome outcome = Run("modes urdf/landrover110_linkage.urdf");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_THAT(outcome.err, HasSubstr("warning: the vehicle is unstable in its design pose: '"));
+  EXPECT_THAT(outcome.err, HasSubstr("[unstable-in-design-pose]"));
   EXPECT_THAT(outcome.out, HasSubstr("diverging"));
 }
 

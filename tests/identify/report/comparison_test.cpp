@@ -3,11 +3,13 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/text/diagnostics.h"
 #include "identify/report/comparison_curves.h"
 #include "identify/report/comparison_page.h"
 #include "identify/report/comparison_tables.h"
 #include "identify/report/comparison_verdict.h"
+#include "identify/report/findings.h"
+#include "identify/uncertainty/findings.h"
+#include "tests/findings.h"
 
 namespace fourpost {
 namespace {
@@ -16,7 +18,6 @@ using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
-using testing::ThrowsMessage;
 using Json = nlohmann::json;
 
 /// A fit of stepped sines, of so many parameters.
@@ -159,14 +160,14 @@ TEST(ComparisonVerdict, SaysWhichFitsAndWhichForetellsBest) {
   EXPECT_THAT(text,
               AllOf(HasSubstr("class=\"verdict good\""),
                     HasSubstr("<strong>rich</strong> fits best: 1.00 % mean NMSE over the one group of channels"),
-                    HasSubstr("next plain with 2.00 %"), HasSubstr("<strong>plain</strong> foretells best: 4.00 %"),
-                    HasSubstr("To take: plain: of all models it misses least of what it was not fitted to, 4 %")));
+                    HasSubstr("next plain with 2.00 %"), HasSubstr("<strong>plain</strong> predicts best: 4.00 %"),
+                    HasSubstr("plain: lowest prediction error of all models, 4 %")));
   EXPECT_THAT(text, AllOf(Not(HasSubstr("BIC")), Not(HasSubstr("same data"))));
 }
 
 TEST(ComparisonVerdict, TakesTheSimplerOfTwoThatForetellAlike) {
   EXPECT_THAT(VerdictHtml(Runs({Result("rich", 1, 4, 5), Result("plain", 2, 4.2, 2)}), std::nullopt),
-              HasSubstr("To take: plain: it has the fewest parameters of those within 10 % of the least"));
+              HasSubstr("plain: fewest parameters of the models within 10 %"));
 }
 
 TEST(ComparisonVerdict, SaysWhatCannotBeCompared) {
@@ -175,9 +176,9 @@ TEST(ComparisonVerdict, SaysWhatCannotBeCompared) {
   other["channels"].erase(1);
   other.erase("validation");
   EXPECT_THAT(VerdictHtml(Runs({Result("one", 3, 5), other}), std::nullopt),
-              AllOf(HasSubstr("nothing tells which fits best"), HasSubstr("nothing tells which foretells best"),
+              AllOf(HasSubstr("cannot be ranked by fit"), HasSubstr("cannot be ranked by prediction"),
                     HasSubstr("not all fitted to the same data"), HasSubstr("class=\"verdict open\""),
-                    Not(HasSubstr("To take"))));
+                    Not(HasSubstr("Recommended"))));
 }
 
 // Roll is harder than bounce: who fits it as well does not fit worse.
@@ -192,13 +193,14 @@ TEST(ComparisonVerdict, ComparesByTheStepsThatAllRunsSaw) {
                         "next planar with 2.00 %"));
   EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::sines), HasSubstr("<td>roll</td><td><code>1 to 12 Hz</code></td>"));
   whole["band_Hz"] = {0.5, 30};
-  EXPECT_THAT(VerdictHtml(Runs({planar, whole}), std::nullopt), HasSubstr("nothing tells which fits best"));
+  EXPECT_THAT(VerdictHtml(Runs({planar, whole}), std::nullopt), HasSubstr("cannot be ranked by fit"));
 }
 
 TEST(ComparisonVerdict, TakesTheRankingOfDampers) {
-  const ModelRanking ranking{.models = {}, .reason = "a <reason>", .remarks = {"A doubt."}};
+  ModelRanking ranking{.models = {}, .reason = "a <reason>"};
+  ranking.warnings.Report(kRankedUnexplained, {}, {"model9"});
   EXPECT_THAT(VerdictHtml(Runs({Result("one", 3, 5), Result("two", 4, 6)}), ranking),
-              HasSubstr("To take: a &lt;reason&gt;. A doubt."));
+              AllOf(HasSubstr("a &lt;reason&gt;"), HasSubstr("model9")));
 }
 
 TEST(ComparisonTables, HaveARowPerRunAndAColumnPerRun) {
@@ -208,7 +210,7 @@ TEST(ComparisonTables, HaveARowPerRunAndAColumnPerRun) {
   const std::vector<ComparedRun> runs = Runs({Result("one", 3, 5), other});
   EXPECT_THAT(RunTableHtml(runs),
               AllOf(HasSubstr("<b>one</b>"), HasSubstr("4 of 5"), HasSubstr("<td class=\"n\">321</td>"),
-                    HasSubstr("<td>A</td>"), HasSubstr("<td>B</td>"), HasSubstr("AICc and BIC are told of dampers")));
+                    HasSubstr("<td>A</td>"), HasSubstr("<td>B</td>"), HasSubstr("AICc and BIC are shown of dampers")));
   // The least stands out.
   EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::fitted),
               HasSubstr("<td class=\"n\"><b>3.00</b></td><td class=\"n\">4.00</td>"));
@@ -225,7 +227,7 @@ TEST(ComparisonTables, HaveCriteriaWhereOneRunTellsThem) {
   Json bench = Result("bench", 3, 5);
   bench["criteria"] = {{"aicc", -1234.5}, {"bic", nullptr}};
   EXPECT_THAT(RunTableHtml(Runs({bench, Result("one", 3, 5)})),
-              AllOf(HasSubstr("AICc</th>"), HasSubstr("\u22121234.50"), Not(HasSubstr("told of dampers"))));
+              AllOf(HasSubstr("AICc</th>"), HasSubstr("\u22121234.50"), Not(HasSubstr("shown of dampers"))));
 }
 
 std::string History(double measured, double modelled, const std::string& name = "a") {
@@ -311,7 +313,7 @@ TEST(ComparisonPage, EscapesNamesAndRefusesWhatIsNoFit) {
   EXPECT_THAT(ComparisonPage(folders),
               ContainsRegex("<footer>Made by fourpost [0-9.]+ on [0-9]{4}-[0-9]{2}-[0-9]{2} of the fits "));
   folders[1] = FolderOf("b", Json{{"a", 1}});
-  EXPECT_THAT([&] { ComparisonPage(folders); }, ThrowsMessage<FaultyInput>(HasSubstr("is not that of a fit")));
+  EXPECT_THAT([&] { ComparisonPage(folders); }, Refuses(kResultNotOfFit, 0));
 }
 
 }  // namespace

@@ -5,13 +5,12 @@
 
 #include <gmock/gmock.h>
 
-#include "analysis/text/diagnostics.h"
+#include "identify/report/findings.h"
+#include "tests/findings.h"
 
 namespace fourpost {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
 using Json = nlohmann::ordered_json;
 
 TEST(HistoriesJson, PartsRecordingsAndLeavesOutWhatTheyHaveNot) {
@@ -56,7 +55,7 @@ TEST(RowsToShow, AreAsManyAsAreAskedForAtTheMost) {
 
 TEST(HistoriesJson, TellsWhatAFileLacks) {
   EXPECT_THAT([] { HistoriesJson("time,a\ns,m\n0,1\n", "history.csv"); },
-              ThrowsMessage<FaultyInput>(HasSubstr("history.csv:1: error: has no column 'recording'")));
+              Refuses(kFitColumnMissing, 1, {"'recording'"}));
 }
 
 }  // namespace

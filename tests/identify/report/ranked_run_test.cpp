@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/report/findings.h"
+#include "identify/uncertainty/findings.h"
+#include "tests/findings.h"
+
 namespace fourpost {
 namespace {
 
@@ -56,21 +60,22 @@ TEST_F(FittedModelsTest, OfOneStudyAreToldApartByTheirFolders) {
 TEST_F(FittedModelsTest, TellThatTheirFitsDidNotEnd) {
   other_["termination"] = "interrupted";
   const ModelRanking ranking = Rank(Models());
-  ASSERT_EQ(ranking.remarks.size(), 1) << diagnostics_.Format();
-  EXPECT_THAT(ranking.remarks[0], HasSubstr("The fit of model2 was interrupted: "));
+  EXPECT_THAT(ranking.warnings, Reports(kRankedInterrupted, 0, {"model2"}));
+  EXPECT_EQ(ranking.warnings.items().size(), 1u) << ranking.warnings.Format();
 }
 
 TEST_F(FittedModelsTest, MustBeOfTheSameRecordings) {
   other_["validation"][1]["recording"] = "s3";
   Models();
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("b/result.json: error: was fitted or validated with other recordings"));
+  EXPECT_THAT(diagnostics_, Reports(kRunOfOtherData, 0, {"than a"}));
+  EXPECT_EQ(diagnostics_.items().front().place.file, "b/result.json");
 }
 
 // A recording whose force was scaled keeps its name and its samples.
 TEST_F(FittedModelsTest, MustBeOfTheSameBytes) {
   other_["fitted_files"][0]["sha256"] = "04";
   Models();
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("than a: errors and criteria compare models of the same data only"));
+  EXPECT_THAT(diagnostics_, Reports(kRunOfOtherData, 0, {"than a"}));
 }
 
 TEST_F(FittedModelsTest, MayHaveTheirValidationInAnotherOrder) {
@@ -83,13 +88,13 @@ TEST_F(FittedModelsTest, MayHaveTheirValidationInAnotherOrder) {
 TEST_F(FittedModelsTest, MustBeOfTheSameValidation) {
   other_["validation_files"][1]["sha256"] = "04";
   Models();
-  EXPECT_TRUE(diagnostics_.HasErrors());
+  EXPECT_THAT(diagnostics_, Reports(kRunOfOtherData, 0));
 }
 
 TEST_F(FittedModelsTest, MustTreatTheRecordingsAlike) {
   other_study_ = "bench: {columns: 2, low_pass: 60 Hz}";
   Models();
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("another treatment of them"));
+  EXPECT_THAT(diagnostics_, Reports(kRunOfOtherData, 0));
 }
 
 TEST_F(FittedModelsTest, MustBeOfBenches) {
@@ -97,7 +102,7 @@ TEST_F(FittedModelsTest, MustBeOfBenches) {
   other_["criteria"] = nullptr;
   Models();
   EXPECT_EQ(diagnostics_.items().size(), 2);
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("is not the result of a fit to bench recordings"));
+  EXPECT_THAT(diagnostics_, Reports(kRunNotOfBench, 0));
 }
 
 }  // namespace

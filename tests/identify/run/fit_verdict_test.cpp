@@ -2,12 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/run/findings.h"
+#include "identify/uncertainty/findings.h"
+#include "tests/findings.h"
+
 namespace fourpost {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 ErrorShare Share(const std::string& channel, const std::string& recording, double measured, double nmse_percent) {
   return {.channel = channel,
@@ -23,16 +23,17 @@ TEST(FitVerdict, NothingSpeaksAgainstAFitThatFollowsItsChannels) {
   std::vector<ErrorShare> misfits;
   misfits = {Share("s_front", "bounce", 4, 5), Share("s_rear", "bounce", 1, 60)};
   EXPECT_TRUE(JudgeFit({}, misfits).explains());
-  EXPECT_EQ(VerdictText(JudgeFit({}, misfits)), "");
+  EXPECT_THAT(ConclusionsOf({}, JudgeFit({}, misfits), true), testing::Not(Reports(kModelUnexplaining, 0)));
 }
 
 TEST(FitVerdict, NamesAChannelThatIsWorseThanAConstant) {
   std::vector<ErrorShare> misfits;
   misfits = {Share("s_front", "bounce", 4, 1), Share("s_front", "pitch", 4, 1), Share("s_rear", "bounce", 1, 240),
              Share("s_rear", "pitch", 1, 240)};
-  EXPECT_THAT(VerdictText(JudgeFit({}, misfits)),
-              testing::StrEq("this model does not explain these data: channel 's_rear' has an NMSE of 240 %, more than "
-                             "if nothing were modelled (100 %)"));
+  const FitVerdict verdict = JudgeFit({}, misfits);
+  EXPECT_THAT(verdict.reasons, Reports(kChannelUnexplained, 0, {"'s_rear'", "240 %"}));
+  EXPECT_EQ(verdict.reasons.items().size(), 1u) << verdict.reasons.Format();
+  EXPECT_THAT(ConclusionsOf({}, verdict, true), Reports(kModelUnexplaining, 0, {"'s_rear'", "240 %"}));
 }
 
 TEST(FitVerdict, DoesNotJudgeAFitThatWasInterrupted) {
@@ -49,7 +50,7 @@ TEST(FitVerdict, DoesNotJudgeAFitThatWasInterrupted) {
 TEST(FitVerdict, AChannelIsJudgedOverAllRecordings) {
   std::vector<ErrorShare> misfits;
   misfits = {Share("a_cg", "bounce", 4, 1), Share("a_cg", "pitch", 1, 300), Share("a_front", "pitch", 4, 1)};
-  EXPECT_THAT(JudgeFit({}, misfits).reasons, IsEmpty());
+  EXPECT_EQ(JudgeFit({}, misfits).reasons.Format(), "");
 }
 
 TEST(FitVerdict, AQuietChannelIsNotJudged) {
@@ -82,7 +83,9 @@ TEST(FitVerdict, NamesARecordingThatIsNotModelledAtAll) {
   std::vector<ErrorShare> misfits;
   misfits = {Share("s_front", "bounce", 4, 1), Share("s_rear", "bounce", 4, 1), Share("s_front", "pitch", 1, 150),
              Share("s_rear", "pitch", 1, 130)};
-  EXPECT_THAT(JudgeFit({}, misfits).reasons, ElementsAre(HasSubstr("recording 'pitch' in m has an NMSE of 140 %")));
+  const Diagnostics reasons = JudgeFit({}, misfits).reasons;
+  EXPECT_THAT(reasons, Reports(kRecordingUnexplained, 0, {"'pitch' in m", "140 %"}));
+  EXPECT_EQ(reasons.items().size(), 1u) << reasons.Format();
 }
 
 FitResult Bounded(int at_bound, int parameters, double misfit) {
@@ -96,11 +99,38 @@ FitResult Bounded(int at_bound, int parameters, double misfit) {
 }
 
 TEST(FitVerdict, MostParametersAtBoundsExplainNothingWhereResidualsAreLarge) {
-  EXPECT_THAT(JudgeFit(Bounded(3, 5, 2), {}).reasons, ElementsAre("3 of 5 parameters are at their bounds"));
+  EXPECT_THAT(JudgeFit(Bounded(3, 5, 2), {}).reasons, Reports(kParametersAtBounds, 0, {"3 of 5"}));
   EXPECT_TRUE(JudgeFit(Bounded(2, 5, 2), {}).explains());
   EXPECT_TRUE(JudgeFit(Bounded(2, 4, 2), {}).explains());
   // No friction where there is none to find.
   EXPECT_TRUE(JudgeFit(Bounded(1, 1, 1), {}).explains());
+}
+
+TEST(Conclusions, AreNoneOfAFitThatConvergedAndDeterminesAll) {
+  FitResult fit = Bounded(0, 3, 1);
+  fit.end = FitEnd::kConverged;
+  EXPECT_EQ(ConclusionsOf(fit, {}, true).Format(), "");
+  EXPECT_THAT(ConclusionsOf(fit, {}, false), Reports(kCompromiseWithoutDeviations, 0));
+  fit.end = FitEnd::kNotConverged;
+  fit.message = "50 iterations";
+  EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kFitNotConverged, 0, {"50 iterations"}));
+  fit.covariance.reset();
+  EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kEndedWithoutDeviations, 0));
+}
+
+TEST(Conclusions, NameWhatHasNoStandardDeviation) {
+  FitResult fit = Bounded(0, 2, 1);
+  fit.parameters[1].name = "v_knee";
+  fit.parameters[1].state = ParameterState::kNoise;
+  fit.covariance->directions = Eigen::MatrixXd::Identity(2, 2);
+  fit.covariance->rank = 1;
+  fit.weakest = {"m +1 %, k +1 %"};
+  const Diagnostics conclusions = ConclusionsOf(fit, {}, true);
+  EXPECT_THAT(conclusions, Reports(kDerivativeNoise, 0, {"v_knee"}));
+  EXPECT_THAT(conclusions, Reports(kDirectionUndetermined, 0, {"m +1 %, k +1 %"}));
+  fit.covariance->directions = Eigen::MatrixXd::Identity(1, 1);
+  fit.covariance->rank = 0;
+  EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kParameterUndetermined, 0));
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "analysis/text/warning_texts.h"
+#include "identify/run/findings.h"
+#include "identify/study/findings.h"
 
 namespace fourpost {
 namespace {
@@ -19,7 +20,7 @@ FittedParameter Mass() {
 Json ParametersOf(std::vector<FittedParameter> parameters) {
   FitResult fit;
   fit.parameters = std::move(parameters);
-  return Json::parse(ResultJson({}, 1, fit, Json::object(), {}, {}))["parameters"];
+  return Json::parse(ResultJson({}, 1, fit, Json::object(), {}))["parameters"];
 }
 
 TEST(ResultJson, TellsPriorsAndHowFarTheFitWentFromThem) {
@@ -42,18 +43,25 @@ TEST(ResultJson, SaysWhyAParameterHasNoDeviation) {
 }
 
 TEST(ResultJson, HasTheVerdictAndWhatWasLeftOutOfTheValidation) {
-  const Json result = Json::parse(
-      ResultJson({}, 1, {}, {{"validation_left_out", {LeftOutJson({"fast", {}, "is clipped"})}}}, {{"a reason"}}, {}));
-  EXPECT_EQ(result["verdict"], Json({{"explains_data", false}, {"reasons", {"a reason"}}}));
+  FitFindings found;
+  found.verdict.reasons.Report(kParametersAtBounds, {}, {"3", "5"});
+  found.conclusions.Report(kEndedWithoutDeviations, {});
+  const Json result =
+      Json::parse(ResultJson({}, 1, {}, {{"validation_left_out", {LeftOutJson({"fast", {}, "is clipped"})}}}, found));
+  EXPECT_EQ(result["verdict"]["explains_data"], false);
+  EXPECT_EQ(result["verdict"]["reasons"],
+            Json::array({{{"id", "parameters-at-bounds"}, {"text", kParametersAtBounds.Message({"3", "5"})}}}));
+  EXPECT_EQ(result["conclusions"],
+            Json::array({{{"id", "ended-without-deviations"}, {"text", kEndedWithoutDeviations.Message({})}}}));
   EXPECT_EQ(result["validation_left_out"], Json::array({{{"recording", "fast"}, {"reason", "is clipped"}}}));
-  EXPECT_FALSE(Json::parse(ResultJson({}, 1, {}, Json::object(), {}, {})).contains("validation_left_out"));
+  EXPECT_FALSE(Json::parse(ResultJson({}, 1, {}, Json::object(), {})).contains("validation_left_out"));
 }
 
 TEST(ResultJson, TellsHowTheSearchEndedAndAllItsSettings) {
   FitResult fit;
   fit.search.reason = "evaluations used up: 300 of 300 evaluations";
   fit.search_settings = {{"population", "20"}};
-  const Json search = Json::parse(ResultJson({}, 1, fit, Json::object(), {}, {}))["search"];
+  const Json search = Json::parse(ResultJson({}, 1, fit, Json::object(), {}))["search"];
   EXPECT_EQ(search["end"], fit.search.reason);
   EXPECT_EQ(search["settings"]["population"], "20");
 }
@@ -65,7 +73,7 @@ TEST(ResultJson, TellsEverySettingBesideTheMethods) {
   fit.options.refine = {.max_iterations = 50, .step = 1e-5, .differences = Differences::kForward};
   fit.options.starts = 6;
   fit.options.deadline_s = 10;
-  const Json result = Json::parse(ResultJson({}, 1, fit, Json::object(), {}, {}));
+  const Json result = Json::parse(ResultJson({}, 1, fit, Json::object(), {}));
   EXPECT_EQ(result["search"]["stop"], Json::parse(R"({"target_cost": null, "evaluations": 300, "generations": 150,
       "seconds": null, "stagnant_generations": 0, "free_generations": 1000, "on_collapse": true})"));
   EXPECT_EQ(result["search"]["candidates"], Json::parse(R"({"count": 7, "separation": 0.25})"));
@@ -76,14 +84,16 @@ TEST(ResultJson, TellsEverySettingBesideTheMethods) {
 }
 
 TEST(ResultJson, KeepsWarnings) {
-  Diagnostics diagnostics;
-  diagnostics.Warning("/somewhere/study.yaml", 12, "'a_cg' moves against what the vehicle would do");
-  diagnostics.Warning("static.csv", 0, "too heavy");
-  diagnostics.Error("study.yaml", 1, "is no warning");
-  const Json result = Json::parse(ResultJson({}, 1, {}, Json::object(), {}, WarningTexts(diagnostics)));
-  const Json expected = {"study.yaml:12: 'a_cg' moves against what the vehicle would do", "static.csv: too heavy"};
+  FitFindings found;
+  found.warnings.Report(kScaleNotMeasured, {"/somewhere/study.yaml", 12}, {"m_wheel"});
+  found.warnings.Report(kFitNotConverged, {"static.csv"}, {"late"});
+  found.warnings.Report(kNothingFree, {"study.yaml", 1});
+  const Json result = Json::parse(ResultJson({}, 1, {}, Json::object(), found));
+  const Json expected =
+      Json::array({{{"id", "scale-not-measured"}, {"text", "study.yaml:12: " + kScaleNotMeasured.Message({"m_wheel"})}},
+                   {{"id", "fit-not-converged"}, {"text", "static.csv: " + kFitNotConverged.Message({"late"})}}});
   EXPECT_EQ(result["warnings"], expected);
-  EXPECT_EQ(Json::parse(ResultJson({}, 1, {}, Json::object(), {}, {}))["warnings"], Json::array());
+  EXPECT_EQ(Json::parse(ResultJson({}, 1, {}, Json::object(), {}))["warnings"], Json::array());
 }
 
 TEST(ResultJson, HasNoDeviationForWhatIsUndetermined) {

@@ -160,7 +160,7 @@ TEST_F(EvaluationStoreTest, ServesSeveralThreadsAndSeveralConnections) {
 TEST_F(EvaluationStoreTest, LeavesAFileThatIsNotItsOwnAsItIs) {
   const std::string text(5000, 'x');
   const std::filesystem::path file = folder_.Write("archive.sqlite", text);
-  EXPECT_THAT(OutputErrorOf(file), HasSubstr("move it away"));
+  EXPECT_THAT(OutputErrorOf(file), HasSubstr("[archive-foreign]"));
   EXPECT_THROW(ChangedParts(file, kContext), OutputError);
   EXPECT_EQ(ReadText(file), text);
 }
@@ -175,7 +175,7 @@ TEST_F(EvaluationStoreTest, LeavesAnotherProgramsDatabaseAsItIs) {
   const std::filesystem::path copy = folder_.path() / "copy.sqlite";
   std::filesystem::copy_file(file, copy);
   std::filesystem::copy_file(log, folder_.path() / "copy.sqlite-wal");
-  EXPECT_THAT(OutputErrorOf(copy), HasSubstr("copy.sqlite: it is no archive of evaluations: move it away"));
+  EXPECT_THAT(OutputErrorOf(copy), testing::AllOf(HasSubstr("copy.sqlite: "), HasSubstr("[archive-foreign]")));
   EXPECT_THROW(ChangedParts(copy, kContext), OutputError);
   EXPECT_THROW(ReadStoredContent(copy), OutputError);
   EXPECT_EQ(ReadText(copy), ReadText(file));
@@ -186,7 +186,8 @@ TEST_F(EvaluationStoreTest, LeavesAnotherProgramsDatabaseAsItIs) {
 TEST_F(EvaluationStoreTest, RefusesALayoutThatItDoesNotKnow) {
   { const EvaluationStore store(file_, kContext); }
   Database(file_, SQLITE_OPEN_READWRITE).Execute("PRAGMA user_version = 3");
-  EXPECT_THAT(OutputErrorOf(file_), HasSubstr("its layout is 3, this version of fourpost knows up to 2"));
+  EXPECT_THAT(OutputErrorOf(file_),
+              testing::AllOf(HasSubstr("layout 3,"), HasSubstr("up to 2:"), HasSubstr("[archive-layout]")));
 }
 
 TEST_F(EvaluationStoreTest, KeepsWhatVersion010Stored) {
@@ -237,7 +238,7 @@ TEST_F(EvaluationStoreTest, EvaluatesAnewAFailureThatIsDamaged) {
 TEST_F(EvaluationStoreTest, IsNoPipe) {
   const std::filesystem::path pipe = folder_.path() / "archive.sqlite";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_THAT(OutputErrorOf(pipe), HasSubstr("archive.sqlite: it is a pipe or a device, no archive of evaluations"));
+  EXPECT_THAT(OutputErrorOf(pipe), testing::AllOf(HasSubstr("archive.sqlite: "), HasSubstr("[archive-not-a-file]")));
   EXPECT_THROW(ChangedParts(pipe, kContext), OutputError);
 }
 
@@ -273,9 +274,10 @@ TEST_F(EvaluationStoreTest, TakesAnEmptyFileForANewOne) {
 }
 
 TEST_F(EvaluationStoreTest, SaysWhereItCannotWrite) {
-  EXPECT_THAT(OutputErrorOf("/proc/fourpost/archive.sqlite"), HasSubstr("/proc/fourpost"));
+  EXPECT_THAT(OutputErrorOf("/proc/fourpost/archive.sqlite"),
+              testing::AllOf(HasSubstr("/proc/fourpost"), HasSubstr("[archive-folder]")));
   std::filesystem::create_directories(file_);
-  EXPECT_THAT(OutputErrorOf(file_), HasSubstr("archive.sqlite: unable to open"));
+  EXPECT_THAT(OutputErrorOf(file_), testing::AllOf(HasSubstr("archive.sqlite: "), HasSubstr("[archive-not-written]")));
 }
 
 }  // namespace

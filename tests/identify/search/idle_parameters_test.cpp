@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/search/findings.h"
+#include "tests/findings.h"
 #include "tests/identify/test_problems.h"
 
 namespace fourpost {
@@ -46,18 +48,18 @@ TEST(IdleParameters, NamesNoneOfTheTestProblems) {
 }
 
 TEST(CheckEffects, NamesAConstantObjectiveAndAnIdleParameter) {
-  const auto told = [](std::function<Evaluation(const Eigen::VectorXd&)> evaluate) {
+  const auto found = [](std::function<Evaluation(const Eigen::VectorXd&)> evaluate) {
     Archive archive({Lattice({{"a", 0, 10, 0.1}, {"b", 0, 10, 0.1}}), std::move(evaluate)});
     Diagnostics diagnostics;
     CheckEffects(archive, "s.yaml", diagnostics);
-    return diagnostics.Format();
+    return diagnostics;
   };
-  using testing::HasSubstr;
-  EXPECT_THAT(told([](const Eigen::VectorXd&) { return OneResidual(3); }),
-              HasSubstr("s.yaml: error: the objective is constant: no parameter has an effect on it"));
-  EXPECT_THAT(told([](const Eigen::VectorXd& p) { return OneResidual(p[0]); }),
-              HasSubstr("s.yaml: warning: parameter 'b' has no effect on the objective: fix it"));
-  EXPECT_EQ(told([](const Eigen::VectorXd& p) { return OneResidual(p.sum()); }), "");
+  const Diagnostics constant = found([](const Eigen::VectorXd&) { return OneResidual(3); });
+  EXPECT_THAT(constant, Reports(kObjectiveConstant, 0));
+  EXPECT_EQ(constant.items().at(0).place.file, "s.yaml");
+  EXPECT_THAT(found([](const Eigen::VectorXd& p) { return OneResidual(p[0]); }),
+              Reports(kObjectiveIgnores, 0, {"'b'"}));
+  EXPECT_EQ(found([](const Eigen::VectorXd& p) { return OneResidual(p.sum()); }).Format(), "");
 }
 
 }  // namespace

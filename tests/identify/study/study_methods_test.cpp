@@ -5,12 +5,13 @@
 #include <gmock/gmock.h>
 
 #include "identify/problems/test_problem.h"
+#include "identify/study/findings.h"
+#include "identify/study_file/findings.h"
+#include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
 namespace {
-
-using testing::HasSubstr;
 
 class StudyMethods : public testing::Test {
  protected:
@@ -23,10 +24,10 @@ class StudyMethods : public testing::Test {
     return MethodsOf(*study, names, MakeTestProblem("gear_train").problem, diagnostics_);
   }
 
-  std::string Fault(const std::string& method, const std::vector<std::string>& names = {"mine"}) {
+  Diagnostics Fault(const std::string& method, const std::vector<std::string>& names = {"mine"}) {
     Read(method, names);
     EXPECT_EQ(diagnostics_.items().size(), 1u) << diagnostics_.Format();
-    return diagnostics_.Format();
+    return diagnostics_;
   }
 
   TemporaryFolder temporary_;
@@ -81,27 +82,27 @@ TEST_F(StudyMethods, AFitRefusesMethodsThatOnlyRefineAndUnknownOnes) {
   study.search.method_line = 7;
   study.search.method = "gb";
   ExplorationOf(study, problem, diagnostics_);
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("study.yaml:7: error: 'gb' refines random points"));
+  EXPECT_THAT(diagnostics_, Reports(kMethodOnlyRefines, 7, {"'gb'"}));
+  EXPECT_EQ(diagnostics_.items().at(0).place.file, "study.yaml");
   diagnostics_ = {};
   study.search.method = "dvhd";
   ExplorationOf(study, problem, diagnostics_);
-  EXPECT_THAT(diagnostics_.Format(),
-              HasSubstr("study.yaml:7: error: there is no method 'dvhd', did you mean 'dvhde'?"));
+  EXPECT_THAT(diagnostics_, Reports(kMethodUnknown, 7, {"'dvhd'", "'dvhde'"}));
+  EXPECT_EQ(diagnostics_.items().at(0).place.file, "study.yaml");
 }
 
 TEST_F(StudyMethods, NamesFaultsWithTheirLine) {
   EXPECT_THAT(Fault("method: thesis, popluation: 33"),
-              HasSubstr("3: error: method 'mine': unknown setting 'popluation', "
-                        "did you mean 'population'?"));
-  EXPECT_THAT(Fault("method: thesis, population: many"), HasSubstr("'population' cannot be 'many'"));
-  EXPECT_THAT(Fault("method: thesis, base: middle"), HasSubstr("'base' must be one of random, best"));
+              Reports(kSettingUnknown, 3, {"'mine'", "'popluation'", "'population'"}));
+  EXPECT_THAT(Fault("method: thesis, population: many"), Reports(kSettingUnreadable, 3, {"'population'", "'many'"}));
+  EXPECT_THAT(Fault("method: thesis, base: middle"), Reports(kSettingNotOneOf, 3, {"'base'", "random, best"}));
   EXPECT_THAT(Fault("method: thesis, population: 3"),
-              HasSubstr("3: error: method 'mine': population = 3, must be 4 or more"));
-  EXPECT_THAT(Fault("method: thesis, factor: nan"), HasSubstr("'factor' cannot be 'nan'"));
-  EXPECT_THAT(Fault("method: theses"), HasSubstr("3: error: unknown method 'theses', did you mean 'thesis'?"));
-  EXPECT_THAT(Fault("population: 30"), HasSubstr("needs the key 'method'"));
-  EXPECT_THAT(Fault("method: de", {"mine", "mine"}), HasSubstr("method 'mine' is asked for twice"));
-  EXPECT_THAT(Fault("method: de", {"mien"}), HasSubstr("there is no method 'mien', did you mean 'mine'?"));
+              Reports(kSettingOutOfRange, 3, {"'mine'", "population = 3", "4"}));
+  EXPECT_THAT(Fault("method: thesis, factor: nan"), Reports(kSettingUnreadable, 3, {"'factor'", "'nan'"}));
+  EXPECT_THAT(Fault("method: theses"), Reports(kMethodPresetUnknown, 3, {"'theses'", "'thesis'"}));
+  EXPECT_THAT(Fault("population: 30"), Reports(kKeyMissing, 3, {"'method'"}));
+  EXPECT_THAT(Fault("method: de", {"mine", "mine"}), ReportsOption(kMethodTwice, "--methods", {"'mine'"}));
+  EXPECT_THAT(Fault("method: de", {"mien"}), ReportsOption(kMethodUnknown, "--methods", {"'mien'", "'mine'"}));
 }
 
 }  // namespace

@@ -3,11 +3,11 @@
 #include <gmock/gmock.h>
 
 #include "identify/study_file/channel_source_text.h"
+#include "identify/study_file/findings.h"
+#include "tests/findings.h"
 
 namespace fourpost {
 namespace {
-
-using testing::HasSubstr;
 
 using Sources = std::vector<std::pair<std::string, ChannelSource>>;
 
@@ -22,10 +22,10 @@ ChannelSource Good(const std::string& text, ChannelKind kind = ChannelKind::kHis
   return sources.at(0).second;
 }
 
-std::string Fault(const std::string& text, ChannelKind kind = ChannelKind::kHistory) {
+Diagnostics Faults(const std::string& text, ChannelKind kind = ChannelKind::kHistory) {
   Diagnostics diagnostics;
   Read("a: " + text, kind, diagnostics);
-  return diagnostics.Format();
+  return diagnostics;
 }
 
 TEST(ChannelSourceReader, TakesANameForAChannel) {
@@ -62,22 +62,25 @@ TEST(ChannelSourceReader, TakesTheSignOfASumForThatOfAll) {
 
 TEST(ChannelSourceReader, RefusesWhatIsWrong) {
   for (const char* sign : {"2", "-2", "left", "1 mm"})
-    EXPECT_THAT(Fault(std::string("{mean: [b, c], sign: ") + sign + "}"), HasSubstr("'sign' of 'a' must be 1 or -1"));
-  EXPECT_THAT(Fault("{mean: [b, c], delay: 2 ms}"), HasSubstr("'delay'"));
-  EXPECT_THAT(Fault("{mean: [b, c], sum: [b, c]}"), HasSubstr("either the mean or the sum"));
-  EXPECT_THAT(Fault("{channel: b, sign: 0.5}"), HasSubstr("study.yaml:1: error: 'sign' of 'a' must be 1 or -1"));
-  EXPECT_THAT(Fault("{channel: b, scale: 0}"), HasSubstr("'scale' of 'a' must be above zero"));
-  EXPECT_THAT(Fault("{channel: b, scale: -2}"), HasSubstr("'scale'"));
-  EXPECT_THAT(Fault("{channel: b, delay: 2}"), HasSubstr("'delay'"));
-  EXPECT_THAT(Fault("{channel: b, unit: furlong}"), HasSubstr("'unit' of 'a' is 'furlong', which is none"));
-  EXPECT_THAT(Fault("{channel: b, sgin: 1}"), HasSubstr("did you mean 'sign'?"));
-  EXPECT_EQ(Fault("{chanel: b, sgn: -1}"),
-            "study.yaml:1: error: unknown key 'chanel' in 'a', did you mean 'channel'?\n"
-            "study.yaml:1: error: unknown key 'sgn' in 'a', did you mean 'sign'?");
-  EXPECT_EQ(Fault("{maen: [b, c]}"), "study.yaml:1: error: unknown key 'maen' in 'a', did you mean 'mean'?");
-  EXPECT_THAT(Fault("{sum: [b, {chanel: c}]}"), HasSubstr("unknown key 'chanel' in 'a', did you mean 'channel'?"));
-  EXPECT_THAT(Fault("{sign: -1}"), HasSubstr("'a' must be a measured channel"));
-  EXPECT_THAT(Fault("{sum: []}"), HasSubstr("'a' must be a list of channels"));
+    EXPECT_THAT(Faults(std::string("{mean: [b, c], sign: ") + sign + "}"), Reports(kChannelSign, 1, {"'a'"}));
+  EXPECT_THAT(Faults("{mean: [b, c], delay: 2 ms}"), Reports(kKeyUnknown, 1, {"'delay'"}));
+  EXPECT_THAT(Faults("{mean: [b, c], sum: [b, c]}"), Reports(kChannelMeanAndSum, 1, {"'a'"}));
+  EXPECT_THAT(Faults("{channel: b, sign: 0.5}"), Reports(kChannelSign, 1, {"'a'"}));
+  EXPECT_EQ(Faults("{channel: b, sign: 0.5}").items().at(0).place.file, "study.yaml");
+  EXPECT_THAT(Faults("{channel: b, scale: 0}"), Reports(kChannelScale, 1, {"'a'"}));
+  EXPECT_THAT(Faults("{channel: b, scale: -2}"), Reports(kKeyNotNumber, 1, {"'scale'"}));
+  EXPECT_THAT(Faults("{channel: b, delay: 2}"), Reports(kKeyNotQuantity, 1, {"'delay'"}));
+  EXPECT_THAT(Faults("{channel: b, unit: furlong}"), Reports(kChannelSourceUnit, 1, {"'a'", "'furlong'"}));
+  EXPECT_THAT(Faults("{channel: b, sgin: 1}"), Reports(kKeyUnknown, 1, {"'sign'"}));
+  const Diagnostics two = Faults("{chanel: b, sgn: -1}");
+  EXPECT_THAT(two, Reports(kKeyUnknown, 1, {"'chanel'", "'a'", "'channel'"}));
+  EXPECT_THAT(two, Reports(kKeyUnknown, 1, {"'sgn'", "'a'", "'sign'"}));
+  EXPECT_EQ(two.items().size(), 2u) << two.Format();
+  EXPECT_THAT(Faults("{maen: [b, c]}"), Reports(kKeyUnknown, 1, {"'maen'", "'a'", "'mean'"}));
+  EXPECT_EQ(Faults("{maen: [b, c]}").items().size(), 1u);
+  EXPECT_THAT(Faults("{sum: [b, {chanel: c}]}"), Reports(kKeyUnknown, 1, {"'chanel'", "'a'", "'channel'"}));
+  EXPECT_THAT(Faults("{sign: -1}"), Reports(kChannelNotNamed, 1, {"'a'"}));
+  EXPECT_THAT(Faults("{sum: []}"), Reports(kChannelListEmpty, 1, {"'a'"}));
 }
 
 TEST(SourceText, IsWhatTheReaderReads) {
@@ -86,10 +89,10 @@ TEST(SourceText, IsWhatTheReaderReads) {
     EXPECT_EQ(SourceText(Good(text)), text);
 }
 
-TEST(ChannelSourceReader, RefusesWhatAnotherKindOfDataTells) {
-  EXPECT_THAT(Fault("{channel: b, unit: mm}", ChannelKind::kSteppedSine), HasSubstr("unit"));
+TEST(ChannelSourceReader, RefusesKeysOfAnotherKindOfData) {
+  EXPECT_THAT(Faults("{channel: b, unit: mm}", ChannelKind::kSteppedSine), Reports(kKeyUnknown, 1, {"'unit'"}));
   EXPECT_EQ(Good("{channel: b, delay: 1 ms}", ChannelKind::kSteppedSine).channels.at(0).delay_s, 0.001);
-  EXPECT_THAT(Fault("{channel: b, delay: 1 ms}", ChannelKind::kLoad), HasSubstr("delay"));
+  EXPECT_THAT(Faults("{channel: b, delay: 1 ms}", ChannelKind::kLoad), Reports(kKeyUnknown, 1, {"'delay'"}));
 }
 
 }  // namespace

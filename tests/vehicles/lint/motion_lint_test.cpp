@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/vehicles/lint/odd_vehicle.h"
+#include "vehicles/lint/findings.h"
 
 namespace fourpost {
 namespace {
@@ -10,10 +11,9 @@ namespace {
 TEST_F(VehicleLintTest, TellsWhatNothingHoldsInThePlane) {
   const std::string text = Kart("damping=\"200 N*s/m\"");
   Look(text);
-  ExpectWarning(text, "<link name=\"body\"",
-                "nothing resists fore-aft motion of link 'body': give the tyres a longitudinal");
-  ExpectWarning(text, "<link name=\"body\"", "nothing resists lateral motion of link 'body': give the tyres a lateral");
-  ExpectWarning(text, "<link name=\"body\"", "nothing resists yaw of link 'body': give the tyres a lateral stiffness");
+  ExpectWarning(text, "<link name=\"body\"", kMotionFreeAlong, {"link 'body'"});
+  ExpectWarning(text, "<link name=\"body\"", kMotionFreeAcross, {"lateral", "link 'body'"});
+  ExpectWarning(text, "<link name=\"body\"", kMotionFreeAcross, {"yaw", "link 'body'"});
 }
 
 const std::string kPlaneDamping = "lateral_damping=\"500 N*s/m\" longitudinal_damping=\"100 N*s/m\" ";
@@ -27,11 +27,10 @@ TEST_F(VehicleLintTest, LetsDampedTyresHoldTheCar) {
 TEST_F(VehicleLintTest, TellsOfMotionInThePlaneThatNothingDamps) {
   const std::string text = Kart("damping=\"200 N*s/m\" lateral=\"80 kN/m\" longitudinal=\"20 kN/m\"");
   Look(text);
-  ExpectWarning(text, "<link name=\"body\"",
-                "hardly anything damps the mode 'fore-aft' at 3.18 Hz (damping ratio 0 %): no measured car rings so, "
-                "and a march hardly settles; give the tyres longitudinal_damping");
-  ExpectWarning(text, "<link name=\"body\"", "mode 'lateral' at 6.37 Hz (damping ratio 0 %)");
-  ExpectWarning(text, "<link name=\"body\"", "mode 'yaw' at 5.63 Hz");
+  ExpectWarning(text, "<link name=\"body\"", kModeUndampedByTyres,
+                {"'fore-aft'", "3.18 Hz", "0 %", "longitudinal_damping"});
+  ExpectWarning(text, "<link name=\"body\"", kModeUndampedByTyres, {"'lateral'", "6.37 Hz", "0 %"});
+  ExpectWarning(text, "<link name=\"body\"", kModeUndampedByTyres, {"'yaw'", "5.63 Hz"});
 }
 
 // By hand: c / (2 m w) = 4 c / (2 x 200 kg x 20/s) is 0.5 % at c = 10 N*s/m.
@@ -44,17 +43,15 @@ TEST_F(VehicleLintTest, TellsOfDampingBelowHalfAPerCent) {
   };
   Look(kart("10.1"));
   Look(kart("9.9"));
-  ExpectWarning(kart("9.9"), "<link name=\"body\"", "mode 'fore-aft' at 3.18 Hz (damping ratio 0.495 %)");
+  ExpectWarning(kart("9.9"), "<link name=\"body\"", kModeUndampedByTyres, {"'fore-aft'", "3.18 Hz", "0.495 %"});
 }
 
 TEST_F(VehicleLintTest, TellsOfRideThatNothingDamps) {
   const std::string text = Kart(kPlaneDamping + "lateral=\"80 kN/m\" longitudinal=\"20 kN/m\"");
   Look(text);
-  ExpectWarning(text, "<link name=\"body\"", "mode 'heave' at 7.12 Hz (damping ratio 0 %)");
-  ExpectWarning(text, "<link name=\"body\"", "mode 'roll' at 9.19 Hz");
-  ExpectWarning(text, "<link name=\"body\"",
-                "mode 'pitch' at 6.5 Hz (damping ratio 0 %): no measured car rings so, and a march hardly settles; add "
-                "an fp:damper, or damping to a bushing or tyre");
+  ExpectWarning(text, "<link name=\"body\"", kModeUndamped, {"'heave'", "7.12 Hz", "0 %"});
+  ExpectWarning(text, "<link name=\"body\"", kModeUndamped, {"'roll'", "9.19 Hz"});
+  ExpectWarning(text, "<link name=\"body\"", kModeUndamped, {"'pitch'", "6.5 Hz", "0 %"});
 }
 
 // Fore-aft at sqrt(4 x 2 MN/m / 200 kg) = 31.8 Hz.
@@ -71,7 +68,7 @@ TEST_F(VehicleLintTest, TellsOnceWhatATwinHasAsWell) {
 </robot>)";
   const std::string text = Replaced(bare, "</robot>", mirrored);
   Look(text);
-  ExpectWarning(text, "<fp:spring name=\"tie_left\"", "stiffness of fp:spring 'tie_left' is 9 N/m");
+  ExpectWarning(text, "<fp:spring name=\"tie_left\"", kNumberUnusual, {"stiffness", "fp:spring 'tie_left'", "9 N/m"});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/findings.h"
 #include "tests/vehicles/lint_all.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "tests/vehicles/small_vehicle.h"
@@ -48,10 +49,10 @@ inline const std::string kAxle = R"(<robot name="axle" xmlns:fp="urn:fourpost:ve
 <fp:spring name="coil_left" parent="top_left" child="wheel_left"><linear stiffness="30 kN/m"/></fp:spring>
 <fp:spring name="coil_right" parent="top_right" child="wheel_right"><linear stiffness="30 kN/m"/></fp:spring>
 <fp:damper name="damper_left" parent="top_left" child="wheel_left">
-  <bilinear compression="1000 N*s/m" rebound="2000 N*s/m"/>
+  <bilinear bump="1000 N*s/m" rebound="2000 N*s/m"/>
 </fp:damper>
 <fp:damper name="damper_right" parent="body" child="wheel_right">
-  <bilinear compression="999 N*s/m" rebound="2000 N*s/m"/>
+  <bilinear bump="999 N*s/m" rebound="2000 N*s/m"/>
 </fp:damper>
 <fp:antiroll name="bar" stiffness="5 kN/m">
   <left parent="body" child="wheel_left"/><right parent="body" child="wheel_right"/>
@@ -93,29 +94,21 @@ class VehicleLintTest : public VehicleFileTest {
   }
 
   /// Takes one finding in the line of `at`.
-  void ExpectWarning(const std::string& text, const std::string& at, const std::string& message) {
-    Expect(Severity::kWarning, LineOf(text, at), message);
+  void ExpectWarning(const std::string& text, const std::string& at, const Finding& kind,
+                     const std::vector<std::string>& words = {}) {
+    Expect(LineOf(text, at), kind, words);
   }
 };
 
-/// Messages of the findings, all of them warnings, each in the line expected.
-inline std::vector<std::string> Findings(const Vehicle& vehicle, int line) {
-  std::vector<std::string> messages;
+/// Of a vehicle, all of them warnings, each in the line expected.
+inline std::vector<Diagnostic> Findings(const Vehicle& vehicle, int line) {
   const Diagnostics findings = Lint(vehicle);
   for (const Diagnostic& item : findings.items()) {
     EXPECT_EQ(item.severity, Severity::kWarning);
     EXPECT_EQ(item.place.file, vehicle.file);
     EXPECT_EQ(item.place.line, line) << item.message;
-    messages.push_back(item.message);
   }
-  return messages;
-}
-
-inline std::vector<std::string> OddInDescription(const Vehicle& vehicle) {
-  std::vector<std::string> messages;
-  const Diagnostics findings = LintDescription(vehicle);
-  for (const Diagnostic& item : findings.items()) messages.push_back(item.message);
-  return messages;
+  return findings.items();
 }
 
 inline Vehicle QuarterCar() { return ShippedVehicle("quarter_car"); }

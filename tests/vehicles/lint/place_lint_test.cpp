@@ -5,12 +5,12 @@
 #include <gmock/gmock.h>
 
 #include "tests/vehicles/lint/odd_vehicle.h"
+#include "vehicles/lint/findings.h"
 
 namespace fourpost {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 // The body's mesh and its coil's end reach up to 0.2 m.
@@ -18,8 +18,7 @@ TEST(VehicleLint, TellsOfASensorOffItsBody) {
   Vehicle vehicle = QuarterCar();
   vehicle.sensors[0].point.xyz = {0, 0, 0.75};
   EXPECT_THAT(Findings(vehicle, vehicle.sensors[0].source_line),
-              ElementsAre("fp:sensor 'a_sprung' is 550 mm off all that the file tells of link 'sprung', which carries "
-                          "it: correct the link, or xyz, which is in metres and in the axes of its link"));
+              ElementsAre(IsFinding(kSensorOffBody, {"fp:sensor 'a_sprung'", "link 'sprung'", "550 mm"})));
   vehicle.sensors[0].point.xyz = {0, 0, 0.65};
   EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
 }
@@ -30,17 +29,17 @@ TEST(VehicleLint, TellsOfASensorOfOneAxleBesideTheOther) {
                                    [](const Sensor& one) { return one.name == "a_axle_FL"; });
   ASSERT_NE(sensor, vehicle.sensors.end());
   sensor->point.xyz.x() -= 2.794;
-  EXPECT_THAT(Findings(vehicle, sensor->source_line), ElementsAre(HasSubstr("off all that the file tells of link")));
+  EXPECT_THAT(Findings(vehicle, sensor->source_line), ElementsAre(IsFinding(kSensorOffBody)));
 }
 
 TEST(VehicleLint, TellsOfASensorThatReadsNothing) {
   Vehicle vehicle = QuarterCar();
   vehicle.sensors[0].point.link = 0;
   EXPECT_THAT(Findings(vehicle, vehicle.sensors[0].source_line),
-              ElementsAre(HasSubstr("fp:sensor 'a_sprung' reads nothing, however the vehicle moves")));
+              ElementsAre(IsFinding(kSensorBlind, {"fp:sensor 'a_sprung'"})));
   vehicle.sensors[0].point.link = 2;
   vehicle.sensors[0].axis = Eigen::Vector3d::UnitY();
-  EXPECT_THAT(Findings(vehicle, vehicle.sensors[0].source_line), ElementsAre(HasSubstr("reads nothing")));
+  EXPECT_THAT(Findings(vehicle, vehicle.sensors[0].source_line), ElementsAre(IsFinding(kSensorBlind)));
 }
 
 TEST(VehicleLint, TellsOfAnInertiaThatNoBodyOfThisSizeHas) {
@@ -49,8 +48,7 @@ TEST(VehicleLint, TellsOfAnInertiaThatNoBodyOfThisSizeHas) {
   EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
   for (const std::size_t i : {1, 2}) vehicle.links[1].inertia[i].value = 550;
   EXPECT_THAT(Findings(vehicle, vehicle.links[1].line),
-              ElementsAre(HasSubstr("inertia of link 'unsprung' is 550 kg*m^2 at a mass of 22 kg, a radius of gyration "
-                                    "of 5 m, beyond all")));
+              ElementsAre(IsFinding(kInertiaUnusual, {"link 'unsprung'", "550 kg*m^2", "22 kg", "5 m"})));
 }
 
 TEST(VehicleLint, TellsOfATyreAboveItsPlatform) {
@@ -59,26 +57,24 @@ TEST(VehicleLint, TellsOfATyreAboveItsPlatform) {
   vehicle.tyres[0].point.xyz.z() = 0.015;
   EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
   vehicle.tyres[0].point.xyz.z() = -0.05;
-  EXPECT_THAT(
-      Findings(vehicle, vehicle.tyres[0].source_line),
-      ElementsAre("the point of fp:tyre 'tyre' is 250 mm above the platform, z = 0, in the design pose, but its "
-                  "radius is 300 mm: correct the joint's origin, the point or the radius"));
+  EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line),
+              ElementsAre(IsFinding(kTyreRadiusOff, {"fp:tyre 'tyre'", "250 mm", "0", "300 mm"})));
 }
 
 TEST(VehicleLint, TellsOfATyreBelowItsPlatform) {
   Vehicle vehicle = QuarterCar();
   vehicle.tyres[0].point.xyz.z() = -0.6;
-  EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line), ElementsAre(HasSubstr("is -300 mm above the platform")));
+  EXPECT_THAT(Findings(vehicle, vehicle.tyres[0].source_line), ElementsAre(IsFinding(kTyreHeight, {"-300 mm"})));
 }
 
 TEST(VehicleLint, TellsOfLengths) {
   Vehicle vehicle = ShippedVehicle("single_wheel_station");
   vehicle.dampers[0].line.parent.xyz.z() = -0.39;
   EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
-              ElementsAre(HasSubstr("fp:damper 'damper' is 10 mm long in the design pose: its direction turns")));
+              ElementsAre(IsFinding(kLineShort, {"fp:damper 'damper'", "10 mm"})));
   vehicle.dampers[0].line.parent.xyz.z() = 2.7;
   EXPECT_THAT(Findings(vehicle, vehicle.dampers[0].source_line),
-              ElementsAre("fp:damper 'damper' is 3.1 m long in the design pose: correct its ends"));
+              ElementsAre(IsFinding(kLineLong, {"fp:damper 'damper'", "3.1 m"})));
   vehicle.dampers[0].line.axis = Eigen::Vector3d::UnitZ();
   EXPECT_THAT(Findings(vehicle, 0), IsEmpty());
 }
@@ -86,19 +82,19 @@ TEST(VehicleLint, TellsOfLengths) {
 TEST(VehicleLint, TellsThatThereIsNoPost) {
   Vehicle vehicle = QuarterCar();
   vehicle.posts.clear();
-  EXPECT_THAT(Findings(vehicle, 0), ElementsAre(HasSubstr("the vehicle has tyres but no post")));
+  EXPECT_THAT(Findings(vehicle, 0), ElementsAre(IsFinding(kPostsNone)));
 }
 
 TEST_F(VehicleLintTest, TellsOfATyreWithoutAPost) {
   const std::string text = Replaced(kAxle, R"(<fp:post name="right" under="tyre_right"/>)", "");
   Look(text);
-  ExpectWarning(text, "<fp:tyre name=\"tyre_right\"", "fp:tyre 'tyre_right' has no post while others have one");
+  ExpectWarning(text, "<fp:tyre name=\"tyre_right\"", kPostMissing, {"fp:tyre 'tyre_right'"});
 }
 
 TEST(VehicleLint, TellsThatThereIsNoSensor) {
   Vehicle vehicle = QuarterCar();
   vehicle.sensors.clear();
-  EXPECT_THAT(Findings(vehicle, 0), ElementsAre(HasSubstr("the vehicle has no sensor")));
+  EXPECT_THAT(Findings(vehicle, 0), ElementsAre(IsFinding(kSensorsNone)));
 }
 
 }  // namespace

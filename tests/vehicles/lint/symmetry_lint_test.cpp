@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/vehicles/lint/odd_vehicle.h"
+#include "vehicles/lint/findings.h"
 
 namespace fourpost {
 namespace {
@@ -11,10 +12,9 @@ TEST_F(VehicleLintTest, TellsOfPointsThatAreNearlyMirrored) {
   const std::string text = Replaced(kAxle, R"(<fp:frame name="top_right" link="body" xyz="0 -0.7 0"/>)",
                                     R"(<fp:frame name="top_right" link="body" xyz="0.012 -0.7 0"/>)");
   Look(text);
-  ExpectWarning(text, R"(<fp:spring name="coil_right")",
-                "parent's end of fp:spring 'coil_right' is 12 mm off the mirror image of that of fp:spring 'coil_left' "
-                "(line " +
-                    std::to_string(LineOf(text, "<fp:spring name=\"coil_left\"")) + ")");
+  ExpectWarning(text, R"(<fp:spring name="coil_right")", kMirrorPoint,
+                {"parent's end", "fp:spring 'coil_right'", "12 mm", "fp:spring 'coil_left'",
+                 "line " + std::to_string(LineOf(text, "<fp:spring name=\"coil_left\""))});
 }
 
 TEST_F(VehicleLintTest, LetsSidesDifferThatAreNotMeantToBeMirrored) {
@@ -29,8 +29,8 @@ TEST_F(VehicleLintTest, LetsSidesDifferThatAreNotMeantToBeMirrored) {
 TEST_F(VehicleLintTest, TellsOfNumbersThatDifferByATypingSlip) {
   const std::string text = Replaced(kAxle, "999 N*s/m", "99.9 N*s/m");
   Look(text);
-  ExpectWarning(text, R"(<fp:damper name="damper_right")",
-                "compression rate of fp:damper 'damper_right' is 99.9 N*s/m, that of fp:damper 'damper_left'");
+  ExpectWarning(text, R"(<fp:damper name="damper_right")", kMirrorNumber,
+                {"bump rate", "fp:damper 'damper_right'", "fp:damper 'damper_left'", "99.9 N*s/m"});
 }
 
 TEST_F(VehicleLintTest, TellsOfACoilAtHalfTheOthersRate) {
@@ -38,14 +38,14 @@ TEST_F(VehicleLintTest, TellsOfACoilAtHalfTheOthersRate) {
   const std::string text =
       Replaced(kAxle, at + R"(<linear stiffness="30 kN/m"/>)", at + R"(<linear stiffness="15 kN/m"/>)");
   Look(text);
-  ExpectWarning(text, at, "stiffness of fp:spring 'coil_right' is 15 kN/m, that of fp:spring 'coil_left'");
+  ExpectWarning(text, at, kMirrorNumber, {"stiffness", "fp:spring 'coil_right'", "fp:spring 'coil_left'", "15 kN/m"});
 }
 
 TEST_F(VehicleLintTest, LetsTypedNumbersOfBothSidesDifferByRounding) {
   Look(Replaced(kAxle, "999 N*s/m", "991 N*s/m"));
   const std::string text = Replaced(kAxle, "999 N*s/m", "989 N*s/m");
   Look(text);
-  ExpectWarning(text, R"(<fp:damper name="damper_right")", "make them parameters if they were measured so");
+  ExpectWarning(text, R"(<fp:damper name="damper_right")", kMirrorNumber, {"parameters"});
 }
 
 TEST_F(VehicleLintTest, LetsParametersOfBothSidesDifferByHalf) {
@@ -55,14 +55,15 @@ TEST_F(VehicleLintTest, LetsParametersOfBothSidesDifferByHalf) {
   };
   Look(text("670 N*s/m"));
   Look(text("660 N*s/m"));
-  ExpectWarning(text("660 N*s/m"), R"(<fp:damper name="damper_right")", "compression rate of fp:damper 'damper_right'");
+  ExpectWarning(text("660 N*s/m"), R"(<fp:damper name="damper_right")", kMirrorNumber,
+                {"bump rate", "fp:damper 'damper_right'"});
 }
 
 /// The axle with a table for each damper.
 std::string WithTables(const std::string& left, const std::string& right) {
   const std::string text =
-      Replaced(kAxle, R"(<bilinear compression="1000 N*s/m" rebound="2000 N*s/m"/>)", "<table>" + left + "</table>");
-  return Replaced(text, R"(<bilinear compression="999 N*s/m" rebound="2000 N*s/m"/>)", "<table>" + right + "</table>");
+      Replaced(kAxle, R"(<bilinear bump="1000 N*s/m" rebound="2000 N*s/m"/>)", "<table>" + left + "</table>");
+  return Replaced(text, R"(<bilinear bump="999 N*s/m" rebound="2000 N*s/m"/>)", "<table>" + right + "</table>");
 }
 
 /// From -0.4 to 0.4 m/s.
@@ -80,15 +81,15 @@ TEST_F(VehicleLintTest, LetsTablesOfBothSidesBeTheSame) { Look(WithTables(Points
 TEST_F(VehicleLintTest, TellsOnceOfTablesThatDiffer) {
   const std::string text = WithTables(Points(2), Points(2.5));
   Look(text);
-  ExpectWarning(text, R"(<fp:damper name="damper_right")",
-                "force in the table of fp:damper 'damper_right' is 150 N, that of fp:damper 'damper_left'");
+  ExpectWarning(text, R"(<fp:damper name="damper_right")", kMirrorNumber,
+                {"force in the table", "fp:damper 'damper_right'", "fp:damper 'damper_left'", "150 N"});
 }
 
 TEST_F(VehicleLintTest, TellsOfABarWithBothLinesOnOneSide) {
   const std::string text = Replaced(kAxle, R"(<right parent="body" child="wheel_right"/>)",
                                     R"(<right parent="top_left" child="wheel_left"/>)");
   Look(text);
-  ExpectWarning(text, "<fp:antiroll", "both lines of fp:antiroll 'bar' are on the left of the car");
+  ExpectWarning(text, "<fp:antiroll", kBarSide, {"fp:antiroll 'bar'"});
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // Every element at once: the condensed vehicle against the multibody it was taken from.
 #include "tests/vehicles/element_car.h"
 
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <span>
 
 #include <gmock/gmock.h>
 
@@ -11,7 +14,8 @@
 #include "vehicles/condensed/modes.h"
 #include "vehicles/loops/chart.h"
 #include "vehicles/multibody/multibody.h"
-#include "vehicles/response/harmonic_balance.h"
+#include "vehicles/simulation/condensed_system.h"
+#include "vehicles/simulation/time_history.h"
 
 namespace fourpost {
 namespace {
@@ -304,30 +308,30 @@ TEST(ElementCar, EveryParameterMovesTheMultibody) {
   }
 }
 
+/// 80 mm at 1.5 Hz, each post another share of it.
+void LargeMotion(double t, std::span<PostState> posts) {
+  constexpr std::array<double, 4> kShares = {1, 0.5, -0.3, 0.2};
+  const double omega = 2 * std::numbers::pi * 1.5;
+  for (std::size_t i = 0; i < posts.size(); ++i) {
+    const double amplitude = 0.08 * kShares.at(i);
+    posts[i] = {.height = amplitude * std::sin(omega * t),
+                .velocity = amplitude * omega * std::cos(omega * t),
+                .acceleration = -amplitude * omega * omega * std::sin(omega * t)};
+  }
+}
+
 TEST(ElementCar, EveryParameterMovesTheCondensedVehicle) {
-  Vehicle vehicle = ElementCar();
-  // Friction that a few harmonics resolve.
-  for (Parameter& parameter : vehicle.parameters)
-    if (parameter.name == "v_friction" || parameter.name == "v_seal") parameter.value = 0.1;
-  for (Damper& damper : vehicle.dampers)
-    if (damper.law.friction && damper.law.friction->speed.parameter < 0) damper.law.friction->speed.value = 0.1;
+  const Vehicle vehicle = ElementCar();
   const CondensedVehicle condensed(vehicle);
-  const HarmonicBalanceOptions rough{.error = 10, .most_harmonics = 17};
   const auto answer = [&](const std::vector<double>& values) {
     const CondensedModel model = condensed.At(values);
-    VectorXd response(2 * static_cast<Index>(vehicle.sensors.size()));
-    const FrequencyResponse balanced =
-        SolveHarmonicBalance(model, vehicle.sensors, {{1.5}, {0.08}, {1, 0.5, -0.3, 0.2}}, rough).response;
-    for (std::size_t c = 0; c < balanced.channels.size(); ++c) {
-      const std::complex<double> value = balanced.channels[c].response[0];
-      response.segment<2>(2 * static_cast<Index>(c)) << value.real(), value.imag();
-    }
-    return response;
+    CondensedSystem system(model, RigViewOf(vehicle), 1e-3);
+    return Simulate(system, LargeMotion, {.end_s = 0.7, .rate_Hz = 100}).readings;
   };
-  const VectorXd before = answer(vehicle.ParameterValues());
+  const MatrixXd before = answer(vehicle.ParameterValues());
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
     const double change = (answer(Larger(vehicle, static_cast<int>(i))) - before).norm() / before.norm();
-    EXPECT_GT(change, 1e-12) << vehicle.parameters[i].name;
+    EXPECT_GT(change, 1e-9) << vehicle.parameters[i].name;
   }
 }
 

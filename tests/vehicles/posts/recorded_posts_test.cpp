@@ -9,14 +9,14 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/files/findings.h"
+#include "tests/findings.h"
 #include "tests/temporary_folder.h"
 #include "tests/vehicles/posts/consistent_motion.h"
 #include "tests/vehicles/shipped_vehicle.h"
 
 namespace fourpost {
 namespace {
-
-using testing::HasSubstr;
 
 /// Post of the quarter car at 2 Hz, 5 mm about 3 mm, sampled at 200 Hz from 10 s on.
 double Height(double t) { return 0.003 + 0.005 * std::sin(4 * std::numbers::pi * t); }
@@ -41,9 +41,9 @@ class Recorded : public testing::Test {
   std::optional<RecordedPosts> Read(const std::string& text) {
     return ReadRecordedPosts(folder_.Write("posts.csv", text), vehicle_, diagnostics_);
   }
-  std::string FaultOf(const std::string& text) {
+  Diagnostics FaultOf(const std::string& text) {
     EXPECT_FALSE(Read(text));
-    return diagnostics_.Format();
+    return diagnostics_;
   }
 
   TemporaryFolder folder_;
@@ -95,35 +95,32 @@ TEST_F(Recorded, MayCallAPostByItsTag) {
 }
 
 TEST_F(Recorded, NamesPostsThatAreMissing) {
-  EXPECT_THAT(FaultOf(Record("time,height", "s,mm")),
-              HasSubstr("column '" + post_ + "', the height of a post, is missing"));
+  EXPECT_THAT(FaultOf(Record("time,height", "s,mm")), Reports(kChannelColumnMissing, {"'" + post_ + "'"}));
 }
 
 TEST_F(Recorded, NamesUnitsThatAreNoLength) {
   EXPECT_THAT(FaultOf(Record("time," + post_, "s,kN")),
-              HasSubstr("posts.csv:2: error: column '" + post_ +
-                        "', the height of a post, has 'kN' for its unit; it takes a length such as 'mm'"));
+              Reports(kUnitOfOtherDimension, 2, {"'" + post_ + "'", "'kN'", "'mm'"}));
 }
 
 TEST_F(Recorded, NamesSamplesWithoutANumber) {
   const std::string text = Replace(good_, "\n10.5,", "\n10.5,lost");
-  EXPECT_THAT(FaultOf(text), HasSubstr("posts.csv:103: error: column '" + post_ + "' has 'lost"));
+  EXPECT_THAT(FaultOf(text), Reports(kSampleMissing, 103, {"'" + post_ + "'", "'lost"}));
 }
 
 TEST_F(Recorded, NamesGaps) {
   std::string text = good_;
   const std::size_t gap = text.find("\n10.5,");
   text.erase(gap, text.find("\n11,") - gap);
-  EXPECT_THAT(FaultOf(text), testing::AllOf(HasSubstr("posts.csv:103: error: time goes from 10.495 s to 11 s"),
-                                            HasSubstr("must be evenly spaced")));
+  EXPECT_THAT(FaultOf(text), Reports(kTimeStepUneven, 103, {"10.495 s", "11 s"}));
 }
 
 TEST_F(Recorded, NamesTimesThatStepBack) {
-  EXPECT_THAT(FaultOf(Replace(good_, "\n10.5,", "\n9,")), HasSubstr("time goes from 10.495 s to 9 s"));
+  EXPECT_THAT(FaultOf(Replace(good_, "\n10.5,", "\n9,")), Reports(kTimeStepUneven, {"10.495 s", "9 s"}));
 }
 
 TEST_F(Recorded, NamesRecordsThatAreTooShort) {
-  EXPECT_THAT(FaultOf(Record("time," + post_, "s,mm", 3)), HasSubstr("has 3 samples; it takes four at least"));
+  EXPECT_THAT(FaultOf(Record("time," + post_, "s,mm", 3)), Reports(kTooFewSamples, {"3"}));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Each file of tests/data/broken has one fault, and says in its first lines what must be found in it:
-//   <!-- expect: LINE: error: PART OF THE MESSAGE -->
+//   <!-- expect: LINE: ID: NAME OR NUMBER; ANOTHER -->
 // LINE 0 stands for the file as a whole. A new case is a new file.
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<std::string> FileNames() {
   return names;
 }
 
-/// The expectations of the first lines, as "LINE: error: PART".
+/// The expectations of the first lines, as "LINE: ID: WORD; WORD".
 std::vector<std::string> Expected(std::string_view text) {
   constexpr std::string_view kBegin = "<!-- expect: ";
   constexpr std::string_view kEnd = " -->";
@@ -43,16 +43,20 @@ std::vector<std::string> Expected(std::string_view text) {
 }
 
 std::string Shown(const Diagnostic& found) {
-  return std::to_string(found.place.line) + (found.severity == Severity::kError ? ": error: " : ": warning: ") +
-         found.message;
+  return std::to_string(found.place.line) + ": " + found.id + ": " + found.message;
 }
 
-/// Whether the finding has this line and severity, and a message that holds this part.
+/// Whether the finding is of this line and kind, and its message names each of the words.
 bool Meets(const Diagnostic& found, const std::string& expected) {
-  const std::string shown = Shown(found);
-  const std::size_t head = shown.find(": ", shown.find(": ") + 2) + 2;
-  return expected.size() > head && expected.starts_with(shown.substr(0, head)) &&
-         found.message.find(expected.substr(head)) != std::string::npos;
+  const std::string head = std::to_string(found.place.line) + ": " + found.id;
+  if (expected == head) return true;
+  if (!expected.starts_with(head + ": ")) return false;
+  for (std::size_t from = head.size() + 2; from < expected.size();) {
+    const std::size_t end = std::min(expected.find("; ", from), expected.size());
+    if (found.message.find(expected.substr(from, end - from)) == std::string::npos) return false;
+    from = end + 2;
+  }
+  return true;
 }
 
 /// What reading the file and making its multibody system finds.
@@ -62,8 +66,7 @@ Diagnostics Findings(const fs::path& file) {
     const std::optional<Vehicle> vehicle = ReadVehicle(file, diagnostics);
     if (vehicle) CondensedVehicle{*vehicle};
   } catch (const FaultyInput& fault) {
-    for (const Diagnostic& item : fault.diagnostics().items())
-      diagnostics.Add(item);
+    for (const Diagnostic& item : fault.diagnostics().items()) diagnostics.Add(item);
   }
   return diagnostics;
 }

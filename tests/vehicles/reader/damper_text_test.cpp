@@ -19,7 +19,7 @@ TEST(DamperText, HasNumbersInPlaceOfParameters) {
     if (car.parameters[i].name == "c_bump") values[i] = 1234.5;
   const std::string text = DamperText(car, "damper", values);
   EXPECT_THAT(text, HasSubstr(R"(<fp:damper name="damper" parent="strut_top" child="strut_bottom")"));
-  EXPECT_THAT(text, HasSubstr(R"(<bilinear compression="1234.5 N*s/m" rebound="1500 N*s/m"/>)"));
+  EXPECT_THAT(text, HasSubstr(R"(<bilinear bump="1234.5 N*s/m" rebound="1500 N*s/m"/>)"));
 }
 
 // It reads where it is pasted, as the same law.

@@ -3,6 +3,8 @@
 #include <array>
 
 #include "tests/vehicles/small_vehicle.h"
+#include "vehicles/reader/findings.h"
+#include "vehicles/tags/findings.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
@@ -69,9 +71,10 @@ class DrakeTags : public VehicleFileTest {
 
   const XMLElement& Made(const char* tag) { return *document_.RootElement()->FirstChildElement(tag); }
 
-  void ExpectOnly(const std::string& text, const std::string& at, const std::string& part) {
+  void ExpectOnly(const std::string& text, const std::string& at, const Finding& kind,
+                  const std::vector<std::string>& words = {}) {
     EXPECT_FALSE(Read(text).has_value());
-    Expect(Severity::kError, LineOf(text, at), part);
+    Expect(LineOf(text, at), kind, words);
   }
 
   tinyxml2::XMLDocument document_;
@@ -170,8 +173,7 @@ TEST_F(DrakeTags, NeedNoNamespaceOfOurs) { EXPECT_TRUE(Read(Robot(kBall)).has_va
 TEST_F(DrakeTags, WarnOfThoseThatAreIgnored) {
   const std::string text = Robot(kBall + "<drake:collision_filter_group/>\n<drake:joint/>");
   EXPECT_TRUE(Read(text).has_value());
-  Expect(Severity::kWarning, LineOf(text, "<drake:coll"),
-         "is ignored, as is all with the prefix 'drake:' but ball_constraint");
+  Expect(LineOf(text, "<drake:coll"), kForeignPrefix, {"'drake:'", "ball_constraint"});
 }
 
 TEST_F(DrakeTags, WarnOfABushingThatDrakeHasUnderLoad) {
@@ -180,69 +182,64 @@ TEST_F(DrakeTags, WarnOfABushingThatDrakeHasUnderLoad) {
   };
   // Typed digits.
   EXPECT_TRUE(Read(with_frame(R"(xyz="0.00004 0 0" rpy="0.0004 0 0")")).has_value());
-  for (const auto& [place, apart] : {std::pair(R"(xyz="0 0.3 0.4")", "500 mm and 0 deg apart"),
-                                     std::pair(R"(rpy="0 0 0.1")", "0 mm and 5.7 deg apart")}) {
+  for (const auto& [place, apart] :
+       {std::pair(R"(xyz="0 0.3 0.4")", "500 mm and 0 deg"), std::pair(R"(rpy="0 0 0.1")", "0 mm and 5.7 deg")}) {
     const std::string text = with_frame(place);
     EXPECT_TRUE(Read(text).has_value());
-    Expect(Severity::kWarning, LineOf(text, "<drake:linear_b"),
-           "the frames of fp:bushing 'drake_bushing_1' stand " + std::string(apart) + " in the design pose");
+    Expect(LineOf(text, "<drake:linear_b"), kDrakeFramesApart, {"fp:bushing 'drake_bushing_1'", apart});
   }
 }
 
 TEST_F(DrakeTags, NeedEachChild) {
   ExpectOnly(Robot(Replaced(kBall, R"(<drake:ball_constraint_p_AP value="0.1 0.2 0.3"/>)", "")), "<drake:ball_cons",
-             "<drake:ball_constraint> needs a <drake:ball_constraint_p_AP>");
+             kTagMissing);
 }
 
 TEST_F(DrakeTags, HaveEachChildOnce) {
   const std::string body = R"(<drake:ball_constraint_body_B name="B"/>)";
   ExpectOnly(Robot(Replaced(kBall, body, body + "\n<drake:ball_constraint_body_B  name=\"B\"/>")), "_body_B  ",
-             "<drake:ball_constraint> has more than one <drake:ball_constraint_body_B>");
+             kTagTwice);
 }
 
 TEST_F(DrakeTags, KnowTheirChildren) {
   const std::string text = Robot(Replaced(kSpring, "_free_length", "_fre_length"));
   EXPECT_FALSE(Read(text).has_value());
-  Expect(Severity::kError, LineOf(text, "_fre_"),
-         "unknown tag <drake:linear_spring_damper_fre_length> in <drake:linear_spring_damper>, did you mean "
-         "'drake:linear_spring_damper_free_length'?");
+  Expect(LineOf(text, "_fre_"), kTagUnknown, {"'drake:linear_spring_damper_free_length'"});
 }
 
 TEST_F(DrakeTags, KnowTheirAttributes) {
   const std::string text = Robot(Replaced(kBushing, R"(force_damping value)", R"(force_damping vlaue)"));
-  ExpectOnly(text, "vlaue", "did you mean 'value'?");
+  ExpectOnly(text, "vlaue", kAttributeUnknown, {"'value'"});
 }
 
 TEST_F(DrakeTags, HaveNoNames) {
   ExpectOnly(Robot(Replaced(kBall, "<drake:ball_constraint>", R"(<drake:ball_constraint name="b">)")),
-             "<drake:ball_constraint ", "unknown attribute 'name' of drake:ball_constraint 'b': none is legal here");
+             "<drake:ball_constraint ", kAttributeUnknown, {"'name'", "'b'"});
 }
 
 TEST_F(DrakeTags, NeedThreeNumbersForAPoint) {
-  ExpectOnly(Robot(Replaced(kSpring, "4 5 6", "4 5")), "4 5",
-             R"(value="4 5" of <drake:linear_spring_damper_p_BQ> of <drake:linear_spring_damper> must be three)");
+  ExpectOnly(Robot(Replaced(kSpring, "4 5 6", "4 5")), "4 5", kNotAVector,
+             {R"(value="4 5" of <drake:linear_spring_damper_p_BQ>)"});
 }
 
-TEST_F(DrakeTags, NeedPlainNumbers) {
-  ExpectOnly(Robot(Replaced(kSpring, "8e3", "8e3 N/m")), "8e3", "is not a plain number");
-}
+TEST_F(DrakeTags, NeedPlainNumbers) { ExpectOnly(Robot(Replaced(kSpring, "8e3", "8e3 N/m")), "8e3", kNotAPlainNumber); }
 
 TEST_F(DrakeTags, RefuseANegativeDamping) {
-  ExpectOnly(Robot(Replaced(kSpring, R"("9")", R"("-9")")), R"("-9")", "must not be negative");
+  ExpectOnly(Robot(Replaced(kSpring, R"("9")", R"("-9")")), R"("-9")", kNumberNegative);
 }
 
 TEST_F(DrakeTags, NeedAFreeLength) {
-  ExpectOnly(Robot(Replaced(kSpring, "7.50", "0")), "_free_length", "must be above zero");
+  ExpectOnly(Robot(Replaced(kSpring, "7.50", "0")), "_free_length", kNumberNotPositive);
 }
 
 TEST_F(DrakeTags, KnowTheLinks) {
-  ExpectOnly(Robot(Replaced(kBall, R"(body_A name="A")", R"(body_A name="AB")")), "body_A",
-             "fp:frame 'drake_point_1' refers to an unknown link 'AB'");
+  ExpectOnly(Robot(Replaced(kBall, R"(body_A name="A")", R"(body_A name="AB")")), "body_A", kReferenceUnknown,
+             {"fp:frame 'drake_point_1'", "link 'AB'"});
 }
 
 TEST_F(DrakeTags, AreCheckedAsOurs) {
-  ExpectOnly(Robot(R"(<frame name="on_A" link="A" xyz="0 0 0" rpy="0 0"/>)"), "on_A",
-             R"(rpy="0 0" of fp:frame 'on_A' must be three numbers)");
+  ExpectOnly(Robot(R"(<frame name="on_A" link="A" xyz="0 0 0" rpy="0 0"/>)"), "on_A", kNotAVector,
+             {R"(rpy="0 0" of fp:frame)", "'on_A'"});
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ TEST_F(Resolved, GivesNoPreloadBesideAFreeLength) {
 
 TEST_F(Resolved, TellsWhatItLeavesUnexpanded) {
   EXPECT_THAT(Resolve(kSmallVehicle), Not(HasSubstr("not written out")));
-  EXPECT_THAT(Resolve(kIndependentCar), HasSubstr("The twins that fp:mirror makes are not written out. -->"));
+  EXPECT_THAT(Resolve(kIndependentCar), HasSubstr("The mirror partners that fp:mirror makes are not written out. -->"));
   const std::string text = Replaced(kSmallVehicle, "<fp:frame name=\"top\"", "<frame name=\"top\"");
   EXPECT_THAT(Resolve(text), HasSubstr("Tags of Drake stand as they are. -->"));
 }
@@ -101,6 +101,14 @@ TEST_F(Resolved, PutsItsNoteOnTopOfATextWithoutDeclaration) {
   const std::string text = Replaced(kSmallVehicle, "<?xml version=\"1.0\"?>\n", "");
   EXPECT_THAT(Resolve(text), testing::StartsWith("<!-- fourpost check"));
   EXPECT_THAT(Resolve("\xEF\xBB\xBF" + text), testing::StartsWith("\xEF\xBB\xBF<!-- fourpost check"));
+}
+
+// The parser takes any instruction at the top for the declaration, and none behind a comment.
+TEST_F(Resolved, PutsItsNoteBehindAnotherInstruction) {
+  const std::string text = Replaced(kSmallVehicle, R"(<?xml version="1.0"?>)", "<?lmv version=\"1.0\"?>");
+  const std::string resolved = Resolve(text);
+  EXPECT_THAT(resolved, testing::StartsWith("<?lmv version=\"1.0\"?>\n<!-- fourpost check, resolved"));
+  EXPECT_TRUE(Read(resolved).has_value()) << diagnostics_.Format();
 }
 
 TEST_F(Resolved, NamesMeshesFromItsFolder) {

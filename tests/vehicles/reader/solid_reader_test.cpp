@@ -6,11 +6,12 @@
 #include "tests/temporary_folder.h"
 #include "tests/vehicles/small_vehicle.h"
 #include "vehicles/multibody/multibody.h"
+#include "vehicles/reader/findings.h"
+#include "vehicles/shapes/findings.h"
+#include "vehicles/tags/findings.h"
 
 namespace fourpost {
 namespace {
-
-using ::testing::HasSubstr;
 
 const std::filesystem::path kBlocks = std::filesystem::path(FOURPOST_SOURCE_DIR) / "tests" / "data" / "meshes";
 
@@ -65,17 +66,18 @@ class SolidTag : public VehicleFileTest {
   SolidTag() { Write(ReadText(kBlocks / "block.obj"), "block.obj"); }
 
   /// The block with one thing changed must have this fault in the line of its `fp:solid`.
-  void ExpectFault(const std::string& from, const std::string& to, const std::string& message) {
+  void ExpectFault(const std::string& from, const std::string& to, const Finding& kind,
+                   const std::vector<std::string>& words = {}) {
     const std::string text = Replaced(kFreeBlock, from, to);
     EXPECT_FALSE(Read(text).has_value());
-    Expect(Severity::kError, LineOf(text, "<fp:solid"), message);
+    Expect(LineOf(text, "<fp:solid"), kind, words);
   }
 
   /// The same for a change of the mesh.
-  void ExpectMeshFault(const std::string& from, const std::string& to, const std::string& message) {
+  void ExpectMeshFault(const std::string& from, const std::string& to, const Finding& kind) {
     Write(Replace(ReadText(kBlocks / "block.obj"), from, to), "block.obj");
     EXPECT_FALSE(Read(kFreeBlock).has_value());
-    Expect(Severity::kError, LineOf(kFreeBlock, "<fp:solid"), "block.obj' " + message);
+    Expect(LineOf(kFreeBlock, "<fp:solid"), kind, {"block.obj'"});
   }
 };
 
@@ -149,53 +151,47 @@ TEST_F(SolidTag, GivesTheMultibodyItsMassMatrix) {
 }
 
 TEST_F(SolidTag, NeedsAKnownLink) {
-  ExpectFault(R"(<fp:solid link="block")", R"(<fp:solid link="blok")",
-              "<fp:solid> of link 'blok': the link is unknown, did you mean 'block'?");
+  ExpectFault(R"(<fp:solid link="block")", R"(<fp:solid link="blok")", kSolidLink, {"link 'blok'", "'block'"});
 }
 
 TEST_F(SolidTag, IsNotForTheGround) {
-  ExpectFault(R"(<fp:solid link="block")", R"(<fp:solid link="ground")", "the ground must not have a mass");
+  ExpectFault(R"(<fp:solid link="block")", R"(<fp:solid link="ground")", kSolidGround);
 }
 
 TEST_F(SolidTag, IsNotForALinkWithAnInertial) {
   ExpectFault(R"(<link name="block">)",
               R"(<link name="block"><inertial><mass value="1"/>)"
               R"(<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>)",
-              "<fp:solid> of link 'block': the link has an <inertial> already");
+              kSolidInertial, {"link 'block'"});
 }
 
 TEST_F(SolidTag, NeedsAShape) {
   ExpectFault(kFreeBlock.substr(kFreeBlock.find("    <visual>"),
                                 kFreeBlock.find("  </link>") - kFreeBlock.find("    <visual>")),
-              "", "has no <visual>");
+              "", kSolidNoVisual);
 }
 
 TEST_F(SolidTag, StandsOncePerLink) {
   const std::string text =
       Replaced(kFreeBlock, "</robot>", "  <fp:solid link=\"block\" density=\"1 kg/m^3\"/>\n</robot>");
   EXPECT_FALSE(Read(text).has_value());
-  Expect(Severity::kError, LineOf(text, "<fp:solid") + 1,
-         "there is one in line " + std::to_string(LineOf(text, "<fp:solid")) + " already");
+  Expect(LineOf(text, "<fp:solid") + 1, kSolidTwice, {"'block'", "line " + std::to_string(LineOf(text, "<fp:solid"))});
 }
 
-TEST_F(SolidTag, NeedsADensityAboveZero) {
-  ExpectFault("0.5*$rho", "-$rho", "must be above zero over the whole range");
-}
+TEST_F(SolidTag, NeedsADensityAboveZero) { ExpectFault("0.5*$rho", "-$rho", kNumberNotPositive); }
 
 TEST_F(SolidTag, NeedsADensityByItsDimension) {
   const std::string text =
       Replaced(Replaced(kFreeBlock, "2 t/m^3", "2 t"), R"( lower="1 t/m^3" upper="8 t/m^3" precision="1 kg/m^3")", "");
   EXPECT_FALSE(Read(text).has_value());
-  Expect(Severity::kError, LineOf(text, "<fp:solid"), "refers to a mass: a density is needed");
+  Expect(LineOf(text, "<fp:solid"), kParameterOfOtherDimension);
 }
 
-TEST_F(SolidTag, NeedsClosedMeshes) { ExpectMeshFault("f 2 8 6\n", "", "is not closed: the edge from"); }
+TEST_F(SolidTag, NeedsClosedMeshes) { ExpectMeshFault("f 2 8 6\n", "", kSurfaceOpen); }
 
-TEST_F(SolidTag, NeedsOneSurface) {
-  ExpectMeshFault("f 2 8 6\n", "f 2 8 6\nf 2 8 6\n", "does not bound a solid: 3 triangles");
-}
+TEST_F(SolidTag, NeedsOneSurface) { ExpectMeshFault("f 2 8 6\n", "f 2 8 6\nf 2 8 6\n", kSurfaceBranches); }
 
-TEST_F(SolidTag, NeedsMeshesOfOneOrientation) { ExpectMeshFault("f 2 8 6", "f 2 6 8", "is inside out in part"); }
+TEST_F(SolidTag, NeedsMeshesOfOneOrientation) { ExpectMeshFault("f 2 8 6", "f 2 6 8", kSurfaceFlipped); }
 
 TEST_F(SolidTag, NeedsMeshesThatFaceOutward) {
   std::string text = ReadText(kBlocks / "block.obj");
@@ -203,22 +199,20 @@ TEST_F(SolidTag, NeedsMeshesThatFaceOutward) {
          "f 3 8 7\nf 3 4 8\nf 1 7 5\nf 1 3 7\nf 2 8 4\nf 2 6 8\n";
   Write(text, "block.obj");
   EXPECT_FALSE(Read(kFreeBlock).has_value());
-  Expect(Severity::kError, LineOf(kFreeBlock, "<fp:solid"), "block.obj' faces inward: flip all its triangles");
+  Expect(LineOf(kFreeBlock, "<fp:solid"), kSurfaceInward);
 }
 
 TEST_F(SolidTag, NeedsMeshesWithAVolume) {
-  ExpectFault(R"(scale="0.1 -0.2 0.3")", R"(scale="0.1 0 0.3")", "block.obj' has a scale of zero");
+  ExpectFault(R"(scale="0.1 -0.2 0.3")", R"(scale="0.1 0 0.3")", kShapeScale);
 }
 
-TEST_F(SolidTag, NeedsBoxesWithAVolume) {
-  ExpectFault(R"(size="1 4 2")", R"(size="1 -4 2")", "box must have lengths above zero");
-}
+TEST_F(SolidTag, NeedsBoxesWithAVolume) { ExpectFault(R"(size="1 4 2")", R"(size="1 -4 2")", kShapeLength); }
 
 TEST_F(SolidTag, NeedsItsMeshes) {
   const std::string text = Replaced(kFreeBlock, "block.obj", "none.obj");
   EXPECT_FALSE(Read(text).has_value());
-  Expect(Severity::kWarning, LineOf(text, "none.obj"), "mesh 'none.obj' is missing");
-  Expect(Severity::kError, LineOf(text, "<fp:solid"), "none.obj' cannot be read");
+  Expect(LineOf(text, "none.obj"), kMeshMissing, {"'none.obj'"});
+  Expect(LineOf(text, "<fp:solid"), kMeshUnreadable);
 }
 
 }  // namespace

@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/files/findings.h"
 #include "tests/temporary_folder.h"
+#include "vehicles/reader/findings.h"
+#include "vehicles/tags/findings.h"
 #include "vehicles/tags/tag_table.h"
 
 namespace fourpost {
@@ -111,40 +114,55 @@ TEST_F(VehicleFile, TellsAllFaultsAtOnce) {
   text = Replaced(text, "200 kN/m", "200");
   text = Replaced(text, "under=\"tyre\"", "under=\"tire\"");
   EXPECT_FALSE(Read(text).has_value());
-  Expect(Severity::kError, 6, "must not be negative");
-  Expect(Severity::kError, 46, "has no unit");
-  Expect(Severity::kError, 47, "did you mean 'tyre'?");
+  Expect(6, kNumberNegative);
+  Expect(46, kNumberWithoutUnit);
+  Expect(47, kReferenceUnknown, {"'tyre'"});
 }
 
 TEST_F(VehicleFile, WarnsOncePerForeignPrefix) {
   const std::string foreign = "  <x:lamp colour=\"red\"><x:bulb/></x:lamp>\n  <x:lamp/>\n</robot>";
   EXPECT_TRUE(Read(Replaced(kSmallVehicle, "</robot>", foreign)).has_value());
-  Expect(Severity::kWarning, 54, "is ignored, as is all with the prefix 'x:'");
+  Expect(54, kForeignPrefix, {"'x:'"});
+}
+
+// Files of earlier versions.
+TEST_F(VehicleFile, ReadsAnEarlierSpellingWithAWarning) {
+  const std::string text = Replaced(kSmallVehicle, R"(bump="1 kN*s/m")", R"(compression="1 kN*s/m")");
+  const std::optional<Vehicle> vehicle = Read(text);
+  ASSERT_TRUE(vehicle.has_value());
+  EXPECT_EQ(vehicle->dampers.at(0).law.compression.value, 1000);
+  Expect(LineOf(text, "compression="), kAttributeFormer, {"'compression'", "fp:damper 'shock'", "'bump'"});
+}
+
+TEST_F(VehicleFile, TakesOneSpellingOnly) {
+  const std::string text = Replaced(kSmallVehicle, R"(bump="1 kN*s/m")", R"(bump="1 kN*s/m" compression="1 kN*s/m")");
+  EXPECT_FALSE(Read(text).has_value());
+  Expect(LineOf(text, "compression="), kAttributeTwice, {"'compression'", "'bump'"});
 }
 
 TEST_F(VehicleFile, GivesTheTextAsItWasRead) { EXPECT_EQ(Read(kSmallVehicle).value().text, kSmallVehicle); }
 
 TEST_F(VehicleFile, ReportsAFileThatCannotBeRead) {
   EXPECT_FALSE(ReadVehicle(folder_ / "vehicle.urdf", diagnostics_).has_value());
-  Expect(Severity::kError, 0, "cannot be read: No such file or directory");
+  Expect(0, kFileUnreadable);
 }
 
 TEST_F(VehicleFile, ReportsAFolder) {
   std::filesystem::create_directory(folder_ / "vehicle.urdf");
   EXPECT_FALSE(ReadVehicle(folder_ / "vehicle.urdf", diagnostics_).has_value());
-  Expect(Severity::kError, 0, "cannot be read: Is a directory");
+  Expect(0, kFileUnreadable);
 }
 
 TEST_F(VehicleFile, ReportsAnEmptyFileAsEmpty) {
   EXPECT_FALSE(Read("").has_value());
-  Expect(Severity::kError, 0, "not XML: the file is empty");
+  Expect(0, kXmlEmpty);
 }
 
 TEST_F(VehicleFile, ReportsWhatUrdfdomSaysAndPrintsNothing) {
   CaptureStderr();
   EXPECT_FALSE(Read(Replaced(kSmallVehicle, "<robot ", "<robot version=\"7.0\" ")).has_value());
   EXPECT_EQ(GetCapturedStderr(), "");
-  Expect(Severity::kError, 0, "urdfdom: ");
+  Expect(0, kUrdfdomError);
 }
 
 TEST_F(VehicleFile, IsSoundForEveryVehicleOfTheProject) {

@@ -2,10 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/findings.h"
+#include "vehicles/requests/findings.h"
+
 namespace fourpost {
 namespace {
-
-using testing::HasSubstr;
 
 class OptionQuantity : public testing::Test {
  protected:
@@ -31,8 +32,7 @@ TEST_F(OptionQuantity, OfAccelerationsMayBeInG) {
   EXPECT_EQ(Findings(), "");
   EXPECT_FALSE(Read("1g", kLength));
   EXPECT_FALSE(Read("1kg", kAcceleration));
-  EXPECT_THAT(Findings(),
-              HasSubstr("'1kg' is no acceleration: write a number with its unit, such as 6 m/s^2 or 0.5 g"));
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionQuantity, "--option", {"'1kg'", "acceleration", "6 m/s^2 or 0.5 g"}));
 }
 
 TEST_F(OptionQuantity, NeedsItsUnitAndItsSign) {
@@ -41,8 +41,8 @@ TEST_F(OptionQuantity, NeedsItsUnitAndItsSign) {
   EXPECT_FALSE(Read("0mm", kLength));
   EXPECT_FALSE(Read("2rad/s", kFrequency));
   EXPECT_EQ(diagnostics_.items().size(), 7u);
-  EXPECT_THAT(Findings(), HasSubstr("--option: error: '5' is no length: write a number with its unit, such as 5 mm"));
-  EXPECT_THAT(Findings(), HasSubstr("'0mm' must be above zero"));
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionQuantity, "--option", {"'5'", "length", "5 mm"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionNotPositive, "--option", {"'0mm'"}));
 }
 
 TEST_F(OptionQuantity, OfAShareIsInPercent) {

@@ -2,13 +2,14 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/findings.h"
 #include "tests/vehicles/shipped_vehicle.h"
+#include "vehicles/requests/findings.h"
 
 namespace fourpost {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 class ParameterSetting : public testing::Test {
  protected:
@@ -30,17 +31,18 @@ TEST_F(ParameterSetting, GivesAnotherValue) {
 TEST_F(ParameterSetting, WarnsOfAValueOutsideItsBounds) {
   Set("k=60 kN/m");
   EXPECT_EQ(ValueOf(vehicle_, "k"), 60e3);
-  EXPECT_EQ(diagnostics_.Format(), "--set: warning: 'k' = 60 kN/m is outside its bounds 5 kN/m .. 40 kN/m");
+  EXPECT_THAT(diagnostics_, ReportsOption(kSettingOutOfBounds, "--set", {"'k'", "60 kN/m", "5 kN/m", "40 kN/m"}));
+  EXPECT_EQ(diagnostics_.items().size(), 1u);
 }
 
 TEST_F(ParameterSetting, TellsAllFaults) {
   for (const char* text : {"k", "m_sprun=1kg", "k=5", "k=5mm", "k=-5kN/m", "m_sprung=0kg"}) Set(text);
-  const std::string faults = diagnostics_.Format();
-  for (const char* part :
-       {"'k' sets nothing: write name=value", "no parameter 'm_sprun', did you mean 'm_sprung'?",
-        "'5' is no value of 'k': give a number in kN/m or the like", "'5mm' is no value of 'k'",
-        "'k' = -5 kN/m must be above zero, as the file's value is", "'m_sprung' = 0 kg must be above zero"})
-    EXPECT_THAT(faults, HasSubstr(part));
+  EXPECT_THAT(diagnostics_, ReportsOption(kSettingIncomplete, "--set", {"'k'"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionParameter, "--set", {"'m_sprun'", "'m_sprung'"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kSettingUnit, "--set", {"'k=5'", "k=5kN/m"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kSettingUnit, "--set", {"'k=5mm'"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kSettingSign, "--set", {"'k'", "-5 kN/m", "above"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kSettingSign, "--set", {"'m_sprung'", "0 kg", "above"}));
   EXPECT_EQ(ValueOf(vehicle_, "m_sprung"), 0);
 }
 
@@ -61,21 +63,24 @@ TEST_F(ParameterSetting, TellsTheFaultsOfARange) {
   vehicle_.parameters[2].lower = vehicle_.parameters[2].upper = vehicle_.parameters[2].value;
   for (const char* text : {"k", "kx", "kt=1kN/m", "kt=1kN/m:2kN/m:1", "kt=1:2kN/m:5", "kt=200kN/m:200kN/m:4"})
     EXPECT_FALSE(Range(text)) << text;
-  const std::string faults = diagnostics_.Format();
-  for (const char* part : {"'k' has no bounds: say how far it shall go, as in k=7.5 kN/m:30 kN/m:13",
-                           "no parameter 'kx'", "'1kN/m' is no range: write first:last:how many",
-                           "'1kN/m:2kN/m:1' is no range", "'1' is no value of 'kt'", "goes nowhere"})
-    EXPECT_THAT(faults, HasSubstr(part));
+  EXPECT_THAT(diagnostics_, ReportsOption(kRangeUnbounded, "--vary", {"'k'", "k=7.5 kN/m:30 kN/m:13"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionParameter, "--vary", {"'kx'"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kRangeMalformed, "--vary", {"'1kN/m'"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kRangeMalformed, "--vary", {"'1kN/m:2kN/m:1'"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kSettingUnit, "--vary", {"'kt=1'"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kRangeEmpty, "--vary", {"'200kN/m:200kN/m:4'"}));
 }
 
 TEST_F(ParameterSetting, RefusesWhatIsGivenTwice) {
   SetParameters({"k=20kN/m", "kt=200kN/m", "k=21kN/m"}, vehicle_, diagnostics_);
-  EXPECT_EQ(diagnostics_.Format(), "--set: error: 'k' is given twice");
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionParameterTwice, "--set", {"'k'"}));
+  EXPECT_EQ(diagnostics_.items().size(), 1u);
   diagnostics_ = {};
   EXPECT_EQ(ReadParameterRanges({"k", "kt"}, vehicle_, diagnostics_).size(), 2u);
   EXPECT_EQ(diagnostics_.Format(), "");
   ReadParameterRanges({"k", "k=10kN/m:20kN/m:3"}, vehicle_, diagnostics_);
-  EXPECT_EQ(diagnostics_.Format(), "--vary: error: 'k' is given twice");
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionParameterTwice, "--vary", {"'k'"}));
+  EXPECT_EQ(diagnostics_.items().size(), 1u);
 }
 
 }  // namespace

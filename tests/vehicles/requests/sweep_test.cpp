@@ -5,8 +5,12 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/signals/findings.h"
+#include "tests/findings.h"
 #include "tests/vehicles/shipped_vehicle.h"
+#include "vehicles/requests/findings.h"
 #include "vehicles/requests/sweep_files.h"
+#include "vehicles/response/findings.h"
 
 namespace fourpost {
 namespace {
@@ -58,51 +62,51 @@ TEST_F(SweepReading, TellsAllFaultsAtOnce) {
                      .frequencies = "1:2",
                      .limits = {.amplitude = "5", .velocity = "-1m/s", .acceleration = "1m/s"},
                      .channels = {"a_nothing"}}));
-  const std::string faults = diagnostics_.Format();
-  for (const char* part :
-       {"--mode: error: no pattern of posts is called 'heav', did you mean 'heave'?; or tell the share of each post",
-        "the vehicle has no post 'XX'; it has FL, FR, RL and RR", "is no share of a post",
-        "--frequencies: error: ", "--amplitude: error: '5' is no length: write a number with its unit, such as 5 mm",
-        "--velocity: error: '-1m/s' must be above zero", "--acceleration: error: '1m/s' is no acceleration",
-        "--channels: error: the vehicle has no sensor 'a_nothing'"})
-    EXPECT_THAT(faults, HasSubstr(part));
+  EXPECT_THAT(diagnostics_, ReportsOption(kModeUnknown, "--mode", {"'heav'", "'heave'", "FL=1"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kSharePost, "--mode", {"'XX'", "FL, FR, RL and RR"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kShareMalformed, "--mode", {"FL=a"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kFrequencyRangeMalformed, "--frequencies", {"'1:2'"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionQuantity, "--amplitude", {"'5'", "length", "5 mm"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionNotPositive, "--velocity", {"'-1m/s'"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionQuantity, "--acceleration", {"'1m/s'", "acceleration"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kOptionSensor, "--channels", {"'a_nothing'"}));
 }
 
 TEST_F(SweepReading, TakesEachPostOnce) {
   EXPECT_FALSE(Read({.modes = {"FL=1,RL=1,FL=-1"}}));
-  EXPECT_EQ(diagnostics_.Format(), "--mode: error: post 'FL' is named twice");
+  EXPECT_THAT(diagnostics_, ReportsOption(kSharePostTwice, "--mode", {"'FL'"}));
+  EXPECT_EQ(diagnostics_.items().size(), 1u);
 }
 
 TEST_F(SweepReading, NeedsAReferencePost) {
   EXPECT_FALSE(Read({.modes = {vehicle_.posts[0].name + "=0.3"}}));
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("one post is the reference, whose share is 1 or -1"));
+  EXPECT_THAT(diagnostics_, ReportsOption(kShareNoReference, "--mode"));
 }
 
 TEST_F(SweepReading, NeedsPostsAndSensors) {
   vehicle_.posts.clear();
   vehicle_.sensors.clear();
   EXPECT_FALSE(Read({}));
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("the vehicle has no fp:post to move"));
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("the vehicle has no fp:sensor"));
+  EXPECT_THAT(diagnostics_, Reports(kPostNone, 0));
+  EXPECT_THAT(diagnostics_, Reports(kSensorNone, 0));
 }
 
 TEST_F(SweepReading, RefusesMoreThanThePostsCan) {
   vehicle_.posts[2].stroke = 0.05;
   EXPECT_FALSE(Read({.frequencies = "1Hz,2Hz", .limits = {.amplitude = "30mm"}}));
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("reaches 25 mm up and down, and heave at 1 Hz asks 30 mm of it"));
+  EXPECT_THAT(diagnostics_, Reports(kStrokeExceeded, {"25 mm", "heave at 1 Hz", "30 mm"}));
 }
 
 TEST_F(SweepReading, WarnsAboveWhatRigidBodiesKnow) {
   EXPECT_TRUE(Read({}));
   EXPECT_EQ(diagnostics_.Format(), "");
   EXPECT_TRUE(Read({.frequencies = "1Hz:50Hz:5"}));
-  EXPECT_THAT(diagnostics_.Format(),
-              HasSubstr("--frequencies: warning: above 30 Hz the bodies of a road vehicle bend"));
+  EXPECT_THAT(diagnostics_, ReportsOption(kBodiesBend, "--frequencies", {"30 Hz"}));
 }
 
 TEST_F(SweepReading, TakesTheUsualStrokeOfPostsThatTellNone) {
   EXPECT_FALSE(Read({.frequencies = "1Hz,2Hz", .limits = {.amplitude = "80mm"}}));
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("reaches 75 mm up and down, and heave at 1 Hz asks 80 mm of it"));
+  EXPECT_THAT(diagnostics_, Reports(kUsualStrokeExceeded, {"75 mm", "heave at 1 Hz", "80 mm"}));
   EXPECT_TRUE(Read({.frequencies = "1Hz,2Hz", .limits = {.amplitude = "80mm"}, .stroke = "160mm"}));
 }
 
@@ -111,8 +115,8 @@ TEST_F(SweepReading, WarnsWhereUsualLimitsNoLongerCount) {
   EXPECT_EQ(diagnostics_.Format(), "");
   EXPECT_TRUE(Read({.frequencies = "1Hz:30Hz:5", .limits = {.amplitude = "3mm"}}));
   // 3 mm at 30 Hz.
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("usual 6 m/s^2 does not count: the post reaches 107 m/s^2"));
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("usual 0.15 m/s does not count: the post reaches 0.565 m/s"));
+  EXPECT_THAT(diagnostics_, ReportsOption(kLimitOpen, "--acceleration", {"6 m/s^2", "107 m/s^2"}));
+  EXPECT_THAT(diagnostics_, ReportsOption(kLimitOpen, "--velocity", {"0.15 m/s", "0.565 m/s"}));
 }
 
 /// Two frequencies, from above, of two sensors.

@@ -148,11 +148,9 @@ TEST(March, NamesTheSensorTheExcitationAndTheModeThatDoesNotSettle) {
   ASSERT_EQ(marched.unsteady.size(), 1u);
   EXPECT_EQ(marched.unsteady[0].sensor, "s_strut_FL");
   EXPECT_THAT(UnsteadyMessage(vehicle, excitation, marched.unsteady[0], options),
-              testing::MatchesRegex(
-                  "roll at 2.5 Hz, 5 mm: no periodic motion within 4 s; 's_strut_FL' still changes its (mean|first "
-                  "harmonic) by [0-9.e-]+ per 2 cycles, tolerance 1e-05; the mode 'roll' at [0-9.]+ Hz, damping ratio "
-                  "0.00[0-9]+, takes [0-9]+ s to die away: see `fourpost check`, and give it damping or use harmonic "
-                  "balance, which has nothing to wait for"));
+              testing::MatchesRegex("roll at 2.5 Hz, 5 mm.* 4 s.*'s_strut_FL'.*(mean|first harmonic) by [0-9.e-]+ per "
+                                    "2 cycles.* 1e-05.*'roll' at [0-9.]+ Hz.* 0.00[0-9]+ .* [0-9]+ s.*"
+                                    "\\[unsteady-damping\\]"));
 }
 
 TEST(March, SaysSoWhereNoModeIsToBlame) {
@@ -160,11 +158,8 @@ TEST(March, SaysSoWhereNoModeIsToBlame) {
   const UnsteadyMotion motion = {
       .frequency_Hz = 8, .amplitude_m = 0.02, .sensor = "s_strut", .is_mean = true, .change = 0.031, .cycles = 4};
   EXPECT_THAT(UnsteadyMessage(vehicle, {{8}, {0.02}, {0.5}}, motion),
-              testing::MatchesRegex("posts 0.5 at 8 Hz, 20 mm: no periodic motion within 60 s; 's_strut' still changes "
-                                    "its mean by 0.031 per 4 cycles, tolerance 1e-05; the mode 'heave' at [0-9.]+ Hz, "
-                                    "damping ratio [0-9.]+, takes [0-9]+ s to die away, none longer: friction, stops "
-                                    "or tyres that lift off may keep the motion from repeating; try another "
-                                    "amplitude"));
+              testing::MatchesRegex("posts 0.5 at 8 Hz, 20 mm.* 60 s.*'s_strut'.*mean by 0.031 per 4 cycles.* 1e-05.*"
+                                    "'heave' at [0-9.]+ Hz.* [0-9.]+, .* [0-9]+ s.*\\[unsteady-amplitude\\]"));
 }
 
 // At 15 Hz a wheel's first harmonic repeats long before damper jacking has let the body down.

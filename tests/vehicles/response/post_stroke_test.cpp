@@ -5,12 +5,12 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/findings.h"
 #include "tests/vehicles/quarter_cars.h"
+#include "vehicles/response/findings.h"
 
 namespace fourpost {
 namespace {
-
-using testing::HasSubstr;
 
 TEST(PostStroke, IsHalfUpAndHalfDown) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
@@ -23,8 +23,7 @@ TEST(PostStroke, IsHalfUpAndHalfDown) {
   check(0.05);
   EXPECT_EQ(diagnostics.Format(), "");
   check(0.0512);
-  EXPECT_THAT(diagnostics.Format(),
-              HasSubstr("fp:post 'post' reaches 50 mm up and down, and heave at 1 Hz asks 51.2 mm of it"));
+  EXPECT_THAT(diagnostics, Reports(kStrokeExceeded, {"fp:post 'post'", "50 mm", "heave at 1 Hz", "51.2 mm"}));
   EXPECT_THROW(CheckStroke(vehicle, {}, "", diagnostics), std::invalid_argument);
 }
 

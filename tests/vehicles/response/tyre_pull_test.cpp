@@ -7,14 +7,15 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/findings.h"
 #include "tests/vehicles/quarter_cars.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/description/gravity.h"
+#include "vehicles/response/findings.h"
 
 namespace fourpost {
 namespace {
 
-using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -72,9 +73,7 @@ TEST(TyrePull, CountsTheSamplesOfAHistory) {
 TEST(TyrePull, WarnsWithTheRemedy) {
   Diagnostics findings;
   WarnOfPulls(LinearCar(), {{.tyre = 0, .count = 312, .of = 6000, .pull_N = 2202}}, "samples", "this motion", findings);
-  EXPECT_THAT(findings.Format(),
-              HasSubstr("pulls on the ground in 312 of 6000 samples of this motion, down to -2202 N: "
-                        "remove liftoff=\"false\" or reduce the motion"));
+  EXPECT_THAT(findings, Reports(kTyrePulls, {"312 of 6000 samples of this motion", "-2202 N"}));
 }
 
 }  // namespace

@@ -7,15 +7,14 @@
 #include <gmock/gmock.h>
 
 #include "tests/temporary_folder.h"
+#include "tests/vehicles/shapes/shape_refusal.h"
 #include "tests/vehicles/small_vehicle.h"
+#include "vehicles/reader/findings.h"
+#include "vehicles/shapes/findings.h"
 #include "vehicles/shapes/solid.h"
 
 namespace fourpost {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 const std::filesystem::path kMeshes = std::filesystem::path(FOURPOST_SOURCE_DIR) / "meshes";
 /// Holds one block of 1 x 2 x 4 with a corner at the origin, in each format.
@@ -83,9 +82,10 @@ class ChangedBlock : public ::testing::Test {
   }
 
   /// The file must be refused with its name and this reason.
-  void ExpectRefused(const std::string& name, const std::string& text, const std::string& reason) const {
+  void ExpectRefused(const std::string& name, const std::string& text, const Finding& kind,
+                     const std::string& word = "") const {
     const std::filesystem::path file = Write(name, text);
-    EXPECT_THAT([&] { ReadMesh(file); }, ThrowsMessage<std::runtime_error>(AllOf(HasSubstr(name), HasSubstr(reason))));
+    EXPECT_THAT([&] { ReadMesh(file); }, RefusesShape(kind, {name, word}));
   }
 
   TemporaryFolder folder_;
@@ -135,22 +135,23 @@ TEST_F(ChangedBlock, StandsWhereItsNodePutsItAndStaysOutward) {
 }
 
 TEST_F(ChangedBlock, IsRefusedInAnotherFormat) {
-  ExpectRefused("block.ply", "ply\n", "OBJ, STL, DAE or glTF: .obj, .stl, .dae, .gltf or .glb");
-  ExpectRefused("block", Text("block.obj"), "its format must be");
+  ExpectRefused("block.ply", "ply\n", kMeshFormat, ".obj");
+  ExpectRefused("block", Text("block.obj"), kMeshFormat);
 }
 
 TEST_F(ChangedBlock, IsRefusedWithIndicesOutOfRange) {
-  ExpectRefused("index.obj", Replace(Text("block.obj"), "f 2 8 6", "f 2 9 6"), "index out of range");
-  ExpectRefused("index.dae", Replace(Text("block.dae"), "1 7 5<", "1 8 5<"), "Invalid data index (8/8)");
+  ExpectRefused("index.obj", Replace(Text("block.obj"), "f 2 8 6", "f 2 9 6"), kMeshUnreadable, "index out of range");
+  ExpectRefused("index.dae", Replace(Text("block.dae"), "1 7 5<", "1 8 5<"), kMeshUnreadable,
+                "Invalid data index (8/8)");
 }
 
 TEST_F(ChangedBlock, IsRefusedWithVerticesThatAreNotFinite) {
-  ExpectRefused("nan.obj", Replace(Text("block.obj"), "v 1 2 4", "v nan 2 4"), "a vertex is not finite");
-  ExpectRefused("large.obj", Replace(Text("block.obj"), "v 1 2 4", "v 1e39 2 4"), "a vertex is not finite");
+  ExpectRefused("nan.obj", Replace(Text("block.obj"), "v 1 2 4", "v nan 2 4"), kMeshVertex);
+  ExpectRefused("large.obj", Replace(Text("block.obj"), "v 1 2 4", "v 1e39 2 4"), kMeshVertex);
 }
 
 TEST_F(ChangedBlock, IsRefusedWithoutItsBuffer) {
-  ExpectRefused("buffer.gltf", Replace(Text("block.gltf"), "block.bin", "none.bin"), "none.bin");
+  ExpectRefused("buffer.gltf", Replace(Text("block.gltf"), "block.bin", "none.bin"), kMeshUnreadable, "none.bin");
 }
 
 TEST_F(ChangedBlock, IsRefusedWithABufferOutsideItsFolder) {
@@ -158,8 +159,7 @@ TEST_F(ChangedBlock, IsRefusedWithABufferOutsideItsFolder) {
   std::filesystem::create_symlink("../block.bin", folder_.path() / "car/link.bin");
   for (const char* buffer : {"../block.bin", "link.bin"}) {
     const std::filesystem::path mesh = Write("car/block.gltf", Replace(Text("block.gltf"), "block.bin", buffer));
-    EXPECT_THAT([&] { ReadMesh(mesh); }, ThrowsMessage<std::runtime_error>(AllOf(
-                                             HasSubstr("outside its folder"), HasSubstr("put that beside the mesh"))));
+    EXPECT_THAT([&] { ReadMesh(mesh); }, RefusesShape(kMeshElsewhere));
   }
   std::filesystem::create_directory(folder_.path() / "parts");
   std::filesystem::copy_file(kBlocks / "block.bin", folder_.path() / "parts/block.bin");
@@ -168,17 +168,17 @@ TEST_F(ChangedBlock, IsRefusedWithABufferOutsideItsFolder) {
 }
 
 TEST_F(ChangedBlock, IsRefusedCutShort) {
-  ExpectRefused("short.stl", Text("block_binary.stl").substr(0, 600), "cannot be read");
+  ExpectRefused("short.stl", Text("block_binary.stl").substr(0, 600), kMeshUnreadable);
 }
 
 TEST_F(ChangedBlock, IsRefusedWithoutTriangles) {
-  ExpectRefused("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\np 3\n", "no triangles");
+  ExpectRefused("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\np 3\n", kMeshEmpty);
 }
 
 TEST_F(ChangedBlock, IsRefusedAboveTheLimitOfFiles) {
   const std::filesystem::path large = folder_.Write("large.obj", "");
   std::filesystem::resize_file(large, (64ULL << 20) + 1);  // no blocks on disk
-  const auto is_refused = ThrowsMessage<std::runtime_error>(HasSubstr("large.obj is larger than 64 MiB"));
+  const auto is_refused = RefusesShape(kMeshFileTooLarge, {"large.obj", "64 MiB"});
   EXPECT_THAT([&] { ReadMesh(large); }, is_refused);
   const std::filesystem::path by_buffer = Write("block.gltf", Replace(Text("block.gltf"), "block.bin", "large.obj"));
   EXPECT_THAT([&] { ReadMesh(by_buffer); }, is_refused);
@@ -188,7 +188,7 @@ TEST_F(ChangedBlock, IsRefusedAboveTheLimitOfTriangles) {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (int i = 0; i < 2'000'000; ++i) text += "f 1 2 3\n";
   EXPECT_EQ(ReadMesh(Write("many.obj", text)).triangles.cols(), 2'000'000);
-  ExpectRefused("more.obj", text + "f 1 2 3\n", "more than 2000000 triangles");
+  ExpectRefused("more.obj", text + "f 1 2 3\n", kMeshTriangles, "2000000");
 }
 
 class MeshFile : public VehicleFileTest {
@@ -212,28 +212,28 @@ TEST_F(MeshFile, IsFoundBesideTheVehicleFile) {
 // The folder of a fit may be moved away from the meshes.
 TEST_F(MeshFile, MayBeMissing) {
   EXPECT_TRUE(Read(WithMesh(R"(filename="none.obj" scale="1 1 1")")).has_value());
-  Expect(Severity::kWarning, 16, "mesh 'none.obj' is missing");
+  Expect(16, kMeshMissing, {"mesh 'none.obj'"});
 }
 
 TEST_F(MeshFile, MustBeReadable) {
   Write("no mesh", "text.obj");
   EXPECT_FALSE(Read(WithMesh(R"(filename="text.obj" scale="1 1 1")")).has_value());
-  Expect(Severity::kError, 16, "mesh 'text.obj' is of no use");
+  Expect(16, kMeshUnreadable, {"mesh 'text.obj'"});
 }
 
 TEST_F(MeshFile, NeedsAScale) {
   Write(ReadText(kMeshes / "box.obj"), "cube.obj");
   EXPECT_FALSE(Read(WithMesh(R"(filename="cube.obj")")).has_value());
-  Expect(Severity::kError, 16, "needs the attribute 'scale'");
+  Expect(16, kAttributeMissing, {"'scale'"});
 }
 
 TEST_F(MeshFile, MustNotBeAPackageAddress) {
   EXPECT_FALSE(Read(WithMesh(R"(filename="package://fourpost/box.obj" scale="1 1 1")")).has_value());
-  Expect(Severity::kError, 16, "package:// are not supported");
+  Expect(16, kMeshAddress, {"package://fourpost/box.obj"});
 }
 
 TEST(Mesh, SaysWhyItCannotBeRead) {
-  EXPECT_THAT([] { ReadMesh("/nowhere/none.obj"); }, ThrowsMessage<std::runtime_error>(HasSubstr("none.obj")));
+  EXPECT_THAT([] { ReadMesh("/nowhere/none.obj"); }, RefusesShape(kMeshUnreadable, {"none.obj"}));
 }
 
 }  // namespace

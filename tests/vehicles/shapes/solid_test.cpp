@@ -10,13 +10,13 @@
 #include <gmock/gmock.h>
 
 #include "tests/rounding.h"
+#include "tests/vehicles/shapes/shape_refusal.h"
+#include "vehicles/shapes/findings.h"
 
 namespace fourpost {
 namespace {
 
 using std::numbers::pi;
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 Mesh MakeMesh(const std::vector<Eigen::Vector3d>& vertices, const std::vector<Eigen::Vector3i>& triangles) {
   Mesh mesh{.vertices = Eigen::Matrix3Xd(3, vertices.size()), .triangles = Eigen::Matrix3Xi(3, triangles.size())};
@@ -128,10 +128,10 @@ TEST(Solid, OfASphereHasItsInertia) {
 }
 
 TEST(Solid, NeedsLengths) {
-  EXPECT_THROW(BoxSolid({1, 2, 0}), std::invalid_argument);
-  EXPECT_THROW(BoxSolid({1, -2, -3}), std::invalid_argument);
-  EXPECT_THROW(CylinderSolid(1, 0), std::invalid_argument);
-  EXPECT_THROW(SphereSolid(kNan), std::invalid_argument);
+  EXPECT_THAT([] { BoxSolid({1, 2, 0}); }, RefusesShape(kShapeLength));
+  EXPECT_THAT([] { BoxSolid({1, -2, -3}); }, RefusesShape(kShapeLength));
+  EXPECT_THAT([] { CylinderSolid(1, 0); }, RefusesShape(kShapeLength));
+  EXPECT_THAT([] { SphereSolid(kNan); }, RefusesShape(kShapeLength));
 }
 
 TEST(Solid, OfABoxMeshIsThatOfTheBox) {
@@ -202,7 +202,8 @@ TEST(Solid, MovesAsItsMeshDoes) {
 }
 
 TEST(Solid, CannotBeFlattened) {
-  EXPECT_THROW(Mapped(SphereSolid(1), Eigen::Affine3d(Eigen::Scaling(1.0, 0.0, 1.0))), std::invalid_argument);
+  EXPECT_THAT([] { Mapped(SphereSolid(1), Eigen::Affine3d(Eigen::Scaling(1.0, 0.0, 1.0))); },
+              RefusesShape(kShapeScale));
 }
 
 TEST(Solid, OfTwoHalvesIsTheWhole) {
@@ -222,15 +223,16 @@ TEST(Solid, MayHaveACavity) {
 }
 
 /// The block's mesh, changed, must be refused with this reason.
-void ExpectRefused(const std::function<void(Mesh&)>& change, const std::string& reason) {
+void ExpectRefused(const std::function<void(Mesh&)>& change, const Finding& kind,
+                   const std::vector<std::string>& words = {}) {
   Mesh mesh = Block();
   change(mesh);
-  EXPECT_THAT([&] { MeshSolid(mesh); }, ThrowsMessage<std::runtime_error>(HasSubstr(reason)));
+  EXPECT_THAT([&] { MeshSolid(mesh); }, RefusesShape(kind, words));
 }
 
 TEST(Solid, NeedsAClosedMesh) {
-  ExpectRefused([](Mesh& mesh) { mesh.triangles.conservativeResize(Eigen::NoChange, 11); },
-                "is not closed: the edge from (1 0 0) to (1 0 4) belongs to one triangle alone");
+  ExpectRefused([](Mesh& mesh) { mesh.triangles.conservativeResize(Eigen::NoChange, 11); }, kSurfaceOpen,
+                {"(1 0 0) to (1 0 4)"});
 }
 
 TEST(Solid, NeedsTwoTrianglesAtEachEdge) {
@@ -239,22 +241,22 @@ TEST(Solid, NeedsTwoTrianglesAtEachEdge) {
         mesh.triangles.conservativeResize(Eigen::NoChange, 13);
         mesh.triangles.col(12) = mesh.triangles.col(11);
       },
-      "3 triangles, not two, meet at the edge from (1 0 0) to (1 0 4)");
+      kSurfaceBranches, {"3", "(1 0 0) to (1 0 4)"});
 }
 
 TEST(Solid, NeedsOneOrientation) {
-  ExpectRefused([](Mesh& mesh) { std::swap(mesh.triangles(1, 11), mesh.triangles(2, 11)); },
-                "inside out in part: the two triangles at the edge from (1 0 0) to (1 0 4)");
+  ExpectRefused([](Mesh& mesh) { std::swap(mesh.triangles(1, 11), mesh.triangles(2, 11)); }, kSurfaceFlipped,
+                {"(1 0 0) to (1 0 4)"});
 }
 
 TEST(Solid, NeedsToFaceOutward) {
-  ExpectRefused([](Mesh& mesh) { mesh.triangles.row(1).swap(mesh.triangles.row(2)); }, "faces inward: flip all");
+  ExpectRefused([](Mesh& mesh) { mesh.triangles.row(1).swap(mesh.triangles.row(2)); }, kSurfaceInward);
 }
 
 TEST(Solid, NeedsAVolume) {
-  // Thinner than single precision tells.
-  ExpectRefused([](Mesh& mesh) { mesh.vertices.row(0) *= 1e-9; }, "encloses no volume");
-  ExpectRefused([](Mesh& mesh) { mesh.triangles.resize(Eigen::NoChange, 0); }, "encloses no volume");
+  // Thinner than single precision resolves.
+  ExpectRefused([](Mesh& mesh) { mesh.vertices.row(0) *= 1e-9; }, kSurfaceFlat);
+  ExpectRefused([](Mesh& mesh) { mesh.triangles.resize(Eigen::NoChange, 0); }, kSurfaceFlat);
   Mesh plate = Block();
   plate.vertices.row(0) *= 1e-4;
   EXPECT_DOUBLE_EQ(MeshSolid(plate).volume, 8e-4);

@@ -92,7 +92,7 @@ export function overTime(place, recording) {
 function misfitOf(result, name) {
   const find = (key) => listOf(result[key]).find((entry) => entry?.recording === name && entry.nmse_percent != null);
   const entry = find('channels') ?? find('validation');
-  return entry ? `NMSE ${shown(entry.nmse_percent, 3)} %, ${find('channels') ? 'fitted' : 'not seen by the fit'}` : '';
+  return entry ? `NMSE ${shown(entry.nmse_percent, 3)} %, ${find('channels') ? 'fitted' : 'not fitted'}` : '';
 }
 
 /** The recording of the largest force among the shorter half: the cycles of a sweep hide each other. */

@@ -130,7 +130,7 @@ export const curve = (label, colour, options = {}) => ({
   ...options,
 });
 
-/** Where the chart is now: it may have been scrolled since the last event, which tells of that later. */
+/** Where the chart is now: it may have been scrolled since the last event, which reports that later. */
 const mouseMove = (u, target, move) => (event) => {
   if (event.target !== target) return;
   u.syncRect(true);

@@ -10,7 +10,7 @@ import { runLine } from './theme.js';
 /** Of several runs what was measured is in the colour of the text. */
 const ink = 'text';
 
-/** A line of each run: its label, colour and dashes, and what it tells. */
+/** A line of each run: its label, colour and dashes, and what it shows. */
 export function linesOf(entry, names) {
   return entry.runs.map(({ run, ...told }) => ({ label: names[run], ...runLine(run), ...told }));
 }
@@ -23,12 +23,12 @@ const legendOf = (mark, entries, names, ...more) =>
 
 const listed = (items) => items.join(', ').replace(/, ([^,]*)$/, ' and $1');
 
-/** Of a recording, which runs it was fitted in and which foretell it. */
+/** Of a recording, which runs it was fitted in and which predict it. */
 function usesOf(entries, names) {
   const fitted = new Set(entries.flatMap(({ runs }) => runs.filter((one) => one.fitted).map(({ run }) => run)));
   const told = present(entries);
   const of = (wanted) => listed(told.filter((run) => fitted.has(run) === wanted).map((run) => names[run]));
-  return [[true, 'fitted by'], [false, 'foretold by']].filter(([wanted]) => of(wanted)).map(([wanted, words]) => `${words} ${of(wanted)}`).join(', ');
+  return [[true, 'fitted by'], [false, 'predicted by']].filter(([wanted]) => of(wanted)).map(([wanted, words]) => `${words} ${of(wanted)}`).join(', ');
 }
 
 /** The bands [Hz] of runs, each once. */
@@ -48,7 +48,7 @@ function byRecording(place, entries, fill, first = entries[0].recording) {
   return { charts, show: () => redraw(first) };
 }
 
-const left = ' A run without a channel, or with another measurement of it, has no line.';
+const left = ' Runs without a channel, or with another measurement of it, have no line.';
 
 export function drawComparedResponses(place, { comparison: { runs, bands, responses } }) {
   const shaded = bandsOf(responses, bands);
@@ -60,8 +60,8 @@ export function drawComparedResponses(place, { comparison: { runs, bands, respon
   });
   const only = responses.every(({ recording }) => recording === responses[0].recording);
   const of = only ? `Recording ${responses[0].recording}. ` : '';
-  const outside = shaded.length ? [['patch', 'line', shaded.length > 1 ? 'not fitted by some, darkest: by none' : 'not fitted']] : [];
-  place.append(legendOf('dot', responses, runs, ...outside), el('p', { class: 'note' }, `${of}Gain in dB, phase in degrees and mean offset in mm over frequency in Hz. ${zeroDecibel(responses.map(({ unit }) => unit))} The cursor reads the runs in turn for measured.${left}`), charts);
+  const outside = shaded.length ? [['patch', 'line', shaded.length > 1 ? 'not fitted by some runs, darkest: by none' : 'not fitted']] : [];
+  place.append(legendOf('dot', responses, runs, ...outside), el('p', { class: 'note' }, `${of}Gain in dB, phase in degrees and mean offset in mm over frequency in Hz. ${zeroDecibel(responses.map(({ unit }) => unit))} The cursor shows the runs one after the other/measured.${left}`), charts);
   show();
 }
 
@@ -87,10 +87,10 @@ export function drawComparedHistories(place, { comparison: { runs, histories } }
     stretch();
   });
   place.append(
-    el('div', { class: 'controls' }, choice('stretch', [['all', 'all of it'], ['close', 'where most happens']], part, (chosen) => { part = chosen; stretch(); })),
+    el('div', { class: 'controls' }, choice('stretch', [['all', 'all'], ['close', 'busiest']], part, (chosen) => { part = chosen; stretch(); })),
     legendOf({ width: 3 }, histories, runs),
     uses,
-    el('p', { class: 'note' }, `Over time in s. Drag to zoom all, double click to go back. Long recordings are thinned to the extremes of each stretch, but where most happens.${left}`),
+    el('p', { class: 'note' }, `Over time in s. Drag to zoom all charts, double-click to reset. Long recordings are thinned to the extremes of each interval, except for the busiest.${left}`),
     charts,
   );
   show();

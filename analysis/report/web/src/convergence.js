@@ -11,7 +11,7 @@ function drawLog(place, log) {
   place.append(
     legend(['line', 'model', 'best cost'], ['dash', 'measured', 'diversity of the population']),
     box,
-    el('p', { class: 'note' }, 'Cost at the left, diversity at the right, over evaluations of the search.'),
+    el('p', { class: 'note' }, 'Cost (left) and diversity (right) over evaluations of the search.'),
   );
   chart(
     box,
@@ -69,12 +69,12 @@ export function drawAgreement(place, { result }) {
   );
   const others = runs.filter((run) => run.agrees === false).length;
   place.append(
-    el('h3', {}, 'Where the refinements ended'),
+    el('h3', {}, 'Optima of the refinements'),
     el('div', { class: 'table agreement' }, el('table', {}, el('tbody', {}, ...rows))),
     el(
       'p',
       { class: 'note' },
-      `Each ring is a refinement, between the parameter's bounds${others ? `; ${others} in grey ended at a higher cost` : '; all agree'}.`,
+      `Each ring is one refinement, drawn between the parameter's bounds${others ? `; ${others} in grey ended at a higher cost` : '; all agree'}.`,
     ),
   );
 }

@@ -41,7 +41,7 @@ export function drawCorrelation(place, data) {
     if (i < n - 1) picture.append(svg('text', { x: at, y: y + side / 2, 'dominant-baseline': 'central', 'font-size': size }, names[i]));
   }
   place.append(
-    el('p', { class: 'note' }, 'Correlations of the fitted parameters: near +1 or \u22121 the data know a combination of the two, not each.'),
+    el('p', { class: 'note' }, 'Correlations of the fitted parameters: near +1 or \u22121 the data determine a combination of the two, not each.'),
     el('div', { class: 'picture' }, picture),
   );
 }

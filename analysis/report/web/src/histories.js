@@ -51,7 +51,7 @@ export function card(recording, channel, time, misfit, sync) {
           setCursor: [
             (u) => {
               const i = u.cursor.idx;
-              reading.textContent = i == null ? '' : `${fixed(time[i], 3)} s: ${data.slice(2).map((values) => shown(values[i], 4)).join(', ')} for ${shown(data[1][i], 4)}`;
+              reading.textContent = i == null ? '' : `${fixed(time[i], 3)} s: model ${data.slice(2).map((values) => shown(values[i], 4)).join(' / ')}; measured ${shown(data[1][i], 4)}`;
             },
           ],
         },
@@ -104,17 +104,17 @@ export function drawHistories(place, data) {
     show();
     const thinned =
       recording.shown_rows < recording.rows
-        ? ` ${recording.shown_rows} of ${recording.rows} samples are shown, the extremes of each stretch.`
+        ? ` ${recording.shown_rows} of ${recording.rows} samples are shown, the extremes of each interval.`
         : '';
-    note.textContent = `${recording.recording}: ${unseen.includes(recording) ? 'not seen by the fit' : 'fitted'}. Over time in s. Drag to zoom all, double click to go back.${thinned}`;
+    note.textContent = `${recording.recording}: ${unseen.includes(recording) ? 'validation, not fitted' : 'fitted'}. Over time in s. Drag to zoom all charts, double-click to reset.${thinned}`;
   };
   const names = recordings.map((recording) => recording.recording);
   place.append(
     el(
       'div',
       { class: 'controls' },
-      names.length > 1 ? choice('recording', recordings.map((one) => [one.recording, unseen.includes(one) ? `${one.recording}, not seen by the fit` : one.recording]), names[0], redraw) : null,
-      choice('stretch', [['all', 'all of it'], ['close', 'where most happens']], part, (chosen) => { part = chosen; show(); }),
+      names.length > 1 ? choice('recording', recordings.map((one) => [one.recording, unseen.includes(one) ? `${one.recording}, not fitted` : one.recording]), names[0], redraw) : null,
+      choice('stretch', [['all', 'all'], ['close', 'busiest']], part, (chosen) => { part = chosen; show(); }),
     ),
   );
   place.append(legend(['line', 'measured', 'measured'], ['line', 'model', unseen.length ? 'model' : 'fit']), note, charts);

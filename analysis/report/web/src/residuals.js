@@ -88,7 +88,7 @@ export function drawResiduals(place, data) {
       ),
     );
   place.append(
-    el('p', { class: 'note' }, 'Root mean square of |model / measurement \u2212 1| in percent, gain and phase together, by octave, parted at the edges of the fitted band. Grey: not fitted.'),
+    el('p', { class: 'note' }, 'Root mean square of |model / measurement \u2212 1| in percent, gain and phase together, by octave and split at the limits of the fitted band. Grey: not fitted.'),
   );
   if (hasStart) place.append(el('div', { class: 'controls' }, choice('model', [['modelled', 'fit'], ['start', 'start']], 'modelled', redraw)));
   place.append(tables);

@@ -124,9 +124,14 @@ export function card(channel, bands, sync) {
   const read = (i) => {
     if (i == null) reading.textContent = '';
     else {
-      const pair = (part, unit, decimals) =>
-        `${part.lines.filter((line) => line.read !== false).map((line) => fixed(line.values[i], decimals)).join(', ')} for ${fixed(part.measured[i], decimals)}${unit}`;
-      reading.textContent = `${shown(series.x[i], 3)} Hz: ${pair(series.gain, ' dB', 1)}, ${pair(series.phase, '\u00b0', 0)}${series.mean ? `, ${pair(series.mean, ` ${series.mean.unit}`, 1)}` : ''}`;
+      const parts = [[series.gain, ' dB', 1], [series.phase, '\u00b0', 0]];
+      if (series.mean) parts.push([series.mean, ` ${series.mean.unit}`, 1]);
+      // Short, since there is one line of room; the note says which is which.
+      const pairs = parts.map(([part, unit, decimals]) => {
+        const modelled = part.lines.filter((line) => line.read !== false).map((line) => fixed(line.values[i], decimals));
+        return `${modelled.join(', ')}/${fixed(part.measured[i], decimals)}${unit}`;
+      });
+      reading.textContent = `${shown(series.x[i], 3)} Hz: ${pairs.join(', ')}`;
     }
   };
   const draw = () => {
@@ -148,9 +153,9 @@ function linesOf(channel, withStart) {
   return withStart ? [start, fit] : [fit];
 }
 
-/** What 0 dB stands for, by the units of the channels: accelerations are told over that of the post, all else over its motion. */
+/** What 0 dB stands for, by the units of the channels: accelerations are relative to that of the post, all else to its motion. */
 export function zeroDecibel(units) {
-  const known = { 'm/s^2': 'accelerations as large as that of the post', m: 'lengths as large as its motion', N: 'forces of 1 N per m of its motion' };
+  const known = { 'm/s^2': 'acceleration equal to that of the post', m: 'displacement equal to its motion', N: 'force of 1 N per m of its motion' };
   return `0 dB: ${[...new Set(units)].map((unit) => known[unit] ?? `1 ${readable(unit)[1]} per m of its motion`).join(', ')}.`;
 }
 
@@ -194,7 +199,7 @@ export function drawResponses(place, data) {
       ...(hasStart ? [['dash', 'start', 'start']] : []),
       ['patch', 'line', 'not fitted'],
     ),
-    el('p', { class: 'note' }, `Gain in dB, phase in degrees and, where it was measured, mean offset in mm, over frequency in Hz. ${zeroDecibel(data.responses.map(({ unit }) => unit))} The cursor reads fit for measured. Drag to zoom all, double click to go back.`),
+    el('p', { class: 'note' }, `Gain in dB, phase in degrees and, where it was measured, mean offset in mm, over frequency in Hz. ${zeroDecibel(data.responses.map(({ unit }) => unit))} The cursor shows model/measured. Drag to zoom all charts, double-click to reset.`),
     charts,
   );
   redraw();

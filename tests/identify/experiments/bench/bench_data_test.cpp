@@ -9,14 +9,19 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/files/findings.h"
 #include "identify/experiments/bench/bench_cycle.h"
 #include "identify/experiments/bench/bench_residuals.h"
 #include "identify/experiments/bench/bench_result.h"
+#include "identify/experiments/bench/findings.h"
 #include "identify/fit/fit.h"
 #include "identify/run/study_fit.h"
 #include "identify/study/loaded_study.h"
+#include "identify/study_file/findings.h"
+#include "tests/findings.h"
 #include "tests/identify/shipped_study.h"
 #include "tests/temporary_folder.h"
+#include "vehicles/bench/findings.h"
 
 namespace fourpost {
 namespace {
@@ -37,7 +42,7 @@ constexpr const char* kVehicle = R"(<?xml version="1.0"?>
     <origin xyz="0.4 0 0"/><axis xyz="1 0 0"/><limit lower="-1" upper="1" effort="0" velocity="0"/></joint>
   <fp:parameter name="bump" value="800 N*s/m" lower="100 N*s/m" upper="5 kN*s/m" precision="1 N*s/m" source="test"/>
   <fp:parameter name="rebound" value="2 kN*s/m" lower="100 N*s/m" upper="5 kN*s/m" precision="1 N*s/m" source="test"/>
-  <fp:damper name="strut" parent="tube" child="rod"><bilinear compression="$bump" rebound="$rebound"/></fp:damper>
+  <fp:damper name="strut" parent="tube" child="rod"><bilinear bump="$bump" rebound="$rebound"/></fp:damper>
 </robot>
 )";
 
@@ -98,9 +103,14 @@ class BenchDataTest : public testing::Test {
   std::optional<LoadedStudy> Load(const std::string& study = kStudy) {
     return LoadStudy(folder_.Write("study.yaml", study), diagnostics_);
   }
-  std::string Faults(const std::string& study = kStudy) {
+  Diagnostics Faults(const std::string& study = kStudy) {
+    diagnostics_ = {};
     EXPECT_FALSE(Load(study));
-    return diagnostics_.Format();
+    return diagnostics_;
+  }
+  /// Of finding `item`: the file's name.
+  std::string FileOf(const Diagnostics& found, std::size_t item) const {
+    return std::filesystem::path(found.items().at(item).place.file).filename().string();
   }
 
   TemporaryFolder folder_;
@@ -168,29 +178,28 @@ TEST_F(BenchDataTest, ResidualsSumToTheNormalisedError) {
 TEST_F(BenchDataTest, TellsFaultsOfAllRecordings) {
   folder_.Write("sine.csv", Replace(Recording(2, 0.01), "force", "push"));
   folder_.Write("fast.csv", Replace(Recording(20, 0.001), "s,m,N", "s,N,N"));
-  EXPECT_THAT(Faults(kBothFitted),
-              AllOf(HasSubstr("sine.csv:1: error: column 'force', the damper's tension, is missing"),
-                    HasSubstr("fast.csv:2: error: column 'displacement', the damper's extension, has 'N'")));
+  const Diagnostics faults = Faults(kBothFitted);
+  EXPECT_THAT(faults, Reports(kChannelColumnMissing, 1, {"'force'"}));
+  EXPECT_EQ(FileOf(faults, 0), "sine.csv");
+  EXPECT_THAT(faults, Reports(kUnitOfOtherDimension, 2, {"'displacement'", "'N'"}));
+  EXPECT_EQ(FileOf(faults, 1), "fast.csv");
 }
 
 // 1 mm at 20 Hz told as m spans some 2 m, more than the damper's length; 0.1 mm spans 0.2 m.
 TEST_F(BenchDataTest, TellsMillimetresForMetresAtSmallStroke) {
   const auto wrong = [](double amplitude_m) { return Recording(20, 1e3 * amplitude_m, amplitude_m); };
   folder_.Write("fast.csv", wrong(1e-3));
-  EXPECT_THAT(Faults(kBothFitted),
-              HasSubstr("fast.csv: error: displacement spans 1.96 m, more than the damper's length of 0.4 m"));
-  diagnostics_ = {};
+  EXPECT_THAT(Faults(kBothFitted), Reports(kStrokeTooLong, 0, {"1.96 m", "0.4 m"}));
+  EXPECT_EQ(FileOf(diagnostics_, 0), "fast.csv");
   folder_.Write("fast.csv", wrong(1e-4));
-  EXPECT_THAT(Faults(kBothFitted),
-              AllOf(HasSubstr("fast.csv: error: has a force of 1"), HasSubstr("N rms for a motion of"),
-                    HasSubstr("displacement looks like mm told as m, or force like kN told as N")));
+  EXPECT_THAT(Faults(kBothFitted), Reports(kBenchUnits, 0, {"mm", "kN"}));
+  EXPECT_EQ(FileOf(diagnostics_, 0), "fast.csv");
 }
 
 TEST_F(BenchDataTest, TellsMetresForMillimetres) {
   folder_.Write("fast.csv", Replace(Recording(20, 0.001), "s,m,N", "s,mm,N"));
-  EXPECT_THAT(Faults(kBothFitted),
-              AllOf(HasSubstr("fast.csv: error: has a force of"),
-                    HasSubstr("displacement looks like m told as mm, or force like N told as kN")));
+  EXPECT_THAT(Faults(kBothFitted), Reports(kBenchUnits, 0, {"mm", "kN"}));
+  EXPECT_EQ(FileOf(diagnostics_, 0), "fast.csv");
 }
 
 // A damper fifty times softer than the file's is another one, not a wrong unit.
@@ -200,7 +209,7 @@ TEST_F(BenchDataTest, LeavesDampersThatAreFarFromTheFiles) {
 }
 
 TEST_F(BenchDataTest, TellsFilesThatAreMissing) {
-  EXPECT_THAT(Faults(Replace(kBothFitted, "fast.csv", "slow.csv")), HasSubstr("study.yaml:4: error: there is no file"));
+  EXPECT_THAT(Faults(Replace(kBothFitted, "fast.csv", "slow.csv")), Reports(kFileNotThere, 4, {"slow.csv"}));
 }
 
 TEST_F(BenchDataTest, ALeftOutValidationRecordingEndsNoFit) {
@@ -212,30 +221,30 @@ TEST_F(BenchDataTest, ALeftOutValidationRecordingEndsNoFit) {
     EXPECT_THAT(Bench(*study).data.validation, testing::IsEmpty());
     EXPECT_THAT(study->validation_files, testing::IsEmpty());
     EXPECT_EQ(Bench(*study).left_out().at(0).name, "fast");
-    return diagnostics_.Format() + "\n" + Bench(*study).left_out().at(0).reason;
+    EXPECT_THAT(Bench(*study).left_out().at(0).reason, HasSubstr(diagnostics_.items().at(1).message));
+    return diagnostics_;
   };
   folder_.Write("fast.csv", Replace(Recording(20, 0.001), "s,m,N", "s,N,N"));
-  EXPECT_THAT(left_out(), AllOf(HasSubstr("fast.csv:2: warning: left out of the validation: column 'displacement'"),
-                                HasSubstr("\ncolumn 'displacement', the damper's extension, has 'N'")));
+  EXPECT_THAT(left_out(), AllOf(Reports(kValidationLeftOut, 2, {"'fast'"}),
+                                Reports(kUnitOfOtherDimension, 2, {"'displacement'", "'N'"})));
+  EXPECT_EQ(FileOf(diagnostics_, 0), "fast.csv");
   folder_.Write("fast.csv", Clipped(Recording(20, 0.001)));
-  EXPECT_THAT(left_out(), HasSubstr("fast.csv: warning: left out of the validation: "));
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("clipped"));
+  EXPECT_THAT(left_out(), AllOf(Reports(kValidationLeftOut, 0, {"'fast'"}), Reports(kClipped, 0)));
   std::filesystem::remove(folder_.path() / "fast.csv");
-  EXPECT_THAT(left_out(), HasSubstr("study.yaml:5: warning: left out of the validation: there is no file"));
+  EXPECT_THAT(left_out(), AllOf(Reports(kValidationLeftOut, 5, {"'fast'"}), Reports(kFileNotThere, 5, {"fast.csv"})));
   // The same of what is fitted ends it.
-  EXPECT_THAT(Faults(kBothFitted), HasSubstr("study.yaml:4: error: there is no file"));
+  EXPECT_THAT(Faults(kBothFitted), Reports(kFileNotThere, 4, {"fast.csv"}));
 }
 
 TEST_F(BenchDataTest, TellsDampersThatAreMissing) {
   EXPECT_THAT(Faults(Replace(kStudy, "bench:\n", "bench:\n  damper: strud\n")),
-              HasSubstr("the vehicle has no damper 'strud', did you mean 'strut'?"));
+              Reports(kBenchDamperUnknown, 3, {"'strud'", "'strut'"}));
 }
 
 TEST_F(BenchDataTest, TellsCutoffsBeyondTheSamplingRate) {
   EXPECT_THAT(Faults(Replace(kStudy, "30 Hz", "300 Hz")),
-              HasSubstr("is sampled at 500 Hz, too slowly for the band up to its filter's cut-off at 300 Hz: record "
-                        "faster, at 1200 Hz or more"));
-  // What is told to be done helps: four samples a period are taken.
+              Reports(kSampledTooSlowly, 0, {"sine.csv", "500 Hz", "300 Hz", "1200 Hz"}));
+  // The remedy helps: four samples a period are taken.
   diagnostics_ = {};
   EXPECT_TRUE(Load(Replace(kStudy, "30 Hz", "125 Hz"))) << diagnostics_.Format();
 }
@@ -274,12 +283,11 @@ std::string Offset(double displacement_m, double force_N) {
 TEST_F(BenchDataTest, TellsAnOffsetOfTheForceThatNoGasExplains) {
   folder_.Write("sine.csv", Offset(0, 200));
   ASSERT_TRUE(Load());
-  EXPECT_THAT(diagnostics_.Format(), AllOf(HasSubstr("has a force of 2"), HasSubstr("take the load cell's offset off"),
-                                           HasSubstr("gas would push, and this pulls")));
+  EXPECT_THAT(diagnostics_, Reports(kForcePulls, 0, {"force is 2"}));
   diagnostics_ = {};
   folder_.Write("sine.csv", Offset(0, -200));
   ASSERT_TRUE(Load());
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("or give the damper '<gas force=...>'"));
+  EXPECT_THAT(diagnostics_, Reports(kForcePushes, 0));
   diagnostics_ = {};
   folder_.Write("sine.csv", Offset(0, 200));
   // Legitimate of gas, whose force a fit finds.
@@ -301,8 +309,7 @@ TEST_F(BenchDataTest, TellsAnOffsetOfTheDisplacementWhereItMatters) {
   vehicle.replace(vehicle.find(law), law.size(), law + "<gas force=\"1 N\" stiffness=\"2 N/mm\"/>");
   folder_.Write("damper.urdf", vehicle);
   ASSERT_TRUE(Load());
-  EXPECT_THAT(diagnostics_.Format(),
-              AllOf(HasSubstr("has a displacement about 0.049"), HasSubstr("take the sensor's offset off")));
+  EXPECT_THAT(diagnostics_, Reports(kDisplacementOffset, 0, {"0.049"}));
 }
 
 }  // namespace

@@ -3,14 +3,14 @@
 #include <gmock/gmock.h>
 
 #include "identify/experiments/bench/damper_bench.h"
+#include "identify/experiments/bench/findings.h"
 #include "identify/study/study.h"
+#include "identify/study_file/findings.h"
+#include "tests/findings.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
 namespace {
-
-using testing::AllOf;
-using testing::HasSubstr;
 
 constexpr const char* kGood = R"(vehicle: damper.urdf
 bench:
@@ -30,11 +30,11 @@ std::optional<Study> Read(const std::string& text, Diagnostics& diagnostics, con
   return ReadStudy(folder.Write("study.yaml", text), diagnostics);
 }
 
-std::string Faults(const std::string& text) {
+Diagnostics Faults(const std::string& text) {
   const TemporaryFolder folder;
   Diagnostics diagnostics;
   EXPECT_FALSE(Read(text, diagnostics, folder));
-  return diagnostics.Format();
+  return diagnostics;
 }
 
 TEST(BenchStudy, IsReadWhole) {
@@ -59,23 +59,23 @@ TEST(BenchStudy, IsReadWhole) {
 }
 
 TEST(BenchStudyFault, UnknownKeys) {
-  EXPECT_THAT(Faults(Replace(kGood, "validation", "validate")), HasSubstr("'validate'"));
-  EXPECT_THAT(Faults(Replace(kGood, "search:", "band: [1 Hz, 2 Hz]\nsearch:")), HasSubstr("'band'"));
+  EXPECT_THAT(Faults(Replace(kGood, "validation", "validate")), Reports(kKeyUnknown, 9, {"'validate'"}));
+  EXPECT_THAT(Faults(Replace(kGood, "search:", "band: [1 Hz, 2 Hz]\nsearch:")), Reports(kKeyUnknown, 12, {"'band'"}));
 }
 
 TEST(BenchStudyFault, NoRecordings) {
   EXPECT_THAT(Faults(Replace(kGood, "recordings: [sweep.csv]", "recordings: []")),
-              HasSubstr("'recordings' of 'bench' must be a list of files"));
+              Reports(kBenchRecordingsEmpty, 8, {"'recordings'"}));
 }
 
 TEST(BenchStudyFault, OneNameTwice) {
-  EXPECT_THAT(Faults(Replace(kGood, "- two.csv", "- sweep.csv")), HasSubstr("two recordings are called 'sweep'"));
+  EXPECT_THAT(Faults(Replace(kGood, "- two.csv", "- sweep.csv")), Reports(kBenchRecordingTwice, 11, {"'sweep'"}));
 }
 
 TEST(BenchStudyFault, ImpossibleFilterAndError) {
-  EXPECT_THAT(
-      Faults(Replace(Replace(kGood, "order: 2", "order: 0"), "3 %", "0 %")),
-      AllOf(HasSubstr("'order' of 'rig_filter' must be"), HasSubstr("'model_error' of 'bench' must be above zero")));
+  const Diagnostics faults = Faults(Replace(Replace(kGood, "order: 2", "order: 0"), "3 %", "0 %"));
+  EXPECT_THAT(faults, Reports(kKeyNotInteger, 6, {"'order' of 'rig_filter'"}));
+  EXPECT_THAT(faults, Reports(kKeyNotPositive, 7, {"'model_error' of 'bench'"}));
 }
 
 }  // namespace

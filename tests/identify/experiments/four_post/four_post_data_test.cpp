@@ -10,14 +10,18 @@
 
 #include "analysis/signals/decibel.h"
 #include "analysis/text/number.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/experiments/four_post/response_misfit.h"
+#include "identify/experiments/static_loads/findings.h"
 #include "identify/experiments/static_loads/static_load_data.h"
 #include "identify/residuals/history_misfit.h"
 #include "identify/study/loaded_study.h"
+#include "tests/findings.h"
 #include "tests/identify/shipped_study.h"
 #include "tests/temporary_folder.h"
 #include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/description/findings.h"
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/reader/vehicle_file.h"
 
@@ -26,7 +30,6 @@ namespace {
 
 using testing::DoubleEq;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 constexpr const char* kRecording =
     "frequency_Hz,post_amplitude_m,channel,gain,phase_deg,gain_sd,phase_sd_deg,mean\n"
@@ -67,10 +70,18 @@ class FourPostDataTest : public testing::Test {
     return data;
   }
 
-  std::string Fault() {
+  Diagnostics Faults() {
     Read();
     EXPECT_TRUE(diagnostics_.HasErrors());
-    return diagnostics_.Format();
+    for (const Diagnostic& item : diagnostics_.items()) EXPECT_EQ(item.place.file, "study.yaml");
+    return diagnostics_;
+  }
+
+  /// The only one.
+  Diagnostics Fault() {
+    Faults();
+    EXPECT_EQ(diagnostics_.items().size(), 1u) << diagnostics_.Format();
+    return diagnostics_;
   }
 
   TemporaryFolder folder_;
@@ -101,8 +112,7 @@ TEST_F(FourPostDataTest, WarnsOfMembersThatMoveAgainstEachOther) {
   plan_.recordings.push_back(plan_.recordings[0]);
   Read();
   ASSERT_FALSE(diagnostics_.HasErrors());
-  EXPECT_THAT(diagnostics_.Format(), testing::HasSubstr("study.yaml:7: warning: 's_left' and 's_right' of 'strut' move "
-                                                        "against each other"));
+  EXPECT_THAT(diagnostics_, Reports(kMembersOpposed, 7, {"'s_left'", "'s_right'", "'strut'"}));
   // Of both recordings once.
   EXPECT_EQ(diagnostics_.items().size(), 1u) << diagnostics_.Format();
 }
@@ -115,7 +125,7 @@ TEST_F(FourPostDataTest, AddsTheDeviationsOfPhasorsInLine) {
 
 TEST_F(FourPostDataTest, RefusesAChannelOfAnotherQuantity) {
   plan_.channels[0].second.channels[1] = "F_left";
-  EXPECT_EQ(Fault(), "study.yaml:7: error: channel 'F_left' is in N, sensor 'strut' in m: they cannot be compared");
+  EXPECT_THAT(Fault(), Reports(kSineUnitsDiffer, 7, {"'F_left' is in N", "'strut' in m"}));
 }
 
 TEST_F(FourPostDataTest, RefusesDifferencesThatNothingWeighs) {
@@ -124,12 +134,12 @@ TEST_F(FourPostDataTest, RefusesDifferencesThatNothingWeighs) {
                                            "1,0.01,s_left,1,0\n1,0.01,s_right,1,90\n");
   EXPECT_EQ(Load().runs.size(), 1u);
   plan_.model_error.gain_dB = 0;
-  EXPECT_THAT(Fault(), HasSubstr("study.yaml:7: error: 'strut' has frequencies without deviation"));
+  EXPECT_THAT(Fault(), Reports(kSineWithoutWeight, 7, {"'strut'"}));
 }
 
 TEST_F(FourPostDataTest, NamesAPostThatIsLeftOut) {
   plan_.recordings[0].posts = {{"right", -1}};
-  EXPECT_THAT(Fault(), HasSubstr("recording 'run' does not tell how post 'left' moved"));
+  EXPECT_THAT(Fault(), Reports(kPostShareMissing, 0, {"'run'", "'left'"}));
 }
 
 TEST_F(FourPostDataTest, PoolsDeviationsOverNeighbouringFrequencies) {
@@ -177,8 +187,7 @@ TEST_F(FourPostDataTest, RefusesAPatternThatThePostsCannotMake) {
   plan_.recordings[0].posts.clear();
   plan_.recordings[0].pattern = "pitch";
   plan_.recordings[0].line = 3;
-  EXPECT_EQ(Fault(),
-            "study.yaml:3: error: recording 'run': the posts cannot make 'pitch': it takes posts both front and rear");
+  EXPECT_THAT(Fault(), Reports(kPatternSides, 3, {"'pitch'", "front", "rear"}));
 }
 
 TEST_F(FourPostDataTest, KeepsTheFrequenciesOfABand) {
@@ -191,29 +200,30 @@ TEST_F(FourPostDataTest, KeepsTheFrequenciesOfABand) {
 
 TEST_F(FourPostDataTest, NamesAnUnknownSensor) {
   plan_.channels[0].first = "struts";
-  EXPECT_EQ(Fault(), "study.yaml:7: error: the vehicle has no sensor 'struts', did you mean 'strut'?");
+  EXPECT_THAT(Fault(), Reports(kSineSensorUnknown, 7, {"'struts'", "'strut'"}));
 }
 
 TEST_F(FourPostDataTest, NamesAnUnknownChannel) {
   plan_.channels[0].second.channels[1] = "s_rigth";
-  EXPECT_EQ(Fault(), "study.yaml:7: error: run.csv has no channel 's_rigth', did you mean 's_right'?");
+  EXPECT_THAT(Fault(), Reports(kSineChannelMissing, 7, {"run.csv", "'s_rigth'", "'s_right'"}));
 }
 
 TEST_F(FourPostDataTest, NamesAnUnknownPost) {
   plan_.recordings[0].posts = {{"left", 0}, {"right", 1}, {"rigth", 1}};
   plan_.recordings[0].line = 3;
-  EXPECT_EQ(Fault(), "study.yaml:3: error: the vehicle has no post 'rigth', did you mean 'right'?");
+  EXPECT_THAT(Fault(), Reports(kSinePostUnknown, 3, {"'rigth'", "'right'"}));
 }
 
 TEST_F(FourPostDataTest, NamesAnUnknownTyreAndAnUnknownLoadAtOnce) {
   rest_.tyres = {{"tire", {ChannelSource::Combine::kSum, {"l", "q"}, 9}}};
-  EXPECT_THAT(Fault(), testing::AllOf(HasSubstr("study.yaml:9: error: the vehicle has no tyre 'tire'"),
-                                      HasSubstr("study.yaml:9: error: static.csv has no force 'q'")));
+  const Diagnostics faults = Faults();
+  EXPECT_THAT(faults, Reports(kStaticLoadTyreUnknown, 9, {"'tire'"}));
+  EXPECT_THAT(faults, Reports(kStaticLoadMissing, 9, {"static.csv", "'q'"}));
 }
 
 TEST_F(FourPostDataTest, RefusesAStaticLoadThatIsExact) {
   rest_.table = folder_.Write("static.csv", "quantity,unit,value,sd\nl,kN,3,0\nr,kN,4,0\n");
-  EXPECT_THAT(Fault(), HasSubstr("needs a standard deviation above zero"));
+  EXPECT_THAT(Fault(), Reports(kStaticLoadWithoutDeviation, 9));
 }
 
 /// A study of the shipped planar Land Rover with gyros, and of recordings that it makes itself: a twin.
@@ -291,16 +301,12 @@ TEST_F(GyroTwin, ReadsTheRateOfTurningPerMetreOfThePost) {
 
 TEST_F(GyroTwin, RefusesAChannelThatIsNoRateOfTurning) {
   EXPECT_FALSE(Load(Recording("mm", 1), "pitch_rate: pitch_rate"));
-  EXPECT_THAT(diagnostics_.Format(),
-              testing::EndsWith("study.yaml:5: error: channel 'pitch_rate' is in m, sensor 'pitch_rate' in rad/s: they "
-                                "cannot be compared"));
+  EXPECT_THAT(diagnostics_, Reports(kSineUnitsDiffer, 5, {"'pitch_rate' is in m", "'pitch_rate' in rad/s"}));
 }
 
 TEST_F(GyroTwin, RefusesARateOfTurningForAnotherSensor) {
   EXPECT_FALSE(Load(Recording("deg/s", 57), "s_strut_front: pitch_rate"));
-  EXPECT_THAT(diagnostics_.Format(),
-              testing::EndsWith("study.yaml:5: error: channel 'pitch_rate' is in rad/s, sensor 's_strut_front' in m: "
-                                "they cannot be compared"));
+  EXPECT_THAT(diagnostics_, Reports(kSineUnitsDiffer, 5, {"'pitch_rate' is in rad/s", "'s_strut_front' in m"}));
 }
 
 }  // namespace

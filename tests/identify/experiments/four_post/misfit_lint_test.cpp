@@ -1,19 +1,19 @@
 #include "identify/experiments/four_post/misfit_lint.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
 
+#include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/modelled_response.h"
+#include "identify/experiments/static_loads/findings.h"
+#include "tests/findings.h"
 #include "tests/identify/shipped_study.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
 using testing::Not;
 
 /// A study whose data are what its vehicle answers at the values of its file.
@@ -28,7 +28,7 @@ LoadedStudy Exact() {
   return study;
 }
 
-std::string Lint(const LoadedStudy& study, bool at_bound = false) {
+Diagnostics Lint(const LoadedStudy& study, bool at_bound = false) {
   FitResult fit;
   fit.values = study.vehicle.ParameterValues();
   fit.parameters = {{.name = "m_sprung", .at_bound = at_bound, .dimension = kMass}};
@@ -36,15 +36,29 @@ std::string Lint(const LoadedStudy& study, bool at_bound = false) {
   const Subject subject = study.MakeSubject();
   for (const Experiment& experiment : study.study.experiments) experiment.CheckFit(subject, fit, diagnostics);
   EXPECT_FALSE(diagnostics.HasErrors());
-  return diagnostics.Format();
+  return diagnostics;
 }
+
+/// Of the study's entry of the tyre or channel.
+template <typename Entries>
+int LineOf(const Entries& entries, const std::string& name) {
+  for (const auto& [known, source] : entries)
+    if (known == name) return source.line;
+  return 0;
+}
+
+int LineOfChannel(const LoadedStudy& study, const std::string& name) {
+  return LineOf(Sines(study).plan.channels, name);
+}
+
+int LineOfTyre(const LoadedStudy& study, const std::string& name) { return LineOf(Rest(study).plan.tyres, name); }
 
 TEST(MisfitLint, HasNothingToTellOfAFitThatAgrees) {
   LoadedStudy study = Exact();
-  EXPECT_EQ(Lint(study), "");
+  EXPECT_EQ(Lint(study).Format(), "");
   Rest(study).loads[0].sd_N = 200;
   Rest(study).loads[0].load_N += 3.9 * 200;
-  EXPECT_EQ(Lint(study), "");
+  EXPECT_EQ(Lint(study).Format(), "");
 }
 
 TEST(MisfitLint, TellsOfALoadThatIsFarOff) {
@@ -52,9 +66,12 @@ TEST(MisfitLint, TellsOfALoadThatIsFarOff) {
   // 6 % of it: more than 4 deviations, and than what friction leaves.
   Rest(study).loads[0].sd_N = 100;
   Rest(study).loads[0].load_N += 6 * 100;
-  EXPECT_THAT(Lint(study), AllOf(HasSubstr("'front_tyre' carries "), HasSubstr(" N (6 standard deviations off)"),
-                                 HasSubstr("not tared"), Not(HasSubstr("rear_tyre")), Not(HasSubstr("m_sprung"))));
-  EXPECT_THAT(Lint(study, true), HasSubstr("bounds that hold masses (m_sprung)"));
+  const int line = LineOfTyre(study, "front_tyre");
+  const Diagnostics found = Lint(study);
+  EXPECT_THAT(found, Reports(kStaticLoadFarOff, line, {"'front_tyre'", " N (6 standard deviations"}));
+  EXPECT_THAT(found, Not(Reports(kStaticLoadFarOff, line, {"rear_tyre"})));
+  EXPECT_THAT(found, Not(Reports(kStaticLoadFarOff, line, {"m_sprung"})));
+  EXPECT_THAT(Lint(study, true), Reports(kStaticLoadFarOff, line, {"m_sprung"}));
 }
 
 TEST(MisfitLint, TellsCausesOnce) {
@@ -63,10 +80,14 @@ TEST(MisfitLint, TellsCausesOnce) {
   for (MeasuredChannel& channel : Sines(study).runs[0].channels)
     if (channel.name == "a_cg" || channel.name == "a_tow_point")
       for (std::complex<double>& value : channel.response) value *= -1;
-  const std::string text = Lint(study);
-  EXPECT_THAT(text, AllOf(HasSubstr("'front_tyre' carries "), HasSubstr(", 'rear_tyre' carries "),
-                          HasSubstr("'a_cg' is off in 'bounce'"), HasSubstr("'a_tow_point' is off in 'bounce'")));
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+  const Diagnostics found = Lint(study);
+  EXPECT_THAT(found, Reports(kStaticLoadFarOff, LineOfTyre(study, "front_tyre"), {"'front_tyre'", "'rear_tyre'"}));
+  // At the line of the worst.
+  const auto both = [&](const char* worst) {
+    return Reports(kSinesFarOff, LineOfChannel(study, worst), {"'a_cg' in 'bounce'", "'a_tow_point' in 'bounce'"});
+  };
+  EXPECT_THAT(found, testing::AnyOf(both("a_cg"), both("a_tow_point")));
+  EXPECT_EQ(found.items().size(), 2u) << found.Format();
 }
 
 // But for a_cg in pitch, which is next to a node.
@@ -75,12 +96,14 @@ TEST(MisfitLint, CountsChannelsWhereManyAreOff) {
   for (MeasuredRun& run : Sines(study).runs)
     for (MeasuredChannel& channel : run.channels)
       for (std::complex<double>& value : channel.response) value *= -1;
-  const std::string text = Lint(study);
-  EXPECT_THAT(text, AllOf(HasSubstr("11 channels (7 accelerations, 2 displacements, 2 forces; 11 in 'bounce', 10 in "
-                                    "'pitch') are far off, the worst: '"),
-                          HasSubstr("; the table of channels and the pictures of responses show all")));
+  const Diagnostics found = Lint(study);
+  ASSERT_EQ(found.items().size(), 1u) << found.Format();
+  EXPECT_THAT(
+      found, Reports(kManySinesFarOff, found.items()[0].place.line,
+                     {"11 channels", "7 accelerations, 2 displacements, 2 forces", "11 in 'bounce'", "10 in 'pitch'"}));
+  const std::string& text = found.items()[0].message;
   std::size_t named = 0;
-  for (std::size_t at = text.find("is off in"); at != std::string::npos; at = text.find("is off in", at + 1)) ++named;
+  for (std::size_t at = text.find(" times"); at != std::string::npos; at = text.find(" times", at + 1)) ++named;
   EXPECT_EQ(named, 3U);
 }
 
@@ -94,20 +117,23 @@ TEST(MisfitLint, TellsOfAChannelThatIsFarOff) {
   LoadedStudy study = Exact();
   // Half of what is measured, over the 12 % that 1 dB is, along the phasor alone: 4.1 / sqrt(2) in the mean.
   Scale(Sines(study).runs[0], "a_cg", 2);
-  EXPECT_EQ(Lint(study), "");
+  EXPECT_EQ(Lint(study).Format(), "");
   // Three halves of it: 8.7, less what the floor takes.
   Scale(Sines(study).runs[0], "a_cg", -1);
-  EXPECT_THAT(Lint(study), AllOf(testing::ContainsRegex("'a_cg' is off in 'bounce' by (7.9|8.[0-9]*) times"),
-                                 Not(HasSubstr("'pitch'")), Not(HasSubstr("'a_tow_point'"))));
+  const Diagnostics found = Lint(study);
+  const int line = LineOfChannel(study, "a_cg");
+  EXPECT_THAT(found, Reports(kSinesFarOff, line, {"'a_cg' in 'bounce'"}));
+  EXPECT_THAT(found.Format(), testing::ContainsRegex("'bounce' (7.9|8.[0-9]*) times"));
+  EXPECT_THAT(found, Not(Reports(kSinesFarOff, line, {"'pitch'"})));
+  EXPECT_THAT(found, Not(Reports(kSinesFarOff, line, {"'a_tow_point'"})));
 }
 
 TEST(MisfitLint, LooksPastFrequenciesWithoutAnAnswer) {
   LoadedStudy study = Exact();
   Scale(Sines(study).runs[0], "a_cg", -2);
-  const std::string all = Lint(study);
+  EXPECT_NE(Lint(study).Format(), "");
   for (MeasuredChannel& channel : Sines(study).runs[0].channels) channel.response[9] = NAN;
-  EXPECT_THAT(Lint(study), HasSubstr("'a_cg' is off in 'bounce' by "));
-  EXPECT_NE(all, "");
+  EXPECT_THAT(Lint(study), Reports(kSinesFarOff, LineOfChannel(study, "a_cg"), {"'a_cg' in 'bounce'"}));
 }
 
 }  // namespace

@@ -5,22 +5,32 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/experiments/four_post/findings.h"
+#include "identify/experiments/static_loads/findings.h"
+#include "identify/study/findings.h"
 #include "identify/study_file/channel_warnings.h"
+#include "tests/findings.h"
 #include "tests/identify/shipped_study.h"
 #include "vehicles/description/gravity.h"
 
 namespace fourpost {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using testing::ContainsRegex;
 using testing::Not;
 
-std::string Lint(const LoadedStudy& study) {
+Diagnostics Lint(const LoadedStudy& study) {
   Diagnostics diagnostics;
   CheckRecordings(study, Severity::kWarning, diagnostics);
   EXPECT_FALSE(diagnostics.HasErrors());
-  return diagnostics.Format();
+  return diagnostics;
+}
+
+/// In the study.
+int LineOf(const LoadedStudy& study, const std::string& channel) {
+  for (const auto& [name, source] : Sines(study).plan.channels)
+    if (name == channel) return source.line;
+  throw std::invalid_argument("no channel " + channel);
 }
 
 Sensor& SensorOf(LoadedStudy& study, const std::string& name) {
@@ -46,7 +56,7 @@ class EveryStudy : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(RecordingLint, EveryStudy, testing::Values("model1", "model2", "model3", "full"));
 
 // Of the rig as it was: flexible mounts, sensors a few per cent off, a car that no model is.
-TEST_P(EveryStudy, HasNothingToTell) { EXPECT_EQ(Lint(ShippedStudy(GetParam())), ""); }
+TEST_P(EveryStudy, HasNothingToTell) { EXPECT_EQ(Lint(ShippedStudy(GetParam())).Format(), ""); }
 
 TEST_P(EveryStudy, TellsOfAStationOffByAMetre) {
   for (const double metres : {1.0, -1.0}) {
@@ -54,17 +64,16 @@ TEST_P(EveryStudy, TellsOfAStationOffByAMetre) {
     // As if the sensor had sat a metre from where the file has it.
     SensorOf(study, "a_cross_member").point.xyz.x() -= metres;
     const std::string direction = metres > 0 ? "forward" : "back";
-    EXPECT_THAT(Lint(study), AllOf(HasSubstr("'a_cross_member' does not move with its body below 1 Hz"),
-                                   testing::ContainsRegex("as if it sat (0.9[0-9]?|1|1.1) m further " + direction)))
-        << metres;
+    const Diagnostics found = Lint(study);
+    EXPECT_THAT(found, Reports(kStationAlong, LineOf(study, "a_cross_member"), {"'a_cross_member'", direction}));
+    EXPECT_THAT(found.Format(), ContainsRegex(" (0.9[0-9]?|1|1.1) m ")) << metres;
   }
 }
 
 TEST_P(EveryStudy, TellsOfATurnedAccelerometer) {
   LoadedStudy study = ShippedStudy(GetParam());
   Scale(study, "a_cross_member", -1);
-  EXPECT_THAT(Lint(study), HasSubstr("its sign is opposite: turn it round, as 'a_cross_member: "));
-  EXPECT_THAT(Lint(study), HasSubstr("sign: -1}"));
+  EXPECT_THAT(Lint(study), Reports(kStationSign, LineOf(study, "a_cross_member"), {"'a_cross_member: ", "sign: -1}"}));
 }
 
 TEST_P(EveryStudy, TellsOfAnyChannelOfOppositeSign) {
@@ -72,8 +81,8 @@ TEST_P(EveryStudy, TellsOfAnyChannelOfOppositeSign) {
   for (const MeasuredChannel& channel : Sines(shipped).runs.front().channels) {
     LoadedStudy study = shipped;
     Scale(study, channel.name, -1);
-    EXPECT_THAT(Lint(study), AllOf(HasSubstr("'" + channel.name + "' moves against what the vehicle would do"),
-                                   HasSubstr("sign: -1")));
+    EXPECT_THAT(Lint(study),
+                Reports(kSignOpposite, LineOf(study, channel.name), {"'" + channel.name + "'", "sign: -1"}));
   }
 }
 
@@ -88,15 +97,13 @@ LoadedStudy WithoutForces(const std::string& name) {
 
 TEST(RecordingLint, TellsWhatSetsTheScaleWithoutForces) {
   LoadedStudy study = WithoutForces("full");
-  const std::string told = Lint(study);
-  EXPECT_THAT(told, HasSubstr("rests on what is held ("));
-  EXPECT_THAT(told, HasSubstr("1 % there is 1 % in all of them"));
+  EXPECT_THAT(Lint(study), Reports(kScaleNotMeasured, study.study.free_line));
   // A mass that was weighed sets it as well.
   for (const std::size_t index : study.free) {
     Parameter& parameter = study.vehicle.parameters[index];
     if (parameter.dimension == kMass) parameter.prior_sd = 1;
   }
-  EXPECT_EQ(Lint(study), "");
+  EXPECT_EQ(Lint(study).Format(), "");
 }
 
 // A mass that turns nothing and moves nothing sets no scale.
@@ -109,13 +116,15 @@ TEST(RecordingLint, NamesOnlyWhatSetsTheScale) {
   Parameter idle = study.vehicle.parameters[0];
   idle.name = "m_idle";
   study.vehicle.parameters.push_back(idle);
-  EXPECT_THAT(Lint(study), AllOf(HasSubstr("rests on what is held (m_sprung)"), Not(HasSubstr("m_idle"))));
+  const Diagnostics found = Lint(study);
+  EXPECT_THAT(found, Reports(kScaleNotMeasured, study.study.free_line, {"(m_sprung)"}));
+  EXPECT_THAT(found, Not(Reports(kScaleNotMeasured, study.study.free_line, {"m_idle"})));
 }
 
 TEST(RecordingLint, TellsOfAScaleThatIsOff) {
   LoadedStudy study = ShippedStudy("model1");
   Scale(study, "a_cross_member", 9.80665);
-  EXPECT_THAT(Lint(study), HasSubstr("it reads 9.8 times what it should"));
+  EXPECT_THAT(Lint(study), Reports(kStationScale, LineOf(study, "a_cross_member"), {"'a_cross_member'", "9.8 times"}));
 }
 
 /// Inertia of this mass between load cell and tyre, in a car whose channel stands for two tyres.
@@ -128,10 +137,12 @@ void AddWheelpan(LoadedStudy& study, const std::string& name, double kg, std::si
 TEST(RecordingLint, TellsOfAForgottenWheelpan) {
   LoadedStudy study = ShippedStudy("model1");
   AddWheelpan(study, "F_tyre_rear", 50, 1);
-  EXPECT_THAT(Lint(study), testing::ContainsRegex("'F_tyre_rear' feels the inertia of some (4[5-9]|5[0-5]) kg"));
+  EXPECT_THAT(Lint(study), Reports(kWheelpanForgotten, LineOf(study, "F_tyre_rear")));
+  EXPECT_THAT(Lint(study).Format(), ContainsRegex("'F_tyre_rear' about (4[5-9]|5[0-5]) kg"));
   LoadedStudy full = ShippedStudy("full");
   AddWheelpan(full, "F_tyre_FL", 25, 0);
-  EXPECT_THAT(Lint(full), testing::ContainsRegex("'F_tyre_FL' feels the inertia of some 2[2-8] kg"));
+  EXPECT_THAT(Lint(full), Reports(kWheelpanForgotten, LineOf(full, "F_tyre_FL")));
+  EXPECT_THAT(Lint(full).Format(), ContainsRegex("'F_tyre_FL' about 2[2-8] kg"));
 }
 
 // One warning for all, with the mass, where it is written, and the sensors that have it.
@@ -142,28 +153,29 @@ TEST_P(EveryStudy, TellsOfWheelpansForgottenOnAllPosts) {
     for (const Sensor& sensor : study.vehicle.sensors)
       if (sensor.tyre == study.vehicle.posts[p].tyre && sensor.name.starts_with("F_tyre"))
         AddWheelpan(study, sensor.name, is_planar ? 50 : 25, p);
-  const std::string text = Lint(study);
-  EXPECT_THAT(text, testing::ContainsRegex(is_planar ? "write `wheelpan=\"(4[7-9]|5[0-2]) kg\"` at fp:sensor"
-                                                     : "write `wheelpan=\"2[3-6] kg\"` at fp:sensor"));
-  EXPECT_THAT(text, HasSubstr(is_planar ? "(F_pan_front, F_pan_rear)" : "(F_pan_FL, F_pan_FR, F_pan_RL, F_pan_RR)"));
-  EXPECT_EQ(text.find('\n'), std::string::npos);
+  const Diagnostics found = Lint(study);
+  ASSERT_EQ(found.items().size(), 1u) << found.Format();
+  EXPECT_THAT(found, Reports(kWheelpanForgotten, found.items()[0].place.line,
+                             {is_planar ? "(F_pan_front, F_pan_rear)" : "(F_pan_FL, F_pan_FR, F_pan_RL, F_pan_RR)"}));
+  EXPECT_THAT(found.Format(), ContainsRegex(is_planar ? "wheelpan=\"(4[7-9]|5[0-2]) kg\"" : "wheelpan=\"2[3-6] kg\""));
 }
 
 TEST(RecordingLint, TellsOfAWheelpanTakenOutTwice) {
   LoadedStudy study = ShippedStudy("model1");
   AddWheelpan(study, "F_tyre_rear", -50, 1);
-  EXPECT_THAT(Lint(study), testing::ContainsRegex("'F_tyre_rear' lacks the inertia of some (4[5-9]|5[0-5]) kg"));
+  EXPECT_THAT(Lint(study), Reports(kWheelpanTakenOut, LineOf(study, "F_tyre_rear")));
+  EXPECT_THAT(Lint(study).Format(), ContainsRegex("'F_tyre_rear' about (4[5-9]|5[0-5]) kg"));
 }
 
 TEST(RecordingLint, TellsOfLoadsThatNoMassesMake) {
   LoadedStudy study = ShippedStudy("model1");
   // Bounds leave it some 600 kg.
   for (MeasuredLoad& load : Rest(study).loads) load.load_N += 400 * kGravity;
-  EXPECT_THAT(Lint(study), AllOf(HasSubstr("static.csv: warning: the static loads add up to 29 kN"),
-                                 HasSubstr("at their upper bounds"), HasSubstr("not tared")));
+  EXPECT_THAT(Lint(study), Reports(kStaticLoadsAboveBounds, 0, {"29 kN"}));
+  EXPECT_THAT(Lint(study).items().at(0).place.file, testing::EndsWith("static.csv"));
   study = ShippedStudy("model1");
   for (MeasuredLoad& load : Rest(study).loads) load.load_N *= 0.5;
-  EXPECT_THAT(Lint(study), AllOf(HasSubstr("at their lower bounds"), HasSubstr("corners or axles left out")));
+  EXPECT_THAT(Lint(study), Reports(kStaticLoadsBelowBounds, 0));
 }
 
 TEST(ChannelWarnings, TellsHowAStudyTurnsAChannelRound) {

@@ -5,13 +5,15 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/files/findings.h"
+#include "identify/experiments/time_history/findings.h"
+#include "identify/study_file/findings.h"
+#include "tests/findings.h"
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
 
 namespace fourpost {
 namespace {
-
-using testing::HasSubstr;
 
 class HistoryDataTest : public testing::Test {
  protected:
@@ -30,12 +32,12 @@ class HistoryDataTest : public testing::Test {
   std::optional<std::vector<MeasuredHistory>> Load() { return Load(StationCsv(recorded_, vehicle_)); }
 
   /// The one fault.
-  std::string Fault(const std::string& text) {
+  Diagnostics Fault(const std::string& text) {
     EXPECT_FALSE(Load(text));
     EXPECT_EQ(diagnostics_.items().size(), 1u) << diagnostics_.Format();
-    return diagnostics_.Format();
+    return diagnostics_;
   }
-  std::string Fault() { return Fault(StationCsv(recorded_, vehicle_)); }
+  Diagnostics Fault() { return Fault(StationCsv(recorded_, vehicle_)); }
 
   Vehicle vehicle_ = ShippedVehicle("single_wheel_station");
   TimeHistory recorded_ = RecordStation(vehicle_, std::nullopt);
@@ -79,7 +81,8 @@ TEST_F(HistoryDataTest, HasTheWindowAskedFor) {
   EXPECT_EQ(histories->front().count, 1001);
   history_.start_s = 7;
   history_.end_s.reset();
-  EXPECT_THAT(Fault(), HasSubstr("study.yaml:3: error: history 'sweep' has no samples to compare"));
+  EXPECT_THAT(Fault(), Reports(kHistoryWindowOutside, 3, {"'sweep'", "0 s", "6.5 s"}));
+  EXPECT_EQ(diagnostics_.items().at(0).place.file, "study.yaml");
 }
 
 TEST_F(HistoryDataTest, AddsChannelsUp) {
@@ -93,22 +96,22 @@ TEST_F(HistoryDataTest, AddsChannelsUp) {
 
 TEST_F(HistoryDataTest, RefusesNamesThatAreNotThere) {
   history_.channels[0].first = "z_sprang";
-  EXPECT_THAT(Fault(), HasSubstr("study.yaml:5: error: the vehicle has no sensor 'z_sprang', did you mean 'z_sprung'"));
+  EXPECT_THAT(Fault(), Reports(kHistorySensorUnknown, 5, {"'z_sprang'", "'z_sprung'"}));
   diagnostics_ = {};
   history_.channels[0].first = "z_sprung";
   history_.channels[1].second.channels = {"z_unspring"};
-  EXPECT_THAT(Fault(), HasSubstr("z_unspring"));
+  EXPECT_THAT(Fault(), Reports(kChannelColumnMissing, 1, {"'z_unspring'"}));
   diagnostics_ = {};
   history_.channels.pop_back();
   history_.channels[1].second.channels = {"z_unsprung"};
   history_.posts.clear();
-  EXPECT_THAT(Fault(), HasSubstr("study.yaml:3: error: history 'sweep' does not tell how post 'ground' moved"));
+  EXPECT_THAT(Fault(), Reports(kHistoryPostMissing, 3, {"'sweep'", "'ground'"}));
 }
 
 TEST_F(HistoryDataTest, RefusesAnotherUnit) {
   history_.channels[0].second.channels = {"F_tyre"};
   history_.channels.resize(1);
-  EXPECT_THAT(Fault(), HasSubstr("'F_tyre', sensor 'z_sprung'"));
+  EXPECT_THAT(Fault(), Reports(kUnitOfOtherDimension, 2, {"'F_tyre'", "'z_sprung'"}));
 }
 
 TEST_F(HistoryDataTest, ReadsNoise) {
@@ -117,13 +120,12 @@ TEST_F(HistoryDataTest, ReadsNoise) {
   ASSERT_TRUE(histories);
   EXPECT_DOUBLE_EQ(histories->front().signals[4].noise_sd, 20);
   history_.noise = {{"F_tyre", "20 mm", 6}};
-  EXPECT_THAT(Fault(), HasSubstr("study.yaml:6: error: the noise of 'F_tyre' must be a deviation with a unit"));
+  EXPECT_THAT(Fault(), Reports(kNoiseUnreadable, 6, {"'F_tyre'", "N", "'20 mm'"}));
 }
 
 TEST_F(HistoryDataTest, RefusesSamplesTooFarApartForTheBand) {
   history_.filter = LowPassDesign{.order = 4, .cutoff_Hz = 150};
-  EXPECT_THAT(Fault(), HasSubstr("sweep.csv is sampled at 500 Hz, too slowly for the band up to its filter's cut-off "
-                                 "at 150 Hz: record faster, at 600 Hz or more"));
+  EXPECT_THAT(Fault(), Reports(kSampledTooSlowly, 3, {"sweep.csv", "500 Hz", "150 Hz", "600 Hz"}));
 }
 
 TEST_F(HistoryDataTest, WarnsOfPostsSampledTooSlowly) {
@@ -136,20 +138,21 @@ TEST_F(HistoryDataTest, WarnsOfPostsSampledTooSlowly) {
   slow.posts = recorded_.posts(Eigen::seqN(0, kept, 8), Eigen::all);
   slow.readings = recorded_.readings(Eigen::seqN(0, kept, 8), Eigen::all);
   EXPECT_TRUE(Load(StationCsv(slow, vehicle_)));
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("is sampled at 62.5 Hz: 6 samples a period are wanted"));
+  EXPECT_THAT(diagnostics_, Reports(kPostSampledTooSlowly, 3, {"'ground'", "62.5 Hz", "6 samples"}));
 }
 
 TEST_F(HistoryDataTest, NamesNoChannelOfAnotherQuantityForOneThatIsMissing) {
   std::string text = StationCsv(recorded_, vehicle_);
   text.replace(text.find("z_sprung"), 8, "z_body__");
   // Nearest by its letters is a_sprung, an acceleration.
-  EXPECT_THAT(Fault(text), testing::AllOf(HasSubstr("column 'z_sprung', sensor 'z_sprung', is missing"),
-                                          testing::Not(HasSubstr("a_sprung"))));
+  EXPECT_THAT(Fault(text), Reports(kChannelColumnMissing, 1, {"'z_sprung'"}));
+  EXPECT_THAT(diagnostics_, testing::Not(Reports(kChannelColumnMissing, 1, {"a_sprung"})));
 }
 
 TEST_F(HistoryDataTest, RefusesADeadChannel) {
   recorded_.readings.col(2).setConstant(0.3);
-  EXPECT_THAT(Load() ? "" : diagnostics_.Format(), HasSubstr("'a_sprung' does not change"));
+  EXPECT_FALSE(Load());
+  EXPECT_THAT(diagnostics_, Reports(kChannelDead, 5, {"'a_sprung'"}));
 }
 
 TEST_F(HistoryDataTest, WarnsOfASaturatedSensor) {
@@ -157,7 +160,7 @@ TEST_F(HistoryDataTest, WarnsOfASaturatedSensor) {
   EXPECT_EQ(diagnostics_.Format(), "");
   recorded_.readings.col(4) = recorded_.readings.col(4).cwiseMin(0.5 * recorded_.readings.col(4).maxCoeff());
   ASSERT_TRUE(Load());
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("study.yaml:5: warning: 'F_tyre' is clipped: "));
+  EXPECT_THAT(diagnostics_, Reports(kChannelSaturated, 5, {"'F_tyre' is clipped"}));
 }
 
 // Noise that came in behind the sensor; what is told to be done helps.
@@ -174,9 +177,7 @@ TEST_F(HistoryDataTest, WarnsOfASaturatedSensorUnderNoise) {
   EXPECT_EQ(diagnostics_.Format(), "");
   for (Eigen::Index k = 0; k < force.size(); ++k) force[k] = clipped[k] + noise(engine);
   ASSERT_TRUE(Load());
-  EXPECT_THAT(diagnostics_.Format(),
-              testing::AllOf(HasSubstr("study.yaml:5: warning: 'F_tyre' looks clipped: "),
-                             HasSubstr(" but for noise of "), HasSubstr("by 'start' and 'end' of the history")));
+  EXPECT_THAT(diagnostics_, Reports(kChannelSaturated, 5, {"'F_tyre' looks clipped"}));
   diagnostics_ = {};
   history_.end_s = recorded_.TimeAt(first - 1);
   ASSERT_TRUE(Load());
@@ -193,13 +194,16 @@ TEST_F(HistoryDataTest, AFaultyValidationRecordingIsLeftOut) {
   EXPECT_FALSE(diagnostics_.HasErrors());
   ASSERT_EQ(left_out.size(), 2u);
   EXPECT_EQ(left_out[0].name, "sweep");
-  EXPECT_THAT(diagnostics_.Format(), HasSubstr("sweep.csv:1: warning: left out of the validation: column '"));
-  EXPECT_THAT(left_out[1].reason, HasSubstr("there is no file"));
+  EXPECT_THAT(diagnostics_, Reports(kValidationLeftOut, 1, {"'sweep'"}));
+  EXPECT_THAT(diagnostics_, Reports(kChannelColumnMissing, 1));
+  EXPECT_THAT(diagnostics_, Reports(kValidationLeftOut, 3, {"'missing'"}));
+  EXPECT_THAT(diagnostics_, Reports(kFileNotThere, 3, {"swoop.csv"}));
+  EXPECT_THAT(left_out[1].reason, testing::HasSubstr("swoop.csv"));
 }
 
 TEST_F(HistoryDataTest, ASteppedSineIsToldWhereItBelongs) {
   EXPECT_THAT(Fault("frequency_Hz,post_amplitude_m,channel,gain,phase_deg\n1,0.01,a_body,1,0\n"),
-              HasSubstr("is a stepped sine, not a time history: list it under 'recordings'"));
+              Reports(kSteppedSineAsHistory, 1));
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ TEST_F(HistoryResidualsTest, AsABlockTurnFaultsOfTheMotionIntoFailures) {
   Set(vehicle_, "kt", -ValueOf(vehicle_, "kt"));
   const Evaluation failed = block.evaluate(vehicle_.ParameterValues(), {});
   EXPECT_EQ(failed.failure, Failure::kNotConverged);
-  EXPECT_THAT(failed.detail, testing::HasSubstr("beyond all bounds"));
+  EXPECT_THAT(failed.detail, testing::HasSubstr("[motion-unbounded]"));
 }
 
 }  // namespace

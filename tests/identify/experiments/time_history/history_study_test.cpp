@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/experiments/time_history/findings.h"
+#include "identify/study_file/findings.h"
+#include "tests/findings.h"
+
 namespace fourpost {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr const char* kGood = R"(
 - name: sweep
@@ -23,13 +25,13 @@ std::vector<StudyHistory> Read(const std::string& text, Diagnostics& diagnostics
   return ReadHistories(YAML::Load(text), "folder/study.yaml", diagnostics);
 }
 
-std::string Fault(const std::string& what, const std::string& with) {
+Diagnostics Fault(const std::string& what, const std::string& with) {
   std::string text = kGood;
   text.replace(text.find(what), what.size(), with);
   Diagnostics diagnostics;
   Read(text, diagnostics);
   EXPECT_EQ(diagnostics.items().size(), 1u) << diagnostics.Format();
-  return diagnostics.Format();
+  return diagnostics;
 }
 
 TEST(HistoryStudy, ReadsEveryKey) {
@@ -52,22 +54,21 @@ TEST(HistoryStudy, ReadsEveryKey) {
 }
 
 TEST(HistoryStudy, RefusesWhatIsWrong) {
-  EXPECT_THAT(Fault("  file: data/sweep.csv\n", ""), HasSubstr("'file'"));
-  EXPECT_THAT(Fault("start:", "stard:"), HasSubstr("did you mean 'start'"));
-  EXPECT_THAT(Fault("{ground: z_ground}", "[ground]"),
-              HasSubstr("study.yaml:4: error: 'posts' of history 'sweep' must map posts"));
-  EXPECT_THAT(Fault("{sum: [F_left, F_right]}", "{product: [F_left]}"), HasSubstr("product"));
-  EXPECT_THAT(Fault("order: 4", "order: 40"), HasSubstr("'order' of 'filter' of history 'sweep'"));
-  EXPECT_THAT(Fault("30 Hz}", "30}"), HasSubstr("'cutoff' of 'filter' of history 'sweep'"));
-  EXPECT_THAT(Fault("end: 30 s", "end: 300 ms"), HasSubstr("must be later than 'start'"));
-  EXPECT_THAT(Fault("0.5 m/s^2", "0 m/s^2"), HasSubstr("'process' of history 'sweep' must be above zero"));
-  EXPECT_THAT(Fault("{F_tyre: 20 N}", "20 N"), HasSubstr("must map sensors"));
+  EXPECT_THAT(Fault("  file: data/sweep.csv\n", ""), Reports(kKeyMissing, 2, {"'file'"}));
+  EXPECT_THAT(Fault("start:", "stard:"), Reports(kKeyUnknown, 9, {"'stard'", "'start'"}));
+  EXPECT_THAT(Fault("{ground: z_ground}", "[ground]"), Reports(kChannelsNotMapped, 4, {"'posts' of history 'sweep'"}));
+  EXPECT_THAT(Fault("{sum: [F_left, F_right]}", "{product: [F_left]}"), Reports(kKeyUnknown, 5, {"'product'"}));
+  EXPECT_THAT(Fault("order: 4", "order: 40"), Reports(kKeyNotInteger, 6, {"'order' of 'filter' of history 'sweep'"}));
+  EXPECT_THAT(Fault("30 Hz}", "30}"), Reports(kKeyNotQuantity, 6, {"'cutoff' of 'filter' of history 'sweep'"}));
+  EXPECT_THAT(Fault("end: 30 s", "end: 300 ms"), Reports(kHistoryWindowEmpty, 10, {"'sweep'"}));
+  EXPECT_THAT(Fault("0.5 m/s^2", "0 m/s^2"), Reports(kKeyNotPositive, 8, {"'process' of history 'sweep'"}));
+  EXPECT_THAT(Fault("{F_tyre: 20 N}", "20 N"), Reports(kNoiseNotMapped, 7, {"'sweep'"}));
 }
 
 TEST(HistoryStudy, RefusesTwoOfOneName) {
   Diagnostics diagnostics;
   Read(std::string(kGood) + kGood, diagnostics);
-  EXPECT_THAT(diagnostics.Format(), HasSubstr("two histories are called 'sweep'"));
+  EXPECT_THAT(diagnostics, Reports(kHistoryTwice, 12, {"'sweep'"}));
 }
 
 }  // namespace

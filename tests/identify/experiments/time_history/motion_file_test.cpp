@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/experiments/time_history/findings.h"
+#include "tests/findings.h"
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
 
@@ -71,14 +73,8 @@ class MotionFileTest : public testing::Test {
     return {{"sweep, \"fast\"", {2, 50, posts, coordinates}}, {"other", {0, 25, -posts, -coordinates}}};
   }
 
-  /// Of reading that text.
-  std::string Fault(const std::string& text) const {
-    try {
-      ReadMotionCsv(text, "motion.csv", vehicle_);
-    } catch (const FaultyInput& fault) {
-      return fault.what();
-    }
-    return "";
+  auto Reading(const std::string& text) const {
+    return [this, text] { ReadMotionCsv(text, "motion.csv", vehicle_); };
   }
 
   Vehicle vehicle_ = ShippedVehicle("quarter_car");
@@ -100,14 +96,14 @@ TEST_F(MotionFileTest, ReadsBackWhatItWrites) {
 
 TEST_F(MotionFileTest, SaysWhatIsWrong) {
   const std::string text = MotionCsv(vehicle_, Histories());
-  EXPECT_THAT(Fault("recording,time_s,coordinate_1\nsweep,0,0\n"), testing::HasSubstr("this vehicle's posts"));
-  EXPECT_THAT(Fault("recording\nsweep\n"), testing::HasSubstr("this vehicle's posts"));
+  EXPECT_THAT(Reading("recording,time_s,coordinate_1\nsweep,0,0\n"), Refuses(kMotionColumns, 1));
+  EXPECT_THAT(Reading("recording\nsweep\n"), Refuses(kMotionColumns, 1));
   std::string gap = text;
   gap.replace(gap.find("2.02,"), 5, "2.03,");
-  EXPECT_THAT(Fault(gap), testing::HasSubstr("are not evenly spaced numbers"));
+  EXPECT_THAT(Reading(gap), Refuses(kMotionUneven, 2, {"sweep, \"fast\""}));
   std::string word = text;
   word.replace(word.find("2.02,"), 5, "soon,");
-  EXPECT_THAT(Fault(word), testing::HasSubstr("are not evenly spaced numbers"));
+  EXPECT_THAT(Reading(word), Refuses(kMotionUneven, 2, {"sweep, \"fast\""}));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ export function motionsOf(scene) {
 
 /**
  * Coordinates and heights of the posts (one complex number each) of a motion; of a response at frequency number `at`.
- * Posts move as A sin(wt) = Re(-i A e^(iwt)), and the coordinates are told relative to A.
+ * Posts move as A sin(wt) = Re(-i A e^(iwt)), and the coordinates are relative to A.
  */
 export function phasors(scene, chosen, at) {
   if (chosen.kind === 'mode') return { coordinates: chosen.mode.shape, posts: scene.posts.map(() => [0, 0]) };

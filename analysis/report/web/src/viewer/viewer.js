@@ -23,7 +23,7 @@ function pointsOf(stage, scene) {
 }
 
 function optionsOf(motions) {
-  const groups = { mode: el('optgroup', { label: 'Modes' }), response: el('optgroup', { label: 'Responses to the posts' }), history: el('optgroup', { label: 'Recordings over time' }) };
+  const groups = { mode: el('optgroup', { label: 'Modes' }), response: el('optgroup', { label: 'Responses to the posts' }), history: el('optgroup', { label: 'Time histories' }) };
   for (const motion of motions) {
     const words =
       motion.kind === 'mode'
@@ -91,7 +91,7 @@ class Viewer {
       { class: 'controls' },
       this.motions.length ? el('label', {}, 'motion', select) : null,
       view,
-      el('label', {}, 'size of motion', strength),
+      el('label', {}, 'scale', strength),
       tick('sensors', true, (on) => {
         this.stage.sensors.visible = on;
         this.draw();
@@ -175,17 +175,17 @@ class Viewer {
   }
 
   #captionText() {
-    if (!this.chosen) return 'In its design pose.';
+    if (!this.chosen) return 'Design pose.';
     const missing = this.scene.missing.length ? ' Some meshes could not be read.' : '';
     if (this.chosen.kind === 'mode') {
       // A mode has a shape and no size.
-      const size = `drawn with ${shown(1000 * share * this.stage.size * this.strength, 2)} mm at the most`;
+      const size = `scaled to ${shown(1000 * share * this.stage.size * this.strength, 2)} mm`;
       const { name, frequency_Hz, kind } = this.chosen.mode;
       const words = kind === 'oscillating' ? '' : `, ${kind}`;
       return `${name}, ${shown(frequency_Hz, 3)} Hz${words}, ${size}${this.#slower(frequency_Hz)}${missing}`;
     }
-    const larger = `motion drawn ${shown(this.factor * this.strength, 2)} times as large`;
-    if (this.overTime) return `${this.chosen.name} at ${fixed(this.time, 2)} s, in real time, ${shown(this.chosen.motion.rate_Hz, 2)} frames a second, ${larger}${missing}`;
+    const larger = `motion scaled by ${shown(this.factor * this.strength, 2)}`;
+    if (this.overTime) return `${this.chosen.name} at ${fixed(this.time, 2)} s, in real time, ${shown(this.chosen.motion.rate_Hz, 2)} frames per second, ${larger}${missing}`;
     const frequency = this.chosen.motion.frequency_Hz[this.at];
     const amplitude = 1000 * this.chosen.motion.amplitude_m[this.at];
     return `${this.chosen.name}, ${shown(frequency, 3)} Hz, posts \u00b1${shown(amplitude, 2)} mm, ${larger}${this.#slower(frequency)}${missing}`;
@@ -193,7 +193,7 @@ class Viewer {
 
   #slower(frequency) {
     const times = frequency * cycle_s;
-    return times > 1.1 ? `, ${shown(times, 2)} times slower than real` : '';
+    return times > 1.1 ? `, ${shown(times, 2)} times slower than real time` : '';
   }
 
   play(on) {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/text/diagnostics.h"
+
+namespace fourpost {
+
+/// A finding with its words, of one who does not know its place.
+struct Found {
+  /// nullptr: nothing is wrong.
+  const Finding* kind = nullptr;
+  std::vector<std::string> words = {};
+
+  explicit operator bool() const { return kind != nullptr; }
+  /// "text: remedy [id]".
+  std::string Text() const { return kind->Message(words) + " [" + std::string(kind->id()) + "]"; }
+};
+
+}  // namespace fourpost

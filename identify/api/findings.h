@@ -1,0 +1,23 @@
+#pragma once
+
+#include "analysis/text/finding.h"
+
+// What can be wrong with what a program asks of the library.
+namespace fourpost {
+
+inline const Finding kNameUnknown{"name-unknown", Severity::kError, "there is no {} '{}'{}"};
+inline const Finding kQuantityWrong{"quantity", Severity::kError,
+                                    "'{}' is not a number with a unit of the dimension of {}"};
+inline const Finding kUnitUnknown{"unit-unknown", Severity::kError, "'{}' is not a unit",
+                                  "write N/m, kN*s/m, mm and the like"};
+inline const Finding kAmplitudeCount{"amplitude-count", Severity::kError, "there are {} amplitudes for {} frequencies",
+                                     "give one for each, or one for all"};
+inline const Finding kArraysUnequal{"arrays-unequal", Severity::kError, "{} has {} values, but {} are needed"};
+inline const Finding kStudyEmpty{"study-empty", Severity::kError, "the study has no experiment to fit", "add one"};
+inline const Finding kSearchAxes{"search-axes", Severity::kError, "{}"};
+inline const Finding kSearchMethod{"search-method", Severity::kError, "there is no method '{}'{}"};
+inline const Finding kSearchAllFailed{"search-all-failed", Severity::kError, "every evaluation failed ({})",
+                                      "check the residuals and the bounds"};
+inline const Finding kFitWithoutResult{"fit-without-result", Severity::kError, "the fit ended without a result ({})"};
+
+}  // namespace fourpost

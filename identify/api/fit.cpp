@@ -1,0 +1,36 @@
+#include <fourpost/fit.h>
+
+#include "identify/api/errors.h"
+#include "identify/api/findings.h"
+#include "identify/api/result_reader.h"
+#include "identify/run/fit_run.h"
+
+namespace fourpost::api {
+
+Result Fit(const Study& study, const std::filesystem::path& folder, const FitOptions& options) {
+  const std::filesystem::path file = study.file() ? *study.file() : study.Write(folder / "inputs");
+  return Guarded([&] {
+    const FitRequest request{.study = file,
+                             .output = folder,
+                             .threads = options.threads,
+                             .resume = options.resume,
+                             .accept_unidentified = options.accept_unidentified,
+                             .accept_implausible = options.accept_implausible};
+    FitRunHooks hooks;
+    hooks.work.stop = options.stop;
+    hooks.find = [&](const Diagnostics& found) {
+      if (options.warn)
+        for (const Finding& finding : FindingsOf(found)) options.warn(finding);
+    };
+    hooks.fit = [&](const fourpost::FitOptions&) {
+      FitHooks asked;
+      asked.stop = options.stop;
+      return asked;
+    };
+    const FitRun run = FitStudy(request, hooks);
+    if (!run.is_written) throw SimulationError(kFitWithoutResult, {run.fit.message});
+    return ResultOf(run.json, folder);
+  });
+}
+
+}  // namespace fourpost::api

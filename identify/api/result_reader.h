@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include <fourpost/result.h>
+
+namespace fourpost::api {
+
+/// Of the text of a result.json that a fit wrote.
+Result ResultOf(const std::string& json, const std::filesystem::path& folder);
+
+}  // namespace fourpost::api

@@ -1,0 +1,217 @@
+#include <fourpost/study.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "analysis/files/output_folder.h"
+#include "analysis/text/number.h"
+#include "identify/api/errors.h"
+#include "identify/api/findings.h"
+#include "vehicles/description/vehicle.h"
+#include "vehicles/reader/vehicle_file.h"
+
+namespace fourpost::api {
+namespace {
+
+/// In double quotes, as YAML and JSON write a name.
+std::string Quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string FileOf(const std::string& kind, std::size_t index) {
+  return kind + "_" + std::to_string(index + 1) + ".csv";
+}
+
+void RequireCount(const std::string& what, Eigen::Index count, std::size_t wanted) {
+  if (static_cast<std::size_t>(count) != wanted)
+    Refuse(kArraysUnequal, {}, {what, std::to_string(count), std::to_string(wanted)});
+}
+
+std::string UnitOfSensor(const Vehicle& vehicle, const std::string& name) {
+  std::vector<std::string> known;
+  for (const Sensor& sensor : vehicle.sensors()) {
+    if (sensor.name == name) return sensor.unit;
+    known.push_back(sensor.name);
+  }
+  RefuseName("sensor", name, known);
+}
+
+std::string SineCsv(const Vehicle& vehicle, const SteppedSineTest& test) {
+  const std::size_t count = test.frequency_Hz.size();
+  if (test.amplitude_m.size() != 1)
+    RequireCount("amplitude_m of '" + test.name + "'", static_cast<Eigen::Index>(test.amplitude_m.size()), count);
+  std::string text = "frequency_Hz,post_amplitude_m,channel,gain,phase_deg,gain_sd,phase_sd_deg,mean,unit\n";
+  for (const auto& [sensor, measured] : test.channels) {
+    RequireCount("channel '" + sensor + "' of '" + test.name + "'", measured.frf.size(), count);
+    const std::string unit = UnitOfSensor(vehicle, sensor);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::complex<double> value = measured.frf[static_cast<Eigen::Index>(i)];
+      const double amplitude = test.amplitude_m.size() == 1 ? test.amplitude_m.front() : test.amplitude_m[i];
+      const double degrees = 180 / std::numbers::pi;
+      for (const double number : {test.frequency_Hz[i], amplitude}) text += FormatNumber(number) + ',';
+      text += sensor;
+      for (const double number : {std::abs(value), degrees * std::arg(value), measured.relative_sd * std::abs(value),
+                                  degrees * measured.relative_sd})
+        text += ',' + FormatNumber(number);
+      text += ",," + unit + '\n';
+    }
+  }
+  return text;
+}
+
+struct Column {
+  std::string name;
+  std::string unit;
+  const Eigen::VectorXd* values = nullptr;
+};
+
+std::string TimeCsv(double rate_Hz, const std::vector<Column>& columns) {
+  std::string head = "time";
+  std::string units = "s";
+  const auto count = columns.empty() ? std::size_t{0} : static_cast<std::size_t>(columns.front().values->size());
+  for (const Column& column : columns) {
+    RequireCount("'" + column.name + "'", column.values->size(), count);
+    head += ',' + column.name;
+    units += ',' + column.unit;
+  }
+  std::string text = head + '\n' + units + '\n';
+  for (std::size_t k = 0; k < count; ++k) {
+    text += FormatNumber(static_cast<double>(k) / rate_Hz);
+    for (const Column& column : columns) text += ',' + FormatNumber((*column.values)[static_cast<Eigen::Index>(k)]);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string Use(bool is_validation) { return is_validation ? "    use: validation\n" : ""; }
+
+/// The study's text, and the files that it names.
+class Writer {
+ public:
+  Writer(const Study& study, const Vehicle& vehicle, OutputFolder& folder)
+      : study_(study), vehicle_(vehicle), folder_(folder) {}
+
+  void AddSines(const std::vector<SteppedSineTest>& tests) {
+    if (tests.empty()) return;
+    text_ += "recordings:\n";
+    std::vector<std::string> channels;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      const std::string file = FileOf("stepped_sine", i);
+      folder_.Add(file, SineCsv(vehicle_, tests[i]));
+      text_ += "  - name: " + Quoted(tests[i].name.empty() ? file : tests[i].name) + "\n    file: " + file +
+               "\n    posts: " + Posts(tests[i].posts) + '\n' + Use(tests[i].is_validation);
+      for (const auto& [sensor, measured] : tests[i].channels)
+        if (std::find(channels.begin(), channels.end(), sensor) == channels.end()) channels.push_back(sensor);
+    }
+    text_ += "channels:\n";
+    for (const std::string& channel : channels) text_ += "  " + Quoted(channel) + ": " + Quoted(channel) + '\n';
+    if (study_.band_Hz)
+      text_ +=
+          "band: [" + FormatNumber(study_.band_Hz->first) + " Hz, " + FormatNumber(study_.band_Hz->second) + " Hz]\n";
+  }
+
+  void AddHistories(const std::vector<TimeHistoryTest>& tests) {
+    if (tests.empty()) return;
+    text_ += "histories:\n";
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      const TimeHistoryTest& test = tests[i];
+      const std::string file = FileOf("time_history", i);
+      std::string posts;
+      std::string channels;
+      std::vector<Column> columns;
+      for (const auto& [post, values] : test.posts) {
+        columns.push_back({"post_" + post, "m", &values});
+        posts += "      " + Quoted(post) + ": " + Quoted("post_" + post) + '\n';
+      }
+      for (const auto& [sensor, values] : test.channels) {
+        columns.push_back({sensor, UnitOfSensor(vehicle_, sensor), &values});
+        channels += "      " + Quoted(sensor) + ": " + Quoted(sensor) + '\n';
+      }
+      folder_.Add(file, TimeCsv(test.rate_Hz, columns));
+      text_ += "  - name: " + Quoted(test.name.empty() ? file : test.name) + "\n    file: " + file + '\n' +
+               Use(test.is_validation) + "    posts:\n" + posts + "    channels:\n" + channels;
+    }
+  }
+
+  void AddBench(const std::vector<BenchTest>& tests) {
+    if (tests.empty()) return;
+    std::string fitted;
+    std::string kept;
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+      const std::string file = FileOf("bench", i);
+      folder_.Add(file, TimeCsv(tests[i].rate_Hz,
+                                {{"displacement", "m", &tests[i].displacement}, {"force", "N", &tests[i].force}}));
+      std::string& list = tests[i].is_validation ? kept : fitted;
+      list += (list.empty() ? "" : ", ") + file;
+    }
+    text_ += "bench:\n  model_error: " + FormatNumber(100 * study_.model_error.history) + " %\n  recordings: [" +
+             fitted + "]\n";
+    if (!kept.empty()) text_ += "  validation: [" + kept + "]\n";
+    is_bench_ = true;
+  }
+
+  std::string Text(bool has_sines, bool has_histories) const {
+    std::string text = "vehicle: vehicle.urdf\n" + text_;
+    if (!is_bench_) {
+      const ModelError& error = study_.model_error;
+      text += "model_error: {";
+      if (has_sines)
+        text += "gain_dB: " + FormatNumber(error.gain_dB) + ", phase: " + FormatNumber(error.phase_deg) +
+                " deg, floor: " + FormatNumber(error.floor) + (has_histories ? ", " : "");
+      if (has_histories) text += "history: " + FormatNumber(100 * error.history) + " %";
+      text += "}\n";
+    }
+    std::string free;
+    for (const std::string& name : study_.free) free += (free.empty() ? "" : ", ") + name;
+    if (!free.empty()) text += "free: [" + free + "]\n";
+    return text + "search: {seed: " + std::to_string(study_.seed) +
+           ", evaluations: " + std::to_string(study_.evaluations) + ", starts: " + std::to_string(study_.starts) +
+           "}\n";
+  }
+
+ private:
+  /// A pattern, or shares of posts as a map.
+  static std::string Posts(const std::string& posts) {
+    if (posts.find('=') == std::string::npos) return posts;
+    std::string map = "{";
+    std::istringstream shares(posts);
+    for (std::string share; std::getline(shares, share, ',');) {
+      const std::size_t sign = share.find('=');
+      map += (map.size() > 1 ? ", " : "") + share.substr(0, sign) + ": " + share.substr(sign + 1);
+    }
+    return map + "}";
+  }
+
+  const Study& study_;
+  const Vehicle& vehicle_;
+  OutputFolder& folder_;
+  std::string text_;
+  bool is_bench_ = false;
+};
+
+}  // namespace
+
+std::filesystem::path Study::Write(const std::filesystem::path& folder) const {
+  if (file_) return *file_;
+  return Guarded([&] {
+    if (sines_.empty() && histories_.empty() && benches_.empty()) Refuse(kStudyEmpty, {});
+    OutputFolder output(folder);
+    Writer writer(*this, *vehicle_, output);
+    writer.AddSines(sines_);
+    writer.AddHistories(histories_);
+    writer.AddBench(benches_);
+    output.Add("vehicle.urdf",
+               VehicleTextWithValues(vehicle_->description(), vehicle_->description().ParameterValues(), folder));
+    output.Add("study.yaml", writer.Text(!sines_.empty(), !histories_.empty()));
+    output.Commit();
+    return folder / "study.yaml";
+  });
+}
+
+}  // namespace fourpost::api

@@ -1,0 +1,26 @@
+#include <fourpost/units.h>
+
+#include "analysis/text/units.h"
+#include "identify/api/errors.h"
+#include "identify/api/findings.h"
+
+namespace fourpost::api {
+
+double ToSi(const std::string& quantity, const std::string& unit) {
+  return Guarded([&] {
+    const std::optional<Quantity> read = ParseQuantity(quantity);
+    const std::optional<Unit> wanted = ParseUnit(unit);
+    if (!wanted) Refuse(kUnitUnknown, {}, {unit});
+    if (!read || read->unit.dimension != wanted->dimension) Refuse(kQuantityWrong, {}, {quantity, unit});
+    return read->si;
+  });
+}
+
+std::string InUnit(double si, const std::string& unit) {
+  return Guarded([&] {
+    if (!ParseUnit(unit)) Refuse(kUnitUnknown, {}, {unit});
+    return FormatQuantity(si, unit);
+  });
+}
+
+}  // namespace fourpost::api

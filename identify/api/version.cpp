@@ -1,0 +1,7 @@
+#include <fourpost/version.h>
+
+namespace fourpost::api {
+
+std::string Version() { return FOURPOST_VERSION; }
+
+}  // namespace fourpost::api

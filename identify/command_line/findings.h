@@ -1,0 +1,163 @@
+#pragma once
+
+#include "analysis/text/finding.h"
+
+// What can be wrong with a command: its words, the files it is given, and how it ends.
+namespace fourpost {
+
+// Words.
+
+inline const Finding kArgumentMisspelt{"argument-misspelt", Severity::kError, "{} does not take '{}'",
+                                       "did you mean '{}'?"};
+inline const Finding kArgumentUnknown{"argument-unknown", Severity::kError, "{} does not take '{}'", "see `{} --help`"};
+inline const Finding kUsageWrong{"usage", Severity::kError, "{}", "see `{} --help`"};
+inline const Finding kValueUnknown{"value-unknown", Severity::kError, "'{}' is not a valid value{}"};
+inline const Finding kNotWholeNumber{"not-a-whole-number", Severity::kError,
+                                     "'{}' is not a whole number from 0 to 2^62", "write digits, no leading zeros"};
+inline const Finding kHelpTopicUnknown{"help-topic-unknown", Severity::kError,
+                                       "'{}' is neither a command nor the id of a finding{}"};
+inline const Finding kOptionOfVehicle{"option-of-vehicle", Severity::kError,
+                                      "only for a vehicle file, and {} is a study",
+                                      "leave it out, the study's recordings and vehicle define this"};
+
+// Files that are given.
+
+inline const Finding kStudyForVehicle{"study-for-vehicle", Severity::kError, "this is a study, not a vehicle file",
+                                      "give the vehicle file (.urdf) that it names"};
+inline const Finding kVehicleForStudy{"vehicle-for-study", Severity::kError, "this is a vehicle file, not a study",
+                                      "give a study (.yaml), which names its vehicle and recordings"};
+inline const Finding kVehicleForRecording{"vehicle-for-recording", Severity::kError,
+                                          "this is a vehicle file, not a recording",
+                                          "see `fourpost check` and `fourpost params` for its contents"};
+inline const Finding kStudyForRecording{
+    "study-for-recording", Severity::kError, "this is a study, not a recording",
+    "name its recordings to see their contents; `fourpost response` compares them with its vehicle"};
+inline const Finding kFolderForRecording{"folder-for-recording", Severity::kError, "this is a folder, not a recording",
+                                         "name the recordings in it; `fourpost report` shows what a fit wrote"};
+inline const Finding kFileOfOtherKind{"file-of-other-kind", Severity::kError, "this is {}", "give {}"};
+inline const Finding kChannelLength{"channel-length", Severity::kError, "column '{}' has {} samples, the times {}",
+                                    "save channels of one rate together"};
+
+// Folders of fits.
+
+inline const Finding kRunNamedTwice{"run-named-twice", Severity::kError,
+                                    "named twice, and a run is not compared with itself", "name each run once"};
+inline const Finding kRunNotThere{"run-not-there", Severity::kError, "not a folder of `fourpost fit -o`{}"};
+inline const Finding kRunEmpty{"run-empty", Severity::kError, "empty folder", "give one that `fourpost fit -o` wrote"};
+inline const Finding kRunUnfinished{"run-unfinished", Severity::kError, "no result.json, which a fit writes at its end",
+                                    "run `fourpost fit` with -o on this folder again, it continues from its archive"};
+inline const Finding kRunNotFitted{"run-not-fitted", Severity::kError, "a study without results",
+                                   "fit it first, by `fourpost fit {} -o run`, and give that folder"};
+inline const Finding kRunWithoutResult{"run-without-result", Severity::kError,
+                                       "no result.json, so not a complete folder of `fourpost fit -o`",
+                                       "give another one, or fit again"};
+inline const Finding kRunFileMissing{"run-file-missing", Severity::kError, "{} is missing, which a fit writes",
+                                     "run `fourpost fit` with -o on this folder again"};
+inline const Finding kRunFileDamaged{"run-file-damaged", Severity::kError, "this file of a fit is damaged",
+                                     "run `fourpost fit` with -o on its folder again"};
+inline const Finding kVehicleNotShown{"vehicle-not-shown", Severity::kWarning,
+                                      "the report does not show the vehicle: {}"};
+
+// Predictions.
+
+inline const Finding kRecordingWasFitted{
+    "recording-was-fitted", Severity::kWarning,
+    "this recording was used in the fit; the errors below are fit errors, not a prediction"};
+inline const Finding kRecordingOfOtherKind{
+    "recording-of-other-kind", Severity::kError,
+    "the model was fitted to recordings of other kinds ({}), so the study maps no channels of this one",
+    "give a recording of one of these kinds"};
+inline const Finding kLoadPlaceUnreadable{"load-place-unreadable", Severity::kError, "'{}' is not three lengths",
+                                          "write metres or units, e.g. -1.2,0,0.9 or -1200 mm,0,900 mm"};
+inline const Finding kLoadFarOutside{
+    "load-far-outside", Severity::kError, "{} is far outside the car, whose wheels, masses and sensors span {}",
+    "count from the vehicle file's origin, and write the unit of numbers that are not metres, e.g. -1200 mm,0,900 mm"};
+inline const Finding kLoadTipsCar{"load-tips-car", Severity::kError,
+                                  "{} at {} would tip the car over (loads on posts: {})", "check mass and place"};
+inline const Finding kLoadWithoutPitch{"load-without-pitch", Severity::kWarning,
+                                       "the body of {} cannot pitch, so a load at x = {} acts as at x = {}",
+                                       "use a car with two axles for its effect on pitch"};
+inline const Finding kLoadWithoutRoll{"load-without-roll", Severity::kWarning,
+                                      "the body of {} cannot roll, so a load at y = {} acts as at y = {}",
+                                      "use a car with two sides for its effect on roll"};
+
+// Motions of posts.
+
+inline const Finding kVehicleWithoutPosts{"vehicle-without-posts", Severity::kError,
+                                          "the vehicle has no fp:post to move", "add one under each tyre"};
+inline const Finding kMotionImpossible{"motion-impossible", Severity::kError, "the posts cannot move like this: {}"};
+inline const Finding kBandNotRising{"band-not-rising", Severity::kError,
+                                    "'{}' does not go from a lower frequency to a higher one", "write e.g. 0.5Hz:30Hz"};
+inline const Finding kRateTooLow{"rate-too-low", Severity::kError, "{} is too slow for motions up to {}",
+                                 "use {} or more"};
+inline const Finding kFilterTooHigh{"filter-too-high", Severity::kError, "{} is not below half the sampling rate of {}",
+                                    "lower it or raise --rate"};
+inline const Finding kHistoryTooLong{"history-too-long", Severity::kError, "{} at {} are more than {} samples",
+                                     "lower --duration or --rate"};
+inline const Finding kHistoryTooShort{"history-too-short", Severity::kError, "{} at {} hold fewer than two samples",
+                                      "raise --duration or --rate"};
+inline const Finding kStepCutShort{"step-cut-short", Severity::kError,
+                                   "{} end before the step does, which starts at {} and rises for {}",
+                                   "use more than {}"};
+inline const Finding kRecordingEnds{"recording-ends", Severity::kWarning, "the recording ends after {}"};
+
+// Vehicles in motion.
+
+inline const Finding kValuesInconsistent{"values-inconsistent", Severity::kError,
+                                         "these values cannot be combined: {}"};
+inline const Finding kUnstableInDesignPose{"unstable-in-design-pose", Severity::kWarning,
+                                           "the vehicle is unstable in its design pose: {}", "see `fourpost check`"};
+inline const Finding kModeGrows{"mode-grows", Severity::kWarning, "'{}' is unstable at {} = {}{}"};
+inline const Finding kFrictionHolds{"friction-holds", Severity::kWarning,
+                                    "fp:damper '{}' never slides in {}: its friction of {} holds, and its rates have "
+                                    "no effect",
+                                    "use about {} times the motion{}"};
+inline const Finding kStepNotConverged{"step-not-converged", Severity::kWarning,
+                                       "halving the step down to {} still changes a channel by {} of its rms",
+                                       "expect errors of that size"};
+inline const Finding kIntegratorNotConverged{
+    "integrator-not-converged", Severity::kWarning,
+    "a ten times more accurate integrator still changes a channel by {} of its rms", "expect errors of that size"};
+inline const Finding kLinearKinematicsUnknown{"linear-kinematics-unknown", Severity::kWarning,
+                                              "the error of linear kinematics could not be estimated: {}"};
+inline const Finding kFrequenciesUnanswered{"frequencies-unanswered", Severity::kWarning,
+                                            "{}: no answer at {} of {} frequencies", "the result gives the reasons"};
+
+// Results that cannot be written.
+
+inline const Finding kOutputIsInput{"output-is-input", Severity::kError, "this is an input", "give another file"};
+inline const Finding kOutputWithoutFolder{"output-without-folder", Severity::kError, "there is no folder {}",
+                                          "create it or name another one"};
+inline const Finding kOutputIsFolder{"output-is-folder", Severity::kError, "this is a folder", "name a file"};
+inline const Finding kOutputNamedTwice{"output-named-twice", Severity::kError, "-o and --chart name the same file",
+                                       "name two"};
+inline const Finding kOutputEnding{"output-ending", Severity::kError, "'{}': {} is written to a file in {}",
+                                   "name it e.g. '{}'"};
+inline const Finding kPageWithoutName{"page-without-name", Severity::kError,
+                                      "a page that compares {} runs needs a name",
+                                      "write -o FILE, e.g. -o models.html"};
+inline const Finding kOutputNotWritten{"output-not-written", Severity::kError, "cannot be written ({})", "{}"};
+inline const Finding kStdoutNotWritten{"stdout-not-written", Severity::kError,
+                                       "the result cannot be written to stdout ({})"};
+inline const Finding kStarterFolderIsFile{"starter-folder-is-file", Severity::kError, "this is a file",
+                                          "name a new folder"};
+inline const Finding kStarterFolderNotEmpty{"starter-folder-not-empty", Severity::kError, "the folder is not empty",
+                                            "name a new folder"};
+
+// Ends of a command.
+
+inline const Finding kFitWithoutResults{"fit-without-results", Severity::kError, "fit {}: {} no results are written"};
+inline const Finding kFitInterrupted{"fit-interrupted", Severity::kWarning, "fit {}: {} no results are written",
+                                     "the same command continues from its archive"};
+inline const Finding kResponseInterrupted{"response-interrupted", Severity::kWarning,
+                                          "interrupted: {} of {} frequencies have an answer"};
+inline const Finding kHistoryInterrupted{"history-interrupted", Severity::kWarning,
+                                         "interrupted: the history ends at {} of {}"};
+inline const Finding kInterruptedAtStart{"interrupted-at-start", Severity::kWarning,
+                                         "interrupted before there was anything to keep"};
+inline const Finding kSimulationStopped{"simulation-stopped", Severity::kError, "{}"};
+inline const Finding kOutOfMemoryFound{"out-of-memory", Severity::kError, "out of memory",
+                                       "use fewer --threads or free some; evaluations in an archive are kept"};
+inline const Finding kDefectFound{"defect", Severity::kError, "a defect of fourpost: {}", "please report it"};
+
+}  // namespace fourpost

@@ -1,0 +1,148 @@
+#pragma once
+
+#include "analysis/text/finding.h"
+
+// What can be wrong with time histories, before and after a fit.
+namespace fourpost {
+
+// The study.
+
+inline const Finding kHistoriesEmpty{"histories-empty", Severity::kError,
+                                     "'histories' must be a list with at least one entry"};
+inline const Finding kHistoryTwice{"history-twice", Severity::kError, "two histories have the name '{}'",
+                                   "rename one with 'name'"};
+inline const Finding kHistoryUse{"history-use", Severity::kError, "'use' of {} must be fit or validation"};
+inline const Finding kHistoryWindowEmpty{"history-window-empty", Severity::kError,
+                                         "'end' of {} must be later than 'start'"};
+inline const Finding kNoiseNotMapped{"noise-not-mapped", Severity::kError,
+                                     "{} must map sensors of the vehicle to standard deviations such as 20 N"};
+inline const Finding kNoiseUnreadable{
+    "noise-unreadable", Severity::kError,
+    "the noise of '{}' must be a standard deviation with a unit such as '0.1 {}', got "
+    "'{}'"};
+inline const Finding kHistoryCostUnknown{"history-cost-unknown", Severity::kError, "unknown cost '{}'{}"};
+inline const Finding kHistoryPostUnknown{"history-post-unknown", Severity::kError, "the vehicle has no post '{}'{}"};
+inline const Finding kHistoryPostMissing{"history-post-missing", Severity::kError,
+                                         "history '{}' does not state how post '{}' moved",
+                                         "name the channel of its height under 'posts'"};
+inline const Finding kHistorySensorUnknown{"history-sensor-unknown", Severity::kError,
+                                           "the vehicle has no sensor '{}'{}"};
+inline const Finding kHistoryWithoutWeight{
+    "history-without-weight", Severity::kError,
+    "'{}' of history '{}' has no 'noise' and no 'model_error', so its residuals cannot be weighted",
+    "state its 'noise', or 'history' of 'model_error' above zero"};
+inline const Finding kPredictionFilter{"prediction-cost-filter", Severity::kError,
+                                       "the cost 'prediction' needs unfiltered recordings",
+                                       "remove 'filter' of history '{}'"};
+inline const Finding kPredictionHydraulic{
+    "prediction-cost-hydraulic", Severity::kError,
+    "the cost 'prediction' corrects positions and velocities, not the oil pressure in the hydraulic damper '{}'",
+    "fit by the cost 'whitened', or give the damper a law without memory"};
+inline const Finding kKalmanTooSlow{"kalman-too-slow", Severity::kError,
+                                    "one run of the Kalman filter takes longer than the deadline of {} s",
+                                    "raise 'deadline' of 'search', or cut the recording by 'start' and 'end'"};
+
+// Recordings.
+
+inline const Finding kHistoryWindowOutside{"history-window-outside", Severity::kError,
+                                           "history '{}' has no samples to compare, for {} goes from {} s to {} s",
+                                           "correct 'start' and 'end', or record longer"};
+inline const Finding kChannelDead{"channel-dead", Severity::kError, "'{}' does not change in {}",
+                                  "remove the dead channel from the study"};
+inline const Finding kChannelSaturated{
+    "channel-saturated", Severity::kWarning, "'{}' {} of {}, like a saturated sensor",
+    "exclude it from the window by 'start' and 'end' of the history, or remove the channel from the study"};
+inline const Finding kPostSampledTooSlowly{
+    "post-sampled-too-slowly", Severity::kWarning,
+    "post '{}' of history '{}' moves up to {} Hz and is sampled at {} Hz, but {} samples a period are needed",
+    "record at a higher rate, or the interpolation between samples excites the model"};
+
+// Plausibility after the fit.
+
+inline const Finding kHistoryChannelsSwapped{
+    "history-channels-swapped", Severity::kWarning,
+    "'{}' of '{}' is measured like the model's '{}' and vice versa, as if the two "
+    "channels were swapped",
+    "exchange them in the study"};
+inline const Finding kHistoryChannelsSwappedAtStart{
+    "history-channels-swapped-at-start", Severity::kWarning,
+    "'{}' of '{}' is measured like '{}' of the vehicle file and vice versa, as "
+    "if the two channels were swapped",
+    "exchange them in the study"};
+inline const Finding kChannelScaledTwice{
+    "channel-scaled-twice", Severity::kWarning,
+    "'{}' of '{}' and the model differ by a factor of {}, as if the recording already had the scale of the study",
+    "its error would be {} % with '{}' in the study"};
+inline const Finding kChannelUnitMistaken{
+    "channel-unit-mistaken", Severity::kWarning,
+    "'{}' of '{}' and the model differ by a factor of {}, as if it were in {} instead of {}",
+    "its error would be {} % with '{}' in the study"};
+inline const Finding kChannelUnitDoubtful{"channel-unit-doubtful", Severity::kWarning,
+                                          "'{}' of '{}' and the model differ by a factor of {}, as if its unit were "
+                                          "wrong (1000: mm for m, 9.81: g for m/s^2)",
+                                          "its error would be {} % with '{}' in the study"};
+inline const Finding kChannelInverted{"channel-inverted", Severity::kWarning,
+                                      "'{}' of '{}' moves against the model, as if its sign were wrong",
+                                      "its error would be {} % with '{}' in the study"};
+inline const Finding kChannelLateOfModel{
+    "channel-late-of-model", Severity::kWarning,
+    "'{}' of '{}' comes {} than the model, as if it or the height of its post were not synchronised",
+    "its error would be {} % with '{}' in the study"};
+inline const Finding kChannelLateOfOthers{
+    "channel-late-of-others", Severity::kWarning,
+    "'{}' of '{}' comes {} than the other channels, relative to the model, as if it were not synchronised",
+    "its error would be {} % with '{}' in the study"};
+inline const Finding kChannelLateOfPoint{
+    "channel-late-of-point", Severity::kWarning,
+    "'{}' of '{}' comes {} than '{}' at the same point (by the second derivative of '{}', without a model), as if it "
+    "were not synchronised",
+    "correct it with '{}' in the study"};
+inline const Finding kPostsNotSynchronised{
+    "posts-not-synchronised", Severity::kWarning,
+    "all channels of '{}' come {} than the model, as if the height of its post were not synchronised with them",
+    "add 'delay: {}' to the channels of its 'posts' in the study"};
+inline const Finding kStepTooLong{
+    "step-too-long", Severity::kWarning,
+    "the fitted values need shorter time steps than those of the vehicle file, for halving the step of {} ms changes a "
+    "channel of '{}' by {} % of its rms",
+    "fit again from the vehicle.urdf of these results"};
+inline const Finding kHistoryKinematicsVisible{"history-kinematics-visible", Severity::kWarning,
+                                               "history '{}': {}, and the cost 'prediction' is not corrected for it",
+                                               "choose another 'cost'"};
+
+// Prediction.
+
+inline const Finding kHistoryNotPredicted{"history-not-predicted", Severity::kError,
+                                          "the fitted vehicle cannot predict '{}': {}",
+                                          "run `fourpost check` on the vehicle.urdf of the results"};
+inline const Finding kModeOfHistory{"mode-of-history", Severity::kWarning,
+                                    "{} contains the motion of its posts, so the option is ignored"};
+inline const Finding kKalmanWithoutNoise{
+    "kalman-without-noise", Severity::kError,
+    "the run holds no noise for a Kalman filter, because the fit was not by 'cost: prediction'",
+    "name the recording it was fitted to by --noise-from; noise estimated on the predicted recording would flatter the "
+    "model"};
+inline const Finding kKalmanHydraulic{
+    "kalman-hydraulic", Severity::kError,
+    "fp:damper '{}' is hydraulic, but a Kalman filter corrects positions and velocities, not its oil pressure",
+    "leave --kalman out"};
+
+// Simulations that have no result.
+
+inline const Finding kMotionUnbounded{"motion-unbounded", Severity::kError, "the motion grows without bound",
+                                      "check damping and signs in the vehicle file"};
+inline const Finding kForcesUnsolved{"forces-unsolved", Severity::kError,
+                                     "the forces of the vehicle's elements were not found in {} steps"};
+inline const Finding kKalmanMotionUnsolved{"kalman-motion-unsolved", Severity::kError,
+                                           "the motion of the Kalman filter's model cannot be computed"};
+inline const Finding kKalmanCovariance{"kalman-covariance", Severity::kError,
+                                       "the Kalman filter's covariance is not finite"};
+
+// motion.csv of a run.
+
+inline const Finding kMotionColumns{"motion-columns", Severity::kError,
+                                    "the columns are not this vehicle's posts and coordinates", "fit again"};
+inline const Finding kMotionUneven{"motion-uneven", Severity::kError, "the rows of '{}' are not evenly spaced numbers",
+                                   "fit again"};
+
+}  // namespace fourpost

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "analysis/text/finding.h"
+
+// What can be wrong with a run, and what its fit is worth.
+namespace fourpost {
+
+// The request.
+
+inline const Finding kProfileUnknown{"profile-unknown", Severity::kError, "the study frees no parameter '{}'{}"};
+inline const Finding kPostsContradictStudy{"posts-contradict-study", Severity::kError,
+                                           "the recorded post motion contradicts the study",
+                                           "correct 'posts', or pass --accept-implausible"};
+inline const Finding kArchiveOfOtherState{
+    "archive-of-other-state", Severity::kError,
+    "cannot resume, because the evaluations in {} were made with another state of: {}",
+    "undo the change, or leave --resume out to start a new fit beside it"};
+inline const Finding kFolderOfOtherResult{"folder-of-other-result", Severity::kError,
+                                          "folder holds the results of `fourpost {}`, which would be lost",
+                                          "name a new or an empty folder"};
+inline const Finding kFolderOfForeignResult{
+    "folder-of-foreign-result", Severity::kError,
+    "folder holds a result.json that fourpost did not write, which would be lost", "name a new or an empty folder"};
+
+// What the fit explains.
+
+inline const Finding kModelUnexplaining{"model-unexplaining", Severity::kWarning,
+                                        "this model does not explain these data: {}"};
+inline const Finding kChannelUnexplained{"channel-unexplained", Severity::kWarning,
+                                         "channel '{}' has an NMSE of {} %, worse than no model (100 %)"};
+inline const Finding kRecordingUnexplained{"recording-unexplained", Severity::kWarning,
+                                           "recording '{}' in {} has an NMSE of {} %, worse than no model (100 %)"};
+inline const Finding kParametersAtBounds{"parameters-at-bounds", Severity::kWarning,
+                                         "{} of {} parameters are at their bounds"};
+
+// How far its numbers can be trusted.
+
+inline const Finding kFitNotConverged{"fit-not-converged", Severity::kWarning, "the refinement did not converge ({})",
+                                      "fit again from the vehicle.urdf of these results"};
+inline const Finding kCompromiseWithoutDeviations{
+    "compromise-without-deviations", Severity::kWarning,
+    "no standard deviations, because the compromise cost weights outputs by their own errors instead of noise",
+    "fit by 'cost: whitened'"};
+inline const Finding kEndedWithoutDeviations{"ended-without-deviations", Severity::kWarning,
+                                             "the fit ended before standard deviations could be computed"};
+inline const Finding kDirectionUndetermined{"direction-undetermined", Severity::kWarning,
+                                            "the data do not change when these parameters change together: {}",
+                                            "fix one, give it a prior, or measure a force"};
+inline const Finding kParameterUndetermined{"parameter-undetermined", Severity::kWarning,
+                                            "the data do not change with the one free parameter",
+                                            "measure a channel that depends on it"};
+
+}  // namespace fourpost

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "analysis/text/finding.h"
+
+// What can be wrong with a study as a whole: its parameters, its search and its methods.
+namespace fourpost {
+
+// Problem and parameters.
+
+inline const Finding kProblemUnknown{"problem-unknown", Severity::kError, "unknown problem '{}'{}"};
+inline const Finding kStudyWithoutVehicle{"study-without-vehicle", Severity::kError,
+                                          "this is a test problem for `fourpost compare`",
+                                          "give a study with a vehicle and recordings"};
+inline const Finding kStudyNotNames{"study-not-names", Severity::kError, "{} must be a list of names"};
+inline const Finding kFreeUnknown{"free-unknown", Severity::kError, "the vehicle has no parameter '{}'{}"};
+inline const Finding kFreeWithoutRange{"free-without-range", Severity::kError,
+                                       "parameter '{}' is to be fitted, but has no range",
+                                       "give it lower, upper and precision"};
+inline const Finding kFreeTwice{"free-twice", Severity::kError, "parameter '{}' appears twice in 'free'",
+                                "remove one of the two"};
+inline const Finding kNothingFree{"nothing-free", Severity::kError,
+                                  "no parameter has a range, so there is nothing to fit",
+                                  "give at least one fp:parameter lower, upper and precision"};
+inline const Finding kScaleNotMeasured{
+    "scale-not-measured", Severity::kWarning,
+    "no force or load is fitted, so masses, rates and damping constants are known up to a common factor, set by "
+    "what is held fixed ({}); an error of 1 % there is an error of 1 % in all of them, which no standard deviation "
+    "includes",
+    "fit a tyre force or `static_loads`, or make sure of the fixed values"};
+
+// Refinement and methods.
+
+inline const Finding kLossUnknown{"loss-unknown", Severity::kError, "unknown loss '{}'{}"};
+inline const Finding kMethodsNotMapped{"methods-not-mapped", Severity::kError, "'methods' must map names to settings"};
+inline const Finding kMethodNotSettings{"method-not-settings", Severity::kError, "{} must be a mapping of settings"};
+inline const Finding kMethodPresetUnknown{"method-preset-unknown", Severity::kError, "unknown method '{}'{}"};
+inline const Finding kSettingNotValue{"setting-not-a-value", Severity::kError, "'{}' of {} must be a single value"};
+inline const Finding kSettingUnknown{"setting-unknown", Severity::kError, "method '{}': unknown setting '{}'{}"};
+inline const Finding kSettingUnreadable{"setting-unreadable", Severity::kError, "method '{}': '{}' cannot be '{}'"};
+inline const Finding kSettingNotOneOf{"setting-not-one-of", Severity::kError, "method '{}': '{}' must be one of {}"};
+inline const Finding kSettingOutOfRange{"setting-out-of-range", Severity::kError, "method '{}': {}"};
+inline const Finding kMethodTwice{"method-twice", Severity::kError, "method '{}' is named twice",
+                                  "remove one of the two"};
+inline const Finding kMethodUnknown{"method-unknown", Severity::kError, "unknown method '{}'{}"};
+inline const Finding kMethodOnlyRefines{
+    "method-only-refines", Severity::kError,
+    "'{}' refines random points, but a fit refines the points of its search by itself",
+    "choose a method that explores, such as dvhde, thesis, de or direct"};
+
+}  // namespace fourpost

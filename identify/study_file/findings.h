@@ -1,0 +1,72 @@
+#pragma once
+
+#include "analysis/text/finding.h"
+
+// What can be wrong with the text of a study, its keys and its channels.
+namespace fourpost {
+
+// YAML.
+
+inline const Finding kStudyTooLong{"study-too-long", Severity::kError, "longer than 1 MiB",
+                                   "remove what is not part of the study"};
+inline const Finding kStudyNotYaml{"study-not-yaml", Severity::kError, "not YAML: {}"};
+inline const Finding kStudyTwoDocuments{"study-two-documents", Severity::kError, "a second YAML document begins here",
+                                        "put each study into a file of its own"};
+inline const Finding kStudyTag{"study-tag", Severity::kError, "the tag '{}' has no meaning in a study", "remove it"};
+inline const Finding kStudyAliasOfItself{"study-alias-of-itself", Severity::kError,
+                                         "the alias refers to the value that contains it", "write the value out"};
+inline const Finding kStudyTooManyValues{"study-too-many-values", Severity::kError,
+                                         "the study has more than {} values up to here",
+                                         "remove what is not part of the study"};
+
+// Keys.
+
+inline const Finding kKeysMissing{"keys-missing", Severity::kError, "{} must be a mapping of keys to values"};
+inline const Finding kKeyNotWord{"key-not-a-word", Severity::kError, "a key of {} must be a single word"};
+inline const Finding kKeyTwice{"key-twice", Severity::kError, "key '{}' of {} appears twice", "remove one of the two"};
+inline const Finding kKeyUnknown{"key-unknown", Severity::kError, "unknown key '{}' in {}{}"};
+inline const Finding kKeyMissing{"key-missing", Severity::kError, "{} needs the key '{}'"};
+
+// Values.
+
+inline const Finding kKeyNotText{"key-not-text", Severity::kError, "{} must be text"};
+inline const Finding kKeyNotNumber{"key-not-number", Severity::kError,
+                                   "{} must be a number from {} to {}, without a unit"};
+inline const Finding kKeyNotInteger{"key-not-integer", Severity::kError, "{} must be a whole number from {} to {}"};
+inline const Finding kKeyNotQuantity{"key-not-quantity", Severity::kError, "{} must be a number with a unit of {}{}"};
+inline const Finding kKeyTooSmall{"key-too-small", Severity::kError, "{} must be at least {}"};
+inline const Finding kKeyTooLarge{"key-too-large", Severity::kError, "{} must be at most {}"};
+inline const Finding kKeyNotPositive{"key-not-positive", Severity::kError, "{} must be above zero"};
+
+// Channels of recordings.
+
+inline const Finding kChannelsNotMapped{"channels-not-mapped", Severity::kError,
+                                        "{} must map {} of the vehicle to measured channels"};
+inline const Finding kChannelNotNamed{
+    "channel-not-named", Severity::kError,
+    "{} must be a measured channel, {channel: a, sign: -1}, {mean: [a, b]} or {sum: [a, b]}"};
+inline const Finding kChannelListEmpty{"channel-list-empty", Severity::kError, "{} must be a list of channels"};
+inline const Finding kChannelMeanAndSum{"channel-mean-and-sum", Severity::kError,
+                                        "{} has both 'mean' and 'sum' of channels", "keep one of the two"};
+inline const Finding kChannelSign{"channel-sign", Severity::kError, "'sign' of {} must be 1 or -1"};
+inline const Finding kChannelScale{"channel-scale", Severity::kError, "'scale' of {} must be above zero",
+                                   "invert a channel with 'sign: -1'"};
+inline const Finding kChannelSourceUnit{"channel-source-unit", Severity::kError,
+                                        "'unit' of {} is '{}', an unknown unit", "write one such as mm, kN or m/s^2"};
+
+// Recordings.
+
+inline const Finding kFittedChannelsMissing{"fitted-channels-missing", Severity::kError,
+                                            "the recording has none of the channels that the model was fitted to",
+                                            "name a recording with the channels of the study"};
+inline const Finding kSensorsNotMeasured{"sensors-not-measured", Severity::kWarning,
+                                         "the recording has no channels for {}, which are left out"};
+inline const Finding kSampledTooSlowly{
+    "sampled-too-slowly", Severity::kError,
+    "{} is sampled at {} Hz, too slowly for the band up to the filter's cut-off frequency of {} Hz",
+    "record at {} Hz or more"};
+inline const Finding kValidationLeftOut{"validation-left-out", Severity::kWarning,
+                                        "recording '{}' is left out of the validation",
+                                        "correct it, or remove it from the study"};
+
+}  // namespace fourpost

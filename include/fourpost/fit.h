@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include <fourpost/result.h>
+#include <fourpost/study.h>
+
+namespace fourpost::api {
+
+struct FitOptions {
+  /// 0: one per processor. No influence on the result.
+  int threads = 0;
+  /// Go on from the archive of an interrupted fit; refuse to start anew.
+  bool resume = false;
+  /// Fit although the data leave combinations of parameters open, or contradict the study.
+  bool accept_unidentified = false;
+  bool accept_implausible = false;
+  /// True ends the fit with what it has; asked often, from the calling thread.
+  std::function<bool()> stop = {};
+  /// Warnings as they are found.
+  std::function<void(const Finding& finding)> warn = {};
+};
+
+/// Fits a study by dvHDE and Ceres and writes the folder of its results, in which nothing else is kept; a study of
+/// arrays is written to `inputs` beside them. Throws Error; a fit that was stopped before it had any result is one of
+/// kSimulation.
+Result Fit(const Study& study, const std::filesystem::path& folder, const FitOptions& options = {});
+
+}  // namespace fourpost::api

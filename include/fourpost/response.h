@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <fourpost/diagnostics.h>
+#include <fourpost/vehicle.h>
+
+namespace fourpost::api {
+
+/// How a motion is computed: kAuto takes the reduced model (kinematics linearised about static equilibrium, all laws
+/// exact) and the full geometry where the two visibly differ; kMarch, of stepped sines alone, integrates the full
+/// system to steady state.
+enum class Engine { kAuto, kReduced, kFull, kMarch };
+
+/// A stepped sine on the posts.
+struct SteppedSine {
+  /// Positive, in the order of the sweep.
+  std::vector<double> frequency_Hz;
+  /// Of the reference post [m], positive: one per frequency, or one for all.
+  std::vector<double> amplitude_m;
+  /// "heave", "pitch", "roll", "warp", or shares of posts, "FL=1,FR=-1".
+  std::string posts = "heave";
+};
+
+/// The response of a sensor, one value per frequency.
+struct ChannelResponse {
+  std::string sensor;
+  std::string unit;
+  /// First harmonic over that of the reference post, complex: over its acceleration for accelerometers, else over its
+  /// displacement. NaN where no steady motion was found.
+  Eigen::VectorXcd frf;
+  /// Mean reading, less that at rest, and amplitude of the second harmonic, both in `unit`.
+  Eigen::VectorXd mean;
+  Eigen::VectorXd second_harmonic;
+};
+
+struct Response {
+  std::vector<double> frequency_Hz;
+  std::vector<ChannelResponse> channels;
+  /// The one that answered.
+  Engine engine = Engine::kReduced;
+  /// Largest error of linear kinematics, as far as kAuto could estimate it.
+  std::optional<double> kinematics_error_dB;
+  std::optional<double> kinematics_error_deg;
+
+  /// Throws Error (code `name-unknown`) for a sensor that the vehicle does not have.
+  const ChannelResponse& At(const std::string& sensor) const;
+};
+
+/// The steady response of a vehicle. Throws Error: kInput for an excitation or a vehicle that has none, kSimulation
+/// where no motion could be computed.
+Response Respond(const Vehicle& vehicle, const SteppedSine& excitation, Engine engine = Engine::kAuto);
+
+}  // namespace fourpost::api

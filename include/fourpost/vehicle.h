@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace fourpost {
+struct Vehicle;
+}
+
+namespace fourpost::api {
+
+/// A number of the vehicle file that can be fitted; SI.
+struct Parameter {
+  std::string name;
+  double value = 0;
+  /// Both equal to the value of a parameter without a range.
+  double lower = 0;
+  double upper = 0;
+  /// As the file writes it.
+  std::string unit;
+};
+
+struct Sensor {
+  std::string name;
+  /// SI unit of its readings.
+  std::string unit;
+};
+
+/// A vehicle description, see ReadVehicle. Copies share what they have in common.
+class Vehicle {
+ public:
+  /// Of the library.
+  explicit Vehicle(std::shared_ptr<const fourpost::Vehicle> description);
+
+  const std::string& name() const;
+  /// Names, in the order of the file.
+  std::vector<std::string> links() const;
+  std::vector<std::string> posts() const;
+  std::vector<Sensor> sensors() const;
+  std::vector<Parameter> parameters() const;
+
+  /// Throws Error (code `name-unknown`) for a parameter that the vehicle does not have.
+  double Value(const std::string& parameter) const;
+  /// Sets a parameter, "40 kN/m". Throws Error as `fourpost --set` does.
+  void Set(const std::string& parameter, const std::string& quantity);
+  /// Sets a parameter to an SI value.
+  void Set(const std::string& parameter, double value);
+
+  /// The text of the file with the present values, for a file in the same folder.
+  std::string Text() const;
+
+  const fourpost::Vehicle& description() const { return *description_; }
+
+ private:
+  std::shared_ptr<const fourpost::Vehicle> description_;
+};
+
+}  // namespace fourpost::api

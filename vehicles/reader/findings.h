@@ -1,0 +1,230 @@
+#pragma once
+
+#include "analysis/text/finding.h"
+
+// What can be wrong with a vehicle file. Most begin with the name of an element, "fp:spring 'coil'", or with an
+// attribute, `mass="2" of link 'body'`.
+namespace fourpost {
+
+// XML and tags.
+
+inline const Finding kXmlEmpty{"xml-empty", Severity::kError, "the file is empty"};
+inline const Finding kXmlTagOpen{"xml-tag-open", Severity::kError,
+                                 "not XML, the tag that begins here is not closed by its own end tag"};
+inline const Finding kXmlAttribute{"xml-attribute", Severity::kError,
+                                   "not XML, an attribute has no value in quotes or is given twice"};
+inline const Finding kXmlComment{"xml-comment-open", Severity::kError, "not XML, a comment has no end"};
+inline const Finding kXmlUnreadable{"xml-unreadable", Severity::kError, "not XML ({})"};
+inline const Finding kNotOneRobot{"not-one-robot", Severity::kError, "the file must hold exactly one <robot>"};
+inline const Finding kNamespaceMissing{"namespace-missing", Severity::kError,
+                                       "<robot> needs {}, since the file uses fp: tags"};
+inline const Finding kNamespaceOther{"namespace-other", Severity::kError, "xmlns:fp is \"{}\", expected {}"};
+inline const Finding kForeignPrefix{"foreign-prefix", Severity::kWarning,
+                                    "{} is ignored, as is everything with the prefix '{}:'{}"};
+inline const Finding kTagUnknown{"tag-unknown", Severity::kError, "unknown tag <{}>{}{}"};
+inline const Finding kTagMissing{"tag-missing", Severity::kError, "{} needs a <{}>"};
+inline const Finding kTagTwice{"tag-twice", Severity::kError, "{} has more than one <{}>"};
+inline const Finding kNotOneLaw{"not-one-law", Severity::kError, "{} needs exactly one of {}"};
+inline const Finding kTypeMissing{"type-missing", Severity::kError, "{} needs the attribute 'type'", "write one of {}"};
+inline const Finding kTypeUnknown{"type-unknown", Severity::kError, "unknown type '{}' of {}{}"};
+inline const Finding kAttributeMissing{"attribute-missing", Severity::kError, "{} needs the attribute '{}'{}"};
+inline const Finding kAttributeUnknown{"attribute-unknown", Severity::kError, "unknown attribute '{}' of {}{}"};
+inline const Finding kAttributeFormer{"attribute-former", Severity::kWarning,
+                                      "attribute '{}' of {} is the earlier spelling of '{}'", "rename it"};
+inline const Finding kAttributeTwice{"attribute-twice", Severity::kError,
+                                     "attribute '{}' of {} repeats '{}', its new spelling", "remove the first"};
+inline const Finding kNameTaken{"name-taken", Severity::kError, "{} is already defined in line {}"};
+
+// Numbers and parameters.
+
+inline const Finding kNumberWithoutUnit{"number-without-unit", Severity::kError, "{} has no unit",
+                                        "write {}, such as \"{}\"{}"};
+inline const Finding kNumberOfOtherDimension{"number-of-other-dimension", Severity::kError, "{} is {}",
+                                             "write {}, such as \"{}\"{}"};
+inline const Finding kNumberUnknownUnit{"number-unknown-unit", Severity::kError, "{} has the unknown unit '{}'",
+                                        "write {}"};
+inline const Finding kNumberComma{"number-comma", Severity::kError, "{} has a comma", "write a point, as in {}"};
+inline const Finding kNotAQuantity{"not-a-quantity", Severity::kError, "{} is not a number with a unit", "write {}"};
+inline const Finding kWordMisspelt{"word-misspelt", Severity::kError, "{} is not a number with a unit{}"};
+inline const Finding kParameterWithoutDollar{"parameter-without-dollar", Severity::kError, "{} is not a number",
+                                             "write '$' before the name of a parameter"};
+inline const Finding kReferenceSum{"reference-sum", Severity::kError, "{} is a sum, which is not supported",
+                                   "write a number with a unit, or a parameter as in \"$k\", \"-$k\" or \"0.5*$k\""};
+inline const Finding kReferenceProduct{
+    "reference-product", Severity::kError, "{} combines parameters, which is not supported",
+    "write a number with a unit, or a parameter as in \"$k\", \"-$k\" or \"0.5*$k\""};
+inline const Finding kReferenceUnreadable{
+    "reference-unreadable", Severity::kError, "{} cannot be read",
+    "write a number with a unit, or a parameter as in \"$k\", \"-$k\" or \"0.5*$k\""};
+inline const Finding kParameterUnknown{"parameter-unknown", Severity::kError,
+                                       "{} refers to an unknown parameter '{}'{}"};
+inline const Finding kParameterOfOtherDimension{"parameter-of-other-dimension", Severity::kError,
+                                                "{} refers to {} (line {}), but {} is needed"};
+inline const Finding kParameterName{"parameter-name", Severity::kError, "{} is not the name of a parameter",
+                                    "use letters, digits and '_' only"};
+inline const Finding kParameterUnused{"parameter-unused", Severity::kError, "fp:parameter '{}' is not used",
+                                      "bind it or refer to it as \"${}\""};
+inline const Finding kParameterMisused{"parameter-misused", Severity::kError,
+                                       "fp:parameter '{}' is {}, but {} is needed where it is used, {}",
+                                       "write one such as {}"};
+inline const Finding kValueWithoutUnit{"value-without-unit", Severity::kError, "{} has no unit, but {} has",
+                                       "write \"{}\""};
+inline const Finding kValueOfOtherDimension{"value-of-other-dimension", Severity::kError, "{} is {}, but {}"};
+inline const Finding kValueBelowLower{"value-below-lower", Severity::kError, "{} is below {}",
+                                      "choose a value between the bounds"};
+inline const Finding kValueAboveUpper{"value-above-upper", Severity::kError, "{} is above {}",
+                                      "choose a value between the bounds"};
+inline const Finding kBoundsIncomplete{"bounds-incomplete", Severity::kError,
+                                       "{} has some, but not all of lower, upper and precision",
+                                       "give all three, or none for a fixed parameter"};
+inline const Finding kBoundsSwapped{"bounds-swapped", Severity::kError, "{} is above {}", "swap them"};
+inline const Finding kPrecisionTooCoarse{"precision-too-coarse", Severity::kError, "{} exceeds upper - lower",
+                                         "choose a smaller one; to fix the parameter, leave out all three"};
+inline const Finding kPrecisionTooFine{"precision-too-fine", Severity::kError,
+                                       "{} splits the range into more than 2^53 steps",
+                                       "give the digits that matter, such as a thousandth of the range"};
+inline const Finding kBindUnreadable{
+    "bind-unreadable", Severity::kError, "{} is not a number of a link",
+    "write link[NAME]/mass, link[NAME]/com/x (y, z) or link[NAME]/inertia/ixx (iyy, izz, ixy, ixz, iyz)"};
+inline const Finding kBindLinkUnknown{"bind-link-unknown", Severity::kError, "{} has an unknown link '{}'{}"};
+inline const Finding kBindNumberUnknown{"bind-number-unknown", Severity::kError, "{} has an unknown number '{}'{}"};
+inline const Finding kBindNumberMissing{"bind-number-missing", Severity::kError, "{} finds no such number",
+                                        "give it in the <inertial> of {}"};
+inline const Finding kBindTurned{"bind-turned", Severity::kError,
+                                 "{} is a moment about turned axes, which cannot follow a parameter",
+                                 "write the <inertial> without rpy"};
+inline const Finding kBindTwice{"bind-twice", Severity::kError, "{} is bound twice"};
+inline const Finding kBindDimension{"bind-dimension", Severity::kError, "{} is {}, but the parameter is {}"};
+inline const Finding kBindValue{"bind-value", Severity::kError, "{} is {} in the tree, but factor times value is {}",
+                                "make them equal"};
+inline const Finding kBindMirrored{"bind-mirrored", Severity::kError,
+                                   "{} is a number that follows link '{}' by fp:mirror",
+                                   "bind that one, or write link '{}' out"};
+
+// Mirrors.
+
+inline const Finding kMirrorCount{"mirror-count", Severity::kError, "more than {} <fp:mirror>"};
+inline const Finding kMirrorEnds{"mirror-ends", Severity::kError, "{} is the same as from",
+                                 "write the ending of the other side"};
+inline const Finding kMirrorTwice{"mirror-twice", Severity::kError, "{} repeats the mirror in line {}",
+                                  "remove one of the two"};
+inline const Finding kMirrorNothing{"mirror-nothing", Severity::kError, "{} is the end of no name{}"};
+inline const Finding kMirrorOfItself{"mirror-of-itself", Severity::kWarning,
+                                     "{} is its own mirror image, so <fp:mirror> leaves it single",
+                                     "let its name not end in '{}'"};
+
+// Tree of links and joints.
+
+inline const Finding kLinkNone{"link-none", Severity::kError, "the file has no link"};
+inline const Finding kGroundNone{"ground-none", Severity::kError,
+                                 "there is no ground, since every link is the child of a joint"};
+inline const Finding kGroundSecond{"ground-second", Severity::kError,
+                                   "{} is the child of no joint, as only the ground, '{}', may be",
+                                   "add a joint to it"};
+inline const Finding kGroundInertial{"ground-inertial", Severity::kError,
+                                     "{} is the ground and must not have an <inertial>"};
+inline const Finding kJointLink{"joint-link-unknown", Severity::kError, "{} has the unknown {} link '{}'{}"};
+inline const Finding kJointLimit{"joint-limit", Severity::kError, "{} is {} and has no limit, which URDF requires",
+                                 "add <limit effort=\"0\" velocity=\"0\"/>{}"};
+inline const Finding kJointTwoParents{"two-parents", Severity::kError, "link '{}' has two parents, {} and {}",
+                                      "close a loop with fp:rod or fp:ball"};
+inline const Finding kJointLoop{"joint-loop", Severity::kError,
+                                "{} is part of a loop of joints that the ground does not carry"};
+inline const Finding kJointCoordinates{"joint-coordinates", Severity::kError,
+                                       "the joints have {} coordinates, more than {}",
+                                       "leave out bodies, or fix joints that need not move"};
+inline const Finding kUrdfdomError{"urdfdom-error", Severity::kError, "urdfdom: {}"};
+inline const Finding kUrdfdomWarning{"urdfdom-warning", Severity::kWarning, "urdfdom: {}"};
+inline const Finding kUrdfdomSilent{"urdfdom-silent", Severity::kError, "urdfdom cannot read the file"};
+inline const Finding kNameReadDifferently{"name-read-differently", Severity::kError,
+                                          "{} has a name that XML parsers read differently",
+                                          "use letters, digits, '_', '-' and '.' only"};
+
+// Bodies and shapes.
+
+inline const Finding kInertiaWithoutMass{"inertia-without-mass", Severity::kError, "link '{}' has inertia but no mass"};
+inline const Finding kInertiaTooLarge{"inertia-too-large", Severity::kError,
+                                      "link '{}' has an inertia that is too large"};
+inline const Finding kInertiaImpossible{"inertia-impossible", Severity::kError,
+                                        "link '{}' has an impossible inertia, its principal moments are {}",
+                                        "none may be below zero or exceed the sum of the other two"};
+inline const Finding kInertiaImpossibleAtBounds{
+    "inertia-impossible-at-bounds", Severity::kError,
+    "link '{}' has an impossible inertia with {}, its principal moments are {}, and none may be below zero or exceed "
+    "the sum of the other two",
+    "bind another of its moments as well, or narrow the bounds"};
+inline const Finding kMassMissing{"mass-missing", Severity::kError,
+                                  "joint '{}' moves link '{}', but neither it nor what it carries has a mass"};
+inline const Finding kMeshAddress{"mesh-address", Severity::kError,
+                                  "mesh '{}' is an address, such as package://, which is not supported",
+                                  "write a path relative to the vehicle file"};
+inline const Finding kMeshMissing{"mesh-missing", Severity::kWarning,
+                                  "mesh '{}' is missing (no file {}), so pictures are without it"};
+inline const Finding kMeshUnknown{"mesh-unknown", Severity::kError, "mesh '{}' cannot be looked for ({})"};
+inline const Finding kSolidLink{"solid-link-unknown", Severity::kError, "{} refers to the unknown link '{}'{}"};
+inline const Finding kSolidTwice{"solid-twice", Severity::kError, "{} of link '{}' repeats that of line {}",
+                                 "remove one of the two"};
+inline const Finding kSolidGround{"solid-ground", Severity::kError, "{} of link '{}' would give the ground a mass",
+                                  "remove it"};
+inline const Finding kSolidInertial{"solid-inertial", Severity::kError,
+                                    "{} of link '{}' contradicts the <inertial> of the link", "remove one of the two"};
+inline const Finding kSolidNoVisual{"solid-no-visual", Severity::kError,
+                                    "{} of link '{}' finds no <visual> whose shape would give the mass", "add one"};
+
+// Elements.
+
+inline const Finding kReferenceUnknown{"reference-unknown", Severity::kError, "{} refers to an unknown {} '{}'{}"};
+inline const Finding kFrameNamedAsLink{"frame-named-as-link", Severity::kError, "{} has the name of a link",
+                                       "rename one of the two"};
+inline const Finding kLineOnOneLink{"line-on-one-link", Severity::kError,
+                                    "{} has both ends on link '{}', so its length never changes"};
+inline const Finding kClosureOnOneLink{"closure-on-one-link", Severity::kError,
+                                       "{} has both ends on link '{}', so it joins nothing"};
+inline const Finding kLineWithoutLength{"line-without-length", Severity::kError,
+                                        "{} has no length, so it has no direction", "move an end, or give it an axis"};
+inline const Finding kRodWithoutLength{"rod-without-length", Severity::kError,
+                                       "{} has no length, so it has no direction", "move an end, or use fp:ball"};
+inline const Finding kConstantFollows{"constant-follows-parameter", Severity::kError, "{} cannot follow a parameter",
+                                      "write a number"};
+inline const Finding kPreloadAndFreeLength{"preload-and-free-length", Severity::kError,
+                                           "{} has a preload and a free_length", "give one of the two"};
+inline const Finding kFreeLengthGuided{"free-length-guided", Severity::kError,
+                                       "{} is guided by an axis, so its length is not that of a coil",
+                                       "give its preload in place of free_length"};
+inline const Finding kKneeNone{"knee-none", Severity::kError, "{} has no <knee>", "add one, or make it <linear>"};
+inline const Finding kKneeOrder{"knee-order", Severity::kError, "{} does not lie beyond the knee before it",
+                                "list the knees on either side of zero in the order in which the spring meets them, "
+                                "over the whole range of parameters"};
+inline const Finding kStopEmpty{"stop-empty", Severity::kError, "{} has no <bump> and no <rebound>", "add one or both"};
+inline const Finding kTablePoints{"table-points", Severity::kError, "{} needs at least two <point>s"};
+inline const Finding kTableSign{"table-sign", Severity::kError, "{} pushes on its own motion at every speed",
+                                "change the sign of its forces or of its speeds; extension and tension are positive"};
+inline const Finding kPointSign{"point-sign", Severity::kError, "the point at \"{}\" of {} pushes on its own motion",
+                                "give force and speed the same sign, over the whole range of parameters"};
+inline const Finding kPointOrder{"point-order", Severity::kError,
+                                 "the point at \"{}\" of {} does not rise above the point before it",
+                                 "give it more speed and more force, over the whole range of parameters"};
+inline const Finding kSeriesWithoutRate{"series-without-rate", Severity::kError,
+                                        "{} has a series spring, so its rates must be above zero"};
+inline const Finding kSeriesNotRising{"series-not-rising", Severity::kError,
+                                      "{} has a series spring, so its force must rise with speed everywhere",
+                                      "for a smooth law neither rate may be more than eleven times the other"};
+inline const Finding kRodThickness{"rod-thickness", Severity::kError, "{} must be thinner than the piston, \"{}\""};
+inline const Finding kGasPressure{"gas-pressure", Severity::kError, "{} must be above the cavitation pressure, \"{}\""};
+inline const Finding kBushingResistsNothing{
+    "bushing-resists-nothing", Severity::kError, "{} resists nothing",
+    "give it a <translation>, a <rotation>, a <translation_damping> or a <rotation_damping>"};
+inline const Finding kDrakeFramesApart{"drake-frames-apart", Severity::kWarning,
+                                       "the frames of {} are {} and {} apart in the design pose",
+                                       "Drake's bushing is loaded there, fp:bushing is not"};
+inline const Finding kBarSamePoints{"bar-same-points", Severity::kError,
+                                    "{} joins the same two points on the left and on the right, so it never acts",
+                                    "give each side its own points"};
+inline const Finding kWheelAxis{"wheel-axis", Severity::kError,
+                                "fp:tyre '{}' has a radius, so its wheel turns about the y axis of link '{}', but that "
+                                "does not point sideways",
+                                "turn the link"};
+inline const Finding kTyreTwoPosts{"tyre-two-posts", Severity::kError,
+                                   "{} is under the tyre that fp:post '{}' moves already"};
+
+}  // namespace fourpost
