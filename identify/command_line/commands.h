@@ -151,7 +151,7 @@ struct ReportCommand {
 /// `fourpost compare STUDY --methods a,b --runs N --seed S`
 struct CompareCommand {
   std::filesystem::path study;
-  std::vector<std::string> methods = {"dvhde", "thesis", "de", "ds", "gb"};
+  std::vector<std::string> methods = {"dvhde", "thesis", "de", "simplex", "gb"};
   int runs = 20;
   std::uint64_t seed = 1;
   /// 0: one per processor.

@@ -90,13 +90,19 @@ std::string Rule(const Comparison& comparison, const ComparisonOptions& options)
          std::to_string(options.seed) + ".";
 }
 
+std::string GainText(const std::string& what, const SearchGain& gain) {
+  if (gain.count == 0) return "";
+  return ", " + std::to_string(gain.count) + " " + what + (gain.count == 1 ? "" : "s") + " (" + std::to_string(gain.successes) + " with a lower cost)";
+}
+
 std::string Details(const Comparison& comparison, const ComparisonOptions& options) {
   std::string text = Rule(comparison, options) + '\n';
   for (const MethodSummary& method : comparison.methods) {
     text += method.name + ": ended by";
     for (const auto& [end, count] : method.ends)
       text += " " + std::string(SearchEndName(end)) + " (" + std::to_string(count) + ")";
-    text += "; with";
+    text += "; algorithm " + method.algorithm + GainText("acceleration", method.accelerations) +
+            GainText("migration", method.migrations) + "; with";
     for (const auto& [key, value] : method.settings) text += " " + key + " " + value;
     text += "\n";
   }

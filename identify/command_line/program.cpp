@@ -179,7 +179,7 @@ void Program::AddCompare() {
   sub->add_option("--methods", compare_.methods, "Methods, separated by commas: these or the study's own")
       ->delimiter(',')
       ->type_name(Braced(kMethodNames))
-      ->default_str("dvhde,thesis,de,ds,gb");
+      ->default_str("dvhde,thesis,de,simplex,gb");
   sub->add_option("--runs", compare_.runs, "Runs of each method")->check(CLI::Range(1, 1000000))->capture_default_str();
   sub->add_option("--seed", compare_.seed, "Seed of the first run; the others take the following ones")
       ->check(WholeNumber("--seed"));

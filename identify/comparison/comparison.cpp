@@ -19,6 +19,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 struct FinishedRun {
   SearchEnd end = SearchEnd::kNotRun;
   std::vector<Improvement> improvements;
+  SearchGain accelerations;
+  SearchGain migrations;
   std::int64_t paid = 0;
   double seconds = 0;
 
@@ -30,8 +32,14 @@ FinishedRun RunOnce(const Problem& problem, const ComparedMethod& method, std::u
   const double start_s = ThreadTime_s();
   Archive archive(problem, 1, store, Repeats::kPaid);
   FinishedRun run;
-  run.end = method.foreign ? method.foreign->run(archive, seed, rules, stop)
-                           : RunMethod(method.options, archive, seed, rules, {.count = 1}, {.stop = stop}).end;
+  if (method.foreign) {
+    run.end = method.foreign->run(archive, seed, rules, stop);
+  } else {
+    const SearchResult result = RunMethod(method.options, archive, seed, rules, {.count = 1}, {.stop = stop});
+    run.end = result.end;
+    run.accelerations = result.accelerations;
+    run.migrations = result.migrations;
+  }
   run.improvements = archive.improvements();
   run.paid = archive.counts().paid;
   run.seconds = store ? std::numeric_limits<double>::quiet_NaN() : ThreadTime_s() - start_s;
@@ -75,12 +83,16 @@ std::vector<std::pair<std::string, std::string>> SettingsOf(const ComparedMethod
 }
 
 MethodSummary Summarise(const ComparedMethod& method, const std::vector<FinishedRun>& runs, double target) {
-  MethodSummary summary = {.name = method.name, .settings = SettingsOf(method)};
+  MethodSummary summary = {.name = method.name,
+                           .algorithm = method.foreign ? "" : std::string(AlgorithmName(method.options)),
+                           .settings = SettingsOf(method)};
   std::vector<double> costs;
   double evaluations = 0;
   for (const FinishedRun& run : runs) {
     summary.outcomes.push_back(OutcomeOf(run, target));
     ++summary.ends[run.end];
+    summary.accelerations += run.accelerations;
+    summary.migrations += run.migrations;
     summary.successes += summary.outcomes.back().solved;
     evaluations += static_cast<double>(summary.outcomes.back().evaluations);
     costs.push_back(run.cost());

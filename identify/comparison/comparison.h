@@ -68,8 +68,13 @@ struct RunOutcome {
 /// What the runs of a method add up to.
 struct MethodSummary {
   std::string name;
+  /// What ran by that name, see AlgorithmName(); empty for a foreign one.
+  std::string algorithm;
   std::vector<std::pair<std::string, std::string>> settings;
   std::vector<RunOutcome> outcomes;
+  /// Of all runs.
+  SearchGain accelerations;
+  SearchGain migrations;
   std::int64_t successes = 0;
   Interval success_share;
   /// Over all runs, failures included.

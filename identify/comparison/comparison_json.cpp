@@ -34,12 +34,17 @@ Json RunsJson(const std::vector<RunOutcome>& outcomes) {
   return runs;
 }
 
+Json GainJson(const SearchGain& gain) {
+  return {{"count", gain.count}, {"evaluations", gain.evaluations}, {"successes", gain.successes}};
+}
+
 Json MethodJson(const MethodSummary& method, bool time) {
   Json ends = Json::object();
   for (const auto& [end, count] : method.ends) ends[std::string(SearchEndName(end))] = count;
   Json settings = Json::object();
   for (const auto& [key, value] : method.settings) settings[key] = value;
   Json json = {{"name", method.name},
+               {"algorithm", method.algorithm.empty() ? Json(nullptr) : Json(method.algorithm)},
                {"runs", method.outcomes.size()},
                {"successes", method.successes},
                {"success_share_95", IntervalJson(method.success_share)},
@@ -52,6 +57,8 @@ Json MethodJson(const MethodSummary& method, bool time) {
                {"evaluations", Spread(method.outcomes, &RunOutcome::evaluations)},
                {"ends", ends},
                {"outcomes", RunsJson(method.outcomes)},
+               {"accelerations", GainJson(method.accelerations)},
+               {"migrations", GainJson(method.migrations)},
                {"settings", settings}};
   if (time) json["seconds"] = Spread(method.outcomes, &RunOutcome::seconds);
   return json;

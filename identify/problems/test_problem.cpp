@@ -7,6 +7,7 @@
 #include "identify/problems/gear_train.h"
 #include "identify/problems/half_car_twin.h"
 #include "identify/problems/oscillator.h"
+#include "identify/problems/pressure_vessel.h"
 
 namespace fourpost {
 
@@ -14,6 +15,7 @@ TestProblem MakeTestProblem(std::string_view name) {
   if (name == "oscillator") return {OscillatorProblem(), kOscillatorTarget};
   if (name == "gear_train") return {GearTrainProblem(), kGearTrainTarget};
   if (name == "coil_spring") return {CoilSpringProblem(1e-12), kCoilSpringTarget};
+  if (name == "pressure_vessel") return {PressureVesselProblem(), kPressureVesselTarget};
   if (name == "half_car") return HalfCarInTime();
   if (name == "half_car_frequency") return HalfCarInFrequency();
   throw std::invalid_argument("there is no test problem '" + std::string(name) + "'");

@@ -85,7 +85,39 @@ std::string Text(const Value& value) {
   return text.str();
 }
 
+bool Accelerates(const DvhdeOptions& options) {
+  switch (options.acceleration) {
+    case Acceleration::kSimplex: return options.simplex_iterations > 0;
+    case Acceleration::kPattern: return options.line_searches + options.kicks > 0;
+    case Acceleration::kLeastSquares: return true;
+  }
+  return false;
+}
+
+std::string_view NameOf(const DvhdeOptions& options) {
+  if (options == ThesisDvhde()) return "thesis";
+  const bool migrates = options.migrate_after > 0 || options.migrate_below_diversity > 0;
+  return Accelerates(options) || migrates ? "dvhde" : "de";
+}
+std::string_view NameOf(const AdaptiveOptions&) { return "adaptive"; }
+std::string_view NameOf(const CmaesOptions&) { return "cmaes"; }
+std::string_view NameOf(const SimplexOptions&) { return "simplex"; }
+std::string_view NameOf(const MultiStartOptions& options) {
+  if (options.starts != 1) return "multistart";
+  return options.descent == Descent::kQuasiNewton ? "bfgs" : "gb";
+}
+
 }  // namespace
+
+std::optional<std::string_view> PresentMethodName(std::string_view former) {
+  if (former == "cma") return "cmaes";
+  if (former == "ds") return "simplex";
+  return std::nullopt;
+}
+
+std::string_view AlgorithmName(const MethodOptions& options) {
+  return std::visit([](const auto& o) { return NameOf(o); }, options);
+}
 
 MethodOptions MethodPreset(std::string_view name, const Problem& problem) {
   if (name == "auto") return Default(problem);
@@ -93,9 +125,9 @@ MethodOptions MethodPreset(std::string_view name, const Problem& problem) {
   if (name == "direct") return Direct(problem.lattice);
   if (name == "thesis") return ThesisDvhde();
   if (name == "de") return PlainEvolution();
-  if (name == "ds") return SimplexOptions{};
+  if (name == "simplex") return SimplexOptions{};
   if (name == "adaptive") return AdaptiveOptions{};
-  if (name == "cma") return CmaesOptions{};
+  if (name == "cmaes") return CmaesOptions{};
   MultiStartOptions options = Gradient(problem);
   if (name == "multistart") return options;
   options.starts = 1;
@@ -128,7 +160,8 @@ SearchResult RunMethod(const MethodOptions& options, Archive& archive, std::uint
         } else {
           const std::unique_ptr<SearchMethod> method = Make(o, archive.lattice(), seed);
           SearchHooks with_refine = hooks;
-          if constexpr (std::is_same_v<Options, DvhdeOptions>) with_refine.refine = RefinementOf(archive, o);
+          if constexpr (std::is_same_v<Options, DvhdeOptions>)
+            if (!hooks.refine) with_refine.refine = RefinementOf(archive, o);
           return RunSearch(archive, *method, rules, candidates, with_refine);
         }
       },

@@ -213,7 +213,7 @@ std::string Body(const Json& result, const std::vector<ComparedChannel>& channel
                                Drawn("poles")));
   return body +
          html::Section("search", "Search and refinement",
-                       Drawn("convergence") + Pair(StartTableHtml(result), Drawn("agreement")) + SettingsHtml(result));
+                       SearchNoteHtml(result) + Drawn("convergence") + Pair(StartTableHtml(result), Drawn("agreement")) + SettingsHtml(result));
 }
 
 }  // namespace

@@ -241,6 +241,26 @@ std::string ModeTableHtml(const Json& modes) {
   return rows.empty() ? "" : html::Table({"mode", "Hz", "damping ratio", "poles, 1/s", "kinetic energy"}, rows);
 }
 
+std::string SearchNoteHtml(const Json& result) {
+  const Json search = result.value("search", Json::object());
+  const std::string algorithm = TextAt(search, "algorithm");
+  if (algorithm.empty()) return "";
+  std::string text = "Searched by <code>" + html::Escaped(algorithm) + "</code>, ended by " +
+                     html::Escaped(TextAt(search, "end")) + '.';
+  for (const char* key : {"accelerations", "migrations"}) {
+    const Json gain = search.value(key, Json::object());
+    const double count = NumberAt(gain, "count");
+    if (!(count > 0)) continue;
+    text += ' ' + std::string(key == std::string_view("migrations") ? "Migrations" : "Accelerations") + ": " +
+            ShownDecimals(count, 0) + " in " + ShownDecimals(NumberAt(gain, "evaluations"), 0) + " evaluations, of which " +
+            ShownDecimals(NumberAt(gain, "successes"), 0) + " lowered the best cost.";
+  }
+  const Json starts = result.value("starts", Json::object());
+  text += " Then Ceres refined " + ShownDecimals(NumberAt(starts, "refined"), 0) + " points, of which " +
+          ShownDecimals(NumberAt(starts, "agreeing"), 0) + " agree.";
+  return "<p class=\"note\">" + text + "</p>\n";
+}
+
 std::string StartTableHtml(const Json& result) {
   Rows rows;
   const std::vector<Json> runs = ListAt(result.value("starts", Json()), "runs");

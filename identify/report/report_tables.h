@@ -26,6 +26,9 @@ std::string StaticLoadTableHtml(const nlohmann::json& result);
 /// `modes`: of SceneJson().
 std::string ModeTableHtml(const nlohmann::json& modes);
 
+/// What searched, and what its accelerations and migrations brought; empty for results that do not say.
+std::string SearchNoteHtml(const nlohmann::json& result);
+
 /// The refinements, each from its own start.
 std::string StartTableHtml(const nlohmann::json& result);
 

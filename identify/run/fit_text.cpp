@@ -77,8 +77,19 @@ std::string Agreement(const FitResult& fit) {
          (is_cut_short ? "that ended agree" : "agree");
 }
 
-std::string SearchEndText(const SearchResult& search) {
-  return (search.end == SearchEnd::kStopped ? "search " : "search ended by ") + search.reason;
+std::string GainText(const std::string& what, const SearchGain& gain) {
+  if (gain.count == 0) return "";
+  return ", " + std::to_string(gain.count) + " " + what + (gain.count == 1 ? "" : "s") + " in " + std::to_string(gain.evaluations) + " evaluations (" +
+         std::to_string(gain.successes) + " lowered the best cost)";
+}
+
+/// Empty for a refinement without a search.
+std::string SearchText(const FitResult& fit) {
+  const SearchResult& search = fit.search;
+  if (search.end == SearchEnd::kNotRun) return "";
+  return "search by " + std::string(AlgorithmName(fit.options.search)) +
+         (search.end == SearchEnd::kStopped ? " " : " ended by ") + search.reason +
+         GainText("acceleration", search.accelerations) + GainText("migration", search.migrations) + '\n';
 }
 
 /// "fit converged" only for one that explains the data.
@@ -88,7 +99,7 @@ std::string Summary(const FitResult& fit, const FitVerdict& verdict) {
          Rounded(fit.cost, 5) + LossWords(fit.options.refine.loss) + " for " + std::to_string(fit.residual_count) +
          " residuals" + PriorShare(fit) + "; " + std::to_string(counts.paid) + " new evaluations, " +
          std::to_string(counts.reused) + " reused, " + std::to_string(counts.failed()) + " failed; " + Agreement(fit) +
-         '\n' + SearchEndText(fit.search) + '\n';
+         '\n' + SearchText(fit);
 }
 
 /// How large the residuals are, and the direction that the data determine least.

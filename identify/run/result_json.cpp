@@ -137,11 +137,21 @@ Json Files(const std::vector<FileDigest>& files) {
   return list;
 }
 
+Json GainJson(const SearchGain& gain) {
+  return {{"count", gain.count},
+          {"evaluations", gain.evaluations},
+          {"successes", gain.successes},
+          {"cost_ratio", NumberOrNull(gain.cost_ratio)}};
+}
+
 Json Search(const FitResult& fit) {
   Json settings = Json::object();
   for (const auto& [key, value] : fit.search_settings) settings[key] = value;
   const CandidateRules& candidates = fit.options.candidates;
-  return {{"end", fit.search.reason},
+  return {{"algorithm", AlgorithmName(fit.options.search)},
+          {"end", fit.search.reason},
+          {"accelerations", GainJson(fit.search.accelerations)},
+          {"migrations", GainJson(fit.search.migrations)},
           {"log", Log(fit.search)},
           {"settings", settings},
           {"stop", Stop(fit.options.stop)},

@@ -42,7 +42,11 @@ class AdaptiveEvolution : public SearchMethod {
   const std::vector<LatticePoint>& Ask() const override { return asked_; }
   void Tell(const std::vector<Score>& scores) override;
   bool EndsGeneration() const override { return ends_generation_; }
-  MethodState state() const override { return state_; }
+  MethodState state() const override {
+    MethodState state = state_;
+    state.step = stage_ == Stage::kLine ? SearchStep::kAcceleration : SearchStep::kEvolution;
+    return state;
+  }
 
  private:
   enum class Stage { kInitial, kTrials, kLine };

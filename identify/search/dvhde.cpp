@@ -88,6 +88,20 @@ void Dvhde::Tell(const std::vector<Score>& told) {
   }
 }
 
+MethodState Dvhde::state() const {
+  MethodState state = state_;
+  switch (stage_) {
+    case Stage::kInitial:
+    case Stage::kTrials: state.step = SearchStep::kEvolution; break;
+    case Stage::kSimplex:
+    case Stage::kLines:
+    case Stage::kKicks:
+    case Stage::kRefinements: state.step = SearchStep::kAcceleration; break;
+    case Stage::kMigrants: state.step = SearchStep::kMigration; break;
+  }
+  return state;
+}
+
 void Dvhde::AskInitial() {
   const std::size_t count = members_ * static_cast<std::size_t>(options_.draws_per_member);
   for (std::size_t i = 0; i < count; ++i) {
@@ -295,8 +309,8 @@ void Dvhde::AskMigrants() {
   stage_ = Stage::kMigrants;
   const std::size_t best = BestIndex(population_);
   if (options_.keep_best) kept_ = population_[best];
-  members_ = std::min(static_cast<std::size_t>(options_.most_members),
-                      static_cast<std::size_t>(std::lround(options_.growth * static_cast<double>(members_))));
+  const auto most = static_cast<std::size_t>(std::max(options_.most_members, options_.population));
+  members_ = std::min(most, static_cast<std::size_t>(std::lround(options_.growth * static_cast<double>(members_))));
   const std::size_t count = members_ * static_cast<std::size_t>(options_.draws_per_member);
   const LatticePoint from = options_.keep_best ? Point(best) : record_.point;
   asked_.clear();

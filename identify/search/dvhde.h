@@ -33,7 +33,7 @@ class Dvhde : public SearchMethod {
   const std::vector<LatticePoint>& AskRefined() const override { return refined_from_; }
   void TellRefined(const Population& found) override;
   bool EndsGeneration() const override { return ends_generation_; }
-  MethodState state() const override { return state_; }
+  MethodState state() const override;
 
   const Population& population() const { return population_; }
 

@@ -31,7 +31,7 @@ void DvhdeOptions::Validate() const {
   RequireOption(migrate_after >= 0, "migrate_after", migrate_after, "0 or more");
   RequireOption(least_gain >= 0 && least_gain < 1, "least_gain", least_gain, "in [0, 1)");
   RequireOption(growth >= 1, "growth", growth, "1 or more");
-  RequireOption(most_members >= population, "most_members", most_members, "population or more");
+  RequireOption(most_members >= 4, "most_members", most_members, "4 or more");
   RequireShare("migrate_below_diversity", migrate_below_diversity);
   RequireOption(gene_difference > 0 && gene_difference < 1, "gene_difference", gene_difference, "in (0, 1)");
 }

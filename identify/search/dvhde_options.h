@@ -71,7 +71,7 @@ struct DvhdeOptions {
   double least_gain = 1e-4;
   /// The best member stays in the population after a migration, else in the archive alone.
   bool keep_best = false;
-  /// Members after a migration over those before, up to `most_members`.
+  /// Members after a migration over those before, up to `most_members` or those of the beginning if these are more.
   double growth = 1.3;
   int most_members = 100;
   /// Migrate when the diversity is below; in [0, 1], 0 turns it off. It keeps the population from settling anywhere
@@ -83,6 +83,8 @@ struct DvhdeOptions {
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;
+
+  bool operator==(const DvhdeOptions&) const = default;
 };
 
 /// dvHDE as the thesis has it for the Land Rover (ch. 5): 20 members, factor 0.7, crossover 0.8, migration below a

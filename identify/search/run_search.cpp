@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <sstream>
@@ -11,6 +12,51 @@
 
 namespace fourpost {
 namespace {
+
+/// Adds up what the accelerations and the migrations of a run bring; to be told of every batch.
+class GainTally {
+ public:
+  /// Before a batch of this step; `best`: the best cost so far.
+  void Begin(SearchStep step, double best) {
+    if (step != step_ && step_ == SearchStep::kAcceleration) End(accelerations_, before_acceleration_, best);
+    if (step != step_ && step == SearchStep::kAcceleration) {
+      ++accelerations_.count;
+      before_acceleration_ = best;
+    }
+    if (step == SearchStep::kMigration) {
+      if (migrations_.count > 0) End(migrations_, before_migration_, best);
+      ++migrations_.count;
+      before_migration_ = best;
+    }
+    step_ = step;
+  }
+
+  /// After it.
+  void Pay(std::int64_t evaluations) {
+    if (step_ == SearchStep::kAcceleration) accelerations_.evaluations += evaluations;
+    if (step_ == SearchStep::kMigration) migrations_.evaluations += evaluations;
+  }
+
+  void Finish(double best, SearchResult& result) {
+    if (step_ == SearchStep::kAcceleration) End(accelerations_, before_acceleration_, best);
+    if (migrations_.count > 0) End(migrations_, before_migration_, best);
+    result.accelerations = accelerations_;
+    result.migrations = migrations_;
+  }
+
+ private:
+  static void End(SearchGain& gain, double before, double after) {
+    if (!(after < before)) return;
+    ++gain.successes;
+    if (std::isfinite(before)) gain.cost_ratio *= after / before;
+  }
+
+  SearchStep step_ = SearchStep::kEvolution;
+  SearchGain accelerations_;
+  SearchGain migrations_;
+  double before_acceleration_ = 0;
+  double before_migration_ = 0;
+};
 
 class SearchRun {
  public:
@@ -23,6 +69,7 @@ class SearchRun {
       Log();
       if (EndsAfterGeneration()) break;
     }
+    gains_.Finish(BestCost(), result_);
     // What came after the last whole generation.
     if (result_.log.empty() || result_.log.back().paid != Paid() || result_.log.back().best_cost != BestCost()) Log();
     result_.reason = Reason();
@@ -35,7 +82,14 @@ class SearchRun {
   // Scores what the method asks for; false when the search ends within or before the batch.
   bool Step() {
     if (EndsBeforeBatch()) return false;
-    if (!method_.AskRefined().empty()) return RefineAsked();
+    gains_.Begin(method_.state().step, BestCost());
+    const std::int64_t before = Paid();
+    const bool goes_on = method_.AskRefined().empty() ? EvaluateAsked() : RefineAsked();
+    gains_.Pay(Paid() - before);
+    return goes_on;
+  }
+
+  bool EvaluateAsked() {
     const std::vector<LatticePoint>& asked = method_.Ask();
     const std::vector<LatticePoint> affordable(asked.begin(), FirstBeyondBudget(asked));
     const std::vector<Score> scores = archive_.Evaluate(affordable);
@@ -52,23 +106,25 @@ class SearchRun {
     Population found;
     for (const LatticePoint& point : method_.AskRefined()) {
       const Eigen::VectorXd values = hooks_.refine(archive_.lattice().Values(point), [this] { return MustEnd(); });
+      if (Paid() < rules_.max_evaluations) {
+        const LatticePoint near = archive_.lattice().Nearest(values);
+        found.push_back({near, archive_.Evaluate({near}).front()});
+        if (IsBetter(found.back().score, best_)) best_ = found.back().score;
+      }
       if (MustEnd()) return !EndNow();
-      const LatticePoint near = archive_.lattice().Nearest(values);
-      found.push_back({near, archive_.Evaluate({near}).front()});
-      if (IsBetter(found.back().score, best_)) best_ = found.back().score;
     }
     method_.TellRefined(found);
     return true;
   }
 
-  /// What ends a search within a refinement.
+  /// What ends a search within a refinement: one evaluation is left to its end on the lattice.
   bool MustEnd() const {
-    return ReachesTarget() || Paid() >= rules_.max_evaluations || Seconds() >= rules_.max_seconds ||
+    return ReachesTarget() || Paid() + 1 >= rules_.max_evaluations || Seconds() >= rules_.max_seconds ||
            (hooks_.stop && hooks_.stop());
   }
   bool EndNow() {
     if (ReachesTarget()) return End(SearchEnd::kTarget);
-    if (Paid() >= rules_.max_evaluations) return End(SearchEnd::kEvaluations);
+    if (Paid() + 1 >= rules_.max_evaluations) return End(SearchEnd::kEvaluations);
     return End(Seconds() >= rules_.max_seconds ? SearchEnd::kOutOfTime : SearchEnd::kStopped);
   }
 
@@ -159,12 +215,21 @@ class SearchRun {
   const std::size_t improvements_before_ = archive_.improvements().size();
   const Clock::time_point start_ = Clock::now();
   Score best_ = {std::numeric_limits<double>::infinity(), Failure::kNotFinite};
+  GainTally gains_;
   std::int64_t paid_last_ = 0;
   int free_generations_ = 0;
   SearchResult result_;
 };
 
 }  // namespace
+
+SearchGain& SearchGain::operator+=(const SearchGain& other) {
+  count += other.count;
+  evaluations += other.evaluations;
+  successes += other.successes;
+  cost_ratio *= other.cost_ratio;
+  return *this;
+}
 
 void CandidateRules::Validate() const {
   RequireOption(count >= 1, "candidates", count, "1 or more");

@@ -27,6 +27,19 @@ struct SearchGeneration {
   bool operator==(const SearchGeneration&) const = default;
 };
 
+/// What the accelerations or the migrations of a search took and brought.
+struct SearchGain {
+  int count = 0;
+  std::int64_t evaluations = 0;
+  /// Those that lowered the best cost: an acceleration by itself, a migration before the next one.
+  int successes = 0;
+  /// Best cost after over best cost before, multiplied over all of them; 1 without a success.
+  double cost_ratio = 1;
+
+  SearchGain& operator+=(const SearchGain& other);
+  bool operator==(const SearchGain&) const = default;
+};
+
 struct SearchResult {
   SearchEnd end = SearchEnd::kNotRun;
   /// The rule that ended the search, with its numbers: "evaluations used up: 300 of 300".
@@ -34,6 +47,8 @@ struct SearchResult {
   /// Distinct good points, best first; empty when every evaluation failed.
   std::vector<Candidate> candidates;
   std::vector<SearchGeneration> log;
+  SearchGain accelerations;
+  SearchGain migrations;
 
   /// Throws std::logic_error when every evaluation failed.
   const Candidate& best() const;

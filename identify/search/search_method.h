@@ -8,8 +8,13 @@
 
 namespace fourpost {
 
+/// What points are asked for.
+enum class SearchStep { kEvolution, kAcceleration, kMigration };
+
 /// Where a method has got to, for the log and for stopping rules.
 struct MethodState {
+  /// Of the points asked for now.
+  SearchStep step = SearchStep::kEvolution;
   /// 0 is the initial population.
   int generation = 0;
   /// Generations in a row without a better best.

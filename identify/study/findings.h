@@ -34,6 +34,8 @@ inline const Finding kLossUnknown{"loss-unknown", Severity::kError, "unknown los
 inline const Finding kMethodsNotMapped{"methods-not-mapped", Severity::kError, "'methods' must map names to settings"};
 inline const Finding kMethodNotSettings{"method-not-settings", Severity::kError, "{} must be a mapping of settings"};
 inline const Finding kMethodPresetUnknown{"method-preset-unknown", Severity::kError, "unknown method '{}'{}"};
+inline const Finding kMethodFormer{"method-former", Severity::kWarning, "'{}' is the earlier name of the method '{}'",
+                                   "rename it"};
 inline const Finding kSettingNotValue{"setting-not-a-value", Severity::kError, "'{}' of {} must be a single value"};
 inline const Finding kSettingUnknown{"setting-unknown", Severity::kError, "method '{}': unknown setting '{}'{}"};
 inline const Finding kSettingUnreadable{"setting-unreadable", Severity::kError, "method '{}': '{}' cannot be '{}'"};

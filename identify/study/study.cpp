@@ -30,8 +30,8 @@ std::unique_ptr<Experiment> ReadFourPost(const StrictMap& study) {
   };
   const YAML::Node histories = study.Get("histories");
   // A missing node throws when it is asked for its type.
-  const bool has_other = histories.IsDefined() && histories.IsSequence() &&
-                         std::any_of(histories.begin(), histories.end(), is_fitted);
+  const bool has_other =
+      histories.IsDefined() && histories.IsSequence() && std::any_of(histories.begin(), histories.end(), is_fitted);
   return study.Has("recordings") || !has_other ? FourPost::Read(study) : nullptr;
 }
 
@@ -118,7 +118,7 @@ class StudyReader {
     const StrictMap map = Map(node, where, {keys.begin(), keys.end()});
     StudyMethod method = {.name = name, .line = LineOf(node)};
     const YAML::Node preset = map.Require("method");
-    method.preset = map.Text("method").value_or("");
+    method.preset = Present(map.Text("method").value_or(""), preset);
     if (!method.preset.empty() &&
         std::find(kMethodNames.begin(), kMethodNames.end(), method.preset) == kMethodNames.end())
       Fault(preset, kMethodPresetUnknown, {method.preset, Suggestion(method.preset, kMethodNames)});
@@ -129,6 +129,14 @@ class StudyReader {
       else method.settings.push_back({key, entry.second.Scalar(), LineOf(entry.second)});
     }
     study_.methods.push_back(method);
+  }
+
+  /// The present name of a method.
+  std::string Present(const std::string& name, const YAML::Node& node) {
+    const std::optional<std::string_view> present = PresentMethodName(name);
+    if (!present) return name;
+    Fault(node, kMethodFormer, {name, std::string(*present)});
+    return std::string(*present);
   }
 
   StrictMap Map(const YAML::Node& node, const std::string& where, const std::vector<std::string_view>& keys) {

@@ -100,7 +100,10 @@ std::vector<ComparedMethod> NamedMethods(const Study& study, const std::vector<s
   for (const StudyMethod& method : study.methods) legal.push_back(method.name);
   std::vector<ComparedMethod> methods;
   std::set<std::string> seen;
-  for (const std::string& name : names) {
+  for (const std::string& asked_name : names) {
+    const std::optional<std::string_view> present = PresentMethodName(asked_name);
+    if (present) diagnostics.Report(kMethodFormer, asked, {asked_name, std::string(*present)});
+    const std::string name(present.value_or(asked_name));
     const auto own = std::find_if(study.methods.begin(), study.methods.end(),
                                   [&](const StudyMethod& method) { return method.name == name; });
     if (!seen.insert(name).second) diagnostics.Report(kMethodTwice, asked, {name});

@@ -489,7 +489,7 @@ TEST_F(CommandLine, CompareCountsWhatEachMethodNeeds) {
 }
 
 TEST_F(CommandLine, ComparePrintsATableWithIntervalsAndAllSettings) {
-  const Outcome outcome = Run("compare studies/test_problems/gear_train.yaml --methods thesis_40,ds --runs 3");
+  const Outcome outcome = Run("compare studies/test_problems/gear_train.yaml --methods thesis_40,simplex --runs 3");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("per success"));
   EXPECT_THAT(outcome.out, HasSubstr("95 %"));

@@ -31,7 +31,7 @@ ComparisonOptions GearOptions(int runs, int threads) {
 TEST(Comparison, IsTheSameForAnyNumberOfThreads) {
   const Problem problem = GearTrain();
   const auto json = [&](int threads) {
-    const auto methods = Methods(problem, {"dvhde", "thesis", "de", "ds", "gb", "multistart", "adaptive"});
+    const auto methods = Methods(problem, {"dvhde", "thesis", "de", "simplex", "gb", "multistart", "adaptive"});
     return ComparisonJson(Compare(problem, methods, GearOptions(6, threads)), "gears", 7);
   };
   EXPECT_EQ(json(1), json(2));
@@ -87,7 +87,7 @@ TEST(Comparison, TakesTheBestOfAllRunsForTheTargetWhereNoneIsGiven) {
   Problem problem = MassSpringDamper();
   problem.residual_count = 80;
   const ComparisonOptions options = {.runs = 3, .rules = {.max_evaluations = 300}};
-  const Comparison comparison = Compare(problem, Methods(problem, {"gb", "ds"}), options);
+  const Comparison comparison = Compare(problem, Methods(problem, {"gb", "simplex"}), options);
   double best = 1e300;
   for (const MethodSummary& method : comparison.methods)
     for (const RunOutcome& outcome : method.outcomes) best = std::min(best, outcome.cost);
@@ -175,7 +175,7 @@ TEST(Comparison, TellsTheTimeUpToTheTarget) {
 TEST(Comparison, HasNoCostsWhereEveryEvaluationFails) {
   const Problem failing = {Flat().lattice, [](const Eigen::VectorXd&) { return OneResidual(std::nan("")); }};
   const ComparisonOptions options = {.runs = 2, .rules = {.max_evaluations = 50}};
-  for (const std::string name : {"de", "gb", "bfgs", "ds", "dvhde"}) {
+  for (const std::string name : {"de", "gb", "bfgs", "simplex", "dvhde"}) {
     const Comparison comparison = Compare(failing, Methods(failing, {name}), options);
     EXPECT_TRUE(std::isinf(comparison.methods[0].cost_median)) << name;
     EXPECT_EQ(comparison.methods[0].successes, 0) << name;

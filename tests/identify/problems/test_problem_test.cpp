@@ -14,6 +14,7 @@
 #include "identify/problems/gear_train.h"
 #include "identify/problems/half_car_twin.h"
 #include "identify/problems/oscillator.h"
+#include "identify/problems/pressure_vessel.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/refine.h"
 
@@ -77,6 +78,32 @@ TEST(CoilSpring, HasItsBestPairOfAllPairs) {
   EXPECT_EQ(pairs[0].second, std::make_pair(9, 36));
   EXPECT_EQ(pairs[1].second, std::make_pair(5, 37));
   EXPECT_NEAR(pairs[1].first / pairs[0].first, 1.015, 1e-3);
+}
+
+// Least radius and length of each pair of thicknesses: the radius at the bound of the shell or of the head, or the
+// length at its own; the cost rises with both.
+TEST(PressureVessel, HasItsBestPairOfAllPairs) {
+  const Problem problem = PressureVesselProblem();
+  const auto least_cost = [&](int shell, int head) {
+    double least = 1e9;
+    const double most = std::min({200.0, 0.0625 * shell / 0.0193, 0.0625 * head / 0.00954});
+    for (int i = 0; i <= 4000; ++i) {
+      const double radius = 10 + (most - 10) * i / 4000;
+      const double length = std::max(10.0, 1296000 / (std::numbers::pi * radius * radius) - 4 * radius / 3);
+      if (most < 10 || length > 200) continue;
+      const Evaluation evaluation =
+          problem.evaluate(Eigen::Vector4d(shell, head, radius * (1 - 1e-12), length * (1 + 1e-11)));
+      if (evaluation.ok()) least = std::min(least, evaluation.cost());
+    }
+    return least;
+  };
+  std::vector<std::pair<double, std::pair<int, int>>> pairs;
+  for (int shell = 1; shell <= 40; ++shell)
+    for (int head = 1; head <= 30; ++head) pairs.push_back({least_cost(shell, head), {shell, head}});
+  std::sort(pairs.begin(), pairs.end());
+  EXPECT_EQ(pairs[0].second, std::make_pair(13, 7));
+  EXPECT_NEAR(pairs[0].first, 6059.714335, 1e-5);  // printed digits
+  EXPECT_NEAR(pairs[1].first / pairs[0].first, 1.005, 1e-3);
 }
 
 TEST(Oscillator, CostsNothingAtItsTruthAndOnlyThere) {
