@@ -68,7 +68,7 @@ class Hostile(ProgramTest):
         self.run_program("fit", "car/study.yaml", "-o", "run")
         (self.folder / "run/archive.sqlite").unlink()
         os.mkfifo(self.folder / "run/archive.sqlite")
-        self.refused("fit", "car/study.yaml", "-o", "run", code=5, says="no archive of evaluations")
+        self.refused("fit", "car/study.yaml", "-o", "run", code=5, says="archive-not-a-file")
         (self.folder / "run/result.json").unlink()
         os.mkfifo(self.folder / "run/result.json")
         self.refused("report", "run", says="pipe, not a file")
