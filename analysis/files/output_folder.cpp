@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kResultFile = "result.json";
 /// Written to see whether that is possible. A program killed at that moment, or another one, may leave it.
 constexpr const char* kProbe = ".fourpost.partial";
 
@@ -79,13 +78,15 @@ class Descriptor {
 
 bool IsEmpty(const fs::path& folder) {
   const fs::directory_iterator entries(folder);
-  return std::all_of(begin(entries), end(entries), [](const auto& entry) { return entry.path().filename() == kProbe; });
+  return std::all_of(begin(entries), end(entries), [](const auto& entry) {
+    return entry.path().filename() == kProbe || entry.path().filename() == kInputsFolder;
+  });
 }
 
-void CheckContent(const fs::path& folder, const std::string& trace) {
-  if (IsEmpty(folder) || fs::is_regular_file(folder / kResultFile)) return;
+void CheckContent(const fs::path& folder, const std::string& trace, const std::string& mark) {
+  if (IsEmpty(folder) || fs::is_regular_file(folder / mark)) return;
   if (!trace.empty() && fs::is_regular_file(folder / trace)) return;
-  throw OutputError(kFolderHoldsFiles, {folder.string()}, {std::string(kResultFile)});
+  throw OutputError(kFolderHoldsFiles, {folder.string()}, {mark});
 }
 
 /// By trying: permissions do not show file systems that are read-only, full, or not real.
@@ -109,10 +110,11 @@ void CheckWritable(const fs::path& folder, const std::vector<fs::path>& missing,
   if (!keep) RemoveFolders(missing);
 }
 
-void CheckUsable(const fs::path& folder, const std::vector<fs::path>& missing, const std::string& trace) {
+void CheckUsable(const fs::path& folder, const std::vector<fs::path>& missing, const std::string& trace,
+                 const std::string& mark) {
   const fs::path existing = missing.empty() ? folder : missing.front().parent_path();
   if (!fs::is_directory(existing)) throw OutputError(kFolderIsAFile, {existing.string()});
-  if (missing.empty()) CheckContent(folder, trace);
+  if (missing.empty()) CheckContent(folder, trace, mark);
   CheckWritable(folder, missing, !trace.empty());
 }
 
@@ -148,14 +150,14 @@ void RemoveFolders(const std::vector<fs::path>& outermost_first) {
   for (auto folder = outermost_first.rbegin(); folder != outermost_first.rend(); ++folder) fs::remove(*folder, ignored);
 }
 
-OutputFolder::OutputFolder(const fs::path& folder, const std::string& trace) {
+OutputFolder::OutputFolder(const fs::path& folder, const std::string& trace, const std::string& mark) : mark_(mark) {
   if (folder.empty()) throw OutputError(kFolderNameless, {});
   try {
     // Whole, since a program may change its working directory.
     folder_ = WithoutTrailingSlash(fs::weakly_canonical(fs::absolute(folder)));
     const std::vector<fs::path> missing = MissingFolders(folder_);
     if (!trace.empty() && !fs::exists(folder_ / trace)) new_trace_ = trace;
-    CheckUsable(folder_, missing, trace);
+    CheckUsable(folder_, missing, trace, mark);
     if (!trace.empty()) created_ = missing;
   } catch (const fs::filesystem_error& error) {
     ThrowUnusable(kFolderNotWritable, folder, error.code(), {error.code().message()});
@@ -177,8 +179,7 @@ void OutputFolder::Withdraw() const {
 }
 
 void OutputFolder::Commit() {
-  if (!content_of_.contains(std::string(kResultFile)))
-    throw std::logic_error("results without a " + std::string(kResultFile));
+  if (!content_of_.contains(mark_)) throw std::logic_error("results without a " + mark_);
   std::vector<fs::path> created;
   try {
     created = MissingFolders(folder_);
@@ -214,8 +215,8 @@ void OutputFolder::WriteFiles() const {
 
 void OutputFolder::RenameFiles() const {
   for (const auto& [name, content] : content_of_)
-    if (name != kResultFile) fs::rename(Partial(name), folder_ / name);
-  fs::rename(Partial(std::string(kResultFile)), folder_ / kResultFile);
+    if (name != mark_) fs::rename(Partial(name), folder_ / name);
+  fs::rename(Partial(mark_), folder_ / mark_);
   Descriptor(folder_, O_RDONLY | O_DIRECTORY).Flush();
 }
 

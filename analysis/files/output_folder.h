@@ -36,15 +36,19 @@ std::vector<std::filesystem::path> MissingFolders(const std::filesystem::path& f
 /// Those that are empty, the innermost first.
 void RemoveFolders(const std::vector<std::filesystem::path>& outermost_first);
 
-/// A folder of results that is written completely or not at all. Its `result.json` marks it as ours, and is put there
-/// last. Nothing is on disk before Commit.
+/// Where a folder of results keeps inputs of its own, such as arrays that were fitted; no results of an earlier run.
+inline constexpr const char* kInputsFolder = "inputs";
+
+/// A folder of results that is written completely or not at all. A file, `result.json` unless another is named, marks
+/// it as ours, and is put there last. Nothing is on disk before Commit.
 class OutputFolder {
  public:
   /// Checks at once what hours of work would otherwise find out at their end. Throws OutputError unless the folder can
-  /// be created, or is empty, or holds the result.json of an earlier run, and may be written to. With a `trace`, a file
+  /// be created, or is empty, or holds the `mark` of an earlier run, and may be written to. With a `trace`, a file
   /// that the run itself keeps there from its beginning, that file marks the folder as well, and the folder is created
   /// at once.
-  explicit OutputFolder(const std::filesystem::path& folder, const std::string& trace = "");
+  explicit OutputFolder(const std::filesystem::path& folder, const std::string& trace = "",
+                        const std::string& mark = "result.json");
 
   /// Throws std::invalid_argument for a name that has been added already or is not that of a file in the folder.
   void Add(std::string name, std::string content);
@@ -54,7 +58,7 @@ class OutputFolder {
   void Withdraw() const;
 
   /// Writes the files, in the place of an earlier run's of the same names; its other files stay. When that fails the
-  /// folder is as it was before, and OutputError is thrown. Throws std::logic_error without a result.json.
+  /// folder is as it was before, and OutputError is thrown. Throws std::logic_error without the `mark`.
   void Commit();
 
  private:
@@ -65,6 +69,7 @@ class OutputFolder {
   void RemoveTraces(const std::vector<std::filesystem::path>& created) const;
 
   std::filesystem::path folder_;
+  std::string mark_;
   /// Created at once, the outermost first.
   std::vector<std::filesystem::path> created_;
   /// Empty where it was there before.

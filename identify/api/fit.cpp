@@ -1,5 +1,6 @@
 #include <fourpost/fit.h>
 
+#include "analysis/files/output_folder.h"
 #include "identify/api/errors.h"
 #include "identify/api/findings.h"
 #include "identify/api/result_reader.h"
@@ -8,7 +9,7 @@
 namespace fourpost::api {
 
 Result Fit(const Study& study, const std::filesystem::path& folder, const FitOptions& options) {
-  const std::filesystem::path file = study.file() ? *study.file() : study.Write(folder / "inputs");
+  const std::filesystem::path file = study.file() ? *study.file() : study.Write(folder / kInputsFolder);
   return Guarded([&] {
     const FitRequest request{.study = file,
                              .output = folder,

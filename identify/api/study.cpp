@@ -1,6 +1,8 @@
 #include <fourpost/study.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
@@ -13,6 +15,9 @@
 
 namespace fourpost::api {
 namespace {
+
+/// The study of arrays; it marks a folder that may be written again.
+constexpr const char* kArraysFile = "arrays.yaml";
 
 /// In double quotes, as YAML and JSON write a name.
 std::string Quoted(const std::string& text) {
@@ -89,6 +94,15 @@ std::string TimeCsv(double rate_Hz, const std::vector<Column>& columns) {
   return text;
 }
 
+/// From the lowest to the highest frequency of all.
+std::pair<double, double> RangeOf(const std::vector<SteppedSineTest>& tests) {
+  std::pair<double, double> range = {std::numeric_limits<double>::infinity(), 0};
+  for (const SteppedSineTest& test : tests)
+    for (const double frequency : test.frequency_Hz)
+      range = {std::min(range.first, frequency), std::max(range.second, frequency)};
+  return range;
+}
+
 std::string Use(bool is_validation) { return is_validation ? "    use: validation\n" : ""; }
 
 /// The study's text, and the files that it names.
@@ -111,9 +125,8 @@ class Writer {
     }
     text_ += "channels:\n";
     for (const std::string& channel : channels) text_ += "  " + Quoted(channel) + ": " + Quoted(channel) + '\n';
-    if (study_.band_Hz)
-      text_ +=
-          "band: [" + FormatNumber(study_.band_Hz->first) + " Hz, " + FormatNumber(study_.band_Hz->second) + " Hz]\n";
+    const std::pair<double, double> band = study_.band_Hz.value_or(RangeOf(tests));
+    text_ += "band: [" + FormatNumber(band.first) + " Hz, " + FormatNumber(band.second) + " Hz]\n";
   }
 
   void AddHistories(const std::vector<TimeHistoryTest>& tests) {
@@ -201,16 +214,16 @@ std::filesystem::path Study::Write(const std::filesystem::path& folder) const {
   if (file_) return *file_;
   return Guarded([&] {
     if (sines_.empty() && histories_.empty() && benches_.empty()) Refuse(kStudyEmpty, {});
-    OutputFolder output(folder);
+    OutputFolder output(folder, "", kArraysFile);
     Writer writer(*this, *vehicle_, output);
     writer.AddSines(sines_);
     writer.AddHistories(histories_);
     writer.AddBench(benches_);
     output.Add("vehicle.urdf",
                VehicleTextWithValues(vehicle_->description(), vehicle_->description().ParameterValues(), folder));
-    output.Add("study.yaml", writer.Text(!sines_.empty(), !histories_.empty()));
+    output.Add(kArraysFile, writer.Text(!sines_.empty(), !histories_.empty()));
     output.Commit();
-    return folder / "study.yaml";
+    return folder / kArraysFile;
   });
 }
 

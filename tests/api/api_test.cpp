@@ -39,7 +39,7 @@ TEST(Api, VehicleHasItsNamesAndValues) {
   Vehicle car = QuarterCar();
   EXPECT_EQ(car.name(), "quarter_car");
   EXPECT_EQ(car.posts().size(), 1);
-  EXPECT_THAT(car.sensors(), Contains(Field(&Sensor::name, "a_body")));
+  EXPECT_THAT(car.sensors(), Contains(Field(&Sensor::name, "a_sprung")));
   const Vehicle before = car;
   const Parameter first = car.parameters().front();
   car.Set(first.name, 0.5 * (first.lower + first.upper));
@@ -81,8 +81,8 @@ TEST(Api, UnitsGoBothWays) {
 /// Far below resonance the body follows the post.
 TEST(Api, ResponseIsThatOfAQuarterCar) {
   const Response response = Respond(QuarterCar(), {.frequency_Hz = {0.05}, .amplitude_m = {0.01}});
-  EXPECT_NEAR(std::abs(response.At("a_body").frf[0]), 1, 0.01);
-  EXPECT_EQ(response.At("a_body").unit, "m/s^2");
+  EXPECT_NEAR(std::abs(response.At("a_sprung").frf[0]), 1, 0.01);
+  EXPECT_EQ(response.At("a_sprung").unit, "m/s^2");
 }
 
 /// The steady state of a simulated sine is the stepped sine's response: the laws are the same.
@@ -99,9 +99,9 @@ TEST(Api, SimulationSettlesToTheResponse) {
   const History history = Simulate(car, posts);
   const Response response = Respond(car, {.frequency_Hz = {kHertz}, .amplitude_m = {0.01}});
   const double acceleration =
-      std::abs(response.At("a_body").frf[0]) * 0.01 * std::pow(2 * std::numbers::pi * kHertz, 2);
+      std::abs(response.At("a_sprung").frf[0]) * 0.01 * std::pow(2 * std::numbers::pi * kHertz, 2);
   // The first harmonic over the last 6 of 24 periods; an integration to 1e-3.
-  const Eigen::VectorXd& body = history.readings.at("a_body");
+  const Eigen::VectorXd& body = history.readings.at("a_sprung");
   std::complex<double> sum = 0;
   for (Eigen::Index k = count - 2000; k < count; ++k)
     sum += body[k] * std::polar(1.0, -2 * std::numbers::pi * kHertz * static_cast<double>(k) / kRate);
@@ -141,8 +141,8 @@ TEST(Api, StudiesOfArraysAreChecked) {
   const TemporaryFolder folder;
   EXPECT_THAT([&] { Fit(Study(car), folder.path() / "run"); }, Fails(Error::Kind::kInput, "study-empty"));
   Study study(car);
-  study.Add(
-      SteppedSineTest{.frequency_Hz = {1, 2}, .amplitude_m = {0.01}, .channels = {{"a_body", {Eigen::VectorXcd(3)}}}});
+  study.Add(SteppedSineTest{
+      .frequency_Hz = {1, 2}, .amplitude_m = {0.01}, .channels = {{"a_sprung", {Eigen::VectorXcd(3)}}}});
   EXPECT_THAT([&] { Fit(study, folder.path() / "run"); }, Fails(Error::Kind::kInput, "arrays-unequal"));
   EXPECT_THAT([&] { ReadResult(folder.path()); },
               testing::Throws<Error>(testing::Property(&Error::kind, Error::Kind::kInput)));

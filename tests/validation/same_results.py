@@ -1,10 +1,12 @@
 """Runs two builds of fourpost over every shipped study and compares their result.json, to the last bit.
 
-    python3 tests/validation/same_results.py OLD/fourpost NEW/fourpost [STUDY...]
+    python3 tests/validation/same_results.py [--old-files FOLDER] [--numbers] OLD/fourpost NEW/fourpost [STUDY...]
 
-Versions, times and the order of keys, of warnings and of named entries do not count. Prints a line for each study, and
+--old-files: a checkout with studies and vehicles that the old build reads, where spellings have changed. --numbers:
+texts do not count. Versions, times and the order of keys, of warnings and of named entries never do. Prints a line for each study, and
 where values differ; the exit code is the number of studies that do.
 """
+import argparse
 import json
 import pathlib
 import subprocess
@@ -13,6 +15,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 IGNORED = {"versions"}
+TEXTS = {"warnings", "conclusions", "message", "reasons"}
 
 
 def studies():
@@ -60,12 +63,21 @@ def result(program, study, folder):
 
 
 def main():
-    old, new, *names = sys.argv[1:]
-    wanted = [pathlib.Path(name).resolve() for name in names] or list(studies())
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--old-files", type=pathlib.Path, default=ROOT)
+    parser.add_argument("--numbers", action="store_true")
+    parser.add_argument("old")
+    parser.add_argument("new")
+    parser.add_argument("studies", nargs="*")
+    words = parser.parse_args()
+    if words.numbers:
+        IGNORED.update(TEXTS)
+    wanted = [pathlib.Path(name).resolve() for name in words.studies] or list(studies())
     worse = 0
     for study in wanted:
         with tempfile.TemporaryDirectory() as folder:
-            found = list(differences(result(old, study, folder + "/old"), result(new, study, folder + "/new")))
+            before = result(words.old, words.old_files / study.relative_to(ROOT), folder + "/old")
+            found = list(differences(before, result(words.new, study, folder + "/new")))
         print(f"{study.relative_to(ROOT)}: {'same' if not found else f'{len(found)} differences'}", flush=True)
         for line in found[:20]:
             print("  " + line[:300])

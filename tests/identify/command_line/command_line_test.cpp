@@ -20,6 +20,7 @@ namespace fourpost {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
@@ -242,7 +243,7 @@ TEST_F(CommandLine, CheckWarnsOfAnUnstableVehicle) {
   const Outcome outcome = Run("check urdf/landrover110_linkage.urdf --json");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_FALSE(Json::parse(outcome.out)["stable"]);
-  EXPECT_THAT(outcome.err, HasSubstr("warning: the vehicle is unstable in its design pose: '"));
+  EXPECT_THAT(outcome.err, HasSubstr("[vehicle-unstable]"));
   EXPECT_EQ(Json::parse(outcome.out)["modes"][0]["kind"], "diverging");
   EXPECT_TRUE(Json::parse(Run("check urdf/quarter_car.urdf --json").out)["stable"]);
 }
@@ -289,8 +290,7 @@ TEST_F(CommandLine, TellsWhatKeepsAMarchFromSettling) {
   const Outcome outcome = Run("response studies/landrover110/model2.yaml --engine march");
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("'bounce': heave at "));
-  EXPECT_THAT(outcome.err, HasSubstr("no periodic motion within 60 s; '"));
-  EXPECT_THAT(outcome.err, HasSubstr("s to die away: see `fourpost check`"));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr(" within 60 s "), HasSubstr("[unsteady-damping]")));
 }
 
 /// One thing broken in the shipped data, which a fit must refuse.
@@ -336,8 +336,7 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenInput{"AnEmptyBand", kStudy, "[0.5 Hz, 12 Hz]", "[0.1 Hz, 0.2 Hz]",
                     "the band holds no frequency of recording 'bounce'"},
         BrokenInput{"AnUnknownKey", kStudy, "\nsearch:", "\nsaerch:", "did you mean 'search'?"},
-        BrokenInput{"AKeyThatStandsTwice", kStudy,
-                    "\nsearch:", "\nband: [1 Hz, 2 Hz]\nsearch:", "key 'band' of the study stands twice"}),
+        BrokenInput{"AKeyThatStandsTwice", kStudy, "\nsearch:", "\nband: [1 Hz, 2 Hz]\nsearch:", "[key-twice]"}),
     [](const auto& test) { return test.param.name; });
 
 TEST_F(CommandLine, TellsTheFaultsOfAllFilesAtOnce) {
@@ -394,7 +393,7 @@ TEST_F(CommandLine, ReplacesAnEarlierResult) {
 
 TEST_F(CommandLine, NamesTheStudysLineForAFileThatIsNotThere) {
   ReplaceIn(kStudy, "landrover110_linkage.urdf", "landrover.urdf");
-  ExpectRefused("model2.yaml:3: error: there is no file ");
+  ExpectRefused("model2.yaml:3: error: file urdf/landrover.urdf does not exist");
 }
 
 TEST_F(CommandLine, DoesNotWriteOverItsInputs) {
@@ -416,8 +415,8 @@ TEST_F(CommandLine, AnInterruptedFitKeepsTheBestSoFar) {
   const Outcome outcome = {program.Wait(), program.out(), program.err()};
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("fit interrupted"));
-  EXPECT_THAT(outcome.out, HasSubstr("ended before deviations could be computed"));
-  EXPECT_THAT(outcome.out, HasSubstr("stopped before any refinement had ended\nsearch stopped by the user: "));
+  EXPECT_THAT(outcome.out, HasSubstr("[ended-without-deviations]"));
+  EXPECT_THAT(outcome.out, HasSubstr("stopped before any refinement ended\nsearch stopped by the user: "));
   const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
   EXPECT_EQ(result["termination"], "interrupted");
   EXPECT_TRUE(result["identifiability"].is_null());
@@ -522,11 +521,11 @@ TEST_F(CommandLine, CompareTakesTheStudyOfAVehicle) {
 TEST_F(CommandLine, CompareNamesWhatItDoesNotKnow) {
   const Outcome method = Run("compare studies/test_problems/gear_train.yaml --methods thesis_4");
   EXPECT_EQ(method.code, 2);
-  EXPECT_EQ(method.err, "--methods: error: there is no method 'thesis_4', did you mean 'thesis_40'?\n");
+  EXPECT_EQ(method.err, "--methods: error: unknown method 'thesis_4', did you mean 'thesis_40'? [method-unknown]\n");
   EXPECT_EQ(method.out, "");
   const Outcome twice = Run("compare studies/test_problems/gear_train.yaml --methods de,de");
   EXPECT_EQ(twice.code, 2);
-  EXPECT_EQ(twice.err, "--methods: error: method 'de' is asked for twice\n");
+  EXPECT_THAT(twice.err, HasSubstr("[method-twice]"));
   ReplaceIn("studies/test_problems/gear_train.yaml", "problem: gear_train", "problem: gear_trains");
   const Outcome problem = Run("compare studies/test_problems/gear_train.yaml");
   EXPECT_EQ(problem.code, 3);

@@ -76,7 +76,7 @@ TEST_F(ResponseCommandLine, TellsModesChannelsAndSettingsAskedFor) {
 TEST_F(ResponseCommandLine, TellsFaultsOfOptionsAtOnce) {
   const std::string options = " --mode heav --frequencies 5 --amplitude 5mn --channels a_spring --set m_sprun=1kg";
   for (const char* message :
-       {"did you mean 'heave'?", "'5' is no frequency", "'5mn' is no length", "did you mean 'a_sprung'?",
+       {"did you mean 'heave'?", "'5' is not a frequency", "'5mn' is not a length", "did you mean 'a_sprung'?",
         "the vehicle has no parameter 'm_sprun', did you mean 'm_sprung'?"})
     ExpectRefused(kCar + options, message, 2);
 }
@@ -101,16 +101,14 @@ TEST_F(ResponseCommandLine, TellsThatNothingHoldsTheDesignPose) {
 TEST_F(ResponseCommandLine, NamesTheModeThatGrows) {
   ReplaceIn("urdf/landrover110_linkage.urdf", "<fp:tyre name=\"front_tyre\" link=\"front_axle\" xyz=\"0.870 0 -0.075\"",
             "<fp:tyre name=\"front_tyre\" link=\"front_axle\" xyz=\"0.870 0 -15\"");
-  ExpectRefused("urdf/landrover110_linkage.urdf",
-                "landrover110_linkage.urdf: error: the vehicle is unstable in its design pose, so it has no steady "
-                "response: '");
+  ExpectRefused("urdf/landrover110_linkage.urdf", "[unstable]");
 }
 
 TEST_F(ResponseCommandLine, RefusesMoreThanTheStroke) {
   ReplaceIn(kCar, "<fp:post name=\"post\" under=\"tyre\"/>",
             "<fp:post name=\"post\" under=\"tyre\" stroke=\"80 mm\"/>");
   ExpectRefused(std::string(kCar) + " --amplitude 50mm",
-                "fp:post 'post' reaches 40 mm up and down, and heave at 0.5 Hz asks 50 mm of it");
+                "fp:post 'post' reaches 40 mm up and down, but heave at 0.5 Hz needs 50 mm");
   EXPECT_EQ(Run(std::string("response ") + kCar).code, 0);
 }
 
@@ -146,7 +144,8 @@ TEST_F(ResponseCommandLine, TellsWhichFrequenciesHaveNoSteadyMotion) {
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("outside its bounds"));
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("heave: no answer at 1 of 1 "), HasSubstr("[frequencies-unanswered]")));
-  EXPECT_THAT(outcome.out, HasSubstr("no answer at 3.00 Hz: heave at 3 Hz, 7.96 mm: no periodic motion within 60 s"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("no answer at 3.00 Hz: heave at 3 Hz, 7.96 mm has no periodic motion within 60 s"));
   const Outcome json =
       Run(std::string("response ") + kCar +
           " --frequencies 3Hz --engine march --set c_bump=1N*s/m --set c_rebound=1N*s/m --json -o none");
@@ -187,7 +186,7 @@ TEST_F(ResponseCommandLine, AnInterruptedMarchKeepsWhatItHas) {
   const Outcome outcome = {program.Wait(), program.out(), program.err()};
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("[response-interrupted]"));
-  EXPECT_THAT(outcome.out, HasSubstr(": interrupted before\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("[interrupted]\n"));
   const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
   ASSERT_EQ(result["modes"].size(), 1u);
   EXPECT_FALSE(result["modes"][0]["channels"][0]["gain"][0].is_null());
@@ -218,7 +217,7 @@ TEST_F(ResponseCommandLine, OfAStudyWritesAFolderToo) {
 TEST_F(ResponseCommandLine, DoesNotWriteOverItsInput) {
   const Outcome outcome = Run(std::string("response ") + kCar + " -o urdf");
   EXPECT_EQ(outcome.code, 5);
-  EXPECT_THAT(outcome.err, HasSubstr("urdf holds the input quarter_car.urdf"));
+  EXPECT_THAT(outcome.err, ContainsRegex("urdf: error: .* quarter_car.urdf.*\\[folder-holds-input\\]"));
 }
 
 TEST_F(ResponseCommandLine, RefusesWordsItDoesNotKnow) {

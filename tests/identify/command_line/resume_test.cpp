@@ -20,6 +20,7 @@ namespace fourpost {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
@@ -222,7 +223,7 @@ TEST_F(Resume, NamesWhatChangedAndLeavesTheArchive) {
     const Outcome outcome = Run(Fit("run") + " --resume");
     EXPECT_EQ(outcome.code, 3);
     EXPECT_THAT(outcome.err, HasSubstr("cannot resume"));
-    EXPECT_THAT(outcome.err, HasSubstr("another state of: " + change + "; undo the change"));
+    EXPECT_THAT(outcome.err, HasSubstr("another state of: " + change + ": undo the change"));
     EXPECT_EQ(ArchiveIn("run").digest, digest);
   };
   ReplaceIn(kStudy, "[1.5 Hz, 4 Hz]", "[1.5 Hz, 3 Hz]");
@@ -301,7 +302,7 @@ TEST_F(Resume, AFullDiskEndsTheFitAndKeepsWhatIsThere) {
                                      " ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD='" FOURPOST_FULL_DISK "' '" +
                                      FOURPOST_PROGRAM + "' " + Fit(folder));
     EXPECT_EQ(starved.code, 5) << bytes << starved.err;
-    EXPECT_THAT(starved.err, HasSubstr("database or disk is full; make room on the disk"));
+    EXPECT_THAT(starved.err, HasSubstr("[archive-disk-full]"));
     EXPECT_FALSE(fs::exists(folder_ / folder / "result.json"));
     const std::int64_t kept = ArchiveIn(folder).evaluations;
     EXPECT_GE(kept, bytes >= 100000 ? 1 : 0) << bytes;
@@ -322,7 +323,7 @@ TEST_F(Resume, AFolderThatIsReadOnlyEndsTheFitAndKeepsWhatIsThere) {
   for (const char* option : {"", " --resume", " --seed 9"}) {
     const Outcome refused = RunUnprivileged(Fit("run") + option);
     EXPECT_EQ(refused.code, 5) << refused.err;
-    EXPECT_THAT(refused.err, HasSubstr("run: cannot be written to"));
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("run: error: "), HasSubstr("[folder-not-writable]")));
   }
   // The archive alone.
   Permit(folder_ / "run", true);

@@ -144,21 +144,20 @@ TEST_F(Simulate, DrawsRoadsAndNoiseByTheSeed) {
 TEST_F(Simulate, RefusesUsageItDoesNotKnow) {
   ExpectRefused("quarter_car", "", 2, "--sweep,--sine,--step,--random,--road,--recording");
   ExpectRefused("quarter_car", "--sine 2 --amplitude 5mm", 2,
-                "--sine: error: '2' is no frequency: write a number with its unit");
+                "--sine: error: '2' is not a frequency: write a number with its unit");
   ExpectRefused("quarter_car", "--sine 2rad/s --amplitude 5mm", 2,
-                "'2rad/s' is no frequency: write a number with its unit");
+                "'2rad/s' is not a frequency: write a number with its unit");
   ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5mm -o a.csv --chart a.csv", 5, "name the same file");
-  ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5N", 2, "--amplitude: error: '5N' is no length");
+  ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5N", 2, "--amplitude: error: '5N' is not a length");
   ExpectRefused("quarter_car", "--sine 2Hz --amplitude=-5mm", 2, "'-5mm' must be above zero");
-  ExpectRefused("quarter_car", "--sweep 2Hz --amplitude 5mm", 2, "'2Hz' is no range of frequencies");
+  ExpectRefused("quarter_car", "--sweep 2Hz --amplitude 5mm", 2, "'2Hz' is not a range of frequencies");
   ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5mm --mode hevae", 2, "did you mean 'heave'?");
   ExpectRefused("quarter_car", "--road I --speed 10m/s", 2, "--road: error: 'I' ");
   ExpectRefused("quarter_car", "--random 5mm --band 9Hz:3Hz", 2, "from a lower frequency to a higher one");
   ExpectRefused("quarter_car", "--step 5mm --seed -1", 2, "--seed");
-  ExpectRefused("quarter_car", "--step 5mm --noise 1", 2, "--noise: error: '1' is no share: write it in percent");
+  ExpectRefused("quarter_car", "--step 5mm --noise 1", 2, "--noise: error: '1' is not a share: write it in percent");
   ExpectRefused("quarter_car", "--step 5mm --noise 500%", 2, "'500%' must not be above 100%");
-  ExpectRefused("quarter_car", "--step 5mm --chart x.png", 2,
-                "'x.svg' [output-ending]");
+  ExpectRefused("quarter_car", "--step 5mm --chart x.png", 2, "'x.svg' [output-ending]");
   ExpectRefused("quarter_car", "--step 5mm --duration 0.4s", 2, "--duration: error: 0.4 s end before the step does");
   ExpectRefused("quarter_car", "--sine 2Hz --engine ful", 2, "did you mean 'full'?");
   ExpectRefused("quarter_car", "--stepp 5mm", 2, "did you mean '--step'?");
@@ -166,8 +165,9 @@ TEST_F(Simulate, RefusesUsageItDoesNotKnow) {
 
 TEST_F(Simulate, TellsFaultsOfOptionsAtOnce) {
   for (const char* message :
-       {"did you mean 'heave'?", "--sine: error: '5' is no frequency", "'5mn' is no length", "did you mean 'a_sprung'?",
-        "the vehicle has no parameter 'm_sprun', did you mean 'm_sprung'?", "--noise: error: '1' is no share"})
+       {"did you mean 'heave'?", "--sine: error: '5' is not a frequency", "'5mn' is not a length",
+        "did you mean 'a_sprung'?", "the vehicle has no parameter 'm_sprun', did you mean 'm_sprung'?",
+        "--noise: error: '1' is not a share"})
     ExpectRefused("quarter_car", "--mode heav --sine 5 --amplitude 5mn --channels a_spring --set m_sprun=1kg --noise 1",
                   2, message);
 }
@@ -252,9 +252,8 @@ TEST_F(Simulate, RefusesWhatTheVehicleCannotDo) {
   ExpectRefused("quarter_car", "--sine 2Hz --amplitude 5mm --mode roll", 2, "the posts cannot make 'roll'");
   ExpectRefused("landrover110_linkage", "--sine 2Hz --amplitude 5mm --channels a_cgg", 2,
                 "the vehicle has no sensor 'a_cgg', did you mean 'a_cg'?");
-  ExpectRefused(
-      "landrover110_linkage", "--sine 1Hz --amplitude 80mm", 3,
-      "fp:post 'front' reaches 75 mm up and down, and this motion asks 80 mm of it: ask less, or tell the stroke");
+  ExpectRefused("landrover110_linkage", "--sine 1Hz --amplitude 80mm", 3,
+                "fp:post 'front' reaches 75 mm up and down, but this motion needs 80 mm");
   EXPECT_EQ(Run("landrover110_linkage", "--sine 1Hz --amplitude 80mm --stroke 200mm").code, 0);
   ExpectRefused("quarter_car", "--sweep 1Hz:40Hz --amplitude 1mm --rate 100Hz", 2,
                 "use 102.4 Hz or more [rate-too-low]");
@@ -276,7 +275,7 @@ TEST_F(Simulate, KeepsToTheStrokeThatTheFileTells) {
   ReplaceIn("urdf/quarter_car.urdf", "under=\"tyre\"", "under=\"tyre\" stroke=\"20 mm\"");
   const Outcome outcome = Run("quarter_car", "--sine 1Hz --amplitude 12mm");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("fp:post 'post' reaches 10 mm up and down, and this motion asks 12 mm of it"));
+  EXPECT_THAT(outcome.err, HasSubstr("fp:post 'post' reaches 10 mm up and down, but this motion needs 12 mm"));
   EXPECT_EQ(Run("quarter_car", "--sine 1Hz --amplitude 8mm").code, 0);
 }
 
