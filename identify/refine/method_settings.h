@@ -16,6 +16,7 @@ inline constexpr std::array<std::string_view, 4> kMutationFactorWords = {"consta
 inline constexpr std::array<std::string_view, 3> kAccelerationWords = {"simplex", "pattern", "least_squares"};
 inline constexpr std::array<std::string_view, 2> kDiversityWords = {"range", "index"};
 inline constexpr std::array<std::string_view, 2> kDescentWords = {"levenberg_marquardt", "quasi_newton"};
+inline constexpr std::array<std::string_view, 2> kExplorerWords = {"evolution", "cmaes"};
 inline constexpr std::array<std::string_view, 3> kDifferencesWords = {"central", "forward", "automatic"};
 
 // VisitSettings calls number(key, field) for numbers and flags, word(key, field, words) for enumerations: one table of
@@ -103,7 +104,8 @@ void VisitSettings(Options& o, const Number& number, const Word& word) {
   number("starts", o.starts);
   number("starts_each", o.starts_each);
   number("explore_evaluations", o.explore_evaluations);
-  // How dvHDE explores; without exploration it plays no part.
+  word("explorer", o.explorer, kExplorerWords);
+  // How evolution explores; without it these play no part.
   const auto prefixed = [&](const auto& visit) {
     return [&](const std::string& key, auto& field, const auto&... words) { visit("explore_" + key, field, words...); };
   };

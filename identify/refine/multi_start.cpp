@@ -10,9 +10,31 @@
 #include "analysis/text/option_check.h"
 #include "identify/refine/quasi_newton.h"
 #include "identify/search/dvhde_operators.h"
+#include "identify/search/elites.h"
 
 namespace fourpost {
 namespace {
+
+/// A method of which the best points are kept.
+class RecordedMethod : public SearchMethod {
+ public:
+  explicit RecordedMethod(SearchMethod& method) : method_(method) {}
+
+  const std::vector<LatticePoint>& Ask() const override { return method_.Ask(); }
+  void Tell(const std::vector<Score>& scores) override {
+    const std::vector<LatticePoint> asked = method_.Ask();
+    for (std::size_t i = 0; i < scores.size(); ++i) elites_.Add({asked[i], scores[i]});
+    method_.Tell(scores);
+  }
+  bool EndsGeneration() const override { return method_.EndsGeneration(); }
+  MethodState state() const override { return method_.state(); }
+
+  const Population& best() const { return elites_.best(); }
+
+ private:
+  SearchMethod& method_;
+  Elites elites_ = Elites(100);
+};
 
 class MultiStart {
  public:
@@ -39,7 +61,7 @@ class MultiStart {
 
   void Explore() {
     ++explorations_;
-    starts_ = options_.explore_evaluations > 0 ? DvhdeStarts() : RandomStart();
+    starts_ = options_.explore_evaluations > 0 ? ExploredStarts() : RandomStart();
     // The best one last, where it is taken from.
     std::reverse(starts_.begin(), starts_.end());
   }
@@ -60,22 +82,28 @@ class MultiStart {
     return {archive_.lattice().Values(points[best])};
   }
 
-  std::vector<Eigen::VectorXd> DvhdeStarts() {
+  std::vector<Eigen::VectorXd> ExploredStarts() {
     const std::uint64_t seed = MixBits(seed_ ^ MixBits(static_cast<std::uint64_t>(explorations_)));
+    if (options_.explorer == Explorer::kCmaes) {
+      Cmaes cmaes(archive_.lattice(), options_.explore_cmaes, seed);
+      return StartsOf(cmaes);
+    }
     Dvhde dvhde(archive_.lattice(), options_.explore, seed);
+    return StartsOf(dvhde);
+  }
+
+  /// Of this exploration only: what came before has been refined.
+  std::vector<Eigen::VectorXd> StartsOf(SearchMethod& method) {
+    RecordedMethod recorded(method);
     StopRules rules = rules_;
     const std::int64_t wanted = options_.explore_evaluations << std::min(explorations_ - 1, 20);
     rules.max_evaluations = std::min(wanted, rules_.max_evaluations - Paid());
     rules.max_generations = std::numeric_limits<int>::max();
     const CandidateRules apart = {.count = options_.starts_each};
-    RunSearch(archive_, dvhde, rules, apart,
+    RunSearch(archive_, recorded, rules, apart,
               {.stop = [this] { return ReachesTarget() || (hooks_.stop && hooks_.stop()); }});
-    // Of this exploration only: what came before has been refined.
-    Population members = dvhde.population();
-    std::stable_sort(members.begin(), members.end(),
-                     [](const Individual& a, const Individual& b) { return IsBetter(a.score, b.score); });
     std::vector<LatticePoint> points;
-    for (const Individual& member : members) {
+    for (const Individual& member : recorded.best()) {
       const bool far = std::all_of(points.begin(), points.end(), [&](const LatticePoint& better) {
         return LatticeDistance(archive_.lattice(), better, member.point) > apart.separation;
       });
@@ -153,6 +181,7 @@ class MultiStart {
 void MultiStartOptions::Validate() const {
   refine.Validate();
   explore.Validate();
+  explore_cmaes.Validate();
   RequireOption(scouts >= 1, "scouts", scouts, "1 or more");
   RequireOption(explore_evaluations >= 0, "explore_evaluations", explore_evaluations, "0 or more");
   RequireOption(starts_each >= 1, "starts_each", starts_each, "1 or more");

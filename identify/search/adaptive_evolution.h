@@ -44,7 +44,7 @@ class AdaptiveEvolution : public SearchMethod {
   bool EndsGeneration() const override { return ends_generation_; }
   MethodState state() const override {
     MethodState state = state_;
-    state.step = stage_ == Stage::kLine ? SearchStep::kAcceleration : SearchStep::kEvolution;
+    state.step = stage_ == Stage::kLine ? SearchStep::kAccelerate : SearchStep::kEvolve;
     return state;
   }
 

@@ -92,12 +92,12 @@ MethodState Dvhde::state() const {
   MethodState state = state_;
   switch (stage_) {
     case Stage::kInitial:
-    case Stage::kTrials: state.step = SearchStep::kEvolution; break;
+    case Stage::kTrials: state.step = SearchStep::kEvolve; break;
     case Stage::kSimplex:
     case Stage::kLines:
     case Stage::kKicks:
-    case Stage::kRefinements: state.step = SearchStep::kAcceleration; break;
-    case Stage::kMigrants: state.step = SearchStep::kMigration; break;
+    case Stage::kRefinements: state.step = SearchStep::kAccelerate; break;
+    case Stage::kMigrants: state.step = SearchStep::kMigrate; break;
   }
   return state;
 }

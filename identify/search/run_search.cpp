@@ -18,12 +18,12 @@ class GainTally {
  public:
   /// Before a batch of this step; `best`: the best cost so far.
   void Begin(SearchStep step, double best) {
-    if (step != step_ && step_ == SearchStep::kAcceleration) End(accelerations_, before_acceleration_, best);
-    if (step != step_ && step == SearchStep::kAcceleration) {
+    if (step != step_ && step_ == SearchStep::kAccelerate) End(accelerations_, before_acceleration_, best);
+    if (step != step_ && step == SearchStep::kAccelerate) {
       ++accelerations_.count;
       before_acceleration_ = best;
     }
-    if (step == SearchStep::kMigration) {
+    if (step == SearchStep::kMigrate) {
       if (migrations_.count > 0) End(migrations_, before_migration_, best);
       ++migrations_.count;
       before_migration_ = best;
@@ -33,12 +33,12 @@ class GainTally {
 
   /// After it.
   void Pay(std::int64_t evaluations) {
-    if (step_ == SearchStep::kAcceleration) accelerations_.evaluations += evaluations;
-    if (step_ == SearchStep::kMigration) migrations_.evaluations += evaluations;
+    if (step_ == SearchStep::kAccelerate) accelerations_.evaluations += evaluations;
+    if (step_ == SearchStep::kMigrate) migrations_.evaluations += evaluations;
   }
 
   void Finish(double best, SearchResult& result) {
-    if (step_ == SearchStep::kAcceleration) End(accelerations_, before_acceleration_, best);
+    if (step_ == SearchStep::kAccelerate) End(accelerations_, before_acceleration_, best);
     if (migrations_.count > 0) End(migrations_, before_migration_, best);
     result.accelerations = accelerations_;
     result.migrations = migrations_;
@@ -51,7 +51,7 @@ class GainTally {
     if (std::isfinite(before)) gain.cost_ratio *= after / before;
   }
 
-  SearchStep step_ = SearchStep::kEvolution;
+  SearchStep step_ = SearchStep::kEvolve;
   SearchGain accelerations_;
   SearchGain migrations_;
   double before_acceleration_ = 0;

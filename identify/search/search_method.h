@@ -9,12 +9,12 @@
 namespace fourpost {
 
 /// What points are asked for.
-enum class SearchStep { kEvolution, kAcceleration, kMigration };
+enum class SearchStep { kEvolve, kAccelerate, kMigrate };
 
 /// Where a method has got to, for the log and for stopping rules.
 struct MethodState {
   /// Of the points asked for now.
-  SearchStep step = SearchStep::kEvolution;
+  SearchStep step = SearchStep::kEvolve;
   /// 0 is the initial population.
   int generation = 0;
   /// Generations in a row without a better best.
