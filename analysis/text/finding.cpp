@@ -20,18 +20,21 @@ Finding::Finding(std::string_view id, Severity severity, std::string_view text, 
 }
 
 std::string Finding::Message(const std::vector<std::string>& words) const {
-  const std::string form = std::string(text_) + (remedy_.empty() ? "" : ": ") + std::string(remedy_);
-  std::string message;
-  std::size_t from = 0;
-  for (const std::string& word : words) {
-    const std::size_t slot = form.find(kSlot, from);
-    if (slot == std::string::npos) throw std::logic_error("too many words for finding " + std::string(id_));
-    message += form.substr(from, slot - from) + word;
-    from = slot + kSlot.size();
-  }
-  if (form.find(kSlot, from) != std::string::npos)
-    throw std::logic_error("too few words for finding " + std::string(id_));
-  return message + form.substr(from);
+  auto word = words.begin();
+  const auto filled = [&](std::string_view form) {
+    std::string part;
+    for (std::size_t slot = form.find(kSlot); slot != std::string_view::npos; slot = form.find(kSlot)) {
+      if (word == words.end()) throw std::logic_error("too few words for finding " + std::string(id_));
+      part += std::string(form.substr(0, slot)) + *word++;
+      form.remove_prefix(slot + kSlot.size());
+    }
+    return part + std::string(form);
+  };
+  std::string message = filled(text_);
+  // After "did you mean 'heave'?" the remedy goes on: "or give ...".
+  if (!remedy_.empty()) message += (message.ends_with('?') ? " " : ": ") + filled(remedy_);
+  if (word != words.end()) throw std::logic_error("too many words for finding " + std::string(id_));
+  return message;
 }
 
 const std::map<std::string_view, const Finding*>& AllFindings() { return Table(); }

@@ -46,7 +46,7 @@ int Guarded(const std::function<int()>& run) {
     Tell(error);
     return kCannotWrite;
   } catch (const SimulationError& error) {
-    Tell(kSimulationStopped, {}, {error.what()});
+    Tell(error);
     return kAllSimulationsFailed;
   } catch (const std::bad_alloc&) {
     Tell(kOutOfMemoryFound);

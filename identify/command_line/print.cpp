@@ -60,6 +60,13 @@ void Tell(const Finding& finding, Place place, const std::vector<std::string>& w
 
 void Tell(const OutputError& error) { TellText(error.what()); }
 
+void Tell(const SimulationError& error) {
+  const std::string text = error.what();
+  // With the id of its own finding at the end.
+  if (text.ends_with(']')) TellText("error: " + text);
+  else Tell(kSimulationStopped, {}, {text});
+}
+
 void PrintText(const std::string& text) {
   Print(IsTerminal(STDOUT_FILENO) ? Wrapped(text, TerminalColumns(STDOUT_FILENO)) : text);
 }

@@ -5,6 +5,7 @@
 
 #include "analysis/files/output_folder.h"
 #include "analysis/text/diagnostics.h"
+#include "vehicles/multibody/simulation_error.h"
 
 namespace fourpost {
 
@@ -17,6 +18,7 @@ void Tell(const Diagnostics& diagnostics);
 void Tell(const Finding& finding, Place place = {}, const std::vector<std::string>& words = {});
 /// One that is formatted already.
 void Tell(const OutputError& error);
+void Tell(const SimulationError& error);
 
 /// Writes a text for readers to stdout, wrapped on a terminal. Throws OutputError as Print() does.
 void PrintText(const std::string& text);
