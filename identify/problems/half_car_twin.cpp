@@ -31,6 +31,8 @@ constexpr std::array<const char*, 12> kNames = {"ms",  "Is",  "mf",  "mr",  "kf"
 // Both sides together: kg, kg m^2, kg, N/m, N s/m.
 constexpr std::array<double, 12> kTruth = {1650, 2600, 240, 260, 62000, 84000, 560000, 600000, 2900, 6400, 3300, 7200};
 
+constexpr double kOutOfBoundsTarget = 1e5;
+
 HalfCar Car(const Eigen::VectorXd& p) {
   return {.sprung_mass = p[0],
           .pitch_inertia = p[1],
@@ -53,6 +55,16 @@ Lattice Space() {
     const double precision = j < 4 ? 0.1 : j < 8 ? 10 : 1;
     axes.push_back({.name = kNames[j], .lower = 0.2 * kTruth[j], .upper = 4 * kTruth[j], .precision = precision});
   }
+  return Lattice(axes);
+}
+
+// Too much inertia, too soft a spring in front, too stiff a tyre at the rear, too little rebound damping in front.
+Lattice WrongSpace() {
+  std::vector<LatticeAxis> axes = Space().axes();
+  axes[1].lower = 1.4 * kTruth[1];
+  axes[4].upper = 0.6 * kTruth[4];
+  axes[7].lower = 1.3 * kTruth[7];
+  axes[9].upper = 0.5 * kTruth[9];
   return Lattice(axes);
 }
 
@@ -301,6 +313,13 @@ TestProblem HalfCarInTime() {
     return evaluation;
   });
   twin.problem.differentiate = [recording](const Eigen::VectorXd& values) { return recording->Jacobian(values); };
+  return twin;
+}
+
+TestProblem HalfCarOutOfBounds() {
+  TestProblem twin = HalfCarInTime();
+  twin.problem.lattice = WrongSpace();
+  twin.target_cost = kOutOfBoundsTarget;
   return twin;
 }
 

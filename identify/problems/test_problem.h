@@ -15,8 +15,9 @@ struct TestProblem {
 };
 
 /// What a study may ask for by `problem:`.
-inline constexpr std::array<std::string_view, 6> kTestProblems = {
-    "oscillator", "gear_train", "coil_spring", "pressure_vessel", "half_car", "half_car_frequency"};
+inline constexpr std::array<std::string_view, 8> kTestProblems = {
+    "oscillator",    "gear_train", "coil_spring",        "pressure_vessel",
+    "speed_reducer", "half_car",   "half_car_frequency", "half_car_out_of_bounds"};
 
 /// One of kTestProblems. Throws std::invalid_argument for another name.
 TestProblem MakeTestProblem(std::string_view name);

@@ -12,12 +12,21 @@ namespace {
 
 // Of pattern search; all are ratios of steps.
 constexpr double kFirstLineStep = 0.25;  // of the range
+// What is finer is left to the refinement after the search.
+constexpr double kLeastLineStep = 1e-7;  // of the range
 constexpr double kLineGrowth = 1.5;
 constexpr double kLineShrinkage = 0.3;
 constexpr double kFirstKickStep = 1.0 / 64;  // of the range
 constexpr double kKickGrowth = 2;
 constexpr double kKickShrinkage = 0.25;
 constexpr int kKickRounds = 4;
+
+// Of a simplex of continuous genes: sizes as shares of the range, at random from the first down to `kLeastSimplex` of
+// it; iterations for each axis; and with how many axes it still gets anywhere.
+constexpr double kFirstSimplex = 1.0 / 16;
+constexpr double kLeastSimplex = 1e-4;
+constexpr int kSimplexIterations = 15;
+constexpr std::size_t kMostSimplexAxes = 8;
 
 double RangeOf(const Lattice& lattice, std::size_t axis) { return static_cast<double>(lattice.count(axis) - 1); }
 
@@ -34,16 +43,17 @@ std::vector<double> FirstLineSteps(const Lattice& lattice) {
   return steps;
 }
 
-/// The other genes after a kick: discrete ones by whole steps, then the others, finer and finer.
-std::vector<PatternSearch::Walk> WalksAfterKick(const Lattice& lattice, std::size_t kicked) {
+/// The other genes after a kick: discrete ones by whole steps, then the continuous ones, finer and finer.
+std::vector<PatternSearch::Walk> WalksAfterKick(const Lattice& lattice, const std::vector<std::size_t>& continuous,
+                                                std::size_t kicked, bool with_continuous) {
   std::vector<PatternSearch::Walk> walks;
-  const auto is_discrete = [&](std::size_t j) { return lattice.axes()[j].discrete; };
   for (std::size_t j = 0; j < lattice.size(); ++j)
-    if (j != kicked && is_discrete(j)) walks.push_back({.axis = j, .step = 1, .growth = kKickGrowth});
+    if (j != kicked && lattice.axes()[j].discrete) walks.push_back({.axis = j, .step = 1, .growth = kKickGrowth});
+  if (!with_continuous) return walks;
   double share = kFirstKickStep;
   for (int round = 0; round < kKickRounds; ++round, share *= kKickShrinkage)
-    for (std::size_t j = 0; j < lattice.size(); ++j)
-      if (!is_discrete(j)) walks.push_back({.axis = j, .step = share * RangeOf(lattice, j), .growth = kKickGrowth});
+    for (const std::size_t j : continuous)
+      walks.push_back({.axis = j, .step = share * RangeOf(lattice, j), .growth = kKickGrowth});
   return walks;
 }
 
@@ -67,7 +77,9 @@ Dvhde::Dvhde(const Lattice& lattice, const DvhdeOptions& options, std::uint64_t 
   AskInitial();
 }
 
-const std::vector<LatticePoint>& Dvhde::Ask() const { return stage_ == Stage::kSimplex ? simplex_->Ask() : asked_; }
+const std::vector<LatticePoint>& Dvhde::Ask() const {
+  return stage_ == Stage::kSimplex || stage_ == Stage::kFollowing ? simplex_->Ask() : asked_;
+}
 
 void Dvhde::Tell(const std::vector<Score>& told) {
   const std::vector<Score> scores = Ranked(told);
@@ -80,6 +92,12 @@ void Dvhde::Tell(const std::vector<Score>& told) {
     case Stage::kSimplex:
       simplex_->Tell(scores);
       if (simplex_->iterations() >= options_.simplex_iterations || simplex_->IsCollapsed()) EndSimplex();
+      return;
+    case Stage::kFollowing:
+      simplex_->Tell(scores);
+      if (simplex_->iterations() >= kSimplexIterations * static_cast<int>(continuous_.size()) ||
+          simplex_->IsCollapsed())
+        EndFollowing();
       return;
     case Stage::kLines: pattern_->Tell(scores.front()); return pattern_->Ask() ? AskOne() : EndLines();
     case Stage::kKicks: pattern_->Tell(scores.front()); return pattern_->Ask() ? AskOne() : EndKick();
@@ -96,6 +114,7 @@ MethodState Dvhde::state() const {
     case Stage::kSimplex:
     case Stage::kLines:
     case Stage::kKicks:
+    case Stage::kFollowing:
     case Stage::kRefinements: state.step = SearchStep::kAccelerate; break;
     case Stage::kMigrants: state.step = SearchStep::kMigrate; break;
   }
@@ -228,7 +247,9 @@ void Dvhde::AskLines() {
 void Dvhde::EndLines() {
   for (std::size_t k = 0; k < pattern_->ended().size(); ++k) {
     const PatternSearch::Ended& walk = pattern_->ended()[k];
-    line_steps_[line_axes_[k]] = std::max(walk.helped ? walk.step : kLineShrinkage * walk.step, 0.5);
+    const std::size_t axis = line_axes_[k];
+    line_steps_[axis] = std::max(
+        {walk.helped ? walk.step : kLineShrinkage * walk.step, kLeastLineStep * RangeOf(*lattice_, axis), 0.5});
   }
   line_turn_ += pattern_->ended().size();
   population_[BestIndex(population_)] = pattern_->best();
@@ -237,22 +258,40 @@ void Dvhde::EndLines() {
 }
 
 void Dvhde::AskKick() {
-  if (continuous_.empty() || discrete_.empty() || kicks_done_ == options_.kicks) return EndEvolution();
-  stage_ = Stage::kKicks;
+  const bool is_mixed = !continuous_.empty() && !discrete_.empty();
+  if ((!is_mixed && !HasSimplex()) || kicks_done_ == options_.kicks) return EndEvolution();
   Draws draws = DrawsFor(DrawPurpose::kLine, static_cast<std::size_t>(kicks_done_));
   ++kicks_done_;
   kicked_ = draws.Uniform() < 0.5 ? BestIndex(population_) : OneOfTheBest(draws);
-  const std::size_t axis = AnyOf(discrete_, draws);
+  simplex_share_ = kFirstSimplex * std::pow(kLeastSimplex, draws.Uniform());
+  const std::size_t places = discrete_.size() + (HasSimplex() ? continuous_.size() : 0);
+  const auto place = static_cast<std::size_t>(draws.Integer(0, static_cast<std::int64_t>(places) - 1));
+  if (!is_mixed || place >= discrete_.size()) return Follow(population_[kicked_]);
+  stage_ = Stage::kKicks;
+  const std::size_t axis = discrete_[place];
   LatticePoint point = Point(kicked_);
   const int direction = draws.Uniform() < 0.5 ? -1 : 1;
   const auto is_in = [&](std::int64_t gene) { return gene >= 1 && gene <= lattice_->count(axis); };
   point[axis] += is_in(point[axis] + direction) ? direction : -direction;
-  pattern_.emplace(*lattice_, std::move(point), WalksAfterKick(*lattice_, axis));
+  pattern_.emplace(*lattice_, std::move(point), WalksAfterKick(*lattice_, continuous_, axis, !HasSimplex()));
   AskOne();
 }
 
 void Dvhde::EndKick() {
+  if (HasSimplex()) return Follow(pattern_->best());
   if (IsBetter(pattern_->best().score, population_[kicked_].score)) population_[kicked_] = pattern_->best();
+  AskKick();
+}
+
+bool Dvhde::HasSimplex() const { return continuous_.size() > 1 && continuous_.size() <= kMostSimplexAxes; }
+
+void Dvhde::Follow(const Individual& from) {
+  stage_ = Stage::kFollowing;
+  simplex_.emplace(*lattice_, from, continuous_, simplex_share_);
+}
+
+void Dvhde::EndFollowing() {
+  if (IsBetter(simplex_->best().score, population_[kicked_].score)) population_[kicked_] = simplex_->best();
   AskKick();
 }
 

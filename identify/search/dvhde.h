@@ -38,7 +38,7 @@ class Dvhde : public SearchMethod {
   const Population& population() const { return population_; }
 
  private:
-  enum class Stage { kInitial, kTrials, kSimplex, kLines, kKicks, kRefinements, kMigrants };
+  enum class Stage { kInitial, kTrials, kSimplex, kLines, kKicks, kFollowing, kRefinements, kMigrants };
 
   void AskInitial();
   void AskTrials();
@@ -53,6 +53,9 @@ class Dvhde : public SearchMethod {
   void EndLines();
   void AskKick();
   void EndKick();
+  bool HasSimplex() const;
+  void Follow(const Individual& from);
+  void EndFollowing();
   void AskOne();
   void AskRefinements();
   void EndSimplex();
@@ -93,6 +96,7 @@ class Dvhde : public SearchMethod {
   std::vector<std::size_t> line_axes_;
   int kicks_done_ = 0;
   std::size_t kicked_ = 0;
+  double simplex_share_ = 0;
   // Members that are being refined, and where all refinements began and ended.
   std::vector<LatticePoint> refined_from_;
   std::vector<std::size_t> refined_members_;

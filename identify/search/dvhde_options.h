@@ -13,10 +13,10 @@ enum class MutationBase { kRandom, kBest, kTowardsBest };
 enum class MutationFactor { kConstant, kPerGeneration, kPerGene, kPerTrial };
 
 /// What accelerates: iterations of a downhill simplex from the best members; pattern search from the best one, line by
-/// line, and on mixed lattices by kicks of a discrete gene that the other genes follow (extended polling, after Audet
-/// and Dennis, SIAM J. Optim. 11, 2000); or, for problems with residuals, Levenberg-Marquardt from good members that
-/// are far from each other and from where it has been (the first hybrid DE used gradients as well: Chiou and Wang, IEE
-/// Proc. Gener. Transm. Distrib. 146, 1999).
+/// line, and by kicks of a discrete gene that the other genes follow (extended polling, after Audet and Dennis, SIAM J.
+/// Optim. 11, 2000), continuous ones by a simplex; or, for problems with residuals, Levenberg-Marquardt from good
+/// members that are far from each other and from where it has been (the first hybrid DE used gradients as well: Chiou
+/// and Wang, IEE Proc. Gener. Transm. Distrib. 146, 1999).
 enum class Acceleration { kSimplex, kPattern, kLeastSquares };
 
 /// Settings of dvHDE. The defaults are its own; ThesisDvhde() turns off what the thesis does not have.
@@ -53,8 +53,10 @@ struct DvhdeOptions {
   double accelerate_below = 1;
   /// Downhill-simplex iterations of an acceleration; with line_searches and kicks 0, none at all.
   int simplex_iterations = 5;
-  /// Searches from the best member along axes that are not discrete, in turn; and, on mixed lattices, kicks.
+  /// Searches from the best member along axes that are not discrete, in turn.
   int line_searches = 3;
+  /// Local searches from good members: on mixed lattices a step of a discrete gene that the others follow; with two to
+  /// eight continuous genes a downhill simplex of these, after such a step or without one.
   int kicks = 3;
   /// Members that Levenberg-Marquardt starts from in an acceleration, how far apart they are at least as a share of the
   /// range of some axis, and its most iterations.

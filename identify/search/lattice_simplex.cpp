@@ -25,10 +25,10 @@ bool Holds(const Population& population, const LatticePoint& point) {
                      [&](const Individual& member) { return member.point == point; });
 }
 
-// A twentieth of the range away, towards the further bound.
-LatticePoint SteppedAlong(const Lattice& lattice, LatticePoint point, std::size_t axis) {
+// A share of the range away, towards the further bound.
+LatticePoint SteppedAlong(const Lattice& lattice, LatticePoint point, std::size_t axis, double share = kAxisStep) {
   const std::int64_t count = lattice.count(axis);
-  const auto step = std::max<std::int64_t>(1, std::llround(kAxisStep * static_cast<double>(count - 1)));
+  const auto step = std::max<std::int64_t>(1, std::llround(share * static_cast<double>(count - 1)));
   point[axis] += 2 * point[axis] > count ? -step : step;
   return point;
 }
@@ -43,6 +43,12 @@ LatticeSimplex::LatticeSimplex(const Lattice& lattice, Population members) : lat
   for (std::size_t j = 0; vertices_.size() + asked_.size() <= lattice.size(); ++j)
     asked_.push_back(SteppedAlong(lattice, vertices_.front().point, j));
   if (asked_.empty()) Iterate();
+}
+
+LatticeSimplex::LatticeSimplex(const Lattice& lattice, Individual from, const std::vector<std::size_t>& axes,
+                               double share)
+    : lattice_(&lattice), vertices_{std::move(from)} {
+  for (const std::size_t axis : axes) asked_.push_back(SteppedAlong(lattice, vertices_.front().point, axis, share));
 }
 
 void LatticeSimplex::Tell(const std::vector<Score>& scores) {

@@ -15,6 +15,9 @@ class LatticeSimplex {
   /// made from the best by a twentieth of the range along one axis each. Needs a member; the lattice must outlive it.
   LatticeSimplex(const Lattice& lattice, Population members);
 
+  /// From one point, in the space of these axes: the other vertices are made by this share of the range along each.
+  LatticeSimplex(const Lattice& lattice, Individual from, const std::vector<std::size_t>& axes, double share);
+
   /// Points to score next; never none.
   const std::vector<LatticePoint>& Ask() const { return asked_; }
   /// Scores of all of them, in their order.

@@ -15,6 +15,7 @@
 #include "identify/problems/half_car_twin.h"
 #include "identify/problems/oscillator.h"
 #include "identify/problems/pressure_vessel.h"
+#include "identify/problems/speed_reducer.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/refine.h"
 
@@ -104,6 +105,20 @@ TEST(PressureVessel, HasItsBestPairOfAllPairs) {
   EXPECT_EQ(pairs[0].second, std::make_pair(13, 7));
   EXPECT_NEAR(pairs[0].first, 6059.714335, 1e-5);  // printed digits
   EXPECT_NEAR(pairs[1].first / pairs[0].first, 1.005, 1e-3);
+}
+
+TEST(SpeedReducer, HasThePublishedWeight) {
+  Eigen::VectorXd best(7);
+  // Published digits, the two diameters a millionth larger: constraints hold them.
+  best << 3.5, 0.7, 17, 7.3, 7.715320, 3.350216, 5.286655;
+  const Evaluation evaluation = SpeedReducerProblem().evaluate(best);
+  ASSERT_TRUE(evaluation.ok()) << evaluation.detail;
+  EXPECT_NEAR(evaluation.cost(), 2994.471, 2e-3);
+  for (const int j : {0, 5, 6}) {
+    Eigen::VectorXd less = best;
+    less[j] -= 1e-5;
+    EXPECT_FALSE(SpeedReducerProblem().evaluate(less).ok()) << j;
+  }
 }
 
 TEST(Oscillator, CostsNothingAtItsTruthAndOnlyThere) {
