@@ -21,12 +21,15 @@ constexpr double kKickGrowth = 2;
 constexpr double kKickShrinkage = 0.25;
 constexpr int kKickRounds = 4;
 
+// A generation whose best cost falls by this share without kicks needs none.
+constexpr double kOwnGain = 1e-3;
+
 // Of a simplex of continuous genes: sizes as shares of the range, at random from the first down to `kLeastSimplex` of
 // it; iterations for each axis; and with how many axes it still gets anywhere.
 constexpr double kFirstSimplex = 1.0 / 16;
 constexpr double kLeastSimplex = 1e-4;
 constexpr int kSimplexIterations = 15;
-constexpr std::size_t kMostSimplexAxes = 8;
+constexpr std::size_t kMostSimplexAxes = 4;
 
 double RangeOf(const Lattice& lattice, std::size_t axis) { return static_cast<double>(lattice.count(axis) - 1); }
 
@@ -254,6 +257,9 @@ void Dvhde::EndLines() {
   line_turn_ += pattern_->ended().size();
   population_[BestIndex(population_)] = pattern_->best();
   kicks_done_ = 0;
+  Score wanted = previous_;
+  if (wanted.ok()) wanted.cost *= 1 - kOwnGain;
+  if (IsBetter(Best().score, wanted)) return EndEvolution();
   AskKick();
 }
 

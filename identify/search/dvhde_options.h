@@ -56,7 +56,7 @@ struct DvhdeOptions {
   /// Searches from the best member along axes that are not discrete, in turn.
   int line_searches = 3;
   /// Local searches from good members: on mixed lattices a step of a discrete gene that the others follow; with two to
-  /// eight continuous genes a downhill simplex of these, after such a step or without one.
+  /// four continuous genes a downhill simplex of these, after such a step or without one.
   int kicks = 3;
   /// Members that Levenberg-Marquardt starts from in an acceleration, how far apart they are at least as a share of the
   /// range of some axis, and its most iterations.
