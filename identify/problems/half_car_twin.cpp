@@ -31,7 +31,7 @@ constexpr std::array<const char*, 12> kNames = {"ms",  "Is",  "mf",  "mr",  "kf"
 // Both sides together: kg, kg m^2, kg, N/m, N s/m.
 constexpr std::array<double, 12> kTruth = {1650, 2600, 240, 260, 62000, 84000, 560000, 600000, 2900, 6400, 3300, 7200};
 
-constexpr double kOutOfBoundsTarget = 1e5;
+constexpr double kOutOfBoundsTarget = 6.2072e6;
 
 HalfCar Car(const Eigen::VectorXd& p) {
   return {.sprung_mass = p[0],

@@ -66,7 +66,10 @@ TEST_F(StudyMethods, ReadsBackEverySettingItPrints) {
 TEST_F(StudyMethods, AFitExploresByTheMethodOfItsSearch) {
   const Problem problem = MakeTestProblem("oscillator").problem;
   Study study;
-  EXPECT_EQ(std::get<DvhdeOptions>(ExplorationOf(study, problem, diagnostics_)).simplex_iterations, 0);
+  // By default dvHDE, which accelerates by derivatives where it can.
+  EXPECT_EQ(AlgorithmName(ExplorationOf(study, problem, diagnostics_)), "dvhde");
+  EXPECT_EQ(std::get<DvhdeOptions>(ExplorationOf(study, problem, diagnostics_)).acceleration,
+            Acceleration::kLeastSquares);
   study.search.method = "thesis";
   study.search.population = 33;
   const auto thesis = std::get<DvhdeOptions>(ExplorationOf(study, problem, diagnostics_));
@@ -89,6 +92,16 @@ TEST_F(StudyMethods, AFitRefusesMethodsThatOnlyRefineAndUnknownOnes) {
   ExplorationOf(study, problem, diagnostics_);
   EXPECT_THAT(diagnostics_, Reports(kMethodUnknown, 7, {"'dvhd'", "'dvhde'"}));
   EXPECT_EQ(diagnostics_.items().at(0).place.file, "study.yaml");
+}
+
+TEST_F(StudyMethods, ReadsFormerNamesWithAWarning) {
+  const Problem problem = MakeTestProblem("oscillator").problem;
+  const auto methods = MethodsOf(Study(), {"ds", "cma"}, problem, diagnostics_);
+  ASSERT_EQ(methods.size(), 2u);
+  EXPECT_EQ(methods[0].name, "simplex");
+  EXPECT_EQ(AlgorithmName(methods[1].options), "cmaes");
+  EXPECT_FALSE(diagnostics_.HasErrors());
+  EXPECT_THAT(diagnostics_, ReportsOption(kMethodFormer, "--methods", {"'ds'", "'simplex'"}));
 }
 
 TEST_F(StudyMethods, NamesFaultsWithTheirLine) {

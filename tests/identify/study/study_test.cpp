@@ -266,7 +266,7 @@ TEST_F(StudyTest, NamesFaultsOfMethods) {
   EXPECT_THAT(Fault("search:\n", "methods: {a: de}\nsearch:\n"), Reports(kMethodNotSettings, 19, {"'a'"}));
   EXPECT_THAT(Fault("search:\n", "methods: {a: {method: de, factor: [1]}}\nsearch:\n"),
               Reports(kSettingNotValue, 19, {"'factor'", "'a'"}));
-  EXPECT_THAT(Fault("search:\n", "methods: {a: {method: de}, a: {method: ds}}\nsearch:\n"),
+  EXPECT_THAT(Fault("search:\n", "methods: {a: {method: de}, a: {method: simplex}}\nsearch:\n"),
               Reports(kKeyTwice, 19, {"'a'", "'methods'"}));
   EXPECT_THAT(Fault("search:\n", "target: -1\nsearch:\n"), Reports(kKeyNotNumber, 19, {"'target'"}));
 }
