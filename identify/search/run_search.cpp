@@ -105,26 +105,31 @@ class SearchRun {
   bool RefineAsked() {
     Population found;
     for (const LatticePoint& point : method_.AskRefined()) {
-      const Eigen::VectorXd values = hooks_.refine(archive_.lattice().Values(point), [this] { return MustEnd(); });
-      if (Paid() < rules_.max_evaluations) {
-        const LatticePoint near = archive_.lattice().Nearest(values);
-        found.push_back({near, archive_.Evaluate({near}).front()});
-        if (IsBetter(found.back().score, best_)) best_ = found.back().score;
-      }
+      found.push_back(Refined(point));
+      if (IsBetter(found.back().score, best_)) best_ = found.back().score;
       if (MustEnd()) return !EndNow();
     }
     method_.TellRefined(found);
     return true;
   }
 
-  /// What ends a search within a refinement: one evaluation is left to its end on the lattice.
-  bool MustEnd() const {
-    return ReachesTarget() || Paid() + 1 >= rules_.max_evaluations || Seconds() >= rules_.max_seconds ||
-           (hooks_.stop && hooks_.stop());
+  /// Where a refinement from a point leads, on the lattice; the point itself where there is nothing left to pay for it.
+  Individual Refined(const LatticePoint& point) {
+    if (!CanRefine()) return {point, archive_.Evaluate({point}).front()};
+    const auto stop = [this] { return MustEnd() || !CanRefine(); };
+    const LatticePoint near = archive_.lattice().Nearest(hooks_.refine(archive_.lattice().Values(point), stop));
+    return {near, archive_.Evaluate({near}).front()};
   }
+
+  /// Whether an iteration can be paid for, derivatives and step, and its end on the lattice.
+  bool CanRefine() const {
+    return rules_.max_evaluations - Paid() >= static_cast<std::int64_t>(archive_.lattice().size()) + 2;
+  }
+
+  /// What ends a search within a refinement.
+  bool MustEnd() const { return ReachesTarget() || Seconds() >= rules_.max_seconds || (hooks_.stop && hooks_.stop()); }
   bool EndNow() {
     if (ReachesTarget()) return End(SearchEnd::kTarget);
-    if (Paid() + 1 >= rules_.max_evaluations) return End(SearchEnd::kEvaluations);
     return End(Seconds() >= rules_.max_seconds ? SearchEnd::kOutOfTime : SearchEnd::kStopped);
   }
 

@@ -416,7 +416,7 @@ TEST_F(CommandLine, AnInterruptedFitKeepsTheBestSoFar) {
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("fit interrupted"));
   EXPECT_THAT(outcome.out, HasSubstr("[ended-without-deviations]"));
-  EXPECT_THAT(outcome.out, HasSubstr("stopped before any refinement ended\nsearch stopped by the user: "));
+  EXPECT_THAT(outcome.out, HasSubstr("stopped before any refinement ended\nsearch by dvhde stopped by the user: "));
   const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
   EXPECT_EQ(result["termination"], "interrupted");
   EXPECT_TRUE(result["identifiability"].is_null());

@@ -109,8 +109,8 @@ TEST(PressureVessel, HasItsBestPairOfAllPairs) {
 
 TEST(SpeedReducer, HasThePublishedWeight) {
   Eigen::VectorXd best(7);
-  // Published digits, the two diameters a millionth larger: constraints hold them.
-  best << 3.5, 0.7, 17, 7.3, 7.715320, 3.350216, 5.286655;
+  // Published digits, the second length and both diameters a millionth larger: constraints hold them.
+  best << 3.5, 0.7, 17, 7.3, 7.715321, 3.350216, 5.286655;
   const Evaluation evaluation = SpeedReducerProblem().evaluate(best);
   ASSERT_TRUE(evaluation.ok()) << evaluation.detail;
   EXPECT_NEAR(evaluation.cost(), 2994.471, 2e-3);
