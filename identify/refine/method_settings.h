@@ -47,6 +47,7 @@ void VisitSettings(Options& o, const Number& number, const Word& word) {
   number("refinements", o.refinements);
   number("refine_apart", o.refine_apart);
   number("refine_iterations", o.refine_iterations);
+  number("evolution_share", o.evolution_share);
   number("migrate_after", o.migrate_after);
   number("count_new_trials", o.count_new_trials);
   number("least_gain", o.least_gain);

@@ -161,6 +161,7 @@ void Dvhde::AskTrials() {
     asked_.push_back(Trial(i, generation_factor, draws));
     fresh += tried_.insert(asked_.back()).second;
   }
+  evolved_ += static_cast<double>(fresh);
   // Points that are known cost nothing, so that a generation of them tells little.
   constexpr double kOfKnown = 0.02;
   generation_weight_ =
@@ -319,7 +320,7 @@ void Dvhde::AskRefinements() {
   asked_.clear();
 }
 
-void Dvhde::TellRefined(const Population& found) {
+void Dvhde::TellRefined(const Population& found, std::int64_t evaluations) {
   for (std::size_t k = 0; k < found.size(); ++k) {
     Individual& member = population_[refined_members_[k]];
     refined_.push_back(member.point);
@@ -328,7 +329,12 @@ void Dvhde::TellRefined(const Population& found) {
   }
   refined_from_.clear();
   refined_members_.clear();
-  EndEvolution();
+  if (IsBetter(Best().score, record_.score)) record_ = Best();
+  evolved_ = 0;
+  evolution_due_ = options_.evolution_share * static_cast<double>(evaluations);
+  // Nothing is left to gain near by.
+  if (options_.migrate_after > 0) AskMigrants();
+  else EndEvolution();
 }
 
 void Dvhde::AskOne() { asked_ = {*pattern_->Ask()}; }
@@ -381,8 +387,7 @@ void Dvhde::Migrate(const std::vector<Score>& scores) {
   reference_ = Best().score;
   state_.migrated = true;
   stagnation_ = 0;
-  if (options_.acceleration == Acceleration::kLeastSquares) Accelerate();
-  else EndGeneration();
+  EndGeneration();
 }
 
 void Dvhde::EndGeneration() {
@@ -394,6 +399,8 @@ void Dvhde::EndGeneration() {
 }
 
 bool Dvhde::IsSlow() const {
+  if (options_.acceleration == Acceleration::kLeastSquares)
+    return evolved_ >= evolution_due_ || stagnation_ >= options_.migrate_after || IsCollapsed();
   const Score now = Best().score;
   if (!Accelerates() || !previous_.ok()) return false;
   return now.cost > (1 - options_.accelerate_below) * previous_.cost;
@@ -409,6 +416,7 @@ bool Dvhde::Accelerates() const {
 }
 
 bool Dvhde::NeedsMigration() const {
+  if (options_.acceleration == Acceleration::kLeastSquares) return false;
   if (options_.migrate_after > 0 && stagnation_ >= options_.migrate_after) return true;
   if (options_.migrate_after > 0 && options_.count_new_trials && IsCollapsed()) return true;
   return CurrentDiversity() < options_.migrate_below_diversity;

@@ -31,7 +31,7 @@ class Dvhde : public SearchMethod {
   const std::vector<LatticePoint>& Ask() const override;
   void Tell(const std::vector<Score>& scores) override;
   const std::vector<LatticePoint>& AskRefined() const override { return refined_from_; }
-  void TellRefined(const Population& found) override;
+  void TellRefined(const Population& found, std::int64_t evaluations) override;
   bool EndsGeneration() const override { return ends_generation_; }
   MethodState state() const override;
 
@@ -101,6 +101,9 @@ class Dvhde : public SearchMethod {
   std::vector<LatticePoint> refined_from_;
   std::vector<std::size_t> refined_members_;
   std::vector<LatticePoint> refined_;
+  // New trials since the last refinements, and how many there have to be before the next.
+  double evolved_ = 0;
+  double evolution_due_ = 0;
   Elites elites_;
   std::deque<LatticePoint> replaced_;
   std::set<LatticePoint> tried_;

@@ -28,6 +28,7 @@ void DvhdeOptions::Validate() const {
   RequireOption(refinements >= 1, "refinements", refinements, "1 or more");
   RequireOption(refine_apart >= 0 && refine_apart < 1, "refine_apart", refine_apart, "in [0, 1)");
   RequireOption(refine_iterations >= 1, "refine_iterations", refine_iterations, "1 or more");
+  RequireOption(evolution_share >= 0, "evolution_share", evolution_share, "0 or more");
   RequireOption(migrate_after >= 0, "migrate_after", migrate_after, "0 or more");
   RequireOption(least_gain >= 0 && least_gain < 1, "least_gain", least_gain, "in [0, 1)");
   RequireOption(growth >= 1, "growth", growth, "1 or more");

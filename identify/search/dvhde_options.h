@@ -59,10 +59,12 @@ struct DvhdeOptions {
   /// four continuous genes a downhill simplex of these, after such a step or without one.
   int kicks = 3;
   /// Members that Levenberg-Marquardt starts from in an acceleration, how far apart they are at least as a share of the
-  /// range of some axis, and its most iterations.
-  int refinements = 2;
-  double refine_apart = 0.1;
-  int refine_iterations = 30;
+  /// range of some axis, and its most iterations. A migration follows, since nothing is left to gain near by.
+  int refinements = 1;
+  double refine_apart = 0.05;
+  int refine_iterations = 100;
+  /// New trials before the next such acceleration, as a share of the evaluations of the last one.
+  double evolution_share = 0.25;
 
   /// Migrate after so many stagnant generations; 0 turns it off. Below about 100 the thesis's rule breaks off searches
   /// that still make progress on problems with many minima.

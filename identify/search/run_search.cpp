@@ -104,12 +104,13 @@ class SearchRun {
 
   bool RefineAsked() {
     Population found;
+    const std::int64_t before = Paid();
     for (const LatticePoint& point : method_.AskRefined()) {
       found.push_back(Refined(point));
       if (IsBetter(found.back().score, best_)) best_ = found.back().score;
       if (MustEnd()) return !EndNow();
     }
-    method_.TellRefined(found);
+    method_.TellRefined(found, Paid() - before);
     return true;
   }
 

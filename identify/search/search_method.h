@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "identify/search/archive.h"
@@ -47,8 +48,8 @@ class SearchMethod {
     return none;
   }
 
-  /// Where each of them has led, in their order, on the lattice.
-  virtual void TellRefined(const Population&) {}
+  /// Where each of them has led, in their order, on the lattice, and how many evaluations all of that took.
+  virtual void TellRefined(const Population&, std::int64_t) {}
 
   /// Whether the scores told last completed a generation.
   virtual bool EndsGeneration() const = 0;
