@@ -43,7 +43,8 @@ inline const Finding kCsvDecimalCommas{
 inline const Finding kCsvColumnNameless{"csv-column-nameless", Severity::kError, "column {} has no name"};
 inline const Finding kCsvColumnTwice{"csv-column-twice", Severity::kError,
                                      "column {} has the name '{}' of an earlier one", "rename one of them"};
-inline const Finding kCsvNoUnits{"csv-no-units", Severity::kError, "no row of units below the header"};
+inline const Finding kCsvNoUnits{"csv-no-units", Severity::kError, "no row of units below the header",
+                                 "add a line with the unit of each column"};
 inline const Finding kCsvNoRows{"csv-no-rows", Severity::kError, "no rows below the header"};
 inline const Finding kCsvRowLength{"csv-row-length", Severity::kError, "the row has {}, the header {}"};
 inline const Finding kCsvNotANumber{"csv-not-a-number", Severity::kError, "{} '{}' is not a finite number",
@@ -82,7 +83,8 @@ inline const Finding kTimeSwapped{"time-column-swapped", Severity::kError,
 inline const Finding kSamplesDiffer{"samples-differ", Severity::kError, "column '{}' has {} samples, the times are {}",
                                     "save channels of one rate together"};
 inline const Finding kShorterThanDelays{"shorter-than-delays", Severity::kError,
-                                        "recording is shorter than the delays that the study gives its channels"};
+                                        "recording is shorter than the delays that the study gives its channels",
+                                        "correct `delay` in the study, or record longer"};
 inline const Finding kTooFewSamples{"too-few-samples", Severity::kError, "recording has {} samples",
                                     "it needs four at least"};
 inline const Finding kTimeStepsBack{

@@ -79,6 +79,7 @@ struct Column {
 std::string TimeCsv(double rate_Hz, const std::vector<Column>& columns) {
   std::string head = "time";
   std::string units = "s";
+  if (!(rate_Hz > 0)) Refuse(kRateNotPositive, {}, {FormatNumber(rate_Hz)});
   const auto count = columns.empty() ? std::size_t{0} : static_cast<std::size_t>(columns.front().values->size());
   for (const Column& column : columns) {
     RequireCount("'" + column.name + "'", column.values->size(), count);
@@ -119,7 +120,7 @@ class Writer {
       const std::string file = FileOf("stepped_sine", i);
       folder_.Add(file, SineCsv(vehicle_, tests[i]));
       text_ += "  - name: " + Quoted(tests[i].name.empty() ? file : tests[i].name) + "\n    file: " + file +
-               "\n    posts: " + Posts(tests[i].posts) + '\n' + Use(tests[i].is_validation);
+               "\n    posts: " + Posts(tests[i].posts) + '\n';
       for (const auto& [sensor, measured] : tests[i].channels)
         if (std::find(channels.begin(), channels.end(), sensor) == channels.end()) channels.push_back(sensor);
     }
@@ -163,8 +164,8 @@ class Writer {
       std::string& list = tests[i].is_validation ? kept : fitted;
       list += (list.empty() ? "" : ", ") + file;
     }
-    text_ += "bench:\n  model_error: " + FormatNumber(100 * study_.model_error.history) + " %\n  recordings: [" +
-             fitted + "]\n";
+    text_ += "bench:\n  model_error: " + FormatNumber(100 * study_.model_error.bench) + " %\n  recordings: [" + fitted +
+             "]\n";
     if (!kept.empty()) text_ += "  validation: [" + kept + "]\n";
     is_bench_ = true;
   }

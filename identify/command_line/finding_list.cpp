@@ -2,6 +2,9 @@
 
 #include <string_view>
 
+// Those of the public headers, which the program itself does not use.
+#include "identify/api/findings.h"
+
 namespace fourpost {
 namespace {
 
@@ -35,7 +38,8 @@ std::string MarkdownCell(std::string_view text) {
 std::string FindingsMarkdown() {
   std::string text =
       "# Findings\n\n"
-      "All errors and warnings of fourpost. A message ends with its id in brackets, which `fourpost help ID` explains.\n"
+      "All errors and warnings of fourpost. A message ends with its id in brackets, which `fourpost help ID` "
+      "explains.\n"
       "Ids do not change, words may. `...` stands for names and numbers.\n\n"
       "An error: the input cannot be used. A warning: it can, but it or the result is probably wrong.\n\n"
       "| id | severity | finding | remedy |\n|---|---|---|---|\n";

@@ -138,7 +138,8 @@ inline const Finding kPageWithoutName{"page-without-name", Severity::kError,
                                       "write -o FILE, e.g. -o models.html"};
 inline const Finding kOutputNotWritten{"output-not-written", Severity::kError, "cannot be written ({})", "{}"};
 inline const Finding kStdoutNotWritten{"stdout-not-written", Severity::kError,
-                                       "the result cannot be written to stdout ({})"};
+                                       "the result cannot be written to stdout ({})",
+                                       "free some space, or write to a file with -o"};
 inline const Finding kStarterFolderIsFile{"starter-folder-is-file", Severity::kError, "this is a file",
                                           "name a new folder"};
 inline const Finding kStarterFolderNotEmpty{"starter-folder-not-empty", Severity::kError, "the folder is not empty",

@@ -17,13 +17,14 @@
 #include "analysis/process/work_hooks.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/experiments/subject.h"
-#include "identify/fit/fit.h"
 #include "identify/residuals/error_share.h"
 #include "identify/residuals/residual_block.h"
 #include "identify/study_file/left_out_recording.h"
 #include "vehicles/engine/engine.h"
 
 namespace fourpost {
+
+struct FitResult;
 
 /// A file that a study names for an experiment.
 struct ExperimentFile {

@@ -142,7 +142,7 @@ std::string OfAnotherVersion(const Json& result) {
 }
 
 std::string ResidualsAre(double misfit) {
-  return "Residuals are " + ShownNumber(misfit, 2) + " times larger than noise and the stated model error explain";
+  return "Residuals are " + ShownNumber(misfit, 2) + " times what noise and the stated model error explain";
 }
 
 Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {

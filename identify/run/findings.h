@@ -27,11 +27,14 @@ inline const Finding kFolderOfForeignResult{
 inline const Finding kModelUnexplaining{"model-unexplaining", Severity::kWarning,
                                         "this model does not explain these data: {}"};
 inline const Finding kChannelUnexplained{"channel-unexplained", Severity::kWarning,
-                                         "channel '{}' has an NMSE of {} %, worse than no model (100 %)"};
+                                         "channel '{}' has an NMSE of {} %, worse than no model (100 %)",
+                                         "check sign, scale, delay and position, then extend the model"};
 inline const Finding kRecordingUnexplained{"recording-unexplained", Severity::kWarning,
-                                           "recording '{}' in {} has an NMSE of {} %, worse than no model (100 %)"};
+                                           "recording '{}' in {} has an NMSE of {} %, worse than no model (100 %)",
+                                           "check sign, scale, delay and position, then extend the model"};
 inline const Finding kParametersAtBounds{"parameters-at-bounds", Severity::kWarning,
-                                         "{} of {} parameters are at their bounds"};
+                                         "{} of {} parameters are at their bounds",
+                                         "widen bounds that are guesses, or add the missing mechanism"};
 
 // How far its numbers can be trusted.
 
@@ -42,7 +45,8 @@ inline const Finding kCompromiseWithoutDeviations{
     "no standard deviations, because the compromise cost weights outputs by their own errors instead of noise",
     "fit by 'cost: whitened'"};
 inline const Finding kEndedWithoutDeviations{"ended-without-deviations", Severity::kWarning,
-                                             "the fit ended before standard deviations could be computed"};
+                                             "the fit ended before standard deviations could be computed",
+                                             "run the same command again, it continues from its archive"};
 inline const Finding kDirectionUndetermined{"direction-undetermined", Severity::kWarning,
                                             "the data do not change when these parameters change together: {}",
                                             "fix one, give it a prior, or measure a force"};

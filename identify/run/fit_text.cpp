@@ -79,8 +79,9 @@ std::string Agreement(const FitResult& fit) {
 
 std::string GainText(const std::string& what, const SearchGain& gain) {
   if (gain.count == 0) return "";
-  return ", " + std::to_string(gain.count) + " " + what + (gain.count == 1 ? "" : "s") + " in " + std::to_string(gain.evaluations) + " evaluations (" +
-         std::to_string(gain.successes) + " lowered the best cost)";
+  return ", " + std::to_string(gain.count) + " " + what + (gain.count == 1 ? "" : "s") + " in " +
+         std::to_string(gain.evaluations) + " evaluations (" + std::to_string(gain.successes) +
+         " lowered the best cost)";
 }
 
 /// Empty for a refinement without a search.
@@ -107,7 +108,7 @@ std::string Judgement(const FitResult& fit) {
   if (!fit.covariance) return "";
   const Covariance& covariance = *fit.covariance;
   std::string text = "Residuals are " + Rounded(fit.Misfit(), 2) +
-                     " times larger than noise and the stated model error explain; about 1 is expected.\n";
+                     " times what noise and the stated model error explain; about 1 is expected.\n";
   if (covariance.rank < covariance.directions.cols() || covariance.directions.cols() < 2) return text;
   text += "Least identifiable direction (condition number " + Rounded(covariance.condition, 2) + "):\n";
   for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";

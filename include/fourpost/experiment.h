@@ -25,9 +25,8 @@ struct SteppedSineTest {
   /// One per frequency, or one for all [m].
   std::vector<double> amplitude_m;
   /// By sensor of the vehicle.
+  /// A sensor of one test is fitted in all tests of a study that have it.
   std::map<std::string, MeasuredFrf> channels;
-  /// For validation: left out of the fit and predicted after it.
-  bool is_validation = false;
 };
 
 /// A recording over time on moving posts; all samples at k / rate_Hz.
@@ -37,14 +36,14 @@ struct TimeHistoryTest {
   /// By post [m], and by sensor of the vehicle, in its SI unit.
   std::map<std::string, Eigen::VectorXd> posts;
   std::map<std::string, Eigen::VectorXd> channels;
+  /// For validation: left out of the fit and predicted after it.
   bool is_validation = false;
 };
 
 /// A damper on its bench.
 struct BenchTest {
-  std::string name;
   double rate_Hz = 0;
-  /// Rod displacement, positive in bump [m], and force, positive in bump [N].
+  /// Extension of the damper [m], and its tension [N].
   Eigen::VectorXd displacement;
   Eigen::VectorXd force;
   bool is_validation = false;

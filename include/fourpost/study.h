@@ -13,13 +13,15 @@ namespace fourpost::api {
 
 /// What a model cannot show of its data, beside their noise, as one standard deviation.
 struct ModelError {
-  /// Of responses.
+  /// Of stepped sines.
   double gain_dB = 1;
   double phase_deg = 5;
   /// Of a response, as a share of the channel's largest.
   double floor = 0.03;
-  /// Of time histories and benches, as a share of a channel's rms.
-  double history = 0.05;
+  /// Of time histories, as a share of each channel's standard deviation.
+  double history = 0.02;
+  /// Of benches, as a share of the force's standard deviation.
+  double bench = 0.05;
 };
 
 /// A vehicle, experiments and a search: what a fit is asked for.

@@ -14,7 +14,9 @@ inline const Finding kLoopStuck{
     "the loop cannot be closed, the two points of {} are {} apart as written, and moving the "
     "bodies brings them no nearer",
     "correct their positions or the joints between them"};
-inline const Finding kNotEvaluated{"not-evaluated", Severity::kError, "the vehicle cannot be evaluated at t = {} ({})"};
-inline const Finding kSimulationFailed{"simulation-failed", Severity::kError, "the simulation failed at t = {} ({})"};
+inline const Finding kNotEvaluated{"not-evaluated", Severity::kError, "the vehicle cannot be evaluated at t = {} ({})",
+                                   "check masses, rates and signs with `fourpost check`, or reduce the motion"};
+inline const Finding kSimulationFailed{"simulation-failed", Severity::kError, "the simulation failed at t = {} ({})",
+                                       "check masses, rates and signs with `fourpost check`, or reduce the motion"};
 
 }  // namespace fourpost

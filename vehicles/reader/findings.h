@@ -10,9 +10,11 @@ namespace fourpost {
 
 inline const Finding kXmlEmpty{"xml-empty", Severity::kError, "the file is empty"};
 inline const Finding kXmlTagOpen{"xml-tag-open", Severity::kError,
-                                 "not XML, the tag that begins here is not closed by its own end tag"};
+                                 "not XML, the tag that begins here is not closed by its own end tag",
+                                 "close it, or correct the misspelt end tag"};
 inline const Finding kXmlAttribute{"xml-attribute", Severity::kError,
-                                   "not XML, an attribute has no value in quotes or is given twice"};
+                                   "not XML, an attribute has no value in quotes or is given twice",
+                                   "quote the value, and remove a repetition"};
 inline const Finding kXmlComment{"xml-comment-open", Severity::kError, "not XML, a comment has no end"};
 inline const Finding kXmlUnreadable{"xml-unreadable", Severity::kError, "not XML ({})"};
 inline const Finding kNotOneRobot{"not-one-robot", Severity::kError, "the file must hold exactly one <robot>"};
@@ -24,7 +26,8 @@ inline const Finding kForeignPrefix{"foreign-prefix", Severity::kWarning,
 inline const Finding kTagUnknown{"tag-unknown", Severity::kError, "unknown tag <{}>{}{}"};
 inline const Finding kTagMissing{"tag-missing", Severity::kError, "{} needs a <{}>"};
 inline const Finding kTagTwice{"tag-twice", Severity::kError, "{} has more than one <{}>"};
-inline const Finding kNotOneLaw{"not-one-law", Severity::kError, "{} needs exactly one of {}"};
+inline const Finding kNotOneLaw{"not-one-law", Severity::kError, "{} needs exactly one of {}",
+                                "keep one and remove the others"};
 inline const Finding kTypeMissing{"type-missing", Severity::kError, "{} needs the attribute 'type'", "write one of {}"};
 inline const Finding kTypeUnknown{"type-unknown", Severity::kError, "unknown type '{}' of {}{}"};
 inline const Finding kAttributeMissing{"attribute-missing", Severity::kError, "{} needs the attribute '{}'{}"};
@@ -32,8 +35,10 @@ inline const Finding kAttributeUnknown{"attribute-unknown", Severity::kError, "u
 inline const Finding kAttributeFormer{"attribute-former", Severity::kWarning,
                                       "attribute '{}' of {} is the earlier spelling of '{}'", "rename it"};
 inline const Finding kAttributeTwice{"attribute-twice", Severity::kError,
-                                     "attribute '{}' of {} repeats '{}', its new spelling", "remove the first"};
-inline const Finding kNameTaken{"name-taken", Severity::kError, "{} is already defined in line {}"};
+                                     "attribute '{}' of {} repeats '{}', its new spelling",
+                                     "remove the earlier spelling"};
+inline const Finding kNameTaken{"name-taken", Severity::kError, "{} is already defined in line {}",
+                                "rename one of the two"};
 
 // Numbers and parameters.
 
@@ -59,7 +64,8 @@ inline const Finding kReferenceUnreadable{
 inline const Finding kParameterUnknown{"parameter-unknown", Severity::kError,
                                        "{} refers to an unknown parameter '{}'{}"};
 inline const Finding kParameterOfOtherDimension{"parameter-of-other-dimension", Severity::kError,
-                                                "{} refers to {} (line {}), but {} is needed"};
+                                                "{} refers to {} (line {}), but {} is needed",
+                                                "use another parameter, or correct its unit"};
 inline const Finding kParameterName{"parameter-name", Severity::kError, "{} is not the name of a parameter",
                                     "use letters, digits and '_' only"};
 inline const Finding kParameterUnused{"parameter-unused", Severity::kError, "fp:parameter '{}' is not used",
@@ -94,7 +100,8 @@ inline const Finding kBindTurned{"bind-turned", Severity::kError,
                                  "{} is a moment about turned axes, which cannot follow a parameter",
                                  "write the <inertial> without rpy"};
 inline const Finding kBindTwice{"bind-twice", Severity::kError, "{} is bound twice"};
-inline const Finding kBindDimension{"bind-dimension", Severity::kError, "{} is {}, but the parameter is {}"};
+inline const Finding kBindDimension{"bind-dimension", Severity::kError, "{} is {}, but the parameter is {}",
+                                    "bind a number of the same dimension, or correct the unit"};
 inline const Finding kBindValue{"bind-value", Severity::kError, "{} is {} in the tree, but factor times value is {}",
                                 "make them equal"};
 inline const Finding kBindMirrored{"bind-mirrored", Severity::kError,
@@ -117,34 +124,40 @@ inline const Finding kMirrorOfItself{"mirror-of-itself", Severity::kWarning,
 
 inline const Finding kLinkNone{"link-none", Severity::kError, "the file has no link"};
 inline const Finding kGroundNone{"ground-none", Severity::kError,
-                                 "there is no ground, since every link is the child of a joint"};
+                                 "there is no ground, since every link is the child of a joint",
+                                 "remove the joint that has the ground as its child"};
 inline const Finding kGroundSecond{"ground-second", Severity::kError,
                                    "{} is the child of no joint, as only the ground, '{}', may be",
                                    "add a joint to it"};
 inline const Finding kGroundInertial{"ground-inertial", Severity::kError,
-                                     "{} is the ground and must not have an <inertial>"};
+                                     "{} is the ground and must not have an <inertial>",
+                                     "remove it, or add a link for the body"};
 inline const Finding kJointLink{"joint-link-unknown", Severity::kError, "{} has the unknown {} link '{}'{}"};
 inline const Finding kJointLimit{"joint-limit", Severity::kError, "{} is {} and has no limit, which URDF requires",
                                  "add <limit effort=\"0\" velocity=\"0\"/>{}"};
 inline const Finding kJointTwoParents{"two-parents", Severity::kError, "link '{}' has two parents, {} and {}",
                                       "close a loop with fp:rod or fp:ball"};
 inline const Finding kJointLoop{"joint-loop", Severity::kError,
-                                "{} is part of a loop of joints that the ground does not carry"};
+                                "{} is part of a loop of joints that the ground does not carry",
+                                "close loops by fp:rod or fp:ball instead"};
 inline const Finding kJointCoordinates{"joint-coordinates", Severity::kError,
                                        "the joints have {} coordinates, more than {}",
                                        "leave out bodies, or fix joints that need not move"};
 inline const Finding kUrdfdomError{"urdfdom-error", Severity::kError, "urdfdom: {}"};
 inline const Finding kUrdfdomWarning{"urdfdom-warning", Severity::kWarning, "urdfdom: {}"};
-inline const Finding kUrdfdomSilent{"urdfdom-silent", Severity::kError, "urdfdom cannot read the file"};
+inline const Finding kUrdfdomSilent{"urdfdom-silent", Severity::kError, "urdfdom cannot read the file",
+                                    "compare the file with one of `urdf`, or report it with the file"};
 inline const Finding kNameReadDifferently{"name-read-differently", Severity::kError,
                                           "{} has a name that XML parsers read differently",
                                           "use letters, digits, '_', '-' and '.' only"};
 
 // Bodies and shapes.
 
-inline const Finding kInertiaWithoutMass{"inertia-without-mass", Severity::kError, "link '{}' has inertia but no mass"};
+inline const Finding kInertiaWithoutMass{"inertia-without-mass", Severity::kError, "link '{}' has inertia but no mass",
+                                         "add <mass>, or remove the inertia"};
 inline const Finding kInertiaTooLarge{"inertia-too-large", Severity::kError,
-                                      "link '{}' has an inertia that is too large"};
+                                      "link '{}' has an inertia that is too large",
+                                      "check its digits; URDF takes kg*m^2"};
 inline const Finding kInertiaImpossible{"inertia-impossible", Severity::kError,
                                         "link '{}' has an impossible inertia, its principal moments are {}",
                                         "none may be below zero or exceed the sum of the other two"};
@@ -154,12 +167,13 @@ inline const Finding kInertiaImpossibleAtBounds{
     "the sum of the other two",
     "bind another of its moments as well, or narrow the bounds"};
 inline const Finding kMassMissing{"mass-missing", Severity::kError,
-                                  "joint '{}' moves link '{}', but neither it nor what it carries has a mass"};
+                                  "joint '{}' moves link '{}', but neither it nor what it carries has a mass",
+                                  "give a link an <inertial>, or fix the joint"};
 inline const Finding kMeshAddress{"mesh-address", Severity::kError,
                                   "mesh '{}' is an address, such as package://, which is not supported",
                                   "write a path relative to the vehicle file"};
 inline const Finding kMeshMissing{"mesh-missing", Severity::kWarning,
-                                  "mesh '{}' is missing (no file {}), so pictures are without it"};
+                                  "mesh '{}' is missing (no file {}), so pictures are without it", "correct its path"};
 inline const Finding kMeshUnknown{"mesh-unknown", Severity::kError, "mesh '{}' cannot be looked for ({})"};
 inline const Finding kSolidLink{"solid-link-unknown", Severity::kError, "{} refers to the unknown link '{}'{}"};
 inline const Finding kSolidTwice{"solid-twice", Severity::kError, "{} of link '{}' repeats that of line {}",
@@ -177,9 +191,11 @@ inline const Finding kReferenceUnknown{"reference-unknown", Severity::kError, "{
 inline const Finding kFrameNamedAsLink{"frame-named-as-link", Severity::kError, "{} has the name of a link",
                                        "rename one of the two"};
 inline const Finding kLineOnOneLink{"line-on-one-link", Severity::kError,
-                                    "{} has both ends on link '{}', so its length never changes"};
+                                    "{} has both ends on link '{}', so its length never changes",
+                                    "name the other body in parent or child"};
 inline const Finding kClosureOnOneLink{"closure-on-one-link", Severity::kError,
-                                       "{} has both ends on link '{}', so it joins nothing"};
+                                       "{} has both ends on link '{}', so it joins nothing",
+                                       "name the other body in parent or child"};
 inline const Finding kLineWithoutLength{"line-without-length", Severity::kError,
                                         "{} has no length, so it has no direction", "move an end, or give it an axis"};
 inline const Finding kRodWithoutLength{"rod-without-length", Severity::kError,
@@ -225,6 +241,6 @@ inline const Finding kWheelAxis{"wheel-axis", Severity::kError,
                                 "does not point sideways",
                                 "turn the link"};
 inline const Finding kTyreTwoPosts{"tyre-two-posts", Severity::kError,
-                                   "{} is under the tyre that fp:post '{}' moves already"};
+                                   "{} is under the tyre that fp:post '{}' moves already", "keep one post per tyre"};
 
 }  // namespace fourpost

@@ -48,7 +48,7 @@ inline const Finding kShareMalformed{"share-malformed", Severity::kError, "'{}' 
                                      "write {}=1, or -1 against it"};
 inline const Finding kSharePostTwice{"share-post-twice", Severity::kError, "post '{}' is given twice"};
 inline const Finding kModeUnknown{"mode-unknown", Severity::kError, "no pattern of posts is called '{}'{}",
-                                  "or give the share of each post, such as {}=1"};
+                                  "write heave, pitch, roll, warp or the share of each post, such as {}=1"};
 inline const Finding kLimitOpen{
     "limit-open", Severity::kWarning,
     "not given, and its usual {} does not apply when another limit is given, so the post reaches {}"};

@@ -15,7 +15,8 @@ inline const Finding kUsualStrokeExceeded{"usual-stroke-exceeded", Severity::kEr
                                           "fp:post '{}' reaches {} up and down, but {} needs {}",
                                           "reduce the motion, or give the stroke of your posts"};
 
-inline const Finding kUnsteady{"unsteady", Severity::kError, "{} has no periodic motion within {}{}"};
+inline const Finding kUnsteady{"unsteady", Severity::kError, "{} has no periodic motion within {}{}",
+                               "try another amplitude, or use harmonic balance"};
 inline const Finding kUnsteadyMode{"unsteady-mode", Severity::kError,
                                    "{} has no periodic motion within {}{}, mode '{}' is {}", "see `fourpost check`"};
 inline const Finding kUnsteadyAmplitude{

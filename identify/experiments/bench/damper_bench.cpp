@@ -13,6 +13,7 @@
 #include "identify/experiments/bench/bench_residuals.h"
 #include "identify/experiments/bench/bench_result.h"
 #include "identify/experiments/bench/findings.h"
+#include "identify/fit/fit.h"
 #include "identify/residuals/history_misfit_json.h"
 #include "identify/residuals/history_table.h"
 #include "identify/uncertainty/model_criteria.h"

@@ -32,7 +32,8 @@ inline const Finding kBenchChamberCloses{
     "the damper cannot move as recorded in '{}' at these values because one of its chambers closes",
     "give it more room"};
 inline const Finding kBenchNotPredicted{"bench-not-predicted", Severity::kError,
-                                        "the fitted damper cannot predict '{}': {}"};
+                                        "the fitted damper cannot predict '{}': {}",
+                                        "check its stroke and units with `fourpost info`"};
 inline const Finding kBenchForceInaccurate{
     "bench-force-inaccurate", Severity::kWarning,
     "the integration error of the force is {}, because the damper is too stiff for the sampling rate",

@@ -109,7 +109,8 @@ inline const Finding kSineKinematicsVisible{
 // Prediction.
 
 inline const Finding kSineOutsideBand{"sine-outside-band", Severity::kError,
-                                      "the recording has no frequency within the band of the fitted study"};
+                                      "the recording has no frequency within the band of the fitted study",
+                                      "predict a recording within the study's `band`"};
 inline const Finding kPatternNotFound{
     "pattern-not-found", Severity::kError,
     "no pattern that the posts of {} can make resembles this recording at its lowest frequencies",

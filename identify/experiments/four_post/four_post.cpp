@@ -23,6 +23,7 @@
 #include "identify/experiments/four_post/response_misfit_json.h"
 #include "identify/experiments/four_post/tyre_pull_lint.h"
 #include "identify/experiments/four_post/wheelpan_lint.h"
+#include "identify/fit/fit.h"
 #include "vehicles/engine/steady_response.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/requests/channel_json.h"

@@ -10,6 +10,7 @@
 
 #include "analysis/text/short_number.h"
 #include "identify/experiments/static_loads/findings.h"
+#include "identify/fit/fit.h"
 #include "identify/refine/robust_loss.h"
 #include "identify/study_file/channel_warnings.h"
 #include "identify/uncertainty/covariance.h"

@@ -132,11 +132,14 @@ inline const Finding kKalmanHydraulic{
 inline const Finding kMotionUnbounded{"motion-unbounded", Severity::kError, "the motion grows without bound",
                                       "check damping and signs in the vehicle file"};
 inline const Finding kForcesUnsolved{"forces-unsolved", Severity::kError,
-                                     "the forces of the vehicle's elements were not found in {} steps"};
+                                     "the forces of the vehicle's elements were not found in {} steps",
+                                     "record or simulate at a higher rate, and check stiff series springs"};
 inline const Finding kKalmanMotionUnsolved{"kalman-motion-unsolved", Severity::kError,
-                                           "the motion of the Kalman filter's model cannot be computed"};
+                                           "the motion of the Kalman filter's model cannot be computed",
+                                           "fit by `cost: whitened`, or state larger `process` and `noise`"};
 inline const Finding kKalmanCovariance{"kalman-covariance", Severity::kError,
-                                       "the Kalman filter's covariance is not finite"};
+                                       "the Kalman filter's covariance is not finite",
+                                       "fit by `cost: whitened`, or state larger `process` and `noise`"};
 
 // motion.csv of a run.
 

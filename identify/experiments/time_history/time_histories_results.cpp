@@ -12,6 +12,7 @@
 #include "identify/experiments/time_history/kalman_noise_json.h"
 #include "identify/experiments/time_history/motion_file.h"
 #include "identify/experiments/time_history/time_histories.h"
+#include "identify/fit/fit.h"
 #include "identify/residuals/history_misfit_json.h"
 #include "identify/residuals/history_table.h"
 #include "vehicles/requests/engine_text.h"

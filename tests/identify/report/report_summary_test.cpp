@@ -41,7 +41,7 @@ TEST(Summary, TellsTheMisfitWhateverTheLoss) {
   Json result = Good();
   EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("explain the residuals"));
   result["misfit"] = 2.1;
-  EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("Residuals are 2.1 times larger"));
+  EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("Residuals are 2.1 times what noise"));
 }
 
 TEST(Summary, ListsWarnings) {
@@ -90,8 +90,8 @@ TEST(Summary, DoesNotCallAModelCompleteThatMissesMoreThanNoise) {
               AllOf(HasSubstr("All fitted channels are within tolerance. "), HasSubstr("Nothing is missing")));
   result["misfit"] = 2.2;
   EXPECT_THAT(SummaryHtml(result, Known(), {}),
-              AllOf(HasSubstr("within tolerance, but residuals are 2.2 times larger"), HasSubstr("Fit a richer one"),
-                    Not(HasSubstr("Nothing is missing"))));
+              AllOf(HasSubstr("within tolerance, but residuals are 2.2 times what noise"),
+                    HasSubstr("Fit a richer one"), Not(HasSubstr("Nothing is missing"))));
 }
 
 // Neither explained nor missed.
@@ -99,7 +99,7 @@ TEST(Summary, TellsAMisfitThatIsLittleMore) {
   Json result = Good();
   result["misfit"] = 1.4;
   EXPECT_THAT(SummaryHtml(result, Known(), {}),
-              AllOf(HasSubstr("verdict good"), HasSubstr("Residuals are 1.4 times larger"),
+              AllOf(HasSubstr("verdict good"), HasSubstr("Residuals are 1.4 times what noise"),
                     HasSubstr("Little is missing"), Not(HasSubstr("Nothing is missing"))));
 }
 
