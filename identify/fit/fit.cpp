@@ -185,7 +185,7 @@ double CostOf(Archive& archive, const Candidate& candidate, const RobustLoss& lo
   return again.ok() ? loss.Cost(again.residuals) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// As dvHDE accelerates: squares alone, which lead on where a robust loss hardly does.
+/// As dvHDE accelerates: squares alone, since a robust loss gives little direction far from the optimum.
 Eigen::VectorXd AcceleratedFrom(Archive& archive, const Eigen::VectorXd& values, const FitOptions& options,
                                 const std::function<bool()>& stop) {
   RefineOptions refine = options.refine;

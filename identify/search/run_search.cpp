@@ -114,7 +114,7 @@ class SearchRun {
     return true;
   }
 
-  /// Where a refinement from a point leads, on the lattice; the point itself where there is nothing left to pay for it.
+  /// Where a refinement from a point leads, on the lattice; the point itself where the budget ends.
   Individual Refined(const LatticePoint& point) {
     if (!CanRefine()) return {point, archive_.Evaluate({point}).front()};
     const auto stop = [this] { return MustEnd() || !CanRefine(); };
@@ -122,7 +122,7 @@ class SearchRun {
     return {near, archive_.Evaluate({near}).front()};
   }
 
-  /// Whether an iteration can be paid for, derivatives and step, and its end on the lattice.
+  /// Whether the budget has an iteration left, derivatives and step, and its end on the lattice.
   bool CanRefine() const {
     return rules_.max_evaluations - Paid() >= static_cast<std::int64_t>(archive_.lattice().size()) + 2;
   }

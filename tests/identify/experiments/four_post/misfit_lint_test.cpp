@@ -7,6 +7,7 @@
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/experiments/static_loads/findings.h"
+#include "identify/fit/fit.h"
 #include "tests/findings.h"
 #include "tests/identify/shipped_study.h"
 #include "vehicles/condensed/condensed_vehicle.h"
