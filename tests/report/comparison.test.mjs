@@ -125,9 +125,9 @@ describe('a comparison of runs', () => {
 });
 
 test('a comparison of methods shows when they succeed', async () => {
-  const page = await open(browser, methods('test_problems/oscillator.yaml', 'dvhde,de,ds', 10));
+  const page = await open(browser, methods('test_problems/oscillator.yaml', 'dvhde,de,simplex', 10));
   assert.deepEqual(page.faults, []);
-  assert.match(await page.locator('.verdict').textContent(), /^dvhde solved it in 10 of 10 runs, at \d\d\.\d evaluations per success; next ds/);
+  assert.match(await page.locator('.verdict').textContent(), /^dvhde solved it in 10 of 10 runs, at \d\d\.\d evaluations per success; next simplex/);
   assert.equal(await page.locator('#summary tbody tr').count(), 3);
   assert.ok((await page.locator('#summary img').evaluate((image) => image.naturalWidth)) > 600);
   const fault = compare('methods_light', await page.screenshot());
