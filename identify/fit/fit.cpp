@@ -12,38 +12,34 @@
 namespace fourpost {
 namespace {
 
-/// Within this share of its range a parameter counts as being at the bound: refinement stops at steps of 1e-8.
-constexpr double kAtBound = 1e-6;
-
-bool IsAtBound(const LatticeAxis& axis, double value) {
-  const double near = kAtBound * (axis.upper - axis.lower);
-  return value - axis.lower < near || axis.upper - value < near;
-}
-
-/// Deviation and interval of a parameter; `k`: its place among the free ones.
-void Tell(const Covariance& covariance, Eigen::Index k, bool is_logarithmic, const PhysicalRange& physical,
-          FittedParameter& fitted) {
-  fitted.sd = covariance.sd[k];
-  const double reach = covariance.reach_95 * covariance.variable_sd[k];
+/// Deviation, its parts and the interval of a parameter; `k`: its place among the free ones.
+void DescribeCertainty(const Certainty& certainty, Eigen::Index k, double slope, bool is_logarithmic,
+                       const PhysicalRange& physical, FittedParameter& fitted) {
+  fitted.state = certainty.states[static_cast<std::size_t>(k)];
+  fitted.sd = slope * certainty.total_sd[k];
+  fitted.noise_sd = slope * certainty.noise_sd[k];
+  fitted.held_sd = slope * certainty.held_sd[k];
+  fitted.model_sd = slope * certainty.model_sd[k];
   const double range = fitted.upper - fitted.lower;
-  fitted.lower_95 = is_logarithmic ? fitted.value * std::exp(-reach) : fitted.value - reach * range;
-  fitted.upper_95 = is_logarithmic ? fitted.value * std::exp(reach) : fitted.value + reach * range;
+  const auto end = [&](double sd, int side) {
+    const double reach = side * certainty.covariance.reach_95 * sd;
+    return is_logarithmic ? fitted.value * std::exp(reach) : fitted.value + reach * range;
+  };
+  // Noise may reach beyond the range that the file gives; what the model lacks is not known so well.
+  const double noise = certainty.noise_sd[k];
+  const double total = certainty.total_sd[k];
+  fitted.lower_95 = std::max(end(total, -1), std::min(end(noise, -1), fitted.lower));
+  fitted.upper_95 = std::min(end(total, 1), std::max(end(noise, 1), fitted.upper));
   if (!std::isfinite(fitted.sd)) return;
   fitted.lower_95 = std::max(fitted.lower_95, physical.least);
   fitted.upper_95 = std::min(fitted.upper_95, physical.greatest);
 }
 
-/// What data and priors say at the optimum, and of which parameters they cannot say anything there.
-struct Certainty {
-  Covariance covariance;
-  /// One per free parameter.
-  std::vector<ParameterState> states;
-};
-
 std::vector<FittedParameter> Describe(const VehicleObjective& objective, const Lattice& lattice,
                                       const Eigen::VectorXd& values, const std::optional<Certainty>& certainty) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const FitVariables variables(lattice);
+  const Eigen::VectorXd slopes = variables.Slopes(values);
   const std::vector<PhysicalRange> physical = PhysicalRanges(objective.vehicle());
   std::vector<FittedParameter> out;
   for (std::size_t i = 0; i < objective.free().size(); ++i) {
@@ -56,54 +52,15 @@ std::vector<FittedParameter> Describe(const VehicleObjective& objective, const L
     fitted.prior_sd = parameter.prior_sd;
     fitted.lower = parameter.lower;
     fitted.upper = parameter.upper;
-    fitted.sd = fitted.lower_95 = fitted.upper_95 = kUnknown;
-    if (certainty) {
-      fitted.state = certainty->states[i];
-      Tell(certainty->covariance, k, variables.is_logarithmic(k), physical[objective.free()[i]], fitted);
-    }
+    fitted.sd = fitted.noise_sd = fitted.held_sd = fitted.model_sd = fitted.lower_95 = fitted.upper_95 = kUnknown;
+    if (certainty)
+      DescribeCertainty(*certainty, k, slopes[k], variables.is_logarithmic(k), physical[objective.free()[i]], fitted);
     fitted.at_bound = IsAtBound(lattice.axes()[i], values[k]);
     fitted.dimension = parameter.dimension;
     fitted.unit = parameter.unit;
     out.push_back(fitted);
   }
   return out;
-}
-
-/// Of parameters that cannot have a deviation at this optimum. A parameter at its bound that changes nothing is not
-/// held there by the bound.
-std::vector<ParameterState> StatesBefore(const RefineResult& best, const Lattice& lattice,
-                                         const std::vector<Eigen::Index>& noisy) {
-  std::vector<ParameterState> states(lattice.size(), ParameterState::kDetermined);
-  const Eigen::VectorXd norms = best.jacobian.colwise().norm();
-  Eigen::VectorXd sound = norms;
-  for (const Eigen::Index j : noisy) {
-    states[static_cast<std::size_t>(j)] = ParameterState::kNoise;
-    sound[j] = 0;
-  }
-  const double least = CovarianceOptions().rank_threshold * sound.maxCoeff();
-  for (std::size_t i = 0; i < lattice.size(); ++i) {
-    const auto j = static_cast<Eigen::Index>(i);
-    if (IsAtBound(lattice.axes()[i], best.values[j]) && norms[j] > least) states[i] = ParameterState::kAtBound;
-  }
-  return states;
-}
-
-/// The priors' residuals come last. With a loss the cost is that of squares that would leave the same variance, but
-/// never less than the squares are: a loss bounds the pull of residuals, and knows nothing of why they are so large.
-Certainty CertaintyAt(const RefineResult& best, const RobustLoss& loss, Eigen::Index prior_count,
-                      const Lattice& lattice, const std::vector<Eigen::Index>& noisy) {
-  const Eigen::Index data = best.jacobian.rows() - prior_count;
-  const double cost = std::max(best.residuals.head(data).squaredNorm(), loss.EquivalentCost(best.residuals.head(data)));
-  Certainty certainty{.covariance = {}, .states = StatesBefore(best, lattice, noisy)};
-  CovarianceOptions options;
-  for (std::size_t i = 0; i < certainty.states.size(); ++i)
-    if (certainty.states[i] != ParameterState::kDetermined) options.held.push_back(static_cast<Eigen::Index>(i));
-  certainty.covariance = EstimateCovariance(best.jacobian.topRows(data), FitVariables(lattice).Slopes(best.values),
-                                            cost, options, best.jacobian.bottomRows(prior_count));
-  for (std::size_t i = 0; i < certainty.states.size(); ++i)
-    if (std::isinf(certainty.covariance.sd[static_cast<Eigen::Index>(i)]))
-      certainty.states[i] = ParameterState::kUndetermined;
-  return certainty;
 }
 
 /// Of the data's derivatives at an optimum; none where the user stops it.
@@ -216,9 +173,11 @@ double FitResult::Misfit() const {
 
 void FitResult::DropDeviations() {
   covariance.reset();
+  certainty.reset();
   for (FittedParameter& parameter : parameters) {
     parameter.state = ParameterState::kNotComputed;
-    parameter.sd = parameter.lower_95 = parameter.upper_95 = std::nan("");
+    parameter.sd = parameter.noise_sd = parameter.held_sd = parameter.model_sd = parameter.lower_95 =
+        parameter.upper_95 = std::nan("");
   }
 }
 
@@ -326,8 +285,11 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
     result.message = best.message;
     if (best.jacobian.size() > 0) {
       const std::vector<Eigen::Index> noisy = NoisyAt(archive, best, result.prior_count, options.refine, stop);
-      certainty = CertaintyAt(best, options.refine.loss, result.prior_count, archive.lattice(), noisy);
+      const HeldParameters held =
+          HeldAt(objective, best.values, options.refine, options.threads, stop, result.evaluations_held);
+      certainty = CertaintyAt(objective, archive.lattice(), best, options.refine.loss, noisy, held);
       result.covariance = certainty->covariance;
+      result.certainty = certainty;
       result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();
       result.weakest = WeakestDirections(archive.lattice(), *result.covariance);
       begin("profile");

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "identify/fit/certainty.h"
 #include "identify/fit/identifiability.h"
 #include "identify/refine/refine.h"
 #include "identify/refine/search_method_list.h"
@@ -60,6 +61,11 @@ struct FittedParameter {
   /// Standard deviation, while parameters at a bound and those of noise stay where they are; infinite when nothing
   /// determines the parameter, NaN in all other states.
   double sd = 0;
+  /// Its parts, whose squares add up: of noise; of parameters that are held though they have ranges; of what the model
+  /// lacks, see EstimateModelError().
+  double noise_sd = 0;
+  double held_sd = 0;
+  double model_sd = 0;
   /// Interval of 95 %, about the logarithm of the value where the fit is of that (see FitVariables): beyond the
   /// parameter's bounds where the data are, but not beyond what is physical, see PhysicalRanges(). Infinite and NaN
   /// like `sd`.
@@ -112,11 +118,14 @@ struct FitResult {
   std::optional<Identifiability> before;
   /// Nothing when the fit ended before it could be computed.
   std::optional<Covariance> covariance;
+  std::optional<Certainty> certainty;
   /// Combinations of parameters that data and priors do not determine, in words; if there is none, the one they
   /// determine least.
   std::vector<std::string> weakest;
   std::vector<Profile> profiles;
   EvaluationCounts evaluations;
+  /// For derivatives by parameters that are held; not among `evaluations`.
+  std::int64_t evaluations_held = 0;
   SearchResult search;
   /// Every setting of the search and its value, in the words of a study.
   std::vector<std::pair<std::string, std::string>> search_settings;

@@ -45,7 +45,22 @@ Eigen::VectorXd RobustLoss::Slopes(const Eigen::VectorXd& residuals) const {
   return slopes;
 }
 
+Eigen::VectorXd RobustLoss::Weights(const Eigen::VectorXd& residuals) const {
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(residuals.size());
+  for (Eigen::Index i = 0; i < residuals.size() - plain_; ++i) weights[i] = Rho(residuals[i] * residuals[i])[1];
+  return weights;
+}
+
 // psi' = rho' + 2 r^2 rho''.
+Eigen::VectorXd RobustLoss::Curvatures(const Eigen::VectorXd& residuals) const {
+  Eigen::VectorXd curvatures = Eigen::VectorXd::Ones(residuals.size());
+  for (Eigen::Index i = 0; i < residuals.size() - plain_; ++i) {
+    const auto [rho, first, second] = Rho(residuals[i] * residuals[i]);
+    curvatures[i] = first + 2 * residuals[i] * residuals[i] * second;
+  }
+  return curvatures;
+}
+
 double RobustLoss::EquivalentCost(const Eigen::VectorXd& residuals) const {
   if (kind_ == LossKind::kNone) return residuals.squaredNorm();
   double squares = 0;

@@ -46,6 +46,11 @@ class RobustLoss {
   /// Their derivatives by r.
   Eigen::VectorXd Slopes(const Eigen::VectorXd& residuals) const;
 
+  /// rho'(r^2): what each residual counts in the gradient, 1 for small ones.
+  Eigen::VectorXd Weights(const Eigen::VectorXd& residuals) const;
+  /// psi' of psi = r rho'(r^2), the slope of that gradient: 1 for small ones.
+  Eigen::VectorXd Curvatures(const Eigen::VectorXd& residuals) const;
+
   /// The sum of squares that would leave estimates the variance that they have with this loss: of N residuals about an
   /// optimum over n parameters sum psi^2 / (mean psi')^2, psi = r rho'(r^2) (Huber 1981, section 7.6).
   /// Infinite where mean psi' is not above 0, as where Tukey's rejects all: such residuals determine nothing.

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "analysis/process/deadline.h"
+#include "identify/residuals/residual_structure.h"
 #include "identify/search/evaluation.h"
 
 namespace fourpost {
@@ -26,6 +27,8 @@ struct ResidualBlock {
   /// and good enough for steps of a refinement; empty where only differences tell. Throws what it cannot do.
   std::function<Eigen::MatrixXd(const std::vector<double>& values, const std::vector<std::size_t>& parameters)>
       differentiate = {};
+  /// For what is known of the parameters; empty: nothing beyond that all residuals are independent.
+  ResidualStructure structure = {};
 };
 
 }  // namespace fourpost

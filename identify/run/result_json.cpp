@@ -35,6 +35,10 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
                     {"lower", parameter.lower},
                     {"upper", parameter.upper},
                     {"sd", NumberOrNull(parameter.sd)},
+                    {"sd_parts",
+                     {{"noise", NumberOrNull(parameter.noise_sd)},
+                      {"held", NumberOrNull(parameter.held_sd)},
+                      {"model", NumberOrNull(parameter.model_sd)}}},
                     {"interval_95", {NumberOrNull(parameter.lower_95), NumberOrNull(parameter.upper_95)}},
                     {"state", kParameterStateNames[static_cast<std::size_t>(parameter.state)]},
                     {"at_bound", parameter.at_bound}});

@@ -156,6 +156,19 @@ Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::Vect
   return covariance;
 }
 
+void UseScoreCovariance(const Eigen::MatrixXd& hessian, const Eigen::MatrixXd& score, const Eigen::VectorXd& slopes,
+                        Covariance& covariance) {
+  if (covariance.rank == 0) return;
+  const Eigen::MatrixXd basis = covariance.directions.leftCols(covariance.rank);
+  const Eigen::MatrixXd within = basis.transpose() * hessian * basis;
+  const Eigen::MatrixXd shaped = Solved(within, Eigen::MatrixXd(basis.transpose()));  // rank x n
+  const Eigen::MatrixXd middle = basis.transpose() * score * basis;
+  const Eigen::VectorXd variances = (shaped.transpose() * middle * shaped).diagonal();
+  for (Eigen::Index j = 0; j < variances.size(); ++j)
+    if (std::isfinite(covariance.variable_sd[j])) covariance.variable_sd[j] = std::sqrt(std::max(variances[j], 0.0));
+  covariance.sd = covariance.variable_sd.cwiseProduct(slopes);
+}
+
 Eigen::MatrixXd Correlations(const Covariance& covariance) {
   const int rank = covariance.rank;
   const Eigen::MatrixXd scaled =

@@ -60,6 +60,12 @@ struct Covariance {
 Covariance EstimateCovariance(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& slopes, double cost,
                               const CovarianceOptions& options = {}, const Eigen::MatrixXd& priors = {});
 
+/// With noise that is not independent from residual to residual: variable_sd and sd from H^-1 M H^-1 in the directions
+/// that are determined, with H = `hessian`, priors included, and M = `score`, the covariance of the gradient (Huber,
+/// Proc. 5th Berkeley Symp., 1967), both n x n over all parameters.
+void UseScoreCovariance(const Eigen::MatrixXd& hessian, const Eigen::MatrixXd& score, const Eigen::VectorXd& slopes,
+                        Covariance& covariance);
+
 /// Correlations of the parameters, n x n, ones on the diagonal; NaN in the rows and columns of what is not determined
 /// or held.
 Eigen::MatrixXd Correlations(const Covariance& covariance);

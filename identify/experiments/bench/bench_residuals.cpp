@@ -1,8 +1,10 @@
 #include "identify/experiments/bench/bench_residuals.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "analysis/signals/deviation.h"
@@ -21,6 +23,10 @@ struct Target {
 
 double DeviationOfForce(const BenchRecording& recording) {
   return DeviationOf(std::span(recording.force).subspan(recording.first, recording.end - recording.first));
+}
+
+double SpeedAt(const BenchRecording& recording, std::size_t sample) {
+  return std::abs(recording.motion.rate[sample * recording.motion.steps]);
 }
 
 Target TargetOf(const BenchRecording& recording, double model_error) {
@@ -46,6 +52,45 @@ Evaluation Evaluate(const BenchDamper& damper, const std::vector<Target>& target
   return evaluation;
 }
 
+constexpr std::size_t kParts = 6;
+
+/// Absolute speeds that part those of all residuals into classes of equal size.
+std::vector<double> SpeedLimits(const std::vector<Target>& targets) {
+  std::vector<double> speeds;
+  for (const Target& target : targets)
+    for (std::size_t k = target.recording.first; k < target.recording.end; k += target.stride)
+      speeds.push_back(SpeedAt(target.recording, k));
+  std::sort(speeds.begin(), speeds.end());
+  std::vector<double> limits;
+  for (std::size_t part = 1; part < kParts; ++part) limits.push_back(speeds[part * speeds.size() / kParts]);
+  return limits;
+}
+
+/// Windows of time, or recordings where they are many; classes of speed; and the order of samples.
+ResidualStructure StructureOf(const std::vector<Target>& targets) {
+  ResidualPartition windows = {"windows of time", {}, {}};
+  ResidualPartition classes = {"damper speeds", {}, {}};
+  ResidualStructure structure;
+  const std::size_t parts = (kParts + targets.size() - 1) / targets.size();
+  const std::vector<double> limits = SpeedLimits(targets);
+  Eigen::Index next = 0;
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    const Target& target = targets[t];
+    for (std::size_t i = 0; i < target.count; ++i) {
+      windows.Add(target.recording.name + ", part " + std::to_string(i * parts / target.count + 1), 1);
+      const double speed = SpeedAt(target.recording, target.recording.first + i * target.stride);
+      const auto place = std::upper_bound(limits.begin(), limits.end(), speed) - limits.begin();
+      classes.Add("speeds of class " + std::to_string(place + 1) + " of " + std::to_string(kParts), 1);
+    }
+    const auto count = static_cast<Eigen::Index>(target.count);
+    structure.series.push_back(
+        {.first = next, .count = count, .step = 1, .is_over_time = true, .record = static_cast<int>(t)});
+    next += count;
+  }
+  structure.partitions = {std::move(windows), std::move(classes)};
+  return structure;
+}
+
 }  // namespace
 
 std::size_t ResidualStride(const BenchRecording& recording) {
@@ -61,6 +106,7 @@ ResidualBlock BenchResiduals(const Vehicle& vehicle, const BenchData& data, doub
     count += targets.back().count;
   }
   const auto residuals = static_cast<Eigen::Index>(count);
+  ResidualStructure structure = StructureOf(targets);
   return {.name = "bench recordings",
           .count = residuals,
           // Neighbouring values take nearly the same steps: forces change by a hundredth of what they err, see
@@ -69,7 +115,8 @@ ResidualBlock BenchResiduals(const Vehicle& vehicle, const BenchData& data, doub
           .evaluate = [damper = BenchDamper(vehicle, data.damper), targets = std::move(targets), residuals](
                           const std::vector<double>& values, const Deadline& deadline) {
             return Evaluate(damper, targets, residuals, values, deadline);
-          }};
+          },
+          .structure = std::move(structure)};
 }
 
 }  // namespace fourpost

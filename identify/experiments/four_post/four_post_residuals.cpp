@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "analysis/signals/decibel.h"
+#include "analysis/text/number.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/modelled_response.h"
+#include "identify/residuals/sensor_group.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/response/balance_sensitivity.h"
 #include "vehicles/response/reduced_march.h"
@@ -28,6 +31,47 @@ Eigen::Index CountOf(const std::vector<MeasuredRun>& runs, const ModelError& mod
     for (const MeasuredChannel& channel : run.channels)
       count += 2 * channel.response.size() + channel.mean.size() + SecondHarmonics(channel, model_error);
   return static_cast<Eigen::Index>(count);
+}
+
+/// "1 .. 2 Hz", counted from the lowest frequency of all runs.
+std::string OctaveName(double frequency_Hz, double lowest_Hz) {
+  // A frequency on the border belongs to the octave above, whatever the last digit.
+  const double lower = lowest_Hz * std::exp2(std::floor(std::log2(frequency_Hz / lowest_Hz) + 1e-9));
+  return Rounded(lower, 2) + " .. " + Rounded(2 * lower, 2) + " Hz";
+}
+
+double LowestFrequency(const std::vector<MeasuredRun>& runs) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const MeasuredRun& run : runs)
+    for (const double frequency : run.excitation.frequency_Hz) lowest = std::min(lowest, frequency);
+  return lowest;
+}
+
+/// In the order of AddRun().
+ResidualStructure StructureOf(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
+                              const ModelError& model_error) {
+  ResidualPartition groups = {"sensor groups", {}, {}};
+  ResidualPartition octaves = {"octaves", {}, {}};
+  ResidualStructure structure;
+  const double lowest = LowestFrequency(runs);
+  Eigen::Index next = 0;
+  // `each`: residuals of a frequency.
+  const auto add = [&](const MeasuredRun& run, const MeasuredChannel& channel, std::size_t count, Eigen::Index each) {
+    const auto frequencies = static_cast<Eigen::Index>(count);
+    groups.Add(SensorGroup(vehicle, channel.sensor), each * frequencies);
+    for (std::size_t i = 0; i < count; ++i) octaves.Add(OctaveName(run.excitation.frequency_Hz[i], lowest), each);
+    for (Eigen::Index part = 0; part < each; ++part)
+      structure.series.push_back({.first = next + part, .count = frequencies, .step = each});
+    next += each * frequencies;
+  };
+  for (const MeasuredRun& run : runs)
+    for (const MeasuredChannel& channel : run.channels) {
+      add(run, channel, channel.response.size(), 2);
+      add(run, channel, channel.mean.size(), 1);
+      add(run, channel, SecondHarmonics(channel, model_error), 1);
+    }
+  structure.partitions = {std::move(groups), std::move(octaves)};
+  return structure;
 }
 
 /// Largest gain of all channels of this unit at a frequency.
@@ -132,6 +176,7 @@ Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredR
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
                                 const ModelError& model_error) {
   const Eigen::Index count = CountOf(runs, model_error);
+  ResidualStructure structure = StructureOf(vehicle->vehicle(), runs, model_error);
   // Marched: to March's tolerance, and without derivatives of its own.
   if (HasHysteresis(vehicle->At(vehicle->vehicle().ParameterValues())))
     return {
@@ -140,7 +185,8 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
         .accuracy = 1e-4,
         .evaluate = [vehicle, runs, count, model_error](const std::vector<double>& values, const Deadline& deadline) {
           return Evaluate(*vehicle, runs, count, model_error, values, deadline);
-        }};
+        },
+        .structure = std::move(structure)};
   return {.name = "four-post responses",
           .count = count,
           // What the balance's iteration leaves: 3e-7 of a response in the mean, some 1e-6 at the most.
@@ -153,7 +199,8 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
               [vehicle, runs, count, model_error](const std::vector<double>& values,
                                                   const std::vector<std::size_t>& parameters) {
                 return Differentiate(*vehicle, runs, count, model_error, values, parameters);
-              }};
+              },
+          .structure = std::move(structure)};
 }
 
 std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyResponse& modelled,

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "analysis/signals/fit_quality.h"
 #include "analysis/signals/signal_timing.h"
 #include "analysis/text/option_check.h"
+#include "identify/residuals/sensor_group.h"
 
 namespace fourpost {
 namespace {
@@ -128,6 +130,45 @@ std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double
   return changes;
 }
 
+namespace {
+
+/// Windows into which the records are parted: five of a single one, each as it is where they are many.
+Index WindowsOf(std::size_t histories) {
+  constexpr std::size_t kWindows = 5;
+  return static_cast<Index>((kWindows + histories - 1) / histories);
+}
+
+/// "3 of 5" of one history, else with its name.
+std::string WindowName(const std::vector<MeasuredHistory>& histories, const MeasuredHistory& history, Index window) {
+  const Index windows = WindowsOf(histories.size());
+  const std::string part = "part " + std::to_string(window + 1) + " of " + std::to_string(windows);
+  if (histories.size() == 1) return part;
+  return windows == 1 ? history.name : history.name + ", " + part;
+}
+
+}  // namespace
+
+ResidualStructure HistoryResiduals::Structure() const {
+  ResidualPartition groups = {"sensor groups", {}, {}};
+  ResidualPartition windows = {"windows of time", {}, {}};
+  ResidualStructure structure;
+  const Index parts = WindowsOf(histories_.size());
+  Index at = 0;
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const Index each = CountOf(histories_[h]);
+    for (const MeasuredSignal& signal : histories_[h].signals) {
+      groups.Add(SensorGroup(condensed_->vehicle(), signal.sensor), each);
+      for (Index part = 0; part < parts; ++part)
+        windows.Add(WindowName(histories_, histories_[h], part), (part + 1) * each / parts - part * each / parts);
+      structure.series.push_back(
+          {.first = at, .count = each, .step = 1, .is_over_time = true, .record = static_cast<int>(h)});
+      at += each;
+    }
+  }
+  structure.partitions = {std::move(groups), std::move(windows)};
+  return structure;
+}
+
 ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
                            const HistoryResiduals::Options& options) {
   const auto residuals = std::make_shared<const HistoryResiduals>(std::move(vehicle), std::move(histories), options);
@@ -141,7 +182,8 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
             } catch (const std::runtime_error& fault) {
               return Failed(Failure::kNotConverged, fault.what());
             }
-          }};
+          },
+          .structure = residuals->Structure()};
 }
 
 void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,

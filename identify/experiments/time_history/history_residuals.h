@@ -76,6 +76,9 @@ class HistoryResiduals {
 
   const Options& options() const { return options_; }
 
+  /// Groups of sensors, windows of time, and the order of samples.
+  ResidualStructure Structure() const;
+
  private:
   /// Residuals of a signal.
   Eigen::Index CountOf(const MeasuredHistory& history) const;

@@ -1,0 +1,209 @@
+#include "identify/fit/certainty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "analysis/numerics/decompositions.h"
+#include "identify/refine/difference_jacobian.h"
+#include "identify/refine/fit_variables.h"
+#include "identify/uncertainty/residual_noise.h"
+
+namespace fourpost {
+namespace {
+
+using Eigen::Index;
+
+/// Of parameters that cannot have a deviation at this optimum. A parameter at its bound that changes nothing is not
+/// held there by the bound.
+std::vector<ParameterState> StatesBefore(const RefineResult& best, const Lattice& lattice,
+                                         const std::vector<Index>& noisy) {
+  std::vector<ParameterState> states(lattice.size(), ParameterState::kDetermined);
+  const Eigen::VectorXd norms = best.jacobian.colwise().norm();
+  Eigen::VectorXd sound = norms;
+  for (const Index j : noisy) {
+    states[static_cast<std::size_t>(j)] = ParameterState::kNoise;
+    sound[j] = 0;
+  }
+  const double least = CovarianceOptions().rank_threshold * sound.maxCoeff();
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const auto j = static_cast<Index>(i);
+    if (IsAtBound(lattice.axes()[i], best.values[j]) && norms[j] > least) states[i] = ParameterState::kAtBound;
+  }
+  return states;
+}
+
+/// What was fitted, in terms of one optimum.
+class Optimum {
+ public:
+  Optimum(const VehicleObjective& objective, const Lattice& lattice, const RefineResult& best, const RobustLoss& loss)
+      : data_(best.jacobian.rows() - objective.prior_count()),
+        jacobian_(best.jacobian.topRows(data_)),
+        priors_(best.jacobian.bottomRows(objective.prior_count())),
+        residuals_(best.residuals.head(data_)),
+        weights_(loss.Weights(residuals_)),
+        curvatures_(loss.Curvatures(residuals_)),
+        slopes_(FitVariables(lattice).Slopes(best.values)),
+        structure_(JoinedStructure(objective.blocks())),
+        // With a loss the cost is that of squares that would leave the same variance, but never less than the squares
+        // are: a loss bounds the pull of residuals, and knows nothing of why they are so large.
+        cost_(std::max(residuals_.squaredNorm(), loss.EquivalentCost(residuals_))),
+        noise_(residuals_.cwiseProduct(weights_), structure_, jacobian_.cols()) {}
+
+  Covariance NoiseCovariance(const std::vector<Index>& held) const {
+    CovarianceOptions options;
+    options.held = held;
+    Covariance covariance = EstimateCovariance(jacobian_, slopes_, cost_, options, priors_);
+    if (noise_.HasTime()) UseScoreCovariance(Hessian(curvatures_), Score(), slopes_, covariance);
+    return covariance;
+  }
+
+  ModelErrorEstimate ModelError(const std::vector<Index>& judged) const {
+    return EstimateModelError({.jacobian = jacobian_(Eigen::all, judged),
+                               .priors = priors_(Eigen::all, judged),
+                               .residuals = residuals_,
+                               .weights = weights_},
+                              structure_, noise_);
+  }
+
+  /// judged x held: what one deviation of a held parameter moves the others by.
+  Eigen::MatrixXd MovedBy(const HeldParameters& held, const std::vector<Index>& judged) const {
+    const Eigen::MatrixXd hessian = Hessian(weights_)(judged, judged);
+    const Eigen::MatrixXd pull = jacobian_(Eigen::all, judged).transpose() * weights_.asDiagonal() *
+                                 held.jacobian.topRows(data_) * held.variable_sd.asDiagonal();
+    return LeastNorm(hessian).Solve(pull);
+  }
+
+ private:
+  Eigen::MatrixXd Hessian(const Eigen::VectorXd& weights) const {
+    return jacobian_.transpose() * weights.asDiagonal() * jacobian_ + priors_.transpose() * priors_;
+  }
+
+  /// Over time by the residuals' own correlation; else by their stated deviations, larger where the residuals are.
+  Eigen::MatrixXd Score() const {
+    const Eigen::VectorXd gradient = residuals_.cwiseProduct(weights_);
+    double squares = 0;
+    double count = 0;
+    Eigen::MatrixXd others = Eigen::MatrixXd::Zero(jacobian_.cols(), jacobian_.cols());
+    for (Index i = 0; i < data_; ++i) {
+      if (noise_.over_time()[static_cast<std::size_t>(i)]) continue;
+      squares += gradient[i] * gradient[i];
+      count += 1;
+      others += jacobian_.row(i).transpose() * jacobian_.row(i);
+    }
+    const double inflation = count > static_cast<double>(jacobian_.cols()) ? std::max(1.0, squares / count) : 1;
+    return noise_.CovarianceOverTime(jacobian_) + inflation * others + priors_.transpose() * priors_;
+  }
+
+  Index data_;
+  Eigen::MatrixXd jacobian_;
+  Eigen::MatrixXd priors_;
+  Eigen::VectorXd residuals_;
+  Eigen::VectorXd weights_;
+  Eigen::VectorXd curvatures_;
+  Eigen::VectorXd slopes_;
+  ResidualStructure structure_;
+  double cost_;
+  ResidualNoise noise_;
+};
+
+/// In the unit of FitVariables.
+double DeviationOf(const Parameter& parameter, const FitVariables& variables, Index j) {
+  const double range = variables.upper()[j] - variables.lower()[j];
+  if (!parameter.prior_sd) return range / std::sqrt(12.0);
+  return variables.is_logarithmic(j) ? *parameter.prior_sd / parameter.value
+                                     : *parameter.prior_sd / (parameter.upper - parameter.lower);
+}
+
+std::vector<std::size_t> PlacesHeld(const VehicleObjective& objective) {
+  std::vector<std::size_t> places;
+  const std::vector<std::size_t>& free = objective.free();
+  for (std::size_t i = 0; i < objective.vehicle().parameters.size(); ++i) {
+    const Parameter& parameter = objective.vehicle().parameters[i];
+    const bool is_free = std::find(free.begin(), free.end(), i) != free.end();
+    const bool is_inside = parameter.lower <= parameter.value && parameter.value <= parameter.upper;
+    if (!is_free && parameter.lower < parameter.upper && is_inside) places.push_back(i);
+  }
+  return places;
+}
+
+}  // namespace
+
+bool IsAtBound(const LatticeAxis& axis, double value) {
+  constexpr double kAtBound = 1e-6;
+  const double near = kAtBound * (axis.upper - axis.lower);
+  return value - axis.lower < near || axis.upper - value < near;
+}
+
+HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
+                      int threads, const std::function<bool()>& stop, std::int64_t& evaluated) {
+  HeldParameters held = {.places = PlacesHeld(objective), .variable_sd = {}, .jacobian = {}};
+  if (held.places.empty() || stop()) return {};
+  Vehicle fitted = objective.vehicle();
+  const std::vector<double> all = objective.AllParameters(values);
+  for (std::size_t i = 0; i < all.size(); ++i) fitted.parameters[i].value = all[i];
+  for (Parameter& parameter : fitted.parameters) parameter.prior_sd.reset();
+  const VehicleObjective around(fitted, held.places, objective.blocks());
+  Archive archive(around.MakeProblem(), threads);
+  archive.StopBatches(stop);
+  const FitVariables variables(archive.lattice());
+  try {
+    const Eigen::VectorXd at = around.FileValues();
+    const Evaluation here = archive.EvaluateValues({at}).front();
+    if (!here.ok()) return {};
+    const std::optional<Eigen::MatrixXd> jacobian =
+        DifferenceJacobian(archive, variables, variables.FromValues(at), here.residuals,
+                           refine.DifferenceStep(archive.problem()), Differences::kAutomatic);
+    if (!jacobian) return {};
+    held.jacobian = *jacobian;
+  } catch (const BatchStopped&) {
+    return {};
+  }
+  evaluated += archive.counts().paid;
+  held.variable_sd.resize(static_cast<Index>(held.places.size()));
+  for (std::size_t i = 0; i < held.places.size(); ++i)
+    held.variable_sd[static_cast<Index>(i)] =
+        DeviationOf(objective.vehicle().parameters[held.places[i]], variables, static_cast<Index>(i));
+  return held;
+}
+
+Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice, const RefineResult& best,
+                      const RobustLoss& loss, const std::vector<Index>& noisy, const HeldParameters& held) {
+  const Optimum optimum(objective, lattice, best, loss);
+  Certainty certainty;
+  certainty.states = StatesBefore(best, lattice, noisy);
+  std::vector<Index> fixed;
+  for (std::size_t i = 0; i < certainty.states.size(); ++i)
+    if (certainty.states[i] != ParameterState::kDetermined) fixed.push_back(static_cast<Index>(i));
+  certainty.covariance = optimum.NoiseCovariance(fixed);
+  certainty.noise_sd = certainty.covariance.variable_sd;
+  const auto count = static_cast<Index>(lattice.size());
+  for (Index j = 0; j < count; ++j) {
+    if (std::isinf(certainty.noise_sd[j])) certainty.states[static_cast<std::size_t>(j)] = ParameterState::kUndetermined;
+    if (std::isfinite(certainty.noise_sd[j])) certainty.judged.push_back(j);
+  }
+  certainty.held_sd = certainty.model_sd = Eigen::VectorXd::Zero(count);
+  certainty.total_sd = certainty.noise_sd;
+  if (certainty.judged.empty()) return certainty;
+
+  certainty.model_error = optimum.ModelError(certainty.judged);
+  Eigen::MatrixXd by_held = Eigen::MatrixXd::Zero(static_cast<Index>(certainty.judged.size()), 0);
+  if (!held.places.empty()) by_held = optimum.MovedBy(held, certainty.judged);
+  for (const std::size_t place : held.places) certainty.held.push_back(objective.vehicle().parameters[place].name);
+  certainty.by_held = Eigen::MatrixXd::Zero(by_held.cols(), count);
+  for (std::size_t i = 0; i < certainty.judged.size(); ++i) {
+    const auto row = static_cast<Index>(i);
+    const Index j = certainty.judged[i];
+    certainty.by_held.col(j) = by_held.row(row).transpose().cwiseAbs();
+    certainty.held_sd[j] = by_held.row(row).norm();
+    const double noise = certainty.noise_sd[j];
+    const double disagreement =
+        certainty.model_error.is_significant ? certainty.model_error.reach[row] / certainty.covariance.reach_95 : 0;
+    certainty.model_sd[j] = std::sqrt(std::max(0.0, disagreement * disagreement - noise * noise));
+    certainty.total_sd[j] = std::hypot(noise, certainty.held_sd[j], certainty.model_sd[j]);
+  }
+  return certainty;
+}
+
+}  // namespace fourpost

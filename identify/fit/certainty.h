@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/refine/refine.h"
+#include "identify/residuals/vehicle_objective.h"
+#include "identify/search/archive.h"
+#include "identify/uncertainty/covariance.h"
+#include "identify/uncertainty/model_error_estimate.h"
+#include "identify/uncertainty/parameter_state.h"
+
+namespace fourpost {
+
+/// Parameters that a fit holds although their ranges say that they are not exactly known.
+struct HeldParameters {
+  /// Places in Vehicle::parameters.
+  std::vector<std::size_t> places;
+  /// In FitVariables: of the prior, else of the range, uniform over it.
+  Eigen::VectorXd variable_sd;
+  /// d residuals / d FitVariables of them, N x held; priors of the free ones included.
+  Eigen::MatrixXd jacobian;
+};
+
+/// What data and priors say at an optimum, and of which parameters they cannot say anything there. Vectors have one
+/// entry per free parameter; deviations are those of FitVariables, NaN and infinite as in Covariance.
+struct Certainty {
+  /// Of noise alone.
+  Covariance covariance;
+  std::vector<ParameterState> states;
+  /// Of noise, of what is held, and of what the model lacks, which is zero where noise explains all disagreement.
+  Eigen::VectorXd noise_sd;
+  Eigen::VectorXd held_sd;
+  Eigen::VectorXd model_sd;
+  /// Of all of them; `covariance.reach_95` times this is half an interval.
+  Eigen::VectorXd total_sd;
+  /// Judged parameters only.
+  ModelErrorEstimate model_error;
+  /// Those as places among the free ones.
+  std::vector<Eigen::Index> judged;
+  /// Names of held parameters, and the deviation that each adds, held x free.
+  std::vector<std::string> held;
+  Eigen::MatrixXd by_held;
+};
+
+/// Of the parameters that are not free but have a range, at these values of the free ones; pays for differences in
+/// `evaluated`. Those whose derivative cannot be evaluated are left out.
+HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
+                      int threads, const std::function<bool()>& stop, std::int64_t& evaluated);
+
+/// `noisy`: places of parameters whose derivatives are noise.
+Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice, const RefineResult& best,
+                      const RobustLoss& loss, const std::vector<Eigen::Index>& noisy, const HeldParameters& held);
+
+/// Whether a value is at a bound of its range: refinement stops at steps of 1e-8.
+bool IsAtBound(const LatticeAxis& axis, double value);
+
+}  // namespace fourpost

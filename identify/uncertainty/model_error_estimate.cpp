@@ -1,0 +1,140 @@
+#include "identify/uncertainty/model_error_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/numerics/decompositions.h"
+#include "analysis/signals/median.h"
+
+namespace fourpost {
+namespace {
+
+using Eigen::Index;
+
+/// Inverse of a symmetric matrix that need not have full rank, through `scale`, the roots of its like's diagonal.
+Eigen::MatrixXd Inverse(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& scale) {
+  const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * matrix * scale.cwiseInverse().asDiagonal();
+  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(scaled);
+  constexpr double kLeast = 1e-10;
+  const double least = kLeast * std::max(pairs.values.maxCoeff(), 0.0);
+  Eigen::VectorXd inverse = Eigen::VectorXd::Zero(pairs.values.size());
+  for (Index i = 0; i < inverse.size(); ++i)
+    if (pairs.values[i] > least) inverse[i] = 1 / pairs.values[i];
+  return scale.cwiseInverse().asDiagonal() * pairs.vectors * inverse.asDiagonal() * pairs.vectors.transpose() *
+         scale.cwiseInverse().asDiagonal();
+}
+
+/// x' M^+ x and the rank of M.
+std::pair<double, Index> SquaredDistance(const Eigen::VectorXd& x, const Eigen::MatrixXd& covariance,
+                                         const Eigen::VectorXd& scale) {
+  const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * covariance * scale.cwiseInverse().asDiagonal();
+  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(scaled);
+  const Eigen::VectorXd along = pairs.vectors.transpose() * scale.cwiseInverse().asDiagonal() * x;
+  // Directions that noise of this cluster hardly moves are numerically open.
+  constexpr double kLeast = 1e-6;
+  const double least = kLeast * std::max(pairs.values.maxCoeff(), 0.0);
+  double square = 0;
+  Index rank = 0;
+  for (Index i = 0; i < along.size(); ++i) {
+    if (!(pairs.values[i] > least)) continue;
+    square += along[i] * along[i] / pairs.values[i];
+    ++rank;
+  }
+  return {square, rank};
+}
+
+class Jackknife {
+ public:
+  Jackknife(const FittedResiduals& fitted, const ResidualNoise& noise) : fitted_(fitted), noise_(noise) {
+    const Index n = fitted.jacobian.cols();
+    hessian_ = Eigen::MatrixXd::Zero(n, n);
+    if (fitted.priors.rows() > 0) hessian_ += fitted.priors.transpose() * fitted.priors;
+    hessian_ += fitted.jacobian.transpose() * fitted.weights.asDiagonal() * fitted.jacobian;
+    scale_ = hessian_.diagonal().cwiseSqrt();
+    covariance_ = Inverse(hessian_, scale_);
+  }
+
+  const Eigen::MatrixXd& covariance() const { return covariance_; }
+
+  PartedData Over(const ResidualPartition& partition) const {
+    PartedData parted = {.name = partition.name, .clusters = partition.clusters, .shifts = {}, .rests_on = {}};
+    const auto clusters = static_cast<Index>(partition.clusters.size());
+    const Index n = hessian_.rows();
+    parted.rests_on.assign(static_cast<std::size_t>(n), -1);
+    if (clusters < 3) return parted;
+    parted.shifts.resize(n, clusters);
+    parted.degrees = -static_cast<double>(n);
+    for (Index g = 0; g < clusters; ++g) AddCluster(partition, g, parted);
+    return parted;
+  }
+
+ private:
+  void AddCluster(const ResidualPartition& partition, Index g, PartedData& parted) const {
+    constexpr double kMuchWorse = 25;  // of variances
+    const Index n = hessian_.rows();
+    std::vector<char> among(partition.cluster_of.size());
+    Eigen::VectorXd score = Eigen::VectorXd::Zero(n);
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
+    for (std::size_t i = 0; i < among.size(); ++i) {
+      among[i] = partition.cluster_of[i] == static_cast<std::size_t>(g);
+      if (!among[i]) continue;
+      const auto row = static_cast<Index>(i);
+      const double weight = fitted_.weights[row];
+      score += weight * fitted_.residuals[row] * fitted_.jacobian.row(row).transpose();
+      information += weight * fitted_.jacobian.row(row).transpose() * fitted_.jacobian.row(row);
+    }
+    Eigen::MatrixXd without = hessian_ - information;
+    // What only this cluster determines stays where it is.
+    without.diagonal() += 1e-6 * hessian_.diagonal();
+    const Eigen::MatrixXd inverse = Inverse(without, scale_);
+    parted.shifts.col(g) = inverse * score;
+    for (Index j = 0; j < n; ++j)
+      if (inverse(j, j) > kMuchWorse * covariance_(j, j)) parted.rests_on[static_cast<std::size_t>(j)] = static_cast<int>(g);
+    const auto [square, rank] = SquaredDistance(score, noise_.CovarianceOfScore(fitted_.jacobian, among), scale_);
+    parted.disagreement += square;
+    parted.degrees += static_cast<double>(rank);
+  }
+
+  const FittedResiduals& fitted_;
+  const ResidualNoise& noise_;
+  Eigen::MatrixXd hessian_;
+  Eigen::MatrixXd covariance_;
+  Eigen::VectorXd scale_;
+};
+
+}  // namespace
+
+bool PartedData::IsSignificant() const {
+  constexpr double kNormal = 4;
+  if (!(degrees >= 1)) return false;
+  const double spread = 2 / (9 * degrees);
+  return (std::cbrt(disagreement / degrees) - (1 - spread)) / std::sqrt(spread) > kNormal;
+}
+
+ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const ResidualStructure& structure,
+                                      const ResidualNoise& noise) {
+  // Chosen on random vehicles, see tests/validation/coverage.csv; 1.64 to 1.96 does nearly as well.
+  constexpr double kReach = 1.8;
+  constexpr double kLeastShare = 0.25;
+  const Index n = fitted.jacobian.cols();
+  ModelErrorEstimate estimate;
+  estimate.reach = Eigen::VectorXd::Zero(n);
+  if (n == 0) return estimate;
+  const Jackknife jackknife(fitted, noise);
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(n);
+  for (const ResidualPartition& partition : structure.partitions) {
+    estimate.ways.push_back(jackknife.Over(partition));
+    const PartedData& way = estimate.ways.back();
+    estimate.is_significant = estimate.is_significant || way.IsSignificant();
+    const auto clusters = static_cast<double>(way.shifts.cols());
+    if (clusters > 0) variance += (clusters - 1) / clusters * way.shifts.rowwise().squaredNorm();
+  }
+  std::vector<double> shares;
+  for (Index j = 0; j < n; ++j) shares.push_back(variance[j] / jackknife.covariance()(j, j));
+  const double least = kLeastShare * Median(shares);
+  for (Index j = 0; j < n; ++j)
+    estimate.reach[j] = kReach * std::sqrt(std::max(variance[j], least * jackknife.covariance()(j, j)));
+  return estimate;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/residuals/residual_structure.h"
+#include "identify/uncertainty/residual_noise.h"
+
+namespace fourpost {
+
+/// What was fitted, at the optimum: n parameters that are judged, N residuals of the data.
+struct FittedResiduals {
+  /// d residuals / d FitVariables, N x n; and of the priors.
+  Eigen::MatrixXd jacobian;
+  Eigen::MatrixXd priors;
+  Eigen::VectorXd residuals;
+  /// Of the loss, see RobustLoss::Weights().
+  Eigen::VectorXd weights;
+};
+
+/// One way to part the data, and what each part says.
+struct PartedData {
+  std::string name;
+  std::vector<std::string> clusters;
+  /// n x clusters: by how much the parameters would move without this cluster, to first order. Empty with fewer than
+  /// three clusters, of which nothing can be learnt.
+  Eigen::MatrixXd shifts;
+  /// Squares of what the clusters pull by, over what noise lets them; about `degrees` where noise is all there is.
+  double disagreement = 0;
+  double degrees = 0;
+  /// n: place of the cluster without which the parameter would have more than five times its deviation; -1: none.
+  std::vector<int> rests_on;
+
+  /// Whether noise explains the disagreement in less than one fit of 30,000 (normal approximation of the chi-square
+  /// distribution by Wilson and Hilferty, PNAS 17, 1931).
+  bool IsSignificant() const;
+};
+
+/// How far the parameters are uncertain because the model is not the vehicle.
+struct ModelErrorEstimate {
+  std::vector<PartedData> ways;
+  /// Parts of the data contradict each other beyond noise.
+  bool is_significant = false;
+  /// n, in FitVariables: half widths of intervals, see EstimateModelError().
+  Eigen::VectorXd reach;
+};
+
+/// A model that lacks something fits no two parts of the data by the same parameters; how far these go apart tells how
+/// far they are from the truth. Delete-a-group jackknife (Shao and Wu, Ann. Stat. 17, 1989) over few physical clusters,
+/// one Gauss-Newton step each, which takes no evaluation: with psi_i = w_i r_i, H = sum w_i J_i J_i' and the priors,
+///   d_g = (H - H_g)^-1 sum_{i in g} J_i psi_i,   V = (G - 1) / G sum_g d_g d_g',
+/// summed over the ways. Half widths are 1.8 sqrt(max(V_jj, m C_jj / 4)), C = H^-1, m the median of V_jj / C_jj: no
+/// parameter is far better known than its likes. On vehicles whose models lack much such intervals hold the truth in 80
+/// to 90 of 100; nothing can be said of an error on which all parts agree.
+ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const ResidualStructure& structure,
+                                      const ResidualNoise& noise);
+
+}  // namespace fourpost

@@ -1,0 +1,259 @@
+#include "identify/uncertainty/residual_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <utility>
+
+#include <unsupported/Eigen/FFT>
+
+namespace fourpost {
+namespace {
+
+using Eigen::Index;
+
+/// A hundred samples leave an order of 10 well determined, and nothing of a rig needs more than 40.
+std::size_t LargestOrder(Index samples) { return static_cast<std::size_t>(std::min<Index>(40, samples / 10)); }
+
+Eigen::VectorXd ValuesOf(const ResidualSeries& series, const Eigen::VectorXd& residuals) {
+  Eigen::VectorXd values(series.count);
+  for (Index k = 0; k < series.count; ++k) values[k] = residuals[series.first + k * series.step];
+  return values;
+}
+
+/// Divided by N, so that the matrix of all of them is not negative.
+std::vector<double> Autocovariances(const Eigen::VectorXd& signal, std::size_t largest) {
+  std::vector<double> covariances;
+  for (Index lag = 0; lag <= static_cast<Index>(largest); ++lag)
+    covariances.push_back(signal.head(signal.size() - lag).dot(signal.tail(signal.size() - lag)) /
+                          static_cast<double>(signal.size()));
+  return covariances;
+}
+
+/// Of all orders, with the variance that each leaves.
+struct Recursion {
+  std::vector<std::vector<double>> coefficients;
+  std::vector<double> variances;
+};
+
+Recursion LevinsonDurbin(const std::vector<double>& covariances) {
+  Recursion recursion = {.coefficients = {{}}, .variances = {covariances[0]}};
+  std::vector<double> now;
+  for (std::size_t order = 1; order < covariances.size(); ++order) {
+    const double variance = recursion.variances.back();
+    if (!(variance > 0)) break;
+    double sum = covariances[order];
+    for (std::size_t i = 0; i < now.size(); ++i) sum += now[i] * covariances[order - 1 - i];
+    const double reflection = -sum / variance;
+    std::vector<double> next = now;
+    for (std::size_t i = 0; i < now.size(); ++i) next[i] += reflection * now[now.size() - 1 - i];
+    next.push_back(reflection);
+    now = std::move(next);
+    recursion.coefficients.push_back(now);
+    recursion.variances.push_back(variance * (1 - reflection * reflection));
+  }
+  return recursion;
+}
+
+/// Half one-sided transform: 0 to half the rate.
+Eigen::VectorXcd Transformed(const Eigen::VectorXd& values, Index points) {
+  Eigen::FFT<double> transform;
+  Eigen::VectorXd padded = Eigen::VectorXd::Zero(points);
+  padded.head(values.size()) = values;
+  Eigen::VectorXcd all(points);
+  transform.fwd(all, padded);
+  return all.head(points / 2 + 1);
+}
+
+/// What passes x_t + a_1 x_{t-1} + ...
+Eigen::VectorXd Whitened(const Eigen::VectorXd& signal, const std::vector<double>& coefficients) {
+  Eigen::VectorXd out = signal;
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    const auto lag = static_cast<Index>(i) + 1;
+    out.tail(signal.size() - lag) += coefficients[i] * signal.head(signal.size() - lag);
+  }
+  return out;
+}
+
+Eigen::VectorXcd FilterAt(const std::vector<double>& coefficients, Index points) {
+  Eigen::VectorXd taps = Eigen::VectorXd::Zero(static_cast<Index>(coefficients.size()) + 1);
+  taps[0] = 1;
+  for (std::size_t i = 0; i < coefficients.size(); ++i) taps[static_cast<Index>(i) + 1] = coefficients[i];
+  return Transformed(taps, points);
+}
+
+/// Mean over `reach` neighbours on each side, mirrored at both ends.
+std::vector<Eigen::MatrixXcd> Smoothed(const Eigen::MatrixXcd& transforms, Index reach, double scale) {
+  const Index last = transforms.rows() - 1;
+  const Index channels = transforms.cols();
+  const auto power = [&](Index k) -> Eigen::MatrixXcd {
+    const bool is_mirrored = k < 0 || k > last;
+    const Index at = k < 0 ? -k : k > last ? 2 * last - k : k;
+    const Eigen::VectorXcd row = transforms.row(std::clamp<Index>(at, 0, last)).transpose();
+    const Eigen::MatrixXcd product = row * row.adjoint();
+    return is_mirrored ? Eigen::MatrixXcd(product.conjugate()) : product;
+  };
+  std::vector<Eigen::MatrixXcd> smoothed;
+  Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(channels, channels);
+  for (Index k = -reach; k <= reach; ++k) sum += power(k);
+  for (Index k = 0; k <= last; ++k) {
+    smoothed.push_back(scale / static_cast<double>(2 * reach + 1) * sum);
+    sum += power(k + reach + 1) - power(k - reach);
+  }
+  return smoothed;
+}
+
+/// Noise variances of neighbours over frequency, from second differences, smoothed over five of them.
+void AddVariances(const ResidualSeries& series, const Eigen::VectorXd& residuals, Eigen::VectorXd& variance) {
+  constexpr Index kReach = 2;
+  if (series.count < 3) return;
+  const Eigen::VectorXd values = ValuesOf(series, residuals);
+  const Index last = series.count - 2;
+  const auto square = [&](Index k) {
+    const Index at = std::clamp<Index>(k, 1, last);
+    const double difference = values[at - 1] - 2 * values[at] + values[at + 1];
+    return difference * difference / 6;  // of white noise the mean is its variance
+  };
+  for (Index k = 0; k < series.count; ++k) {
+    double sum = 0;
+    for (Index near = k - kReach; near <= k + kReach; ++near) sum += square(near);
+    variance[series.first + k * series.step] = sum / (2 * kReach + 1);
+  }
+}
+
+}  // namespace
+
+std::vector<double> Autoregression(const Eigen::VectorXd& signal, std::size_t largest) {
+  const auto samples = static_cast<double>(signal.size());
+  const Recursion recursion = LevinsonDurbin(Autocovariances(signal, largest));
+  std::size_t best = 0;
+  double least = 0;
+  for (std::size_t order = 0; order < recursion.variances.size(); ++order) {
+    if (!(recursion.variances[order] > 0)) break;
+    const double criterion = samples * std::log(recursion.variances[order] / recursion.variances[0]) +
+                             static_cast<double>(order) * std::log(samples);
+    if (criterion >= least) continue;
+    least = criterion;
+    best = order;
+  }
+  return recursion.coefficients[best];
+}
+
+double NeighbourCorrelation(const Eigen::VectorXd& signal) {
+  const double squares = signal.squaredNorm();
+  if (signal.size() < 2 || !(squares > 0)) return 0;
+  return signal.head(signal.size() - 1).dot(signal.tail(signal.size() - 1)) / squares;
+}
+
+double EffectiveSamples(const Eigen::VectorXd& signal) {
+  const auto samples = static_cast<double>(signal.size());
+  const std::vector<double> coefficients = Autoregression(signal, LargestOrder(signal.size()));
+  const Eigen::VectorXd innovations = Whitened(signal, coefficients);
+  double sum = 1;
+  for (const double coefficient : coefficients) sum += coefficient;
+  const double long_run = innovations.squaredNorm() / (sum * sum);
+  return long_run > 0 ? std::min(samples, samples * signal.squaredNorm() / long_run) : samples;
+}
+
+ResidualNoise::ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStructure& structure,
+                             Eigen::Index parameters)
+    : variance_(Eigen::VectorXd::Ones(residuals.size())),
+      over_time_(static_cast<std::size_t>(residuals.size()), 0) {
+  std::map<int, std::vector<ResidualSeries>> records;
+  for (const ResidualSeries& series : structure.series) {
+    if (!series.is_over_time) {
+      AddVariances(series, residuals, variance_);
+      continue;
+    }
+    records[series.record].push_back(series);
+    for (Index k = 0; k < series.count; ++k)
+      over_time_[static_cast<std::size_t>(series.first + k * series.step)] = 1;
+  }
+  const auto all = static_cast<double>(residuals.size());
+  const double scale = all / std::max(1.0, all - static_cast<double>(parameters));
+  for (auto& [number, channels] : records) records_.push_back(Measured(std::move(channels), residuals, scale));
+}
+
+ResidualNoise::Record ResidualNoise::Measured(std::vector<ResidualSeries> channels, const Eigen::VectorXd& residuals,
+                                              double scale) {
+  Record record;
+  record.channels = std::move(channels);
+  record.samples = record.channels.front().count;
+  record.points = 2;
+  while (record.points < 2 * record.samples) record.points *= 2;
+  const auto count = static_cast<Index>(record.channels.size());
+  Eigen::MatrixXcd transforms(record.points / 2 + 1, count);
+  Eigen::MatrixXcd colour(record.points / 2 + 1, count);
+  for (Index c = 0; c < count; ++c) {
+    const Eigen::VectorXd signal = ValuesOf(record.channels[static_cast<std::size_t>(c)], residuals);
+    const std::vector<double> coefficients = Autoregression(signal, LargestOrder(signal.size()));
+    transforms.col(c) = Transformed(Whitened(signal, coefficients), record.points);
+    colour.col(c) = FilterAt(coefficients, record.points).cwiseInverse();
+  }
+  // Of some thousand samples 30 to 60 independent ones of the periodogram, whose points are half as far apart.
+  const auto reach = static_cast<Index>(
+      std::clamp(std::sqrt(static_cast<double>(record.samples)) / 2, 4.0, 40.0) * static_cast<double>(record.points) /
+      static_cast<double>(record.samples));
+  record.spectrum = Smoothed(transforms, reach, scale / static_cast<double>(record.samples));
+  for (Index k = 0; k < colour.rows(); ++k) {
+    const Eigen::VectorXcd by = colour.row(k).transpose();
+    Eigen::MatrixXcd& power = record.spectrum[static_cast<std::size_t>(k)];
+    power = (by * by.adjoint()).cwiseProduct(power).eval();
+  }
+  return record;
+}
+
+// Sum_ts J_t' R(t - s) J_s is the mean over all frequencies of conj(J)' S J.
+void ResidualNoise::Add(const Record& record, const Eigen::MatrixXd& jacobian, const std::vector<char>& among,
+                        Eigen::MatrixXd& sum) {
+  const Index parameters = jacobian.cols();
+  const auto channels = static_cast<Index>(record.channels.size());
+  const Index rows = record.points / 2 + 1;
+  std::vector<Eigen::MatrixXcd> transforms;
+  std::vector<Index> present;
+  for (Index c = 0; c < channels; ++c) {
+    const ResidualSeries& series = record.channels[static_cast<std::size_t>(c)];
+    Eigen::MatrixXd part = Eigen::MatrixXd::Zero(series.count, parameters);
+    bool is_present = false;
+    for (Index k = 0; k < series.count; ++k) {
+      const Index at = series.first + k * series.step;
+      if (!among[static_cast<std::size_t>(at)]) continue;
+      part.row(k) = jacobian.row(at);
+      is_present = true;
+    }
+    if (!is_present) continue;
+    present.push_back(c);
+    Eigen::MatrixXcd transform(rows, parameters);
+    for (Index p = 0; p < parameters; ++p) transform.col(p) = Transformed(part.col(p), record.points);
+    transforms.push_back(std::move(transform));
+  }
+  Eigen::MatrixXcd at(static_cast<Index>(present.size()), parameters);
+  Eigen::MatrixXd total = Eigen::MatrixXd::Zero(parameters, parameters);
+  for (Index k = 0; k < rows; ++k) {
+    for (std::size_t i = 0; i < present.size(); ++i) at.row(static_cast<Index>(i)) = transforms[i].row(k);
+    const bool is_end = k == 0 || k == rows - 1;  // every other frequency stands for its negative as well
+    total += (is_end ? 1.0 : 2.0) *
+             (at.adjoint() * record.spectrum[static_cast<std::size_t>(k)](present, present) * at).real();
+  }
+  sum += total / static_cast<double>(record.points);
+}
+
+Eigen::MatrixXd ResidualNoise::CovarianceOfScore(const Eigen::MatrixXd& jacobian,
+                                                 const std::vector<char>& among) const {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols());
+  for (Index i = 0; i < jacobian.rows(); ++i) {
+    if (!among[static_cast<std::size_t>(i)] || over_time_[static_cast<std::size_t>(i)]) continue;
+    sum += variance_[i] * jacobian.row(i).transpose() * jacobian.row(i);
+  }
+  for (const Record& record : records_) Add(record, jacobian, among, sum);
+  return sum;
+}
+
+Eigen::MatrixXd ResidualNoise::CovarianceOverTime(const Eigen::MatrixXd& jacobian) const {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols());
+  for (const Record& record : records_) Add(record, jacobian, over_time_, sum);
+  return sum;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/residuals/residual_structure.h"
+
+namespace fourpost {
+
+/// What part of residuals is noise, judged by the residuals themselves, and how far it moves sums over them.
+/// - Over frequency noise is independent, with the variance that second differences of neighbours leave: what a model
+///   lacks is smooth and drops out.
+/// - Over time it may be correlated from sample to sample and between the channels of a record. Its spectral matrix is
+///   that of the residuals: an autoregression per channel, of the order that BIC prefers (Akaike 1974, Schwarz 1978;
+///   solved by Levinson and Durbin), recoloured by the smoothed periodogram of what that leaves (prewhitening: Andrews
+///   and Monahan, Econometrica 60, 1992).
+/// - Residuals outside all series have their stated variance, 1.
+class ResidualNoise {
+ public:
+  /// `residuals`: of the data, each times its weight in the gradient. `parameters`: how many were fitted to them.
+  ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStructure& structure, Eigen::Index parameters);
+
+  /// Covariance of sum_i J_i r_i over the residuals i that `among` says, n x n, for a Jacobian N x n: of the noise
+  /// alone. Of N flags.
+  Eigen::MatrixXd CovarianceOfScore(const Eigen::MatrixXd& jacobian, const std::vector<char>& among) const;
+  /// The same of all residuals over time.
+  Eigen::MatrixXd CovarianceOverTime(const Eigen::MatrixXd& jacobian) const;
+
+  bool HasTime() const { return !records_.empty(); }
+  /// Of each residual: whether it belongs to a series over time.
+  const std::vector<char>& over_time() const { return over_time_; }
+
+ private:
+  /// Channels over time that were recorded at once.
+  struct Record {
+    std::vector<ResidualSeries> channels;
+    Eigen::Index samples = 0;
+    /// Points of the transform, at least twice the samples.
+    Eigen::Index points = 0;
+    /// Per frequency from 0 to half the rate: channels x channels.
+    std::vector<Eigen::MatrixXcd> spectrum;
+  };
+
+  static Record Measured(std::vector<ResidualSeries> channels, const Eigen::VectorXd& residuals, double scale);
+  static void Add(const Record& record, const Eigen::MatrixXd& jacobian, const std::vector<char>& among,
+                  Eigen::MatrixXd& sum);
+
+  /// Of residuals that are not over time.
+  Eigen::VectorXd variance_;
+  std::vector<char> over_time_;
+  std::vector<Record> records_;
+};
+
+/// Coefficients a_1.. of x_t + a_1 x_{t-1} + .. = e_t by Yule and Walker, of the order up to `largest` that BIC
+/// prefers. Empty for white noise and for a signal that is zero.
+std::vector<double> Autoregression(const Eigen::VectorXd& signal, std::size_t largest);
+
+/// Correlation of neighbours in a signal; 0 for one that is zero.
+double NeighbourCorrelation(const Eigen::VectorXd& signal);
+
+/// How many independent samples have a mean as uncertain as this signal's: N (1 - sum a)^2-wise, from the
+/// autoregression's spectrum at zero frequency over its variance; at most N.
+double EffectiveSamples(const Eigen::VectorXd& signal);
+
+}  // namespace fourpost
