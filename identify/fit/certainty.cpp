@@ -15,29 +15,11 @@ namespace {
 
 using Eigen::Index;
 
-/// Of parameters that cannot have a deviation at this optimum. A parameter at its bound that changes nothing is not
-/// held there by the bound.
-std::vector<ParameterState> StatesBefore(const RefineResult& best, const Lattice& lattice,
-                                         const std::vector<Index>& noisy) {
-  std::vector<ParameterState> states(lattice.size(), ParameterState::kDetermined);
-  const Eigen::VectorXd norms = best.jacobian.colwise().norm();
-  Eigen::VectorXd sound = norms;
-  for (const Index j : noisy) {
-    states[static_cast<std::size_t>(j)] = ParameterState::kNoise;
-    sound[j] = 0;
-  }
-  const double least = CovarianceOptions().rank_threshold * sound.maxCoeff();
-  for (std::size_t i = 0; i < lattice.size(); ++i) {
-    const auto j = static_cast<Index>(i);
-    if (IsAtBound(lattice.axes()[i], best.values[j]) && norms[j] > least) states[i] = ParameterState::kAtBound;
-  }
-  return states;
-}
-
 /// What was fitted, in terms of one optimum.
 class Optimum {
  public:
-  Optimum(const VehicleObjective& objective, const Lattice& lattice, const RefineResult& best, const RobustLoss& loss)
+  Optimum(const VehicleObjective& objective, const Lattice& lattice, const RefineResult& best, const RobustLoss& loss,
+          const Eigen::MatrixXd& input_noise)
       : data_(best.jacobian.rows() - objective.prior_count()),
         jacobian_(best.jacobian.topRows(data_)),
         priors_(best.jacobian.bottomRows(objective.prior_count())),
@@ -49,6 +31,7 @@ class Optimum {
         // With a loss the cost is that of squares that would leave the same variance, but never less than the squares
         // are: a loss bounds the pull of residuals, and knows nothing of why they are so large.
         cost_(std::max(residuals_.squaredNorm(), loss.EquivalentCost(residuals_))),
+        input_noise_(input_noise),
         noise_(residuals_.cwiseProduct(weights_), structure_, jacobian_.cols()) {}
 
   Covariance NoiseCovariance(const std::vector<Index>& held) const {
@@ -60,11 +43,12 @@ class Optimum {
   }
 
   ModelErrorEstimate ModelError(const std::vector<Index>& judged) const {
-    return EstimateModelError({.jacobian = jacobian_(Eigen::all, judged),
-                               .priors = priors_(Eigen::all, judged),
-                               .residuals = residuals_,
-                               .weights = weights_},
-                              structure_, noise_);
+    const Eigen::MatrixXd jacobian = jacobian_(Eigen::all, judged);
+    Eigen::MatrixXd scores = residuals_.cwiseProduct(weights_).asDiagonal() * jacobian;
+    if (input_noise_.size() > 0) scores -= input_noise_(Eigen::all, judged);
+    return EstimateModelError(
+        {.jacobian = jacobian, .priors = priors_(Eigen::all, judged), .scores = std::move(scores), .weights = weights_},
+        structure_, noise_);
   }
 
   /// judged x held: what one deviation of a held parameter moves the others by.
@@ -105,6 +89,7 @@ class Optimum {
   Eigen::VectorXd slopes_;
   ResidualStructure structure_;
   double cost_;
+  Eigen::MatrixXd input_noise_;
   ResidualNoise noise_;
 };
 
@@ -134,6 +119,30 @@ bool IsAtBound(const LatticeAxis& axis, double value) {
   constexpr double kAtBound = 1e-6;
   const double near = kAtBound * (axis.upper - axis.lower);
   return value - axis.lower < near || axis.upper - value < near;
+}
+
+std::vector<ParameterState> StatesAt(const RefineResult& best, const Lattice& lattice,
+                                     const std::vector<Index>& noisy) {
+  std::vector<ParameterState> states(lattice.size(), ParameterState::kDetermined);
+  const Eigen::VectorXd norms = best.jacobian.colwise().norm();
+  Eigen::VectorXd sound = norms;
+  for (const Index j : noisy) {
+    states[static_cast<std::size_t>(j)] = ParameterState::kNoise;
+    sound[j] = 0;
+  }
+  const double least = CovarianceOptions().rank_threshold * sound.maxCoeff();
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    const auto j = static_cast<Index>(i);
+    if (IsAtBound(lattice.axes()[i], best.values[j]) && norms[j] > least) states[i] = ParameterState::kAtBound;
+  }
+  return states;
+}
+
+std::vector<Index> FixedOf(const std::vector<ParameterState>& states) {
+  std::vector<Index> fixed;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (states[i] != ParameterState::kDetermined) fixed.push_back(static_cast<Index>(i));
+  return fixed;
 }
 
 HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
@@ -169,14 +178,12 @@ HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& 
 }
 
 Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice, const RefineResult& best,
-                      const RobustLoss& loss, const std::vector<Index>& noisy, const HeldParameters& held) {
-  const Optimum optimum(objective, lattice, best, loss);
+                      const RobustLoss& loss, const std::vector<ParameterState>& states,
+                      const Eigen::MatrixXd& input_noise, const HeldParameters& held) {
+  const Optimum optimum(objective, lattice, best, loss, input_noise);
   Certainty certainty;
-  certainty.states = StatesBefore(best, lattice, noisy);
-  std::vector<Index> fixed;
-  for (std::size_t i = 0; i < certainty.states.size(); ++i)
-    if (certainty.states[i] != ParameterState::kDetermined) fixed.push_back(static_cast<Index>(i));
-  certainty.covariance = optimum.NoiseCovariance(fixed);
+  certainty.states = states;
+  certainty.covariance = optimum.NoiseCovariance(FixedOf(states));
   certainty.noise_sd = certainty.covariance.variable_sd;
   const auto count = static_cast<Index>(lattice.size());
   for (Index j = 0; j < count; ++j) {

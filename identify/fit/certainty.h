@@ -52,9 +52,17 @@ struct Certainty {
 HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
                       int threads, const std::function<bool()>& stop, std::int64_t& evaluated);
 
-/// `noisy`: places of parameters whose derivatives are noise.
+/// Of parameters that cannot have a deviation at this optimum. `noisy`: places of those whose derivatives are noise. A
+/// parameter at its bound that changes nothing is not held there by the bound.
+std::vector<ParameterState> StatesAt(const RefineResult& best, const Lattice& lattice,
+                                     const std::vector<Eigen::Index>& noisy);
+/// Places of those that are not kDetermined.
+std::vector<Eigen::Index> FixedOf(const std::vector<ParameterState>& states);
+
+/// `states`: see StatesAt(). `input_noise`: N x n, what noise of the inputs adds to the gradient; empty: nothing.
 Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice, const RefineResult& best,
-                      const RobustLoss& loss, const std::vector<Eigen::Index>& noisy, const HeldParameters& held);
+                      const RobustLoss& loss, const std::vector<ParameterState>& states,
+                      const Eigen::MatrixXd& input_noise, const HeldParameters& held);
 
 /// Whether a value is at a bound of its range: refinement stops at steps of 1e-8.
 bool IsAtBound(const LatticeAxis& axis, double value);

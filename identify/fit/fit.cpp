@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "identify/fit/input_noise.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/refine/search_method_list.h"
 #include "identify/uncertainty/derivative_noise.h"
@@ -78,6 +79,20 @@ std::vector<Eigen::Index> NoisyAt(Archive& archive, const RefineResult& best, Ei
   if (!again) return {};
   const Eigen::Index data = best.jacobian.rows() - prior_count;
   return NoisyColumns(best.jacobian.topRows(data), again->topRows(data));
+}
+
+/// Takes a step of FitVariables from an optimum, within the bounds; derivatives stay those of the optimum. False where
+/// the model cannot be evaluated there.
+bool MoveBy(Archive& archive, const Eigen::VectorXd& step, const RobustLoss& loss, RefineResult& best) {
+  const FitVariables variables(archive.lattice());
+  const Eigen::VectorXd values = variables.ToValues(
+      (variables.FromValues(best.values) + step).cwiseMax(variables.lower()).cwiseMin(variables.upper()));
+  const Evaluation there = archive.EvaluateValues({values}).front();
+  if (!there.ok()) return false;
+  best.values = values;
+  best.residuals = there.residuals;
+  best.cost = loss.Cost(there.residuals);
+  return true;
 }
 
 std::string FailureCauses(const EvaluationCounts& counts) {
@@ -277,17 +292,28 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
   result.end = stop() ? FitEnd::kInterrupted : FitEnd::kNotConverged;
   if (refined.best >= 0) {
     begin("deviations");
-    const RefineResult best =
+    RefineResult best =
         Polished(archive, refined.runs[static_cast<std::size_t>(refined.best)], options.refine, report_and_ask, stop);
-    values = best.values;
-    result.cost = best.cost;
     result.end = EndOf(best, stop());
     result.message = best.message;
+    Eigen::MatrixXd input_noise;
+    std::vector<ParameterState> states;
     if (best.jacobian.size() > 0) {
-      const std::vector<Eigen::Index> noisy = NoisyAt(archive, best, result.prior_count, options.refine, stop);
+      states = StatesAt(best, archive.lattice(), NoisyAt(archive, best, result.prior_count, options.refine, stop));
+      const std::optional<InputNoise> noise = InputNoiseAt(objective, best, options.refine, FixedOf(states),
+                                                           options.threads, stop, result.evaluations_beside);
+      if (noise && MoveBy(archive, noise->step, options.refine.loss, best)) {
+        result.moved_by_input_noise = noise->step;
+        input_noise = noise->gradient;
+      }
+    }
+    values = best.values;
+    result.cost = best.cost;
+    if (best.jacobian.size() > 0) {
       const HeldParameters held =
-          HeldAt(objective, best.values, options.refine, options.threads, stop, result.evaluations_held);
-      certainty = CertaintyAt(objective, archive.lattice(), best, options.refine.loss, noisy, held);
+          HeldAt(objective, best.values, options.refine, options.threads, stop, result.evaluations_beside);
+      certainty =
+          CertaintyAt(objective, archive.lattice(), best, options.refine.loss, states, input_noise, held);
       result.covariance = certainty->covariance;
       result.certainty = certainty;
       result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();

@@ -124,8 +124,11 @@ struct FitResult {
   std::vector<std::string> weakest;
   std::vector<Profile> profiles;
   EvaluationCounts evaluations;
-  /// For derivatives by parameters that are held; not among `evaluations`.
-  std::int64_t evaluations_held = 0;
+  /// For derivatives by parameters that are held, and with noise added to inputs; not among `evaluations`.
+  std::int64_t evaluations_beside = 0;
+  /// By how much FitVariables were moved from the optimum because recorded inputs have noise, see InputNoise; empty:
+  /// not at all.
+  Eigen::VectorXd moved_by_input_noise;
   SearchResult search;
   /// Every setting of the search and its value, in the words of a study.
   std::vector<std::pair<std::string, std::string>> search_settings;

@@ -78,6 +78,43 @@ Json After(const std::optional<Covariance>& covariance, const std::vector<std::s
           {"correlation", Matrix(Correlations(*covariance))}};
 }
 
+/// By which data the parameters move, as shares of their values, or of their ranges.
+Json Ways(const FitResult& fit) {
+  Json ways = Json::array();
+  const Certainty& certainty = *fit.certainty;
+  for (const PartedData& way : certainty.model_error.ways) {
+    Json shifts = Json::object();
+    for (std::size_t i = 0; i < certainty.judged.size() && way.shifts.size() > 0; ++i) {
+      Json& row = shifts[fit.parameters[static_cast<std::size_t>(certainty.judged[i])].name] = Json::array();
+      for (Eigen::Index g = 0; g < way.shifts.cols(); ++g)
+        row.push_back(NumberOrNull(way.shifts(static_cast<Eigen::Index>(i), g)));
+    }
+    ways.push_back({{"by", way.name},
+                    {"parts", way.clusters},
+                    {"disagreement", way.degrees > 0 ? NumberOrNull(way.disagreement / way.degrees) : Json(nullptr)},
+                    {"shifts_without", shifts}});
+  }
+  return ways;
+}
+
+/// What the intervals rest on.
+Json Intervals(const FitResult& fit) {
+  if (!fit.certainty) return nullptr;
+  const Certainty& certainty = *fit.certainty;
+  const bool is_wide = certainty.model_error.is_significant;
+  Json held = Json::object();
+  for (std::size_t i = 0; i < certainty.held.size(); ++i) {
+    Json& by = held[certainty.held[i]] = Json::object();
+    for (const Eigen::Index j : certainty.judged)
+      by[fit.parameters[static_cast<std::size_t>(j)].name] =
+          NumberOrNull(certainty.by_held(static_cast<Eigen::Index>(i), j));
+  }
+  return {{"confidence", is_wide ? "80 to 90 %" : "95 %"},
+          {"model_error", is_wide},
+          {"ways", Ways(fit)},
+          {"held", held}};
+}
+
 /// null of a fit that was interrupted.
 Json Verdict(const FitResult& fit, const FitVerdict& verdict) {
   if (fit.end == FitEnd::kInterrupted) return nullptr;
@@ -199,6 +236,7 @@ std::string ResultJson(const LoadedStudy& study, std::uint64_t seed, const FitRe
                {"deadline_s", NumberOrNull(fit.options.deadline_s)},
                {"identifiability_before", Before(fit)},
                {"identifiability", After(fit.covariance, fit.weakest)},
+               {"intervals", Intervals(fit)},
                {"parameters", Parameters(fit.parameters)},
                {"warnings", WarningsJson(found.warnings)},
                {"conclusions", WarningsJson(found.conclusions)},

@@ -80,7 +80,7 @@ class Jackknife {
       if (!among[i]) continue;
       const auto row = static_cast<Index>(i);
       const double weight = fitted_.weights[row];
-      score += weight * fitted_.residuals[row] * fitted_.jacobian.row(row).transpose();
+      score += fitted_.scores.row(row).transpose();
       information += weight * fitted_.jacobian.row(row).transpose() * fitted_.jacobian.row(row);
     }
     Eigen::MatrixXd without = hessian_ - information;

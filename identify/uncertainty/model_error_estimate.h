@@ -16,7 +16,8 @@ struct FittedResiduals {
   /// d residuals / d FitVariables, N x n; and of the priors.
   Eigen::MatrixXd jacobian;
   Eigen::MatrixXd priors;
-  Eigen::VectorXd residuals;
+  /// What each residual adds to the gradient, N x n: J_i psi_i, less what noise of the inputs adds.
+  Eigen::MatrixXd scores;
   /// Of the loss, see RobustLoss::Weights().
   Eigen::VectorXd weights;
 };

@@ -8,6 +8,8 @@
 #include "analysis/files/near_file.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/clipping.h"
+#include "analysis/signals/noise_floor.h"
+#include "analysis/signals/random_stream.h"
 #include "analysis/signals/spectrum.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
@@ -44,7 +46,8 @@ class HistoryLoader {
         vehicle_(vehicle),
         diagnostics_(diagnostics),
         posts_(NamesOf(vehicle.posts)),
-        sensors_(NamesOf(vehicle.sensors)) {}
+        sensors_(NamesOf(vehicle.sensors)),
+        post_noise_(vehicle.posts.size()) {}
 
   std::optional<MeasuredHistory> Load() {
     CheckNames();
@@ -63,7 +66,11 @@ class HistoryLoader {
     CheckRate(history.rate_Hz);
     SetWindow(*recording, history);
     if (!good_) return std::nullopt;
-    history.posts = Posts(*recording);
+    history.heights = Heights(*recording);
+    history.posts = FollowHeights(history.heights, recording->start_s, recording->step_s,
+                                  study_.filter ? &*study_.filter : nullptr);
+    for (std::size_t p = 0; p < posts_.size(); ++p)
+      history.post_noise_sd.push_back(post_noise_[p].value_or(NoiseFloor(history.heights[p])));
     AddSignals(*recording, noise, history);
     return history;
   }
@@ -92,16 +99,24 @@ class HistoryLoader {
     std::vector<double> noise(sensors_.size());
     for (const StudyNoise& stated : study_.noise) {
       const std::optional<std::size_t> sensor = IndexOf(stated.sensor, sensors_);
+      if (const std::optional<std::size_t> post = IndexOf(stated.sensor, posts_); post && !sensor) {
+        post_noise_[*post] = ReadDeviation(stated, "m");
+        continue;
+      }
       if (!sensor) {
         Fault(kHistorySensorUnknown, stated.line, {stated.sensor, DidYouMean(stated.sensor, sensors_)});
         continue;
       }
-      const std::string unit = UnitOf(vehicle_.sensors[*sensor].type);
-      const std::optional<Quantity> sd = ParseQuantity(stated.sd);
-      if (sd && sd->unit.dimension == ParseUnit(unit)->dimension && sd->si >= 0) noise[*sensor] = sd->si;
-      else Fault(kNoiseUnreadable, stated.line, {stated.sensor, unit, stated.sd});
+      noise[*sensor] = ReadDeviation(stated, UnitOf(vehicle_.sensors[*sensor].type));
     }
     return noise;
+  }
+
+  double ReadDeviation(const StudyNoise& stated, const std::string& unit) {
+    const std::optional<Quantity> sd = ParseQuantity(stated.sd);
+    if (sd && sd->unit.dimension == ParseUnit(unit)->dimension && sd->si >= 0) return sd->si;
+    Fault(kNoiseUnreadable, stated.line, {stated.sensor, unit, stated.sd});
+    return 0;
   }
 
   void CheckRate(double rate_Hz) {
@@ -162,14 +177,14 @@ class HistoryLoader {
     return sum;
   }
 
-  RecordedPosts Posts(const TimeRecording& recording) {
+  std::vector<std::vector<double>> Heights(const TimeRecording& recording) {
     std::vector<std::vector<double>> heights(posts_.size());
     for (const auto& [post, source] : study_.posts) {
       const Eigen::VectorXd height = WithoutMean(Combined(recording, source));
       CheckSampling(post, height, recording.rate_Hz());
       heights[*IndexOf(post, posts_)].assign(height.begin(), height.end());
     }
-    return FollowHeights(heights, recording.start_s, recording.step_s, study_.filter ? &*study_.filter : nullptr);
+    return heights;
   }
 
   void AddSignals(const TimeRecording& recording, const std::vector<double>& noise, MeasuredHistory& history) {
@@ -205,6 +220,8 @@ class HistoryLoader {
   Diagnostics& diagnostics_;
   std::vector<std::string> posts_;
   std::vector<std::string> sensors_;
+  /// As stated.
+  std::vector<std::optional<double>> post_noise_;
   std::vector<RecordedChannel> wanted_;
   /// Channel of the recording to take next.
   std::size_t next_ = 0;
@@ -212,6 +229,17 @@ class HistoryLoader {
 };
 
 }  // namespace
+
+MeasuredHistory WithPostNoise(const MeasuredHistory& history, std::uint64_t seed, double sign) {
+  MeasuredHistory noisy = history;
+  for (std::size_t p = 0; p < noisy.heights.size(); ++p) {
+    RandomStream draws(seed, "post noise", p);
+    for (double& height : noisy.heights[p]) height += sign * history.post_noise_sd[p] * draws.Normal();
+  }
+  noisy.posts = FollowHeights(noisy.heights, history.posts.start_s, history.posts.step_s,
+                              history.filter ? &*history.filter : nullptr);
+  return noisy;
+}
 
 double MeasuredSignal::Deviation() const { return std::sqrt((values.array() - values.mean()).square().mean()); }
 

@@ -1,6 +1,8 @@
 #include "identify/experiments/time_history/history_residuals.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -9,6 +11,7 @@
 #include "analysis/signals/fit_quality.h"
 #include "analysis/signals/signal_timing.h"
 #include "analysis/text/option_check.h"
+#include "identify/experiments/time_history/start_state.h"
 #include "identify/residuals/sensor_group.h"
 
 namespace fourpost {
@@ -65,7 +68,7 @@ Eigen::VectorXd HistoryResiduals::At(const std::vector<double>& values, const De
   for (std::size_t h = 0; h < histories_.size(); ++h) {
     const MeasuredHistory& history = histories_[h];
     const Index each = CountOf(history);
-    const Eigen::MatrixXd modelled = simulations_[h].Run(model, deadline);
+    const Eigen::MatrixXd modelled = Modelled(h, model, deadline);
     for (std::size_t i = 0; i < history.signals.size(); ++i, at += each)
       AddSignal(history, history.signals[i], modelled.col(static_cast<Index>(i)), residuals.segment(at, each));
   }
@@ -92,7 +95,7 @@ void HistoryResiduals::AddSignal(const MeasuredHistory& history, const MeasuredS
     out *= out.norm();
     return;
   }
-  const double sd = std::hypot(signal.noise_sd, options_.model_error * deviation);
+  const double sd = DeviationOf(signal);
   const Index stride = history.Stride();
   for (Index k = 0; k < out.size(); ++k) out[k] = (modelled[k * stride] - signal.values[k * stride]) / sd;
 }
@@ -100,8 +103,23 @@ void HistoryResiduals::AddSignal(const MeasuredHistory& history, const MeasuredS
 std::vector<Eigen::MatrixXd> HistoryResiduals::Modelled(const std::vector<double>& values) const {
   const CondensedModel model = condensed_->At(values);
   std::vector<Eigen::MatrixXd> modelled;
-  for (const HistorySimulation& simulation : simulations_) modelled.push_back(simulation.Run(model));
+  for (std::size_t h = 0; h < simulations_.size(); ++h) modelled.push_back(Modelled(h, model, {}));
   return modelled;
+}
+
+Eigen::MatrixXd HistoryResiduals::Modelled(std::size_t h, const CondensedModel& model, const Deadline& deadline) const {
+  const MeasuredHistory& history = histories_[h];
+  Eigen::MatrixXd modelled = simulations_[h].Run(model, deadline);
+  if (options_.cost != HistoryCost::kWhitened) return modelled;
+  Eigen::VectorXd weights(modelled.cols());
+  for (Index i = 0; i < weights.size(); ++i)
+    weights[i] = 1 / std::pow(DeviationOf(history.signals[static_cast<std::size_t>(i)]), 2);
+  AddStart(history, model, weights, history.Stride(), modelled);
+  return modelled;
+}
+
+double HistoryResiduals::DeviationOf(const MeasuredSignal& signal) const {
+  return std::hypot(signal.noise_sd, options_.model_error * signal.Deviation());
 }
 
 std::vector<KalmanPrediction> HistoryResiduals::Predicted(const std::vector<double>& values,
@@ -146,6 +164,12 @@ std::string WindowName(const std::vector<MeasuredHistory>& histories, const Meas
   return windows == 1 ? history.name : history.name + ", " + part;
 }
 
+bool HasPostNoise(const std::vector<MeasuredHistory>& histories) {
+  return std::any_of(histories.begin(), histories.end(), [](const MeasuredHistory& history) {
+    return std::any_of(history.post_noise_sd.begin(), history.post_noise_sd.end(), [](double sd) { return sd > 0; });
+  });
+}
+
 }  // namespace
 
 ResidualStructure HistoryResiduals::Structure() const {
@@ -171,6 +195,13 @@ ResidualStructure HistoryResiduals::Structure() const {
 
 ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
                            const HistoryResiduals::Options& options) {
+  std::function<ResidualBlock(double)> with_input_noise;
+  if (options.cost == HistoryCost::kWhitened && HasPostNoise(histories))
+    with_input_noise = [=](double sign) {
+      std::vector<MeasuredHistory> noisy;
+      for (std::size_t h = 0; h < histories.size(); ++h) noisy.push_back(WithPostNoise(histories[h], h, sign));
+      return HistoryBlock(vehicle, std::move(noisy), options);
+    };
   const auto residuals = std::make_shared<const HistoryResiduals>(std::move(vehicle), std::move(histories), options);
   return {.name = "time histories",
           .count = residuals->count(),
@@ -183,7 +214,8 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
               return Failed(Failure::kNotConverged, fault.what());
             }
           },
-          .structure = residuals->Structure()};
+          .structure = residuals->Structure(),
+          .with_input_noise = std::move(with_input_noise)};
 }
 
 void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,

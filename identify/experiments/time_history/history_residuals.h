@@ -59,7 +59,7 @@ class HistoryResiduals {
   /// computed.
   Eigen::VectorXd At(const std::vector<double>& values, const Deadline& deadline = {}) const;
 
-  /// Per history, samples of the window x signals.
+  /// Per history, samples of the window x signals; whitened, with the state at the start that suits it, see AddStart().
   std::vector<Eigen::MatrixXd> Modelled(const std::vector<double>& values) const;
 
   /// Of a cost by prediction; of each history.
@@ -82,6 +82,9 @@ class HistoryResiduals {
  private:
   /// Residuals of a signal.
   Eigen::Index CountOf(const MeasuredHistory& history) const;
+  Eigen::MatrixXd Modelled(std::size_t h, const CondensedModel& model, const Deadline& deadline) const;
+  /// Of a whitened residual.
+  double DeviationOf(const MeasuredSignal& signal) const;
   Eigen::VectorXd OfPrediction(const std::vector<KalmanPrediction>& predictions) const;
   void AddSignal(const MeasuredHistory& history, const MeasuredSignal& signal, const Eigen::VectorXd& modelled,
                  Eigen::Ref<Eigen::VectorXd> out) const;

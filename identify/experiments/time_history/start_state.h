@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "identify/experiments/time_history/history_data.h"
+#include "vehicles/condensed/condensed_model.h"
+
+namespace fourpost {
+
+/// What is left of an unknown state at the first sample of a record: the vehicle need not have been at rest there, and
+/// the posts' first velocity is known as far as noise lets it. Linear about static equilibrium, dashpots by their mean
+/// force at 0.1 m/s. Columns: the real and imaginary part of each mode that lasts longer than a sample; rows: signals
+/// one after the other, each with the window's samples, filtered, without its mean. After ten seconds nothing is left.
+Eigen::MatrixXd FreeMotions(const MeasuredHistory& history, const CondensedModel& model);
+
+/// Adds to `modelled`, samples of the window x signals, the free motion that brings every `stride`-th sample nearest to
+/// the measurement; `weights`: of each signal's squares.
+void AddStart(const MeasuredHistory& history, const CondensedModel& model, const Eigen::VectorXd& weights,
+              Eigen::Index stride, Eigen::MatrixXd& modelled);
+
+}  // namespace fourpost
