@@ -22,13 +22,19 @@ double NoiseFloor(std::span<const double> signal) {
     const auto begin = power.begin() + static_cast<std::ptrdiff_t>(first);
     return std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(count), 0.0) / static_cast<double>(count);
   };
+  const auto is_flat = [&](std::size_t first, std::size_t count) {
+    const double lower = mean(first, count / 2);
+    const double upper = mean(first + count / 2, count / 2);
+    return lower < kFlat * upper && upper < kFlat * lower;
+  };
   std::size_t lowest = 1;
   for (std::size_t first = 1; first + quarter < power.size(); ++first)
     if (mean(first, quarter) < mean(lowest, quarter)) lowest = first;
-  const double lower = mean(lowest, quarter / 2);
-  const double upper = mean(lowest + quarter / 2, quarter / 2);
-  if (!(lower < kFlat * upper && upper < kFlat * lower)) return 0;
-  return std::sqrt(mean(lowest, quarter));
+  // The lowest of many is a little too low: the upper half, which is not chosen for it, goes first.
+  const std::size_t half = power.size() / 2;
+  if (is_flat(half, half - 1) && mean(half, half - 1) < kFlat * mean(lowest, quarter))
+    return std::sqrt(mean(half, half - 1));
+  return is_flat(lowest, quarter) ? std::sqrt(mean(lowest, quarter)) : 0;
 }
 
 }  // namespace fourpost

@@ -32,7 +32,10 @@ class Optimum {
         // are: a loss bounds the pull of residuals, and knows nothing of why they are so large.
         cost_(std::max(residuals_.squaredNorm(), loss.EquivalentCost(residuals_))),
         input_noise_(input_noise),
-        noise_(residuals_.cwiseProduct(weights_), structure_, jacobian_.cols()) {}
+        noise_(residuals_.cwiseProduct(weights_), structure_, jacobian_.cols()) {
+    const FitVariables variables(lattice);
+    for (Index j = 0; j < variables.size(); ++j) is_relative_.push_back(variables.is_logarithmic(j));
+  }
 
   Covariance NoiseCovariance(const std::vector<Index>& held) const {
     CovarianceOptions options;
@@ -46,9 +49,14 @@ class Optimum {
     const Eigen::MatrixXd jacobian = jacobian_(Eigen::all, judged);
     Eigen::MatrixXd scores = residuals_.cwiseProduct(weights_).asDiagonal() * jacobian;
     if (input_noise_.size() > 0) scores -= input_noise_(Eigen::all, judged);
-    return EstimateModelError(
-        {.jacobian = jacobian, .priors = priors_(Eigen::all, judged), .scores = std::move(scores), .weights = weights_},
-        structure_, noise_);
+    std::vector<bool> is_relative;
+    for (const Index j : judged) is_relative.push_back(is_relative_[static_cast<std::size_t>(j)]);
+    return EstimateModelError({.jacobian = jacobian,
+                               .priors = priors_(Eigen::all, judged),
+                               .scores = std::move(scores),
+                               .weights = weights_,
+                               .is_relative = std::move(is_relative)},
+                              structure_, noise_);
   }
 
   /// judged x held: what one deviation of a held parameter moves the others by.
@@ -91,6 +99,7 @@ class Optimum {
   double cost_;
   Eigen::MatrixXd input_noise_;
   ResidualNoise noise_;
+  std::vector<bool> is_relative_;
 };
 
 /// In the unit of FitVariables.

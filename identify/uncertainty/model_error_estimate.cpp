@@ -113,9 +113,10 @@ bool PartedData::IsSignificant() const {
 
 ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const ResidualStructure& structure,
                                       const ResidualNoise& noise) {
-  // Chosen on random vehicles, see tests/validation/coverage.csv; 1.64 to 1.96 does nearly as well.
-  constexpr double kReach = 1.8;
-  constexpr double kLeastShare = 0.25;
+  // Chosen on random vehicles, see tests/validation/coverage.csv; 1.5 to 1.9 does nearly as well.
+  constexpr double kReach = 1.645;
+  constexpr double kLeastOfNoise = 0.25;
+  constexpr double kLeastOfOthers = 0.75;
   const Index n = fitted.jacobian.cols();
   ModelErrorEstimate estimate;
   estimate.reach = Eigen::VectorXd::Zero(n);
@@ -130,10 +131,18 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
     if (clusters > 0) variance += (clusters - 1) / clusters * way.shifts.rowwise().squaredNorm();
   }
   std::vector<double> shares;
-  for (Index j = 0; j < n; ++j) shares.push_back(variance[j] / jackknife.covariance()(j, j));
-  const double least = kLeastShare * Median(shares);
-  for (Index j = 0; j < n; ++j)
-    estimate.reach[j] = kReach * std::sqrt(std::max(variance[j], least * jackknife.covariance()(j, j)));
+  std::vector<double> relative;
+  for (Index j = 0; j < n; ++j) {
+    shares.push_back(variance[j] / jackknife.covariance()(j, j));
+    if (fitted.is_relative[static_cast<std::size_t>(j)]) relative.push_back(variance[j]);
+  }
+  const double least_of_noise = kLeastOfNoise * Median(shares);
+  const double least_of_others = relative.empty() ? 0 : kLeastOfOthers * kLeastOfOthers * Median(relative);
+  for (Index j = 0; j < n; ++j) {
+    double v = std::max(variance[j], least_of_noise * jackknife.covariance()(j, j));
+    if (fitted.is_relative[static_cast<std::size_t>(j)]) v = std::max(v, least_of_others);
+    estimate.reach[j] = kReach * std::sqrt(v);
+  }
   return estimate;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -21,6 +23,37 @@ std::vector<double> TakenBack(const std::vector<double>& heights, double step, c
   return Unfiltered(heights, LowPass(filter.order, filter.cutoff_Hz, 1 / step), filter.cutoff_Hz * step);
 }
 
+/// Weights of `count` values at 0, 1, ... in the polynomial through them, at `place`.
+std::vector<double> PolynomialWeights(std::size_t count, double place) {
+  std::vector<double> weights(count, 1);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < count; ++k)
+      if (k != i) weights[i] *= (place - static_cast<double>(k)) / (static_cast<double>(i) - static_cast<double>(k));
+  return weights;
+}
+
+/// With one more value halfway between each two, of the polynomial through the 16 values about it, or as many as there
+/// are on both sides, four at least.
+std::vector<double> Refined(const std::vector<double>& values) {
+  constexpr std::size_t kSide = 8;
+  std::vector<std::vector<double>> weights(kSide + 1);
+  for (std::size_t side = 2; side <= kSide; ++side)
+    weights[side] = PolynomialWeights(2 * side, static_cast<double>(side) - 0.5);
+  std::vector<double> refined;
+  for (std::size_t k = 0; k + 1 < values.size(); ++k) {
+    refined.push_back(values[k]);
+    const std::size_t side = std::min({kSide, k + 1, values.size() - 1 - k});
+    const std::size_t first = side >= 2 ? k + 1 - side : std::min(k, values.size() - 4);
+    const std::vector<double> at_end =
+        side >= 2 ? std::vector<double>() : PolynomialWeights(4, static_cast<double>(k - first) + 0.5);
+    const std::vector<double>& by = side >= 2 ? weights[side] : at_end;
+    refined.push_back(
+        std::inner_product(by.begin(), by.end(), values.begin() + static_cast<std::ptrdiff_t>(first), 0.0));
+  }
+  refined.push_back(values.back());
+  return refined;
+}
+
 /// Lead-in and record as one spline: from rest by the polynomial of least order that meets height and velocity with no
 /// acceleration at both ends.
 UniformSpline WithLead(const std::vector<double>& heights, double start, double step, std::size_t lead,
@@ -35,8 +68,12 @@ UniformSpline WithLead(const std::vector<double>& heights, double start, double 
   }
   all.insert(all.end(), heights.begin(), heights.end());
   if (filter) all = TakenBack(all, step, *filter);
+  // A cubic spline alone is off by (w h)^2 / 12 of an acceleration: 7 % at 30 Hz sampled at 200 Hz, then 0.05 %.
+  constexpr double kFine_s = 0.4e-3;
+  double finer = step;
+  for (; finer > kFine_s && all.size() >= 4; finer /= 2) all = Refined(all);
   const std::vector<double> backward(all.rbegin(), all.rend());
-  return {start - duration, step, std::move(all), 0, -SlopeAtStart(backward, step)};
+  return {start - duration, finer, std::move(all), 0, -SlopeAtStart(backward, finer)};
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ struct LowPassDesign {
 
 /// Heights of posts that a rig recorded.
 struct RecordedPosts {
-  /// Each post follows the spline of continuous curvature through its samples (UniformSpline), with the slopes at both
-  /// ends of the cubic through the four samples there. Before the record it rises from rest at height 0 to the height
+  /// Each post follows the spline of continuous curvature (UniformSpline) through its samples and, every 0.4 ms at
+  /// least, values between them by polynomials of order 15, with the slopes at both ends of the cubic through the four
+  /// values there. Before the record it rises from rest at height 0 to the height
   /// and velocity of the first sample.
   PostMotion motion;
   std::size_t count = 0;
