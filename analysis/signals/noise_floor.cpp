@@ -14,8 +14,7 @@ double NoiseFloor(std::span<const double> signal) {
   constexpr double kFlat = 2;
   if (signal.size() < kLeast) return 0;
   // Of half the rate 1: the spectrum's mean is then the variance.
-  const Spectrum spectrum =
-      WelchSpectrum(signal, signal, 2, std::clamp<std::size_t>(signal.size() / 8, kLeast, 512));
+  const Spectrum spectrum = WelchSpectrum(signal, signal, 2, std::clamp<std::size_t>(signal.size() / 8, kLeast, 512));
   const std::vector<double>& power = spectrum.first;
   const std::size_t quarter = power.size() / 4;
   const auto mean = [&](std::size_t first, std::size_t count) {

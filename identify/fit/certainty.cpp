@@ -154,6 +154,35 @@ std::vector<Index> FixedOf(const std::vector<ParameterState>& states) {
   return fixed;
 }
 
+namespace {
+
+/// The part of the data whose absence moves a judged parameter most.
+std::string LoudestPart(const ModelErrorEstimate& estimate, Index judged) {
+  std::string name;
+  double largest = 0;
+  for (const PartedData& way : estimate.ways)
+    for (Index g = 0; g < way.shifts.cols(); ++g)
+      if (std::abs(way.shifts(judged, g)) > largest) {
+        largest = std::abs(way.shifts(judged, g));
+        name = way.clusters[static_cast<std::size_t>(g)];
+      }
+  return name;
+}
+
+}  // namespace
+
+std::string Certainty::LimitedBy(Index parameter) const {
+  const auto place = std::find(judged.begin(), judged.end(), parameter);
+  if (place == judged.end()) return "";
+  const double noise = noise_sd[parameter];
+  if (model_sd[parameter] > std::max(noise, held_sd[parameter]))
+    return "model: " + LoudestPart(model_error, place - judged.begin());
+  if (held_sd[parameter] <= noise) return "noise";
+  Index largest = 0;
+  by_held.col(parameter).maxCoeff(&largest);
+  return "held: " + held[static_cast<std::size_t>(largest)];
+}
+
 HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
                       int threads, const std::function<bool()>& stop, std::int64_t& evaluated) {
   HeldParameters held = {.places = PlacesHeld(objective), .variable_sd = {}, .jacobian = {}};
@@ -196,7 +225,8 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
   certainty.noise_sd = certainty.covariance.variable_sd;
   const auto count = static_cast<Index>(lattice.size());
   for (Index j = 0; j < count; ++j) {
-    if (std::isinf(certainty.noise_sd[j])) certainty.states[static_cast<std::size_t>(j)] = ParameterState::kUndetermined;
+    if (std::isinf(certainty.noise_sd[j]))
+      certainty.states[static_cast<std::size_t>(j)] = ParameterState::kUndetermined;
     if (std::isfinite(certainty.noise_sd[j])) certainty.judged.push_back(j);
   }
   certainty.held_sd = certainty.model_sd = Eigen::VectorXd::Zero(count);

@@ -45,6 +45,10 @@ struct Certainty {
   /// Names of held parameters, and the deviation that each adds, held x free.
   std::vector<std::string> held;
   Eigen::MatrixXd by_held;
+
+  /// What most of a parameter's deviation comes from: "noise"; "model: " and the part of the data that pulls it most;
+  /// "held: " and the parameter that moves it most. Empty for one without a deviation.
+  std::string LimitedBy(Eigen::Index parameter) const;
 };
 
 /// Of the parameters that are not free but have a range, at these values of the free ones; pays for differences in

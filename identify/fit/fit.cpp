@@ -21,6 +21,7 @@ void DescribeCertainty(const Certainty& certainty, Eigen::Index k, double slope,
   fitted.noise_sd = slope * certainty.noise_sd[k];
   fitted.held_sd = slope * certainty.held_sd[k];
   fitted.model_sd = slope * certainty.model_sd[k];
+  fitted.limited_by = certainty.LimitedBy(k);
   const double range = fitted.upper - fitted.lower;
   const auto end = [&](double sd, int side) {
     const double reach = side * certainty.covariance.reach_95 * sd;
@@ -312,8 +313,7 @@ FitResult Fit(const VehicleObjective& objective, const FitOptions& options, cons
     if (best.jacobian.size() > 0) {
       const HeldParameters held =
           HeldAt(objective, best.values, options.refine, options.threads, stop, result.evaluations_beside);
-      certainty =
-          CertaintyAt(objective, archive.lattice(), best, options.refine.loss, states, input_noise, held);
+      certainty = CertaintyAt(objective, archive.lattice(), best, options.refine.loss, states, input_noise, held);
       result.covariance = certainty->covariance;
       result.certainty = certainty;
       result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();

@@ -66,6 +66,8 @@ struct FittedParameter {
   double noise_sd = 0;
   double held_sd = 0;
   double model_sd = 0;
+  /// See Certainty::LimitedBy().
+  std::string limited_by;
   /// Interval of 95 %, about the logarithm of the value where the fit is of that (see FitVariables): beyond the
   /// parameter's bounds where the data are, but not beyond what is physical, see PhysicalRanges(). Infinite and NaN
   /// like `sd`.

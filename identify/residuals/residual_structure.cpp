@@ -42,7 +42,8 @@ ResidualStructure JoinedStructure(const std::vector<ResidualBlock>& blocks) {
       whole.series.push_back(series);
     }
     for (const ResidualPartition& partition : block.structure.partitions)
-      if (PartitionNamed(whole.partitions, partition.name) == nullptr) whole.partitions.push_back({partition.name, {}, {}});
+      if (PartitionNamed(whole.partitions, partition.name) == nullptr)
+        whole.partitions.push_back({partition.name, {}, {}});
     first += block.count;
     record = last_record + 1;
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/signals/median.h"
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
 
@@ -36,12 +37,33 @@ std::string Remark(const FittedParameter& parameter) {
   return remark;
 }
 
-std::string ParameterTable(const std::vector<FittedParameter>& parameters) {
-  TextTable table({"parameter", "start", "fitted", "sd", "95 %", "lower", "upper", "unit", ""});
-  for (const FittedParameter& p : parameters)
+bool IsBeyondNoise(const FitResult& fit) { return fit.certainty && fit.certainty->model_error.is_significant; }
+
+std::string ParameterTable(const FitResult& fit) {
+  TextTable table({"parameter", "start", "fitted", "sd", IsBeyondNoise(fit) ? "80 to 90 %" : "95 %", "lower", "upper",
+                   "unit", "limited by", ""});
+  for (const FittedParameter& p : fit.parameters)
     table.Add({p.name, Shown(p.start, p.unit), Shown(p.value, p.unit), Deviation(p), IntervalText(p),
-               Shown(p.lower, p.unit), Shown(p.upper, p.unit), p.unit, Remark(p)});
+               Shown(p.lower, p.unit), Shown(p.upper, p.unit), p.unit, p.limited_by, Remark(p)});
   return table.Format();
+}
+
+/// Why the intervals are as wide as they are.
+std::string IntervalBasis(const FitResult& fit) {
+  if (!IsBeyondNoise(fit)) return "";
+  std::string ways;
+  for (const PartedData& way : fit.certainty->model_error.ways)
+    if (way.IsSignificant())
+      ways += (ways.empty() ? "" : ", ") + way.name + " " + Rounded(std::sqrt(way.disagreement / way.degrees), 2) +
+              " times";
+  std::vector<double> shares;
+  for (const Eigen::Index j : fit.certainty->judged)
+    shares.push_back(fit.certainty->total_sd[j] / fit.certainty->noise_sd[j]);
+  return "The model lacks something: parts of the data ask for different parameters, beyond noise (" + ways +
+         ").\nIntervals allow for that. Noise alone would make them " + Rounded(Median(shares), 2) +
+         " times narrower, and wrong. Limited by noise: measure longer or more often; by the\nmodel: add what those "
+         "data "
+         "ask for; by a held parameter: free or measure it.\n";
 }
 
 std::string ProfileTable(const FitResult& fit) {
@@ -119,7 +141,8 @@ std::string Judgement(const FitResult& fit) {
 
 std::string FitText(const FitResult& fit, const FitVerdict& verdict, const Diagnostics& conclusions,
                     const std::string& sections) {
-  return ParameterTable(fit.parameters) + '\n' + ProfileTable(fit) + sections + Summary(fit, verdict) + Judgement(fit) +
+  return ParameterTable(fit) + '\n' + IntervalBasis(fit) + (IsBeyondNoise(fit) ? "\n" : "") + ProfileTable(fit) +
+         sections + Summary(fit, verdict) + Judgement(fit) +
          (conclusions.items().empty() ? "" : conclusions.Format() + '\n');
 }
 

@@ -39,6 +39,7 @@ Json Parameters(const std::vector<FittedParameter>& parameters) {
                      {{"noise", NumberOrNull(parameter.noise_sd)},
                       {"held", NumberOrNull(parameter.held_sd)},
                       {"model", NumberOrNull(parameter.model_sd)}}},
+                    {"limited_by", parameter.limited_by},
                     {"interval_95", {NumberOrNull(parameter.lower_95), NumberOrNull(parameter.upper_95)}},
                     {"state", kParameterStateNames[static_cast<std::size_t>(parameter.state)]},
                     {"at_bound", parameter.at_bound}});
@@ -109,10 +110,14 @@ Json Intervals(const FitResult& fit) {
       by[fit.parameters[static_cast<std::size_t>(j)].name] =
           NumberOrNull(certainty.by_held(static_cast<Eigen::Index>(i), j));
   }
+  Json noise_moved = Json::object();
+  for (Eigen::Index j = 0; j < fit.moved_by_input_noise.size(); ++j)
+    noise_moved[fit.parameters[static_cast<std::size_t>(j)].name] = fit.moved_by_input_noise[j];
   return {{"confidence", is_wide ? "80 to 90 %" : "95 %"},
           {"model_error", is_wide},
           {"ways", Ways(fit)},
-          {"held", held}};
+          {"held", held},
+          {"moved_by_post_noise", noise_moved}};
 }
 
 /// null of a fit that was interrupted.

@@ -89,7 +89,8 @@ class Jackknife {
     const Eigen::MatrixXd inverse = Inverse(without, scale_);
     parted.shifts.col(g) = inverse * score;
     for (Index j = 0; j < n; ++j)
-      if (inverse(j, j) > kMuchWorse * covariance_(j, j)) parted.rests_on[static_cast<std::size_t>(j)] = static_cast<int>(g);
+      if (inverse(j, j) > kMuchWorse * covariance_(j, j))
+        parted.rests_on[static_cast<std::size_t>(j)] = static_cast<int>(g);
     const auto [square, rank] = SquaredDistance(score, noise_.CovarianceOfScore(fitted_.jacobian, among), scale_);
     parted.disagreement += square;
     parted.degrees += static_cast<double>(rank);

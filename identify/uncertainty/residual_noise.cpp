@@ -158,8 +158,7 @@ double EffectiveSamples(const Eigen::VectorXd& signal) {
 
 ResidualNoise::ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStructure& structure,
                              Eigen::Index parameters)
-    : variance_(Eigen::VectorXd::Ones(residuals.size())),
-      over_time_(static_cast<std::size_t>(residuals.size()), 0) {
+    : variance_(Eigen::VectorXd::Ones(residuals.size())), over_time_(static_cast<std::size_t>(residuals.size()), 0) {
   std::map<int, std::vector<ResidualSeries>> records;
   for (const ResidualSeries& series : structure.series) {
     if (!series.is_over_time) {
@@ -167,8 +166,7 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStr
       continue;
     }
     records[series.record].push_back(series);
-    for (Index k = 0; k < series.count; ++k)
-      over_time_[static_cast<std::size_t>(series.first + k * series.step)] = 1;
+    for (Index k = 0; k < series.count; ++k) over_time_[static_cast<std::size_t>(series.first + k * series.step)] = 1;
   }
   const auto all = static_cast<double>(residuals.size());
   const double scale = all / std::max(1.0, all - static_cast<double>(parameters));
@@ -192,9 +190,8 @@ ResidualNoise::Record ResidualNoise::Measured(std::vector<ResidualSeries> channe
     colour.col(c) = FilterAt(coefficients, record.points).cwiseInverse();
   }
   // Of some thousand samples 30 to 60 independent ones of the periodogram, whose points are half as far apart.
-  const auto reach = static_cast<Index>(
-      std::clamp(std::sqrt(static_cast<double>(record.samples)) / 2, 4.0, 40.0) * static_cast<double>(record.points) /
-      static_cast<double>(record.samples));
+  const auto reach = static_cast<Index>(std::clamp(std::sqrt(static_cast<double>(record.samples)) / 2, 4.0, 40.0) *
+                                        static_cast<double>(record.points) / static_cast<double>(record.samples));
   record.spectrum = Smoothed(transforms, reach, scale / static_cast<double>(record.samples));
   for (Index k = 0; k < colour.rows(); ++k) {
     const Eigen::VectorXcd by = colour.row(k).transpose();

@@ -113,9 +113,8 @@ ResidualBlock BenchResiduals(const Vehicle& vehicle, const BenchData& data, doub
           // kSeriesTolerance.
           .accuracy = 1e-7,
           .evaluate = [damper = BenchDamper(vehicle, data.damper), targets = std::move(targets), residuals](
-                          const std::vector<double>& values, const Deadline& deadline) {
-            return Evaluate(damper, targets, residuals, values, deadline);
-          },
+                          const std::vector<double>& values,
+                          const Deadline& deadline) { return Evaluate(damper, targets, residuals, values, deadline); },
           .structure = std::move(structure)};
 }
 

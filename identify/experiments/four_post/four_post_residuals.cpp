@@ -179,14 +179,14 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
   ResidualStructure structure = StructureOf(vehicle->vehicle(), runs, model_error);
   // Marched: to March's tolerance, and without derivatives of its own.
   if (HasHysteresis(vehicle->At(vehicle->vehicle().ParameterValues())))
-    return {
-        .name = "four-post responses",
-        .count = count,
-        .accuracy = 1e-4,
-        .evaluate = [vehicle, runs, count, model_error](const std::vector<double>& values, const Deadline& deadline) {
-          return Evaluate(*vehicle, runs, count, model_error, values, deadline);
-        },
-        .structure = std::move(structure)};
+    return {.name = "four-post responses",
+            .count = count,
+            .accuracy = 1e-4,
+            .evaluate =
+                [vehicle, runs, count, model_error](const std::vector<double>& values, const Deadline& deadline) {
+                  return Evaluate(*vehicle, runs, count, model_error, values, deadline);
+                },
+            .structure = std::move(structure)};
   return {.name = "four-post responses",
           .count = count,
           // What the balance's iteration leaves: 3e-7 of a response in the mean, some 1e-6 at the most.

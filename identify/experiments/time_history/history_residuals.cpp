@@ -207,13 +207,14 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
           .count = residuals->count(),
           // What the elements' forces are solved to, times what a step's error may grow to.
           .accuracy = 1e-9,
-          .evaluate = [residuals](const std::vector<double>& values, const Deadline& deadline) {
-            try {
-              return Evaluation{.residuals = residuals->At(values, deadline)};
-            } catch (const std::runtime_error& fault) {
-              return Failed(Failure::kNotConverged, fault.what());
-            }
-          },
+          .evaluate =
+              [residuals](const std::vector<double>& values, const Deadline& deadline) {
+                try {
+                  return Evaluation{.residuals = residuals->At(values, deadline)};
+                } catch (const std::runtime_error& fault) {
+                  return Failed(Failure::kNotConverged, fault.what());
+                }
+              },
           .structure = residuals->Structure(),
           .with_input_noise = std::move(with_input_noise)};
 }

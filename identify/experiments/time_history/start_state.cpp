@@ -58,7 +58,8 @@ std::vector<FreeMode> ModesOf(const MeasuredHistory& history, const CondensedMod
 /// Of one signal: samples of the window.
 Eigen::VectorXd Window(const MeasuredHistory& history, Eigen::VectorXd all) {
   if (const auto& filter = history.filter)
-    LowPass(filter->order, filter->cutoff_Hz, history.rate_Hz).Apply({all.data(), static_cast<std::size_t>(all.size())});
+    LowPass(filter->order, filter->cutoff_Hz, history.rate_Hz)
+        .Apply({all.data(), static_cast<std::size_t>(all.size())});
   return WithoutMean(all.tail(history.count));
 }
 
@@ -86,8 +87,8 @@ Eigen::MatrixXd FreeMotions(const MeasuredHistory& history, const CondensedModel
   return motions.leftCols(column);
 }
 
-void AddStart(const MeasuredHistory& history, const CondensedModel& model, const Eigen::VectorXd& weights,
-              Index stride, Eigen::MatrixXd& modelled) {
+void AddStart(const MeasuredHistory& history, const CondensedModel& model, const Eigen::VectorXd& weights, Index stride,
+              Eigen::MatrixXd& modelled) {
   // Of normalised columns: motions that no signal tells apart share what there is.
   constexpr double kRidge = 1e-9;
   const Eigen::MatrixXd motions = FreeMotions(history, model);
