@@ -105,9 +105,9 @@ TEST_F(Simulate, ChoosesTheEngineByWhatShows) {
     return "--sine 1.5Hz --amplitude " + amplitude + " --velocity 1m/s --acceleration 2g --duration 3s -o a.csv";
   };
   const Outcome small = Run("landrover110_linkage", run("0.5mm"));
-  EXPECT_THAT(small.out, HasSubstr("less than shows (0.6 %): they answer"));
+  EXPECT_THAT(small.out, HasSubstr("below the visible limit (0.6 %): reduced model used"));
   const Outcome large = Run("landrover110_linkage", run("50mm"));
-  EXPECT_THAT(large.out, HasSubstr("which shows (0.6 %): the full geometry answers"));
+  EXPECT_THAT(large.out, HasSubstr("above the visible limit (0.6 %): full geometry used"));
   const Json answer = Json::parse(Run("landrover110_linkage", run("50mm") + " --json").out);
   EXPECT_EQ(answer["engine"], "full");
   EXPECT_GT(answer["linear_kinematics_error"]["value"].get<double>(), 0.006);
