@@ -18,7 +18,8 @@ inline const Finding kArraysUnequal{"arrays-unequal", Severity::kError, "{} has 
 inline const Finding kRateNotPositive{"rate-not-positive", Severity::kError, "the sampling rate is {} Hz",
                                       "give that of the arrays, above zero"};
 inline const Finding kEngineOfSines{"engine-of-sines", Severity::kError,
-                                    "engine kTime is for stepped sines, not for time histories", "take kFull"};
+                                    "engine kTimeIntegration is for stepped sines, not for time histories",
+                                    "take kFull"};
 inline const Finding kStudyEmpty{"study-empty", Severity::kError, "the study has no experiment to fit", "add one"};
 inline const Finding kStudyOfFile{"study-of-file", Severity::kError, "the study {} is a file, which decides its {}",
                                   "change the file, or build the study from arrays"};

@@ -43,7 +43,7 @@ fourpost::Engine OwnEngine(Engine engine) {
     case Engine::kAuto: return fourpost::Engine::kAuto;
     case Engine::kReduced: return fourpost::Engine::kReduced;
     case Engine::kFull: return fourpost::Engine::kFull;
-    case Engine::kTime: return fourpost::Engine::kTime;
+    case Engine::kTimeIntegration: return fourpost::Engine::kTimeIntegration;
   }
   return fourpost::Engine::kAuto;
 }
@@ -53,7 +53,7 @@ Engine PublicEngine(fourpost::Engine engine) {
     case fourpost::Engine::kAuto: return Engine::kAuto;
     case fourpost::Engine::kReduced: return Engine::kReduced;
     case fourpost::Engine::kFull: return Engine::kFull;
-    case fourpost::Engine::kTime: return Engine::kTime;
+    case fourpost::Engine::kTimeIntegration: return Engine::kTimeIntegration;
   }
   return Engine::kAuto;
 }

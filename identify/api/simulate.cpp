@@ -35,7 +35,7 @@ std::vector<std::vector<double>> HeightsOf(const Vehicle& vehicle, const PostHei
 History Simulate(const Vehicle& vehicle, const PostHeights& posts, Engine engine) {
   return Guarded([&] {
     if (!(posts.rate_Hz > 0)) Refuse(kRateNotPositive, {}, {FormatNumber(posts.rate_Hz)});
-    if (engine == Engine::kTime) Refuse(kEngineOfSines, {});
+    if (engine == Engine::kTimeIntegration) Refuse(kEngineOfSines, {});
     const RecordedPosts motion = FollowHeights(HeightsOf(vehicle, posts), 0, 1 / posts.rate_Hz);
     HistorySolver solver(Inside::Of(vehicle));
     const TimeGrid grid{

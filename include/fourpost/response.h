@@ -12,10 +12,10 @@
 namespace fourpost::api {
 
 /// How a motion is computed. kReduced: kinematics linearised about static equilibrium, all laws exact. kFull: the full
-/// geometry. kAuto: the reduced model, and the full geometry where the two visibly differ. kTime: time integration of
-/// the full geometry to steady state, for stepped sines only. The others answer these by harmonic balance, with the
-/// forces of the elements evaluated over time (AFT; docs/theory.md).
-enum class Engine { kAuto, kReduced, kFull, kTime };
+/// geometry. kAuto: the reduced model, and the full geometry where the two visibly differ. kTimeIntegration: time
+/// integration of the full geometry to steady state, for stepped sines only. The others answer these by harmonic
+/// balance, with the forces of the elements evaluated over time (AFT; docs/theory.md).
+enum class Engine { kAuto, kReduced, kFull, kTimeIntegration };
 
 /// A stepped sine on the posts.
 struct SteppedSine {

@@ -33,7 +33,7 @@ struct History {
 };
 
 /// A vehicle from rest over moving posts, between whose samples a spline goes. Engines are those of
-/// Respond() but kTime, which is refused: kFull integrates in time here. Throws Error as Respond() does.
+/// Respond() but kTimeIntegration, which is refused: kFull integrates in time here. Throws Error as Respond() does.
 History Simulate(const Vehicle& vehicle, const PostHeights& posts, Engine engine = Engine::kAuto);
 
 }  // namespace fourpost::api

@@ -207,7 +207,7 @@ TEST(Api, FindingsNameTheirArgument) {
 TEST(Api, HistoriesRefuseWhatIsForSteppedSines) {
   const Vehicle car = QuarterCar();
   PostHeights posts{.rate_Hz = 100, .height_m = {{car.posts().front(), Eigen::VectorXd::Zero(10)}}};
-  EXPECT_THAT([&] { Simulate(car, posts, Engine::kTime); }, Fails(Error::Kind::kInput, "engine-of-sines"));
+  EXPECT_THAT([&] { Simulate(car, posts, Engine::kTimeIntegration); }, Fails(Error::Kind::kInput, "engine-of-sines"));
   posts.rate_Hz = 0;
   EXPECT_THAT([&] { Simulate(car, posts); }, Fails(Error::Kind::kInput, "rate-not-positive"));
 }

@@ -14,7 +14,7 @@ enum class Engine {
   /// The full multibody system: by harmonic balance, or over time by FullSystem.
   kFull,
   /// Steady responses only: the full multibody system integrated to steady state, the reference.
-  kTime,
+  kTimeIntegration,
 };
 
 /// "auto", "reduced", "full", "time".
