@@ -87,7 +87,7 @@ class Report(ProgramTest):
         before = (self.folder / "run/report.html").read_bytes()
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (50000, 50000))
         outcome = self.run_program("report", "run", code=5, preexec_fn=limit)
-        self.assertIn("[output-not-written]", outcome.stderr)
+        self.assertIn("[disk-full]", outcome.stderr)
         self.assertEqual((self.folder / "run/report.html").read_bytes(), before)
         self.assertEqual([file.name for file in (self.folder / "run").glob("*.partial")], [])
 
