@@ -30,8 +30,8 @@ struct EvaluationContext {
 /// Evaluations kept in a file (SQLite, WAL), failures as well: whoever evaluates the same values in the same context,
 /// in this run or another, gets what was stored, to the last bit. Each is in the file before Put() returns, so that a
 /// killed program has lost none that it used; only a loss of power may take the last ones. Each carries a checksum: one
-/// that was changed on the disk is treated as missing, and is counted. Other contexts in the file stay and are not used.
-/// May be used from several threads, and the file by several programs at once.
+/// that was changed on the disk is treated as missing, and is counted. Other contexts in the file stay and are not
+/// used. May be used from several threads, and the file by several programs at once.
 class EvaluationStore {
  public:
   /// Opens the file, or creates it. Throws OutputError when that is not possible, or when it is no such file, which

@@ -78,7 +78,8 @@ class HistoryLoader {
     for (const auto& [post, source] : study_.posts)
       if (!IndexOf(post, posts_)) Fault(kHistoryPostUnknown, source.line, {post, DidYouMeanOrAll(post, posts_)});
     for (const auto& [sensor, source] : study_.channels)
-      if (!IndexOf(sensor, sensors_)) Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMeanOrAll(sensor, sensors_)});
+      if (!IndexOf(sensor, sensors_))
+        Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMeanOrAll(sensor, sensors_)});
     for (const std::string& post : posts_)
       if (std::none_of(study_.posts.begin(), study_.posts.end(), [&](const auto& one) { return one.first == post; }))
         Fault(kHistoryPostMissing, study_.line, {study_.name, post});

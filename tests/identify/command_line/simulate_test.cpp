@@ -305,9 +305,9 @@ TEST_F(Simulate, RefusesValuesThatDoNotGoTogether) {
 TEST_F(Simulate, SaysWhereARecordingEnds) {
   ASSERT_EQ(Run("quarter_car", "--step 5mm --duration 2s -o a.csv").code, 0);
   EXPECT_THAT(Run("quarter_car", "--recording a.csv --duration 3s").err,
-              AllOf(HasSubstr("--duration: warning: "), HasSubstr(" 2 s [recording-ends]")));
+              AllOf(HasSubstr("--duration: warning: "), HasSubstr(" 2 s"), HasSubstr("[recording-ends]")));
   EXPECT_EQ(Run("quarter_car", "--recording a.csv --duration 2s").err, "");
-  ExpectRefused("quarter_car", "--recording urdf/quarter_car.urdf", 3, "a table (.csv) [file-of-other-kind]");
+  ExpectRefused("quarter_car", "--recording urdf/quarter_car.urdf", 3, "a recording (.csv, .mat) [file-of-other-kind]");
 }
 
 TEST_F(Simulate, TellsTheFaultsOfARecording) {
