@@ -29,7 +29,7 @@ install(FILES
 
 if(TARGET fourpost)
   install(TARGETS fourpost COMPONENT program)
-  # The program tells its manual page and what shells complete.
+  # The program prints its manual page and what shells complete.
   set(manual_dir ${PROJECT_BINARY_DIR}/manual)
   foreach(part IN ITEMS "fourpost.1:man" "fourpost.bash:completion bash" "_fourpost:completion zsh" "fourpost.fish:completion fish")
     string(REGEX MATCH "^[^:]*" file ${part})

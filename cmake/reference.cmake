@@ -1,5 +1,4 @@
-# `cmake --build ... --target reference`: the public headers as pages of HTML in build/release/reference. Every function
-# has to be documented.
+# `cmake --build ... --target reference`: the public headers as pages of HTML in build/release/reference.
 find_package(Doxygen QUIET)
 if(DOXYGEN_FOUND)
   set(DOXYGEN_PROJECT_NAME fourpost)

@@ -1,4 +1,4 @@
-# fourpost_room(FOLDER [ALONE] USES room... PUBLIC library... PRIVATE library... INTERNAL header...)
+# fourpost_room(FOLDER [ALONE] USES room... PUBLIC library... PRIVATE library...)
 # A room is a folder and a static library of all that lies in it. USES names the rooms that it may include, "vehicles/laws";
 # the build refuses any other (arrows.cmake), and a circle of rooms. ALONE: its sources have words of their own that do
 # not go together into one compilation.
@@ -17,15 +17,11 @@ fourpost_precompiled(fourpost_headers)
 set(fourpost_cmake_dir ${CMAKE_CURRENT_LIST_DIR})
 
 function(fourpost_room folder)
-  cmake_parse_arguments(ROOM "ALONE" "" "SOURCES;USES;PUBLIC;PRIVATE;INTERNAL" ${ARGN})
+  cmake_parse_arguments(ROOM "ALONE" "" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
   set(target fourpost_${name})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
   file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.h)
-  list(TRANSFORM ROOM_INTERNAL PREPEND ${PROJECT_SOURCE_DIR}/${folder}/)
-  if(ROOM_INTERNAL)
-    list(REMOVE_ITEM headers ${ROOM_INTERNAL})
-  endif()
   string(REPLACE "/" "_" rooms "${ROOM_USES}")
   list(TRANSFORM rooms PREPEND fourpost::)
 
@@ -35,7 +31,7 @@ function(fourpost_room folder)
   add_custom_command(OUTPUT ${stamp}
     COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${PROJECT_SOURCE_DIR} -D ROOM=${folder} -D USES=${uses} -D STAMP=${stamp}
       -P ${fourpost_cmake_dir}/arrows.cmake
-    DEPENDS ${sources} ${headers} ${ROOM_INTERNAL} ${fourpost_cmake_dir}/arrows.cmake VERBATIM
+    DEPENDS ${sources} ${headers} ${fourpost_cmake_dir}/arrows.cmake VERBATIM
     COMMENT "Arrows of ${folder}")
 
   add_library(${target} STATIC ${sources} ${ROOM_SOURCES} ${stamp})

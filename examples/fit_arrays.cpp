@@ -16,7 +16,10 @@ int main(int, char** arguments) try {
   car.Set("k", "26 kN/m");
   fp::SteppedSineTest test{.frequency_Hz = {0.6, 1, 1.5, 2, 3, 5, 8, 12}, .amplitude_m = {0.01}};
   const fp::Response measured = fp::Respond(car, {test.frequency_Hz, test.amplitude_m});
-  for (const char* sensor : {"a_body", "a_wheel", "s_strut"}) test.channels[sensor] = {measured.At(sensor).frf};
+  for (const char* sensor : {"a_body", "a_wheel", "s_strut"}) {
+    const fp::ChannelResponse& channel = measured.At(sensor);
+    test.channels[sensor] = {.frf = channel.frf, .mean = channel.mean};
+  }
   study.Add(test);
   const fp::FittedParameter k = fp::Fit(study, arguments[2]).At("k");
   std::printf("k = %.6g +- %.2g N/m\n", k.value, k.sd);

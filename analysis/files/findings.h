@@ -7,8 +7,10 @@ namespace fourpost {
 
 // Any file.
 
-inline const Finding kFileNotThere{"file-not-there", Severity::kError, "file {} does not exist{}"};
-inline const Finding kFileUnreadable{"file-unreadable", Severity::kError, "cannot be read: {}{}"};
+inline const Finding kFileNotThere{"file-not-there", Severity::kError, "file{} does not exist{}",
+                                   "correct the name or its folder"};
+inline const Finding kFileUnreadable{"file-unreadable", Severity::kError, "cannot be read ({})",
+                                     "allow reading it, or name another file"};
 inline const Finding kFileNotRegular{"file-not-regular", Severity::kError, "{}, not a file",
                                      "write its content to a file and name that"};
 inline const Finding kFileTooLarge{"file-too-large", Severity::kError, "larger than {}",
@@ -24,7 +26,7 @@ inline const Finding kCsvLineEnds{"csv-line-ends", Severity::kError, "lines end 
 inline const Finding kCsvEmpty{"csv-empty", Severity::kError, "empty file",
                                "a table needs a header line and rows of numbers"};
 inline const Finding kCsvQuoteOpen{"csv-quote-open", Severity::kError,
-                                   "the quote that opens in line {} is never closed"};
+                                   "the quote that opens in line {} is never closed", "close it, or remove it"};
 inline const Finding kCsvTextBehindQuote{"csv-text-behind-quote", Severity::kError, "text follows a closing quote",
                                          "double the quotes inside a quoted field"};
 inline const Finding kCsvSeparator{"csv-separator", Severity::kError, "columns are separated by {}",
@@ -40,13 +42,16 @@ inline const Finding kCsvLastColumnUnnamed{
 inline const Finding kCsvDecimalCommas{
     "csv-decimal-commas", Severity::kError, "the header names {}, the rows have {}",
     "remove the lines above the column names; or separate columns by semicolons where decimals have commas"};
-inline const Finding kCsvColumnNameless{"csv-column-nameless", Severity::kError, "column {} has no name"};
+inline const Finding kCsvColumnNameless{"csv-column-nameless", Severity::kError, "column {} has no name",
+                                        "name it, or remove it"};
 inline const Finding kCsvColumnTwice{"csv-column-twice", Severity::kError,
                                      "column {} has the name '{}' of an earlier one", "rename one of them"};
 inline const Finding kCsvNoUnits{"csv-no-units", Severity::kError, "no row of units below the header",
                                  "add a line with the unit of each column"};
-inline const Finding kCsvNoRows{"csv-no-rows", Severity::kError, "no rows below the header"};
-inline const Finding kCsvRowLength{"csv-row-length", Severity::kError, "the row has {}, the header {}"};
+inline const Finding kCsvNoRows{"csv-no-rows", Severity::kError, "no rows below the header",
+                                "add one row of numbers for each sample or frequency"};
+inline const Finding kCsvRowLength{"csv-row-length", Severity::kError, "the row has {}, the header {}",
+                                   "write one field for each column name"};
 inline const Finding kCsvNotANumber{"csv-not-a-number", Severity::kError, "{} '{}' is not a finite number",
                                     "correct it, or leave the field empty where nothing was measured"};
 
@@ -60,11 +65,13 @@ inline const Finding kMatVectorTwice{"mat-vector-twice", Severity::kError, "MAT 
 // Columns of recordings.
 
 inline const Finding kColumnMissing{"column-missing", Severity::kError, "column '{}' is missing", "add it"};
-inline const Finding kColumnUnknown{"column-unknown", Severity::kError, "unknown column '{}'{}"};
+inline const Finding kColumnUnknown{"column-unknown", Severity::kError, "unknown column '{}'{}",
+                                    "correct it, or remove it"};
 inline const Finding kColumnSuperfluous{"column-superfluous", Severity::kError, "unknown column '{}'", "remove it"};
 inline const Finding kColumnLength{"column-length", Severity::kError, "column '{}' has {} rows, column '{}' {}",
                                    "give all columns the same length"};
-inline const Finding kChannelColumnMissing{"channel-column-missing", Severity::kError, "column '{}', {}, is missing{}"};
+inline const Finding kChannelColumnMissing{"channel-column-missing", Severity::kError, "column '{}', {}, is missing{}",
+                                           "correct the name, or add the column"};
 
 // Time histories.
 

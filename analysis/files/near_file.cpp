@@ -29,7 +29,7 @@ bool RequireFile(const std::filesystem::path& file, const std::string& named_by,
   std::error_code failure;
   if (std::filesystem::exists(file, failure)) return true;
   diagnostics.Report(kFileNotThere, {named_by, line},
-                     {file.string(), DidYouMeanFile(file) + (failure ? " (" + failure.message() + ")" : "")});
+                     {" " + file.string(), DidYouMeanFile(file) + (failure ? " (" + failure.message() + ")" : "")});
   return false;
 }
 

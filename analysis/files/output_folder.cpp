@@ -133,10 +133,6 @@ bool IsDiskFull(const std::error_code& reason) {
          reason == std::error_code(EDQUOT, std::generic_category());
 }
 
-std::string WritingRemedy(const std::error_code& reason, const std::string& otherwise) {
-  return IsDiskFull(reason) ? "free some space, or name another folder" : otherwise;
-}
-
 std::vector<fs::path> MissingFolders(const fs::path& folder) {
   std::vector<fs::path> missing;
   for (fs::path path = folder; fs::symlink_status(path).type() == fs::file_type::not_found; path = path.parent_path())

@@ -27,8 +27,6 @@ class OutputError : public std::runtime_error {
 
 /// Whether the system refuses to write for want of room.
 bool IsDiskFull(const std::error_code& reason);
-/// What to do when the system refuses to write: to make room where that is why, else what is said.
-std::string WritingRemedy(const std::error_code& reason, const std::string& otherwise);
 
 /// The folders that must be created for this one, an absolute path, to exist, the outermost first.
 std::vector<std::filesystem::path> MissingFolders(const std::filesystem::path& folder);

@@ -51,8 +51,8 @@ std::optional<std::string> ReadTextFile(const std::filesystem::path& file, Diagn
   if (stream && stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
   // Reading a folder opens well and fails here.
   if (errno == 0 && stream.is_open() && !stream.bad() && text) return std::move(text).str();
-  const std::string reason = std::generic_category().message(errno);
-  diagnostics.Report(kFileUnreadable, {file.string()}, {reason, DidYouMeanFile(file)});
+  if (errno == ENOENT) diagnostics.Report(kFileNotThere, {file.string()}, {"", DidYouMeanFile(file)});
+  else diagnostics.Report(kFileUnreadable, {file.string()}, {std::generic_category().message(errno)});
   return std::nullopt;
 }
 

@@ -71,11 +71,4 @@ void LowPass::Apply(std::span<double> signal) const {
   for (const Section& section : sections_) ApplySection(section, 0, signal);
 }
 
-// Each section gives on what it was given where that stands still.
-void LowPass::ApplySettled(std::span<double> signal) const {
-  if (signal.empty()) return;
-  const double before = signal.front();
-  for (const Section& section : sections_) ApplySection(section, before, signal);
-}
-
 }  // namespace fourpost

@@ -36,9 +36,6 @@ class LowPass {
 
   /// Replaces a signal by its filtered one.
   void Apply(std::span<double> signal) const;
-  /// The same, but with all samples before the first like the first: a signal that has stood there begins without a
-  /// transient.
-  void ApplySettled(std::span<double> signal) const;
 
  private:
   std::vector<Section> sections_;

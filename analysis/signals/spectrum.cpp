@@ -37,14 +37,6 @@ std::vector<double> Spectrum::Coherence() const {
   return coherence;
 }
 
-double Spectrum::DeviationWithin(double lower_Hz, double upper_Hz) const {
-  double power = 0;
-  for (std::size_t k = 1; k < frequency_Hz.size(); ++k)
-    if (frequency_Hz[k - 1] >= lower_Hz && frequency_Hz[k] <= upper_Hz)
-      power += 0.5 * (first[k] + first[k - 1]) * (frequency_Hz[k] - frequency_Hz[k - 1]);
-  return std::sqrt(power);
-}
-
 Spectrum WelchSpectrum(std::span<const double> first, std::span<const double> second, double rate_Hz,
                        std::size_t segment) {
   RequireOption(first.size() == second.size(), "WelchSpectrum: samples of the second signal", second.size(),

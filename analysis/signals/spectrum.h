@@ -20,9 +20,6 @@ struct Spectrum {
   /// |cross|^2 / (first second): 1 where the second follows linearly from the first, without noise; of one segment
   /// alone always.
   std::vector<double> Coherence() const;
-
-  /// Standard deviation of what the first signal has from lower to upper [unit], by the trapezoidal rule.
-  double DeviationWithin(double lower_Hz, double upper_Hz) const;
 };
 
 /// Throws std::invalid_argument for signals of unlike length, for segments shorter than four samples or longer than the

@@ -24,6 +24,11 @@ void AddLine(const std::string& line, std::string& text) {
   text += line;
 }
 
+Weight WeightOf(const Diagnostic& diagnostic) {
+  const auto finding = AllFindings().find(diagnostic.id);
+  return finding == AllFindings().end() ? Weight::kUsual : finding->second->weight();
+}
+
 }  // namespace
 
 const std::string& Name(const Place& place) { return place.option.empty() ? place.file : place.option; }
@@ -46,20 +51,6 @@ void Diagnostics::ReportAsWarning(const Finding& finding, Place place, const std
   items_.back().severity = Severity::kWarning;
 }
 
-void Diagnostics::Error(std::string file, int line, std::string message) {
-  const bool is_option = file.starts_with("--");
-  Place place{.line = line};
-  (is_option ? place.option : place.file) = Short(std::move(file));
-  items_.push_back({"", Severity::kError, std::move(place), Short(std::move(message))});
-}
-
-void Diagnostics::Warning(std::string file, int line, std::string message) {
-  const bool is_option = file.starts_with("--");
-  Place place{.line = line};
-  (is_option ? place.option : place.file) = Short(std::move(file));
-  items_.push_back({"", Severity::kWarning, std::move(place), Short(std::move(message))});
-}
-
 void Diagnostics::Add(const Diagnostics& others) {
   items_.insert(items_.end(), others.items_.begin(), others.items_.end());
 }
@@ -67,6 +58,14 @@ void Diagnostics::Add(const Diagnostics& others) {
 bool Diagnostics::HasErrors() const {
   return std::any_of(items_.begin(), items_.end(),
                      [](const Diagnostic& item) { return item.severity == Severity::kError; });
+}
+
+std::vector<Diagnostic> Diagnostics::ByWeight() const {
+  std::vector<Diagnostic> sorted = items_;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.severity, WeightOf(a)) < std::pair(b.severity, WeightOf(b));
+  });
+  return sorted;
 }
 
 std::string Diagnostics::Format() const {
@@ -77,7 +76,7 @@ std::string Diagnostics::Format() const {
     if (item.severity == Severity::kError) faulty.insert(Name(item.place));
   const auto rank = [&](const Diagnostic* item) {
     return std::tuple(!faulty.contains(Name(item->place)), std::string_view(Name(item->place)), item->severity,
-                      item->place.line);
+                      WeightOf(*item), item->place.line);
   };
   std::stable_sort(sorted.begin(), sorted.end(),
                    [&](const Diagnostic* a, const Diagnostic* b) { return rank(a) < rank(b); });

@@ -42,8 +42,6 @@ class Diagnostics {
   void Report(const Finding& finding, Place place, const std::vector<std::string>& words = {});
   /// An error that the user chose to accept, or that costs no more than a part of the input.
   void ReportAsWarning(const Finding& finding, Place place, const std::vector<std::string>& words = {});
-  void Error(std::string file, int line, std::string message);
-  void Warning(std::string file, int line, std::string message);
   /// One of others.
   void Add(Diagnostic finding) { items_.push_back(std::move(finding)); }
   /// Those of others behind its own.
@@ -52,8 +50,11 @@ class Diagnostics {
   bool HasErrors() const;
   const std::vector<Diagnostic>& items() const { return items_; }
 
+  /// Errors first, then by the weight of their findings, else in their order.
+  std::vector<Diagnostic> ByWeight() const;
+
   /// One line each, without a newline at the end: files with errors first, of a file its errors before its warnings,
-  /// then by line. Of more than 100 about one file the rest is only counted.
+  /// grave ones first, then by line. Of more than 100 about one file the rest is only counted.
   std::string Format() const;
 
  private:

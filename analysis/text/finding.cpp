@@ -14,8 +14,8 @@ std::map<std::string_view, const Finding*>& Table() {
 
 }  // namespace
 
-Finding::Finding(std::string_view id, Severity severity, std::string_view text, std::string_view remedy)
-    : id_(id), severity_(severity), text_(text), remedy_(remedy) {
+Finding::Finding(std::string_view id, Severity severity, std::string_view text, std::string_view remedy, Weight weight)
+    : id_(id), severity_(severity), text_(text), remedy_(remedy), weight_(weight) {
   if (!Table().emplace(id, this).second) throw std::logic_error("two findings are called " + std::string(id));
 }
 

@@ -10,6 +10,10 @@ namespace fourpost {
 /// An error: the input cannot be used. A warning: it can, but is likely wrong or misleading.
 enum class Severity { kError, kWarning };
 
+/// How much a finding matters beside others of its severity: one that puts the result in question is grave, one that
+/// changes nothing in it is slight.
+enum class Weight { kGrave, kUsual, kSlight };
+
 /// One kind of finding: all that is written of it but names and numbers. A room lists its own in `findings.h`:
 ///
 ///     inline const Finding kMassMissing{"mass-missing", Severity::kError, "{} has no mass", "add <mass
@@ -20,13 +24,15 @@ class Finding {
  public:
   /// Adds itself to AllFindings(). `id` is for scripts and tests and never changes: lower case with hyphens. `remedy`
   /// is empty where the text already says what to do. Throws std::logic_error for an id that is taken.
-  Finding(std::string_view id, Severity severity, std::string_view text, std::string_view remedy = {});
+  Finding(std::string_view id, Severity severity, std::string_view text, std::string_view remedy = {},
+          Weight weight = Weight::kUsual);
   /// The same object everywhere.
   Finding(const Finding&) = delete;
   Finding& operator=(const Finding&) = delete;
 
   std::string_view id() const { return id_; }
   Severity severity() const { return severity_; }
+  Weight weight() const { return weight_; }
   std::string_view text() const { return text_; }
   std::string_view remedy() const { return remedy_; }
 
@@ -38,6 +44,7 @@ class Finding {
   Severity severity_;
   std::string_view text_;
   std::string_view remedy_;
+  Weight weight_;
 };
 
 /// All that the program can find, by id.

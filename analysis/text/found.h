@@ -18,4 +18,10 @@ struct Found {
   std::string Text() const { return kind->Message(words) + " [" + std::string(kind->id()) + "]"; }
 };
 
+/// "text: remedy" of Found::Text(), to stand within another finding; other texts as they are.
+inline std::string WithoutId(const std::string& text) {
+  const std::size_t id = text.rfind(" [");
+  return text.ends_with(']') && id != std::string::npos ? text.substr(0, id) : text;
+}
+
 }  // namespace fourpost

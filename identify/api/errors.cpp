@@ -12,6 +12,7 @@ std::vector<Finding> FindingsOf(const Diagnostics& diagnostics) {
                         .is_error = item.severity == Severity::kError,
                         .file = item.place.file,
                         .line = item.place.line,
+                        .argument = item.place.option,
                         .text = item.message});
   return findings;
 }

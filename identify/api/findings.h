@@ -7,7 +7,8 @@ namespace fourpost {
 
 inline const Finding kNameUnknown{"name-unknown", Severity::kError, "there is no {} '{}'{}"};
 inline const Finding kQuantityWrong{"quantity-unreadable", Severity::kError,
-                                    "'{}' is not a number with a unit of the dimension of {}"};
+                                    "'{}' is not a number with a unit of the dimension of {}",
+                                    "write both, such as \"40 kN/m\""};
 inline const Finding kUnitUnknown{"unit-unknown", Severity::kError, "'{}' is not a unit",
                                   "write N/m, kN*s/m, mm and the like"};
 inline const Finding kAmplitudeCount{"amplitude-count", Severity::kError, "there are {} amplitudes for {} frequencies",
@@ -16,12 +17,16 @@ inline const Finding kArraysUnequal{"arrays-unequal", Severity::kError, "{} has 
                                     "give all arrays of a test the same length"};
 inline const Finding kRateNotPositive{"rate-not-positive", Severity::kError, "the sampling rate is {} Hz",
                                       "give that of the arrays, above zero"};
+inline const Finding kEngineOfSines{"engine-of-sines", Severity::kError,
+                                    "engine kTimeIntegration is for stepped sines, not for time histories",
+                                    "take kFull"};
 inline const Finding kStudyEmpty{"study-empty", Severity::kError, "the study has no experiment to fit", "add one"};
-inline const Finding kSearchAxes{"search-axes", Severity::kError, "{}"};
+inline const Finding kStudyOfFile{"study-of-file", Severity::kError, "the study {} is a file, which decides its {}",
+                                  "change the file, or build the study from arrays"};
+inline const Finding kSearchAxes{"search-axes", Severity::kError, "the axes span no grid ({})", "correct the axis"};
 inline const Finding kSearchMethod{"search-method", Severity::kError, "there is no method '{}'{}",
                                    "write one of those of `fourpost compare --help`"};
 inline const Finding kSearchAllFailed{"search-all-failed", Severity::kError, "every evaluation failed ({})",
                                       "check the residuals and the bounds"};
-inline const Finding kFitWithoutResult{"fit-without-result", Severity::kError, "the fit ended without a result ({})"};
 
 }  // namespace fourpost

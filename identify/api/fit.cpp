@@ -2,14 +2,14 @@
 
 #include "analysis/files/output_folder.h"
 #include "identify/api/errors.h"
-#include "identify/api/findings.h"
 #include "identify/api/result_reader.h"
+#include "identify/run/findings.h"
 #include "identify/run/fit_run.h"
 
 namespace fourpost::api {
 
 Result Fit(const Study& study, const std::filesystem::path& folder, const FitOptions& options) {
-  const std::filesystem::path file = study.file() ? *study.file() : study.Write(folder / kInputsFolder);
+  const std::filesystem::path file = study.Write(folder / kInputsFolder);
   return Guarded([&] {
     const FitRequest request{.study = file,
                              .output = folder,
@@ -29,7 +29,9 @@ Result Fit(const Study& study, const std::filesystem::path& folder, const FitOpt
       return asked;
     };
     const FitRun run = FitStudy(request, hooks);
-    if (!run.is_written) throw SimulationError(kFitWithoutResult, {run.fit.message});
+    if (!run.is_written)
+      throw SimulationError(run.fit.end == FitEnd::kInterrupted ? kFitInterrupted : kFitWithoutResults,
+                            {std::string(FitEndName(run.fit.end)), run.fit.message});
     return ResultOf(run.json, folder);
   });
 }

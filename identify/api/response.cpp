@@ -3,7 +3,7 @@
 #include "identify/api/engine_names.h"
 #include "identify/api/errors.h"
 #include "identify/api/findings.h"
-#include "vehicles/description/vehicle.h"
+#include "identify/api/inside.h"
 #include "vehicles/engine/steady_response.h"
 #include "vehicles/requests/post_shape.h"
 #include "vehicles/requests/solve_sweep.h"
@@ -14,7 +14,7 @@ namespace {
 Excitation ExcitationOf(const Vehicle& vehicle, const SteppedSine& sine) {
   Diagnostics found;
   Excitation excitation{.frequency_Hz = sine.frequency_Hz, .amplitude_m = sine.amplitude_m};
-  excitation.shape = ReadPostShape(sine.posts, vehicle.description(), found);
+  excitation.shape = ReadPostShape(sine.posts, Inside::Of(vehicle), found);
   if (sine.amplitude_m.size() == 1) excitation.amplitude_m.assign(sine.frequency_Hz.size(), sine.amplitude_m.front());
   if (excitation.amplitude_m.size() != sine.frequency_Hz.size())
     found.Report(kAmplitudeCount, {},
@@ -43,7 +43,7 @@ fourpost::Engine OwnEngine(Engine engine) {
     case Engine::kAuto: return fourpost::Engine::kAuto;
     case Engine::kReduced: return fourpost::Engine::kReduced;
     case Engine::kFull: return fourpost::Engine::kFull;
-    case Engine::kMarch: return fourpost::Engine::kMarch;
+    case Engine::kTimeIntegration: return fourpost::Engine::kTimeIntegration;
   }
   return fourpost::Engine::kAuto;
 }
@@ -53,7 +53,7 @@ Engine PublicEngine(fourpost::Engine engine) {
     case fourpost::Engine::kAuto: return Engine::kAuto;
     case fourpost::Engine::kReduced: return Engine::kReduced;
     case fourpost::Engine::kFull: return Engine::kFull;
-    case fourpost::Engine::kMarch: return Engine::kMarch;
+    case fourpost::Engine::kTimeIntegration: return Engine::kTimeIntegration;
   }
   return Engine::kAuto;
 }
@@ -69,8 +69,8 @@ const ChannelResponse& Response::At(const std::string& sensor) const {
 
 Response Respond(const Vehicle& vehicle, const SteppedSine& excitation, Engine engine) {
   return Guarded([&] {
-    SteadySolver solver(vehicle.description());
-    RequireStable(vehicle.description(), solver);
+    SteadySolver solver(Inside::Of(vehicle));
+    RequireStable(Inside::Of(vehicle), solver);
     const SteadyResponse answer = solver.Solve(ExcitationOf(vehicle, excitation), OwnEngine(engine));
     Response response{.frequency_Hz = answer.response.frequency_Hz, .engine = PublicEngine(answer.engine)};
     for (const fourpost::ChannelResponse& channel : answer.response.channels)

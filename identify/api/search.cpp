@@ -17,7 +17,7 @@ Lattice LatticeOf(const std::vector<Axis>& axes) {
   return Lattice(std::move(own));
 }
 
-/// A count of residuals is not asked for: methods that need as many as axes are not told of them.
+/// A count of residuals is not asked for: methods that need as many as axes do without.
 Problem ProblemOf(const std::vector<Axis>& axes, const Residuals& residuals) {
   return {LatticeOf(axes), [residuals](const Eigen::VectorXd& values) {
             Evaluation evaluation;

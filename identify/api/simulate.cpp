@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "analysis/text/number.h"
 #include "identify/api/engine_names.h"
 #include "identify/api/errors.h"
 #include "identify/api/findings.h"
-#include "vehicles/description/vehicle.h"
+#include "identify/api/inside.h"
 #include "vehicles/engine/history_solver.h"
 #include "vehicles/posts/recorded_posts.h"
 
@@ -33,8 +34,10 @@ std::vector<std::vector<double>> HeightsOf(const Vehicle& vehicle, const PostHei
 
 History Simulate(const Vehicle& vehicle, const PostHeights& posts, Engine engine) {
   return Guarded([&] {
+    if (!(posts.rate_Hz > 0)) Refuse(kRateNotPositive, {}, {FormatNumber(posts.rate_Hz)});
+    if (engine == Engine::kTimeIntegration) Refuse(kEngineOfSines, {});
     const RecordedPosts motion = FollowHeights(HeightsOf(vehicle, posts), 0, 1 / posts.rate_Hz);
-    HistorySolver solver(vehicle.description());
+    HistorySolver solver(Inside::Of(vehicle));
     const TimeGrid grid{
         .start_s = motion.start_s, .end_s = motion.end_s, .rate_Hz = posts.rate_Hz, .lead_s = motion.lead_s};
     SolvedHistory solved = solver.Solve(motion.motion, grid, {.engine = OwnEngine(engine)});

@@ -10,7 +10,7 @@
 #include "analysis/text/number.h"
 #include "identify/api/errors.h"
 #include "identify/api/findings.h"
-#include "vehicles/description/vehicle.h"
+#include "identify/api/inside.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost::api {
@@ -54,6 +54,8 @@ std::string SineCsv(const Vehicle& vehicle, const SteppedSineTest& test) {
   std::string text = "frequency_Hz,post_amplitude_m,channel,gain,phase_deg,gain_sd,phase_sd_deg,mean,unit\n";
   for (const auto& [sensor, measured] : test.channels) {
     RequireCount("channel '" + sensor + "' of '" + test.name + "'", measured.frf.size(), count);
+    if (measured.mean.size() > 0)
+      RequireCount("the mean of channel '" + sensor + "' of '" + test.name + "'", measured.mean.size(), count);
     const std::string unit = UnitOfSensor(vehicle, sensor);
     for (std::size_t i = 0; i < count; ++i) {
       const std::complex<double> value = measured.frf[static_cast<Eigen::Index>(i)];
@@ -64,7 +66,8 @@ std::string SineCsv(const Vehicle& vehicle, const SteppedSineTest& test) {
       for (const double number : {std::abs(value), degrees * std::arg(value), measured.relative_sd * std::abs(value),
                                   degrees * measured.relative_sd})
         text += ',' + FormatNumber(number);
-      text += ",," + unit + '\n';
+      text += ',' + (measured.mean.size() > 0 ? FormatNumber(measured.mean[static_cast<Eigen::Index>(i)]) : "") + ',' +
+              unit + '\n';
     }
   }
   return text;
@@ -149,8 +152,20 @@ class Writer {
       }
       folder_.Add(file, TimeCsv(test.rate_Hz, columns));
       text_ += "  - name: " + Quoted(test.name.empty() ? file : test.name) + "\n    file: " + file + '\n' +
-               Use(test.is_validation) + "    posts:\n" + posts + "    channels:\n" + channels;
+               Use(test.is_validation) + FilterText(test.filter) + NoiseText(test.noise) + "    posts:\n" + posts +
+               "    channels:\n" + channels;
     }
+  }
+
+  void AddStaticLoads(const std::map<std::string, StaticLoad>& loads) {
+    if (loads.empty()) return;
+    std::string table = "quantity,value,sd,unit\n";
+    text_ += "static_loads:\n  file: static_loads.csv\n  tyres:\n";
+    for (const auto& [tyre, load] : loads) {
+      table += tyre + ',' + FormatNumber(load.load_N) + ',' + FormatNumber(load.sd_N) + ",N\n";
+      text_ += "    " + Quoted(tyre) + ": " + Quoted(tyre) + '\n';
+    }
+    folder_.Add("static_loads.csv", table);
   }
 
   void AddBench(const std::vector<BenchTest>& tests) {
@@ -190,6 +205,19 @@ class Writer {
   }
 
  private:
+  static std::string FilterText(const std::optional<LowPass>& filter) {
+    if (!filter) return "";
+    return "    filter: {order: " + std::to_string(filter->order) + ", cutoff: " + FormatNumber(filter->cutoff_Hz) +
+           " Hz}\n";
+  }
+
+  std::string NoiseText(const std::map<std::string, double>& noise) const {
+    std::string text;
+    for (const auto& [sensor, sd] : noise)
+      text += "      " + Quoted(sensor) + ": " + FormatNumber(sd) + ' ' + UnitOfSensor(vehicle_, sensor) + '\n';
+    return text.empty() ? "" : "    noise:\n" + text;
+  }
+
   /// A pattern, or shares of posts as a map.
   static std::string Posts(const std::string& posts) {
     if (posts.find('=') == std::string::npos) return posts;
@@ -211,17 +239,38 @@ class Writer {
 
 }  // namespace
 
+std::string Study::AddedToFile() const {
+  const Study untouched(*file_);
+  std::string added;
+  const auto name = [&](bool is_set, const char* what) {
+    if (is_set) added += (added.empty() ? "" : ", ") + std::string(what);
+  };
+  name(!sines_.empty() || !histories_.empty() || !benches_.empty(), "experiments");
+  name(!static_loads.empty(), "static_loads");
+  name(!free.empty(), "free");
+  name(band_Hz.has_value(), "band_Hz");
+  name(model_error != untouched.model_error, "model_error");
+  name(seed != untouched.seed, "seed");
+  name(evaluations != untouched.evaluations, "evaluations");
+  name(starts != untouched.starts, "starts");
+  return added;
+}
+
 std::filesystem::path Study::Write(const std::filesystem::path& folder) const {
-  if (file_) return *file_;
-  return Guarded([&] {
+  return Guarded([&]() -> std::filesystem::path {
+    if (file_) {
+      if (const std::string added = AddedToFile(); !added.empty()) Refuse(kStudyOfFile, {}, {file_->string(), added});
+      return *file_;
+    }
     if (sines_.empty() && histories_.empty() && benches_.empty()) Refuse(kStudyEmpty, {});
     OutputFolder output(folder, "", kArraysFile);
     Writer writer(*this, *vehicle_, output);
     writer.AddSines(sines_);
     writer.AddHistories(histories_);
+    writer.AddStaticLoads(static_loads);
     writer.AddBench(benches_);
-    output.Add("vehicle.urdf",
-               VehicleTextWithValues(vehicle_->description(), vehicle_->description().ParameterValues(), folder));
+    const fourpost::Vehicle& vehicle = Inside::Of(*vehicle_);
+    output.Add("vehicle.urdf", VehicleTextWithValues(vehicle, vehicle.ParameterValues(), folder));
     output.Add(kArraysFile, writer.Text(!sines_.empty(), !histories_.empty()));
     output.Commit();
     return folder / kArraysFile;

@@ -5,7 +5,7 @@
 #include <fourpost/vehicle.h>
 
 #include "identify/api/errors.h"
-#include "vehicles/description/vehicle.h"
+#include "identify/api/inside.h"
 #include "vehicles/lint/vehicle_lint.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/parameter_setting.h"
@@ -77,14 +77,14 @@ Vehicle ReadVehicle(const std::filesystem::path& file, std::vector<Finding>* war
     if (!vehicle) throw FaultyInput(found);
     if (warnings)
       for (Finding& finding : FindingsOf(found)) warnings->push_back(std::move(finding));
-    return Vehicle(std::make_shared<const fourpost::Vehicle>(*std::move(vehicle)));
+    return Inside::Made(*std::move(vehicle));
   });
 }
 
 std::vector<Finding> CheckVehicle(const Vehicle& vehicle) {
   return Guarded([&] {
-    Diagnostics found = LintDescription(vehicle.description());
-    found.Add(LintAssembled(vehicle.description()));
+    Diagnostics found = LintDescription(Inside::Of(vehicle));
+    found.Add(LintAssembled(Inside::Of(vehicle)));
     return FindingsOf(found);
   });
 }

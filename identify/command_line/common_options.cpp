@@ -6,6 +6,7 @@
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/nearest.h"
 #include "identify/command_line/findings.h"
+#include "identify/command_line/print.h"
 #include "vehicles/engine/engine.h"
 
 namespace fourpost {
@@ -60,7 +61,10 @@ CLI::Validator OneOf(const char* option, std::span<const std::string_view> legal
 
 CLI::Validator EngineOf(std::span<const std::string_view> legal) {
   const auto replace = [one_of = OneOf("--engine", legal)](std::string& text) {
-    if (const std::optional<Engine> engine = EngineNamed(text)) text = EngineName(*engine);
+    const std::optional<Engine> engine = EngineNamed(text);
+    const std::string name = engine ? EngineName(*engine) : text;
+    if (name != text) Tell(kEngineFormer, Place::Option("--engine"), {text, name});
+    text = name;
     return one_of(text);
   };
   CLI::Validator validator;

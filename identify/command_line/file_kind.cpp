@@ -58,7 +58,7 @@ void RequireStudyFile(const std::filesystem::path& file) {
 
 void RequireTable(const std::filesystem::path& file) {
   const FileKind kind = KindOf(file);
-  if (kind != FileKind::kTable && kind != FileKind::kUnknown) RefuseKind(file, kind, "a table (.csv)");
+  if (kind != FileKind::kTable && kind != FileKind::kUnknown) RefuseKind(file, kind, "a recording (.csv, .mat)");
 }
 
 bool MayBeRecording(const std::filesystem::path& file, Diagnostics& faults) {

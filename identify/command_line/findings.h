@@ -12,10 +12,13 @@ inline const Finding kArgumentMisspelt{"argument-misspelt", Severity::kError, "{
 inline const Finding kArgumentUnknown{"argument-unknown", Severity::kError, "{} does not take '{}'", "see `{} --help`"};
 inline const Finding kUsageWrong{"usage", Severity::kError, "{}", "see `{} --help`"};
 inline const Finding kValueUnknown{"value-unknown", Severity::kError, "'{}' is not a valid value{}"};
+inline const Finding kEngineFormer{"engine-former", Severity::kWarning, "'{}' is the earlier name of the engine '{}'",
+                                   "rename it", Weight::kSlight};
 inline const Finding kNotWholeNumber{"not-a-whole-number", Severity::kError,
                                      "'{}' is not a whole number from 0 to 2^62", "write digits, no leading zeros"};
 inline const Finding kHelpTopicUnknown{"help-topic-unknown", Severity::kError,
-                                       "'{}' is neither a command nor the id of a finding{}"};
+                                       "'{}' is neither a command nor the id of a finding{}",
+                                       "see `fourpost --help`, or `fourpost help findings`"};
 inline const Finding kOptionOfVehicle{"option-of-vehicle", Severity::kError,
                                       "only for a vehicle file, and {} is a study",
                                       "leave it out, the study's recordings and vehicle define this"};
@@ -42,7 +45,8 @@ inline const Finding kChannelLength{"channel-length", Severity::kError, "column 
 
 inline const Finding kRunNamedTwice{"run-named-twice", Severity::kError,
                                     "named twice, and a run is not compared with itself", "name each run once"};
-inline const Finding kRunNotThere{"run-not-there", Severity::kError, "not a folder of `fourpost fit -o`{}"};
+inline const Finding kRunNotThere{"run-not-there", Severity::kError, "not a folder of `fourpost fit -o`{}",
+                                  "name the folder that -o of the fit named"};
 inline const Finding kRunEmpty{"run-empty", Severity::kError, "empty folder", "give one that `fourpost fit -o` wrote"};
 inline const Finding kRunUnfinished{"run-unfinished", Severity::kError, "no result.json, which a fit writes at its end",
                                     "run `fourpost fit` with -o on this folder again, it continues from its archive"};
@@ -56,13 +60,15 @@ inline const Finding kRunFileMissing{"run-file-missing", Severity::kError, "{} i
 inline const Finding kRunFileDamaged{"run-file-damaged", Severity::kError, "this file of a fit is damaged",
                                      "run `fourpost fit` with -o on its folder again"};
 inline const Finding kVehicleNotShown{"vehicle-not-shown", Severity::kWarning,
-                                      "the report does not show the vehicle: {}"};
+                                      "the report does not show the vehicle ({})",
+                                      "see `fourpost check` of the vehicle.urdf in its folder"};
 
 // Predictions.
 
 inline const Finding kRecordingWasFitted{
     "recording-was-fitted", Severity::kWarning,
-    "this recording was used in the fit; the errors below are fit errors, not a prediction"};
+    "this recording was used in the fit; the errors below are fit errors, not a prediction",
+    "for a prediction name a recording that the fit did not use"};
 inline const Finding kRecordingOfOtherKind{
     "recording-of-other-kind", Severity::kError,
     "the model was fitted to recordings of other kinds ({}), so the study maps no channels of this one",
@@ -85,7 +91,8 @@ inline const Finding kLoadWithoutRoll{"load-without-roll", Severity::kWarning,
 
 inline const Finding kVehicleWithoutPosts{"vehicle-without-posts", Severity::kError,
                                           "the vehicle has no fp:post to move", "add one under each tyre"};
-inline const Finding kMotionImpossible{"motion-impossible", Severity::kError, "the posts cannot move like this: {}"};
+inline const Finding kMotionImpossible{"motion-impossible", Severity::kError, "the posts cannot move like this ({})",
+                                       "correct the options of the motion"};
 inline const Finding kBandNotRising{"band-not-rising", Severity::kError,
                                     "'{}' does not go from a lower frequency to a higher one", "write e.g. 0.5Hz:30Hz"};
 inline const Finding kRateTooLow{"rate-too-low", Severity::kError, "{} is too slow for motions up to {}",
@@ -99,15 +106,17 @@ inline const Finding kHistoryTooShort{"history-too-short", Severity::kError, "{}
 inline const Finding kStepCutShort{"step-cut-short", Severity::kError,
                                    "{} end before the step does, which starts at {} and rises for {}",
                                    "use more than {}"};
-inline const Finding kRecordingEnds{"recording-ends", Severity::kWarning, "the recording ends after {}"};
+inline const Finding kRecordingEnds{"recording-ends", Severity::kWarning, "the recording ends after {}",
+                                    "leave out what goes beyond, or record longer"};
 
 // Vehicles in motion.
 
 inline const Finding kValuesInconsistent{"values-inconsistent", Severity::kError,
-                                         "these values cannot be combined: {}"};
+                                         "these values cannot be combined ({})", "change one of them"};
 inline const Finding kUnstableInDesignPose{"unstable-in-design-pose", Severity::kWarning,
                                            "the vehicle is unstable in its design pose: {}", "see `fourpost check`"};
-inline const Finding kModeGrows{"mode-grows", Severity::kWarning, "'{}' is unstable at {} = {}{}"};
+inline const Finding kModeGrows{"mode-grows", Severity::kWarning, "'{}' is unstable at {} = {}{}",
+                                "check the signs of rates and dampers with `fourpost check`"};
 inline const Finding kFrictionHolds{"friction-holds", Severity::kWarning,
                                     "fp:damper '{}' never slides in {}: its friction of {} holds, and its rates have "
                                     "no effect",
@@ -119,7 +128,8 @@ inline const Finding kIntegratorNotConverged{
     "integrator-not-converged", Severity::kWarning,
     "a ten times more accurate integrator still changes a channel by {} of its rms", "expect errors of that size"};
 inline const Finding kLinearKinematicsUnknown{"linear-kinematics-unknown", Severity::kWarning,
-                                              "the error of linear kinematics could not be estimated: {}"};
+                                              "the error of linear kinematics could not be estimated ({})",
+                                              "compare with `--engine full`"};
 inline const Finding kFrequenciesUnanswered{"frequencies-unanswered", Severity::kWarning,
                                             "{}: no answer at {} of {} frequencies", "the result gives the reasons"};
 
@@ -136,7 +146,8 @@ inline const Finding kOutputEnding{"output-ending", Severity::kError, "'{}': {} 
 inline const Finding kPageWithoutName{"page-without-name", Severity::kError,
                                       "a page that compares {} runs needs a name",
                                       "write -o FILE, e.g. -o models.html"};
-inline const Finding kOutputNotWritten{"output-not-written", Severity::kError, "cannot be written ({})", "{}"};
+inline const Finding kOutputNotWritten{"output-not-written", Severity::kError, "cannot be written ({})",
+                                       "allow it, or name another place"};
 inline const Finding kStdoutNotWritten{"stdout-not-written", Severity::kError,
                                        "the result cannot be written to stdout ({})",
                                        "free some space, or write to a file with -o"};
@@ -147,15 +158,13 @@ inline const Finding kStarterFolderNotEmpty{"starter-folder-not-empty", Severity
 
 // Ends of a command.
 
-inline const Finding kFitWithoutResults{"fit-without-results", Severity::kError, "fit {}: {} no results are written"};
-inline const Finding kFitInterrupted{"fit-interrupted", Severity::kWarning, "fit {}: {} no results are written",
-                                     "the same command continues from its archive"};
 inline const Finding kResponseInterrupted{"response-interrupted", Severity::kWarning,
-                                          "interrupted: {} of {} frequencies have an answer"};
+                                          "interrupted: {} of {} frequencies have an answer",
+                                          "run it again for the rest"};
 inline const Finding kHistoryInterrupted{"history-interrupted", Severity::kWarning,
-                                         "interrupted: the history ends at {} of {}"};
+                                         "interrupted: the history ends at {} of {}", "run it again for the rest"};
 inline const Finding kInterruptedAtStart{"interrupted-at-start", Severity::kWarning,
-                                         "interrupted before there was anything to keep"};
+                                         "interrupted before there was anything to keep", "run it again"};
 inline const Finding kSimulationStopped{"simulation-stopped", Severity::kError, "{}"};
 inline const Finding kOutOfMemoryFound{"out-of-memory", Severity::kError, "out of memory",
                                        "use fewer --threads or free some; evaluations in an archive are kept"};

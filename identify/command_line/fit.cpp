@@ -4,11 +4,11 @@
 
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
-#include "identify/command_line/findings.h"
 #include "identify/command_line/fit_progress.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/work_progress.h"
+#include "identify/run/findings.h"
 
 namespace fourpost {
 namespace {

@@ -26,16 +26,12 @@ void CheckFolder(const fs::path& folder) {
   if (!fs::is_empty(folder, failure)) RefuseToWrite(kStarterFolderNotEmpty, folder);
 }
 
-[[noreturn]] void RefuseFolder(const fs::path& folder, const std::error_code& reason) {
-  RefuseToWrite(kOutputNotWritten, folder, {reason.message(), WritingRemedy(reason, "name another folder")});
-}
-
 /// Throws OutputError for what cannot be a folder: a name too long, a link to itself.
 std::vector<fs::path> FoldersToMake(const fs::path& folder) {
   try {
     return MissingFolders(fs::weakly_canonical(fs::absolute(folder)));
   } catch (const fs::filesystem_error& error) {
-    RefuseFolder(folder, error.code());
+    RefuseToWrite(folder, error.code());
   }
 }
 
@@ -45,7 +41,7 @@ void WriteAll(const fs::path& folder) {
   std::error_code failure;
   try {
     fs::create_directories(folder, failure);
-    if (failure) RefuseFolder(folder, failure);
+    if (failure) RefuseToWrite(folder, failure);
     for (const StarterFile& file : kStarterFiles) WriteFile(folder / file.name, std::string(file.text));
   } catch (const OutputError&) {
     for (const StarterFile& file : kStarterFiles) fs::remove(folder / file.name, failure);

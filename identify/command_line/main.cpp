@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -96,6 +97,16 @@ void TellUnknown(const CLI::App& app) {
   Tell(faults);
 }
 
+/// A fault that CLI11 reports as "--threads: Value 5000 not in range", at its option.
+void TellUsage(const CLI::App& app, const std::string& fault) {
+  constexpr std::string_view kSeparator = ": ";
+  const std::size_t colon = fault.find(kSeparator);
+  const std::string name = fault.substr(0, colon);
+  const bool has_option = colon != std::string::npos && name.find(' ') == std::string::npos;
+  Tell(kUsageWrong, has_option ? Place::Option(name) : Place{},
+       {has_option ? fault.substr(colon + kSeparator.size()) : fault, CalledAs(app)});
+}
+
 /// What --help or --version asked for. Throws OutputError.
 int PrintHelp(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
@@ -117,7 +128,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const bool is_help = error.get_exit_code() == 0;
     if (is_help) return Guarded([&] { return PrintHelp(app, error); });
-    if (app.remaining(true).empty()) Tell(kUsageWrong, {}, {error.what(), CalledAs(app)});
+    if (app.remaining(true).empty()) TellUsage(app, error.what());
     else TellUnknown(app);
     return kUsage;
   } catch (const FaultyInput& error) {

@@ -8,7 +8,7 @@
 namespace fourpost {
 namespace {
 
-constexpr std::array<std::string_view, 4> kEngines = {"auto", "reduced", "full", "march"};
+constexpr std::array<std::string_view, 4> kEngines = {"auto", "reduced", "full", "time"};
 constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
 
 /// Options for how the posts of a vehicle move, and what of it changes.
@@ -44,7 +44,7 @@ void AddOptions(CLI::App& subcommand, ResponseCommand& command) {
       .add_option_function<std::string>(
           "--engine", [&command](const std::string& name) { command.engine = EngineNamed(name); },
           "reduced: harmonic balance on linear kinematics, as in a fit; full: harmonic balance on the full multibody "
-          "system; march: time integration of that to steady state (slow, the reference); auto: reduced, checked by "
+          "system; time: time integration of that to steady state (slow, the reference); auto: reduced, checked by "
           "full, which replaces it where they visibly differ (default)")
       ->transform(EngineOf(kEngines));
   subcommand.add_option("-o,--output", command.output,
@@ -73,7 +73,7 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
   subcommand.add_option("RUN", command.run, "Folder that `fourpost fit` wrote")->required();
   subcommand
       .add_option("--recording", command.recording,
-                  "Recording (.csv) of another excitation, in the layout of those that were fitted")
+                  "Recording (.csv, .mat) of another excitation, in the layout of those that were fitted")
       ->required();
   subcommand.add_option("--mode", command.mode,
                         "How the posts moved in a stepped sine: heave, pitch, roll, warp, or an amplitude for each "
@@ -106,7 +106,7 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
   subcommand.add_option(
       "-o,--output", command.output,
       "Write result.json and the measured and predicted channels to this folder: response.csv and response.svg of a "
-      "stepped sine, history.csv and history.svg of a time history");
+      "stepped sine, history.csv and history.svg of a time history, bench.csv and diagrams.svg of a damper");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 

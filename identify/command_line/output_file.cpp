@@ -4,6 +4,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "analysis/files/findings.h"
 #include "analysis/files/output_folder.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/command_line/findings.h"
@@ -12,6 +13,10 @@ namespace fourpost {
 
 void RefuseToWrite(const Finding& finding, const std::filesystem::path& place, const std::vector<std::string>& words) {
   throw OutputError(Format({std::string(finding.id()), finding.severity(), {place.string()}, finding.Message(words)}));
+}
+
+void RefuseToWrite(const std::filesystem::path& place, const std::error_code& reason) {
+  RefuseToWrite(IsDiskFull(reason) ? kDiskFull : kOutputNotWritten, place, {reason.message()});
 }
 
 void RequireWritable(const std::filesystem::path& file, const std::vector<std::filesystem::path>& inputs) {
@@ -40,7 +45,7 @@ void WriteFile(const std::filesystem::path& file, const std::string& text) {
   stream.close();
   if (stream) return;
   const std::error_code reason(errno == 0 ? EIO : errno, std::generic_category());
-  RefuseToWrite(kOutputNotWritten, file, {reason.message(), WritingRemedy(reason, "allow it or name another folder")});
+  RefuseToWrite(file, reason);
 }
 
 void ReplaceFile(const std::filesystem::path& file, const std::string& text) {
@@ -53,7 +58,7 @@ void ReplaceFile(const std::filesystem::path& file, const std::string& text) {
     throw;
   }
   std::filesystem::rename(partial, file, failure);
-  if (failure) RefuseToWrite(kOutputNotWritten, file, {failure.message(), WritingRemedy(failure, "name another file")});
+  if (failure) RefuseToWrite(file, failure);
 }
 
 }  // namespace fourpost

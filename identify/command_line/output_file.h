@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "analysis/text/finding.h"
@@ -11,6 +12,9 @@ namespace fourpost {
 /// Throws OutputError about a place where results cannot be written.
 [[noreturn]] void RefuseToWrite(const Finding& finding, const std::filesystem::path& place,
                                 const std::vector<std::string>& words = {});
+
+/// Likewise, for the reason that the system gives.
+[[noreturn]] void RefuseToWrite(const std::filesystem::path& place, const std::error_code& reason);
 
 /// Before the work, so that none is in vain: throws OutputError for a file that is one of the inputs, that lies in no
 /// folder, or that is one. An empty path is none.

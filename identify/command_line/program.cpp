@@ -66,7 +66,7 @@ void Program::AddInfo() {
   CLI::App* sub =
       Add("info", "Show the channels of a recording: units, sampling rate, ranges, resolution, clipping and gaps",
           "  fourpost info sweep.csv\n  fourpost info --json run1.mat run2.mat", [this] { return Run(info_); });
-  sub->add_option("FILE", info_.files, "Time histories (.csv, .mat), stepped sines or static loads (.csv)")->required();
+  sub->add_option("FILE", info_.files, "Time histories, stepped sines or static loads (.csv, .mat)")->required();
   sub->add_flag("--json", info_.json, "Print JSON");
 }
 
@@ -127,7 +127,7 @@ void Program::AddFit() {
   sub->add_option("-o,--output", fit_.output,
                   "Folder for report.html, result.json, the fitted vehicle.urdf, archive.sqlite, parameters.csv with "
                   "start and fitted values, and the measured and modelled channels: response.csv and response.svg, "
-                  "history.csv and history.svg")
+                  "history.csv and history.svg, bench.csv and diagrams.svg")
       ->required();
   sub->add_option("--seed", fit_.seed, "Seed of the search (default: that of the study)")->check(WholeNumber("--seed"));
   sub->add_option("--threads", fit_.threads,

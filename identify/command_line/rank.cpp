@@ -33,9 +33,14 @@ std::string RankingJson(const ModelRanking& ranking) {
                       {"validation_nmse_percent", NumberOrNull(model.validation_percent)},
                       {"aicc", NumberOrNull(model.criteria.aicc)},
                       {"bic", NumberOrNull(model.criteria.bic)}});
+  const Json warnings = WarningsJson(ranking.warnings);
+  // The form of 0.1.0, for one version.
+  Json remarks = Json::array();
+  for (const Json& warning : warnings) remarks.push_back(warning["text"]);
   const Json json = {{"chosen", ranking.models.front().name},
                      {"reason", ranking.reason},
-                     {"warnings", WarningsJson(ranking.warnings)},
+                     {"warnings", warnings},
+                     {"remarks", remarks},
                      {"models", models}};
   return JsonText(json);
 }

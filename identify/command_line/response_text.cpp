@@ -63,13 +63,12 @@ std::string GainTable(const SweptResponse& swept) {
 
 /// What linear kinematics leave out, and what follows from it.
 std::string CheckText(const SteadyResponse& answer) {
-  if (!answer.not_estimated.empty())
-    return "the error of linear kinematics could not be estimated: " + answer.not_estimated + "\n";
+  if (!answer.not_estimated.empty()) return "error of linear kinematics not estimated: " + answer.not_estimated + "\n";
   if (!answer.kinematics_error) return "";
   const KinematicsError& error = *answer.kinematics_error;
-  return KinematicsText(error) + (error.IsVisible() ? ":\nthat shows (" : ":\nless than shows (") +
-         Rounded(kVisible_dB, 1) + " dB, " + Rounded(kVisible_deg, 1) + " deg), so " +
-         (error.IsVisible() ? "the full geometry answers\n" : "they answer\n");
+  return KinematicsText(error) + (error.IsVisible() ? ":\nabove" : ":\nbelow") + " the visible limit (" +
+         Rounded(kVisible_dB, 1) + " dB, " + Rounded(kVisible_deg, 1) +
+         " deg): " + (error.IsVisible() ? "full geometry used\n" : "reduced model used\n");
 }
 
 std::string Heading(const SweptResponse& swept, const SweepRequest& request) {

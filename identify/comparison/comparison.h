@@ -55,7 +55,7 @@ Interval WilsonInterval(std::int64_t successes, std::int64_t runs);
 
 /// One run of a method.
 struct RunOutcome {
-  /// Paid for until the target was reached, that evaluation included, or else in all.
+  /// Evaluations until the target was reached, that one included, or else in all.
   std::int64_t evaluations = 0;
   bool solved = false;
   /// The best at the end; infinite when every evaluation failed.

@@ -22,7 +22,7 @@ std::vector<double> SolvedAt(const MethodSummary& method) {
   return evaluations;
 }
 
-/// The most that any run paid for.
+/// The most evaluations of any run.
 double LastEvaluation(const Comparison& comparison) {
   std::int64_t last = 1;
   for (const MethodSummary& method : comparison.methods)

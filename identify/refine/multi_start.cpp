@@ -72,7 +72,7 @@ class MultiStart {
       Draws draws(seed_, DrawPurpose::kStart, explorations_, i);
       points.push_back(RandomPoint(archive_.lattice(), draws));
     }
-    // A lone point is paid for by the refinement itself.
+    // A lone point is evaluated by the refinement itself.
     if (points.size() == 1) return {archive_.lattice().Values(points.front())};
     const std::vector<Score> scores = archive_.Evaluate(points);
     std::size_t best = 0;

@@ -27,12 +27,12 @@ struct RefineOptions {
   double step_tolerance = 1e-8;
   /// Two runs agree when the worse cost exceeds the better by less than this much of chi-square; in (0, 1). Its unit is
   /// the better cost over its degrees of freedom, residuals less variables, so that it does not depend on how well the
-  /// noise is known: within 0.1 of it values differ by at most a third of their deviations, which no data can tell.
+  /// noise is known: within 0.1 of it values differ by at most a third of their deviations, which no data can resolve.
   /// But 100 times `cost_tolerance` of the cost, which is what the solver leaves, agree as well, and a cost below 1e-12
   /// of the highest starting cost counts as zero, since all that is left of it is rounding.
   double agreement = 0.1;
   /// Of the residuals; the cost is its sum. Where most residuals are outliers, as far from the optimum, a robust loss
-  /// hardly tells the way down: squares go before Huber's and soft_l1, Huber's of the same scale before Cauchy's and
+  /// barely shows the way down: squares go before Huber's and soft_l1, Huber's of the same scale before Cauchy's and
   /// Tukey's.
   RobustLoss loss;
   /// Variables that stay where the start has them.
@@ -74,7 +74,7 @@ struct RefineResult {
   /// d residuals / d FitVariables at `values`; empty when it could not be evaluated.
   Eigen::MatrixXd jacobian;
   int iterations = 0;
-  /// Evaluations paid for, those for differences included.
+  /// New evaluations, those for differences included.
   std::int64_t evaluations = 0;
   /// Of several that ended: with the best, itself included, see RefineOptions::agreement.
   bool agrees = false;

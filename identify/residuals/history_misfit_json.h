@@ -8,7 +8,7 @@
 
 namespace fourpost {
 
-/// As result.json tells them; what is not finite is null, what was not computed is not there.
+/// As in result.json; what is not finite is null, what was not computed is not there.
 nlohmann::ordered_json HistoryMisfitsJson(const std::vector<HistoryMisfit>& misfits);
 
 }  // namespace fourpost

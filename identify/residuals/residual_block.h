@@ -24,7 +24,7 @@ struct ResidualBlock {
   /// `values`: all parameters of the vehicle, SI. Called from several threads at once. Throws TimedOut.
   std::function<Evaluation(const std::vector<double>& values, const Deadline& deadline)> evaluate;
   /// Derivatives by these parameters (indices) per SI unit, count x parameters, for less than differences would cost
-  /// and good enough for steps of a refinement; empty where only differences tell. Throws what it cannot do.
+  /// and good enough for steps of a refinement; empty where only differences give them. Throws what it cannot do.
   std::function<Eigen::MatrixXd(const std::vector<double>& values, const std::vector<std::size_t>& parameters)>
       differentiate = {};
   /// For what is known of the parameters; empty: nothing beyond that all residuals are independent.

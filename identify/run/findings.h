@@ -22,10 +22,17 @@ inline const Finding kFolderOfForeignResult{
     "folder-of-foreign-result", Severity::kError,
     "folder holds a result.json that fourpost did not write, which would be lost", "name a new or an empty folder"};
 
+// Its end.
+
+inline const Finding kFitWithoutResults{"fit-without-results", Severity::kError, "fit {}: {} no results are written",
+                                        "check the vehicle with `fourpost check`, then narrow the bounds"};
+inline const Finding kFitInterrupted{"fit-interrupted", Severity::kWarning, "fit {}: {} no results are written",
+                                     "the same command continues from its archive"};
+
 // What the fit explains.
 
 inline const Finding kModelUnexplaining{"model-unexplaining", Severity::kWarning,
-                                        "this model does not explain these data: {}"};
+                                        "this model does not explain these data: {}", "", Weight::kGrave};
 inline const Finding kChannelUnexplained{"channel-unexplained", Severity::kWarning,
                                          "channel '{}' has an NMSE of {} %, worse than no model (100 %)",
                                          "check sign, scale, delay and position, then extend the model"};
@@ -39,7 +46,7 @@ inline const Finding kParametersAtBounds{"parameters-at-bounds", Severity::kWarn
 // How far its numbers can be trusted.
 
 inline const Finding kFitNotConverged{"fit-not-converged", Severity::kWarning, "the refinement did not converge ({})",
-                                      "fit again from the vehicle.urdf of these results"};
+                                      "fit again from the vehicle.urdf of these results", Weight::kGrave};
 inline const Finding kCompromiseWithoutDeviations{
     "compromise-without-deviations", Severity::kWarning,
     "no standard deviations, because the compromise cost weights outputs by their own errors instead of noise",

@@ -16,6 +16,7 @@
 #include "identify/run/result_json.h"
 #include "identify/run/result_kind.h"
 #include "identify/run/study_fit.h"
+#include "identify/study/findings.h"
 #include "identify/study/loaded_study.h"
 #include "identify/study/study_context.h"
 #include "vehicles/reader/vehicle_file.h"
@@ -125,6 +126,7 @@ class Fitter {
       output.Withdraw();
       RefuseUnidentified(loaded, *run.fit.before);
     }
+    Keep(held_);
     if (run.fit.parameters.empty()) return run;
     GoOnWithFullGeometry(options, loaded, run.fit);
     if (!loaded.HasDeviations()) run.fit.DropDeviations();
@@ -139,9 +141,14 @@ class Fitter {
     if (!loaded) throw FaultyInput(diagnostics);
     CheckRecordings(*loaded, request_.accept_implausible ? Severity::kWarning : Severity::kError, diagnostics);
     RequirePlausible(*loaded, diagnostics);
-    Keep(diagnostics);
+    Diagnostics others;
+    for (const Diagnostic& item : diagnostics.items()) (IsAboutScale(item) ? held_ : others).Add(item);
+    Keep(others);
     return *std::move(loaded);
   }
+
+  /// A fit that ends because nothing sets the scale says so in an error.
+  static bool IsAboutScale(const Diagnostic& item) { return item.id == kScaleNotMeasured.id(); }
 
   void Keep(const Diagnostics& findings) {
     if (hooks_.find) hooks_.find(findings);
@@ -238,6 +245,8 @@ class Fitter {
   const FitRequest& request_;
   const FitRunHooks& hooks_;
   Diagnostics warnings_;
+  /// For the time when the data are known to determine the parameters.
+  Diagnostics held_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace fourpost {
 
-/// The vehicle, its fitted parameters telling where their values come from, without priors; values as in its file.
+/// The vehicle, its fitted parameters stating where their values come from, without priors; values as in its file.
 Vehicle WithSources(const LoadedStudy& loaded, std::uint64_t seed, const FitResult& fit);
 
 /// Values of the file, as those of parts on their benches, and fitted ones side by side; SI. Comma-separated, one row

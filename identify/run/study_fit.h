@@ -6,7 +6,7 @@
 
 namespace fourpost {
 
-/// How a study wants to be fitted: it looks first at what the data can tell. Throws FaultyInput for settings of its
+/// How a study wants to be fitted: it looks first at what the data determine. Throws FaultyInput for settings of its
 /// method that there are not.
 FitOptions FitOptionsOf(const Study& study, const VehicleObjective& objective);
 

@@ -42,16 +42,16 @@ struct FailureTally {
   std::string example;
 };
 
-/// Where the evaluations went. All but `restored` are the same whatever was stored before.
+/// Where the evaluations went. The same whatever was stored before, except `restored`.
 struct EvaluationCounts {
   /// Evaluations of the model that the run needed: distinct points with a store; without one distinct lattice points,
   /// and all points off the lattice.
   std::int64_t paid = 0;
-  /// Requests for a point that was paid for.
+  /// Requests for a point that was evaluated before.
   std::int64_t reused = 0;
-  /// Of the paid ones, those that the store had, from an earlier run or one beside: they cost nothing.
+  /// Of the new ones, those that the store had, from an earlier run or one beside: they cost nothing.
   std::int64_t restored = 0;
-  /// Paid evaluations that failed, by cause.
+  /// New evaluations that failed, by cause.
   std::map<Failure, FailureTally> failures;
 
   std::int64_t failed() const;
@@ -59,7 +59,7 @@ struct EvaluationCounts {
 
 /// A cost below all before it.
 struct Improvement {
-  /// Evaluations paid for up to and including this one, in the order of the batches, whatever the threads.
+  /// New evaluations up to and including this one, in the order of the batches, whatever the threads.
   std::int64_t paid = 0;
   double cost = 0;
 };
@@ -71,14 +71,14 @@ struct Candidate {
   double cost = 0;
 };
 
-/// With a store: whether a point off the lattice that a run asks for again counts as paid for again, as it does without
-/// one, so that counts do not tell whether there is a store.
+/// With a store: whether a point off the lattice that a run asks for again counts as new again, as it does without
+/// one, so that counts do not depend on whether there is a store.
 enum class Repeats { kReused, kPaid };
 
 /// A batch was ended before all of it was evaluated, see Archive::StopBatches. What was evaluated is in the store.
 struct BatchStopped {};
 
-/// Evaluates a problem in parallel and remembers every lattice point, so that none is paid for twice; with a store
+/// Evaluates a problem in parallel and remembers every lattice point, so that none is evaluated twice; with a store
 /// points off the lattice as well, and across runs. All results and counts are the same for any number of threads and
 /// whatever was stored before. To be called from one thread.
 class Archive {
@@ -93,9 +93,9 @@ class Archive {
   const EvaluationCounts& counts() const { return counts_; }
   /// Costs each below the one before, on and off the lattice.
   const std::vector<Improvement>& improvements() const { return improvements_; }
-  /// Has each paid evaluation measured by another cost than squares as well, such as that of a robust loss.
+  /// Has each new evaluation measured by another cost than squares as well, such as that of a robust loss.
   void Watch(std::function<double(const Eigen::VectorXd& residuals)> cost) { watched_ = std::move(cost); }
-  /// Has it told how many points of a batch are evaluated, after each: by one thread at a time, whichever it is.
+  /// Has it report how many points of a batch are evaluated, after each: by one thread at a time, whichever it is.
   void TellProgress(std::function<void(std::int64_t done)> tell) { tell_ = std::move(tell); }
   /// From now on asks after each point of a batch, one thread at a time, whether to end it by throwing BatchStopped;
   /// nothing: never.
@@ -105,15 +105,15 @@ class Archive {
   /// Number of lattice points remembered.
   std::size_t size() const { return scores_.size(); }
 
-  /// Scores in the order of the batch; a point that is there twice is paid for once.
+  /// Scores in the order of the batch; a point that is there twice is evaluated once.
   /// Throws std::invalid_argument for a point that is not on the lattice, OutputError when the store cannot be written.
   std::vector<Score> Evaluate(const std::vector<LatticePoint>& batch);
 
-  /// Evaluates values anywhere, as refinement needs, discrete ones rounded: without a store always paid, not
+  /// Evaluates values anywhere, as refinement needs, discrete ones rounded: without a store always new, not
   /// remembered. Throws OutputError when the store cannot be written.
   std::vector<Evaluation> EvaluateValues(const std::vector<Eigen::VectorXd>& batch);
 
-  /// The model's own derivatives, d residuals / d values; nothing where it has none, or not here. Paid for as one
+  /// The model's own derivatives, d residuals / d values; nothing where it has none, or not here. Counted as one
   /// evaluation per parameter, which is what it takes.
   std::optional<Eigen::MatrixXd> Differentiate(const Eigen::VectorXd& values);
 

@@ -166,7 +166,7 @@ void Cmaes::Update(const std::vector<std::size_t>& order) {
 }
 
 void Cmaes::Decompose() {
-  // No deviation below a share of a step: the distribution would go on shrinking about a point already paid for.
+  // No deviation below a share of a step: the distribution would go on shrinking about a point already evaluated.
   for (Eigen::Index j = 0; j < n_; ++j) {
     const double least = options_.least_steps * Step(j, mean_.size() > 0 ? mean_[j] : 0.5);
     covariance_(j, j) = std::max(covariance_(j, j), least * least / (sigma_ * sigma_));

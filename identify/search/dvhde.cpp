@@ -162,7 +162,7 @@ void Dvhde::AskTrials() {
     fresh += tried_.insert(asked_.back()).second;
   }
   evolved_ += static_cast<double>(fresh);
-  // Points that are known cost nothing, so that a generation of them tells little.
+  // Points that are known cost nothing, so that a generation of them shows little.
   constexpr double kOfKnown = 0.02;
   generation_weight_ =
       options_.count_new_trials ? static_cast<double>(fresh) / static_cast<double>(population_.size()) + kOfKnown : 1;

@@ -106,7 +106,7 @@ struct DvhdeOptions {
 /// - Constraints: a point that violates one has no cost at all (death penalty); nothing else is mentioned.
 /// - Acceleration: 5 iterations of the downhill simplex, started from the best members, one more than parameters; not
 ///   stated. Its result takes the place of the worst member if it is better than the best: otherwise it is a copy.
-/// - Migration: replaces all but the best member. Tried: competing one-to-one loses what the thesis gains by it.
+/// - Migration: replaces every member except the best. Tried: competing one-to-one loses what the thesis gains by it.
 /// - Diversity (eq. 2.8): relative to the index of the best one's gene, to the letter, though biased where that is
 ///   small; DiversityMeasure::kRange is the alternative.
 /// - Stagnation: 150 generations without a better cost, the gear train's. Tried: below 100 the rates collapse.

@@ -98,7 +98,7 @@ struct Problem {
   /// Of the residuals, relative: how far the solver behind them goes. It decides on the steps of differences.
   double accuracy = 1e-15;
   /// d residuals / d values, N x n, by the model itself, as automatic differentiation gives them; empty where only
-  /// differences tell. May throw, as `evaluate` may.
+  /// differences give them. May throw, as `evaluate` may.
   std::function<Eigen::MatrixXd(const Eigen::VectorXd& values)> differentiate = {};
 };
 

@@ -88,7 +88,7 @@ bool IsEmpty(const Database& database) {
 }
 
 /// Makes the tables of a new file; other programs may be about to do the same. Before there is a log, so that the file
-/// itself tells whose it is from its first byte on.
+/// itself shows whose it is from its first byte on.
 void MakeTables(const Database& database) {
   database.Execute("BEGIN IMMEDIATE");
   if (IsEmpty(database)) database.Execute(kSchema);

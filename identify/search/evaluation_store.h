@@ -30,8 +30,8 @@ struct EvaluationContext {
 /// Evaluations kept in a file (SQLite, WAL), failures as well: whoever evaluates the same values in the same context,
 /// in this run or another, gets what was stored, to the last bit. Each is in the file before Put() returns, so that a
 /// killed program has lost none that it used; only a loss of power may take the last ones. Each carries a checksum: one
-/// that was changed on the disk is as good as none, and is counted. Other contexts in the file stay and are not used.
-/// May be used from several threads, and the file by several programs at once.
+/// that was changed on the disk is treated as missing, and is counted. Other contexts in the file stay and are not
+/// used. May be used from several threads, and the file by several programs at once.
 class EvaluationStore {
  public:
   /// Opens the file, or creates it. Throws OutputError when that is not possible, or when it is no such file, which
@@ -93,7 +93,7 @@ std::vector<std::string> ChangedParts(const std::filesystem::path& file, const E
 struct StoredContent {
   /// A Jacobian, stored under its point's values and NaN, counts as one for each parameter, as in EvaluationCounts.
   std::int64_t evaluations = 0;
-  /// How often one of them was paid for; above `evaluations` where programs that ran at once paid for the same.
+  /// How often one of them was evaluated; above `evaluations` where programs that ran at once evaluated the same.
   std::int64_t paid = 0;
   /// Of contexts, values and what came of them, in the order of their keys: the same for the same content, whenever and
   /// in whichever order it was stored.

@@ -25,14 +25,14 @@ inline const Finding kArchiveLayout{"archive-layout", Severity::kError,
                                     "move it away, or use a newer fourpost"};
 inline const Finding kArchiveFolder{"archive-folder", Severity::kError, "the folder cannot be created ({})",
                                     "allow it or name another folder"};
-inline const Finding kArchiveFull{"archive-disk-full", Severity::kError, "{}",
+inline const Finding kArchiveFull{"archive-disk-full", Severity::kError, "the archive cannot be written ({})",
                                   "free some space; the stored evaluations have been kept"};
 inline const Finding kArchiveDamaged{"archive-damaged", Severity::kError,
-                                     "{}, so it is not an archive of evaluations or is damaged", "move it away"};
-inline const Finding kArchiveBusy{"archive-busy", Severity::kError, "{}, because another program uses it",
+                                     "not an archive of evaluations, or damaged ({})", "move it away"};
+inline const Finding kArchiveBusy{"archive-busy", Severity::kError, "another program uses the archive ({})",
                                   "wait for that program, or name another folder"};
 inline const Finding kArchiveNotWritten{
-    "archive-not-written", Severity::kError, "{}",
+    "archive-not-written", Severity::kError, "the archive cannot be used ({})",
     "allow writing, free some space, or name another folder; the stored evaluations have been kept"};
 
 }  // namespace fourpost

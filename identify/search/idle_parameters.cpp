@@ -27,7 +27,7 @@ bool IsIdle(Archive& archive, const LatticePoint& point, std::size_t axis) {
          std::all_of(scores.begin(), scores.end(), [&](const Score& score) { return score == scores.front(); });
 }
 
-// Some that can be evaluated; fewer when hardly any can.
+// Some that can be evaluated; fewer when few can.
 std::vector<LatticePoint> PointsToProbe(Archive& archive) {
   constexpr std::size_t kWanted = 2;
   constexpr std::size_t kTries = 50;

@@ -9,10 +9,10 @@
 namespace fourpost {
 
 /// Names of parameters without effect: the cost stays the same, to the last bit, over four values across their range,
-/// about two points of the search space. All of them: the objective is constant. Pays for those points.
+/// about two points of the search space. All of them: the objective is constant. Those points count as evaluations.
 std::vector<std::string> IdleParameters(Archive& archive);
 
-/// Tells what would make a search of this problem pointless, as findings about `file`: a constant objective is an
+/// What would make a search of this problem pointless, as findings about `file`: a constant objective is an
 /// error, a parameter without effect a warning. Pays as IdleParameters().
 void CheckEffects(Archive& archive, const std::string& file, Diagnostics& diagnostics);
 

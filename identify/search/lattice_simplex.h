@@ -8,7 +8,7 @@
 namespace fourpost {
 
 /// The downhill simplex of Nelder and Mead (Computer Journal 7, 1965; reflection 1, expansion 2, contraction and
-/// shrinkage 1/2), each vertex rounded to the lattice and kept inside its bounds. Asks for scores and is told them.
+/// shrinkage 1/2), each vertex rounded to the lattice and kept inside its bounds. Asks for scores and takes them.
 class LatticeSimplex {
  public:
   /// Starts with the best members, as many as there are parameters plus one and none of them twice; missing ones are

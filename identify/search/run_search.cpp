@@ -13,7 +13,7 @@
 namespace fourpost {
 namespace {
 
-/// Adds up what the accelerations and the migrations of a run bring; to be told of every batch.
+/// Adds up what the accelerations and the migrations of a run bring; to be given every batch.
 class GainTally {
  public:
   /// Before a batch of this step; `best`: the best cost so far.

@@ -54,7 +54,7 @@ struct SearchResult {
   const Candidate& best() const;
 };
 
-/// What a search tells and asks while it runs, from the calling thread.
+/// What a search reports and asks while it runs, from the calling thread.
 struct SearchHooks {
   /// After each generation.
   std::function<void(const SearchGeneration&)> progress;

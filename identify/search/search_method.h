@@ -29,14 +29,14 @@ struct MethodState {
   bool migrated = false;
 };
 
-/// A search over lattice points that asks for scores and is told them, so that whoever runs it decides when, where and
+/// A search over lattice points that asks for scores and takes them, so that whoever runs it decides when, where and
 /// whether points are evaluated, and may stop between any two batches and go on later. All randomness comes from the
 /// seed: the same scores lead to the same points.
 class SearchMethod {
  public:
   virtual ~SearchMethod() = default;
 
-  /// Points to score next; the same ones until they are told. None: the method has ended by itself.
+  /// Points to score next; the same ones until their scores are there. None: the method has ended by itself.
   virtual const std::vector<LatticePoint>& Ask() const = 0;
 
   /// Scores of the points asked for, in their order.
@@ -51,7 +51,7 @@ class SearchMethod {
   /// Where each of them has led, in their order, on the lattice, and how many evaluations all of that took.
   virtual void TellRefined(const Population&, std::int64_t) {}
 
-  /// Whether the scores told last completed a generation.
+  /// Whether the last scores completed a generation.
   virtual bool EndsGeneration() const = 0;
 
   virtual MethodState state() const = 0;

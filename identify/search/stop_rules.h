@@ -11,7 +11,7 @@ namespace fourpost {
 struct StopRules {
   /// Cost to reach.
   std::optional<double> target_cost;
-  /// Evaluations paid for, never exceeded by methods on the lattice; a refinement finishes its iteration. Those of an
+  /// New evaluations, never exceeded by methods on the lattice; a refinement finishes its iteration. Those of an
   /// earlier search with the archive do not count.
   std::int64_t max_evaluations = 10000;
   int max_generations = 1000;
@@ -19,7 +19,7 @@ struct StopRules {
   double max_seconds = std::numeric_limits<double>::infinity();
   /// Generations without a better cost; 0 turns it off.
   int max_stagnant_generations = 0;
-  /// Generations in a row that paid for nothing: the method asks only for what is known.
+  /// Generations in a row without a new evaluation: the method asks only for what is known.
   int max_free_generations = 1000;
   /// End when all members are on one point and the method does not scatter them.
   bool on_collapse = true;

@@ -11,7 +11,8 @@ inline const Finding kProblemUnknown{"problem-unknown", Severity::kError, "unkno
 inline const Finding kStudyWithoutVehicle{"study-without-vehicle", Severity::kError,
                                           "this is a test problem for `fourpost compare`",
                                           "give a study with a vehicle and recordings"};
-inline const Finding kStudyNotNames{"study-not-names", Severity::kError, "{} must be a list of names"};
+inline const Finding kStudyNotNames{"study-not-names", Severity::kError, "{} must be a list of names",
+                                    "write it as [a, b]"};
 inline const Finding kFreeUnknown{"free-unknown", Severity::kError, "the vehicle has no parameter '{}'{}"};
 inline const Finding kFreeWithoutRange{"free-without-range", Severity::kError,
                                        "parameter '{}' is to be fitted, but has no range",
@@ -26,19 +27,23 @@ inline const Finding kScaleNotMeasured{
     "no force or load is fitted, so masses, rates and damping constants are known up to a common factor, set by "
     "what is held fixed ({}); an error of 1 % there is an error of 1 % in all of them, which no standard deviation "
     "includes",
-    "fit a tyre force or `static_loads`, or make sure of the fixed values"};
+    "fit a tyre force or `static_loads`, or make sure of the fixed values", Weight::kGrave};
 
 // Refinement and methods.
 
 inline const Finding kLossUnknown{"loss-unknown", Severity::kError, "unknown loss '{}'{}"};
-inline const Finding kMethodsNotMapped{"methods-not-mapped", Severity::kError, "'methods' must map names to settings"};
-inline const Finding kMethodNotSettings{"method-not-settings", Severity::kError, "{} must be a mapping of settings"};
+inline const Finding kMethodsNotMapped{"methods-not-mapped", Severity::kError, "'methods' must map names to settings",
+                                       "write them as `NAME: {preset: dvhde}`"};
+inline const Finding kMethodNotSettings{"method-not-settings", Severity::kError, "{} must be a mapping of settings",
+                                        "write one `setting: value` a line"};
 inline const Finding kMethodPresetUnknown{"method-preset-unknown", Severity::kError, "unknown method '{}'{}"};
 inline const Finding kMethodFormer{"method-former", Severity::kWarning, "'{}' is the earlier name of the method '{}'",
-                                   "rename it"};
-inline const Finding kSettingNotValue{"setting-not-a-value", Severity::kError, "'{}' of {} must be a single value"};
+                                   "rename it", Weight::kSlight};
+inline const Finding kSettingNotValue{"setting-not-a-value", Severity::kError, "'{}' of {} must be a single value",
+                                      "write one word or one number"};
 inline const Finding kSettingUnknown{"setting-unknown", Severity::kError, "method '{}': unknown setting '{}'{}"};
-inline const Finding kSettingUnreadable{"setting-unreadable", Severity::kError, "method '{}': '{}' cannot be '{}'"};
+inline const Finding kSettingUnreadable{"setting-unreadable", Severity::kError, "method '{}': '{}' cannot be '{}'",
+                                        "write a value of the kind that studies/README.md states"};
 inline const Finding kSettingNotOneOf{"setting-not-one-of", Severity::kError, "method '{}': '{}' must be one of {}"};
 inline const Finding kSettingOutOfRange{"setting-out-of-range", Severity::kError, "method '{}': {}"};
 inline const Finding kMethodTwice{"method-twice", Severity::kError, "method '{}' is named twice",

@@ -23,7 +23,7 @@ std::vector<FileDigest> FittedFiles(const Study& study);
 std::vector<FileDigest> ValidationFiles(const Study& study);
 
 /// Whether the fit that wrote this result.json has seen the recording, under whatever name: then what its model answers
-/// is fitted, not foretold. False where that cannot be told, as of results of earlier versions.
+/// is a fit error, not a prediction. False where that is not known, as of results of earlier versions.
 bool WasFitted(const std::filesystem::path& result, const std::filesystem::path& recording);
 
 }  // namespace fourpost

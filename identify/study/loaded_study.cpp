@@ -26,7 +26,7 @@ std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehic
     const auto found = std::find(names.begin(), names.end(), name);
     const auto index = static_cast<std::size_t>(found - names.begin());
     if (found == names.end())
-      diagnostics.Report(kFreeUnknown, {study.file.string(), study.free_line}, {name, DidYouMean(name, names)});
+      diagnostics.Report(kFreeUnknown, {study.file.string(), study.free_line}, {name, DidYouMeanOrAll(name, names)});
     else if (!HasRange(vehicle.parameters[index]))
       diagnostics.Report(kFreeWithoutRange, {vehicle.file, vehicle.parameters[index].line}, {name});
     else if (std::find(free.begin(), free.end(), index) != free.end())

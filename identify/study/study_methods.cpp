@@ -66,7 +66,7 @@ Found Set(MethodOptions& options, const std::string& method, const StudySetting&
     else field = static_cast<std::remove_reference_t<decltype(field)>>(found - words.begin());
   };
   std::visit([&](auto& o) { VisitSettings(o, number, word); }, options);
-  if (!is_known) return {&kSettingUnknown, {method, setting.key, DidYouMean(setting.key, keys)}};
+  if (!is_known) return {&kSettingUnknown, {method, setting.key, DidYouMeanOrAll(setting.key, keys)}};
   return fault;
 }
 

@@ -15,7 +15,7 @@ struct SourceChannel {
   bool operator==(const SourceChannel&) const = default;
 
   std::string name;
-  /// In place of the unit that its file tells; empty: that.
+  /// In place of the unit in its file; empty: that one.
   std::string unit;
   /// Sign and scale, which it is multiplied by.
   double factor = 1;

@@ -9,7 +9,8 @@ namespace fourpost {
 
 inline const Finding kStudyTooLong{"study-too-long", Severity::kError, "longer than 1 MiB",
                                    "remove what is not part of the study"};
-inline const Finding kStudyNotYaml{"study-not-yaml", Severity::kError, "not YAML: {}"};
+inline const Finding kStudyNotYaml{"study-not-yaml", Severity::kError, "not YAML ({})",
+                                   "indent by blanks, and quote values that hold ': ' or '#'"};
 inline const Finding kStudyTwoDocuments{"study-two-documents", Severity::kError, "a second YAML document begins here",
                                         "put each study into a file of its own"};
 inline const Finding kStudyTag{"study-tag", Severity::kError, "the tag '{}' has no meaning in a study", "remove it"};
@@ -21,15 +22,19 @@ inline const Finding kStudyTooManyValues{"study-too-many-values", Severity::kErr
 
 // Keys.
 
-inline const Finding kKeysMissing{"keys-missing", Severity::kError, "{} must be a mapping of keys to values"};
-inline const Finding kKeyNotWord{"key-not-a-word", Severity::kError, "a key of {} must be a single word"};
+inline const Finding kKeysMissing{"keys-missing", Severity::kError, "{} must be a mapping of keys to values",
+                                  "write one `key: value` a line"};
+inline const Finding kKeyNotWord{"key-not-a-word", Severity::kError, "a key of {} must be a single word",
+                                 "write keys as plain words, such as `vehicle:`"};
 inline const Finding kKeyTwice{"key-twice", Severity::kError, "key '{}' of {} appears twice", "remove one of the two"};
-inline const Finding kKeyUnknown{"key-unknown", Severity::kError, "unknown key '{}' in {}{}"};
-inline const Finding kKeyMissing{"key-missing", Severity::kError, "{} needs the key '{}'"};
+inline const Finding kKeyUnknown{"key-unknown", Severity::kError, "unknown key '{}' in {}{}",
+                                 "correct it, or remove it"};
+inline const Finding kKeyMissing{"key-missing", Severity::kError, "{} needs the key '{}'", "add it"};
 
 // Values.
 
-inline const Finding kKeyNotText{"key-not-text", Severity::kError, "{} must be text"};
+inline const Finding kKeyNotText{"key-not-text", Severity::kError, "{} must be text",
+                                 "write a word, or put it into quotes"};
 inline const Finding kKeyNotNumber{"key-not-number", Severity::kError,
                                    "{} must be a number from {} to {}, without a unit"};
 inline const Finding kKeyNotInteger{"key-not-integer", Severity::kError, "{} must be a whole number from {} to {}"};
@@ -41,11 +46,13 @@ inline const Finding kKeyNotPositive{"key-not-positive", Severity::kError, "{} m
 // Channels of recordings.
 
 inline const Finding kChannelsNotMapped{"channels-not-mapped", Severity::kError,
-                                        "{} must map {} of the vehicle to measured channels"};
+                                        "{} must map {} of the vehicle to measured channels",
+                                        "write one line for each, as `name: channel`"};
 inline const Finding kChannelNotNamed{
     "channel-not-named", Severity::kError,
     "{} must be a measured channel, {channel: a, sign: -1}, {mean: [a, b]} or {sum: [a, b]}"};
-inline const Finding kChannelListEmpty{"channel-list-empty", Severity::kError, "{} must be a list of channels"};
+inline const Finding kChannelListEmpty{"channel-list-empty", Severity::kError, "{} must be a list of channels",
+                                       "write it as [a, b]"};
 inline const Finding kChannelMeanAndSum{"channel-mean-and-sum", Severity::kError,
                                         "{} has both 'mean' and 'sum' of channels", "keep one of the two"};
 inline const Finding kChannelSign{"channel-sign", Severity::kError, "'sign' of {} must be 1 or -1"};
@@ -60,7 +67,8 @@ inline const Finding kFittedChannelsMissing{"fitted-channels-missing", Severity:
                                             "the recording has none of the channels that the model was fitted to",
                                             "name a recording with the channels of the study"};
 inline const Finding kSensorsNotMeasured{"sensors-not-measured", Severity::kWarning,
-                                         "the recording has no channels for {}, which are left out"};
+                                         "the recording has no channels for {}, which are left out",
+                                         "check names in the study if they were recorded", Weight::kSlight};
 inline const Finding kSampledTooSlowly{
     "sampled-too-slowly", Severity::kError,
     "{} is sampled at {} Hz, too slowly for the band up to the filter's cut-off frequency of {} Hz",

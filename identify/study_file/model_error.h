@@ -12,10 +12,10 @@ struct ModelError {
   double mean_m = 0.3e-3;
   /// Of amplitudes of the struts' second harmonics; zero: they are not fitted.
   double second_harmonic_m = 0;
-  /// Of time histories: share of a channel's deviation.
+  /// Of time histories: share of a channel's standard deviation.
   double history = 0.02;
-  /// Of responses, as a share of the loudest channel of that unit at that frequency: next to a node, where a channel
-  /// all but rests, a model that has the node elsewhere would else be wrong by many times the gain.
+  /// Of responses, as a share of the largest channel of that unit at that frequency: next to a node, where a channel
+  /// is nearly at rest, a model that has the node elsewhere would else be wrong by many times the gain.
   double floor = 0.03;
 };
 

@@ -18,7 +18,7 @@ inline RecordedChannel AsRecorded(const SourceChannel& channel, const Dimension&
           .delay_s = channel.delay_s};
 }
 
-/// The usual one where a study tells none.
+/// The usual one where a study names none.
 inline RecordedChannel TimeColumn(const std::optional<SourceChannel>& time) {
   return time ? AsRecorded(*time, kTime, kTimeColumn.what) : kTimeColumn;
 }

@@ -6,8 +6,8 @@
 
 namespace fourpost {
 
-/// {"id": "mass-missing", "text": "car.urdf:12: ..."} of each warning, the file without its folder: for results, which
-/// are read elsewhere.
+/// {"id": "mass-missing", "text": "car.urdf:12: ..."} of each warning, grave ones first, the file without its folder:
+/// for results, which are read elsewhere.
 nlohmann::ordered_json WarningsJson(const Diagnostics& diagnostics);
 
 }  // namespace fourpost

@@ -17,6 +17,8 @@ struct Finding {
   /// Where it is; empty and 0 where it is in no file or about the file as a whole.
   std::string file;
   int line = 0;
+  /// The argument or option that it is about, where it is about one: "--profile".
+  std::string argument;
   /// What is wrong and what to do.
   std::string text;
 };
@@ -30,7 +32,7 @@ class Error : public std::runtime_error {
       : std::runtime_error(message), kind_(kind), findings_(std::move(findings)) {}
 
   Kind kind() const { return kind_; }
-  /// All that was found, errors and warnings. Of kInput there is at least one error.
+  /// All that was found, errors and warnings; at least one error of kInput, none of kSimulation.
   const std::vector<Finding>& findings() const { return findings_; }
 
  private:

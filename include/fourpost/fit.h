@@ -23,9 +23,9 @@ struct FitOptions {
   std::function<void(const Finding& finding)> warn = {};
 };
 
-/// Fits a study by dvHDE and Ceres and writes the folder of its results, in which nothing else is kept; a study of
-/// arrays is written to `inputs` beside them. Throws Error; a fit that was stopped before it had any result is one of
-/// kSimulation.
+/// Fits a study by dvHDE and Ceres and writes the folder of its results, which must be new, empty or that of an earlier
+/// fit; a study from arrays is written to `inputs` in it. Throws Error; a fit that was stopped before it had any result
+/// is one of kSimulation.
 Result Fit(const Study& study, const std::filesystem::path& folder, const FitOptions& options = {});
 
 }  // namespace fourpost::api

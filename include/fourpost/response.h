@@ -11,22 +11,26 @@
 
 namespace fourpost::api {
 
-/// How a motion is computed: kAuto takes the reduced model (kinematics linearised about static equilibrium, all laws
-/// exact) and the full geometry where the two visibly differ; kMarch, of stepped sines alone, integrates the full
-/// system to steady state.
-enum class Engine { kAuto, kReduced, kFull, kMarch };
+/// How a motion is computed. kReduced: kinematics linearised about static equilibrium, all laws exact. kFull: the full
+/// geometry. kAuto: the reduced model, and the full geometry where the two visibly differ. kTimeIntegration: time
+/// integration of the full geometry to steady state, for stepped sines only. The others answer these by harmonic
+/// balance, with the forces of the elements evaluated over time (AFT; docs/theory.md).
+enum class Engine { kAuto, kReduced, kFull, kTimeIntegration };
 
 /// A stepped sine on the posts.
 struct SteppedSine {
   /// Positive, in the order of the sweep.
   std::vector<double> frequency_Hz;
-  /// Of the reference post [m], positive: one per frequency, or one for all.
+  /// Amplitude of the reference post [m], positive: one per frequency, or one for all. Of a pattern that is the front
+  /// left post, or the front one of a planar car; of given shares a post with share 1.
   std::vector<double> amplitude_m;
   /// "heave", "pitch", "roll", "warp", or shares of posts, "FL=1,FR=-1".
   std::string posts = "heave";
 };
 
-/// The response of a sensor, one value per frequency.
+/// The response of a sensor, one value per frequency. A signal of phasor X is x(t) = Re(X exp(i 2 pi f t)): a channel
+/// that lags the post has a negative phase. Axes are those of ISO 8855 (x forward, y left, z up); extension and rebound
+/// are positive, and so is more load on a tyre.
 struct ChannelResponse {
   std::string sensor;
   std::string unit;

@@ -41,7 +41,7 @@ struct Result {
   const FittedParameter& At(const std::string& parameter) const;
 };
 
-/// Of a folder that a fit has written. Throws Error.
+/// Reads the folder of a fit. Throws Error.
 Result ReadResult(const std::filesystem::path& folder);
 
 }  // namespace fourpost::api

@@ -21,7 +21,8 @@ struct PostHeights {
 
 struct History {
   double rate_Hz = 0;
-  /// By sensor, in its SI unit; sample k is at k / rate_Hz.
+  /// Readings by the name of their sensor, in its SI unit and with the sign and the zero that its tag in urdf/README.md
+  /// states; sample k is at k / rate_Hz.
   std::map<std::string, Eigen::VectorXd> readings;
   /// The one that answered: kReduced or kFull.
   Engine engine = Engine::kReduced;
@@ -31,7 +32,8 @@ struct History {
   std::optional<double> kinematics_error;
 };
 
-/// A vehicle from rest over moving posts, between whose samples a spline goes. Throws Error as Respond() does.
+/// A vehicle from rest over moving posts, between whose samples a spline goes. Engines are those of
+/// Respond() but kTimeIntegration, which is refused: kFull integrates in time here. Throws Error as Respond() does.
 History Simulate(const Vehicle& vehicle, const PostHeights& posts, Engine engine = Engine::kAuto);
 
 }  // namespace fourpost::api

@@ -5,7 +5,7 @@
 namespace fourpost::api {
 
 /// The SI value of a number with a unit, such as "40 kN/m", of the same dimension as `unit` ("N/m"; "1" for none).
-/// Throws Error (code `quantity`) for a text without a known unit, or of another dimension.
+/// Throws Error (code `quantity-unreadable`) for a text without a known unit, or of another dimension.
 double ToSi(const std::string& quantity, const std::string& unit);
 
 /// The value with that unit, at the fewest digits that read back to the same double: InUnit(40e3, "kN/m") is "40 kN/m".

@@ -30,9 +30,6 @@ struct Sensor {
 /// A vehicle description, see ReadVehicle. Copies share what they have in common.
 class Vehicle {
  public:
-  /// Of the library.
-  explicit Vehicle(std::shared_ptr<const fourpost::Vehicle> description);
-
   const std::string& name() const;
   /// Names, in the order of the file.
   std::vector<std::string> links() const;
@@ -50,9 +47,11 @@ class Vehicle {
   /// The text of the file with the present values, for a file in the same folder.
   std::string Text() const;
 
-  const fourpost::Vehicle& description() const { return *description_; }
-
  private:
+  /// The library's own code.
+  friend struct Inside;
+  explicit Vehicle(std::shared_ptr<const fourpost::Vehicle> description);
+
   std::shared_ptr<const fourpost::Vehicle> description_;
 };
 

@@ -4,7 +4,7 @@
 
 namespace fourpost::api {
 
-/// Of this library: "0.2.0".
+/// The version of this library: "0.2.0".
 std::string Version();
 
 }  // namespace fourpost::api

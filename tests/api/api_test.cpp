@@ -3,6 +3,7 @@
 #include <complex>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -23,10 +24,16 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 using testing::Field;
+using testing::HasSubstr;
 
 const std::filesystem::path kSource = FOURPOST_SOURCE_DIR;
 
 Vehicle QuarterCar() { return ReadVehicle(kSource / "urdf/quarter_car.urdf"); }
+
+std::string TextOf(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 /// Of something to call: it throws an Error of this kind with a finding of this code.
 auto Fails(Error::Kind kind, const std::string& code) {
@@ -134,6 +141,75 @@ TEST(Api, FitOfHistoriesInMemoryFindsWhatMadeThem) {
   EXPECT_NEAR(result.At("k").value, 26e3, 26e3 * 2e-3);
   EXPECT_EQ(ReadResult(folder.path() / "run").At("k").value, result.At("k").value);
   EXPECT_THAT([&] { result.At("nothing"); }, Fails(Error::Kind::kInput, "name-unknown"));
+}
+
+TEST(Api, MeansAndStaticLoadsOfArraysAreFitted) {
+  Vehicle car = ReadVehicle(kSource / "studies/starter/vehicle.urdf");
+  Study study(car);
+  study.free = {"c_bump", "c_rebound"};
+  study.evaluations = 30;
+  study.starts = 1;
+  study.static_loads["tyre"] = {.load_N = 1, .sd_N = 1};
+  SteppedSineTest test{.frequency_Hz = {1, 2, 4}, .amplitude_m = {0.01}};
+  const Response measured = Respond(car, {test.frequency_Hz, test.amplitude_m});
+  const ChannelResponse& strut = measured.At("s_strut");
+  test.channels["s_strut"] = {.frf = strut.frf, .mean = strut.mean};
+  study.Add(test);
+  const TemporaryFolder folder;
+  const std::filesystem::path file = study.Write(folder.path() / "study");
+  const std::string table = TextOf(file.parent_path() / "stepped_sine_1.csv");
+  EXPECT_THAT(table, testing::Not(HasSubstr(",,")));
+  EXPECT_THAT(TextOf(file.parent_path() / "static_loads.csv"), HasSubstr("tyre,1,1,N"));
+  // Three frequencies give a gain, a phase and a mean each; a load.
+  EXPECT_EQ(Fit(study, folder.path() / "run", {.accept_unidentified = true}).residuals, 10);
+  test.channels["s_strut"].mean = Eigen::VectorXd::Zero(2);
+  study.Add(test);
+  EXPECT_THAT([&] { study.Write(folder.path() / "other"); }, Fails(Error::Kind::kInput, "arrays-unequal"));
+}
+
+TEST(Api, NoiseAndFilterOfHistoriesAreThoseOfTheirStudy) {
+  const Vehicle car = QuarterCar();
+  TimeHistoryTest test{.name = "rough",
+                       .rate_Hz = 500,
+                       .posts = {{car.posts().front(), Eigen::VectorXd::LinSpaced(500, 0, 0.01)}},
+                       .channels = {{"a_sprung", Eigen::VectorXd::LinSpaced(500, 0, 1)}},
+                       .noise = {{"a_sprung", 0.25}},
+                       .filter = LowPass{.order = 4, .cutoff_Hz = 30}};
+  Study study(car);
+  study.Add(test);
+  const TemporaryFolder folder;
+  const std::string text = TextOf(study.Write(folder.path() / "study"));
+  EXPECT_THAT(text, HasSubstr("filter: {order: 4, cutoff: 30 Hz}"));
+  EXPECT_THAT(text, HasSubstr("\"a_sprung\": 0.25 m/s^2"));
+}
+
+TEST(Api, StudiesOfFilesTakeNothingElse) {
+  const TemporaryFolder folder;
+  Study study(kSource / "studies/starter/study.yaml");
+  EXPECT_EQ(study.Write(folder.path() / "none"), kSource / "studies/starter/study.yaml");
+  study.seed = 2;
+  EXPECT_THAT([&] { Fit(study, folder.path() / "run"); }, Fails(Error::Kind::kInput, "study-of-file"));
+  study.seed = 1;
+  study.Add(BenchTest{});
+  EXPECT_THAT([&] { study.Write(folder.path() / "none"); }, Fails(Error::Kind::kInput, "study-of-file"));
+}
+
+TEST(Api, FindingsNameTheirArgument) {
+  try {
+    Respond(QuarterCar(), {.frequency_Hz = {1}, .amplitude_m = {0.01}, .posts = "hop"});
+    FAIL();
+  } catch (const Error& error) {
+    ASSERT_EQ(error.findings().size(), 1u);
+    EXPECT_EQ(error.findings().front().argument, "--mode");
+  }
+}
+
+TEST(Api, HistoriesRefuseWhatIsForSteppedSines) {
+  const Vehicle car = QuarterCar();
+  PostHeights posts{.rate_Hz = 100, .height_m = {{car.posts().front(), Eigen::VectorXd::Zero(10)}}};
+  EXPECT_THAT([&] { Simulate(car, posts, Engine::kTimeIntegration); }, Fails(Error::Kind::kInput, "engine-of-sines"));
+  posts.rate_Hz = 0;
+  EXPECT_THAT([&] { Simulate(car, posts); }, Fails(Error::Kind::kInput, "rate-not-positive"));
 }
 
 TEST(Api, StudiesOfArraysAreChecked) {

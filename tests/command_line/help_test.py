@@ -86,7 +86,7 @@ class Help(ProgramTest):
     def test_bash_completes(self):
         self.assertEqual(self.complete("fourpost", "re"), {"response", "report"})
         self.assertEqual(self.complete("fourpost", "fit", "--s"), {"--seed"})
-        self.assertEqual(self.complete("fourpost", "response", "--engine", "m"), {"march"})
+        self.assertEqual(self.complete("fourpost", "response", "--engine", "t"), {"time"})
         self.assertEqual(self.complete("fourpost", "simulate", "--engine", ""), {"auto", "reduced", "full"})
         self.assertEqual(self.complete("fourpost", "simulate", "--engine", "="), {"auto", "reduced", "full"})
         self.assertEqual(self.complete("fourpost", "simulate", "--engine", "=", "r"), {"reduced"})

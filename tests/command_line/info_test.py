@@ -144,7 +144,7 @@ class Info(ProgramTest):
                                    SOURCE / "studies/damper/sine_1Hz_5mm.csv", code=3)
         self.assertIn("displacement", outcome.stdout)
         for place, finding in (("empty.csv:", "csv-empty"), ("ragged.csv:4:", "csv-row-length"),
-                               ("utf16.csv:", "csv-utf-16"), ("none.csv:", "file-unreadable"), ("x.mat:", "file-unreadable")):
+                               ("utf16.csv:", "csv-utf-16"), ("none.csv:", "file-not-there"), ("x.mat:", "file-not-there")):
             self.assert_finding(outcome.stderr, finding, place)
 
 

@@ -87,7 +87,7 @@ class Report(ProgramTest):
         before = (self.folder / "run/report.html").read_bytes()
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (50000, 50000))
         outcome = self.run_program("report", "run", code=5, preexec_fn=limit)
-        self.assertIn("[output-not-written]", outcome.stderr)
+        self.assertIn("[disk-full]", outcome.stderr)
         self.assertEqual((self.folder / "run/report.html").read_bytes(), before)
         self.assertEqual([file.name for file in (self.folder / "run").glob("*.partial")], [])
 
@@ -182,13 +182,21 @@ class Misspelt(ProgramTest):
                             (("predict", "run", "--recording", "car/steppedsine.csv"), "car/stepped_sine.csv"),
                             (("report", "runn"), "run"), (("report", "runn/"), "run")):
             with self.subTest(words):
-                self.assertIn(f", did you mean '{near}'?", self.run_program(*words, code=3).stderr)
+                text = self.run_program(*words, code=3).stderr
+                self.assertIn(f", did you mean '{near}'?", text)
+                self.assert_finding(text, "run-not-there" if words[0] == "report" else "file-not-there")
         study = self.folder / "car/study.yaml"
         study.write_text(study.read_text().replace("stepped_sine.csv", "steped_sine.csv"))
         self.assertRegex(self.run_program("fit", "car/study.yaml", "-o", "other", code=3).stderr,
                          r"steped_sine.csv does not exist, did you mean '\S*car/stepped_sine.csv'\?")
         # None is near.
         self.assertNotIn("did you mean", self.run_program("info", "car/landrover.csv", code=3).stderr)
+
+    def test_a_wrong_value_stands_behind_its_option(self):
+        for words, place in ((("fit", "study.yaml", "-o", "run", "--threads", "5000"), "--threads: error: "),
+                             (("compare", "study.yaml", "--runs", "none"), "--runs: error: ")):
+            with self.subTest(words):
+                self.assert_finding(self.run_program(*words, code=2).stderr, "usage", place)
 
     def test_parameters_are_told(self):
         self.run_program("init", "car")
@@ -207,7 +215,7 @@ class FullDisk(ProgramTest):
             for folder in ("empty", "some/new", "new/"):
                 with self.subTest(f"{folder}, {room} bytes"):
                     text = self.run_program("init", folder, code=5, preexec_fn=limit).stderr
-                    self.assertIn(": free some space, or name another folder [output-not-written]", text)
+                    self.assertIn(": free some space, or name another folder [disk-full]", text)
                     self.assertEqual(list(self.folder.rglob("*")), [self.folder / "empty"])
         self.run_program("init", "empty")
 
@@ -231,7 +239,9 @@ class RefusedFit(ProgramTest):
         return self.run_program("fit", "car/study.yaml", *words, code=code).stderr
 
     def test_leaves_no_folder_that_was_not_there(self):
-        self.assert_finding(self.fit("-o", "runs/first"), "scale-unidentified")
+        text = self.fit("-o", "runs/first")
+        self.assert_finding(text, "scale-unidentified")
+        self.assertNotIn("[scale-not-measured]", text)
         self.assertFalse((self.folder / "runs").exists())
         (self.folder / "empty").mkdir()
         self.fit("-o", "empty")

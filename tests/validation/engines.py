@@ -2,7 +2,7 @@
 """Compares the engines over every shipped vehicle, as CSV.
 
 Histories: `reduced` and `auto` against `full`, as the largest rms difference of a channel as a share of its rms.
-Stepped sines: `auto` against `march`, as the largest difference of a first harmonic as a share of the channel's largest.
+Stepped sines: `auto` against `time`, as the largest difference of a first harmonic as a share of the channel's largest.
 `stated` is the error that the result of `auto` itself states of linear kinematics, in the same shares.
 Channels below a hundredth of the loudest of their unit are silent by symmetry and left out.
 """
@@ -95,7 +95,7 @@ def responses(path):
 def response(program, folder, vehicle, arguments):
     found = {}
     engine = ""
-    for name in ("march", "reduced", "auto"):
+    for name in ("time", "reduced", "auto"):
         outcome = run(program, "response", str(vehicle), *arguments, "--engine", name,
                       "-o", str(folder / name), "--json")
         if outcome is None:
@@ -104,7 +104,7 @@ def response(program, folder, vehicle, arguments):
         if name == "auto":
             rows = (folder / name / "response.csv").read_text().splitlines()[1:]
             engine = "+".join(sorted({row.rsplit(",", 1)[1] for row in rows}))
-    march = found["march"]
+    march = found["time"]
     loudest = {}
     for (unit, _), values in march.items():
         loudest[unit] = max([loudest.get(unit, 0), *map(abs, values.values())])

@@ -2,7 +2,7 @@
 """Keeps new words of the dialect out: counts the words of words.txt and compares with baseline.csv.
 
 Counted are texts, which users read (string literals of C++ and of the report's JavaScript, Markdown without its code),
-and comments. A literal of one word, such as "march", is a name and counts only for words that ask for names.
+and comments, also those of vehicle files, studies and CMake. A literal of one word, such as "march", is a name and counts only for words that ask for names.
 
     words_test.py               fails where a count is above its baseline
     words_test.py --update      lowers the baseline to the counts and never raises it; writes it where there is none
@@ -20,10 +20,15 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parents[1]
 BASELINE = HERE / "baseline.csv"
-DOCUMENTS = ("README.md", "docs/*.md", "urdf/README.md", "meshes/README.md", "studies/**/README.md")
+DOCUMENTS = ("*.md", "docs/**/*.md", "urdf/README.md", "meshes/README.md", "studies/**/README.md",
+             "analysis/report/README.md", "tests/**/README.md")
+# Versions that are out keep their words.
+OLD = {"CHANGELOG.md"}
+MARKED_UP = ("urdf/*.urdf", "studies/**/*.urdf")
+CONFIGURED = ("studies/**/*.yaml", "cmake/*.cmake", "**/CMakeLists.txt")
 CODE = ("analysis/**/*.cpp", "analysis/**/*.h", "analysis/report/web/**/*.js", "vehicles/**/*.cpp", "vehicles/**/*.h",
-        "identify/**/*.cpp", "identify/**/*.h")
-SKIPPED = {"node_modules", "bundle"}
+        "identify/**/*.cpp", "identify/**/*.h", "include/**/*.h")
+SKIPPED = {"node_modules", "bundle", "build"}
 NOT_PROSE = r"^```.*?^```|`[^`\n]*`|\]\([^)]*\)|<!--.*?-->"
 TOKEN = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)"""
                    r"""|R"(?P<tag>\w*)\(.*?\)(?P=tag)"|"(?:[^"\\\n]|\\.)*\""""
@@ -74,10 +79,22 @@ def layers_of_document(text):
     return {"text": re.sub(NOT_PROSE, blank, text, flags=re.S | re.M)}
 
 
+def layers_of_markup(text):
+    """Comments alone: names of vehicle files are the user's."""
+    inside = re.sub(r"(?:\A|-->).*?(?:<!--|\Z)", blank, text, flags=re.S)
+    return {"comment": inside}
+
+
+def layers_of_configuration(text):
+    """Comments from '#' to the end of the line."""
+    return {"comment": re.sub(r"^[^#\n]*#?|(?<=\n)[^#\n]*$", blank, text, flags=re.M)}
+
+
 def files():
-    for patterns, layers in ((DOCUMENTS, layers_of_document), (CODE, layers_of_code)):
+    for patterns, layers in ((DOCUMENTS, layers_of_document), (CODE, layers_of_code), (MARKED_UP, layers_of_markup),
+                             (CONFIGURED, layers_of_configuration)):
         for file in sorted(file for pattern in patterns for file in SOURCE.glob(pattern)):
-            if not SKIPPED & set(file.parts):
+            if not SKIPPED & set(file.relative_to(SOURCE).parts) and file.name not in OLD:
                 yield file.relative_to(SOURCE), layers(file.read_text())
 
 

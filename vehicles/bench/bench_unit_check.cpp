@@ -34,12 +34,9 @@ bool CheckBenchUnits(const BenchDamper& damper, const BenchMotion& motion, std::
     // The wrong way.
     if (std::isfinite(decades) && (decades > 0) != (factor > 1)) continue;
     if (!(std::abs(std::log10(recorded / modelled(factor))) < kNear)) continue;
-    const bool large = factor < 1;
-    diagnostics.Report(kBenchUnits, {file},
+    diagnostics.Report(factor < 1 ? kBenchUnitsTooLarge : kBenchUnitsTooSmall, {file},
                        {ShortNumber(recorded) + " N", ShortNumber(DeviationOf(motion.rate)) + " m/s",
-                        std::isfinite(here) ? ShortNumber(here) + " N" : "more than its chambers allow",
-                        large ? "displacement looks like mm stated as m, or force like kN stated as N"
-                              : "displacement looks like m stated as mm, or force like N stated as kN"});
+                        std::isfinite(here) ? ShortNumber(here) + " N" : "more than its chambers allow"});
     return false;
   }
   return true;

@@ -26,10 +26,16 @@ inline const Finding kStrokeTooLong{"stroke-too-long", Severity::kError,
 inline const Finding kStrokeTooShort{"stroke-too-short", Severity::kWarning,
                                      "displacement spans only {}, less than any bench is set to",
                                      "check the row of units"};
-inline const Finding kBenchUnits{"bench-units", Severity::kError,
-                                 "force is {} rms for a motion of {} rms, for which the damper would give {} at the "
-                                 "values of the vehicle file, so {}",
-                                 "correct the row of units, or values in the vehicle file that are off by a thousand"};
+inline const Finding kBenchUnitsTooLarge{
+    "bench-units-too-large", Severity::kError,
+    "force is {} rms for a motion of {} rms, for which the damper would give {} at the values of the vehicle file, so "
+    "displacement looks like mm stated as m, or force like kN stated as N",
+    "correct the row of units, or values in the vehicle file that are off by a thousand"};
+inline const Finding kBenchUnitsTooSmall{
+    "bench-units-too-small", Severity::kError,
+    "force is {} rms for a motion of {} rms, for which the damper would give {} at the values of the vehicle file, so "
+    "displacement looks like m stated as mm, or force like N stated as kN",
+    "correct the row of units, or values in the vehicle file that are off by a thousand"};
 inline const Finding kSampledSlowly{"sampled-slowly", Severity::kWarning,
                                     "motion at {} and more is sampled at {}, {} samples a cycle, which leaves its "
                                     "speed between the samples unknown",

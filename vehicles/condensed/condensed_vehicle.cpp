@@ -135,7 +135,7 @@ std::vector<IdleElement> CondensedVehicle::IdleElements(std::span<const double> 
   return idle;
 }
 
-/// Equilibrium: weight + sum of (spring tension) dL/ds + sum of (tyre force) d(compression)/ds = 0.
+/// Equilibrium: weight + sum of (spring tension) dL/ds + sum of (tyre force) d(deflection)/ds = 0.
 void CondensedVehicle::SolvePreloads() {
   const std::vector<double> values = vehicle_.ParameterValues();
   StaticLoads loads{.forces = {}, .holders = {}, .idle = IdleElements(values), .links = LinkMotions(values)};

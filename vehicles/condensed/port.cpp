@@ -117,7 +117,6 @@ double At(Signal signal, std::size_t k) { return signal.empty() ? 0 : signal[k];
 }  // namespace
 
 bool UsesExtension(const PortLaw& law) { return !std::holds_alternative<DashpotRemainder>(law); }
-bool UsesRate(const PortLaw& law) { return !std::holds_alternative<SpringRemainder>(law); }
 
 double StepOfRate(const PortLaw& law) {
   const auto* dashpot = std::get_if<DashpotRemainder>(&law);

@@ -44,9 +44,8 @@ struct HydraulicRemainder {
 };
 using PortLaw = std::variant<DashpotRemainder, SpringRemainder, LiftoffRemainder, HydraulicRemainder>;
 
-/// Whether the nonlinear part depends on the extension or on the rate, respectively.
+/// Whether the nonlinear part depends on the extension.
 bool UsesExtension(const PortLaw& law);
-bool UsesRate(const PortLaw& law);
 
 /// Change of rate within which the nonlinear part has its transition [m/s]; infinite: none.
 double StepOfRate(const PortLaw& law);

@@ -14,13 +14,14 @@ enum class Engine {
   /// The full multibody system: by harmonic balance, or over time by FullSystem.
   kFull,
   /// Steady responses only: the full multibody system integrated to steady state, the reference.
-  kMarch,
+  kTimeIntegration,
 };
 
-/// "auto", "reduced", "full", "march".
+/// "auto", "reduced", "full", "time".
 const char* EngineName(Engine engine);
 
-/// The engine of this name; "linearised" and "condensed" are older names of the reduced one.
+/// The engine of this name; "linearised" and "condensed" are earlier names of the reduced one, "march"
+/// of time integration.
 std::optional<Engine> EngineNamed(std::string_view name);
 
 /// Differences above these are visible: the repeatability of a rig's gains and phases, and the resolution of a plot.

@@ -139,8 +139,8 @@ void HistorySolver::Estimate(const PostMotion& posts, const TimeGrid& grid, std:
 
 SolvedHistory HistorySolver::Solve(const PostMotion& posts, const TimeGrid& grid, const Options& options,
                                    const Progress& progress) {
-  if (options.engine == Engine::kMarch)
-    throw std::invalid_argument("HistorySolver: engine march is of steady responses; take full");
+  if (options.engine == Engine::kTimeIntegration)
+    throw std::invalid_argument("HistorySolver: engine time is for steady responses; take full");
   if (options.engine == Engine::kFull)
     return Full(posts, grid, options.error, 0.25 * std::min(1 / grid.rate_Hz, kLongestStep_s), progress);
   SolvedHistory reduced = Reduced(posts, grid, options.error, progress);

@@ -75,8 +75,8 @@ class HistorySolver {
 
   const CondensedModel& model() const { return model_; }
 
-  /// Throws std::invalid_argument for options or a grid that are out of bounds or for kMarch, SimulationError if the
-  /// motion cannot be computed.
+  /// Throws std::invalid_argument for options or a grid that are out of bounds or for kTimeIntegration, SimulationError
+  /// if the motion cannot be computed.
   SolvedHistory Solve(const PostMotion& posts, const TimeGrid& grid, const Options& options,
                       const Progress& progress = {});
 

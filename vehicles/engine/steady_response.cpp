@@ -118,7 +118,7 @@ SteadyResponse SteadySolver::Chosen(const Excitation& excitation, Engine engine,
                                     const Progress& progress) {
   Answer answer = engine == Engine::kFull ? Full(excitation, progress) : Linearised(excitation, options);
   SteadyResponse out{.response = std::move(answer.response), .engine = engine};
-  for (const bool converged : answer.converged) out.engine_at.push_back(converged ? engine : Engine::kMarch);
+  for (const bool converged : answer.converged) out.engine_at.push_back(converged ? engine : Engine::kTimeIntegration);
   return out;
 }
 
@@ -139,7 +139,7 @@ SteadyResponse SteadySolver::Check(const Excitation& excitation, const HarmonicB
     const bool converged = is_full ? full.converged[i] : linearised.converged[i];
     const bool rescued = !converged && full.converged[i];
     if (rescued) CopyFrequency(full.response, i, i, out.response);
-    out.engine_at.push_back(converged ? out.engine : rescued ? Engine::kFull : Engine::kMarch);
+    out.engine_at.push_back(converged ? out.engine : rescued ? Engine::kFull : Engine::kTimeIntegration);
   }
   if (is_full) {
     for (std::size_t i = 0; i < linearised.converged.size(); ++i)
@@ -158,7 +158,7 @@ void SteadySolver::FindOtherMotions(const Excitation& excitation, const Harmonic
   };
   FrequencyResponse found = out.linearised.value_or(out.response);
   for (std::size_t i = 0; i < out.engine_at.size(); ++i)
-    if (out.engine_at[i] == Engine::kMarch) BlankFrequency(i, found);
+    if (out.engine_at[i] == Engine::kTimeIntegration) BlankFrequency(i, found);
   try {
     out.other_motions = OtherMotionsFromRest(model_, vehicle_, excitation, several, found, watch);
   } catch (const Ended&) {
@@ -168,14 +168,15 @@ void SteadySolver::FindOtherMotions(const Excitation& excitation, const Harmonic
 
 /// One frequency at a time: where one fails, the others have answers.
 void SteadySolver::MarchMissing(const Excitation& excitation, const Progress& progress, SteadyResponse& out) {
-  const auto total = static_cast<std::size_t>(std::count(out.engine_at.begin(), out.engine_at.end(), Engine::kMarch));
+  const auto total =
+      static_cast<std::size_t>(std::count(out.engine_at.begin(), out.engine_at.end(), Engine::kTimeIntegration));
   std::size_t done = 0;
   bool goes_on = true;
   for (std::size_t i = 0; i < out.engine_at.size(); ++i) {
-    if (out.engine_at[i] != Engine::kMarch) continue;
-    goes_on = goes_on && (!progress || progress({"march", done, total}));
+    if (out.engine_at[i] != Engine::kTimeIntegration) continue;
+    goes_on = goes_on && (!progress || progress({"time integration", done, total}));
     ++done;
-    const auto stop = [&, stage = Stage{"march", done - 1, total}] {
+    const auto stop = [&, stage = Stage{"time integration", done - 1, total}] {
       goes_on = !progress || progress(stage);
       return !goes_on;
     };
@@ -215,7 +216,7 @@ SteadyResponse SteadySolver::Balanced(const Excitation& excitation, Engine engin
   SteadyResponse out =
       is_checked ? Check(excitation, options, progress) : Chosen(excitation, engine, options, progress);
   out.is_hysteretic = out.engine == Engine::kReduced && HasHysteresis(model_);
-  if (out.is_hysteretic) out.engine_at.assign(out.engine_at.size(), Engine::kMarch);
+  if (out.is_hysteretic) out.engine_at.assign(out.engine_at.size(), Engine::kTimeIntegration);
   return out;
 }
 
@@ -224,7 +225,7 @@ SteadyResponse SteadySolver::Solve(const Excitation& excitation, Engine engine, 
   SteadyResponse out{.response = ResponseRecorder(vehicle_.sensors, excitation).Take(), .engine = engine};
   out.engine_at.assign(excitation.frequency_Hz.size(), engine);
   try {
-    if (engine != Engine::kMarch) out = Balanced(excitation, engine, options, progress);
+    if (engine != Engine::kTimeIntegration) out = Balanced(excitation, engine, options, progress);
     if (engine == Engine::kAuto || engine == Engine::kReduced) FindOtherMotions(excitation, options, progress, out);
   } catch (const Ended&) {
     for (std::size_t i = 0; i < out.engine_at.size(); ++i) {

@@ -51,13 +51,14 @@ struct SteadyResponse {
   FrequencyResponse response;
   /// The requested engine, or the one that kAuto chose; engine_at states which frequencies were integrated in time.
   Engine engine = Engine::kReduced;
-  /// One per frequency. Where harmonic balance does not converge, kMarch is used, on the reduced model if `engine` is
-  /// kReduced. If no engine succeeded, the last one tried.
+  /// One per frequency. Where harmonic balance does not converge, kTimeIntegration is used, on the reduced model if
+  /// `engine` is kReduced. If no engine succeeded, the last one tried.
   std::vector<Engine> engine_at;
   /// Whether all frequencies are integrated in time because of the model's hysteresis, see HasHysteresis.
   bool is_hysteretic = false;
   std::vector<Unanswered> unanswered;
-  /// Where the linearised harmonic balance found another motion than that from rest; not checked by kFull and kMarch.
+  /// Where the linearised harmonic balance found another motion than that from rest; not checked by kFull and
+  /// kTimeIntegration.
   std::vector<OtherMotion> other_motions;
   /// For kAuto, over the frequencies at which both harmonic balances converged, if there are any.
   std::optional<KinematicsError> kinematics_error;
@@ -75,7 +76,7 @@ class SteadySolver {
 
   const CondensedModel& model() const { return model_; }
 
-  /// Number of frequencies done, by "full balance", "from rest" or "march".
+  /// Number of frequencies done, by "full balance", "from rest" or "time integration".
   struct Stage {
     const char* work = "";
     std::size_t done = 0;

@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "analysis/text/option_check.h"
-#include "analysis/text/count_check.h"
 #include "analysis/numerics/increasing_root.h"
+#include "analysis/text/count_check.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 namespace {
@@ -25,9 +25,9 @@ constexpr double kSteepestSmooth = 1.1996786402577339;
 
 }  // namespace
 
-double DashpotLaw::Bilinear::LeastSlope() const { return std::min(compression, rebound); }
+double DashpotLaw::Bilinear::LeastSlope() const { return std::min(bump, rebound); }
 
-double DashpotLaw::Bilinear::GreatestSlope() const { return std::max(compression, rebound); }
+double DashpotLaw::Bilinear::GreatestSlope() const { return std::max(bump, rebound); }
 
 std::pair<double, double> DashpotLaw::Smoothed::ForceAndSlope(double v) const {
   const double x = v / speed;
@@ -48,7 +48,7 @@ double DashpotLaw::Smoothed::LeastSlope() const { return mean - kSteepestSmooth 
 double DashpotLaw::Smoothed::GreatestSlope() const { return mean + kSteepestSmooth * std::abs(half_difference); }
 
 double DashpotLaw::Kneed::Force(double v) const {
-  const Knee& knee = v > 0 ? rebound : compression;
+  const Knee& knee = v > 0 ? rebound : bump;
   const double beyond = std::abs(v) - knee.speed;
   if (!(beyond > 0)) return inner.Force(v);
   const double at_knee = inner.Force(std::copysign(knee.speed, v));
@@ -56,50 +56,48 @@ double DashpotLaw::Kneed::Force(double v) const {
 }
 
 double DashpotLaw::Kneed::Slope(double v) const {
-  const Knee& knee = v > 0 ? rebound : compression;
+  const Knee& knee = v > 0 ? rebound : bump;
   const double beyond = std::abs(v) - knee.speed;
   if (beyond == 0) return 0.5 * (inner.Slope(v) + knee.rate);
   return beyond > 0 ? knee.rate : inner.Slope(v);
 }
 
 double DashpotLaw::Kneed::Velocity(double force) const {
-  const Knee& knee = force > 0 ? rebound : compression;
+  const Knee& knee = force > 0 ? rebound : bump;
   const double at_knee = inner.Force(std::copysign(knee.speed, force));
   const double beyond = std::abs(force) - std::abs(at_knee);
   if (!(beyond > 0)) return inner.Velocity(force);
   return std::copysign(knee.speed + beyond / knee.rate, force);
 }
 
-double DashpotLaw::Kneed::LeastSlope() const {
-  return std::min({inner.compression, inner.rebound, compression.rate, rebound.rate});
-}
+double DashpotLaw::Kneed::LeastSlope() const { return std::min({inner.bump, inner.rebound, bump.rate, rebound.rate}); }
 
 double DashpotLaw::Kneed::GreatestSlope() const {
-  return std::max({inner.compression, inner.rebound, compression.rate, rebound.rate});
+  return std::max({inner.bump, inner.rebound, bump.rate, rebound.rate});
 }
 
 DashpotLaw::DashpotLaw(Law law) : law_(std::move(law)) {}
 
-DashpotLaw::DashpotLaw(double compression, double rebound) : law_(Bilinear{compression, rebound}) {
-  RequireRate("compression", compression);
+DashpotLaw::DashpotLaw(double bump, double rebound) : law_(Bilinear{bump, rebound}) {
+  RequireRate("bump", bump);
   RequireRate("rebound", rebound);
 }
 
-DashpotLaw DashpotLaw::Smooth(double compression, double rebound, double speed) {
-  RequireRate("compression", compression);
+DashpotLaw DashpotLaw::Smooth(double bump, double rebound, double speed) {
+  RequireRate("bump", bump);
   RequireRate("rebound", rebound);
   RequireSpeed("speed", speed);
-  return DashpotLaw(Smoothed{0.5 * (rebound + compression), 0.5 * (rebound - compression), speed});
+  return DashpotLaw(Smoothed{0.5 * (rebound + bump), 0.5 * (rebound - bump), speed});
 }
 
-DashpotLaw DashpotLaw::Digressive(double compression, double rebound, Knee compression_knee, Knee rebound_knee) {
-  RequireRate("compression", compression);
+DashpotLaw DashpotLaw::Digressive(double bump, double rebound, Knee bump_knee, Knee rebound_knee) {
+  RequireRate("bump", bump);
   RequireRate("rebound", rebound);
-  RequireSpeed("compression_knee.speed", compression_knee.speed);
-  RequireRate("compression_knee.rate", compression_knee.rate);
+  RequireSpeed("bump_knee.speed", bump_knee.speed);
+  RequireRate("bump_knee.rate", bump_knee.rate);
   RequireSpeed("rebound_knee.speed", rebound_knee.speed);
   RequireRate("rebound_knee.rate", rebound_knee.rate);
-  return DashpotLaw(Kneed{{compression, rebound}, compression_knee, rebound_knee});
+  return DashpotLaw(Kneed{{bump, rebound}, bump_knee, rebound_knee});
 }
 
 DashpotLaw DashpotLaw::Table(std::vector<double> speed, std::vector<double> force) {
@@ -184,10 +182,10 @@ double DashpotLaw::StepSpeed() const {
 }
 
 std::vector<DashpotLaw::Kink> DashpotLaw::Kinks() const {
-  if (const auto* law = std::get_if<Bilinear>(&law_)) return {{0, law->rebound - law->compression}};
+  if (const auto* law = std::get_if<Bilinear>(&law_)) return {{0, law->rebound - law->bump}};
   if (const auto* law = std::get_if<Kneed>(&law_))
-    return {{-law->compression.speed, law->inner.compression - law->compression.rate},
-            {0, law->inner.rebound - law->inner.compression},
+    return {{-law->bump.speed, law->inner.bump - law->bump.rate},
+            {0, law->inner.rebound - law->inner.bump},
             {law->rebound.speed, law->rebound.rate - law->inner.rebound}};
   return {};
 }

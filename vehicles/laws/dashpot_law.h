@@ -26,16 +26,16 @@ class DashpotLaw {
   /// No force.
   DashpotLaw() = default;
 
-  /// f = rebound v for v > 0, bump rate (`compression`) times v otherwise (thesis table 3.3.1, model 2); equal rates:
+  /// f = rebound v for v > 0, bump v otherwise (thesis table 3.3.1, model 2); equal rates:
   /// linear (model 1).
-  DashpotLaw(double compression, double rebound);
+  DashpotLaw(double bump, double rebound);
 
-  /// f = [(rebound + compression)/2 + (rebound - compression)/2 tanh(v/speed)] v. The thesis's model 5 passes smoothly
+  /// f = [(rebound + bump)/2 + (rebound - bump)/2 tanh(v/speed)] v. The thesis's model 5 passes smoothly
   /// from one rate to the other; tanh is our choice for it. Increasing while one rate is below 11.01 times the other.
-  static DashpotLaw Smooth(double compression, double rebound, double speed);
+  static DashpotLaw Smooth(double bump, double rebound, double speed);
 
   /// Bilinear up to the knee of each side, the knee's rate beyond; continuous.
-  static DashpotLaw Digressive(double compression, double rebound, Knee compression_knee, Knee rebound_knee);
+  static DashpotLaw Digressive(double bump, double rebound, Knee bump_knee, Knee rebound_knee);
 
   /// MonotoneCurve through the points (speed, force); (0, 0) is added where it is missing. Speeds strictly increase,
   /// forces do not fall.
@@ -63,9 +63,6 @@ class DashpotLaw {
     const auto* bilinear = std::get_if<Bilinear>(&law_);
     return bilinear && friction_ == 0 ? std::pair(bilinear->Force(v), bilinear->Slope(v)) : AnyForceAndSlope(v);
   }
-
-  /// Whether it is bilinear or linear, without friction.
-  bool IsBilinear() const { return std::holds_alternative<Bilinear>(law_) && friction_ == 0; }
 
   /// The rate at this force. Needs LeastRate() > 0. Closed form for bilinear and digressive laws without friction, else
   /// see IncreasingRoot.
@@ -96,18 +93,18 @@ class DashpotLaw {
 
  private:
   struct Bilinear {
-    double compression;
+    double bump;
     double rebound;
 
     bool operator==(const Bilinear&) const = default;
-    double Force(double v) const { return (v > 0 ? rebound : compression) * v; }
+    double Force(double v) const { return (v > 0 ? rebound : bump) * v; }
     double Slope(double v) const {
       if (v > 0) return rebound;
-      if (v < 0) return compression;
-      return v == 0 ? 0.5 * (rebound + compression) : v;
+      if (v < 0) return bump;
+      return v == 0 ? 0.5 * (rebound + bump) : v;
     }
     std::pair<double, double> ForceAndSlope(double v) const { return {Force(v), Slope(v)}; }
-    double Velocity(double force) const { return force / (force > 0 ? rebound : compression); }
+    double Velocity(double force) const { return force / (force > 0 ? rebound : bump); }
     double LeastSlope() const;
     double GreatestSlope() const;
   };
@@ -129,7 +126,7 @@ class DashpotLaw {
 
   struct Kneed {
     Bilinear inner;
-    Knee compression;
+    Knee bump;
     Knee rebound;
 
     bool operator==(const Kneed&) const = default;

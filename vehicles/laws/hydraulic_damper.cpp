@@ -123,13 +123,13 @@ double HydraulicDamper::Friction(double v) const { return friction * std::tanh(v
 void HydraulicDamper::Validate() const {
   RequireField("bleed_resistance", bleed_resistance);
   RequireField("rebound_valve_resistance", rebound_valve_resistance);
-  RequireField("compression_valve_resistance", compression_valve_resistance);
+  RequireField("bump_valve_resistance", compression_valve_resistance);
   RequireField("bulk_modulus", bulk_modulus);
   RequireField("piston_area", piston_area);
   RequireOption(annulus_area > 0 && annulus_area <= piston_area, "HydraulicDamper: annulus_area", annulus_area,
                 "positive and at most piston_area");
   RequireField("rebound_volume", rebound_volume);
-  RequireField("compression_volume", compression_volume);
+  RequireField("bump_volume", compression_volume);
   RequireField("gas_pressure", gas_pressure);
   RequireField("gas_volume", gas_volume);
   RequireField("gas_exponent", gas_exponent);

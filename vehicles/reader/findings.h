@@ -8,32 +8,40 @@ namespace fourpost {
 
 // XML and tags.
 
-inline const Finding kXmlEmpty{"xml-empty", Severity::kError, "the file is empty"};
+inline const Finding kXmlEmpty{"xml-empty", Severity::kError, "the file is empty",
+                               "write a <robot>, as urdf/README.md shows"};
 inline const Finding kXmlTagOpen{"xml-tag-open", Severity::kError,
                                  "not XML, the tag that begins here is not closed by its own end tag",
                                  "close it, or correct the misspelt end tag"};
 inline const Finding kXmlAttribute{"xml-attribute", Severity::kError,
                                    "not XML, an attribute has no value in quotes or is given twice",
                                    "quote the value, and remove a repetition"};
-inline const Finding kXmlComment{"xml-comment-open", Severity::kError, "not XML, a comment has no end"};
-inline const Finding kXmlUnreadable{"xml-unreadable", Severity::kError, "not XML ({})"};
-inline const Finding kNotOneRobot{"not-one-robot", Severity::kError, "the file must hold exactly one <robot>"};
+inline const Finding kXmlComment{"xml-comment-open", Severity::kError, "not XML, a comment has no end",
+                                 "end it with -->"};
+inline const Finding kXmlUnreadable{"xml-unreadable", Severity::kError, "not XML ({})",
+                                    "check that tags are closed and values are in quotes"};
+inline const Finding kNotOneRobot{"not-one-robot", Severity::kError, "the file must hold exactly one <robot>",
+                                  "keep one, and put each other vehicle into a file of its own"};
 inline const Finding kNamespaceMissing{"namespace-missing", Severity::kError,
                                        "<robot> needs {}, since the file uses fp: tags"};
 inline const Finding kNamespaceOther{"namespace-other", Severity::kError, "xmlns:fp is \"{}\", expected {}"};
 inline const Finding kForeignPrefix{"foreign-prefix", Severity::kWarning,
-                                    "{} is ignored, as is everything with the prefix '{}:'{}"};
-inline const Finding kTagUnknown{"tag-unknown", Severity::kError, "unknown tag <{}>{}{}"};
-inline const Finding kTagMissing{"tag-missing", Severity::kError, "{} needs a <{}>"};
-inline const Finding kTagTwice{"tag-twice", Severity::kError, "{} has more than one <{}>"};
+                                    "{} is ignored, as is everything with the prefix '{}:'{}",
+                                    "write what fourpost is to read as an fp: tag", Weight::kSlight};
+inline const Finding kTagUnknown{"tag-unknown", Severity::kError, "unknown tag <{}>{}{}", "correct it, or remove it"};
+inline const Finding kTagMissing{"tag-missing", Severity::kError, "{} needs a <{}>", "add it"};
+inline const Finding kTagTwice{"tag-twice", Severity::kError, "{} has more than one <{}>", "keep one of them"};
 inline const Finding kNotOneLaw{"not-one-law", Severity::kError, "{} needs exactly one of {}",
                                 "keep one and remove the others"};
 inline const Finding kTypeMissing{"type-missing", Severity::kError, "{} needs the attribute 'type'", "write one of {}"};
-inline const Finding kTypeUnknown{"type-unknown", Severity::kError, "unknown type '{}' of {}{}"};
-inline const Finding kAttributeMissing{"attribute-missing", Severity::kError, "{} needs the attribute '{}'{}"};
-inline const Finding kAttributeUnknown{"attribute-unknown", Severity::kError, "unknown attribute '{}' of {}{}"};
+inline const Finding kTypeUnknown{"type-unknown", Severity::kError, "unknown type '{}' of {}{}", "correct it"};
+inline const Finding kAttributeMissing{"attribute-missing", Severity::kError, "{} needs the attribute '{}'{}",
+                                       "add it"};
+inline const Finding kAttributeUnknown{"attribute-unknown", Severity::kError, "unknown attribute '{}' of {}{}",
+                                       "correct it, or remove it"};
 inline const Finding kAttributeFormer{"attribute-former", Severity::kWarning,
-                                      "attribute '{}' of {} is the earlier spelling of '{}'", "rename it"};
+                                      "attribute '{}' of {} is the earlier spelling of '{}'", "rename it",
+                                      Weight::kSlight};
 inline const Finding kAttributeTwice{"attribute-twice", Severity::kError,
                                      "attribute '{}' of {} repeats '{}', its new spelling",
                                      "remove the earlier spelling"};
@@ -62,7 +70,8 @@ inline const Finding kReferenceUnreadable{
     "reference-unreadable", Severity::kError, "{} cannot be read",
     "write a number with a unit, or a parameter as in \"$k\", \"-$k\" or \"0.5*$k\""};
 inline const Finding kParameterUnknown{"parameter-unknown", Severity::kError,
-                                       "{} refers to an unknown parameter '{}'{}"};
+                                       "{} refers to an unknown parameter '{}'{}",
+                                       "correct the name, or add an <fp:parameter>"};
 inline const Finding kParameterOfOtherDimension{"parameter-of-other-dimension", Severity::kError,
                                                 "{} refers to {} (line {}), but {} is needed",
                                                 "use another parameter, or correct its unit"};
@@ -75,7 +84,8 @@ inline const Finding kParameterMisused{"parameter-misused", Severity::kError,
                                        "write one such as {}"};
 inline const Finding kValueWithoutUnit{"value-without-unit", Severity::kError, "{} has no unit, but {} has",
                                        "write \"{}\""};
-inline const Finding kValueOfOtherDimension{"value-of-other-dimension", Severity::kError, "{} is {}, but {}"};
+inline const Finding kValueOfOtherDimension{"value-of-other-dimension", Severity::kError, "{} is {}, but {}",
+                                            "use a parameter of that dimension, or correct the unit of its value"};
 inline const Finding kValueBelowLower{"value-below-lower", Severity::kError, "{} is below {}",
                                       "choose a value between the bounds"};
 inline const Finding kValueAboveUpper{"value-above-upper", Severity::kError, "{} is above {}",
@@ -92,14 +102,16 @@ inline const Finding kPrecisionTooFine{"precision-too-fine", Severity::kError,
 inline const Finding kBindUnreadable{
     "bind-unreadable", Severity::kError, "{} is not a number of a link",
     "write link[NAME]/mass, link[NAME]/com/x (y, z) or link[NAME]/inertia/ixx (iyy, izz, ixy, ixz, iyz)"};
-inline const Finding kBindLinkUnknown{"bind-link-unknown", Severity::kError, "{} has an unknown link '{}'{}"};
-inline const Finding kBindNumberUnknown{"bind-number-unknown", Severity::kError, "{} has an unknown number '{}'{}"};
+inline const Finding kBindLinkUnknown{"bind-link-unknown", Severity::kError, "{} has an unknown link '{}'{}",
+                                      "correct the name, or add the link"};
+inline const Finding kBindNumberUnknown{"bind-number-unknown", Severity::kError, "{} has an unknown number '{}'{}",
+                                        "bind mass, com/x to com/z, or one of inertia/ixx to inertia/iyz"};
 inline const Finding kBindNumberMissing{"bind-number-missing", Severity::kError, "{} finds no such number",
                                         "give it in the <inertial> of {}"};
 inline const Finding kBindTurned{"bind-turned", Severity::kError,
                                  "{} is a moment about turned axes, which cannot follow a parameter",
                                  "write the <inertial> without rpy"};
-inline const Finding kBindTwice{"bind-twice", Severity::kError, "{} is bound twice"};
+inline const Finding kBindTwice{"bind-twice", Severity::kError, "{} is bound twice", "remove one of the two"};
 inline const Finding kBindDimension{"bind-dimension", Severity::kError, "{} is {}, but the parameter is {}",
                                     "bind a number of the same dimension, or correct the unit"};
 inline const Finding kBindValue{"bind-value", Severity::kError, "{} is {} in the tree, but factor times value is {}",
@@ -110,19 +122,21 @@ inline const Finding kBindMirrored{"bind-mirrored", Severity::kError,
 
 // Mirrors.
 
-inline const Finding kMirrorCount{"mirror-count", Severity::kError, "more than {} <fp:mirror>"};
+inline const Finding kMirrorCount{"mirror-count", Severity::kError, "more than {} <fp:mirror>",
+                                  "write one for each pair of sides"};
 inline const Finding kMirrorEnds{"mirror-ends", Severity::kError, "{} is the same as from",
                                  "write the ending of the other side"};
 inline const Finding kMirrorTwice{"mirror-twice", Severity::kError, "{} repeats the mirror in line {}",
                                   "remove one of the two"};
-inline const Finding kMirrorNothing{"mirror-nothing", Severity::kError, "{} is the end of no name{}"};
+inline const Finding kMirrorNothing{"mirror-nothing", Severity::kError, "{} is the end of no name{}",
+                                    "write what the names of one side end with"};
 inline const Finding kMirrorOfItself{"mirror-of-itself", Severity::kWarning,
                                      "{} is its own mirror image, so <fp:mirror> leaves it single",
                                      "let its name not end in '{}'"};
 
 // Tree of links and joints.
 
-inline const Finding kLinkNone{"link-none", Severity::kError, "the file has no link"};
+inline const Finding kLinkNone{"link-none", Severity::kError, "the file has no link", "add one for each body"};
 inline const Finding kGroundNone{"ground-none", Severity::kError,
                                  "there is no ground, since every link is the child of a joint",
                                  "remove the joint that has the ground as its child"};
@@ -132,7 +146,8 @@ inline const Finding kGroundSecond{"ground-second", Severity::kError,
 inline const Finding kGroundInertial{"ground-inertial", Severity::kError,
                                      "{} is the ground and must not have an <inertial>",
                                      "remove it, or add a link for the body"};
-inline const Finding kJointLink{"joint-link-unknown", Severity::kError, "{} has the unknown {} link '{}'{}"};
+inline const Finding kJointLink{"joint-link-unknown", Severity::kError, "{} has the unknown {} link '{}'{}",
+                                "correct the name, or add the link"};
 inline const Finding kJointLimit{"joint-limit", Severity::kError, "{} is {} and has no limit, which URDF requires",
                                  "add <limit effort=\"0\" velocity=\"0\"/>{}"};
 inline const Finding kJointTwoParents{"two-parents", Severity::kError, "link '{}' has two parents, {} and {}",
@@ -143,8 +158,9 @@ inline const Finding kJointLoop{"joint-loop", Severity::kError,
 inline const Finding kJointCoordinates{"joint-coordinates", Severity::kError,
                                        "the joints have {} coordinates, more than {}",
                                        "leave out bodies, or fix joints that need not move"};
-inline const Finding kUrdfdomError{"urdfdom-error", Severity::kError, "urdfdom: {}"};
-inline const Finding kUrdfdomWarning{"urdfdom-warning", Severity::kWarning, "urdfdom: {}"};
+inline const Finding kUrdfdomError{"urdfdom-error", Severity::kError, "urdfdom: {}", "correct the tag that it names"};
+inline const Finding kUrdfdomWarning{"urdfdom-warning", Severity::kWarning, "urdfdom: {}",
+                                     "correct the tag that it names", Weight::kSlight};
 inline const Finding kUrdfdomSilent{"urdfdom-silent", Severity::kError, "urdfdom cannot read the file",
                                     "compare the file with one of `urdf`, or report it with the file"};
 inline const Finding kNameReadDifferently{"name-read-differently", Severity::kError,
@@ -174,8 +190,10 @@ inline const Finding kMeshAddress{"mesh-address", Severity::kError,
                                   "write a path relative to the vehicle file"};
 inline const Finding kMeshMissing{"mesh-missing", Severity::kWarning,
                                   "mesh '{}' is missing (no file {}), so pictures are without it", "correct its path"};
-inline const Finding kMeshUnknown{"mesh-unknown", Severity::kError, "mesh '{}' cannot be looked for ({})"};
-inline const Finding kSolidLink{"solid-link-unknown", Severity::kError, "{} refers to the unknown link '{}'{}"};
+inline const Finding kMeshUnknown{"mesh-unknown", Severity::kError, "mesh '{}' cannot be looked for ({})",
+                                  "correct its path, or allow reading its folder"};
+inline const Finding kSolidLink{"solid-link-unknown", Severity::kError, "{} refers to the unknown link '{}'{}",
+                                "correct the name, or add the link"};
 inline const Finding kSolidTwice{"solid-twice", Severity::kError, "{} of link '{}' repeats that of line {}",
                                  "remove one of the two"};
 inline const Finding kSolidGround{"solid-ground", Severity::kError, "{} of link '{}' would give the ground a mass",
@@ -187,7 +205,8 @@ inline const Finding kSolidNoVisual{"solid-no-visual", Severity::kError,
 
 // Elements.
 
-inline const Finding kReferenceUnknown{"reference-unknown", Severity::kError, "{} refers to an unknown {} '{}'{}"};
+inline const Finding kReferenceUnknown{"reference-unknown", Severity::kError, "{} refers to an unknown {} '{}'{}",
+                                       "correct the name, or add what it refers to"};
 inline const Finding kFrameNamedAsLink{"frame-named-as-link", Severity::kError, "{} has the name of a link",
                                        "rename one of the two"};
 inline const Finding kLineOnOneLink{"line-on-one-link", Severity::kError,
@@ -212,7 +231,8 @@ inline const Finding kKneeOrder{"knee-order", Severity::kError, "{} does not lie
                                 "list the knees on either side of zero in the order in which the spring meets them, "
                                 "over the whole range of parameters"};
 inline const Finding kStopEmpty{"stop-empty", Severity::kError, "{} has no <bump> and no <rebound>", "add one or both"};
-inline const Finding kTablePoints{"table-points", Severity::kError, "{} needs at least two <point>s"};
+inline const Finding kTablePoints{"table-points", Severity::kError, "{} needs at least two <point>s",
+                                  "add them as <point speed=\"...\" force=\"...\"/>"};
 inline const Finding kTableSign{"table-sign", Severity::kError, "{} pushes on its own motion at every speed",
                                 "change the sign of its forces or of its speeds; extension and tension are positive"};
 inline const Finding kPointSign{"point-sign", Severity::kError, "the point at \"{}\" of {} pushes on its own motion",
@@ -225,8 +245,10 @@ inline const Finding kSeriesWithoutRate{"series-without-rate", Severity::kError,
 inline const Finding kSeriesNotRising{"series-not-rising", Severity::kError,
                                       "{} has a series spring, so its force must rise with speed everywhere",
                                       "for a smooth law neither rate may be more than eleven times the other"};
-inline const Finding kRodThickness{"rod-thickness", Severity::kError, "{} must be thinner than the piston, \"{}\""};
-inline const Finding kGasPressure{"gas-pressure", Severity::kError, "{} must be above the cavitation pressure, \"{}\""};
+inline const Finding kRodThickness{"rod-thickness", Severity::kError, "{} must be thinner than the piston, \"{}\"",
+                                   "check both for their units"};
+inline const Finding kGasPressure{"gas-pressure", Severity::kError, "{} must be above the cavitation pressure, \"{}\"",
+                                  "raise it, or lower `cavitation`"};
 inline const Finding kBushingResistsNothing{
     "bushing-resists-nothing", Severity::kError, "{} resists nothing",
     "give it a <translation>, a <rotation>, a <translation_damping> or a <rotation_damping>"};

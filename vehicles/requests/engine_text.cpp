@@ -54,27 +54,26 @@ std::string KinematicsText(const HistoryDifference& error) {
   // Less is what both engines are integrated to.
   const std::string size = Percent(std::max(1e-5, error.share), 2);
   return "linear kinematics are off by " + size + " rms" + (error.channel.empty() ? "" : " (" + error.channel + ")") +
-         (error.IsVisible() ? ", which shows (" : ", less than shows (") + Percent(kVisibleShare, 1) + ")";
+         (error.IsVisible() ? ", above" : ", below") + " the visible limit (" + Percent(kVisibleShare, 1) + ")";
 }
 
 std::string FitEngineText(const std::string& recording, const HistoryEngine& by) {
   // An engine that was asked for estimates nothing.
   if (!by.kinematics_error && by.not_estimated.empty())
     return recording + ": engine " + std::string(EngineName(by.engine)) + '\n';
-  if (!by.kinematics_error)
-    return recording + ": what linear kinematics leave out could not be estimated: " + by.not_estimated + '\n';
+  if (!by.kinematics_error) return recording + ": error of linear kinematics not estimated: " + by.not_estimated + '\n';
   const std::string text = recording + ": " + KinematicsText(*by.kinematics_error) + ": ";
   if (by.correction_change)
     return text + "corrected by the full geometry, whose correction would change by another " +
            Percent(*by.correction_change, 2) + " of a channel's standard deviation\n";
-  return text + (by.engine == Engine::kFull ? "the full geometry answers\n" : "the reduced model answers\n");
+  return text + (by.engine == Engine::kFull ? "full geometry used\n" : "reduced model used\n");
 }
 
 std::string EngineText(const HistoryEngine& by) {
   std::string text = IntegrationText(by);
   if (!by.kinematics_error) return text;
   return text + KinematicsText(*by.kinematics_error) + ": " +
-         (by.engine == Engine::kFull ? "the full geometry answers\n" : "they answer\n");
+         (by.engine == Engine::kFull ? "full geometry used\n" : "reduced model used\n");
 }
 
 }  // namespace fourpost

@@ -19,7 +19,7 @@ std::string EngineText(const std::string& recording, const SteadyResponse& answe
 /// Summary of a history in a fit: the error of linear kinematics at the fitted point, and its correction.
 std::string FitEngineText(const std::string& recording, const HistoryEngine& by);
 
-/// "linear kinematics are off by 4.6 % rms (F_tyre), which shows (0.6 %)"
+/// "linear kinematics are off by 4.6 % rms (F_tyre), above the visible limit (0.6 %)"
 std::string KinematicsText(const HistoryDifference& error);
 
 /// "linear kinematics are off by at most 0.03 dB (a_axle, 12 Hz) and 0.2 deg (a_body, 1.5 Hz)"

@@ -36,7 +36,7 @@ void NoteIntegrated(const std::string& name, const Excitation& excitation, const
                     const WorkHooks& hooks) {
   std::vector<double> integrated;
   for (std::size_t i = 0; i < answer.engine_at.size(); ++i)
-    if (answer.engine_at[i] == Engine::kMarch) integrated.push_back(excitation.frequency_Hz[i]);
+    if (answer.engine_at[i] == Engine::kTimeIntegration) integrated.push_back(excitation.frequency_Hz[i]);
   if (integrated.empty()) return;
   if (answer.is_hysteretic)
     return Remark(kIntegratedHysteresis, name, {hooks.IsStopped() ? " until the interruption" : ""}, hooks);
@@ -101,7 +101,7 @@ std::optional<SteadyResponse> SolveSweep(SteadySolver& solver, const std::string
   try {
     SteadyResponse answer = solver.Solve(excitation, engine, options, SweepProgress(hooks, name));
     if (answer.unanswered.size() == excitation.frequency_Hz.size() && hooks.IsStopped()) return std::nullopt;
-    if (engine != Engine::kMarch) NoteIntegrated(name, excitation, answer, hooks);
+    if (engine != Engine::kTimeIntegration) NoteIntegrated(name, excitation, answer, hooks);
     NoteOtherMotions(name, answer, hooks);
     return answer;
   } catch (const std::invalid_argument& refusal) {

@@ -7,7 +7,8 @@ namespace fourpost {
 
 inline const Finding kMeshFormat{"mesh-format", Severity::kError, "{} is not OBJ, STL, DAE or glTF",
                                  "use .obj, .stl, .dae, .gltf or .glb"};
-inline const Finding kMeshUnreadable{"mesh-unreadable", Severity::kError, "{} cannot be read ({})"};
+inline const Finding kMeshUnreadable{"mesh-unreadable", Severity::kError, "{} cannot be read ({})",
+                                     "export the mesh again, as STL or OBJ"};
 inline const Finding kMeshNotAFile{"mesh-not-a-file", Severity::kError, "{} is a {}, not a file",
                                    "write its content to a file and name that"};
 inline const Finding kMeshElsewhere{"mesh-elsewhere", Severity::kError, "{} refers to the file {} outside its folder",
@@ -25,8 +26,10 @@ inline const Finding kMeshTriangles{"mesh-too-many-triangles", Severity::kError,
 inline const Finding kMeshEmpty{"mesh-empty", Severity::kError, "{} has no triangles",
                                 "export the mesh again with its triangles"};
 
-inline const Finding kShapeLength{"shape-length", Severity::kError, "{} must have lengths above zero"};
-inline const Finding kShapeScale{"shape-scale", Severity::kError, "{} has a scale of zero and thus no volume"};
+inline const Finding kShapeLength{"shape-length", Severity::kError, "{} must have lengths above zero",
+                                  "correct the one that is not"};
+inline const Finding kShapeScale{"shape-scale", Severity::kError, "{} has a scale of zero and thus no volume",
+                                 "write three numbers that are not zero"};
 inline const Finding kSurfaceOpen{"surface-open", Severity::kError,
                                   "{} is not closed, {} belongs to one triangle alone",
                                   "close the hole in the mesh, or give an <inertial>"};

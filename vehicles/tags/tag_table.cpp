@@ -226,7 +226,7 @@ std::vector<TagRule> MakeDamperTags() {
        .attributes = {Rate("rate", "force per speed")}},
       {.path = "fp:damper/bilinear",
        .occurs = Occurs::kOneOfAll,
-       .doc = "f = rebound v in extension, bump v in compression",
+       .doc = "f = rebound v for v > 0, bump v for v < 0",
        .attributes = {bump, rebound}},
       {.path = "fp:damper/smooth",
        .occurs = Occurs::kOneOfAll,

@@ -30,7 +30,7 @@ std::optional<std::size_t> FindDamper(const BenchStudy& study, const std::string
   }
   const auto found = std::find(names.begin(), names.end(), *study.damper);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  diagnostics.Report(kBenchDamperUnknown, {file, study.line}, {*study.damper, DidYouMean(*study.damper, names)});
+  diagnostics.Report(kBenchDamperUnknown, {file, study.line}, {*study.damper, DidYouMeanOrAll(*study.damper, names)});
   return std::nullopt;
 }
 

@@ -8,7 +8,8 @@ namespace fourpost {
 // The study.
 
 inline const Finding kBenchRecordingsEmpty{"bench-recordings-empty", Severity::kError,
-                                           "{} of 'bench' must be a list of files with at least one entry"};
+                                           "{} of 'bench' must be a list of files with at least one entry",
+                                           "name one, or remove 'bench'"};
 inline const Finding kBenchRecordingTwice{"bench-recording-twice", Severity::kError,
                                           "two recordings have the name '{}'", "rename one with 'name'"};
 inline const Finding kBenchEngine{"bench-engine", Severity::kError,

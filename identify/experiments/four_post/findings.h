@@ -7,8 +7,8 @@ namespace fourpost {
 
 // The study.
 
-inline const Finding kSinesEmpty{"sines-empty", Severity::kError,
-                                 "'recordings' must be a list with at least one entry"};
+inline const Finding kSinesEmpty{"sines-empty", Severity::kError, "'recordings' must be a list with at least one entry",
+                                 "add one, or remove the key"};
 inline const Finding kSineTwice{"sine-twice", Severity::kError, "two recordings have the name '{}'",
                                 "rename one with 'name'"};
 inline const Finding kSinePatternUnknown{"sine-pattern-unknown", Severity::kError, "unknown pattern '{}' of 'posts'{}"};
@@ -34,7 +34,8 @@ inline const Finding kBandWithoutFrequency{"band-without-frequency", Severity::k
 
 // Recordings.
 
-inline const Finding kSineChannelMissing{"sine-channel-missing", Severity::kError, "{} has no channel '{}'{}"};
+inline const Finding kSineChannelMissing{"sine-channel-missing", Severity::kError, "{} has no channel '{}'{}",
+                                         "correct the name, or leave the channel out for this recording"};
 inline const Finding kSineUnitsDiffer{"sine-units-differ", Severity::kError,
                                       "channel '{}' is in {}, sensor '{}' in {}, so they cannot be compared",
                                       "map a channel of the same quantity"};
@@ -90,17 +91,24 @@ inline const Finding kWheelpanTakenOut{"wheelpan-taken-out", Severity::kWarning,
 // The fit.
 
 inline const Finding kSineNotPeriodic{"sine-not-periodic", Severity::kError,
-                                      "no periodic response of '{}' to differentiate"};
+                                      "no periodic response of '{}' to differentiate",
+                                      "narrow the bounds, or leave its frequency out by `band`"};
+
+// Its last word brings the remedy of the cause.
+inline const Finding kResponseUnanswered{"response-unanswered", Severity::kError,
+                                         "'{}' has no periodic response at {} Hz: {}"};
 
 inline const Finding kSinesFarOff{
     "sines-far-off", Severity::kWarning, "fit errors are far above what noise and the stated model error explain: {}",
-    "check the wiring (sign, scale, delay, position, channel); if it is right, the model lacks a mechanism"};
+    "check the wiring (sign, scale, delay, position, channel); if it is right, the model lacks a mechanism",
+    Weight::kGrave};
 inline const Finding kManySinesFarOff{
     "many-sines-far-off", Severity::kWarning,
     "fit errors of {} are far above what noise and the stated model error explain, the worst: {}",
     "check the wiring (sign, scale, delay, position, channel); if it is right, the model lacks a mechanism; the table "
     "of "
-    "channels and the charts of responses show all"};
+    "channels and the charts of responses show all",
+    Weight::kGrave};
 inline const Finding kSineKinematicsVisible{
     "sine-kinematics-visible", Severity::kWarning,
     "recording '{}': {}, which is not small compared with the stated model error of {} dB and {} degrees",

@@ -99,7 +99,8 @@ std::optional<SteadyResponse> WholeAnswer(const MeasuredRun& run, SteadySolver& 
   if (!answer) return std::nullopt;
   if (answer->unanswered.empty()) return answer;
   if (hooks.IsStopped()) return std::nullopt;
-  throw SimulationError("'" + run.name + "': " + answer->unanswered.front().why);
+  const Unanswered& first = answer->unanswered.front();
+  throw SimulationError(kResponseUnanswered, {run.name, Rounded(first.frequency_Hz, 3), WithoutId(first.why)});
 }
 
 Json AnswerJson(const MeasuredRun& run, const SteadyResponse& answer) {

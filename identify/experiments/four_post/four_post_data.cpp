@@ -118,7 +118,7 @@ class DataLoader {
     const std::vector<std::string> sensors = NamesOf(vehicle_.sensors);
     for (const auto& [name, source] : plan_.channels)
       if (!IndexOf(name, sensors))
-        diagnostics_.Report(kSineSensorUnknown, {file_, source.line}, {name, DidYouMean(name, sensors)});
+        diagnostics_.Report(kSineSensorUnknown, {file_, source.line}, {name, DidYouMeanOrAll(name, sensors)});
   }
 
   void LoadRun(const StudyRecording& recording) {
@@ -165,7 +165,7 @@ class DataLoader {
     for (const auto& [name, share] : recording.posts) {
       const std::optional<std::size_t> post = IndexOf(name, posts);
       if (!post) {
-        diagnostics_.Report(kSinePostUnknown, {file_, recording.line}, {name, DidYouMean(name, posts)});
+        diagnostics_.Report(kSinePostUnknown, {file_, recording.line}, {name, DidYouMeanOrAll(name, posts)});
         continue;
       }
       shape[*post] = share;

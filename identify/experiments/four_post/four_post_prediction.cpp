@@ -171,7 +171,8 @@ class SinePrediction {
         SolveSweep(solver, run.name, run.excitation, request_.engine.value_or(Engine::kAuto), kFitBalance, hooks_);
     if (!answer || answer->unanswered.empty()) return answer;
     if (hooks_.IsStopped()) return std::nullopt;
-    throw SimulationError("'" + run.name + "': " + answer->unanswered.front().why);
+    const Unanswered& first = answer->unanswered.front();
+    throw SimulationError(kResponseUnanswered, {run.name, Rounded(first.frequency_Hz, 3), WithoutId(first.why)});
   }
 
   const FourPostPlan& plan_;

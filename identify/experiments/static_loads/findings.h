@@ -7,7 +7,8 @@ namespace fourpost {
 
 inline const Finding kStaticLoadTyreUnknown{"static-load-tyre-unknown", Severity::kError,
                                             "the vehicle has no tyre '{}'{}"};
-inline const Finding kStaticLoadMissing{"static-load-missing", Severity::kError, "{} has no force '{}'{}"};
+inline const Finding kStaticLoadMissing{"static-load-missing", Severity::kError, "{} has no force '{}'{}",
+                                        "correct the name, or add a row of this name"};
 inline const Finding kStaticLoadNotPositive{"static-load-not-positive", Severity::kError,
                                             "a static load presses on the post and must be above zero",
                                             "check its value, and 'sign' in the study"};

@@ -63,7 +63,8 @@ std::vector<MeasuredLoad> LoadStaticLoads(const StaticLoadPlan& plan, const Vehi
   std::vector<MeasuredLoad> loads;
   for (const auto& [name, source] : plan.tyres) {
     const std::optional<std::size_t> tyre = IndexOf(name, tyres);
-    if (!tyre) diagnostics.Report(kStaticLoadTyreUnknown, {plan.file, source.line}, {name, DidYouMean(name, tyres)});
+    if (!tyre)
+      diagnostics.Report(kStaticLoadTyreUnknown, {plan.file, source.line}, {name, DidYouMeanOrAll(name, tyres)});
     if (!table) continue;
     MeasuredLoad load = SumLoads(plan, source, *table, diagnostics);
     load.tyre = tyre.value_or(0);

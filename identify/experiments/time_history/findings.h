@@ -8,12 +8,13 @@ namespace fourpost {
 // The study.
 
 inline const Finding kHistoriesEmpty{"histories-empty", Severity::kError,
-                                     "'histories' must be a list with at least one entry"};
+                                     "'histories' must be a list with at least one entry",
+                                     "add one, or remove the key"};
 inline const Finding kHistoryTwice{"history-twice", Severity::kError, "two histories have the name '{}'",
                                    "rename one with 'name'"};
 inline const Finding kHistoryUse{"history-use", Severity::kError, "'use' of {} must be fit or validation"};
 inline const Finding kHistoryWindowEmpty{"history-window-empty", Severity::kError,
-                                         "'end' of {} must be later than 'start'"};
+                                         "'end' of {} must be later than 'start'", "correct one of the two"};
 inline const Finding kNoiseNotMapped{"noise-not-mapped", Severity::kError,
                                      "{} must map sensors of the vehicle to standard deviations such as 20 N"};
 inline const Finding kNoiseUnreadable{
@@ -51,7 +52,8 @@ inline const Finding kChannelDead{"channel-dead", Severity::kError, "'{}' does n
                                   "remove the dead channel from the study"};
 inline const Finding kChannelSaturated{
     "channel-saturated", Severity::kWarning, "'{}' {} of {}, like a saturated sensor",
-    "exclude it from the window by 'start' and 'end' of the history, or remove the channel from the study"};
+    "exclude it from the window by 'start' and 'end' of the history, or remove the channel from the study",
+    Weight::kGrave};
 inline const Finding kPostSampledTooSlowly{
     "post-sampled-too-slowly", Severity::kWarning,
     "post '{}' of history '{}' moves up to {} Hz and is sampled at {} Hz, but {} samples a period are needed",
@@ -63,27 +65,27 @@ inline const Finding kHistoryChannelsSwapped{
     "history-channels-swapped", Severity::kWarning,
     "'{}' of '{}' is measured like the model's '{}' and vice versa, as if the two "
     "channels were swapped",
-    "exchange them in the study"};
+    "exchange them in the study", Weight::kGrave};
 inline const Finding kHistoryChannelsSwappedAtStart{
     "history-channels-swapped-at-start", Severity::kWarning,
     "'{}' of '{}' is measured like '{}' of the vehicle file and vice versa, as "
     "if the two channels were swapped",
-    "exchange them in the study"};
+    "exchange them in the study", Weight::kGrave};
 inline const Finding kChannelScaledTwice{
     "channel-scaled-twice", Severity::kWarning,
     "'{}' of '{}' and the model differ by a factor of {}, as if the recording already had the scale of the study",
-    "its error would be {} % with '{}' in the study"};
+    "its error would be {} % with '{}' in the study", Weight::kGrave};
 inline const Finding kChannelUnitMistaken{
     "channel-unit-mistaken", Severity::kWarning,
     "'{}' of '{}' and the model differ by a factor of {}, as if it were in {} instead of {}",
-    "its error would be {} % with '{}' in the study"};
+    "its error would be {} % with '{}' in the study", Weight::kGrave};
 inline const Finding kChannelUnitDoubtful{"channel-unit-doubtful", Severity::kWarning,
                                           "'{}' of '{}' and the model differ by a factor of {}, as if its unit were "
                                           "wrong (1000: mm for m, 9.81: g for m/s^2)",
-                                          "its error would be {} % with '{}' in the study"};
+                                          "its error would be {} % with '{}' in the study", Weight::kGrave};
 inline const Finding kChannelInverted{"channel-inverted", Severity::kWarning,
                                       "'{}' of '{}' moves against the model, as if its sign were wrong",
-                                      "its error would be {} % with '{}' in the study"};
+                                      "its error would be {} % with '{}' in the study", Weight::kGrave};
 inline const Finding kChannelLateOfModel{
     "channel-late-of-model", Severity::kWarning,
     "'{}' of '{}' comes {} than the model, as if it or the height of its post were not synchronised",
@@ -100,7 +102,7 @@ inline const Finding kChannelLateOfPoint{
 inline const Finding kPostsNotSynchronised{
     "posts-not-synchronised", Severity::kWarning,
     "all channels of '{}' come {} than the model, as if the height of its post were not synchronised with them",
-    "add 'delay: {}' to the channels of its 'posts' in the study"};
+    "add 'delay: {}' to the channels of its 'posts' in the study", Weight::kGrave};
 inline const Finding kStepTooLong{
     "step-too-long", Severity::kWarning,
     "the fitted values need shorter time steps than those of the vehicle file, for halving the step of {} ms changes a "
@@ -116,7 +118,8 @@ inline const Finding kHistoryNotPredicted{"history-not-predicted", Severity::kEr
                                           "the fitted vehicle cannot predict '{}': {}",
                                           "run `fourpost check` on the vehicle.urdf of the results"};
 inline const Finding kModeOfHistory{"mode-of-history", Severity::kWarning,
-                                    "{} contains the motion of its posts, so the option is ignored"};
+                                    "{} contains the motion of its posts, so the option is ignored", "leave it out",
+                                    Weight::kSlight};
 inline const Finding kKalmanWithoutNoise{
     "kalman-without-noise", Severity::kError,
     "the run holds no noise for a Kalman filter, because the fit was not by 'cost: prediction'",

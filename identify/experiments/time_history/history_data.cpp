@@ -83,9 +83,10 @@ class HistoryLoader {
 
   void CheckNames() {
     for (const auto& [post, source] : study_.posts)
-      if (!IndexOf(post, posts_)) Fault(kHistoryPostUnknown, source.line, {post, DidYouMean(post, posts_)});
+      if (!IndexOf(post, posts_)) Fault(kHistoryPostUnknown, source.line, {post, DidYouMeanOrAll(post, posts_)});
     for (const auto& [sensor, source] : study_.channels)
-      if (!IndexOf(sensor, sensors_)) Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMean(sensor, sensors_)});
+      if (!IndexOf(sensor, sensors_))
+        Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMeanOrAll(sensor, sensors_)});
     for (const std::string& post : posts_)
       if (std::none_of(study_.posts.begin(), study_.posts.end(), [&](const auto& one) { return one.first == post; }))
         Fault(kHistoryPostMissing, study_.line, {study_.name, post});
@@ -104,7 +105,7 @@ class HistoryLoader {
         continue;
       }
       if (!sensor) {
-        Fault(kHistorySensorUnknown, stated.line, {stated.sensor, DidYouMean(stated.sensor, sensors_)});
+        Fault(kHistorySensorUnknown, stated.line, {stated.sensor, DidYouMeanOrAll(stated.sensor, sensors_)});
         continue;
       }
       noise[*sensor] = ReadDeviation(stated, UnitOf(vehicle_.sensors[*sensor].type));

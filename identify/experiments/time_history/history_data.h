@@ -55,7 +55,7 @@ struct MeasuredHistory {
 
   double TimeAt(Eigen::Index k) const { return posts.start_s + static_cast<double>(first + k) / rate_Hz; }
 
-  /// Residuals take every so manieth sample: a filtered record sampled at three times the cut-off has all that passes
+  /// Residuals take every n-th sample: a filtered record sampled at three times the cut-off has all that passes
   /// it, and noise that is nearly independent from sample to sample.
   Eigen::Index Stride() const;
 };

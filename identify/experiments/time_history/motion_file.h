@@ -14,7 +14,7 @@ struct RecordedHistory {
   HistoryMotion motion;
 };
 
-/// Which samples to keep, every how manieth: 60 a second or fewer, so few that a recording has no more than 60000
+/// Which samples to keep, every n-th of them: 60 a second or fewer, so few that a recording has no more than 60000
 /// numbers. `columns`: posts and coordinates together.
 Eigen::Index FrameStride(const MeasuredHistory& history, Eigen::Index columns);
 

@@ -133,7 +133,7 @@ class HistoryPrediction {
 
 /// Integrated in time, a steady response is one of the full geometry.
 Engine HistoryEngineOf(std::optional<Engine> engine) {
-  return engine == Engine::kMarch ? Engine::kFull : engine.value_or(Engine::kAuto);
+  return engine == Engine::kTimeIntegration ? Engine::kFull : engine.value_or(Engine::kAuto);
 }
 
 /// By the engine that each needs; of those before an interruption.

@@ -29,7 +29,7 @@ print("model,against,channel,frequencies,gain_error_dB,at_Hz,phase_error_deg,at_
 for model, against in (("model1", "closed form"), ("model2", "harmonic balance"), ("model3", "harmonic balance"),
                        ("model4_frequency", "harmonic balance")):
     worst = {}
-    for ours, theirs in zip(responses(model, "march"), responses(model, "reduced")):
+    for ours, theirs in zip(responses(model, "time"), responses(model, "reduced")):
         f, channel = float(ours["frequency_Hz"]), ours["channel"]
         gain = abs(20 * math.log10(float(ours["gain"]) / float(theirs["gain"])))
         phase = abs((float(ours["phase_deg"]) - float(theirs["phase_deg"]) + 180) % 360 - 180)

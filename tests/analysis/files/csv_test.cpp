@@ -140,7 +140,7 @@ TEST(CsvFile, ThatIsNotThereIsReported) {
   const std::string path = folder.path() / "t.csv";
   Diagnostics diagnostics;
   EXPECT_FALSE(ReadCsv(path, diagnostics));
-  EXPECT_THAT(diagnostics, ReportsOnly(kFileUnreadable, 0));
+  EXPECT_THAT(diagnostics, ReportsOnly(kFileNotThere, 0));
 }
 
 TEST(CsvFile, ThatIsAFolderIsReported) {

@@ -324,12 +324,12 @@ TEST(FrequencyResponseFault, AllAreReportedAtOnce) {
             Reports(kFieldNotANumber, 7, {"'x'", "3.2 Hz"})));
 }
 
-TEST(FrequencyResponseFault, UnreadableFile) {
+TEST(FrequencyResponseFault, MissingFile) {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "frf.csv";
   Diagnostics diagnostics;
   EXPECT_FALSE(ReadFrequencyResponse(path, diagnostics));
-  EXPECT_THAT(diagnostics, ReportsOnly(kFileUnreadable, 0));
+  EXPECT_THAT(diagnostics, ReportsOnly(kFileNotThere, 0));
 }
 
 TEST(FrequencyResponseFile, TellsOnceOfAResultThatIsNoRecording) {

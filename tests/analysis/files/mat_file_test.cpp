@@ -170,7 +170,7 @@ TEST_F(MatFile, TellsLengthsThatDiffer) {
 TEST_F(MatFile, RefusesWhatIsNone) {
   EXPECT_THAT(Faults(folder_.Write("run.mat", "time,force\n1,2\n")), Reports(kMatNotReadable));
   EXPECT_THAT(Faults(folder_.Write("run.mat", "")), Reports(kMatNoVector));
-  EXPECT_THAT(Faults((folder_.path() / "none.mat").string()), Reports(kFileUnreadable));
+  EXPECT_THAT(Faults((folder_.path() / "none.mat").string()), Reports(kFileNotThere));
   Write({MatWriter::Text("comment", "nothing else")});
   EXPECT_THAT(Faults(file_), Reports(kMatNoVector));
 }

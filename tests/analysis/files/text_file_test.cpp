@@ -38,7 +38,7 @@ TEST(TextFile, MayBeEmpty) {
 TEST(TextFile, ThatIsNotThereIsReported) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "t.txt";
-  EXPECT_THAT(Fault(file), ReportsOnly(kFileUnreadable, 0));
+  EXPECT_THAT(Fault(file), ReportsOnly(kFileNotThere, 0));
 }
 
 TEST(TextFile, ThatIsAFolderIsReported) {

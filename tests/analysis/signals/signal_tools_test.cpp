@@ -68,15 +68,5 @@ TEST_F(SignalTools, HavePowerOverFrequency) {
   EXPECT_THROW(WelchSpectrum(x(), std::vector<double>(3), kRate_Hz, 128), std::invalid_argument);
 }
 
-// A sine of size a has the deviation a / sqrt(2), all of it in its band.
-TEST_F(SignalTools, TellTheDeviationWithinABand) {
-  std::vector<double> sine(5000);
-  for (std::size_t k = 0; k < sine.size(); ++k)
-    sine[k] = 0.3 * std::sin(2 * M_PI * 25 * static_cast<double>(k) / kRate_Hz);
-  const Spectrum spectrum = WelchSpectrum(sine, sine, kRate_Hz, 500);
-  EXPECT_NEAR(spectrum.DeviationWithin(15, 35), 0.3 / std::sqrt(2.0), 1e-9);
-  EXPECT_NEAR(spectrum.DeviationWithin(60, 200), 0, 1e-6);
-}
-
 }  // namespace
 }  // namespace fourpost

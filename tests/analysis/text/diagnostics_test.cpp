@@ -8,6 +8,10 @@ namespace {
 
 using ::testing::EndsWith;
 
+const Finding kWrong{"test-wrong", Severity::kError, "{}"};
+const Finding kUnusual{"test-unusual", Severity::kWarning, "{}"};
+const Finding kGrave{"test-grave", Severity::kWarning, "this is grave", "", Weight::kGrave};
+
 TEST(Diagnostic, HasTheFormEditorsUnderstand) {
   EXPECT_EQ(Format({"mass", Severity::kError, {"car.urdf", 12}, "no mass"}), "car.urdf:12: error: no mass [mass]");
   EXPECT_EQ(Format({"", Severity::kWarning, {"car.urdf"}, "no mass"}), "car.urdf: warning: no mass");
@@ -18,58 +22,71 @@ TEST(Diagnostic, HasTheFormEditorsUnderstand) {
 TEST(Diagnostics, HasNoErrorsWithWarningsOnly) {
   Diagnostics diagnostics;
   EXPECT_FALSE(diagnostics.HasErrors());
-  diagnostics.Warning("a.csv", 1, "odd");
+  diagnostics.Report(kUnusual, {"a.csv", 1}, {"odd"});
   EXPECT_FALSE(diagnostics.HasErrors());
-  diagnostics.Error("a.csv", 2, "wrong");
+  diagnostics.Report(kWrong, {"a.csv", 2}, {"wrong"});
   EXPECT_TRUE(diagnostics.HasErrors());
   EXPECT_EQ(diagnostics.items().size(), 2);
 }
 
 TEST(Diagnostics, StandByFileErrorsFirstThenByLineAndElseAsTheyCame) {
   Diagnostics diagnostics;
-  diagnostics.Warning("a.csv", 1, "sixth");
-  diagnostics.Error("c.csv", 1, "fifth");
-  diagnostics.Error("b.csv", 10, "third");
-  diagnostics.Error("b.csv", 9, "first");
-  diagnostics.Error("b.csv", 9, "second");
-  diagnostics.Warning("b.csv", 2, "fourth");
+  diagnostics.Report(kUnusual, {"a.csv", 1}, {"sixth"});
+  diagnostics.Report(kWrong, {"c.csv", 1}, {"fifth"});
+  diagnostics.Report(kWrong, {"b.csv", 10}, {"third"});
+  diagnostics.Report(kWrong, {"b.csv", 9}, {"first"});
+  diagnostics.Report(kWrong, {"b.csv", 9}, {"second"});
+  diagnostics.Report(kUnusual, {"b.csv", 2}, {"fourth"});
   EXPECT_EQ(diagnostics.Format(),
-            "b.csv:9: error: first\n"
-            "b.csv:9: error: second\n"
-            "b.csv:10: error: third\n"
-            "b.csv:2: warning: fourth\n"
-            "c.csv:1: error: fifth\n"
-            "a.csv:1: warning: sixth");
+            "b.csv:9: error: first [test-wrong]\n"
+            "b.csv:9: error: second [test-wrong]\n"
+            "b.csv:10: error: third [test-wrong]\n"
+            "b.csv:2: warning: fourth [test-unusual]\n"
+            "c.csv:1: error: fifth [test-wrong]\n"
+            "a.csv:1: warning: sixth [test-unusual]");
+}
+
+TEST(Diagnostics, StandWithGraveWarningsFirst) {
+  Diagnostics diagnostics;
+  diagnostics.Report(kUnusual, {"a.csv", 1}, {"second"});
+  diagnostics.Report(kGrave, {"a.csv", 2});
+  EXPECT_EQ(diagnostics.Format(),
+            "a.csv:2: warning: this is grave [test-grave]\na.csv:1: warning: second [test-unusual]");
+  diagnostics.Report(kWrong, {"a.csv", 3}, {"first"});
+  std::vector<std::string> ids;
+  for (const Diagnostic& item : diagnostics.ByWeight()) ids.push_back(item.id);
+  EXPECT_THAT(ids, testing::ElementsAre("test-wrong", "test-grave", "test-unusual"));
 }
 
 TEST(Diagnostics, AreEmptyTextWhenThereAreNone) { EXPECT_EQ(Diagnostics().Format(), ""); }
 
 TEST(Diagnostics, OfOneFileDoNotBuryThoseOfAnother) {
   Diagnostics diagnostics;
-  for (int line = 1; line <= 103; ++line) diagnostics.Error("a.csv", line, "wrong");
-  diagnostics.Error("b.csv", 1, "wrong");
-  EXPECT_THAT(diagnostics.Format(), EndsWith("a.csv:100: error: wrong\na.csv: 3 more\nb.csv:1: error: wrong"));
+  for (int line = 1; line <= 103; ++line) diagnostics.Report(kWrong, {"a.csv", line}, {"wrong"});
+  diagnostics.Report(kWrong, {"b.csv", 1}, {"wrong"});
+  EXPECT_THAT(diagnostics.Format(),
+              EndsWith("a.csv:100: error: wrong [test-wrong]\na.csv: 3 more\nb.csv:1: error: wrong [test-wrong]"));
 }
 
 TEST(Diagnostics, OfOneFileAreAllShownUpToAHundred) {
   Diagnostics diagnostics;
-  for (int line = 1; line <= 100; ++line) diagnostics.Error("a.csv", line, "wrong");
-  EXPECT_THAT(diagnostics.Format(), EndsWith("a.csv:100: error: wrong"));
+  for (int line = 1; line <= 100; ++line) diagnostics.Report(kWrong, {"a.csv", line}, {"wrong"});
+  EXPECT_THAT(diagnostics.Format(), EndsWith("a.csv:100: error: wrong [test-wrong]"));
 }
 
 TEST(Diagnostics, KeepBeginningAndEndOfMessagesOfMegabytes) {
   Diagnostics diagnostics;
-  diagnostics.Error("a.csv", 1, "unknown '" + std::string(5'000'000, 'n') + "'; remove it");
+  diagnostics.Report(kWrong, {"a.csv", 1}, {"unknown '" + std::string(5'000'000, 'n') + "'; remove it"});
   EXPECT_LT(diagnostics.Format().size(), 2100u);
   EXPECT_THAT(diagnostics.Format(), testing::StartsWith("a.csv:1: error: unknown 'nnn"));
-  EXPECT_THAT(diagnostics.Format(), EndsWith("nnn'; remove it"));
+  EXPECT_THAT(diagnostics.Format(), EndsWith("nnn'; remove it [test-wrong]"));
 }
 
 TEST(FaultyInput, SaysWhatTheDiagnosticsSay) {
   Diagnostics diagnostics;
-  diagnostics.Error("a.csv", 2, "wrong");
+  diagnostics.Report(kWrong, {"a.csv", 2}, {"wrong"});
   const FaultyInput error(diagnostics);
-  EXPECT_STREQ(error.what(), "a.csv:2: error: wrong");
+  EXPECT_STREQ(error.what(), "a.csv:2: error: wrong [test-wrong]");
   EXPECT_EQ(error.diagnostics().items().size(), 1);
 }
 

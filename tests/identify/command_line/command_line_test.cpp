@@ -264,7 +264,7 @@ TEST_F(CommandLine, ResponseComesFromTheEngineAskedFor) {
   ReplaceIn(kStudy, "[0.5 Hz, 12 Hz]", "[4 Hz, 4.3 Hz]");
   const Json linearised = Json::parse(Run("response studies/landrover110/model2.yaml --json").out)["recordings"];
   std::vector<Json> answers;
-  for (const char* engine : {"full", "march"}) {
+  for (const char* engine : {"full", "time"}) {
     const Outcome outcome = Run("response studies/landrover110/model2.yaml --json --engine " + std::string(engine));
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Json recordings = Json::parse(outcome.out)["recordings"];
@@ -275,6 +275,9 @@ TEST_F(CommandLine, ResponseComesFromTheEngineAskedFor) {
     EXPECT_NEAR(gain / expected, 1, 0.006) << engine;  // 0.05 dB
   }
   EXPECT_NE(answers[0], answers[1]);
+  const Outcome former = Run("response studies/landrover110/model2.yaml --json --engine march");
+  EXPECT_THAT(former.err, HasSubstr("[engine-former]"));
+  EXPECT_EQ(Json::parse(former.out)["recordings"], answers[1]);
 }
 
 // Dampers of a three-hundredth: pitch swings for minutes.
@@ -287,10 +290,11 @@ TEST_F(CommandLine, TellsWhatKeepsAMarchFromSettling) {
     ReplaceIn(kVehicle, name + "_rebound\" value=\"3500 N*s/m\" lower=\"1500",
               name + "_rebound\" value=\"5 N*s/m\" lower=\"1");
   }
-  const Outcome outcome = Run("response studies/landrover110/model2.yaml --engine march");
+  const Outcome outcome = Run("response studies/landrover110/model2.yaml --engine time");
   EXPECT_EQ(outcome.code, 4);
-  EXPECT_THAT(outcome.err, HasSubstr("'bounce': heave at "));
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr(" within 60 s "), HasSubstr("[unsteady-damping]")));
+  EXPECT_THAT(outcome.err, HasSubstr("'bounce' has no periodic response at 4.00 Hz: heave at "));
+  EXPECT_THAT(outcome.err,
+              AllOf(HasSubstr(" within 60 s "), HasSubstr("give it damping"), HasSubstr("[response-unanswered]")));
 }
 
 /// One thing broken in the shipped data, which a fit must refuse.

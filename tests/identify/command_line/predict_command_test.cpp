@@ -274,7 +274,8 @@ TEST_F(PredictCommandLine, ChecksLinearKinematics) {
   EXPECT_EQ(answer["engine"], "reduced");
   EXPECT_LT(answer["linear_kinematics_error"]["value"].get<double>(), 1e-5);
   EXPECT_FALSE(answer["channels"][0].contains("reduced_nmse_percent"));
-  EXPECT_THAT(Run("predict run --recording sweep.csv").out, HasSubstr("less than shows (0.6 %): they answer"));
+  EXPECT_THAT(Run("predict run --recording sweep.csv").out,
+              HasSubstr("below the visible limit (0.6 %): reduced model used"));
   // By its older name too.
   const Outcome reduced = Run("predict run --recording sweep.csv --engine condensed --json");
   EXPECT_TRUE(Json::parse(reduced.out)["linear_kinematics_error"].is_null());

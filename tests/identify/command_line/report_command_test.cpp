@@ -124,7 +124,7 @@ TEST_F(ReportCommandLine, KeepsAnOlderReportOnAFullDisk) {
   // A limit of 100 blocks of 512 bytes stands for a full disk.
   const Outcome outcome = RunShell(std::string("ulimit -f 100; '") + FOURPOST_PROGRAM + "' report run");
   EXPECT_EQ(outcome.code, 5);
-  EXPECT_THAT(outcome.err, HasSubstr("[output-not-written]"));
+  EXPECT_THAT(outcome.err, HasSubstr("[disk-full]"));
   EXPECT_TRUE(ReadText(folder_ / "run/report.html") == before);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "run/report.html.partial"));
 }

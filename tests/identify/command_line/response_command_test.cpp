@@ -140,7 +140,7 @@ TEST_F(ResponseCommandLine, WarnsAboveTheModelsRange) {
 
 TEST_F(ResponseCommandLine, TellsWhichFrequenciesHaveNoSteadyMotion) {
   const Outcome outcome = Run(std::string("response ") + kCar +
-                              " --frequencies 3Hz --engine march --set c_bump=1N*s/m --set c_rebound=1N*s/m");
+                              " --frequencies 3Hz --engine time --set c_bump=1N*s/m --set c_rebound=1N*s/m");
   EXPECT_EQ(outcome.code, 4);
   EXPECT_THAT(outcome.err, HasSubstr("outside its bounds"));
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("heave: no answer at 1 of 1 "), HasSubstr("[frequencies-unanswered]")));
@@ -148,7 +148,7 @@ TEST_F(ResponseCommandLine, TellsWhichFrequenciesHaveNoSteadyMotion) {
               HasSubstr("no answer at 3.00 Hz: heave at 3 Hz, 7.96 mm has no periodic motion within 60 s"));
   const Outcome json =
       Run(std::string("response ") + kCar +
-          " --frequencies 3Hz --engine march --set c_bump=1N*s/m --set c_rebound=1N*s/m --json -o none");
+          " --frequencies 3Hz --engine time --set c_bump=1N*s/m --set c_rebound=1N*s/m --json -o none");
   EXPECT_EQ(json.code, 4);
   EXPECT_THAT(Json::parse(json.out)["modes"][0]["unanswered"][0]["why"].get<std::string>(),
               HasSubstr("no periodic motion within 60 s"));
@@ -169,7 +169,7 @@ TEST_F(ResponseCommandLine, ShowsAllOfFewFrequenciesAndSpreadsTheColumnsOverMany
 
 TEST_F(ResponseCommandLine, EndsWith1WhereSomeFrequenciesHaveNoAnswer) {
   const Outcome outcome = Run(std::string("response ") + kCar +
-                              " --frequencies 3Hz:30Hz:2 --engine march --set c_bump=20N*s/m --set c_rebound=20N*s/m");
+                              " --frequencies 3Hz:30Hz:2 --engine time --set c_bump=20N*s/m --set c_rebound=20N*s/m");
   EXPECT_EQ(outcome.code, 1) << outcome.err;
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("heave: no answer at 1 of 2 "), HasSubstr("[frequencies-unanswered]")));
 }
@@ -177,7 +177,7 @@ TEST_F(ResponseCommandLine, EndsWith1WhereSomeFrequenciesHaveNoAnswer) {
 TEST_F(ResponseCommandLine, AnInterruptedMarchKeepsWhatItHas) {
   RunningProgram program(
       folder_,
-      "response urdf/landrover110_linkage.urdf --engine march --mode heave --mode pitch --frequencies "
+      "response urdf/landrover110_linkage.urdf --engine time --mode heave --mode pitch --frequencies "
       "1Hz:3Hz:4000 -o result");
   // Told with the rate: at least one frequency is done.
   while (program.IsRunning() && program.err().find(" per ") == std::string::npos)

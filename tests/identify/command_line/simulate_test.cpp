@@ -105,9 +105,9 @@ TEST_F(Simulate, ChoosesTheEngineByWhatShows) {
     return "--sine 1.5Hz --amplitude " + amplitude + " --velocity 1m/s --acceleration 2g --duration 3s -o a.csv";
   };
   const Outcome small = Run("landrover110_linkage", run("0.5mm"));
-  EXPECT_THAT(small.out, HasSubstr("less than shows (0.6 %): they answer"));
+  EXPECT_THAT(small.out, HasSubstr("below the visible limit (0.6 %): reduced model used"));
   const Outcome large = Run("landrover110_linkage", run("50mm"));
-  EXPECT_THAT(large.out, HasSubstr("which shows (0.6 %): the full geometry answers"));
+  EXPECT_THAT(large.out, HasSubstr("above the visible limit (0.6 %): full geometry used"));
   const Json answer = Json::parse(Run("landrover110_linkage", run("50mm") + " --json").out);
   EXPECT_EQ(answer["engine"], "full");
   EXPECT_GT(answer["linear_kinematics_error"]["value"].get<double>(), 0.006);
@@ -305,9 +305,9 @@ TEST_F(Simulate, RefusesValuesThatDoNotGoTogether) {
 TEST_F(Simulate, SaysWhereARecordingEnds) {
   ASSERT_EQ(Run("quarter_car", "--step 5mm --duration 2s -o a.csv").code, 0);
   EXPECT_THAT(Run("quarter_car", "--recording a.csv --duration 3s").err,
-              AllOf(HasSubstr("--duration: warning: "), HasSubstr(" 2 s [recording-ends]")));
+              AllOf(HasSubstr("--duration: warning: "), HasSubstr(" 2 s"), HasSubstr("[recording-ends]")));
   EXPECT_EQ(Run("quarter_car", "--recording a.csv --duration 2s").err, "");
-  ExpectRefused("quarter_car", "--recording urdf/quarter_car.urdf", 3, "a table (.csv) [file-of-other-kind]");
+  ExpectRefused("quarter_car", "--recording urdf/quarter_car.urdf", 3, "a recording (.csv, .mat) [file-of-other-kind]");
 }
 
 TEST_F(Simulate, TellsTheFaultsOfARecording) {

@@ -238,7 +238,7 @@ TEST_F(StudyTest, ReportsAllFaultsAtOnce) {
 
 TEST_F(StudyTest, ReportsAMissingFile) {
   EXPECT_FALSE(ReadStudy(folder_ / "nowhere.yaml", diagnostics_).has_value());
-  EXPECT_THAT(diagnostics_, Reports(kFileUnreadable, 0));
+  EXPECT_THAT(diagnostics_, Reports(kFileNotThere, 0));
   EXPECT_EQ(diagnostics_.items().at(0).place.file, (folder_ / "nowhere.yaml").string());
 }
 

@@ -92,7 +92,7 @@ TEST(HistorySolver, EndsWhereItIsAskedTo) {
 
 TEST(HistorySolver, RefusesTheMarch) {
   const Vehicle arm = VehicleOf(SensedTrailingArm());
-  EXPECT_THROW(HistorySolver(arm).Solve(Sine(0.1), kGrid, {.engine = Engine::kMarch}), std::invalid_argument);
+  EXPECT_THROW(HistorySolver(arm).Solve(Sine(0.1), kGrid, {.engine = Engine::kTimeIntegration}), std::invalid_argument);
 }
 
 TEST(Engine, KnowsOlderNames) {

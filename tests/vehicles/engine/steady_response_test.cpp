@@ -62,8 +62,8 @@ TEST(SteadyResponse, MarchesWhereTheBalanceDoesNotConverge) {
                      if (heard.empty() || text != heard.back()) heard.push_back(text);
                      return true;
                    });
-  EXPECT_THAT(answer.engine_at, ElementsAre(Engine::kMarch, Engine::kMarch));
-  EXPECT_THAT(heard, ElementsAre("march: 0 of 2", "march: 1 of 2"));
+  EXPECT_THAT(answer.engine_at, ElementsAre(Engine::kTimeIntegration, Engine::kTimeIntegration));
+  EXPECT_THAT(heard, ElementsAre("time integration: 0 of 2", "time integration: 1 of 2"));
   // Time integration of the same model, until windows differ by 1e-4 of a channel; what then is left is some times as
   // much.
   constexpr double kSettled = 1e-3;
@@ -80,8 +80,8 @@ TEST(SteadyResponse, MarchesTheFullSystemWhereThatIsAsked) {
   const Vehicle vehicle = Describe(BilinearCar());
   const Excitation excitation{{2}, {0.01}, {1}};
   SteadySolver solver(vehicle);
-  const SteadyResponse marched = solver.Solve(excitation, Engine::kMarch);
-  EXPECT_EQ(marched.engine, Engine::kMarch);
+  const SteadyResponse marched = solver.Solve(excitation, Engine::kTimeIntegration);
+  EXPECT_EQ(marched.engine, Engine::kTimeIntegration);
   Multibody multibody(vehicle);
   multibody.SetParameters(vehicle.ParameterValues(), solver.model().preloads);
   EXPECT_EQ(marched.response.channels[0].response, March(multibody, excitation).response.channels[0].response);
@@ -91,7 +91,7 @@ TEST(SteadyResponse, EndsWhenAskedTo) {
   const Vehicle vehicle = Describe(BilinearCar());
   const Excitation excitation{{2, 5, 8}, {0.01, 0.005, 0.001}, {1}};
   const auto first_only = [](const SteadySolver::Stage& stage) { return stage.done < 1; };
-  const SteadyResponse marched = SteadySolver(vehicle).Solve(excitation, Engine::kMarch, {}, first_only);
+  const SteadyResponse marched = SteadySolver(vehicle).Solve(excitation, Engine::kTimeIntegration, {}, first_only);
   ASSERT_EQ(marched.unanswered.size(), 2u);
   EXPECT_EQ(marched.unanswered[0].frequency_Hz, 5);
   EXPECT_THAT(marched.unanswered[0].why, HasSubstr("[interrupted]"));
@@ -101,7 +101,7 @@ TEST(SteadyResponse, EndsWhenAskedTo) {
   // In the middle of a frequency too.
   int asked = 0;
   const auto soon = [&](const SteadySolver::Stage&) { return ++asked < 3; };
-  EXPECT_EQ(SteadySolver(vehicle).Solve(excitation, Engine::kMarch, {}, soon).unanswered.size(), 3u);
+  EXPECT_EQ(SteadySolver(vehicle).Solve(excitation, Engine::kTimeIntegration, {}, soon).unanswered.size(), 3u);
   EXPECT_EQ(asked, 3);
 }
 
@@ -166,7 +166,7 @@ TEST(SteadyResponse, HasNoValueWhereNothingSettles) {
   Vehicle vehicle = Describe(ThesisCar());
   Set(vehicle, "c_bump", 0.1);
   Set(vehicle, "c_rebound", 0.1);
-  const SteadyResponse answer = SteadySolver(vehicle).Solve({{3}, {0.001}, {1}}, Engine::kMarch);
+  const SteadyResponse answer = SteadySolver(vehicle).Solve({{3}, {0.001}, {1}}, Engine::kTimeIntegration);
   ASSERT_EQ(answer.unanswered.size(), 1u);
   EXPECT_EQ(answer.unanswered[0].frequency_Hz, 3);
   EXPECT_THAT(answer.unanswered[0].why, AllOf(HasSubstr("60 s"), HasSubstr("[unsteady")));

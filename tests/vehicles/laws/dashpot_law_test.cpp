@@ -294,14 +294,14 @@ void ExpectRefused(Make make, const std::string& message) {
 }
 
 TEST(DashpotLaw, RefusesRatesAndSpeedsThatAreNone) {
-  ExpectRefused([] { DashpotLaw(-1, 2); }, "DashpotLaw: compression = -1, must be finite and not negative");
+  ExpectRefused([] { DashpotLaw(-1, 2); }, "DashpotLaw: bump = -1, must be finite and not negative");
   ExpectRefused([] { DashpotLaw(1, kNan); }, "DashpotLaw: rebound = nan, must be finite and not negative");
   ExpectRefused([] { DashpotLaw::Smooth(1, 2, 0); }, "DashpotLaw: speed = 0, must be finite and positive");
   ExpectRefused(
       [] {
         DashpotLaw::Digressive(1, 2, {0, 1}, {1, 1});
       },
-      "DashpotLaw: compression_knee.speed = 0, must be finite and positive");
+      "DashpotLaw: bump_knee.speed = 0, must be finite and positive");
   ExpectRefused(
       [] {
         DashpotLaw::Digressive(1, 2, {1, 1}, {1, -1});

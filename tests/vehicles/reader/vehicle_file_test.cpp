@@ -142,9 +142,9 @@ TEST_F(VehicleFile, TakesOneSpellingOnly) {
 
 TEST_F(VehicleFile, GivesTheTextAsItWasRead) { EXPECT_EQ(Read(kSmallVehicle).value().text, kSmallVehicle); }
 
-TEST_F(VehicleFile, ReportsAFileThatCannotBeRead) {
+TEST_F(VehicleFile, ReportsAFileThatIsNotThere) {
   EXPECT_FALSE(ReadVehicle(folder_ / "vehicle.urdf", diagnostics_).has_value());
-  Expect(0, kFileUnreadable);
+  Expect(0, kFileNotThere);
 }
 
 TEST_F(VehicleFile, ReportsAFolder) {

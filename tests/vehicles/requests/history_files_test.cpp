@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "vehicles/requests/findings.h"
+
 namespace fourpost {
 namespace {
 
@@ -34,7 +36,7 @@ TEST(HistoryFiles, TellPostsAndSensorsAtEightDigits) {
 TEST(HistoryFiles, TellHowLargeChannelsAreAndWhatIsKnownOfTheError) {
   HistoryOrigin origin{.motion = "step", .seed = 3, .error = 1e-3};
   Diagnostics findings;
-  findings.Warning("--sweep", 0, "odd");
+  findings.Report(kBodiesBend, Place::Option("--sweep"), {"25 Hz"});
   const auto json = [&] {
     return Json::parse(HistoryJson(Car(), origin, Example(), ChannelsOf(Car(), Example(), {0}), findings));
   };

@@ -122,7 +122,7 @@ TEST_F(SweepReading, WarnsWhereUsualLimitsNoLongerCount) {
 /// Two frequencies, from above, of two sensors.
 SweptResponse Example() {
   SteadyResponse answer{.response = {.frequency_Hz = {2, 1}, .amplitude_m = {0.1, 0.2}},
-                        .engine_at = {Engine::kMarch, Engine::kReduced}};
+                        .engine_at = {Engine::kTimeIntegration, Engine::kReduced}};
   for (const char* name : {"one", "two"})
     answer.response.channels.push_back({.name = name,
                                         .unit = "m",
@@ -138,7 +138,7 @@ TEST(SweptResponse, IsByRisingFrequencyAndOfTheChannelsAskedFor) {
   EXPECT_THAT(swept.answer.response.amplitude_m, ElementsAre(0.2, 0.1));
   ASSERT_EQ(swept.answer.response.channels.size(), 1u);
   EXPECT_EQ(swept.answer.response.channels[0].name, "two");
-  EXPECT_EQ(swept.answer.engine_at[1], Engine::kMarch);
+  EXPECT_EQ(swept.answer.engine_at[1], Engine::kTimeIntegration);
 }
 
 TEST(SweptResponse, IsATableThatLeavesBlankWhatHasNoAnswer) {
