@@ -48,12 +48,15 @@ class Optimum {
   ModelErrorEstimate ModelError(const std::vector<Index>& judged) const {
     const Eigen::MatrixXd jacobian = jacobian_(Eigen::all, judged);
     Eigen::MatrixXd scores = residuals_.cwiseProduct(weights_).asDiagonal() * jacobian;
-    if (input_noise_.size() > 0) scores -= input_noise_(Eigen::all, judged);
+    Eigen::MatrixXd input_noise;
+    if (input_noise_.size() > 0) input_noise = input_noise_(Eigen::all, judged);
+    if (input_noise.size() > 0) scores -= input_noise;
     std::vector<bool> is_relative;
     for (const Index j : judged) is_relative.push_back(is_relative_[static_cast<std::size_t>(j)]);
     return EstimateModelError({.jacobian = jacobian,
                                .priors = priors_(Eigen::all, judged),
                                .scores = std::move(scores),
+                               .input_noise = std::move(input_noise),
                                .weights = weights_,
                                .is_relative = std::move(is_relative)},
                               structure_, noise_);

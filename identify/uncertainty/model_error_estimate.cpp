@@ -52,6 +52,8 @@ class Jackknife {
     hessian_ += fitted.jacobian.transpose() * fitted.weights.asDiagonal() * fitted.jacobian;
     scale_ = hessian_.diagonal().cwiseSqrt();
     covariance_ = Inverse(hessian_, scale_);
+    all_.assign(static_cast<std::size_t>(fitted.jacobian.rows()), 1);
+    of_all_ = noise.CovarianceOfScores(fitted.jacobian, all_, all_);
   }
 
   const Eigen::MatrixXd& covariance() const { return covariance_; }
@@ -63,7 +65,6 @@ class Jackknife {
     parted.rests_on.assign(static_cast<std::size_t>(n), -1);
     if (clusters < 3) return parted;
     parted.shifts.resize(n, clusters);
-    parted.degrees = -static_cast<double>(n);
     for (Index g = 0; g < clusters; ++g) AddCluster(partition, g, parted);
     return parted;
   }
@@ -83,21 +84,39 @@ class Jackknife {
       score += fitted_.scores.row(row).transpose();
       information += weight * fitted_.jacobian.row(row).transpose() * fitted_.jacobian.row(row);
     }
-    Eigen::MatrixXd without = hessian_ - information;
-    // What only this cluster determines stays where it is.
-    without.diagonal() += 1e-6 * hessian_.diagonal();
-    const Eigen::MatrixXd inverse = Inverse(without, scale_);
-    parted.shifts.col(g) = inverse * score;
+    const Eigen::MatrixXd without = InverseWithout(information);
+    parted.shifts.col(g) = without * score;
     for (Index j = 0; j < n; ++j)
-      if (inverse(j, j) > kMuchWorse * covariance_(j, j))
+      if (without(j, j) > kMuchWorse * covariance_(j, j) || !(without(j, j) > 0))
         parted.rests_on[static_cast<std::size_t>(j)] = static_cast<int>(g);
-    const auto [square, rank] = SquaredDistance(score, noise_.CovarianceOfScore(fitted_.jacobian, among), scale_);
+    const auto [square, rank] = SquaredDistance(score, OfNoise(information, among), scale_);
     parted.disagreement += square;
     parted.degrees += static_cast<double>(rank);
   }
 
+  /// Of the other clusters alone. What hardly any of them determines stays where it is.
+  Eigen::MatrixXd InverseWithout(const Eigen::MatrixXd& information) const {
+    constexpr double kLeast = 1e-5;
+    const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(hessian_ - information, hessian_);
+    const Eigen::VectorXd inverse = pairs.values.unaryExpr([](double v) { return v > kLeast ? 1 / v : 0; });
+    return pairs.vectors * inverse.asDiagonal() * pairs.vectors.transpose();
+  }
+
+  /// Covariance of a cluster's score at the optimum: its own noise, less what the parameters follow of that of all.
+  Eigen::MatrixXd OfNoise(const Eigen::MatrixXd& information, const std::vector<char>& among) const {
+    const Eigen::MatrixXd follows = information * covariance_;
+    const Eigen::MatrixXd with_all = noise_.CovarianceOfScores(fitted_.jacobian, among, all_) * follows.transpose();
+    Eigen::MatrixXd covariance = noise_.CovarianceOfScores(fitted_.jacobian, among, among) - with_all -
+                                 with_all.transpose() + follows * of_all_ * follows.transpose();
+    // What the inputs' noise adds scatters, in the data and in its estimate.
+    if (fitted_.input_noise.size() > 0) covariance += 2 * noise_.CovarianceOfStretches(fitted_.input_noise, among);
+    return covariance;
+  }
+
   const FittedResiduals& fitted_;
   const ResidualNoise& noise_;
+  std::vector<char> all_;
+  Eigen::MatrixXd of_all_;
   Eigen::MatrixXd hessian_;
   Eigen::MatrixXd covariance_;
   Eigen::VectorXd scale_;

@@ -18,6 +18,8 @@ struct FittedResiduals {
   Eigen::MatrixXd priors;
   /// What each residual adds to the gradient, N x n: J_i psi_i, less what noise of the inputs adds.
   Eigen::MatrixXd scores;
+  /// That, N x n; empty: nothing.
+  Eigen::MatrixXd input_noise;
   /// Of the loss, see RobustLoss::Weights().
   Eigen::VectorXd weights;
   /// n: whether the variable is the logarithm of its parameter.

@@ -201,16 +201,12 @@ ResidualNoise::Record ResidualNoise::Measured(std::vector<ResidualSeries> channe
   return record;
 }
 
-// Sum_ts J_t' R(t - s) J_s is the mean over all frequencies of conj(J)' S J.
-void ResidualNoise::Add(const Record& record, const Eigen::MatrixXd& jacobian, const std::vector<char>& among,
-                        Eigen::MatrixXd& sum) {
+ResidualNoise::Transforms ResidualNoise::TransformsOf(const Record& record, const Eigen::MatrixXd& jacobian,
+                                                      const std::vector<char>& among) {
   const Index parameters = jacobian.cols();
-  const auto channels = static_cast<Index>(record.channels.size());
-  const Index rows = record.points / 2 + 1;
-  std::vector<Eigen::MatrixXcd> transforms;
-  std::vector<Index> present;
-  for (Index c = 0; c < channels; ++c) {
-    const ResidualSeries& series = record.channels[static_cast<std::size_t>(c)];
+  Transforms transforms;
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    const ResidualSeries& series = record.channels[c];
     Eigen::MatrixXd part = Eigen::MatrixXd::Zero(series.count, parameters);
     bool is_present = false;
     for (Index k = 0; k < series.count; ++k) {
@@ -220,37 +216,81 @@ void ResidualNoise::Add(const Record& record, const Eigen::MatrixXd& jacobian, c
       is_present = true;
     }
     if (!is_present) continue;
-    present.push_back(c);
-    Eigen::MatrixXcd transform(rows, parameters);
+    Eigen::MatrixXcd transform(record.points / 2 + 1, parameters);
     for (Index p = 0; p < parameters; ++p) transform.col(p) = Transformed(part.col(p), record.points);
-    transforms.push_back(std::move(transform));
+    transforms.channels.push_back(static_cast<Index>(c));
+    transforms.of.push_back(std::move(transform));
   }
-  Eigen::MatrixXcd at(static_cast<Index>(present.size()), parameters);
-  Eigen::MatrixXd total = Eigen::MatrixXd::Zero(parameters, parameters);
-  for (Index k = 0; k < rows; ++k) {
-    for (std::size_t i = 0; i < present.size(); ++i) at.row(static_cast<Index>(i)) = transforms[i].row(k);
-    const bool is_end = k == 0 || k == rows - 1;  // every other frequency stands for its negative as well
-    total += (is_end ? 1.0 : 2.0) *
-             (at.adjoint() * record.spectrum[static_cast<std::size_t>(k)](present, present) * at).real();
-  }
-  sum += total / static_cast<double>(record.points);
+  return transforms;
 }
 
-Eigen::MatrixXd ResidualNoise::CovarianceOfScore(const Eigen::MatrixXd& jacobian,
-                                                 const std::vector<char>& among) const {
+// Sum_ts J_t' R(t - s) J_s is the mean over all frequencies of conj(J)' S J.
+Eigen::MatrixXd ResidualNoise::Covariance(const Record& record, const Transforms& one, const Transforms& other) {
+  const auto row_of = [](const Transforms& transforms, Index k) {
+    Eigen::MatrixXcd rows(static_cast<Index>(transforms.of.size()), transforms.of.front().cols());
+    for (std::size_t i = 0; i < transforms.of.size(); ++i) rows.row(static_cast<Index>(i)) = transforms.of[i].row(k);
+    return rows;
+  };
+  const Index last = record.points / 2;
+  Eigen::MatrixXd total = Eigen::MatrixXd::Zero(one.of.front().cols(), other.of.front().cols());
+  for (Index k = 0; k <= last; ++k) {
+    const double times = k == 0 || k == last ? 1 : 2;  // every other frequency stands for its negative as well
+    const Eigen::MatrixXcd& spectrum = record.spectrum[static_cast<std::size_t>(k)];
+    total += times * (row_of(one, k).adjoint() * spectrum(one.channels, other.channels) * row_of(other, k)).real();
+  }
+  return total / static_cast<double>(record.points);
+}
+
+Eigen::MatrixXd ResidualNoise::CovarianceOfScores(const Eigen::MatrixXd& jacobian, const std::vector<char>& among,
+                                                  const std::vector<char>& with) const {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols());
   for (Index i = 0; i < jacobian.rows(); ++i) {
-    if (!among[static_cast<std::size_t>(i)] || over_time_[static_cast<std::size_t>(i)]) continue;
-    sum += variance_[i] * jacobian.row(i).transpose() * jacobian.row(i);
+    const auto k = static_cast<std::size_t>(i);
+    if (among[k] && with[k] && !over_time_[k]) sum += variance_[i] * jacobian.row(i).transpose() * jacobian.row(i);
   }
-  for (const Record& record : records_) Add(record, jacobian, among, sum);
+  for (const Record& record : records_) {
+    const Transforms one = TransformsOf(record, jacobian, among);
+    const Transforms other = among == with ? one : TransformsOf(record, jacobian, with);
+    if (!one.of.empty() && !other.of.empty()) sum += Covariance(record, one, other);
+  }
   return sum;
 }
 
 Eigen::MatrixXd ResidualNoise::CovarianceOverTime(const Eigen::MatrixXd& jacobian) const {
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(jacobian.cols(), jacobian.cols());
-  for (const Record& record : records_) Add(record, jacobian, over_time_, sum);
+  for (const Record& record : records_) {
+    const Transforms all = TransformsOf(record, jacobian, over_time_);
+    sum += Covariance(record, all, all);
+  }
   return sum;
+}
+
+Eigen::MatrixXd ResidualNoise::CovarianceOfStretches(const Eigen::MatrixXd& added,
+                                                     const std::vector<char>& among) const {
+  constexpr Index kStretches = 24;
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(added.cols(), added.cols());
+  for (const Record& record : records_) {
+    // Of samples that take part; others tell nothing of the scatter.
+    std::vector<Eigen::VectorXd> by_sample;
+    for (Index k = 0; k < record.samples; ++k) {
+      Eigen::VectorXd sum = Eigen::VectorXd::Zero(added.cols());
+      bool is_present = false;
+      for (const ResidualSeries& series : record.channels) {
+        const Index at = series.first + k * series.step;
+        if (!among[static_cast<std::size_t>(at)]) continue;
+        sum += added.row(at).transpose();
+        is_present = true;
+      }
+      if (is_present) by_sample.push_back(std::move(sum));
+    }
+    const auto count = static_cast<Index>(by_sample.size());
+    if (count < 2 * kStretches) continue;
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(added.cols(), kStretches);
+    for (Index k = 0; k < count; ++k) sums.col(k * kStretches / count) += by_sample[static_cast<std::size_t>(k)];
+    sums.colwise() -= sums.rowwise().mean().eval();
+    covariance += static_cast<double>(kStretches) / (kStretches - 1) * sums * sums.transpose();
+  }
+  return covariance;
 }
 
 }  // namespace fourpost

@@ -22,11 +22,16 @@ class ResidualNoise {
   /// `residuals`: of the data, each times its weight in the gradient. `parameters`: how many were fitted to them.
   ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStructure& structure, Eigen::Index parameters);
 
-  /// Covariance of sum_i J_i r_i over the residuals i that `among` says, n x n, for a Jacobian N x n: of the noise
-  /// alone. Of N flags.
-  Eigen::MatrixXd CovarianceOfScore(const Eigen::MatrixXd& jacobian, const std::vector<char>& among) const;
+  /// Covariance of sum_i J_i r_i over the residuals i that `among` says with that over those that `with` says, n x n,
+  /// for a Jacobian N x n: of the noise alone. Of N flags each.
+  Eigen::MatrixXd CovarianceOfScores(const Eigen::MatrixXd& jacobian, const std::vector<char>& among,
+                                     const std::vector<char>& with) const;
   /// The same of all residuals over time.
   Eigen::MatrixXd CovarianceOverTime(const Eigen::MatrixXd& jacobian) const;
+
+  /// Covariance of sum_i b_i over the residuals over time that `among` says, for what noise of the inputs adds to the
+  /// gradient, N x n: by the scatter of two dozen stretches of each record.
+  Eigen::MatrixXd CovarianceOfStretches(const Eigen::MatrixXd& added, const std::vector<char>& among) const;
 
   bool HasTime() const { return !records_.empty(); }
   /// Of each residual: whether it belongs to a series over time.
@@ -44,8 +49,13 @@ class ResidualNoise {
   };
 
   static Record Measured(std::vector<ResidualSeries> channels, const Eigen::VectorXd& residuals, double scale);
-  static void Add(const Record& record, const Eigen::MatrixXd& jacobian, const std::vector<char>& among,
-                  Eigen::MatrixXd& sum);
+  /// Of its channels, those of which something takes part, and transforms of their derivatives, frequencies x n each.
+  struct Transforms {
+    std::vector<Eigen::Index> channels;
+    std::vector<Eigen::MatrixXcd> of;
+  };
+  static Transforms TransformsOf(const Record& record, const Eigen::MatrixXd& jacobian, const std::vector<char>& among);
+  static Eigen::MatrixXd Covariance(const Record& record, const Transforms& one, const Transforms& other);
 
   /// Of residuals that are not over time.
   Eigen::VectorXd variance_;
