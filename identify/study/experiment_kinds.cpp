@@ -4,12 +4,16 @@
 #include <array>
 #include <string>
 
+#include "identify/experiments/bench/bench_look.h"
 #include "identify/experiments/bench/bench_report.h"
 #include "identify/experiments/bench/damper_bench.h"
 #include "identify/experiments/four_post/four_post.h"
 #include "identify/experiments/four_post/four_post_report.h"
+#include "identify/experiments/four_post/stepped_sine_look.h"
+#include "identify/experiments/static_loads/static_load_look.h"
 #include "identify/experiments/static_loads/static_load_report.h"
 #include "identify/experiments/static_loads/static_loads.h"
+#include "identify/experiments/time_history/history_look.h"
 #include "identify/experiments/time_history/history_report.h"
 #include "identify/experiments/time_history/time_histories.h"
 
@@ -29,16 +33,19 @@ std::unique_ptr<Experiment> ReadFourPost(const StrictMap& study) {
 }
 
 const std::array<ExperimentKind, 4> kKinds{{
-    {.keys = FourPost::kKeys, .read = &ReadFourPost, .report = &FourPostReport},
+    {.keys = FourPost::kKeys, .read = &ReadFourPost, .report = &FourPostReport, .recordings = &kSteppedSineViewer},
     {.keys = TimeHistories::kKeys,
      .read = &TimeHistories::Read,
-     .report = &HistoryReport},
+     .report = &HistoryReport,
+     .recordings = &kHistoryViewer},
     {.keys = StaticLoadTest::kKeys,
      .read = &StaticLoadTest::Read,
-     .report = &StaticLoadReport},
+     .report = &StaticLoadReport,
+     .recordings = &kStaticLoadViewer},
     {.keys = DamperBench::kKeys,
      .read = &DamperBench::Read,
      .report = &BenchReport,
+     .recordings = &kBenchViewer,
      .is_alone = true},
 }};
 

@@ -6,6 +6,7 @@
 
 #include "identify/experiments/experiment.h"
 #include "identify/experiments/experiment_report.h"
+#include "identify/experiments/recording_look.h"
 #include "identify/study_file/strict_yaml.h"
 
 namespace fourpost {
@@ -17,6 +18,7 @@ struct ExperimentKind {
   /// Nothing where the study has none. Adds every fault to the study's diagnostics.
   std::unique_ptr<Experiment> (*read)(const StrictMap& study);
   const ExperimentReport& (*report)();
+  const RecordingViewer* recordings = nullptr;
   /// Whether a study with one of its keys has no other kind.
   bool is_alone = false;
 };
