@@ -83,4 +83,11 @@ std::string Section(const std::string& id, const std::string& title, const std::
   return "<section id=\"" + Escaped(id) + "\">\n<h2>" + Escaped(title) + "</h2>\n" + html + "</section>\n";
 }
 
+std::string Code(const std::string& name) { return Element("code", "", Escaped(name)); }
+
+std::string Drawn(const std::string& id, const std::string& without) {
+  return "<div class=\"drawn\" data-draw=\"" + id + "\">" +
+         (without.empty() ? "" : "<noscript><p class=\"note\">" + without + "</p></noscript>") + "</div>\n";
+}
+
 }  // namespace fourpost::html

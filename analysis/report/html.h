@@ -28,10 +28,17 @@ Cell NumberCell(const std::string& text);
 /// is set as its first cell is.
 std::string Table(const std::vector<std::string>& head, const std::vector<std::vector<Cell>>& rows);
 
-/// An SVG document as a picture within the page; scripts in it do not run. `text`: what it shows, for who cannot see it.
+/// An SVG document as a picture within the page; scripts in it do not run. `text`: what it shows, for who cannot see
+/// it.
 std::string Picture(const std::string& svg, const std::string& text);
 
 /// <section> with a heading.
 std::string Section(const std::string& id, const std::string& title, const std::string& html);
+
+/// A name in the type of code.
+std::string Code(const std::string& name);
+
+/// A place that the scripts fill, and the note that stands there without them.
+std::string Drawn(const std::string& id, const std::string& without = "");
 
 }  // namespace fourpost::html

@@ -38,8 +38,6 @@ inline const Finding kStudyForRecording{
 inline const Finding kFolderForRecording{"folder-for-recording", Severity::kError, "this is a folder, not a recording",
                                          "name the recordings in it; `fourpost report` shows what a fit wrote"};
 inline const Finding kFileOfOtherKind{"file-of-other-kind", Severity::kError, "this is {}", "give {}"};
-inline const Finding kChannelLength{"channel-length", Severity::kError, "column '{}' has {} samples, the times {}",
-                                    "save channels of one rate together"};
 
 // Folders of fits.
 

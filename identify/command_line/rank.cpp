@@ -9,6 +9,7 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/report/ranked_run.h"
+#include "identify/study/experiment_kinds.h"
 #include "identify/study_file/warnings_json.h"
 
 namespace fourpost {
@@ -49,7 +50,8 @@ std::string RankingJson(const ModelRanking& ranking) {
 
 int Run(const RankCommand& command) {
   Diagnostics diagnostics;
-  std::vector<FittedModel> models = FittedModels(ComparedRuns(ReadRuns(command.runs)), diagnostics);
+  std::vector<FittedModel> models =
+      FittedModels(ComparedRuns(ReadRuns(command.runs), AllExperimentReports()), diagnostics);
   if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
   const ModelRanking ranking = Rank(std::move(models));
   const std::string warnings = ranking.warnings.items().empty() ? "" : ranking.warnings.Format() + "\n";

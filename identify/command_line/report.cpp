@@ -10,10 +10,12 @@
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
+#include "identify/experiments/findings.h"
 #include "identify/report/comparison_page.h"
 #include "identify/report/findings.h"
 #include "identify/report/report_page.h"
 #include "identify/report/run_result.h"
+#include "identify/study/experiment_kinds.h"
 
 namespace fourpost {
 namespace {
@@ -40,8 +42,8 @@ bool SaysToFit(const Diagnostic& fault) {
 std::string PageOf(std::vector<std::pair<std::string, RunContents>> runs,
                    const std::vector<std::filesystem::path>& folders) {
   try {
-    if (runs.size() > 1) return ComparisonPage(std::move(runs));
-    return ReportPage(runs.front().second);
+    if (runs.size() > 1) return ComparisonPage(std::move(runs), AllExperimentReports());
+    return ReportPage(runs.front().second, AllExperimentReports());
   } catch (const FaultyInput& fault) {
     RefuseTables(folders, fault);
   } catch (const nlohmann::json::exception& fault) {

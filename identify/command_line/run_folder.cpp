@@ -1,7 +1,6 @@
 #include "identify/command_line/run_folder.h"
 
 #include <algorithm>
-#include <array>
 #include <system_error>
 
 #include "analysis/files/near_file.h"
@@ -9,15 +8,21 @@
 #include "analysis/text/diagnostics.h"
 #include "identify/command_line/findings.h"
 #include "identify/report/run_result.h"
+#include "identify/study/experiment_kinds.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
 namespace {
 
 constexpr const char* kResult = "result.json";
+
 /// What is read as text.
-constexpr std::array<const char*, 6> kOtherFiles = {"response.csv",   "history.csv", "motion.csv",
-                                                    "validation.csv", "bench.csv",   "study.yaml"};
+std::vector<std::string> OtherFiles() {
+  std::vector<std::string> names = {"study.yaml"};
+  for (const ExperimentReport* experiment : AllExperimentReports())
+    for (const std::string& name : experiment->Files()) names.push_back(name);
+  return names;
+}
 
 /// The first finding, which is what keeps a vehicle from being shown.
 std::string Reason(const Diagnostics& findings) {
@@ -79,7 +84,7 @@ RunContents ReadResult(const std::filesystem::path& folder, Diagnostics& diagnos
 RunContents ReadRun(const std::filesystem::path& folder, Diagnostics& diagnostics) {
   RunContents run = ReadResult(folder, diagnostics);
   if (run.files.empty()) return run;
-  for (const char* name : kOtherFiles) {
+  for (const std::string& name : OtherFiles()) {
     if (std::error_code failure; !std::filesystem::exists(folder / name, failure)) continue;
     if (std::optional<std::string> text = ReadTextFile(folder / name, diagnostics)) run.files[name] = std::move(*text);
   }
@@ -122,7 +127,7 @@ void RequireFitResult(const std::filesystem::path& folder) {
 
 std::vector<std::filesystem::path> RunFiles(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files = {folder / kResult, folder / "vehicle.urdf", folder / "archive.sqlite"};
-  for (const char* name : kOtherFiles) files.push_back(folder / name);
+  for (const std::string& name : OtherFiles()) files.push_back(folder / name);
   return files;
 }
 

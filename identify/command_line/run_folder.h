@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/text/diagnostics.h"
-#include "identify/report/run_contents.h"
+#include "identify/experiments/run_contents.h"
 
 namespace fourpost {
 

@@ -76,7 +76,7 @@ struct PredictionRequest {
 };
 
 /// One kind of test on a rig: as a study describes it, after Load() with its recordings. A new kind is a class of its
-/// own and an entry in kExperimentKinds of study.cpp. Not to be changed while its residuals are evaluated.
+/// own and an entry in ExperimentKinds() of experiment_kinds.cpp. Not to be changed while its residuals are evaluated.
 class Experiment {
  public:
   virtual ~Experiment() = default;

@@ -8,7 +8,6 @@
 
 #include "analysis/text/diagnostics.h"
 #include "identify/report/fitted_data.h"
-#include "identify/report/shown_number.h"
 
 namespace fourpost {
 namespace {
@@ -27,22 +26,6 @@ std::map<ChannelGroup, double> MeanErrors(const std::vector<Json>& channels) {
   std::map<ChannelGroup, double> means;
   for (const auto& [group, tally] : sums) means[group] = tally.first / tally.second;
   return means;
-}
-
-/// "0.5 to 12 Hz"
-std::string BandOf(const Json& result) {
-  const std::vector<Json> band = ListAt(result, "band_Hz");
-  if (band.size() != 2 || !band[0].is_number() || !band[1].is_number()) return "";
-  return ShownShort(band[0].get<double>(), 4) + " to " + ShownShort(band[1].get<double>(), 4) + " Hz";
-}
-
-/// Errors over other bands are other groups.
-std::map<ChannelGroup, double> SineErrors(const Json& result) {
-  std::map<ChannelGroup, double> errors;
-  for (const Json& recording : ListAt(result, "recordings"))
-    if (const double error = NumberAt(recording, "nmse_percent"); std::isfinite(error))
-      errors[{TextAt(recording, "name"), BandOf(result)}] = error;
-  return errors;
 }
 
 /// `data`: one per run.
@@ -90,15 +73,20 @@ std::string Joined(const auto& texts) {
 }
 
 /// Also what decides whether its cost can be compared.
-ComparedRun RunOf(const std::string& folder, RunContents contents, Json& data) {
+ComparedRun RunOf(const std::string& folder, RunContents contents, ExperimentReports experiments, Json& data) {
   ComparedRun run{.folder = folder, .contents = std::move(contents)};
   try {
     run.result = FitResultOf(run.contents);
     run.parameters = ReportedParameters(run.result, run.contents);
     run.fitted = MeanErrors(ListAt(run.result, "channels"));
     run.predicted = MeanErrors(ListAt(run.result, "validation"));
-    run.sines = SineErrors(run.result);
-    data = FittedData(run.result, run.contents);
+    std::vector<std::string> kinds;
+    for (const ExperimentReport* experiment : experiments) {
+      run.recordings.merge(experiment->RecordingErrors(run.result));
+      if (experiment->IsIn(run.Folder())) kinds.emplace_back(experiment->Name());
+    }
+    run.kind = Joined(kinds);
+    data = FittedData(run.Folder(), experiments);
   } catch (const Json::exception& fault) {
     RefuseResult(run.FileNamed("result.json"), fault);
   }
@@ -115,29 +103,14 @@ std::string GroupOf(const std::string& channel) {
                                                                                               : channel.substr(0, mark);
 }
 
-std::string ComparedRun::FileNamed(const std::string& file) const {
-  return (std::filesystem::path(folder) / file).string();
-}
-
-std::string ComparedRun::Kind() const {
-  std::vector<std::string> kinds;
-  const auto has = [&](const std::string& file) { return contents.files.contains(file); };
-  const std::vector<Json> channels = ListAt(result, "channels");
-  const bool is_over_time = std::any_of(channels.begin(), channels.end(),
-                                        [](const Json& channel) { return !TextAt(channel, "recording").empty(); });
-  if (has("response.csv")) kinds.emplace_back("stepped sines");
-  if (has("bench.csv")) kinds.emplace_back("damper bench");
-  else if (is_over_time) kinds.emplace_back("time histories");
-  if (!ListAt(result, "static_loads").empty()) kinds.emplace_back("static loads");
-  return Joined(kinds);
-}
-
 std::string ComparedRun::Recordings() const { return Joined(FittedRecordings(result)); }
 
-std::vector<ComparedRun> ComparedRuns(std::vector<std::pair<std::string, RunContents>> folders) {
+std::vector<ComparedRun> ComparedRuns(std::vector<std::pair<std::string, RunContents>> folders,
+                                      ExperimentReports experiments) {
   std::vector<ComparedRun> runs;
   std::vector<Json> data;
-  for (auto& [folder, contents] : folders) runs.push_back(RunOf(folder, std::move(contents), data.emplace_back()));
+  for (auto& [folder, contents] : folders)
+    runs.push_back(RunOf(folder, std::move(contents), experiments, data.emplace_back()));
   NameRuns(runs);
   NumberData(data, runs);
   return runs;

@@ -37,19 +37,27 @@ std::string Sources(const std::vector<ComparedRun>& runs) {
   return text + (by.empty() ? "" : by + ")");
 }
 
-std::string Curves(const OrderedJson& curves, const std::string& part, const std::string& title) {
-  if (curves[part].empty()) return "";
-  return html::Section(part, title,
-                       "<div class=\"drawn\" data-draw=\"compared_" + part +
-                           "\"><noscript><p class=\"note\">The charts need JavaScript.</p></noscript></div>\n");
+std::string Curves(const std::vector<ComparedCurves>& curves) {
+  std::string html;
+  for (const ComparedCurves& part : curves)
+    if (!part.curves.empty())
+      html += html::Section(part.id, part.title, html::Drawn("compared_" + part.id, "The charts need JavaScript."));
+  return html;
 }
 
-std::string Errors(const std::vector<ComparedRun>& runs) {
-  const std::string sines = ErrorTableHtml(runs, &ComparedRun::sines);
-  const std::string fitted = ErrorTableHtml(runs, &ComparedRun::fitted);
-  const std::string predicted = ErrorTableHtml(runs, &ComparedRun::predicted);
+/// "stepped sines", of which a result states errors of all together.
+std::string JoinedName(ExperimentReports experiments) {
+  for (const ExperimentReport* experiment : experiments)
+    if (experiment->JoinsRecordings()) return std::string(experiment->Name());
+  return "";
+}
+
+std::string Errors(const std::vector<ComparedRun>& runs, const std::string& joined) {
+  const std::string recordings = ErrorTableHtml(runs, &ComparedRun::recordings, joined);
+  const std::string fitted = ErrorTableHtml(runs, &ComparedRun::fitted, joined);
+  const std::string predicted = ErrorTableHtml(runs, &ComparedRun::predicted, joined);
   std::string html;
-  if (!sines.empty()) html += "<h3>Fitted stepped sines</h3>\n" + sines;
+  if (!recordings.empty()) html += "<h3>Fitted " + joined + "</h3>\n" + recordings;
   if (!fitted.empty()) html += "<h3>Fitted channels</h3>\n" + fitted;
   if (!predicted.empty()) html += "<h3>Validation</h3>\n" + predicted;
   return html +
@@ -68,17 +76,16 @@ std::optional<ModelRanking> RankingOf(const std::vector<ComparedRun>& runs) {
 
 }  // namespace
 
-std::string ComparisonPage(std::vector<std::pair<std::string, RunContents>> folders) {
-  const std::vector<ComparedRun> runs = ComparedRuns(std::move(folders));
-  const OrderedJson curves = ComparisonCurves(runs);
+std::string ComparisonPage(std::vector<std::pair<std::string, RunContents>> folders, ExperimentReports experiments) {
+  const std::vector<ComparedRun> runs = ComparedRuns(std::move(folders), experiments);
+  const std::vector<ComparedCurves> curves = CurvesOf(runs, experiments);
   const std::string body =
       Header(runs) + "<nav id=\"contents\"></nav>\n<main>\n" +
       html::Section("summary", "Summary", VerdictHtml(runs, RankingOf(runs)) + RunTableHtml(runs)) +
-      html::Section("errors", "Errors by group of channels", Errors(runs)) +
-      html::Section("parameters", "Parameters", ParametersSideBySideHtml(runs)) +
-      Curves(curves, "responses", "Frequency responses") + Curves(curves, "histories", "Time histories") +
-      Curves(curves, "bench", "Damper bench") + "</main>\n" + PageFooter(Sources(runs));
-  const OrderedJson data = {{"comparison", curves}};
+      html::Section("errors", "Errors by group of channels", Errors(runs, JoinedName(experiments))) +
+      html::Section("parameters", "Parameters", ParametersSideBySideHtml(runs)) + Curves(curves) + "</main>\n" +
+      PageFooter(Sources(runs));
+  const OrderedJson data = {{"comparison", ComparisonJson(runs, curves)}};
   return ReportDocument("Comparison of fits \u2013 fourpost report", body, CompactJson(data));
 }
 

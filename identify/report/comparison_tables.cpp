@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analysis/report/html.h"
-#include "identify/report/shown_number.h"
+#include "analysis/report/shown_number.h"
 
 namespace fourpost {
 namespace {
@@ -44,7 +44,7 @@ std::string MeanOf(const std::map<ChannelGroup, double>& errors) {
 std::vector<Cell> RunRow(const ComparedRun& run, bool has_criteria) {
   const Json& result = run.result;
   std::vector<Cell> row = {{html::Element("b", "", html::Escaped(run.name)), "name"},
-                           {html::Escaped(run.Kind()), "wrap"},
+                           {html::Escaped(run.kind), "wrap"},
                            {html::Escaped(run.Recordings()), "wrap"},
                            EndCell(result),
                            NumberCell(std::to_string(run.parameters.size())),
@@ -124,7 +124,8 @@ std::string RunTableHtml(const std::vector<ComparedRun>& runs) {
          (has_criteria ? "" : " AICc and BIC are shown of dampers on a bench.") + "</p>\n";
 }
 
-std::string ErrorTableHtml(const std::vector<ComparedRun>& runs, std::map<ChannelGroup, double> ComparedRun::*errors) {
+std::string ErrorTableHtml(const std::vector<ComparedRun>& runs, std::map<ChannelGroup, double> ComparedRun::*errors,
+                           const std::string& joined) {
   std::map<ChannelGroup, int> groups;
   for (const ComparedRun& run : runs)
     for (const auto& [group, error] : run.*errors) ++groups[group];
@@ -133,7 +134,7 @@ std::string ErrorTableHtml(const std::vector<ComparedRun>& runs, std::map<Channe
   Rows rows;
   for (const auto& [group, count] : groups) {
     std::vector<Cell> row;
-    if (has_recordings) row.push_back(TextCell(group.first.empty() ? "stepped sines" : group.first));
+    if (has_recordings) row.push_back(TextCell(group.first.empty() ? joined : group.first));
     row.push_back(NameCell(group.second));
     double least = HUGE_VAL;
     for (const ComparedRun& run : runs)

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "analysis/report/html.h"
+#include "analysis/report/shown_number.h"
 #include "identify/report/fitted_data.h"
-#include "identify/report/shown_number.h"
 
 namespace fourpost {
 namespace {
@@ -77,15 +77,15 @@ bool SawTheSame(const ComparedRun& a, const ComparedRun& b) {
          a.result.value("band_Hz", Json()) == b.result.value("band_Hz", Json());
 }
 
-/// Of runs that saw the same by groups of channels, of others by stepped sines that all of them saw over one band.
+/// Of runs that saw the same by groups of channels, of others by recordings that all of them saw over one band.
 std::optional<std::string> WhichFitsBest(const std::vector<ComparedRun>& runs) {
   const bool is_same =
       std::all_of(runs.begin(), runs.end(), [&](const ComparedRun& run) { return SawTheSame(run, runs.front()); });
   const std::vector<ChannelGroup> groups = CommonGroups(runs, &ComparedRun::fitted);
   if (is_same && !groups.empty()) return Best(runs, groups, &ComparedRun::fitted, "fit", kChannels);
-  const std::vector<ChannelGroup> sines = CommonGroups(runs, &ComparedRun::sines);
-  if (sines.empty()) return std::nullopt;
-  return Best(runs, sines, &ComparedRun::sines, "fit", {"recording", "recordings"});
+  const std::vector<ChannelGroup> recordings = CommonGroups(runs, &ComparedRun::recordings);
+  if (recordings.empty()) return std::nullopt;
+  return Best(runs, recordings, &ComparedRun::recordings, "fit", {"recording", "recordings"});
 }
 
 /// What the runs do not share.

@@ -16,7 +16,6 @@ inline const Finding kResultNotOfFit{"result-not-of-fit", Severity::kError, "not
 inline const Finding kResultNotUnderstood{
     "result-not-understood", Severity::kError, "not understood, perhaps of another version of fourpost ({})",
     "run `fourpost fit` with -o on this folder again, it reuses evaluations of the archive where it can"};
-inline const Finding kFitColumnMissing{"fit-column-missing", Severity::kError, "no column '{}'", "fit again"};
 
 inline const Finding kRunNotOfBench{
     "run-not-of-bench", Severity::kError, "not the result of a fit to bench recordings",

@@ -1,12 +1,11 @@
 #include "identify/report/fitted_data.h"
 
 #include <algorithm>
-#include <initializer_list>
-#include <set>
+#include <array>
 
 #include <yaml-cpp/yaml.h>
 
-#include "identify/report/run_result.h"
+#include "identify/study_file/result_reader.h"
 #include "identify/study_file/study_yaml.h"
 
 namespace fourpost {
@@ -25,43 +24,17 @@ Json JsonOf(const YAML::Node& node) {
   return json;
 }
 
-void Erase(Json& object, std::initializer_list<const char*> keys) {
-  if (!object.is_object()) return;
-  for (const char* key : keys) object.erase(key);
-}
-
-/// Without what the fit does not see. Files are compared by their bytes, wherever they lie.
-Json FittedOf(const Json& recordings) {
-  Json fitted = Json::array();
-  for (Json recording : recordings) {
-    if (recording.is_object() && recording.value("use", Json()) == "validation") continue;
-    Erase(recording, {"file", "use"});
-    fitted.push_back(std::move(recording));
-  }
-  return fitted;
-}
-
 /// Of a study what its residuals depend on beside model and files; the text where it is no YAML.
-Json SettingsOf(const std::string& study) {
+Json SettingsOf(const std::string& study, ExperimentReports experiments) {
+  constexpr std::array<const char*, 6> kOfNoExperiment = {"vehicle", "free", "search", "refine", "target", "methods"};
   Diagnostics faults;
   const std::optional<YAML::Node> root = ReadYaml(study, "study.yaml", faults);
   if (!root) return study;
   Json settings = JsonOf(*root);
-  Erase(settings, {"vehicle", "free", "search", "refine", "target", "methods"});
-  if (!settings.is_object()) return settings;
-  for (const char* list : {"recordings", "histories"})
-    if (settings.contains(list)) settings[list] = FittedOf(settings[list]);
-  if (settings.value("histories", Json()) == Json::array()) settings.erase("histories");
-  if (settings.contains("static_loads")) Erase(settings["static_loads"], {"file"});
-  if (settings.contains("bench")) Erase(settings["bench"], {"damper", "recordings", "validation"});
+  EraseKeys(settings, kOfNoExperiment);
+  if (settings.is_object())
+    for (const ExperimentReport* experiment : experiments) experiment->EraseUnseen(settings);
   return settings;
-}
-
-Json StaticLoads(const Json& result) {
-  Json loads = Json::array();
-  for (const Json& load : ListAt(result, "static_loads"))
-    loads.push_back({TextAt(load, "tyre"), load.value("measured_N", Json()), load.value("sd_N", Json())});
-  return loads;
 }
 
 }  // namespace
@@ -73,34 +46,23 @@ std::vector<std::string> FittedDigests(const Json& result) {
   return digests;
 }
 
-std::vector<std::string> FittedRecordings(const Json& result) {
-  std::set<std::string> names;
-  for (const char* list : {"recordings", "channels"})
-    for (const Json& entry : ListAt(result, list))
-      names.insert(TextAt(entry, std::string(list) == "channels" ? "recording" : "name"));
-  names.erase("");
-  return {names.begin(), names.end()};
-}
-
-Json FittedData(const Json& result, const RunContents& run) {
+Json FittedData(const RunFolder& run, ExperimentReports experiments) {
+  const Json& result = run.result;
   Json channels = Json::array();
   for (const Json& channel : ListAt(result, "channels"))
     channels.push_back({TextAt(channel, "recording"), TextAt(channel, "name")});
   std::sort(channels.begin(), channels.end());
   const Json refine = result.value("refine", Json::object());
-  // Fits of time histories alone once stated a band from 0 to 0 Hz.
-  const Json band = ListAt(result, "recordings").empty() ? Json() : result.value("band_Hz", Json());
-  const auto study = run.files.find("study.yaml");
-  return {FittedRecordings(result),
-          channels,
-          FittedDigests(result),
-          StaticLoads(result),
-          study == run.files.end() ? Json() : SettingsOf(study->second),
-          result.value("residuals", Json()),
-          band,
-          TextAt(refine, "loss"),
-          refine.value("scale", Json()),
-          TextAt(result, "history_cost")};
+  const std::string* study = run.Find("study.yaml");
+  Json data = {FittedRecordings(result),
+               channels,
+               FittedDigests(result),
+               study == nullptr ? Json() : SettingsOf(*study, experiments),
+               result.value("residuals", Json()),
+               TextAt(refine, "loss"),
+               refine.value("scale", Json())};
+  for (const ExperimentReport* experiment : experiments) data.push_back(experiment->FittedData(result));
+  return data;
 }
 
 }  // namespace fourpost

@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "analysis/report/shown_number.h"
 #include "identify/report/run_result.h"
-#include "identify/report/shown_number.h"
 
 namespace fourpost {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
+#include "analysis/report/shown_number.h"
 #include "identify/comparison/methods_chart.h"
 #include "identify/report/page_footer.h"
-#include "identify/report/shown_number.h"
 
 namespace fourpost {
 namespace {

@@ -1,20 +1,18 @@
 #include "identify/report/report_page.h"
 
-#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <stdexcept>
 
 #include "analysis/files/json_text.h"
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
-#include "identify/report/history_table.h"
+#include "analysis/report/shown_number.h"
 #include "identify/report/page_footer.h"
-#include "identify/report/picture_number.h"
 #include "identify/report/report_summary.h"
 #include "identify/report/report_tables.h"
-#include "identify/report/response_table.h"
 #include "identify/report/run_result.h"
 #include "identify/report/scene_json.h"
-#include "identify/report/shown_number.h"
 
 namespace fourpost {
 namespace {
@@ -22,81 +20,28 @@ namespace {
 using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
-/// Of a recording that was not fitted: its table has all channels of the rig, and is for a look.
-constexpr std::size_t kMostRowsUnseen = 20000;
+using Parts = std::vector<std::unique_ptr<ExperimentData>>;
 
-std::vector<ComparedChannel> ChannelsOf(const RunContents& run) {
-  const auto file = run.files.find("response.csv");
-  if (file == run.files.end()) return {};
-  return ReadResponseTable(file->second, "response.csv");
+Parts PartsOf(const RunFolder& run, ExperimentReports experiments) {
+  Parts parts;
+  for (const ExperimentReport* experiment : experiments) parts.push_back(experiment->Read(run));
+  return parts;
 }
 
-OrderedJson OverTime(const RunContents& run, const std::string& name, CsvHeader header,
-                     std::size_t most = kMostHistoryRows) {
-  const auto file = run.files.find(name);
-  return file == run.files.end() ? OrderedJson::array() : HistoriesJson(file->second, name, header, most);
-}
-
-OrderedJson ChannelsJson(const std::vector<ComparedChannel>& channels) {
-  OrderedJson list = OrderedJson::array();
-  const auto numbers = [](const std::vector<double>& values) {
-    return PictureNumbers(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
-  };
-  for (const ComparedChannel& channel : channels) {
-    OrderedJson json = {{"recording", channel.recording},
-                        {"name", channel.name},
-                        {"unit", channel.unit},
-                        {"frequency_Hz", numbers(channel.frequency_Hz)},
-                        {"in_band", channel.in_band},
-                        {"gain_measured", numbers(channel.gain_measured)},
-                        {"gain_modelled", numbers(channel.gain_modelled)},
-                        {"gain_start", numbers(channel.gain_start)},
-                        {"gain_sd", numbers(channel.gain_sd)},
-                        {"phase_measured", numbers(channel.phase_measured_deg)},
-                        {"phase_modelled", numbers(channel.phase_modelled_deg)},
-                        {"phase_start", numbers(channel.phase_start_deg)},
-                        {"phase_sd", numbers(channel.phase_sd_deg)}};
-    const auto finite = [](double value) { return std::isfinite(value); };
-    if (std::any_of(channel.mean_measured.begin(), channel.mean_measured.end(), finite)) {
-      json["mean_measured"] = numbers(channel.mean_measured);
-      json["mean_modelled"] = numbers(channel.mean_modelled);
-    }
-    list.push_back(std::move(json));
-  }
-  return list;
-}
-
-/// The recordings whose posts' motion is known, with the frequencies of their channels.
-std::vector<RecordedMotion> MotionsOf(const Json& result, const std::vector<ComparedChannel>& channels,
-                                      const Vehicle& vehicle) {
-  std::vector<RecordedMotion> motions;
-  for (const Json& recording : ListAt(result, "recordings")) {
-    const std::string name = TextAt(recording, "name");
-    const auto channel = std::find_if(channels.begin(), channels.end(),
-                                      [&](const ComparedChannel& candidate) { return candidate.recording == name; });
-    if (channel == channels.end()) continue;
-    const Json posts = recording.value("posts", Json());
-    RecordedMotion motion{.name = name, .excitation = {channel->frequency_Hz, channel->post_amplitude_m, {}}};
-    for (const Post& post : vehicle.posts) {
-      const double share = NumberAt(posts, post.name);
-      motion.excitation.shape.push_back(std::isfinite(share) ? share : 0);
-    }
-    motions.push_back(std::move(motion));
-  }
-  return motions;
+ReportRemarks RemarksOf(const Parts& parts) {
+  ReportRemarks remarks;
+  for (const auto& part : parts) AddRemarks(part->Remarks(), remarks);
+  return remarks;
 }
 
 /// Null, and the reason in `fault`, where there is nothing to show.
-OrderedJson SceneOf(const Json& result, const std::vector<ComparedChannel>& channels, const RunContents& run,
-                    std::string& fault) {
+OrderedJson SceneOf(const Parts& parts, const RunContents& run, std::string& fault) {
   fault = run.vehicle_fault;
   if (!run.vehicle) return nullptr;
   try {
-    const auto file = run.files.find("motion.csv");
-    const std::vector<RecordedHistory> histories = file == run.files.end()
-                                                       ? std::vector<RecordedHistory>()
-                                                       : ReadMotionCsv(file->second, file->first, *run.vehicle);
-    return SceneJson(*run.vehicle, MotionsOf(result, channels, *run.vehicle), histories);
+    RecordedMotions motions;
+    for (const auto& part : parts) part->AddMotions(*run.vehicle, motions);
+    return SceneJson(*run.vehicle, motions);
   } catch (const std::runtime_error& error) {
     fault = error.what();
   } catch (const std::invalid_argument& error) {
@@ -119,12 +64,6 @@ std::string Header(const Json& result) {
     add("fourpost " + html::Escaped(version));
   return "<header>\n<h1>" + vehicle + "</h1>\n<p class=\"facts\">" + facts +
          "</p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
-}
-
-/// A place that the scripts fill, and what stands there without them.
-std::string Drawn(const std::string& id, const std::string& without = "") {
-  return "<div class=\"drawn\" data-draw=\"" + id + "\">" +
-         (without.empty() ? "" : "<noscript><p class=\"note\">" + without + "</p></noscript>") + "</div>\n";
 }
 
 /// Two blocks, side by side where there is room.
@@ -173,74 +112,74 @@ std::string Profiles(const Json& result, const RunContents& run) {
 std::string Determination(const Json& result, const std::string& why_no_deviations) {
   const std::string why =
       why_no_deviations.empty() ? "" : html::Element("p", "", html::Escaped(why_no_deviations)) + '\n';
-  return html::Section("determination", "What the data determine", Directions(result) + why + Drawn("correlation"));
+  return html::Section("determination", "What the data determine",
+                       Directions(result) + why + html::Drawn("correlation"));
 }
 
-std::string Body(const Json& result, const std::vector<ComparedChannel>& channels, const OrderedJson& scene,
-                 const std::string& scene_fault, bool has_histories, bool has_bench,
+/// Where the vehicle cannot be shown, whether that is worth a word: a damper between clamps does nothing worth a
+/// picture.
+bool IsOnPosts(const Parts& parts) {
+  bool is_beside = false;
+  for (const auto& part : parts) {
+    if (part->empty()) continue;
+    if (part->IsOnPosts()) return true;
+    is_beside = true;
+  }
+  return !is_beside;
+}
+
+/// Of what the folder holds of each experiment, and once the errors of all channels.
+std::string Sections(const Parts& parts, const Json& result) {
+  std::string html;
+  bool has_channels = false;
+  for (const auto& part : parts) {
+    if (part->empty()) continue;
+    for (const ReportSection& section : part->Sections()) {
+      const bool is_place = section.has_channels && !has_channels;
+      html += html::Section(section.id, section.title, section.html + (is_place ? ChannelTableHtml(result) : ""));
+      has_channels |= is_place;
+    }
+  }
+  return html;
+}
+
+std::string Body(const Json& result, const Parts& parts, const OrderedJson& scene, const std::string& scene_fault,
                  const std::string& why_no_deviations) {
-  std::string body;
-  const bool is_on_posts = !channels.empty() || has_histories || !has_bench;
-  const bool is_shown = scene.is_null() ? is_on_posts : !scene["posts"].empty();
+  const bool is_shown = scene.is_null() ? IsOnPosts(parts) : !scene["posts"].empty();
   const std::string viewer =
       scene.is_null() ? "<p class=\"note\">The vehicle is not shown: " + html::Escaped(scene_fault) + "</p>\n"
-                      : Drawn("viewer", "The moving vehicle needs JavaScript.");
-  // A damper between clamps does nothing worth a picture.
+                      : html::Drawn("viewer", "The moving vehicle needs JavaScript.");
+  std::string body;
   if (is_shown) body += html::Section("vehicle", "The vehicle on its posts", viewer);
-  if (!channels.empty())
-    body +=
-        html::Section("responses", "Frequency responses",
-                      Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them.") +
-                          ChannelTableHtml(result)) +
-        html::Section("residuals", "Residuals by band",
-                      Drawn("residuals", "The table needs JavaScript; response.csv beside this file has its numbers."));
-  if (has_histories)
-    body += html::Section(
-        "histories", "Time histories",
-        Drawn("histories", "The charts need JavaScript; history.svg and validation.svg beside this file show them.") +
-            (channels.empty() ? ChannelTableHtml(result) : ""));
-  if (has_bench)
-    body += html::Section("bench", "Damper bench",
-                          Drawn("bench", "The charts need JavaScript; bench.csv beside this file has their numbers.") +
-                              (channels.empty() && !has_histories ? ChannelTableHtml(result) : ""));
-  if (const std::string loads = StaticLoadTableHtml(result); !loads.empty())
-    body += html::Section("loads", "Static loads", loads);
-  body += Determination(result, why_no_deviations);
+  body += Sections(parts, result) + Determination(result, why_no_deviations);
   if (!scene.is_null() && is_shown)
     body += html::Section("modes", "Modes and poles",
                           Pair(ModeTableHtml(Json(scene["modes"])) +
                                    "<p class=\"note\">About static equilibrium, with mean damper rates.</p>\n",
-                               Drawn("poles")));
-  return body +
-         html::Section("search", "Search and refinement",
-                       SearchNoteHtml(result) + Drawn("convergence") + Pair(StartTableHtml(result), Drawn("agreement")) + SettingsHtml(result));
+                               html::Drawn("poles")));
+  return body + html::Section("search", "Search and refinement",
+                              SearchNoteHtml(result) + html::Drawn("convergence") +
+                                  Pair(StartTableHtml(result), html::Drawn("agreement")) + SettingsHtml(result));
 }
 
 }  // namespace
 
-std::string ReportPage(const RunContents& run) {
+std::string ReportPage(const RunContents& run, ExperimentReports experiments) {
   const Json result = FitResultOf(run);
-  const std::vector<ComparedChannel> channels = ChannelsOf(run);
+  const Parts parts = PartsOf({"", run, result}, experiments);
+  const ReportRemarks remarks = RemarksOf(parts);
   const std::vector<ReportedParameter> parameters = ReportedParameters(result, run);
-  const std::string why = WhyNoDeviations(result, parameters);
+  const std::string why = WhyNoDeviations(parameters, remarks.why_no_deviations);
   std::string scene_fault;
-  const OrderedJson scene = SceneOf(result, channels, run, scene_fault);
-  const OrderedJson histories = OverTime(run, "history.csv", CsvHeader::kNamesAndUnits);
-  const OrderedJson validation = OverTime(run, "validation.csv", CsvHeader::kNamesAndUnits, kMostRowsUnseen);
-  const OrderedJson bench = OverTime(run, "bench.csv", CsvHeader::kNames);
+  const OrderedJson scene = SceneOf(parts, run, scene_fault);
 
   const std::string body =
       Header(result) + "<nav id=\"contents\"></nav>\n<main>\n" +
-      html::Section("summary", "Summary", SummaryHtml(result, parameters, channels)) +
+      html::Section("summary", "Summary", SummaryHtml(result, parameters, remarks)) +
       html::Section("parameters", "Parameters", ParameterTableHtml(parameters, why) + Profiles(result, run)) +
-      Body(result, channels, scene, scene_fault, !histories.empty() || !validation.empty(), !bench.empty(), why) +
-      "</main>\n" + PageFooter("the files in the folder of the fit");
-  const OrderedJson data = {{"result", OrderedJson(result)},
-                            {"responses", ChannelsJson(channels)},
-                            {"scene", scene},
-                            {"histories", histories},
-                            {"validation", validation},
-                            {"bench", bench}};
+      Body(result, parts, scene, scene_fault, why) + "</main>\n" + PageFooter("the files in the folder of the fit");
+  OrderedJson data = {{"result", OrderedJson(result)}, {"scene", scene}};
+  for (const auto& part : parts) data.update(part->Drawn());
   const std::string text = CompactJson(data);
   return ReportDocument(TextAt(result, "vehicle") + " \u2013 fourpost report", body, text);
 }

@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "identify/report/run_contents.h"
+#include "identify/experiments/experiment_report.h"
 
 namespace fourpost {
 
-/// The report of a run as one self-contained HTML file; `run` needs a result.json of `fourpost fit`. Throws FaultyInput
-/// for one that is none, naming what it is instead.
-std::string ReportPage(const RunContents& run);
+/// The report of a run as one self-contained HTML file, with what each kind of experiment shows; `run` needs a
+/// result.json of `fourpost fit`. Throws FaultyInput for one that is none, naming what it is instead.
+std::string ReportPage(const RunContents& run, ExperimentReports experiments);
 
 }  // namespace fourpost

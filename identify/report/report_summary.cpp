@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <complex>
-#include <map>
-#include <numbers>
-#include <optional>
 #include <set>
 
 #include "analysis/report/html.h"
+#include "analysis/report/shown_number.h"
 #include "identify/report/judged_channel.h"
-#include "identify/report/shown_number.h"
 #include "identify/uncertainty/derivative_noise.h"
 #include "vehicles/requests/versions.h"
 
@@ -36,7 +32,7 @@ double MisfitOf(const Json& result) {
   return std::isfinite(misfit) ? misfit : NumberAt(result.value("identifiability", Json()), "sd_inflation");
 }
 
-std::string Code(const std::string& name) { return html::Element("code", "", html::Escaped(name)); }
+using html::Code;
 
 std::vector<std::string> AsCode(const std::vector<std::string>& names) {
   std::vector<std::string> codes;
@@ -58,36 +54,6 @@ std::vector<std::string> Named(const std::vector<JudgedChannel>& channels, Follo
     if (channel.follows == follows)
       names.push_back(Code(channel.name) + (with_numbers ? " (" + html::Escaped(channel.numbers) + ")" : ""));
   return names;
-}
-
-/// The octave from this frequency on in which most of the band's misfit lies.
-struct Octave {
-  double lower_Hz = 0;
-  std::string channel;
-  double rms_dB = 0;
-};
-
-std::optional<Octave> WorstOctave(const std::vector<ComparedChannel>& channels) {
-  std::optional<Octave> worst;
-  for (const ComparedChannel& channel : channels) {
-    std::map<int, std::pair<double, int>> squares;
-    for (std::size_t i = 0; i < channel.frequency_Hz.size(); ++i) {
-      if (!channel.in_band[i] || channel.phase_measured_deg.empty() || channel.phase_modelled_deg.empty()) continue;
-      const auto phasor = [](double gain, double deg) { return std::polar(gain, deg * std::numbers::pi / 180); };
-      const std::complex<double> measured = phasor(channel.gain_measured[i], channel.phase_measured_deg[i]);
-      const std::complex<double> modelled = phasor(channel.gain_modelled[i], channel.phase_modelled_deg[i]);
-      const double error = std::norm(modelled / measured - 1.0);
-      if (!std::isfinite(error)) continue;
-      auto& [sum, count] = squares[static_cast<int>(std::floor(std::log2(channel.frequency_Hz[i])))];
-      sum += error;
-      ++count;
-    }
-    for (const auto& [octave, tally] : squares) {
-      const double rms = std::sqrt(tally.first / tally.second);
-      if (tally.second >= 3 && (!worst || rms > worst->rms_dB)) worst = {std::exp2(octave), channel.name, rms};
-    }
-  }
-  return worst;
 }
 
 struct Judgement {
@@ -190,15 +156,13 @@ std::string WhatFits(const std::vector<JudgedChannel>& channels) {
   return Listed(well) + (well.size() == 1 ? " is " : " are ") + within + ".";
 }
 
-std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::optional<Octave>& worst) {
+std::string WhatDoesNot(const std::vector<JudgedChannel>& channels, const std::string& worst) {
   const std::vector<std::string> roughly = Named(channels, Follows::kRoughly, true);
   const std::vector<std::string> far = Named(channels, Follows::kNot, true);
   std::string text;
   if (!far.empty()) text += "Poor: " + Listed(far) + ". ";
   if (!roughly.empty()) text += "Fair: " + Listed(roughly) + ". ";
-  if (!text.empty() && worst)
-    text += "The largest relative error is at " + Code(worst->channel) + " between " + ShownShort(worst->lower_Hz, 3) +
-            " and " + ShownShort(2 * worst->lower_Hz, 3) + " Hz.";
+  if (!text.empty()) text += worst;
   return text;
 }
 
@@ -281,11 +245,13 @@ std::vector<std::string> AtBounds(const std::vector<ReportedParameter>& paramete
   return names;
 }
 
-std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& parameters) {
+std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& parameters,
+                      const ReportRemarks& remarks) {
   if (parameters.empty()) return "";
   std::vector<std::string> open;
   const std::vector<std::string> bound = AtBounds(parameters);
-  if (const std::string why = WhyNoDeviations(result, parameters); !why.empty()) return html::Escaped(why);
+  if (const std::string why = WhyNoDeviations(parameters, remarks.why_no_deviations); !why.empty())
+    return html::Escaped(why);
   for (const ReportedParameter& parameter : parameters)
     if (std::isinf(parameter.sd)) open.push_back(Code(parameter.name));
   std::string text;
@@ -299,18 +265,6 @@ std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& 
       if (direction.is_string())
         text += "Not identifiable direction: " + html::Escaped(direction.get<std::string>()) + ". ";
   return text.empty() ? "Nothing: every parameter has a finite standard deviation and is off its bounds." : text;
-}
-
-bool HasForce(const std::vector<ComparedChannel>& channels, const Json& result) {
-  const auto is_force = [](const ComparedChannel& channel) { return channel.unit == "N" || channel.unit == "kN"; };
-  return !ListAt(result, "static_loads").empty() || std::any_of(channels.begin(), channels.end(), is_force);
-}
-
-bool HasMean(const std::vector<ComparedChannel>& channels) {
-  return std::any_of(channels.begin(), channels.end(), [](const ComparedChannel& channel) {
-    return std::any_of(channel.mean_measured.begin(), channel.mean_measured.end(),
-                       [](double mean) { return std::isfinite(mean); });
-  });
 }
 
 /// Parameters that are strongly correlated; empty where there are none.
@@ -330,8 +284,7 @@ std::string Ties(const std::vector<ReportedParameter>& parameters) {
 }
 
 std::vector<std::string> WhatNext(const Json& result, const std::vector<ReportedParameter>& parameters,
-                                  const std::vector<ComparedChannel>& channels, const std::optional<Octave>& worst,
-                                  const std::vector<JudgedChannel>& unseen) {
+                                  const ReportRemarks& remarks, const std::vector<JudgedChannel>& unseen) {
   // What has not ended says little of the model.
   if (TextAt(result, "termination") == "interrupted")
     return {"Run the same command again; it continues from its archive."};
@@ -340,10 +293,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
   std::vector<std::string> advice;
   const Json identifiability = result.value("identifiability", Json());
   const bool open = NumberAt(identifiability, "rank") < NumberAt(identifiability, "parameters");
-  if (open && !channels.empty() && !HasForce(channels, result))
-    advice.push_back(
-        "Measure a force, static corner loads or the wheel pans: accelerations alone do not determine the common scale "
-        "of masses, rates and damping.");
+  if (open && !remarks.measures_force && !remarks.where_open.empty()) advice.push_back(remarks.where_open);
   else if (open)
     advice.push_back(
         "Fix one parameter of each direction that is not identifiable, give it a prior, or measure a channel that it "
@@ -353,17 +303,8 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
                      ". If they are guesses, widen them. If they are certain, the model lacks a mechanism that " +
                      (bound.size() == 1 ? "this parameter compensates." : "these parameters compensate."));
   if (const std::string ties = Ties(parameters); !ties.empty()) advice.push_back(ties);
-  if (!channels.empty() && !HasMean(channels))
-    advice.push_back(
-        "Record the mean offset of the struts as well as gain and phase: it separates bump from rebound damping.");
-  if (MisfitOf(result) > kMisses && worst)
-    advice.push_back("The model lacks a mechanism near " + ShownShort(std::sqrt(2.0) * worst->lower_Hz, 2) + " Hz at " +
-                     Code(worst->channel) +
-                     (worst->lower_Hz < 2
-                          ? ". Small slow strokes are typical of dry friction. Add friction, or test these "
-                            "frequencies at two amplitudes: friction makes the gain depend on amplitude."
-                          : ". Repeat the recording at another amplitude: a nonlinear law changes with it, a missing "
-                            "degree of freedom does not."));
+  advice.insert(advice.end(), remarks.further.begin(), remarks.further.end());
+  if (MisfitOf(result) > kMisses && !remarks.where_missed.empty()) advice.push_back(remarks.where_missed);
   else if (MisfitOf(result) > kMisses)
     advice.push_back(
         "The model lacks a mechanism. Fit a richer one to the same recordings and compare the runs; the curves show "
@@ -376,11 +317,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
   if (MisfitOf(result) <= kExplained) return {"Nothing is missing for this model; a richer one would need more data."};
   if (MisfitOf(result) <= kMisses)
     return {"Little is missing. Fit a richer model to the same recordings to find what explains the rest."};
-  if (TextAt(result, "history_cost") == "compromise")
-    return {
-        "The compromise cost does not weigh residuals by noise. Fit with the cost 'whitened' to see whether something "
-        "is "
-        "missing."};
+  if (!remarks.where_not_weighed.empty()) return {remarks.where_not_weighed};
   return {"The run holds no misfit. Fit again to have it assessed."};
 }
 
@@ -414,44 +351,43 @@ std::string OffBy(const Json& recording) {
 }
 
 /// The engine that modelled each recording, and its error; none of older runs.
-std::string HowModelled(const Json& result) {
+std::string HowModelled(const std::vector<Json>& recordings) {
   std::string items;
-  for (const char* kind : {"responses", "histories"})
-    for (const Json& recording : ListAt(result, kind)) {
-      const std::string off = OffBy(recording);
-      const double change = NumberAt(recording, "correction_change");
-      items += html::Element(
-          "li", "",
-          Code(TextAt(recording, "recording")) + ": engine " + html::Escaped(TextAt(recording, "engine")) +
-              (off.empty() ? "" : "; " + off) +
-              (std::isfinite(change) ? "; one more correction would change it by " + ShownShort(100 * change, 2) + " %"
-                                     : ""));
-    }
+  for (const Json& recording : recordings) {
+    const std::string off = OffBy(recording);
+    const double change = NumberAt(recording, "correction_change");
+    items += html::Element(
+        "li", "",
+        Code(TextAt(recording, "recording")) + ": engine " + html::Escaped(TextAt(recording, "engine")) +
+            (off.empty() ? "" : "; " + off) +
+            (std::isfinite(change) ? "; one more correction would change it by " + ShownShort(100 * change, 2) + " %"
+                                   : ""));
+  }
   return items.empty() ? "" : html::Element("ul", "", items);
 }
 
 }  // namespace
 
 std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>& parameters,
-                        const std::vector<ComparedChannel>& channels) {
+                        const ReportRemarks& remarks) {
   const std::vector<JudgedChannel> judged = JudgeChannels(ListAt(result, "channels"));
-  const std::optional<Octave> worst = WorstOctave(channels);
   const std::vector<Json> validation = ListAt(result, "validation");
   const std::vector<JudgedChannel> unseen = JudgeChannels(validation);
   const Judgement verdict = HowItEnded(result, unseen);
-  std::string misses = WhatDoesNot(judged, worst);
+  std::string misses = WhatDoesNot(judged, remarks.worst);
   if (misses.empty() && !judged.empty()) misses = WhatIsLeft(result) + ' ';
   if (!misses.empty() && !misses.ends_with(' ')) misses += ' ';
   misses += WhatItMisses(unseen);
   std::string next;
-  for (const std::string& advice : WhatNext(result, parameters, channels, worst, unseen))
+  for (const std::string& advice : WhatNext(result, parameters, remarks, unseen))
     next += html::Element("li", "", advice);
   return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
          Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
          Item("What does not fit", misses) +
          Item("What it predicts", Sentences(WhatItPredicts(validation, unseen), WhatWasLeftOut(result))) +
-         Item("How it was modelled", HowModelled(result)) + Item("What is determined", WhatIsDetermined(parameters)) +
-         Item("What is not determined", WhatIsNot(result, parameters)) +
+         Item("How it was modelled", HowModelled(remarks.modelled)) +
+         Item("What is determined", WhatIsDetermined(parameters)) +
+         Item("What is not determined", WhatIsNot(result, parameters, remarks)) +
          Item("What to measure next", html::Element("ul", "", next)) + "</dl>\n";
 }
 

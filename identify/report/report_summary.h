@@ -5,14 +5,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "identify/report/response_table.h"
+#include "identify/experiments/experiment_report.h"
 #include "identify/report/run_result.h"
 
 namespace fourpost {
 
-/// What a run found, in plain words, as HTML: how it ended, what fits and what does not, what the data determine and
-/// what not, and what to measure next.
+/// What a run found, in plain words and with the remarks of its experiments, as HTML: how it ended, what fits and what
+/// does not, what the data determine and what not, and what to measure next.
 std::string SummaryHtml(const nlohmann::json& result, const std::vector<ReportedParameter>& parameters,
-                        const std::vector<ComparedChannel>& channels);
+                        const ReportRemarks& remarks);
 
 }  // namespace fourpost

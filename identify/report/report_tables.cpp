@@ -5,7 +5,7 @@
 
 #include "analysis/files/json_text.h"
 #include "analysis/report/html.h"
-#include "identify/report/shown_number.h"
+#include "analysis/report/shown_number.h"
 
 namespace fourpost {
 namespace {
@@ -76,12 +76,6 @@ Cell RemarkCell(const ReportedParameter& parameter) {
   const bool calls = parameter.at_bound || parameter.state == ParameterState::kNoise || std::isinf(parameter.sd) ||
                      parameter.RelativeSd() > 0.1;
   return {cell, calls ? "remark calls" : "remark"};
-}
-
-/// Beside a value; a dash where there is none.
-Cell SdCell(double sd, int decimals) {
-  if (std::isnan(sd)) return {"\u2013", "n pm"};
-  return {"\u00b1\u2009" + (std::isinf(sd) ? std::string("open") : ShownDecimals(sd, decimals)), "n pm"};
 }
 
 std::vector<Cell> ParameterRow(const ReportedParameter& parameter, bool has_sd) {
@@ -209,20 +203,6 @@ std::string ChannelTableHtml(const Json& result) {
          HistoryTable("validation recording", ListAt(result, "validation"));
 }
 
-std::string StaticLoadTableHtml(const Json& result) {
-  Rows rows;
-  for (const Json& load : ListAt(result, "static_loads")) {
-    const double measured = NumberAt(load, "measured_N");
-    const double modelled = NumberAt(load, "modelled_N");
-    rows.push_back({{html::Element("code", "", html::Escaped(TextAt(load, "tyre"))), ""},
-                    NumberCell(ShownDecimals(measured, 0)),
-                    SdCell(NumberAt(load, "sd_N"), 0),
-                    NumberCell(ShownDecimals(modelled, 0)),
-                    NumberCell(ShownDecimals(100 * (modelled / measured - 1), 2))});
-  }
-  return rows.empty() ? "" : html::Table({"static load", "measured, N", "sd", "modelled, N", "error, %"}, rows);
-}
-
 std::string ModeTableHtml(const Json& modes) {
   Rows rows;
   if (modes.is_array())
@@ -252,8 +232,8 @@ std::string SearchNoteHtml(const Json& result) {
     const double count = NumberAt(gain, "count");
     if (!(count > 0)) continue;
     text += ' ' + std::string(key == std::string_view("migrations") ? "Migrations" : "Accelerations") + ": " +
-            ShownDecimals(count, 0) + " in " + ShownDecimals(NumberAt(gain, "evaluations"), 0) + " evaluations, of which " +
-            ShownDecimals(NumberAt(gain, "successes"), 0) + " lowered the best cost.";
+            ShownDecimals(count, 0) + " in " + ShownDecimals(NumberAt(gain, "evaluations"), 0) +
+            " evaluations, of which " + ShownDecimals(NumberAt(gain, "successes"), 0) + " lowered the best cost.";
   }
   const Json starts = result.value("starts", Json::object());
   text += " Then Ceres refined " + ShownDecimals(NumberAt(starts, "refined"), 0) + " points, of which " +

@@ -21,8 +21,6 @@ std::string ProfileTableHtml(const nlohmann::json& result, const RunContents& ru
 /// What differs between model and measurement, by channel.
 std::string ChannelTableHtml(const nlohmann::json& result);
 
-std::string StaticLoadTableHtml(const nlohmann::json& result);
-
 /// `modes`: of SceneJson().
 std::string ModeTableHtml(const nlohmann::json& modes);
 

@@ -14,8 +14,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
-
 bool FlagAt(const Json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_boolean() && object[key].get<bool>();
 }
@@ -72,24 +70,6 @@ double ReportedParameter::RelativeSd() const {
   return sd / (is_of_either_sign ? upper - lower : std::abs(value));
 }
 
-double NumberAt(const Json& object, const std::string& key) {
-  if (!object.is_object()) return kNoNumber;
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<double>() : kNoNumber;
-}
-
-std::string TextAt(const Json& object, const std::string& key) {
-  if (!object.is_object()) return "";
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-std::vector<Json> ListAt(const Json& object, const std::string& key) {
-  if (!object.is_object()) return {};
-  const auto found = object.find(key);
-  return found != object.end() && found->is_array() ? found->get<std::vector<Json>>() : std::vector<Json>();
-}
-
 Json FitResultOf(const RunContents& run) {
   const auto file = run.files.find(kResultName);
   if (file == run.files.end()) Refuse(kResultMissing, {kResultName});
@@ -136,15 +116,11 @@ std::vector<std::string> NamesIn(ParameterState state, const std::vector<Reporte
   return names;
 }
 
-std::string WhyNoDeviations(const Json& result, const std::vector<ReportedParameter>& parameters) {
+std::string WhyNoDeviations(const std::vector<ReportedParameter>& parameters, const std::string& stated) {
   for (const ReportedParameter& parameter : parameters)
     if (parameter.IsJudged()) return "";
   if (parameters.empty()) return "";
-  if (TextAt(result, "history_cost") == "compromise")
-    return "The compromise cost weighs each output by its own error and not by noise, so there are no standard "
-           "deviations. "
-           "Fit with the cost 'whitened' for them.";
-  return "The run ended before standard deviations could be computed.";
+  return stated.empty() ? "The run ended before standard deviations could be computed." : stated;
 }
 
 }  // namespace fourpost

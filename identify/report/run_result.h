@@ -6,7 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "identify/report/run_contents.h"
+#include "identify/experiments/run_contents.h"
+#include "identify/study_file/result_reader.h"
 #include "identify/uncertainty/parameter_state.h"
 
 namespace fourpost {
@@ -43,13 +44,6 @@ struct ReportedParameter {
 /// As the vehicle file writes the unit of this entry of `parameters`; in SI where there is none.
 std::string UnitOf(const nlohmann::json& parameter, const RunContents& run);
 
-/// A number of an object of JSON; NaN where it is null, missing or no number.
-double NumberAt(const nlohmann::json& object, const std::string& key);
-/// Likewise a text; empty where there is none.
-std::string TextAt(const nlohmann::json& object, const std::string& key);
-/// Likewise a list.
-std::vector<nlohmann::json> ListAt(const nlohmann::json& object, const std::string& key);
-
 /// result.json of a run. Throws FaultyInput where it is none of `fourpost fit`, naming what it is instead.
 nlohmann::json FitResultOf(const RunContents& run);
 
@@ -61,7 +55,8 @@ std::vector<ReportedParameter> ReportedParameters(const nlohmann::json& result, 
 /// Names of those in this state.
 std::vector<std::string> NamesIn(ParameterState state, const std::vector<ReportedParameter>& parameters);
 
-/// Why no parameter has a standard deviation; empty where one has, or where there is none.
-std::string WhyNoDeviations(const nlohmann::json& result, const std::vector<ReportedParameter>& parameters);
+/// Why no parameter has a standard deviation, `stated` by an experiment or not; empty where one has, or where there is
+/// none.
+std::string WhyNoDeviations(const std::vector<ReportedParameter>& parameters, const std::string& stated);
 
 }  // namespace fourpost

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "identify/experiments/four_post/modelled_response.h"
-#include "identify/report/picture_number.h"
+#include "analysis/report/picture_number.h"
+#include "identify/experiments/fit_balance.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/engine/engine.h"
 #include "vehicles/loops/design_kinematics.h"
@@ -263,8 +263,7 @@ Json HistoriesJson(const CondensedModel& model, const std::vector<RecordedHistor
 
 }  // namespace
 
-Json SceneJson(const Vehicle& vehicle, const std::vector<RecordedMotion>& motions,
-               const std::vector<RecordedHistory>& histories) {
+Json SceneJson(const Vehicle& vehicle, const RecordedMotions& motions) {
   const std::vector<double> values = vehicle.ParameterValues();
   const CondensedModel model = CondensedVehicle(vehicle).At(values);
   const Kinematics pose = DesignKinematics(vehicle);
@@ -284,8 +283,8 @@ Json SceneJson(const Vehicle& vehicle, const std::vector<RecordedMotion>& motion
           {"posts", PostsJson(vehicle)},
           {"sensors", SensorsJson(vehicle)},
           {"modes", ModesJson(vehicle, pose, model, values)},
-          {"motions", MotionsJson(model, motions)},
-          {"histories", HistoriesJson(model, histories)}};
+          {"motions", MotionsJson(model, motions.steady)},
+          {"histories", HistoriesJson(model, motions.over_time)}};
 }
 
 }  // namespace fourpost

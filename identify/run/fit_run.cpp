@@ -16,6 +16,7 @@
 #include "identify/run/result_json.h"
 #include "identify/run/result_kind.h"
 #include "identify/run/study_fit.h"
+#include "identify/study/experiment_kinds.h"
 #include "identify/study/findings.h"
 #include "identify/study/loaded_study.h"
 #include "identify/study/study_context.h"
@@ -75,7 +76,7 @@ std::string Page(const LoadedStudy& loaded, const FitResult& fit,
                  const std::vector<std::pair<std::string, std::string>>& files) {
   Vehicle fitted = loaded.vehicle;
   for (std::size_t i = 0; i < fit.values.size(); ++i) fitted.parameters[i].value = fit.values[i];
-  return ReportPage({.files = {files.begin(), files.end()}, .vehicle = std::move(fitted)});
+  return ReportPage({.files = {files.begin(), files.end()}, .vehicle = std::move(fitted)}, AllExperimentReports());
 }
 
 /// The second fit, which went on from the first: what that one found before, and what both cost.

@@ -1,20 +1,15 @@
 #include "identify/study/study.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "analysis/files/text_file.h"
-#include "identify/experiments/bench/damper_bench.h"
-#include "identify/experiments/four_post/four_post.h"
-#include "identify/experiments/static_loads/static_loads.h"
-#include "identify/experiments/time_history/time_histories.h"
 #include "identify/problems/test_problem.h"
 #include "identify/refine/search_method_list.h"
+#include "identify/study/experiment_kinds.h"
 #include "identify/study/findings.h"
 #include "identify/study_file/findings.h"
 #include "identify/study_file/strict_yaml.h"
@@ -23,33 +18,24 @@
 namespace fourpost {
 namespace {
 
-/// Stepped sines are what a study is asked for that names no other recordings to fit.
-std::unique_ptr<Experiment> ReadFourPost(const StrictMap& study) {
-  const auto is_fitted = [](const YAML::Node& history) {
-    return !history.IsMap() || !history["use"].IsDefined() || history["use"].as<std::string>("") != "validation";
-  };
-  const YAML::Node histories = study.Get("histories");
-  // A missing node throws when it is asked for its type.
-  const bool has_other =
-      histories.IsDefined() && histories.IsSequence() && std::any_of(histories.begin(), histories.end(), is_fitted);
-  return study.Has("recordings") || !has_other ? FourPost::Read(study) : nullptr;
+/// Of a study with a key of a kind that is alone, that kind; else null.
+const ExperimentKind* AloneIn(const YAML::Node& root) {
+  if (!root.IsMap()) return nullptr;
+  for (const ExperimentKind& kind : ExperimentKinds())
+    if (kind.is_alone && std::any_of(kind.keys.begin(), kind.keys.end(),
+                                     [&](std::string_view key) { return root[std::string(key)].IsDefined(); }))
+      return &kind;
+  return nullptr;
 }
 
-struct ExperimentKind {
-  std::span<const std::string_view> keys;
-  /// Nothing where the study has none.
-  std::unique_ptr<Experiment> (*read)(const StrictMap& study);
-  /// Of one that has no vehicle around it.
-  bool is_bench = false;
-};
-
-/// In the order in which their residuals stand.
-const std::array<ExperimentKind, 4> kExperimentKinds{{
-    {.keys = FourPost::kKeys, .read = &ReadFourPost},
-    {.keys = TimeHistories::kKeys, .read = &TimeHistories::Read},
-    {.keys = StaticLoadTest::kKeys, .read = &StaticLoadTest::Read},
-    {.keys = DamperBench::kKeys, .read = &DamperBench::Read, .is_bench = true},
-}};
+/// Those that a study may have.
+std::vector<const ExperimentKind*> KindsOf(const YAML::Node& root) {
+  if (const ExperimentKind* alone = AloneIn(root)) return {alone};
+  std::vector<const ExperimentKind*> kinds;
+  for (const ExperimentKind& kind : ExperimentKinds())
+    if (!kind.is_alone) kinds.push_back(&kind);
+  return kinds;
+}
 
 class StudyReader {
  public:
@@ -60,9 +46,11 @@ class StudyReader {
 
   Study Read(const YAML::Node& root) {
     if (root.IsMap() && root["problem"].IsDefined()) return ReadTestProblem(root);
-    const StrictMap top = Map(root, "the study", KeysOf(root));
+    const std::vector<const ExperimentKind*> kinds = KindsOf(root);
+    const StrictMap top = Map(root, "the study", KeysOf(kinds));
     ReadVehicle(top);
-    ReadExperiments(top);
+    for (const ExperimentKind* kind : kinds)
+      if (std::unique_ptr<Experiment> experiment = kind->read(top)) study_.experiments.Add(std::move(experiment));
     if (top.Has("free")) ReadFree(top.Get("free"));
     if (top.Has("refine")) ReadRefine(top.Get("refine"));
     ReadSearches(top);
@@ -81,19 +69,10 @@ class StudyReader {
     return study_;
   }
 
-  /// Those of all kinds of experiments, but a damper on its bench is alone.
-  static std::vector<std::string_view> KeysOf(const YAML::Node& root) {
+  static std::vector<std::string_view> KeysOf(const std::vector<const ExperimentKind*>& kinds) {
     std::vector<std::string_view> keys = {"vehicle", "free", "search", "refine", "target", "methods"};
-    const bool is_bench = root.IsMap() && root["bench"].IsDefined();
-    for (const ExperimentKind& kind : kExperimentKinds)
-      if (kind.is_bench == is_bench) keys.insert(keys.end(), kind.keys.begin(), kind.keys.end());
+    for (const ExperimentKind* kind : kinds) keys.insert(keys.end(), kind->keys.begin(), kind->keys.end());
     return keys;
-  }
-
-  void ReadExperiments(const StrictMap& top) {
-    for (const ExperimentKind& kind : kExperimentKinds)
-      if (kind.is_bench == top.Has("bench"))
-        if (std::unique_ptr<Experiment> experiment = kind.read(top)) study_.experiments.Add(std::move(experiment));
   }
 
   void ReadSearches(const StrictMap& top) {

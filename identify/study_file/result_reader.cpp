@@ -1,5 +1,6 @@
 #include "identify/study_file/result_reader.h"
 
+#include <limits>
 #include <optional>
 #include <system_error>
 
@@ -28,6 +29,24 @@ Json ReadResultFile(const std::filesystem::path& file) {
   Diagnostics ignored;
   const std::optional<std::string> text = ReadTextFile(file, ignored);
   return text ? ParseResult(*text) : Json(Json::value_t::discarded);
+}
+
+double NumberAt(const Json& object, const std::string& key) {
+  if (!object.is_object()) return std::numeric_limits<double>::quiet_NaN();
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string TextAt(const Json& object, const std::string& key) {
+  if (!object.is_object()) return "";
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::vector<Json> ListAt(const Json& object, const std::string& key) {
+  if (!object.is_object()) return {};
+  const auto found = object.find(key);
+  return found != object.end() && found->is_array() ? found->get<std::vector<Json>>() : std::vector<Json>();
 }
 
 }  // namespace fourpost

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -17,5 +18,12 @@ nlohmann::json ParseResult(const std::string& text);
 
 /// The same of a file; a discarded value where it cannot be read.
 nlohmann::json ReadResultFile(const std::filesystem::path& file);
+
+/// A number of an object of JSON; NaN where it is null, missing or no number.
+double NumberAt(const nlohmann::json& object, const std::string& key);
+/// Likewise a text; empty where there is none.
+std::string TextAt(const nlohmann::json& object, const std::string& key);
+/// Likewise a list.
+std::vector<nlohmann::json> ListAt(const nlohmann::json& object, const std::string& key);
 
 }  // namespace fourpost

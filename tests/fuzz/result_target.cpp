@@ -6,6 +6,7 @@
 #include "analysis/text/utf8.h"
 #include "identify/report/comparison_page.h"
 #include "identify/report/report_page.h"
+#include "identify/study/experiment_kinds.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "vehicles/reader/vehicle_file.h"
 
@@ -49,8 +50,8 @@ void RequirePage(const MakePage& make) {
 
 void FuzzResult(const std::string& bytes) {
   const RunContents run = RunOf(bytes);
-  RequirePage([&] { return ReportPage(run); });
-  RequirePage([&] { return ComparisonPage({{"a", run}, {"b", run}}); });
+  RequirePage([&] { return ReportPage(run, AllExperimentReports()); });
+  RequirePage([&] { return ComparisonPage({{"a", run}, {"b", run}}, AllExperimentReports()); });
 }
 
 }  // namespace fourpost

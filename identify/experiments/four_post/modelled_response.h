@@ -3,17 +3,13 @@
 #include <vector>
 
 #include "analysis/signals/frequency_response.h"
+#include "identify/experiments/fit_balance.h"
 #include "identify/experiments/four_post/four_post_data.h"
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/response/harmonic_balance.h"
 
 namespace fourpost {
-
-/// How a model that is compared with recordings balances harmonics: nine of them wherever no law takes a step. A fit
-/// differentiates, and more harmonics at one point than at the next would look like a slope. They leave 7e-4 of a
-/// response at the most, 2e-4 in the mean; the iteration's own error has to be small against that.
-inline constexpr HarmonicBalanceOptions kFitBalance{.error = 1e9, .tolerance = 1e-6};
 
 /// What the model answers to an excitation: by harmonic balance, with hysteresis by Fourier coefficients of the
 /// condensed model run in time until its motion repeats (March; thesis 4.2.3), to a thousandth.

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "analysis/process/deadline.h"
+#include "identify/experiments/recorded_motion.h"
 #include "identify/experiments/time_history/history_data.h"
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/engine/history_solver.h"
@@ -14,16 +15,6 @@
 #include "vehicles/simulation/time_system.h"
 
 namespace fourpost {
-
-/// How posts and vehicle moved, from time to time.
-struct HistoryMotion {
-  double start_s = 0;
-  double rate_Hz = 0;
-  /// Frames x posts: heights [m].
-  Eigen::MatrixXd posts;
-  /// Frames x independent coordinates of the condensed model, from the design pose.
-  Eigen::MatrixXd coordinates;
-};
 
 /// A model through a measured history: the posts move as the rig's did, what the sensors read goes through the rig's
 /// filter, once, and loses its mean over the window. Filtering the model's outputs is right although the record's post

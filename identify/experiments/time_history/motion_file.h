@@ -3,16 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "identify/experiments/recorded_motion.h"
 #include "identify/experiments/time_history/history_simulation.h"
 #include "vehicles/description/vehicle.h"
 
 namespace fourpost {
-
-/// A recording, and how the posts and the fitted vehicle moved in it.
-struct RecordedHistory {
-  std::string name;
-  HistoryMotion motion;
-};
 
 /// Which samples to keep, every n-th of them: 60 a second or fewer, so few that a recording has no more than 60000
 /// numbers. `columns`: posts and coordinates together.

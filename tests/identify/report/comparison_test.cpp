@@ -8,6 +8,7 @@
 #include "identify/report/comparison_tables.h"
 #include "identify/report/comparison_verdict.h"
 #include "identify/report/findings.h"
+#include "identify/study/experiment_kinds.h"
 #include "identify/uncertainty/findings.h"
 #include "tests/findings.h"
 
@@ -52,7 +53,7 @@ Folder FolderOf(const std::string& name, const Json& result, std::map<std::strin
 std::vector<ComparedRun> Runs(const std::vector<Json>& results) {
   std::vector<Folder> folders;
   for (const Json& result : results) folders.push_back(FolderOf("run/" + std::to_string(folders.size()), result));
-  return ComparedRuns(std::move(folders));
+  return ComparedRuns(std::move(folders), AllExperimentReports());
 }
 
 TEST(ComparedRun, GroupsChannelsByAllButTheirPlace) {
@@ -86,7 +87,7 @@ std::vector<std::size_t> LettersOf(const std::vector<std::pair<Json, std::string
     folders.push_back(FolderOf("run", result, files));
   }
   std::vector<std::size_t> letters;
-  for (const ComparedRun& run : ComparedRuns(std::move(folders))) letters.push_back(run.data);
+  for (const ComparedRun& run : ComparedRuns(std::move(folders), AllExperimentReports())) letters.push_back(run.data);
   return letters;
 }
 
@@ -149,8 +150,8 @@ TEST(ComparedRun, HasANameOfItsOwn) {
 }
 
 TEST(ComparedRun, IsNamedByItsPathWhereTheFoldersAreNamedAlike) {
-  const std::vector<ComparedRun> runs =
-      ComparedRuns({FolderOf("a/run", Result("one", 3, 5)), FolderOf("b/run/", Result("one", 3, 5))});
+  const std::vector<ComparedRun> runs = ComparedRuns(
+      {FolderOf("a/run", Result("one", 3, 5)), FolderOf("b/run/", Result("one", 3, 5))}, AllExperimentReports());
   EXPECT_EQ(runs[0].name, "one (a/run)");
   EXPECT_EQ(runs[1].name, "one (b/run/)");
 }
@@ -191,7 +192,8 @@ TEST(ComparisonVerdict, ComparesByTheStepsThatAllRunsSaw) {
   EXPECT_THAT(VerdictHtml(runs, std::nullopt),
               HasSubstr("<strong>whole</strong> fits best: 1.00 % mean NMSE over the one recording that all runs have, "
                         "next planar with 2.00 %"));
-  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::sines), HasSubstr("<td>roll</td><td><code>1 to 12 Hz</code></td>"));
+  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::recordings, "stepped sines"),
+              HasSubstr("<td>roll</td><td><code>1 to 12 Hz</code></td>"));
   whole["band_Hz"] = {0.5, 30};
   EXPECT_THAT(VerdictHtml(Runs({planar, whole}), std::nullopt), HasSubstr("cannot be ranked by fit"));
 }
@@ -212,9 +214,10 @@ TEST(ComparisonTables, HaveARowPerRunAndAColumnPerRun) {
               AllOf(HasSubstr("<b>one</b>"), HasSubstr("4 of 5"), HasSubstr("<td class=\"n\">321</td>"),
                     HasSubstr("<td>A</td>"), HasSubstr("<td>B</td>"), HasSubstr("AICc and BIC are shown of dampers")));
   // The least stands out.
-  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::fitted),
+  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::fitted, "stepped sines"),
               HasSubstr("<td class=\"n\"><b>3.00</b></td><td class=\"n\">4.00</td>"));
-  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::predicted), HasSubstr("<td>sweep</td><td><code>a</code></td>"));
+  EXPECT_THAT(ErrorTableHtml(runs, &ComparedRun::predicted, "stepped sines"),
+              HasSubstr("<td>sweep</td><td><code>a</code></td>"));
   const std::string parameters = ParametersSideBySideHtml(runs);
   EXPECT_THAT(parameters,
               AllOf(HasSubstr("<th class=\"n\">one</th><th class=\"n\">other</th>"),
@@ -235,6 +238,11 @@ std::string History(double measured, double modelled, const std::string& name = 
          "," + std::to_string(modelled) + "\nsweep,0.1,2,3\n";
 }
 
+nlohmann::ordered_json Curves(std::vector<Folder> folders) {
+  const std::vector<ComparedRun> runs = ComparedRuns(std::move(folders), AllExperimentReports());
+  return ComparisonJson(runs, CurvesOf(runs, AllExperimentReports()));
+}
+
 TEST(ComparisonCurves, OverlaysWhatRunsShare) {
   Json fitted = Result("two", 3, 5);
   for (Json& channel : fitted["channels"]) channel["recording"] = "sweep";
@@ -244,7 +252,7 @@ TEST(ComparisonCurves, OverlaysWhatRunsShare) {
   // Measured otherwise, and another channel.
   folders.push_back(FolderOf("2", Result("three", 3, 5), {{"history.csv", History(1.1, 1.7)}}));
   folders.push_back(FolderOf("3", Result("four", 3, 5), {{"history.csv", History(1, 1.7, "b")}}));
-  const auto curves = ComparisonCurves(ComparedRuns(std::move(folders)));
+  const auto curves = Curves(std::move(folders));
   EXPECT_EQ(curves["runs"].dump(), R"(["one","two","three","four"])");
   ASSERT_EQ(curves["histories"].size(), 1u);
   const auto& channel = curves["histories"][0];
@@ -261,8 +269,8 @@ TEST(ComparisonCurves, KeepEveryRowWhereMostHappens) {
   std::string text = "recording,time,a_measured,a_modelled\n,s,m,m\n";
   for (int i = 0; i < kRows; ++i)
     text += "sweep," + std::to_string(0.01 * i) + ',' + (i == kPeak ? "9" : std::to_string(i % 3)) + ",1\n";
-  const auto curves = ComparisonCurves(ComparedRuns({FolderOf("0", Result("one", 3, 5), {{"history.csv", text}}),
-                                                     FolderOf("1", Result("two", 3, 5), {{"history.csv", text}})}));
+  const auto curves = Curves({FolderOf("0", Result("one", 3, 5), {{"history.csv", text}}),
+                              FolderOf("1", Result("two", 3, 5), {{"history.csv", text}})});
   ASSERT_EQ(curves["histories"].size(), 1u);
   const auto& channel = curves["histories"][0];
   EXPECT_EQ(channel["busiest"].dump(), "[39,41]");
@@ -276,7 +284,7 @@ TEST(ComparisonCurves, KeepEveryRowWhereMostHappens) {
 TEST(ComparisonCurves, TellTheBandOfEachRun) {
   Json over_time = Result("two", 3, 5);
   over_time["band_Hz"] = {0, 0};
-  const auto curves = ComparisonCurves(ComparedRuns({FolderOf("0", Result("one", 3, 5)), FolderOf("1", over_time)}));
+  const auto curves = Curves({FolderOf("0", Result("one", 3, 5)), FolderOf("1", over_time)});
   EXPECT_EQ(curves["bands"].dump(), "[[1,12],null]");
 }
 
@@ -295,7 +303,7 @@ TEST(ComparisonCurves, OverlaysResponsesAndDampers) {
   for (const double modelled : {1.25, 2.5})
     folders.push_back(FolderOf("x", Result("x" + std::to_string(modelled), 3, 5),
                                {{"response.csv", response(modelled)}, {"bench.csv", bench(modelled)}}));
-  const auto curves = ComparisonCurves(ComparedRuns(std::move(folders)));
+  const auto curves = Curves(std::move(folders));
   ASSERT_EQ(curves["responses"].size(), 1u);
   EXPECT_EQ(curves["responses"][0]["runs"].dump(),
             R"([{"run":0,"gain":[1.25],"phase":[20]},{"run":1,"gain":[2.5],"phase":[20]}])");
@@ -308,12 +316,13 @@ TEST(ComparisonCurves, OverlaysResponsesAndDampers) {
 TEST(ComparisonPage, EscapesNamesAndRefusesWhatIsNoFit) {
   const std::string hostile = "</script><b>";
   std::vector<Folder> folders = {FolderOf(hostile, Result(hostile, 3, 5)), FolderOf("b", Result(hostile, 3, 5))};
-  EXPECT_THAT(ComparisonPage(folders), AllOf(HasSubstr("<h1>2 fits compared</h1>"), HasSubstr("script&gt;&lt;b&gt;"),
-                                             Not(HasSubstr("<b></b>")), Not(HasSubstr("</script><b>"))));
-  EXPECT_THAT(ComparisonPage(folders),
+  EXPECT_THAT(ComparisonPage(folders, AllExperimentReports()),
+              AllOf(HasSubstr("<h1>2 fits compared</h1>"), HasSubstr("script&gt;&lt;b&gt;"), Not(HasSubstr("<b></b>")),
+                    Not(HasSubstr("</script><b>"))));
+  EXPECT_THAT(ComparisonPage(folders, AllExperimentReports()),
               ContainsRegex("<footer>Made by fourpost [0-9.]+ on [0-9]{4}-[0-9]{2}-[0-9]{2} of the fits "));
   folders[1] = FolderOf("b", Json{{"a", 1}});
-  EXPECT_THAT([&] { ComparisonPage(folders); }, Refuses(kResultNotOfFit, 0));
+  EXPECT_THAT([&] { ComparisonPage(folders, AllExperimentReports()); }, Refuses(kResultNotOfFit, 0));
 }
 
 }  // namespace

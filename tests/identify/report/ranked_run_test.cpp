@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "identify/report/findings.h"
+#include "identify/study/experiment_kinds.h"
 #include "identify/uncertainty/findings.h"
 #include "tests/findings.h"
 
@@ -30,8 +31,9 @@ class FittedModelsTest : public testing::Test {
     const auto run = [](const std::string& folder, const Json& result, const std::string& study) {
       return std::pair{folder, RunContents{.files = {{"result.json", result.dump()}, {"study.yaml", study}}}};
     };
-    return FittedModels(ComparedRuns({run("a", good_, "bench: {columns: 2}"), run("b", other_, other_study_)}),
-                        diagnostics_);
+    return FittedModels(
+        ComparedRuns({run("a", good_, "bench: {columns: 2}"), run("b", other_, other_study_)}, AllExperimentReports()),
+        diagnostics_);
   }
 
   Json good_;

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "identify/study/experiment_kinds.h"
 #include "vehicles/requests/versions.h"
 
 namespace fourpost {
@@ -27,8 +28,18 @@ std::vector<ReportedParameter> Known() {
           {.name = "k", .value = 10, .lower = 5, .upper = 15, .sd = 0.5}};
 }
 
+/// With the remarks of all kinds of experiments.
+std::string SummaryOf(const Json& result, const std::vector<ReportedParameter>& parameters,
+                      std::map<std::string, std::string> files = {}) {
+  const RunContents contents{.files = std::move(files)};
+  ReportRemarks remarks;
+  for (const ExperimentReport* experiment : AllExperimentReports())
+    AddRemarks(experiment->Read({"", contents, result})->Remarks(), remarks);
+  return SummaryHtml(result, parameters, remarks);
+}
+
 TEST(Summary, TellsWhatFitsAndWhatDoesNot) {
-  const std::string text = SummaryHtml(Good(), Known(), {});
+  const std::string text = SummaryOf(Good(), Known());
   EXPECT_THAT(text, AllOf(HasSubstr("verdict good"), HasSubstr("The fit converged."), HasSubstr("5 of 5 refinements"),
                           HasSubstr("<code>a_body</code> is within 1 dB"),
                           HasSubstr("Poor: <code>s_strut</code> (3.2 dB, 9.0\u00b0)"),
@@ -39,16 +50,16 @@ TEST(Summary, TellsWhatFitsAndWhatDoesNot) {
 // Deviations of a robust loss are not inflated, the misfit is what it is.
 TEST(Summary, TellsTheMisfitWhateverTheLoss) {
   Json result = Good();
-  EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("explain the residuals"));
+  EXPECT_THAT(SummaryOf(result, Known()), HasSubstr("explain the residuals"));
   result["misfit"] = 2.1;
-  EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("Residuals are 2.1 times what noise"));
+  EXPECT_THAT(SummaryOf(result, Known()), HasSubstr("Residuals are 2.1 times what noise"));
 }
 
 TEST(Summary, ListsWarnings) {
   Json result = Good();
-  EXPECT_THAT(SummaryHtml(result, Known(), {}), Not(HasSubstr("Warnings")));
+  EXPECT_THAT(SummaryOf(result, Known()), Not(HasSubstr("Warnings")));
   result["warnings"] = {"study.yaml:12: 'a_cg' is off by < 1 m", "static.csv: too heavy"};
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("<dt>Warnings</dt>"), HasSubstr("is off by &lt; 1 m</li>"), HasSubstr("too heavy</li>")));
 }
 
@@ -56,7 +67,7 @@ TEST(Summary, TellsHistoriesByTheirNmse) {
   Json result = Good();
   result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "a", "nmse_percent": 2, "vaf_percent": 98},
                                        {"recording": "sweep", "name": "s", "nmse_percent": 60, "vaf_percent": 40}])");
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("<code>a</code> is within 5 % NMSE"), HasSubstr("Poor: <code>s</code> (60 % NMSE)")));
 }
 
@@ -66,7 +77,7 @@ TEST(Summary, TellsRecordingsApartAndWhatItPredicts) {
                                        {"recording": "5 Hz", "name": "force", "nmse_percent": 3}])");
   result["validation"] = Json::parse(R"([{"recording": "sweep", "name": "force", "nmse_percent": 8},
                                          {"recording": "10 Hz", "name": "force", "nmse_percent": 1}])");
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("<code>1 Hz</code> and <code>5 Hz</code> are within 5 % NMSE"),
                     HasSubstr("1 of 2 recordings that were not fitted are within 5 % NMSE; the worst is "
                               "<code>sweep</code> (8.0 % NMSE)")));
@@ -76,29 +87,28 @@ TEST(Summary, CountsChannelsOfOneRecordingAsChannels) {
   Json result = Good();
   result["validation"] = Json::parse(R"([{"recording": "sweep", "name": "a", "nmse_percent": 8},
                                          {"recording": "sweep", "name": "s", "nmse_percent": 1}])");
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               HasSubstr("1 of 2 channels of <code>sweep</code> that were not fitted are within 5 % NMSE"));
   result["validation"][1]["recording"] = "road";
-  EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("1 of 2 channels of 2 recordings that were not fitted"));
+  EXPECT_THAT(SummaryOf(result, Known()), HasSubstr("1 of 2 channels of 2 recordings that were not fitted"));
 }
 
 // A model that follows what it was fitted to and misses the rest lacks something.
 TEST(Summary, DoesNotCallAModelCompleteThatMissesMoreThanNoise) {
   Json result = Good();
   result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "force", "nmse_percent": 1.3}])");
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("All fitted channels are within tolerance. "), HasSubstr("Nothing is missing")));
   result["misfit"] = 2.2;
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
-              AllOf(HasSubstr("within tolerance, but residuals are 2.2 times what noise"),
-                    HasSubstr("Fit a richer one"), Not(HasSubstr("Nothing is missing"))));
+  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("within tolerance, but residuals are 2.2 times what noise"),
+                                                HasSubstr("Fit a richer one"), Not(HasSubstr("Nothing is missing"))));
 }
 
 // Neither explained nor missed.
 TEST(Summary, TellsAMisfitThatIsLittleMore) {
   Json result = Good();
   result["misfit"] = 1.4;
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("verdict good"), HasSubstr("Residuals are 1.4 times what noise"),
                     HasSubstr("Little is missing"), Not(HasSubstr("Nothing is missing"))));
 }
@@ -109,19 +119,19 @@ TEST(Summary, ClaimsNothingThatItHasNotRead) {
   result["termination"] = "settled";
   result.erase("misfit");
   result.erase("identifiability");
-  EXPECT_THAT(SummaryHtml(result, {}, {}),
+  EXPECT_THAT(SummaryOf(result, {}),
               AllOf(HasSubstr("of an unknown kind"), HasSubstr("made by fourpost 9.9.9, this page by"),
                     HasSubstr("The run holds no misfit"), Not(HasSubstr("did not converge")),
                     Not(HasSubstr("every parameter")), Not(HasSubstr("Nothing is missing"))));
   result["versions"]["fourpost"] = Versions().front().second;
-  EXPECT_THAT(SummaryHtml(result, {}, {}), Not(HasSubstr("this page by")));
+  EXPECT_THAT(SummaryOf(result, {}), Not(HasSubstr("this page by")));
 }
 
 TEST(Summary, KnowsThatTheCompromiseCostHasNoMisfit) {
   Json result = Good();
   result.erase("identifiability");
   result["history_cost"] = "compromise";
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("The compromise cost does not weigh residuals"), Not(HasSubstr("Fit again"))));
 }
 
@@ -130,49 +140,47 @@ TEST(Summary, TellsWhatIsNotForetold) {
   result["channels"] = Json::parse(R"([{"recording": "sweep", "name": "force", "nmse_percent": 1.3}])");
   result["validation"] = Json::parse(R"([{"recording": "sine", "name": "force", "nmse_percent": 28},
                                          {"recording": "step", "name": "force", "nmse_percent": 4}])");
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("verdict fair"), HasSubstr("not fitted: <code>sine</code> (28 % NMSE)"),
                     HasSubstr("does not predict the validation recordings"), Not(HasSubstr("Nothing is missing"))));
 }
 
 TEST(Summary, SpeaksOfOneParameterInTheSingular) {
-  EXPECT_THAT(SummaryHtml(Good(), {Known()[0]}, {}), HasSubstr("The one parameter is determined, within 2 %"));
+  EXPECT_THAT(SummaryOf(Good(), {Known()[0]}), HasSubstr("The one parameter is determined, within 2 %"));
 }
 
 // 7.4 N within 0 and 150 N is known to a sixth, whatever the range.
 TEST(Summary, CountsADeviationAsAShareOfTheValueWhereTheLowerBoundIsZero) {
   std::vector<ReportedParameter> parameters = Known();
   parameters[1] = {.name = "F", .value = 7.4, .lower = 0, .upper = 150, .sd = 1.2};
-  EXPECT_THAT(SummaryHtml(Good(), parameters, {}), HasSubstr("Weakly determined: <code>F</code> (16 %)"));
+  EXPECT_THAT(SummaryOf(Good(), parameters), HasSubstr("Weakly determined: <code>F</code> (16 %)"));
   parameters[1] = {.name = "offset", .value = 0.001, .lower = -0.1, .upper = 0.1, .sd = 0.002};
-  EXPECT_THAT(SummaryHtml(Good(), parameters, {}), Not(HasSubstr("Weakly")));
+  EXPECT_THAT(SummaryOf(Good(), parameters), Not(HasSubstr("Weakly")));
 }
 
 TEST(Summary, DoesNotCallDeterminedWhatABoundHolds) {
   std::vector<ReportedParameter> parameters = Known();
   parameters[1].at_bound = true;
-  EXPECT_THAT(SummaryHtml(Good(), parameters, {}),
-              AllOf(HasSubstr("1 of 2 parameters are determined"),
-                    HasSubstr("Held by a bound, not by the data: <code>k</code>. ")));
+  EXPECT_THAT(SummaryOf(Good(), parameters), AllOf(HasSubstr("1 of 2 parameters are determined"),
+                                                   HasSubstr("Held by a bound, not by the data: <code>k</code>. ")));
 }
 
 TEST(Summary, IsPoorWhereTheModelDoesNotExplainItsData) {
   Json result = Good();
   result["verdict"] = {{"explains_data", false}, {"reasons", {"channel 'a' has an NMSE of 240 %"}}};
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("class=\"verdict poor\""),
                     HasSubstr("<strong>The model does not explain the data:</strong> channel &#39;a&#39; has an NMSE"),
                     Not(HasSubstr("The fit converged"))));
   result["verdict"] = {{"explains_data", true}, {"reasons", Json::array()}};
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
-              AllOf(HasSubstr("class=\"verdict good\""), HasSubstr("The fit converged")));
+  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("class=\"verdict good\""), HasSubstr("The fit converged")));
 }
 
 TEST(Summary, SaysWhichDerivativesAreNoise) {
   std::vector<ReportedParameter> parameters = Known();
   parameters[1].state = ParameterState::kNoise;
   parameters[1].sd = NAN;
-  EXPECT_THAT(SummaryHtml(Good(), parameters, {}),
+  EXPECT_THAT(SummaryOf(Good(), parameters),
               AllOf(HasSubstr("The derivative is noise: <code>k</code>; residuals jump between neighbouring values"),
                     HasSubstr("1 of 2 parameters are determined"), Not(HasSubstr("Not determined by the data"))));
 }
@@ -180,7 +188,7 @@ TEST(Summary, SaysWhichDerivativesAreNoise) {
 TEST(Summary, SaysWhatWasLeftOutOfTheValidation) {
   Json result = Good();
   result["validation_left_out"] = {{{"recording", "fast"}, {"reason", "is clipped"}}};
-  EXPECT_THAT(SummaryHtml(result, Known(), {}), HasSubstr("Left out of validation: <code>fast</code> (is clipped)."));
+  EXPECT_THAT(SummaryOf(result, Known()), HasSubstr("Left out of validation: <code>fast</code> (is clipped)."));
 }
 
 TEST(Summary, TellsWhatIsOpenAndWhatToMeasure) {
@@ -190,8 +198,9 @@ TEST(Summary, TellsWhatIsOpenAndWhatToMeasure) {
   std::vector<ReportedParameter> parameters = Known();
   parameters[0].sd = HUGE_VAL;
   parameters[1].at_bound = true;
-  const ComparedChannel acceleration = {.recording = "bounce", .name = "a_body", .unit = "m/s^2"};
-  EXPECT_THAT(SummaryHtml(result, parameters, {acceleration}),
+  const std::string acceleration =
+      "recording,channel,unit,frequency_Hz,in_band,gain_measured,gain_modelled\nbounce,a_body,m/s^2,1,1,2,2.1\n";
+  EXPECT_THAT(SummaryOf(result, parameters, {{"response.csv", acceleration}}),
               AllOf(HasSubstr("Not determined by the data: <code>m</code>"),
                     HasSubstr("not by the data: <code>k</code>"), HasSubstr("Measure a force"),
                     HasSubstr("Check the bounds of <code>k</code>"), HasSubstr("Record the mean offset")));
@@ -200,10 +209,10 @@ TEST(Summary, TellsWhatIsOpenAndWhatToMeasure) {
 TEST(Summary, TellsTiesOnce) {
   std::vector<ReportedParameter> parameters = Known();
   parameters[0].correlation = parameters[1].correlation = -0.987;
-  EXPECT_THAT(SummaryHtml(Good(), parameters, {}),
+  EXPECT_THAT(SummaryOf(Good(), parameters),
               HasSubstr("<code>m</code> and <code>k</code> are strongly correlated with others (\u22120.99)"));
   parameters[0].correlation = parameters[1].correlation = 0.9;
-  EXPECT_THAT(SummaryHtml(Good(), parameters, {}), Not(HasSubstr("correlated")));
+  EXPECT_THAT(SummaryOf(Good(), parameters), Not(HasSubstr("correlated")));
 }
 
 TEST(Summary, SaysThatARunHasNotEnded) {
@@ -212,7 +221,7 @@ TEST(Summary, SaysThatARunHasNotEnded) {
   result["identifiability"] = nullptr;
   std::vector<ReportedParameter> parameters = Known();
   for (ReportedParameter& parameter : parameters) parameter.sd = NAN;
-  EXPECT_THAT(SummaryHtml(result, parameters, {}),
+  EXPECT_THAT(SummaryOf(result, parameters),
               AllOf(HasSubstr("verdict poor"), HasSubstr("interrupted"), HasSubstr("before standard deviations"),
                     HasSubstr("Run the same command again")));
 }
@@ -223,22 +232,21 @@ TEST(Summary, TellsOfAnInterruptedRunWhatItHadDone) {
   result["termination"] = "interrupted";
   result["evaluations"] = {{"paid", 523}};
   result["starts"] = {{"refined", 0}, {"agreeing", 0}};
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("It was stopped after 523 evaluations, before any refinement had ended. "),
                     Not(HasSubstr("same optimum"))));
   result["starts"] = {{"refined", 1}, {"agreeing", 1}};
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
+  EXPECT_THAT(SummaryOf(result, Known()),
               AllOf(HasSubstr("It was stopped after 523 evaluations. Only one refinement ended, "),
                     Not(HasSubstr("same optimum"))));
   result["starts"] = {{"refined", 3}, {"agreeing", 2}};
-  EXPECT_THAT(SummaryHtml(result, Known(), {}),
-              HasSubstr("2 of 3 refinements that had ended, each from its own start"));
+  EXPECT_THAT(SummaryOf(result, Known()), HasSubstr("2 of 3 refinements that had ended, each from its own start"));
 }
 
 TEST(Summary, EscapesNames) {
   Json result = Good();
   result["channels"][0]["name"] = "<b>";
-  EXPECT_THAT(SummaryHtml(result, Known(), {}), AllOf(HasSubstr("<code>&lt;b&gt;</code>"), Not(HasSubstr("<b>"))));
+  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("<code>&lt;b&gt;</code>"), Not(HasSubstr("<b>"))));
 }
 
 }  // namespace

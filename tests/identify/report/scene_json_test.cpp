@@ -49,7 +49,7 @@ TEST(SceneJson, AnswersToThePostsAsTheSensorsDo) {
   Vehicle vehicle = ShippedVehicle("quarter_car");
   // Without a step in the damper's rate both engines are linear.
   Set(vehicle, "c_rebound", ValueOf(vehicle, "c_bump"));
-  const Json scene = SceneJson(vehicle, {{.name = "heave", .excitation = {{2.0}, {0.01}, {1.0}}}});
+  const Json scene = SceneJson(vehicle, {.steady = {{.name = "heave", .excitation = {{2.0}, {0.01}, {1.0}}}}});
   const Json& motion = scene["motions"][0];
   EXPECT_EQ(motion["frequency_Hz"][0], 2.0);
   const CondensedModel model = CondensedVehicle(vehicle).At(vehicle.ParameterValues());
@@ -72,7 +72,8 @@ TEST(SceneJson, TellsHistoriesAtFourDigits) {
   posts << 0.012, -0.004;
   Eigen::MatrixXd coordinates(2, 2);
   coordinates << 0.02, 0, -0.0150001, 0;
-  const Json scene = SceneJson(ShippedVehicle("quarter_car"), {}, {{"sweep", {1.5, 60, posts, coordinates}}});
+  const Json scene =
+      SceneJson(ShippedVehicle("quarter_car"), {.over_time = {{"sweep", {1.5, 60, posts, coordinates}}}});
   const Json& history = scene["histories"][0];
   EXPECT_EQ(history["name"], "sweep");
   EXPECT_EQ(history["frames"], 2);
@@ -90,8 +91,8 @@ TEST(SceneJson, TellsHistoriesAtFourDigits) {
 TEST(SceneJson, RefusesHistoriesOfAnotherVehicle) {
   EXPECT_THAT(
       [] {
-        SceneJson(ShippedVehicle("quarter_car"), {},
-                  {{"sweep", {0, 60, Eigen::MatrixXd::Zero(2, 1), Eigen::MatrixXd::Zero(2, 7)}}});
+        SceneJson(ShippedVehicle("quarter_car"),
+                  {.over_time = {{"sweep", {0, 60, Eigen::MatrixXd::Zero(2, 1), Eigen::MatrixXd::Zero(2, 7)}}}});
       },
       testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("7 coordinates and this vehicle 2; fit again")));
 }

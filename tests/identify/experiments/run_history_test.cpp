@@ -1,11 +1,11 @@
-#include "identify/report/history_table.h"
+#include "identify/experiments/run_history.h"
 
 #include <algorithm>
 #include <random>
 
 #include <gmock/gmock.h>
 
-#include "identify/report/findings.h"
+#include "identify/experiments/findings.h"
 #include "tests/findings.h"
 
 namespace fourpost {
@@ -41,10 +41,10 @@ TEST(HistoriesJson, ThinsLongRecordingsAndKeepsTheirExtremes) {
 TEST(RowsToShow, AreAsManyAsAreAskedForAtTheMost) {
   // Every row of a stretch that may be shown is another one: extremes lie at random.
   std::mt19937 random(1);
-  TimeColumn a;
-  TimeColumn b;
+  TableColumn a;
+  TableColumn b;
   for (int k = 0; k < 7777; ++k)
-    for (TimeColumn* column : {&a, &b}) column->values.push_back(static_cast<double>(random()));
+    for (TableColumn* column : {&a, &b}) column->values.push_back(static_cast<double>(random()));
   for (const std::size_t most : {5u, 100u, 3000u, 7776u}) {
     const std::size_t shown = RowsToShow({&a, &b}, 7777, most).size();
     EXPECT_LE(shown, most);

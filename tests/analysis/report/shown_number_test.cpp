@@ -1,4 +1,4 @@
-#include "identify/report/shown_number.h"
+#include "analysis/report/shown_number.h"
 
 #include <cmath>
 

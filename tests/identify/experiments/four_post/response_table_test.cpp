@@ -1,10 +1,10 @@
-#include "identify/report/response_table.h"
+#include "identify/experiments/four_post/response_table.h"
 
 #include <cmath>
 
 #include <gmock/gmock.h>
 
-#include "identify/report/findings.h"
+#include "identify/experiments/findings.h"
 #include "tests/findings.h"
 
 namespace fourpost {

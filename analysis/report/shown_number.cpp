@@ -1,4 +1,4 @@
-#include "identify/report/shown_number.h"
+#include "analysis/report/shown_number.h"
 
 #include <algorithm>
 #include <array>
@@ -65,6 +65,11 @@ std::string ShownUnit(const std::string& unit) {
     is_power = is_power && (c == '^' || c == '-' || (c >= '0' && c <= '9'));
   }
   return text;
+}
+
+html::Cell SdCell(double sd, int decimals) {
+  if (std::isnan(sd)) return {"\u2013", "n pm"};
+  return {"\u00b1\u2009" + (std::isinf(sd) ? std::string("open") : ShownDecimals(sd, decimals)), "n pm"};
 }
 
 int DecimalsFor(double value, double sd) {

@@ -1,17 +1,17 @@
-#include "identify/report/history_table.h"
+#include "identify/experiments/run_history.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "identify/report/findings.h"
-#include "identify/report/picture_number.h"
+#include "analysis/report/picture_number.h"
+#include "identify/experiments/findings.h"
 
 namespace fourpost {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-bool HasNumbers(const TimeColumn& column) {
+bool HasNumbers(const TableColumn& column) {
   return std::any_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
 }
 
@@ -20,7 +20,7 @@ TimeTable TableOf(const CsvTable& table, std::size_t names, std::size_t first, s
   TimeTable history{.recording = table.Text(first, names), .rows = last - first};
   for (std::size_t c = 0; c < table.columns(); ++c) {
     if (c == names) continue;
-    TimeColumn column{.name = table.names()[c], .unit = table.units().empty() ? "" : table.units()[c]};
+    TableColumn column{.name = table.names()[c], .unit = table.units().empty() ? "" : table.units()[c]};
     for (std::size_t row = first; row < last; ++row) column.values.push_back(table.Number(row, c).value_or(NAN));
     if (HasNumbers(column)) history.columns.push_back(std::move(column));
   }
@@ -28,11 +28,11 @@ TimeTable TableOf(const CsvTable& table, std::size_t names, std::size_t first, s
 }
 
 OrderedJson RecordingJson(const TimeTable& history, std::size_t most) {
-  std::vector<const TimeColumn*> columns;
-  for (const TimeColumn& column : history.columns) columns.push_back(&column);
+  std::vector<const TableColumn*> columns;
+  for (const TableColumn& column : history.columns) columns.push_back(&column);
   const std::set<std::size_t> rows = RowsToShow(columns, history.rows, most);
   OrderedJson list = OrderedJson::array();
-  for (const TimeColumn& column : history.columns)
+  for (const TableColumn& column : history.columns)
     list.push_back({{"name", column.name}, {"unit", column.unit}, {"values", ShownValues(column, rows)}});
   return {{"recording", history.recording},
           {"columns", std::move(list)},
@@ -42,9 +42,9 @@ OrderedJson RecordingJson(const TimeTable& history, std::size_t most) {
 
 }  // namespace
 
-const TimeColumn* TimeTable::Find(const std::string& name) const {
+const TableColumn* TimeTable::Find(const std::string& name) const {
   const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const TimeColumn& column) { return column.name == name; });
+      std::find_if(columns.begin(), columns.end(), [&](const TableColumn& column) { return column.name == name; });
   return found == columns.end() ? nullptr : &*found;
 }
 
@@ -65,14 +65,14 @@ std::vector<TimeTable> ReadHistories(const std::string& text, const std::string&
   return histories;
 }
 
-std::set<std::size_t> RowsToShow(const std::vector<const TimeColumn*>& columns, std::size_t rows, std::size_t most) {
+std::set<std::size_t> RowsToShow(const std::vector<const TableColumn*>& columns, std::size_t rows, std::size_t most) {
   std::set<std::size_t> shown;
   // Of each stretch its first row, and two of each column.
   const std::size_t stretches = std::max<std::size_t>(most / (2 * columns.size() + 1), 1);
   const std::size_t stretch = rows <= most ? 1 : (rows + stretches - 1) / stretches;
   for (std::size_t first = 0; first < rows; first += stretch) {
     shown.insert(first);
-    for (const TimeColumn* column : columns) {
+    for (const TableColumn* column : columns) {
       if (stretch == 1) break;
       const auto begin = column->values.begin() + static_cast<std::ptrdiff_t>(first);
       const auto end = column->values.begin() + static_cast<std::ptrdiff_t>(std::min(first + stretch, rows));
@@ -84,7 +84,7 @@ std::set<std::size_t> RowsToShow(const std::vector<const TimeColumn*>& columns, 
   return shown;
 }
 
-OrderedJson ShownValues(const TimeColumn& column, const std::set<std::size_t>& rows) {
+OrderedJson ShownValues(const TableColumn& column, const std::set<std::size_t>& rows) {
   OrderedJson values = OrderedJson::array();
   for (const std::size_t row : rows) values.push_back(PictureNumber(column.values[row]));
   return values;

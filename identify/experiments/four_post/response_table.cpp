@@ -1,4 +1,4 @@
-#include "identify/report/response_table.h"
+#include "identify/experiments/four_post/response_table.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "analysis/files/csv.h"
-#include "identify/report/findings.h"
+#include "identify/experiments/findings.h"
 
 namespace fourpost {
 namespace {

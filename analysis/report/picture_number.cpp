@@ -1,4 +1,4 @@
-#include "identify/report/picture_number.h"
+#include "analysis/report/picture_number.h"
 
 #include <array>
 #include <charconv>
@@ -14,6 +14,12 @@ nlohmann::ordered_json PictureNumber(double value) {
   std::from_chars(text.data(), end, rounded);
   if (rounded == std::round(rounded) && std::abs(rounded) < 1e9) return static_cast<std::int64_t>(rounded);
   return rounded;
+}
+
+nlohmann::ordered_json PictureNumbers(const std::vector<double>& values) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const double value : values) list.push_back(PictureNumber(value));
+  return list;
 }
 
 }  // namespace fourpost

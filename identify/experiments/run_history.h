@@ -10,7 +10,7 @@
 
 namespace fourpost {
 
-struct TimeColumn {
+struct TableColumn {
   std::string name;
   /// Empty where the file has none.
   std::string unit;
@@ -21,11 +21,11 @@ struct TimeColumn {
 /// A recording of a history.csv or bench.csv. A column in which it has nothing is left out.
 struct TimeTable {
   std::string recording;
-  std::vector<TimeColumn> columns;
+  std::vector<TableColumn> columns;
   std::size_t rows = 0;
 
   /// Null where there is none.
-  const TimeColumn* Find(const std::string& name) const;
+  const TableColumn* Find(const std::string& name) const;
 };
 
 /// Reads such a file, which has a column `recording`, and numbers in all others. Throws FaultyInput.
@@ -34,10 +34,10 @@ std::vector<TimeTable> ReadHistories(const std::string& text, const std::string&
 
 /// All of `rows`; of more than `most`, the first of each stretch and those that hold its least and greatest value of
 /// each column, `most` together or a few less; of one stretch alone where there are about as many columns.
-std::set<std::size_t> RowsToShow(const std::vector<const TimeColumn*>& columns, std::size_t rows, std::size_t most);
+std::set<std::size_t> RowsToShow(const std::vector<const TableColumn*>& columns, std::size_t rows, std::size_t most);
 
 /// Values of these rows.
-nlohmann::ordered_json ShownValues(const TimeColumn& column, const std::set<std::size_t>& rows);
+nlohmann::ordered_json ShownValues(const TableColumn& column, const std::set<std::size_t>& rows);
 
 /// So that each recording takes some megabytes at the most, and a zoom still shows each cycle.
 inline constexpr std::size_t kMostHistoryRows = 50000;

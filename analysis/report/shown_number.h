@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "analysis/report/html.h"
+
 namespace fourpost {
 
 /// At so many significant digits, without an exponent from 1e-4 to 1e7, thousands apart by a thin space, and with a
@@ -17,6 +19,9 @@ std::string ShownDecimals(double value, int decimals);
 /// Decimals at which a value is shown that is known to this standard deviation: two digits of that; four digits of the
 /// value where the deviation is not finite.
 int DecimalsFor(double value, double sd);
+
+/// A standard deviation beside its value; a dash where there is none.
+html::Cell SdCell(double sd, int decimals);
 
 /// A unit with dots and raised powers: "kg\u00b7m\u00b2" for "kg*m^2".
 std::string ShownUnit(const std::string& unit);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 #include <Eigen/Core>
@@ -9,7 +11,9 @@ namespace fourpost {
 /// Six significant digits, which is more than a picture shows and a third of the text; null when not finite.
 nlohmann::ordered_json PictureNumber(double value);
 
-/// A list of them, column by column.
+/// A list of them.
+nlohmann::ordered_json PictureNumbers(const std::vector<double>& values);
+/// Likewise, column by column.
 template <typename Derived>
 nlohmann::ordered_json PictureNumbers(const Eigen::DenseBase<Derived>& values) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();

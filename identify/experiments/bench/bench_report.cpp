@@ -1,0 +1,80 @@
+#include "identify/experiments/bench/bench_report.h"
+
+#include <array>
+#include <vector>
+
+#include "analysis/report/html.h"
+#include "identify/experiments/run_history.h"
+#include "identify/experiments/shared_curves.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kCycles = "bench.csv";
+
+class CycleData : public ExperimentData {
+ public:
+  explicit CycleData(const RunFolder& run) {
+    if (const std::string* text = run.Find(kCycles))
+      recordings_ = HistoriesJson(*text, run.FileNamed(kCycles), CsvHeader::kNames);
+  }
+
+  bool empty() const override { return recordings_.empty(); }
+  bool IsOnPosts() const override { return false; }
+  Json Drawn() const override { return {{"bench", recordings_}}; }
+
+  std::vector<ReportSection> Sections() const override {
+    return {{"bench", "Damper bench",
+             html::Drawn("bench", "The charts need JavaScript; bench.csv beside this file has their numbers."), true}};
+  }
+
+ private:
+  Json recordings_ = Json::array();
+};
+
+Json SharedForces(std::span<const RunFolder> runs) {
+  std::vector<std::vector<TimeTable>> tables(runs.size());
+  std::vector<std::vector<TimedChannel>> of_runs(runs.size());
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const std::string* text = runs[r].Find(kCycles);
+    if (text == nullptr) continue;
+    tables[r] = ReadHistories(*text, runs[r].FileNamed(kCycles), CsvHeader::kNames);
+    for (const TimeTable& table : tables[r])
+      AddChannel(table, "force", "time_s", "measured_N", "modelled_N", of_runs[r]);
+  }
+  const auto describe = [](const TimedChannel& first, const std::set<std::size_t>& rows) -> Json {
+    Json columns = Json::array();
+    for (const TableColumn& column : first.table->columns)
+      if (&column != first.modelled) columns.push_back({{"name", column.name}, {"values", ShownValues(column, rows)}});
+    return {{"columns", std::move(columns)}};
+  };
+  return SharedOverTime(of_runs, runs, describe);
+}
+
+class DamperReport : public ExperimentReport {
+ public:
+  std::string_view Name() const override { return "damper bench"; }
+  std::vector<std::string> Files() const override { return {kCycles}; }
+  bool IsIn(const RunFolder& run) const override { return run.Find(kCycles) != nullptr; }
+  std::unique_ptr<ExperimentData> Read(const RunFolder& run) const override { return std::make_unique<CycleData>(run); }
+
+  void EraseUnseen(nlohmann::json& study) const override {
+    constexpr std::array<const char*, 3> kPlaces = {"damper", "recordings", "validation"};
+    if (study.contains("bench")) EraseKeys(study["bench"], kPlaces);
+  }
+
+  std::vector<ComparedCurves> Compare(std::span<const RunFolder> runs) const override {
+    return {{"bench", "Damper bench", SharedForces(runs)}};
+  }
+};
+
+}  // namespace
+
+const ExperimentReport& BenchReport() {
+  static const DamperReport report;
+  return report;
+}
+
+}  // namespace fourpost

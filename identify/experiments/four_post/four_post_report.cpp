@@ -1,0 +1,178 @@
+#include "identify/experiments/four_post/four_post_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "analysis/report/html.h"
+#include "analysis/report/picture_number.h"
+#include "analysis/report/shown_number.h"
+#include "identify/experiments/four_post/response_remarks.h"
+#include "identify/experiments/four_post/response_table.h"
+#include "identify/experiments/shared_curves.h"
+#include "identify/study_file/result_reader.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kResponses = "response.csv";
+
+std::vector<ComparedChannel> ChannelsOf(const RunFolder& run) {
+  const std::string* text = run.Find(kResponses);
+  return text == nullptr ? std::vector<ComparedChannel>() : ReadResponseTable(*text, run.FileNamed(kResponses));
+}
+
+bool HasNumbers(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+Json ChannelJson(const ComparedChannel& channel) {
+  Json json = {{"recording", channel.recording},
+               {"name", channel.name},
+               {"unit", channel.unit},
+               {"frequency_Hz", PictureNumbers(channel.frequency_Hz)},
+               {"in_band", channel.in_band},
+               {"gain_measured", PictureNumbers(channel.gain_measured)},
+               {"gain_modelled", PictureNumbers(channel.gain_modelled)},
+               {"gain_start", PictureNumbers(channel.gain_start)},
+               {"gain_sd", PictureNumbers(channel.gain_sd)},
+               {"phase_measured", PictureNumbers(channel.phase_measured_deg)},
+               {"phase_modelled", PictureNumbers(channel.phase_modelled_deg)},
+               {"phase_start", PictureNumbers(channel.phase_start_deg)},
+               {"phase_sd", PictureNumbers(channel.phase_sd_deg)}};
+  if (HasNumbers(channel.mean_measured)) {
+    json["mean_measured"] = PictureNumbers(channel.mean_measured);
+    json["mean_modelled"] = PictureNumbers(channel.mean_modelled);
+  }
+  return json;
+}
+
+/// "0.5 to 12 Hz"
+std::string BandText(const nlohmann::json& result) {
+  const std::vector<nlohmann::json> band = ListAt(result, "band_Hz");
+  if (band.size() != 2 || !band[0].is_number() || !band[1].is_number()) return "";
+  return ShownShort(band[0].get<double>(), 4) + " to " + ShownShort(band[1].get<double>(), 4) + " Hz";
+}
+
+class ResponseData : public ExperimentData {
+ public:
+  explicit ResponseData(const RunFolder& run) : result_(run.result), channels_(ChannelsOf(run)) {}
+
+  bool empty() const override { return channels_.empty(); }
+
+  Json Drawn() const override {
+    Json list = Json::array();
+    for (const ComparedChannel& channel : channels_) list.push_back(ChannelJson(channel));
+    return {{"responses", std::move(list)}};
+  }
+
+  std::vector<ReportSection> Sections() const override {
+    return {{"responses", "Frequency responses",
+             html::Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them."), true},
+            {"residuals", "Residuals by band",
+             html::Drawn("residuals", "The table needs JavaScript; response.csv beside this file has its numbers.")}};
+  }
+
+  ReportRemarks Remarks() const override {
+    ReportRemarks remarks = ResponseRemarks(channels_);
+    remarks.modelled = ListAt(result_, "responses");
+    return remarks;
+  }
+
+  /// Of recordings whose posts' motion is known.
+  void AddMotions(const Vehicle& vehicle, RecordedMotions& motions) const override {
+    for (const nlohmann::json& recording : ListAt(result_, "recordings")) {
+      const std::string name = TextAt(recording, "name");
+      const auto channel = std::find_if(channels_.begin(), channels_.end(),
+                                        [&](const ComparedChannel& candidate) { return candidate.recording == name; });
+      if (channel == channels_.end()) continue;
+      const nlohmann::json posts = recording.value("posts", nlohmann::json());
+      RecordedMotion motion{.name = name, .excitation = {channel->frequency_Hz, channel->post_amplitude_m, {}}};
+      for (const Post& post : vehicle.posts) {
+        const double share = NumberAt(posts, post.name);
+        motion.excitation.shape.push_back(std::isfinite(share) ? share : 0);
+      }
+      motions.steady.push_back(std::move(motion));
+    }
+  }
+
+ private:
+  const nlohmann::json& result_;
+  std::vector<ComparedChannel> channels_;
+};
+
+Json SharedResponses(std::span<const RunFolder> runs) {
+  std::vector<std::vector<ComparedChannel>> of_runs;
+  for (const RunFolder& run : runs) of_runs.push_back(ChannelsOf(run));
+  const auto is_same = [](const ComparedChannel& a, const ComparedChannel& b) {
+    return a.recording == b.recording && a.name == b.name && AreAlike(a.frequency_Hz, b.frequency_Hz) &&
+           AreAlike(a.gain_measured, b.gain_measured) && AreAlike(a.phase_measured_deg, b.phase_measured_deg);
+  };
+  Json list = Json::array();
+  for (const Shared<ComparedChannel>& shared : SharedOf(of_runs, is_same)) {
+    const ComparedChannel& first = *shared.front().item;
+    const bool has_mean = HasNumbers(first.mean_measured);
+    Json lines = Json::array();
+    for (const auto& [run, channel] : shared) {
+      lines.push_back({{"run", run},
+                       {"gain", PictureNumbers(channel->gain_modelled)},
+                       {"phase", PictureNumbers(channel->phase_modelled_deg)}});
+      if (has_mean) lines.back()["mean"] = PictureNumbers(channel->mean_modelled);
+    }
+    list.push_back({{"recording", first.recording},
+                    {"name", first.name},
+                    {"unit", first.unit},
+                    {"frequency_Hz", PictureNumbers(first.frequency_Hz)},
+                    {"gain_measured", PictureNumbers(first.gain_measured)},
+                    {"gain_sd", PictureNumbers(first.gain_sd)},
+                    {"phase_measured", PictureNumbers(first.phase_measured_deg)},
+                    {"phase_sd", PictureNumbers(first.phase_sd_deg)},
+                    {"runs", std::move(lines)}});
+    if (has_mean) list.back()["mean_measured"] = PictureNumbers(first.mean_measured);
+  }
+  return list;
+}
+
+class SteadyReport : public ExperimentReport {
+ public:
+  std::string_view Name() const override { return "stepped sines"; }
+  std::vector<std::string> Files() const override { return {kResponses}; }
+  bool IsIn(const RunFolder& run) const override { return run.Find(kResponses) != nullptr; }
+  std::unique_ptr<ExperimentData> Read(const RunFolder& run) const override {
+    return std::make_unique<ResponseData>(run);
+  }
+  bool JoinsRecordings() const override { return true; }
+
+  std::map<ChannelGroup, double> RecordingErrors(const nlohmann::json& result) const override {
+    std::map<ChannelGroup, double> errors;
+    for (const nlohmann::json& recording : ListAt(result, "recordings"))
+      if (const double error = NumberAt(recording, "nmse_percent"); std::isfinite(error))
+        errors[{TextAt(recording, "name"), BandText(result)}] = error;
+    return errors;
+  }
+
+  /// The band. Fits of time histories alone once stated one from 0 to 0 Hz.
+  nlohmann::json FittedData(const nlohmann::json& result) const override {
+    return ListAt(result, "recordings").empty() ? nlohmann::json() : result.value("band_Hz", nlohmann::json());
+  }
+
+  void EraseUnseen(nlohmann::json& study) const override {
+    if (study.contains("recordings")) study["recordings"] = FittedEntries(study["recordings"]);
+  }
+
+  std::vector<ComparedCurves> Compare(std::span<const RunFolder> runs) const override {
+    return {{"responses", "Frequency responses", SharedResponses(runs)}};
+  }
+};
+
+}  // namespace
+
+const ExperimentReport& FourPostReport() {
+  static const SteadyReport report;
+  return report;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,177 @@
+#include "identify/experiments/recording_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/files/recorded_unit.h"
+#include "analysis/text/number.h"
+#include "analysis/text/text_table.h"
+#include "identify/experiments/findings.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct OverTime {
+  RecordingSummary summary;
+  /// Lines of the rows that lack a number first, a column each; 0 where none does and of a MAT file.
+  std::vector<int> missing_lines;
+  /// Why a fit to its channels would not take it.
+  std::vector<std::string> refusals;
+};
+
+/// Of a column without a number whether it holds anything else, as "1.000,5".
+bool HoldsText(const RecordedTable& table, const std::string& name) {
+  const std::optional<std::size_t> column = table.FindColumn(name);
+  if (!column) return false;
+  for (std::size_t row = 0; row < table.rows(*column); ++row)
+    if (!table.Text(row, *column).empty()) return true;
+  return false;
+}
+
+/// Of columns that ReadTimeRecording was not asked for, since their units are not known: those that are not as long as
+/// the times, and so no channels of this record.
+void AddLengths(const RecordingSummary& summary, const RecordedTable& table, std::vector<std::string>& refusals) {
+  if (!summary.time) return;
+  Diagnostics faults;
+  const std::size_t samples = table.rows(*table.FindColumn(summary.time->column));
+  for (const ColumnSummary& column : summary.columns)
+    if (!column.unit_known && column.samples != samples)
+      faults.Report(kChannelLength, {}, {column.name, std::to_string(column.samples), std::to_string(samples)});
+  for (const Diagnostic& fault : faults.items()) refusals.push_back(RefusalText(fault));
+}
+
+/// A record may be as uneven as times with few digits are.
+constexpr double kUneven = 0.5;
+
+/// What would keep a study from using it, or should be looked at.
+std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) {
+  std::vector<std::string> remarks;
+  if (column.missing == column.samples) return {"no numbers"};
+  if (column.missing > 0)
+    remarks.push_back(std::to_string(column.missing) + " missing, first in " +
+                      (missing_line > 0 ? "line " + std::to_string(missing_line)
+                                        : "sample " + std::to_string(column.first_missing + 1)));
+  if (column.unit.empty()) remarks.emplace_back("no unit");
+  else if (!column.unit_known) remarks.push_back("unknown unit '" + column.unit + "'");
+  if (column.minimum == column.maximum) remarks.emplace_back("constant");
+  const auto clipped = [&](std::size_t samples, double at) {
+    if (samples > 0) remarks.push_back("clipped: " + std::to_string(samples) + " samples at " + Rounded(at, 4));
+  };
+  clipped(column.clipped_top, column.maximum);
+  clipped(column.clipped_bottom, column.minimum);
+  // A level's rounding has the deviation level/sqrt(12).
+  if (column.rms > 0 && column.level / std::sqrt(12.0) > 0.05 * column.rms)
+    remarks.push_back("coarse resolution: levels of " + Rounded(100 * column.level / column.rms, 2) + " % of its rms");
+  return remarks;
+}
+
+std::string Joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  return text;
+}
+
+/// With the digits that it has, up to nine decimals.
+std::string Short(double value) { return FormatNumber(std::round(1e9 * value), -9); }
+
+std::string TimesText(const RecordingSummary& summary) {
+  if (!summary.time) return "no column of rising times: name it in the study, time: {channel: NAME, unit: s}\n";
+  const TimeSummary& time = *summary.time;
+  std::string text = Short(time.start_s) + " to " + Short(time.end_s) + " s at " +
+                     Short(std::round(1e4 * time.rate_Hz) / 1e4) + " Hz ('" + time.column + "')\n";
+  constexpr std::size_t kMost = 5;
+  for (std::size_t i = 0; i < std::min(kMost, time.gaps.size()); ++i) {
+    const TimeGap& gap = time.gaps[i];
+    text += "gap: from " + Short(gap.from_s) + " to " + Short(gap.to_s) + " s" +
+            (gap.line > 0 ? ", line " + std::to_string(gap.line) : "") + '\n';
+  }
+  if (time.gaps.size() > kMost) text += "and " + std::to_string(time.gaps.size() - kMost) + " more gaps\n";
+  if (time.unevenness > kUneven)
+    text += "uneven: up to " + Rounded(time.unevenness, 2) + " samples off a constant rate; resample the recording\n";
+  return text;
+}
+
+std::string TextOf(const OverTime& content) {
+  TextTable table({"channel", "unit", "minimum", "maximum", "mean", "rms", "level", "remarks"});
+  const std::vector<ColumnSummary>& columns = content.summary.columns;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const ColumnSummary& c = columns[i];
+    table.Add({c.name, c.unit, Rounded(c.minimum, 4), Rounded(c.maximum, 4), Rounded(c.mean, 4), Rounded(c.rms, 4),
+               Rounded(c.level, 2), Joined(Remarks(c, content.missing_lines[i]))});
+  }
+  std::string refusals;
+  for (const std::string& refusal : content.refusals) refusals += "  " + refusal + '\n';
+  if (!refusals.empty()) refusals = "a fit refuses this recording:\n" + refusals;
+  const std::size_t samples = columns.empty() ? 0 : columns.front().samples;
+  return "time history, " + std::to_string(samples) + " samples, " + TimesText(content.summary) + table.Format() +
+         "rms: about the mean; level: smallest difference between two values\n" + refusals;
+}
+
+Json JsonOf(const OverTime& content) {
+  Json json = {
+      {"kind", "time_history"}, {"time", nullptr}, {"channels", Json::array()}, {"refusals", content.refusals}};
+  if (const std::optional<TimeSummary>& time = content.summary.time) {
+    Json gaps = Json::array();
+    for (const TimeGap& gap : time->gaps)
+      gaps.push_back({{"line", gap.line == 0 ? Json() : Json(gap.line)}, {"from_s", gap.from_s}, {"to_s", gap.to_s}});
+    json["time"] = {{"column", time->column}, {"start_s", time->start_s},
+                    {"end_s", time->end_s},   {"rate_Hz", time->rate_Hz},
+                    {"gaps", gaps},           {"unevenness_samples", time->unevenness}};
+  }
+  for (std::size_t i = 0; i < content.summary.columns.size(); ++i) {
+    const ColumnSummary& c = content.summary.columns[i];
+    json["channels"].push_back({{"name", c.name},
+                                {"unit", c.unit},
+                                {"unit_known", c.unit_known},
+                                {"samples", c.samples},
+                                {"missing", c.missing},
+                                {"minimum", c.minimum},
+                                {"maximum", c.maximum},
+                                {"mean", c.mean},
+                                {"rms", c.rms},
+                                {"level", c.level},
+                                {"clipped_top", c.clipped_top},
+                                {"clipped_bottom", c.clipped_bottom},
+                                {"remarks", Remarks(c, content.missing_lines[i])}});
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string RefusalText(const Diagnostic& fault) {
+  return (fault.place.line > 0 ? "line " + std::to_string(fault.place.line) + ": " : "") + fault.message +
+         (fault.id.empty() ? "" : " [" + fault.id + "]");
+}
+
+std::vector<RecordedChannel> ChannelsInKnownUnits(const RecordedTable& table, const RecordingSummary& summary) {
+  std::vector<RecordedChannel> channels;
+  for (const ColumnSummary& column : summary.columns)
+    if (column.unit_known && (column.missing < column.samples || HoldsText(table, column.name)))
+      channels.push_back({{column.name}, ParseRecordedUnit(column.unit)->dimension, "a channel"});
+  return channels;
+}
+
+RecordingLook LookOverTime(const std::filesystem::path& file, const RecordedTable& table,
+                           const RecordingSummary& summary, const std::vector<RecordedChannel>& channels,
+                           const FurtherRefusals& further) {
+  OverTime content{.summary = summary};
+  if (!channels.empty()) {
+    RecordedChannel time = kTimeColumn;
+    if (summary.time) time.names = {summary.time->column};
+    Diagnostics faults;
+    const std::optional<TimeRecording> recording = ReadTimeRecording(file, channels, faults, time);
+    for (const Diagnostic& fault : faults.items()) content.refusals.push_back(RefusalText(fault));
+    if (recording)
+      for (std::string& refusal : further(*recording)) content.refusals.push_back(std::move(refusal));
+  }
+  AddLengths(summary, table, content.refusals);
+  for (const ColumnSummary& column : summary.columns)
+    content.missing_lines.push_back(column.missing > 0 ? table.line(column.first_missing) : 0);
+  return {TextOf(content), JsonOf(content)};
+}
+
+}  // namespace fourpost

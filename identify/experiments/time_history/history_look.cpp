@@ -1,0 +1,21 @@
+#include "identify/experiments/time_history/history_look.h"
+
+#include "analysis/files/recording_layout.h"
+
+namespace fourpost {
+namespace {
+
+/// Any that has rows over time, or is to have them.
+bool IsOverTime(const RecordedTable& table) { return !IsSteppedSine(table); }
+
+std::optional<RecordingLook> LookAt(const std::filesystem::path& file, const RecordedTable& table, Diagnostics&) {
+  const RecordingSummary summary = Summarise(table);
+  const auto none = [](const TimeRecording&) { return std::vector<std::string>(); };
+  return LookOverTime(file, table, summary, ChannelsInKnownUnits(table, summary), none);
+}
+
+}  // namespace
+
+const RecordingViewer kHistoryViewer{.takes = &IsOverTime, .look = &LookAt};
+
+}  // namespace fourpost
