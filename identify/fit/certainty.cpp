@@ -113,6 +113,17 @@ double DeviationOf(const Parameter& parameter, const FitVariables& variables, In
                                      : *parameter.prior_sd / (parameter.upper - parameter.lower);
 }
 
+/// Of the free parameters, in FitVariables; infinite without a prior.
+Eigen::VectorXd PriorDeviations(const VehicleObjective& objective, const Lattice& lattice,
+                                const Eigen::VectorXd& values) {
+  const Eigen::VectorXd slopes = FitVariables(lattice).Slopes(values);
+  Eigen::VectorXd deviations = Eigen::VectorXd::Constant(slopes.size(), std::numeric_limits<double>::infinity());
+  for (Index j = 0; j < slopes.size(); ++j)
+    if (const auto& sd = objective.vehicle().parameters[objective.free()[static_cast<std::size_t>(j)]].prior_sd)
+      deviations[j] = *sd / slopes[j];
+  return deviations;
+}
+
 std::vector<std::size_t> PlacesHeld(const VehicleObjective& objective) {
   std::vector<std::size_t> places;
   const std::vector<std::size_t>& free = objective.free();
@@ -241,6 +252,7 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
   if (!held.places.empty()) by_held = optimum.MovedBy(held, certainty.judged);
   for (const std::size_t place : held.places) certainty.held.push_back(objective.vehicle().parameters[place].name);
   certainty.by_held = Eigen::MatrixXd::Zero(by_held.cols(), count);
+  const Eigen::VectorXd known = PriorDeviations(objective, lattice, best.values);
   for (std::size_t i = 0; i < certainty.judged.size(); ++i) {
     const auto row = static_cast<Index>(i);
     const Index j = certainty.judged[i];
@@ -250,6 +262,8 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
     const double disagreement =
         certainty.model_error.is_significant ? certainty.model_error.reach[row] / certainty.covariance.reach_95 : 0;
     certainty.model_sd[j] = std::sqrt(std::max(0.0, disagreement * disagreement - noise * noise));
+    certainty.held_sd[j] = std::min(certainty.held_sd[j], known[j]);
+    certainty.model_sd[j] = std::min(certainty.model_sd[j], known[j]);
     certainty.total_sd[j] = std::hypot(noise, certainty.held_sd[j], certainty.model_sd[j]);
   }
   return certainty;

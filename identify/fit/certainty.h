@@ -51,7 +51,7 @@ struct Certainty {
   std::string LimitedBy(Eigen::Index parameter) const;
 };
 
-/// Of the parameters that are not free but have a range, at these values of the free ones; pays for differences in
+/// Of the parameters that are not free but have a range, at these values of the free ones; adds evaluations to
 /// `evaluated`. Those whose derivative cannot be evaluated are left out.
 HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
                       int threads, const std::function<bool()>& stop, std::int64_t& evaluated);

@@ -162,7 +162,7 @@ std::string ParametersSideBySideHtml(const std::vector<ComparedRun>& runs) {
   }
   return rows.empty() ? ""
                       : html::Table(Head({"parameter", "unit"}, runs), rows) +
-                            "<p class=\"note\">Fitted value, below it the 95 % confidence interval; blank where a run "
+                            "<p class=\"note\">Fitted value, below it the confidence interval; blank where a run "
                             "did not fit "
                             "it.</p>\n";
 }

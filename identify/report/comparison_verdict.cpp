@@ -98,6 +98,43 @@ std::string Doubts(const std::vector<ComparedRun>& runs) {
   return text;
 }
 
+/// Difference over the deviation of the difference; 0 where an interval is missing or both overlap.
+double Contradiction(const ReportedParameter& one, const ReportedParameter& other) {
+  if (!std::isfinite(one.sd) || !std::isfinite(other.sd)) return 0;
+  if (one.lower_95 <= other.upper_95 && other.lower_95 <= one.upper_95) return 0;
+  return std::abs(one.value - other.value) / std::hypot(one.sd, other.sd);
+}
+
+/// "k_front (A 54.3 kN/m, B 48.1 kN/m: 3.2 standard deviations), ..." of two runs, the worst first.
+std::string ContradictionsOf(const ComparedRun& a, const ComparedRun& b) {
+  std::vector<std::pair<double, std::string>> found;
+  for (const ReportedParameter& one : a.parameters)
+    for (const ReportedParameter& other : b.parameters) {
+      if (one.name != other.name || one.unit != other.unit) continue;
+      const double by = Contradiction(one, other);
+      if (by == 0) continue;
+      found.emplace_back(by, html::Escaped(one.name) + " (" + ShownNumber(one.value, 3) + " and " +
+                                 ShownNumber(other.value, 3) + ' ' + html::Escaped(one.unit) + ", " +
+                                 ShownNumber(by, 2) + " standard deviations)");
+    }
+  std::stable_sort(found.begin(), found.end(), [](const auto& x, const auto& y) { return x.first > y.first; });
+  std::string text;
+  for (const auto& [by, words] : found) text += (text.empty() ? "" : ", ") + words;
+  return text;
+}
+
+/// Parameters on which two runs disagree by more than both say they could be wrong.
+std::string Contradictions(const std::vector<ComparedRun>& runs) {
+  std::string text;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (std::size_t k = i + 1; k < runs.size(); ++k)
+      if (const std::string found = ContradictionsOf(runs[i], runs[k]); !found.empty())
+        text += Name(runs[i]) + " and " + Name(runs[k]) +
+                " contradict each other, their intervals do not meet: " + found + ". ";
+  if (text.empty()) return "";
+  return text + "Data or models differ in what these parameters stand for: at least one model lacks something.";
+}
+
 }  // namespace
 
 std::string VerdictHtml(const std::vector<ComparedRun>& runs, const std::optional<ModelRanking>& ranking) {
@@ -112,8 +149,10 @@ std::string VerdictHtml(const std::vector<ComparedRun>& runs, const std::optiona
   else if (!predicted.empty()) text += Text(RankByPrediction(runs, predicted));
   const bool tells = ranking || fits || !predicted.empty();
   const std::string doubts = Doubts(runs);
+  const std::string contradictions = Contradictions(runs);
   return html::Element("p", tells ? "verdict good" : "verdict open", text) + '\n' +
-         (doubts.empty() ? "" : html::Element("p", "note", doubts) + '\n');
+         (doubts.empty() ? "" : html::Element("p", "note", doubts) + '\n') +
+         (contradictions.empty() ? "" : html::Element("p", "note", contradictions) + '\n');
 }
 
 }  // namespace fourpost

@@ -23,7 +23,7 @@ double ShareOfRange(const ReportedParameter& parameter, double value) {
   return std::clamp((value - parameter.lower) / (parameter.upper - parameter.lower), 0.0, 1.0);
 }
 
-/// Whether the interval of 95 % reaches beyond a bound.
+/// Whether the interval reaches beyond a bound.
 bool BelowLower(const ReportedParameter& parameter) {
   return std::isfinite(parameter.sd) && parameter.lower_95 < parameter.lower;
 }
@@ -36,7 +36,7 @@ Cell BarCell(const ReportedParameter& parameter) {
   // Open: anything between the bounds.
   const double from = std::isfinite(parameter.sd) ? ShareOfRange(parameter, parameter.lower_95) : 0;
   const double to = std::isfinite(parameter.sd) ? ShareOfRange(parameter, parameter.upper_95) : 1;
-  std::string bar = "<span class=\"bar\" title=\"between the bounds: interval of 95 %, fitted value, start\">";
+  std::string bar = "<span class=\"bar\" title=\"between the bounds: interval, fitted value, start\">";
   if (!std::isnan(parameter.sd))
     bar += "<i class=\"interval" + std::string(std::isinf(parameter.sd) ? " open" : "") +
            (BelowLower(parameter) ? " below" : "") + (AboveUpper(parameter) ? " above" : "") +
@@ -68,6 +68,8 @@ Cell RemarkCell(const ReportedParameter& parameter) {
     remark += std::string(", interval reaches beyond ") + (below && above ? "both bounds"
                                                            : below        ? "the lower bound"
                                                                           : "the upper bound");
+  if (!parameter.limited_by.empty() && std::isfinite(parameter.sd))
+    remark += (remark.empty() ? "" : ", ") + ("limited by " + parameter.limited_by);
   std::string cell = html::Escaped(remark);
   if (std::abs(parameter.correlation) > 0.8 && std::isfinite(parameter.sd))
     cell += (cell.empty() ? "" : "; ") + std::string("correlated with ") +
@@ -149,17 +151,28 @@ std::string PolesText(const Json& mode) {
 std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters, const std::string& why_none) {
   const bool has_sd =
       std::any_of(parameters.begin(), parameters.end(), [](const auto& parameter) { return parameter.IsJudged(); });
+  const bool lacks = std::any_of(parameters.begin(), parameters.end(), [](const ReportedParameter& parameter) {
+    return parameter.limited_by.starts_with("model");
+  });
   Rows rows;
   for (const ReportedParameter& parameter : parameters) rows.push_back(ParameterRow(parameter, has_sd));
   if (rows.empty()) return "";
   return html::Table(ParameterHead(has_sd), rows) +
          html::Element(
              "p", "note",
-             has_sd ? "Bar: interval of 95 %, with an arrow where it reaches beyond a bound; dot: fitted value; tick: "
-                      "start. \"sd, %\": of the value, or of the range where the bounds have both signs. Standard "
-                      "deviations follow from noise and the stated model error, scaled up where residuals are larger; "
-                      "they do not include what a richer model would change."
-                    : "Bar: the bounds; dot: fitted value; tick: start. " + html::Escaped(why_none)) +
+             has_sd
+                 ? "Bar: " +
+                       std::string(lacks ? "interval that holds the truth in 80 to 90 % of cases"
+                                         : "interval of 95 %") +
+                       ", with an arrow where it reaches beyond a bound; dot: fitted value; tick: start. \"sd, %\": of "
+                       "the value, or of the range where the bounds have both signs. " +
+                       (lacks
+                            ? "Parts of the data contradict the model beyond noise, so standard deviations and "
+                              "intervals are widened by how far these parts pull the parameters apart. A richer model "
+                              "can narrow them."
+                            : "Standard deviations follow from noise, held parameters and the stated model error, "
+                              "scaled up where residuals are larger.")
+                 : "Bar: the bounds; dot: fitted value; tick: start. " + html::Escaped(why_none)) +
          '\n';
 }
 

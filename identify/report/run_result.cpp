@@ -31,6 +31,7 @@ ParameterState StateOf(const Json& parameter, bool has_covariance) {
 void ReadInterval(const Json& parameter, double si, ReportedParameter& reported) {
   constexpr double kReach = 1.96;
   const std::vector<Json> interval = ListAt(parameter, "interval_95");
+  reported.limited_by = TextAt(parameter, "limited_by");
   const bool is_told = interval.size() == 2 && interval[0].is_number() && interval[1].is_number();
   reported.lower_95 = is_told ? interval[0].get<double>() / si : reported.value - kReach * reported.sd;
   reported.upper_95 = is_told ? interval[1].get<double>() / si : reported.value + kReach * reported.sd;

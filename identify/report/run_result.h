@@ -28,6 +28,8 @@ struct ReportedParameter {
   double lower_95 = 0;
   double upper_95 = 0;
   bool at_bound = false;
+  /// What most of the deviation comes from: "noise", "model: struts", "held: k"; empty of runs of older versions.
+  std::string limited_by;
   /// Whether anything was found out of its deviation, such as that it has none.
   bool IsJudged() const { return state != ParameterState::kNotComputed || !std::isnan(sd); }
   /// "lower" or "upper", of one at its bound.

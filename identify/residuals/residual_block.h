@@ -30,7 +30,7 @@ struct ResidualBlock {
   /// For what is known of the parameters; empty: nothing beyond that all residuals are independent.
   ResidualStructure structure = {};
   /// The same block with noise added to its inputs, `sign` times always the same one, of the size that is in them
-  /// already; empty: none is known of. What it changes tells what the noise that is there has changed.
+  /// already; empty: none is known of. What it changes shows what the noise that is there has changed.
   std::function<ResidualBlock(double sign)> with_input_noise = {};
 };
 

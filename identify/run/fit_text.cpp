@@ -59,16 +59,26 @@ std::string IntervalBasis(const FitResult& fit) {
   std::vector<double> shares;
   for (const Eigen::Index j : fit.certainty->judged)
     shares.push_back(fit.certainty->total_sd[j] / fit.certainty->noise_sd[j]);
-  return "The model lacks something: parts of the data ask for different parameters, beyond noise (" + ways +
-         ").\nIntervals allow for that. Noise alone would make them " + Rounded(Median(shares), 2) +
-         " times narrower, and wrong. Limited by noise: measure longer or more often; by the\nmodel: add what those "
-         "data "
-         "ask for; by a held parameter: free or measure it.\n";
+  return "The model lacks something: parts of the data ask for different parameters. The intervals allow for that.\n"
+         "  Pull beyond noise: " +
+         ways + ". By noise alone the intervals would be " + Rounded(Median(shares), 2) +
+         " times narrower.\n"
+         "  Limited by noise: measure longer or more often; by the model: add what those data ask for;\n"
+         "  by a held parameter: free or measure it.\n";
+}
+
+/// As far as noise alone goes, which is what a profile sees.
+std::string NoiseInterval(const FitResult& fit, const FittedParameter& p) {
+  if (!std::isfinite(p.noise_sd)) return "";
+  const double reach = fit.covariance->reach_95 * p.noise_sd;
+  const double lower = p.lower > 0 ? p.value * std::exp(-reach / p.value) : p.value - reach;
+  const double upper = p.lower > 0 ? p.value * std::exp(reach / p.value) : p.value + reach;
+  return Shown(lower, p.unit) + " .. " + Shown(upper, p.unit);
 }
 
 std::string ProfileTable(const FitResult& fit) {
   if (fit.profiles.empty()) return "";
-  TextTable table({"profile", "fitted", "95 % by standard deviation", "95 % by profile", "unit", ""});
+  TextTable table({"profile", "fitted", "95 % by noise", "95 % by profile", "unit", ""});
   for (const Profile& profile : fit.profiles) {
     const FittedParameter& p = *std::find_if(fit.parameters.begin(), fit.parameters.end(),
                                              [&](const FittedParameter& other) { return other.name == profile.name; });
@@ -76,8 +86,8 @@ std::string ProfileTable(const FitResult& fit) {
     const std::string remark = profile.interrupted    ? "interrupted"
                                : profile.found_better ? "found a lower cost than the fit: not its best optimum"
                                                       : "";
-    table.Add({p.name, Shown(p.value, p.unit), IntervalText(p), end(profile.lower_95) + " .. " + end(profile.upper_95),
-               p.unit, remark});
+    table.Add({p.name, Shown(p.value, p.unit), NoiseInterval(fit, p),
+               end(profile.lower_95) + " .. " + end(profile.upper_95), p.unit, remark});
   }
   return table.Format() + '\n';
 }

@@ -30,7 +30,7 @@ std::pair<double, Index> SquaredDistance(const Eigen::VectorXd& x, const Eigen::
   const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * covariance * scale.cwiseInverse().asDiagonal();
   const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(scaled);
   const Eigen::VectorXd along = pairs.vectors.transpose() * scale.cwiseInverse().asDiagonal() * x;
-  // Directions that noise of this cluster hardly moves are numerically open.
+  // Directions in which noise of this cluster barely acts are numerically open.
   constexpr double kLeast = 1e-6;
   const double least = kLeast * std::max(pairs.values.maxCoeff(), 0.0);
   double square = 0;
@@ -94,7 +94,7 @@ class Jackknife {
     parted.degrees += static_cast<double>(rank);
   }
 
-  /// Of the other clusters alone. What hardly any of them determines stays where it is.
+  /// Of the other clusters alone. What barely any of them determines stays where it is.
   Eigen::MatrixXd InverseWithout(const Eigen::MatrixXd& information) const {
     constexpr double kLeast = 1e-5;
     const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(hessian_ - information, hessian_);

@@ -53,7 +53,7 @@ struct ModelErrorEstimate {
   Eigen::VectorXd reach;
 };
 
-/// A model that lacks something fits no two parts of the data by the same parameters; how far these go apart tells how
+/// A model that lacks something fits no two parts of the data by the same parameters; how far these go apart shows how
 /// far they are from the truth. Delete-a-group jackknife (Shao and Wu, Ann. Stat. 17, 1989) over few physical clusters,
 /// one Gauss-Newton step each, which takes no evaluation: with psi_i = w_i r_i, H = sum w_i J_i J_i' and the priors,
 ///   d_g = (H - H_g)^-1 sum_{i in g} J_i psi_i,   V = (G - 1) / G sum_g d_g d_g',

@@ -270,7 +270,7 @@ Eigen::MatrixXd ResidualNoise::CovarianceOfStretches(const Eigen::MatrixXd& adde
   constexpr Index kStretches = 24;
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(added.cols(), added.cols());
   for (const Record& record : records_) {
-    // Of samples that take part; others tell nothing of the scatter.
+    // Of samples that take part; others say nothing of the scatter.
     std::vector<Eigen::VectorXd> by_sample;
     for (Index k = 0; k < record.samples; ++k) {
       Eigen::VectorXd sum = Eigen::VectorXd::Zero(added.cols());

@@ -89,13 +89,14 @@ TEST_F(CommandLine, FitTellsWhichParametersEndFarFromTheirPriors) {
   ReplaceIn(kVehicle, "value=\"1725 kg\"", "value=\"1725 kg\" prior_sd=\"10 kg\"");
   const Outcome fit = Run("fit studies/landrover110/model2.yaml -o result --threads 2");
   ASSERT_EQ(fit.code, 0) << fit.err;
-  EXPECT_THAT(fit.out, testing::ContainsRegex("m_sprung .* kg +[3-9]\\.[0-9] sd from prior\n"));
+  EXPECT_THAT(fit.out, testing::ContainsRegex("m_sprung .* kg .* [3-9]\\.[0-9] sd from prior\n"));
   EXPECT_THAT(fit.out, HasSubstr(" for 2551 residuals, of which priors "));
   const Json result = Json::parse(ReadText(folder_ / "result/result.json"));
   const Json& mass = result["parameters"][0];
   EXPECT_EQ(mass["prior"]["value"], 1725);
   EXPECT_EQ(mass["prior"]["sd"], 10);
-  EXPECT_LT(mass["sd"], 10);
+  EXPECT_LT(mass["sd_parts"]["noise"], 10);
+  EXPECT_LE(mass["sd_parts"]["model"], 10.1);
   for (std::size_t i = 1; i < 12; ++i) EXPECT_FALSE(result["parameters"][i].contains("prior"));
   // The fitted value is no prior.
   EXPECT_THAT(ReadText(folder_ / "result/vehicle.urdf"), testing::Not(HasSubstr("prior_sd")));
@@ -452,10 +453,14 @@ TEST_F(CommandLine, FitTellsProfilesOfTheParametersAsked) {
     const Json& parameters = result.at("parameters");
     const auto same = std::find_if(parameters.begin(), parameters.end(),
                                    [&](const Json& parameter) { return parameter.at("name") == profile.at("name"); });
-    const double width = same->at("interval_95")[1].get<double>() - same->at("interval_95")[0].get<double>();
+    // A profile sees noise alone.
+    const double value = same->at("value");
+    const double reach = 1.96 * same->at("sd_parts").at("noise").get<double>() / value;
+    const double width = value * (std::exp(reach) - std::exp(-reach));
     // The model bends a little: a tenth.
     for (int end : {0, 1})
-      EXPECT_NEAR(profile.at("interval_95")[end], same->at("interval_95")[end], 0.1 * width) << profile.at("name");
+      EXPECT_NEAR(profile.at("interval_95")[end], value * std::exp(end == 0 ? -reach : reach), 0.1 * width)
+          << profile.at("name");
   }
   EXPECT_THAT(ReadText(folder_ / "result/profile.svg"), HasSubstr("k_front, kN/m"));
   EXPECT_THAT(ReadText(folder_ / "result/report.html"), HasSubstr("95 % by profile"));

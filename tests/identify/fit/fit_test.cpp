@@ -166,7 +166,7 @@ TEST(Fit, WeighsAPriorAgainstTheData) {
   const std::vector<double> truth = Truth(ShippedStudy().vehicle);
   LoadedStudy twin = Twin(truth, 0);
   const VehicleObjective without = twin.MakeObjective();
-  const double data_sd = Fit(without, Options()).parameters[0].sd;
+  const double data_sd = Fit(without, Options()).parameters[0].noise_sd;
   // As good as the data, and as far from the truth as the file's value is.
   twin.vehicle.parameters[twin.free[0]].prior_sd = data_sd;
   const VehicleObjective with = twin.MakeObjective();
@@ -175,7 +175,7 @@ TEST(Fit, WeighsAPriorAgainstTheData) {
   const double off = start - truth[twin.free[0]];
   // Halfway, and the inverse variances add up; to first order in `off`, which is 2 % of the mass.
   EXPECT_NEAR((fit.parameters[0].value - truth[twin.free[0]]) / off, 0.5, 0.05);
-  EXPECT_NEAR(fit.parameters[0].sd / data_sd, std::sqrt(0.5), 0.05);
+  EXPECT_NEAR(fit.parameters[0].noise_sd / data_sd, std::sqrt(0.5), 0.05);
   EXPECT_NEAR(fit.parameters[0].FromPrior(), -0.5 * off / data_sd, 0.05 * std::abs(off) / data_sd);
   EXPECT_NEAR(fit.prior_cost, std::pow(fit.parameters[0].FromPrior(), 2), 1e-9 * fit.prior_cost);  // rounding
 }

@@ -73,6 +73,21 @@ TEST(RobustLoss, HasTheSlopesOfItsTransformation) {
   for (const LossKind kind : kLosses) EXPECT_EQ(RobustLoss(kind, 1, 0).Slopes(One(0))[0], 1);
 }
 
+TEST(RobustLoss, HasTheWeightsAndCurvaturesOfItsGradient) {
+  constexpr double kStep = 1e-6;
+  for (const LossKind kind : kLosses)
+    for (const double r : {-5.0, -0.9, 0.3, 1.1, 2.0}) {
+      const RobustLoss loss(kind, 1, 0);
+      const auto half_slope = [&](double at) {
+        return (loss.Cost(One(at + kStep)) - loss.Cost(One(at - kStep))) / (4 * kStep);
+      };
+      // Of central differences: rounding of the cost over the step, and over the step once more.
+      EXPECT_NEAR(r * loss.Weights(One(r))[0], half_slope(r), 1e-8) << loss.name() << ' ' << r;
+      const auto psi = [&](double at) { return at * loss.Weights(One(at))[0]; };
+      EXPECT_NEAR(loss.Curvatures(One(r))[0], (psi(r + kStep) - psi(r - kStep)) / (2 * kStep), 1e-8) << loss.name();
+    }
+}
+
 // That is how the usual scales are chosen.
 TEST(RobustLoss, LosesFivePercentOfPrecisionToNormalNoiseAtItsUsualScale) {
   constexpr int kCount = 20001;

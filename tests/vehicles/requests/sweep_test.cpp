@@ -145,7 +145,7 @@ TEST(SweptResponse, IsATableThatLeavesBlankWhatHasNoAnswer) {
   EXPECT_EQ(SweepCsv({Example()}),
             "mode,channel,unit,frequency_Hz,post_amplitude_m,gain,phase_deg,mean,second_harmonic,engine\n"
             "heave,two,m,1,0.2,2,90,0.5,0.25,reduced\n"
-            "heave,two,m,2,0.1,,,,,march\n");
+            "heave,two,m,2,0.1,,,,,time\n");
 }
 
 TEST(SweptResponse, IsAPictureWithoutWhatIsNotANumber) {

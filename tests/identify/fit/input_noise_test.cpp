@@ -1,0 +1,55 @@
+#include "identify/fit/input_noise.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+
+#include "analysis/signals/random_stream.h"
+#include "identify/fit/fit.h"
+#include "tests/identify/toy_objective.h"
+
+namespace fourpost {
+namespace {
+
+constexpr double kTrue = 2;
+constexpr double kNoise = 0.2;
+constexpr Eigen::Index kSamples = 20000;
+
+Eigen::VectorXd Noise(std::uint64_t seed) {
+  RandomStream draws(seed, "input");
+  Eigen::VectorXd noise(kSamples);
+  for (double& value : noise) value = kNoise * draws.Normal();
+  return noise;
+}
+
+/// y = p u of an exact output; the input was recorded with noise.
+ResidualBlock Gain(const Eigen::VectorXd& input, const Eigen::VectorXd& output) {
+  return {.name = "gain",
+          .count = input.size(),
+          .evaluate = [=](const std::vector<double>& values,
+                          const Deadline&) { return Evaluation{.residuals = values[0] * input - output}; },
+          .with_input_noise = [=](double sign) { return Gain(input + sign * Noise(99), output); }};
+}
+
+// Least squares give p / (1 + s), s the noise's share of the input's squares.
+TEST(InputNoise, TakesBackWhatItMovedTheOptimumBy) {
+  Eigen::VectorXd input(kSamples);
+  for (Eigen::Index k = 0; k < kSamples; ++k) input[k] = std::numbers::sqrt2 * std::sin(0.37 * static_cast<double>(k));
+  const VehicleObjective toy = ToyObjective(1, kSamples, 1e-15, {});
+  const VehicleObjective objective(toy.vehicle(), toy.free(), {Gain(input + Noise(1), kTrue * input)});
+  FitOptions options;
+  options.stop.max_evaluations = 10;
+  options.starts = 0;
+  options.threads = 1;
+  const FitResult fit = Fit(objective, options);
+  ASSERT_EQ(fit.end, FitEnd::kConverged) << fit.message;
+  const double plain = fit.parameters[0].value * std::exp(-fit.moved_by_input_noise[0]);
+  // Both scatter by the noise over the root of the samples, 0.15 %.
+  EXPECT_NEAR(plain, kTrue / (1 + kNoise * kNoise), 0.01);
+  EXPECT_NEAR(fit.parameters[0].value, kTrue, 0.015);
+  EXPECT_GT(fit.evaluations_beside, 0);
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,85 @@
+#include "identify/uncertainty/model_error_estimate.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "analysis/signals/random_stream.h"
+
+namespace fourpost {
+namespace {
+
+constexpr Eigen::Index kClusters = 4;
+constexpr Eigen::Index kEach = 100;
+
+/// One parameter, the mean of all; each cluster off by its own.
+FittedResiduals Fitted(const Eigen::VectorXd& offsets, double noise, std::uint64_t seed) {
+  RandomStream draws(seed, "noise");
+  FittedResiduals fitted;
+  fitted.jacobian = Eigen::MatrixXd::Ones(kClusters * kEach, 1);
+  fitted.priors.resize(0, 1);
+  fitted.weights = Eigen::VectorXd::Ones(kClusters * kEach);
+  fitted.is_relative = {true};
+  Eigen::VectorXd residuals(kClusters * kEach);
+  for (Eigen::Index i = 0; i < residuals.size(); ++i) residuals[i] = offsets[i / kEach] + noise * draws.Normal();
+  residuals.array() -= residuals.mean();
+  fitted.scores = residuals;
+  return fitted;
+}
+
+ResidualStructure Structure() {
+  ResidualStructure structure;
+  structure.partitions = {{"parts", {}, {}}};
+  for (Eigen::Index g = 0; g < kClusters; ++g) {
+    structure.partitions[0].Add(std::to_string(g), kEach);
+    structure.series.push_back({.first = g * kEach, .count = kEach, .step = 1});
+  }
+  return structure;
+}
+
+ModelErrorEstimate EstimateOf(const FittedResiduals& fitted) {
+  return EstimateModelError(fitted, Structure(), ResidualNoise(fitted.scores.col(0), Structure(), 1));
+}
+
+// Without cluster g the mean of the others, in the sense of residuals: -mean of g's residuals over the others' number.
+TEST(ModelErrorEstimate, MovesAsTheFitWithoutAClusterWould) {
+  const Eigen::Vector4d offsets(-3, -1, 1, 3);
+  const ModelErrorEstimate estimate = EstimateOf(Fitted(offsets, 1e-6, 1));
+  ASSERT_EQ(estimate.ways.size(), 1U);
+  for (Eigen::Index g = 0; g < kClusters; ++g)
+    EXPECT_NEAR(estimate.ways[0].shifts(0, g), offsets[g] / (kClusters - 1), 1e-5);
+  // (G - 1) / G sum of squares: 3 / 4 of 20 / 9.
+  EXPECT_NEAR(estimate.reach[0], 1.645 * std::sqrt(0.75 * 20 / 9), 1e-4);
+  EXPECT_TRUE(estimate.is_significant);
+}
+
+TEST(ModelErrorEstimate, TakesNoiseForNoise) {
+  double disagreement = 0;
+  double degrees = 0;
+  int significant = 0;
+  constexpr int kTimes = 400;
+  for (int k = 0; k < kTimes; ++k) {
+    const ModelErrorEstimate estimate = EstimateOf(Fitted(Eigen::Vector4d::Zero(), 1, static_cast<std::uint64_t>(k)));
+    disagreement += estimate.ways[0].disagreement;
+    degrees += estimate.ways[0].degrees;
+    significant += estimate.is_significant;
+  }
+  // Four degrees of freedom a time: a deviation of 3.5 %; variances by second differences add some.
+  EXPECT_NEAR(disagreement / degrees, 1, 0.15);
+  EXPECT_EQ(significant, 0);
+}
+
+TEST(ModelErrorEstimate, LearnsNothingFromTwoClusters) {
+  ResidualStructure structure = Structure();
+  structure.partitions[0] = {"parts", {}, {}};
+  structure.partitions[0].Add("a", 2 * kEach);
+  structure.partitions[0].Add("b", 2 * kEach);
+  const FittedResiduals fitted = Fitted(Eigen::Vector4d(-1, -1, 1, 1), 0.1, 1);
+  const ModelErrorEstimate estimate =
+      EstimateModelError(fitted, structure, ResidualNoise(fitted.scores.col(0), structure, 1));
+  EXPECT_FALSE(estimate.is_significant);
+  EXPECT_EQ(estimate.ways[0].shifts.size(), 0);
+}
+
+}  // namespace
+}  // namespace fourpost

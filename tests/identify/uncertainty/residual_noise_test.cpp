@@ -1,0 +1,85 @@
+#include "identify/uncertainty/residual_noise.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "analysis/signals/random_stream.h"
+
+namespace fourpost {
+namespace {
+
+constexpr Eigen::Index kSamples = 20000;
+
+Eigen::VectorXd White(std::uint64_t seed) {
+  RandomStream draws(seed, "noise");
+  Eigen::VectorXd noise(kSamples);
+  for (double& value : noise) value = draws.Normal();
+  return noise;
+}
+
+Eigen::VectorXd Correlated(double correlation, std::uint64_t seed) {
+  Eigen::VectorXd noise = White(seed);
+  for (Eigen::Index k = 1; k < kSamples; ++k) noise[k] += correlation * noise[k - 1];
+  return noise;
+}
+
+ResidualStructure OverTime(Eigen::Index channels) {
+  ResidualStructure structure;
+  for (Eigen::Index c = 0; c < channels; ++c)
+    structure.series.push_back(
+        {.first = c * kSamples, .count = kSamples, .step = 1, .is_over_time = true, .record = 0});
+  return structure;
+}
+
+// x_t = a x_{t-1} + e_t: the sum over all samples has the variance N / (1 - a)^2, a slow sine of it the same times a
+// half, and one at half the rate N / (1 + a)^2.
+TEST(ResidualNoise, KnowsHowFarCorrelatedNoiseMovesSums) {
+  constexpr double kCorrelation = 0.9;
+  const Eigen::VectorXd noise = Correlated(kCorrelation, 1);
+  const ResidualNoise judged(noise, OverTime(1), 1);
+  Eigen::MatrixXd jacobian(kSamples, 2);
+  for (Eigen::Index k = 0; k < kSamples; ++k) jacobian.row(k) << 1, (k % 2 == 0 ? 1 : -1);
+  const Eigen::MatrixXd covariance = judged.CovarianceOverTime(jacobian);
+  // The spectrum's own scatter at one frequency: some 7 %; three times that.
+  EXPECT_NEAR(covariance(0, 0) / (kSamples / std::pow(1 - kCorrelation, 2)), 1, 0.2);
+  EXPECT_NEAR(covariance(1, 1) / (kSamples / std::pow(1 + kCorrelation, 2)), 1, 0.2);
+}
+
+TEST(ResidualNoise, SeesNoiseThatChannelsHaveInCommon) {
+  const Eigen::VectorXd common = White(2);
+  Eigen::VectorXd residuals(2 * kSamples);
+  residuals << common, -common;
+  const ResidualNoise judged(residuals, OverTime(2), 1);
+  // Equal derivatives of both channels: their noise cancels.
+  const Eigen::MatrixXd covariance = judged.CovarianceOverTime(Eigen::MatrixXd::Ones(2 * kSamples, 1));
+  EXPECT_LT(covariance(0, 0), 1e-6 * kSamples);
+}
+
+TEST(ResidualNoise, TakesOnlyWhatIsRoughForNoiseOverFrequency) {
+  constexpr Eigen::Index kCount = 200;
+  const Eigen::VectorXd rough = 0.1 * White(3).head(kCount);
+  Eigen::VectorXd residuals(kCount);
+  for (Eigen::Index k = 0; k < kCount; ++k) residuals[k] = 5 * std::sin(0.02 * static_cast<double>(k)) + rough[k];
+  ResidualStructure structure;
+  structure.series = {{.first = 0, .count = kCount, .step = 1}};
+  const ResidualNoise judged(residuals, structure, 1);
+  const std::vector<char> all(kCount, 1);
+  const Eigen::MatrixXd covariance = judged.CovarianceOfScores(Eigen::MatrixXd::Ones(kCount, 1), all, all);
+  // Of 200 variances by second differences, which are correlated: 15 %, twice.
+  EXPECT_NEAR(covariance(0, 0) / (0.01 * kCount), 1, 0.3);
+}
+
+TEST(ResidualNoise, FindsTheOrderAndTheSizeOfAnAutoregression) {
+  EXPECT_TRUE(Autoregression(White(4), 20).empty());
+  const std::vector<double> coefficients = Autoregression(Correlated(0.8, 5), 20);
+  ASSERT_FALSE(coefficients.empty());
+  EXPECT_NEAR(coefficients[0], -0.8, 0.03);  // four deviations, (1 - a^2)^1/2 / N^1/2
+  EXPECT_NEAR(NeighbourCorrelation(Correlated(0.8, 5)), 0.8, 0.03);
+  // (1 - a) / (1 + a) of them.
+  EXPECT_NEAR(EffectiveSamples(Correlated(0.8, 5)) / (kSamples / 9.0), 1, 0.2);
+  EXPECT_EQ(Autoregression(Eigen::VectorXd::Zero(100), 5).size(), 0U);
+}
+
+}  // namespace
+}  // namespace fourpost
