@@ -1,6 +1,9 @@
 """From a bench recording to a law that a vehicle file can use: the studies of studies/damper."""
 import json
+import pathlib
 import re
+import shutil
+import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 
@@ -15,17 +18,35 @@ def sweep_error(result):
 
 
 class Damper(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.kept = pathlib.Path(folder.name)
+
     def setUp(self):
         super().setUp()
         self.copy("studies/damper")
 
     def fit(self, model):
+        """Of the study as it is shipped: one fit serves all tests."""
+        if not (self.kept / model).exists():
+            self.fit_again(model)
+            shutil.copytree(self.folder / model, self.kept / model)
+        else:
+            shutil.copytree(self.kept / model, self.folder / model)
+        return self.result(model)
+
+    def fit_again(self, model):
         study = self.folder / f"studies/damper/{model}.yaml"
+        # The file's values and one point of the search find the optimum, too, for two fifths of the time.
         text, count = re.subn(r"search: \{seed: 1.*\}", "search: {seed: 1, starts: 1, evaluations: 60}", study.read_text())
         self.assertEqual(count, 1)
-        # The file's values and one point of the search find the optimum, too, for two fifths of the time.
         study.write_text(text)
         self.run_program("fit", study, "-o", model)
+        return self.result(model)
+
+    def result(self, model):
         return json.loads((self.folder / model / "result.json").read_text())
 
     def test_models_miss_in_the_thesis_s_pattern(self):
@@ -50,7 +71,7 @@ class Damper(ProgramTest):
                 continue
             lines[k] = ",".join(cells)
         file.write_text("\n".join(lines) + "\n")
-        coarse = {p["name"]: p["value"] for p in self.fit("model3")["parameters"]}
+        coarse = {p["name"]: p["value"] for p in self.fit_again("model3")["parameters"]}
         for name, value in clean.items():
             self.assertNotEqual(coarse[name], value)
             self.assertLess(abs(coarse[name] / value - 1), 0.01, name)

@@ -34,7 +34,9 @@ bool IsCompromise(const nlohmann::json& result) { return TextAt(result, "history
 class HistoryData : public ExperimentData {
  public:
   explicit HistoryData(const RunFolder& run)
-      : run_(run), fitted_(DrawnOf(run, kFittedFile, kMostHistoryRows)), unseen_(DrawnOf(run, kUnseenFile, kMostRowsUnseen)) {}
+      : run_(run),
+        fitted_(DrawnOf(run, kFittedFile, kMostHistoryRows)),
+        unseen_(DrawnOf(run, kUnseenFile, kMostRowsUnseen)) {}
 
   bool empty() const override { return fitted_.empty() && unseen_.empty(); }
   Json Drawn() const override { return {{"histories", fitted_}, {"validation", unseen_}}; }
