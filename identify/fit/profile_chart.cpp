@@ -27,8 +27,8 @@ const FittedParameter& Find(const FitResult& fit, const std::string& name) {
 
 /// Rise by the linear deviation; of the logarithm where the lower bound is above zero, as in FitVariables.
 double ParabolaAt(const FittedParameter& parameter, double value) {
-  if (parameter.lower > 0) return std::pow(std::log(value / parameter.value) * parameter.value / parameter.sd, 2);
-  return std::pow((value - parameter.value) / parameter.sd, 2);
+  if (parameter.lower > 0) return std::pow(std::log(value / parameter.value) * parameter.value / parameter.noise_sd, 2);
+  return std::pow((value - parameter.value) / parameter.noise_sd, 2);
 }
 
 SvgPanel Panel(const Profile& profile, const FittedParameter& parameter) {
@@ -44,7 +44,7 @@ SvgPanel Panel(const Profile& profile, const FittedParameter& parameter) {
   const double first = profile.points.front().value;
   const double last = profile.points.back().value;
   SvgSeries parabola{.style = kParabola};
-  for (int k = 0; std::isfinite(parameter.sd) && k <= kSegments; ++k) {
+  for (int k = 0; std::isfinite(parameter.noise_sd) && k <= kSegments; ++k) {
     const double value = first + (last - first) * k / kSegments;
     parabola.x.push_back(value / si);
     parabola.y.push_back(ParabolaAt(parameter, value));

@@ -125,7 +125,7 @@ class Jackknife {
 }  // namespace
 
 bool PartedData::IsSignificant() const {
-  constexpr double kNormal = 4;
+  constexpr double kNormal = 5;
   if (!(degrees >= 1)) return false;
   const double spread = 2 / (9 * degrees);
   return (std::cbrt(disagreement / degrees) - (1 - spread)) / std::sqrt(spread) > kNormal;

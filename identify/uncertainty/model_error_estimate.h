@@ -39,7 +39,7 @@ struct PartedData {
   /// n: place of the cluster without which the parameter would have more than five times its deviation; -1: none.
   std::vector<int> rests_on;
 
-  /// Whether noise explains the disagreement in less than one fit of 30,000 (normal approximation of the chi-square
+  /// Whether noise explains the disagreement in less than one fit of a million (normal approximation of the chi-square
   /// distribution by Wilson and Hilferty, PNAS 17, 1931).
   bool IsSignificant() const;
 };

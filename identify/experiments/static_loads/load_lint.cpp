@@ -49,7 +49,7 @@ class FittedLoads {
     Eigen::MatrixXd slopes(Count(), static_cast<Eigen::Index>(parameters.size()));
     for (std::size_t k = 0; k < parameters.size(); ++k) {
       const auto i = static_cast<std::size_t>(parameters[k]);
-      const double sd = fit_.parameters[i].sd;
+      const double sd = fit_.parameters[i].noise_sd;
       std::vector<double> upper = fit_.values;
       std::vector<double> lower = fit_.values;
       upper[subject_.free()[i]] += kStep * sd;
@@ -90,7 +90,7 @@ std::optional<LoadsInMotion> LoadsWithoutThemselves(const FitResult& fit, const 
   std::vector<Eigen::Index> known;
   for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
     const FittedParameter& parameter = fit.parameters[i];
-    if (parameter.sd > 0 && std::isfinite(parameter.sd)) known.push_back(static_cast<Eigen::Index>(i));
+    if (parameter.noise_sd > 0 && std::isfinite(parameter.noise_sd)) known.push_back(static_cast<Eigen::Index>(i));
     else if (parameter.state != ParameterState::kAtBound) return std::nullopt;
   }
   if (!fit.covariance || known.empty()) return std::nullopt;
