@@ -133,8 +133,8 @@ bool PartedData::IsSignificant() const {
 
 ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const ResidualStructure& structure,
                                       const ResidualNoise& noise) {
-  // Chosen on random vehicles, see tests/validation/coverage.csv; 1.5 to 1.9 does nearly as well.
-  constexpr double kReach = 1.645;
+  // Chosen on random vehicles, see tests/validation/coverage.csv; 1.6 to 1.9 does nearly as well.
+  constexpr double kReach = 1.8;
   constexpr double kLeastOfNoise = 0.25;
   constexpr double kLeastOfOthers = 0.75;
   const Index n = fitted.jacobian.cols();

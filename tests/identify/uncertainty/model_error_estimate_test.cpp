@@ -49,7 +49,7 @@ TEST(ModelErrorEstimate, MovesAsTheFitWithoutAClusterWould) {
   for (Eigen::Index g = 0; g < kClusters; ++g)
     EXPECT_NEAR(estimate.ways[0].shifts(0, g), offsets[g] / (kClusters - 1), 1e-5);
   // (G - 1) / G sum of squares: 3 / 4 of 20 / 9.
-  EXPECT_NEAR(estimate.reach[0], 1.645 * std::sqrt(0.75 * 20 / 9), 1e-4);
+  EXPECT_NEAR(estimate.reach[0], 1.8 * std::sqrt(0.75 * 20 / 9), 1e-4);
   EXPECT_TRUE(estimate.is_significant);
 }
 
