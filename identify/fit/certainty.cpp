@@ -176,8 +176,8 @@ std::string LoudestPart(const ModelErrorEstimate& estimate, Index judged) {
   double largest = 0;
   for (const PartedData& way : estimate.ways)
     for (Index g = 0; g < way.shifts.cols(); ++g)
-      if (std::abs(way.shifts(judged, g)) > largest) {
-        largest = std::abs(way.shifts(judged, g));
+      if (const double beyond = std::abs(way.shifts(judged, g)) - way.by_noise(judged, g); beyond > largest) {
+        largest = beyond;
         name = way.clusters[static_cast<std::size_t>(g)];
       }
   return name;
@@ -261,7 +261,7 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
     const double noise = certainty.noise_sd[j];
     const double disagreement =
         certainty.model_error.is_significant ? certainty.model_error.reach[row] / certainty.covariance.reach_95 : 0;
-    certainty.model_sd[j] = std::sqrt(std::max(0.0, disagreement * disagreement - noise * noise));
+    certainty.model_sd[j] = disagreement;
     certainty.held_sd[j] = std::min(certainty.held_sd[j], known[j]);
     certainty.model_sd[j] = std::min(certainty.model_sd[j], known[j]);
     certainty.total_sd[j] = std::hypot(noise, certainty.held_sd[j], certainty.model_sd[j]);

@@ -283,6 +283,22 @@ std::string Ties(const std::vector<ReportedParameter>& parameters) {
          "one alone, such as a force or a static load.";
 }
 
+/// No part of the data asks for other parameters than the rest, beyond noise.
+bool AgreesWithItself(const Json& result) {
+  const Json intervals = result.value("intervals", Json::object());
+  return intervals.contains("model_error") && intervals["model_error"] == false;
+}
+
+/// Where residuals are larger than noise and stated model error explain.
+std::string OnMisfit(const Json& result, const ReportRemarks& remarks) {
+  if (AgreesWithItself(result))
+    return "Residuals are larger than their stated deviations, yet no part of the data contradicts another. State the "
+           "noise that the recordings have.";
+  if (!remarks.where_missed.empty()) return remarks.where_missed;
+  return "The model lacks a mechanism. Fit a richer one to the same recordings and compare the runs; the curves show "
+         "where residuals are large.";
+}
+
 std::vector<std::string> WhatNext(const Json& result, const std::vector<ReportedParameter>& parameters,
                                   const ReportRemarks& remarks, const std::vector<JudgedChannel>& unseen) {
   // What has not ended says little of the model.
@@ -304,11 +320,7 @@ std::vector<std::string> WhatNext(const Json& result, const std::vector<Reported
                      (bound.size() == 1 ? "this parameter compensates." : "these parameters compensate."));
   if (const std::string ties = Ties(parameters); !ties.empty()) advice.push_back(ties);
   advice.insert(advice.end(), remarks.further.begin(), remarks.further.end());
-  if (MisfitOf(result) > kMisses && !remarks.where_missed.empty()) advice.push_back(remarks.where_missed);
-  else if (MisfitOf(result) > kMisses)
-    advice.push_back(
-        "The model lacks a mechanism. Fit a richer one to the same recordings and compare the runs; the curves show "
-        "where residuals are large.");
+  if (MisfitOf(result) > kMisses) advice.push_back(OnMisfit(result, remarks));
   if (IsAnyFar(unseen))
     advice.push_back(
         "The model does not predict the validation recordings. Use a richer model, or fit recordings that reach the "

@@ -1,6 +1,15 @@
 #include "identify/residuals/history_misfit.h"
 
+#include "analysis/signals/autocorrelation.h"
+
 namespace fourpost {
+
+void JudgeNoise(const Eigen::VectorXd& residual, HistoryMisfit& misfit) {
+  const Whiteness whiteness = WhitenessOf(residual);
+  misfit.residual_correlation = whiteness.next;
+  misfit.is_white = whiteness.IsWhite();
+  misfit.effective_samples = EffectiveSamples(residual.array() - residual.mean());
+}
 
 std::vector<ErrorShare> ErrorShares(const std::vector<HistoryMisfit>& misfits) {
   std::vector<ErrorShare> shares;

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "identify/residuals/error_share.h"
 #include "identify/study_file/channel_source.h"
 
@@ -30,6 +32,11 @@ struct HistoryMisfit {
   std::optional<double> innovation_correlation = {};
   /// Of their first 25 autocorrelations, the share beyond what 95 % of those of white noise keep to: 0.05 if white.
   std::optional<double> innovations_beyond = {};
+  /// Of what the model leaves, from one sample to the next; how many independent samples would say as much of a mean;
+  /// and whether it is white, see WhitenessOf().
+  double residual_correlation = 0;
+  double effective_samples = 0;
+  bool is_white = true;
   /// Of the reduced model, where the full geometry answered.
   std::optional<double> reduced_nmse_percent = {};
   /// The channel of the same unit that this one is measured like, while that one is measured like this: swapped.
@@ -41,6 +48,9 @@ struct HistoryMisfit {
   /// What the study takes it from.
   ChannelSource source = {};
 };
+
+/// `residual`: measured less modelled, one sample after the other.
+void JudgeNoise(const Eigen::VectorXd& residual, HistoryMisfit& misfit);
 
 /// One per recording and channel.
 std::vector<ErrorShare> ErrorShares(const std::vector<HistoryMisfit>& misfits);

@@ -19,7 +19,10 @@ nlohmann::ordered_json HistoryMisfitsJson(const std::vector<HistoryMisfit>& misf
     list.push_back({{"recording", misfit.recording},
                     {"name", misfit.name},
                     {"nmse_percent", NumberOrNull(misfit.nmse_percent)},
-                    {"vaf_percent", NumberOrNull(misfit.vaf_percent)}});
+                    {"vaf_percent", NumberOrNull(misfit.vaf_percent)},
+                    {"residual_correlation", NumberOrNull(misfit.residual_correlation)},
+                    {"effective_samples", NumberOrNull(std::round(misfit.effective_samples))},
+                    {"residuals_white", misfit.is_white}});
     if (misfit.gain) list.back()["gain"] = NumberOrNull(*misfit.gain);
     if (misfit.delay_s) list.back()["delay_s"] = NumberOrNull(*misfit.delay_s);
     if (misfit.reduced_nmse_percent) list.back()["reduced_nmse_percent"] = NumberOrNull(*misfit.reduced_nmse_percent);

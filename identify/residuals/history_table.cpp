@@ -33,7 +33,7 @@ std::string HistoryTable(const std::vector<HistoryMisfit>& misfits) {
   // Of one recording or some of several.
   const bool full = std::any_of(misfits.begin(), misfits.end(),
                                 [](const HistoryMisfit& misfit) { return misfit.reduced_nmse_percent.has_value(); });
-  std::vector<std::string> head = {"recording", "channel", "NMSE, %", "VAF, %", "gain", "delay, ms"};
+  std::vector<std::string> head = {"recording", "channel", "NMSE, %", "VAF, %", "gain", "delay, ms", "lag-1 corr."};
   if (full) head.insert(head.begin() + 3, "of reduced model");
   TextTable table(head);
   for (const HistoryMisfit& misfit : misfits) {
@@ -42,7 +42,8 @@ std::string HistoryTable(const std::vector<HistoryMisfit>& misfits) {
                                     Rounded(misfit.nmse_percent, 3),
                                     Rounded(misfit.vaf_percent, 5),
                                     misfit.gain ? Rounded(*misfit.gain, 4) : "",
-                                    misfit.delay_s ? Rounded(1e3 * *misfit.delay_s, 2) : ""};
+                                    misfit.delay_s ? Rounded(1e3 * *misfit.delay_s, 2) : "",
+                                    Rounded(misfit.residual_correlation, 2)};
     if (full) row.insert(row.begin() + 3, misfit.reduced_nmse_percent ? Rounded(*misfit.reduced_nmse_percent, 3) : "");
     table.Add(row);
   }

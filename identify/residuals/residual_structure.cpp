@@ -14,9 +14,8 @@ const ResidualPartition* PartitionNamed(const std::vector<ResidualPartition>& pa
   return found == partitions.end() ? nullptr : &*found;
 }
 
-void AddBlock(const ResidualBlock& block, ResidualPartition& whole) {
-  const ResidualPartition* part = PartitionNamed(block.structure.partitions, whole.name);
-  if (part == nullptr) return whole.Add(block.name, block.count);
+void AddBlock(const ResidualBlock& block, const ResidualPartition* part, ResidualPartition& whole) {
+  if (part == nullptr || part->cluster_of.empty()) return whole.Add(block.name, block.count);
   for (const std::size_t cluster : part->cluster_of) whole.Add(part->clusters[cluster], 1);
 }
 
@@ -47,8 +46,11 @@ ResidualStructure JoinedStructure(const std::vector<ResidualBlock>& blocks) {
     first += block.count;
     record = last_record + 1;
   }
-  for (ResidualPartition& partition : whole.partitions)
-    for (const ResidualBlock& block : blocks) AddBlock(block, partition);
+  for (const ResidualBlock& block : blocks) {
+    AddBlock(block, &block.structure.recordings, whole.recordings);
+    for (ResidualPartition& partition : whole.partitions)
+      AddBlock(block, PartitionNamed(block.structure.partitions, partition.name), partition);
+  }
   return whole;
 }
 

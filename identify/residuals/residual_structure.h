@@ -28,11 +28,16 @@ struct ResidualSeries {
   bool is_over_time = false;
   /// Series over time of one record were measured at once: their noise may have common causes.
   int record = 0;
+  /// Time of the first, and from one to the next; where is_over_time.
+  double start_s = 0;
+  double interval_s = 0;
 };
 
 /// How the residuals of a block, or of several, belong together. Residuals outside all series are independent.
 struct ResidualStructure {
   std::vector<ResidualPartition> partitions;
+  /// Clusters are recordings.
+  ResidualPartition recordings = {"recordings", {}, {}};
   std::vector<ResidualSeries> series;
 };
 

@@ -48,6 +48,27 @@ std::string ParameterTable(const FitResult& fit) {
   return table.Format();
 }
 
+/// Recordings that want other values than the rest.
+std::string RecordingContradictions(const FitResult& fit) {
+  constexpr std::size_t kShown = 3;
+  if (!fit.certainty) return "";
+  const PartedData& recordings = fit.certainty->model_error.by_recording;
+  const std::vector<Contradiction> found = recordings.Contradictions();
+  if (found.empty()) return "";
+  std::string text = "Recordings contradict each other beyond noise:\n";
+  for (std::size_t i = 0; i < std::min(kShown, found.size()); ++i) {
+    const Eigen::Index j = fit.certainty->judged[static_cast<std::size_t>(found[i].parameter)];
+    const FittedParameter& p = fit.parameters[static_cast<std::size_t>(j)];
+    const double change_percent = 100 * (p.lower > 0 ? std::expm1(found[i].shift) : found[i].shift);
+    text += "  without '" + recordings.clusters[static_cast<std::size_t>(found[i].cluster)] + "' " + p.name +
+            " would change by " + Rounded(change_percent, 2) + " %" + (p.lower > 0 ? "" : " of its range") + " (" +
+            Rounded(found[i].deviations, 2) + " standard deviations of noise)\n";
+  }
+  if (found.size() > kShown)
+    text += "  and " + std::to_string(found.size() - kShown) + " more: `intervals.contradictions` in result.json\n";
+  return text;
+}
+
 /// Why the intervals are as wide as they are.
 std::string IntervalBasis(const FitResult& fit) {
   if (!IsBeyondNoise(fit)) return "";
@@ -59,7 +80,8 @@ std::string IntervalBasis(const FitResult& fit) {
   std::vector<double> shares;
   for (const Eigen::Index j : fit.certainty->judged)
     shares.push_back(fit.certainty->total_sd[j] / fit.certainty->noise_sd[j]);
-  return "The model lacks something: parts of the data ask for different parameters. The intervals allow for that.\n"
+  return "Parts of the data ask for different parameters. The intervals allow for that. First check what was measured\n"
+         "(gain, sign, delay, place and noise of each channel and post); if it is right, the model lacks something.\n"
          "  Pull beyond noise: " +
          ways + ". By noise alone the intervals would be " + Rounded(Median(shares), 2) +
          " times narrower.\n"
@@ -151,9 +173,9 @@ std::string Judgement(const FitResult& fit) {
 
 std::string FitText(const FitResult& fit, const FitVerdict& verdict, const Diagnostics& conclusions,
                     const std::string& sections) {
-  return ParameterTable(fit) + '\n' + IntervalBasis(fit) + (IsBeyondNoise(fit) ? "\n" : "") + ProfileTable(fit) +
-         sections + Summary(fit, verdict) + Judgement(fit) +
-         (conclusions.items().empty() ? "" : conclusions.Format() + '\n');
+  const std::string basis = IntervalBasis(fit) + RecordingContradictions(fit);
+  return ParameterTable(fit) + '\n' + basis + (basis.empty() ? "" : "\n") + ProfileTable(fit) + sections +
+         Summary(fit, verdict) + Judgement(fit) + (conclusions.items().empty() ? "" : conclusions.Format() + '\n');
 }
 
 }  // namespace fourpost

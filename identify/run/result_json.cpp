@@ -98,6 +98,21 @@ Json Ways(const FitResult& fit) {
   return ways;
 }
 
+/// By recordings, the worst first.
+Json Contradictions(const FitResult& fit) {
+  Json list = Json::array();
+  const Certainty& certainty = *fit.certainty;
+  const PartedData& recordings = certainty.model_error.by_recording;
+  for (const Contradiction& one : recordings.Contradictions()) {
+    const Eigen::Index j = certainty.judged[static_cast<std::size_t>(one.parameter)];
+    list.push_back({{"parameter", fit.parameters[static_cast<std::size_t>(j)].name},
+                    {"without", recordings.clusters[static_cast<std::size_t>(one.cluster)]},
+                    {"shift", one.shift},
+                    {"in_sd_of_noise", one.deviations}});
+  }
+  return list;
+}
+
 /// What the intervals rest on.
 Json Intervals(const FitResult& fit) {
   if (!fit.certainty) return nullptr;
@@ -113,11 +128,9 @@ Json Intervals(const FitResult& fit) {
   Json noise_moved = Json::object();
   for (Eigen::Index j = 0; j < fit.moved_by_input_noise.size(); ++j)
     noise_moved[fit.parameters[static_cast<std::size_t>(j)].name] = fit.moved_by_input_noise[j];
-  return {{"confidence", is_wide ? "80 to 90 %" : "95 %"},
-          {"model_error", is_wide},
-          {"ways", Ways(fit)},
-          {"held", held},
-          {"moved_by_post_noise", noise_moved}};
+  return {
+      {"confidence", is_wide ? "80 to 90 %" : "95 %"}, {"model_error", is_wide}, {"ways", Ways(fit)},
+      {"contradictions", Contradictions(fit)},         {"held", held},           {"moved_by_post_noise", noise_moved}};
 }
 
 /// null of a fit that was interrupted.

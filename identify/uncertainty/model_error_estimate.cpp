@@ -5,6 +5,7 @@
 
 #include "analysis/numerics/decompositions.h"
 #include "analysis/signals/median.h"
+#include "identify/uncertainty/time_windows.h"
 
 namespace fourpost {
 namespace {
@@ -58,13 +59,19 @@ class Jackknife {
 
   const Eigen::MatrixXd& covariance() const { return covariance_; }
 
+  /// Of each residual: what it says of the parameters, of which all residuals together say n.
+  Eigen::VectorXd Leverage() const {
+    const Eigen::MatrixXd by_covariance = fitted_.jacobian * covariance_;
+    return fitted_.weights.cwiseProduct(by_covariance.cwiseProduct(fitted_.jacobian).rowwise().sum());
+  }
+
   PartedData Over(const ResidualPartition& partition) const {
     PartedData parted = {.name = partition.name, .clusters = partition.clusters, .shifts = {}, .rests_on = {}};
     const auto clusters = static_cast<Index>(partition.clusters.size());
     const Index n = hessian_.rows();
     parted.rests_on.assign(static_cast<std::size_t>(n), -1);
-    if (clusters < 3) return parted;
     parted.shifts.resize(n, clusters);
+    parted.by_noise.resize(n, clusters);
     for (Index g = 0; g < clusters; ++g) AddCluster(partition, g, parted);
     return parted;
   }
@@ -89,7 +96,9 @@ class Jackknife {
     for (Index j = 0; j < n; ++j)
       if (without(j, j) > kMuchWorse * covariance_(j, j) || !(without(j, j) > 0))
         parted.rests_on[static_cast<std::size_t>(j)] = static_cast<int>(g);
-    const auto [square, rank] = SquaredDistance(score, OfNoise(information, among), scale_);
+    const Eigen::MatrixXd of_noise = OfNoise(information, among);
+    parted.by_noise.col(g) = (without * of_noise * without).diagonal().cwiseMax(0.0).cwiseSqrt();
+    const auto [square, rank] = SquaredDistance(score, of_noise, scale_);
     parted.disagreement += square;
     parted.degrees += static_cast<double>(rank);
   }
@@ -131,10 +140,27 @@ bool PartedData::IsSignificant() const {
   return (std::cbrt(disagreement / degrees) - (1 - spread)) / std::sqrt(spread) > kNormal;
 }
 
+Eigen::VectorXd PartedData::BeyondNoise() const {
+  return (shifts.cwiseAbs2() - by_noise.cwiseAbs2()).cwiseMax(0.0).rowwise().sum();
+}
+
+std::vector<Contradiction> PartedData::Contradictions() const {
+  constexpr double kBeyond = 4;
+  std::vector<Contradiction> found;
+  for (Index j = 0; j < shifts.rows(); ++j)
+    for (Index g = 0; g < shifts.cols(); ++g)
+      if (std::abs(shifts(j, g)) > kBeyond * by_noise(j, g) && by_noise(j, g) > 0)
+        found.push_back({j, g, shifts(j, g), std::abs(shifts(j, g)) / by_noise(j, g)});
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Contradiction& a, const Contradiction& b) { return a.deviations > b.deviations; });
+  return found;
+}
+
 ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const ResidualStructure& structure,
                                       const ResidualNoise& noise) {
   // Chosen on random vehicles, see tests/validation/coverage.csv; 1.6 to 1.9 does nearly as well.
-  constexpr double kReach = 1.8;
+  constexpr double kReach = 1.75;
+  constexpr std::size_t kFewest = 3;
   constexpr double kLeastOfNoise = 0.25;
   constexpr double kLeastOfOthers = 0.75;
   const Index n = fitted.jacobian.cols();
@@ -142,13 +168,17 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
   estimate.reach = Eigen::VectorXd::Zero(n);
   if (n == 0) return estimate;
   const Jackknife jackknife(fitted, noise);
+  if (structure.recordings.clusters.size() > 1) estimate.by_recording = jackknife.Over(structure.recordings);
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(n);
-  for (const ResidualPartition& partition : structure.partitions) {
-    estimate.ways.push_back(jackknife.Over(partition));
+  std::vector<ResidualPartition> partitions = structure.partitions;
+  if (noise.HasTime()) partitions.push_back(WindowsOfTime(structure, jackknife.Leverage()));
+  for (const ResidualPartition& partition : partitions) {
+    if (partition.clusters.size() >= kFewest) estimate.ways.push_back(jackknife.Over(partition));
+    else estimate.ways.push_back({.name = partition.name, .clusters = partition.clusters});
     const PartedData& way = estimate.ways.back();
     estimate.is_significant = estimate.is_significant || way.IsSignificant();
     const auto clusters = static_cast<double>(way.shifts.cols());
-    if (clusters > 0) variance += (clusters - 1) / clusters * way.shifts.rowwise().squaredNorm();
+    if (clusters > 0) variance += (clusters - 1) / clusters * way.BeyondNoise();
   }
   std::vector<double> shares;
   std::vector<double> relative;

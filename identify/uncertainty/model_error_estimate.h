@@ -26,6 +26,16 @@ struct FittedResiduals {
   std::vector<bool> is_relative;
 };
 
+/// A part of the data that wants another value of a parameter than the rest.
+struct Contradiction {
+  /// Places among those judged and among the clusters.
+  Eigen::Index parameter = 0;
+  Eigen::Index cluster = 0;
+  /// What the parameter would do without it, and over the standard deviation of that by noise.
+  double shift = 0;
+  double deviations = 0;
+};
+
 /// One way to part the data, and what each part says.
 struct PartedData {
   std::string name;
@@ -33,6 +43,8 @@ struct PartedData {
   /// n x clusters: by how much the parameters would move without this cluster, to first order. Empty with fewer than
   /// three clusters, of which nothing can be learnt.
   Eigen::MatrixXd shifts;
+  /// n x clusters: standard deviation of that by noise alone.
+  Eigen::MatrixXd by_noise;
   /// Squares of what the clusters pull by, over what noise lets them; about `degrees` where noise is all there is.
   double disagreement = 0;
   double degrees = 0;
@@ -42,11 +54,18 @@ struct PartedData {
   /// Whether noise explains the disagreement in less than one fit of a million (normal approximation of the chi-square
   /// distribution by Wilson and Hilferty, PNAS 17, 1931).
   bool IsSignificant() const;
+  /// n: sum of the squares of the shifts, each less what noise alone lets it be.
+  Eigen::VectorXd BeyondNoise() const;
+  /// Shifts of more than four of their standard deviations by noise, which of a hundred shifts one in 160 fits has by
+  /// chance; the largest first.
+  std::vector<Contradiction> Contradictions() const;
 };
 
 /// How far the parameters are uncertain because the model is not the vehicle.
 struct ModelErrorEstimate {
   std::vector<PartedData> ways;
+  /// Recordings, where there are several: nothing rests on it, but it shows which contradict each other.
+  PartedData by_recording;
   /// Parts of the data contradict each other beyond noise.
   bool is_significant = false;
   /// n, in FitVariables: half widths of intervals, see EstimateModelError().
@@ -56,8 +75,8 @@ struct ModelErrorEstimate {
 /// A model that lacks something fits no two parts of the data by the same parameters; how far these go apart shows how
 /// far they are from the truth. Delete-a-group jackknife (Shao and Wu, Ann. Stat. 17, 1989) over few physical clusters,
 /// one Gauss-Newton step each, which takes no evaluation: with psi_i = w_i r_i, H = sum w_i J_i J_i' and the priors,
-///   d_g = (H - H_g)^-1 sum_{i in g} J_i psi_i,   V = (G - 1) / G sum_g d_g d_g',
-/// summed over the ways. Half widths are 1.8 sqrt(V_jj), with V_jj at least m C_jj / 4, C = H^-1, m the median of
+///   d_g = (H - H_g)^-1 sum_{i in g} J_i psi_i,   V_jj = (G - 1) / G sum_g max(0, d_gj^2 - its variance by noise),
+/// summed over the ways. Half widths are 1.75 sqrt(V_jj), with V_jj at least m C_jj / 4, C = H^-1, m the median of
 /// V_jj / C_jj, and at least (0.75)^2 of the median of all relative variances: what is missing moves all parameters,
 /// and where all parts of the data agree on a wrong value V_jj is too small. On vehicles whose models lack much such
 /// intervals hold the truth in 80 to 90 of 100; nothing can be said of an error on which all parts agree.

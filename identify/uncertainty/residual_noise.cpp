@@ -8,52 +8,17 @@
 
 #include <unsupported/Eigen/FFT>
 
+#include "analysis/signals/autocorrelation.h"
+
 namespace fourpost {
 namespace {
 
 using Eigen::Index;
 
-/// A hundred samples leave an order of 10 well determined, and nothing of a rig needs more than 40.
-std::size_t LargestOrder(Index samples) { return static_cast<std::size_t>(std::min<Index>(40, samples / 10)); }
-
 Eigen::VectorXd ValuesOf(const ResidualSeries& series, const Eigen::VectorXd& residuals) {
   Eigen::VectorXd values(series.count);
   for (Index k = 0; k < series.count; ++k) values[k] = residuals[series.first + k * series.step];
   return values;
-}
-
-/// Divided by N, so that the matrix of all of them is not negative.
-std::vector<double> Autocovariances(const Eigen::VectorXd& signal, std::size_t largest) {
-  std::vector<double> covariances;
-  for (Index lag = 0; lag <= static_cast<Index>(largest); ++lag)
-    covariances.push_back(signal.head(signal.size() - lag).dot(signal.tail(signal.size() - lag)) /
-                          static_cast<double>(signal.size()));
-  return covariances;
-}
-
-/// Of all orders, with the variance that each leaves.
-struct Recursion {
-  std::vector<std::vector<double>> coefficients;
-  std::vector<double> variances;
-};
-
-Recursion LevinsonDurbin(const std::vector<double>& covariances) {
-  Recursion recursion = {.coefficients = {{}}, .variances = {covariances[0]}};
-  std::vector<double> now;
-  for (std::size_t order = 1; order < covariances.size(); ++order) {
-    const double variance = recursion.variances.back();
-    if (!(variance > 0)) break;
-    double sum = covariances[order];
-    for (std::size_t i = 0; i < now.size(); ++i) sum += now[i] * covariances[order - 1 - i];
-    const double reflection = -sum / variance;
-    std::vector<double> next = now;
-    for (std::size_t i = 0; i < now.size(); ++i) next[i] += reflection * now[now.size() - 1 - i];
-    next.push_back(reflection);
-    now = std::move(next);
-    recursion.coefficients.push_back(now);
-    recursion.variances.push_back(variance * (1 - reflection * reflection));
-  }
-  return recursion;
 }
 
 /// Half one-sided transform: 0 to half the rate.
@@ -64,16 +29,6 @@ Eigen::VectorXcd Transformed(const Eigen::VectorXd& values, Index points) {
   Eigen::VectorXcd all(points);
   transform.fwd(all, padded);
   return all.head(points / 2 + 1);
-}
-
-/// What passes x_t + a_1 x_{t-1} + ...
-Eigen::VectorXd Whitened(const Eigen::VectorXd& signal, const std::vector<double>& coefficients) {
-  Eigen::VectorXd out = signal;
-  for (std::size_t i = 0; i < coefficients.size(); ++i) {
-    const auto lag = static_cast<Index>(i) + 1;
-    out.tail(signal.size() - lag) += coefficients[i] * signal.head(signal.size() - lag);
-  }
-  return out;
 }
 
 Eigen::VectorXcd FilterAt(const std::vector<double>& coefficients, Index points) {
@@ -124,38 +79,6 @@ void AddVariances(const ResidualSeries& series, const Eigen::VectorXd& residuals
 
 }  // namespace
 
-std::vector<double> Autoregression(const Eigen::VectorXd& signal, std::size_t largest) {
-  const auto samples = static_cast<double>(signal.size());
-  const Recursion recursion = LevinsonDurbin(Autocovariances(signal, largest));
-  std::size_t best = 0;
-  double least = 0;
-  for (std::size_t order = 0; order < recursion.variances.size(); ++order) {
-    if (!(recursion.variances[order] > 0)) break;
-    const double criterion = samples * std::log(recursion.variances[order] / recursion.variances[0]) +
-                             static_cast<double>(order) * std::log(samples);
-    if (criterion >= least) continue;
-    least = criterion;
-    best = order;
-  }
-  return recursion.coefficients[best];
-}
-
-double NeighbourCorrelation(const Eigen::VectorXd& signal) {
-  const double squares = signal.squaredNorm();
-  if (signal.size() < 2 || !(squares > 0)) return 0;
-  return signal.head(signal.size() - 1).dot(signal.tail(signal.size() - 1)) / squares;
-}
-
-double EffectiveSamples(const Eigen::VectorXd& signal) {
-  const auto samples = static_cast<double>(signal.size());
-  const std::vector<double> coefficients = Autoregression(signal, LargestOrder(signal.size()));
-  const Eigen::VectorXd innovations = Whitened(signal, coefficients);
-  double sum = 1;
-  for (const double coefficient : coefficients) sum += coefficient;
-  const double long_run = innovations.squaredNorm() / (sum * sum);
-  return long_run > 0 ? std::min(samples, samples * signal.squaredNorm() / long_run) : samples;
-}
-
 ResidualNoise::ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStructure& structure,
                              Eigen::Index parameters)
     : variance_(Eigen::VectorXd::Ones(residuals.size())), over_time_(static_cast<std::size_t>(residuals.size()), 0) {
@@ -185,7 +108,7 @@ ResidualNoise::Record ResidualNoise::Measured(std::vector<ResidualSeries> channe
   Eigen::MatrixXcd colour(record.points / 2 + 1, count);
   for (Index c = 0; c < count; ++c) {
     const Eigen::VectorXd signal = ValuesOf(record.channels[static_cast<std::size_t>(c)], residuals);
-    const std::vector<double> coefficients = Autoregression(signal, LargestOrder(signal.size()));
+    const std::vector<double> coefficients = Autoregression(signal);
     transforms.col(c) = Transformed(Whitened(signal, coefficients), record.points);
     colour.col(c) = FilterAt(coefficients, record.points).cwiseInverse();
   }

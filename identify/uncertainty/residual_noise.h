@@ -63,15 +63,4 @@ class ResidualNoise {
   std::vector<Record> records_;
 };
 
-/// Coefficients a_1.. of x_t + a_1 x_{t-1} + .. = e_t by Yule and Walker, of the order up to `largest` that BIC
-/// prefers. Empty for white noise and for a signal that is zero.
-std::vector<double> Autoregression(const Eigen::VectorXd& signal, std::size_t largest);
-
-/// Correlation of neighbours in a signal; 0 for one that is zero.
-double NeighbourCorrelation(const Eigen::VectorXd& signal);
-
-/// How many independent samples have a mean as uncertain as this signal's: N (1 - sum a)^2-wise, from the
-/// autoregression's spectrum at zero frequency over its variance; at most N.
-double EffectiveSamples(const Eigen::VectorXd& signal);
-
 }  // namespace fourpost

@@ -66,28 +66,31 @@ std::vector<double> SpeedLimits(const std::vector<Target>& targets) {
   return limits;
 }
 
-/// Windows of time, or recordings where they are many; classes of speed; and the order of samples.
+/// Recordings, classes of speed, and the order of samples.
 ResidualStructure StructureOf(const std::vector<Target>& targets) {
-  ResidualPartition windows = {"windows of time", {}, {}};
   ResidualPartition classes = {"damper speeds", {}, {}};
   ResidualStructure structure;
-  const std::size_t parts = (kParts + targets.size() - 1) / targets.size();
   const std::vector<double> limits = SpeedLimits(targets);
   Eigen::Index next = 0;
   for (std::size_t t = 0; t < targets.size(); ++t) {
     const Target& target = targets[t];
     for (std::size_t i = 0; i < target.count; ++i) {
-      windows.Add(target.recording.name + ", part " + std::to_string(i * parts / target.count + 1), 1);
       const double speed = SpeedAt(target.recording, target.recording.first + i * target.stride);
       const auto place = std::upper_bound(limits.begin(), limits.end(), speed) - limits.begin();
       classes.Add("speeds of class " + std::to_string(place + 1) + " of " + std::to_string(kParts), 1);
     }
     const auto count = static_cast<Eigen::Index>(target.count);
-    structure.series.push_back(
-        {.first = next, .count = count, .step = 1, .is_over_time = true, .record = static_cast<int>(t)});
+    structure.recordings.Add(target.recording.name, count);
+    structure.series.push_back({.first = next,
+                                .count = count,
+                                .step = 1,
+                                .is_over_time = true,
+                                .record = static_cast<int>(t),
+                                .start_s = target.recording.time_s(target.recording.first),
+                                .interval_s = target.recording.sample_s * static_cast<double>(target.stride)});
     next += count;
   }
-  structure.partitions = {std::move(windows), std::move(classes)};
+  structure.partitions = {std::move(classes)};
   return structure;
 }
 

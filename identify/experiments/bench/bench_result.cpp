@@ -9,6 +9,7 @@
 #include "analysis/signals/deviation.h"
 #include "analysis/signals/fit_quality.h"
 #include "analysis/text/short_number.h"
+#include "identify/experiments/bench/bench_residuals.h"
 #include "identify/experiments/bench/findings.h"
 #include "vehicles/multibody/simulation_error.h"
 
@@ -20,6 +21,15 @@ constexpr int kSignalDigits = 7;
 
 std::span<const double> Compared(const BenchRecording& recording, const std::vector<double>& signal) {
   return std::span(signal).subspan(recording.first, recording.end - recording.first);
+}
+
+/// Measured less modelled, of the samples that are fitted.
+Eigen::VectorXd Residual(const BenchRecording& recording, std::span<const double> measured,
+                         std::span<const double> modelled) {
+  const std::size_t stride = ResidualStride(recording);
+  std::vector<double> differences;
+  for (std::size_t k = 0; k < measured.size(); k += stride) differences.push_back(measured[k] - modelled[k]);
+  return Eigen::Map<const Eigen::VectorXd>(differences.data(), static_cast<Eigen::Index>(differences.size()));
 }
 
 }  // namespace
@@ -59,6 +69,7 @@ std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& re
                        .nmse_percent = NormalisedMse_percent(measured, modelled),
                        .vaf_percent = VarianceAccountedFor_percent(measured, modelled),
                        .measured_squares = std::pow(DeviationOf(measured), 2) * static_cast<double>(measured.size())});
+    JudgeNoise(Residual(recording, measured, modelled), misfits.back());
   }
   return misfits;
 }

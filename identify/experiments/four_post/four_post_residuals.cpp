@@ -59,6 +59,7 @@ ResidualStructure StructureOf(const Vehicle& vehicle, const std::vector<Measured
   const auto add = [&](const MeasuredRun& run, const MeasuredChannel& channel, std::size_t count, Eigen::Index each) {
     const auto frequencies = static_cast<Eigen::Index>(count);
     groups.Add(SensorGroup(vehicle, channel.sensor), each * frequencies);
+    structure.recordings.Add(run.name, each * frequencies);
     for (std::size_t i = 0; i < count; ++i) octaves.Add(OctaveName(run.excitation.frequency_Hz[i], lowest), each);
     for (Eigen::Index part = 0; part < each; ++part)
       structure.series.push_back({.first = next + part, .count = frequencies, .step = each});

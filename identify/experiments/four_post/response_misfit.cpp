@@ -15,9 +15,15 @@ struct Sums {
   double square_error = 0;
   double square_measured = 0;
   double count = 0;
+  /// Of relative errors: their squares, and products of neighbours.
+  double square_relative = 0;
+  double product = 0;
+
+  double NeighbourCorrelation() const { return square_relative > 0 ? product / square_relative : 0; }
 };
 
 void Add(const MeasuredChannel& measured, const ChannelResponse& modelled, Sums& sums) {
+  std::complex<double> last = 0;
   for (std::size_t i = 0; i < measured.response.size(); ++i) {
     if (!std::isfinite(std::abs(modelled.response[i]))) continue;
     const std::complex<double> ratio = modelled.response[i] / measured.response[i];
@@ -28,6 +34,10 @@ void Add(const MeasuredChannel& measured, const ChannelResponse& modelled, Sums&
     sums.square_error += std::norm(modelled.response[i] - measured.response[i]);
     sums.square_measured += std::norm(measured.response[i]);
     sums.count += 1;
+    const std::complex<double> relative = ratio - 1.0;
+    sums.square_relative += std::norm(relative);
+    sums.product += std::real(relative * std::conj(last));
+    last = relative;
   }
 }
 
@@ -52,6 +62,7 @@ std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
     misfits[i].rms_dB = std::sqrt(sums[i].square_dB / sums[i].count);
     misfits[i].rms_deg = std::sqrt(sums[i].square_deg / sums[i].count);
     misfits[i].nmse_percent = 100 * sums[i].square_error / sums[i].square_measured;
+    misfits[i].residual_correlation = sums[i].NeighbourCorrelation();
   }
   return misfits;
 }

@@ -17,6 +17,8 @@ struct ChannelMisfit {
   /// Squared differences of the complex responses over the squares of those measured: next to a node, where decibels
   /// and degrees jump, it stays small.
   double nmse_percent = 0;
+  /// Of relative differences of the complex responses at neighbouring frequencies; about 0 where noise is all there is.
+  double residual_correlation = 0;
 };
 
 /// `modelled`: one response per run, at its frequencies, one channel per sensor of the vehicle; frequencies without an

@@ -16,6 +16,7 @@ nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& mis
     nlohmann::ordered_json entry = {{"name", misfit.name}};
     entry.update(ErrorsJson(misfit));
     entry["vaf_percent"] = NumberOrNull(100 - misfit.nmse_percent);
+    entry["residual_correlation"] = NumberOrNull(misfit.residual_correlation);
     list.push_back(std::move(entry));
   }
   return list;

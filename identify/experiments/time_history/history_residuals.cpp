@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "analysis/signals/autocorrelation.h"
 #include "analysis/signals/fit_quality.h"
 #include "analysis/signals/signal_timing.h"
 #include "analysis/text/option_check.h"
@@ -150,20 +151,6 @@ std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double
 
 namespace {
 
-/// Windows into which the records are parted: five of a single one, each as it is where they are many.
-Index WindowsOf(std::size_t histories) {
-  constexpr std::size_t kWindows = 5;
-  return static_cast<Index>((kWindows + histories - 1) / histories);
-}
-
-/// "3 of 5" of one history, else with its name.
-std::string WindowName(const std::vector<MeasuredHistory>& histories, const MeasuredHistory& history, Index window) {
-  const Index windows = WindowsOf(histories.size());
-  const std::string part = "part " + std::to_string(window + 1) + " of " + std::to_string(windows);
-  if (histories.size() == 1) return part;
-  return windows == 1 ? history.name : history.name + ", " + part;
-}
-
 bool HasPostNoise(const std::vector<MeasuredHistory>& histories) {
   return std::any_of(histories.begin(), histories.end(), [](const MeasuredHistory& history) {
     return std::any_of(history.post_noise_sd.begin(), history.post_noise_sd.end(), [](double sd) { return sd > 0; });
@@ -174,22 +161,26 @@ bool HasPostNoise(const std::vector<MeasuredHistory>& histories) {
 
 ResidualStructure HistoryResiduals::Structure() const {
   ResidualPartition groups = {"sensor groups", {}, {}};
-  ResidualPartition windows = {"windows of time", {}, {}};
   ResidualStructure structure;
-  const Index parts = WindowsOf(histories_.size());
   Index at = 0;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
-    const Index each = CountOf(histories_[h]);
-    for (const MeasuredSignal& signal : histories_[h].signals) {
+    const MeasuredHistory& history = histories_[h];
+    const Index each = CountOf(history);
+    const Index stride = options_.cost == HistoryCost::kWhitened ? history.Stride() : 1;
+    for (const MeasuredSignal& signal : history.signals) {
       groups.Add(SensorGroup(condensed_->vehicle(), signal.sensor), each);
-      for (Index part = 0; part < parts; ++part)
-        windows.Add(WindowName(histories_, histories_[h], part), (part + 1) * each / parts - part * each / parts);
-      structure.series.push_back(
-          {.first = at, .count = each, .step = 1, .is_over_time = true, .record = static_cast<int>(h)});
+      structure.recordings.Add(history.name, each);
+      structure.series.push_back({.first = at,
+                                  .count = each,
+                                  .step = 1,
+                                  .is_over_time = true,
+                                  .record = static_cast<int>(h),
+                                  .start_s = history.TimeAt(0),
+                                  .interval_s = static_cast<double>(stride) / history.rate_Hz});
       at += each;
     }
   }
-  structure.partitions = {std::move(groups), std::move(windows)};
+  structure.partitions = {std::move(groups)};
   return structure;
 }
 
@@ -281,6 +272,9 @@ std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& hi
       misfit.gain = timing.gain;
       misfit.delay_s = timing.delay_s;
       misfit.timed_nmse_percent = timing.nmse_percent;
+      const Eigen::VectorXd residual = signal.values - model;
+      const Index stride = histories[h].Stride();
+      JudgeNoise(residual(Eigen::seqN(0, Strided(residual.size(), stride), stride)), misfit);
       misfits.push_back(std::move(misfit));
     }
     FindSwapped(histories[h], modelled[h], std::span(misfits).subspan(first));

@@ -76,7 +76,7 @@ class HistoryResiduals {
 
   const Options& options() const { return options_; }
 
-  /// Groups of sensors, windows of time, and the order of samples.
+  /// Groups of sensors, recordings, and the order of samples.
   ResidualStructure Structure() const;
 
  private:

@@ -238,18 +238,4 @@ KalmanNoise KalmanPredictor::Estimate(const CondensedModel& model, const NoiseSe
   return noise;
 }
 
-Whiteness WhitenessOf(const VectorXd& series) {
-  constexpr Index kLags = 25;
-  const VectorXd about = series.array() - series.mean();
-  const double bound = 1.96 / std::sqrt(static_cast<double>(series.size()));
-  Whiteness whiteness;
-  for (Index lag = 1; lag <= kLags; ++lag) {
-    const Index count = about.size() - lag;
-    const double correlation = about.head(count).dot(about.tail(count)) / about.squaredNorm();
-    if (lag == 1) whiteness.next = correlation;
-    if (std::abs(correlation) > bound) whiteness.beyond += 1.0 / kLags;
-  }
-  return whiteness;
-}
-
 }  // namespace fourpost

@@ -76,13 +76,4 @@ class KalmanPredictor {
   Eigen::Index samples_ = 0;
 };
 
-/// How white a series is.
-struct Whiteness {
-  /// Autocorrelation from one sample to the next.
-  double next = 0;
-  /// Of the first 25 autocorrelations, the share beyond 1.96 / sqrt(N): one in twenty of a white series.
-  double beyond = 0;
-};
-Whiteness WhitenessOf(const Eigen::VectorXd& series);
-
 }  // namespace fourpost

@@ -182,6 +182,19 @@ TEST(ComparisonVerdict, SaysWhatCannotBeCompared) {
                     Not(HasSubstr("Recommended"))));
 }
 
+// sd 0.5 each: 4 apart are 4 / (0.5 sqrt 2) = 5.66 deviations; intervals that touch contradict nothing.
+TEST(ComparisonVerdict, NamesParametersWhoseIntervalsDoNotMeet) {
+  Json other = Result("sweep", 3, 5, 2);
+  other["parameters"][0]["value"] = 14.0;
+  other["parameters"][0]["interval_95"] = {13.0, 15.0};
+  other["parameters"][1]["value"] = 11.5;
+  other["parameters"][1]["interval_95"] = {10.5, 12.5};
+  EXPECT_THAT(VerdictHtml(Runs({Result("sines", 3, 5, 2), other}), std::nullopt),
+              AllOf(HasSubstr("p0 (10.0 and 14.0 kg, 5.7 standard deviations)"), Not(HasSubstr("p1"))));
+  EXPECT_THAT(VerdictHtml(Runs({Result("one", 3, 5), Result("two", 3, 5)}), std::nullopt),
+              Not(HasSubstr("standard deviations")));
+}
+
 // Roll is harder than bounce: who fits it as well does not fit worse.
 TEST(ComparisonVerdict, ComparesByTheStepsThatAllRunsSaw) {
   Json planar = Result("planar", 1, 5);

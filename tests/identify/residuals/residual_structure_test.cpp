@@ -20,6 +20,7 @@ TEST(ResidualStructure, JoinsPartitionsOfOneNameAndMakesAClusterOfABlockWithout)
   ResidualBlock later = {.name = "later", .count = 1};
   later.structure.partitions = {{"groups", {}, {}}};
   later.structure.partitions[0].Add("forces", 1);
+  later.structure.recordings.Add("sweep", 1);
   later.structure.series = {{.first = 0, .count = 1, .step = 1, .is_over_time = true, .record = 0}};
 
   const ResidualStructure whole = JoinedStructure({sines, loads, later});
@@ -29,6 +30,8 @@ TEST(ResidualStructure, JoinsPartitionsOfOneNameAndMakesAClusterOfABlockWithout)
   EXPECT_THAT(whole.partitions[0].cluster_of, ElementsAre(0, 0, 1, 2, 2, 1));
   EXPECT_THAT(whole.partitions[1].clusters, ElementsAre("1 .. 2 Hz", "loads", "later"));
   EXPECT_THAT(whole.partitions[1].cluster_of, ElementsAre(0, 0, 0, 1, 1, 2));
+  EXPECT_THAT(whole.recordings.clusters, ElementsAre("sines", "loads", "sweep"));
+  EXPECT_THAT(whole.recordings.cluster_of, ElementsAre(0, 0, 0, 1, 1, 2));
   ASSERT_EQ(whole.series.size(), 2U);
   EXPECT_EQ(whole.series[1].first, 5);
   EXPECT_NE(whole.series[1].record, whole.series[0].record);

@@ -49,7 +49,7 @@ TEST(ModelErrorEstimate, MovesAsTheFitWithoutAClusterWould) {
   for (Eigen::Index g = 0; g < kClusters; ++g)
     EXPECT_NEAR(estimate.ways[0].shifts(0, g), offsets[g] / (kClusters - 1), 1e-5);
   // (G - 1) / G sum of squares: 3 / 4 of 20 / 9.
-  EXPECT_NEAR(estimate.reach[0], 1.8 * std::sqrt(0.75 * 20 / 9), 1e-4);
+  EXPECT_NEAR(estimate.reach[0], 1.75 * std::sqrt(0.75 * 20 / 9), 1e-4);
   EXPECT_TRUE(estimate.is_significant);
 }
 
@@ -67,6 +67,36 @@ TEST(ModelErrorEstimate, TakesNoiseForNoise) {
   // Four degrees of freedom a time: a deviation of 3.5 %; variances by second differences add some.
   EXPECT_NEAR(disagreement / degrees, 1, 0.15);
   EXPECT_EQ(significant, 0);
+}
+
+TEST(ModelErrorEstimate, NamesRecordingsThatContradictTheRest) {
+  ResidualStructure structure = Structure();
+  structure.recordings.Add("sines", 3 * kEach);
+  structure.recordings.Add("sweep", kEach);
+  const auto by_recording = [&](double offset) {
+    const FittedResiduals fitted = Fitted(Eigen::Vector4d(0, 0, 0, offset), 1, 2);
+    return EstimateModelError(fitted, structure, ResidualNoise(fitted.scores.col(0), structure, 1)).by_recording;
+  };
+  EXPECT_TRUE(by_recording(0).Contradictions().empty());
+  const PartedData parted = by_recording(2);
+  const std::vector<Contradiction> found = parted.Contradictions();
+  ASSERT_EQ(found.size(), 2U);
+  // Means of 300 and 100 samples of deviation 1 that differ by 2: both shifts are multiples of one difference, whose
+  // deviation is (1/300 + 1/100)^1/2; what noise is taken for scatters by 15 %.
+  const double deviations = 2 / std::sqrt(4.0 / 300);
+  for (const Contradiction& one : found) EXPECT_NEAR(one.deviations / deviations, 1, 0.2);
+  for (const Contradiction& one : found)
+    EXPECT_NEAR(one.shift, one.cluster == 1 ? 0.5 : -1.5, 0.35);  // of the mean, without the last and with it alone
+}
+
+TEST(ModelErrorEstimate, SubtractsWhatNoiseMovesByItself) {
+  const FittedResiduals noise = Fitted(Eigen::Vector4d::Zero(), 1, 3);
+  const ModelErrorEstimate estimate = EstimateOf(noise);
+  const PartedData& way = estimate.ways[0];
+  EXPECT_LT(way.BeyondNoise()[0], way.shifts.row(0).squaredNorm());
+  // The mean of 300 samples less that of all 400: variances 1/300 - 1/400.
+  for (Eigen::Index g = 0; g < kClusters; ++g)
+    EXPECT_NEAR(way.by_noise(0, g) / std::sqrt(1.0 / 300 - 1.0 / 400), 1, 0.2);
 }
 
 TEST(ModelErrorEstimate, LearnsNothingFromTwoClusters) {

@@ -70,16 +70,5 @@ TEST(ResidualNoise, TakesOnlyWhatIsRoughForNoiseOverFrequency) {
   EXPECT_NEAR(covariance(0, 0) / (0.01 * kCount), 1, 0.3);
 }
 
-TEST(ResidualNoise, FindsTheOrderAndTheSizeOfAnAutoregression) {
-  EXPECT_TRUE(Autoregression(White(4), 20).empty());
-  const std::vector<double> coefficients = Autoregression(Correlated(0.8, 5), 20);
-  ASSERT_FALSE(coefficients.empty());
-  EXPECT_NEAR(coefficients[0], -0.8, 0.03);  // four deviations, (1 - a^2)^1/2 / N^1/2
-  EXPECT_NEAR(NeighbourCorrelation(Correlated(0.8, 5)), 0.8, 0.03);
-  // (1 - a) / (1 + a) of them.
-  EXPECT_NEAR(EffectiveSamples(Correlated(0.8, 5)) / (kSamples / 9.0), 1, 0.2);
-  EXPECT_EQ(Autoregression(Eigen::VectorXd::Zero(100), 5).size(), 0U);
-}
-
 }  // namespace
 }  // namespace fourpost

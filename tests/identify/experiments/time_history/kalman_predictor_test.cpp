@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
+#include "analysis/signals/autocorrelation.h"
 #include "analysis/signals/random_stream.h"
 #include "identify/experiments/time_history/history_residuals.h"
 #include "tests/identify/recorded_station.h"
@@ -167,21 +168,6 @@ TEST_F(KalmanPredictorTest, RefusesWhatCannotBe) {
   EXPECT_THROW(KalmanPredictor(histories_[0]).Run(hydraulic, Noise(1e-3)), std::invalid_argument);
   histories_[0].filter = LowPassDesign{.order = 4, .cutoff_Hz = 30};
   EXPECT_THROW(KalmanPredictor{histories_[0]}, std::invalid_argument);
-}
-
-TEST(Whiteness, TellsNoiseFromItsSum) {
-  RandomStream draws(1, "series", 0);
-  Eigen::VectorXd noise(5000);
-  Eigen::VectorXd sum(5000);
-  double total = 0;
-  for (Eigen::Index k = 0; k < noise.size(); ++k) {
-    noise[k] = draws.Normal();
-    sum[k] = total = 0.9 * total + noise[k];
-  }
-  EXPECT_LT(std::abs(WhitenessOf(noise).next), 3 / std::sqrt(5000.0));
-  EXPECT_LE(WhitenessOf(noise).beyond, 0.2);
-  EXPECT_NEAR(WhitenessOf(sum).next, 0.9, 0.02);
-  EXPECT_GT(WhitenessOf(sum).beyond, 0.8);
 }
 
 }  // namespace

@@ -1,0 +1,65 @@
+#include "identify/fit/certainty.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "identify/fit/fit.h"
+#include "tests/identify/toy_objective.h"
+
+namespace fourpost {
+namespace {
+
+constexpr Eigen::Index kCount = 40;
+
+/// p0 + p1 = 2 as data, at every sample; noise that averages out.
+VehicleObjective Sum() {
+  return ToyObjective(2, kCount, 1e-15, [](const std::vector<double>& p) {
+    Eigen::VectorXd residuals(kCount);
+    for (Eigen::Index i = 0; i < kCount; ++i) residuals[i] = (p[0] + p[1] - 2) / 0.01 + (i % 2 == 0 ? 1 : -1);
+    return residuals;
+  });
+}
+
+FitResult FitOf(const VehicleObjective& objective) {
+  FitOptions options;
+  options.stop.max_evaluations = 40;
+  options.starts = 1;
+  return Fit(objective, options);
+}
+
+/// p1 held at 1, known to within its prior.
+FitResult WithHeld(std::optional<double> prior_sd, double upper = 5) {
+  const VehicleObjective both = Sum();
+  Vehicle vehicle = both.vehicle();
+  vehicle.parameters[1].prior_sd = prior_sd;
+  vehicle.parameters[1].upper = upper;
+  if (upper == 1) vehicle.parameters[1].lower = 1;
+  return FitOf(VehicleObjective(vehicle, {0}, both.blocks()));
+}
+
+// p0 = 2 - p1: it is as uncertain as p1, beside noise of 0.01 / 40^1/2.
+TEST(Certainty, CountsWhatIsHeldAsKnownWithinItsPrior) {
+  const FitResult fit = WithHeld(0.1);
+  ASSERT_TRUE(fit.certainty);
+  EXPECT_NEAR(fit.certainty->held_sd[0], 0.1, 1e-4);
+  EXPECT_NEAR(fit.certainty->noise_sd[0], 0.01 / std::sqrt(double{kCount}), 2e-4);
+  EXPECT_EQ(fit.certainty->LimitedBy(0), "held: p1");
+}
+
+// Evenly within 0.2 .. 5 in its logarithm.
+TEST(Certainty, CountsWhatIsHeldAsAnywhereInItsRangeWithoutAPrior) {
+  const FitResult fit = WithHeld(std::nullopt);
+  ASSERT_TRUE(fit.certainty);
+  EXPECT_NEAR(fit.certainty->held_sd[0], std::log(25.0) / std::sqrt(12.0), 1e-3);
+}
+
+TEST(Certainty, CountsWhatHasNoRangeAsExact) {
+  const FitResult fit = WithHeld(std::nullopt, 1);
+  ASSERT_TRUE(fit.certainty);
+  EXPECT_EQ(fit.certainty->held_sd[0], 0);
+  EXPECT_EQ(fit.certainty->LimitedBy(0), "noise");
+}
+
+}  // namespace
+}  // namespace fourpost
