@@ -64,13 +64,15 @@ void AddDeviations(const std::vector<ChannelResponse>& sources, double share, Me
   }
 }
 
-/// The channel with its sign, scale and delay put right.
+/// The channel with its sign, scale and delay put right, and deviations of the mean over repeats.
 ChannelResponse Corrected(ChannelResponse response, const std::vector<double>& frequency_Hz,
-                          const SourceChannel& channel) {
+                          const SourceChannel& channel, int repeats) {
   const double scale = std::abs(channel.factor);
   for (std::size_t i = 0; i < response.response.size(); ++i)
     response.response[i] *= std::polar(1.0, 2 * std::numbers::pi * frequency_Hz[i] * channel.delay_s) * channel.factor;
-  for (double& sd : response.gain_sd) sd *= scale;
+  const double of_mean = 1 / std::sqrt(static_cast<double>(repeats));
+  for (double& sd : response.gain_sd) sd *= scale * of_mean;
+  for (double& sd : response.phase_sd_rad) sd *= of_mean;
   for (double& mean : response.mean) mean *= channel.factor;
   for (double& harmonic : response.second_harmonic) harmonic *= scale;
   return response;
@@ -182,7 +184,7 @@ class DataLoader {
     for (const SourceChannel& wanted : source.channels) {
       const std::string& name = wanted.name;
       if (const ChannelResponse* channel = measured.Find(name))
-        found.push_back(Corrected(*channel, measured.frequency_Hz, wanted));
+        found.push_back(Corrected(*channel, measured.frequency_Hz, wanted, recording.repeats));
       else
         diagnostics_.Report(kSineChannelMissing, {file_, source.line},
                             {recording.file.filename().string(), name, DidYouMean(name, NamesOf(measured.channels))});

@@ -23,6 +23,8 @@ struct StudyRecording {
   std::vector<std::pair<std::string, double>> posts;
   /// One of kPostPatterns, in place of `posts`.
   std::optional<std::string> pattern;
+  /// Of which the table holds the mean and the standard deviation of one; 1: deviations are those of the mean.
+  int repeats = 1;
   int line = 0;
 };
 

@@ -34,12 +34,13 @@ class FourPostReader {
       return;
     }
     for (const YAML::Node& entry : list) {
-      const StrictMap map = Map(entry, "the recording", {"name", "file", "posts"});
+      const StrictMap map = Map(entry, "the recording", {"name", "file", "posts", "repeats"});
       StudyRecording recording;
       recording.line = map.line();
       map.Require("file");
       if (const auto file = map.Text("file")) recording.file = study_.Resolve(*file);
       recording.name = map.Text("name").value_or(recording.file.stem().string());
+      recording.repeats = static_cast<int>(map.Integer("repeats", 1, 1000).value_or(1));
       if (const YAML::Node posts = map.Require("posts"); posts.IsDefined()) ReadPosts(posts, recording);
       for (const StudyRecording& other : plan_.recordings)
         if (other.name == recording.name) Fault(entry, kSineTwice, {recording.name});

@@ -104,6 +104,15 @@ TEST_F(FourPostDataTest, AveragesPhasorsMeansAndTheirDeviations) {
   EXPECT_THAT(channel.tangential_sd, ElementsAre(DoubleEq(expected), DoubleEq(expected)));
 }
 
+TEST_F(FourPostDataTest, TakesDeviationsOfOneRepeatOverTheRootOfTheirNumber) {
+  const MeasuredChannel of_mean = Load().runs.at(0).channels.at(0);
+  plan_.recordings[0].repeats = 4;
+  const MeasuredChannel of_one = Load().runs.at(0).channels.at(0);
+  EXPECT_EQ(of_one.response, of_mean.response);
+  EXPECT_DOUBLE_EQ(of_one.radial_sd[0], of_mean.radial_sd[0] / 2);
+  EXPECT_DOUBLE_EQ(of_one.tangential_sd[1], of_mean.tangential_sd[1] / 2);
+}
+
 TEST_F(FourPostDataTest, WarnsOfMembersThatMoveAgainstEachOther) {
   std::string opposite = kRecording;
   for (const char* row : {"s_right,1,90", "s_right,2,90"})
