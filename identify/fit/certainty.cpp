@@ -197,6 +197,13 @@ std::string Certainty::LimitedBy(Index parameter) const {
   return "held: " + held[static_cast<std::size_t>(largest)];
 }
 
+std::vector<Contradiction> Certainty::Contradictions() const {
+  std::vector<Contradiction> found =
+      model_error.by_recording.Contradictions(covariance.reach_95 * Eigen::VectorXd(noise_sd(judged)));
+  for (Contradiction& one : found) one.parameter = judged[static_cast<std::size_t>(one.parameter)];
+  return found;
+}
+
 HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
                       int threads, const std::function<bool()>& stop, std::int64_t& evaluated) {
   HeldParameters held = {.places = PlacesHeld(objective), .variable_sd = {}, .jacobian = {}};

@@ -49,6 +49,10 @@ struct Certainty {
   /// What most of a parameter's deviation comes from: "noise"; "model: " and the part of the data that pulls it most;
   /// "held: " and the parameter that moves it most. Empty for one without a deviation.
   std::string LimitedBy(Eigen::Index parameter) const;
+
+  /// Recordings without which a parameter would leave its interval by noise, beyond what noise lets it move; with
+  /// places among the free parameters.
+  std::vector<Contradiction> Contradictions() const;
 };
 
 /// Of the parameters that are not free but have a range, at these values of the free ones; adds evaluations to

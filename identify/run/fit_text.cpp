@@ -52,15 +52,14 @@ std::string ParameterTable(const FitResult& fit) {
 std::string RecordingContradictions(const FitResult& fit) {
   constexpr std::size_t kShown = 3;
   if (!fit.certainty) return "";
-  const PartedData& recordings = fit.certainty->model_error.by_recording;
-  const std::vector<Contradiction> found = recordings.Contradictions();
+  const std::vector<std::string>& recordings = fit.certainty->model_error.by_recording.clusters;
+  const std::vector<Contradiction> found = fit.certainty->Contradictions();
   if (found.empty()) return "";
   std::string text = "Recordings contradict each other beyond noise:\n";
   for (std::size_t i = 0; i < std::min(kShown, found.size()); ++i) {
-    const Eigen::Index j = fit.certainty->judged[static_cast<std::size_t>(found[i].parameter)];
-    const FittedParameter& p = fit.parameters[static_cast<std::size_t>(j)];
+    const FittedParameter& p = fit.parameters[static_cast<std::size_t>(found[i].parameter)];
     const double change_percent = 100 * (p.lower > 0 ? std::expm1(found[i].shift) : found[i].shift);
-    text += "  without '" + recordings.clusters[static_cast<std::size_t>(found[i].cluster)] + "' " + p.name +
+    text += "  without '" + recordings[static_cast<std::size_t>(found[i].cluster)] + "' " + p.name +
             " would change by " + Rounded(change_percent, 2) + " %" + (p.lower > 0 ? "" : " of its range") + " (" +
             Rounded(found[i].deviations, 2) + " standard deviations of noise)\n";
   }

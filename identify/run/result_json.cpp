@@ -101,15 +101,12 @@ Json Ways(const FitResult& fit) {
 /// By recordings, the worst first.
 Json Contradictions(const FitResult& fit) {
   Json list = Json::array();
-  const Certainty& certainty = *fit.certainty;
-  const PartedData& recordings = certainty.model_error.by_recording;
-  for (const Contradiction& one : recordings.Contradictions()) {
-    const Eigen::Index j = certainty.judged[static_cast<std::size_t>(one.parameter)];
-    list.push_back({{"parameter", fit.parameters[static_cast<std::size_t>(j)].name},
-                    {"without", recordings.clusters[static_cast<std::size_t>(one.cluster)]},
+  const std::vector<std::string>& recordings = fit.certainty->model_error.by_recording.clusters;
+  for (const Contradiction& one : fit.certainty->Contradictions())
+    list.push_back({{"parameter", fit.parameters[static_cast<std::size_t>(one.parameter)].name},
+                    {"without", recordings[static_cast<std::size_t>(one.cluster)]},
                     {"shift", one.shift},
                     {"in_sd_of_noise", one.deviations}});
-  }
   return list;
 }
 

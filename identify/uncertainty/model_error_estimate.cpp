@@ -144,15 +144,16 @@ Eigen::VectorXd PartedData::BeyondNoise() const {
   return (shifts.cwiseAbs2() - by_noise.cwiseAbs2()).cwiseMax(0.0).rowwise().sum();
 }
 
-std::vector<Contradiction> PartedData::Contradictions() const {
+std::vector<Contradiction> PartedData::Contradictions(const Eigen::VectorXd& least) const {
   constexpr double kBeyond = 4;
   std::vector<Contradiction> found;
   for (Index j = 0; j < shifts.rows(); ++j)
     for (Index g = 0; g < shifts.cols(); ++g)
-      if (std::abs(shifts(j, g)) > kBeyond * by_noise(j, g) && by_noise(j, g) > 0)
+      if (std::abs(shifts(j, g)) > std::max(kBeyond * by_noise(j, g), least[j]) && by_noise(j, g) > 0)
         found.push_back({j, g, shifts(j, g), std::abs(shifts(j, g)) / by_noise(j, g)});
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Contradiction& a, const Contradiction& b) { return a.deviations > b.deviations; });
+  std::stable_sort(found.begin(), found.end(), [](const Contradiction& a, const Contradiction& b) {
+    return std::abs(a.shift) > std::abs(b.shift);
+  });
   return found;
 }
 

@@ -56,9 +56,9 @@ struct PartedData {
   bool IsSignificant() const;
   /// n: sum of the squares of the shifts, each less what noise alone lets it be.
   Eigen::VectorXd BeyondNoise() const;
-  /// Shifts of more than four of their standard deviations by noise, which of a hundred shifts one in 160 fits has by
-  /// chance; the largest first.
-  std::vector<Contradiction> Contradictions() const;
+  /// Shifts larger than `least` (n) and more than four of their standard deviations by noise, which of a hundred shifts
+  /// one in 160 fits has by chance; the largest first.
+  std::vector<Contradiction> Contradictions(const Eigen::VectorXd& least) const;
 };
 
 /// How far the parameters are uncertain because the model is not the vehicle.

@@ -77,10 +77,12 @@ TEST(ModelErrorEstimate, NamesRecordingsThatContradictTheRest) {
     const FittedResiduals fitted = Fitted(Eigen::Vector4d(0, 0, 0, offset), 1, 2);
     return EstimateModelError(fitted, structure, ResidualNoise(fitted.scores.col(0), structure, 1)).by_recording;
   };
-  EXPECT_TRUE(by_recording(0).Contradictions().empty());
+  const Eigen::VectorXd any = Eigen::VectorXd::Zero(1);
+  EXPECT_TRUE(by_recording(0).Contradictions(any).empty());
   const PartedData parted = by_recording(2);
-  const std::vector<Contradiction> found = parted.Contradictions();
+  const std::vector<Contradiction> found = parted.Contradictions(any);
   ASSERT_EQ(found.size(), 2U);
+  EXPECT_TRUE(parted.Contradictions(Eigen::VectorXd::Constant(1, 2)).empty());
   // Means of 300 and 100 samples of deviation 1 that differ by 2: both shifts are multiples of one difference, whose
   // deviation is (1/300 + 1/100)^1/2; what noise is taken for scatters by 15 %.
   const double deviations = 2 / std::sqrt(4.0 / 300);
