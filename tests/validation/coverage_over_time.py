@@ -24,7 +24,8 @@ MOTIONS = {"sweep": ["--sweep", "0.5Hz:20Hz"], "random": ["--random", "4mm"], "r
            "step": ["--step", "15mm"]}
 COLOURS = [0, 0.5, 0.9, 0.95, "band"]
 LEVELS = [0.001, 0.01]
-RATE = 200
+# A step of 50 ms has to be sampled as closely as that.
+RATE = {"sweep": 200, "random": 200, "road": 200, "step": 500}
 DURATION = {"sweep": 20, "random": 20, "road": 20, "step": 6}
 
 
@@ -121,9 +122,9 @@ def main():
             sets = [part for name, value in values.items() for part in ("--set", f"{name}={value}{units[name]}")]
             seed = ["--seed", str(number)] if motion in ("random", "road") else []
             run(options.program, "simulate", vehicle, *MOTIONS[motion], *seed, *sets, "--engine", "reduced", "--error", "0.002%",
-                "--duration", f"{DURATION[motion] + options.cut}s", "--rate", f"{RATE}Hz", "-o", folder / "clean.csv")
+                "--duration", f"{DURATION[motion] + options.cut}s", "--rate", f"{RATE[motion]}Hz", "-o", folder / "clean.csv")
             names, row_units, columns = read(folder / "clean.csv")
-            first = round(options.cut * RATE)
+            first = round(options.cut * RATE[motion])
             columns = [column[first:] for column in columns]
             posts = [n[5:] for n in names if n.startswith("post_")]
             sensors = [n for n in names[1:] if not n.startswith("post_")]
