@@ -98,6 +98,26 @@ Json Ways(const FitResult& fit) {
   return ways;
 }
 
+/// Of a symmetric matrix, row by row.
+Json LowerTriangle(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j <= i; ++j) row.push_back(NumberOrNull(matrix(i, j)));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Changes of logarithms of parameters, or shares of their ranges.
+Json Covariances(const FitResult& fit) {
+  Json names = Json::array();
+  for (const Eigen::Index j : fit.certainty->judged) names.push_back(fit.parameters[static_cast<std::size_t>(j)].name);
+  return {{"parameters", names},
+          {"noise", LowerTriangle(fit.certainty->noise_covariance)},
+          {"total", LowerTriangle(fit.certainty->total_covariance)}};
+}
+
 /// What the intervals rest on.
 Json Intervals(const FitResult& fit) {
   if (!fit.certainty) return nullptr;
@@ -117,6 +137,7 @@ Json Intervals(const FitResult& fit) {
           {"model_error", is_wide},
           {"ways", Ways(fit)},
           {"held", held},
+          {"covariance", Covariances(fit)},
           {"moved_by_post_noise", noise_moved}};
 }
 

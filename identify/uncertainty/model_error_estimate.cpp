@@ -140,16 +140,17 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
   const Index n = fitted.jacobian.cols();
   ModelErrorEstimate estimate;
   estimate.reach = Eigen::VectorXd::Zero(n);
+  estimate.covariance = Eigen::MatrixXd::Zero(n, n);
   if (n == 0) return estimate;
   const Jackknife jackknife(fitted, noise);
-  Eigen::VectorXd variance = Eigen::VectorXd::Zero(n);
   for (const ResidualPartition& partition : structure.partitions) {
     estimate.ways.push_back(jackknife.Over(partition));
     const PartedData& way = estimate.ways.back();
     estimate.is_significant = estimate.is_significant || way.IsSignificant();
     const auto clusters = static_cast<double>(way.shifts.cols());
-    if (clusters > 0) variance += (clusters - 1) / clusters * way.shifts.rowwise().squaredNorm();
+    if (clusters > 0) estimate.covariance += (clusters - 1) / clusters * way.shifts * way.shifts.transpose();
   }
+  const Eigen::VectorXd variance = estimate.covariance.diagonal();
   std::vector<double> shares;
   std::vector<double> relative;
   for (Index j = 0; j < n; ++j) {
@@ -161,6 +162,7 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
   for (Index j = 0; j < n; ++j) {
     double v = std::max(variance[j], least_of_noise * jackknife.covariance()(j, j));
     if (fitted.is_relative[static_cast<std::size_t>(j)]) v = std::max(v, least_of_others);
+    estimate.covariance(j, j) = v;
     estimate.reach[j] = kReach * std::sqrt(v);
   }
   return estimate;

@@ -51,6 +51,8 @@ struct ModelErrorEstimate {
   bool is_significant = false;
   /// n, in FitVariables: half widths of intervals, see EstimateModelError().
   Eigen::VectorXd reach;
+  /// n x n, in FitVariables: V, what it is raised by on its diagonal included.
+  Eigen::MatrixXd covariance;
 };
 
 /// A model that lacks something fits no two parts of the data by the same parameters; how far these go apart shows how
