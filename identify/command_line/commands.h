@@ -8,6 +8,7 @@
 
 #include "analysis/text/diagnostics.h"
 #include "identify/run/fit_run.h"
+#include "identify/run/run_draws.h"
 #include "vehicles/engine/steady_response.h"
 #include "vehicles/requests/amplitude_limits.h"
 #include "vehicles/requests/sweep.h"
@@ -169,6 +170,13 @@ struct CompareCommand {
   bool json = false;
 };
 
+/// `fourpost draws RUN`
+struct DrawsCommand : DrawRequest {
+  /// CSV on stdout when empty.
+  std::filesystem::path output;
+  bool json = false;
+};
+
 /// `fourpost rank RUN...`
 struct RankCommand {
   /// Folders of fits.
@@ -191,5 +199,6 @@ int Run(const PredictCommand& command);
 int Run(const ReportCommand& command);
 int Run(const CompareCommand& command);
 int Run(const RankCommand& command);
+int Run(const DrawsCommand& command);
 
 }  // namespace fourpost

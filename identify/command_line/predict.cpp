@@ -17,6 +17,7 @@
 #include "identify/command_line/run_folder.h"
 #include "identify/command_line/work_progress.h"
 #include "identify/run/result_kind.h"
+#include "identify/run/run_spread.h"
 #include "identify/study/fitted_files.h"
 #include "identify/study/study.h"
 #include "identify/study_file/warnings_json.h"
@@ -85,6 +86,8 @@ std::optional<ExperimentResults> Predict(const PredictCommand& command, const Fi
   const std::vector<std::size_t> free;
   const Subject subject(model.vehicle, free, command.run / "study.yaml");
   const Experiment& experiment = ExperimentOf(command.recording, model.study);
+  std::optional<RunSpread> spread;
+  if (HasRunSpread(command.run)) spread = ReadRunSpread(command.run);
   CatchInterrupts();
   return experiment.Predict(subject,
                             {.recording = command.recording,
@@ -93,6 +96,7 @@ std::optional<ExperimentResults> Predict(const PredictCommand& command, const Fi
                              .mode = command.mode,
                              .has_kalman = command.kalman,
                              .noise_from = command.noise_from,
+                             .spread = spread ? &spread->parameters : nullptr,
                              .has_files = !command.output.empty()},
                             progress.Hooks());
 }

@@ -42,6 +42,7 @@ Program::Program() {
   AddReport();
   AddCompare();
   AddRank();
+  AddDraws();
   AddCompletion();
   AddMan();
   AddHelp();
@@ -208,6 +209,32 @@ void Program::AddRank() {
                       "  fourpost rank run/model1 run/model2", [this] { return Run(rank_); });
   sub->add_option("RUN", rank_.runs, "Folders that `fourpost fit` wrote")->required();
   sub->add_flag("--json", rank_.json, "Print JSON instead of tables");
+}
+
+void Program::AddDraws() {
+  CLI::App* sub = Add("draws", "Draw parameter values that a fit and its intervals allow, as CSV",
+                      "  fourpost draws run -n 1000 -o draws.csv\n"
+                      "  fourpost draws run --study study.yaml --noise-only -o likelihood.csv",
+                      [this] { return Run(draws_); });
+  sub->add_option("RUN", draws_.run, "Folder that `fourpost fit -o` wrote")->required();
+  sub->add_option("-n,--count", draws_.count, "Number of draws")->check(CLI::Range(2, 1000000))->capture_default_str();
+  sub->add_option("--seed", draws_.seed, "Seed; the same seed gives the same draws")
+      ->check(WholeNumber("--seed"))
+      ->capture_default_str();
+  sub->add_option("--study", draws_.study,
+                  "The study that the run fitted: needed for --noise-only, and to draw about several optima");
+  sub->add_flag("--noise-only", draws_.noise_only,
+                "Draw from the likelihood alone, shaped by the true cost (default: noise, held parameters and model "
+                "error together, as the intervals)");
+  sub->add_option("--evaluations", draws_.max_evaluations,
+                  "Largest number of evaluations with --noise-only, where the likelihood is not normal")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000000}))
+      ->capture_default_str();
+  sub->add_option("--threads", draws_.threads,
+                  "Evaluations in parallel, without influence on the result; 0: one per processor")
+      ->check(CLI::Range(0, 1024));
+  sub->add_option("-o,--output", draws_.output, "Write the CSV here (default: stdout) and print a summary");
+  sub->add_flag("--json", draws_.json, "Print JSON: the summary, and the draws without -o");
 }
 
 void Program::AddCompletion() {

@@ -38,6 +38,7 @@ class Program {
   void AddReport();
   void AddCompare();
   void AddRank();
+  void AddDraws();
   void AddCompletion();
   void AddMan();
   void AddHelp();
@@ -56,6 +57,7 @@ class Program {
   ReportCommand report_;
   CompareCommand compare_;
   RankCommand rank_;
+  DrawsCommand draws_;
   std::string shell_;
   std::string topic_;
 };

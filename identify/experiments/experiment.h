@@ -25,6 +25,7 @@
 namespace fourpost {
 
 struct FitResult;
+struct ParameterSpread;
 
 /// A file that a study names for an experiment.
 struct ExperimentFile {
@@ -71,6 +72,8 @@ struct PredictionRequest {
   /// One-step predictions of a Kalman filter as well, and where its noise is estimated; empty: as the fit held it.
   bool has_kalman = false;
   std::filesystem::path noise_from = {};
+  /// How far the fitted parameters may be off, for bands; null where the run does not say.
+  const ParameterSpread* spread = nullptr;
   /// Whether the results' files are wanted, which may take longer than the rest.
   bool has_files = false;
 };

@@ -9,4 +9,22 @@ inline const Finding kChannelLength{"channel-length", Severity::kError, "column 
                                     "save channels of one rate together"};
 inline const Finding kFitColumnMissing{"fit-column-missing", Severity::kError, "no column '{}'", "fit again"};
 
+// What a prediction leaves that its fit has covered.
+
+inline const Finding kSpeedsNotCovered{"speeds-not-covered", Severity::kWarning,
+                                       "damper speeds are beyond those of the fit: {}",
+                                       "damper laws are extrapolated there; fit a recording that is as fast"};
+inline const Finding kTravelsNotCovered{
+    "travels-not-covered", Severity::kWarning, "spring travels are beyond those of the fit: {}",
+    "spring laws and stops are extrapolated there; fit a recording that goes as far"};
+inline const Finding kLoadsNotCovered{"loads-not-covered", Severity::kWarning,
+                                      "tyre loads are beyond those of the fit: {}",
+                                      "tyre laws are extrapolated there; fit a recording with these loads"};
+inline const Finding kFrequenciesNotCovered{"frequencies-not-covered", Severity::kWarning,
+                                            "frequencies are beyond those of the fit: {}",
+                                            "the model is untested there; fit a recording with these frequencies"};
+inline const Finding kAmplitudesNotCovered{"amplitudes-not-covered", Severity::kWarning,
+                                           "post amplitudes are beyond those of the fit: {}",
+                                           "friction and damping change with amplitude; fit a recording with these"};
+
 }  // namespace fourpost

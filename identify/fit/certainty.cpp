@@ -124,6 +124,22 @@ Eigen::VectorXd PriorDeviations(const VehicleObjective& objective, const Lattice
   return deviations;
 }
 
+/// The covariance with other deviations, its correlations as they are.
+Eigen::MatrixXd WithDeviations(const Eigen::MatrixXd& covariance, const Eigen::VectorXd& sd) {
+  Eigen::VectorXd factors = sd;
+  for (Index j = 0; j < sd.size(); ++j) factors[j] = covariance(j, j) > 0 ? sd[j] / std::sqrt(covariance(j, j)) : 0;
+  return factors.asDiagonal() * covariance * factors.asDiagonal();
+}
+
+/// Parts of independent causes add up. `of_held`: judged x judged, before it is limited by priors.
+void AddCovariances(const Eigen::MatrixXd& of_held, Certainty& certainty) {
+  const std::vector<Index>& judged = certainty.judged;
+  const Eigen::MatrixXd correlations = Correlations(certainty.covariance)(judged, judged);
+  certainty.noise_covariance = WithDeviations(correlations, certainty.noise_sd(judged));
+  certainty.total_covariance = certainty.noise_covariance + WithDeviations(of_held, certainty.held_sd(judged)) +
+                               WithDeviations(certainty.model_error.covariance, certainty.model_sd(judged));
+}
+
 std::vector<std::size_t> PlacesHeld(const VehicleObjective& objective) {
   std::vector<std::size_t> places;
   const std::vector<std::size_t>& free = objective.free();
@@ -273,6 +289,7 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
     certainty.model_sd[j] = std::min(certainty.model_sd[j], known[j]);
     certainty.total_sd[j] = std::hypot(noise, certainty.held_sd[j], certainty.model_sd[j]);
   }
+  AddCovariances(by_held * by_held.transpose(), certainty);
   return certainty;
 }
 

@@ -42,6 +42,9 @@ struct Certainty {
   ModelErrorEstimate model_error;
   /// Those as places among the free ones.
   std::vector<Eigen::Index> judged;
+  /// In FitVariables, judged x judged: of noise alone, and of all parts.
+  Eigen::MatrixXd noise_covariance;
+  Eigen::MatrixXd total_covariance;
   /// Names of held parameters, and the deviation that each adds, held x free.
   std::vector<std::string> held;
   Eigen::MatrixXd by_held;

@@ -61,4 +61,39 @@ inline const Finding kParameterUndetermined{"parameter-undetermined", Severity::
                                             "the data do not change with the one free parameter",
                                             "measure a channel that depends on it"};
 
+// Draws of its parameters, and predictions.
+
+inline const Finding kRunWithoutCovariance{"run-without-covariance", Severity::kError,
+                                           "the run holds no covariance of its parameters",
+                                           "fit again with this version; 'cost: compromise' gives none"};
+inline const Finding kRunCovarianceDamaged{"run-covariance-damaged", Severity::kError,
+                                           "the covariance in this file cannot be read",
+                                           "run `fourpost fit` with -o on its folder again"};
+inline const Finding kDrawsWithoutStudy{"draws-without-study", Severity::kError,
+                                        "draws of the likelihood need the fitted study", "name it by --study"};
+inline const Finding kDrawsOtherParameters{"draws-other-parameters", Severity::kError,
+                                           "the study does not free the parameters that the run fitted",
+                                           "name the study of that run"};
+inline const Finding kDrawsOtherCost{"draws-other-cost", Severity::kError,
+                                     "the study's cost at the fitted values is {}, the run's {}",
+                                     "name the study of that run, or fit again if its files have changed"};
+inline const Finding kDrawsWithoutDerivatives{"draws-without-derivatives", Severity::kError,
+                                              "the model cannot be evaluated about the fitted values",
+                                              "check run/vehicle.urdf with `fourpost check`"};
+inline const Finding kDrawsHeld{"draws-held", Severity::kWarning,
+                                "these parameters have no standard deviation and stay at their fitted values: {}",
+                                "widen bounds that are guesses, give priors, or measure more"};
+inline const Finding kDrawsCutOff{"draws-cut-off", Severity::kWarning, "ranges cut off part of the distribution of: {}",
+                                  "widen ranges that are guesses", Weight::kSlight};
+inline const Finding kOptimaLeftOut{"optima-left-out", Severity::kWarning,
+                                    "{} more optima are within what the data allow, and all draws are about the best",
+                                    "name the study by --study to draw about all"};
+inline const Finding kDrawsNotNormal{"draws-not-normal", Severity::kWarning,
+                                     "the likelihood is not normal: {} normal draws are worth {} after weighting",
+                                     "these draws come from an ensemble sampler; expect the intervals of the fit to "
+                                     "be off"};
+inline const Finding kDrawsNotMixed{"draws-not-mixed", Severity::kWarning,
+                                    "after {} generations the ensemble still correlates by {} with its earlier state",
+                                    "allow more evaluations"};
+
 }  // namespace fourpost

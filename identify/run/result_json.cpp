@@ -110,6 +110,26 @@ Json Contradictions(const FitResult& fit) {
   return list;
 }
 
+/// Of a symmetric matrix, row by row.
+Json LowerTriangle(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j <= i; ++j) row.push_back(NumberOrNull(matrix(i, j)));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Changes of logarithms of parameters, or shares of their ranges.
+Json Covariances(const FitResult& fit) {
+  Json names = Json::array();
+  for (const Eigen::Index j : fit.certainty->judged) names.push_back(fit.parameters[static_cast<std::size_t>(j)].name);
+  return {{"parameters", names},
+          {"noise", LowerTriangle(fit.certainty->noise_covariance)},
+          {"total", LowerTriangle(fit.certainty->total_covariance)}};
+}
+
 /// What the intervals rest on.
 Json Intervals(const FitResult& fit) {
   if (!fit.certainty) return nullptr;
@@ -125,9 +145,13 @@ Json Intervals(const FitResult& fit) {
   Json noise_moved = Json::object();
   for (Eigen::Index j = 0; j < fit.moved_by_input_noise.size(); ++j)
     noise_moved[fit.parameters[static_cast<std::size_t>(j)].name] = fit.moved_by_input_noise[j];
-  return {
-      {"confidence", is_wide ? "80 to 90 %" : "95 %"}, {"model_error", is_wide}, {"ways", Ways(fit)},
-      {"contradictions", Contradictions(fit)},         {"held", held},           {"moved_by_post_noise", noise_moved}};
+  return {{"confidence", is_wide ? "80 to 90 %" : "95 %"},
+          {"model_error", is_wide},
+          {"ways", Ways(fit)},
+          {"contradictions", Contradictions(fit)},
+          {"held", held},
+          {"covariance", Covariances(fit)},
+          {"moved_by_post_noise", noise_moved}};
 }
 
 /// null of a fit that was interrupted.

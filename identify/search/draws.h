@@ -17,7 +17,9 @@ enum class DrawPurpose : std::uint64_t {
   kBootstrap = 6,
   kLine = 7,
   kNoise = 8,
-  kProbe = 9
+  kProbe = 9,
+  kPosterior = 10,
+  kEnsemble = 11
 };
 
 /// Random draws that are a pure function of (seed, purpose, generation, individual, number of the draw), whoever draws

@@ -140,8 +140,9 @@ bool PartedData::IsSignificant() const {
   return (std::cbrt(disagreement / degrees) - (1 - spread)) / std::sqrt(spread) > kNormal;
 }
 
-Eigen::VectorXd PartedData::BeyondNoise() const {
-  return (shifts.cwiseAbs2() - by_noise.cwiseAbs2()).cwiseMax(0.0).rowwise().sum();
+Eigen::MatrixXd PartedData::BeyondNoise() const {
+  const Eigen::ArrayXXd squares = (shifts.cwiseAbs2() - by_noise.cwiseAbs2()).cwiseMax(0.0).array();
+  return shifts.array().sign() * squares.sqrt();
 }
 
 std::vector<Contradiction> PartedData::Contradictions(const Eigen::VectorXd& least) const {
@@ -167,10 +168,10 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
   const Index n = fitted.jacobian.cols();
   ModelErrorEstimate estimate;
   estimate.reach = Eigen::VectorXd::Zero(n);
+  estimate.covariance = Eigen::MatrixXd::Zero(n, n);
   if (n == 0) return estimate;
   const Jackknife jackknife(fitted, noise);
   if (structure.recordings.clusters.size() > 1) estimate.by_recording = jackknife.Over(structure.recordings);
-  Eigen::VectorXd variance = Eigen::VectorXd::Zero(n);
   std::vector<ResidualPartition> partitions = structure.partitions;
   if (noise.HasTime()) partitions.push_back(WindowsOfTime(structure, jackknife.Leverage()));
   for (const ResidualPartition& partition : partitions) {
@@ -179,8 +180,11 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
     const PartedData& way = estimate.ways.back();
     estimate.is_significant = estimate.is_significant || way.IsSignificant();
     const auto clusters = static_cast<double>(way.shifts.cols());
-    if (clusters > 0) variance += (clusters - 1) / clusters * way.BeyondNoise();
+    if (clusters == 0) continue;
+    const Eigen::MatrixXd beyond = way.BeyondNoise();
+    estimate.covariance += (clusters - 1) / clusters * beyond * beyond.transpose();
   }
+  const Eigen::VectorXd variance = estimate.covariance.diagonal();
   std::vector<double> shares;
   std::vector<double> relative;
   for (Index j = 0; j < n; ++j) {
@@ -192,6 +196,7 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
   for (Index j = 0; j < n; ++j) {
     double v = std::max(variance[j], least_of_noise * jackknife.covariance()(j, j));
     if (fitted.is_relative[static_cast<std::size_t>(j)]) v = std::max(v, least_of_others);
+    estimate.covariance(j, j) = v;
     estimate.reach[j] = kReach * std::sqrt(v);
   }
   return estimate;

@@ -54,8 +54,8 @@ struct PartedData {
   /// Whether noise explains the disagreement in less than one fit of a million (normal approximation of the chi-square
   /// distribution by Wilson and Hilferty, PNAS 17, 1931).
   bool IsSignificant() const;
-  /// n: sum of the squares of the shifts, each less what noise alone lets it be.
-  Eigen::VectorXd BeyondNoise() const;
+  /// n x clusters: shifts, each less what noise alone lets it be, by squares.
+  Eigen::MatrixXd BeyondNoise() const;
   /// Shifts larger than `least` (n) and more than four of their standard deviations by noise, which of a hundred shifts
   /// one in 160 fits has by chance; the largest first.
   std::vector<Contradiction> Contradictions(const Eigen::VectorXd& least) const;
@@ -70,6 +70,8 @@ struct ModelErrorEstimate {
   bool is_significant = false;
   /// n, in FitVariables: half widths of intervals, see EstimateModelError().
   Eigen::VectorXd reach;
+  /// n x n, in FitVariables: V, what it is raised by on its diagonal included.
+  Eigen::MatrixXd covariance;
 };
 
 /// A model that lacks something fits no two parts of the data by the same parameters; how far these go apart shows how

@@ -55,6 +55,8 @@ class Schema(ProgramTest):
         self.assertEqual(fit, json.loads((self.folder / "run/result.json").read_text()))
         self.check("report", "report", "run")
         self.check("predict", "predict", "run", "--recording", "car/stepped_sine.csv")
+        self.check("draws", "draws", "run")
+        self.check("draws", "draws", "run", "--noise-only", "--study", "car/study.yaml", "-o", "draws.csv")
         load = ["--add-mass", "20 kg", "--at", "0,0,0.8"]
         self.check("predict", "predict", "run", "--recording", "car/stepped_sine.csv", *load)
 

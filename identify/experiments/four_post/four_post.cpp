@@ -11,6 +11,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
 #include "analysis/text/units.h"
+#include "identify/experiments/four_post/covered_sines.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/four_post_residuals.h"
 #include "identify/experiments/four_post/kinematics_check.h"
@@ -19,6 +20,7 @@
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/experiments/four_post/recording_lint.h"
 #include "identify/experiments/four_post/response_chart.h"
+#include "identify/experiments/four_post/response_discrepancy.h"
 #include "identify/experiments/four_post/response_misfit.h"
 #include "identify/experiments/four_post/response_misfit_json.h"
 #include "identify/experiments/four_post/tyre_pull_lint.h"
@@ -185,7 +187,9 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
   ExperimentResults results;
   results.json = {{"band_Hz", {plan.band_lower_Hz, plan.band_upper_Hz}},
                   {"recordings", RecordingsJson(vehicle, runs, by_recording)},
-                  {"channels", ResponseMisfitsJson(misfits)}};
+                  {"channels", ResponseMisfitsJson(misfits)},
+                  {"discrepancy", DiscrepancyJson(ResponseDiscrepancies(in_band, fitted))},
+                  {"covered", CoveredJson(CoveredBySines(vehicle, fit.values, in_band))}};
   LintTyrePulls(vehicle, fit.values, in_band, results.findings);
   results.shares = ErrorShares(in_band, fitted);
   results.text = MisfitTable(misfits, by_recording) + '\n';

@@ -10,11 +10,13 @@
 
 #include "analysis/files/frequency_response_file.h"
 #include "analysis/text/text_table.h"
+#include "identify/experiments/four_post/covered_sines.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/four_post.h"
 #include "identify/experiments/four_post/misfit_table.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/experiments/four_post/recording_lint.h"
+#include "identify/experiments/four_post/response_bands.h"
 #include "identify/experiments/four_post/response_chart.h"
 #include "identify/experiments/four_post/response_misfit_json.h"
 #include "identify/experiments/four_post/tyre_pull_lint.h"
@@ -88,6 +90,9 @@ class SinePrediction {
     const std::vector<MeasuredRun> in_band = InBand({whole}, lower, upper);
     LintRuns({plan_, subject_.vehicle(), model_}, {whole}, results.findings);
     LintTyrePulls(subject_.vehicle(), subject_.vehicle().ParameterValues(), in_band, results.findings);
+    WarnOfLeaving(ReadCovered(request_.run / "result.json"),
+                  CoveredBySines(subject_.vehicle(), subject_.vehicle().ParameterValues(), in_band),
+                  {request_.recording.string()}, results.findings);
     hooks_.Find(results.findings);
     const std::optional<SteadyResponse> answer = Answer(in_band.front());
     if (!answer) return std::nullopt;
@@ -98,6 +103,8 @@ class SinePrediction {
                     {"linear_kinematics_error", KinematicsJson(answer->kinematics_error, answer->not_estimated)},
                     {"channels", ResponseMisfitsJson(misfits)}};
     results.text = MisfitTable(misfits, {}) + EngineText(whole.name, *answer);
+    AddBands(in_band.front(), answer->response, results);
+    if (hooks_.IsStopped()) return std::nullopt;
     if (!request_.has_files) return results;
     std::vector<FrequencyResponse> modelled = {Respond(whole)};
     PutInBand(answer->response, modelled.front());
@@ -107,6 +114,16 @@ class SinePrediction {
   }
 
  private:
+  void AddBands(const MeasuredRun& run, const FrequencyResponse& modelled, ExperimentResults& results) const {
+    if (!request_.spread) return;
+    hooks_.Show(run.name + ": bands");
+    const ResponseBands bands =
+        BandsOfResponse(subject_, run, modelled, *request_.spread, ReadDiscrepancies(request_.run / "result.json"));
+    if (bands.counts.empty()) return;
+    results.text += '\n' + BandCountsText(bands.counts, bands.evaluations);
+    results.json["band_95"] = BandCountsJson(bands.counts, bands.evaluations);
+  }
+
   /// The recording in place of those fitted; its posts are set later.
   MeasuredRun Load(Diagnostics& findings) const {
     FourPostPlan plan = plan_;

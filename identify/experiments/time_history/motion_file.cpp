@@ -26,7 +26,7 @@ std::vector<std::string> Names(const Vehicle& vehicle, Index coordinates) {
   return names;
 }
 
-double Rounded(double value) { return std::round(value * kDigits) / kDigits; }
+double ToFewDigits(double value) { return std::round(value * kDigits) / kDigits; }
 
 /// Rows [first, last) of the table.
 RecordedHistory HistoryOf(const CsvTable& table, std::size_t first, std::size_t last, std::size_t posts,
@@ -64,9 +64,9 @@ std::string MotionCsv(const Vehicle& vehicle, const std::vector<RecordedHistory>
   CsvWriter csv(Names(vehicle, histories.empty() ? 0 : histories.front().motion.coordinates.cols()));
   for (const auto& [name, motion] : histories)
     for (Index k = 0; k < motion.posts.rows(); ++k) {
-      csv.Add(name).Add(Rounded(motion.start_s + static_cast<double>(k) / motion.rate_Hz));
-      for (Index p = 0; p < motion.posts.cols(); ++p) csv.Add(Rounded(motion.posts(k, p)));
-      for (Index s = 0; s < motion.coordinates.cols(); ++s) csv.Add(Rounded(motion.coordinates(k, s)));
+      csv.Add(name).Add(ToFewDigits(motion.start_s + static_cast<double>(k) / motion.rate_Hz));
+      for (Index p = 0; p < motion.posts.cols(); ++p) csv.Add(ToFewDigits(motion.posts(k, p)));
+      for (Index s = 0; s < motion.coordinates.cols(); ++s) csv.Add(ToFewDigits(motion.coordinates(k, s)));
     }
   return csv.text();
 }

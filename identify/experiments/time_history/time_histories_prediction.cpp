@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "analysis/text/text_table.h"
+#include "identify/experiments/time_history/covered_histories.h"
 #include "identify/experiments/time_history/findings.h"
+#include "identify/experiments/time_history/history_bands.h"
 #include "identify/experiments/time_history/history_fit_files.h"
 #include "identify/experiments/time_history/history_remark.h"
 #include "identify/experiments/time_history/history_tyre_pull_lint.h"
@@ -46,6 +48,9 @@ class HistoryPrediction {
     const HistoryResiduals reduced(subject_.Condensed(), histories, {});
     const std::vector<double> values = subject_.vehicle().ParameterValues();
     LintTyrePulls(subject_.vehicle(), values, histories, reduced.Steps(), results.findings);
+    WarnOfLeaving(ReadCovered(request_.run / "result.json"),
+                  CoveredByHistories(subject_.vehicle(), values, histories, reduced.Steps()),
+                  {request_.recording.string()}, results.findings);
     hooks_.Find(results.findings);
     const std::optional<EngineHistory> answer =
         Answer(subject_, history, {.engine = request_.engine.value_or(Engine::kAuto)}, hooks_);
@@ -63,12 +68,24 @@ class HistoryPrediction {
     results.files = {{"history.csv", HistoryFitCsv(histories, modelled)},
                      {"history.svg", HistoryFitSvg(history, modelled.front(), misfits)}};
     results.text = HistoryTable(misfits) + EngineText(answer->by);
+    AddBands(reduced, modelled.front(), results);
+    if (hooks_.IsStopped()) return std::nullopt;
     for (const HistoryRemark& remark : RemarksOn(misfits, 1 / history.rate_Hz, RemediedErrors(histories, modelled)))
       results.findings.Report(*remark.found.kind, {request_.recording.string()}, remark.found.words);
     return results;
   }
 
  private:
+  void AddBands(const HistoryResiduals& reduced, const Eigen::MatrixXd& modelled, ExperimentResults& results) const {
+    if (!request_.spread) return;
+    hooks_.Show(reduced.histories().front().name + ": bands");
+    const HistoryBands bands = BandsOfHistory(reduced, subject_.vehicle(), modelled, *request_.spread,
+                                              ReadHistoryDiscrepancies(request_.run / "result.json"));
+    if (bands.counts.empty()) return;
+    results.text += '\n' + BandCountsText(bands.counts, bands.evaluations);
+    results.json["band_95"] = BandCountsJson(bands.counts, bands.evaluations);
+  }
+
   /// The first of the study's histories, of this recording.
   StudyHistory Layout(const std::filesystem::path& recording, Diagnostics& findings) const {
     StudyHistory history = plan_.histories.front();

@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "identify/experiments/time_history/covered_histories.h"
 #include "identify/experiments/time_history/findings.h"
+#include "identify/experiments/time_history/history_bands.h"
 #include "identify/experiments/time_history/history_fit_files.h"
 #include "identify/experiments/time_history/history_lint.h"
 #include "identify/experiments/time_history/history_tyre_pull_lint.h"
@@ -131,11 +133,14 @@ ExperimentResults TimeHistories::Results(const Subject& subject, const FitResult
   std::vector<RecordedHistory> motions;
   if (!fitted.empty()) {
     const HistoryResiduals residuals(subject.Condensed(), fitted, Options(subject));
+    const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
     const std::vector<HistoryMisfit> misfits =
-        Show(plan, subject.vehicle(), residuals, fit.values, residuals.Modelled(fit.values),
-             plan.cost == HistoryCost::kPrediction, "history", results.text, results);
+        Show(plan, subject.vehicle(), residuals, fit.values, modelled, plan.cost == HistoryCost::kPrediction, "history",
+             results.text, results);
     results.json["channels"] = HistoryMisfitsJson(misfits);
     results.json["history_cost"] = kHistoryCostNames[static_cast<std::size_t>(plan.cost)];
+    results.json["history_discrepancy"] = DiscrepancyJson(HistoryDiscrepancies(fitted, modelled));
+    results.json["covered"] = CoveredJson(CoveredByHistories(subject.vehicle(), fit.values, fitted, residuals.Steps()));
     results.shares = ErrorShares(misfits);
     AddMotions(model, residuals, motions);
     // A fit that was cut short says nothing of its kinematics.

@@ -95,7 +95,7 @@ TEST(ModelErrorEstimate, SubtractsWhatNoiseMovesByItself) {
   const FittedResiduals noise = Fitted(Eigen::Vector4d::Zero(), 1, 3);
   const ModelErrorEstimate estimate = EstimateOf(noise);
   const PartedData& way = estimate.ways[0];
-  EXPECT_LT(way.BeyondNoise()[0], way.shifts.row(0).squaredNorm());
+  EXPECT_LT(way.BeyondNoise().squaredNorm(), way.shifts.squaredNorm());
   // The mean of 300 samples less that of all 400: variances 1/300 - 1/400.
   for (Eigen::Index g = 0; g < kClusters; ++g)
     EXPECT_NEAR(way.by_noise(0, g) / std::sqrt(1.0 / 300 - 1.0 / 400), 1, 0.2);

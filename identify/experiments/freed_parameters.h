@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/uncertainty/parameter_spread.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// The free parameters of a fit among all of a vehicle.
+class FreedParameters {
+ public:
+  FreedParameters(const ParameterSpread& spread, const Vehicle& vehicle);
+
+  /// Whether the vehicle has them all.
+  bool AreKnown() const { return places_.size() == count_; }
+  /// All values of the vehicle's file but for these of the free ones.
+  std::vector<double> AllWith(const Eigen::VectorXd& free) const;
+
+ private:
+  std::vector<double> values_;
+  std::vector<std::size_t> places_;
+  std::size_t count_;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,61 @@
+#include "identify/experiments/time_history/covered_histories.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/signals/spectrum.h"
+#include "identify/experiments/probed_vehicle.h"
+#include "identify/experiments/time_history/history_simulation.h"
+#include "vehicles/condensed/condensed_vehicle.h"
+
+namespace fourpost {
+namespace {
+
+/// Where the power of a speed, of heights of this spectrum, reaches a share of the whole.
+double FrequencyAt(double share, const Spectrum& heights) {
+  std::vector<double> power;
+  for (std::size_t i = 0; i < heights.first.size(); ++i)
+    power.push_back(std::pow(heights.frequency_Hz[i], 2) * heights.first[i]);
+  const double wanted = share * std::accumulate(power.begin(), power.end(), 0.0);
+  double below = 0;
+  for (std::size_t i = 0; i < power.size(); ++i)
+    if ((below += power[i]) >= wanted) return heights.frequency_Hz[i];
+  return heights.frequency_Hz.back();
+}
+
+/// Posts in the window.
+void AddPosts(const MeasuredHistory& history, CoveredRanges& ranges) {
+  constexpr double kSegment_s = 8;
+  constexpr double kRest = 0.01;
+  const auto count = static_cast<std::size_t>(history.count);
+  const auto segment = std::min(count, static_cast<std::size_t>(kSegment_s * history.rate_Hz));
+  for (const std::vector<double>& heights : history.heights) {
+    if (segment < 4 || heights.size() < static_cast<std::size_t>(history.first) + count) continue;
+    const std::vector<double> window(heights.begin() + history.first, heights.begin() + history.first + history.count);
+    const double most = std::abs(
+        *std::max_element(window.begin(), window.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
+    if (most == 0) continue;
+    const Spectrum spectrum = WelchSpectrum(window, window, history.rate_Hz, segment);
+    ranges.Add(CoveredQuantity::kPostFrequency, "posts", FrequencyAt(kRest, spectrum),
+               FrequencyAt(1 - kRest, spectrum));
+    ranges.Add(CoveredQuantity::kPostAmplitude, "posts", 0, most);
+  }
+}
+
+}  // namespace
+
+CoveredRanges CoveredByHistories(const Vehicle& vehicle, const std::vector<double>& values,
+                                 const std::vector<MeasuredHistory>& histories, const std::vector<double>& steps_s) {
+  const ProbedVehicle probed(vehicle);
+  const CondensedModel model = CondensedVehicle(probed.vehicle()).At(values);
+  CoveredRanges ranges;
+  for (std::size_t h = 0; h < histories.size(); ++h) {
+    AddPosts(histories[h], ranges);
+    const Eigen::MatrixXd readings = HistorySimulation(histories[h], steps_s[h]).Readings(model);
+    probed.AddMotion(readings, histories[h].rate_Hz, model, ranges);
+  }
+  return ranges;
+}
+
+}  // namespace fourpost
