@@ -83,6 +83,9 @@ inline const Finding kDrawsWithoutDerivatives{"draws-without-derivatives", Sever
 inline const Finding kDrawsHeld{"draws-held", Severity::kWarning,
                                 "these parameters have no standard deviation and stay at their fitted values: {}",
                                 "widen bounds that are guesses, give priors, or measure more"};
+inline const Finding kBandsWithoutParameters{
+    "bands-without-parameters", Severity::kWarning, "the bands leave out parameters without a standard deviation: {}",
+    "widen bounds that are guesses, give priors, or fit a recording that determines them"};
 inline const Finding kDrawsCutOff{"draws-cut-off", Severity::kWarning, "ranges cut off part of the distribution of: {}",
                                   "widen ranges that are guesses", Weight::kSlight};
 inline const Finding kOptimaLeftOut{"optima-left-out", Severity::kWarning,

@@ -228,18 +228,13 @@ class RunDrawer {
       draws_.values.row(static_cast<Index>(i)) = ValuesAt(run_.parameters, draws.points[i]).transpose();
     for (std::size_t k = 0; k < optima.size(); ++k)
       draws_.optima.push_back({optima[k].cost, posterior.shares()[k], ValuesAt(run_.parameters, optima[k].centre)});
-    for (std::size_t j = 0; j < axes.size(); ++j)
-      if (std::find(run_.parameters.judged.begin(), run_.parameters.judged.end(), static_cast<Index>(j)) ==
-          run_.parameters.judged.end())
-        draws_.held.push_back(axes[j].name);
+    draws_.held = run_.Held();
   }
 
   void FindLimits(const PosteriorDraws& draws) {
     const Place place{request_.run.string()};
     Diagnostics& findings = draws_.findings;
-    std::string held;
-    for (const std::string& name : draws_.held) held += (held.empty() ? "" : ", ") + name;
-    if (!held.empty()) findings.Report(kDrawsHeld, place, {held});
+    if (!draws_.held.empty()) findings.Report(kDrawsHeld, place, {run_.HeldText()});
     if (const std::string cut = CutOff(run_, covariance_); !cut.empty()) findings.Report(kDrawsCutOff, place, {cut});
     if (draws.method != DrawMethod::kEnsemble) return;
     findings.Report(kDrawsNotNormal, place, {std::to_string(request_.count), Rounded(draws.effective, 2)});

@@ -82,6 +82,20 @@ bool HasCovariance(const nlohmann::json& result) {
 
 }  // namespace
 
+std::vector<std::string> RunSpread::Held() const {
+  std::vector<std::string> names;
+  for (std::size_t j = 0; j < parameters.lattice.size(); ++j)
+    if (std::find(parameters.judged.begin(), parameters.judged.end(), static_cast<Index>(j)) == parameters.judged.end())
+      names.push_back(parameters.lattice.axes()[j].name);
+  return names;
+}
+
+std::string RunSpread::HeldText() const {
+  std::string text;
+  for (const std::string& name : Held()) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 bool HasRunSpread(const std::filesystem::path& run) { return HasCovariance(ReadResultFile(run / "result.json")); }
 
 RunSpread ReadRunSpread(const std::filesystem::path& run) {

@@ -29,6 +29,11 @@ struct RunSpread {
   std::string confidence;
   /// Refinements that converged elsewhere.
   std::vector<EndedStart> others;
+
+  /// Names of parameters without a standard deviation.
+  std::vector<std::string> Held() const;
+  /// "k, c"
+  std::string HeldText() const;
 };
 
 /// Throws FaultyInput for a run that has no covariance, or none that can be read.

@@ -71,8 +71,9 @@ TEST(CoveredRanges, AreReadAsTheyWereWritten) {
   const TemporaryFolder folder;
   folder.Write("result.json", nlohmann::ordered_json{{"covered", CoveredJson(Fit())}}.dump());
   const CoveredRanges read = ReadCovered(folder.path() / "result.json");
-  ASSERT_EQ(read.all().size(), Fit().all().size());
-  for (const CoveredRange& range : Fit().all()) {
+  const CoveredRanges written = Fit();
+  ASSERT_EQ(read.all().size(), written.all().size());
+  for (const CoveredRange& range : written.all()) {
     ASSERT_NE(read.Find(range.quantity, range.element), nullptr);
     EXPECT_EQ(read.Find(range.quantity, range.element)->lower, range.lower);
     EXPECT_EQ(read.Find(range.quantity, range.element)->upper, range.upper);
