@@ -61,6 +61,10 @@ inline const Finding kParameterUndetermined{"parameter-undetermined", Severity::
                                             "the data do not change with the one free parameter",
                                             "measure a channel that depends on it"};
 
+inline const Finding kOtherOptima{"other-optima", Severity::kWarning,
+                                  "the data also allow {} other optima, of cost {} beside {}",
+                                  "draw about all by `fourpost draws` with --study, or measure what they differ in"};
+
 // Draws of its parameters, and predictions.
 
 inline const Finding kRunWithoutCovariance{"run-without-covariance", Severity::kError,

@@ -4,16 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "identify/uncertainty/other_optima.h"
 #include "identify/uncertainty/parameter_spread.h"
 
 namespace fourpost {
-
-/// Where a refinement of a fit ended.
-struct EndedStart {
-  double cost = 0;
-  /// SI.
-  Eigen::VectorXd values;
-};
 
 /// What result.json of a fit says of its parameters.
 struct RunSpread {

@@ -45,7 +45,6 @@ TEST(CoveredRanges, AreNotLeftWithinATenth) {
 }
 
 TEST(CoveredRanges, AreLeftBeyond) {
-  const std::string file = "other.csv";
   EXPECT_THAT(LeavingBy(CoveredQuantity::kBumpSpeed, "front", 0, 0.331),
               Reports(kSpeedsNotCovered, 0, {"front bump", "0.331 m/s", "0.3 m/s"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kReboundSpeed, "front", 0, 0.45),
