@@ -16,6 +16,7 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/command_line/work_progress.h"
+#include "identify/run/findings.h"
 #include "identify/run/result_kind.h"
 #include "identify/run/run_spread.h"
 #include "identify/study/fitted_files.h"
@@ -89,16 +90,19 @@ std::optional<ExperimentResults> Predict(const PredictCommand& command, const Fi
   std::optional<RunSpread> spread;
   if (HasRunSpread(command.run)) spread = ReadRunSpread(command.run);
   CatchInterrupts();
-  return experiment.Predict(subject,
-                            {.recording = command.recording,
-                             .run = command.run,
-                             .engine = command.engine,
-                             .mode = command.mode,
-                             .has_kalman = command.kalman,
-                             .noise_from = command.noise_from,
-                             .spread = spread ? &spread->parameters : nullptr,
-                             .has_files = !command.output.empty()},
-                            progress.Hooks());
+  std::optional<ExperimentResults> results = experiment.Predict(subject,
+                                                                {.recording = command.recording,
+                                                                 .run = command.run,
+                                                                 .engine = command.engine,
+                                                                 .mode = command.mode,
+                                                                 .has_kalman = command.kalman,
+                                                                 .noise_from = command.noise_from,
+                                                                 .spread = spread ? &spread->parameters : nullptr,
+                                                                 .has_files = !command.output.empty()},
+                                                                progress.Hooks());
+  if (results && spread && results->json.contains("band_95") && !spread->Held().empty())
+    results->findings.Report(kBandsWithoutParameters, {command.run.string()}, {spread->HeldText()});
+  return results;
 }
 
 }  // namespace

@@ -187,6 +187,22 @@ double FitResult::Misfit() const {
   return std::sqrt(data_squares / static_cast<double>(residual_count - prior_count - covariance->rank));
 }
 
+std::optional<ParameterSpread> FitResult::Spread() const {
+  constexpr double kSteps = 1000;  // what is made of it has none
+  if (!certainty || certainty->judged.empty()) return std::nullopt;
+  std::vector<LatticeAxis> axes;
+  Eigen::VectorXd fitted(static_cast<Eigen::Index>(parameters.size()));
+  for (const FittedParameter& one : parameters) {
+    fitted[static_cast<Eigen::Index>(axes.size())] = one.value;
+    axes.push_back({one.name, one.lower, one.upper, (one.upper - one.lower) / kSteps});
+  }
+  return ParameterSpread{.lattice = Lattice(std::move(axes)),
+                         .values = std::move(fitted),
+                         .judged = certainty->judged,
+                         .noise = certainty->noise_covariance,
+                         .total = certainty->total_covariance};
+}
+
 void FitResult::DropDeviations() {
   covariance.reset();
   certainty.reset();

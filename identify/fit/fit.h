@@ -16,6 +16,7 @@
 #include "identify/residuals/vehicle_objective.h"
 #include "identify/search/archive.h"
 #include "identify/uncertainty/covariance.h"
+#include "identify/uncertainty/parameter_spread.h"
 #include "identify/uncertainty/parameter_state.h"
 #include "identify/uncertainty/profile.h"
 
@@ -143,6 +144,8 @@ struct FitResult {
   /// Root mean square of the data's residuals over their degrees of freedom, whatever the loss: how many times what
   /// noise and the stated model error explain. NaN without a covariance.
   double Misfit() const;
+  /// Nothing without a certainty.
+  std::optional<ParameterSpread> Spread() const;
 
   /// Of a cost that weighs by other than noise, which has none; see LoadedStudy::TellsDeviations.
   void DropDeviations();

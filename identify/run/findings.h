@@ -61,6 +61,10 @@ inline const Finding kParameterUndetermined{"parameter-undetermined", Severity::
                                             "the data do not change with the one free parameter",
                                             "measure a channel that depends on it"};
 
+inline const Finding kOtherOptima{"other-optima", Severity::kWarning,
+                                  "the data also allow {} other optima, of cost {} beside {}",
+                                  "draw about all by `fourpost draws` with --study, or measure what they differ in"};
+
 // Draws of its parameters, and predictions.
 
 inline const Finding kRunWithoutCovariance{"run-without-covariance", Severity::kError,
@@ -83,6 +87,9 @@ inline const Finding kDrawsWithoutDerivatives{"draws-without-derivatives", Sever
 inline const Finding kDrawsHeld{"draws-held", Severity::kWarning,
                                 "these parameters have no standard deviation and stay at their fitted values: {}",
                                 "widen bounds that are guesses, give priors, or measure more"};
+inline const Finding kBandsWithoutParameters{
+    "bands-without-parameters", Severity::kWarning, "the bands leave out parameters without a standard deviation: {}",
+    "widen bounds that are guesses, give priors, or fit a recording that determines them"};
 inline const Finding kDrawsCutOff{"draws-cut-off", Severity::kWarning, "ranges cut off part of the distribution of: {}",
                                   "widen ranges that are guesses", Weight::kSlight};
 inline const Finding kOptimaLeftOut{"optima-left-out", Severity::kWarning,

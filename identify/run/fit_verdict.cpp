@@ -9,6 +9,7 @@
 #include "analysis/text/short_number.h"
 #include "identify/run/findings.h"
 #include "identify/uncertainty/findings.h"
+#include "identify/uncertainty/other_optima.h"
 
 namespace fourpost {
 namespace {
@@ -72,6 +73,23 @@ void AddOpen(const FitResult& fit, Diagnostics& conclusions) {
   for (const std::string& combination : fit.weakest) conclusions.Report(kDirectionUndetermined, {}, {combination});
 }
 
+/// Optima that noise and model error do not tell from the best. Costs before a correction are those of another model.
+void AddOtherOptima(const FitResult& fit, Diagnostics& conclusions) {
+  const std::optional<ParameterSpread> spread = fit.Spread();
+  if (!spread) return;
+  std::vector<EndedStart> ends;
+  for (const RefinedStart& run : fit.refined) {
+    if (run.from == "fit") return;
+    if (run.end != RefineEnd::kConverged || run.agrees || run.values.size() != fit.parameters.size()) continue;
+    ends.push_back({run.cost, Eigen::Map<const Eigen::VectorXd>(run.values.data(), spread->values.size())});
+  }
+  const std::vector<EndedStart> others = OtherOptima(ends, *spread, fit.cost, fit.covariance->inflation, spread->total);
+  std::string costs;
+  for (const EndedStart& other : others) costs += (costs.empty() ? "" : ", ") + ShortNumber(other.cost, 6);
+  if (!others.empty())
+    conclusions.Report(kOtherOptima, {}, {std::to_string(others.size()), costs, ShortNumber(fit.cost, 6)});
+}
+
 std::string Joined(const Diagnostics& reasons) {
   std::string text;
   for (const Diagnostic& reason : reasons.items()) text += (text.empty() ? "" : "; ") + reason.message;
@@ -101,6 +119,7 @@ Diagnostics ConclusionsOf(const FitResult& fit, const FitVerdict& verdict, bool 
   if (!has_deviations) conclusions.Report(kCompromiseWithoutDeviations, {});
   else if (fit.covariance) AddOpen(fit, conclusions);
   else conclusions.Report(kEndedWithoutDeviations, {});
+  if (has_deviations) AddOtherOptima(fit, conclusions);
   if (!verdict.explains()) conclusions.Report(kModelUnexplaining, {}, {Joined(verdict.reasons)});
   return conclusions;
 }

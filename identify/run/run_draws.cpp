@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "analysis/numerics/decompositions.h"
 #include "analysis/text/text_table.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/run/findings.h"
@@ -140,10 +139,6 @@ std::string CutOff(const RunSpread& run, const Eigen::MatrixXd& covariance) {
   return text;
 }
 
-double LogDeterminant(const Eigen::MatrixXd& covariance) {
-  return SymmetricEigenvaluesOf(covariance).cwiseMax(1e-300).array().log().sum();
-}
-
 class RunDrawer {
  public:
   RunDrawer(const DrawRequest& request, const WorkHooks& hooks)
@@ -155,7 +150,8 @@ class RunDrawer {
 
   RunDraws Run() {
     if (request_.noise_only && request_.study.empty()) Refuse(kDrawsWithoutStudy, Place::Option("--noise-only"));
-    const std::vector<EndedStart> others = DistinctOthers();
+    const std::vector<EndedStart> others =
+        OtherOptima(run_.others, run_.parameters, run_.cost, run_.inflation, covariance_);
     if (!others.empty() && request_.study.empty())
       draws_.findings.Report(kOptimaLeftOut, {request_.run.string()}, {std::to_string(others.size())});
     std::optional<FittedCost> cost;
@@ -175,32 +171,6 @@ class RunDrawer {
   }
 
  private:
-  /// Optima within what the data may allow, each once.
-  std::vector<EndedStart> DistinctOthers() const {
-    constexpr double kTooUnlikely = 30;  // of chi-square: 3e-7 of the evidence of the best
-    const auto count = static_cast<double>(run_.parameters.judged.size());
-    const double wider = std::exp((LogDeterminant(covariance_) - LogDeterminant(run_.parameters.noise)) / count);
-    const double temperature = run_.inflation * run_.inflation * wider;
-    std::vector<Eigen::VectorXd> known = {variables_.FromValues(run_.parameters.values)};
-    std::vector<EndedStart> distinct;
-    for (const EndedStart& other : run_.others) {
-      if (other.values.size() != run_.parameters.values.size()) continue;
-      if ((other.cost - run_.cost) / temperature > kTooUnlikely) continue;
-      const Eigen::VectorXd x = variables_.FromValues(other.values);
-      const bool is_known = std::any_of(known.begin(), known.end(), [&](const auto& one) { return AreOne(one, x); });
-      if (is_known) continue;
-      known.push_back(x);
-      distinct.push_back(other);
-    }
-    return distinct;
-  }
-
-  /// Within one standard deviation of each parameter.
-  bool AreOne(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-    const Eigen::VectorXd d = (a - b)(run_.parameters.judged);
-    return (d.cwiseAbs().array() <= covariance_.diagonal().array().sqrt()).all();
-  }
-
   std::vector<PosteriorOptimum> Optima(const std::vector<EndedStart>& others, std::optional<FittedCost>& cost) const {
     const Eigen::VectorXd x = variables_.FromValues(run_.parameters.values);
     if (!cost) return {{.centre = x(run_.parameters.judged), .cost = run_.cost, .hessian = {}, .slope = {}}};
@@ -228,18 +198,13 @@ class RunDrawer {
       draws_.values.row(static_cast<Index>(i)) = ValuesAt(run_.parameters, draws.points[i]).transpose();
     for (std::size_t k = 0; k < optima.size(); ++k)
       draws_.optima.push_back({optima[k].cost, posterior.shares()[k], ValuesAt(run_.parameters, optima[k].centre)});
-    for (std::size_t j = 0; j < axes.size(); ++j)
-      if (std::find(run_.parameters.judged.begin(), run_.parameters.judged.end(), static_cast<Index>(j)) ==
-          run_.parameters.judged.end())
-        draws_.held.push_back(axes[j].name);
+    draws_.held = run_.Held();
   }
 
   void FindLimits(const PosteriorDraws& draws) {
     const Place place{request_.run.string()};
     Diagnostics& findings = draws_.findings;
-    std::string held;
-    for (const std::string& name : draws_.held) held += (held.empty() ? "" : ", ") + name;
-    if (!held.empty()) findings.Report(kDrawsHeld, place, {held});
+    if (!draws_.held.empty()) findings.Report(kDrawsHeld, place, {run_.HeldText()});
     if (const std::string cut = CutOff(run_, covariance_); !cut.empty()) findings.Report(kDrawsCutOff, place, {cut});
     if (draws.method != DrawMethod::kEnsemble) return;
     findings.Report(kDrawsNotNormal, place, {std::to_string(request_.count), Rounded(draws.effective, 2)});

@@ -41,12 +41,12 @@ Lattice LatticeOf(const nlohmann::json& parameters) {
 }
 
 /// None after a correction to the full geometry, which goes on from the best alone and has costs of its own.
-std::vector<EndedStart> OthersIn(const nlohmann::json& runs) {
+std::vector<EndedStart> OthersIn(const nlohmann::json& runs, std::size_t parameters) {
   if (std::any_of(runs.begin(), runs.end(), [](const nlohmann::json& run) { return run["from"] == "fit"; })) return {};
   std::vector<EndedStart> others;
   for (const nlohmann::json& run : runs) {
     if (run["end"] != "converged" || run["agrees"] == true || !run["cost"].is_number()) continue;
-    others.push_back({run["cost"], Vector(run["values"])});
+    if (run["values"].size() == parameters) others.push_back({run["cost"], Vector(run["values"])});
   }
   return others;
 }
@@ -70,7 +70,7 @@ RunSpread SpreadOf(const nlohmann::json& result) {
   spread.inflation = std::max(1.0, result.at("identifiability").at("sd_inflation").get<double>());
   spread.is_corrected = !intervals.at("moved_by_post_noise").empty();
   spread.confidence = intervals.at("confidence");
-  spread.others = OthersIn(result.at("starts").at("runs"));
+  spread.others = OthersIn(result.at("starts").at("runs"), parameters.size());
   return spread;
 }
 
@@ -81,6 +81,20 @@ bool HasCovariance(const nlohmann::json& result) {
 }
 
 }  // namespace
+
+std::vector<std::string> RunSpread::Held() const {
+  std::vector<std::string> names;
+  for (std::size_t j = 0; j < parameters.lattice.size(); ++j)
+    if (std::find(parameters.judged.begin(), parameters.judged.end(), static_cast<Index>(j)) == parameters.judged.end())
+      names.push_back(parameters.lattice.axes()[j].name);
+  return names;
+}
+
+std::string RunSpread::HeldText() const {
+  std::string text;
+  for (const std::string& name : Held()) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
 
 bool HasRunSpread(const std::filesystem::path& run) { return HasCovariance(ReadResultFile(run / "result.json")); }
 

@@ -4,16 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "identify/uncertainty/other_optima.h"
 #include "identify/uncertainty/parameter_spread.h"
 
 namespace fourpost {
-
-/// Where a refinement of a fit ended.
-struct EndedStart {
-  double cost = 0;
-  /// SI.
-  Eigen::VectorXd values;
-};
 
 /// What result.json of a fit says of its parameters.
 struct RunSpread {
@@ -29,6 +23,11 @@ struct RunSpread {
   std::string confidence;
   /// Refinements that converged elsewhere.
   std::vector<EndedStart> others;
+
+  /// Names of parameters without a standard deviation.
+  std::vector<std::string> Held() const;
+  /// "k, c"
+  std::string HeldText() const;
 };
 
 /// Throws FaultyInput for a run that has no covariance, or none that can be read.

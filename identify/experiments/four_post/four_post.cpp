@@ -19,6 +19,7 @@
 #include "identify/experiments/four_post/misfit_table.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/experiments/four_post/recording_lint.h"
+#include "identify/experiments/four_post/response_bands.h"
 #include "identify/experiments/four_post/response_chart.h"
 #include "identify/experiments/four_post/response_discrepancy.h"
 #include "identify/experiments/four_post/response_misfit.h"
@@ -119,6 +120,18 @@ Json AnswerJson(const MeasuredRun& run, const SteadyResponse& answer) {
           {"channels", channels}};
 }
 
+/// One per run; none where a fit has no deviations.
+std::vector<ResponseBands> BandsOf(const Subject& subject, const std::vector<MeasuredRun>& runs,
+                                   const std::vector<FrequencyResponse>& modelled,
+                                   const std::optional<ParameterSpread>& spread,
+                                   const std::vector<OctaveDiscrepancy>& discrepancies) {
+  if (!spread || discrepancies.empty()) return {};
+  std::vector<ResponseBands> bands;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    bands.push_back(BandsOfResponse(subject, runs[r], modelled[r], *spread, discrepancies));
+  return bands;
+}
+
 }  // namespace
 
 std::vector<MeasuredRun> FourPost::RunsInBand() const { return InBand(runs, plan.band_lower_Hz, plan.band_upper_Hz); }
@@ -184,18 +197,20 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
   const std::vector<FrequencyResponse> fitted = ModelledResponses(model, vehicle.sensors, in_band);
   const std::vector<ChannelMisfit> misfits = ResponseMisfits(in_band, fitted);
   const std::vector<ChannelMisfit> by_recording = RecordingMisfits(in_band, fitted);
+  const std::vector<OctaveDiscrepancy> discrepancies = ResponseDiscrepancies(in_band, fitted);
   ExperimentResults results;
   results.json = {{"band_Hz", {plan.band_lower_Hz, plan.band_upper_Hz}},
                   {"recordings", RecordingsJson(vehicle, runs, by_recording)},
                   {"channels", ResponseMisfitsJson(misfits)},
-                  {"discrepancy", DiscrepancyJson(ResponseDiscrepancies(in_band, fitted))},
+                  {"discrepancy", DiscrepancyJson(discrepancies)},
                   {"covered", CoveredJson(CoveredBySines(vehicle, fit.values, in_band))}};
   LintTyrePulls(vehicle, fit.values, in_band, results.findings);
   results.shares = ErrorShares(in_band, fitted);
   results.text = MisfitTable(misfits, by_recording) + '\n';
   if (fit.end != FitEnd::kInterrupted) AddKinematics(plan, in_band, vehicle, fit.values, results);
   results.files = {{"response.csv", ResponseCsv(runs, modelled, plan.band_lower_Hz, plan.band_upper_Hz,
-                                                ModelledResponses(start, vehicle.sensors, runs))},
+                                                ModelledResponses(start, vehicle.sensors, runs),
+                                                BandsOf(subject, runs, modelled, fit.Spread(), discrepancies))},
                    {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
   return results;
 }

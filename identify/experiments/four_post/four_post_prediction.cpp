@@ -108,17 +108,28 @@ class SinePrediction {
     if (!request_.has_files) return results;
     std::vector<FrequencyResponse> modelled = {Respond(whole)};
     PutInBand(answer->response, modelled.front());
-    results.files = {{"response.csv", ResponseCsv({whole}, modelled, lower, upper)},
+    results.files = {{"response.csv", ResponseCsv({whole}, modelled, lower, upper, {}, BandsOfWhole(whole, modelled))},
                      {"response.svg", ResponseSvg({whole}, modelled, misfits, lower, upper)}};
     return results;
   }
 
  private:
-  void AddBands(const MeasuredRun& run, const FrequencyResponse& modelled, ExperimentResults& results) const {
-    if (!request_.spread) return;
+  ResponseBands Bands(const MeasuredRun& run, const FrequencyResponse& modelled) const {
+    if (!request_.spread) return {};
     hooks_.Show(run.name + ": bands");
-    const ResponseBands bands =
-        BandsOfResponse(subject_, run, modelled, *request_.spread, ReadDiscrepancies(request_.run / "result.json"));
+    return BandsOfResponse(subject_, run, modelled, *request_.spread, ReadDiscrepancies(request_.run / "result.json"));
+  }
+
+  /// Empty where there are none.
+  std::vector<ResponseBands> BandsOfWhole(const MeasuredRun& run,
+                                          const std::vector<FrequencyResponse>& modelled) const {
+    const ResponseBands bands = Bands(run, modelled.front());
+    if (bands.counts.empty()) return {};
+    return {bands};
+  }
+
+  void AddBands(const MeasuredRun& run, const FrequencyResponse& modelled, ExperimentResults& results) const {
+    const ResponseBands bands = Bands(run, modelled);
     if (bands.counts.empty()) return;
     results.text += '\n' + BandCountsText(bands.counts, bands.evaluations);
     results.json["band_95"] = BandCountsJson(bands.counts, bands.evaluations);

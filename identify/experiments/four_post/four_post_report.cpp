@@ -43,6 +43,10 @@ Json ChannelJson(const ComparedChannel& channel) {
                {"phase_modelled", PictureNumbers(channel.phase_modelled_deg)},
                {"phase_start", PictureNumbers(channel.phase_start_deg)},
                {"phase_sd", PictureNumbers(channel.phase_sd_deg)}};
+  if (HasNumbers(channel.gain_band)) {
+    json["gain_bands"] = {PictureNumbers(channel.gain_band_measured), PictureNumbers(channel.gain_band)};
+    json["phase_bands"] = {PictureNumbers(channel.phase_band_measured_deg), PictureNumbers(channel.phase_band_deg)};
+  }
   if (HasNumbers(channel.mean_measured)) {
     json["mean_measured"] = PictureNumbers(channel.mean_measured);
     json["mean_modelled"] = PictureNumbers(channel.mean_modelled);

@@ -1,12 +1,14 @@
 #include "identify/experiments/four_post/modelled_response.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "analysis/files/csv_writer.h"
 #include "analysis/signals/decibel.h"
+#include "identify/experiments/four_post/response_bands.h"
 #include "vehicles/response/reduced_march.h"
 
 namespace fourpost {
@@ -43,6 +45,17 @@ void AddRow(const MeasuredRun& run, const MeasuredChannel& measured, const Chann
   csv.Add(has_mean ? measured.mean[i] : none).Add(has_mean ? modelled.mean[i] : none);
   csv.Add(measured.radial_sd[i] > 0 ? measured.radial_sd[i] : none).Add(PhaseSdDeg(measured, i));
   csv.Add(start ? std::abs(start->response[i]) : none).Add(start ? PhaseDeg(start->response[i]) : none);
+}
+
+constexpr std::array<const char*, 4> kBandColumns = {"gain_half_95_parameters", "gain_half_95_measured",
+                                                     "phase_half_95_parameters_deg", "phase_half_95_measured_deg"};
+
+void AddBand(const ChannelBand& band, double gain, std::size_t i, CsvWriter& csv) {
+  const auto angle = [&](double tangential) {
+    return gain > 0 ? std::min(180.0, DegreesFromRadians(tangential / gain)) : std::nan("");
+  };
+  csv.Add(band.radial[i]).Add(band.radial_measured[i]);
+  csv.Add(angle(band.tangential[i])).Add(angle(band.tangential_measured[i]));
 }
 
 /// By time integration.
@@ -107,18 +120,27 @@ std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, co
 }
 
 std::string ResponseCsv(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
-                        double lower_Hz, double upper_Hz, const std::vector<FrequencyResponse>& start) {
-  CsvWriter csv({"recording", "channel", "unit", "frequency_Hz", "post_amplitude_m", "in_band", "gain_measured",
-                 "gain_modelled", "phase_measured_deg", "phase_modelled_deg", "mean_measured", "mean_modelled",
-                 "gain_sd", "phase_sd_deg", "gain_start", "phase_start_deg"});
+                        double lower_Hz, double upper_Hz, const std::vector<FrequencyResponse>& start,
+                        const std::vector<ResponseBands>& bands) {
+  std::vector<std::string> columns = {
+      "recording",      "channel",       "unit",          "frequency_Hz",       "post_amplitude_m",
+      "in_band",        "gain_measured", "gain_modelled", "phase_measured_deg", "phase_modelled_deg",
+      "mean_measured",  "mean_modelled", "gain_sd",       "phase_sd_deg",       "gain_start",
+      "phase_start_deg"};
+  if (!bands.empty()) columns.insert(columns.end(), kBandColumns.begin(), kBandColumns.end());
+  CsvWriter csv(columns);
   for (std::size_t r = 0; r < runs.size(); ++r)
-    for (const MeasuredChannel& channel : runs[r].channels)
+    for (std::size_t c = 0; c < runs[r].channels.size(); ++c) {
+      const MeasuredChannel& channel = runs[r].channels[c];
       for (std::size_t i = 0; i < channel.response.size(); ++i) {
         const double f = runs[r].excitation.frequency_Hz[i];
         const ChannelResponse* at_start = start.empty() ? nullptr : &start[r].channels[channel.sensor];
         AddRow(runs[r], channel, modelled[r].channels[channel.sensor], at_start, i, f >= lower_Hz && f <= upper_Hz,
                csv);
+        if (!bands.empty())
+          AddBand(bands[r].channels.at(c), std::abs(modelled[r].channels[channel.sensor].response[i]), i, csv);
       }
+    }
   return csv.text();
 }
 

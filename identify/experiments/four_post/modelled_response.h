@@ -11,6 +11,8 @@
 
 namespace fourpost {
 
+struct ResponseBands;
+
 /// What the model answers to an excitation: by harmonic balance, with hysteresis by Fourier coefficients of the
 /// condensed model run in time until its motion repeats (March; thesis 4.2.3), to a thousandth.
 PeriodicResponse ModelledResponse(const CondensedModel& model, const std::vector<Sensor>& sensors,
@@ -24,8 +26,10 @@ std::vector<FrequencyResponse> ModelledResponses(const CondensedModel& model, co
 /// Measurement and model side by side as comma-separated text: one row per recording, channel and frequency, gains and
 /// phases relative to the reference post as in the recordings, mean offsets in the channel's unit. `in_band` is 1 where
 /// `lower_Hz <= f <= upper_Hz`. Standard deviations of the repeats are empty where there were none. `start`: what the
-/// vehicle answers as its file has it; none of it when empty.
+/// vehicle answers as its file has it; none of it when empty. `bands`: one per run, half widths of 95 %; no columns of
+/// them when empty.
 std::string ResponseCsv(const std::vector<MeasuredRun>& runs, const std::vector<FrequencyResponse>& modelled,
-                        double lower_Hz, double upper_Hz, const std::vector<FrequencyResponse>& start = {});
+                        double lower_Hz, double upper_Hz, const std::vector<FrequencyResponse>& start = {},
+                        const std::vector<ResponseBands>& bands = {});
 
 }  // namespace fourpost

@@ -13,7 +13,7 @@ namespace {
 
 using Column = std::vector<double> ComparedChannel::*;
 
-constexpr std::array<std::pair<const char*, Column>, 12> kColumns = {{
+constexpr std::array<std::pair<const char*, Column>, 16> kColumns = {{
     {"frequency_Hz", &ComparedChannel::frequency_Hz},
     {"post_amplitude_m", &ComparedChannel::post_amplitude_m},
     {"gain_measured", &ComparedChannel::gain_measured},
@@ -24,6 +24,10 @@ constexpr std::array<std::pair<const char*, Column>, 12> kColumns = {{
     {"phase_sd_deg", &ComparedChannel::phase_sd_deg},
     {"gain_start", &ComparedChannel::gain_start},
     {"phase_start_deg", &ComparedChannel::phase_start_deg},
+    {"gain_half_95_parameters", &ComparedChannel::gain_band},
+    {"gain_half_95_measured", &ComparedChannel::gain_band_measured},
+    {"phase_half_95_parameters_deg", &ComparedChannel::phase_band_deg},
+    {"phase_half_95_measured_deg", &ComparedChannel::phase_band_measured_deg},
     {"mean_measured", &ComparedChannel::mean_measured},
     {"mean_modelled", &ComparedChannel::mean_modelled},
 }};

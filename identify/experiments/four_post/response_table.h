@@ -23,6 +23,11 @@ struct ComparedChannel {
   std::vector<double> phase_modelled_deg;
   std::vector<double> phase_start_deg;
   std::vector<double> phase_sd_deg;
+  /// Half widths of bands of 95 % about the model: of the parameters, and of new measured points.
+  std::vector<double> gain_band;
+  std::vector<double> gain_band_measured;
+  std::vector<double> phase_band_deg;
+  std::vector<double> phase_band_measured_deg;
   std::vector<double> mean_measured;
   std::vector<double> mean_modelled;
 };

@@ -85,6 +85,40 @@ TEST_F(DrawsCommandLine, AreATableWithNamesAndUnits) {
   EXPECT_THAT(lines[1], StartsWith(result["parameters"][0]["unit"].get<std::string>() + ","));
 }
 
+/// Ids of the warnings of a prediction.
+std::string Warnings(const Json& prediction) {
+  std::string ids;
+  for (const Json& warning : prediction["warnings"]) ids += warning["id"].get<std::string>() + " ";
+  return ids;
+}
+
+// 12 mm were fitted: a prediction of the same motion leaves nothing, one of 20 mm all but the frequencies.
+TEST_F(DrawsCommandLine, APredictionWarnsWhereItLeavesTheFit) {
+  const std::string recording = ReadText(folder_ / "car/stepped_sine.csv");
+  std::string larger = recording;
+  for (std::size_t at = 0; (at = larger.find(",0.012,", at)) != std::string::npos;) larger.replace(at, 7, ",0.020,");
+  temporary_.Write("larger.csv", larger);
+  const Outcome inside = Run("predict run --recording car/stepped_sine.csv --json");
+  ASSERT_EQ(inside.code, 0) << inside.err;
+  const Json same = Json::parse(inside.out);
+  EXPECT_THAT(Warnings(same), testing::Not(HasSubstr("-not-covered")));
+  const Json& band = same["band_95"];
+  EXPECT_GT(band["points"], 200);
+  EXPECT_LT(band["outside"].get<double>(), 0.1 * band["points"].get<double>());
+  const Outcome beyond = Run("predict run --recording larger.csv --json");
+  const std::string warnings = Warnings(Json::parse(beyond.out));
+  for (const char* id : {"amplitudes", "speeds", "travels", "loads"})
+    EXPECT_THAT(warnings, HasSubstr(std::string(id) + "-not-covered"));
+  EXPECT_THAT(warnings, testing::Not(HasSubstr("frequencies-not-covered")));
+  EXPECT_THAT(beyond.err, HasSubstr("20.0 mm (fit"));
+}
+
+// A page draws the bands that response.csv holds.
+TEST_F(DrawsCommandLine, AFitHasBandsInItsTableAndItsPage) {
+  EXPECT_THAT(ReadText(folder_ / "run/response.csv"), HasSubstr("gain_half_95_parameters,gain_half_95_measured"));
+  EXPECT_THAT(ReadText(folder_ / "run/report.html"), HasSubstr("\"gain_bands\":["));
+}
+
 TEST_F(DrawsCommandLine, AreRefusedWithoutWhatTheyNeed) {
   EXPECT_THAT(Run("draws run --noise-only").err, HasSubstr("[draws-without-study]"));
   EXPECT_THAT(Run("draws run --study car/study.yaml --noise-only -n 2 -o draws.txt").err, HasSubstr("--output"));

@@ -45,7 +45,6 @@ TEST(CoveredRanges, AreNotLeftWithinATenth) {
 }
 
 TEST(CoveredRanges, AreLeftBeyond) {
-  const std::string file = "other.csv";
   EXPECT_THAT(LeavingBy(CoveredQuantity::kBumpSpeed, "front", 0, 0.331),
               Reports(kSpeedsNotCovered, 0, {"front bump", "0.331 m/s", "0.3 m/s"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kReboundSpeed, "front", 0, 0.45),
@@ -71,8 +70,9 @@ TEST(CoveredRanges, AreReadAsTheyWereWritten) {
   const TemporaryFolder folder;
   folder.Write("result.json", nlohmann::ordered_json{{"covered", CoveredJson(Fit())}}.dump());
   const CoveredRanges read = ReadCovered(folder.path() / "result.json");
-  ASSERT_EQ(read.all().size(), Fit().all().size());
-  for (const CoveredRange& range : Fit().all()) {
+  const CoveredRanges written = Fit();
+  ASSERT_EQ(read.all().size(), written.all().size());
+  for (const CoveredRange& range : written.all()) {
     ASSERT_NE(read.Find(range.quantity, range.element), nullptr);
     EXPECT_EQ(read.Find(range.quantity, range.element)->lower, range.lower);
     EXPECT_EQ(read.Find(range.quantity, range.element)->upper, range.upper);

@@ -133,5 +133,25 @@ TEST(Conclusions, NameWhatHasNoStandardDeviation) {
   EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kParameterUndetermined, 0));
 }
 
+// 110 beside 100 is within noise; the other end has been there before.
+TEST(FitVerdict, NamesOtherOptimaThatTheDataAllow) {
+  FitResult fit;
+  fit.cost = 100;
+  fit.parameters = {{.name = "k", .value = 10, .lower = 1, .upper = 100}};
+  fit.covariance.emplace();
+  fit.covariance->directions = fit.covariance->singular_values = Eigen::MatrixXd::Ones(1, 1);
+  fit.covariance->rank = 1;
+  fit.certainty.emplace();
+  fit.certainty->judged = {0};
+  fit.certainty->noise_covariance = fit.certainty->total_covariance = 1e-4 * Eigen::MatrixXd::Identity(1, 1);
+  fit.refined = {{.from = "search", .end = RefineEnd::kConverged, .cost = 100, .agrees = true, .values = {10}},
+                 {.from = "search", .end = RefineEnd::kConverged, .cost = 110, .values = {40}},
+                 {.from = "search", .end = RefineEnd::kIterations, .cost = 111, .values = {60}},
+                 {.from = "vehicle file", .end = RefineEnd::kConverged, .cost = 900, .values = {80}}};
+  EXPECT_THAT(ConclusionsOf(fit, {}, true), Reports(kOtherOptima, 0, {"1 ", "110", "100"}));
+  fit.refined[1].values = {10.05};
+  EXPECT_THAT(ConclusionsOf(fit, {}, true), testing::Not(Reports(kOtherOptima, 0)));
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -94,12 +94,11 @@ TEST(PosteriorDraws, FillACorner) {
   const Posterior posterior({{.centre = Eigen::VectorXd::Zero(kSize), .cost = 0, .hessian = {}, .slope = {}}},
                             covariance, Eigen::VectorXd::Zero(kSize), Eigen::VectorXd::Constant(kSize, 50));
   Points plain;
-  const Eigen::MatrixXd root = covariance.llt().matrixL();
   for (std::size_t i = 0; i < 60000; ++i) {
     Draws draws(9, DrawPurpose::kInitial, 0, i);
-    Eigen::VectorXd standard(kSize);
-    for (double& component : standard) component = draws.Normal();
-    const Eigen::VectorXd x = root * standard;
+    Eigen::VectorXd x(kSize);
+    const double common = draws.Normal();
+    for (double& component : x) component = std::sqrt(0.5) * (common + draws.Normal());
     if ((x.array() > 0).all()) plain.push_back(x);
   }
   const Points points = DrawNormals(posterior, {.count = 4000}).points;

@@ -115,6 +115,29 @@ export function errorBars(low, high, colour = 'measured') {
   };
 }
 
+/** An area between low and high over x, behind the curves. */
+export function area(low, high, colour, alpha) {
+  return {
+    hooks: {
+      drawClear: (u) => {
+        const { ctx, bbox } = u;
+        ctx.save();
+        ctx.beginPath();
+        ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+        ctx.clip();
+        ctx.fillStyle = colours()[colour];
+        ctx.globalAlpha = alpha;
+        const at = u.data[0].flatMap((x, i) => (low[i] == null || high[i] == null ? [] : [i]));
+        ctx.beginPath();
+        for (const i of at) ctx.lineTo(u.valToPos(u.data[0][i], 'x', true), u.valToPos(high[i], 'y', true));
+        for (const i of at.reverse()) ctx.lineTo(u.valToPos(u.data[0][i], 'x', true), u.valToPos(low[i], 'y', true));
+        ctx.fill();
+        ctx.restore();
+      },
+    },
+  };
+}
+
 export const dots = (label, colour = 'measured') => ({
   label,
   stroke: () => colours()[colour],

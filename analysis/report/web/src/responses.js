@@ -1,5 +1,5 @@
 import uPlot from 'uplot';
-import { chart, curve, dots, errorBars, frequencyAxis, linearAxis, outside } from './chart.js';
+import { area, chart, curve, dots, errorBars, frequencyAxis, linearAxis, outside } from './chart.js';
 import { choice, el, tick } from './dom.js';
 import { readable } from './histories.js';
 import { legend } from './legend.js';
@@ -47,6 +47,15 @@ function seriesOf(channel) {
     low: measured.map((value, i) => (angle[i] ? value - reach * angle[i] : null)),
     high: measured.map((value, i) => (angle[i] ? value + reach * angle[i] : null)),
   };
+  const [modelled, turned] = [channel.gain_modelled, phase.lines.at(-1)?.values];
+  gain.areas = (channel.gain_bands ?? []).map((half) => [
+    modelled.map((value, i) => (half[i] == null ? null : decibel(Math.max(value - half[i], value / 100)))),
+    modelled.map((value, i) => (half[i] == null ? null : decibel(value + half[i]))),
+  ]);
+  phase.areas = (channel.phase_bands ?? []).map((half) => [
+    turned.map((value, i) => (half[i] == null || value == null ? null : value - half[i])),
+    turned.map((value, i) => (half[i] == null || value == null ? null : value + half[i])),
+  ]);
   return { x: channel.frequency_Hz, gain, phase, mean: meanOf(channel), ink: channel.ink };
 }
 
@@ -90,7 +99,7 @@ function panel(place, height, series, part, { steps, least, labelled, bands, syn
         points: { size: 6 },
         drag: { x: true, y: false },
       },
-      plugins: [...bands.map((band) => outside(...band)), errorBars(part.low, part.high, series.ink)],
+      plugins: [...bands.map((band) => outside(...band)), ...(part.areas ?? []).map(([from, to], i) => area(from, to, 'model', i ? 0.3 : 0.13)), errorBars(part.low, part.high, series.ink)],
       hooks: { setCursor: [(u) => read(u.cursor.idx)] },
     }),
     [series.x, part.measured, ...part.lines.map((line) => line.values)],
@@ -164,6 +173,7 @@ export function drawResponses(place, data) {
   const recordings = [...new Set(data.responses.map((channel) => channel.recording))];
   const hasStart = data.responses.some((channel) => channel.gain_start?.some((value) => value != null));
   const hasBars = data.responses.some((channel) => channel.gain_sd?.some((value) => value != null));
+  const hasAreas = data.responses.some((channel) => channel.gain_bands);
   const band = fittedBand(data.result.band_Hz, data.responses) ?? [0, 0];
   const state = { recording: recordings[0], start: hasStart };
   const charts = el('div', { class: 'charts' });
@@ -197,6 +207,7 @@ export function drawResponses(place, data) {
       ['dot', 'measured', hasBars ? 'measured, bars: 95 %' : 'measured'],
       ['line', 'model', 'fit'],
       ...(hasStart ? [['dash', 'start', 'start']] : []),
+      ...(hasAreas ? [['patch', 'model', 'bands of 95 %: inner, of the parameters; outer, of new measured points']] : []),
       ['patch', 'line', 'not fitted'],
     ),
     el('p', { class: 'note' }, `Gain in dB, phase in degrees and, where it was measured, mean offset in mm, over frequency in Hz. ${zeroDecibel(data.responses.map(({ unit }) => unit))} The cursor shows model/measured. Drag to zoom all charts, double-click to reset.`),
