@@ -48,7 +48,9 @@ bool Leaves(const CoveredRange& fit, const CoveredRange& prediction) {
   const double span = fit.upper - fit.lower;
   const double below = kMargin * (IsSpan(fit.quantity) ? span : std::abs(fit.lower));
   const double above = kMargin * (IsSpan(fit.quantity) ? span : std::abs(fit.upper));
-  return prediction.lower < fit.lower - below || prediction.upper > fit.upper + above;
+  // An amplitude from zero on is that of any history.
+  const bool has_lower = IsSpan(fit.quantity) || prediction.lower > 0;
+  return (has_lower && prediction.lower < fit.lower - below) || prediction.upper > fit.upper + above;
 }
 
 std::string RangeText(const CoveredRange& range) {

@@ -25,7 +25,7 @@ struct OctaveErrors {
   std::vector<double> tangential_scatter;
 };
 
-/// That which 95 of 100 new ones stay below, as far as so few tell.
+/// That which 95 of 100 new ones stay below, estimated from these few.
 double Reach95(std::vector<double> sizes, std::vector<double> scatter) {
   constexpr double kShare = 0.95;
   std::sort(sizes.begin(), sizes.end());

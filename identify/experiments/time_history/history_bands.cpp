@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -23,6 +24,10 @@ constexpr Index kMostSamples = 4000;
 
 double RmsOf(const Eigen::VectorXd& values) {
   return std::sqrt(values.squaredNorm() / static_cast<double>(std::max<Index>(values.size(), 1)));
+}
+
+double MeanOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 double ShareOf(const std::vector<HistoryDiscrepancy>& all, const std::string& channel) {
@@ -69,8 +74,17 @@ Json DiscrepancyJson(const std::vector<HistoryDiscrepancy>& all) {
 
 std::vector<HistoryDiscrepancy> ReadHistoryDiscrepancies(const std::filesystem::path& result) {
   std::vector<HistoryDiscrepancy> all;
-  for (const nlohmann::json& entry : ListAt(ReadResultFile(result), "history_discrepancy"))
+  const nlohmann::json run = ReadResultFile(result);
+  for (const nlohmann::json& entry : ListAt(run, "history_discrepancy"))
     if (const double share = NumberAt(entry, "share"); share >= 0) all.push_back({TextAt(entry, "channel"), share});
+  if (!all.empty()) return all;
+  // Errors along and across a phasor add by squares in its signal; octaves count alike.
+  std::map<std::string, std::vector<double>> squares;
+  for (const nlohmann::json& entry : ListAt(run, "discrepancy"))
+    squares[TextAt(entry, "channel")].push_back(std::pow(NumberAt(entry, "radial"), 2) +
+                                                std::pow(NumberAt(entry, "tangential"), 2));
+  for (const auto& [channel, octaves] : squares)
+    if (const double share = std::sqrt(MeanOf(octaves)); share >= 0) all.push_back({channel, share});
   return all;
 }
 

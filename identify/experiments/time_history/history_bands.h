@@ -23,8 +23,9 @@ struct HistoryDiscrepancy {
 std::vector<HistoryDiscrepancy> HistoryDiscrepancies(const std::vector<MeasuredHistory>& histories,
                                                      const std::vector<Eigen::MatrixXd>& modelled);
 
-/// `history_discrepancy` of result.json, and back; nothing of a run without it.
 nlohmann::ordered_json DiscrepancyJson(const std::vector<HistoryDiscrepancy>& all);
+/// `history_discrepancy` of result.json; of a run that fitted stepped sines alone from its `discrepancy`; nothing of one
+/// with neither.
 std::vector<HistoryDiscrepancy> ReadHistoryDiscrepancies(const std::filesystem::path& result);
 
 /// Half widths of bands of 95 % about the signals of one history, samples x signals in their units: of the parameters

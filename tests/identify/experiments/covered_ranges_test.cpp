@@ -42,6 +42,7 @@ TEST(CoveredRanges, AreNotLeftWithinATenth) {
   EXPECT_THAT(LeavingBy(CoveredQuantity::kTyreLoad, "tyre", 2801, 5199).items(), IsEmpty());
   EXPECT_THAT(LeavingBy(CoveredQuantity::kPostFrequency, "posts", 0.91, 21.9).items(), IsEmpty());
   EXPECT_THAT(LeavingBy(CoveredQuantity::kPostAmplitude, "posts", 0.0019, 0.0109).items(), IsEmpty());
+  EXPECT_THAT(LeavingBy(CoveredQuantity::kPostAmplitude, "posts", 0, 0.0109).items(), IsEmpty());
 }
 
 TEST(CoveredRanges, AreLeftBeyond) {
@@ -52,11 +53,11 @@ TEST(CoveredRanges, AreLeftBeyond) {
   EXPECT_THAT(LeavingBy(CoveredQuantity::kSpringTravel, "coil", -0.0251, 0),
               Reports(kTravelsNotCovered, 0, {"coil", "-25.1", "30 mm"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kTyreLoad, "tyre", 4000, 5201),
-              Reports(kLoadsNotCovered, 0, {"tyre", "5200", "5000 N"}));
+              Reports(kLoadsNotCovered, 0, {"tyre", "5201 N", "5000 N"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kPostFrequency, "posts", 0.89, 10),
-              Reports(kFrequenciesNotCovered, 0, {"0.89", "20 Hz"}));
+              Reports(kFrequenciesNotCovered, 0, {"0.890", "20.0 Hz"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kPostAmplitude, "posts", 0.001, 0.01),
-              Reports(kAmplitudesNotCovered, 0, {"1.00", "10 mm"}));
+              Reports(kAmplitudesNotCovered, 0, {"1.00", "10.0 mm"}));
 }
 
 TEST(CoveredRanges, SayNothingOfWhatTheFitDidNotSee) {
