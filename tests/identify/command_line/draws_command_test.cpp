@@ -122,7 +122,7 @@ TEST_F(DrawsCommandLine, AFitHasBandsInItsTableAndItsPage) {
 TEST_F(DrawsCommandLine, AreRefusedWithoutWhatTheyNeed) {
   EXPECT_THAT(Run("draws run --noise-only").err, HasSubstr("[draws-without-study]"));
   EXPECT_THAT(Run("draws run --study car/study.yaml --noise-only -n 2 -o draws.txt").err, HasSubstr("--output"));
-  ReplaceIn("car/study.yaml", "stepped_sine.csv", "other.csv");
+  ReplaceIn("car/study.yaml", "file: stepped_sine.csv", "file: other.csv");
   const std::string recording = ReadText(folder_ / "car/stepped_sine.csv");
   // Ten times the first gain.
   temporary_.Write("car/other.csv", Replace(recording, ",1.18668,", ",11.8668,"));
