@@ -47,11 +47,11 @@ TEST(CoveredRanges, AreNotLeftWithinATenth) {
 
 TEST(CoveredRanges, AreLeftBeyond) {
   EXPECT_THAT(LeavingBy(CoveredQuantity::kBumpSpeed, "front", 0, 0.331),
-              Reports(kSpeedsNotCovered, 0, {"front bump", "0.331 m/s", "0.3 m/s"}));
+              Reports(kSpeedsNotCovered, 0, {"front bump", "0.331 m/s", "0.300 m/s"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kReboundSpeed, "front", 0, 0.45),
-              Reports(kSpeedsNotCovered, 0, {"front rebound", "0.45 m/s", "0.4 m/s"}));
+              Reports(kSpeedsNotCovered, 0, {"front rebound", "0.450 m/s", "0.400 m/s"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kSpringTravel, "coil", -0.0251, 0),
-              Reports(kTravelsNotCovered, 0, {"coil", "-25.1", "30 mm"}));
+              Reports(kTravelsNotCovered, 0, {"coil", "-25.1", "30.0 mm"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kTyreLoad, "tyre", 4000, 5201),
               Reports(kLoadsNotCovered, 0, {"tyre", "5201 N", "5000 N"}));
   EXPECT_THAT(LeavingBy(CoveredQuantity::kPostFrequency, "posts", 0.89, 10),
