@@ -5,13 +5,12 @@
 #include "analysis/signals/frequency_response.h"
 #include "identify/experiments/fit_balance.h"
 #include "identify/experiments/four_post/four_post_data.h"
+#include "identify/experiments/four_post/response_bands.h"
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/response/harmonic_balance.h"
 
 namespace fourpost {
-
-struct ResponseBands;
 
 /// What the model answers to an excitation: by harmonic balance, with hysteresis by Fourier coefficients of the
 /// condensed model run in time until its motion repeats (March; thesis 4.2.3), to a thousandth.
