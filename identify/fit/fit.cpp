@@ -117,7 +117,8 @@ std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const VehicleObj
   return starts;
 }
 
-/// The model's own derivatives may be good enough for steps only: differences end what they began, and tell deviations.
+/// The model's own derivatives may be good enough for steps only: differences end what they began, and give
+/// the standard deviations.
 /// `report_and_ask` is called between the steps, `stop` within them.
 RefineResult Polished(Archive& archive, const RefineResult& best, RefineOptions options,
                       const std::function<bool()>& report_and_ask, const std::function<bool()>& stop) {
