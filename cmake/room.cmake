@@ -1,7 +1,6 @@
-# fourpost_room(FOLDER [ALONE] USES room... PUBLIC library... PRIVATE library...)
+# fourpost_room(FOLDER USES room... PUBLIC library... PRIVATE library...)
 # A room is a folder and a static library of all that lies in it. USES names the rooms that it may include, "vehicles/laws";
-# the build refuses any other (arrows.cmake), and a circle of rooms. ALONE: its sources have words of their own that do
-# not go together into one compilation.
+# the build refuses any other (arrows.cmake), and a circle of rooms.
 add_library(fourpost_warnings INTERFACE)
 target_compile_options(fourpost_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
@@ -17,7 +16,7 @@ fourpost_precompiled(fourpost_headers)
 set(fourpost_cmake_dir ${CMAKE_CURRENT_LIST_DIR})
 
 function(fourpost_room folder)
-  cmake_parse_arguments(ROOM "ALONE" "" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;PUBLIC;PRIVATE" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
   set(target fourpost_${name})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
@@ -41,9 +40,6 @@ function(fourpost_room folder)
   target_link_libraries(${target} PUBLIC ${rooms} ${ROOM_PUBLIC}
     PRIVATE ${ROOM_PRIVATE} $<BUILD_INTERFACE:fourpost_warnings>)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-  if(ROOM_ALONE)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
-  endif()
   fourpost_reuse(${target} fourpost_headers)
   set_property(GLOBAL APPEND PROPERTY fourpost_rooms ${target})
 endfunction()

@@ -15,7 +15,7 @@ Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : 
 
 Json Vector(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
 
-Json Tree(const Vehicle& vehicle) {
+Json TreeJson(const Vehicle& vehicle) {
   const std::vector<double> values = vehicle.ParameterValues();
   const auto link = [&](int index) -> const Link& { return vehicle.links[static_cast<std::size_t>(index)]; };
   Json tree = Json::array();
@@ -36,7 +36,7 @@ void AddClosures(const Vehicle& vehicle, const char* kind, const std::vector<Ele
         {{"name", element.name}, {"kind", kind}, {"parent", link(element.parent)}, {"child", link(element.child)}});
 }
 
-Json Closures(const Vehicle& vehicle) {
+Json ClosuresJson(const Vehicle& vehicle) {
   Json closures = Json::array();
   AddClosures(vehicle, "rod", vehicle.rods, closures);
   AddClosures(vehicle, "ball", vehicle.balls, closures);
@@ -62,7 +62,7 @@ Json Bushings(const Vehicle& vehicle) {
   return bushings;
 }
 
-Json Posts(const Vehicle& vehicle) {
+Json PostsJson(const Vehicle& vehicle) {
   Json posts = Json::array();
   for (const Post& post : vehicle.posts)
     posts.push_back({{"name", post.name},
@@ -93,7 +93,7 @@ Json SensorOf(const Vehicle& vehicle, const Sensor& sensor) {
   return json;
 }
 
-Json Sensors(const Vehicle& vehicle) {
+Json SensorsJson(const Vehicle& vehicle) {
   Json sensors = Json::array();
   for (const Sensor& sensor : vehicle.sensors) sensors.push_back(SensorOf(vehicle, sensor));
   return sensors;
@@ -122,7 +122,7 @@ Json Corners(const VehicleSummary& summary) {
   return corners;
 }
 
-Json Axles(const VehicleSummary& summary) {
+Json AxlesJson(const VehicleSummary& summary) {
   Json axles = Json::array();
   for (std::size_t a = 0; a < summary.suspension.axles.size(); ++a) {
     const Axle& axle = summary.suspension.axles[a];
@@ -174,7 +174,7 @@ Json Modes(const VehicleSummary& summary) {
   return modes;
 }
 
-Json Parameters(const Vehicle& vehicle) {
+Json ParametersJson(const Vehicle& vehicle) {
   Json parameters = Json::array();
   for (const Parameter& parameter : vehicle.parameters)
     parameters.push_back({{"name", parameter.name},
@@ -188,7 +188,7 @@ Json Parameters(const Vehicle& vehicle) {
   return parameters;
 }
 
-Json Views(const VehicleSummary& summary) {
+Json ViewsJson(const VehicleSummary& summary) {
   Json views = Json::array();
   for (const ParameterView& view : summary.views) {
     Json channels = Json::array();
@@ -211,8 +211,8 @@ Json Told(const CheckedVehicle& checked) {
             {"independent_equations", mobility.independent_equations},
             {"redundant", mobility.redundant},
             {"loop_residual_m", mobility.loop_residual}}},
-          {"tree", Tree(vehicle)},
-          {"loop_closures", Closures(vehicle)},
+          {"tree", TreeJson(vehicle)},
+          {"loop_closures", ClosuresJson(vehicle)},
           {"bushings", Bushings(vehicle)},
           {"mass_kg", summary.mass_kg},
           {"sprung_mass_kg", OrNull(summary.SprungMass_kg())},
@@ -221,14 +221,14 @@ Json Told(const CheckedVehicle& checked) {
           {"inertia_kg_m2", Inertia(summary.inertia)},
           {"weight_N", summary.Weight_N()},
           {"corners", Corners(summary)},
-          {"axles", Axles(summary)},
+          {"axles", AxlesJson(summary)},
           {"struts", Struts(vehicle, summary)},
           {"modes", Modes(summary)},
           {"stable", summary.IsStable()},
-          {"posts", Posts(vehicle)},
-          {"sensors", Sensors(vehicle)},
-          {"parameters", Parameters(vehicle)},
-          {"observability", Views(summary)}};
+          {"posts", PostsJson(vehicle)},
+          {"sensors", SensorsJson(vehicle)},
+          {"parameters", ParametersJson(vehicle)},
+          {"observability", ViewsJson(summary)}};
 }
 
 }  // namespace

@@ -269,7 +269,7 @@ std::string Sensors(const Vehicle& vehicle) {
 }
 
 /// Words in lines no longer than this.
-std::vector<std::string> Wrapped(const std::string& text, std::size_t width) {
+std::vector<std::string> WrappedLines(const std::string& text, std::size_t width) {
   std::vector<std::string> lines;
   std::string rest = text;
   while (rest.size() > width) {
@@ -311,7 +311,7 @@ std::string Parameters(const Vehicle& vehicle) {
   const std::size_t used = std::accumulate(widths.begin(), widths.end(), 2 * widths.size());
   TextTable table(Head(head, {"source"}, true));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (const std::string& line : Wrapped(vehicle.parameters[i].source, kWidth - std::min(used, kWidth / 2))) {
+    for (const std::string& line : WrappedLines(vehicle.parameters[i].source, kWidth - std::min(used, kWidth / 2))) {
       table.Add(Head(rows[i], {line}, true));
       rows[i].assign(rows[i].size(), "");
     }

@@ -24,13 +24,13 @@
 namespace fourpost {
 namespace {
 
-struct Job {
+struct ModesJob {
   Vehicle vehicle;
   std::vector<ParameterRange> ranges;
   Diagnostics findings;
 };
 
-Job ReadJob(const ModesCommand& command) {
+ModesJob ReadJob(const ModesCommand& command) {
   RequireVehicleFile(command.model);
   Diagnostics findings;
   std::optional<Vehicle> vehicle = ReadVehicle(command.model, findings);
@@ -55,7 +55,7 @@ std::vector<ShapedMode> ModesOfVehicle(const Vehicle& vehicle, const CondensedMo
   return shaped;
 }
 
-std::vector<PolePaths> Trace(const Job& job) {
+std::vector<PolePaths> Trace(const ModesJob& job) {
   std::vector<PolePaths> paths;
   ProgressLine progress;
   try {
@@ -107,7 +107,7 @@ void Write(const std::filesystem::path& folder, const std::string& json, const V
 }  // namespace
 
 int Run(const ModesCommand& command) {
-  Job job = ReadJob(command);
+  ModesJob job = ReadJob(command);
   if (!command.output.empty()) {
     RequireInputsElsewhere({command.model}, command.output);
     RequireNoOtherResult(command.output, ResultKind::kModes);

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 bool HasRange(const Parameter& parameter) { return parameter.lower < parameter.upper; }
 
-std::string Range(const Parameter& parameter) {
+std::string RangeText(const Parameter& parameter) {
   if (!HasRange(parameter)) return "fixed";
   return InUnit(parameter.lower, parameter.unit, 4) + " .. " + InUnit(parameter.upper, parameter.unit, 4);
 }
@@ -28,7 +28,7 @@ std::string Text(const Vehicle& vehicle, const std::vector<ParameterUse>& uses) 
   TextTable table({"parameter", "value", "unit", "range", "prior", "used by"});
   for (const Parameter& parameter : vehicle.parameters) {
     std::vector<std::string> row = {parameter.name, InUnit(parameter.value, parameter.unit, 6), parameter.unit,
-                                    Range(parameter), Prior(parameter)};
+                                    RangeText(parameter), Prior(parameter)};
     bool used = false;
     for (const ParameterUse& use : uses) {
       if (use.parameter != parameter.name) continue;

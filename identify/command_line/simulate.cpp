@@ -27,14 +27,14 @@ namespace fourpost {
 namespace {
 
 /// What was read, without a fault.
-struct Job {
+struct HistoryJob {
   Vehicle vehicle;
   std::vector<std::size_t> sensors;
   Drive drive;
   Diagnostics findings;
 };
 
-Job ReadJob(const SimulateCommand& command) {
+HistoryJob ReadJob(const SimulateCommand& command) {
   RequireVehicleFile(command.model);
   Diagnostics findings = command.faults;
   std::optional<Vehicle> vehicle = ReadVehicle(command.model, findings);
@@ -80,7 +80,8 @@ std::string Text(const HistoryOrigin& origin, const std::vector<HistoryChannel>&
   return origin.motion + '\n' + table.Format() + EngineText(origin.by);
 }
 
-void FindWhatIsOdd(const Job& job, const HistoryOrigin& origin, const AnsweredHistory& solved, Diagnostics& findings) {
+void FindWhatIsOdd(const HistoryJob& job, const HistoryOrigin& origin, const AnsweredHistory& solved,
+                   Diagnostics& findings) {
   WarnOfLocked(job.vehicle, solved.locked, "this motion", findings);
   WarnOfPulls(job.vehicle, solved.pulls, "samples", "this motion", findings);
   const Place error = Place::Option("--error");
@@ -103,7 +104,7 @@ bool HasHistory(const SimulateCommand& command, const Drive& drive, const TimeHi
 
 int Run(const SimulateCommand& command) {
   CheckOutputs(command);
-  Job job = ReadJob(command);
+  HistoryJob job = ReadJob(command);
   Tell(job.findings);
   CatchInterrupts();
   Diagnostics found;

@@ -80,7 +80,8 @@ MotionOptions AddMotions(CLI::App& app, SimulateCommand& command) {
       });
   options.step = add("--step", Motion::kStep, "Step of this height after 0.5 s, e.g. 20mm or -20mm",
                      [&command](const std::string& text) {
-                       command.height_m = ReadQuantity(text, kLength, "--step", command.faults, Sign::kAny).value_or(0);
+                       command.height_m =
+                           ReadQuantity(text, kLength, "--step", command.faults, OptionSign::kAny).value_or(0);
                      });
   options.random =
       add("--random", Motion::kRandom, "Random heights of this rms with white velocity within --band, e.g. 4mm",

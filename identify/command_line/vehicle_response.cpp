@@ -25,13 +25,13 @@ namespace fourpost {
 namespace {
 
 /// What was read, without a fault.
-struct Job {
+struct ResponseJob {
   Vehicle vehicle;
   SweepRequest request;
   Diagnostics findings;
 };
 
-Job ReadJob(const ResponseCommand& command) {
+ResponseJob ReadJob(const ResponseCommand& command) {
   Diagnostics findings;
   std::optional<Vehicle> vehicle = ReadVehicle(command.input, findings);
   if (!vehicle) throw FaultyInput(findings);
@@ -92,7 +92,7 @@ int CodeOf(const Count& count) {
 }  // namespace
 
 int RespondOfVehicle(const ResponseCommand& command) {
-  Job job = ReadJob(command);
+  ResponseJob job = ReadJob(command);
   if (!command.output.empty()) {
     RequireInputsElsewhere({command.input}, command.output);
     RequireNoOtherResult(command.output, ResultKind::kResponse);

@@ -2,7 +2,7 @@
 
 #include "analysis/text/finding.h"
 
-// What data cannot tell of parameters, before the search of a fit.
+// What data leave open of parameters, before the search of a fit.
 namespace fourpost {
 
 inline const Finding kScaleUnidentified{

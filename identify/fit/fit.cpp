@@ -117,7 +117,8 @@ std::vector<Eigen::VectorXd> Starts(const SearchResult& search, const VehicleObj
   return starts;
 }
 
-/// The model's own derivatives may be good enough for steps only: differences end what they began, and tell deviations.
+/// The model's own derivatives may be good enough for steps only: differences end what they began, and give
+/// the standard deviations.
 /// `report_and_ask` is called between the steps, `stop` within them.
 RefineResult Polished(Archive& archive, const RefineResult& best, RefineOptions options,
                       const std::function<bool()>& report_and_ask, const std::function<bool()>& stop) {
@@ -213,145 +214,188 @@ void FitResult::DropDeviations() {
   }
 }
 
-FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
-              EvaluationStore* store) {
+namespace {
+
+Problem ProblemOf(const VehicleObjective& objective, const FitOptions& options) {
   Problem problem = objective.MakeProblem();
   problem.deadline_s = options.deadline_s;
-  Archive archive(std::move(problem), options.threads, store);
-  archive.Watch([&loss = options.refine.loss](const Eigen::VectorXd& residuals) { return loss.Cost(residuals); });
-  const std::function<bool()> stop = hooks.stop ? hooks.stop : [] { return false; };
-  FitResult result;
-  std::string_view stage_now;
-  std::int64_t paid_before = 0;
-  const auto begin = [&](std::string_view stage) {
-    stage_now = stage;
-    paid_before = archive.counts().paid;
-  };
-  const auto report_within = [&](std::int64_t of_batch) {
-    const EvaluationCounts& counts = archive.counts();
-    if (!hooks.progress) return;
-    const std::int64_t paid = counts.paid + of_batch;
-    hooks.progress({.stage = stage_now,
-                    .best_cost = archive.best_cost(),
-                    .paid = paid,
-                    .in_stage = paid - paid_before,
-                    .profiled = result.profiles.size(),
-                    .reused = counts.reused,
-                    .failed = counts.failed(),
-                    .restored = counts.restored});
-  };
-  archive.TellProgress(report_within);
-  const auto report = [&] { report_within(0); };
+  return problem;
+}
 
-  result.values = objective.vehicle().ParameterValues();
-  result.residual_count = objective.residual_count();
-  result.prior_count = objective.prior_count();
-  result.options = options;
-  result.options.refine.step = options.refine.DifferenceStep(archive.problem());
-  if (options.identify_first && !options.from) {
-    begin("identifiability");
-    report();
-    archive.StopBatches(stop);
-    try {
-      result.before = IdentifiabilityBefore(archive, objective, options.seed);
-    } catch (const BatchStopped&) {
-      result.end = FitEnd::kInterrupted;
-      result.message = "before its search began;";
-      result.evaluations = archive.counts();
-      return result;
-    }
-    archive.StopBatches({});
-    if (result.before && result.before->HasUndetermined() && !options.accept_unidentified) {
-      result.end = FitEnd::kUnidentified;
-      result.evaluations = archive.counts();
-      return result;
-    }
+/// A fit while it runs: its stages share the archive, the result and what is reported.
+class RunningFit {
+ public:
+  RunningFit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
+             EvaluationStore* store)
+      : objective_(objective),
+        options_(options),
+        hooks_(hooks),
+        stop_(hooks.stop ? hooks.stop : [] { return false; }),
+        archive_(ProblemOf(objective, options), options.threads, store) {
+    archive_.Watch([&loss = options.refine.loss](const Eigen::VectorXd& residuals) { return loss.Cost(residuals); });
+    archive_.TellProgress([this](std::int64_t of_batch) { Report(of_batch); });
+    result_.values = objective.vehicle().ParameterValues();
+    result_.residual_count = objective.residual_count();
+    result_.prior_count = objective.prior_count();
+    result_.options = options;
+    result_.options.refine.step = options.refine.DifferenceStep(archive_.problem());
   }
-  if (options.from) {
-    result.search.candidates = {{.values = *options.from}};
-  } else {
-    begin("search");
+
+  FitResult Run() {
+    if (Identify() && Search()) Conclude(Refine());
+    result_.evaluations = archive_.counts();
+    return std::move(result_);
+  }
+
+ private:
+  void Begin(std::string_view stage) {
+    stage_ = stage;
+    paid_before_ = archive_.counts().paid;
+  }
+
+  void Report(std::int64_t of_batch = 0) {
+    if (!hooks_.progress) return;
+    const EvaluationCounts& counts = archive_.counts();
+    const std::int64_t paid = counts.paid + of_batch;
+    hooks_.progress({.stage = stage_,
+                     .best_cost = archive_.best_cost(),
+                     .paid = paid,
+                     .in_stage = paid - paid_before_,
+                     .profiled = result_.profiles.size(),
+                     .reused = counts.reused,
+                     .failed = counts.failed(),
+                     .restored = counts.restored});
+  }
+
+  /// True where the fit goes on, as of Search().
+  bool Identify() {
+    if (!options_.identify_first || options_.from) return true;
+    Begin("identifiability");
+    Report();
+    archive_.StopBatches(stop_);
+    try {
+      result_.before = IdentifiabilityBefore(archive_, objective_, options_.seed);
+    } catch (const BatchStopped&) {
+      result_.end = FitEnd::kInterrupted;
+      result_.message = "before its search began;";
+      return false;
+    }
+    archive_.StopBatches({});
+    if (!result_.before || !result_.before->HasUndetermined() || options_.accept_unidentified) return true;
+    result_.end = FitEnd::kUnidentified;
+    return false;
+  }
+
+  bool Search() {
+    result_.search_settings = Settings(options_.search);
+    if (options_.from) {
+      result_.search.candidates = {{.values = *options_.from}};
+      return true;
+    }
+    Begin("search");
     const auto refine = [&](const Eigen::VectorXd& values, const std::function<bool()>& end) {
       const auto report_and_end = [&] {
-        report();
+        Report();
         return end();
       };
-      return AcceleratedFrom(archive, values, options, report_and_end);
+      return AcceleratedFrom(archive_, values, options_, report_and_end);
     };
-    result.search = RunMethod(options.search, archive, options.seed, options.stop, options.candidates,
-                              {[&](const SearchGeneration&) { report(); }, stop, refine});
-  }
-  result.search_settings = Settings(options.search);
-  result.evaluations = archive.counts();
-  if (result.search.candidates.empty()) {
-    result.end = stop() ? FitEnd::kInterrupted : FitEnd::kAllFailed;
-    result.message =
-        stop() ? "before its search found a point that can be evaluated;" : FailureCauses(archive.counts());
-    return result;
+    result_.search = RunMethod(options_.search, archive_, options_.seed, options_.stop, options_.candidates,
+                               {[&](const SearchGeneration&) { Report(); }, stop_, refine});
+    if (!result_.search.candidates.empty()) return true;
+    result_.end = stop_() ? FitEnd::kInterrupted : FitEnd::kAllFailed;
+    result_.message =
+        stop_() ? "before its search found a point that can be evaluated;" : FailureCauses(archive_.counts());
+    return false;
   }
 
-  begin("refine");
-  const auto report_and_ask = [&] {
-    report();
-    return stop();
+  MultiStartResult Refine() {
+    Begin("refine");
+    const std::vector<Eigen::VectorXd> starts =
+        options_.from ? std::vector{*options_.from} : Starts(result_.search, objective_, options_.starts);
+    MultiStartResult refined = RefineFrom(archive_, starts, options_.refine, report_and_ask_);
+    result_.starts = refined.ended;
+    result_.agreeing = refined.agreeing;
+    result_.refined = Summarised(refined.runs, starts.size());
+    if (options_.from)
+      for (RefinedStart& run : result_.refined) run.from = "fit";
+    return refined;
+  }
+
+  void Conclude(const MultiStartResult& refined) {
+    Eigen::VectorXd values = result_.search.candidates.front().values;
+    result_.end = stop_() ? FitEnd::kInterrupted : FitEnd::kNotConverged;
+    if (refined.best >= 0) values = Determine(refined.runs[static_cast<std::size_t>(refined.best)]);
+    else result_.cost = CostOf(archive_, result_.search.candidates.front(), options_.refine.loss);
+    result_.prior_cost = objective_.PriorResiduals(values).squaredNorm();
+    result_.parameters = Describe(objective_, archive_.lattice(), values, result_.certainty);
+    result_.values = objective_.AllParameters(values);
+  }
+
+  /// Polishes the best refined point, adds what is known about it, and returns its values.
+  Eigen::VectorXd Determine(const RefineResult& refined) {
+    Begin("deviations");
+    RefineResult best = Polished(archive_, refined, options_.refine, report_and_ask_, stop_);
+    result_.end = EndOf(best, stop_());
+    result_.message = best.message;
+    if (best.jacobian.size() > 0) {
+      const std::vector<ParameterState> states =
+          StatesAt(best, archive_.lattice(), NoisyAt(archive_, best, result_.prior_count, options_.refine, stop_));
+      const Eigen::MatrixXd input_noise = AllowForInputNoise(states, best);
+      AddCertainty(best, states, input_noise);
+      AddProfiles(best);
+    }
+    result_.cost = best.cost;
+    return best.values;
+  }
+
+  /// Moves the best point by the bias that noise of the recorded inputs makes; the gradient by that noise.
+  Eigen::MatrixXd AllowForInputNoise(const std::vector<ParameterState>& states, RefineResult& best) {
+    const std::optional<InputNoise> noise = InputNoiseAt(objective_, best, options_.refine, FixedOf(states),
+                                                         options_.threads, stop_, result_.evaluations_beside);
+    if (!noise || !MoveBy(archive_, noise->step, options_.refine.loss, best)) return {};
+    result_.moved_by_input_noise = noise->step;
+    return noise->gradient;
+  }
+
+  void AddCertainty(const RefineResult& best, const std::vector<ParameterState>& states,
+                    const Eigen::MatrixXd& input_noise) {
+    const HeldParameters held =
+        HeldAt(objective_, best.values, options_.refine, options_.threads, stop_, result_.evaluations_beside);
+    result_.certainty =
+        CertaintyAt(objective_, archive_.lattice(), best, options_.refine.loss, states, input_noise, held);
+    result_.covariance = result_.certainty->covariance;
+    result_.data_squares = best.residuals.head(best.residuals.size() - result_.prior_count).squaredNorm();
+    result_.weakest = WeakestDirections(archive_.lattice(), *result_.covariance);
+  }
+
+  void AddProfiles(const RefineResult& best) {
+    Begin("profile");
+    for (const Eigen::Index index : options_.profiled)
+      if (!stop_())
+        result_.profiles.push_back(
+            ProfileOf(archive_, best, *result_.covariance, index, options_.refine, report_and_ask_));
+  }
+
+  const VehicleObjective& objective_;
+  const FitOptions& options_;
+  const FitHooks& hooks_;
+  const std::function<bool()> stop_;
+  const std::function<bool()> report_and_ask_ = [this] {
+    Report();
+    return stop_();
   };
-  const std::vector<Eigen::VectorXd> starts =
-      options.from ? std::vector{*options.from} : Starts(result.search, objective, options.starts);
-  const MultiStartResult refined = RefineFrom(archive, starts, options.refine, report_and_ask);
-  result.starts = refined.ended;
-  result.agreeing = refined.agreeing;
-  result.refined = Summarised(refined.runs, starts.size());
-  if (options.from)
-    for (RefinedStart& run : result.refined) run.from = "fit";
+  Archive archive_;
+  FitResult result_;
+  std::string_view stage_;
+  std::int64_t paid_before_ = 0;
+};
 
-  Eigen::VectorXd values = result.search.candidates.front().values;
-  std::optional<Certainty> certainty;
-  result.end = stop() ? FitEnd::kInterrupted : FitEnd::kNotConverged;
-  if (refined.best >= 0) {
-    begin("deviations");
-    RefineResult best =
-        Polished(archive, refined.runs[static_cast<std::size_t>(refined.best)], options.refine, report_and_ask, stop);
-    result.end = EndOf(best, stop());
-    result.message = best.message;
-    Eigen::MatrixXd input_noise;
-    std::vector<ParameterState> states;
-    if (best.jacobian.size() > 0) {
-      states = StatesAt(best, archive.lattice(), NoisyAt(archive, best, result.prior_count, options.refine, stop));
-      const std::optional<InputNoise> noise = InputNoiseAt(objective, best, options.refine, FixedOf(states),
-                                                           options.threads, stop, result.evaluations_beside);
-      if (noise && MoveBy(archive, noise->step, options.refine.loss, best)) {
-        result.moved_by_input_noise = noise->step;
-        input_noise = noise->gradient;
-      }
-    }
-    values = best.values;
-    result.cost = best.cost;
-    if (best.jacobian.size() > 0) {
-      const HeldParameters held =
-          HeldAt(objective, best.values, options.refine, options.threads, stop, result.evaluations_beside);
-      certainty = CertaintyAt(objective, archive.lattice(), best, options.refine.loss, states, input_noise, held);
-      result.covariance = certainty->covariance;
-      result.certainty = certainty;
-      result.data_squares = best.residuals.head(best.residuals.size() - result.prior_count).squaredNorm();
-      result.weakest = WeakestDirections(archive.lattice(), *result.covariance);
-      begin("profile");
-      const auto report_profile = [&] {
-        report();
-        return stop();
-      };
-      for (const Eigen::Index index : options.profiled)
-        if (!stop())
-          result.profiles.push_back(
-              ProfileOf(archive, best, *result.covariance, index, options.refine, report_profile));
-    }
-  } else {
-    result.cost = CostOf(archive, result.search.candidates.front(), options.refine.loss);
-  }
-  result.evaluations = archive.counts();
-  result.prior_cost = objective.PriorResiduals(values).squaredNorm();
-  result.parameters = Describe(objective, archive.lattice(), values, certainty);
-  result.values = objective.AllParameters(values);
-  return result;
+}  // namespace
+
+FitResult Fit(const VehicleObjective& objective, const FitOptions& options, const FitHooks& hooks,
+              EvaluationStore* store) {
+  return RunningFit(objective, options, hooks, store).Run();
 }
 
 }  // namespace fourpost

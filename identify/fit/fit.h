@@ -33,7 +33,7 @@ struct FitOptions {
   int starts = 4;
   /// Evaluations at once; 0: one per processor. No influence on the result.
   int threads = 1;
-  /// Look first at what the data can tell, and end there where they leave something open that is not accepted.
+  /// Look first at what the data determine, and end there where they leave something open that is not accepted.
   bool identify_first = false;
   bool accept_unidentified = false;
   /// Free parameters to profile at the end, as their places among the free ones.
@@ -147,24 +147,24 @@ struct FitResult {
   /// Nothing without a certainty.
   std::optional<ParameterSpread> Spread() const;
 
-  /// Of a cost that weighs by other than noise, which has none; see LoadedStudy::TellsDeviations.
+  /// Of a cost that weighs by other than noise, which has none; see LoadedStudy::HasDeviations.
   void DropDeviations();
 };
 
-/// What a running fit tells.
+/// State of a running fit.
 struct FitProgress {
   std::string_view stage;
   /// Lowest of all evaluations so far, by the refinement's loss; infinite before the first.
   double best_cost = 0;
-  /// Those of a batch that runs are taken for paid ones until it ends.
+  /// New evaluations; those of a batch that runs count as new until it ends.
   std::int64_t paid = 0;
-  /// Of the paid ones, those of this stage.
+  /// New evaluations of this stage.
   std::int64_t in_stage = 0;
   /// Of parameters to profile, those whose profiles are done.
   std::size_t profiled = 0;
   std::int64_t reused = 0;
   std::int64_t failed = 0;
-  /// Of the paid ones, those that were stored.
+  /// Of the new ones, those that were read from the archive's file.
   std::int64_t restored = 0;
 };
 

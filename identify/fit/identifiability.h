@@ -27,7 +27,7 @@ struct Identifiability {
 /// At the values of the vehicle file. A direction that is open there, as that of a knee between equal rates, may be
 /// closed elsewhere: such directions are looked at from two random points as well, and only what is open from all of
 /// them counts. Where one is, derivatives at the file's values are looked at twice: what noise hides is not open.
-/// Nothing where the model cannot be evaluated at the file's values. Pays for what it evaluates.
+/// Nothing where the model cannot be evaluated at the file's values. Its evaluations are counted.
 std::optional<Identifiability> IdentifiabilityBefore(Archive& archive, const VehicleObjective& objective,
                                                      std::uint64_t seed);
 

@@ -8,10 +8,10 @@
 namespace fourpost {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// The band [Hz] in which a run was fitted; null where it has none.
-Json BandOf(const ComparedRun& run) {
+OrderedJson BandOf(const ComparedRun& run) {
   const std::vector<nlohmann::json> band = ListAt(run.result, "band_Hz");
   if (band.size() != 2 || !band[0].is_number() || !band[1].is_number() || !(band[1].get<double>() > 0)) return nullptr;
   return {PictureNumber(band[0].get<double>()), PictureNumber(band[1].get<double>())};
@@ -30,14 +30,14 @@ std::vector<ComparedCurves> CurvesOf(const std::vector<ComparedRun>& runs, Exper
   return all;
 }
 
-Json ComparisonJson(const std::vector<ComparedRun>& runs, const std::vector<ComparedCurves>& curves) {
-  Json names = Json::array();
-  Json bands = Json::array();
+OrderedJson ComparisonJson(const std::vector<ComparedRun>& runs, const std::vector<ComparedCurves>& curves) {
+  OrderedJson names = OrderedJson::array();
+  OrderedJson bands = OrderedJson::array();
   for (const ComparedRun& run : runs) {
     names.push_back(run.name);
     bands.push_back(BandOf(run));
   }
-  Json json = {{"runs", std::move(names)}, {"bands", std::move(bands)}};
+  OrderedJson json = {{"runs", std::move(names)}, {"bands", std::move(bands)}};
   for (const ComparedCurves& part : curves) json[part.id] = part.curves;
   return json;
 }

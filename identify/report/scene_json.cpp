@@ -18,12 +18,12 @@
 namespace fourpost {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Meshes above this make a page that nobody wants to open.
 constexpr Eigen::Index kMostTriangles = 60000;
 
-Json PoseJson(const Eigen::Vector3d& place, const Eigen::Matrix3d& rotation) {
+OrderedJson PoseJson(const Eigen::Vector3d& place, const Eigen::Matrix3d& rotation) {
   const Eigen::Quaterniond turn(rotation);
   return {{"place", PictureNumbers(place)}, {"turn", PictureNumbers(turn.coeffs())}};
 }
@@ -40,8 +40,8 @@ class MeshList {
     return indices_.back();
   }
 
-  const Json& meshes() const { return meshes_; }
-  const Json& missing() const { return missing_; }
+  const OrderedJson& meshes() const { return meshes_; }
+  const OrderedJson& missing() const { return missing_; }
 
  private:
   int Read(const std::string& file) {
@@ -61,15 +61,15 @@ class MeshList {
 
   std::vector<std::string> files_;
   std::vector<int> indices_;
-  Json meshes_ = Json::array();
-  Json missing_ = Json::array();
+  OrderedJson meshes_ = OrderedJson::array();
+  OrderedJson missing_ = OrderedJson::array();
 };
 
-Json ShapesOf(const Link& link, MeshList& meshes) {
+OrderedJson ShapesOf(const Link& link, MeshList& meshes) {
   constexpr std::array<const char*, 4> kShapes = {"mesh", "box", "cylinder", "sphere"};
-  Json shapes = Json::array();
+  OrderedJson shapes = OrderedJson::array();
   for (const Visual& visual : link.visuals) {
-    Json shape = PoseJson(visual.pose.translation(), visual.pose.linear());
+    OrderedJson shape = PoseJson(visual.pose.translation(), visual.pose.linear());
     shape["kind"] = kShapes[static_cast<std::size_t>(visual.shape)];
     shape["size"] = PictureNumbers(visual.size);
     if (visual.shape == Visual::Shape::kMesh) {
@@ -83,15 +83,16 @@ Json ShapesOf(const Link& link, MeshList& meshes) {
 }
 
 /// `motion`: 6 x n column by column, velocity of the link's origin above its angular velocity, ground axes.
-Json LinksJson(const Vehicle& vehicle, const Kinematics& pose, const std::vector<double>& values, MeshList& meshes) {
-  Json links = Json::array();
+OrderedJson LinksJson(const Vehicle& vehicle, const Kinematics& pose, const std::vector<double>& values,
+                      MeshList& meshes) {
+  OrderedJson links = OrderedJson::array();
   for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
     const Link& link = vehicle.links[i];
     const Point origin{.link = static_cast<int>(i)};
     const Eigen::MatrixXd linear = pose.PointJacobian(origin);
     Eigen::MatrixXd motion(6, linear.cols());
     motion << linear, pose.AngularJacobian(origin.link);
-    Json json = PoseJson(pose.Location(origin), pose.Rotation(origin.link));
+    OrderedJson json = PoseJson(pose.Location(origin), pose.Rotation(origin.link));
     json["name"] = link.name;
     json["mass"] = PictureNumber(link.mass.At(values));
     json["com"] = PictureNumbers(link.ComAt(values));
@@ -102,15 +103,15 @@ Json LinksJson(const Vehicle& vehicle, const Kinematics& pose, const std::vector
   return links;
 }
 
-Json PointJson(const Point& point) { return {{"link", point.link}, {"xyz", PictureNumbers(point.xyz)}}; }
+OrderedJson PointJson(const Point& point) { return {{"link", point.link}, {"xyz", PictureNumbers(point.xyz)}}; }
 
-Json LineJson(const std::string& name, const Point& parent, const Point& child) {
+OrderedJson LineJson(const std::string& name, const Point& parent, const Point& child) {
   return {{"name", name}, {"ends", {PointJson(parent), PointJson(child)}}};
 }
 
 template <typename Element>
-Json LinesJson(const std::vector<Element>& elements) {
-  Json list = Json::array();
+OrderedJson LinesJson(const std::vector<Element>& elements) {
+  OrderedJson list = OrderedJson::array();
   for (const Element& element : elements) {
     if constexpr (requires { element.line; })
       list.push_back(LineJson(element.name, element.line.parent, element.line.child));
@@ -119,9 +120,9 @@ Json LinesJson(const std::vector<Element>& elements) {
   return list;
 }
 
-Json SpringsJson(const Vehicle& vehicle) {
+OrderedJson SpringsJson(const Vehicle& vehicle) {
   constexpr std::array<const char*, 3> kKinds = {"coil", "stop", "gas"};
-  Json list = Json::array();
+  OrderedJson list = OrderedJson::array();
   for (const Spring& spring : vehicle.springs) {
     list.push_back(LineJson(spring.name, spring.line.parent, spring.line.child));
     list.back()["kind"] = kKinds[static_cast<std::size_t>(spring.kind)];
@@ -129,8 +130,8 @@ Json SpringsJson(const Vehicle& vehicle) {
   return list;
 }
 
-Json BarsJson(const Vehicle& vehicle) {
-  Json list = Json::array();
+OrderedJson BarsJson(const Vehicle& vehicle) {
+  OrderedJson list = OrderedJson::array();
   for (const AntiRollBar& bar : vehicle.antiroll_bars) {
     list.push_back(LineJson(bar.name, bar.left.parent, bar.right.parent));
     list.back()["drops"] = {LineJson(bar.name, bar.left.parent, bar.left.child),
@@ -139,24 +140,24 @@ Json BarsJson(const Vehicle& vehicle) {
   return list;
 }
 
-Json TyresJson(const Vehicle& vehicle) {
-  Json list = Json::array();
+OrderedJson TyresJson(const Vehicle& vehicle) {
+  OrderedJson list = OrderedJson::array();
   for (const Tyre& tyre : vehicle.tyres)
     list.push_back({{"name", tyre.name}, {"point", PointJson(tyre.point)}, {"radius", tyre.radius}});
   return list;
 }
 
-Json PostsJson(const Vehicle& vehicle) {
-  Json list = Json::array();
+OrderedJson PostsJson(const Vehicle& vehicle) {
+  OrderedJson list = OrderedJson::array();
   for (const Post& post : vehicle.posts) list.push_back({{"name", post.name}, {"tyre", post.tyre}});
   return list;
 }
 
-Json SensorsJson(const Vehicle& vehicle) {
+OrderedJson SensorsJson(const Vehicle& vehicle) {
   constexpr std::array<const char*, 5> kTypes = {"accelerometer", "displacement", "strut", "load cell", "gyro"};
-  Json list = Json::array();
+  OrderedJson list = OrderedJson::array();
   for (const Sensor& sensor : vehicle.sensors) {
-    Json json = {{"name", sensor.name}, {"type", kTypes[static_cast<std::size_t>(sensor.type)]}};
+    OrderedJson json = {{"name", sensor.name}, {"type", kTypes[static_cast<std::size_t>(sensor.type)]}};
     if (sensor.type == Sensor::Type::kLoadCell) json["tyre"] = sensor.tyre;
     else if (sensor.type == Sensor::Type::kStrut) json["point"] = PointJson(sensor.line.parent);
     else {
@@ -169,8 +170,8 @@ Json SensorsJson(const Vehicle& vehicle) {
 }
 
 template <typename Complex>
-Json ComplexJson(const Complex& values) {
-  Json list = Json::array();
+OrderedJson ComplexJson(const Complex& values) {
+  OrderedJson list = OrderedJson::array();
   for (const std::complex<double>& value : values) {
     list.push_back(PictureNumber(value.real()));
     list.push_back(PictureNumber(value.imag()));
@@ -178,12 +179,12 @@ Json ComplexJson(const Complex& values) {
   return list;
 }
 
-Json ModesJson(const Vehicle& vehicle, const Kinematics& pose, const CondensedModel& model,
-               const std::vector<double>& values) {
-  Json list = Json::array();
+OrderedJson ModesJson(const Vehicle& vehicle, const Kinematics& pose, const CondensedModel& model,
+                      const std::vector<double>& values) {
+  OrderedJson list = OrderedJson::array();
   const Suspension suspension = SuspensionOf(vehicle, pose, values);
   for (const Mode& mode : NamedModes(vehicle, pose, suspension, model, values)) {
-    Json energy = Json::array();
+    OrderedJson energy = OrderedJson::array();
     for (const MotionShare& share : mode.energy)
       energy.push_back({{"motion", share.motion}, {"share", PictureNumber(share.share)}});
     list.push_back({{"name", mode.name},
@@ -209,14 +210,14 @@ CondensedModel WithCoordinatesAsSensors(CondensedModel model) {
   return model;
 }
 
-Json MotionsJson(const CondensedModel& model, const std::vector<RecordedMotion>& motions) {
-  Json list = Json::array();
+OrderedJson MotionsJson(const CondensedModel& model, const std::vector<RecordedMotion>& motions) {
+  OrderedJson list = OrderedJson::array();
   const std::vector<Sensor> coordinates(static_cast<std::size_t>(model.mass.rows()),
                                         Sensor{.type = Sensor::Type::kDisplacement});
   const CondensedModel seen = WithCoordinatesAsSensors(model);
   for (const RecordedMotion& motion : motions) {
     const FrequencyResponse response = SolveHarmonicBalance(seen, coordinates, motion.excitation, kFitBalance).response;
-    Json answers = Json::array();
+    OrderedJson answers = OrderedJson::array();
     for (std::size_t i = 0; i < response.frequency_Hz.size(); ++i) {
       std::vector<std::complex<double>> answer;
       for (const ChannelResponse& channel : response.channels) answer.push_back(channel.response[i]);
@@ -233,20 +234,20 @@ Json MotionsJson(const CondensedModel& model, const std::vector<RecordedMotion>&
 }
 
 /// Columns as whole numbers of a unit of their own: a picture needs no more than four digits of the largest.
-Json ColumnsJson(const Eigen::MatrixXd& columns) {
+OrderedJson ColumnsJson(const Eigen::MatrixXd& columns) {
   constexpr double kDigits = 9999;
-  Json list = Json::array();
+  OrderedJson list = OrderedJson::array();
   for (Eigen::Index j = 0; j < columns.cols(); ++j) {
     const double unit = columns.col(j).cwiseAbs().maxCoeff() / kDigits;
-    Json steps = Json::array();
+    OrderedJson steps = OrderedJson::array();
     for (const double value : columns.col(j)) steps.push_back(unit > 0 ? std::lround(value / unit) : 0);
     list.push_back({{"unit", PictureNumber(unit)}, {"steps", std::move(steps)}});
   }
   return list;
 }
 
-Json HistoriesJson(const CondensedModel& model, const std::vector<RecordedHistory>& histories) {
-  Json list = Json::array();
+OrderedJson HistoriesJson(const CondensedModel& model, const std::vector<RecordedHistory>& histories) {
+  OrderedJson list = OrderedJson::array();
   for (const auto& [name, motion] : histories) {
     if (motion.coordinates.cols() != model.mass.rows())
       throw std::invalid_argument("the motion of '" + name + "' has " + std::to_string(motion.coordinates.cols()) +
@@ -263,12 +264,12 @@ Json HistoriesJson(const CondensedModel& model, const std::vector<RecordedHistor
 
 }  // namespace
 
-Json SceneJson(const Vehicle& vehicle, const RecordedMotions& motions) {
+OrderedJson SceneJson(const Vehicle& vehicle, const RecordedMotions& motions) {
   const std::vector<double> values = vehicle.ParameterValues();
   const CondensedModel model = CondensedVehicle(vehicle).At(values);
   const Kinematics pose = DesignKinematics(vehicle);
   MeshList meshes;
-  Json links = LinksJson(vehicle, pose, values, meshes);
+  OrderedJson links = LinksJson(vehicle, pose, values, meshes);
   return {{"name", vehicle.name},
           {"coordinates", model.mass.rows()},
           {"links", std::move(links)},

@@ -18,8 +18,8 @@ inline constexpr const char* kNoiseRemedy =
 /// A Jacobian by differences again, in another way: by the model itself where it has derivatives, else by central
 /// differences of a third of the `step`. Where residuals are smooth both say the same, and the shorter step leaves less
 /// of the curvature; where they jump between neighbouring values the model knows nothing of the jumps, and the shorter
-/// step makes three times as much of them. Nothing where a column has no point that can be evaluated. Pays for what it
-/// evaluates.
+/// step makes three times as much of them. Nothing where a column has no point that can be evaluated. Its evaluations
+/// are counted.
 std::optional<Eigen::MatrixXd> JacobianAgain(Archive& archive, const FitVariables& variables, const Eigen::VectorXd& x,
                                              const Eigen::VectorXd& residuals, double step);
 

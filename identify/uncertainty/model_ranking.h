@@ -9,7 +9,7 @@
 
 namespace fourpost {
 
-/// A fitted model as the result.json of its run tells it.
+/// A fitted model as the result.json of its run states it.
 struct FittedModel {
   std::string name;
   /// Mean normalised mean square errors of the recordings that were fitted, and of those that were not [%]; NaN without

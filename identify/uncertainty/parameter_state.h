@@ -9,7 +9,7 @@ namespace fourpost {
 enum class ParameterState {
   kNotComputed,
   kDetermined,
-  /// Neither data nor a prior tell it.
+  /// Neither data nor a prior determine it.
   kUndetermined,
   /// A bound holds it there, not the data.
   kAtBound,

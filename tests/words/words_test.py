@@ -1,25 +1,19 @@
 #!/usr/bin/env python3
-"""Keeps new words of the dialect out: counts the words of words.txt and compares with baseline.csv.
+"""Keeps the words of the dialect out: fails where one of words.txt stands, and prints the place.
 
 Counted are texts, which users read (string literals of C++ and of the report's JavaScript, Markdown without its code),
-and comments, also those of vehicle files, studies and CMake. A literal of one word, such as "march", is a name and counts only for words that ask for names.
-
-    words_test.py               fails where a count is above its baseline
-    words_test.py --update      lowers the baseline to the counts and never raises it; writes it where there is none
-    words_test.py --list WORD   prints the places of a word
+and comments, also those of vehicle files, studies and CMake. A literal of one word, such as "march", is a name and
+does not count.
 
 Remedy for a failure: write the field's word, or give words.txt an exception with its reason.
 """
-import argparse
 import collections
-import csv
 import pathlib
 import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parents[1]
-BASELINE = HERE / "baseline.csv"
 DOCUMENTS = ("*.md", "docs/**/*.md", "urdf/README.md", "meshes/README.md", "studies/**/README.md",
              "analysis/report/README.md", "tests/**/README.md")
 # Versions that are out keep their words.
@@ -35,7 +29,7 @@ TOKEN = re.compile(r"""(?P<comment>//[^\n]*|/\*.*?\*/)"""
                    r"""|\d'(?=\d)|'(?:[^'\\\n]|\\.)*'|`(?:[^`\\]|\\.)*`""", re.S)
 
 Word = collections.namedtuple("Word", "name layers pattern exceptions")
-Place = collections.namedtuple("Place", "folder word kind file line")
+Place = collections.namedtuple("Place", "file line word kind")
 
 
 def compiled(pattern):
@@ -62,14 +56,15 @@ def blank(match):
 def layers_of_code(text):
     """The file once for each kind of token, NUL in the place of all else: neighbours of a kind read as one sentence."""
     text = re.sub(r"^ *#include[^\n]*", blank, text, flags=re.M)
-    layers = {kind: list(re.sub(r"\S", "\0", text)) for kind in ("text", "comment", "name")}
+    layers = {kind: list(re.sub(r"\S", "\0", text)) for kind in ("text", "comment")}
     for token in TOKEN.finditer(text):
         piece = token.group()
         if token["comment"]:
             kind, piece = "comment", re.sub(r"^\s*(?://+|/?\*+)", blank, piece, flags=re.M)
         else:
-            inner = piece[1:-1]
-            kind = "text" if re.search(r"\s", inner) else "name"
+            kind, inner = "text", piece[1:-1]
+            if not re.search(r"\s", inner):
+                continue
             piece = " " + re.sub(r"\\.", blank, inner, flags=re.S) + " "
         layers[kind][token.start():token.end()] = piece
     return {kind: "".join(layer) for kind, layer in layers.items()}
@@ -108,46 +103,15 @@ def places(words):
                 for match in word.pattern.finditer(layer):
                     if not any(begin <= match.start() and match.end() <= end for begin, end in spans):
                         line = layer.count("\n", 0, match.start()) + 1
-                        yield Place(file.parts[0], word.name, kind.replace("name", "text"), file, line)
-
-
-def list_places(word):
-    for place in places([word]):
-        text = (SOURCE / place.file).read_text().splitlines()[place.line - 1].strip()
-        print(f"{place.file}:{place.line}: {place.kind}: {text}")
-
-
-def read_baseline():
-    with BASELINE.open(newline="") as file:
-        return {(row["folder"], row["word"], row["kind"]): int(row["count"]) for row in csv.DictReader(file)}
-
-
-def write_baseline(counts):
-    with BASELINE.open("w", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["folder", "word", "kind", "count"])
-        writer.writerows([*key, count] for key, count in sorted(counts.items()) if count)
+                        yield Place(file, line, word.name, kind)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--update", action="store_true", help="lower the baseline to the counts")
-    parser.add_argument("--list", metavar="WORD", help="print the places of a word of words.txt")
-    arguments = parser.parse_args()
-    words = read_words()
-    if arguments.list:
-        chosen = [word for word in words if word.name == arguments.list]
-        if not chosen:
-            sys.exit(f"no word '{arguments.list}' in words.txt, which has: {', '.join(word.name for word in words)}")
-        return list_places(chosen[0])
-    counts = collections.Counter((place.folder, place.word, place.kind) for place in places(words))
-    baseline = read_baseline() if BASELINE.exists() or not arguments.update else counts
-    if arguments.update:
-        write_baseline({key: min(count, counts[key]) for key, count in baseline.items()})
-    above = [(*key, count, baseline.get(key, 0)) for key, count in sorted(counts.items()) if count > baseline.get(key, 0)]
-    for folder, word, kind, count, limit in above:
-        print(f"{folder}: '{word}' stands {count} times as {kind}, baseline {limit}; see --list '{word}'")
-    sys.exit(1 if above else 0)
+    found = list(places(read_words()))
+    for place in found:
+        text = (SOURCE / place.file).read_text().splitlines()[place.line - 1].strip()
+        print(f"{place.file}:{place.line}: '{place.word}' in a {place.kind}: {text}")
+    sys.exit(1 if found else 0)
 
 
 if __name__ == "__main__":

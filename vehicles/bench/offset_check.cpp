@@ -43,9 +43,9 @@ BenchMotion Centred(BenchMotion motion, double mean) {
 
 }  // namespace
 
-void CheckBenchOffsets(const BenchDamper& damper, const BenchMotion& motion, const std::optional<LowPass>& filter,
-                       std::span<const double> force, std::size_t first, std::size_t end,
-                       std::span<const double> values, const std::string& file, Diagnostics& diagnostics) {
+void CheckBenchOffsets(const BenchDamper& damper, const RecordedForce& recorded, std::span<const double> values,
+                       const std::string& file, Diagnostics& diagnostics) {
+  const auto& [motion, filter, force, first, end] = recorded;
   // A linear model of a bilinear damper with a spring in line is off by a tenth at 20 Hz.
   constexpr double kOfForce = 0.15;
   std::vector<double> extension = AtSamples(motion);

@@ -75,7 +75,8 @@ inline const Finding kIntegratedHysteresis{
     "friction in series with a spring sticks and slides within a cycle, so the response was integrated in time{}"};
 inline const Finding kBalanceUnconverged{
     "balance-unconverged", Severity::kWarning,
-    "the {} harmonic balance did not converge at {} of {} frequencies, {}, which were integrated in time from rest"};
+    "the {} harmonic balance did not converge at {} of {} frequencies, {}, which were integrated in time from rest",
+    "look there for wheels that leave the ground and stops that are hit; a smaller amplitude avoids them"};
 inline const Finding kBalanceInterrupted{
     "balance-interrupted", Severity::kWarning,
     "the {} harmonic balance did not converge at {} of {} frequencies, {}, and their time integration was interrupted",

@@ -28,12 +28,12 @@ std::optional<double> SiOf(const Quantity& quantity, const Dimension& dimension)
 }  // namespace
 
 std::optional<double> ReadQuantity(const std::string& text, const Dimension& dimension, const std::string& option,
-                                   Diagnostics& diagnostics, Sign sign) {
+                                   Diagnostics& diagnostics, OptionSign sign) {
   const std::optional<Quantity> quantity = ParseQuantity(text);
   const std::optional<double> si = quantity ? SiOf(*quantity, dimension) : std::nullopt;
   const Place place = Place::Option(option);
   if (!si) diagnostics.Report(kOptionQuantity, place, {text, DimensionName(dimension), Example(dimension)});
-  else if (sign == Sign::kPositive && !(*si > 0)) diagnostics.Report(kOptionNotPositive, place, {text});
+  else if (sign == OptionSign::kPositive && !(*si > 0)) diagnostics.Report(kOptionNotPositive, place, {text});
   else return si;
   return std::nullopt;
 }

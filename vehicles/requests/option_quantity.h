@@ -10,12 +10,12 @@ namespace fourpost {
 
 // Numbers on the command line. Errors name the option: "--amplitude".
 
-enum class Sign { kPositive, kAny };
+enum class OptionSign { kPositive, kAny };
 
 /// SI value of "5 mm" or "5mm". An acceleration may be given in g, 9.80665 m/s^2; a frequency is in Hz, not rad/s.
 /// Empty after an error: not a number of this dimension with its unit, or not above zero.
 std::optional<double> ReadQuantity(const std::string& text, const Dimension& dimension, const std::string& option,
-                                   Diagnostics& diagnostics, Sign sign = Sign::kPositive);
+                                   Diagnostics& diagnostics, OptionSign sign = OptionSign::kPositive);
 
 /// "1%" as 0.01; a number without % is ambiguous and refused. Empty after an error: other text, a share not above zero
 /// or above 100 %.

@@ -31,7 +31,7 @@ struct LinearEquivalent {
   double Damping(const std::complex<double>& stiffness) const;
 };
 
-/// Of every cycle long enough to tell, 8 samples. The extension passes the rig's filter before, as the force did.
+/// Of every cycle of 8 samples and more. The extension passes the rig's filter before, as the force did.
 std::vector<LinearEquivalent> LinearEquivalents(const ModelledRecording& modelled);
 
 /// A row per cycle: recording, frequency, amplitude, equivalent damping and dynamic stiffness, measured and modelled.

@@ -79,8 +79,8 @@ std::optional<BenchRecording> Load(const BenchStudy& study, const BenchStudy::Re
 bool Check(const BenchDamper& damper, const BenchRecording& recording, const std::vector<double>& values,
            const std::string& file, Diagnostics& diagnostics) {
   if (!CheckBenchUnits(damper, recording.motion, recording.force, values, file, diagnostics)) return false;
-  CheckBenchOffsets(damper, recording.motion, recording.filter, recording.force, recording.first, recording.end, values,
-                    file, diagnostics);
+  CheckBenchOffsets(damper, {recording.motion, recording.filter, recording.force, recording.first, recording.end},
+                    values, file, diagnostics);
   return true;
 }
 

@@ -7,8 +7,8 @@
 
 namespace fourpost {
 
-/// Samples of a recording from one residual to the next: two per period of the cutoff of the rig's filter, for more do
-/// not tell more; every one without a filter.
+/// Samples of a recording from one residual to the next: two per period of the cutoff of the rig's filter, since
+/// more hold no more information; every one without a filter.
 std::size_t ResidualStride(const BenchRecording& recording);
 
 /// (modelled - measured) / (model_error sd(measured)) of every recording, so that each counts by its normalised mean

@@ -16,7 +16,7 @@ struct RigFilter {
   double cutoff_Hz = 30;
 };
 
-/// What the file of a study tells under 'bench': recordings of a damper on its bench. Paths are resolved.
+/// What the file of a study states under 'bench': recordings of a damper on its bench. Paths are resolved.
 struct BenchStudy {
   struct Recording {
     std::string name;

@@ -42,7 +42,7 @@ struct MeasuredChannel {
   std::vector<double> mean;
   /// Amplitude of the second harmonic [unit]; empty where not measured.
   std::vector<double> second_harmonic;
-  /// Those that it is the mean or sum of move against each other, which a warning tells.
+  /// The sensors that it is the mean or sum of move against each other, which is warned of.
   bool has_opposed_members = false;
 };
 

@@ -178,7 +178,7 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
                                 const ModelError& model_error) {
   const Eigen::Index count = CountOf(runs, model_error);
   ResidualStructure structure = StructureOf(vehicle->vehicle(), runs, model_error);
-  // Marched: to March's tolerance, and without derivatives of its own.
+  // Integrated in time: to the tolerance of March(), without derivatives of the model's own.
   if (HasHysteresis(vehicle->At(vehicle->vehicle().ParameterValues())))
     return {.name = "four-post responses",
             .count = count,

@@ -33,7 +33,7 @@ double PhaseSdDeg(const MeasuredChannel& measured, std::size_t i) {
   return DegreesFromRadians(measured.tangential_sd[i] / std::abs(measured.response[i]));
 }
 
-/// `start`: null where it is not told.
+/// `start`: null where it is unknown.
 void AddRow(const MeasuredRun& run, const MeasuredChannel& measured, const ChannelResponse& modelled,
             const ChannelResponse* start, std::size_t i, bool in_band, CsvWriter& csv) {
   const double none = std::numeric_limits<double>::quiet_NaN();

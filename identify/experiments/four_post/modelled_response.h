@@ -13,7 +13,7 @@
 namespace fourpost {
 
 /// What the model answers to an excitation: by harmonic balance, with hysteresis by Fourier coefficients of the
-/// condensed model run in time until its motion repeats (March; thesis 4.2.3), to a thousandth.
+/// reduced model integrated in time until its motion repeats (thesis 4.2.3), to a thousandth.
 PeriodicResponse ModelledResponse(const CondensedModel& model, const std::vector<Sensor>& sensors,
                                   const Excitation& excitation, const Deadline& deadline = {});
 

@@ -4,7 +4,6 @@
 
 #include "analysis/text/text_table.h"
 #include "identify/experiments/static_loads/load_lint.h"
-#include "identify/experiments/static_loads/weight_lint.h"
 #include "identify/fit/fit.h"
 #include "identify/study_file/channel_source_reader.h"
 

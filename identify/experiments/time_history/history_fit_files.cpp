@@ -37,7 +37,7 @@ std::vector<Column> ColumnsOf(const std::vector<MeasuredHistory>& histories) {
   return columns;
 }
 
-/// More than any sensor tells.
+/// More than any sensor resolves.
 constexpr int kSignalDigits = 7;
 
 /// Samples first to first + count - 1.

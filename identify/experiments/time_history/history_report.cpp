@@ -53,8 +53,8 @@ class HistoryData : public ExperimentData {
     remarks.modelled = ListAt(run_.result, "histories");
     if (!IsCompromise(run_.result)) return remarks;
     remarks.why_no_deviations =
-        "The compromise cost weighs each output by its own error and not by noise, so there are no standard "
-        "deviations. Fit with the cost 'whitened' for them.";
+        "The compromise cost weighs each output by its own error and not by noise, so there are no "
+        "standard deviations. Fit with the cost 'whitened' for them.";
     remarks.where_not_weighed =
         "The compromise cost does not weigh residuals by noise. Fit with the cost 'whitened' to see whether something "
         "is missing.";

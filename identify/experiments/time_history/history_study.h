@@ -23,7 +23,7 @@ struct StudyNoise {
   int line = 0;
 };
 
-/// A recording over time of a vehicle on moving posts, as a study tells it.
+/// A recording over time of a vehicle on moving posts, as a study states it.
 struct StudyHistory {
   std::string name;
   std::filesystem::path file;

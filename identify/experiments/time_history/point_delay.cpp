@@ -38,7 +38,7 @@ Eigen::VectorXd UnderTriangle(const Eigen::VectorXd& a, Index reach) {
   return sum / static_cast<double>(reach * reach);
 }
 
-/// Nothing where they are together, or where it cannot be told.
+/// Nothing where they are together, or where the data do not show it.
 std::optional<double> DelayOf(const Eigen::VectorXd& z, const Eigen::VectorXd& a, double rate_Hz) {
   constexpr Index kFewest = 64;
   // What a delay leaves is noise, of any other fault it is more.
