@@ -47,6 +47,8 @@ void VisitSettings(Options& o, const Number& number, const Word& word) {
   number("refinements", o.refinements);
   number("refine_apart", o.refine_apart);
   number("refine_iterations", o.refine_iterations);
+  number("random_starts", o.random_starts);
+  number("give_up", o.give_up);
   number("evolution_share", o.evolution_share);
   number("migrate_after", o.migrate_after);
   number("count_new_trials", o.count_new_trials);

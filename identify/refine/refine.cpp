@@ -115,16 +115,36 @@ class ResidualFunction : public ceres::CostFunction {
   mutable std::string failure_;
 };
 
-class StopCallback : public ceres::IterationCallback {
+/// Ends a run after an iteration: by `stop`, or because it heads for too high a cost.
+class EndOfRun : public ceres::IterationCallback {
  public:
-  explicit StopCallback(const std::function<bool()>& stop) : stop_(stop) {}
+  EndOfRun(const std::function<bool()>& stop, double give_up_above) : stop_(stop), give_up_above_(give_up_above) {}
 
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return stop_() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
+    if (stop_ && stop_()) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+    gave_up_ = HeadsTooHigh(iteration);
+    return gave_up_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
+  bool gave_up() const { return gave_up_; }
+
  private:
+  bool HeadsTooHigh(const ceres::IterationSummary& iteration) {
+    constexpr int kLeastIterations = 3;
+    // Gains of a descent along a valley grow again.
+    constexpr double kCaution = 3;
+    if (iteration.iteration == 0 || !iteration.step_is_successful) return false;
+    // Ceres halves costs.
+    const double gain = 2 * iteration.cost_change;
+    const double ratio = last_gain_ > 0 ? std::clamp(gain / last_gain_, 0.5, 0.9) : 0.9;
+    last_gain_ = gain;
+    return iteration.iteration >= kLeastIterations && 2 * iteration.cost - kCaution * gain * ratio / (1 - ratio) > give_up_above_;
+  }
+
   const std::function<bool()>& stop_;
+  double give_up_above_;
+  double last_gain_ = 0;
+  bool gave_up_ = false;
 };
 
 // Ceres reports refused steps as warnings on stderr, where they would break up a progress line.
@@ -153,7 +173,8 @@ ceres::Solver::Options SolverOptions(const RefineOptions& options) {
 }
 
 // Steps refused until they are too short to count are no convergence.
-RefineEnd EndOf(ceres::TerminationType type, bool refused) {
+RefineEnd EndOf(ceres::TerminationType type, bool refused, bool gave_up) {
+  if (gave_up) return RefineEnd::kGivenUp;
   switch (type) {
     case ceres::CONVERGENCE: return refused ? RefineEnd::kFailed : RefineEnd::kConverged;
     case ceres::NO_CONVERGENCE: return RefineEnd::kIterations;
@@ -164,7 +185,7 @@ RefineEnd EndOf(ceres::TerminationType type, bool refused) {
 
 // Moves x to the optimum.
 ceres::Solver::Summary Solve(ResidualFunction& function, const FitVariables& variables, const RefineOptions& options,
-                             const std::function<bool()>& stop, Eigen::VectorXd& x) {
+                             EndOfRun& end, Eigen::VectorXd& x) {
   QuietGlog();
   ceres::Problem::Options ownership;
   ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -175,8 +196,7 @@ ceres::Solver::Summary Solve(ResidualFunction& function, const FitVariables& var
     problem.SetParameterUpperBound(x.data(), static_cast<int>(j), variables.upper()[j]);
   }
   ceres::Solver::Options solver = SolverOptions(options);
-  StopCallback callback(stop);
-  if (stop) solver.callbacks.push_back(&callback);
+  solver.callbacks.push_back(&end);
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
   return summary;
@@ -207,6 +227,7 @@ std::string_view RefineEndName(RefineEnd end) {
     case RefineEnd::kStartFailed: return "start could not be evaluated";
     case RefineEnd::kFailed: return "ended by failed evaluations";
     case RefineEnd::kStopped: return "stopped by the user";
+    case RefineEnd::kGivenUp: return "given up";
   }
   return "unknown";
 }
@@ -219,8 +240,9 @@ RefineResult Descend(Archive& archive, const FitVariables& variables, const Refi
   RefineResult result;
   ResidualFunction function(archive, variables, options, here.x, here.residuals);
   Eigen::VectorXd x = here.x;
-  const ceres::Solver::Summary summary = Solve(function, variables, options, stop, x);
-  result.end = EndOf(summary.termination_type, !function.failure().empty());
+  EndOfRun end(stop, options.give_up_above);
+  const ceres::Solver::Summary summary = Solve(function, variables, options, end, x);
+  result.end = EndOf(summary.termination_type, !function.failure().empty(), end.gave_up());
   const bool refused = result.end == RefineEnd::kFailed && !function.failure().empty();
   result.message = refused ? function.failure() : summary.message;
   result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,9 @@ struct RefineOptions {
   /// barely shows the way down: squares go before Huber's and soft_l1, Huber's of the same scale before Cauchy's and
   /// Tukey's.
   RobustLoss loss;
+  /// Ends a run that, after three iterations, heads for a cost above this one: that of now less three times all further
+  /// gains, if each shrinks as the last one did, but by no more than half and no less than a tenth.
+  double give_up_above = std::numeric_limits<double>::infinity();
   /// Variables that stay where the start has them.
   std::vector<Eigen::Index> held = {};
 
@@ -55,6 +59,8 @@ enum class RefineEnd {
   /// The last step tried, or the Jacobian after it, could not be evaluated; the optimum may be elsewhere.
   kFailed,
   kStopped,
+  /// See RefineOptions::give_up_above.
+  kGivenUp,
 };
 
 /// "converged", ...
@@ -81,7 +87,9 @@ struct RefineResult {
 
   bool has_cost() const { return end != RefineEnd::kNotRun && end != RefineEnd::kStartFailed; }
   /// By itself, not by the user.
-  bool has_ended() const { return end != RefineEnd::kNotRun && end != RefineEnd::kStopped; }
+  bool has_ended() const {
+    return end != RefineEnd::kNotRun && end != RefineEnd::kStopped && end != RefineEnd::kGivenUp;
+  }
 };
 
 /// Levenberg-Marquardt (Ceres) within the bounds of the lattice, in FitVariables, with differences evaluated in

@@ -70,12 +70,13 @@ std::unique_ptr<SearchMethod> Make(const SimplexOptions& options, const Lattice&
 
 /// Levenberg-Marquardt as dvHDE accelerates by it.
 auto RefinementOf(Archive& archive, const DvhdeOptions& options) {
-  return
-      [&archive, most = options.refine_iterations](const Eigen::VectorXd& values, const std::function<bool()>& stop) {
-        const RefineOptions refine{.max_iterations = most, .step = 1e-5, .differences = Differences::kForward};
-        const RefineResult result = Refine(archive, values, refine, stop);
-        return result.has_cost() ? result.values : values;
-      };
+  return [&archive, most = options.refine_iterations, gives_up = options.give_up](const Eigen::VectorXd& values,
+                                                                                  const std::function<bool()>& stop) {
+    RefineOptions refine{.max_iterations = most, .step = 1e-5, .differences = Differences::kForward};
+    if (gives_up && !archive.improvements().empty()) refine.give_up_above = archive.improvements().back().cost;
+    const RefineResult result = Refine(archive, values, refine, stop);
+    return result.has_cost() ? result.values : values;
+  };
 }
 
 template <typename Value>

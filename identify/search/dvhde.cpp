@@ -320,18 +320,30 @@ void Dvhde::AskRefinements() {
   asked_.clear();
 }
 
+/// Low costs may all lead to one optimum that is not the best.
+void Dvhde::AskRandomRefinements() {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(options_.random_starts); ++k) {
+    Draws draws = DrawsFor(DrawPurpose::kStart, k);
+    refined_from_.push_back(RandomPoint(*lattice_, draws));
+  }
+}
+
 void Dvhde::TellRefined(const Population& found, std::int64_t evaluations) {
+  const bool from_members = !refined_members_.empty();
   for (std::size_t k = 0; k < found.size(); ++k) {
-    Individual& member = population_[refined_members_[k]];
-    refined_.push_back(member.point);
+    refined_.push_back(refined_from_[k]);
     refined_.push_back(found[k].point);
+    if (IsBetter(found[k].score, record_.score)) record_ = found[k];
+    if (!from_members) continue;
+    Individual& member = population_[refined_members_[k]];
     if (IsBetter(found[k].score, member.score)) member = found[k];
   }
   refined_from_.clear();
   refined_members_.clear();
+  if (from_members) evolution_due_ = options_.evolution_share * static_cast<double>(evaluations);
+  if (from_members && options_.random_starts > 0) return AskRandomRefinements();
   if (IsBetter(Best().score, record_.score)) record_ = Best();
   evolved_ = 0;
-  evolution_due_ = options_.evolution_share * static_cast<double>(evaluations);
   // Nothing is left to gain near by.
   if (options_.migrate_after > 0) AskMigrants();
   else EndEvolution();

@@ -58,6 +58,7 @@ class Dvhde : public SearchMethod {
   void EndFollowing();
   void AskOne();
   void AskRefinements();
+  void AskRandomRefinements();
   void EndSimplex();
   void Migrate(const std::vector<Score>& scores);
   void EndEvolution();

@@ -28,6 +28,7 @@ void DvhdeOptions::Validate() const {
   RequireOption(refinements >= 1, "refinements", refinements, "1 or more");
   RequireOption(refine_apart >= 0 && refine_apart < 1, "refine_apart", refine_apart, "in [0, 1)");
   RequireOption(refine_iterations >= 1, "refine_iterations", refine_iterations, "1 or more");
+  RequireOption(random_starts >= 0, "random_starts", random_starts, "0 or more");
   RequireOption(evolution_share >= 0, "evolution_share", evolution_share, "0 or more");
   RequireOption(migrate_after >= 0, "migrate_after", migrate_after, "0 or more");
   RequireOption(least_gain >= 0 && least_gain < 1, "least_gain", least_gain, "in [0, 1)");
@@ -51,6 +52,8 @@ DvhdeOptions ThesisDvhde() {
   options.elites = 0;
   options.acceleration = Acceleration::kSimplex;
   options.accelerate_below = 0.1;
+  options.random_starts = 0;
+  options.give_up = false;
   options.migrate_after = 150;
   options.count_new_trials = false;
   options.least_gain = 0;

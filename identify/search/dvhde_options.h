@@ -63,6 +63,11 @@ struct DvhdeOptions {
   int refinements = 1;
   double refine_apart = 0.05;
   int refine_iterations = 100;
+  /// Random points that it starts from after these. Where low costs are far from the best optimum, members alone lead
+  /// to others again and again.
+  int random_starts = 1;
+  /// Give up a descent that heads for a cost above the best known, see RefineOptions::give_up_above.
+  bool give_up = true;
   /// New trials before the next such acceleration, as a share of the evaluations of the last one.
   double evolution_share = 0.25;
 
