@@ -5,6 +5,7 @@
 
 #include "analysis/numerics/decompositions.h"
 #include "analysis/signals/median.h"
+#include "analysis/signals/student_t.h"
 #include "identify/uncertainty/time_windows.h"
 
 namespace fourpost {
@@ -160,8 +161,6 @@ std::vector<Contradiction> PartedData::Contradictions(const Eigen::VectorXd& lea
 
 ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const ResidualStructure& structure,
                                       const ResidualNoise& noise) {
-  // Chosen on random vehicles, see tests/validation/coverage.csv; 1.6 to 1.9 does nearly as well.
-  constexpr double kReach = 1.75;
   constexpr std::size_t kFewest = 3;
   constexpr double kLeastOfNoise = 0.25;
   constexpr double kLeastOfOthers = 0.75;
@@ -174,6 +173,8 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
   if (structure.recordings.clusters.size() > 1) estimate.by_recording = jackknife.Over(structure.recordings);
   std::vector<ResidualPartition> partitions = structure.partitions;
   if (noise.HasTime()) partitions.push_back(WindowsOfTime(structure, jackknife.Leverage()));
+  double ways = 0;
+  double degrees = 0;
   for (const ResidualPartition& partition : partitions) {
     if (partition.clusters.size() >= kFewest) estimate.ways.push_back(jackknife.Over(partition));
     else estimate.ways.push_back({.name = partition.name, .clusters = partition.clusters});
@@ -183,7 +184,13 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
     if (clusters == 0) continue;
     const Eigen::MatrixXd beyond = way.BeyondNoise();
     estimate.covariance += (clusters - 1) / clusters * beyond * beyond.transpose();
+    ways += 1;
+    degrees += clusters - 1;
   }
+  if (ways == 0) return estimate;
+  estimate.covariance /= ways;
+  // The ways part the same residuals: together they know no more than one of them.
+  const double reach = StudentT95(degrees / ways);
   const Eigen::VectorXd variance = estimate.covariance.diagonal();
   std::vector<double> shares;
   std::vector<double> relative;
@@ -197,7 +204,7 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
     double v = std::max(variance[j], least_of_noise * jackknife.covariance()(j, j));
     if (fitted.is_relative[static_cast<std::size_t>(j)]) v = std::max(v, least_of_others);
     estimate.covariance(j, j) = v;
-    estimate.reach[j] = kReach * std::sqrt(v);
+    estimate.reach[j] = reach * std::sqrt(v);
   }
   return estimate;
 }

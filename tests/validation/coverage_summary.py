@@ -6,9 +6,10 @@ import sys
 
 
 def summary(rows):
-    judged = [row for row in rows if row["lower"]]
+    judged = [row for row in rows if row["lower"] and row["upper"]]
     holds = sum(float(r["lower"]) <= float(r["truth"]) <= float(r["upper"]) for r in judged)
-    sized = [r for r in judged if not r["parameter"].startswith("y_")]
+    # Shares of what is not about zero.
+    sized = [r for r in judged if not r["parameter"].startswith("y_") and float(r["truth"]) > 0 and float(r["value"]) > 0]
     error = statistics.median(abs(float(r["value"]) / float(r["truth"]) - 1) for r in sized)
     width = statistics.median((float(r["upper"]) - float(r["lower"])) / float(r["value"]) for r in sized)
     return len(judged), holds, 100 * error, 100 * width

@@ -48,8 +48,8 @@ TEST(ModelErrorEstimate, MovesAsTheFitWithoutAClusterWould) {
   ASSERT_EQ(estimate.ways.size(), 1U);
   for (Eigen::Index g = 0; g < kClusters; ++g)
     EXPECT_NEAR(estimate.ways[0].shifts(0, g), offsets[g] / (kClusters - 1), 1e-5);
-  // (G - 1) / G sum of squares: 3 / 4 of 20 / 9.
-  EXPECT_NEAR(estimate.reach[0], 1.75 * std::sqrt(0.75 * 20 / 9), 1e-4);
+  // (G - 1) / G sum of squares: 3 / 4 of 20 / 9; Student's t of three degrees of freedom.
+  EXPECT_NEAR(estimate.reach[0], 3.18245 * std::sqrt(0.75 * 20 / 9), 1e-4);
   EXPECT_TRUE(estimate.is_significant);
 }
 
