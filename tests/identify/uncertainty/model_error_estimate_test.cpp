@@ -101,6 +101,31 @@ TEST(ModelErrorEstimate, SubtractsWhatNoiseMovesByItself) {
     EXPECT_NEAR(way.by_noise(0, g) / std::sqrt(1.0 / 300 - 1.0 / 400), 1, 0.2);
 }
 
+// Two ways of the same clusters have the variance of one and twice its degrees of freedom.
+TEST(ModelErrorEstimate, AddsDegreesOfFreedomOfWays) {
+  ResidualStructure structure = Structure();
+  structure.partitions.push_back(structure.partitions[0]);
+  const FittedResiduals fitted = Fitted(Eigen::Vector4d(-3, -1, 1, 3), 1e-6, 1);
+  const ModelErrorEstimate estimate =
+      EstimateModelError(fitted, structure, ResidualNoise(fitted.scores.col(0), structure, 1));
+  EXPECT_NEAR(estimate.reach[0], 2.44691 * std::sqrt(0.75 * 20 / 9), 1e-4);
+}
+
+// What two of three clusters hold nothing of stays where it is, and the third is named.
+TEST(ModelErrorEstimate, LeavesWhatRestsOnOneCluster) {
+  FittedResiduals fitted = Fitted(Eigen::Vector4d(-3, -1, 1, 3), 1, 1);
+  fitted.jacobian.conservativeResize(Eigen::NoChange, 2);
+  fitted.jacobian.col(1).setConstant(1e-3);
+  fitted.jacobian.col(1).tail(kEach).setLinSpaced(-1, 1);
+  fitted.scores = fitted.scores.col(0).asDiagonal() * fitted.jacobian;
+  fitted.is_relative = {true, true};
+  const ModelErrorEstimate estimate =
+      EstimateModelError(fitted, Structure(), ResidualNoise(fitted.scores.col(0), Structure(), 2));
+  EXPECT_EQ(estimate.ways[0].rests_on[0], -1);
+  EXPECT_EQ(estimate.ways[0].rests_on[1], kClusters - 1);
+  EXPECT_LT(std::abs(estimate.ways[0].shifts(1, kClusters - 1)), 0.1);
+}
+
 TEST(ModelErrorEstimate, LearnsNothingFromTwoClusters) {
   ResidualStructure structure = Structure();
   structure.partitions[0] = {"parts", {}, {}};
