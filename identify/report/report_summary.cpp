@@ -295,8 +295,8 @@ std::string OnMisfit(const Json& result, const ReportRemarks& remarks) {
     return "Residuals are larger than their stated standard deviations, yet no part of the data contradicts another. State the "
            "noise that the recordings have.";
   if (!remarks.where_missed.empty()) return remarks.where_missed;
-  return "The model lacks a mechanism. Fit a richer one to the same recordings and compare the runs; the curves show "
-         "where residuals are large.";
+  return "Check sign, scale, delay and position of the channels with large residuals. If they are right, the model "
+         "lacks a mechanism: fit a richer one to the same recordings and compare the runs.";
 }
 
 std::vector<std::string> WhatNext(const Json& result, const std::vector<ReportedParameter>& parameters,

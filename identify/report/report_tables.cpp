@@ -113,23 +113,40 @@ void AddRows(const std::string& group, const Json& object, Rows& rows) {
   }
 }
 
-/// Of channels over time; gain and delay where there are any.
+bool AnyHas(const std::vector<Json>& channels, const std::string& key) {
+  return std::any_of(channels.begin(), channels.end(),
+                     [&](const Json& channel) { return std::isfinite(NumberAt(channel, key)); });
+}
+
+/// "212, not white"; empty of older runs.
+std::string IndependentSamples(const Json& channel) {
+  const double samples = NumberAt(channel, "effective_samples");
+  if (!std::isfinite(samples)) return "";
+  return ShownDecimals(samples, 0) + (channel.value("residuals_white", true) ? ", white" : ", not white");
+}
+
+/// Of channels over time; gain, delay and what the residuals are like where there are any.
 std::string HistoryTable(const std::string& title, const std::vector<Json>& channels) {
   if (channels.empty()) return "";
-  const bool has_gain = std::any_of(channels.begin(), channels.end(),
-                                    [](const Json& channel) { return std::isfinite(NumberAt(channel, "gain")); });
+  const bool has_gain = AnyHas(channels, "gain");
+  const bool has_noise = AnyHas(channels, "residual_correlation");
   Rows rows;
   for (const Json& channel : channels) {
     rows.push_back({TextCell(TextAt(channel, "recording")),
                     {html::Element("code", "", html::Escaped(TextAt(channel, "name"))), ""},
                     NumberCell(ShownNumber(NumberAt(channel, "nmse_percent"), 3)),
                     NumberCell(ShownDecimals(NumberAt(channel, "vaf_percent"), 2))});
-    if (!has_gain) continue;
-    rows.back().push_back(NumberCell(ShownDecimals(NumberAt(channel, "gain"), 3)));
-    rows.back().push_back(NumberCell(ShownDecimals(1e3 * NumberAt(channel, "delay_s"), 2)));
+    if (has_gain) {
+      rows.back().push_back(NumberCell(ShownDecimals(NumberAt(channel, "gain"), 3)));
+      rows.back().push_back(NumberCell(ShownDecimals(1e3 * NumberAt(channel, "delay_s"), 2)));
+    }
+    if (!has_noise) continue;
+    rows.back().push_back(NumberCell(ShownDecimals(NumberAt(channel, "residual_correlation"), 2)));
+    rows.back().push_back(NumberCell(IndependentSamples(channel)));
   }
   std::vector<std::string> head = {title, "channel", "NMSE, %", "VAF, %"};
   if (has_gain) head.insert(head.end(), {"gain", "delay, ms"});
+  if (has_noise) head.insert(head.end(), {"lag-1 correlation", "independent residuals"});
   return html::Table(head, rows);
 }
 
@@ -202,17 +219,21 @@ std::string ProfileTableHtml(const Json& result, const RunContents& run) {
 }
 
 std::string ChannelTableHtml(const Json& result) {
-  Rows responses;
+  std::vector<Json> steady;
   std::vector<Json> histories;
   for (const Json& channel : ListAt(result, "channels"))
-    if (!channel.contains("rms_dB")) histories.push_back(channel);
-    else
-      responses.push_back({{html::Element("code", "", html::Escaped(TextAt(channel, "name"))), ""},
-                           NumberCell(ShownDecimals(NumberAt(channel, "rms_dB"), 2)),
-                           NumberCell(ShownDecimals(NumberAt(channel, "rms_deg"), 1))});
-  std::string text;
-  if (!responses.empty()) text += html::Table({"channel", "rms, dB", "rms, deg"}, responses);
-  return text + HistoryTable("fitted recording", histories) +
+    (channel.contains("rms_dB") ? steady : histories).push_back(channel);
+  const bool has_noise = AnyHas(steady, "residual_correlation");
+  Rows rows;
+  for (const Json& channel : steady) {
+    rows.push_back({{html::Element("code", "", html::Escaped(TextAt(channel, "name"))), ""},
+                    NumberCell(ShownDecimals(NumberAt(channel, "rms_dB"), 2)),
+                    NumberCell(ShownDecimals(NumberAt(channel, "rms_deg"), 1))});
+    if (has_noise) rows.back().push_back(NumberCell(ShownDecimals(NumberAt(channel, "residual_correlation"), 2)));
+  }
+  std::vector<std::string> head = {"channel", "rms, dB", "rms, deg"};
+  if (has_noise) head.emplace_back("correlation of neighbouring residuals");
+  return (rows.empty() ? "" : html::Table(head, rows)) + HistoryTable("fitted recording", histories) +
          HistoryTable("validation recording", ListAt(result, "validation"));
 }
 

@@ -18,9 +18,9 @@ std::string SensorGroup(const Vehicle& vehicle, std::size_t sensor) {
   switch (of.type) {
     case Sensor::Type::kLoadCell: return "tyre forces";
     case Sensor::Type::kStrut: return "struts";
-    case Sensor::Type::kAccelerometer: return "accelerations of " + LinkGroup(vehicle, of.point.link);
-    case Sensor::Type::kDisplacement: return "displacements of " + LinkGroup(vehicle, of.point.link);
-    case Sensor::Type::kGyro: return "angular rates of " + LinkGroup(vehicle, of.point.link);
+    case Sensor::Type::kAccelerometer:
+    case Sensor::Type::kDisplacement:
+    case Sensor::Type::kGyro: return "motion of " + LinkGroup(vehicle, of.point.link);
   }
   return "";
 }

@@ -7,9 +7,9 @@
 
 namespace fourpost {
 
-/// The kind of a sensor on a kind of link, the same for all corners of a vehicle: "tyre forces", "struts",
-/// "accelerations of wheels", "accelerations of body". A link that carries a tyre is of the wheels; others go by their
-/// names. `sensor`: place in Vehicle::sensors.
+/// What a sensor shows, the same for all corners of a vehicle: "tyre forces", "struts", "motion of wheels", "motion of
+/// body". Accelerations and displacements of a link show one motion: without either the other says the same. A link
+/// that carries a tyre is of the wheels; others go by their names. `sensor`: place in Vehicle::sensors.
 std::string SensorGroup(const Vehicle& vehicle, std::size_t sensor);
 
 }  // namespace fourpost

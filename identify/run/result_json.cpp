@@ -79,6 +79,16 @@ Json After(const std::optional<Covariance>& covariance, const std::vector<std::s
           {"correlation", Matrix(Correlations(*covariance))}};
 }
 
+/// Parameters that one part of the data alone determines, and which.
+Json RestsOn(const FitResult& fit, const PartedData& way) {
+  Json parts = Json::object();
+  for (std::size_t i = 0; i < way.rests_on.size(); ++i)
+    if (const int part = way.rests_on[i]; part >= 0)
+      parts[fit.parameters[static_cast<std::size_t>(fit.certainty->judged[i])].name] =
+          way.clusters[static_cast<std::size_t>(part)];
+  return parts;
+}
+
 /// By which data the parameters move, as shares of their values, or of their ranges.
 Json Ways(const FitResult& fit) {
   Json ways = Json::array();
@@ -93,7 +103,8 @@ Json Ways(const FitResult& fit) {
     ways.push_back({{"by", way.name},
                     {"parts", way.clusters},
                     {"disagreement", way.degrees > 0 ? NumberOrNull(way.disagreement / way.degrees) : Json(nullptr)},
-                    {"shifts_without", shifts}});
+                    {"shifts_without", shifts},
+                    {"rests_on", RestsOn(fit, way)}});
   }
   return ways;
 }

@@ -5,6 +5,7 @@
 
 #include "analysis/numerics/decompositions.h"
 #include "analysis/signals/median.h"
+#include "analysis/signals/student_t.h"
 #include "identify/uncertainty/time_windows.h"
 
 namespace fourpost {
@@ -91,10 +92,10 @@ class Jackknife {
       score += fitted_.scores.row(row).transpose();
       information += weight * fitted_.jacobian.row(row).transpose() * fitted_.jacobian.row(row);
     }
-    const Eigen::MatrixXd without = InverseWithout(information);
+    const auto [without, variances] = Without(information);
     parted.shifts.col(g) = without * score;
     for (Index j = 0; j < n; ++j)
-      if (without(j, j) > kMuchWorse * covariance_(j, j) || !(without(j, j) > 0))
+      if (variances[j] > kMuchWorse * covariance_(j, j))
         parted.rests_on[static_cast<std::size_t>(j)] = static_cast<int>(g);
     const Eigen::MatrixXd of_noise = OfNoise(information, among);
     parted.by_noise.col(g) = (without * of_noise * without).diagonal().cwiseMax(0.0).cwiseSqrt();
@@ -103,12 +104,21 @@ class Jackknife {
     parted.degrees += static_cast<double>(rank);
   }
 
-  /// Of the other clusters alone. What barely any of them determines stays where it is.
-  Eigen::MatrixXd InverseWithout(const Eigen::MatrixXd& information) const {
-    constexpr double kLeast = 1e-5;
+  /// What the other clusters alone determine.
+  struct Others {
+    Eigen::MatrixXd covariance;
+    /// Of each parameter, or the least that it can be.
+    Eigen::VectorXd variances;
+  };
+
+  /// A direction of which they hold less than a thousandth of all information stays where it is: errors of the
+  /// derivatives look like that much.
+  Others Without(const Eigen::MatrixXd& information) const {
+    constexpr double kLeast = 1e-3;
     const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(hessian_ - information, hessian_);
     const Eigen::VectorXd inverse = pairs.values.unaryExpr([](double v) { return v > kLeast ? 1 / v : 0; });
-    return pairs.vectors * inverse.asDiagonal() * pairs.vectors.transpose();
+    return {.covariance = pairs.vectors * inverse.asDiagonal() * pairs.vectors.transpose(),
+            .variances = pairs.vectors.cwiseAbs2() * pairs.values.cwiseMax(kLeast).cwiseInverse()};
   }
 
   /// Covariance of a cluster's score at the optimum: its own noise, less what the parameters follow of that of all.
@@ -160,8 +170,6 @@ std::vector<Contradiction> PartedData::Contradictions(const Eigen::VectorXd& lea
 
 ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const ResidualStructure& structure,
                                       const ResidualNoise& noise) {
-  // Chosen on random vehicles, see tests/validation/coverage.csv; 1.6 to 1.9 does nearly as well.
-  constexpr double kReach = 1.75;
   constexpr std::size_t kFewest = 3;
   constexpr double kLeastOfNoise = 0.25;
   constexpr double kLeastOfOthers = 0.75;
@@ -174,6 +182,9 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
   if (structure.recordings.clusters.size() > 1) estimate.by_recording = jackknife.Over(structure.recordings);
   std::vector<ResidualPartition> partitions = structure.partitions;
   if (noise.HasTime()) partitions.push_back(WindowsOfTime(structure, jackknife.Leverage()));
+  double ways = 0;
+  double all_degrees = 0;
+  Eigen::VectorXd squares_by_degrees = Eigen::VectorXd::Zero(n);
   for (const ResidualPartition& partition : partitions) {
     if (partition.clusters.size() >= kFewest) estimate.ways.push_back(jackknife.Over(partition));
     else estimate.ways.push_back({.name = partition.name, .clusters = partition.clusters});
@@ -182,8 +193,15 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
     const auto clusters = static_cast<double>(way.shifts.cols());
     if (clusters == 0) continue;
     const Eigen::MatrixXd beyond = way.BeyondNoise();
-    estimate.covariance += (clusters - 1) / clusters * beyond * beyond.transpose();
+    const Eigen::MatrixXd of_way = (clusters - 1) / clusters * beyond * beyond.transpose();
+    estimate.covariance += of_way;
+    squares_by_degrees += of_way.diagonal().cwiseAbs2() / (clusters - 1);
+    ways += 1;
+    all_degrees += clusters - 1;
   }
+  if (ways == 0) return estimate;
+  const Eigen::VectorXd sums = estimate.covariance.diagonal();
+  estimate.covariance /= ways;
   const Eigen::VectorXd variance = estimate.covariance.diagonal();
   std::vector<double> shares;
   std::vector<double> relative;
@@ -197,7 +215,8 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
     double v = std::max(variance[j], least_of_noise * jackknife.covariance()(j, j));
     if (fitted.is_relative[static_cast<std::size_t>(j)]) v = std::max(v, least_of_others);
     estimate.covariance(j, j) = v;
-    estimate.reach[j] = kReach * std::sqrt(v);
+    const double degrees = sums[j] > 0 ? sums[j] * sums[j] / squares_by_degrees[j] : all_degrees;
+    estimate.reach[j] = StudentT95(degrees) * std::sqrt(v);
   }
   return estimate;
 }

@@ -1,205 +1,60 @@
 #!/usr/bin/env python3
-"""How often intervals hold the truth where the model is simpler than the vehicle, as CSV.
+"""How often intervals hold the truth where the model is simpler than what was measured, as CSV.
 
-Random cars: landrover110_engine.urdf with every mass, rate and damper drawn, digressive dampers, friction, mounts,
-bushes, differences between left and right, each at random; stepped sines of it with noise of three repeats and scale
-errors of the sensors. Each is fitted by simpler models, and intervals are compared with what the car has.
+cars: landrover110_engine.urdf with every mass, rate and damper drawn, digressive dampers, friction, mounts, bushes,
+differences between left and right, each at random; stepped sines of it with noise of three repeats and scale errors of
+the sensors. flawed_cars: such cars with one of these things each. dampers: on a bench, with smooth corners, knees,
+friction, gas, a hardening mount and inertia. stations: single wheel stations with friction, hysteresis, knees and a
+tyre's damping. Each is fitted by simpler models, and intervals are compared with what was drawn.
 
-  coverage.py PROGRAM --cars 30 > coverage.csv
+  coverage.py PROGRAM --of cars --first 101 --count 30 > coverage_cars.csv
 """
 import argparse
 import csv
 import json
-import math
 import random
-import re
-import statistics
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-SOURCE = Path(__file__).resolve().parents[2]
-CAR = SOURCE / "urdf" / "landrover110_engine.urdf"
-MODES = {"bounce": "heave", "pitch": "pitch", "roll": "roll"}
-# By which an upright strut of Models 1 and 3 replaces the rear damper that leans: both ends' directions, squared.
-LEAN = math.cos(math.radians(29.6)) ** 2
+import random_cars
+import random_dampers
+import random_stations
+from program import run
 
-
-def drawn_car(draw):
-    """Values of parameters, and whether dampers digress."""
-    around = lambda middle, share: middle * math.exp(draw.uniform(-share, share))
-    car = {"m_body": around(1425, 0.12), "x_body": draw.uniform(-0.3, -0.14), "I_roll": around(600, 0.2),
-           "I_pitch": around(2300, 0.2), "m_engine": around(290, 0.25), "x_engine": draw.uniform(-0.1, 0.1),
-           "I_engine_pitch": around(40, 0.3), "k_engine_mount": around(0.7e6, 0.5), "k_gearbox_mount": around(0.7e6, 0.5),
-           "loss_mount": draw.uniform(0.08, 0.3), "m_front": around(205, 0.25), "I_front_roll": around(75, 0.3),
-           "m_rear": around(205, 0.25), "I_rear_roll": around(75, 0.3), "ct": draw.uniform(0, 800),
-           "kt_lateral": around(150e3, 0.4), "k_arm_bush": around(8e6, 0.4), "k_panhard": around(5e6, 0.4),
-           "k_arm_lift": around(0.2e6, 0.6), "k_mount_front": around(1e6, 0.7), "k_mount_rear": around(1e6, 0.7)}
-    for name, middle in (("k_F", 46e3), ("k_R", 56e3), ("kt_F", 370e3), ("kt_R", 370e3)):
-        both = around(middle, 0.3)
-        for side in "LR":
-            car[name + side] = around(both, 0.04)
-    for axle in ("front", "rear"):
-        car[f"c_{axle}_bump"] = around(1700, 0.4)
-        car[f"c_{axle}_rebound"] = around(3600, 0.4)
-        car[f"f_{axle}"] = draw.choice([0, draw.uniform(10, 60), draw.uniform(60, 160)])
-    for place in ("y_body", "y_front", "y_rear"):
-        car[place] = draw.uniform(-0.02, 0.02)
-    knees = draw.choice([None, (draw.uniform(0.1, 0.3), draw.uniform(0.4, 0.8))])
-    return car, knees
-
-
-def car_file(car, knees, path):
-    text = CAR.read_text().replace("../meshes/", str(SOURCE / "meshes") + "/")
-    if knees:
-        speed, share = knees
-        for axle in ("front", "rear"):
-            bump, rebound = car[f"c_{axle}_bump"], car[f"c_{axle}_rebound"]
-            text = text.replace(
-                f'<bilinear bump="$c_{axle}_bump" rebound="$c_{axle}_rebound"/>',
-                f'<digressive bump="{bump} N*s/m" rebound="{rebound} N*s/m" bump_knee="{speed} m/s" rebound_knee="{speed} m/s" '
-                f'bump_beyond="{share * bump} N*s/m" rebound_beyond="{share * rebound} N*s/m"/>')
-        text = re.sub(r'<fp:parameter name="c_[^>]*/>', "", text)
-    path.write_text(text)
-
-
-UNITS = {"m": "kg", "x": "m", "y": "m", "I": "kg*m^2", "k": "N/m", "kt": "N/m", "c": "N*s/m", "ct": "N*s/m", "f": "N",
-         "loss": ""}
-
-
-def settings(car, knees):
-    for name, value in car.items():
-        if not (knees and name.startswith("c_")):
-            yield f"{name}={value}{' ' + UNITS[name.split('_')[0]]}".strip()
-
-
-def run(*arguments):
-    outcome = subprocess.run([str(a) for a in arguments], capture_output=True, text=True)
-    if outcome.returncode not in (0, 1):
-        raise RuntimeError(outcome.stderr[-2000:])
-    return outcome
-
-
-def record(program, folder, car, knees, draw, count):
-    """Stepped sines and corner loads as a rig writes them."""
-    car_file(car, knees, folder / "car.urdf")
-    sets = [part for setting in settings(car, knees) for part in ("--set", setting)]
-    modes = [part for mode in MODES.values() for part in ("--mode", mode)]
-    run(program, "response", folder / "car.urdf", *modes, "--frequencies", f"0.5Hz:30Hz:{count}", "--engine", "reduced",
-        *sets, "-o", folder / "response")
-    with open(folder / "response" / "response.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    channels = {row["channel"] for row in rows}
-    scale = {name: draw.gauss(1, 0.003) for name in sorted(channels)}
-    loudest = {}
-    for row in rows:
-        key = (row["mode"], row["unit"], row["frequency_Hz"])
-        loudest[key] = max(loudest.get(key, 0), float(row["gain"]))
-    for name, mode in MODES.items():
-        with open(folder / f"{name}_frf.csv", "w", newline="") as file:
-            out = csv.writer(file)
-            out.writerow("frequency_Hz,post_amplitude_m,channel,gain,phase_deg,gain_sd,phase_sd_deg,mean,second_harmonic"
-                         .split(","))
-            for row in rows:
-                if row["mode"] != mode or row["gain"] == "":
-                    continue
-                gain, phase = float(row["gain"]), float(row["phase_deg"])
-                sd = math.hypot(0.004 * gain, 0.002 * loudest[(mode, row["unit"], row["frequency_Hz"])])
-                repeats = [complex(draw.gauss(gain, sd), draw.gauss(0, sd)) for _ in range(3)]
-                mean = sum(repeats) / 3
-                strut = row["channel"].startswith("s_strut")
-                out.writerow([row["frequency_Hz"], row["post_amplitude_m"], row["channel"],
-                              scale[row["channel"]] * abs(mean),
-                              phase + math.degrees(math.atan2(mean.imag, mean.real)),
-                              statistics.stdev([r.real for r in repeats]),
-                              math.degrees(statistics.stdev([r.imag for r in repeats]) / max(gain, 1e-9)),
-                              float(row["mean"]) + draw.gauss(0, 2e-5) if strut else "",
-                              abs(float(row["second_harmonic"]) + draw.gauss(0, 2e-6))])
-    # At rest, without the unknown yield of bushes: loads by mass and place.
-    at_rest = json.loads(run(program, "response", folder / "car.urdf", "--frequencies", "1Hz", "--engine", "reduced", *sets,
-                             "--json").stdout)
-    return at_rest
-
-
-def static_loads(car, draw, path):
-    """Of the rigid car, links and arms with their shares."""
-    parts = [(car["m_body"], -1.456 + car["x_body"], car["y_body"]), (car["m_engine"], -0.42 + car["x_engine"], 0),
-             (car["m_front"], 0, car["y_front"]), (car["m_rear"], -2.794, car["y_rear"]),
-             (4, -1.9, 0), (8, -2.43, 0), (2, 0.09, -0.46)]
-    mass = sum(m for m, _, _ in parts)
-    x = sum(m * x for m, x, _ in parts) / mass
-    y = sum(m * y for m, _, y in parts) / mass
-    front = mass * (x + 2.794) / 2.794
-    with open(path, "w", newline="") as file:
-        out = csv.writer(file)
-        out.writerow(["quantity", "unit", "value", "sd"])
-        for corner in ("FL", "FR", "RL", "RR"):
-            axle = front if corner[0] == "F" else mass - front
-            side = 0.5 + (1 if corner[1] == "L" else -1) * y / 1.486
-            out.writerow([f"static_load_{corner}", "N", 9.80665 * axle * side + draw.gauss(0, 20), 20])
-
-
-def truth(car, model):
-    """What a model's parameters stand for in the car."""
-    sprung = car["m_body"] + car["m_engine"] + 7
-    body_x, engine_x = -1.456 + car["x_body"], -0.42 + car["x_engine"]
-    centre = (car["m_body"] * body_x + car["m_engine"] * engine_x) / (car["m_body"] + car["m_engine"])
-    pitch = (car["I_pitch"] + car["I_engine_pitch"] + car["m_body"] * (body_x - centre) ** 2 +
-             car["m_engine"] * (engine_x - centre) ** 2)
-    both = {"m_sprung": sprung, "I_pitch": pitch, "m_front": car["m_front"], "m_rear": car["m_rear"],
-            "c_front_bump": car["c_front_bump"], "c_front_rebound": car["c_front_rebound"],
-            "c_rear_bump": LEAN * car["c_rear_bump"], "c_rear_rebound": LEAN * car["c_rear_rebound"]}
-    if model == "model1":
-        for name, part in (("k", "k"), ("kt", "kt")):
-            both[f"{name}_front"] = (car[f"{part}_FL"] + car[f"{part}_FR"]) / 2
-            both[f"{name}_rear"] = (car[f"{part}_RL"] + car[f"{part}_RR"]) / 2
-        return both
-    for name in ("k_FL", "k_FR", "k_RL", "k_RR", "kt_FL", "kt_FR", "kt_RL", "kt_RR", "I_front_roll", "I_rear_roll", "y_front",
-                 "y_rear"):
-        both[name] = car[name]
-    # Axes of the power unit lie lower than the body's: its mass adds to the roll inertia about the common centre.
-    mass = car["m_body"] * car["m_engine"] / (car["m_body"] + car["m_engine"])
-    both["I_roll"] = car["I_roll"] + 12 + mass * (0.832 - 0.65) ** 2
-    both["y_body"] = car["m_body"] * car["y_body"] / (car["m_body"] + car["m_engine"])
-    return both
-
-
-def study_file(model, folder):
-    text = (SOURCE / "studies" / "landrover110" / f"{model}.yaml").read_text()
-    text = re.sub(r"\n(#[^\n]*\n)?histories:.*?(?=\n#|\nstatic_loads)", "\n", text, flags=re.S)
-    text = text.replace("../../urdf/", str(SOURCE / "urdf") + "/")
-    path = folder / f"{model}.yaml"
-    path.write_text(text)
-    return path
+KINDS = {"cars": (random_cars, random_cars.drawn), "flawed_cars": (random_cars, random_cars.drawn_with_one_flaw),
+         "dampers": (random_dampers, random_dampers.drawn), "stations": (random_stations, random_stations.drawn)}
 
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     arguments.add_argument("program")
-    arguments.add_argument("--cars", type=int, default=30)
-    arguments.add_argument("--first", type=int, default=1)
-    arguments.add_argument("--models", default="model1,model3")
-    arguments.add_argument("--frequencies", type=int, default=48)
-    arguments.add_argument("--keep", help="folder for vehicles, recordings and fits")
+    arguments.add_argument("--of", choices=KINDS, default="cars")
+    arguments.add_argument("--first", type=int, default=1, help="number of the first, the seed of its draws")
+    arguments.add_argument("--count", type=int, default=30)
+    arguments.add_argument("--models", help="studies it is fitted by, default: " + "; ".join(
+        kind + ": " + ",".join(of.MODELS) for kind, (of, _) in KINDS.items()))
+    arguments.add_argument("--keep", help="folder for what was recorded and for the fits")
     options = arguments.parse_args()
+    of, drawn = KINDS[options.of]
     out = csv.writer(sys.stdout)
-    out.writerow(["car", "model", "parameter", "truth", "value", "lower", "upper", "sd", "noise", "at_bound"])
-    for number in range(options.first, options.first + options.cars):
+    out.writerow(["number", "model", "parameter", "truth", "value", "lower", "upper", "sd", "noise", "at_bound"])
+    for number in range(options.first, options.first + options.count):
         with tempfile.TemporaryDirectory() as temporary:
-            folder = Path(options.keep or temporary) / f"car{number}"
-            folder.mkdir(parents=True, exist_ok=True)
+            folder = Path(options.keep or temporary) / f"{options.of}{number}"
             draw = random.Random(number)
-            car, knees = drawn_car(draw)
-            if not (folder / "static.csv").exists():
-                record(options.program, folder, car, knees, draw, options.frequencies)
-                static_loads(car, draw, folder / "static.csv")
-            for model in options.models.split(","):
-                run(options.program, "fit", study_file(model, folder), "-o", folder / model, "--threads", "1",
+            made = drawn(draw)
+            if not folder.exists():
+                folder.mkdir(parents=True)
+                of.record(options.program, folder, made, draw)
+            for model in options.models.split(",") if options.models else of.MODELS:
+                run(options.program, "fit", of.study(model, folder), "-o", folder / model, "--threads", "1",
                     "--accept-implausible")
                 result = json.loads((folder / model / "result.json").read_text())
-                known = truth(car, model)
+                known = of.truth(made, model)
                 for parameter in result["parameters"]:
+                    if parameter["name"] not in known:
+                        continue
                     low, high = parameter["interval_95"]
                     out.writerow([number, model, parameter["name"], f"{known[parameter['name']]:.6g}",
                                   f"{parameter['value']:.6g}", low, high, parameter["sd"],

@@ -1,6 +1,7 @@
 #include "identify/experiments/bench/bench_residuals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <span>
@@ -25,8 +26,9 @@ double DeviationOfForce(const BenchRecording& recording) {
   return DeviationOf(std::span(recording.force).subspan(recording.first, recording.end - recording.first));
 }
 
+/// Rebound positive.
 double SpeedAt(const BenchRecording& recording, std::size_t sample) {
-  return std::abs(recording.motion.rate[sample * recording.motion.steps]);
+  return recording.motion.rate[sample * recording.motion.steps];
 }
 
 Target TargetOf(const BenchRecording& recording, double model_error) {
@@ -52,33 +54,41 @@ Evaluation Evaluate(const BenchDamper& damper, const std::vector<Target>& target
   return evaluation;
 }
 
-constexpr std::size_t kParts = 6;
+/// Bump and rebound have rates of their own, each in three classes of speed of equal size.
+class SpeedClasses {
+ public:
+  explicit SpeedClasses(const std::vector<Target>& targets) {
+    for (const Target& target : targets)
+      for (std::size_t k = target.recording.first; k < target.recording.end; k += target.stride) {
+        const double speed = SpeedAt(target.recording, k);
+        speeds_[speed > 0].push_back(std::abs(speed));
+      }
+    for (std::vector<double>& of_side : speeds_) std::sort(of_side.begin(), of_side.end());
+  }
 
-/// Absolute speeds that part those of all residuals into classes of equal size.
-std::vector<double> SpeedLimits(const std::vector<Target>& targets) {
-  std::vector<double> speeds;
-  for (const Target& target : targets)
-    for (std::size_t k = target.recording.first; k < target.recording.end; k += target.stride)
-      speeds.push_back(SpeedAt(target.recording, k));
-  std::sort(speeds.begin(), speeds.end());
-  std::vector<double> limits;
-  for (std::size_t part = 1; part < kParts; ++part) limits.push_back(speeds[part * speeds.size() / kParts]);
-  return limits;
-}
+  std::string NameOf(double speed) const {
+    const std::vector<double>& of_side = speeds_[speed > 0];
+    const auto place = std::lower_bound(of_side.begin(), of_side.end(), std::abs(speed)) - of_side.begin();
+    const char* size = kSizes[static_cast<std::size_t>(place) * kSizes.size() / of_side.size()];
+    return size + std::string(speed > 0 ? " rebound" : " bump");
+  }
+
+ private:
+  static constexpr std::array<const char*, 3> kSizes = {"slow", "medium", "fast"};
+  /// Of bump and of rebound.
+  std::array<std::vector<double>, 2> speeds_;
+};
 
 /// Recordings, classes of speed, and the order of samples.
 ResidualStructure StructureOf(const std::vector<Target>& targets) {
   ResidualPartition classes = {"damper speeds", {}, {}};
   ResidualStructure structure;
-  const std::vector<double> limits = SpeedLimits(targets);
+  const SpeedClasses speeds(targets);
   Eigen::Index next = 0;
   for (std::size_t t = 0; t < targets.size(); ++t) {
     const Target& target = targets[t];
-    for (std::size_t i = 0; i < target.count; ++i) {
-      const double speed = SpeedAt(target.recording, target.recording.first + i * target.stride);
-      const auto place = std::upper_bound(limits.begin(), limits.end(), speed) - limits.begin();
-      classes.Add("speeds of class " + std::to_string(place + 1) + " of " + std::to_string(kParts), 1);
-    }
+    for (std::size_t i = 0; i < target.count; ++i)
+      classes.Add(speeds.NameOf(SpeedAt(target.recording, target.recording.first + i * target.stride)), 1);
     const auto count = static_cast<Eigen::Index>(target.count);
     structure.recordings.Add(target.recording.name, count);
     structure.series.push_back({.first = next,

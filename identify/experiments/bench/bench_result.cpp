@@ -74,15 +74,19 @@ std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& re
   return misfits;
 }
 
-std::string BenchCsv(const std::vector<ModelledRecording>& recordings) {
-  CsvWriter csv({"recording", "time_s", "displacement_m", "speed_mps", "measured_N", "modelled_N"});
+std::string BenchCsv(const std::vector<ModelledRecording>& recordings, const HalfWidths* about) {
+  std::vector<std::string> head = {"recording", "time_s", "displacement_m", "speed_mps", "measured_N", "modelled_N"};
+  if (about) head.insert(head.end(), {"half_95_parameters_N", "half_95_measured_N"});
+  CsvWriter csv(head);
   for (const auto& [recording, force] : recordings) {
     for (std::size_t k = recording.first; k < recording.end; ++k) {
       const std::size_t at = k * recording.motion.steps;
       csv.Add(recording.name);
-      for (const double value : {recording.time_s(k), recording.motion.extension[at], recording.motion.rate[at],
-                                 recording.force[k], force[k]})
-        csv.Add(AtDigits(value, kSignalDigits));
+      std::vector<double> row = {recording.time_s(k), recording.motion.extension[at], recording.motion.rate[at],
+                                 recording.force[k], force[k]};
+      const auto place = static_cast<Eigen::Index>(k - recording.first);
+      if (about) row.insert(row.end(), {about->parameters[place], about->measured[place]});
+      for (const double value : row) csv.Add(AtDigits(value, kSignalDigits));
     }
   }
   return csv.text();

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "identify/experiments/bench/bench_data.h"
 #include "identify/residuals/history_misfit.h"
 
@@ -31,7 +33,15 @@ double IntegrationError(const BenchDamper& damper, const ModelledRecording& mode
 /// Over the samples that are compared.
 std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& recordings);
 
-/// A row per sample compared: recording, time, displacement, speed, measured and modelled force.
-std::string BenchCsv(const std::vector<ModelledRecording>& recordings);
+/// Of bands of 95 % about a force [N], one per sample that is compared: of the parameters alone, and of a new
+/// measurement.
+struct HalfWidths {
+  Eigen::VectorXd parameters;
+  Eigen::VectorXd measured;
+};
+
+/// A row per sample compared: recording, time, displacement, speed, measured and modelled force; `about`: half widths
+/// of the bands, of one recording alone.
+std::string BenchCsv(const std::vector<ModelledRecording>& recordings, const HalfWidths* about = nullptr);
 
 }  // namespace fourpost

@@ -8,6 +8,8 @@
 
 #include "analysis/files/json_text.h"
 #include "analysis/text/text_table.h"
+#include "identify/experiments/band_count.h"
+#include "identify/experiments/bench/bench_bands.h"
 #include "identify/experiments/bench/bench_chart.h"
 #include "identify/experiments/bench/bench_cycle.h"
 #include "identify/experiments/bench/bench_residuals.h"
@@ -63,6 +65,19 @@ std::vector<ModelledRecording> Predicted(const BenchDamper& damper, const std::v
       results.json["validation_left_out"].push_back(LeftOutJson(*out));
   }
   return predicted;
+}
+
+/// Of the one recording that is predicted; nothing of a fit that does not say how far it is off.
+std::optional<BenchBands> AddBands(const BenchDamper& damper, const ModelledRecording& modelled, const Vehicle& vehicle,
+                                   const PredictionRequest& request, ExperimentResults& results) {
+  if (!request.spread) return std::nullopt;
+  const std::optional<double> discrepancy = ReadForceDiscrepancy(request.run / "result.json");
+  if (!discrepancy) return std::nullopt;
+  std::optional<BenchBands> bands = BandsOfForce(damper, modelled, vehicle, *request.spread, *discrepancy);
+  if (!bands) return std::nullopt;
+  results.text += '\n' + BandCountsText({bands->count}, bands->evaluations);
+  results.json["band_95"] = BandCountsJson({bands->count}, bands->evaluations);
+  return bands;
 }
 
 /// The integration error of each force, and a warning where it is visible.
@@ -137,6 +152,7 @@ ExperimentResults DamperBench::Results(const Subject& subject, const FitResult& 
   const std::vector<HistoryMisfit> misfits = BenchMisfits(fitted);
   const std::vector<HistoryMisfit> kept_misfits = BenchMisfits(kept);
   results.json["channels"] = HistoryMisfitsJson(misfits);
+  results.json["history_discrepancy"] = {{{"channel", "force"}, {"share", ForceDiscrepancy(fitted)}}};
   if (!kept_misfits.empty()) results.json["validation"] = HistoryMisfitsJson(kept_misfits);
   results.shares = ErrorShares(misfits);
   const ModelCriteria criteria = CriteriaOf(
@@ -209,8 +225,9 @@ std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, co
   results.text = HistoryTable(misfits);
   AddIntegration(damper, modelled, values, results);
   results.json["channels"] = HistoryMisfitsJson(misfits);
+  const std::optional<BenchBands> bands = AddBands(damper, modelled.front(), subject.vehicle(), request, results);
   results.files = {
-      {"bench.csv", BenchCsv(modelled)},
+      {"bench.csv", BenchCsv(modelled, bands ? &bands->about : nullptr)},
       {"diagrams.svg", DiagramSvg(subject.vehicle().name + ": work and characteristic diagrams", modelled)}};
   return results;
 }

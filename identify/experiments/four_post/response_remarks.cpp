@@ -69,7 +69,10 @@ ReportRemarks ResponseRemarks(const std::vector<ComparedChannel>& channels) {
   remarks.worst = "The largest relative error is at " + channel + " between " + ShownShort(worst->lower_Hz, 3) +
                   " and " + ShownShort(2 * worst->lower_Hz, 3) + " Hz.";
   remarks.where_missed =
-      "The model lacks a mechanism near " + ShownShort(std::sqrt(2.0) * worst->lower_Hz, 2) + " Hz at " + channel +
+      "Check the wiring of " + channel +
+      " (sign, scale, delay, position). If it is right, the model lacks a mechanism "
+      "near " +
+      ShownShort(std::sqrt(2.0) * worst->lower_Hz, 2) + " Hz" +
       (worst->lower_Hz < 2 ? ". Small slow strokes are typical of dry friction. Add friction, or test these "
                              "frequencies at two amplitudes: friction makes the gain depend on amplitude."
                            : ". Repeat the recording at another amplitude: a nonlinear law changes with it, a missing "

@@ -48,8 +48,8 @@ TEST(ModelErrorEstimate, MovesAsTheFitWithoutAClusterWould) {
   ASSERT_EQ(estimate.ways.size(), 1U);
   for (Eigen::Index g = 0; g < kClusters; ++g)
     EXPECT_NEAR(estimate.ways[0].shifts(0, g), offsets[g] / (kClusters - 1), 1e-5);
-  // (G - 1) / G sum of squares: 3 / 4 of 20 / 9.
-  EXPECT_NEAR(estimate.reach[0], 1.75 * std::sqrt(0.75 * 20 / 9), 1e-4);
+  // (G - 1) / G sum of squares: 3 / 4 of 20 / 9; Student's t of three degrees of freedom.
+  EXPECT_NEAR(estimate.reach[0], 3.18245 * std::sqrt(0.75 * 20 / 9), 1e-4);
   EXPECT_TRUE(estimate.is_significant);
 }
 
@@ -99,6 +99,31 @@ TEST(ModelErrorEstimate, SubtractsWhatNoiseMovesByItself) {
   // The mean of 300 samples less that of all 400: variances 1/300 - 1/400.
   for (Eigen::Index g = 0; g < kClusters; ++g)
     EXPECT_NEAR(way.by_noise(0, g) / std::sqrt(1.0 / 300 - 1.0 / 400), 1, 0.2);
+}
+
+// Two ways of the same clusters have the variance of one and twice its degrees of freedom.
+TEST(ModelErrorEstimate, AddsDegreesOfFreedomOfWays) {
+  ResidualStructure structure = Structure();
+  structure.partitions.push_back(structure.partitions[0]);
+  const FittedResiduals fitted = Fitted(Eigen::Vector4d(-3, -1, 1, 3), 1e-6, 1);
+  const ModelErrorEstimate estimate =
+      EstimateModelError(fitted, structure, ResidualNoise(fitted.scores.col(0), structure, 1));
+  EXPECT_NEAR(estimate.reach[0], 2.44691 * std::sqrt(0.75 * 20 / 9), 1e-4);
+}
+
+// What two of three clusters hold nothing of stays where it is, and the third is named.
+TEST(ModelErrorEstimate, LeavesWhatRestsOnOneCluster) {
+  FittedResiduals fitted = Fitted(Eigen::Vector4d(-3, -1, 1, 3), 1, 1);
+  fitted.jacobian.conservativeResize(Eigen::NoChange, 2);
+  fitted.jacobian.col(1).setConstant(1e-3);
+  fitted.jacobian.col(1).tail(kEach).setLinSpaced(-1, 1);
+  fitted.scores = fitted.scores.col(0).asDiagonal() * fitted.jacobian;
+  fitted.is_relative = {true, true};
+  const ModelErrorEstimate estimate =
+      EstimateModelError(fitted, Structure(), ResidualNoise(fitted.scores.col(0), Structure(), 2));
+  EXPECT_EQ(estimate.ways[0].rests_on[0], -1);
+  EXPECT_EQ(estimate.ways[0].rests_on[1], kClusters - 1);
+  EXPECT_LT(std::abs(estimate.ways[0].shifts(1, kClusters - 1)), 0.1);
 }
 
 TEST(ModelErrorEstimate, LearnsNothingFromTwoClusters) {
