@@ -232,7 +232,12 @@ std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file
     diagnostics.Report(kSteppedSineAsHistory, {table->file(), table->names_line()});
     return std::nullopt;
   }
-  return RecordReader(*table, diagnostics).Read(wanted, time);
+  try {
+    return RecordReader(*table, diagnostics).Read(wanted, time);
+  } catch (const FaultyInput& faulty) {
+    diagnostics.Add(faulty.diagnostics());
+    return std::nullopt;
+  }
 }
 
 }  // namespace fourpost

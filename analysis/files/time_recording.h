@@ -27,7 +27,8 @@ struct RecordedChannel {
 };
 
 /// The column of times unless a study names another.
-inline const RecordedChannel kTimeColumn{{"time", "Time", "TIME", "t"}, kTime, "the time of each sample"};
+inline const RecordedChannel kTimeColumn{
+    {"time", "Time", "TIME", "t", "timestamp", "Timestamp", "datetime", "DateTime"}, kTime, "the time of each sample"};
 
 /// Signals sampled at once and evenly.
 struct TimeRecording {
@@ -43,7 +44,7 @@ struct TimeRecording {
   double time_s(std::size_t sample) const { return start_s + step_s * static_cast<double>(sample); }
 };
 
-/// Reads a recording from text or a MAT file, see RecordedTable: times, and the columns wanted. Other columns do not
+/// Reads a recording from any file that RecordedTable reads: times, and the columns wanted. Other columns do not
 /// count. What delays leave unknown at the ends is cut off. Reports all of: columns that are missing, that have no
 /// unit, one that is unknown or of another dimension, fields that are no numbers, fewer than four samples, gaps, times
 /// that step back or are not evenly spaced. Nothing when there was one.
