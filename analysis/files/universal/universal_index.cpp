@@ -184,8 +184,10 @@ class IndexReader {
                                                          "+X",  "+Y",  "+Z",  "+RX", "+RY", "+RZ"};
     UniversalPoint point;
     point.entity = NameIn(Column(line, at, at + 10));
-    point.node = Count(Column(line, at + 10, at + 20), 6, "a node");
-    const int direction = Code(Column(line, at + 20, at + 24), 6, "a direction");
+    // Programs that do not know the point leave the columns to others.
+    const double node = UniversalField(Column(line, at + 10, at + 20)).value_or(0);
+    const double direction = UniversalField(Column(line, at + 20, at + 24)).value_or(0);
+    if (node > 0 && node < 1e10) point.node = static_cast<std::uint64_t>(node);
     if (std::abs(direction) <= 6) point.direction = kDirections[static_cast<std::size_t>(direction + 6)];
     return point;
   }
