@@ -20,7 +20,8 @@ bool IsMeasured(std::string field) {
 }
 
 struct LineOfText {
-  CsvStart start;
+  /// Byte behind the line before.
+  std::size_t at = 0;
   /// Without those that are empty behind the last.
   std::size_t fields = 0;
   bool is_row = false;
@@ -29,7 +30,7 @@ struct LineOfText {
 };
 
 LineOfText LineOf(const CsvRecord& record, std::size_t at) {
-  LineOfText line = {.start = {at, record.line}};
+  LineOfText line = {.at = at};
   const std::vector<std::string>& fields = record.fields;
   const auto is_empty = [](const std::string& field) { return field.empty(); };
   const auto last = std::find_if_not(fields.rbegin(), fields.rend(), is_empty);
@@ -55,7 +56,7 @@ std::vector<LineOfText> LinesOf(std::string_view text, char separator) {
 struct TablePlace {
   std::size_t columns = 0;
   std::size_t names = 0;
-  CsvStart start;
+  std::size_t at = 0;
 };
 
 /// By the first rows with one number of fields, which no line right above them has without being their header.
@@ -71,7 +72,7 @@ std::optional<TablePlace> TableIn(const std::vector<LineOfText>& lines) {
     };
     if (!is_header(i - 1)) return std::nullopt;
     const std::size_t names = i > 1 && is_header(i - 2) ? i - 2 : i - 1;
-    return TablePlace{columns, names, lines[names].start};
+    return TablePlace{columns, names, lines[names].at};
   }
   return std::nullopt;
 }
@@ -85,7 +86,8 @@ std::optional<CsvStart> StartBelowLines(std::string_view text) {
         found && (!widest || found->columns > widest->columns))
       widest = found;
   if (!widest || widest->names == 0) return std::nullopt;
-  return widest->start;
+  const std::size_t at = widest->at;
+  return CsvStart{at, 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'))};
 }
 
 }  // namespace fourpost

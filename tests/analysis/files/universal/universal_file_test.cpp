@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/files/recording/findings.h"
+#include "analysis/files/recording/recording_fault.h"
 #include "analysis/files/universal/findings.h"
 #include "tests/analysis/files/byte_writer.h"
 #include "tests/findings.h"
@@ -122,7 +123,9 @@ TEST(UniversalFile, FrequencyResponsesAreReadWithTheirPhases) {
 }
 
 TEST(UniversalFault, NamesTheLineOrTheByte) {
-  EXPECT_THAT(FaultsOfBytes(TextSet(HeadOf(2, 3, true), "  1.00000E+00\n")), ReportsOnly(kUniversalValues, 2, {"1", "3"}));
+  const TemporaryFolder folder;
+  const UniversalFile few(folder.Write("few.uff", TextSet(HeadOf(2, 3, true), "  1.00000E+00\n")));
+  EXPECT_THAT([&] { few.Values(0); }, testing::Throws<RecordingFault>(testing::Property(&RecordingFault::line, 2)));
   EXPECT_THAT(FaultsOfBytes(TextSet(HeadOf(2, 999999999, true), "  1.00000E+00\n")), ReportsOnly(kUniversalValues, 2));
   EXPECT_THAT(FaultsOfBytes(TextSet(HeadOf(3, 1, true), "  1.00000E+00\n")), ReportsOnly(kUniversalField, 9, {"type"}));
   EXPECT_THAT(FaultsOfBytes("    -1\n    58\nforce\n"), Reports(kUniversalEnds));
