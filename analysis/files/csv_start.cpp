@@ -87,7 +87,8 @@ std::optional<CsvStart> StartBelowLines(std::string_view text) {
       widest = found;
   if (!widest || widest->names == 0) return std::nullopt;
   const std::size_t at = widest->at;
-  return CsvStart{at, 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'))};
+  return CsvStart{at,
+                  1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'))};
 }
 
 }  // namespace fourpost

@@ -13,8 +13,8 @@ struct CsvStart {
   int line = 1;
 };
 
-/// The line of names, perhaps with one of units below it, above the first rows of numbers or times of day; nothing where
-/// that is the first line, and where there are no such rows.
+/// The line of names, perhaps with one of units below it, above the first rows of numbers or times of day; nothing
+/// where that is the first line, and where there are no such rows.
 std::optional<CsvStart> StartBelowLines(std::string_view text);
 
 }  // namespace fourpost

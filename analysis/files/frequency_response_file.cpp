@@ -23,8 +23,8 @@ namespace {
 constexpr std::string_view kAmplitude = "post_amplitude_m";
 /// The first may be stated elsewhere.
 constexpr std::array<std::string_view, 5> kRequired = {kAmplitude, "frequency_Hz", "channel", "gain", "phase_deg"};
-constexpr std::array<std::string_view, 6> kOptional = {"gain_sd", "phase_sd_deg", "mean", "second_harmonic", "unit",
-                                                       kAmplitude};
+constexpr std::array<std::string_view, 6> kOptional = {"gain_sd",         "phase_sd_deg", "mean",
+                                                       "second_harmonic", "unit",         kAmplitude};
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -150,9 +150,9 @@ class FrequencyResponseReader {
   void AddToPoint(std::size_t row, double frequency_Hz, double amplitude_m, const ChannelRows& channel) {
     Point& point = points_.emplace(frequency_Hz, Point{amplitude_m, row, {}}).first->second;
     if (amplitude_m != point.amplitude_m && !std::isnan(amplitude_m) && !std::isnan(point.amplitude_m))
-      Fault(kAmplitudesDiffer, row,
-            {PointOf(row), Text(row, kAmplitude), Text(point.first_row, kAmplitude),
-             table_.RowInWords(point.first_row)});
+      Fault(
+          kAmplitudesDiffer, row,
+          {PointOf(row), Text(row, kAmplitude), Text(point.first_row, kAmplitude), table_.RowInWords(point.first_row)});
     if (!point.channels.insert(channel.name).second) return Fault(kChannelTwice, row, {PointOf(row)});
     const std::optional<double> before =
         channel.rows.empty() ? std::nullopt : Number(channel.rows.back(), "frequency_Hz");

@@ -9,8 +9,8 @@
 namespace fourpost {
 
 /// Reads a stepped sine from text or a MAT file, see RecordedTable: one row per frequency and channel, the frequencies
-/// of a channel increasing; or the frequency responses of a universal file, see SteppedSineOf(). `amplitude_m` is that of
-/// the reference post where the file has no column of it.
+/// of a channel increasing; or the frequency responses of a universal file, see SteppedSineOf(). `amplitude_m` is that
+/// of the reference post where the file has no column of it.
 ///
 /// Columns: frequency_Hz, post_amplitude_m, channel, gain, phase_deg; and, if wanted, gain_sd, phase_sd_deg, mean,
 /// second_harmonic, unit. The response is gain * exp(i phase) per metre of the reference post; of an accelerometer it

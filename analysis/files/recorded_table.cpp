@@ -66,8 +66,7 @@ RecordedTable::RecordedTable(std::string file, RecordingColumns columns)
 
 void RecordedTable::ReadTimeStamps() {
   for (std::size_t column = 0; column < names_.size(); ++column) {
-    const std::optional<TimeStamp> first =
-        csv_->rows() == 0 ? std::nullopt : ParseTimeStamp(csv_->Text(0, column));
+    const std::optional<TimeStamp> first = csv_->rows() == 0 ? std::nullopt : ParseTimeStamp(csv_->Text(0, column));
     if (!first) continue;
     std::vector<std::optional<double>>& seconds = stamps_s_[column];
     for (std::size_t row = 0; row < csv_->rows(); ++row) {
@@ -90,9 +89,7 @@ std::optional<std::size_t> RecordedTable::FindColumn(std::string_view name) cons
   return found == columns_.end() ? std::nullopt : std::optional(found->second);
 }
 
-bool RecordedTable::HoldsText(std::size_t column) const {
-  return !vectors_.empty() && !vectors_[column].texts.empty();
-}
+bool RecordedTable::HoldsText(std::size_t column) const { return !vectors_.empty() && !vectors_[column].texts.empty(); }
 
 bool RecordedTable::CheckColumns(std::span<const std::string_view> required, std::span<const std::string_view> optional,
                                  Diagnostics& diagnostics) const {

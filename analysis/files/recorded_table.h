@@ -48,8 +48,8 @@ class RecordedTable {
               Diagnostics& diagnostics) const;
 
   std::size_t rows(std::size_t column) const;
-  /// NaN where there is none; nothing for what is no number. Throws FaultyInput where a recording of a measurement system
-  /// is faulty behind its header; it is read column by column.
+  /// NaN where there is none; nothing for what is no number. Throws FaultyInput where a recording of a measurement
+  /// system is faulty behind its header; it is read column by column.
   std::optional<double> Number(std::size_t row, std::size_t column) const;
   /// As written.
   std::string Text(std::size_t row, std::size_t column) const;

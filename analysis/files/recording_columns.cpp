@@ -157,16 +157,16 @@ void RecordingColumns::ChooseTimes(Diagnostics& diagnostics) {
   // Within the rounding of starts and steps.
   const double rounding = clocks_.size() > 1 ? 1e-6 * fastest->step_s : std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < fastest->samples; ++k) {
-    const double time = fastest->times_s.empty() ? fastest->start_s + fastest->step_s * static_cast<double>(k)
-                                                 : fastest->times_s[k];
+    const double time =
+        fastest->times_s.empty() ? fastest->start_s + fastest->step_s * static_cast<double>(k) : fastest->times_s[k];
     if (clocks_.size() == 1 || (time >= start_s - rounding && time <= end_s + rounding)) times_s_.push_back(time);
   }
   if (times_s_.empty()) {
     const auto late = std::max_element(clocks_.begin(), clocks_.end(),
                                        [](const Clock& a, const Clock& b) { return a.start_s < b.start_s; });
-    diagnostics.Report(kNoCommonTime, {name_},
-                       {header().channels[late->channel].name, FormatNumber(late->start_s) + " s",
-                        FormatNumber(end_s) + " s"});
+    diagnostics.Report(
+        kNoCommonTime, {name_},
+        {header().channels[late->channel].name, FormatNumber(late->start_s) + " s", FormatNumber(end_s) + " s"});
   }
 }
 
@@ -179,8 +179,9 @@ void RecordingColumns::ReportRates(Diagnostics& diagnostics) const {
     slowest_s = std::max(slowest_s, clocks_[clock_of_[column]].step_s);
   }
   if (slowest_s > 0)
-    diagnostics.Report(kChannelsInterpolated, {name_},
-                       {slower, RateText(clocks_[clock_of_[0]].step_s), FormatNumber(std::round(2e3 / slowest_s) / 1e4) + " Hz"});
+    diagnostics.Report(
+        kChannelsInterpolated, {name_},
+        {slower, RateText(clocks_[clock_of_[0]].step_s), FormatNumber(std::round(2e3 / slowest_s) / 1e4) + " Hz"});
 }
 
 std::vector<double> RecordingColumns::OnTimes(std::size_t column) const {
@@ -197,7 +198,8 @@ std::vector<double> RecordingColumns::OnTimes(std::size_t column) const {
   if (clock.times_s.empty()) {
     // Samples of one rate stay as they are.
     const double first = (times_s_.front() - clock.start_s) / clock.step_s;
-    const bool is_same = base.times_s.empty() && std::abs(clock.step_s / base.step_s - 1) * static_cast<double>(base.samples) < 1e-3 &&
+    const bool is_same = base.times_s.empty() &&
+                         std::abs(clock.step_s / base.step_s - 1) * static_cast<double>(base.samples) < 1e-3 &&
                          std::abs(first - std::round(first)) < 1e-3;
     if (is_same) return cut(static_cast<std::size_t>(std::max(std::round(first), 0.0)));
     if (IsFinite(values) && values.size() > 1) return Splined(clock.start_s, clock.step_s, values, times_s_);

@@ -10,10 +10,10 @@
 
 namespace fourpost {
 
-/// A recording as a table: a column "time" in s and one a channel, all of one length. The times are those of the fastest
-/// channels; slower ones are interpolated there, by cubic splines where their samples are even, else by straight lines,
-/// within the time that all channels cover. Without any times in the file the channels are the columns. Columns are read
-/// when they are asked for, and the last one is kept.
+/// A recording as a table: a column "time" in s and one a channel, all of one length. The times are those of the
+/// fastest channels; slower ones are interpolated there, by cubic splines where their samples are even, else by
+/// straight lines, within the time that all channels cover. Without any times in the file the channels are the columns.
+/// Columns are read when they are asked for, and the last one is kept.
 class RecordingColumns {
  public:
   /// `name`: of the file. Reports channels that are interpolated, and those without times where others have some.

@@ -29,7 +29,8 @@ std::optional<Unit> UnitOf(const UniversalAxis& axis) {
 }
 
 bool IsAngular(const Unit& unit, const std::string& text) {
-  return unit.dimension == kFrequency && (text.starts_with("rad") || text.starts_with("deg") || text.starts_with("\xC2\xB0"));
+  return unit.dimension == kFrequency &&
+         (text.starts_with("rad") || text.starts_with("deg") || text.starts_with("\xC2\xB0"));
 }
 
 std::vector<double> FrequenciesOf(const UniversalFunction& function, const UniversalNumbers& numbers) {
@@ -80,8 +81,7 @@ class SteppedSine {
     const bool is_acceleration = response && response->dimension == kAcceleration;
     const bool is_read = response && (is_acceleration || response->dimension == kLength ||
                                       response->dimension == kForce || IsAngular(*response, function.ordinate.unit));
-    if (!is_read)
-      return diagnostics_.Report(kResponseUnit, {name_, function.line}, {channel, function.ordinate.unit});
+    if (!is_read) return diagnostics_.Report(kResponseUnit, {name_, function.line}, {channel, function.ordinate.unit});
     const UniversalNumbers numbers = file_.Numbers(function);
     const std::vector<double> frequencies = FrequenciesOf(function, numbers);
     if (frequencies_.empty()) frequencies_ = frequencies;

@@ -19,7 +19,8 @@ bool IsDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; 
 std::optional<int> TakeDigits(std::string_view& text, std::size_t most) {
   std::size_t count = 0;
   int number = 0;
-  for (; count < std::min(most, text.size()) && IsDigit(text[count]); ++count) number = 10 * number + (text[count] - '0');
+  for (; count < std::min(most, text.size()) && IsDigit(text[count]); ++count)
+    number = 10 * number + (text[count] - '0');
   text.remove_prefix(count);
   return count == 0 ? std::nullopt : std::optional(number);
 }

@@ -323,7 +323,8 @@ def lvm_files():
     part = ("Channels\t2\t\nY_Unit_Label\tkN\tmm\nX0\t0\t0\nDelta_X\t0.001\t0.001\n***End_of_Header***\t\n"
             "X_Value\tF\tz\tComment\n0\t1\t2\n0.001\t3\t4\thit\n\n")
     write("lvm/parts", head + part + part.replace("X0\t0\t0", "X0\t1\t1"))
-    write("lvm/times", head + part.replace("X_Value\tF\tz", "X_Value\tF\tX_Value\tz").replace("1\t2", "1\t0\t2"))
+    write("lvm/times", head + part.replace("X_Value\tF\tz", "X_Value\tF\tX_Value\tz")
+          .replace("\n0\t1\t2", "\n0\t1\t0\t2").replace("3\t4", "3\t0.001\t4"))
 
 
 if __name__ == "__main__":

@@ -202,7 +202,9 @@ Json AsJson(const Hdf5Contents& contents) {
 Hdf5Contents FromJson(const Json& json) {
   Hdf5Contents contents = {.description = json.at("description"), .is_of_matlab = json.at("matlab")};
   for (const Json& set : json.at("datasets"))
-    contents.datasets.push_back({set.at(0), set.at(1), set.at(2), set.at(3), set.at(4), set.at(5), set.at(6).is_null() ? 0.0 : set.at(6).get<double>(), set.at(7).is_null() ? 0.0 : set.at(7).get<double>()});
+    contents.datasets.push_back({set.at(0), set.at(1), set.at(2), set.at(3), set.at(4), set.at(5),
+                                 set.at(6).is_null() ? 0.0 : set.at(6).get<double>(),
+                                 set.at(7).is_null() ? 0.0 : set.at(7).get<double>()});
   contents.left_out = json.at("left_out").get<std::vector<std::string>>();
   return contents;
 }
@@ -241,7 +243,8 @@ std::string Column(const std::filesystem::path& file, const Hdf5Dataset& wanted,
   const Handle space(H5Dget_space(dataset), H5Sclose, wanted.path);
   if (H5Sget_simple_extent_ndims(space) == 2) {
     const std::array<hsize_t, 2> first = {wanted.is_transposed ? column : 0, wanted.is_transposed ? 0 : column};
-    const std::array<hsize_t, 2> count = {wanted.is_transposed ? 1 : wanted.rows, wanted.is_transposed ? wanted.rows : 1};
+    const std::array<hsize_t, 2> count = {wanted.is_transposed ? 1 : wanted.rows,
+                                          wanted.is_transposed ? wanted.rows : 1};
     H5Sselect_hyperslab(space, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr);
   }
   const hsize_t rows = wanted.rows;

@@ -57,7 +57,8 @@ class Mdf3Reader {
   }
 
   OldBlock Next(std::uint64_t at, const char* id) {
-    if (!seen_.insert(at).second) throw RecordingFault(kMdfBlock, {"blocks refer to each other in a circle", std::to_string(at)});
+    if (!seen_.insert(at).second)
+      throw RecordingFault(kMdfBlock, {"blocks refer to each other in a circle", std::to_string(at)});
     return Read(at, id);
   }
 

@@ -76,7 +76,8 @@ class Mdf4Reader {
 
   /// One of a list, which may not come back to itself.
   Block Next(std::uint64_t at, const char* id) {
-    if (!seen_.insert(at).second) throw RecordingFault(kMdfBlock, {"blocks refer to each other in a circle", std::to_string(at)});
+    if (!seen_.insert(at).second)
+      throw RecordingFault(kMdfBlock, {"blocks refer to each other in a circle", std::to_string(at)});
     return Read(at, id);
   }
 
@@ -190,7 +191,8 @@ class Mdf4Reader {
                     .bits = is_virtual ? 0 : block.At<std::uint32_t>(8)};
     if ((block.At<std::uint32_t>(12) & kFlagInvalid) != 0)
       signal.field.invalid_bit = 8 * (id_bytes + data_bytes) + block.At<std::uint32_t>(16);
-    const bool is_read = ReadConversion(block.Link(4), signal) && type <= 5 && (is_virtual || kind == kFixed || kind == kMaster) &&
+    const bool is_read = ReadConversion(block.Link(4), signal) && type <= 5 &&
+                         (is_virtual || kind == kFixed || kind == kMaster) &&
                          (is_virtual || signal.field.IsWithin(group.record_bytes));
     if (!is_read) index_.left_out.push_back(name);
     else if (kind != kMaster && kind != kVirtualMaster) group.signals.push_back(std::move(signal));

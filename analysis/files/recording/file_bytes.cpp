@@ -15,9 +15,7 @@
 namespace fourpost {
 namespace {
 
-[[noreturn]] void ThrowErrno() {
-  throw RecordingFault(kRecordingNotOpened, {std::generic_category().message(errno)});
-}
+[[noreturn]] void ThrowErrno() { throw RecordingFault(kRecordingNotOpened, {std::generic_category().message(errno)}); }
 
 }  // namespace
 
@@ -45,8 +43,8 @@ std::string FileBytes::Read(std::uint64_t at, std::uint64_t count, const std::st
   std::string bytes = ReadUpTo(at, count);
   // Cut while it was read.
   if (bytes.size() != count)
-    throw RecordingFault(kRecordingCutShort, {format_, what, std::to_string(at), std::to_string(count),
-                                              std::to_string(at + bytes.size())});
+    throw RecordingFault(kRecordingCutShort,
+                         {format_, what, std::to_string(at), std::to_string(count), std::to_string(at + bytes.size())});
   return bytes;
 }
 

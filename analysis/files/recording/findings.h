@@ -7,9 +7,9 @@ namespace fourpost {
 
 inline const Finding kRecordingNotOpened{"recording-not-opened", Severity::kError, "cannot be read ({})",
                                          "allow reading it, or name another file"};
-inline const Finding kRecordingCutShort{
-    "recording-cut-short", Severity::kError, "{} file is cut short: {} at byte {} takes {} bytes, the file ends at {}",
-    "copy or save it again"};
+inline const Finding kRecordingCutShort{"recording-cut-short", Severity::kError,
+                                        "{} file is cut short: {} at byte {} takes {} bytes, the file ends at {}",
+                                        "copy or save it again"};
 inline const Finding kRecordingNoChannel{"recording-no-channel", Severity::kError,
                                          "{} file holds no channel of numbers", "record or export the channels again"};
 inline const Finding kRecordingInflate{"recording-decompression", Severity::kError,

@@ -8,8 +8,8 @@
 
 namespace fourpost {
 
-/// Lines of a file that may be larger than memory, without their line ends (LF, CRLF, CR CR LF). One that is longer than
-/// any text is cut into pieces.
+/// Lines of a file that may be larger than memory, without their line ends (LF, CRLF, CR CR LF). One that is longer
+/// than any text is cut into pieces.
 class LineReader {
  public:
   /// From this byte on; `line`: its number, 1-based. The bytes must outlive the reader.

@@ -10,8 +10,8 @@
 
 namespace fourpost {
 
-/// An open file of signals: what its header says, and the samples of one channel at a time, so that a file may be larger
-/// than memory. Functions throw RecordingFault.
+/// An open file of signals: what its header says, and the samples of one channel at a time, so that a file may be
+/// larger than memory. Functions throw RecordingFault.
 class RecordingFile {
  public:
   virtual ~RecordingFile() = default;

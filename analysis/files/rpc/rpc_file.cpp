@@ -47,8 +47,8 @@ class RpcFile : public RecordingFile {
     const std::string type = header.Text("FILE_TYPE");
     if (!type.empty() && type != "TIME_HISTORY") refuse("FILE_TYPE", type);
     const std::string kind = header.Text("TIME_TYPE");
-    for (const char* other : {"3", "4", "5", "6", "7", "MULT_DRIVE", "MULT_RESP", "CONFIG_DRIVE", "CONFIG_RESP",
-                              "PEAK_PICK"})
+    for (const char* other :
+         {"3", "4", "5", "6", "7", "MULT_DRIVE", "MULT_RESP", "CONFIG_DRIVE", "CONFIG_RESP", "PEAK_PICK"})
       if (kind == other) refuse("TIME_TYPE", kind);
   }
 

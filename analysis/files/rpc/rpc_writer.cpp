@@ -25,7 +25,8 @@ void Require(const Recording& recording) {
   const RecordingChannel& first = recording.channels.front();
   for (const RecordingChannel& channel : recording.channels) {
     if (channel.values.size() != first.values.size() || channel.step_s != first.step_s || !(channel.step_s > 0))
-      throw std::invalid_argument("channel '" + channel.name + "' has another length or step than '" + first.name + "'");
+      throw std::invalid_argument("channel '" + channel.name + "' has another length or step than '" + first.name +
+                                  "'");
     if (!std::all_of(channel.values.begin(), channel.values.end(), [](double v) { return std::isfinite(v); }))
       throw std::invalid_argument("channel '" + channel.name + "' has a value that is not finite");
   }

@@ -5,14 +5,14 @@
 // What can be wrong with a TDMS file.
 namespace fourpost {
 
-inline const Finding kTdmsSegment{"tdms-segment", Severity::kError,
-                                  "damaged TDMS file, no segment begins at byte {}", "copy or save it again"};
-inline const Finding kTdmsIndex{"tdms-index", Severity::kError,
-                                "this is the index of a TDMS file, without its data",
+inline const Finding kTdmsSegment{"tdms-segment", Severity::kError, "damaged TDMS file, no segment begins at byte {}",
+                                  "copy or save it again"};
+inline const Finding kTdmsIndex{"tdms-index", Severity::kError, "this is the index of a TDMS file, without its data",
                                 "name the file .tdms beside it"};
-inline const Finding kTdmsLead{"tdms-lead-in", Severity::kError,
-                               "damaged TDMS file, the segment at byte {} says that its data begin at byte {} and end at {}",
-                               "copy or save it again"};
+inline const Finding kTdmsLead{
+    "tdms-lead-in", Severity::kError,
+    "damaged TDMS file, the segment at byte {} says that its data begin at byte {} and end at {}",
+    "copy or save it again"};
 inline const Finding kTdmsDaqmx{"tdms-daqmx", Severity::kError,
                                 "TDMS file holds raw data of DAQmx in '{}' (segment at byte {})",
                                 "save it with scaled values, as LabVIEW and DIAdem do"};

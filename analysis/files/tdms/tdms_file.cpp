@@ -124,8 +124,7 @@ class TdmsFile : public RecordingFile {
 
   static void AppendChunk(std::string_view data, const TdmsLayout& layout, std::uint64_t stride,
                           std::optional<std::int64_t>& first_second, std::vector<double>& values) {
-    if (layout.content == Content::kNumbers)
-      return AppendNumbers(data, layout.stored, layout.count, stride, values);
+    if (layout.content == Content::kNumbers) return AppendNumbers(data, layout.stored, layout.count, stride, values);
     const bool big = layout.stored.is_big_endian;
     for (std::uint64_t i = 0; i < layout.count; ++i) {
       const char* stamp = data.data() + i * stride;

@@ -40,15 +40,13 @@ std::optional<TdmsScaling> TdmsScaling::Of(const TdmsProperties& properties) {
     std::vector<double>& polynomial = scaling.polynomials_.emplace_back();
     if (type == "Linear")
       polynomial = {NumberOf(properties, prefix + "Y_Intercept"), NumberOf(properties, prefix + "Slope")};
-    const double size = properties.contains(prefix + "Coefficients_Size")
-                            ? NumberOf(properties, prefix + "Coefficients_Size")
-                            : 4;
+    const double size =
+        properties.contains(prefix + "Coefficients_Size") ? NumberOf(properties, prefix + "Coefficients_Size") : 4;
     if (!(size >= 0 && size <= kMostCoefficients)) return std::nullopt;
     for (int i = 0; type == "Polynomial" && i < static_cast<int>(size); ++i)
       polynomial.push_back(NumberOf(properties, prefix + "Coefficients[" + std::to_string(i) + "]"));
-    const double before = properties.contains(prefix + "Input_Source")
-                              ? NumberOf(properties, prefix + "Input_Source")
-                              : kRaw;
+    const double before =
+        properties.contains(prefix + "Input_Source") ? NumberOf(properties, prefix + "Input_Source") : kRaw;
     // One that follows itself would never end.
     if (before != kRaw && !(before >= 0 && before < next)) return std::nullopt;
     next = before;

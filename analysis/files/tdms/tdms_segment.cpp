@@ -23,8 +23,15 @@ enum : std::uint32_t {
 enum : std::uint32_t { kNoData = 0xFFFFFFFF, kSameAsBefore = 0, kFormatChanging = 0x1269, kDigitalLine = 0x126A };
 
 /// Codes of tdsDataType.
-enum : std::uint32_t { kFirstInteger = 1, kLastUnsigned = 8, kSingle = 9, kDouble = 10, kText = 0x20, kBoolean = 0x21,
-                       kTimeStamp = 0x44 };
+enum : std::uint32_t {
+  kFirstInteger = 1,
+  kLastUnsigned = 8,
+  kSingle = 9,
+  kDouble = 10,
+  kText = 0x20,
+  kBoolean = 0x21,
+  kTimeStamp = 0x44
+};
 constexpr std::uint32_t kWithUnit = 16;
 
 std::uint64_t SizeOf(std::uint32_t type) {

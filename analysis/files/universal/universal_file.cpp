@@ -39,7 +39,9 @@ UniversalFile::UniversalFile(const std::filesystem::path& file) : bytes_(file, "
   UniversalIndex index = ReadUniversalIndex(bytes_);
   std::vector<UniversalFunction> others;
   for (UniversalFunction& function : index.functions)
-    (function.IsOverTime() ? histories_ : function.IsFrequencyResponse() ? responses_ : others)
+    (function.IsOverTime()            ? histories_
+     : function.IsFrequencyResponse() ? responses_
+                                      : others)
         .push_back(std::move(function));
   if (histories_.empty() && responses_.empty()) {
     const std::string types = TypesOf(others);

@@ -180,7 +180,7 @@ class IndexReader {
   }
 
   UniversalPoint ReadPoint(std::string_view line, std::size_t at) {
-    constexpr std::array<const char*, 13> kDirections = {"-RZ", "-RY", "-RX", "-Z", "-Y", "-X", "",
+    constexpr std::array<const char*, 13> kDirections = {"-RZ", "-RY", "-RX", "-Z",  "-Y",  "-X", "",
                                                          "+X",  "+Y",  "+Z",  "+RX", "+RY", "+RZ"};
     UniversalPoint point;
     point.entity = NameIn(Column(line, at, at + 10));
@@ -230,8 +230,8 @@ class IndexReader {
     function.data_bytes = end - function.data_at;
     // A number takes a digit and a blank.
     if (function.samples > function.data_bytes)
-      throw RecordingFault(kUniversalValues, {"at most " + std::to_string(function.data_bytes / 2),
-                                              std::to_string(function.samples)},
+      throw RecordingFault(kUniversalValues,
+                           {"at most " + std::to_string(function.data_bytes / 2), std::to_string(function.samples)},
                            function.line);
     index_.functions.push_back(std::move(function));
   }
@@ -248,13 +248,12 @@ class IndexReader {
     function.is_big_endian = is_big_endian;
     const std::uint64_t size = function.is_double ? 8 : 4;
     // Times may be of single precision.
-    const std::uint64_t needed =
-        function.samples * ((function.is_complex ? 2 : 1) * size + (function.is_even ? 0 : 4));
+    const std::uint64_t needed = function.samples * ((function.is_complex ? 2 : 1) * size + (function.is_even ? 0 : 4));
     function.data_bytes = stated == 0 ? needed : stated;
     if (function.data_bytes < needed)
-      throw RecordingFault(kUniversalBytes, {std::to_string(function.data_bytes), std::to_string(function.data_at),
-                                             std::to_string(needed)},
-                           line);
+      throw RecordingFault(
+          kUniversalBytes,
+          {std::to_string(function.data_bytes), std::to_string(function.data_at), std::to_string(needed)}, line);
     bytes_.Require(function.data_at, function.data_bytes, "the data set 58b");
     lines_ = LineReader(bytes_, function.data_at + function.data_bytes, function.data_line);
     index_.functions.push_back(std::move(function));

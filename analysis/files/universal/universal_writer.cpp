@@ -38,9 +38,7 @@ std::string Axis(int quantity, const std::string& label, const std::string& unit
   return Line(Format("%10d%5d%5d%5d ", quantity, 0, 0, 0) + Field(label, 20) + " " + Field(unit, 20));
 }
 
-void Append(double number, std::string& bytes) {
-  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
+void Append(double number, std::string& bytes) { bytes.append(reinterpret_cast<const char*>(&number), sizeof number); }
 
 std::string DataOf(const RecordingChannel& channel, bool is_even) {
   std::string data;

@@ -20,7 +20,8 @@ CsvTable Parse(std::string_view text) {
 }
 
 TEST(CsvStart, IsBelowLinesOfOtherKinds) {
-  const CsvTable table = Parse("Logger 7\nRate: 500 Hz\nOperator;Max\n\ntime;F [kN];z\ns;kN;mm\n0;1,5;2\n1;2,5;3\n2;3,5;4\n");
+  const CsvTable table =
+      Parse("Logger 7\nRate: 500 Hz\nOperator;Max\n\ntime;F [kN];z\ns;kN;mm\n0;1,5;2\n1;2,5;3\n2;3,5;4\n");
   EXPECT_THAT(table.names(), ElementsAre("time", "F [kN]", "z"));
   EXPECT_THAT(table.units(), ElementsAre("s", "kN", "mm"));
   EXPECT_EQ(table.names_line(), 5);
@@ -40,7 +41,9 @@ TEST(CsvStart, IsTheFirstLineOfAPlainTable) {
   EXPECT_FALSE(StartBelowLines("quantity,value\nmass,1\nlength,2\nwidth,3\n"));
 }
 
-TEST(CsvInTheWild, MayMarkItsNamesAsAComment) { EXPECT_THAT(Parse("# time [s],F [N]\n0,1\n1,2\n").names(), ElementsAre("time", "F")); }
+TEST(CsvInTheWild, MayMarkItsNamesAsAComment) {
+  EXPECT_THAT(Parse("# time [s],F [N]\n0,1\n1,2\n").names(), ElementsAre("time", "F"));
+}
 
 TEST(CsvInTheWild, MayEndLinesWithSeparatorsAndHoldEmptyColumns) {
   const CsvTable table = Parse("time,,F,,\ns,,N,,\n0,,1,,\n1,,2,\n2,,3\n");

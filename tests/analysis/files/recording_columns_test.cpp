@@ -45,7 +45,8 @@ TEST(RecordingColumns, OfOneRateAreTheSamplesThemselves) {
 
 TEST(RecordingColumns, OfSeveralRatesAreInterpolatedToTheFastestWithAWarning) {
   Diagnostics diagnostics;
-  const RecordingColumns columns = ColumnsOf({Sine("slow", 50, 0, 101), Sine("fast", 200, 0.25, 301), Sine("later", 200, 0.5, 301)}, diagnostics);
+  const RecordingColumns columns =
+      ColumnsOf({Sine("slow", 50, 0, 101), Sine("fast", 200, 0.25, 301), Sine("later", 200, 0.5, 301)}, diagnostics);
   EXPECT_THAT(diagnostics, ReportsOnly(kChannelsInterpolated, 0, {"slow, later", "200 Hz", "10 Hz"}));
   // From the latest start to the earliest end.
   EXPECT_DOUBLE_EQ(columns.Column(0).front(), 0.5);
@@ -71,14 +72,16 @@ TEST(RecordingColumns, OfTimesOfTheirOwnAreInterpolatedAlongStraightLines) {
 
 TEST(RecordingColumns, WithoutTimesAreTheChannels) {
   Diagnostics diagnostics;
-  const RecordingColumns columns = ColumnsOf({{.name = "Time", .unit = "s", .values = {0, 1}}, {.name = "F", .unit = "N", .values = {5, 6, 7}}}, diagnostics);
+  const RecordingColumns columns = ColumnsOf(
+      {{.name = "Time", .unit = "s", .values = {0, 1}}, {.name = "F", .unit = "N", .values = {5, 6, 7}}}, diagnostics);
   EXPECT_THAT(columns.names(), ElementsAre("Time", "F"));
   EXPECT_EQ(columns.rows(1), 3);
 }
 
 TEST(RecordingColumns, ChannelsWithoutTimesAreLeftOutBesideOthers) {
   Diagnostics diagnostics;
-  const RecordingColumns columns = ColumnsOf({Sine("a", 100, 0, 5), {.name = "note", .unit = "", .values = {1}}}, diagnostics);
+  const RecordingColumns columns =
+      ColumnsOf({Sine("a", 100, 0, 5), {.name = "note", .unit = "", .values = {1}}}, diagnostics);
   EXPECT_THAT(diagnostics, ReportsOnly(kChannelsWithoutTimes, 0, {"note"}));
   EXPECT_THAT(columns.names(), ElementsAre("time", "a"));
 }
@@ -94,7 +97,8 @@ TEST(RecordedTableOfRecordings, ReadsASampleOfRpcAsAnyTable) {
   // Its name says nothing.
   const std::filesystem::path file = folder.Write("run.csv", ReadText(SampleRecording("test1.rsp")));
   Diagnostics diagnostics;
-  const std::vector<RecordedChannel> wanted = {{.names = {"ACC_76zGlob"}, .dimension = kAcceleration, .what = "a"}, {.names = {"D_23magLo"}, .dimension = kLength, .what = "z"}};
+  const std::vector<RecordedChannel> wanted = {{.names = {"ACC_76zGlob"}, .dimension = kAcceleration, .what = "a"},
+                                               {.names = {"D_23magLo"}, .dimension = kLength, .what = "z"}};
   const std::optional<TimeRecording> recording = ReadTimeRecording(file, wanted, diagnostics);
   ASSERT_TRUE(recording) << diagnostics.Format();
   EXPECT_EQ(recording->samples(), 2048);
@@ -105,8 +109,10 @@ TEST(RecordedTableOfRecordings, ReadsASampleOfRpcAsAnyTable) {
 
 TEST(RecordedTableOfRecordings, HasTimeStampsInSecondsAfterTheFirst) {
   const TemporaryFolder folder;
-  const std::filesystem::path file = folder.Write("r.csv",
-                                                  "Timestamp,F [N]\n2025-11-14 23:59:59.500,1\n2025-11-14 23:59:59.750,2\n2025-11-15 00:00:00.000,3\n2025-11-15 00:00:00.250,4\n");
+  const std::filesystem::path file =
+      folder.Write("r.csv",
+                   "Timestamp,F [N]\n2025-11-14 23:59:59.500,1\n2025-11-14 23:59:59.750,2\n2025-11-15 "
+                   "00:00:00.000,3\n2025-11-15 00:00:00.250,4\n");
   Diagnostics diagnostics;
   const std::vector<RecordedChannel> wanted = {{.names = {"F"}, .dimension = kForce, .what = "a force"}};
   const std::optional<TimeRecording> recording = ReadTimeRecording(file, wanted, diagnostics);
@@ -117,13 +123,15 @@ TEST(RecordedTableOfRecordings, HasTimeStampsInSecondsAfterTheFirst) {
 
 TEST(RecordedTableOfRecordings, HasATimeColumnPerChannel) {
   const TemporaryFolder folder;
-  const std::filesystem::path file = folder.Write("r.csv", "Time,F,Time,z\nms,N,ms,mm\n0,1,0,10\n100,2,200,30\n200,3,400,50\n300,4,,\n400,5,,\n");
+  const std::filesystem::path file =
+      folder.Write("r.csv", "Time,F,Time,z\nms,N,ms,mm\n0,1,0,10\n100,2,200,30\n200,3,400,50\n300,4,,\n400,5,,\n");
   Diagnostics diagnostics;
   const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
   ASSERT_TRUE(table) << diagnostics.Format();
   EXPECT_THAT(diagnostics, ReportsOnly(kChannelsInterpolated, 0, {"z"}));
   EXPECT_THAT(table->names(), ElementsAre("time", "F", "z"));
-  for (std::size_t row = 0; row < 5; ++row) EXPECT_NEAR(table->Number(row, 2).value(), 10.0 + 10.0 * static_cast<double>(row), 1e-12);
+  for (std::size_t row = 0; row < 5; ++row)
+    EXPECT_NEAR(table->Number(row, 2).value(), 10.0 + 10.0 * static_cast<double>(row), 1e-12);
 }
 
 TEST(RecordedTableOfRecordings, SummaryIsOfTheSamplesAsRecorded) {

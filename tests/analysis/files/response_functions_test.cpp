@@ -15,14 +15,18 @@ namespace fourpost {
 namespace {
 
 /// A frequency response at 0, 2 and 4 Hz of a quantity to that of a post, as data set 58.
-std::string Function(const std::string& name, int quantity, const std::string& unit, int reference, const std::string& reference_unit, const std::string& post = "post") {
+std::string Function(const std::string& name, int quantity, const std::string& unit, int reference,
+                     const std::string& reference_unit, const std::string& post = "post") {
   const auto padded = [](std::string text, std::size_t size) { return text.resize(size, ' '), text; };
   const auto axis = [&](int code, const std::string& text) {
     const std::string number = std::to_string(code);
-    return std::string(10 - number.size(), ' ') + number + "    0    0    0 " + padded("NONE", 20) + " " + padded(text, 20) + "\n";
+    return std::string(10 - number.size(), ' ') + number + "    0    0    0 " + padded("NONE", 20) + " " +
+           padded(text, 20) + "\n";
   };
-  return "    -1\n    58\n" + name + "\nNONE\nNONE\nNONE\nNONE\n    4         1    0         0 " + padded(name, 10) + "         0   0 " + padded(post, 10) + "         1   3\n" +
-         "         5         3         1  0.00000E+00  2.00000E+00  0.00000E+00\n" + axis(18, "Hz") + axis(quantity, unit) + axis(reference, reference_unit) + axis(0, "NONE") +
+  return "    -1\n    58\n" + name + "\nNONE\nNONE\nNONE\nNONE\n    4         1    0         0 " + padded(name, 10) +
+         "         0   0 " + padded(post, 10) + "         1   3\n" +
+         "         5         3         1  0.00000E+00  2.00000E+00  0.00000E+00\n" + axis(18, "Hz") +
+         axis(quantity, unit) + axis(reference, reference_unit) + axis(0, "NONE") +
          "  9.00000E+00  0.00000E+00  3.00000E+00  0.00000E+00  0.00000E+00  5.00000E+00\n    -1\n";
 }
 
@@ -52,7 +56,8 @@ TEST_F(ResponseFunctions, AreASteppedSineInSi) {
 
 TEST_F(ResponseFunctions, ReferToTheDisplacementOfThePostWhateverWasMeasuredOfIt) {
   const double w = 2 * std::numbers::pi * 2;
-  const auto sine = Read(Function("s", 8, "m", 12, "m/s^2") + Function("a", 12, "g", 12, "g") + Function("b", 12, "m/s^2", 8, "m") + Function("v", 8, "m", 11, "m/s"));
+  const auto sine = Read(Function("s", 8, "m", 12, "m/s^2") + Function("a", 12, "g", 12, "g") +
+                         Function("b", 12, "m/s^2", 8, "m") + Function("v", 8, "m", 11, "m/s"));
   ASSERT_TRUE(sine) << diagnostics_.Format();
   // By hand: x = -a / w^2, v = i w x; accelerometers are relative to the post's acceleration.
   EXPECT_NEAR(std::abs(sine->channels[0].response[0] / (-3 * w * w) - 1.0), 0, 1e-14);

@@ -19,14 +19,18 @@ using ::testing::ElementsAre;
 /// A file that is written dataset by dataset.
 class Writer {
  public:
-  explicit Writer(const std::filesystem::path& file) : file_(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
+  explicit Writer(const std::filesystem::path& file)
+      : file_(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
   ~Writer() { H5Fclose(file_); }
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  void Group(const std::string& path) { H5Gclose(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)); }
+  void Group(const std::string& path) {
+    H5Gclose(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  }
 
-  void Add(const std::string& path, const std::vector<hsize_t>& sides, const std::vector<double>& numbers, hid_t type = H5T_IEEE_F64LE) {
+  void Add(const std::string& path, const std::vector<hsize_t>& sides, const std::vector<double>& numbers,
+           hid_t type = H5T_IEEE_F64LE) {
     const hid_t space = H5Screate_simple(static_cast<int>(sides.size()), sides.data(), nullptr);
     const hid_t set = H5Dcreate2(file_, path.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
@@ -35,20 +39,25 @@ class Writer {
   }
 
   /// Of fixed length, or of any.
-  void Text(const std::string& path, const std::string& name, const std::vector<std::string>& texts, bool is_variable = false) {
+  void Text(const std::string& path, const std::string& name, const std::vector<std::string>& texts,
+            bool is_variable = false) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     H5Tset_size(type, is_variable ? H5T_VARIABLE : 16);
     std::string fixed;
     std::vector<const char*> pointers;
     for (const std::string& text : texts) fixed += Padded(text, 16);
     for (const std::string& text : texts) pointers.push_back(text.c_str());
-    Attribute(path, name, type, type, texts.size(), is_variable ? static_cast<const void*>(pointers.data()) : fixed.data());
+    Attribute(path, name, type, type, texts.size(),
+              is_variable ? static_cast<const void*>(pointers.data()) : fixed.data());
     H5Tclose(type);
   }
-  void Number(const std::string& path, const std::string& name, double number) { Attribute(path, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, &number); }
+  void Number(const std::string& path, const std::string& name, double number) {
+    Attribute(path, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 1, &number);
+  }
 
  private:
-  void Attribute(const std::string& path, const std::string& name, hid_t type, hid_t memory, hsize_t count, const void* data) {
+  void Attribute(const std::string& path, const std::string& name, hid_t type, hid_t memory, hsize_t count,
+                 const void* data) {
     const hid_t object = H5Oopen(file_, path.c_str(), H5P_DEFAULT);
     const hid_t space = count == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr);
     const hid_t attribute = H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT);
@@ -131,7 +140,8 @@ TEST_F(Hdf5File, ThatIsDamagedIsRefused) {
   }
   const std::string whole = ReadText(path_);
   EXPECT_THAT(FaultsOfBytes(whole.substr(0, 600)), testing::Property(&Diagnostics::HasErrors, true));
-  EXPECT_THAT(FaultsOfBytes("\x89HDF\r\n\x1A\n" + std::string(500, 'x')), testing::Property(&Diagnostics::HasErrors, true));
+  EXPECT_THAT(FaultsOfBytes("\x89HDF\r\n\x1A\n" + std::string(500, 'x')),
+              testing::Property(&Diagnostics::HasErrors, true));
 }
 
 TEST_F(Hdf5File, WithoutNumbersIsRefused) {

@@ -22,9 +22,11 @@ const char kPart[] =
     "Delta_X\t1.0E-3\t1.0E-3\t\n***End_of_Header***\t\t\t\n";
 
 TEST(LvmFile, HasOneColumnOfTimesNoneOrOneAChannel) {
-  const std::string one = "X_Value\tF\tz\tComment\n0.000000\t1.5\t-2\n0.001000\t2.5\t-3\tfirst hit\n0.002000\t3.5\t-4\n";
+  const std::string one =
+      "X_Value\tF\tz\tComment\n0.000000\t1.5\t-2\n0.001000\t2.5\t-3\tfirst hit\n0.002000\t3.5\t-4\n";
   const std::string none = "X_Value\tF\tz\tComment\n\t1.5\t-2\n\t2.5\t-3\n\t3.5\t-4\n";
-  const std::string each = "X_Value\tF\tX_Value\tz\tComment\n0\t1.5\t0\t-2\n0.001\t2.5\t0.001\t-3\n0.002\t3.5\t0.002\t-4\n";
+  const std::string each =
+      "X_Value\tF\tX_Value\tz\tComment\n0\t1.5\t0\t-2\n0.001\t2.5\t0.001\t-3\n0.002\t3.5\t0.002\t-4\n";
   for (const std::string& rows : {one, none, each}) {
     const Recording recording = ReadBytes(kHead + std::string(kPart) + rows);
     ASSERT_EQ(recording.channels.size(), 2);
@@ -45,8 +47,10 @@ TEST(LvmFile, HasDecimalCommas) {
 }
 
 TEST(LvmFile, PartsFollowEachOther) {
-  const std::string second = Replace(Replace(kPart, "X0\t0.0E+0\t0.0E+0", "X0\t1.0E+0\t1.0E+0"), "Samples\t3", "Samples\t1");
-  const Recording recording = ReadBytes(kHead + std::string(kPart) + "X_Value\tF\tz\n0\t1\t2\n0.001\t3\t4\n\n" + second + "X_Value\tF\tz\n1\t5\t6\n");
+  const std::string second =
+      Replace(Replace(kPart, "X0\t0.0E+0\t0.0E+0", "X0\t1.0E+0\t1.0E+0"), "Samples\t3", "Samples\t1");
+  const Recording recording = ReadBytes(kHead + std::string(kPart) + "X_Value\tF\tz\n0\t1\t2\n0.001\t3\t4\n\n" +
+                                        second + "X_Value\tF\tz\n1\t5\t6\n");
   EXPECT_THAT(recording.channels[0].values, ElementsAre(1, 3, 5));
   EXPECT_THAT(recording.channels[0].times_s, ElementsAre(0, 0.001, 1));
   EXPECT_EQ(recording.channels[0].step_s, 0);
@@ -62,8 +66,10 @@ TEST(LvmFile, EmptyFieldsAreNaN) {
 TEST(LvmFault, NamesTheLine) {
   EXPECT_THAT(FaultsOfBytes("LabVIEW Measurement\t\nWriter_Version\t2\n"), ReportsOnly(kLvmHeader, 2));
   EXPECT_THAT(FaultsOfBytes(kHead + std::string(kPart)), ReportsOnly(kLvmNames, 15));
-  EXPECT_THAT(FaultsOfBytes(kHead + std::string(kPart) + "X_Value\tF\tz\n0\tone\t2\n"), ReportsOnly(kLvmNumber, 17, {"one", "F"}));
-  EXPECT_THAT(FaultsOfBytes(kHead + std::string(kPart) + "X_Value\tF\tz\n0\t1\t2\n\n" + kPart + "X_Value\tF\n0\t1\n"), Reports(kLvmChannels, {"1", "2"}));
+  EXPECT_THAT(FaultsOfBytes(kHead + std::string(kPart) + "X_Value\tF\tz\n0\tone\t2\n"),
+              ReportsOnly(kLvmNumber, 17, {"one", "F"}));
+  EXPECT_THAT(FaultsOfBytes(kHead + std::string(kPart) + "X_Value\tF\tz\n0\t1\t2\n\n" + kPart + "X_Value\tF\n0\t1\n"),
+              Reports(kLvmChannels, {"1", "2"}));
 }
 
 }  // namespace

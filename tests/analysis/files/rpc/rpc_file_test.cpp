@@ -23,10 +23,11 @@ std::string HeaderOf(const Keys& keys) {
 
 /// Two channels, frames of 4 and groups of 8 points, three frames: the last group is half padding.
 Keys KeysOf(const std::string& format, const std::string& type = "SHORT_INTEGER") {
-  return {{"FORMAT", format},       {"NUM_HEADER_BLOCKS", "4"}, {"NUM_PARAMS", "15"},     {"FILE_TYPE", "TIME_HISTORY"},
-          {"DATA_TYPE", type},      {"TIME_TYPE", "RESPONSE"},  {"DELTA_T", "2.0E-03"},   {"PTS_PER_FRAME", "4"},
-          {"PTS_PER_GROUP", "8"},   {"CHANNELS", "2"},          {"FRAMES", "3"},          {"DESC.CHAN_1", "\"left post\""},
-          {"UNITS.CHAN_1", "mm"},   {"SCALE.CHAN_1", "0.5"},    {"SCALE.CHAN_2", "-0.25"}};
+  return {
+      {"FORMAT", format},     {"NUM_HEADER_BLOCKS", "4"}, {"NUM_PARAMS", "15"},     {"FILE_TYPE", "TIME_HISTORY"},
+      {"DATA_TYPE", type},    {"TIME_TYPE", "RESPONSE"},  {"DELTA_T", "2.0E-03"},   {"PTS_PER_FRAME", "4"},
+      {"PTS_PER_GROUP", "8"}, {"CHANNELS", "2"},          {"FRAMES", "3"},          {"DESC.CHAN_1", "\"left post\""},
+      {"UNITS.CHAN_1", "mm"}, {"SCALE.CHAN_1", "0.5"},    {"SCALE.CHAN_2", "-0.25"}};
 }
 
 Keys With(Keys keys, const std::string& key, const std::string& value) {
@@ -131,7 +132,8 @@ TEST_F(RpcFault, ValuesThatAreNone) {
   EXPECT_THAT(Faults("PTS_PER_FRAME", "4.5"), ReportsOnly(kRpcValue, 0));
   EXPECT_THAT(Faults("DELTA_T", "-1"), ReportsOnly(kRpcValue, 0, {"DELTA_T"}));
   EXPECT_THAT(Faults("SCALE.CHAN_2", ""), ReportsOnly(kRpcValue, 0, {"SCALE.CHAN_2"}));
-  EXPECT_THAT(Faults("CHANNELS", "3"), testing::AnyOf(ReportsOnly(kRpcKeyMissing, 0), ReportsOnly(kRecordingCutShort, 0)));
+  EXPECT_THAT(Faults("CHANNELS", "3"),
+              testing::AnyOf(ReportsOnly(kRpcKeyMissing, 0), ReportsOnly(kRecordingCutShort, 0)));
 }
 
 TEST_F(RpcFault, FormatsThatAreNotRead) {

@@ -12,7 +12,8 @@ namespace fourpost {
 namespace {
 
 Recording SineOf(std::size_t samples) {
-  Recording recording = {.format = "", .description = "", .channels = {{.name = "FL", .unit = "mm"}, {.name = "FR", .unit = "kN"}}};
+  Recording recording = {
+      .format = "", .description = "", .channels = {{.name = "FL", .unit = "mm"}, {.name = "FR", .unit = "kN"}}};
   for (RecordingChannel& channel : recording.channels) {
     channel.step_s = 1.0 / 204.8;
     for (std::size_t k = 0; k < samples; ++k)

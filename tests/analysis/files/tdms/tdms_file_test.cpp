@@ -22,13 +22,25 @@ class Segment {
  public:
   explicit Segment(bool is_big_endian = false) : big_(is_big_endian) {}
 
-  std::string Text(const std::string& text) const { return BytesOf(static_cast<std::uint32_t>(text.size()), big_) + text; }
-  std::string Property(const std::string& name, double value) const { return Text(name) + BytesOf(std::uint32_t{kDouble}, big_) + BytesOf(value, big_); }
-  std::string Property(const std::string& name, const std::string& value) const { return Text(name) + BytesOf(std::uint32_t{kText}, big_) + Text(value); }
-  std::string Number(const std::string& name, std::uint32_t value) const { return Text(name) + BytesOf(std::uint32_t{7}, big_) + BytesOf(value, big_); }
+  std::string Text(const std::string& text) const {
+    return BytesOf(static_cast<std::uint32_t>(text.size()), big_) + text;
+  }
+  std::string Property(const std::string& name, double value) const {
+    return Text(name) + BytesOf(std::uint32_t{kDouble}, big_) + BytesOf(value, big_);
+  }
+  std::string Property(const std::string& name, const std::string& value) const {
+    return Text(name) + BytesOf(std::uint32_t{kText}, big_) + Text(value);
+  }
+  std::string Number(const std::string& name, std::uint32_t value) const {
+    return Text(name) + BytesOf(std::uint32_t{7}, big_) + BytesOf(value, big_);
+  }
 
-  void Add(const std::string& path, std::uint32_t type, std::uint64_t count, const std::vector<std::string>& properties = {}) {
-    AddObject(path, BytesOf(std::uint32_t{20}, big_) + BytesOf(type, big_) + BytesOf(std::uint32_t{1}, big_) + BytesOf(count, big_), properties);
+  void Add(const std::string& path, std::uint32_t type, std::uint64_t count,
+           const std::vector<std::string>& properties = {}) {
+    AddObject(
+        path,
+        BytesOf(std::uint32_t{20}, big_) + BytesOf(type, big_) + BytesOf(std::uint32_t{1}, big_) + BytesOf(count, big_),
+        properties);
   }
   /// `index`: 0xFFFFFFFF without data, 0 as before.
   void Add(const std::string& path, std::uint32_t index, const std::vector<std::string>& properties = {}) {
@@ -43,8 +55,9 @@ class Segment {
   std::string Bytes(const std::string& data, std::uint32_t mask = kNewObjects) const {
     const std::string meta = count_ == 0 ? "" : BytesOf(count_, big_) + objects_;
     const std::uint32_t all = mask | (count_ == 0 ? 0 : kMetaData) | kRawData | (big_ ? kBigEndian : 0);
-    return "TDSm" + BytesOf(all) + BytesOf(std::uint32_t{4713}, big_) + BytesOf(std::uint64_t{meta.size() + data.size()}, big_) +
-           BytesOf(std::uint64_t{meta.size()}, big_) + meta + data;
+    return "TDSm" + BytesOf(all) + BytesOf(std::uint32_t{4713}, big_) +
+           BytesOf(std::uint64_t{meta.size() + data.size()}, big_) + BytesOf(std::uint64_t{meta.size()}, big_) + meta +
+           data;
   }
 
  private:
@@ -58,7 +71,9 @@ Segment Pair(bool big = false) {
   Segment segment(big);
   segment.Add("/", 0xFFFFFFFF, {segment.Property("name", "rig 4")});
   segment.Add("/'run'", 0xFFFFFFFF);
-  segment.Add("/'run'/'F'", kDouble, 2, {segment.Property("wf_increment", 0.002), segment.Property("wf_start_offset", 0.5), segment.Property("unit_string", "kN")});
+  segment.Add("/'run'/'F'", kDouble, 2,
+              {segment.Property("wf_increment", 0.002), segment.Property("wf_start_offset", 0.5),
+               segment.Property("unit_string", "kN")});
   segment.Add("/'run'/'it''s z'", kShort, 2);
   return segment;
 }
@@ -86,9 +101,9 @@ TEST(TdmsFile, SegmentsChunksAndOrdersOfBytesFollowEachOther) {
     // Two chunks, then one by the same objects without properties, then a list with one of them.
     Segment again(big);
     again.Add("/'run'/'F'", std::uint32_t{0});
-    const Recording recording = ReadBytes(Pair(big).Bytes(Chunk(1, 2, 10, 20, big) + Chunk(3, 4, 30, 40, big)) +
-                                          Segment(big).Bytes(Chunk(5, 6, 50, 60, big), 0) +
-                                          again.Bytes(BytesOf(7.0, big) + BytesOf(8.0, big)));
+    const Recording recording =
+        ReadBytes(Pair(big).Bytes(Chunk(1, 2, 10, 20, big) + Chunk(3, 4, 30, 40, big)) +
+                  Segment(big).Bytes(Chunk(5, 6, 50, 60, big), 0) + again.Bytes(BytesOf(7.0, big) + BytesOf(8.0, big)));
     EXPECT_THAT(recording.channels[0].values, ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
     EXPECT_THAT(recording.channels[1].values, ElementsAre(10, 20, 30, 40, 50, 60));
   }
@@ -121,16 +136,19 @@ TEST(TdmsFile, ScalingsAreAppliedOneBehindTheOther) {
                                                segment.Property(scale("1]_Polynomial_Coefficients[2]"), 3),
                                                segment.Number(scale("1]_Polynomial_Input_Source"), 0)};
   segment.Add("/'g'/'a'", kShort, 2, properties);
-  EXPECT_THAT(ReadBytes(segment.Bytes(BytesOf(std::vector<std::int16_t>{1, 2}))).channels[0].values, ElementsAre(4.5, 30.5));
+  EXPECT_THAT(ReadBytes(segment.Bytes(BytesOf(std::vector<std::int16_t>{1, 2}))).channels[0].values,
+              ElementsAre(4.5, 30.5));
 }
 
 TEST(TdmsFile, OtherScalingsAndTextsAreLeftOutWithARemark) {
   Segment segment;
   segment.Add("/'g'/'a'", kShort, 2);
-  segment.Add("/'g'/'hot'", kShort, 2, {segment.Number("NI_Number_Of_Scales", 1), segment.Property("NI_Scale[0]_Scale_Type", "Thermocouple")});
+  segment.Add("/'g'/'hot'", kShort, 2,
+              {segment.Number("NI_Number_Of_Scales", 1), segment.Property("NI_Scale[0]_Scale_Type", "Thermocouple")});
   const TemporaryFolder folder;
   Diagnostics diagnostics;
-  const auto file = OpenRecording(folder.Write("t", segment.Bytes(BytesOf(std::vector<std::int16_t>{1, 2, 3, 4}))), diagnostics);
+  const auto file =
+      OpenRecording(folder.Write("t", segment.Bytes(BytesOf(std::vector<std::int16_t>{1, 2, 3, 4}))), diagnostics);
   ASSERT_TRUE(file);
   EXPECT_EQ(file->header().channels.size(), 1);
   EXPECT_THAT(diagnostics, ReportsOnly(kTdmsScale, 0, {"hot"}));
@@ -140,7 +158,8 @@ TEST(TdmsFile, TimeStampsAreSecondsAfterTheFirst) {
   Segment segment;
   segment.Add("/'g'/'t'", kTimeStamp, 2);
   const std::uint64_t half = std::uint64_t{1} << 63;
-  const Recording recording = ReadBytes(segment.Bytes(BytesOf(std::uint64_t{0}) + BytesOf(std::int64_t{3'800'000'000}) + BytesOf(half) + BytesOf(std::int64_t{3'800'000'001})));
+  const Recording recording = ReadBytes(segment.Bytes(BytesOf(std::uint64_t{0}) + BytesOf(std::int64_t{3'800'000'000}) +
+                                                      BytesOf(half) + BytesOf(std::int64_t{3'800'000'001})));
   EXPECT_THAT(recording.channels[0].values, ElementsAre(0, 1.5));
   EXPECT_EQ(recording.channels[0].unit, "s");
 }
@@ -159,7 +178,8 @@ TEST(TdmsFile, WhatWasBeingWrittenIsReadUpToItsLastWholeChunk) {
 
 TEST(TdmsFault, NamesTheByte) {
   const std::string good = Pair().Bytes(Chunk(1, 2, 3, 4));
-  EXPECT_THAT(FaultsOfBytes(good + "TDSx" + std::string(40, '\0')), ReportsOnly(kTdmsSegment, 0, {std::to_string(good.size())}));
+  EXPECT_THAT(FaultsOfBytes(good + "TDSx" + std::string(40, '\0')),
+              ReportsOnly(kTdmsSegment, 0, {std::to_string(good.size())}));
   EXPECT_THAT(FaultsOfBytes(good.substr(0, 20)), ReportsOnly(kRecordingCutShort, 0, {"28", "20"}));
   EXPECT_THAT(FaultsOfBytes("TDSh" + good.substr(4)), ReportsOnly(kTdmsIndex, 0));
   std::string raw = good;

@@ -21,17 +21,21 @@ std::string HeadOf(int type, std::size_t samples, bool is_even, const std::strin
     return std::string(width - text.size(), ' ') + text;
   };
   const std::string quantity = function == 4 ? "        18" : "        17";
-  return "force\nNONE\nNONE\nNONE\nNONE\n" + number(function, 5) + "         1    0         0 F_left             7   3 NONE               0   0\n" +
-         number(type, 10) + number(samples, 10) + number(is_even ? 1 : 0, 10) + "  0.50000E+00  1.00000E-02  0.00000E+00\n" + quantity +
+  return "force\nNONE\nNONE\nNONE\nNONE\n" + number(function, 5) +
+         "         1    0         0 F_left             7   3 NONE               0   0\n" + number(type, 10) +
+         number(samples, 10) + number(is_even ? 1 : 0, 10) + "  0.50000E+00  1.00000E-02  0.00000E+00\n" + quantity +
          "    0    0    0 NONE                 NONE\n        13    0    1    0 Force                " + unit +
          "\n         0    0    0    0 NONE                 NONE\n         0    0    0    0 NONE                 NONE\n";
 }
 
-std::string TextSet(const std::string& head, const std::string& numbers) { return "    -1\n    58\n" + head + numbers + "    -1\n"; }
+std::string TextSet(const std::string& head, const std::string& numbers) {
+  return "    -1\n    58\n" + head + numbers + "    -1\n";
+}
 
 std::string BinarySet(const std::string& head, const std::string& data, bool is_big_endian, int floats = 2) {
-  return "    -1\n    58b     " + std::to_string(is_big_endian ? 2 : 1) + "     " + std::to_string(floats) + "          11  " +
-         std::to_string(data.size()) + "     0     0           0           0\n" + head + data + "\n    -1\n";
+  return "    -1\n    58b     " + std::to_string(is_big_endian ? 2 : 1) + "     " + std::to_string(floats) +
+         "          11  " + std::to_string(data.size()) + "     0     0           0           0\n" + head + data +
+         "\n    -1\n";
 }
 
 TEST(UniversalFile, BinarySampleOfOthersReadsAsAnIndependentReaderReadsIt) {
@@ -73,7 +77,8 @@ TEST(UniversalFile, IsReadInEveryDataTypeAndOrderOfBytes) {
     EXPECT_EQ(ReadBytes(BinarySet(HeadOf(4, 3, true), BytesOf(doubles, big), big)).channels[0].values, doubles);
   }
   EXPECT_THAT(ReadBytes(TextSet(HeadOf(4, 3, true), "  1.500000000000E+00 -2.250000000000E+00  3.141592653590E+00\n"))
-                  .channels[0].values,
+                  .channels[0]
+                  .values,
               ElementsAre(1.5, -2.25, 3.14159265359));
 }
 
@@ -82,8 +87,11 @@ TEST(UniversalFile, HasTimesOfItsOwnWhereTheyAreNotEven) {
   for (const std::string& file :
        {BinarySet(HeadOf(4, 3, false), BytesOf(pairs), false),
         // Times of single precision before values of double.
-        BinarySet(HeadOf(4, 3, false), BytesOf(0.0F) + BytesOf(10.0) + BytesOf(0.25F) + BytesOf(20.0) + BytesOf(1.0F) + BytesOf(30.0), false),
-        TextSet(HeadOf(2, 3, false), "  0.00000E+00  1.00000E+01  2.50000E-01  2.00000E+01  1.00000E+00  3.00000E+01\n")}) {
+        BinarySet(HeadOf(4, 3, false),
+                  BytesOf(0.0F) + BytesOf(10.0) + BytesOf(0.25F) + BytesOf(20.0) + BytesOf(1.0F) + BytesOf(30.0),
+                  false),
+        TextSet(HeadOf(2, 3, false),
+                "  0.00000E+00  1.00000E+01  2.50000E-01  2.00000E+01  1.00000E+00  3.00000E+01\n")}) {
     const Recording recording = ReadBytes(file);
     EXPECT_THAT(recording.channels[0].times_s, ElementsAre(0, 0.25, 1));
     EXPECT_THAT(recording.channels[0].values, ElementsAre(10, 20, 30));
@@ -94,7 +102,8 @@ TEST(UniversalFile, HasTimesOfItsOwnWhereTheyAreNotEven) {
 TEST(UniversalFile, PassesOverOtherSetsAndFaultyLineEnds) {
   std::string lines = "    -1\n   151\nrig 4\nNONE\n\n    -1\n    -1\n    15\n         1         0\n    -1\n" +
                       TextSet(HeadOf(2, 2, true), "  1.00000E+00-2.00000E+000\n");
-  for (std::size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 3)) lines.insert(at, "\r\r");
+  for (std::size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 3))
+    lines.insert(at, "\r\r");
   const Recording recording = ReadBytes(lines);
   EXPECT_EQ(recording.description, "rig 4");
   EXPECT_THAT(recording.channels.at(0).values, ElementsAre(1, -2));
@@ -105,7 +114,9 @@ TEST(UniversalFile, PassesOverOtherSetsAndFaultyLineEnds) {
 
 TEST(UniversalFile, UnitsOfTheFileHoldWhereAnAxisStatesNone) {
   // Millimetres and millinewtons: 1000 of them are a metre and a newton.
-  const std::string units = "    -1\n   164\n         5mm (milli newton)            2\n  1.00000000000000000D+03  1.00000000000000000D+03  1.00000000000000000D+00\n  2.73149999999999980D+02\n    -1\n";
+  const std::string units =
+      "    -1\n   164\n         5mm (milli newton)            2\n  1.00000000000000000D+03  1.00000000000000000D+03  "
+      "1.00000000000000000D+00\n  2.73149999999999980D+02\n    -1\n";
   const Recording none = ReadBytes(units + TextSet(HeadOf(2, 1, true, "NONE"), "  5.00000E+02\n"));
   EXPECT_EQ(none.channels[0].unit, "N");
   EXPECT_EQ(none.channels[0].values[0], 0.5);
@@ -116,7 +127,8 @@ TEST(UniversalFile, UnitsOfTheFileHoldWhereAnAxisStatesNone) {
 
 TEST(UniversalFile, FrequencyResponsesAreReadWithTheirPhases) {
   const TemporaryFolder folder;
-  const UniversalFile file(folder.Write("f.uff", TextSet(HeadOf(5, 2, true, "N", 4), "  1.00000E+00  2.00000E+00  3.00000E+00 -4.00000E+00\n")));
+  const UniversalFile file(folder.Write(
+      "f.uff", TextSet(HeadOf(5, 2, true, "N", 4), "  1.00000E+00  2.00000E+00  3.00000E+00 -4.00000E+00\n")));
   ASSERT_EQ(file.responses().size(), 1);
   EXPECT_THAT(file.Numbers(file.responses()[0]).values,
               ElementsAre(std::complex<double>(1, 2), std::complex<double>(3, -4)));
@@ -129,8 +141,10 @@ TEST(UniversalFault, NamesTheLineOrTheByte) {
   EXPECT_THAT(FaultsOfBytes(TextSet(HeadOf(2, 999999999, true), "  1.00000E+00\n")), ReportsOnly(kUniversalValues, 2));
   EXPECT_THAT(FaultsOfBytes(TextSet(HeadOf(3, 1, true), "  1.00000E+00\n")), ReportsOnly(kUniversalField, 9, {"type"}));
   EXPECT_THAT(FaultsOfBytes("    -1\n    58\nforce\n"), Reports(kUniversalEnds));
-  EXPECT_THAT(FaultsOfBytes(BinarySet(HeadOf(2, 3, true), BytesOf(1.0F), false)), Reports(kUniversalBytes, {"4", "12"}));
-  EXPECT_THAT(FaultsOfBytes(BinarySet(HeadOf(2, 1, true), BytesOf(1.0F), false, 1)), Reports(kUniversalFloats, {"DEC VMS"}));
+  EXPECT_THAT(FaultsOfBytes(BinarySet(HeadOf(2, 3, true), BytesOf(1.0F), false)),
+              Reports(kUniversalBytes, {"4", "12"}));
+  EXPECT_THAT(FaultsOfBytes(BinarySet(HeadOf(2, 1, true), BytesOf(1.0F), false, 1)),
+              Reports(kUniversalFloats, {"DEC VMS"}));
   const std::string whole = BinarySet(HeadOf(4, 3, true), BytesOf(std::vector<double>{1, 2, 3}), false);
   EXPECT_THAT(FaultsOfBytes(whole.substr(0, whole.size() - 12)), ReportsOnly(kRecordingCutShort, 0, {"24"}));
 }

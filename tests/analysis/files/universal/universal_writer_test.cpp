@@ -13,9 +13,11 @@ namespace {
 
 TEST(UniversalWriter, RoundTripIsBitEqual) {
   Recording recording = {.format = "", .description = "run 3"};
-  recording.channels.push_back({.name = "a_hub", .unit = "m/s^2", .step_s = 0.002, .values = {std::numbers::pi, -1e-300, 1.0 / 3}});
+  recording.channels.push_back(
+      {.name = "a_hub", .unit = "m/s^2", .step_s = 0.002, .values = {std::numbers::pi, -1e-300, 1.0 / 3}});
   // A step that five decimals do not hold, and a name that no field but the description does.
-  recording.channels.push_back({.name = "tyre force of the left front wheel", .unit = "N", .start_s = 0.1, .step_s = 1.0 / 3, .values = {1, 2}});
+  recording.channels.push_back(
+      {.name = "tyre force of the left front wheel", .unit = "N", .start_s = 0.1, .step_s = 1.0 / 3, .values = {1, 2}});
   recording.channels.push_back({.name = "jittered", .unit = "", .values = {5, 6, 7}, .times_s = {0, 0.1, 0.25}});
   const Recording again = ReadBytes(UniversalBytes(recording));
   ASSERT_EQ(again.channels.size(), 3);
