@@ -49,7 +49,7 @@ bool IsFinite(const std::vector<double>& values) {
 
 /// A file that is faulty behind its header ends what reads it.
 template <typename Read>
-auto Reading(const std::string& file, const Read& read) {
+auto Guarded(const std::string& file, const Read& read) {
   try {
     return read();
   } catch (const RecordingFault& fault) {
@@ -83,7 +83,7 @@ RecordingColumns::RecordingColumns(std::shared_ptr<const RecordingFile> file, st
     channels_.push_back(i);
   }
   if (!left_out.empty()) diagnostics.Report(kChannelsWithoutTimes, {name_}, {left_out});
-  if (has_times_) Reading(name_, [&] { ReadClocks(diagnostics); });
+  if (has_times_) Guarded(name_, [&] { ReadClocks(diagnostics); });
 }
 
 std::size_t RecordingColumns::rows(std::size_t column) const {
@@ -97,13 +97,13 @@ double RecordingColumns::rate_Hz(std::size_t column) const {
 }
 
 std::vector<double> RecordingColumns::Recorded(std::size_t column) const {
-  return Reading(name_, [&] { return IsTimes(column) ? times_s_ : file_->Values(channels_[column]); });
+  return Guarded(name_, [&] { return IsTimes(column) ? times_s_ : file_->Values(channels_[column]); });
 }
 
 const std::vector<double>& RecordingColumns::Column(std::size_t column) const {
   if (IsTimes(column)) return times_s_;
   if (held_ == column) return values_;
-  values_ = Reading(name_, [&] { return has_times_ ? OnTimes(column) : file_->Values(channels_[column]); });
+  values_ = Guarded(name_, [&] { return has_times_ ? OnTimes(column) : file_->Values(channels_[column]); });
   held_ = column;
   return values_;
 }

@@ -11,6 +11,8 @@
 
 namespace fourpost {
 
+class RecordedTable;
+
 /// A column that is wanted from a recording.
 struct RecordedChannel {
   /// The first that the file has is read; messages call it by the first.
@@ -51,5 +53,9 @@ struct TimeRecording {
 std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file,
                                                std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
                                                const RecordedChannel& time = kTimeColumn);
+
+/// Reports what ReadTimeRecording would of a table, and keeps no channel: the record may be larger than memory.
+void CheckTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
+                        const RecordedChannel& time = kTimeColumn);
 
 }  // namespace fourpost

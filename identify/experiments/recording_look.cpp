@@ -196,7 +196,9 @@ RecordingLook LookOverTime(const std::filesystem::path& file, const RecordedTabl
     RecordedChannel time = kTimeColumn;
     if (summary.time) time.names = {summary.time->column};
     Diagnostics faults;
-    const std::optional<TimeRecording> recording = ReadTimeRecording(file, channels, faults, time);
+    std::optional<TimeRecording> recording;
+    if (further) recording = ReadTimeRecording(file, channels, faults, time);
+    else CheckTimeRecording(table, channels, faults, time);
     for (const Diagnostic& fault : faults.items())
       if (fault.severity == Severity::kError) content.refusals.push_back(RefusalText(fault));
     if (recording)
