@@ -29,6 +29,10 @@ class RecordingColumns {
   /// Of its own; 0 of the times and where it is not known.
   double rate_Hz(std::size_t column) const;
   bool HasSeveralRates() const { return has_several_rates_; }
+  /// Without its samples; nullptr of the times.
+  const RecordingChannel* channel(std::size_t column) const {
+    return IsTimes(column) ? nullptr : &header().channels[channels_[column]];
+  }
   const Recording& header() const { return file_->header(); }
 
  private:

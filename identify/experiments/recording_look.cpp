@@ -21,6 +21,9 @@ struct OverTime {
   std::string format;
   std::string description;
   bool has_several_rates = false;
+  /// Of each column, as far as its file has them.
+  std::vector<std::string> groups;
+  std::vector<std::string> points;
   std::size_t samples = 0;
   /// Lines of the rows that lack a number first, a column each; 0 where none does and of a MAT file.
   std::vector<int> missing_lines;
@@ -100,8 +103,15 @@ std::string TimesText(const RecordingSummary& summary) {
   return text;
 }
 
+/// One of all says nothing.
+bool IsShown(const std::vector<std::string>& places) {
+  return std::any_of(places.begin(), places.end(), [&](const std::string& place) { return place != places.front(); });
+}
+
 TextTable ChannelsTable(const OverTime& content) {
   std::vector<std::string> names = {"channel", "unit", "minimum", "maximum", "mean", "rms", "level", "remarks"};
+  if (IsShown(content.points)) names.insert(names.begin() + 2, "point");
+  if (IsShown(content.groups)) names.insert(names.begin() + 2, "group");
   if (content.has_several_rates) names.insert(names.begin() + 2, "rate");
   TextTable table(names);
   for (std::size_t i = 0; i < content.summary.columns.size(); ++i) {
@@ -114,6 +124,8 @@ TextTable ChannelsTable(const OverTime& content) {
                                     Rounded(c.rms, 4),
                                     Rounded(c.level, 2),
                                     Joined(Remarks(c, content.missing_lines[i]))};
+    if (IsShown(content.points)) row.insert(row.begin() + 2, content.points[i]);
+    if (IsShown(content.groups)) row.insert(row.begin() + 2, content.groups[i]);
     if (content.has_several_rates) row.insert(row.begin() + 2, Rounded(c.rate_Hz, 5) + " Hz");
     table.Add(row);
   }
@@ -164,6 +176,10 @@ Json JsonOf(const OverTime& content) {
                                 {"clipped_top", c.clipped_top},
                                 {"clipped_bottom", c.clipped_bottom},
                                 {"remarks", Remarks(c, content.missing_lines[i])}});
+    if (!content.groups.empty() && !content.groups[i].empty())
+      json["channels"].back()["group"] = ValidUtf8(content.groups[i]);
+    if (!content.points.empty() && !content.points[i].empty())
+      json["channels"].back()["point"] = ValidUtf8(content.points[i]);
   }
   return json;
 }
@@ -191,6 +207,11 @@ RecordingLook LookOverTime(const std::filesystem::path& file, const RecordedTabl
     content.format = recorded->header().format;
     content.description = recorded->header().description;
     content.has_several_rates = recorded->HasSeveralRates();
+    for (const ColumnSummary& column : summary.columns) {
+      const RecordingChannel& channel = *recorded->channel(*table.FindColumn(column.name));
+      content.groups.push_back(channel.group);
+      content.points.push_back(channel.point);
+    }
   }
   if (!channels.empty()) {
     RecordedChannel time = kTimeColumn;
