@@ -73,7 +73,6 @@ struct MdfGroup {
 };
 
 struct MdfIndex {
-  std::string version;
   std::string description;
   std::vector<MdfGroup> groups;
   /// Names of channels that are no plain numbers.

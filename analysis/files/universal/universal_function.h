@@ -14,8 +14,6 @@ namespace fourpost {
 struct UniversalAxis {
   /// Specific data type: 8 displacement, 11 velocity, 12 acceleration, 13 force, 17 time, 18 frequency.
   int quantity = 0;
-  int length_exponent = 0;
-  int force_exponent = 0;
   std::string label;
   /// As written, else that of SI by data set 164; empty without both.
   std::string unit;

@@ -212,8 +212,6 @@ class IndexReader {
 
   void ReadAxis(std::string_view line, UniversalAxis& axis) {
     axis.quantity = Code(Column(line, 0, 10), 8, "the quantity");
-    axis.length_exponent = Code(Column(line, 10, 15), 8, "the exponent of length");
-    axis.force_exponent = Code(Column(line, 15, 20), 8, "the exponent of force");
     axis.label = NameIn(Column(line, 26, 46));
     axis.unit = NameIn(Column(line, 47, 67));
     if (units_) ToSi(*units_, axis);
