@@ -7,8 +7,8 @@
 
 #include "analysis/files/lvm/findings.h"
 #include "analysis/files/recording/file_bytes.h"
+#include "analysis/files/recording/file_lines.h"
 #include "analysis/files/recording/findings.h"
-#include "analysis/files/recording/line_reader.h"
 #include "analysis/files/recording/recording_fault.h"
 #include "analysis/files/recording/unique_names.h"
 #include "analysis/text/number.h"
@@ -179,7 +179,7 @@ class LvmFile : public RecordingFile {
   }
 
   FileBytes bytes_;
-  LineReader lines_;
+  FileLines lines_;
   char separator_ = '\t';
   char decimal_ = '.';
   /// Of the part that is read.

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "analysis/files/recording/file_bytes.h"
-#include "analysis/files/recording/line_reader.h"
+#include "analysis/files/recording/file_lines.h"
 #include "analysis/files/recording/recording_fault.h"
 #include "analysis/files/recording/stored_number.h"
 #include "analysis/files/recording/unique_names.h"
@@ -109,7 +109,7 @@ class RpcFile : public RecordingFile {
 
   /// Numbers in the order of the binary ones, with blanks between them.
   void ReadAscii() {
-    LineReader lines(bytes_, data_at_);
+    FileLines lines(bytes_, data_at_);
     constexpr std::string_view kBlanks = " \t,";
     for (std::string_view line; lines.Next(line);)
       for (std::size_t at = line.find_first_not_of(kBlanks); at != std::string_view::npos;) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "analysis/files/recording/line_reader.h"
+#include "analysis/files/recording/file_lines.h"
 #include "analysis/files/recording/recording_fault.h"
 #include "analysis/files/recording/stored_number.h"
 #include "analysis/files/universal/findings.h"
@@ -21,7 +21,7 @@ std::uint64_t Width(const UniversalFunction& function) {
 std::vector<double> TextNumbers(const FileBytes& bytes, const UniversalFunction& function) {
   const std::uint64_t needed = function.samples * Width(function);
   std::vector<double> numbers;
-  LineReader lines(bytes, function.data_at, function.data_line);
+  FileLines lines(bytes, function.data_at, function.data_line);
   const std::uint64_t end = function.data_at + function.data_bytes;
   for (std::string_view line; numbers.size() < needed && lines.at() < end && lines.Next(line);)
     while (numbers.size() < needed) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "analysis/files/recording/line_reader.h"
+#include "analysis/files/recording/file_lines.h"
 #include "analysis/files/recording/recording_fault.h"
 #include "analysis/files/universal/findings.h"
 #include "analysis/files/universal/universal_number.h"
@@ -253,12 +253,12 @@ class IndexReader {
           kUniversalBytes,
           {std::to_string(function.data_bytes), std::to_string(function.data_at), std::to_string(needed)}, line);
     bytes_.Require(function.data_at, function.data_bytes, "the data set 58b");
-    lines_ = LineReader(bytes_, function.data_at + function.data_bytes, function.data_line);
+    lines_ = FileLines(bytes_, function.data_at + function.data_bytes, function.data_line);
     index_.functions.push_back(std::move(function));
   }
 
   const FileBytes& bytes_;
-  LineReader lines_;
+  FileLines lines_;
   UniversalIndex index_;
   std::optional<Units> units_;
   bool ended_ = false;

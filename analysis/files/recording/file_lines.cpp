@@ -1,4 +1,4 @@
-#include "analysis/files/recording/line_reader.h"
+#include "analysis/files/recording/file_lines.h"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ constexpr std::uint64_t kPiece = std::uint64_t{1} << 18;
 
 }  // namespace
 
-bool LineReader::Next(std::string_view& line) {
+bool FileLines::Next(std::string_view& line) {
   if (at_ >= bytes_->size()) return false;
   const auto end_of_line = [&] {
     const bool is_here = at_ >= buffer_at_ && at_ - buffer_at_ <= buffer_.size();

@@ -10,10 +10,10 @@ namespace fourpost {
 
 /// Lines of a file that may be larger than memory, without their line ends (LF, CRLF, CR CR LF). One that is longer
 /// than any text is cut into pieces.
-class LineReader {
+class FileLines {
  public:
   /// From this byte on; `line`: its number, 1-based. The bytes must outlive the reader.
-  explicit LineReader(const FileBytes& bytes, std::uint64_t at = 0, int line = 1)
+  explicit FileLines(const FileBytes& bytes, std::uint64_t at = 0, int line = 1)
       : bytes_(&bytes), at_(at), next_line_(line) {}
 
   /// Valid until the next call; false at the end.
