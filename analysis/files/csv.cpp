@@ -1,15 +1,18 @@
 #include "analysis/files/csv.h"
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <unordered_set>
 #include <utility>
 
 #include "analysis/files/csv_fault.h"
 #include "analysis/files/csv_scanner.h"
+#include "analysis/files/csv_start.h"
 #include "analysis/files/findings.h"
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/text_file.h"
+#include "analysis/files/time_recording.h"
 #include "analysis/text/number.h"
 
 namespace fourpost {
@@ -25,11 +28,7 @@ std::string Count(std::size_t count, const std::string& noun) {
 class CsvParser {
  public:
   CsvParser(std::string_view text, std::string file, Diagnostics& diagnostics)
-      : dialect_(DialectOf(text)), scanner_(text, dialect_.separator), diagnostics_(diagnostics) {
-    table_.file_ = std::move(file);
-    table_.dialect_ = dialect_;
-    text_fault_ = FaultOfText(text);
-  }
+      : CsvParser(text, StartBelowLines(text).value_or(CsvStart()), std::move(file), diagnostics) {}
 
   std::optional<CsvTable> Parse(CsvHeader header) {
     if (text_fault_) Fault(0, text_fault_);
@@ -40,11 +39,21 @@ class CsvParser {
     if (!good_) return std::nullopt;
     while (scanner_.Next(record_)) AddRow();
     if (good_ && table_.rows() == 0) Fault(0, {&kCsvNoRows});
+    if (good_) DropEmptyColumns();
     if (!good_) return std::nullopt;
     return std::move(table_);
   }
 
  private:
+  CsvParser(std::string_view text, const CsvStart& start, std::string file, Diagnostics& diagnostics)
+      : dialect_(DialectOf(text.substr(start.at))),
+        scanner_(text.substr(start.at), dialect_.separator, start.line),
+        diagnostics_(diagnostics) {
+    table_.file_ = std::move(file);
+    table_.dialect_ = dialect_;
+    text_fault_ = FaultOfText(text);
+  }
+
   void Fault(int line, const Found& found) {
     diagnostics_.Report(*found.kind, {table_.file_, line}, found.words);
     good_ = false;
@@ -57,21 +66,72 @@ class CsvParser {
     if (!found) return Fault(0, {&kCsvEmpty});
     if (record_.fault) return Fault(record_.line, record_.fault);
     table_.names_ = record_.fields;
-    names_line_ = record_.line;
-    ends_with_separator_ = table_.columns() > 1 && table_.names_.back().empty();
-    if (ends_with_separator_) table_.names_.pop_back();
-    const Found fault = FaultOfNames(scanner_, table_.columns(), ends_with_separator_, dialect_.separator);
-    if (fault) Fault(names_line_, fault);
+    table_.names_line_ = record_.line;
+    WithoutMark(table_.names_.front());
+    const bool ends_with_separator = table_.columns() > 1 && table_.names_.back().empty();
+    while (table_.columns() > 1 && table_.names_.back().empty()) table_.names_.pop_back();
+    ends_with_comment_ = table_.columns() > 2 && IsComment(table_.names_.back());
+    if (ends_with_comment_) return;
+    const Found fault = FaultOfNames(scanner_, table_.columns(), ends_with_separator, dialect_.separator);
+    if (fault) Fault(table_.names_line_, fault);
+  }
+
+  /// A line of names may be marked as a comment.
+  static void WithoutMark(std::string& name) {
+    if (name.size() < 2 || (name[0] != '#' && name[0] != '%')) return;
+    const std::size_t first = name.find_first_not_of("#% ");
+    if (first != std::string::npos) name.erase(0, first);
+  }
+
+  static bool IsComment(std::string name) {
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+    return name.starts_with("comment") || name.starts_with("remark");
+  }
+
+  /// "Time", "a", "Time", "b"
+  bool HasTimesPerChannel() const {
+    const std::vector<std::string>& names = table_.names_;
+    if (names.size() < 4 || names.size() % 2 != 0) return false;
+    for (std::size_t i = 0; i < names.size(); i += 2)
+      if (names[i] != names[0] || names[i + 1] == names[0]) return false;
+    const std::vector<std::string>& usual = kTimeColumn.names;
+    return names[0] == "X_Value" || std::find(usual.begin(), usual.end(), names[0]) != usual.end();
   }
 
   void CheckNames() {
+    table_.has_times_per_channel_ = HasTimesPerChannel();
     std::unordered_set<std::string_view> earlier;
     for (std::size_t i = 0; i < table_.columns(); ++i) {
       const std::string& name = table_.names_[i];
-      const std::string column = std::to_string(i + 1);
-      if (name.empty()) Fault(names_line_, {&kCsvColumnNameless, {column}});
-      else if (!earlier.insert(name).second) Fault(names_line_, {&kCsvColumnTwice, {column, name}});
+      const bool may_repeat = name.empty() || (table_.has_times_per_channel_ && i % 2 == 0);
+      if (!may_repeat && !earlier.insert(name).second)
+        Fault(table_.names_line_, {&kCsvColumnTwice, {std::to_string(i + 1), name}});
     }
+  }
+
+  /// Those without a name, which may hold nothing.
+  void DropEmptyColumns() {
+    std::vector<bool> keep(table_.columns(), true);
+    for (std::size_t column = 0; column < table_.columns(); ++column) {
+      if (!table_.names_[column].empty()) continue;
+      keep[column] = false;
+      for (std::size_t row = 0; row < table_.rows() && !keep[column]; ++row)
+        keep[column] = !table_.Text(row, column).empty();
+      if (keep[column]) Fault(table_.names_line_, {&kCsvColumnNameless, {std::to_string(column + 1)}});
+    }
+    if (std::find(keep.begin(), keep.end(), false) == keep.end()) return;
+    const auto without = [&](std::vector<std::string>& fields) {
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < fields.size(); ++i)
+        if (keep[i % keep.size()]) {
+          if (kept != i) fields[kept] = std::move(fields[i]);
+          ++kept;
+        }
+      fields.resize(kept);
+    };
+    without(table_.fields_);
+    without(table_.units_);
+    without(table_.names_);
   }
 
   void ReadUnits() {
@@ -98,7 +158,7 @@ class CsvParser {
   }
 
   void TakeUnitsFromNames() {
-    table_.units_line_ = names_line_;
+    table_.units_line_ = table_.names_line_;
     for (std::string& name : table_.names_) {
       NamedColumn column = SplitColumnName(name);
       name = std::move(column.name);
@@ -116,8 +176,8 @@ class CsvParser {
   }
 
   bool IsRowGood() {
-    if (ends_with_separator_ && record_.fields.size() == table_.columns() + 1 && record_.fields.back().empty())
-      record_.fields.pop_back();
+    while (record_.fields.size() > table_.columns() && record_.fields.back().empty()) record_.fields.pop_back();
+    if (ends_with_comment_ && record_.fields.size() + 1 == table_.columns()) record_.fields.emplace_back();
     const std::size_t fields = record_.fields.size();
     const std::size_t columns = table_.columns();
     if (record_.fault) Fault(record_.line, record_.fault);
@@ -131,10 +191,9 @@ class CsvParser {
   Diagnostics& diagnostics_;
   CsvTable table_;
   CsvRecord record_;
-  int names_line_ = 0;
   Found text_fault_;
-  /// A field too many in every line, which holds nothing.
-  bool ends_with_separator_ = false;
+  /// Rows need not have the last field.
+  bool ends_with_comment_ = false;
   bool good_ = true;
 };
 

@@ -22,8 +22,11 @@ class CsvTable {
   const std::vector<std::string>& names() const { return names_; }
   /// One per column, as written, empty where it has none; none without CsvHeader::kNamesAndUnits.
   const std::vector<std::string>& units() const { return units_; }
-  /// Line of the units.
+  /// Lines of the names and of the units.
+  int names_line() const { return names_line_; }
   int units_line() const { return units_line_; }
+  /// Whether each second column is the times of the one behind it: Time, a, Time, b.
+  bool has_times_per_channel() const { return has_times_per_channel_; }
   const CsvDialect& dialect() const { return dialect_; }
   std::size_t columns() const { return names_.size(); }
   std::size_t rows() const { return lines_.size(); }
@@ -47,7 +50,9 @@ class CsvTable {
   std::string file_;
   std::vector<std::string> names_;
   std::vector<std::string> units_;
+  int names_line_ = 1;
   int units_line_ = 0;
+  bool has_times_per_channel_ = false;
   CsvDialect dialect_;
   std::vector<int> lines_;
   /// Row by row.
@@ -55,9 +60,10 @@ class CsvTable {
 };
 
 /// Reads a table in text (RFC 4180) of the dialect that it shows: quoted fields, LF or CRLF, with or without byte order
-/// mark; blank lines, a first line such as "sep=;" and a separator at the end of all lines do not count. Reports all
-/// of: an unreadable or empty file, a column without or with another one's name, rows of another length than the
-/// header, faulty quotes. Nothing when there was one.
+/// mark; blank lines, a first line such as "sep=;", other lines above the names, columns without a name and content,
+/// separators behind the last field and a '#' before the first name do not count. Names of times may repeat where each
+/// channel has its own before it. Reports all of: an unreadable or empty file, JSON, a column without or with another
+/// one's name, rows of another length than the header, faulty quotes. Nothing when there was one.
 std::optional<CsvTable> ReadCsv(const std::filesystem::path& file, Diagnostics& diagnostics,
                                 CsvHeader header = CsvHeader::kNames);
 

@@ -30,6 +30,16 @@ bool IsRowOf(const std::string& text, char separator) {
   return numbers > 1;
 }
 
+/// Begins with an object, or with a list of something.
+bool IsJson(std::string_view text) {
+  constexpr std::string_view kAround = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kAround);
+  if (first == std::string_view::npos || (text[first] != '{' && text[first] != '[')) return false;
+  const std::size_t second = text.find_first_not_of(kAround, first + 1);
+  if (second == std::string_view::npos) return false;
+  return std::string_view(text[first] == '{' ? "\"}" : "{[\"-0123456789").find(text[second]) != std::string_view::npos;
+}
+
 std::vector<CsvRecord> FirstOf(CsvScanner& scanner) {
   std::vector<CsvRecord> records;
   CsvRecord record;
@@ -58,6 +68,7 @@ std::string Columns(std::size_t count) { return std::to_string(count) + (count =
 Found FaultOfText(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return {&kCsvUtf16};
   if (text.find('\0') != std::string_view::npos) return {&kCsvBinary};
+  if (IsJson(text)) return {&kCsvJson};
   if (text.find('\r') != std::string_view::npos && text.find('\n') == std::string_view::npos) return {&kCsvLineEnds};
   return {};
 }

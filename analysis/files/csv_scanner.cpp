@@ -20,8 +20,12 @@ bool IsBlank(const CsvRecord& record) { return !record.fault && record.fields.si
 
 }  // namespace
 
-CsvScanner::CsvScanner(std::string_view text, char separator)
-    : rest_(text), ends_{separator, '\n'}, blanks_(kBlanks.substr(0, separator == '\t' ? 2 : 3)) {
+CsvScanner::CsvScanner(std::string_view text, char separator, int line)
+    : size_(text.size()),
+      rest_(text),
+      ends_{separator, '\n'},
+      blanks_(kBlanks.substr(0, separator == '\t' ? 2 : 3)),
+      line_(line) {
   if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
 }
 

@@ -21,11 +21,13 @@ struct CsvRecord {
 /// text mark in front of it do not belong to it.
 class CsvScanner {
  public:
-  /// The text must outlive the scanner.
-  explicit CsvScanner(std::string_view text, char separator = ',');
+  /// The text must outlive the scanner; `line`: the number of its first.
+  explicit CsvScanner(std::string_view text, char separator = ',', int line = 1);
 
   /// Overwrites `record` with the next line that is not blank; false at the end.
   bool Next(CsvRecord& record);
+  /// Byte of the text behind the last record.
+  std::size_t at() const { return size_ - rest_.size(); }
 
  private:
   void ReadRecord(CsvRecord& record);
@@ -33,11 +35,12 @@ class CsvScanner {
   std::string ReadQuoted(CsvRecord& record);
   std::string_view Take(std::string_view until);
 
+  std::size_t size_;
   std::string_view rest_;
   /// End of a field.
   std::string ends_;
   std::string_view blanks_;
-  int line_ = 1;
+  int line_;
 };
 
 }  // namespace fourpost

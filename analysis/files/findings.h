@@ -20,7 +20,9 @@ inline const Finding kFileTooLarge{"file-too-large", Severity::kError, "larger t
 
 inline const Finding kCsvUtf16{"csv-utf-16", Severity::kError, "written in UTF-16", "save it as UTF-8"};
 inline const Finding kCsvBinary{"csv-binary", Severity::kError, "binary file, not text",
-                                "export the table as CSV, or as MAT and name it .mat"};
+                                "export the recording as CSV, MAT, RPC III, UFF, TDMS, MDF or HDF5"};
+inline const Finding kCsvJson{"csv-json", Severity::kError, "JSON, not a table",
+                              "export the recording as CSV, MAT, RPC III, UFF, TDMS, MDF or HDF5"};
 inline const Finding kCsvLineEnds{"csv-line-ends", Severity::kError, "lines end with CR alone",
                                   "save it with line ends of Unix (LF) or Windows (CRLF)"};
 inline const Finding kCsvEmpty{"csv-empty", Severity::kError, "empty file",
@@ -61,6 +63,35 @@ inline const Finding kMatNoVector{"mat-no-vector", Severity::kError, "MAT file h
                                   "save each channel as a variable of its own"};
 inline const Finding kMatVectorTwice{"mat-vector-twice", Severity::kError, "MAT file holds two vectors called '{}'",
                                      "rename one"};
+
+// Recordings of measurement systems.
+
+inline const Finding kChannelsInterpolated{
+    "channels-interpolated", Severity::kWarning,
+    "channels {} are interpolated to the fastest ones' {}, which is good up to about {}",
+    "record all channels at one rate if they matter above it"};
+inline const Finding kChannelsWithoutTimes{"channels-without-times", Severity::kWarning,
+                                           "channels without times are left out: {}",
+                                           "export them with a rate if they matter"};
+inline const Finding kNoCommonTime{"no-common-time", Severity::kError,
+                                   "channel '{}' begins at {}, when others have ended ({})",
+                                   "save channels that were recorded together"};
+inline const Finding kResponsesOfSeveralPoints{"responses-of-several-points", Severity::kError,
+                                               "frequency responses refer to several points: {}",
+                                               "export those of one reference as a file"};
+inline const Finding kResponsesDiffer{"responses-differ", Severity::kError,
+                                      "frequency response '{}' has other frequencies than '{}'",
+                                      "export responses with the same frequencies"};
+inline const Finding kResponseReference{
+    "response-reference", Severity::kError,
+    "frequency response '{}' refers to '{}' of unit '{}', not to a displacement, velocity or acceleration of a post",
+    "export responses to the motion of a post, with units"};
+inline const Finding kResponseUnit{"response-unit", Severity::kWarning,
+                                   "frequency response '{}' is left out: its unit is '{}'",
+                                   "export displacements, accelerations, forces or angular velocities with units"};
+inline const Finding kResponsesNone{"responses-none", Severity::kError,
+                                    "no frequency response of a displacement, acceleration, force or angular velocity",
+                                    "export responses with their units"};
 
 // Columns of recordings.
 
@@ -127,6 +158,9 @@ inline const Finding kFieldNegative{"field-negative", Severity::kError, "{}: {} 
 inline const Finding kFieldNotEverywhere{"field-not-everywhere", Severity::kError,
                                          "{}: {} is missing, but is there at other frequencies",
                                          "fill it in for all of them or for none"};
+inline const Finding kAmplitudeMissing{"amplitude-missing", Severity::kError,
+                                       "frequency responses without the amplitude of the post",
+                                       "state it in the study, as in amplitude: 5 mm"};
 inline const Finding kAmplitudesDiffer{"amplitudes-differ", Severity::kError,
                                        "{}: post_amplitude_m is {}, but {} in {}", "a frequency has one amplitude"};
 inline const Finding kChannelTwice{"channel-twice", Severity::kError, "{}: the channel is there twice",

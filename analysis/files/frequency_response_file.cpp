@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -19,9 +20,11 @@
 namespace fourpost {
 namespace {
 
-constexpr std::array<std::string_view, 5> kRequired = {"frequency_Hz", "post_amplitude_m", "channel", "gain",
-                                                       "phase_deg"};
-constexpr std::array<std::string_view, 5> kOptional = {"gain_sd", "phase_sd_deg", "mean", "second_harmonic", "unit"};
+constexpr std::string_view kAmplitude = "post_amplitude_m";
+/// The first may be stated elsewhere.
+constexpr std::array<std::string_view, 5> kRequired = {kAmplitude, "frequency_Hz", "channel", "gain", "phase_deg"};
+constexpr std::array<std::string_view, 6> kOptional = {"gain_sd",         "phase_sd_deg", "mean",
+                                                       "second_harmonic", "unit",         kAmplitude};
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -77,8 +80,8 @@ std::string Join(const std::vector<std::string>& names) {
 
 class FrequencyResponseReader {
  public:
-  FrequencyResponseReader(const RecordedTable& table, Diagnostics& diagnostics)
-      : table_(table), diagnostics_(diagnostics) {}
+  FrequencyResponseReader(const RecordedTable& table, std::optional<double> amplitude_m, Diagnostics& diagnostics)
+      : table_(table), amplitude_m_(amplitude_m), diagnostics_(diagnostics) {}
 
   std::optional<FrequencyResponse> Read() {
     for (std::size_t row = 0; row < table_.rows(0); ++row) AddRow(row);
@@ -129,7 +132,8 @@ class FrequencyResponseReader {
   void AddRow(std::size_t row) {
     const std::string name = Text(row, "channel");
     const double frequency_Hz = ReadNumber(row, "frequency_Hz", Sign::kPositive);
-    const double amplitude_m = ReadNumber(row, "post_amplitude_m", Sign::kPositive);
+    const double amplitude_m =
+        table_.FindColumn(kAmplitude) ? ReadNumber(row, kAmplitude, Sign::kPositive) : *amplitude_m_;
     if (name.empty()) return Fault(kChannelNameless, row);
     ChannelRows& channel = FindChannel(name);
     if (!std::isnan(frequency_Hz)) AddToPoint(row, frequency_Hz, amplitude_m, channel);
@@ -146,9 +150,9 @@ class FrequencyResponseReader {
   void AddToPoint(std::size_t row, double frequency_Hz, double amplitude_m, const ChannelRows& channel) {
     Point& point = points_.emplace(frequency_Hz, Point{amplitude_m, row, {}}).first->second;
     if (amplitude_m != point.amplitude_m && !std::isnan(amplitude_m) && !std::isnan(point.amplitude_m))
-      Fault(kAmplitudesDiffer, row,
-            {PointOf(row), Text(row, "post_amplitude_m"), Text(point.first_row, "post_amplitude_m"),
-             table_.RowInWords(point.first_row)});
+      Fault(
+          kAmplitudesDiffer, row,
+          {PointOf(row), Text(row, kAmplitude), Text(point.first_row, kAmplitude), table_.RowInWords(point.first_row)});
     if (!point.channels.insert(channel.name).second) return Fault(kChannelTwice, row, {PointOf(row)});
     const std::optional<double> before =
         channel.rows.empty() ? std::nullopt : Number(channel.rows.back(), "frequency_Hz");
@@ -235,6 +239,7 @@ class FrequencyResponseReader {
   }
 
   const RecordedTable& table_;
+  std::optional<double> amplitude_m_;
   Diagnostics& diagnostics_;
   std::map<double, Point> points_;
   /// In the order of the file.
@@ -258,7 +263,8 @@ std::string RecordingsIn(const RecordedTable& table) {
 
 }  // namespace
 
-std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::path& file, Diagnostics& diagnostics) {
+std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                                       std::optional<double> amplitude_m) {
   const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics, CsvHeader::kNames);
   if (table && IsComparison(*table)) {
     diagnostics.Report(kComparisonAsRecording, {table->file(), 1}, {RecordingsIn(*table)});
@@ -268,8 +274,15 @@ std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::pa
     diagnostics.Report(kHistoryAsSteppedSine, {table->file(), table->names_line()});
     return std::nullopt;
   }
-  if (!table || !table->CheckColumns(kRequired, kOptional, diagnostics)) return std::nullopt;
-  return FrequencyResponseReader(*table, diagnostics).Read();
+  if (!table) return std::nullopt;
+  // Text files have a column for it.
+  if (!amplitude_m && !table->FindColumn(kAmplitude) && table->names_line() == 0 && IsSteppedSine(*table)) {
+    diagnostics.Report(kAmplitudeMissing, {table->file()});
+    return std::nullopt;
+  }
+  const std::span<const std::string_view> required(kRequired.begin() + (amplitude_m ? 1 : 0), kRequired.end());
+  if (!table->CheckColumns(required, kOptional, diagnostics)) return std::nullopt;
+  return FrequencyResponseReader(*table, amplitude_m, diagnostics).Read();
 }
 
 }  // namespace fourpost

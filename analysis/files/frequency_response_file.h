@@ -9,7 +9,8 @@
 namespace fourpost {
 
 /// Reads a stepped sine from text or a MAT file, see RecordedTable: one row per frequency and channel, the frequencies
-/// of a channel increasing.
+/// of a channel increasing; or the frequency responses of a universal file, see SteppedSineOf(). `amplitude_m` is that
+/// of the reference post where the file has no column of it.
 ///
 /// Columns: frequency_Hz, post_amplitude_m, channel, gain, phase_deg; and, if wanted, gain_sd, phase_sd_deg, mean,
 /// second_harmonic, unit. The response is gain * exp(i phase) per metre of the reference post; of an accelerometer it
@@ -23,6 +24,7 @@ namespace fourpost {
 /// phase, frequency or amplitude that is missing or not a number, any of them but the phase not above zero, a negative
 /// sd or second harmonic, frequencies that do not increase, two amplitudes at one frequency, a channel missing or twice
 /// at one frequency, a unit that is unknown, changes, or does not follow from the name. Nothing when there was one.
-std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::path& file, Diagnostics& diagnostics);
+std::optional<FrequencyResponse> ReadFrequencyResponse(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                                       std::optional<double> amplitude_m = std::nullopt);
 
 }  // namespace fourpost

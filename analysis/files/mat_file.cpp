@@ -1,7 +1,6 @@
 #include "analysis/files/mat_file.h"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "analysis/files/mat/mat_version4.h"
 #include "analysis/files/mat/mat_version5.h"
 #include "analysis/files/mat/mat_version73.h"
+#include "analysis/files/recording_format.h"
 #include "analysis/files/text_file.h"
 
 namespace fourpost {
@@ -115,17 +115,6 @@ class MatReader {
   bool good_ = true;
 };
 
-/// As far as the versions differ; empty for what is no file.
-std::string HeadOf(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return "";
-  std::string head(1024, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
-  return head;
-}
-
 /// By `read`, whose faults are the file's.
 template <typename ReadVariables>
 std::optional<std::vector<MatVector>> VectorsOf(const std::string& file, Diagnostics& diagnostics,
@@ -148,7 +137,7 @@ std::optional<std::vector<MatVector>> ParseMat(std::string_view bytes, const std
 
 std::optional<std::vector<MatVector>> ReadMatFile(const std::filesystem::path& file, Diagnostics& diagnostics) {
   // HDF5 reads what it needs of a file that may be larger than memory.
-  if (IsMatVersion73(HeadOf(file)))
+  if (IsMatVersion73(FileHead(file)))
     return VectorsOf(file.string(), diagnostics, [&] { return ReadMatVersion73(file); });
   const std::optional<std::string> bytes = ReadTextFile(file, diagnostics);
   if (!bytes) return std::nullopt;

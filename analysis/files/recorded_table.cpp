@@ -3,19 +3,42 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <utility>
 
 #include "analysis/files/findings.h"
+#include "analysis/files/hdf5/hdf5_file.h"
+#include "analysis/files/mat/mat_version5.h"
+#include "analysis/files/mat/mat_version73.h"
+#include "analysis/files/recorded_unit.h"
+#include "analysis/files/recording/memory_recording.h"
+#include "analysis/files/recording/recording_fault.h"
+#include "analysis/files/recording_format.h"
+#include "analysis/files/response_functions.h"
+#include "analysis/files/time_stamp.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {
 
+/// False for what HDF5 cannot read, which is a fault of the HDF5 file then.
+bool IsWrittenByMatlab(const std::filesystem::path& file) {
+  try {
+    return IsOfMatlab(file);
+  } catch (const RecordingFault&) {
+    return false;
+  }
+}
+
+/// By its content, or of version 4 by its name.
 bool IsMatFile(const std::filesystem::path& file) {
+  const std::string head = FileHead(file);
+  if (IsMatVersion5(head) || head.starts_with("MATLAB 7.3")) return true;
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending == ".mat";
+  return ending == ".mat" ? !IsRecordingFile(file) || IsMatVersion73(head) : IsHdf5(head) && IsWrittenByMatlab(file);
 }
 
 }  // namespace
@@ -24,6 +47,7 @@ RecordedTable::RecordedTable(CsvTable csv) : file_(csv.file()), names_(csv.names
   units_.resize(names_.size());
   csv_ = std::move(csv);
   NumberColumns();
+  ReadTimeStamps();
 }
 
 RecordedTable::RecordedTable(std::string file, std::vector<MatVector> vectors)
@@ -35,6 +59,27 @@ RecordedTable::RecordedTable(std::string file, std::vector<MatVector> vectors)
   NumberColumns();
 }
 
+RecordedTable::RecordedTable(std::string file, RecordingColumns columns)
+    : file_(std::move(file)), names_(columns.names()), units_(columns.units()), recording_(std::move(columns)) {
+  NumberColumns();
+}
+
+void RecordedTable::ReadTimeStamps() {
+  for (std::size_t column = 0; column < names_.size(); ++column) {
+    const std::optional<TimeStamp> first = csv_->rows() == 0 ? std::nullopt : ParseTimeStamp(csv_->Text(0, column));
+    if (!first) continue;
+    std::vector<std::optional<double>>& seconds = stamps_s_[column];
+    for (std::size_t row = 0; row < csv_->rows(); ++row) {
+      const std::string& text = csv_->Text(row, column);
+      const std::optional<TimeStamp> stamp = ParseTimeStamp(text);
+      seconds.push_back(stamp          ? std::optional(stamp->After(*first))
+                        : text.empty() ? std::optional(std::numeric_limits<double>::quiet_NaN())
+                                       : std::nullopt);
+    }
+    units_[column] = "s";
+  }
+}
+
 void RecordedTable::NumberColumns() {
   for (std::size_t column = 0; column < names_.size(); ++column) columns_.emplace(names_[column], column);
 }
@@ -44,7 +89,7 @@ std::optional<std::size_t> RecordedTable::FindColumn(std::string_view name) cons
   return found == columns_.end() ? std::nullopt : std::optional(found->second);
 }
 
-bool RecordedTable::HoldsText(std::size_t column) const { return !csv_ && !vectors_[column].texts.empty(); }
+bool RecordedTable::HoldsText(std::size_t column) const { return !vectors_.empty() && !vectors_[column].texts.empty(); }
 
 bool RecordedTable::CheckColumns(std::span<const std::string_view> required, std::span<const std::string_view> optional,
                                  Diagnostics& diagnostics) const {
@@ -84,32 +129,90 @@ void RecordedTable::Report(const Finding& kind, std::size_t row, const std::vect
 
 std::size_t RecordedTable::rows(std::size_t column) const {
   if (csv_) return csv_->rows();
+  if (recording_) return recording_->rows(column);
   return std::max(vectors_[column].values.size(), vectors_[column].texts.size());
 }
 
 std::optional<double> RecordedTable::Number(std::size_t row, std::size_t column) const {
+  if (const auto stamps = stamps_s_.find(column); stamps != stamps_s_.end()) return stamps->second[row];
   if (csv_) return csv_->Number(row, column);
   if (HoldsText(column)) return std::nullopt;
-  const double number = vectors_[column].values[row];
+  const double number = recording_ ? recording_->Column(column)[row] : vectors_[column].values[row];
   return std::isinf(number) ? std::nullopt : std::optional(number);
 }
 
 std::string RecordedTable::Text(std::size_t row, std::size_t column) const {
   if (csv_) return csv_->Text(row, column);
-  return HoldsText(column) ? vectors_[column].texts[row] : FormatNumber(vectors_[column].values[row]);
+  if (HoldsText(column)) return vectors_[column].texts[row];
+  return FormatNumber(recording_ ? recording_->Column(column)[row] : vectors_[column].values[row]);
 }
 
 std::string RecordedTable::WhereUnitsStand(const std::string& name, const std::string& such) const {
   if (csv_) return "in a line below the names, or behind the name, as in '" + name + " [" + such + "]'";
+  if (recording_) return "as that of the channel in the file";
   return "as a text '" + name + "_unit' in the file";
 }
 
+namespace {
+
+/// Of columns that read their file when they are asked for.
+std::optional<RecordedTable> TableOf(std::shared_ptr<const RecordingFile> recording, const std::string& file,
+                                     Diagnostics& diagnostics) {
+  if (const auto* universal = dynamic_cast<const UniversalFile*>(recording.get());
+      universal != nullptr && !universal->responses().empty()) {
+    std::optional<std::vector<MatVector>> responses = SteppedSineOf(*universal, file, diagnostics);
+    if (!responses) return std::nullopt;
+    return RecordedTable(file, *std::move(responses));
+  }
+  Diagnostics found;
+  RecordingColumns columns(std::move(recording), file, found);
+  diagnostics.Add(found);
+  if (found.HasErrors()) return std::nullopt;
+  return RecordedTable(file, std::move(columns));
+}
+
+/// Of a text in which each channel has its times before it.
+std::shared_ptr<const RecordingFile> WithTimesPerChannel(const CsvTable& csv, Diagnostics& diagnostics) {
+  Recording recording = {.format = "text", .description = ""};
+  for (std::size_t column = 0; column < csv.columns(); column += 2) {
+    const auto has_number = [&](std::size_t row) {
+      return !csv.Text(row, column).empty() && !csv.Text(row, column + 1).empty();
+    };
+    const std::optional<Unit> unit = csv.units().empty() ? std::nullopt : ParseRecordedUnit(csv.units()[column]);
+    RecordingChannel channel = {.name = csv.names()[column + 1],
+                                .unit = csv.units().empty() ? "" : csv.units()[column + 1]};
+    const std::vector<double> times = csv.Numbers(column, diagnostics);
+    const std::vector<double> values = csv.Numbers(column + 1, diagnostics);
+    for (std::size_t row = 0; row < csv.rows(); ++row) {
+      // Channels of other lengths end with empty fields.
+      if (!has_number(row)) continue;
+      channel.times_s.push_back(times[row] * (unit && unit->dimension == kTime ? unit->si : 1));
+      channel.values.push_back(values[row]);
+    }
+    if (!channel.values.empty()) recording.channels.push_back(std::move(channel));
+  }
+  return std::make_shared<MemoryRecording>(std::move(recording));
+}
+
+}  // namespace
+
 std::optional<RecordedTable> ReadRecordedTable(const std::filesystem::path& file, Diagnostics& diagnostics,
                                                CsvHeader header) {
-  if (!IsMatFile(file)) {
+  const bool is_mat = IsMatFile(file);
+  if (!is_mat && IsRecordingFile(file)) {
+    std::shared_ptr<const RecordingFile> recording = OpenRecording(file, diagnostics);
+    if (!recording) return std::nullopt;
+    return TableOf(std::move(recording), file.string(), diagnostics);
+  }
+  if (!is_mat) {
     std::optional<CsvTable> csv = ReadCsv(file, diagnostics, header);
     if (!csv) return std::nullopt;
-    return RecordedTable(*std::move(csv));
+    if (!csv->has_times_per_channel()) return RecordedTable(*std::move(csv));
+    Diagnostics faults;
+    std::shared_ptr<const RecordingFile> recording = WithTimesPerChannel(*csv, faults);
+    diagnostics.Add(faults);
+    if (faults.HasErrors()) return std::nullopt;
+    return TableOf(std::move(recording), file.string(), diagnostics);
   }
   std::optional<std::vector<MatVector>> vectors = ReadMatFile(file, diagnostics);
   if (!vectors) return std::nullopt;

@@ -14,6 +14,7 @@ namespace {
 
 /// NaN for what is no finite number.
 std::vector<double> Values(const RecordedTable& table, std::size_t column) {
+  if (table.recording() != nullptr) return table.recording()->Recorded(column);
   std::vector<double> values(table.rows(column));
   for (std::size_t row = 0; row < values.size(); ++row)
     values[row] = table.Number(row, column).value_or(std::numeric_limits<double>::quiet_NaN());
@@ -81,6 +82,7 @@ ColumnSummary SummariseColumn(const RecordedTable& table, std::size_t column) {
   summary.unit_known = ParseRecordedUnit(summary.unit).has_value();
   std::vector<double> values = Values(table, column);
   summary.samples = values.size();
+  if (table.recording() != nullptr) summary.rate_Hz = table.recording()->rate_Hz(column);
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (std::isfinite(values[row])) continue;
     if (summary.missing++ == 0) summary.first_missing = row;

@@ -8,7 +8,7 @@
 
 namespace fourpost {
 
-/// What a column of a recording looks like, in its own unit.
+/// What a column of a recording looks like, in its own unit and at its own rate.
 struct ColumnSummary {
   std::string name;
   /// As written; empty where the file has none.
@@ -16,6 +16,8 @@ struct ColumnSummary {
   /// Whether ParseRecordedUnit knows it.
   bool unit_known = false;
   std::size_t samples = 0;
+  /// Of its own, of a recording of a measurement system; else 0.
+  double rate_Hz = 0;
   /// Samples without a finite number; the first of them.
   std::size_t missing = 0;
   std::size_t first_missing = 0;

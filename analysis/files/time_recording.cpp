@@ -41,12 +41,12 @@ class RecordReader {
     const std::vector<double> times = Column(time);
     times_good_ = good_;
     TimeRecording recording;
-    for (const RecordedChannel& channel : wanted) recording.channels.push_back(Column(channel));
-    // Times that were no numbers have been reported.
-    if (times_good_) {
-      recording.step_s = Step(times);
-      CheckLengths(wanted, times.size(), recording);
+    std::vector<std::size_t> lengths;
+    for (const RecordedChannel& channel : wanted) {
+      recording.channels.push_back(Column(channel));
+      lengths.push_back(recording.channels.back().size());
     }
+    recording.step_s = CheckTimes(wanted, times, lengths);
     if (!good_) return std::nullopt;
     recording.start_s = times.front();
     recording.end_s = times.back();
@@ -55,7 +55,27 @@ class RecordReader {
     return recording;
   }
 
+  /// Keeps no channel.
+  void Check(std::span<const RecordedChannel> wanted, const RecordedChannel& time) {
+    const std::vector<double> times = Column(time);
+    times_good_ = good_;
+    std::vector<std::size_t> lengths;
+    for (const RecordedChannel& channel : wanted) lengths.push_back(Column(channel).size());
+    CheckTimes(wanted, times, lengths);
+  }
+
  private:
+  /// Their step; 0 for times that were no numbers, which have been reported.
+  double CheckTimes(std::span<const RecordedChannel> wanted, const std::vector<double>& times,
+                    const std::vector<std::size_t>& lengths) {
+    if (!times_good_) return 0;
+    const double step = Step(times);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (lengths[i] > 0 && lengths[i] != times.size())
+        Fault(kSamplesDiffer, 0, {wanted[i].names.front(), std::to_string(lengths[i]), std::to_string(times.size())});
+    return step;
+  }
+
   void Fault(const Finding& kind, int line, const std::vector<std::string>& words = {}) {
     diagnostics_.Report(kind, {table_.file(), line}, words);
     good_ = false;
@@ -118,12 +138,6 @@ class RecordReader {
     // Times that are in a unit of something else.
     else Fault(kTimeSwapped, line, {name, channel.what, text, wanted, others.front()});
     return 1;
-  }
-
-  void CheckLengths(std::span<const RecordedChannel> wanted, std::size_t samples, const TimeRecording& recording) {
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-      if (const std::size_t size = recording.channels[i].size(); size > 0 && size != samples)
-        Fault(kSamplesDiffer, 0, {wanted[i].names.front(), std::to_string(size), std::to_string(samples)});
   }
 
   /// What a channel has beyond the record is not known: all are cut alike.
@@ -221,7 +235,24 @@ class RecordReader {
   bool times_good_ = true;
 };
 
+/// `read` with a reader of the table; a fault that a file shows only then is one of its findings.
+template <typename Read>
+auto Reading(const RecordedTable& table, Diagnostics& diagnostics, const Read& read) {
+  RecordReader reader(table, diagnostics);
+  try {
+    return read(reader);
+  } catch (const FaultyInput& faulty) {
+    diagnostics.Add(faulty.diagnostics());
+    return decltype(read(reader))();
+  }
+}
+
 }  // namespace
+
+void CheckTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
+                        const RecordedChannel& time) {
+  Reading(table, diagnostics, [&](RecordReader& reader) { reader.Check(wanted, time); });
+}
 
 std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file,
                                                std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
@@ -232,7 +263,7 @@ std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file
     diagnostics.Report(kSteppedSineAsHistory, {table->file(), table->names_line()});
     return std::nullopt;
   }
-  return RecordReader(*table, diagnostics).Read(wanted, time);
+  return Reading(*table, diagnostics, [&](RecordReader& reader) { return reader.Read(wanted, time); });
 }
 
 }  // namespace fourpost

@@ -11,6 +11,8 @@
 
 namespace fourpost {
 
+class RecordedTable;
+
 /// A column that is wanted from a recording.
 struct RecordedChannel {
   /// The first that the file has is read; messages call it by the first.
@@ -27,7 +29,8 @@ struct RecordedChannel {
 };
 
 /// The column of times unless a study names another.
-inline const RecordedChannel kTimeColumn{{"time", "Time", "TIME", "t"}, kTime, "the time of each sample"};
+inline const RecordedChannel kTimeColumn{
+    {"time", "Time", "TIME", "t", "timestamp", "Timestamp", "datetime", "DateTime"}, kTime, "the time of each sample"};
 
 /// Signals sampled at once and evenly.
 struct TimeRecording {
@@ -43,12 +46,16 @@ struct TimeRecording {
   double time_s(std::size_t sample) const { return start_s + step_s * static_cast<double>(sample); }
 };
 
-/// Reads a recording from text or a MAT file, see RecordedTable: times, and the columns wanted. Other columns do not
+/// Reads a recording from any file that RecordedTable reads: times, and the columns wanted. Other columns do not
 /// count. What delays leave unknown at the ends is cut off. Reports all of: columns that are missing, that have no
 /// unit, one that is unknown or of another dimension, fields that are no numbers, fewer than four samples, gaps, times
 /// that step back or are not evenly spaced. Nothing when there was one.
 std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file,
                                                std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
                                                const RecordedChannel& time = kTimeColumn);
+
+/// Reports what ReadTimeRecording would of a table, and keeps no channel: the record may be larger than memory.
+void CheckTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
+                        const RecordedChannel& time = kTimeColumn);
 
 }  // namespace fourpost

@@ -58,7 +58,8 @@ void RequireStudyFile(const std::filesystem::path& file) {
 
 void RequireTable(const std::filesystem::path& file) {
   const FileKind kind = KindOf(file);
-  if (kind != FileKind::kTable && kind != FileKind::kUnknown) RefuseKind(file, kind, "a recording (.csv, .mat)");
+  if (kind != FileKind::kTable && kind != FileKind::kUnknown)
+    RefuseKind(file, kind, "a recording (.csv, .mat, .rsp, .uff, .tdms, .mf4, .lvm, .h5)");
 }
 
 bool MayBeRecording(const std::filesystem::path& file, Diagnostics& faults) {
@@ -69,7 +70,8 @@ bool MayBeRecording(const std::filesystem::path& file, Diagnostics& faults) {
     case FileKind::kFolder: faults.Report(kFolderForRecording, {file.string()}); return false;
     case FileKind::kPicture:
     case FileKind::kResult:
-      faults.Report(kFileOfOtherKind, {file.string()}, {Called(kind), "a recording (.csv, .mat)"});
+      faults.Report(kFileOfOtherKind, {file.string()},
+                    {Called(kind), "a recording (.csv, .mat, .rsp, .uff, .tdms, .mf4, .lvm, .h5)"});
       return false;
     case FileKind::kTable:
     case FileKind::kUnknown: break;

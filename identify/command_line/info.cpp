@@ -28,12 +28,17 @@ const RecordingViewer* ViewerOf(const RecordedTable& table) {
 
 std::optional<Described> Describe(const std::filesystem::path& file, Diagnostics& faults) {
   if (!MayBeRecording(file, faults)) return std::nullopt;
-  const std::optional<RecordedTable> table = ReadRecordedTable(file, faults);
-  const RecordingViewer* viewer = table ? ViewerOf(*table) : nullptr;
-  if (viewer == nullptr) return std::nullopt;
-  std::optional<RecordingLook> look = viewer->look(file, *table, faults);
-  if (!look) return std::nullopt;
-  return Described{file.string(), *std::move(look)};
+  try {
+    const std::optional<RecordedTable> table = ReadRecordedTable(file, faults);
+    const RecordingViewer* viewer = table ? ViewerOf(*table) : nullptr;
+    if (viewer == nullptr) return std::nullopt;
+    std::optional<RecordingLook> look = viewer->look(file, *table, faults);
+    if (!look) return std::nullopt;
+    return Described{file.string(), *std::move(look)};
+  } catch (const FaultyInput& faulty) {
+    faults.Add(faulty.diagnostics());
+    return std::nullopt;
+  }
 }
 
 std::string AllText(const std::vector<Described>& files) {
@@ -62,6 +67,7 @@ int Run(const InfoCommand& command) {
   if (!files.empty() && command.json) Print(AllJson(files));
   else if (!files.empty()) PrintText(AllText(files));
   if (faults.HasErrors()) throw FaultyInput(faults);
+  Tell(faults);
   return kGood;
 }
 

@@ -7,6 +7,7 @@
 #include "analysis/files/recorded_unit.h"
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
+#include "analysis/text/utf8.h"
 #include "identify/experiments/findings.h"
 
 namespace fourpost {
@@ -16,6 +17,14 @@ using Json = nlohmann::ordered_json;
 
 struct OverTime {
   RecordingSummary summary;
+  /// Of a recording of a measurement system, "RPC III"; else empty.
+  std::string format;
+  std::string description;
+  bool has_several_rates = false;
+  /// Of each column, as far as its file has them.
+  std::vector<std::string> groups;
+  std::vector<std::string> points;
+  std::size_t samples = 0;
   /// Lines of the rows that lack a number first, a column each; 0 where none does and of a MAT file.
   std::vector<int> missing_lines;
   /// Why a fit to its channels would not take it.
@@ -38,8 +47,8 @@ void AddLengths(const RecordingSummary& summary, const RecordedTable& table, std
   Diagnostics faults;
   const std::size_t samples = table.rows(*table.FindColumn(summary.time->column));
   for (const ColumnSummary& column : summary.columns)
-    if (!column.unit_known && column.samples != samples)
-      faults.Report(kChannelLength, {}, {column.name, std::to_string(column.samples), std::to_string(samples)});
+    if (const std::size_t rows = table.rows(*table.FindColumn(column.name)); !column.unit_known && rows != samples)
+      faults.Report(kChannelLength, {}, {column.name, std::to_string(rows), std::to_string(samples)});
   for (const Diagnostic& fault : faults.items()) refusals.push_back(RefusalText(fault));
 }
 
@@ -94,25 +103,55 @@ std::string TimesText(const RecordingSummary& summary) {
   return text;
 }
 
-std::string TextOf(const OverTime& content) {
-  TextTable table({"channel", "unit", "minimum", "maximum", "mean", "rms", "level", "remarks"});
-  const std::vector<ColumnSummary>& columns = content.summary.columns;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const ColumnSummary& c = columns[i];
-    table.Add({c.name, c.unit, Rounded(c.minimum, 4), Rounded(c.maximum, 4), Rounded(c.mean, 4), Rounded(c.rms, 4),
-               Rounded(c.level, 2), Joined(Remarks(c, content.missing_lines[i]))});
+/// One of all says nothing.
+bool IsShown(const std::vector<std::string>& places) {
+  return std::any_of(places.begin(), places.end(), [&](const std::string& place) { return place != places.front(); });
+}
+
+TextTable ChannelsTable(const OverTime& content) {
+  std::vector<std::string> names = {"channel", "unit", "minimum", "maximum", "mean", "rms", "level", "remarks"};
+  if (IsShown(content.points)) names.insert(names.begin() + 2, "point");
+  if (IsShown(content.groups)) names.insert(names.begin() + 2, "group");
+  if (content.has_several_rates) names.insert(names.begin() + 2, "rate");
+  TextTable table(names);
+  for (std::size_t i = 0; i < content.summary.columns.size(); ++i) {
+    const ColumnSummary& c = content.summary.columns[i];
+    std::vector<std::string> row = {c.name,
+                                    c.unit,
+                                    Rounded(c.minimum, 4),
+                                    Rounded(c.maximum, 4),
+                                    Rounded(c.mean, 4),
+                                    Rounded(c.rms, 4),
+                                    Rounded(c.level, 2),
+                                    Joined(Remarks(c, content.missing_lines[i]))};
+    if (IsShown(content.points)) row.insert(row.begin() + 2, content.points[i]);
+    if (IsShown(content.groups)) row.insert(row.begin() + 2, content.groups[i]);
+    if (content.has_several_rates) row.insert(row.begin() + 2, Rounded(c.rate_Hz, 5) + " Hz");
+    table.Add(row);
   }
+  return table;
+}
+
+/// "RPC III: LIVING ROOM", each line of the description one.
+std::string OriginText(const OverTime& content) {
+  if (content.format.empty()) return "";
+  return content.format + (content.description.empty() ? "" : ": " + content.description) + '\n';
+}
+
+std::string TextOf(const OverTime& content) {
   std::string refusals;
   for (const std::string& refusal : content.refusals) refusals += "  " + refusal + '\n';
   if (!refusals.empty()) refusals = "a fit refuses this recording:\n" + refusals;
-  const std::size_t samples = columns.empty() ? 0 : columns.front().samples;
-  return "time history, " + std::to_string(samples) + " samples, " + TimesText(content.summary) + table.Format() +
+  return "time history, " + std::to_string(content.samples) + " samples, " + TimesText(content.summary) +
+         OriginText(content) + ChannelsTable(content).Format() +
          "rms: about the mean; level: smallest difference between two values\n" + refusals;
 }
 
 Json JsonOf(const OverTime& content) {
   Json json = {
       {"kind", "time_history"}, {"time", nullptr}, {"channels", Json::array()}, {"refusals", content.refusals}};
+  if (!content.format.empty()) json["format"] = content.format;
+  if (!content.description.empty()) json["description"] = ValidUtf8(content.description);
   if (const std::optional<TimeSummary>& time = content.summary.time) {
     Json gaps = Json::array();
     for (const TimeGap& gap : time->gaps)
@@ -127,6 +166,7 @@ Json JsonOf(const OverTime& content) {
                                 {"unit", c.unit},
                                 {"unit_known", c.unit_known},
                                 {"samples", c.samples},
+                                {"rate_Hz", c.rate_Hz > 0 ? Json(c.rate_Hz) : Json()},
                                 {"missing", c.missing},
                                 {"minimum", c.minimum},
                                 {"maximum", c.maximum},
@@ -136,6 +176,10 @@ Json JsonOf(const OverTime& content) {
                                 {"clipped_top", c.clipped_top},
                                 {"clipped_bottom", c.clipped_bottom},
                                 {"remarks", Remarks(c, content.missing_lines[i])}});
+    if (!content.groups.empty() && !content.groups[i].empty())
+      json["channels"].back()["group"] = ValidUtf8(content.groups[i]);
+    if (!content.points.empty() && !content.points[i].empty())
+      json["channels"].back()["point"] = ValidUtf8(content.points[i]);
   }
   return json;
 }
@@ -158,13 +202,26 @@ std::vector<RecordedChannel> ChannelsInKnownUnits(const RecordedTable& table, co
 RecordingLook LookOverTime(const std::filesystem::path& file, const RecordedTable& table,
                            const RecordingSummary& summary, const std::vector<RecordedChannel>& channels,
                            const FurtherRefusals& further) {
-  OverTime content{.summary = summary};
+  OverTime content{.summary = summary, .samples = table.names().empty() ? 0 : table.rows(0)};
+  if (const RecordingColumns* recorded = table.recording()) {
+    content.format = recorded->header().format;
+    content.description = recorded->header().description;
+    content.has_several_rates = recorded->HasSeveralRates();
+    for (const ColumnSummary& column : summary.columns) {
+      const RecordingChannel& channel = *recorded->channel(*table.FindColumn(column.name));
+      content.groups.push_back(channel.group);
+      content.points.push_back(channel.point);
+    }
+  }
   if (!channels.empty()) {
     RecordedChannel time = kTimeColumn;
     if (summary.time) time.names = {summary.time->column};
     Diagnostics faults;
-    const std::optional<TimeRecording> recording = ReadTimeRecording(file, channels, faults, time);
-    for (const Diagnostic& fault : faults.items()) content.refusals.push_back(RefusalText(fault));
+    std::optional<TimeRecording> recording;
+    if (further) recording = ReadTimeRecording(file, channels, faults, time);
+    else CheckTimeRecording(table, channels, faults, time);
+    for (const Diagnostic& fault : faults.items())
+      if (fault.severity == Severity::kError) content.refusals.push_back(RefusalText(fault));
     if (recording)
       for (std::string& refusal : further(*recording)) content.refusals.push_back(std::move(refusal));
   }

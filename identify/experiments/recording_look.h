@@ -33,7 +33,7 @@ struct RecordingViewer {
 /// Columns with numbers in a unit that is known.
 std::vector<RecordedChannel> ChannelsInKnownUnits(const RecordedTable& table, const RecordingSummary& summary);
 
-/// Why a fit would not take a recording that the reader took.
+/// Why a fit would not take a recording that the reader took; empty where it takes all of them.
 using FurtherRefusals = std::function<std::vector<std::string>(const TimeRecording&)>;
 
 /// A table over time by its columns, and why a fit to these channels would not take it: by the reader that fits use,

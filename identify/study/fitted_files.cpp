@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <set>
+#include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -20,7 +21,10 @@ std::optional<std::string> DigestOf(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return std::nullopt;
   Sha256 digest;
-  digest.AddBytes(std::string(std::istreambuf_iterator<char>(stream), {}));
+  // A recording may be larger than memory.
+  std::string piece(std::size_t{1} << 20, '\0');
+  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) || stream.gcount() > 0)
+    digest.AddBytes(std::string_view(piece).substr(0, static_cast<std::size_t>(stream.gcount())));
   return digest.Hex();
 }
 

@@ -136,6 +136,37 @@ class Info(ProgramTest):
             self.assertTrue(outcome.stderr.endswith(f" [{finding}]\n"), outcome.stderr)
             self.assertEqual(outcome.stderr.count("\n"), 1, outcome.stderr)
 
+    def test_of_a_recording_of_rpc(self):
+        """By content: its name says CSV."""
+        name = self.folder / "run.csv"
+        name.write_bytes((SOURCE / "tests/data/recordings/test1.rsp").read_bytes())
+        told = json.loads(self.run_program("info", name, "--json").stdout)["files"][0]
+        self.assertEqual((told["kind"], told["format"], told["refusals"]), ("time_history", "RPC III", []))
+        self.assertAlmostEqual(told["time"]["rate_Hz"], 250)
+        self.assertEqual([channel["unit"] for channel in told["channels"]], ["N", "m/s^2", "N", "N", "mm"])
+        self.assertAlmostEqual(told["channels"][0]["rate_Hz"], 250)
+        # What another program wrote into the header of maximum and minimum, within its counts.
+        self.assertAlmostEqual(told["channels"][0]["maximum"], 241.96741, delta=0.02)
+        self.assertAlmostEqual(told["channels"][0]["minimum"], -220.72052, delta=0.02)
+        self.assertIn("RPC III: nCode File Creation", self.run_program("info", name).stdout)
+
+    def test_shows_the_rate_and_group_of_each_channel(self):
+        rows = [f"{k / 500},{k % 7},{k / 100},{k % 5}" for k in range(100)] + [f"{k / 500},{k % 7},," for k in range(100, 500)]
+        self.write("rates.csv", "\n".join(["Time,F,Time,z", "s,N,s,mm"] + rows) + "\n")
+        outcome = self.run_program("info", "rates.csv")
+        self.assert_finding(outcome.stderr, "channels-interpolated", "rates.csv:")
+        self.assertRegex(outcome.stdout, r"F +N +500 Hz")
+        self.assertRegex(outcome.stdout, r"z +mm +100 Hz")
+
+    def test_says_what_a_damaged_recording_lacks(self):
+        whole = (SOURCE / "tests/data/recordings/test1.rsp").read_bytes()
+        (self.folder / "cut.rsp").write_bytes(whole[:20000])
+        self.write("data.txt", '{"time": [0, 1]}')
+        outcome = self.run_program("info", "cut.rsp", "data.txt", code=3)
+        self.assert_finding(outcome.stderr, "recording-cut-short", "cut.rsp:")
+        self.assertIn("byte 9216", outcome.stderr)
+        self.assert_finding(outcome.stderr, "csv-json", "data.txt:")
+
     def test_shows_what_can_be_read_and_tells_the_rest(self):
         self.write("empty.csv", "")
         self.write("ragged.csv", "time,x\ns,m\n0,1\n1\n")

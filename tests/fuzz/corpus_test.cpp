@@ -39,16 +39,21 @@ TEST_P(FuzzedReader, StandsEveryFile) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, FuzzedReader,
-                         ::testing::Values(Fuzzed{"Vehicle",
-                                                  fourpost::FuzzVehicle,
-                                                  {"tests/fuzz/corpus/vehicle", "tests/data/broken", "urdf"}},
-                                           Fuzzed{"Mat", fourpost::FuzzMat, {"tests/fuzz/corpus/mat"}},
-                                           Fuzzed{"Table", fourpost::FuzzTable, {"tests/fuzz/corpus/table"}},
-                                           Fuzzed{"Study", fourpost::FuzzStudy, {"tests/fuzz/corpus/study"}},
-                                           Fuzzed{"Result", fourpost::FuzzResult, {"tests/fuzz/corpus/result"}},
-                                           Fuzzed{"Archive", fourpost::FuzzArchive, {"tests/fuzz/corpus/archive"}}),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    All, FuzzedReader,
+    ::testing::Values(
+        Fuzzed{"Vehicle", fourpost::FuzzVehicle, {"tests/fuzz/corpus/vehicle", "tests/data/broken", "urdf"}},
+        Fuzzed{"Mat", fourpost::FuzzMat, {"tests/fuzz/corpus/mat"}},
+        Fuzzed{"Table", fourpost::FuzzTable, {"tests/fuzz/corpus/table"}},
+        Fuzzed{"Rpc", fourpost::FuzzRpc, {"tests/fuzz/corpus/rpc"}},
+        Fuzzed{"Universal", fourpost::FuzzUniversal, {"tests/fuzz/corpus/universal", "tests/data/recordings"}},
+        Fuzzed{"Tdms", fourpost::FuzzTdms, {"tests/fuzz/corpus/tdms"}},
+        Fuzzed{"Mdf", fourpost::FuzzMdf, {"tests/fuzz/corpus/mdf"}},
+        Fuzzed{"Lvm", fourpost::FuzzLvm, {"tests/fuzz/corpus/lvm"}},
+        Fuzzed{"Study", fourpost::FuzzStudy, {"tests/fuzz/corpus/study"}},
+        Fuzzed{"Result", fourpost::FuzzResult, {"tests/fuzz/corpus/result"}},
+        Fuzzed{"Archive", fourpost::FuzzArchive, {"tests/fuzz/corpus/archive"}}),
+    [](const auto& test) { return test.param.name; });
 
 TEST(FuzzDictionary, KnowsEveryTagAndAttribute) {
   const std::string dictionary = fourpost::ReadText(kSource / "tests/fuzz/vehicle.dict");

@@ -17,6 +17,13 @@ void FuzzMat(const std::string& bytes);
 /// As a recording in text, by each of its readers.
 void FuzzTable(const std::string& bytes);
 
+/// As a recording of a measurement system, each by the reader of one format; see FuzzRecording(). HDF5 is not ours.
+void FuzzRpc(const std::string& bytes);
+void FuzzUniversal(const std::string& bytes);
+void FuzzTdms(const std::string& bytes);
+void FuzzMdf(const std::string& bytes);
+void FuzzLvm(const std::string& bytes);
+
 /// As a study beside a vehicle and a recording, which are read with it.
 void FuzzStudy(const std::string& bytes);
 

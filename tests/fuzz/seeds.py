@@ -193,8 +193,147 @@ def archive(name, layout):
     database.close()
 
 
+# Formats of measurement systems.
+
+def rpc(form, kind, data):
+    keys = {"FORMAT": form, "NUM_HEADER_BLOCKS": 4, "NUM_PARAMS": 14, "DATA_TYPE": kind, "DELTA_T": "2.0E-03",
+            "PTS_PER_FRAME": 4, "PTS_PER_GROUP": 8, "CHANNELS": 2, "FRAMES": 3, "HALF_FRAMES": 0, "DESC.CHAN_1": "FL",
+            "UNITS.CHAN_1": "mm", "SCALE.CHAN_1": 0.5, "SCALE.CHAN_2": 2}
+    header = b"".join(key.encode().ljust(32, b"\0") + str(value).encode().ljust(96, b"\0")
+                      for key, value in keys.items())
+    return header.ljust(2048, b"\0") + data
+
+
+def rpc_files():
+    counts = [k % 12 for k in range(32)]
+    write("rpc/little", rpc("BINARY_IEEE_LITTLE_END", "SHORT_INTEGER", struct.pack("<32h", *counts)))
+    write("rpc/big", rpc("BINARY_IEEE_BIG_END", "FLOATING_POINT", struct.pack(">32f", *counts)))
+    write("rpc/text", rpc("ASCII", "SHORT_INTEGER", b"\n".join(b"%d %d" % (k, -k) for k in counts)))
+
+
+def function(kind, type_of_data, samples, even, data, head="58"):
+    quantity = 18 if kind == 4 else 17
+    return (f"    -1\n{head:>6}\nforce\nNONE\nNONE\nNONE\nNONE\n{kind:5}{1:10}{1:5}{0:10} {'F':10}{7:10}{3:4} "
+            f"{'post':10}{1:10}{3:4}\n{type_of_data:10}{samples:10}{even:10}  0.00000E+00  1.00000E-02  0.00000E+00\n"
+            f"{quantity:10}    0    0    0 {'NONE':20} {'NONE':20}\n{13:10}    0    1    0 {'force':20} {'N':20}\n"
+            f"{8 if kind == 4 else 0:10}    1    0    0 {'NONE':20} {'m':20}\n{0:10}    0    0    0 {'NONE':20} {'NONE':20}\n"
+            ).encode() + data + b"\n    -1\n"
+
+
+def universal_files():
+    write("universal/text", b"    -1\n   151\nrig\nNONE\n    -1\n" +
+          b"    -1\n   164\n         1SI                           2\n  1.0D+00  1.0D+00  1.0D+00\n  2.7D+02\n    -1\n" +
+          function(1, 2, 3, 1, b"  1.00000E+00 -2.00000E+00  3.00000E+000"))
+    write("universal/binary", function(1, 4, 3, 0, struct.pack("<6d", 0, 1, 0.1, 2, 0.3, 3),
+                                       "58b     1     2          11          48     0     0           0           0"))
+    write("universal/big", function(1, 2, 3, 1, struct.pack(">3f", 1, 2, 3),
+                                    "58b     2     2          11          12     0     0           0           0"))
+    write("universal/response", function(4, 5, 2, 1, b"  1.00000E+00  2.00000E+00  3.00000E+00 -4.00000E+00"))
+
+
+def segment(objects, data, mask=0xE, order="<"):
+    def words(words_):
+        return struct.pack(order + "I", len(words_)) + words_.encode()
+
+    meta = struct.pack(order + "I", len(objects)) if objects else b""
+    for path, index, properties in objects:
+        meta += words(path) + (struct.pack(order + "I", index) if isinstance(index, int) else
+                               struct.pack(order + "IIIQ", 20, index[0], 1, index[1]))
+        meta += struct.pack(order + "I", len(properties))
+        for name, value in properties.items():
+            meta += words(name) + (struct.pack(order + "I", 0x20) + words(value) if isinstance(value, str) else
+                                   struct.pack(order + "Id", 10, value) if isinstance(value, float) else
+                                   struct.pack(order + "II", 7, value))
+    return b"TDSm" + struct.pack("<I", mask) + struct.pack(order + "IQQ", 4713, len(meta + data), len(meta)) + meta + data
+
+
+def tdms_files():
+    linear = {"NI_Number_Of_Scales": 1, "NI_Scale[0]_Scale_Type": "Linear", "NI_Scale[0]_Linear_Slope": 2.0,
+              "NI_Scale[0]_Linear_Y_Intercept": 1.0}
+    pair = [("/", 0xFFFFFFFF, {"name": "run"}), ("/'g'/'F'", (10, 2), {"wf_increment": 0.01, "unit_string": "N"}),
+            ("/'g'/'z'", (2, 2), linear)]
+    write("tdms/segments", segment(pair, struct.pack("<2d2h", 1, 2, 3, 4) * 2) +
+          segment([], struct.pack("<2d2h", 5, 6, 7, 8), 0x8) + segment([("/'g'/'F'", 0, {})], struct.pack("<2d", 9, 10)))
+    write("tdms/interleaved", segment(pair, struct.pack("<dhdh", 1, 3, 2, 4), 0x2E))
+    write("tdms/big", segment(pair, struct.pack(">2d2h", 1, 2, 3, 4), 0x4E, ">"))
+    write("tdms/stamps", segment([("/'g'/'t'", (0x44, 2), {})], struct.pack("<QqQq", 0, 5, 1 << 63, 6)))
+
+
+class Mdf4:
+    """Blocks one behind the other."""
+
+    def __init__(self):
+        self.bytes = bytearray(b"MDF     4.10    seed".ljust(64 + 104, b"\0"))
+
+    def add(self, name, links, data):
+        self.bytes += bytes(-len(self.bytes) % 8)
+        at = len(self.bytes)
+        self.bytes += self.block(name, links, data)
+        return at
+
+    @staticmethod
+    def block(name, links, data):
+        return (b"##" + name + bytes(4) + struct.pack(f"<QQ{len(links)}Q", 24 + 8 * len(links) + len(data), len(links), *links)
+                + data)
+
+    def channel(self, following, name, kind, type_of_data, byte, bits, conversion=0):
+        text = self.add(b"TX", [], name + b"\0")
+        return self.add(b"CN", [following, 0, text, 0, conversion, 0, 0, 0],
+                        struct.pack("<4BII", kind, kind == 2, type_of_data, 0, byte, bits) + bytes(60))
+
+    def file(self, data, cycles=4):
+        linear = self.add(b"CC", [0] * 4, struct.pack("<BBHHHdd2d", 1, 0, 0, 0, 2, 0, 0, 100, 0.5))
+        channels = self.channel(self.channel(0, b"z", 0, 2, 8, 16, linear), b"t", 2, 4, 0, 64)
+        group = self.add(b"CG", [0, channels, 0, 0, 0, 0], struct.pack("<QQQII", 0, cycles, 0, 10, 0))
+        group = self.add(b"DG", [0, group, data, 0], bytes(8))
+        self.bytes[64:168] = self.block(b"HD", [group, 0, 0, 0, 0, 0], bytes(32))
+        return bytes(self.bytes)
+
+
+def mdf_files():
+    records = b"".join(struct.pack("<dh", 0.1 * k, -10 * k) for k in range(4))
+    plain = Mdf4()
+    write("mdf/plain", plain.file(plain.add(b"DT", [], records)))
+    deflated = Mdf4()
+    columns = zlib.compress(bytes(records[r * 10 + c] for c in range(10) for r in range(4)))
+    block = deflated.add(b"DZ", [], b"DT" + struct.pack("<BBIQQ", 1, 0, 10, len(records), len(columns)) + columns)
+    block = deflated.add(b"DL", [0, block], bytes(16))
+    write("mdf/packed", deflated.file(deflated.add(b"HL", [block], bytes(8))))
+    old = bytearray(b"MDF     3.30    seed".ljust(64, b"\0"))
+
+    def add(name, content):
+        at = len(old)
+        old.extend(name + struct.pack("<H", len(content) + 4) + content)
+        return at
+
+    add(b"HD", bytes(12) + struct.pack("<H", 1) + bytes(138))
+    linear = add(b"CC", bytes(18) + b"mm".ljust(20, b"\0") + struct.pack("<HHdd", 0, 2, 100, 0.5))
+    z = add(b"CN", struct.pack("<5IH32s128sHHHH24xIIH", 0, linear, 0, 0, 0, 0, b"z", b"", 64, 16, 1, 0, 0, 0, 0))
+    t = add(b"CN", struct.pack("<5IH32s128sHHHH24xIIH", z, 0, 0, 0, 0, 1, b"t", b"", 0, 64, 3, 0, 0, 0, 0))
+    group = add(b"CG", struct.pack("<IIIHHHI", 0, t, 0, 0, 2, 10, 4))
+    data = len(old)
+    old.extend(records)
+    group = add(b"DG", struct.pack("<IIIIHHI", 0, group, 0, data, 1, 0, 0))
+    old[68:72] = struct.pack("<I", group)
+    write("mdf/version3", bytes(old))
+
+
+def lvm_files():
+    head = "LabVIEW Measurement\t\nSeparator\tTab\nDecimal_Separator\t.\n***End_of_Header***\t\n\t\n"
+    part = ("Channels\t2\t\nY_Unit_Label\tkN\tmm\nX0\t0\t0\nDelta_X\t0.001\t0.001\n***End_of_Header***\t\n"
+            "X_Value\tF\tz\tComment\n0\t1\t2\n0.001\t3\t4\thit\n\n")
+    write("lvm/parts", head + part + part.replace("X0\t0\t0", "X0\t1\t1"))
+    write("lvm/times", head + part.replace("X_Value\tF\tz", "X_Value\tF\tX_Value\tz")
+          .replace("\n0\t1\t2", "\n0\t1\t0\t2").replace("3\t4", "3\t0.001\t4"))
+
+
 if __name__ == "__main__":
     mat_files()
+    rpc_files()
+    universal_files()
+    tdms_files()
+    mdf_files()
+    lvm_files()
     tables()
     studies()
     results()

@@ -20,7 +20,9 @@ std::vector<RecordedChannel> BenchChannels(const RecordedTable& table, const Rec
 }
 
 bool IsOfBench(const RecordedTable& table) {
-  return !IsSteppedSine(table) && !BenchChannels(table, Summarise(table)).empty();
+  // A bench has few channels, and many would take long to look at.
+  constexpr std::size_t kMost = 16;
+  return table.names().size() <= kMost && !IsSteppedSine(table) && !BenchChannels(table, Summarise(table)).empty();
 }
 
 /// By the check of bench recordings.

@@ -144,7 +144,8 @@ std::vector<ExperimentFile> FourPost::Files() const {
 }
 
 void FourPost::CheckFiles(Diagnostics& diagnostics) const {
-  for (const StudyRecording& recording : plan.recordings) ReadFrequencyResponse(recording.file, diagnostics);
+  for (const StudyRecording& recording : plan.recordings)
+    ReadFrequencyResponse(recording.file, diagnostics, recording.amplitude_m);
 }
 
 void FourPost::Load(const Subject& subject, Diagnostics& diagnostics) {

@@ -124,7 +124,8 @@ class DataLoader {
   }
 
   void LoadRun(const StudyRecording& recording) {
-    const std::optional<FrequencyResponse> measured = ReadFrequencyResponse(recording.file, diagnostics_);
+    const std::optional<FrequencyResponse> measured =
+        ReadFrequencyResponse(recording.file, diagnostics_, recording.amplitude_m);
     MeasuredRun run;
     run.name = recording.name;
     run.excitation.shape = Shape(recording);

@@ -25,6 +25,8 @@ struct StudyRecording {
   std::optional<std::string> pattern;
   /// Of which the table holds the mean and the standard deviation of one; 1: deviations are those of the mean.
   int repeats = 1;
+  /// Of the reference post, where the file does not have it.
+  std::optional<double> amplitude_m = std::nullopt;
   int line = 0;
 };
 

@@ -33,7 +33,8 @@ namespace {
 
 std::vector<std::string> ChannelsIn(const std::filesystem::path& recording) {
   Diagnostics diagnostics;
-  const std::optional<FrequencyResponse> measured = ReadFrequencyResponse(recording, diagnostics);
+  // Names do not depend on the amplitude.
+  const std::optional<FrequencyResponse> measured = ReadFrequencyResponse(recording, diagnostics, 1.0);
   if (!measured) throw FaultyInput(diagnostics);
   std::vector<std::string> names;
   for (const ChannelResponse& channel : measured->channels) names.push_back(channel.name);

@@ -11,6 +11,9 @@
 namespace fourpost {
 namespace {
 
+/// Of posts that are moved at all.
+constexpr double kSmallestAmplitude_m = 1e-9;
+
 class FourPostReader {
  public:
   explicit FourPostReader(const StrictMap& study) : study_(study), file_(study.file()) { plan_.file = file_; }
@@ -34,13 +37,14 @@ class FourPostReader {
       return;
     }
     for (const YAML::Node& entry : list) {
-      const StrictMap map = Map(entry, "the recording", {"name", "file", "posts", "repeats"});
+      const StrictMap map = Map(entry, "the recording", {"name", "file", "posts", "repeats", "amplitude"});
       StudyRecording recording;
       recording.line = map.line();
       map.Require("file");
       if (const auto file = map.Text("file")) recording.file = study_.Resolve(*file);
       recording.name = map.Text("name").value_or(recording.file.stem().string());
       recording.repeats = static_cast<int>(map.Integer("repeats", 1, 1000).value_or(1));
+      recording.amplitude_m = map.Quantity("amplitude", kLength, kSmallestAmplitude_m);
       if (const YAML::Node posts = map.Require("posts"); posts.IsDefined()) ReadPosts(posts, recording);
       for (const StudyRecording& other : plan_.recordings)
         if (other.name == recording.name) Fault(entry, kSineTwice, {recording.name});

@@ -40,11 +40,16 @@ std::string GainUnit(const ChannelResponse& channel) {
   return channel.unit == "m/s^2" ? "1" : channel.unit == "m" ? "m/m" : channel.unit + "/m";
 }
 
-std::string TextOf(const FrequencyResponse& response) {
+std::string AmplitudeText(const FrequencyResponse& response, bool has_amplitude) {
+  if (!has_amplitude) return "post amplitude not stated: state it in the study, as in amplitude: 5 mm";
   const auto [least, most] = std::minmax_element(response.amplitude_m.begin(), response.amplitude_m.end());
+  return "post amplitude " + Rounded(1e3 * *least, 3) + " to " + Rounded(1e3 * *most, 3) + " mm";
+}
+
+std::string TextOf(const FrequencyResponse& response, bool has_amplitude) {
   std::string text = "stepped sine, " + std::to_string(response.frequency_Hz.size()) + " frequencies from " +
                      Rounded(response.frequency_Hz.front(), 4) + " to " + Rounded(response.frequency_Hz.back(), 4) +
-                     " Hz, post amplitude " + Rounded(1e3 * *least, 3) + " to " + Rounded(1e3 * *most, 3) + " mm\n";
+                     " Hz, " + AmplitudeText(response, has_amplitude) + '\n';
   TextTable table({"channel", "gain", "minimum", "maximum", "sd of repeats", "mean offset"});
   for (const ChannelResponse& channel : response.channels) {
     const GainRange range = GainsOf(channel);
@@ -55,7 +60,7 @@ std::string TextOf(const FrequencyResponse& response) {
   return text + table.Format();
 }
 
-Json JsonOf(const FrequencyResponse& response) {
+Json JsonOf(const FrequencyResponse& response, bool has_amplitude) {
   Json channels = Json::array();
   for (const ChannelResponse& channel : response.channels) {
     const GainRange range = GainsOf(channel);
@@ -69,14 +74,21 @@ Json JsonOf(const FrequencyResponse& response) {
   }
   return {{"kind", "stepped_sine"},
           {"frequency_Hz", response.frequency_Hz},
-          {"post_amplitude_m", response.amplitude_m},
+          {"post_amplitude_m", has_amplitude ? Json(response.amplitude_m) : Json()},
           {"channels", channels}};
 }
 
-std::optional<RecordingLook> LookAt(const std::filesystem::path& file, const RecordedTable&, Diagnostics& faults) {
-  const std::optional<FrequencyResponse> response = ReadFrequencyResponse(file, faults);
+std::optional<RecordingLook> LookAt(const std::filesystem::path& file, const RecordedTable& table,
+                                    Diagnostics& faults) {
+  // That of universal files is known to the study alone; what the table itself lacked has been reported.
+  const bool has_amplitude = table.FindColumn("post_amplitude_m") || table.names_line() > 0;
+  Diagnostics found;
+  const std::optional<FrequencyResponse> response =
+      ReadFrequencyResponse(file, found, has_amplitude ? std::nullopt : std::optional(1.0));
+  for (const Diagnostic& finding : found.items())
+    if (finding.severity == Severity::kError) faults.Add(finding);
   if (!response) return std::nullopt;
-  return RecordingLook{TextOf(*response), JsonOf(*response)};
+  return RecordingLook{TextOf(*response, has_amplitude), JsonOf(*response, has_amplitude)};
 }
 
 }  // namespace

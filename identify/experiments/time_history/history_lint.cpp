@@ -16,14 +16,14 @@ namespace fourpost {
 namespace {
 
 using Cause = HistoryRemark::Cause;
-using Recording = std::span<const HistoryMisfit>;
+using MisfitsOfOne = std::span<const HistoryMisfit>;
 
 bool Has(const std::vector<HistoryRemark>& remarks, Cause cause) {
   return std::any_of(remarks.begin(), remarks.end(), [&](const HistoryRemark& other) { return other.cause == cause; });
 }
 
 /// Of two that are not synchronised with each other it is the one that is farther from all others against the model.
-HistoryRemark PointRemark(const PointDelay& point, Recording fitted) {
+HistoryRemark PointRemark(const PointDelay& point, MisfitsOfOne fitted) {
   const HistoryMisfit& z = fitted[point.displacement];
   const HistoryMisfit& a = fitted[point.acceleration];
   const double common_s = CommonDelay(fitted).value_or(0);
@@ -42,7 +42,7 @@ HistoryRemark PointRemark(const PointDelay& point, Recording fitted) {
 /// Of one recording.
 class HistoryLinter {
  public:
-  HistoryLinter(Recording fitted, const RemediedErrors& fitted_errors, Recording start,
+  HistoryLinter(MisfitsOfOne fitted, const RemediedErrors& fitted_errors, MisfitsOfOne start,
                 const RemediedErrors& start_errors, double sample_s)
       : fitted_(fitted),
         start_(start),
@@ -82,7 +82,7 @@ class HistoryLinter {
 
   /// Of the channel that is the odd one out for the fitted values too, where that explains more.
   std::vector<HistoryRemark> AtStart() const {
-    const auto named = [](Recording recording, const std::string& name) {
+    const auto named = [](MisfitsOfOne recording, const std::string& name) {
       return *std::find_if(recording.begin(), recording.end(), [&](const auto& other) { return other.name == name; });
     };
     std::vector<HistoryRemark> start = RemarksOn({start_.begin(), start_.end()}, sample_s_, start_errors_);
@@ -95,8 +95,8 @@ class HistoryLinter {
                : std::vector<HistoryRemark>();
   }
 
-  Recording fitted_;
-  Recording start_;
+  MisfitsOfOne fitted_;
+  MisfitsOfOne start_;
   const RemediedErrors& start_errors_;
   double sample_s_;
   std::vector<HistoryRemark> remarks_;
@@ -144,8 +144,8 @@ void LintHistories(const std::string& study_file, const std::vector<StudyHistory
   std::size_t first = 0;
   for (const MeasuredHistory& history : histories) {
     const std::size_t count = history.signals.size();
-    HistoryLinter linter(Recording(misfits).subspan(first, count), fitted_errors,
-                         Recording(start).subspan(first, count), start_errors, 1 / history.rate_Hz);
+    HistoryLinter linter(MisfitsOfOne(misfits).subspan(first, count), fitted_errors,
+                         MisfitsOfOne(start).subspan(first, count), start_errors, 1 / history.rate_Hz);
     const auto entry = std::find_if(stated.begin(), stated.end(),
                                     [&](const StudyHistory& other) { return other.name == history.name; });
     for (const HistoryRemark& remark : linter.Remarks(PointDelays(vehicle, history)))

@@ -10,8 +10,7 @@ bool IsOverTime(const RecordedTable& table) { return !IsSteppedSine(table); }
 
 std::optional<RecordingLook> LookAt(const std::filesystem::path& file, const RecordedTable& table, Diagnostics&) {
   const RecordingSummary summary = Summarise(table);
-  const auto none = [](const TimeRecording&) { return std::vector<std::string>(); };
-  return LookOverTime(file, table, summary, ChannelsInKnownUnits(table, summary), none);
+  return LookOverTime(file, table, summary, ChannelsInKnownUnits(table, summary), {});
 }
 
 }  // namespace

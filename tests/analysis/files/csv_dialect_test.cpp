@@ -92,8 +92,9 @@ TEST(CsvDialectFault, RowsOfAnotherLength) {
 }
 
 TEST(CsvDialectFault, LinesAboveTheNames) {
-  std::string rows = "time,F,x\ns,N,m\n";
-  for (int i = 0; i < 100; ++i) rows += "0," + std::to_string(i) + ",2\n";
+  // Rows that begin with words do not show where the table begins.
+  std::string rows = "quantity,F,x\n-,N,m\n";
+  for (int i = 0; i < 100; ++i) rows += "load," + std::to_string(i) + ",2\n";
   EXPECT_THAT(Faults("Recorder 7\nof Monday\n" + rows), ReportsOnly(kCsvLinesAboveNames, 1, {"1", "3"}));
   Diagnostics diagnostics;
   EXPECT_FALSE(ParseCsv("Recorder,7\n" + rows, "t.csv", diagnostics));

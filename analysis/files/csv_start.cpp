@@ -1,0 +1,94 @@
+#include "analysis/files/csv_start.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "analysis/files/csv_scanner.h"
+#include "analysis/files/time_stamp.h"
+#include "analysis/text/number.h"
+
+namespace fourpost {
+namespace {
+
+/// Lines above a table are fewer.
+constexpr std::size_t kMostLines = 300;
+constexpr std::size_t kFewestRows = 3;
+
+bool IsMeasured(std::string field) {
+  std::replace(field.begin(), field.end(), ',', '.');
+  return ParseNumber(field).has_value() || ParseTimeStamp(field).has_value();
+}
+
+struct LineOfText {
+  /// Byte behind the line before.
+  std::size_t at = 0;
+  /// Without those that are empty behind the last.
+  std::size_t fields = 0;
+  bool is_row = false;
+  /// Has no number.
+  bool is_header = false;
+};
+
+LineOfText LineOf(const CsvRecord& record, std::size_t at) {
+  LineOfText line = {.at = at};
+  const std::vector<std::string>& fields = record.fields;
+  const auto is_empty = [](const std::string& field) { return field.empty(); };
+  const auto last = std::find_if_not(fields.rbegin(), fields.rend(), is_empty);
+  line.fields = static_cast<std::size_t>(fields.rend() - last);
+  const auto first = std::find_if_not(fields.begin(), fields.end(), is_empty);
+  line.is_row = first != fields.end() && IsMeasured(*first);
+  line.is_header = std::none_of(fields.begin(), fields.end(), IsMeasured);
+  return line;
+}
+
+std::vector<LineOfText> LinesOf(std::string_view text, char separator) {
+  std::vector<LineOfText> lines;
+  CsvScanner scanner(text, separator);
+  CsvRecord record;
+  std::size_t at = scanner.at();
+  while (lines.size() < kMostLines && scanner.Next(record)) {
+    lines.push_back(LineOf(record, at));
+    at = scanner.at();
+  }
+  return lines;
+}
+
+struct TablePlace {
+  std::size_t columns = 0;
+  std::size_t names = 0;
+  std::size_t at = 0;
+};
+
+/// By the first rows with one number of fields, which no line right above them has without being their header.
+std::optional<TablePlace> TableIn(const std::vector<LineOfText>& lines) {
+  for (std::size_t i = 1; i + kFewestRows <= lines.size(); ++i) {
+    const std::size_t columns = lines[i].fields;
+    const auto is_row = [&](const LineOfText& line) { return line.is_row && line.fields == columns; };
+    const auto first = lines.begin() + static_cast<std::ptrdiff_t>(i);
+    if (columns < 2 || !std::all_of(first, first + kFewestRows, is_row)) continue;
+    // A column of comments may have a name and nothing below it.
+    const auto is_header = [&](std::size_t k) {
+      return lines[k].is_header && (lines[k].fields == columns || lines[k].fields == columns + 1);
+    };
+    if (!is_header(i - 1)) return std::nullopt;
+    const std::size_t names = i > 1 && is_header(i - 2) ? i - 2 : i - 1;
+    return TablePlace{columns, names, lines[names].at};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<CsvStart> StartBelowLines(std::string_view text) {
+  std::optional<TablePlace> widest;
+  for (const char separator : {'\t', ';', ','})
+    if (const std::optional<TablePlace> found = TableIn(LinesOf(text, separator));
+        found && (!widest || found->columns > widest->columns))
+      widest = found;
+  if (!widest || widest->names == 0) return std::nullopt;
+  const std::size_t at = widest->at;
+  return CsvStart{at,
+                  1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'))};
+}
+
+}  // namespace fourpost

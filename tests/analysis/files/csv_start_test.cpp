@@ -1,0 +1,77 @@
+#include "analysis/files/csv_start.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/files/csv.h"
+#include "analysis/files/findings.h"
+#include "tests/findings.h"
+
+namespace fourpost {
+namespace {
+
+using ::testing::ElementsAre;
+
+CsvTable Parse(std::string_view text) {
+  Diagnostics diagnostics;
+  std::optional<CsvTable> table = ParseCsv(text, "t.csv", diagnostics, CsvHeader::kNamesAndUnits);
+  if (!table) throw std::runtime_error(diagnostics.Format());
+  return *table;
+}
+
+TEST(CsvStart, IsBelowLinesOfOtherKinds) {
+  const CsvTable table =
+      Parse("Logger 7\nRate: 500 Hz\nOperator;Max\n\ntime;F [kN];z\ns;kN;mm\n0;1,5;2\n1;2,5;3\n2;3,5;4\n");
+  EXPECT_THAT(table.names(), ElementsAre("time", "F [kN]", "z"));
+  EXPECT_THAT(table.units(), ElementsAre("s", "kN", "mm"));
+  EXPECT_EQ(table.names_line(), 5);
+  EXPECT_EQ(table.line(0), 7);
+  EXPECT_EQ(table.Number(0, 1), 1.5);
+}
+
+TEST(CsvStart, MayHoldLinesWithAsManyFields) {
+  const CsvTable table = Parse("Rate,500\nChannels,2\ntime [s],F [N]\n0,1\n1,2\n2,3\n");
+  EXPECT_THAT(table.names(), ElementsAre("time", "F"));
+  EXPECT_EQ(table.rows(), 3);
+}
+
+TEST(CsvStart, IsTheFirstLineOfAPlainTable) {
+  EXPECT_FALSE(StartBelowLines("time,F\n0,1\n1,2\n2,3\n"));
+  EXPECT_FALSE(StartBelowLines("time,F\ns,N\n0,1\n1,2\n2,3\n"));
+  EXPECT_FALSE(StartBelowLines("quantity,value\nmass,1\nlength,2\nwidth,3\n"));
+}
+
+TEST(CsvInTheWild, MayMarkItsNamesAsAComment) {
+  EXPECT_THAT(Parse("# time [s],F [N]\n0,1\n1,2\n").names(), ElementsAre("time", "F"));
+}
+
+TEST(CsvInTheWild, MayEndLinesWithSeparatorsAndHoldEmptyColumns) {
+  const CsvTable table = Parse("time,,F,,\ns,,N,,\n0,,1,,\n1,,2,\n2,,3\n");
+  EXPECT_THAT(table.names(), ElementsAre("time", "F"));
+  EXPECT_THAT(table.units(), ElementsAre("s", "N"));
+  EXPECT_EQ(table.Number(2, 1), 3);
+}
+
+TEST(CsvInTheWild, ColumnWithoutANameMayNotHoldAnything) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(ParseCsv("time,,F\n0,,1\n1,5,2\n", "t.csv", diagnostics));
+  EXPECT_THAT(diagnostics, ReportsOnly(kCsvColumnNameless, 1, {"2"}));
+}
+
+TEST(CsvInTheWild, MayNameCommentsThatRowsDoNotHave) {
+  const CsvTable table = Parse("time\tF\tComment\ns\tN\t\n0\t1\n1\t2\tbump\n2\t3\n");
+  EXPECT_EQ(table.rows(), 3);
+  EXPECT_EQ(table.Text(1, 2), "bump");
+  EXPECT_EQ(table.Text(2, 2), "");
+}
+
+TEST(CsvInTheWild, JsonIsRefusedByName) {
+  for (const char* text : {"{\"time\": [0, 1]}", "[\n {\"t\": 0},\n {\"t\": 1}\n]", "[0, 1, 2]"}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(ParseCsv(text, "t.csv", diagnostics)) << text;
+    EXPECT_THAT(diagnostics, ReportsOnly(kCsvJson, 0));
+  }
+}
+
+}  // namespace
+}  // namespace fourpost

@@ -1,0 +1,42 @@
+#include "analysis/files/universal/universal_writer.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "tests/analysis/files/byte_writer.h"
+
+namespace fourpost {
+namespace {
+
+TEST(UniversalWriter, RoundTripIsBitEqual) {
+  Recording recording = {.format = "", .description = "run 3"};
+  recording.channels.push_back(
+      {.name = "a_hub", .unit = "m/s^2", .step_s = 0.002, .values = {std::numbers::pi, -1e-300, 1.0 / 3}});
+  // A step that five decimals do not hold, and a name that no field but the description does.
+  recording.channels.push_back(
+      {.name = "tyre force of the left front wheel", .unit = "N", .start_s = 0.1, .step_s = 1.0 / 3, .values = {1, 2}});
+  recording.channels.push_back({.name = "jittered", .unit = "", .values = {5, 6, 7}, .times_s = {0, 0.1, 0.25}});
+  const Recording again = ReadBytes(UniversalBytes(recording));
+  ASSERT_EQ(again.channels.size(), 3);
+  EXPECT_EQ(again.description.substr(0, 5), "run 3");
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(again.channels[i].name, recording.channels[i].name);
+    EXPECT_EQ(again.channels[i].unit, recording.channels[i].unit);
+    EXPECT_EQ(again.channels[i].values, recording.channels[i].values);
+  }
+  EXPECT_EQ(again.channels[0].step_s, 0.002);
+  EXPECT_EQ(again.channels[1].times_s, (std::vector<double>{0.1, 0.1 + 1.0 / 3}));
+  EXPECT_EQ(again.channels[2].times_s, recording.channels[2].times_s);
+}
+
+TEST(UniversalWriter, RefusesChannelsWithoutValuesOrTimes) {
+  EXPECT_THROW(UniversalBytes({}), std::invalid_argument);
+  Recording recording = {.format = "", .description = "", .channels = {{.name = "a", .unit = "m", .values = {1, 2}}}};
+  EXPECT_THROW(UniversalBytes(recording), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fourpost

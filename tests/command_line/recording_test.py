@@ -1,0 +1,83 @@
+"""A study of recordings in the formats of measurement systems answers as one of CSV."""
+import csv
+import json
+import struct
+import unittest
+
+from program import SOURCE, ProgramTest
+
+DAMPER = SOURCE / "studies/damper"
+
+
+def columns(file):
+    """Names, units and columns of a CSV of numbers."""
+    rows = list(csv.reader(file.open()))
+    return rows[0], rows[1], [[float(field) for field in column] for column in zip(*rows[2:])]
+
+
+def universal(names, units, values, step):
+    """Data sets 58b of double precision, which hold the numbers of a CSV bit for bit."""
+    sets = b""
+    for name, unit, numbers in zip(names, units, values):
+        data = struct.pack(f"<{len(numbers)}d", *numbers)
+        axis = f"    0    0    0 {'NONE':20} "
+        sets += (f"    -1\n{'58b':>6}{1:6}{2:6}{11:12}{len(data):12}{0:6}{0:6}{0:12}{0:12}\n{name}\nNONE\nNONE\nNONE\nNONE\n"
+                 f"{1:5}{1:10}{1:5}{0:10} {name[:10]:10}{0:10}{0:4} {'NONE':10}{0:10}{0:4}\n"
+                 f"{4:10}{len(numbers):10}{1:10}{0:13.5E}{step:13.5E}{0:13.5E}\n{17:10}{axis}{'s':20}\n"
+                 f"{0:10}{axis}{unit:20}\n{0:10}{axis}{'NONE':20}\n{0:10}{axis}{'NONE':20}\n").encode() + data + b"\n    -1\n"
+    return sets
+
+
+def rpc(names, units, values, step):
+    """RPC III of floats."""
+    frames = -(-len(values[0]) // 256)
+    groups = -(-frames // 8)
+    keys = {"FORMAT": "BINARY_IEEE_BIG_END", "NUM_HEADER_BLOCKS": 4, "NUM_PARAMS": 13, "FILE_TYPE": "TIME_HISTORY",
+            "DATA_TYPE": "FLOATING_POINT", "DELTA_T": step, "PTS_PER_FRAME": 256, "PTS_PER_GROUP": 2048,
+            "CHANNELS": len(names), "FRAMES": frames}
+    for i, (name, unit) in enumerate(zip(names, units), 1):
+        keys |= {f"DESC.CHAN_{i}": name, f"UNITS.CHAN_{i}": unit}
+    file = b"".join(key.encode().ljust(32, b"\0") + str(value).encode().ljust(96, b"\0") for key, value in keys.items())
+    file = file.ljust(2048, b"\0")
+    for group in range(groups):
+        for numbers in values:
+            padded = numbers + [numbers[-1]] * (2048 * groups - len(numbers))
+            file += struct.pack(">2048f", *padded[2048 * group:2048 * (group + 1)])
+    return file
+
+
+class Recordings(ProgramTest):
+    def channels(self, name):
+        told = json.loads(self.run_program("info", name, "--json").stdout)["files"][0]
+        return [{key: channel[key] for key in ("name", "unit", "minimum", "maximum", "mean", "rms", "level")}
+                for channel in told["channels"]]
+
+    def test_universal_file_is_the_csv_bit_for_bit(self):
+        names, units, values = columns(DAMPER / "sweep.csv")
+        self.write("sweep.uff", universal(names[1:], units[1:], values[1:], 0.002))
+        self.assertEqual(self.channels("sweep.uff"), self.channels(DAMPER / "sweep.csv"))
+
+    def test_study_of_a_universal_file_answers_as_that_of_a_csv(self):
+        names, units, values = columns(DAMPER / "sweep.csv")
+        self.write("sweep.uff", universal(names[1:], units[1:], values[1:], 0.002))
+        for part in ("model1.urdf", "sweep.csv"):
+            self.write(part, (DAMPER / part).read_bytes())
+        study = "vehicle: model1.urdf\nbench: {damper: damper, recordings: [sweep.csv]}\nsearch: {seed: 1, evaluations: 50}\n"
+        self.write("csv.yaml", study)
+        self.write("uff.yaml", study.replace("sweep.csv", "sweep.uff"))
+        self.assertEqual(json.loads(self.run_program("response", "csv.yaml", "--json").stdout)["recordings"][0]["nmse_percent"],
+                         json.loads(self.run_program("response", "uff.yaml", "--json").stdout)["recordings"][0]["nmse_percent"])
+
+    def test_drive_file_of_rpc_moves_the_posts(self):
+        heights = [0.01 * (1 - abs(k - 256) / 256) for k in range(512)]
+        self.write("drive.drv", rpc(["post"], ["m"], [heights], 0.005))
+        rows = "".join(f"{0.005 * k!r},{struct.unpack('f', struct.pack('f', height))[0]!r}\n" for k, height in enumerate(heights))
+        self.write("drive.csv", "time,post\ns,m\n" + rows)
+        answers = [self.run_program("simulate", SOURCE / "urdf/quarter_car.urdf", "--recording", name).stdout
+                   for name in ("drive.drv", "drive.csv")]
+        self.assertGreater(len(answers[0].splitlines()), 500)
+        self.assertEqual(*answers)
+
+
+if __name__ == "__main__":
+    unittest.main()
