@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "analysis/numerics/decompositions.h"
@@ -17,6 +18,8 @@ using Kind = RigFault::Kind;
 constexpr std::size_t kMostFaults = 4;
 /// By which the scores of two explanations must differ to be told apart: three standard deviations.
 constexpr double kApart = 9;
+/// And by which share: sizes of large faults are only nearly additive.
+constexpr double kShareApart = 0.1;
 
 /// Of the best explanations by derivatives, for which the size is sought.
 constexpr std::size_t kRefined = 12;
@@ -51,7 +54,7 @@ struct Explanation {
 class Stand {
  public:
   Stand(const AuditSubject& subject, const RigTolerance& tolerance, const std::vector<RigFault>& faults)
-      : subject_(subject), equations_(subject, tolerance), faults_(faults) {
+      : subject_(subject), tolerance_(tolerance), equations_(subject, tolerance), faults_(faults) {
     Solve();
     AddDirections();
   }
@@ -66,8 +69,14 @@ class Stand {
   /// Fall of the sum of squares by the size that the derivative at no fault gives.
   Explanation By(std::size_t fault) const {
     const auto j = static_cast<Eigen::Index>(fault);
-    if (faults_[fault].kind == Kind::kExchange)
-      return {.fault = fault, .fall = Squares() - SquaresOf(RestOf(Corrected(subject_, faults_[fault], 0)))};
+    const RigFault& one = faults_[fault];
+    if (one.kind == Kind::kExchange) {
+      const AuditSubject exchanged = Corrected(subject_, one, 0);
+      // Rates of tyres follow their load cells, far beyond derivatives.
+      const bool moves_unknowns = one.where == RigFault::Where::kCells;
+      const Eigen::VectorXd rest = moves_unknowns ? Stand(exchanged, tolerance_, {}).rest() : RestOf(exchanged);
+      return {.fault = fault, .fall = Squares() - SquaresOf(rest)};
+    }
     if (!(information_[j] > 0)) return {.fault = fault};
     const double size = gradient_[j] / information_[j];
     return {.fault = fault, .size = size, .variance = 1 / information_[j], .fall = gradient_[j] * size};
@@ -140,6 +149,7 @@ class Stand {
   }
 
   void AddDirections() {
+    if (faults_.empty()) return;
     const auto count = static_cast<Eigen::Index>(faults_.size());
     const Eigen::VectorXd here = equations_.Misclosures(subject_, unknowns_);
     directions_.setZero(rest_.size(), count);
@@ -170,8 +180,9 @@ class Stand {
   }
 
   AuditSubject subject_;
+  RigTolerance tolerance_;
   AuditEquations equations_;
-  const std::vector<RigFault>& faults_;
+  std::vector<RigFault> faults_;
   Eigen::VectorXd unknowns_;
   Eigen::MatrixXd slopes_;
   Eigen::VectorXd scale_;
@@ -207,7 +218,7 @@ Suspicion SuspicionOf(const std::vector<Explanation>& all, const std::vector<Rig
   found.sd = std::sqrt(std::max(0.0, noise * (best.variance - allowed * allowed)));
   for (std::size_t i = 1; i < all.size(); ++i) {
     const double score = all[i].fall / noise;
-    if (found.score - score < kApart) found.rivals.push_back({faults[all[i].fault], all[i].size, score});
+    if (found.score - score < std::max(kApart, kShareApart * found.score)) found.rivals.push_back({faults[all[i].fault], all[i].size, score});
     else {
       found.next_score = score;
       break;

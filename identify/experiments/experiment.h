@@ -114,6 +114,8 @@ class Experiment {
   virtual void Check(const Subject&, Severity wrong_posts, Diagnostics&) const { (void)wrong_posts; }
   /// Its recordings for an audit of the rig, which needs no fit.
   virtual void AddRecordings(AuditedVehicle&) const {}
+  /// Whether they are such that an audit is worth while.
+  virtual bool IsAudited() const { return false; }
   /// Plausibility after a fit that was not interrupted, as warnings.
   virtual void CheckFit(const Subject&, const FitResult&, Diagnostics&) const {}
 

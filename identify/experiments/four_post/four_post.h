@@ -31,6 +31,7 @@ class FourPost : public Experiment {
   bool MeasuresForce() const override;
   void Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const override;
   void AddRecordings(AuditedVehicle& audited) const override;
+  bool IsAudited() const override { return !runs.empty(); }
   void CheckFit(const Subject& subject, const FitResult& fit, Diagnostics& diagnostics) const override;
   ExperimentResults Results(const Subject& subject, const FitResult& fit) const override;
   std::optional<ExperimentResults> Respond(const Subject& subject, std::optional<Engine> engine,
