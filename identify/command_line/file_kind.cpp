@@ -66,7 +66,7 @@ bool MayBeRecording(const std::filesystem::path& file, Diagnostics& faults) {
   const FileKind kind = KindOf(file);
   switch (kind) {
     case FileKind::kVehicle: faults.Report(kVehicleForRecording, {file.string()}); return false;
-    case FileKind::kStudy: faults.Report(kStudyForRecording, {file.string()}); return false;
+    case FileKind::kStudy:
     case FileKind::kFolder: faults.Report(kFolderForRecording, {file.string()}); return false;
     case FileKind::kPicture:
     case FileKind::kResult:
@@ -78,6 +78,8 @@ bool MayBeRecording(const std::filesystem::path& file, Diagnostics& faults) {
   }
   return true;
 }
+
+bool IsStudy(const std::filesystem::path& file) { return KindOf(file) == FileKind::kStudy; }
 
 bool IsStudyNotVehicle(const std::filesystem::path& file) {
   const FileKind kind = KindOf(file);

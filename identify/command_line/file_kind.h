@@ -14,6 +14,7 @@ void RequireStudyFile(const std::filesystem::path& file);
 void RequireTable(const std::filesystem::path& file);
 /// Reports a file that is no recording.
 bool MayBeRecording(const std::filesystem::path& file, Diagnostics& faults);
+bool IsStudy(const std::filesystem::path& file);
 /// Whether it is a study; else it is a vehicle file.
 bool IsStudyNotVehicle(const std::filesystem::path& file);
 

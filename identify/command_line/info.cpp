@@ -6,6 +6,8 @@
 #include "identify/command_line/file_kind.h"
 #include "identify/command_line/print.h"
 #include "identify/study/experiment_kinds.h"
+#include "identify/study/study_audit.h"
+#include "identify/study_file/warnings_json.h"
 
 namespace fourpost {
 namespace {
@@ -26,7 +28,21 @@ const RecordingViewer* ViewerOf(const RecordedTable& table) {
   return viewer;
 }
 
+/// A study: what its channels say of each other.
+std::optional<Described> DescribeStudy(const std::filesystem::path& file, Diagnostics& faults) {
+  const std::optional<LoadedStudy> study = LoadStudy(file, faults);
+  if (!study) return std::nullopt;
+  Diagnostics findings;
+  const std::optional<Audit> audit = AuditStudy(*study);
+  if (audit) ReportAudit(*study, *audit, Severity::kWarning, findings);
+  Json json = {{"kind", "study"}, {"audit", audit ? AuditJson(*audit) : Json()}, {"warnings", WarningsJson(findings)}};
+  std::string text = audit ? AuditText(*audit) : "a study without stepped sines on posts, which an audit needs\n";
+  for (const Diagnostic& finding : findings.ByWeight()) text += Format(finding) + '\n';
+  return Described{file.string(), {std::move(text), std::move(json)}};
+}
+
 std::optional<Described> Describe(const std::filesystem::path& file, Diagnostics& faults) {
+  if (IsStudy(file)) return DescribeStudy(file, faults);
   if (!MayBeRecording(file, faults)) return std::nullopt;
   try {
     const std::optional<RecordedTable> table = ReadRecordedTable(file, faults);

@@ -24,6 +24,7 @@
 
 namespace fourpost {
 
+class AuditedVehicle;
 struct FitResult;
 struct ParameterSpread;
 
@@ -111,6 +112,10 @@ class Experiment {
   virtual void Prepare(const Subject&, const WorkHooks&) {}
   /// Plausibility of the recordings, as warnings; posts that certainly move otherwise than stated as `wrong_posts`.
   virtual void Check(const Subject&, Severity wrong_posts, Diagnostics&) const { (void)wrong_posts; }
+  /// Its recordings for an audit of the rig, which needs no fit.
+  virtual void AddRecordings(AuditedVehicle&) const {}
+  /// Whether they are such that an audit is worth while.
+  virtual bool IsAudited() const { return false; }
   /// Plausibility after a fit that was not interrupted, as warnings.
   virtual void CheckFit(const Subject&, const FitResult&, Diagnostics&) const {}
 

@@ -9,8 +9,8 @@ namespace fourpost {
 
 inline const Finding kProfileUnknown{"profile-unknown", Severity::kError, "the study frees no parameter '{}'{}"};
 inline const Finding kPostsContradictStudy{"posts-contradict-study", Severity::kError,
-                                           "the recorded post motion contradicts the study",
-                                           "correct 'posts', or pass --accept-implausible"};
+                                           "the recordings contradict the study",
+                                           "correct what the errors name, or pass --accept-implausible"};
 inline const Finding kArchiveOfOtherState{
     "archive-of-other-state", Severity::kError,
     "cannot resume, because the evaluations in {} were made with another state of: {}",

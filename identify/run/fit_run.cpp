@@ -19,6 +19,7 @@
 #include "identify/study/experiment_kinds.h"
 #include "identify/study/findings.h"
 #include "identify/study/loaded_study.h"
+#include "identify/study/study_audit.h"
 #include "identify/study/study_context.h"
 #include "vehicles/reader/vehicle_file.h"
 
@@ -140,7 +141,7 @@ class Fitter {
     Diagnostics diagnostics;
     std::optional<LoadedStudy> loaded = LoadStudy(request_.study, diagnostics);
     if (!loaded) throw FaultyInput(diagnostics);
-    CheckRecordings(*loaded, request_.accept_implausible ? Severity::kWarning : Severity::kError, diagnostics);
+    audit_ = CheckRecordings(*loaded, request_.accept_implausible ? Severity::kWarning : Severity::kError, diagnostics);
     RequirePlausible(*loaded, diagnostics);
     Diagnostics others;
     for (const Diagnostic& item : diagnostics.items()) (IsAboutScale(item) ? held_ : others).Add(item);
@@ -225,6 +226,7 @@ class Fitter {
     ExperimentResults results;
     for (const Experiment& experiment : loaded.study.experiments) AddResults(experiment.Results(subject, fit), results);
     Keep(results.findings);
+    if (audit_) results.json["audit"] = AuditJson(*audit_);
     run.verdict = JudgeFit(fit, results.shares);
     const Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
     run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text);
@@ -246,6 +248,7 @@ class Fitter {
   const FitRequest& request_;
   const FitRunHooks& hooks_;
   Diagnostics warnings_;
+  std::optional<Audit> audit_;
   /// For the time when the data are known to determine the parameters.
   Diagnostics held_;
 };

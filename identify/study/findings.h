@@ -29,6 +29,37 @@ inline const Finding kScaleNotMeasured{
     "includes",
     "fit a tyre force or `static_loads`, or make sure of the fixed values", Weight::kGrave};
 
+// The rig, by what its channels say of each other: what is wrong, what else would explain it, how sure it is.
+
+inline const Finding kRigSign{"rig-sign", Severity::kError, "the sign is opposite: {}{} ({})",
+                              "write it with a minus sign in the study", Weight::kGrave};
+inline const Finding kRigExchanged{"rig-exchanged", Severity::kError, "channels are exchanged: {}{} ({})",
+                                   "exchange their names in the study", Weight::kGrave};
+inline const Finding kRigUnit{"rig-unit", Severity::kError, "the unit is wrong: {}{} ({}); this is the ratio of {}",
+                              "correct the unit or the scale", Weight::kGrave};
+inline const Finding kRigScale{"rig-scale", Severity::kWarning, "the other channels contradict a scale: {}{} ({})",
+                               "check its calibration", Weight::kGrave};
+inline const Finding kRigDelay{"rig-delay", Severity::kWarning, "the other channels contradict a time: {}{} ({})",
+                               "correct it by 'delay' in the study", Weight::kGrave};
+inline const Finding kRigPlace{"rig-place", Severity::kWarning, "the other channels contradict a position: {}{} ({})",
+                               "measure it and correct the vehicle file", Weight::kGrave};
+inline const Finding kRigPostsScale{"rig-posts-scale", Severity::kWarning,
+                                    "the car does not follow its posts: {}{} ({}), or all else by the reciprocal",
+                                    "check the transducer of the posts", Weight::kGrave};
+inline const Finding kRigPostsDelay{"rig-posts-delay", Severity::kWarning,
+                                    "the car does not follow its posts: {}{} ({}), or all else the other way",
+                                    "check that posts and sensors are recorded by one clock", Weight::kGrave};
+inline const Finding kRigClock{"rig-clock", Severity::kWarning,
+                               "frequencies contradict forces and accelerations: {}{} ({})",
+                               "check the frequencies, the load cells and the loads at rest", Weight::kGrave};
+inline const Finding kRigLoads{"rig-loads", Severity::kWarning,
+                               "loads at rest contradict forces and accelerations: {}{} ({})",
+                               "check the tare and the scale of the load cells", Weight::kGrave};
+inline const Finding kRigContradiction{
+    "rig-contradiction", Severity::kWarning,
+    "channels contradict each other by {} times their noise, which no fault of wiring that is known explains",
+    "check what each channel is and where it sits", Weight::kGrave};
+
 // Refinement and methods.
 
 inline const Finding kLossUnknown{"loss-unknown", Severity::kError, "unknown loss '{}'{}"};

@@ -8,6 +8,7 @@
 #include "analysis/text/nearest.h"
 #include "identify/study/findings.h"
 #include "identify/study/scale_lint.h"
+#include "identify/study/study_audit.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -97,10 +98,13 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
   return loaded;
 }
 
-void CheckRecordings(const LoadedStudy& study, Severity wrong_posts, Diagnostics& diagnostics) {
+std::optional<Audit> CheckRecordings(const LoadedStudy& study, Severity wrong_posts, Diagnostics& diagnostics) {
   LintScale(study, diagnostics);
   const Subject subject = study.MakeSubject();
   for (const Experiment& experiment : study.study.experiments) experiment.Check(subject, wrong_posts, diagnostics);
+  std::optional<Audit> audit = AuditStudy(study);
+  if (audit) ReportAudit(study, *audit, wrong_posts, diagnostics);
+  return audit;
 }
 
 }  // namespace fourpost

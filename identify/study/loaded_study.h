@@ -6,6 +6,7 @@
 
 #include "analysis/process/work_hooks.h"
 #include "analysis/text/diagnostics.h"
+#include "identify/audit/audit.h"
 #include "identify/experiments/subject.h"
 #include "identify/residuals/vehicle_objective.h"
 #include "identify/study/fitted_files.h"
@@ -45,7 +46,8 @@ struct LoadedStudy {
 std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics);
 
 /// Implausible recordings, at the values of the vehicle's file, as warnings; posts that certainly move otherwise than
-/// stated as `wrong_posts`. Throws FaultyInput when the vehicle cannot be assembled.
-void CheckRecordings(const LoadedStudy& study, Severity wrong_posts, Diagnostics& diagnostics);
+/// stated, and channels that are certainly wired wrongly, as `wrong_posts`. Returns the audit of the rig where there is
+/// one. Throws FaultyInput when the vehicle cannot be assembled.
+std::optional<Audit> CheckRecordings(const LoadedStudy& study, Severity wrong_posts, Diagnostics& diagnostics);
 
 }  // namespace fourpost

@@ -30,6 +30,8 @@ class FourPost : public Experiment {
   std::optional<ResidualBlock> Residuals(const Subject& subject) const override;
   bool MeasuresForce() const override;
   void Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const override;
+  void AddRecordings(AuditedVehicle& audited) const override;
+  bool IsAudited() const override { return !runs.empty(); }
   void CheckFit(const Subject& subject, const FitResult& fit, Diagnostics& diagnostics) const override;
   ExperimentResults Results(const Subject& subject, const FitResult& fit) const override;
   std::optional<ExperimentResults> Respond(const Subject& subject, std::optional<Engine> engine,

@@ -45,6 +45,10 @@ void StaticLoadTest::Check(const Subject& subject, Severity, Diagnostics& diagno
   LintWeights(*this, subject, diagnostics);
 }
 
+void StaticLoadTest::AddRecordings(AuditedVehicle& audited) const {
+  for (const MeasuredLoad& load : loads) audited.AddLoad(load.tyre, load.load_N, load.sd_N);
+}
+
 void StaticLoadTest::CheckFit(const Subject& subject, const FitResult& fit, Diagnostics& diagnostics) const {
   LintLoads(*this, subject, fit, diagnostics);
 }

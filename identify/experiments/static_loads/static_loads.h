@@ -31,6 +31,7 @@ class StaticLoadTest : public Experiment {
   std::optional<ResidualBlock> Residuals(const Subject& subject) const override;
   bool MeasuresForce() const override { return !loads.empty(); }
   void Check(const Subject& subject, Severity wrong_posts, Diagnostics& diagnostics) const override;
+  void AddRecordings(AuditedVehicle& audited) const override;
   void CheckFit(const Subject& subject, const FitResult& fit, Diagnostics& diagnostics) const override;
   ExperimentResults Results(const Subject& subject, const FitResult& fit) const override;
   /// Loads are no response.

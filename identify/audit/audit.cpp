@@ -1,0 +1,313 @@
+#include "identify/audit/audit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "analysis/numerics/decompositions.h"
+#include "identify/audit/audit_equations.h"
+
+namespace fourpost {
+namespace {
+
+using Kind = RigFault::Kind;
+
+constexpr std::size_t kMostFaults = 4;
+/// By which the scores of two explanations must differ to be told apart: three standard deviations.
+constexpr double kApart = 9;
+/// And by which share: sizes of large faults are only nearly additive.
+constexpr double kShareApart = 0.1;
+
+/// Of the best explanations by derivatives, for which the size is sought.
+constexpr std::size_t kRefined = 12;
+
+/// A clock is wrong by some per cent, sensors sit on the car.
+bool IsPossible(const RigFault& fault, double size) {
+  if (fault.where == RigFault::Where::kClock) return std::abs(size) < 0.3;
+  return fault.kind != Kind::kPlace || std::abs(size) < 5;
+}
+
+/// Of two faults of one kind, one after the other.
+double Together(const RigFault& fault, double first, double second) {
+  return fault.kind == Kind::kScale ? (1 + first) * (1 + second) - 1 : first + second;
+}
+
+double StepOf(const RigFault& fault) {
+  switch (fault.kind) {
+    case Kind::kDelay: return 1e-5;
+    case Kind::kPlace: return 1e-3;
+    default: return 1e-4;
+  }
+}
+
+struct Explanation {
+  std::size_t fault = 0;
+  double size = 0;
+  double variance = 0;
+  double fall = 0;
+};
+
+/// The equations at the unknown numbers that fit best, and how faults move what is left over.
+class Stand {
+ public:
+  Stand(const AuditSubject& subject, const RigTolerance& tolerance, const std::vector<RigFault>& faults)
+      : subject_(subject), tolerance_(tolerance), equations_(subject, tolerance), faults_(faults) {
+    Solve();
+    AddDirections();
+  }
+
+  const AuditEquations& equations() const { return equations_; }
+  const Eigen::VectorXd& rest() const { return rest_; }
+  double degrees() const { return degrees_; }
+
+  /// Sum of squares with what a good rig may be off by as noise.
+  double Squares() const { return SquaresOf(rest_); }
+
+  /// Fall of the sum of squares by the size that the derivative at no fault gives.
+  Explanation By(std::size_t fault) const {
+    const auto j = static_cast<Eigen::Index>(fault);
+    const RigFault& one = faults_[fault];
+    if (one.kind == Kind::kExchange) {
+      const AuditSubject exchanged = Corrected(subject_, one, 0);
+      // Rates of tyres follow their load cells, far beyond derivatives.
+      const bool moves_unknowns = one.where == RigFault::Where::kCells;
+      const Eigen::VectorXd rest = moves_unknowns ? Stand(exchanged, tolerance_, {}).rest() : RestOf(exchanged);
+      return {.fault = fault, .fall = Squares() - SquaresOf(rest)};
+    }
+    if (!(information_[j] > 0)) return {.fault = fault};
+    const double size = gradient_[j] / information_[j];
+    return {.fault = fault, .size = size, .variance = 1 / information_[j], .fall = gradient_[j] * size};
+  }
+
+  /// By the size that explains most: signs, units and delays are beyond derivatives.
+  Explanation Refined(Explanation one) const {
+    const RigFault& fault = faults_[one.fault];
+    if (fault.kind == Kind::kExchange) return one;
+    constexpr int kMostSteps = 6;
+    const double step = StepOf(fault);
+    double size = one.size;
+    for (int i = 0; i < kMostSteps; ++i) {
+      const Eigen::VectorXd here = RestOf(Corrected(subject_, fault, size));
+      const double fall = Squares() - SquaresOf(here);
+      if (i > 0 && !(fall > one.fall)) break;
+      one.size = size;
+      one.fall = fall;
+      const Eigen::VectorXd slope = (here - RestOf(Corrected(subject_, fault, size + step))) / step;
+      const Eigen::VectorXd g = directions_.transpose() * slope;
+      const double information = slope.squaredNorm() - g.dot(inner_ * g);
+      if (!(information > 0)) break;
+      const double change = (slope.dot(here) - g.dot(inner_ * (directions_.transpose() * here))) / information;
+      // What is allowed of this fault is in the noise, and does not change the best size, only its information.
+      size += change;
+      one.variance = 1 / information;
+      if (std::abs(change) < 0.1 * fault.allowed) break;
+    }
+    return one;
+  }
+
+ private:
+  /// Of the whole car the unknown numbers, by Gauss-Newton: all but products of two small ones are linear.
+  void Solve() {
+    unknowns_ = Eigen::VectorXd::Zero(equations_.unknowns());
+    for (std::size_t t = 0; t < subject_.car.tyres.size(); ++t) unknowns_[3 * static_cast<Eigen::Index>(t)] = 1;
+    for (int round = 0; round < 3; ++round) {
+      Linearise();
+      unknowns_ -= scale_.asDiagonal() * free_->Solve(equations_.Misclosures(subject_, unknowns_));
+    }
+    Linearise();
+    rest_ = Projected(equations_.Misclosures(subject_, unknowns_));
+    degrees_ = equations_.degrees() - static_cast<double>(free_->rank());
+  }
+
+  void Linearise() {
+    const Eigen::VectorXd here = equations_.Misclosures(subject_, unknowns_);
+    Eigen::MatrixXd slopes(here.size(), unknowns_.size());
+    scale_.resize(unknowns_.size());
+    for (Eigen::Index j = 0; j < unknowns_.size(); ++j) {
+      const Eigen::Index parameter = j - 3 * static_cast<Eigen::Index>(subject_.car.tyres.size());
+      const bool is_parameter = parameter >= 0 && parameter < subject_.car.reach.size();
+      const double step = 1e-3 * (is_parameter ? subject_.car.reach[parameter] : 1);
+      Eigen::VectorXd moved = unknowns_;
+      moved[j] += step;
+      slopes.col(j) = (equations_.Misclosures(subject_, moved) - here) / step;
+      const double norm = slopes.col(j).norm();
+      scale_[j] = norm > 0 ? 1 / norm : 0;
+      slopes.col(j) *= scale_[j];
+    }
+    slopes_ = slopes;
+    free_ = std::make_unique<LeastNorm>(slopes, 1e-9);
+  }
+
+  Eigen::VectorXd Projected(const Eigen::VectorXd& misclosures) const {
+    return misclosures - slopes_ * free_->Solve(misclosures);
+  }
+  Eigen::VectorXd RestOf(const AuditSubject& subject) const {
+    return Projected(equations_.Misclosures(subject, unknowns_));
+  }
+
+  void AddDirections() {
+    if (faults_.empty()) return;
+    const auto count = static_cast<Eigen::Index>(faults_.size());
+    const Eigen::VectorXd here = equations_.Misclosures(subject_, unknowns_);
+    directions_.setZero(rest_.size(), count);
+    allowed_.setZero(count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const RigFault& fault = faults_[static_cast<std::size_t>(j)];
+      if (fault.kind == Kind::kExchange) continue;
+      const double step = StepOf(fault);
+      directions_.col(j) = (here - equations_.Misclosures(Corrected(subject_, fault, step), unknowns_)) / step;
+      allowed_[j] = fault.allowed;
+    }
+    directions_ -= slopes_ * free_->Solve(directions_);
+    const Eigen::MatrixXd products = directions_.transpose() * directions_;
+    const Eigen::MatrixXd t = allowed_.asDiagonal();
+    inner_ =
+        t * Solved(Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count) + t * products * t), Eigen::MatrixXd(t));
+    const Eigen::VectorXd g = directions_.transpose() * rest_;
+    gradient_ = g - products * (inner_ * g);
+    information_ = (products - products * inner_ * products).diagonal();
+    // What differences leave of nothing.
+    for (Eigen::Index j = 0; j < count; ++j)
+      if (information_[j] < 1e-9 * std::max(1.0, products(j, j))) information_[j] = 0;
+  }
+
+  double SquaresOf(const Eigen::VectorXd& rest) const {
+    const Eigen::VectorXd g = directions_.transpose() * rest;
+    return rest.squaredNorm() - g.dot(inner_ * g);
+  }
+
+  AuditSubject subject_;
+  RigTolerance tolerance_;
+  AuditEquations equations_;
+  std::vector<RigFault> faults_;
+  Eigen::VectorXd unknowns_;
+  Eigen::MatrixXd slopes_;
+  Eigen::VectorXd scale_;
+  std::unique_ptr<LeastNorm> free_;
+  Eigen::VectorXd rest_;
+  double degrees_ = 0;
+  Eigen::MatrixXd directions_;
+  Eigen::VectorXd allowed_;
+  /// With which products of directions give what tolerances explain.
+  Eigen::MatrixXd inner_;
+  Eigen::VectorXd gradient_;
+  Eigen::VectorXd information_;
+};
+
+std::vector<Explanation> ExplanationsOf(const Stand& stand, const std::vector<RigFault>& faults) {
+  std::vector<Explanation> all;
+  for (std::size_t i = 0; i < faults.size(); ++i) {
+    all.push_back(stand.By(i));
+  }
+  const auto more = [](const Explanation& a, const Explanation& b) { return a.fall > b.fall; };
+  std::stable_sort(all.begin(), all.end(), more);
+  for (std::size_t i = 0; i < std::min(kRefined, all.size()) && all[i].fall > kSuspicious * kSuspicious; ++i)
+    all[i] = stand.Refined(all[i]);
+  std::erase_if(all, [&](const Explanation& one) { return !IsPossible(faults[one.fault], one.size); });
+  std::stable_sort(all.begin(), all.end(), more);
+  return all;
+}
+
+Suspicion SuspicionOf(const std::vector<Explanation>& all, const std::vector<RigFault>& faults, double noise) {
+  const Explanation& best = all.front();
+  const double allowed = faults[best.fault].allowed;
+  Suspicion found{.fault = faults[best.fault], .size = best.size, .score = best.fall / noise};
+  found.sd = std::sqrt(std::max(0.0, noise * (best.variance - allowed * allowed)));
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const double score = all[i].fall / noise;
+    if (found.score - score < std::max(kApart, kShareApart * found.score)) found.rivals.push_back({faults[all[i].fault], all[i].size, score});
+    else {
+      found.next_score = score;
+      break;
+    }
+  }
+  return found;
+}
+
+/// What is left of a fault that was found before belongs to it.
+void Add(const Suspicion& suspicion, std::vector<Suspicion>& suspicions) {
+  for (Suspicion& other : suspicions) {
+    if (other.fault.name != suspicion.fault.name || other.fault.kind != suspicion.fault.kind ||
+        other.fault.axis != suspicion.fault.axis)
+      continue;
+    other.size = Together(other.fault, other.size, suspicion.size);
+    other.sd = suspicion.sd;
+    return;
+  }
+  suspicions.push_back(suspicion);
+}
+
+std::vector<ChannelRest> RestsOf(const AuditSubject& subject, const Stand& stand) {
+  using RowKind = AuditEquations::Row::Kind;
+  struct Sum {
+    double rest = 0;
+    double noise = 0;
+    double reading = 0;
+  };
+  std::map<std::pair<bool, std::pair<std::size_t, std::size_t>>, Sum> sums;
+  const std::vector<AuditEquations::Row>& rows = stand.equations().rows();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const AuditEquations::Row& row = rows[i];
+    if (row.kind != RowKind::kSensor && row.kind != RowKind::kTyre) continue;
+    const bool is_tyre = row.kind == RowKind::kTyre;
+    const AuditedRun& run = subject.runs[row.run];
+    const auto f = static_cast<Eigen::Index>(row.frequency);
+    const auto m = static_cast<Eigen::Index>(row.member);
+    // Of a tyre as the squeeze that its force makes.
+    const double reading =
+        is_tyre ? subject.car.tyres[row.member].compliance * std::abs(run.forces(m, f)) : std::abs(run.motions(m, f));
+    Sum& sum = sums[{is_tyre, {row.member, row.run}}];
+    sum.rest += std::pow(row.sd * stand.rest()[static_cast<Eigen::Index>(i)], 2);
+    sum.noise += row.sd * row.sd;
+    sum.reading += 0.5 * reading * reading;
+  }
+  std::vector<ChannelRest> rests;
+  for (const auto& [key, sum] : sums)
+    rests.push_back(
+        {.name = key.first ? subject.car.tyres[key.second.first].cell : subject.car.sensors[key.second.first].name,
+         .is_force = key.first,
+         .run = subject.runs[key.second.second].name,
+         .share = std::sqrt(sum.rest / sum.reading),
+         .expected = std::sqrt(sum.noise / sum.reading)});
+  return rests;
+}
+
+}  // namespace
+
+double Resolution::Seen() const { return kSuspicious * sd; }
+
+Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
+  Audit audit;
+  const std::vector<RigFault> faults = PossibleFaults(subject, tolerance);
+  AuditSubject corrected = subject;
+  for (std::size_t round = 0; round <= kMostFaults; ++round) {
+    const Stand stand(corrected, tolerance, faults);
+    if (round == 0) {
+      audit.channels = RestsOf(subject, stand);
+      audit.is_redundant = stand.degrees() > 0;
+    }
+    if (!audit.is_redundant) break;
+    const std::vector<Explanation> all = ExplanationsOf(stand, faults);
+    const Explanation& best = all.front();
+    // Of what the best explanation leaves over.
+    const double noise = std::max(1.0, (stand.Squares() - best.fall) / stand.degrees());
+    const Suspicion suspicion = SuspicionOf(all, faults, noise);
+    if (!(suspicion.score > kSuspicious * kSuspicious) || round == kMostFaults) {
+      audit.misfit = std::sqrt(std::max(0.0, stand.Squares() / stand.degrees()));
+      const double widened = std::max(1.0, audit.misfit);
+      for (const Explanation& one : all)
+        if (faults[one.fault].kind != Kind::kExchange)
+          audit.resolutions.push_back({faults[one.fault], one.variance > 0 ? widened * std::sqrt(one.variance)
+                                                                           : std::numeric_limits<double>::infinity()});
+      break;
+    }
+    Add(suspicion, audit.suspicions);
+    corrected = Corrected(std::move(corrected), suspicion.fault, suspicion.size);
+  }
+  return audit;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,196 @@
+#include "identify/audit/audit_equations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+#include "analysis/numerics/decompositions.h"
+
+namespace fourpost {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Above it, parts on soft mounts move on their own.
+constexpr double kBalanceBelow_Hz = 8;
+/// No coordinate moves by more per metre of a post.
+constexpr double kMostMotion = 10;
+/// a, b, c of a tyre.
+constexpr Eigen::Index kOfTyre = 3;
+/// By which the unknown c of w^2 is scaled to be of order 1 [rad/s].
+constexpr double kUsualRate = 50;
+
+Eigen::Index At(std::size_t index) { return static_cast<Eigen::Index>(index); }
+
+double Omega(const AuditedRun& run, std::size_t frequency) {
+  return 2 * std::numbers::pi * run.frequency_Hz[frequency];
+}
+
+bool IsThere(const Complex& reading) { return std::isfinite(reading.real()) && std::isfinite(reading.imag()); }
+
+Eigen::RowVectorXd MotionRow(const AuditedSensor& sensor, double omega) {
+  return sensor.motion - sensor.tilt / (omega * omega);
+}
+
+/// Largest reading of each device at a frequency.
+double Loudest(const AuditedCar& car, const AuditedRun& run, Device device, std::size_t f) {
+  double loudest = 0;
+  for (std::size_t s = 0; s < car.sensors.size(); ++s)
+    if (car.sensors[s].device == device && IsThere(run.motions(At(s), At(f))))
+      loudest = std::max(loudest, std::abs(run.motions(At(s), At(f))));
+  return loudest;
+}
+
+Eigen::VectorXcd WeightedReadings(const AuditSubject& subject, const std::vector<std::size_t>& sensors,
+                                  const std::vector<std::size_t>& tyres, const Eigen::VectorXd& sd, std::size_t r,
+                                  std::size_t f, const Eigen::VectorXd& unknowns) {
+  const AuditedRun& run = subject.runs[r];
+  Eigen::VectorXcd readings(sd.size());
+  Eigen::Index row = 0;
+  for (const std::size_t s : sensors) readings[row++] = run.motions(At(s), At(f));
+  const double omega = Omega(run, f);
+  for (const std::size_t t : tyres) {
+    const AuditedTyre& tyre = subject.car.tyres[t];
+    const double* of = unknowns.data() + kOfTyre * At(t);
+    const double per = omega / kUsualRate;
+    const Complex compliance = tyre.compliance * Complex(of[0] - of[2] * per * per, of[1] * per);
+    readings[row++] = run.posts(At(tyre.post), At(f)) - compliance * run.forces(At(t), At(f));
+  }
+  return readings.array() / sd.array().cast<Complex>();
+}
+
+}  // namespace
+
+AuditEquations::AuditEquations(const AuditSubject& subject, const RigTolerance& tolerance) : car_(subject.car) {
+  unknowns_ = kOfTyre * At(car_.tyres.size()) + car_.reach.size() + At(car_.balances.size());
+  for (std::size_t r = 0; r < subject.runs.size(); ++r)
+    for (std::size_t f = 0; f < subject.runs[r].frequency_Hz.size(); ++f) AddPoint(subject, tolerance, r, f);
+  AddRows(subject);
+}
+
+void AuditEquations::AddPoint(const AuditSubject& subject, const RigTolerance& tolerance, std::size_t r,
+                              std::size_t f) {
+  const AuditedRun& run = subject.runs[r];
+  const double omega = Omega(run, f);
+  Point point{.run = r, .frequency = f};
+  std::vector<double> sd;
+  std::vector<Eigen::RowVectorXd> shape;
+  for (std::size_t s = 0; s < car_.sensors.size(); ++s) {
+    const Complex reading = run.motions(At(s), At(f));
+    if (!IsThere(reading)) continue;
+    point.sensors.push_back(s);
+    shape.push_back(MotionRow(car_.sensors[s], omega));
+    sd.push_back(std::hypot(run.motion_sd(At(s), At(f)), tolerance.reading * std::abs(reading),
+                            tolerance.floor * Loudest(car_, run, car_.sensors[s].device, f)));
+  }
+  for (std::size_t t = 0; t < car_.tyres.size(); ++t) {
+    if (!IsThere(run.forces(At(t), At(f)))) continue;
+    point.tyres.push_back(t);
+    shape.push_back(car_.tyres[t].foot);
+    const double squeeze = car_.tyres[t].compliance * std::abs(run.forces(At(t), At(f)));
+    sd.push_back(std::hypot(car_.tyres[t].compliance * run.force_sd(At(t), At(f)), tolerance.reading * squeeze,
+                            tolerance.floor * std::abs(run.posts(At(car_.tyres[t].post), At(f)))));
+  }
+  const Eigen::Index rows = At(shape.size());
+  const Eigen::Index n = car_.coordinates;
+  point.sd = Eigen::Map<const Eigen::VectorXd>(sd.data(), rows);
+  point.shape.resize(rows, n);
+  for (Eigen::Index i = 0; i < rows; ++i) point.shape.row(i) = shape[static_cast<std::size_t>(i)] / point.sd[i];
+  // With a bound on coordinates that no sensor sees.
+  Eigen::MatrixXd bounded(rows + n, n);
+  bounded << point.shape, Eigen::MatrixXd::Identity(n, n) / kMostMotion;
+  const Eigen::MatrixXd inverse = LeastNorm(bounded, 1e-12).PseudoInverse();
+  point.to_coordinates = inverse.leftCols(rows);
+  point.to_rest = Eigen::MatrixXd::Identity(rows, rows) - point.shape * point.to_coordinates;
+  degrees_ += 2 * point.to_rest.trace();
+  AddBalances(subject, tolerance, inverse, point);
+  degrees_ += 2 * static_cast<double>(point.balance_sd.size());
+  points_.push_back(std::move(point));
+}
+
+void AuditEquations::AddBalances(const AuditSubject& subject, const RigTolerance& tolerance,
+                                 const Eigen::MatrixXd& deviations, Point& point) const {
+  const AuditedRun& run = subject.runs[point.run];
+  if (run.frequency_Hz[point.frequency] > kBalanceBelow_Hz || point.tyres.size() < car_.tyres.size()) return;
+  const double omega = Omega(run, point.frequency);
+  point.balance_sd.resize(At(car_.balances.size()));
+  for (std::size_t b = 0; b < car_.balances.size(); ++b) {
+    const AuditedBalance& balance = car_.balances[b];
+    double of_forces = 0;
+    double forces = 0;
+    for (std::size_t t = 0; t < car_.tyres.size(); ++t) {
+      const double lever = std::abs(balance.lever[At(t)]) / (omega * omega);
+      of_forces = std::hypot(of_forces, lever * run.force_sd(At(t), At(point.frequency)));
+      forces += lever * std::abs(run.forces(At(t), At(point.frequency)));
+    }
+    const Eigen::RowVectorXd of_motion = (balance.inertia - balance.gravity / (omega * omega)) * deviations;
+    point.balance_sd[At(b)] = std::hypot(of_forces, of_motion.norm(), tolerance.reading * forces);
+  }
+}
+
+void AuditEquations::AddRows(const AuditSubject& subject) {
+  const auto twice = [&](const Row& row) { rows_.insert(rows_.end(), 2, row); };
+  for (const Point& point : points_) {
+    Eigen::Index next = 0;
+    for (const std::size_t s : point.sensors)
+      twice({Row::Kind::kSensor, s, point.run, point.frequency, point.sd[next++]});
+    for (const std::size_t t : point.tyres) twice({Row::Kind::kTyre, t, point.run, point.frequency, point.sd[next++]});
+    for (Eigen::Index b = 0; b < point.balance_sd.size(); ++b)
+      twice({Row::Kind::kBalance, static_cast<std::size_t>(b), point.run, point.frequency, point.balance_sd[b]});
+  }
+  for (std::size_t l = 0; l < subject.loads.size(); ++l)
+    rows_.push_back({Row::Kind::kLoad, l, 0, 0, subject.loads[l].sd});
+  for (Eigen::Index j = 0; j < car_.reach.size(); ++j)
+    rows_.push_back({Row::Kind::kPrior, static_cast<std::size_t>(j), 0, 0, car_.reach[j]});
+  degrees_ += static_cast<double>(subject.loads.size()) + static_cast<double>(car_.reach.size());
+}
+
+Eigen::VectorXd AuditEquations::Misclosures(const AuditSubject& subject, const Eigen::VectorXd& unknowns) const {
+  Eigen::VectorXd out(At(rows_.size()));
+  Eigen::Index next = 0;
+  const auto put = [&](const Complex& value) {
+    out[next++] = value.real();
+    out[next++] = value.imag();
+  };
+  const Eigen::Index parameters = car_.reach.size();
+  const auto changes = unknowns.segment(kOfTyre * At(car_.tyres.size()), parameters);
+  const auto yields = unknowns.tail(At(car_.balances.size()));
+  for (const Point& point : points_) {
+    const AuditedRun& run = subject.runs[point.run];
+    const double omega = Omega(run, point.frequency);
+    Eigen::VectorXcd readings =
+        WeightedReadings(subject, point.sensors, point.tyres, point.sd, point.run, point.frequency, unknowns);
+    Eigen::VectorXcd q = point.to_coordinates * readings;
+    for (std::size_t i = 0; i < point.sensors.size(); ++i) {
+      const AuditedSensor& moved = subject.car.sensors[point.sensors[i]];
+      const AuditedSensor& here = car_.sensors[point.sensors[i]];
+      if (&moved.motion == &here.motion || moved.motion == here.motion) continue;
+      readings[At(i)] -= ((moved.motion - here.motion).cast<Complex>() * q)(0) / point.sd[At(i)];
+      q = point.to_coordinates * readings;
+    }
+    const Eigen::VectorXcd rest = point.to_rest * readings;
+    for (const Complex& value : rest) put(value);
+    for (Eigen::Index b = 0; b < point.balance_sd.size(); ++b) {
+      const AuditedBalance& balance = car_.balances[static_cast<std::size_t>(b)];
+      Eigen::RowVectorXd inertia = balance.inertia;
+      Eigen::RowVectorXd gravity = balance.gravity;
+      for (Eigen::Index j = 0; j < parameters; ++j) {
+        inertia += changes[j] * balance.inertia_slope[static_cast<std::size_t>(j)];
+        gravity += changes[j] * balance.gravity_slope[static_cast<std::size_t>(j)];
+      }
+      inertia += yields[b] * std::pow(omega / kUsualRate, 2) * balance.inertia;
+      Complex sum = ((inertia - gravity / (omega * omega)).cast<Complex>() * q)(0);
+      for (std::size_t t = 0; t < car_.tyres.size(); ++t)
+        sum += balance.lever[At(t)] * run.forces(At(t), At(point.frequency)) / (omega * omega);
+      put(sum / point.balance_sd[b]);
+    }
+  }
+  for (const AuditedLoad& load : subject.loads)
+    out[next++] = (load.load - load.modelled - load.slope.dot(changes)) / load.sd;
+  for (Eigen::Index j = 0; j < parameters; ++j) out[next++] = changes[j] / car_.reach[j];
+  return out;
+}
+
+}  // namespace fourpost

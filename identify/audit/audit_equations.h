@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "identify/audit/audit_subject.h"
+#include "identify/audit/rig_fault.h"
+
+namespace fourpost {
+
+/// Equations that the readings of a good rig satisfy whatever springs, dampers and friction the car has:
+/// - sensors: at each frequency the readings of all sensors follow from n coordinates q;
+/// - tyres: foot q = height of the post - (a + b i w - c w^2) force, with a, b, c of each tyre unknown, which is the
+///   reciprocal of rate + i w damping up to its square;
+/// - balances: see AuditedBalance, with masses and inertias unknown within their reach, and one unknown number each for
+///   parts that give way a little (a power unit on its mounts: its share of inertia grows as w^2);
+/// - loads at rest: those of the same masses.
+/// What the readings leave over, over its standard deviation, is free of q; the unknown numbers are common to all
+/// recordings and frequencies.
+class AuditEquations {
+ public:
+  /// What one entry of Misclosures() belongs to; each complex one has two.
+  struct Row {
+    enum class Kind { kSensor, kTyre, kBalance, kLoad, kPrior };
+    Kind kind = Kind::kSensor;
+    std::size_t member = 0;
+    std::size_t run = 0;
+    std::size_t frequency = 0;
+    /// Standard deviation [as the reading].
+    double sd = 0;
+  };
+
+  AuditEquations(const AuditSubject& subject, const RigTolerance& tolerance);
+
+  /// Readings over their standard deviations, without the part that coordinates explain. Standard deviations and the
+  /// part explained are those of the subject this was made of; `subject` may have other readings and places.
+  Eigen::VectorXd Misclosures(const AuditSubject& subject, const Eigen::VectorXd& unknowns) const;
+
+  Eigen::Index unknowns() const { return unknowns_; }
+  const std::vector<Row>& rows() const { return rows_; }
+  /// Entries less coordinates.
+  double degrees() const { return degrees_; }
+
+ private:
+  /// Of one frequency of one recording.
+  struct Point {
+    std::size_t run = 0;
+    std::size_t frequency = 0;
+    std::vector<std::size_t> sensors;
+    std::vector<std::size_t> tyres;
+    /// Of sensors, then tyres.
+    Eigen::VectorXd sd;
+    Eigen::MatrixXd shape;
+    /// To coordinates, and to what they leave over, of readings over their standard deviations.
+    Eigen::MatrixXd to_coordinates;
+    Eigen::MatrixXd to_rest;
+    /// One per balance; empty where a force is missing or the frequency is too high.
+    Eigen::VectorXd balance_sd;
+  };
+
+  void AddPoint(const AuditSubject& subject, const RigTolerance& tolerance, std::size_t run, std::size_t frequency);
+  /// `deviations`: times its transpose the covariance of coordinates.
+  void AddBalances(const AuditSubject& subject, const RigTolerance& tolerance, const Eigen::MatrixXd& deviations,
+                   Point& point) const;
+  void AddRows(const AuditSubject& subject);
+
+  std::vector<Point> points_;
+  std::vector<Row> rows_;
+  AuditedCar car_;
+  Eigen::Index unknowns_ = 0;
+  double degrees_ = 0;
+};
+
+}  // namespace fourpost

@@ -1,0 +1,196 @@
+#include "identify/audit/rig_fault.h"
+
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+#include <utility>
+
+namespace fourpost {
+namespace {
+
+using Complex = std::complex<double>;
+using Kind = RigFault::Kind;
+using Where = RigFault::Where;
+
+bool HasReadings(const Eigen::MatrixXcd& readings, Eigen::Index row) {
+  for (const Complex& value : readings.row(row))
+    if (std::isfinite(value.real())) return true;
+  return false;
+}
+
+bool IsMeasured(const AuditSubject& subject, Where where, std::size_t member) {
+  for (const AuditedRun& run : subject.runs)
+    if (HasReadings(where == Where::kSensors ? run.motions : run.forces, static_cast<Eigen::Index>(member)))
+      return true;
+  return false;
+}
+
+const char* NameOf(Device device) {
+  switch (device) {
+    case Device::kAccelerometers: return "accelerometers";
+    case Device::kStruts: return "struts";
+    case Device::kDisplacements: return "displacements";
+    case Device::kGyros: return "gyros";
+    case Device::kLoadCells: return "load cells";
+  }
+  return "";
+}
+
+class FaultList {
+ public:
+  FaultList(const AuditSubject& subject, const RigTolerance& tolerance) : subject_(subject), tolerance_(tolerance) {}
+
+  std::vector<RigFault> Make() {
+    std::map<Device, std::vector<std::size_t>> devices;
+    for (std::size_t s = 0; s < subject_.car.sensors.size(); ++s)
+      if (IsMeasured(subject_, Where::kSensors, s)) devices[subject_.car.sensors[s].device].push_back(s);
+    for (const auto& [device, members] : devices) AddDevice(Where::kSensors, NameOf(device), members);
+    for (const auto& [device, members] : devices) AddPlaces(members);
+    std::vector<std::size_t> cells;
+    for (std::size_t t = 0; t < subject_.car.tyres.size(); ++t)
+      if (IsMeasured(subject_, Where::kCells, t)) cells.push_back(t);
+    AddDevice(Where::kCells, NameOf(Device::kLoadCells), cells);
+    AddPosts();
+    AddLoads();
+    if (!cells.empty())
+      Add({.kind = Kind::kScale, .where = Where::kClock, .name = "frequency", .allowed = tolerance_.frequency});
+    return std::move(faults_);
+  }
+
+ private:
+  void Add(RigFault fault) { faults_.push_back(std::move(fault)); }
+
+  std::string Name(Where where, std::size_t member) const {
+    return where == Where::kSensors ? subject_.car.sensors[member].name : subject_.car.tyres[member].cell;
+  }
+
+  /// Each member, each pair, and all of them.
+  void AddDevice(Where where, const std::string& device, const std::vector<std::size_t>& members) {
+    for (const std::size_t member : members) {
+      const std::string name = Name(where, member);
+      Add({.kind = Kind::kScale, .where = where, .members = {member}, .name = name, .allowed = tolerance_.scale});
+      Add({.kind = Kind::kDelay, .where = where, .members = {member}, .name = name, .allowed = tolerance_.delay});
+    }
+    for (std::size_t a = 0; a < members.size(); ++a)
+      for (std::size_t b = a + 1; b < members.size(); ++b)
+        Add({.kind = Kind::kExchange,
+             .where = where,
+             .members = {members[a], members[b]},
+             .name = Name(where, members[a]) + " and " + Name(where, members[b])});
+    if (members.size() < 2) return;
+    const std::string all = "all " + device;
+    Add({.kind = Kind::kScale, .where = where, .members = members, .name = all, .allowed = tolerance_.device_scale});
+    Add({.kind = Kind::kDelay, .where = where, .members = members, .name = all, .allowed = tolerance_.device_delay});
+  }
+
+  void AddPlaces(const std::vector<std::size_t>& members) {
+    for (const std::size_t member : members)
+      for (int axis = 0; axis < 3; ++axis)
+        if (subject_.car.sensors[member].motion_by_place[static_cast<std::size_t>(axis)].size() > 0)
+          Add({.kind = Kind::kPlace,
+               .where = Where::kSensors,
+               .members = {member},
+               .axis = axis,
+               .name = subject_.car.sensors[member].name,
+               .allowed = tolerance_.place});
+  }
+
+  void AddPosts() {
+    std::vector<std::size_t> posts;
+    for (const AuditedTyre& tyre : subject_.car.tyres) posts.push_back(tyre.post);
+    Add({.kind = Kind::kScale,
+         .where = Where::kPosts,
+         .members = posts,
+         .name = "posts",
+         .allowed = tolerance_.device_scale});
+    Add({.kind = Kind::kDelay,
+         .where = Where::kPosts,
+         .members = posts,
+         .name = "posts",
+         .allowed = tolerance_.device_delay});
+  }
+
+  void AddLoads() {
+    std::vector<std::size_t> all;
+    for (std::size_t l = 0; l < subject_.loads.size(); ++l) {
+      Add({.kind = Kind::kScale,
+           .where = Where::kLoads,
+           .members = {l},
+           .name = "load at rest of " + subject_.loads[l].tyre,
+           .allowed = tolerance_.load});
+      all.push_back(l);
+    }
+    if (all.size() > 1)
+      Add({.kind = Kind::kScale,
+           .where = Where::kLoads,
+           .members = all,
+           .name = "all loads at rest",
+           .allowed = tolerance_.load});
+  }
+
+  const AuditSubject& subject_;
+  const RigTolerance& tolerance_;
+  std::vector<RigFault> faults_;
+};
+
+/// The rows of a run that a fault concerns.
+Eigen::MatrixXcd& ReadingsOf(AuditedRun& run, Where where) {
+  return where == Where::kSensors ? run.motions : where == Where::kCells ? run.forces : run.posts;
+}
+
+void Scale(AuditSubject& subject, const RigFault& fault, double value) {
+  if (fault.where == Where::kLoads)
+    for (const std::size_t l : fault.members) subject.loads[l].load *= 1 + value;
+  for (AuditedRun& run : subject.runs) {
+    if (fault.where == Where::kClock)
+      for (double& frequency : run.frequency_Hz) frequency *= 1 + value;
+    if (fault.where == Where::kLoads || fault.where == Where::kClock) continue;
+    for (const std::size_t m : fault.members) {
+      const auto row = static_cast<Eigen::Index>(m);
+      ReadingsOf(run, fault.where).row(row) *= 1 + value;
+      if (fault.where == Where::kSensors) run.motion_sd.row(row) *= std::abs(1 + value);
+      if (fault.where == Where::kCells) run.force_sd.row(row) *= std::abs(1 + value);
+    }
+  }
+}
+
+void Hasten(AuditSubject& subject, const RigFault& fault, double value) {
+  for (AuditedRun& run : subject.runs)
+    for (const std::size_t m : fault.members)
+      for (std::size_t f = 0; f < run.frequency_Hz.size(); ++f)
+        ReadingsOf(run, fault.where)(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(f)) *=
+            std::polar(1.0, 2 * std::numbers::pi * run.frequency_Hz[f] * value);
+}
+
+void Exchange(AuditSubject& subject, const RigFault& fault) {
+  const auto a = static_cast<Eigen::Index>(fault.members[0]);
+  const auto b = static_cast<Eigen::Index>(fault.members[1]);
+  for (AuditedRun& run : subject.runs) {
+    ReadingsOf(run, fault.where).row(a).swap(ReadingsOf(run, fault.where).row(b));
+    Eigen::MatrixXd& sd = fault.where == Where::kSensors ? run.motion_sd : run.force_sd;
+    sd.row(a).swap(sd.row(b));
+  }
+}
+
+}  // namespace
+
+std::vector<RigFault> PossibleFaults(const AuditSubject& subject, const RigTolerance& tolerance) {
+  return FaultList(subject, tolerance).Make();
+}
+
+AuditSubject Corrected(AuditSubject subject, const RigFault& fault, double value) {
+  switch (fault.kind) {
+    case Kind::kScale: Scale(subject, fault, value); break;
+    case Kind::kDelay: Hasten(subject, fault, value); break;
+    case Kind::kExchange: Exchange(subject, fault); break;
+    case Kind::kPlace: {
+      AuditedSensor& sensor = subject.car.sensors[fault.members[0]];
+      sensor.motion += value * sensor.motion_by_place[static_cast<std::size_t>(fault.axis)];
+      break;
+    }
+  }
+  return subject;
+}
+
+}  // namespace fourpost

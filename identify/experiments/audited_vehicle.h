@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "identify/audit/audit_subject.h"
+#include "identify/experiments/subject.h"
+
+namespace fourpost {
+
+/// A vehicle as an audit sees it, and what experiments add of their recordings.
+class AuditedVehicle {
+ public:
+  /// Throws FaultyInput when the vehicle cannot be assembled or held.
+  explicit AuditedVehicle(const Subject& subject);
+
+  const Vehicle& vehicle() const { return vehicle_; }
+
+  /// A recording without any reading: posts at rest, sensors and load cells absent.
+  AuditedRun Blank(std::string name, std::vector<double> frequency_Hz) const;
+
+  /// Puts a sensor's reading of one frequency into a run: accelerations over the square of the frequency and lengths
+  /// per metre of the reference post, turn rates and forces per metre. `sd`: of a real part. Posts come first, since
+  /// load cells feel wheelpans.
+  void Put(AuditedRun& run, std::size_t sensor, std::size_t frequency, std::complex<double> reading, double sd);
+
+  void Add(AuditedRun run) { audited_.runs.push_back(std::move(run)); }
+  void AddLoad(std::size_t tyre, double load, double sd);
+
+  const AuditSubject& audited() const { return audited_; }
+
+ private:
+  void AddSensors(const Subject& subject);
+  void AddTyres();
+  void AddInertia(const Subject& subject);
+
+  const Vehicle& vehicle_;
+  CondensedModel model_;
+  AuditSubject audited_;
+  /// Of each sensor of the vehicle its place among the audited ones, or its tyre; -1: neither.
+  std::vector<int> place_of_sensor_;
+  /// Parameters of inertia, and loads of all tyres with their slopes.
+  std::vector<std::size_t> parameters_;
+  std::vector<AuditedLoad> loads_;
+};
+
+}  // namespace fourpost

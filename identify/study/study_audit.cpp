@@ -1,0 +1,243 @@
+#include "identify/study/study_audit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "analysis/files/json_text.h"
+#include "analysis/text/short_number.h"
+#include "analysis/text/text_table.h"
+#include "identify/experiments/audited_vehicle.h"
+#include "identify/experiments/four_post/four_post.h"
+#include "identify/study/findings.h"
+
+namespace fourpost {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Kind = RigFault::Kind;
+using Where = RigFault::Where;
+
+constexpr double kMilli = 1e3;
+constexpr double kPercent = 100;
+
+/// What is left over, over its noise, when no fault that is known explains it.
+constexpr double kContradiction = 3;
+
+struct KnownFactor {
+  double factor;
+  const char* words;
+};
+constexpr std::array kKnownFactors = {
+    KnownFactor{9.80665, "g instead of m/s^2"}, KnownFactor{25.4, "inches instead of mm"},
+    KnownFactor{4.4482216, "pounds instead of N"}, KnownFactor{1000, "a prefix of a thousand"},
+    KnownFactor{2, "peak to peak for amplitude, or a sum for a mean"}};
+
+/// Of recorded over true, or its reciprocal; null where it is none of a unit.
+const KnownFactor* KnownOf(double factor) {
+  constexpr double kNear = 0.02;
+  for (const KnownFactor& known : kKnownFactors)
+    for (const double one : {known.factor, 1 / known.factor})
+      if (std::abs(factor / one - 1) < kNear) return &known;
+  return nullptr;
+}
+
+/// Recorded over true.
+double FactorOf(double size) { return 1 / (1 + size); }
+
+const char* AxisName(int axis) {
+  constexpr std::array kNames = {"x", "y", "z"};
+  return kNames[static_cast<std::size_t>(axis)];
+}
+
+/// "'a_cg' reads 1.03 times the true value"
+std::string Words(const RigFault& fault, double size) {
+  switch (fault.kind) {
+    case Kind::kScale:
+      return "'" + fault.name + "' reads " + ShortNumber(FactorOf(size), 4) + " times the true value";
+    case Kind::kDelay:
+      return "'" + fault.name + "' comes " + ShortNumber(std::abs(size) * kMilli, 2) + " ms " +
+             (size > 0 ? "late" : "early");
+    case Kind::kPlace:
+      return "'" + fault.name + "' sits " + ShortNumber(std::abs(size), 2) + " m further along " +
+             (size > 0 ? "+" : "-") + AxisName(fault.axis);
+    case Kind::kExchange: return fault.name + " are exchanged";
+  }
+  return "";
+}
+
+std::string RivalWords(const Suspicion& suspicion) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMost, suspicion.rivals.size()); ++i)
+    text += ", or " + Words(suspicion.rivals[i].fault, suspicion.rivals[i].size);
+  return text;
+}
+
+const Finding& KindOf(const Suspicion& suspicion) {
+  const RigFault& fault = suspicion.fault;
+  switch (fault.kind) {
+    case Kind::kExchange: return kRigExchanged;
+    case Kind::kDelay: return fault.where == Where::kPosts ? kRigPostsDelay : kRigDelay;
+    case Kind::kPlace: return kRigPlace;
+    case Kind::kScale: break;
+  }
+  if (fault.where == Where::kClock) return kRigClock;
+  if (fault.where == Where::kLoads) return kRigLoads;
+  const double factor = FactorOf(suspicion.size);
+  if (std::abs(factor + 1) < 0.1) return kRigSign;
+  if (KnownOf(factor) != nullptr) return kRigUnit;
+  return fault.where == Where::kPosts ? kRigPostsScale : kRigScale;
+}
+
+/// Beyond doubt: twenty standard deviations, and nothing else comes near.
+bool IsCertain(const Suspicion& suspicion) {
+  constexpr double kBeyondDoubt = 400;
+  return suspicion.rivals.empty() && suspicion.score > kBeyondDoubt && suspicion.next_score < 0.8 * suspicion.score;
+}
+
+int LineOf(const LoadedStudy& study, const Suspicion& suspicion) {
+  const FourPost* const sines = study.study.experiments.Find<FourPost>();
+  const std::string name = suspicion.fault.name.substr(0, suspicion.fault.name.find(' '));
+  if (sines != nullptr)
+    for (const auto& [sensor, source] : sines->plan.channels)
+      if (sensor == name) return source.line;
+  return 0;
+}
+
+std::string Sure(const Suspicion& suspicion) {
+  return ShortNumber(std::sqrt(suspicion.score), 2) + " sd, the next other explanation " +
+         ShortNumber(std::sqrt(std::max(0.0, suspicion.next_score)), 2);
+}
+
+const char* KindName(Kind kind) {
+  switch (kind) {
+    case Kind::kScale: return "scale";
+    case Kind::kDelay: return "delay";
+    case Kind::kPlace: return "position";
+    case Kind::kExchange: return "exchange";
+  }
+  return "";
+}
+
+/// As a user counts it: recorded over true less one, seconds, metres.
+double SizeOf(const RigFault& fault, double size) { return fault.kind == Kind::kScale ? FactorOf(size) - 1 : size; }
+
+Json FaultJson(const RigFault& fault, double size) {
+  Json json = {{"kind", KindName(fault.kind)}, {"of", fault.name}, {"size", SizeOf(fault, size)}};
+  json["axis"] = fault.kind == Kind::kPlace ? Json(AxisName(fault.axis)) : Json(nullptr);
+  return json;
+}
+
+/// Sizes from which on faults of one thing are seen.
+struct Seen {
+  std::string scale;
+  std::string delay;
+  std::string place;
+};
+
+std::string SeenText(const Resolution& resolution, double unit, int digits) {
+  return std::isfinite(resolution.sd) ? ShortNumber(unit * resolution.Seen(), digits) : "-";
+}
+
+}  // namespace
+
+std::optional<Audit> AuditStudy(const LoadedStudy& study) {
+  const Experiments& experiments = study.study.experiments;
+  if (std::none_of(experiments.begin(), experiments.end(), [](const Experiment& one) { return one.IsAudited(); }))
+    return std::nullopt;
+  AuditedVehicle audited(study.MakeSubject());
+  for (const Experiment& experiment : experiments) experiment.AddRecordings(audited);
+  return AuditRig(audited.audited());
+}
+
+void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain, Diagnostics& diagnostics) {
+  for (const Suspicion& suspicion : audit.suspicions) {
+    const Finding& kind = KindOf(suspicion);
+    const Place place{.file = study.study.file.string(), .line = LineOf(study, suspicion)};
+    std::vector<std::string> words = {Words(suspicion.fault, suspicion.size), RivalWords(suspicion), Sure(suspicion)};
+    if (&kind == &kRigUnit) words.emplace_back(KnownOf(FactorOf(suspicion.size))->words);
+    if (kind.severity() == Severity::kError && (certain == Severity::kWarning || !IsCertain(suspicion)))
+      diagnostics.ReportAsWarning(kind, place, words);
+    else diagnostics.Report(kind, place, words);
+  }
+  if (audit.misfit > kContradiction)
+    diagnostics.Report(kRigContradiction, {.file = study.study.file.string()}, {ShortNumber(audit.misfit, 2)});
+}
+
+std::string AuditText(const Audit& audit) {
+  if (!audit.is_redundant) return "audit of the rig: no channel can be checked by others\n";
+  std::map<std::string, Seen> seen;
+  std::vector<std::string> order;
+  std::string open;
+  for (const Resolution& resolution : audit.resolutions) {
+    const RigFault& fault = resolution.fault;
+    if (!seen.count(fault.name)) order.push_back(fault.name);
+    Seen& entry = seen[fault.name];
+    if (fault.kind == Kind::kScale) entry.scale = SeenText(resolution, kPercent, 2);
+    if (fault.kind == Kind::kDelay) entry.delay = SeenText(resolution, kMilli, 2);
+    if (fault.kind == Kind::kPlace && fault.axis == 0) entry.place = SeenText(resolution, kPercent, 2);
+    if (!std::isfinite(resolution.sd) && fault.kind != Kind::kPlace)
+      open += std::string(open.empty() ? "" : ", ") + KindName(fault.kind) + " of " + fault.name;
+  }
+  std::sort(order.begin(), order.end());
+  TextTable table({"channel", "left over [%]", "expected [%]", "scale seen from [%]", "delay from [ms]",
+                   "position (x) from [cm]"});
+  for (const std::string& name : order) {
+    double rest = 0;
+    double expected = 0;
+    int count = 0;
+    for (const ChannelRest& channel : audit.channels)
+      if (channel.name == name) {
+        rest = std::max(rest, channel.share);
+        expected = std::max(expected, channel.expected);
+        ++count;
+      }
+    table.Add({name, count > 0 ? ShortNumber(kPercent * rest, 2) : "", count > 0 ? ShortNumber(kPercent * expected, 2) : "",
+               seen[name].scale, seen[name].delay, seen[name].place});
+  }
+  return "audit of the rig, without a fit: what channels leave over of the motion and the forces that all agree on\n" +
+         table.Format() + "left over: root mean square, of the worst recording; misfit " +
+         ShortNumber(audit.misfit, 2) + " (about 1 or less is expected)\n" +
+         (open.empty() ? "" : "redundancy shows nothing of: " + open + '\n') +
+         "nor of: amplitudes of posts where responses are relative to them, mean offsets\n";
+}
+
+Json AuditJson(const Audit& audit) {
+  Json channels = Json::array();
+  for (const ChannelRest& channel : audit.channels)
+    channels.push_back({{"name", channel.name},
+                        {"recording", channel.run},
+                        {"left_over", NumberOrNull(channel.share)},
+                        {"expected", NumberOrNull(channel.expected)}});
+  Json suspicions = Json::array();
+  for (const Suspicion& suspicion : audit.suspicions) {
+    Json json = FaultJson(suspicion.fault, suspicion.size);
+    json["sd"] = suspicion.sd;
+    json["score"] = suspicion.score;
+    json["next_score"] = suspicion.next_score;
+    json["rivals"] = Json::array();
+    for (const Suspicion::Rival& rival : suspicion.rivals) {
+      json["rivals"].push_back(FaultJson(rival.fault, rival.size));
+      json["rivals"].back()["score"] = rival.score;
+    }
+    suspicions.push_back(std::move(json));
+  }
+  Json resolutions = Json::array();
+  for (const Resolution& resolution : audit.resolutions) {
+    Json json = FaultJson(resolution.fault, 0);
+    json.erase("size");
+    json["allowed_sd"] = resolution.fault.allowed;
+    json["seen_from"] = NumberOrNull(resolution.Seen());
+    resolutions.push_back(std::move(json));
+  }
+  return {{"misfit", NumberOrNull(audit.misfit)},
+          {"channels", channels},
+          {"suspicions", suspicions},
+          {"resolutions", resolutions}};
+}
+
+}  // namespace fourpost

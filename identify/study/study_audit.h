@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/text/diagnostics.h"
+#include "identify/audit/audit.h"
+#include "identify/study/loaded_study.h"
+
+namespace fourpost {
+
+/// What the recordings of a study say of the rig that made them, see AuditRig(). Nothing without stepped sines. Throws
+/// FaultyInput when the vehicle cannot be assembled.
+std::optional<Audit> AuditStudy(const LoadedStudy& study);
+
+/// One finding for each suspicion, at the channel's line of the study; what is certain (a sign, an exchange, a unit that
+/// nothing else explains) as `certain`.
+void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain, Diagnostics& diagnostics);
+
+/// What each channel leaves over, and from which size on a fault of it would be seen.
+std::string AuditText(const Audit& audit);
+
+/// `audit` of result.json and of `fourpost info STUDY`.
+nlohmann::ordered_json AuditJson(const Audit& audit);
+
+}  // namespace fourpost

@@ -1,0 +1,301 @@
+#!/usr/bin/env python3
+"""Which seeded faults of a rig `fourpost info STUDY` names, and how often it names one where there is none, as CSV.
+
+  audit.py PROGRAM --sets 200 > audit.csv      random cars (coverage.py) and roadsters, clean and with one fault each
+  audit.py PROGRAM --table > audit_table.csv   common faults in the Land Rover's recordings, by Model 2
+
+Recordings of random cars are of a richer vehicle than any that audits them: power unit on mounts, bushes, friction,
+digressive dampers; noise of three repeats, scale errors of 0.3 %. In a planar model a fault is in both channels of a
+sensor.
+"""
+import argparse
+import csv
+import json
+import math
+import random
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import coverage
+
+SOURCE = Path(__file__).resolve().parents[2]
+LAND_ROVER = SOURCE / "studies" / "landrover110"
+ROADSTER = SOURCE / "urdf" / "independent_roadster.urdf"
+MODELS = ["model1", "model2", "model3", "full_one_body", "roadster"]
+KINDS = ["gain 3 %", "delay 2 ms", "position 5 cm", "sign", "swap", "tare 2 %", "clipping 1 %", "scale 4.45"]
+NAMES = {"gain 3 %": "scale", "delay 2 ms": "delay", "position 5 cm": "position", "sign": "scale", "swap": "exchange",
+         "tare 2 %": "scale", "clipping 1 %": "scale", "scale 4.45": "scale"}
+
+
+def read(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def write(path, rows):
+    with open(path, "w", newline="") as file:
+        out = csv.DictWriter(file, rows[0].keys())
+        out.writeheader()
+        out.writerows(rows)
+
+
+def each_row(folder, change):
+    """Changes every row of every stepped sine."""
+    for path in sorted(folder.glob("*_frf.csv")):
+        rows = read(path)
+        for row in rows:
+            change(row)
+        write(path, rows)
+
+
+def scaled(row, factor):
+    row["gain"] = float(row["gain"]) * abs(factor)
+    row["gain_sd"] = float(row["gain_sd"]) * abs(factor)
+    if factor < 0:
+        row["phase_deg"] = float(row["phase_deg"]) + 180
+    if row["mean"]:
+        row["mean"] = float(row["mean"]) * factor
+
+
+def delayed(row, seconds):
+    row["phase_deg"] = float(row["phase_deg"]) - 360 * float(row["frequency_Hz"]) * seconds
+
+
+def clip(folder, names, share):
+    """Of the time at which a channel is beyond its range; its first harmonic is what a rig makes of it."""
+    level = {}
+    for name in names:
+        readings = []
+        for path in folder.glob("*_frf.csv"):
+            for row in read(path):
+                if row["channel"] == name:
+                    readings.append(reading_of(row))
+        low, high = 0.0, max(readings)
+        for _ in range(60):
+            middle = (low + high) / 2
+            beyond = sum(2 / math.pi * math.acos(middle / r) for r in readings if r > middle) / len(readings)
+            low, high = (middle, high) if beyond > share else (low, middle)
+        level[name] = high
+
+    def change(row):
+        if row["channel"] in level and (top := reading_of(row)) > (limit := level[row["channel"]]):
+            angle = math.asin(limit / top)
+            scaled(row, 2 / math.pi * (angle + limit / top * math.cos(angle)))
+    each_row(folder, change)
+
+
+def reading_of(row):
+    acceleration = (2 * math.pi * float(row["frequency_Hz"])) ** 2 if row["channel"].startswith("a_") else 1
+    return float(row["gain"]) * float(row["post_amplitude_m"]) * acceleration
+
+
+def roadster_set(program, folder, draw):
+    """A roadster with every rate drawn, its recordings and loads at rest."""
+    parameters = json.loads(coverage.run(program, "params", ROADSTER, "--json").stdout)["parameters"]
+    sets = []
+    for one in parameters:
+        if one.get("lower") is not None and one["lower"] < one["upper"] and one["value"] > 0:
+            value = min(max(one["value"] * math.exp(draw.uniform(-0.1, 0.1)), one["lower"]), one["upper"])
+            sets += ["--set", f"{one['name']}={value}{one.get('unit_si') or one.get('unit') or ''}"]
+    return sets
+
+
+def channels_of(text):
+    """Sensor of a study, and the recorded channels it stands for."""
+    block = re.search(r"\nchannels:\n((?:  .*\n)+)", text).group(1)
+    return {name: re.findall(r"\w+_\w+", rest.replace("mean", "").replace("sum", ""))
+            for name, rest in re.findall(r"  (\w+): (.*)\n", block)}
+
+
+def make_set(program, folder, model, draw):
+    car, knees = coverage.drawn_car(draw)
+    coverage.record(program, folder, car, knees, draw, 40)
+    coverage.static_loads(car, draw, folder / "static.csv")
+    study = coverage.study_file(model, folder)
+    text = study.read_text()
+    text = re.sub(r"file: (bounce|pitch|roll)_frf.csv", r"file: \1_frf.csv\n    repeats: 3", text)
+    study.write_text(text)
+    return study
+
+
+def device(name):
+    return name.split("_")[0]
+
+
+def seed_fault(kind, study, folder, draw):
+    """Puts a fault in; returns what an audit should name."""
+    text = study.read_text()
+    sensors = channels_of(text)
+    name = draw.choice([one for one in sensors if kind != "position 5 cm" or one.startswith("a_")])
+    raw = sensors[name]
+    if kind == "gain 3 %":
+        factor = draw.choice([1.03, 1 / 1.03])
+        each_row(folder, lambda row: row["channel"] in raw and scaled(row, factor))
+    if kind == "delay 2 ms":
+        seconds = draw.choice([0.002, -0.002])
+        each_row(folder, lambda row: row["channel"] in raw and delayed(row, seconds))
+    if kind == "sign":
+        each_row(folder, lambda row: row["channel"] in raw and scaled(row, -1))
+    if kind == "scale 4.45":
+        factor = draw.choice([4.4482216, 1 / 4.4482216])
+        each_row(folder, lambda row: row["channel"] in raw and scaled(row, factor))
+    if kind == "clipping 1 %":
+        clip(folder, raw, 0.01)
+    if kind == "swap":
+        other = draw.choice([one for one in sensors if device(one) == device(name) and one != name])
+        first, second = re.search(rf"  {name}: (.*)\n", text).group(1), re.search(rf"  {other}: (.*)\n", text).group(1)
+        text = text.replace(f"  {name}: {first}\n", "  @\n").replace(f"  {other}: {second}\n", f"  {other}: {first}\n")
+        study.write_text(text.replace("  @\n", f"  {name}: {second}\n"))
+        return {f"{name} and {other}", f"{other} and {name}"}
+    if kind == "tare 2 %":
+        rows = read(folder / "static.csv")
+        loads = [row for row in rows if row["quantity"].startswith("static_load")]
+        row = draw.choice(loads)
+        row["value"] = float(row["value"]) * draw.choice([1.02, 0.98])
+        write(folder / "static.csv", rows)
+        return {"load at rest"}
+    if kind == "position 5 cm":
+        vehicle = Path(re.search(r"vehicle: (.*)", text).group(1))
+        body = vehicle.read_text().replace("../meshes/", str(SOURCE / "meshes") + "/")
+        place = re.search(rf'name="{name}" type="accelerometer" link="\w+" xyz="([^ "]+)', body)
+        if not place:
+            return None
+        moved = float(place.group(1)) + draw.choice([0.05, -0.05])
+        body = body[:place.start(1)] + str(moved) + body[place.end(1):]
+        (folder / "moved.urdf").write_text(body)
+        study.write_text(text.replace(str(vehicle), "moved.urdf"))
+    return {name}
+
+
+def audit(program, study):
+    outcome = subprocess.run([str(program), "info", str(study), "--json"], capture_output=True, text=True)
+    if outcome.returncode not in (0, 1):
+        raise RuntimeError(outcome.stderr[-2000:])
+    return json.loads(outcome.stdout)["files"][0]
+
+
+def words(suspicions):
+    return "; ".join(f"{s['kind']} of {s['of']} {s['size']:.3g}" +
+                     "".join(f" or {r['kind']} of {r['of']} {r['size']:.3g}" for r in s["rivals"][:3]) for s in suspicions)
+
+
+def named(suspicion, kind, expected):
+    return suspicion["kind"] == NAMES[kind] and any(suspicion["of"].startswith(one) for one in expected)
+
+
+def run_sets(options):
+    out = csv.writer(sys.stdout)
+    out.writerow(["set", "model", "fault", "of", "named_first", "named_among", "anything_named", "misfit", "found"])
+    models = options.models.split(",")
+    for number in range(options.first, options.first + options.sets):
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = Path(temporary)
+            draw = random.Random(number)
+            model = models[number % len(models)]
+            study = make_set(options.program, folder, model, draw)
+            clean = audit(options.program, study)["audit"]
+            out.writerow([number, model, "none", "", "", "", int(bool(clean["suspicions"])), f"{clean['misfit']:.2f}",
+                          words(clean["suspicions"])])
+            kind = KINDS[(number // len(models)) % len(KINDS)]
+            expected = seed_fault(kind, study, folder, draw)
+            if expected:
+                faulty = audit(options.program, study)["audit"]
+                found = faulty["suspicions"]
+                first = bool(found) and named(found[0], kind, expected)
+                among = any(named(s, kind, expected) or any(named(r, kind, expected) for r in s["rivals"]) for s in found)
+                out.writerow([number, model, kind, "; ".join(sorted(expected)), int(first), int(among), int(bool(found)),
+                              f"{faulty['misfit']:.2f}", words(found)])
+            sys.stdout.flush()
+
+
+def table_faults():
+    """Name, and what it changes in a folder of recordings."""
+    def of(prefix, change):
+        return lambda folder: each_row(folder, lambda row: row["channel"].startswith(prefix) and change(row))
+
+    def late(prefix, milliseconds):
+        return of(prefix, lambda row: delayed(row, milliseconds / 1000))
+
+    def gain(prefix, factor):
+        return of(prefix, lambda row: scaled(row, factor))
+
+    def amplitude(factor):
+        return lambda folder: each_row(
+            folder, lambda row: row.update(post_amplitude_m=float(row["post_amplitude_m"]) * factor))
+
+    def mean_sign(row):
+        if row["mean"]:
+            row["mean"] = -float(row["mean"])
+
+    def load(change):
+        def apply(folder):
+            rows = read(folder / "static.csv")
+            for row in rows:
+                if row["quantity"].startswith("static_load"):
+                    change(row)
+            write(folder / "static.csv", rows)
+        return apply
+
+    def rear_for_front(folder):
+        path = folder / "model2.yaml"
+        path.write_text(path.read_text().replace("s_strut_front: {mean: [s_strut_FL, s_strut_FR]}",
+                                                 "s_strut_front: {mean: [s_strut_RL, s_strut_RR]}"))
+    yield "untouched", lambda folder: None
+    yield "post_amplitude_m x2 (peak to peak for amplitude)", amplitude(2)
+    yield "post_amplitude_m /1000", amplitude(0.001)
+    for ms in (2, 5, 10):
+        yield f"all channels {ms} ms late (posts on another device)", late("", ms)
+    yield "all accelerometers 5 ms late", late("a_", 5)
+    for ms in (2, 5, 10):
+        yield f"tyre forces {ms} ms late", late("F_", ms)
+    yield "struts x1.1", gain("s_", 1.1)
+    yield "struts x1.2", gain("s_", 1.2)
+    yield "struts sum for mean (x2)", gain("s_", 2)
+    yield "sign of the struts' mean alone", of("s_", mean_sign)
+    yield "frequency x1.05", of("", lambda row: row.update(frequency_Hz=float(row["frequency_Hz"]) * 1.05))
+    yield "front strut sensor mapped to the rear's channels", rear_for_front
+    yield "everything x1.05 (post transducer)", gain("", 1.05)
+    yield "static FL +200 N", load(
+        lambda row: row["quantity"].endswith("FL") and row.update(value=float(row["value"]) + 200))
+    yield "struts x25.4", gain("s_", 25.4)
+    yield "struts x1000", gain("s_", 1000)
+    yield "forces x0.001", gain("F_", 0.001)
+    yield "a x9.8", gain("a_", 9.80665)
+    yield "static x1000", load(lambda row: row.update(value=float(row["value"]) * 1000))
+
+
+def run_table(options):
+    out = csv.writer(sys.stdout)
+    out.writerow(["fault", "named", "misfit", "findings"])
+    for name, change in table_faults():
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = Path(temporary)
+            for file in ("bounce_frf.csv", "pitch_frf.csv", "static.csv"):
+                shutil.copy(LAND_ROVER / file, folder)
+            coverage.study_file("model2", folder)
+            change(folder)
+            result = audit(options.program, folder / "model2.yaml")
+            out.writerow([name, words(result["audit"]["suspicions"]), f"{result['audit']['misfit']:.2f}",
+                          " ".join(warning["id"] for warning in result["warnings"])])
+            sys.stdout.flush()
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    arguments.add_argument("program")
+    arguments.add_argument("--sets", type=int, default=200)
+    arguments.add_argument("--first", type=int, default=1)
+    arguments.add_argument("--models", default="model1,model2,model3,full_one_body")
+    arguments.add_argument("--table", action="store_true")
+    options = arguments.parse_args()
+    run_table(options) if options.table else run_sets(options)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
