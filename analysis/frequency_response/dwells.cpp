@@ -49,7 +49,8 @@ class PhaseLine {
 /// The turn of `phase` that is nearest to `expected`.
 double Unwrapped(double phase, double expected) { return phase + 2 * pi * std::round((expected - phase) / (2 * pi)); }
 
-/// What noise may turn a phase by, beside 4 degrees, which a step of the frequency by 1 % reaches within a cycle or two.
+/// What noise may turn a phase by, beside 4 degrees, which a step of the frequency by 1 % reaches within a cycle or
+/// two.
 double Tolerance(const TonePoint& point) {
   constexpr double kLeast = 0.07;
   constexpr double kMost = 0.4;
@@ -150,8 +151,7 @@ class RunFinder {
   }
 
   double Turn(std::size_t k) const {
-    return pi * (track_[k].cycles_per_sample + track_[k - 1].cycles_per_sample) *
-           (track_[k].time - track_[k - 1].time);
+    return pi * (track_[k].cycles_per_sample + track_[k - 1].cycles_per_sample) * (track_[k].time - track_[k - 1].time);
   }
 
   Run MakeRun(std::size_t first, std::size_t last) const {

@@ -146,8 +146,7 @@ class SegmentPass {
     transform_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   }
 
-  std::vector<LocalResponse> Run(std::span<const double> reference,
-                                 std::span<const std::span<const double>> channels,
+  std::vector<LocalResponse> Run(std::span<const double> reference, std::span<const std::span<const double>> channels,
                                  std::span<const double> frequencies_Hz, double noise) {
     std::vector<LocalFit> fits;
     for (const double frequency : frequencies_Hz) fits.emplace_back(frequency, rate_Hz_, segment_, channels.size());

@@ -36,8 +36,7 @@ Eigen::MatrixXd Basis(std::size_t first, std::size_t last, double cycles_per_sam
 Complex FundamentalOf(std::span<const double> samples, const std::vector<double>& cosine,
                       const std::vector<double>& sine, const Eigen::Matrix3d& inverse) {
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < samples.size(); ++k)
-    right += samples[k] * Eigen::Vector3d(1, cosine[k], sine[k]);
+  for (std::size_t k = 0; k < samples.size(); ++k) right += samples[k] * Eigen::Vector3d(1, cosine[k], sine[k]);
   const Eigen::Vector3d fitted = inverse * right;
   return {fitted[1], -fitted[2]};
 }

@@ -16,10 +16,10 @@ struct SineFit {
   double mean = 0;
 };
 
-/// Fits signals of one length to samples first..last (the last excluded). `origin`: the sample at which phases count, so
-/// that parts of a record compare. `harmonics`, at least 1, are cut to those below 0.45 cycles per sample. A straight
-/// drift, fitted along, would else leak into the fundamental by 1 / (pi cycles) of its size.
-/// Throws std::invalid_argument for fewer samples than unknowns and for frequencies that are not in (0, 0.45).
+/// Fits signals of one length to samples first..last (the last excluded). `origin`: the sample at which phases count,
+/// so that parts of a record compare. `harmonics`, at least 1, are cut to those below 0.45 cycles per sample. A
+/// straight drift, fitted along, would else leak into the fundamental by 1 / (pi cycles) of its size. Throws
+/// std::invalid_argument for fewer samples than unknowns and for frequencies that are not in (0, 0.45).
 std::vector<SineFit> FitSines(std::span<const std::span<const double>> signals, std::size_t first, std::size_t last,
                               double cycles_per_sample, int harmonics, double origin);
 

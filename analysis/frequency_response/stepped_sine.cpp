@@ -89,8 +89,8 @@ class DwellFit {
     const CyclePhasors cycles = PhasorsByCycle(post, first, end, frequency_, start_);
     const std::vector<Complex>& phasor = cycles.phasor.front();
     if (phasor.size() < 4) return;
-    const auto middle = static_cast<std::size_t>(std::clamp(
-        (0.5 * (start_ + end_) - first) / cycle, 1.0, static_cast<double>(phasor.size() - 2)));
+    const auto middle = static_cast<std::size_t>(
+        std::clamp((0.5 * (start_ + end_) - first) / cycle, 1.0, static_cast<double>(phasor.size() - 2)));
     Complex usual;
     std::size_t count = 0;
     for (std::size_t k = middle > 2 ? middle - 2 : 0; k < std::min(middle + 3, phasor.size()); ++k, ++count)
@@ -216,7 +216,8 @@ std::vector<RestLevel> RestLevels(const RigSignals& signals, std::span<const Dwe
 
 std::vector<double> LevelAt(std::span<const RestLevel> levels, double time) {
   if (levels.empty()) return {};
-  const auto above = std::find_if(levels.begin(), levels.end(), [&](const RestLevel& level) { return level.time >= time; });
+  const auto above =
+      std::find_if(levels.begin(), levels.end(), [&](const RestLevel& level) { return level.time >= time; });
   if (above == levels.begin()) return above->channels;
   const auto below = above - 1;
   if (above == levels.end()) return below->channels;

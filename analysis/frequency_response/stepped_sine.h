@@ -46,10 +46,10 @@ struct DwellResponse {
 };
 
 /// Responses in the dwells of a record: frequency from the reference post, run-in cut by SettledPartOf() of the ratios
-/// of channels to posts, then a fit of offset, drift and five harmonics to the whole cycles that are left (FitSines). The
-/// response is the ratio of the fundamentals to the motion of the posts' pattern. Its variance is that of the mean of the
-/// cycles' differences from it, Y - H X over X, see VarianceOfMean(): noise of posts and channels alike, as far as they
-/// are not of one source. Dwells with fewer than three whole settled cycles are left out.
+/// of channels to posts, then a fit of offset, drift and five harmonics to the whole cycles that are left (FitSines).
+/// The response is the ratio of the fundamentals to the motion of the posts' pattern. Its variance is that of the mean
+/// of the cycles' differences from it, Y - H X over X, see VarianceOfMean(): noise of posts and channels alike, as far
+/// as they are not of one source. Dwells with fewer than three whole settled cycles are left out.
 std::vector<DwellResponse> RespondInDwells(const RigSignals& signals, std::span<const Dwell> dwells,
                                            std::optional<std::size_t> reference = std::nullopt);
 
@@ -61,7 +61,8 @@ struct RestLevel {
 };
 std::vector<RestLevel> RestLevels(const RigSignals& signals, std::span<const Dwell> dwells);
 
-/// The level at rest of every channel at a time, linear between those known, constant beyond. Empty where there is none.
+/// The level at rest of every channel at a time, linear between those known, constant beyond. Empty where there is
+/// none.
 std::vector<double> LevelAt(std::span<const RestLevel> levels, double time);
 
 }  // namespace fourpost

@@ -15,7 +15,8 @@ using std::numbers::pi;
 using Complex = std::complex<double>;
 
 constexpr double kWindowCycles = 3;
-/// Two windows a cycle, so that a frequency that is off by a tone's step still turns less than half a cycle between them.
+/// Two windows a cycle, so that a frequency that is off by a tone's step still turns less than half a cycle between
+/// them.
 constexpr double kHopCycles = 0.5;
 
 /// Means over blocks, of the signal and of its square, whose difference is all of the variance.
@@ -112,9 +113,7 @@ class ToneFilter {
     return {variance > 0 ? std::min(1.0, 0.5 * std::norm(phasor) / variance) : 0, phasor};
   }
 
-  double TimeOf(std::size_t index) const {
-    return (static_cast<double>(half_ + index * hop_) + 0.5) * block_ - 0.5;
-  }
+  double TimeOf(std::size_t index) const { return (static_cast<double>(half_ + index * hop_) + 0.5) * block_ - 0.5; }
 
   std::size_t Index(double time) const {
     const double place = ((time + 0.5) / block_ - 0.5 - static_cast<double>(half_)) / static_cast<double>(hop_);
@@ -126,8 +125,8 @@ class ToneFilter {
     if (windows_.size() < 2) return cycles_;
     const std::size_t first = std::min(index, windows_.size() - 2);
     const double step = static_cast<double>(hop_) * block_;
-    const Complex turn = windows_[first + 1].phasor * std::conj(windows_[first].phasor) *
-                         std::polar(1.0, -2 * pi * cycles_ * step);
+    const Complex turn =
+        windows_[first + 1].phasor * std::conj(windows_[first].phasor) * std::polar(1.0, -2 * pi * cycles_ * step);
     return cycles_ + std::arg(turn) / (2 * pi * step);
   }
 
@@ -168,9 +167,9 @@ std::vector<TonePoint> TrackTone(std::span<const double> signal) {
   const std::vector<ToneFilter> filters = FiltersOf(signal);
   if (filters.empty()) return track;
   for (double time = 0; time < static_cast<double>(signal.size());) {
-    const auto best = std::max_element(
-        filters.begin(), filters.end(),
-        [&](const ToneFilter& a, const ToneFilter& b) { return a.ShareAt(time) < b.ShareAt(time); });
+    const auto best = std::max_element(filters.begin(), filters.end(), [&](const ToneFilter& a, const ToneFilter& b) {
+      return a.ShareAt(time) < b.ShareAt(time);
+    });
     const TonePoint point = best->PointNear(time);
     // A window's centre is up to half a step away.
     if (track.empty() || point.time > track.back().time) track.push_back(point);

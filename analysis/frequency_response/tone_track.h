@@ -18,10 +18,11 @@ struct TonePoint {
   double share = 0;
 };
 
-/// A signal's strongest tone over time, a point each half cycle of it. Tones are looked for in steps of a quarter octave,
-/// each under Hann's window over three of its cycles, from three cycles in the record to 0.3 cycles per sample; the one
-/// that explains the largest share of the variance in its own window is taken. Below 0.03 cycles per sample the signal is
-/// averaged over blocks first, which turns no phase. Nothing of a constant signal, and of less than 16 samples.
+/// A signal's strongest tone over time, a point each half cycle of it. Tones are looked for in steps of a quarter
+/// octave, each under Hann's window over three of its cycles, from three cycles in the record to 0.3 cycles per sample;
+/// the one that explains the largest share of the variance in its own window is taken. Below 0.03 cycles per sample the
+/// signal is averaged over blocks first, which turns no phase. Nothing of a constant signal, and of less than 16
+/// samples.
 std::vector<TonePoint> TrackTone(std::span<const double> signal);
 
 }  // namespace fourpost
