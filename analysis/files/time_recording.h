@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/files/recorded_table.h"
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/units.h"
 
@@ -50,5 +51,8 @@ struct TimeRecording {
 std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file,
                                                std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
                                                const RecordedChannel& time = kTimeColumn);
+/// Likewise of a file that has been read.
+std::optional<TimeRecording> ReadTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted,
+                                               Diagnostics& diagnostics, const RecordedChannel& time = kTimeColumn);
 
 }  // namespace fourpost
