@@ -69,8 +69,4 @@ inline const Finding kResponseMultisineNonlinear{
     "to fit a model of dampers and friction record stepped sines, whose responses belong to an amplitude"};
 inline const Finding kResponseChannelSilent{"response-channel-silent", Severity::kWarning,
                                             "channel '{}' does not move and is left out", "check its cable"};
-inline const Finding kResponseNotUnique{"response-not-unique", Severity::kError,
-                                        "the file holds posts moving as {}, none of which is '{}' as stated",
-                                        "correct 'posts', or the channels of the posts"};
-
 }  // namespace fourpost

@@ -74,11 +74,12 @@ void Program::AddInfo() {
 }
 
 void Program::AddFrf() {
-  AddOptions(*Add("frf", "Make frequency responses of time histories: stepped sines, sweeps, random motions, multisines",
-                  "  fourpost frf sweep.csv\n"
-                  "  fourpost frf sweep.csv --frequencies 1Hz:20Hz:40 --post post_post=post -o frf",
-                  [this] { return Run(frf_); }),
-             frf_);
+  AddOptions(
+      *Add("frf", "Make frequency responses of time histories: stepped sines, sweeps, random motions, multisines",
+           "  fourpost frf sweep.csv\n"
+           "  fourpost frf sweep.csv --frequencies 1Hz:20Hz:40 --post post_post=post -o frf",
+           [this] { return Run(frf_); }),
+      frf_);
 }
 
 void Program::AddCheck() {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/measured_response/measured_response.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/study_file/channel_source.h"
 #include "identify/study_file/model_error.h"
@@ -25,6 +26,9 @@ struct StudyRecording {
   std::optional<std::string> pattern;
   /// Of which the table holds the mean and the standard deviation of one; 1: deviations are those of the mean.
   int repeats = 1;
+  /// Of a time history: channels of the posts' displacements, by name where there are none; and the rig's filter.
+  std::vector<PostChannel> post_channels = {};
+  std::optional<RigFilter> filter = {};
   int line = 0;
 };
 
