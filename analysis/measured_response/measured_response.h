@@ -14,7 +14,7 @@
 namespace fourpost {
 
 /// A Butterworth low-pass that all channels, posts too, have passed.
-struct RigFilter {
+struct AcquisitionFilter {
   int order = 4;
   double cutoff_Hz = 0;
 };
@@ -29,7 +29,7 @@ struct ResponseRequest {
   std::string reference = {};
   /// Empty: found in the posts' motion.
   std::optional<ExcitationKind> kind = {};
-  std::optional<RigFilter> filter = {};
+  std::optional<AcquisitionFilter> filter = {};
   /// Of sweeps and random motions, rising; empty: 64 over the band in which the posts move.
   std::vector<double> frequencies_Hz = {};
 };

@@ -30,7 +30,7 @@ void AddPost(const std::string& text, FrfCommand& command) {
   else command.request.posts.push_back({text.substr(0, sign), text.substr(sign + 1)});
 }
 
-RigFilter& FilterOf(FrfCommand& command) {
+AcquisitionFilter& FilterOf(FrfCommand& command) {
   if (!command.request.filter) command.request.filter.emplace();
   return *command.request.filter;
 }

@@ -28,7 +28,7 @@ struct StudyRecording {
   int repeats = 1;
   /// Of a time history: channels of the posts' displacements, by name where there are none; and the rig's filter.
   std::vector<PostChannel> post_channels = {};
-  std::optional<RigFilter> filter = {};
+  std::optional<AcquisitionFilter> filter = {};
   int line = 0;
 };
 

@@ -94,14 +94,14 @@ class FourPostReader {
     return posts;
   }
 
-  std::optional<RigFilter> Filter(const YAML::Node& node) {
+  std::optional<AcquisitionFilter> Filter(const YAML::Node& node) {
     const StrictMap map = Map(node, "'filter'", {"order", "cutoff"});
     map.Require("order");
     map.Require("cutoff");
     const auto order = map.Integer("order", 1, 16);
     const auto cutoff = map.Quantity("cutoff", kFrequency, 1e-6);
     if (!order || !cutoff) return std::nullopt;
-    return RigFilter{.order = static_cast<int>(*order), .cutoff_Hz = *cutoff};
+    return AcquisitionFilter{.order = static_cast<int>(*order), .cutoff_Hz = *cutoff};
   }
 
   void ReadBand(const StrictMap& top) {
