@@ -46,7 +46,7 @@ TEST(Dwells, AreFoundWithFrequencyAndEnds) {
       const double cycle = kRate / frequencies[k];
       EXPECT_NEAR(dwells[k].cycles_per_sample * cycle, 1, 0.01);
       EXPECT_NEAR(dwells[k].start, start, 2 * cycle);
-      start += std::floor(std::max(10 * cycle, kRate));
+      start += std::floor(std::max(10 * cycle, 4 * kRate));
       EXPECT_NEAR(dwells[k].end, start, 2 * cycle);
     }
   }

@@ -51,12 +51,12 @@ inline double RigAmplitude(double frequency_Hz) {
   return std::min({12e-3, 0.15 / w, 6 / (w * w)});
 }
 
-/// Rest, then a dwell at each frequency, without jumps; `cycles` of each, a second at least.
+/// Rest, then a dwell at each frequency, without jumps; `cycles` of each, four seconds at least.
 inline std::vector<double> SteppedSine(const std::vector<double>& frequencies_Hz, double cycles, double rate_Hz) {
   std::vector<double> signal(static_cast<std::size_t>(2 * rate_Hz), 0.0);
   double phase = 0;
   for (const double frequency : frequencies_Hz) {
-    const auto samples = static_cast<std::size_t>(std::max(cycles / frequency, 1.0) * rate_Hz);
+    const auto samples = static_cast<std::size_t>(std::max(cycles / frequency, 4.0) * rate_Hz);
     for (std::size_t k = 0; k < samples; ++k) {
       phase += 2 * std::numbers::pi * frequency / rate_Hz;
       signal.push_back(RigAmplitude(frequency) * std::sin(phase));
