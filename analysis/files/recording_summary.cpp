@@ -94,6 +94,11 @@ ColumnSummary SummariseColumn(const RecordedTable& table, std::size_t column) {
 
 }  // namespace
 
+std::string TimesColumn(const RecordedTable& table) {
+  const std::optional<std::size_t> column = TimesOf(table);
+  return column ? table.names()[*column] : "";
+}
+
 RecordingSummary Summarise(const RecordedTable& table) {
   RecordingSummary summary;
   const std::optional<std::size_t> times = TimesOf(table);

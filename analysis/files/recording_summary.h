@@ -60,6 +60,9 @@ struct RecordingSummary {
   std::vector<ColumnSummary> columns;
 };
 
+/// The column of the samples' times; empty where there is none.
+std::string TimesColumn(const RecordedTable& table);
+
 /// Looks at all columns. Times are a column of kTimeColumn's names, else the first in a unit of time.
 RecordingSummary Summarise(const RecordedTable& table);
 

@@ -258,12 +258,16 @@ std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file
                                                std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
                                                const RecordedChannel& time) {
   const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
-  if (!table) return std::nullopt;
-  if (IsSteppedSine(*table)) {
-    diagnostics.Report(kSteppedSineAsHistory, {table->file(), table->names_line()});
+  return table ? ReadTimeRecording(*table, wanted, diagnostics, time) : std::nullopt;
+}
+
+std::optional<TimeRecording> ReadTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted,
+                                               Diagnostics& diagnostics, const RecordedChannel& time) {
+  if (IsSteppedSine(table)) {
+    diagnostics.Report(kSteppedSineAsHistory, {table.file(), table.names_line()});
     return std::nullopt;
   }
-  return Reading(*table, diagnostics, [&](RecordReader& reader) { return reader.Read(wanted, time); });
+  return Reading(table, diagnostics, [&](RecordReader& reader) { return reader.Read(wanted, time); });
 }
 
 }  // namespace fourpost

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/files/recorded_table.h"
 #include "analysis/text/diagnostics.h"
 #include "analysis/text/units.h"
 
@@ -53,6 +54,9 @@ struct TimeRecording {
 std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file,
                                                std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
                                                const RecordedChannel& time = kTimeColumn);
+/// Likewise of a file that has been read.
+std::optional<TimeRecording> ReadTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted,
+                                               Diagnostics& diagnostics, const RecordedChannel& time = kTimeColumn);
 
 /// Reports what ReadTimeRecording would of a table, and keeps no channel: the record may be larger than memory.
 void CheckTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,

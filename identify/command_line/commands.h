@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/measured_response/measured_response.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/run/fit_run.h"
 #include "identify/run/run_draws.h"
@@ -25,6 +26,16 @@ struct InitCommand {
 struct InfoCommand {
   std::vector<std::filesystem::path> files;
   bool json = false;
+};
+
+/// `fourpost frf FILE...`
+struct FrfCommand {
+  ResponseRequest request;
+  /// Empty: nothing is written.
+  std::filesystem::path output;
+  bool json = false;
+  /// What is wrong with the values of options.
+  Diagnostics faults;
 };
 
 /// `fourpost params MODEL`
@@ -189,6 +200,7 @@ struct RankCommand {
 
 int Run(const InitCommand& command);
 int Run(const InfoCommand& command);
+int Run(const FrfCommand& command);
 int Run(const ParamsCommand& command);
 int Run(const CheckCommand& command);
 int Run(const ResponseCommand& command);

@@ -23,6 +23,9 @@ inline const Finding kOptionOfVehicle{"option-of-vehicle", Severity::kError,
                                       "only for a vehicle file, and {} is a study",
                                       "leave it out, the study's recordings and vehicle define this"};
 
+inline const Finding kPostChannelMalformed{"post-channel-malformed", Severity::kError,
+                                           "'{}' does not name a channel and its post", "write it as CHANNEL=FL"};
+
 // Files that are given.
 
 inline const Finding kStudyForVehicle{"study-for-vehicle", Severity::kError, "this is a study, not a vehicle file",

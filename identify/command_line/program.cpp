@@ -9,6 +9,7 @@
 #include "identify/command_line/file_kind.h"
 #include "identify/command_line/finding_list.h"
 #include "identify/command_line/findings.h"
+#include "identify/command_line/frf_options.h"
 #include "identify/command_line/manual_page.h"
 #include "identify/command_line/options.h"
 #include "identify/command_line/print.h"
@@ -32,6 +33,7 @@ Program::Program() {
       "`fourpost help ID` explains an error or a warning by the id in brackets at its end.");
   AddInit();
   AddInfo();
+  AddFrf();
   AddCheck();
   AddParams();
   AddResponse();
@@ -69,6 +71,15 @@ void Program::AddInfo() {
           "  fourpost info sweep.csv\n  fourpost info --json run1.mat run2.mat", [this] { return Run(info_); });
   sub->add_option("FILE", info_.files, "Time histories, stepped sines or static loads (.csv, .mat)")->required();
   sub->add_flag("--json", info_.json, "Print JSON");
+}
+
+void Program::AddFrf() {
+  AddOptions(
+      *Add("frf", "Make frequency responses of time histories: stepped sines, sweeps, random motions, multisines",
+           "  fourpost frf sweep.csv\n"
+           "  fourpost frf sweep.csv --frequencies 1Hz:20Hz:40 --post post_post=post -o frf",
+           [this] { return Run(frf_); }),
+      frf_);
 }
 
 void Program::AddCheck() {

@@ -28,6 +28,7 @@ class Program {
   CLI::App* Add(const char* name, const char* help, const char* examples, std::function<int()> run);
   void AddInit();
   void AddInfo();
+  void AddFrf();
   void AddCheck();
   void AddParams();
   void AddResponse();
@@ -47,6 +48,7 @@ class Program {
   std::function<int()> run_;
   InitCommand init_;
   InfoCommand info_;
+  FrfCommand frf_;
   CheckCommand check_;
   ParamsCommand params_;
   ResponseCommand response_;

@@ -32,6 +32,29 @@ inline const Finding kBandWithoutFrequency{"band-without-frequency", Severity::k
                                            "the band holds no frequency of recording '{}'",
                                            "widen 'band', or remove the recording"};
 
+// Recordings over time.
+
+inline const Finding kSinePostChannels{"sine-post-channels", Severity::kError,
+                                       "'post_channels' must map each post to its channel",
+                                       "write it as {FL: z_fl, FR: z_fr}"};
+inline const Finding kSineKeysOfHistory{"sine-keys-of-history", Severity::kError,
+                                        "'post_channels' and 'filter' are for time histories, and recording '{}' is a "
+                                        "table of responses",
+                                        "remove them"};
+inline const Finding kSineRepeatsCounted{"sine-repeats-counted", Severity::kError,
+                                         "recording '{}' is a time history, of which repeats are counted",
+                                         "remove 'repeats'"};
+inline const Finding kSinePostsUnmapped{"sine-posts-unmapped", Severity::kError,
+                                        "channels of posts in recording '{}' are {}, posts of the vehicle {}",
+                                        "map them, as in post_channels: {FL: z_fl, FR: z_fr}"};
+inline const Finding kSinePostsOtherwise{"sine-posts-otherwise", Severity::kError,
+                                         "in recording '{}' the posts move as {}, according to the study as {}",
+                                         "correct 'posts', or the channels in 'post_channels'"};
+inline const Finding kSineSeveralAmplitudes{
+    "sine-several-amplitudes", Severity::kError,
+    "recording '{}' holds {} responses, of several amplitudes at one frequency, as stated by 'posts'",
+    "make one recording of each by `fourpost frf FILE -o DIR`"};
+
 // Recordings.
 
 inline const Finding kSineChannelMissing{"sine-channel-missing", Severity::kError, "{} has no channel '{}'{}",

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "analysis/files/frequency_response_file.h"
 #include "analysis/signals/decibel.h"
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
@@ -24,6 +23,7 @@
 #include "identify/experiments/four_post/response_discrepancy.h"
 #include "identify/experiments/four_post/response_misfit.h"
 #include "identify/experiments/four_post/response_misfit_json.h"
+#include "identify/experiments/four_post/study_recording.h"
 #include "identify/experiments/four_post/tyre_pull_lint.h"
 #include "identify/experiments/four_post/wheelpan_lint.h"
 #include "identify/fit/fit.h"
@@ -144,8 +144,7 @@ std::vector<ExperimentFile> FourPost::Files() const {
 }
 
 void FourPost::CheckFiles(Diagnostics& diagnostics) const {
-  for (const StudyRecording& recording : plan.recordings)
-    ReadFrequencyResponse(recording.file, diagnostics, recording.amplitude_m);
+  for (const StudyRecording& recording : plan.recordings) ReadStudyRecording(recording, plan.file, {}, {}, diagnostics);
 }
 
 void FourPost::Load(const Subject& subject, Diagnostics& diagnostics) {

@@ -7,10 +7,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "analysis/files/frequency_response_file.h"
 #include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
 #include "identify/experiments/four_post/findings.h"
+#include "identify/experiments/four_post/study_recording.h"
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/response/response_recorder.h"
 
@@ -124,11 +124,12 @@ class DataLoader {
   }
 
   void LoadRun(const StudyRecording& recording) {
-    const std::optional<FrequencyResponse> measured =
-        ReadFrequencyResponse(recording.file, diagnostics_, recording.amplitude_m);
     MeasuredRun run;
     run.name = recording.name;
     run.excitation.shape = Shape(recording);
+    if (run.excitation.shape.empty()) return;
+    const std::optional<FrequencyResponse> measured =
+        ReadStudyRecording(recording, file_, NamesOf(vehicle_.posts), run.excitation.shape, diagnostics_);
     if (!measured) return;
     run.excitation.frequency_Hz = measured->frequency_Hz;
     run.excitation.amplitude_m = measured->amplitude_m;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/measured_response/measured_response.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/study_file/channel_source.h"
 #include "identify/study_file/model_error.h"
@@ -27,6 +28,9 @@ struct StudyRecording {
   int repeats = 1;
   /// Of the reference post, where the file does not have it.
   std::optional<double> amplitude_m = std::nullopt;
+  /// Of a time history: channels of the posts' displacements, by name where there are none; and the rig's filter.
+  std::vector<PostChannel> post_channels = {};
+  std::optional<AcquisitionFilter> filter = {};
   int line = 0;
 };
 

@@ -37,7 +37,8 @@ class FourPostReader {
       return;
     }
     for (const YAML::Node& entry : list) {
-      const StrictMap map = Map(entry, "the recording", {"name", "file", "posts", "repeats", "amplitude"});
+      const StrictMap map =
+          Map(entry, "the recording", {"name", "file", "posts", "repeats", "amplitude", "post_channels", "filter"});
       StudyRecording recording;
       recording.line = map.line();
       map.Require("file");
@@ -46,6 +47,8 @@ class FourPostReader {
       recording.repeats = static_cast<int>(map.Integer("repeats", 1, 1000).value_or(1));
       recording.amplitude_m = map.Quantity("amplitude", kLength, kSmallestAmplitude_m);
       if (const YAML::Node posts = map.Require("posts"); posts.IsDefined()) ReadPosts(posts, recording);
+      if (map.Has("post_channels")) recording.post_channels = PostChannels(map.Get("post_channels"));
+      if (map.Has("filter")) recording.filter = Filter(map.Get("filter"));
       for (const StudyRecording& other : plan_.recordings)
         if (other.name == recording.name) Fault(entry, kSineTwice, {recording.name});
       plan_.recordings.push_back(recording);
@@ -79,6 +82,30 @@ class FourPostReader {
     if (shape.size() == names.size() && std::none_of(shape.begin(), shape.end(), is_reference))
       Fault(node, kPostReferenceMissing);
     return shape;
+  }
+
+  /// Of a mapping from posts to channels of a time history.
+  std::vector<PostChannel> PostChannels(const YAML::Node& node) {
+    std::vector<PostChannel> posts;
+    if (!node.IsMap() || node.size() == 0) {
+      Fault(node, kSinePostChannels);
+      return posts;
+    }
+    for (const auto& entry : node) {
+      if (!entry.second.IsScalar()) Fault(node, kSinePostChannels);
+      else posts.push_back({entry.second.as<std::string>(), entry.first.as<std::string>()});
+    }
+    return posts;
+  }
+
+  std::optional<AcquisitionFilter> Filter(const YAML::Node& node) {
+    const StrictMap map = Map(node, "'filter'", {"order", "cutoff"});
+    map.Require("order");
+    map.Require("cutoff");
+    const auto order = map.Integer("order", 1, 16);
+    const auto cutoff = map.Quantity("cutoff", kFrequency, 1e-6);
+    if (!order || !cutoff) return std::nullopt;
+    return AcquisitionFilter{.order = static_cast<int>(*order), .cutoff_Hz = *cutoff};
   }
 
   void ReadBand(const StrictMap& top) {

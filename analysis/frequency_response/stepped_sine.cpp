@@ -1,0 +1,231 @@
+#include "analysis/frequency_response/stepped_sine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/frequency_response/settled_part.h"
+#include "analysis/frequency_response/sine_fit.h"
+#include "analysis/signals/deviation.h"
+
+namespace fourpost {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr int kHarmonics = 5;
+
+std::vector<std::vector<Complex>> Products(const std::vector<Complex>& posts) {
+  std::vector<std::vector<Complex>> products(posts.size(), std::vector<Complex>(posts.size()));
+  for (std::size_t a = 0; a < posts.size(); ++a)
+    for (std::size_t b = 0; b < posts.size(); ++b) products[a][b] = std::conj(posts[a]) * posts[b];
+  return products;
+}
+
+/// One dwell of a record.
+class DwellFit {
+ public:
+  DwellFit(const RigSignals& signals, const Dwell& dwell, std::optional<std::size_t> reference)
+      : signals_(signals), posts_(signals.posts.size()), all_(signals.posts) {
+    all_.insert(all_.end(), signals.channels.begin(), signals.channels.end());
+    const double last = static_cast<double>(signals.samples());
+    start_ = std::max(0.0, dwell.start);
+    end_ = std::min(last, dwell.end);
+    const std::size_t tracked = reference.value_or(Largest(start_, end_));
+    frequency_ = RefinedFrequency(all_[tracked], start_, end_, dwell.cycles_per_sample);
+    Extend(last, tracked);
+    reference_ = reference;
+  }
+
+  std::optional<DwellResponse> Respond() {
+    const CyclePhasors cycles = PhasorsByCycle(all_, start_, end_, frequency_, start_);
+    constexpr std::size_t kFewestBlocks = 3;
+    if (cycles.blocks() < kFewestBlocks) return std::nullopt;
+    std::vector<Complex> mean;
+    for (std::size_t p = 0; p < posts_; ++p) {
+      Complex sum;
+      for (std::size_t k = cycles.blocks() / 2; k < cycles.blocks(); ++k) sum += cycles.phasor[p][k];
+      mean.push_back(sum);
+    }
+    DwellResponse out;
+    out.shares = SharesOf(Products(mean), reference_);
+    const std::vector<Complex> motion = MotionByCycle(cycles, out.shares);
+    const SettledPart settled = SettledPartOf(Ratios(cycles, motion));
+    if (cycles.blocks() - settled.first < kFewestBlocks) return std::nullopt;
+    out.is_settled = settled.is_settled;
+    out.first = cycles.start[settled.first];
+    out.last = cycles.start.back();
+    out.frequency_Hz = frequency_ * signals_.rate_Hz;
+    out.cycles = static_cast<int>(cycles.blocks() - settled.first) * cycles.cycles;
+    out.run_in_cycles = static_cast<int>(settled.first) * cycles.cycles;
+    Fit(cycles, motion, settled.first, out);
+    return out;
+  }
+
+ private:
+  std::size_t Largest(double start, double end) const {
+    std::size_t largest = 0;
+    double most = -1;
+    for (std::size_t p = 0; p < posts_; ++p) {
+      const auto first = static_cast<std::size_t>(start);
+      const double size = DeviationOf(all_[p].subspan(first, static_cast<std::size_t>(end) - first));
+      if (size > 1.05 * most) {
+        most = size;
+        largest = p;
+      }
+    }
+    return largest;
+  }
+
+  /// The track is good to a cycle: its ends move as far as the post's phasors stay what they are.
+  void Extend(double last, std::size_t tracked) {
+    constexpr double kSame = 0.02;
+    const std::vector<std::span<const double>> post = {all_[tracked]};
+    // Blocks that begin a cycle or two earlier, of the same phase.
+    const double cycle = std::max(1.0, std::ceil(16 * frequency_)) / frequency_;
+    const double room = std::min(3.0, std::floor(start_ / cycle));
+    const double first = start_ - room * cycle;
+    const double end = std::min(last, end_ + 3 * cycle);
+    const CyclePhasors cycles = PhasorsByCycle(post, first, end, frequency_, start_);
+    const std::vector<Complex>& phasor = cycles.phasor.front();
+    if (phasor.size() < 4) return;
+    const auto middle = static_cast<std::size_t>(
+        std::clamp((0.5 * (start_ + end_) - first) / cycle, 1.0, static_cast<double>(phasor.size() - 2)));
+    Complex usual;
+    std::size_t count = 0;
+    for (std::size_t k = middle > 2 ? middle - 2 : 0; k < std::min(middle + 3, phasor.size()); ++k, ++count)
+      usual += phasor[k];
+    usual /= static_cast<double>(count);
+    double scatter = 0;
+    for (std::size_t k = middle > 2 ? middle - 2 : 0; k < std::min(middle + 3, phasor.size()); ++k)
+      scatter += std::norm(phasor[k] - usual) / static_cast<double>(count - 1);
+    const double limit = std::max(kSame * std::abs(usual), 4 * std::sqrt(scatter));
+    const auto is_same = [&](std::size_t k) { return std::abs(phasor[k] - usual) < limit; };
+    std::size_t begin = middle;
+    while (begin > 0 && is_same(begin - 1)) --begin;
+    std::size_t stop = middle;
+    while (stop + 1 < phasor.size() && is_same(stop + 1)) ++stop;
+    start_ = first + static_cast<double>(begin) * cycle;
+    end_ = first + static_cast<double>(stop + 1) * cycle + 1e-6;
+    frequency_ = RefinedFrequency(all_[tracked], start_, end_, frequency_);
+    // The cycles' length has changed by next to nothing; a lost last block would cost more.
+    end_ = std::min(last, end_ + 1e-3 * cycle);
+  }
+
+  std::vector<Complex> MotionByCycle(const CyclePhasors& cycles, const PostShares& shares) const {
+    std::vector<Complex> motion;
+    for (std::size_t k = 0; k < cycles.blocks(); ++k) {
+      std::vector<Complex> posts;
+      for (std::size_t p = 0; p < posts_; ++p) posts.push_back(cycles.phasor[p][k]);
+      motion.push_back(shares.Motion(posts));
+    }
+    return motion;
+  }
+
+  std::vector<std::vector<Complex>> Ratios(const CyclePhasors& cycles, const std::vector<Complex>& motion) const {
+    std::vector<std::vector<Complex>> ratios;
+    for (std::size_t s = posts_; s < all_.size(); ++s) {
+      std::vector<Complex>& ratio = ratios.emplace_back();
+      for (std::size_t k = 0; k < cycles.blocks(); ++k) ratio.push_back(cycles.phasor[s][k] / motion[k]);
+    }
+    // Without channels the posts alone settle.
+    if (ratios.empty()) ratios.push_back(motion);
+    return ratios;
+  }
+
+  void Fit(const CyclePhasors& cycles, const std::vector<Complex>& motion, std::size_t settled,
+           DwellResponse& out) const {
+    const std::vector<SineFit> fits = FitSines(all_, out.first, out.last, frequency_, kHarmonics, start_);
+    std::vector<Complex> posts;
+    for (std::size_t p = 0; p < posts_; ++p) posts.push_back(fits[p].phasor.front());
+    const Complex reference = out.shares.Motion(posts);
+    out.amplitude = std::abs(reference);
+    out.post_distortion = PostDistortion(fits, out.shares) / out.amplitude;
+    for (std::size_t s = posts_; s < all_.size(); ++s) {
+      DwellChannel channel{.response = fits[s].phasor.front() / reference, .mean = fits[s].mean};
+      for (const Complex& phasor : fits[s].phasor) channel.harmonics.push_back(std::abs(phasor));
+      std::vector<Complex> differences;
+      for (std::size_t k = settled; k < cycles.blocks(); ++k)
+        differences.push_back((cycles.phasor[s][k] - channel.response * motion[k]) / reference);
+      channel.variance = VarianceOfMean(differences);
+      out.channels.push_back(std::move(channel));
+    }
+  }
+
+  double PostDistortion(const std::vector<SineFit>& fits, const PostShares& shares) const {
+    double square = 0;
+    for (std::size_t h = 1; h < fits.front().phasor.size(); ++h) {
+      std::vector<Complex> posts;
+      for (std::size_t p = 0; p < posts_; ++p) posts.push_back(fits[p].phasor[h]);
+      square += std::norm(shares.Motion(posts));
+    }
+    return std::sqrt(square);
+  }
+
+  const RigSignals& signals_;
+  std::size_t posts_;
+  /// Posts first.
+  std::vector<std::span<const double>> all_;
+  std::optional<std::size_t> reference_;
+  double start_ = 0;
+  double end_ = 0;
+  double frequency_ = 0;
+};
+
+}  // namespace
+
+double DwellChannel::Distortion() const {
+  double square = 0;
+  for (std::size_t h = 1; h < harmonics.size(); ++h) square += harmonics[h] * harmonics[h];
+  return std::sqrt(square) / harmonics.front();
+}
+
+std::vector<DwellResponse> RespondInDwells(const RigSignals& signals, std::span<const Dwell> dwells,
+                                           std::optional<std::size_t> reference) {
+  std::vector<DwellResponse> responses;
+  for (const Dwell& dwell : dwells)
+    if (std::optional<DwellResponse> response = DwellFit(signals, dwell, reference).Respond())
+      responses.push_back(*std::move(response));
+  return responses;
+}
+
+std::vector<RestLevel> RestLevels(const RigSignals& signals, std::span<const Dwell> dwells) {
+  constexpr double kRest = 5e-3;
+  constexpr double kLeast_s = 0.5;
+  double largest = 0;
+  for (const Dwell& dwell : dwells) largest = std::max(largest, dwell.amplitude);
+  const auto length = static_cast<std::size_t>(std::ceil(kLeast_s * signals.rate_Hz));
+  const auto is_still = [&](std::size_t first) {
+    return std::all_of(signals.posts.begin(), signals.posts.end(), [&](std::span<const double> post) {
+      const auto [low, high] = std::minmax_element(post.begin() + static_cast<std::ptrdiff_t>(first),
+                                                   post.begin() + static_cast<std::ptrdiff_t>(first + length));
+      // Noise makes peaks of some standard deviations; its rms counts.
+      return DeviationOf(post.subspan(first, length)) < kRest * largest && *high - *low < 10 * kRest * largest;
+    });
+  };
+  std::vector<RestLevel> levels;
+  for (std::size_t first = 0; first + length <= signals.samples(); first += length) {
+    if (!is_still(first)) continue;
+    RestLevel level{.time = static_cast<double>(first) + 0.5 * static_cast<double>(length)};
+    for (const std::span<const double> channel : signals.channels)
+      level.channels.push_back(Mean(channel.subspan(first, length)));
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+std::vector<double> LevelAt(std::span<const RestLevel> levels, double time) {
+  if (levels.empty()) return {};
+  const auto above =
+      std::find_if(levels.begin(), levels.end(), [&](const RestLevel& level) { return level.time >= time; });
+  if (above == levels.begin()) return above->channels;
+  const auto below = above - 1;
+  if (above == levels.end()) return below->channels;
+  const double share = (time - below->time) / (above->time - below->time);
+  std::vector<double> level;
+  for (std::size_t c = 0; c < below->channels.size(); ++c)
+    level.push_back(below->channels[c] + share * (above->channels[c] - below->channels[c]));
+  return level;
+}
+
+}  // namespace fourpost

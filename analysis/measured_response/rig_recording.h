@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/files/recorded_table.h"
+#include "analysis/frequency_response/rig_signals.h"
+#include "analysis/text/diagnostics.h"
+
+namespace fourpost {
+
+/// A post and the channel of its displacement.
+struct PostChannel {
+  std::string channel;
+  std::string post;
+};
+
+/// A time history of a rig in SI: displacements of posts, and all other channels in a unit of a length, a force, an
+/// acceleration or an angular velocity.
+struct RigRecording {
+  double rate_Hz = 0;
+  /// What the posts are called, and their displacements.
+  std::vector<std::string> posts;
+  std::vector<std::vector<double>> heights;
+  std::vector<std::string> names;
+  /// "m", "N", "m/s^2" or "rad/s".
+  std::vector<std::string> units;
+  std::vector<std::vector<double>> channels;
+  /// Columns in other units, or without one.
+  std::vector<std::string> left_out;
+
+  RigSignals Signals() const;
+  double duration_s() const;
+};
+
+/// Posts by the names of channels of a length, where none are stated: those that begin with "post", or else those that
+/// are named FL, FR, RL, RR, front, rear, left or right and nothing more; called by what follows "post".
+std::vector<PostChannel> PostsByName(const RecordedTable& table);
+
+/// Reads a time history; posts by PostsByName() where `posts` is empty. Adds every fault; nothing when there was one.
+std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, std::span<const PostChannel> posts,
+                                             Diagnostics& diagnostics);
+
+}  // namespace fourpost

@@ -1,0 +1,91 @@
+#include "identify/command_line/frf_options.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "analysis/signals/frequency_grid.h"
+#include "analysis/text/units.h"
+#include "identify/command_line/common_options.h"
+#include "identify/command_line/findings.h"
+#include "vehicles/requests/option_quantity.h"
+
+namespace fourpost {
+namespace {
+
+/// In the order of ExcitationKind, then what lets the program choose.
+constexpr std::array<std::string_view, 5> kKinds = {"stepped", "sweep", "random", "multisine", "auto"};
+
+std::optional<ExcitationKind> KindNamed(const std::string& text) {
+  for (std::size_t kind = 0; kind + 1 < kKinds.size(); ++kind)
+    if (text == kKinds[kind]) return static_cast<ExcitationKind>(kind);
+  return std::nullopt;
+}
+
+void AddPost(const std::string& text, FrfCommand& command) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
+    command.faults.Report(kPostChannelMalformed, Place::Option("--post"), {text});
+  else command.request.posts.push_back({text.substr(0, sign), text.substr(sign + 1)});
+}
+
+AcquisitionFilter& FilterOf(FrfCommand& command) {
+  if (!command.request.filter) command.request.filter.emplace();
+  return *command.request.filter;
+}
+
+void AddFilter(CLI::App& app, FrfCommand& command) {
+  CLI::Option* filter = app.add_option_function<std::string>(
+      "--filter",
+      [&command](const std::string& text) {
+        if (const auto cutoff_Hz = ReadQuantity(text, kFrequency, "--filter", command.faults))
+          FilterOf(command).cutoff_Hz = *cutoff_Hz;
+      },
+      "Cut-off frequency of the Butterworth low-pass that all channels have passed: it is taken off the posts' "
+      "amplitudes and off harmonics");
+  app.add_option_function<int>(
+         "--order", [&command](int order) { FilterOf(command).order = order; }, "Order of that filter (default 4)")
+      ->check(CLI::Range(1, 16))
+      ->needs(filter);
+}
+
+}  // namespace
+
+void AddOptions(CLI::App& subcommand, FrfCommand& command) {
+  subcommand
+      .add_option("FILE", command.request.files, "Time histories of one motion, with names and units (.csv, .mat)")
+      ->required();
+  subcommand
+      .add_option_function<std::vector<std::string>>(
+          "--post",
+          [&command](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) AddPost(text, command);
+          },
+          "Channel of a post's displacement and the post's name, CHANNEL=FL; once for each post (default: channels "
+          "named post_FL, FL and the like)")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  subcommand.add_option("--reference", command.request.reference,
+                        "Post that responses are relative to (default: the first that moves most)");
+  subcommand
+      .add_option_function<std::string>(
+          "--kind", [&command](const std::string& text) { command.request.kind = KindNamed(text); },
+          "How the posts moved; auto finds it in their motion")
+      ->check(OneOf("--kind", kKinds))
+      ->default_str("auto");
+  AddFilter(subcommand, command);
+  subcommand.add_option_function<std::string>(
+      "--frequencies",
+      [&command](const std::string& text) {
+        if (auto frequencies = ParseFrequencies(text, "--frequencies", command.faults))
+          command.request.frequencies_Hz = *std::move(frequencies);
+      },
+      "Frequencies for sweeps and random motions, 0.5Hz:30Hz:64 or a list (default: 64 in the band of the posts)");
+  subcommand.add_option("-o,--output", command.output,
+                        "Folder for each pattern's recording (heave.csv) and picture (heave.svg), recordings.yaml, the "
+                        "part of a study that takes them, and frf.json");
+  subcommand.add_flag("--json", command.json, "Print frf.json instead of tables");
+}
+
+}  // namespace fourpost

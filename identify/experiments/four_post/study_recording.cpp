@@ -1,0 +1,122 @@
+#include "identify/experiments/four_post/study_recording.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/files/frequency_response_file.h"
+#include "analysis/files/recording_layout.h"
+#include "analysis/text/named.h"
+#include "analysis/text/number.h"
+#include "identify/experiments/four_post/findings.h"
+
+namespace fourpost {
+namespace {
+
+bool IsOverTime(const std::filesystem::path& file) {
+  // Its faults are reported by the one who reads it in earnest.
+  Diagnostics unheard;
+  const std::optional<RecordedTable> table = ReadRecordedTable(file, unheard);
+  return table && IsTimeHistory(*table);
+}
+
+std::string Joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// "{FL: 1, FR: -1}"
+std::string SharesText(const std::vector<std::string>& posts, const std::vector<double>& shares) {
+  std::string text;
+  for (std::size_t p = 0; p < posts.size(); ++p)
+    text += (p > 0 ? ", " : "") + posts[p] + ": " + FormatNumber(shares[p]);
+  return "{" + text + "}";
+}
+
+/// 1 or -1 where the found motion is the stated one in that sense; 0 where it is another.
+double SenseOf(const std::vector<double>& found, const std::vector<double>& stated) {
+  constexpr double kNear = 0.1;
+  for (const double sense : {1.0, -1.0}) {
+    bool is_same = true;
+    for (std::size_t p = 0; p < stated.size(); ++p) is_same = is_same && std::abs(sense * found[p] - stated[p]) < kNear;
+    if (is_same) return sense;
+  }
+  return 0;
+}
+
+/// The same posts move, but the reference moves against the one that was found.
+void Turn(FrequencyResponse& response) {
+  for (ChannelResponse& channel : response.channels)
+    for (std::complex<double>& value : channel.response) value = -value;
+}
+
+class MeasuredRecording {
+ public:
+  MeasuredRecording(const StudyRecording& recording, const std::string& study, Diagnostics& diagnostics)
+      : recording_(recording), place_{study, recording.line}, diagnostics_(diagnostics) {}
+
+  std::optional<FrequencyResponse> Read(const std::vector<std::string>& posts, const std::vector<double>& shape) {
+    if (recording_.repeats > 1) {
+      diagnostics_.Report(kSineRepeatsCounted, place_, {recording_.name});
+      return std::nullopt;
+    }
+    std::optional<MeasuredResponses> measured = MeasureResponses(
+        {.files = {recording_.file}, .posts = recording_.post_channels, .filter = recording_.filter}, diagnostics_);
+    if (!measured) return std::nullopt;
+    if (posts.empty()) return std::move(measured->responses.front().response);
+    const std::optional<std::vector<std::size_t>> places = PlacesOf(posts, *measured);
+    return places ? Chosen(posts, shape, *places, *measured) : std::nullopt;
+  }
+
+ private:
+  /// Of each post of the vehicle among those of the recording.
+  std::optional<std::vector<std::size_t>> PlacesOf(const std::vector<std::string>& posts,
+                                                   const MeasuredResponses& measured) {
+    std::vector<std::size_t> places;
+    for (const std::string& post : posts)
+      if (const std::optional<std::size_t> place = IndexOf(post, measured.posts)) places.push_back(*place);
+    if (places.size() == posts.size()) return places;
+    // One post and one channel need no names.
+    if (posts.size() == 1 && measured.posts.size() == 1) return std::vector<std::size_t>{0};
+    diagnostics_.Report(kSinePostsUnmapped, place_, {recording_.name, Joined(measured.posts), Joined(posts)});
+    return std::nullopt;
+  }
+
+  std::optional<FrequencyResponse> Chosen(const std::vector<std::string>& posts, const std::vector<double>& shape,
+                                          const std::vector<std::size_t>& places, MeasuredResponses& measured) {
+    std::optional<FrequencyResponse> chosen;
+    std::string found;
+    int count = 0;
+    for (MeasuredResponse& response : measured.responses) {
+      std::vector<double> shares;
+      for (const std::size_t place : places) shares.push_back(response.shares.share[place]);
+      const std::string text = SharesText(posts, shares);
+      if (found.find(text) == std::string::npos) found += (found.empty() ? "" : " and ") + text;
+      const double sense = SenseOf(shares, shape);
+      if (sense == 0 || count++ > 0) continue;
+      if (sense < 0) Turn(response.response);
+      chosen = std::move(response.response);
+    }
+    if (count == 0)
+      diagnostics_.Report(kSinePostsOtherwise, place_, {recording_.name, found, SharesText(posts, shape)});
+    if (count > 1) diagnostics_.Report(kSineSeveralAmplitudes, place_, {recording_.name, std::to_string(count)});
+    return count == 1 ? std::move(chosen) : std::nullopt;
+  }
+
+  const StudyRecording& recording_;
+  Place place_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+std::optional<FrequencyResponse> ReadStudyRecording(const StudyRecording& recording, const std::string& study,
+                                                    const std::vector<std::string>& posts,
+                                                    const std::vector<double>& shape, Diagnostics& diagnostics) {
+  if (IsOverTime(recording.file)) return MeasuredRecording(recording, study, diagnostics).Read(posts, shape);
+  if (!recording.post_channels.empty() || recording.filter)
+    diagnostics.Report(kSineKeysOfHistory, {study, recording.line}, {recording.name});
+  return ReadFrequencyResponse(recording.file, diagnostics, recording.amplitude_m);
+}
+
+}  // namespace fourpost

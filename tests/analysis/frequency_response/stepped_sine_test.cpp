@@ -1,0 +1,91 @@
+#include "analysis/frequency_response/stepped_sine.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/analysis/frequency_response/known_system.h"
+
+namespace fourpost {
+namespace {
+
+constexpr double kRate = 500;
+
+std::vector<DwellResponse> Respond(const std::vector<double>& post, const std::vector<double>& channel) {
+  return RespondInDwells({.rate_Hz = kRate, .posts = {post}, .channels = {channel}}, FindDwells(TrackTone(post)));
+}
+
+TEST(SteppedSine, IsTheResponseOfALinearSystem) {
+  const KnownSystem system(1.3, 0.25, kRate);
+  const std::vector<double> post = SteppedSine(LogFrequencies(0.5, 30, 40), 20, kRate);
+  const std::vector<double> channel = system.Answer(post);
+  const std::vector<DwellResponse> responses = Respond(post, channel);
+  ASSERT_EQ(responses.size(), 40U);
+  Coverage coverage;
+  for (const DwellResponse& at : responses) {
+    EXPECT_TRUE(at.is_settled);
+    EXPECT_NEAR(at.amplitude / RigAmplitude(at.frequency_Hz), 1, 1e-4);
+    coverage.Add(at.channels[0].response, at.channels[0].variance, system.Response(at.frequency_Hz, kRate));
+  }
+  // What is left of the run-in is below a thousandth, which is 0.01 dB.
+  EXPECT_LT(coverage.worst_dB(), 0.01);
+  EXPECT_LT(coverage.worst_deg(), 0.06);
+}
+
+TEST(SteppedSine, HasDeviationsThatCoverTheTruth) {
+  const KnownSystem system(1.3, 0.25, kRate);
+  const std::vector<double> post = SteppedSine(LogFrequencies(0.5, 12, 30), 20, kRate);
+  const std::vector<double> channel = system.Answer(post);
+  for (const double noise : {0.001, 0.01}) {
+    Coverage coverage;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed)
+      for (const DwellResponse& at : Respond(Noisy(post, noise, 0.1, seed), Noisy(channel, noise, -3, seed + 1000)))
+        coverage.Add(at.channels[0].response, at.channels[0].variance, system.Response(at.frequency_Hz, kRate));
+    // 720 numbers: a share of 95 % is good to 0.8.
+    EXPECT_GT(coverage.percent(), 92);
+    EXPECT_LT(coverage.percent(), 98.5);
+  }
+}
+
+TEST(SteppedSine, HasHarmonicsAndMeansFromRest) {
+  const std::vector<double> post = SteppedSine({1, 2, 4}, 20, kRate);
+  std::vector<double> channel;
+  // cos^2 has a mean of a half and a second harmonic of a half.
+  for (const double z : post) channel.push_back(7 + 2 * z + 5 * z * z);
+  const std::vector<Dwell> dwells = FindDwells(TrackTone(post));
+  const RigSignals signals{.rate_Hz = kRate, .posts = {post}, .channels = {channel}};
+  const std::vector<RestLevel> rest = RestLevels(signals, dwells);
+  const std::vector<DwellResponse> responses = RespondInDwells(signals, dwells);
+  ASSERT_EQ(responses.size(), 3U);
+  for (const DwellResponse& at : responses) {
+    const double square = 5 * at.amplitude * at.amplitude / 2;
+    EXPECT_NEAR(at.channels[0].harmonics[1], square, 1e-3 * square);
+    EXPECT_NEAR(at.channels[0].mean - LevelAt(rest, static_cast<double>(at.first))[0], square, 1e-3 * square);
+    EXPECT_NEAR(at.channels[0].Distortion(), square / (2 * at.amplitude), 1e-4);
+  }
+}
+
+TEST(SteppedSine, IsRelativeToThePatternOfThePosts) {
+  const std::vector<double> front = SteppedSine({1, 2, 4}, 20, kRate);
+  std::vector<double> rear;
+  for (const double z : front) rear.push_back(-1.02 * z);
+  const RigSignals signals{.rate_Hz = kRate, .posts = {front, rear}, .channels = {front}};
+  for (const DwellResponse& at : RespondInDwells(signals, FindDwells(TrackTone(front)))) {
+    EXPECT_EQ(at.shares.share, (std::vector<double>{1, -1}));
+    EXPECT_NEAR(at.channels[0].response.real(), 1 / 1.01, 1e-9);
+    EXPECT_NEAR(at.shares.rest, 0.0099, 1e-4);
+  }
+}
+
+TEST(PostShares, AreNamedByCorners) {
+  const std::vector<std::string> corners = {"post_FL", "post_FR", "post_RL", "post_RR"};
+  const auto name = [&](std::vector<double> shares) { return PatternOf({std::move(shares), 0, 0}, corners); };
+  EXPECT_EQ(name({1, 1, 1, 1}), "heave");
+  EXPECT_EQ(name({1, 1, -1, -1}), "pitch");
+  EXPECT_EQ(name({1, -1, 1, -1}), "roll");
+  EXPECT_EQ(name({1, -1, -1, 1}), "warp");
+  EXPECT_EQ(name({1, 0, 0, 0}), std::nullopt);
+  EXPECT_EQ(PatternOf({{1, -1}, 0, 0}, std::vector<std::string>{"front", "rear"}), "pitch");
+  EXPECT_EQ(PatternOf({{1, -1}, 0, 0}, std::vector<std::string>{"front", "x"}), std::nullopt);
+}
+
+}  // namespace
+}  // namespace fourpost

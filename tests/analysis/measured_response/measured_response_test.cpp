@@ -1,0 +1,182 @@
+#include "analysis/measured_response/measured_response.h"
+
+#include <gmock/gmock.h>
+
+#include "analysis/files/csv_writer.h"
+#include "analysis/files/frequency_response_file.h"
+#include "analysis/measured_response/dwell_groups.h"
+#include "analysis/measured_response/findings.h"
+#include "analysis/measured_response/measured_response_files.h"
+#include "analysis/signals/low_pass.h"
+#include "tests/analysis/frequency_response/known_system.h"
+#include "tests/findings.h"
+#include "tests/temporary_folder.h"
+
+namespace fourpost {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr double kRate = 200;
+
+/// A recording of columns, with units, at kRate.
+std::string Csv(const std::vector<std::string>& names, const std::vector<std::string>& units,
+                const std::vector<std::vector<double>>& columns) {
+  std::vector<std::string> all = {"time"};
+  all.insert(all.end(), names.begin(), names.end());
+  CsvWriter csv(all);
+  csv.Add("s");
+  for (const std::string& unit : units) csv.Add(unit);
+  for (std::size_t k = 0; k < columns.front().size(); ++k) {
+    csv.Add(static_cast<double>(k) / kRate);
+    for (const std::vector<double>& column : columns) csv.Add(column[k]);
+  }
+  return csv.text();
+}
+
+std::vector<double> Times(double factor, std::vector<double> signal) {
+  for (double& sample : signal) sample *= factor;
+  return signal;
+}
+
+std::optional<MeasuredResponses> Measure(const std::string& text, Diagnostics& diagnostics,
+                                         ResponseRequest request = {}) {
+  const TemporaryFolder folder;
+  request.files = {folder.Write("run.csv", text)};
+  return MeasureResponses(request, diagnostics);
+}
+
+const std::vector<double> kFrequencies = {1, 2, 4, 8};
+
+/// In mm and g, as rigs write.
+std::string SteppedCsv(double rear) {
+  const std::vector<double> post = Times(1e3, SteppedSine(kFrequencies, 20, kRate));
+  return Csv({"post_front", "post_rear", "s_front", "a_body", "oil"}, {"mm", "mm", "mm", "g", "V"},
+             {post, Times(rear, post), Times(0.5, post), Times(0.01, post), post});
+}
+
+TEST(MeasuredResponse, OfASteppedSineIsInSiByReference) {
+  Diagnostics diagnostics;
+  const auto measured = Measure(SteppedCsv(-1), diagnostics);
+  ASSERT_TRUE(measured) << diagnostics.Format();
+  EXPECT_EQ(measured->kind, ExcitationKind::kStepped);
+  EXPECT_EQ(measured->dwells, 4);
+  EXPECT_TRUE(measured->has_rest);
+  EXPECT_THAT(measured->left_out, ElementsAre("oil"));
+  ASSERT_EQ(measured->responses.size(), 1U);
+  const MeasuredResponse& pitch = measured->responses.front();
+  EXPECT_EQ(pitch.name, "pitch");
+  EXPECT_EQ(pitch.shares.share, (std::vector<double>{1, -1}));
+  const ChannelResponse* strut = pitch.response.Find("s_front");
+  const ChannelResponse* body = pitch.response.Find("a_body");
+  ASSERT_TRUE(strut && body);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double w = 2 * std::numbers::pi * kFrequencies[i];
+    EXPECT_NEAR(pitch.response.frequency_Hz[i], kFrequencies[i], 1e-6);
+    EXPECT_NEAR(pitch.response.amplitude_m[i], RigAmplitude(kFrequencies[i]), 1e-6);
+    EXPECT_NEAR(strut->response[i].real(), 0.5, 1e-6);
+    // Per acceleration of the post, which is -w^2 times its displacement.
+    EXPECT_NEAR(body->response[i].real(), -0.01 * 1e3 * 9.80665 / (w * w), 1e-6);
+  }
+}
+
+TEST(MeasuredResponse, IsReadBackAsARecording) {
+  Diagnostics diagnostics;
+  const auto measured = Measure(SteppedCsv(1), diagnostics);
+  ASSERT_TRUE(measured);
+  const FrequencyResponse& made = measured->responses.front().response;
+  const TemporaryFolder folder;
+  const auto read = ReadFrequencyResponse(folder.Write("heave.csv", RecordingCsv(made)), diagnostics);
+  ASSERT_TRUE(read) << diagnostics.Format();
+  ASSERT_EQ(read->channels.size(), 2U);
+  // Written at ten digits.
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_LT(std::abs(read->channels[1].response[i] / made.channels[1].response[i] - 1.0), 1e-9);
+  EXPECT_NE(StudySection(*measured).find("{file: heave.csv, posts: heave}"), std::string::npos);
+}
+
+TEST(MeasuredResponse, KeepsAmplitudesApartAndJoinsRepeats) {
+  std::vector<double> post = SteppedSine(kFrequencies, 20, kRate);
+  const std::vector<double> once = post;
+  for (const double factor : {1.0, 0.5}) {
+    const std::vector<double> more = Times(factor, once);
+    post.insert(post.end(), more.begin(), more.end());
+  }
+  Diagnostics diagnostics;
+  const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Times(2, post)}), diagnostics);
+  ASSERT_TRUE(measured) << diagnostics.Format();
+  ASSERT_EQ(measured->responses.size(), 2U);
+  EXPECT_EQ(measured->responses[0].name, "heave");
+  EXPECT_THAT(measured->responses[0].repeats, ElementsAre(2, 2, 2, 2));
+  EXPECT_EQ(measured->responses[1].name, "heave_2");
+  EXPECT_THAT(measured->responses[1].repeats, ElementsAre(1, 1, 1, 1));
+}
+
+TEST(MeasuredResponse, UndoesTheFilterOfTheRig) {
+  std::vector<double> post = SteppedSine(kFrequencies, 20, kRate);
+  std::vector<double> square;
+  for (const double z : post) square.push_back(z + 20 * z * z);
+  const LowPass filter(4, 10, kRate);
+  filter.Apply(post);
+  filter.Apply(square);
+  Diagnostics diagnostics;
+  const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, square}), diagnostics,
+                                {.filter = AcquisitionFilter{.order = 4, .cutoff_Hz = 10}});
+  ASSERT_TRUE(measured) << diagnostics.Format();
+  const FrequencyResponse& response = measured->responses.front().response;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double amplitude = RigAmplitude(kFrequencies[i]);
+    EXPECT_NEAR(response.amplitude_m[i] / amplitude, 1, 1e-3);
+    EXPECT_NEAR(response.channels[0].second_harmonic[i] / (10 * amplitude * amplitude), 1, 5e-3) << kFrequencies[i];
+  }
+}
+
+TEST(MeasuredResponse, OfARandomMotionSaysThatTheVehicleIsNotLinear) {
+  const std::vector<double> post = RandomMotion(120, kRate, 1);
+  const double size = DeviationOf(post);
+  std::vector<double> cubic;
+  for (const double z : post) cubic.push_back(z + 0.3 * z * z * z / (size * size));
+  Diagnostics linear;
+  EXPECT_TRUE(Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, Times(2, post)}), linear));
+  EXPECT_TRUE(linear.items().empty()) << linear.Format();
+  Diagnostics diagnostics;
+  const auto measured = Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, cubic}), diagnostics);
+  ASSERT_TRUE(measured);
+  EXPECT_EQ(measured->kind, ExcitationKind::kRandom);
+  EXPECT_THAT(diagnostics, Reports(kResponseRandomNonlinear)) << diagnostics.Format();
+}
+
+TEST(MeasuredResponse, OfASteppedSineSaysWhereTheVehicleIsNotLinear) {
+  const std::vector<double> post = SteppedSine(kFrequencies, 20, kRate);
+  std::vector<double> square;
+  for (const double z : post) square.push_back(z + 40 * z * z);
+  Diagnostics diagnostics;
+  ASSERT_TRUE(Measure(Csv({"post_FL", "s"}, {"m", "m"}, {post, square}), diagnostics));
+  EXPECT_THAT(diagnostics, Reports(kResponseDistorted)) << diagnostics.Format();
+}
+
+TEST(MeasuredResponse, RefusesWhatHasNoPostsOrChannels) {
+  const std::vector<double> post = SteppedSine({2}, 20, kRate);
+  const std::vector<double> random = RandomMotion(30, kRate, 1);
+  const std::string unnamed = Csv({"x", "y"}, {"m", "m"}, {post, post});
+  const std::string stepped = Csv({"post_FL", "y"}, {"m", "m"}, {post, post});
+  const std::string moved = Csv({"post_FL", "y"}, {"m", "m"}, {random, random});
+  const auto refused = [&](const std::string& text, ResponseRequest request = {}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(Measure(text, diagnostics, std::move(request)));
+    return diagnostics;
+  };
+  EXPECT_THAT(refused(unnamed), Reports(kResponsePostsUnknown));
+  EXPECT_THAT(refused(unnamed, {.posts = {{"z", "FL"}}}), Reports(kResponsePostMissing));
+  EXPECT_THAT(refused(Csv({"post_FL", "y"}, {"m", "V"}, {post, post})), Reports(kResponseNoChannel));
+  EXPECT_THAT(refused(stepped, {.reference = "FR"}), Reports(kResponseReferenceUnknown));
+  EXPECT_THAT(refused(Csv({"post_FL", "y"}, {"m", "m"}, {Times(0, post), post})), Reports(kResponsePostsStill));
+  EXPECT_THAT(refused(moved, {.kind = ExcitationKind::kStepped}), Reports(kResponseNoDwell));
+  EXPECT_THAT(refused(moved, {.kind = ExcitationKind::kMultisine}), Reports(kResponseNoPeriod));
+  EXPECT_THAT(refused(moved, {.frequencies_Hz = {0.01}}), Reports(kResponseTooShort));
+  EXPECT_THAT(refused(Csv({"post_FL", "post_FR", "y"}, {"m", "m", "m"}, {random, RandomMotion(30, kRate, 2), random})),
+              Reports(kResponsePostsApart));
+}
+
+}  // namespace
+}  // namespace fourpost
