@@ -138,7 +138,8 @@ class EndOfRun : public ceres::IterationCallback {
     const double gain = 2 * iteration.cost_change;
     const double ratio = last_gain_ > 0 ? std::clamp(gain / last_gain_, 0.5, 0.9) : 0.9;
     last_gain_ = gain;
-    return iteration.iteration >= kLeastIterations && 2 * iteration.cost - kCaution * gain * ratio / (1 - ratio) > give_up_above_;
+    return iteration.iteration >= kLeastIterations &&
+           2 * iteration.cost - kCaution * gain * ratio / (1 - ratio) > give_up_above_;
   }
 
   const std::function<bool()>& stop_;

@@ -372,10 +372,10 @@ TEST(Refine, RefusesOptionsOutOfBoundsByName) {
 TEST(Refine, EndsHaveNamesOfTheirOwn) {
   std::set<std::string_view> names;
   for (const RefineEnd end : {RefineEnd::kNotRun, RefineEnd::kConverged, RefineEnd::kIterations,
-                              RefineEnd::kStartFailed, RefineEnd::kFailed, RefineEnd::kStopped}) {
+                              RefineEnd::kStartFailed, RefineEnd::kFailed, RefineEnd::kStopped, RefineEnd::kGivenUp}) {
     names.insert(RefineEndName(end));
   }
-  EXPECT_EQ(names.size(), 6u);
+  EXPECT_EQ(names.size(), 7u);
   EXPECT_FALSE(names.contains("unknown"));
 }
 
@@ -408,6 +408,19 @@ TEST_F(RefineFromSeveral, OneThatWasStoppedCountsForNothing) {
   result = RefineFrom(archive_, Starts({3, 1}));
   EXPECT_EQ(result.ended, 2);
   EXPECT_EQ(result.agreeing, 2);
+}
+
+TEST_F(RefineFromSeveral, OneThatHeadsForTooHighACostIsGivenUp) {
+  RefineOptions options;
+  options.give_up_above = 1;
+  const RefineResult high = Refine(archive_, Starts({-4}).front(), options);
+  EXPECT_EQ(high.end, RefineEnd::kGivenUp);
+  EXPECT_FALSE(high.has_ended());
+  EXPECT_GE(high.iterations, 3);
+  EXPECT_LT(high.evaluations, Refine(archive_, Starts({-4}).front()).evaluations);
+  const RefineResult low = Refine(archive_, Starts({4}).front(), options);
+  EXPECT_EQ(low.end, RefineEnd::kConverged);
+  EXPECT_LT(low.cost, 1e-12);
 }
 
 TEST_F(RefineFromSeveral, TheBestWinsAndThoseThatAgreeAreCounted) {

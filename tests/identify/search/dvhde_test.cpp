@@ -313,6 +313,35 @@ TEST(Dvhde, AcceleratesOnlyWhenTheCostFellTooLittle) {
   EXPECT_LT(slow, static_cast<int>(log.size()) - 1);
 }
 
+// What it asks to have refined until it migrates, if no refinement gains.
+std::vector<LatticePoint> RefinedBeforeMigration(int random_starts) {
+  const Lattice lattice({{"a", 0, 1, 1e-6}, {"b", 0, 1, 1e-6}});
+  Dvhde dvhde(lattice, {.acceleration = Acceleration::kLeastSquares, .random_starts = random_starts}, 1);
+  std::vector<Score> scores;
+  for (std::size_t i = 0; i < dvhde.Ask().size(); ++i) scores.push_back({.cost = 1 + static_cast<double>(i)});
+  const LatticePoint best = dvhde.Ask().front();
+  dvhde.Tell(scores);
+  std::vector<LatticePoint> refined;
+  while (!dvhde.AskRefined().empty()) {
+    Population found;
+    for (const LatticePoint& point : dvhde.AskRefined()) {
+      refined.push_back(point);
+      found.push_back({point, {.cost = point == best ? 1.0 : 100.0}});
+    }
+    dvhde.TellRefined(found, 30);
+  }
+  EXPECT_EQ(dvhde.state().step, SearchStep::kMigrate);
+  EXPECT_EQ(refined.front(), best);
+  return refined;
+}
+
+TEST(Dvhde, RefinesRandomPointsAfterTheBestMember) {
+  EXPECT_EQ(RefinedBeforeMigration(0).size(), 1u);
+  const std::vector<LatticePoint> refined = RefinedBeforeMigration(2);
+  ASSERT_EQ(refined.size(), 3u);
+  EXPECT_EQ(std::set<LatticePoint>(refined.begin(), refined.end()).size(), 3u);
+}
+
 struct BadOption {
   const char* message;
   void (*spoil)(DvhdeSearch& options);
@@ -340,6 +369,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadOption{"crossover = 1.1, must be in [0, 1]", [](DvhdeSearch& o) { o.crossover = 1.1; }},
         BadOption{"simplex_iterations = -1, must be 0 or more", [](DvhdeSearch& o) { o.simplex_iterations = -1; }},
         BadOption{"accelerate_below = -0.1, must be in [0, 1]", [](DvhdeSearch& o) { o.accelerate_below = -0.1; }},
+        BadOption{"random_starts = -1, must be 0 or more", [](DvhdeSearch& o) { o.random_starts = -1; }},
         BadOption{"migrate_after = -1, must be 0 or more", [](DvhdeSearch& o) { o.migrate_after = -1; }},
         BadOption{"migrate_below_diversity = 1.5, must be in [0, 1]",
                   [](DvhdeSearch& o) { o.migrate_below_diversity = 1.5; }},
