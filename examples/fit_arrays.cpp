@@ -16,10 +16,8 @@ int main(int, char** arguments) try {
   car.Set("k", "26 kN/m");
   fp::SteppedSineTest test{.frequency_Hz = {0.6, 1, 1.5, 2, 3, 5, 8, 12}, .amplitude_m = {0.01}};
   const fp::Response measured = fp::Respond(car, {test.frequency_Hz, test.amplitude_m});
-  for (const char* sensor : {"a_body", "a_wheel", "s_strut"}) {
-    const fp::ChannelResponse& channel = measured.At(sensor);
-    test.channels[sensor] = {.frf = channel.frf, .mean = channel.mean};
-  }
+  for (const char* sensor : {"a_body", "a_wheel", "s_strut"})
+    test.channels[sensor] = {.frf = measured.At(sensor).frf, .mean = measured.At(sensor).mean};
   study.Add(test);
   const fp::FittedParameter k = fp::Fit(study, arguments[2]).At("k");
   std::printf("k = %.6g +- %.2g N/m\n", k.value, k.sd);

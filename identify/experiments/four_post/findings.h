@@ -118,9 +118,8 @@ inline const Finding kSineNotPeriodic{"sine-not-periodic", Severity::kError,
                                       "narrow the bounds, or leave its frequency out by `band`"};
 
 // Its last word brings the remedy of the cause.
-inline const Finding kResponseUnanswered{
-    "response-unanswered", Severity::kError, "'{}' has no periodic response at {} Hz: {}",
-    "look at that frequency with `fourpost response` and correct the vehicle or the amplitude"};
+inline const Finding kResponseUnanswered{"response-unanswered", Severity::kError,
+                                         "'{}' has no periodic response at {} Hz: {}"};
 
 inline const Finding kSinesFarOff{
     "sines-far-off", Severity::kWarning, "fit errors are far above what noise and the stated model error explain: {}",
