@@ -12,13 +12,12 @@ import csv
 import json
 import math
 import random
-import re
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-SOURCE = Path(__file__).resolve().parents[2]
+from program import SOURCE, run
+
 MODELS = {"quarter_car": ["post"], "single_wheel_station": None, "landrover110_model1": None}
 MOTIONS = {"sweep": ["--sweep", "0.5Hz:20Hz"], "random": ["--random", "4mm"], "road": ["--road", "C", "--speed", "50km/h"],
            "step": ["--step", "15mm"]}
@@ -27,13 +26,6 @@ LEVELS = [0.001, 0.01]
 # A step of 50 ms has to be sampled as closely as that.
 RATE = {"sweep": 200, "random": 200, "road": 200, "step": 500}
 DURATION = {"sweep": 20, "random": 20, "road": 20, "step": 6}
-
-
-def run(*arguments):
-    outcome = subprocess.run([str(a) for a in arguments], capture_output=True, text=True)
-    if outcome.returncode not in (0, 1):
-        raise RuntimeError(" ".join(map(str, arguments)) + "\n" + outcome.stderr[-2000:])
-    return outcome
 
 
 def noise(draw, count, colour):

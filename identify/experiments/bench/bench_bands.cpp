@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Index;
 
-Eigen::VectorXd Compared(const BenchRecording& recording, const std::vector<double>& force) {
+Eigen::VectorXd ComparedForce(const BenchRecording& recording, const std::vector<double>& force) {
   return Eigen::Map<const Eigen::VectorXd>(force.data() + recording.first,
                                            static_cast<Index>(recording.end - recording.first));
 }
@@ -27,10 +27,10 @@ double ForceDiscrepancy(const std::vector<ModelledRecording>& fitted) {
   constexpr double kShare = 0.95;
   std::vector<double> sizes;
   for (const auto& [recording, force] : fitted) {
-    const Eigen::VectorXd model = Compared(recording, force);
+    const Eigen::VectorXd model = ComparedForce(recording, force);
     const double rms = RmsOf(model);
     if (!(rms > 0)) continue;
-    for (const double error : Eigen::VectorXd(Compared(recording, recording.force) - model))
+    for (const double error : Eigen::VectorXd(ComparedForce(recording, recording.force) - model))
       sizes.push_back(std::abs(error) / rms);
   }
   if (sizes.empty()) return 0;
@@ -56,14 +56,14 @@ std::optional<BenchBands> BandsOfForce(const BenchDamper& damper, const Modelled
     ++bands.evaluations;
     const std::vector<double> force = ModelledForce(damper, recording, freed.AllWith(free));
     if (force.empty()) return {};
-    return Compared(recording, force);
+    return ComparedForce(recording, force);
   };
-  const Eigen::VectorXd model = Compared(recording, modelled.force);
+  const Eigen::VectorXd model = ComparedForce(recording, modelled.force);
   const Eigen::MatrixXd jacobian = OutputJacobian(spread, model.size(), force_at);
   bands.about.parameters = kReach95 * OutputVariances(jacobian, spread.total).cwiseSqrt();
   const double missed = discrepancy * RmsOf(model);
   bands.about.measured = (bands.about.parameters.array().square() + missed * missed).sqrt();
-  const Eigen::VectorXd error = Compared(recording, recording.force) - model;
+  const Eigen::VectorXd error = ComparedForce(recording, recording.force) - model;
   bands.count = {"force", error.size(), (error.cwiseAbs().array() > bands.about.measured.array()).count()};
   return bands;
 }
