@@ -173,7 +173,7 @@ std::optional<RecordedTable> TableOf(std::shared_ptr<const RecordingFile> record
 
 /// Of a text in which each channel has its times before it.
 std::shared_ptr<const RecordingFile> WithTimesPerChannel(const CsvTable& csv, Diagnostics& diagnostics) {
-  Recording recording = {.format = "text", .description = ""};
+  Recording recording;
   for (std::size_t column = 0; column < csv.columns(); column += 2) {
     const auto has_number = [&](std::size_t row) {
       return !csv.Text(row, column).empty() && !csv.Text(row, column + 1).empty();

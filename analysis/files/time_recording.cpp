@@ -102,6 +102,8 @@ class RecordReader {
 
   std::vector<double> Values(std::size_t column, const RecordedChannel& channel) {
     const double si = UnitOf(column, channel) * channel.factor;
+    if (table_.recording() != nullptr)
+      if (std::optional<std::vector<double>> values = Finite(table_.recording()->Column(column), si)) return *values;
     std::vector<double> values(table_.rows(column));
     int found = 0;
     for (std::size_t row = 0; row < values.size() && found < kMostFindings; ++row) {
@@ -114,6 +116,15 @@ class RecordReader {
       const std::string text = table_.Text(row, column);
       Fault(kSampleMissing, table_.line(row),
             {table_.names()[column], text.empty() ? "no number" : "'" + text + "'", Where(row)});
+    }
+    return values;
+  }
+
+  /// The values in SI; nothing where one is not finite.
+  static std::optional<std::vector<double>> Finite(std::vector<double> values, double si) {
+    for (double& value : values) {
+      if (!std::isfinite(value)) return std::nullopt;
+      value *= si;
     }
     return values;
   }

@@ -126,7 +126,7 @@ TextTable ChannelsTable(const OverTime& content) {
                                     Joined(Remarks(c, content.missing_lines[i]))};
     if (IsShown(content.points)) row.insert(row.begin() + 2, content.points[i]);
     if (IsShown(content.groups)) row.insert(row.begin() + 2, content.groups[i]);
-    if (content.has_several_rates) row.insert(row.begin() + 2, Rounded(c.rate_Hz, 5) + " Hz");
+    if (content.has_several_rates) row.insert(row.begin() + 2, Short(std::round(1e4 * c.rate_Hz) / 1e4) + " Hz");
     table.Add(row);
   }
   return table;
