@@ -52,11 +52,6 @@ inline const Finding kResponseNotSettled{
     "{} of {} dwells were not settled after half of their cycles, as at {} Hz, so that these responses may still "
     "contain the run-in",
     "dwell longer; their deviations do not cover this"};
-inline const Finding kResponseDistorted{
-    "response-distorted", Severity::kWarning,
-    "harmonics of '{}' reach {} % of its fundamental at {} Hz, where the posts' are {} %: the vehicle is not linear",
-    "compare with a model at these post amplitudes; random motions and sweeps of other amplitude give other responses",
-    Weight::kSlight};
 inline const Finding kResponseRandomNonlinear{
     "response-random-nonlinear", Severity::kWarning,
     "{} % of '{}' at {} Hz do not follow linearly from the posts (coherence {}): noise, or a vehicle that is not "

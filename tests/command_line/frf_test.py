@@ -69,7 +69,7 @@ class Frf(ProgramTest):
         self.assert_finding(self.run_program("frf", "dwells.csv", "--post", "FL", code=2).stderr, "post-channel-malformed")
         self.assert_finding(self.run_program("frf", "dwells.csv", "--kind", "steped", code=2).stderr, "value-unknown")
         self.assert_finding(self.run_program("frf", "car.urdf", code=3).stderr, "vehicle-for-recording")
-        self.assert_finding(self.run_program("frf", "dwells.csv", "-o", ".", code=5).stderr, "output-is-input")
+        self.assert_finding(self.run_program("frf", "dwells.csv", "-o", ".", code=5).stderr, "folder-holds-input")
 
 
 if __name__ == "__main__":
