@@ -230,7 +230,7 @@ class ResponseMaker {
 
   double Passed(double frequency_Hz) const {
     if (!request_.filter) return 1;
-    // A harmonic that has all but vanished is not made of noise.
+    // Where the filter leaves next to nothing, its inverse would raise noise.
     constexpr double kLeast = 0.02;
     const LowPass filter(request_.filter->order, request_.filter->cutoff_Hz, out_.rate_Hz);
     return std::max(kLeast, std::abs(filter.Response(std::min(0.49, frequency_Hz / out_.rate_Hz))));
