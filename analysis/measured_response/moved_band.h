@@ -14,8 +14,8 @@ namespace fourpost {
 /// it 3 % of the largest, where posts move most, above it 1e-5, and the record has 20 periods.
 std::vector<double> MovedFrequencies(std::span<const double> motion, double rate_Hz);
 
-/// Of a sweep: from above its lowest to below its highest frequency, next to which it cannot be told from the run-in
-/// and run-out, as far as the record has 60 periods.
+/// Of a sweep: from above its lowest to below its highest frequency, next to which it cannot be separated from the
+/// run-in and run-out, as far as the record has 60 periods.
 std::vector<double> SweptFrequencies(std::span<const TonePoint> sweep, double rate_Hz, double duration_s);
 
 /// Amplitude of a sweep as it passes a frequency: the median over the points within 5 % of it, or of the nearest.
