@@ -210,6 +210,8 @@ std::vector<Dwell> Joined(const std::vector<Dwell>& parts) {
 /// Within a piece of a sweep the frequency changes as much as to the next piece.
 bool IsPieceOfSweep(std::size_t index, const std::vector<Dwell>& dwells, double drift) {
   constexpr double kShare = 1.0 / 3;
+  // In cycles over the dwell; a piece of a sweep is as long as its phase looks straight, which is a fifth of a cycle.
+  constexpr double kSeen = 0.05;
   constexpr double kGapCycles = 4;
   double nearest = std::numeric_limits<double>::infinity();
   const Dwell& own = dwells[index];
@@ -219,7 +221,7 @@ bool IsPieceOfSweep(std::size_t index, const std::vector<Dwell>& dwells, double 
   };
   if (index > 0) look(dwells[index - 1], own);
   if (index + 1 < dwells.size()) look(own, dwells[index + 1]);
-  return drift > kShare * nearest;
+  return drift * (own.end - own.start) > kSeen && drift > kShare * nearest;
 }
 
 bool IsRest(const Dwell& dwell, double largest) {

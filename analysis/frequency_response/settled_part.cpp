@@ -81,7 +81,7 @@ SettledPart SettledPartOf(std::span<const std::vector<Complex>> signals) {
 
 double VarianceOfMean(std::span<const Complex> series) {
   constexpr std::size_t kFewestLines = 3;
-  constexpr std::size_t kMostLines = 8;
+  constexpr std::size_t kMostLines = 4;
   const std::size_t n = series.size();
   if (n < 3) return std::numeric_limits<double>::quiet_NaN();
   const Complex mean = MeanOf(series);

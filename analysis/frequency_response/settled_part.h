@@ -25,7 +25,7 @@ SettledPart SettledPartOf(std::span<const std::vector<std::complex<double>>> sig
 
 /// Variance of the mean of a series of complex numbers, real and imaginary part together, whose neighbours may be
 /// correlated: the larger one of their scatter, as if independent, and of the spectral density next to frequency zero,
-/// from the lowest Fourier lines, a sixth of all but eight at most, where these are three at least (Bendat and Piersol,
+/// from the lowest Fourier lines, a sixth of all and four at most, where these are three at least (Bendat and Piersol,
 /// Random Data, 4th ed., section 8.5; the density at zero is the variance of the mean times the number). Of fewer than
 /// three numbers NaN.
 double VarianceOfMean(std::span<const std::complex<double>> series);

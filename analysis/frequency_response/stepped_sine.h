@@ -23,7 +23,7 @@ struct DwellChannel {
   /// Amplitudes of harmonics 1, 2, ... in the channel's unit.
   std::vector<double> harmonics;
 
-  /// Root of the sum of squares of all but the first, over the first.
+  /// Root of the sum of squares of the others, over the first.
   double Distortion() const;
 };
 

@@ -29,7 +29,7 @@ inline const Finding kResponseNoDwell{"response-no-dwell", Severity::kError,
                                       "no dwell of a stepped sine: the post {} keeps no frequency for four cycles",
                                       "state --kind sweep or --kind random, or dwell longer"};
 inline const Finding kResponseTooShort{"response-too-short", Severity::kError,
-                                       "{} s are too short to tell frequencies of {} Hz apart",
+                                       "{} s are too short for a response at {} Hz",
                                        "record longer, or ask for higher --frequencies"};
 inline const Finding kResponseNoPeriod{"response-no-period", Severity::kError,
                                        "the motion of post {} does not repeat itself within a whole number of samples",
@@ -51,12 +51,7 @@ inline const Finding kResponseNotSettled{
     "response-not-settled", Severity::kWarning,
     "{} of {} dwells were not settled after half of their cycles, as at {} Hz, so that these responses may still "
     "contain the run-in",
-    "dwell longer; their deviations do not cover this"};
-inline const Finding kResponseDistorted{
-    "response-distorted", Severity::kWarning,
-    "harmonics of '{}' reach {} % of its fundamental at {} Hz, where the posts' are {} %: the vehicle is not linear",
-    "compare with a model at these post amplitudes; random motions and sweeps of other amplitude give other responses",
-    Weight::kSlight};
+    "dwell longer; their standard deviations do not cover this"};
 inline const Finding kResponseRandomNonlinear{
     "response-random-nonlinear", Severity::kWarning,
     "{} % of '{}' at {} Hz do not follow linearly from the posts (coherence {}): noise, or a vehicle that is not "

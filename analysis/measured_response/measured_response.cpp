@@ -230,7 +230,7 @@ class ResponseMaker {
 
   double Passed(double frequency_Hz) const {
     if (!request_.filter) return 1;
-    // A harmonic that has all but vanished is not made of noise.
+    // Where the filter leaves next to nothing, its inverse would raise noise.
     constexpr double kLeast = 0.02;
     const LowPass filter(request_.filter->order, request_.filter->cutoff_Hz, out_.rate_Hz);
     return std::max(kLeast, std::abs(filter.Response(std::min(0.49, frequency_Hz / out_.rate_Hz))));
@@ -244,7 +244,6 @@ class ResponseMaker {
       Fault(kResponseNotSettled, file,
             {std::to_string(out_.unsettled), std::to_string(out_.dwells), Rounded(unsettled_Hz_, 3)});
     for (const DwellGroup& group : GroupsOf(dwells_)) out_.responses.push_back(ResponseOf(group));
-    if (!distortion_words_.empty()) Fault(kResponseDistorted, file, distortion_words_);
     CheckFilter(file);
   }
 
@@ -280,30 +279,30 @@ class ResponseMaker {
     channel.second_harmonic.push_back(measured.harmonics.size() > 1 ? measured.harmonics[1] : 0);
   }
 
-  void AddQuality(const std::vector<DwellResponse>& means, std::size_t c, MeasuredResponse& out) {
+  void AddQuality(const std::vector<DwellResponse>& means, std::size_t c, MeasuredResponse& out) const {
     ChannelQuality quality = QualityOf(out.response.channels[c]);
-    double loudest = 0;
-    for (const DwellResponse& mean : means)
-      loudest = std::max(loudest, mean.channels[c].harmonics.front() / mean.amplitude);
-    const DwellResponse* worst = nullptr;
     quality.distortion = 0;
     for (const DwellResponse& mean : means) {
       const DwellChannel& channel = mean.channels[c];
-      // Noise has harmonics, too; next to a node anything is large.
-      const double noise = std::sqrt(3 * channel.variance) / std::abs(channel.response);
-      if (channel.harmonics.front() / mean.amplitude < 0.1 * loudest) continue;
+      // Next to a node anything is large.
+      constexpr double kNode = 0.2;
+      if (channel.harmonics.front() < kNode * LoudestLike(c, mean)) continue;
+      // Noise has harmonics, too: four of them.
+      const double noise = std::sqrt(4 * channel.variance) / std::abs(channel.response);
       const double distortion = std::sqrt(std::max(0.0, std::pow(channel.Distortion(), 2) - noise * noise));
       if (distortion <= quality.distortion) continue;
-      worst = &mean;
       quality.distortion = distortion;
       quality.distortion_Hz = mean.frequency_Hz;
     }
-    constexpr double kMuch = 0.1;
-    if (worst != nullptr && quality.distortion > kMuch && quality.distortion > 3 * worst->post_distortion)
-      NoteDistortion({names_[c], Rounded(100 * quality.distortion, 2), Rounded(worst->frequency_Hz, 3),
-                      Rounded(100 * worst->post_distortion, 2)},
-                     quality.distortion);
     out.channels.push_back(std::move(quality));
+  }
+
+  /// The largest fundamental of all channels of the unit of this one.
+  double LoudestLike(std::size_t c, const DwellResponse& mean) const {
+    double loudest = 0;
+    for (std::size_t other = 0; other < units_.size(); ++other)
+      if (units_[other] == units_[c]) loudest = std::max(loudest, mean.channels[other].harmonics.front());
+    return loudest;
   }
 
   /// The largest of all channels is reported.

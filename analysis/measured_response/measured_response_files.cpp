@@ -135,11 +135,12 @@ std::string ResponseText(const MeasuredResponses& measured, const MeasuredRespon
   const FrequencyResponse& values = response.response;
   const auto [least, most] = std::minmax_element(values.amplitude_m.begin(), values.amplitude_m.end());
   std::string text = response.name + ": posts " + Shares(measured, response) + ", the reference is " +
-                     measured.posts[response.shares.reference] + "; " + Percent(response.shares.rest) +
+                     measured.posts[response.shares.reference] + "; " +
+                     (response.shares.rest < 1e-4 ? "less than 0.01" : Percent(response.shares.rest)) +
                      " % of their motion is off this pattern\n" + std::to_string(values.frequency_Hz.size()) +
                      " frequencies from " + Rounded(values.frequency_Hz.front(), 4) + " to " +
                      Rounded(values.frequency_Hz.back(), 4) + " Hz, post amplitude " + Rounded(1e3 * *least, 3) +
-                     " to " + Rounded(1e3 * *most, 3) + " mm";
+                     (*most > 1.001 * *least ? " to " + Rounded(1e3 * *most, 3) : "") + " mm";
   if (!response.repeats.empty()) {
     const auto [fewest, all] = std::minmax_element(response.repeats.begin(), response.repeats.end());
     if (*all > 1)

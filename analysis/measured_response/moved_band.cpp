@@ -32,7 +32,8 @@ Band SweptBand(std::span<const TonePoint> sweep, double rate_Hz, double duration
 }
 
 Band RandomBand(std::span<const double> motion, double rate_Hz) {
-  constexpr double kShare = 1e-5;
+  constexpr double kLowerShare = 0.03;
+  constexpr double kUpperShare = 1e-5;
   constexpr double kAboveNoise = 100;
   constexpr double kFewestPeriods = 20;
   constexpr double kSegment_s = 16;
@@ -43,11 +44,11 @@ Band RandomBand(std::span<const double> motion, double rate_Hz) {
   const double noise = NoiseFloor(motion);
   const std::vector<double>& power = spectrum.first;
   const double most = *std::max_element(power.begin() + 1, power.end());
-  const double least = std::max(kShare * most, kAboveNoise * noise * noise / (rate_Hz / 2));
+  const double above_noise = kAboveNoise * noise * noise / (rate_Hz / 2);
   std::size_t first = static_cast<std::size_t>(std::max_element(power.begin() + 1, power.end()) - power.begin());
   std::size_t last = first;
-  while (first > 1 && power[first - 1] >= least) --first;
-  while (last + 1 < power.size() && power[last + 1] >= least) ++last;
+  while (first > 1 && power[first - 1] >= std::max(kLowerShare * most, above_noise)) --first;
+  while (last + 1 < power.size() && power[last + 1] >= std::max(kUpperShare * most, above_noise)) ++last;
   const double duration_s = static_cast<double>(motion.size()) / rate_Hz;
   // Hann's window spreads a band's ends by a line or two.
   return {std::max(spectrum.frequency_Hz[first] + 2 / kSegment_s, kFewestPeriods / duration_s),

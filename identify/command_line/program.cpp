@@ -77,7 +77,7 @@ void Program::AddFrf() {
   AddOptions(
       *Add("frf", "Make frequency responses of time histories: stepped sines, sweeps, random motions, multisines",
            "  fourpost frf sweep.csv\n"
-           "  fourpost frf sweep.csv --frequencies 1Hz:20Hz:40 --post post_post=post -o frf",
+           "  fourpost frf sweep.csv --kind sweep --frequencies 1Hz:20Hz:40 -o frf",
            [this] { return Run(frf_); }),
       frf_);
 }

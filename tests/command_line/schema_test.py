@@ -38,6 +38,12 @@ class Schema(ProgramTest):
         self.check("simulate", "simulate", file, "--step", "20mm", "--duration", "1s")
         self.check("simulate", "simulate", file, "--sine", "2Hz", "--duration", "1s", "--engine", "full")
 
+    def test_of_a_time_history(self):
+        file = SOURCE / "urdf/quarter_car.urdf"
+        for words, kind in ((["--sweep", "0.5Hz:20Hz"], "sweep"), (["--random", "4mm"], "random"), (["--sine", "2Hz"], "stepped")):
+            self.run_program("simulate", file, *words, "--rate", "200Hz", "--duration", "60s", "-o", f"{kind}.csv")
+            self.assertEqual(self.check("frf", "frf", f"{kind}.csv", "-o", kind)["kind"], kind)
+
     def test_of_a_broken_vehicle(self):
         text = (SOURCE / "urdf/quarter_car.urdf").read_text()
         broken = self.write("broken.urdf", text.replace('value="200 kg"', 'value="200"'))

@@ -21,6 +21,8 @@ TEST(ToneTrack, FollowsAToneWithinItsWindow) {
   std::vector<double> signal;
   for (int k = 0; k < 5000; ++k) signal.push_back(3 + 2 * std::cos(0.4 + 2 * std::numbers::pi * 0.013 * k));
   for (const TonePoint& point : TrackTone(signal)) {
+    // Next to the ends there is no window of three cycles.
+    if (point.time < 2 / 0.013 || point.time > 5000 - 2 / 0.013) continue;
     // Windows of a quarter octave's step see the tone off their middle, and a sum over samples is no integral.
     EXPECT_NEAR(point.cycles_per_sample, 0.013, 1e-5);
     EXPECT_NEAR(std::remainder(point.phase_rad - 0.4 - 2 * std::numbers::pi * 0.013 * point.time, 2 * std::numbers::pi),
