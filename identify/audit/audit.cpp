@@ -5,6 +5,8 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "analysis/numerics/decompositions.h"
@@ -34,6 +36,9 @@ bool IsPossible(const RigFault& fault, double size) {
 double Together(const RigFault& fault, double first, double second) {
   return fault.kind == Kind::kScale ? (1 + first) * (1 + second) - 1 : first + second;
 }
+
+/// Squares of what is left over, over their noise, that bodies which bend a little may have.
+constexpr double kExplained = 9;
 
 double StepOf(const RigFault& fault) {
   switch (fault.kind) {
@@ -116,10 +121,23 @@ class Stand {
     for (int round = 0; round < 3; ++round) {
       Linearise();
       unknowns_ -= scale_.asDiagonal() * free_->Solve(equations_.Misclosures(subject_, unknowns_));
+      Bound();
     }
     Linearise();
     rest_ = Projected(equations_.Misclosures(subject_, unknowns_));
     degrees_ = equations_.degrees() - static_cast<double>(free_->rank());
+  }
+
+  /// Masses stay near those of the vehicle's file, whatever loads and forces claim.
+  void Bound() {
+    constexpr double kMost = 3;
+    const Eigen::Index first = 3 * static_cast<Eigen::Index>(subject_.car.tyres.size());
+    for (Eigen::Index j = 0; j < subject_.car.reach.size(); ++j) {
+      const double most = kMost * subject_.car.reach[j];
+      if (std::abs(unknowns_[first + j]) <= most) continue;
+      unknowns_[first + j] = std::copysign(most, unknowns_[first + j]);
+      bounded_.insert(first + j);
+    }
   }
 
   void Linearise() {
@@ -134,7 +152,7 @@ class Stand {
       moved[j] += step;
       slopes.col(j) = (equations_.Misclosures(subject_, moved) - here) / step;
       const double norm = slopes.col(j).norm();
-      scale_[j] = norm > 0 ? 1 / norm : 0;
+      scale_[j] = norm > 0 && !bounded_.count(j) ? 1 / norm : 0;
       slopes.col(j) *= scale_[j];
     }
     slopes_ = slopes;
@@ -184,6 +202,8 @@ class Stand {
   AuditEquations equations_;
   std::vector<RigFault> faults_;
   Eigen::VectorXd unknowns_;
+  /// Unknowns that are at a bound.
+  std::set<Eigen::Index> bounded_;
   Eigen::MatrixXd slopes_;
   Eigen::VectorXd scale_;
   std::unique_ptr<LeastNorm> free_;
@@ -218,7 +238,8 @@ Suspicion SuspicionOf(const std::vector<Explanation>& all, const std::vector<Rig
   found.sd = std::sqrt(std::max(0.0, noise * (best.variance - allowed * allowed)));
   for (std::size_t i = 1; i < all.size(); ++i) {
     const double score = all[i].fall / noise;
-    if (found.score - score < std::max(kApart, kShareApart * found.score)) found.rivals.push_back({faults[all[i].fault], all[i].size, score});
+    if (found.score - score < std::max(kApart, kShareApart * found.score))
+      found.rivals.push_back({faults[all[i].fault], all[i].size, score});
     else {
       found.next_score = score;
       break;
@@ -238,6 +259,25 @@ void Add(const Suspicion& suspicion, std::vector<Suspicion>& suspicions) {
     return;
   }
   suspicions.push_back(suspicion);
+}
+
+/// Where no size of any fault explains what is left over: the channel without which least is, if that is a matter of
+/// noise then.
+std::optional<Suspicion> ForeignChannel(const AuditSubject& subject, const RigTolerance& tolerance,
+                                        const std::vector<RigFault>& faults) {
+  std::optional<Suspicion> found;
+  double least = kExplained;
+  for (const RigFault& fault : faults) {
+    if (fault.kind != Kind::kScale || fault.members.size() != 1 || fault.where == RigFault::Where::kPosts) continue;
+    RigFault foreign = fault;
+    foreign.kind = Kind::kOther;
+    const Stand without(Corrected(subject, foreign, 0), tolerance, {});
+    const double noise = without.Squares() / without.degrees();
+    if (!(without.degrees() > 0) || noise >= least) continue;
+    least = noise;
+    found = Suspicion{.fault = foreign};
+  }
+  return found;
 }
 
 std::vector<ChannelRest> RestsOf(const AuditSubject& subject, const Stand& stand) {
@@ -294,7 +334,14 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
     const Explanation& best = all.front();
     // Of what the best explanation leaves over.
     const double noise = std::max(1.0, (stand.Squares() - best.fall) / stand.degrees());
-    const Suspicion suspicion = SuspicionOf(all, faults, noise);
+    Suspicion suspicion = SuspicionOf(all, faults, noise);
+    if (noise > kExplained)
+      if (const std::optional<Suspicion> foreign = ForeignChannel(corrected, tolerance, faults)) {
+        suspicion.fault = foreign->fault;
+        suspicion.size = 0;
+        suspicion.score = stand.Squares() / std::max(1.0, noise);
+        suspicion.rivals.clear();
+      }
     if (!(suspicion.score > kSuspicious * kSuspicious) || round == kMostFaults) {
       audit.misfit = std::sqrt(std::max(0.0, stand.Squares() / stand.degrees()));
       const double widened = std::max(1.0, audit.misfit);

@@ -56,8 +56,7 @@ const char* AxisName(int axis) {
 /// "'a_cg' reads 1.03 times the true value"
 std::string Words(const RigFault& fault, double size) {
   switch (fault.kind) {
-    case Kind::kScale:
-      return "'" + fault.name + "' reads " + ShortNumber(FactorOf(size), 4) + " times the true value";
+    case Kind::kScale: return "'" + fault.name + "' reads " + ShortNumber(FactorOf(size), 4) + " times the true value";
     case Kind::kDelay:
       return "'" + fault.name + "' comes " + ShortNumber(std::abs(size) * kMilli, 2) + " ms " +
              (size > 0 ? "late" : "early");
@@ -65,6 +64,7 @@ std::string Words(const RigFault& fault, double size) {
       return "'" + fault.name + "' sits " + ShortNumber(std::abs(size), 2) + " m further along " +
              (size > 0 ? "+" : "-") + AxisName(fault.axis);
     case Kind::kExchange: return fault.name + " are exchanged";
+    case Kind::kOther: return "'" + fault.name + "' measures something else";
   }
   return "";
 }
@@ -81,12 +81,13 @@ const Finding& KindOf(const Suspicion& suspicion) {
   const RigFault& fault = suspicion.fault;
   switch (fault.kind) {
     case Kind::kExchange: return kRigExchanged;
+    case Kind::kOther: return kRigForeign;
     case Kind::kDelay: return fault.where == Where::kPosts ? kRigPostsDelay : kRigDelay;
     case Kind::kPlace: return kRigPlace;
     case Kind::kScale: break;
   }
   if (fault.where == Where::kClock) return kRigClock;
-  if (fault.where == Where::kLoads) return kRigLoads;
+  if (fault.where == Where::kWeight) return kRigLoads;
   const double factor = FactorOf(suspicion.size);
   if (std::abs(factor + 1) < 0.1) return kRigSign;
   if (KnownOf(factor) != nullptr) return kRigUnit;
@@ -119,6 +120,7 @@ const char* KindName(Kind kind) {
     case Kind::kDelay: return "delay";
     case Kind::kPlace: return "position";
     case Kind::kExchange: return "exchange";
+    case Kind::kOther: return "other channel";
   }
   return "";
 }
@@ -184,8 +186,8 @@ std::string AuditText(const Audit& audit) {
       open += std::string(open.empty() ? "" : ", ") + KindName(fault.kind) + " of " + fault.name;
   }
   std::sort(order.begin(), order.end());
-  TextTable table({"channel", "left over [%]", "expected [%]", "scale seen from [%]", "delay from [ms]",
-                   "position (x) from [cm]"});
+  TextTable table(
+      {"channel", "left over [%]", "expected [%]", "scale seen from [%]", "delay from [ms]", "position (x) from [cm]"});
   for (const std::string& name : order) {
     double rest = 0;
     double expected = 0;
@@ -196,8 +198,9 @@ std::string AuditText(const Audit& audit) {
         expected = std::max(expected, channel.expected);
         ++count;
       }
-    table.Add({name, count > 0 ? ShortNumber(kPercent * rest, 2) : "", count > 0 ? ShortNumber(kPercent * expected, 2) : "",
-               seen[name].scale, seen[name].delay, seen[name].place});
+    table.Add({name, count > 0 ? ShortNumber(kPercent * rest, 2) : "",
+               count > 0 ? ShortNumber(kPercent * expected, 2) : "", seen[name].scale, seen[name].delay,
+               seen[name].place});
   }
   return "audit of the rig, without a fit: what channels leave over of the motion and the forces that all agree on\n" +
          table.Format() + "left over: root mean square, of the worst recording; misfit " +
