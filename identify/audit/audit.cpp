@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "analysis/numerics/decompositions.h"
@@ -85,6 +86,28 @@ class Stand {
     if (!(information_[j] > 0)) return {.fault = fault};
     const double size = gradient_[j] / information_[j];
     return {.fault = fault, .size = size, .variance = 1 / information_[j], .fall = gradient_[j] * size};
+  }
+
+  /// Number of neighbouring frequencies whose misclosures count as one, once a fault is taken out: (1 + r) / (1 - r), r
+  /// their correlation. Noise has 1; bodies that bend, or a geometry that is not the car's, have many.
+  double Correlated(const Explanation& one) const {
+    using RowKind = AuditEquations::Row::Kind;
+    const Eigen::VectorXd rest = RestOf(Corrected(subject_, faults_[one.fault], one.size));
+    std::map<std::tuple<RowKind, std::size_t, std::size_t, bool>, double> before;
+    double products = 0;
+    double squares = 0;
+    bool is_second = false;
+    for (Eigen::Index i = 0; i < rest.size(); ++i, is_second = !is_second) {
+      const AuditEquations::Row& row = equations_.rows()[static_cast<std::size_t>(i)];
+      if (row.kind == RowKind::kWeight || row.kind == RowKind::kPrior) break;
+      const auto key = std::make_tuple(row.kind, row.member, row.run, is_second);
+      if (const auto found = before.find(key); found != before.end()) products += found->second * rest[i];
+      squares += rest[i] * rest[i];
+      before[key] = rest[i];
+    }
+    constexpr double kMost = 0.95;
+    const double correlation = squares > 0 ? std::clamp(products / squares, 0.0, kMost) : 0;
+    return (1 + correlation) / (1 - correlation);
   }
 
   /// By the size that explains most: signs, units and delays are beyond derivatives.
@@ -193,6 +216,7 @@ class Stand {
   }
 
   double SquaresOf(const Eigen::VectorXd& rest) const {
+    if (faults_.empty()) return rest.squaredNorm();
     const Eigen::VectorXd g = directions_.transpose() * rest;
     return rest.squaredNorm() - g.dot(inner_ * g);
   }
@@ -259,6 +283,11 @@ void Add(const Suspicion& suspicion, std::vector<Suspicion>& suspicions) {
     return;
   }
   suspicions.push_back(suspicion);
+}
+
+bool IsExplained(const AuditSubject& subject, const RigTolerance& tolerance) {
+  const Stand stand(subject, tolerance, {});
+  return stand.Squares() < kExplained * stand.degrees();
 }
 
 /// Where no size of any fault explains what is left over: the channel without which least is, if that is a matter of
@@ -334,8 +363,8 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
     const Explanation& best = all.front();
     // Of what the best explanation leaves over.
     const double noise = std::max(1.0, (stand.Squares() - best.fall) / stand.degrees());
-    Suspicion suspicion = SuspicionOf(all, faults, noise);
-    if (noise > kExplained)
+    Suspicion suspicion = SuspicionOf(all, faults, noise * stand.Correlated(best));
+    if (noise > kExplained && !IsExplained(Corrected(corrected, suspicion.fault, suspicion.size), tolerance))
       if (const std::optional<Suspicion> foreign = ForeignChannel(corrected, tolerance, faults)) {
         suspicion.fault = foreign->fault;
         suspicion.size = 0;

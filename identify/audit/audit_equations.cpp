@@ -14,7 +14,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Above it, parts on soft mounts move on their own.
-constexpr double kBalanceBelow_Hz = 5;
+constexpr double kBalanceBelow_Hz = 3;
 /// No coordinate moves by more per metre of a post.
 constexpr double kMostMotion = 10;
 /// a, b, c of a tyre.

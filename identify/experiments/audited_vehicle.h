@@ -1,6 +1,9 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "identify/audit/audit_subject.h"

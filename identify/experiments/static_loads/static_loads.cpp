@@ -3,6 +3,7 @@
 #include <string>
 
 #include "analysis/text/text_table.h"
+#include "identify/experiments/audited_vehicle.h"
 #include "identify/experiments/static_loads/load_lint.h"
 #include "identify/experiments/static_loads/weight_lint.h"
 #include "identify/fit/fit.h"
