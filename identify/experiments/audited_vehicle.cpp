@@ -59,7 +59,7 @@ Eigen::MatrixXd TyreStiffness(const Vehicle& vehicle, const std::vector<AuditedT
 /// The coordinates' velocity at which all links move as one body: vertical motion first, then turns and the rest as far
 /// as the vehicle can.
 Eigen::VectorXd WholeMotion(const std::vector<LinkMotion>& links, const Eigen::Vector3d& velocity,
-                            const Eigen::Vector3d& turn, double axis_height) {
+                            const Eigen::Vector3d& turn, const Eigen::Vector3d& axis) {
   constexpr double kTurn = 1e-2;
   constexpr double kAside = 1e-7;
   const Eigen::Index n = links.front().com_jacobian.cols();
@@ -67,8 +67,7 @@ Eigen::VectorXd WholeMotion(const std::vector<LinkMotion>& links, const Eigen::V
   Eigen::VectorXd wanted(rows.rows());
   Eigen::Index next = 0;
   for (const LinkMotion& link : links) {
-    const Eigen::Vector3d from_axis = link.com - Eigen::Vector3d(0, 0, axis_height);
-    const Eigen::Vector3d moves = velocity + turn.cross(from_axis);
+    const Eigen::Vector3d moves = velocity + turn.cross(link.com - axis);
     rows.middleRows(next, 3) = link.com_jacobian;
     wanted.segment(next, 3) = moves;
     rows.middleRows(next, 2) *= kAside;
@@ -100,23 +99,23 @@ bool LacksSideways(const std::vector<LinkMotion>& links, const Eigen::Vector3d& 
   return false;
 }
 
-double HeightOfMass(const std::vector<LinkMotion>& links) {
+Eigen::Vector3d CentreOfMass(const std::vector<LinkMotion>& links) {
   double mass = 0;
-  double moment = 0;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   for (const LinkMotion& link : links) {
     mass += link.mass;
-    moment += link.mass * link.com.z();
+    moment += link.mass * link.com;
   }
   return moment / mass;
 }
 
-/// Pitch is about the height of the centre of mass, so that it needs no motion along the car, which no sensor sees and
-/// free wheels allow; roll about the ground, where wheels do not slide.
+/// Pitch is about the centre of mass, so that it needs no motion along the car, which no sensor sees and free wheels
+/// allow; roll about the ground below it, where wheels do not slide.
 struct NamedMotion {
   const char* name;
   Eigen::Vector3d velocity;
   Eigen::Vector3d turn;
-  double axis_height;
+  Eigen::Vector3d axis;
 };
 
 std::vector<std::pair<std::string, Eigen::VectorXd>> WholeMotions(const CondensedVehicle& vehicle,
@@ -126,13 +125,13 @@ std::vector<std::pair<std::string, Eigen::VectorXd>> WholeMotions(const Condense
   const std::vector<LinkMotion> links = vehicle.LinkMotions(values);
   std::vector<std::pair<std::string, Eigen::VectorXd>> motions;
   if (links.empty()) return motions;
+  const Eigen::Vector3d centre = CentreOfMass(links);
   Eigen::MatrixXd found(vehicle.size(), 0);
   for (const NamedMotion& one :
-       {NamedMotion{"heave", {0, 0, 1}, {0, 0, 0}, 0}, NamedMotion{"pitch", {0, 0, 0}, {0, 1, 0}, HeightOfMass(links)},
-        NamedMotion{"roll", {0, 0, 0}, {1, 0, 0}, ground}}) {
-    const Eigen::VectorXd motion = WholeMotion(links, one.velocity, one.turn, one.axis_height);
-    if (!IsWithoutInnerForces(model, tyres, motion) || LacksSideways(links, one.turn, one.axis_height, motion))
-      continue;
+       {NamedMotion{"heave", {0, 0, 1}, {0, 0, 0}, centre}, NamedMotion{"pitch", {0, 0, 0}, {0, 1, 0}, centre},
+        NamedMotion{"roll", {0, 0, 0}, {1, 0, 0}, {centre.x(), centre.y(), ground}}}) {
+    const Eigen::VectorXd motion = WholeMotion(links, one.velocity, one.turn, one.axis);
+    if (!IsWithoutInnerForces(model, tyres, motion) || LacksSideways(links, one.turn, one.axis.z(), motion)) continue;
     Eigen::MatrixXd with(found.rows(), found.cols() + 1);
     with << found, motion;
     if (LeastNorm(with, 1e-6).rank() < with.cols()) continue;
@@ -306,6 +305,19 @@ void AuditedVehicle::Put(AuditedRun& run, std::size_t sensor, std::size_t freque
       type == Sensor::Type::kGyro ? std::complex<double>(0, omega) : std::complex<double>(1, 0);
   run.motions(row, f) = reading / unit;
   run.motion_sd(row, f) = sd / std::abs(unit);
+}
+
+void AuditedVehicle::Add(AuditedRun run, const std::vector<double>& amplitude_m) {
+  constexpr double kShare = 0.9;
+  for (Eigen::Index t = 0; t < run.forces.rows(); ++t) {
+    const double most = kShare * model_.preloads.tyre[static_cast<std::size_t>(t)];
+    std::vector<Eigen::Index> lifted;
+    for (Eigen::Index f = 0; f < run.forces.cols(); ++f)
+      if (std::abs(run.forces(t, f)) * amplitude_m[static_cast<std::size_t>(f)] > most) lifted.push_back(f);
+    if (2 * std::ssize(lifted) > run.forces.cols()) continue;
+    for (const Eigen::Index f : lifted) run.forces(t, f) = std::numeric_limits<double>::quiet_NaN();
+  }
+  audited_.runs.push_back(std::move(run));
 }
 
 void AuditedVehicle::AddLoad(double load, double sd) {

@@ -27,7 +27,9 @@ class AuditedVehicle {
   /// load cells feel wheelpans.
   void Put(AuditedRun& run, std::size_t sensor, std::size_t frequency, std::complex<double> reading, double sd);
 
-  void Add(AuditedRun run) { audited_.runs.push_back(std::move(run)); }
+  /// `amplitude_m`: of the reference post. Forces at which a tyre would pull are left out: where it lifts off, force
+  /// and squeeze are no longer proportional. Not where it would at most frequencies, which is a matter of scale.
+  void Add(AuditedRun run, const std::vector<double>& amplitude_m);
   /// At rest, of one tyre after the other.
   void AddLoad(double load, double sd);
 
