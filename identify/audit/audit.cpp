@@ -39,7 +39,7 @@ double Together(const RigFault& fault, double first, double second) {
 }
 
 /// Squares of what is left over, over their noise, that bodies which bend a little may have.
-constexpr double kExplained = 9;
+constexpr double kExplained = 4;
 
 double StepOf(const RigFault& fault) {
   switch (fault.kind) {
@@ -285,24 +285,43 @@ void Add(const Suspicion& suspicion, std::vector<Suspicion>& suspicions) {
   suspicions.push_back(suspicion);
 }
 
-bool IsExplained(const AuditSubject& subject, const RigTolerance& tolerance) {
+double NoiseOf(const AuditSubject& subject, const RigTolerance& tolerance) {
   const Stand stand(subject, tolerance, {});
-  return stand.Squares() < kExplained * stand.degrees();
+  return stand.degrees() > 0 ? stand.Squares() / stand.degrees() : std::numeric_limits<double>::infinity();
 }
 
-/// Where no size of any fault explains what is left over: the channel without which least is, if that is a matter of
-/// noise then.
+bool IsOfOneChannel(const RigFault& fault) {
+  return fault.kind == Kind::kScale && fault.members.size() == 1 && fault.where != RigFault::Where::kPosts;
+}
+
+/// Where no derivative leads to what explains the readings, as with the sign of a force, which rates of tyres follow:
+/// the channel with whose sign turned least is left over, if that is a matter of noise then.
+std::optional<Suspicion> TurnedChannel(const AuditSubject& subject, const RigTolerance& tolerance,
+                                       const std::vector<RigFault>& faults) {
+  constexpr double kTurned = -2;
+  std::optional<Suspicion> found;
+  double least = kExplained;
+  for (const RigFault& fault : faults) {
+    if (!IsOfOneChannel(fault)) continue;
+    const double noise = NoiseOf(Corrected(subject, fault, kTurned), tolerance);
+    if (noise >= least) continue;
+    least = noise;
+    found = Suspicion{.fault = fault, .size = kTurned};
+  }
+  return found;
+}
+
+/// Likewise the channel without which least is left over.
 std::optional<Suspicion> ForeignChannel(const AuditSubject& subject, const RigTolerance& tolerance,
                                         const std::vector<RigFault>& faults) {
   std::optional<Suspicion> found;
   double least = kExplained;
   for (const RigFault& fault : faults) {
-    if (fault.kind != Kind::kScale || fault.members.size() != 1 || fault.where == RigFault::Where::kPosts) continue;
+    if (!IsOfOneChannel(fault)) continue;
     RigFault foreign = fault;
     foreign.kind = Kind::kOther;
-    const Stand without(Corrected(subject, foreign, 0), tolerance, {});
-    const double noise = without.Squares() / without.degrees();
-    if (!(without.degrees() > 0) || noise >= least) continue;
+    const double noise = NoiseOf(Corrected(subject, foreign, 0), tolerance);
+    if (noise >= least) continue;
     least = noise;
     found = Suspicion{.fault = foreign};
   }
@@ -364,13 +383,14 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
     // Of what the best explanation leaves over.
     const double noise = std::max(1.0, (stand.Squares() - best.fall) / stand.degrees());
     Suspicion suspicion = SuspicionOf(all, faults, noise * stand.Correlated(best));
-    if (noise > kExplained && !IsExplained(Corrected(corrected, suspicion.fault, suspicion.size), tolerance))
-      if (const std::optional<Suspicion> foreign = ForeignChannel(corrected, tolerance, faults)) {
-        suspicion.fault = foreign->fault;
-        suspicion.size = 0;
-        suspicion.score = stand.Squares() / std::max(1.0, noise);
-        suspicion.rivals.clear();
+    if (noise > kExplained && NoiseOf(Corrected(corrected, suspicion.fault, suspicion.size), tolerance) >= kExplained) {
+      std::optional<Suspicion> other = TurnedChannel(corrected, tolerance, faults);
+      if (!other) other = ForeignChannel(corrected, tolerance, faults);
+      if (other) {
+        suspicion = *other;
+        suspicion.score = stand.Squares() / noise;
       }
+    }
     if (!(suspicion.score > kSuspicious * kSuspicious) || round == kMostFaults) {
       audit.misfit = std::sqrt(std::max(0.0, stand.Squares() / stand.degrees()));
       const double widened = std::max(1.0, audit.misfit);

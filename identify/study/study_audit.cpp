@@ -25,7 +25,7 @@ constexpr double kMilli = 1e3;
 constexpr double kPercent = 100;
 
 /// What is left over, over its noise, when no fault that is known explains it.
-constexpr double kContradiction = 3;
+constexpr double kContradiction = 2;
 
 struct KnownFactor {
   double factor;
