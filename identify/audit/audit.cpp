@@ -5,6 +5,9 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "analysis/numerics/decompositions.h"
@@ -34,6 +37,9 @@ bool IsPossible(const RigFault& fault, double size) {
 double Together(const RigFault& fault, double first, double second) {
   return fault.kind == Kind::kScale ? (1 + first) * (1 + second) - 1 : first + second;
 }
+
+/// Squares of what is left over, over their noise, that bodies which bend a little may have.
+constexpr double kExplained = 4;
 
 double StepOf(const RigFault& fault) {
   switch (fault.kind) {
@@ -82,6 +88,28 @@ class Stand {
     return {.fault = fault, .size = size, .variance = 1 / information_[j], .fall = gradient_[j] * size};
   }
 
+  /// Number of neighbouring frequencies whose misclosures count as one, once a fault is taken out: (1 + r) / (1 - r), r
+  /// their correlation. Noise has 1; bodies that bend, or a geometry that is not the car's, have many.
+  double Correlated(const Explanation& one) const {
+    using RowKind = AuditEquations::Row::Kind;
+    const Eigen::VectorXd rest = RestOf(Corrected(subject_, faults_[one.fault], one.size));
+    std::map<std::tuple<RowKind, std::size_t, std::size_t, bool>, double> before;
+    double products = 0;
+    double squares = 0;
+    bool is_second = false;
+    for (Eigen::Index i = 0; i < rest.size(); ++i, is_second = !is_second) {
+      const AuditEquations::Row& row = equations_.rows()[static_cast<std::size_t>(i)];
+      if (row.kind == RowKind::kWeight || row.kind == RowKind::kPrior) break;
+      const auto key = std::make_tuple(row.kind, row.member, row.run, is_second);
+      if (const auto found = before.find(key); found != before.end()) products += found->second * rest[i];
+      squares += rest[i] * rest[i];
+      before[key] = rest[i];
+    }
+    constexpr double kMost = 0.95;
+    const double correlation = squares > 0 ? std::clamp(products / squares, 0.0, kMost) : 0;
+    return (1 + correlation) / (1 - correlation);
+  }
+
   /// By the size that explains most: signs, units and delays are beyond derivatives.
   Explanation Refined(Explanation one) const {
     const RigFault& fault = faults_[one.fault];
@@ -116,10 +144,23 @@ class Stand {
     for (int round = 0; round < 3; ++round) {
       Linearise();
       unknowns_ -= scale_.asDiagonal() * free_->Solve(equations_.Misclosures(subject_, unknowns_));
+      Bound();
     }
     Linearise();
     rest_ = Projected(equations_.Misclosures(subject_, unknowns_));
     degrees_ = equations_.degrees() - static_cast<double>(free_->rank());
+  }
+
+  /// Masses stay near those of the vehicle's file, whatever loads and forces claim.
+  void Bound() {
+    constexpr double kMost = 3;
+    const Eigen::Index first = 3 * static_cast<Eigen::Index>(subject_.car.tyres.size());
+    for (Eigen::Index j = 0; j < subject_.car.reach.size(); ++j) {
+      const double most = kMost * subject_.car.reach[j];
+      if (std::abs(unknowns_[first + j]) <= most) continue;
+      unknowns_[first + j] = std::copysign(most, unknowns_[first + j]);
+      bounded_.insert(first + j);
+    }
   }
 
   void Linearise() {
@@ -134,7 +175,7 @@ class Stand {
       moved[j] += step;
       slopes.col(j) = (equations_.Misclosures(subject_, moved) - here) / step;
       const double norm = slopes.col(j).norm();
-      scale_[j] = norm > 0 ? 1 / norm : 0;
+      scale_[j] = norm > 0 && !bounded_.count(j) ? 1 / norm : 0;
       slopes.col(j) *= scale_[j];
     }
     slopes_ = slopes;
@@ -175,6 +216,7 @@ class Stand {
   }
 
   double SquaresOf(const Eigen::VectorXd& rest) const {
+    if (faults_.empty()) return rest.squaredNorm();
     const Eigen::VectorXd g = directions_.transpose() * rest;
     return rest.squaredNorm() - g.dot(inner_ * g);
   }
@@ -184,6 +226,8 @@ class Stand {
   AuditEquations equations_;
   std::vector<RigFault> faults_;
   Eigen::VectorXd unknowns_;
+  /// Unknowns that are at a bound.
+  std::set<Eigen::Index> bounded_;
   Eigen::MatrixXd slopes_;
   Eigen::VectorXd scale_;
   std::unique_ptr<LeastNorm> free_;
@@ -218,7 +262,8 @@ Suspicion SuspicionOf(const std::vector<Explanation>& all, const std::vector<Rig
   found.sd = std::sqrt(std::max(0.0, noise * (best.variance - allowed * allowed)));
   for (std::size_t i = 1; i < all.size(); ++i) {
     const double score = all[i].fall / noise;
-    if (found.score - score < std::max(kApart, kShareApart * found.score)) found.rivals.push_back({faults[all[i].fault], all[i].size, score});
+    if (found.score - score < std::max(kApart, kShareApart * found.score))
+      found.rivals.push_back({faults[all[i].fault], all[i].size, score});
     else {
       found.next_score = score;
       break;
@@ -238,6 +283,49 @@ void Add(const Suspicion& suspicion, std::vector<Suspicion>& suspicions) {
     return;
   }
   suspicions.push_back(suspicion);
+}
+
+double NoiseOf(const AuditSubject& subject, const RigTolerance& tolerance) {
+  const Stand stand(subject, tolerance, {});
+  return stand.degrees() > 0 ? stand.Squares() / stand.degrees() : std::numeric_limits<double>::infinity();
+}
+
+bool IsOfOneChannel(const RigFault& fault) {
+  return fault.kind == Kind::kScale && fault.members.size() == 1 && fault.where != RigFault::Where::kPosts;
+}
+
+/// Where no derivative leads to what explains the readings, as with the sign of a force, which rates of tyres follow:
+/// the channel with whose sign turned least is left over, if that is a matter of noise then.
+std::optional<Suspicion> TurnedChannel(const AuditSubject& subject, const RigTolerance& tolerance,
+                                       const std::vector<RigFault>& faults) {
+  constexpr double kTurned = -2;
+  std::optional<Suspicion> found;
+  double least = kExplained;
+  for (const RigFault& fault : faults) {
+    if (!IsOfOneChannel(fault)) continue;
+    const double noise = NoiseOf(Corrected(subject, fault, kTurned), tolerance);
+    if (noise >= least) continue;
+    least = noise;
+    found = Suspicion{.fault = fault, .size = kTurned};
+  }
+  return found;
+}
+
+/// Likewise the channel without which least is left over.
+std::optional<Suspicion> ForeignChannel(const AuditSubject& subject, const RigTolerance& tolerance,
+                                        const std::vector<RigFault>& faults) {
+  std::optional<Suspicion> found;
+  double least = kExplained;
+  for (const RigFault& fault : faults) {
+    if (!IsOfOneChannel(fault)) continue;
+    RigFault foreign = fault;
+    foreign.kind = Kind::kOther;
+    const double noise = NoiseOf(Corrected(subject, foreign, 0), tolerance);
+    if (noise >= least) continue;
+    least = noise;
+    found = Suspicion{.fault = foreign};
+  }
+  return found;
 }
 
 std::vector<ChannelRest> RestsOf(const AuditSubject& subject, const Stand& stand) {
@@ -294,7 +382,15 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
     const Explanation& best = all.front();
     // Of what the best explanation leaves over.
     const double noise = std::max(1.0, (stand.Squares() - best.fall) / stand.degrees());
-    const Suspicion suspicion = SuspicionOf(all, faults, noise);
+    Suspicion suspicion = SuspicionOf(all, faults, noise * stand.Correlated(best));
+    if (noise > kExplained && NoiseOf(Corrected(corrected, suspicion.fault, suspicion.size), tolerance) >= kExplained) {
+      std::optional<Suspicion> other = TurnedChannel(corrected, tolerance, faults);
+      if (!other) other = ForeignChannel(corrected, tolerance, faults);
+      if (other) {
+        suspicion = *other;
+        suspicion.score = stand.Squares() / noise;
+      }
+    }
     if (!(suspicion.score > kSuspicious * kSuspicious) || round == kMostFaults) {
       audit.misfit = std::sqrt(std::max(0.0, stand.Squares() / stand.degrees()));
       const double widened = std::max(1.0, audit.misfit);

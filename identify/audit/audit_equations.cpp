@@ -14,7 +14,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Above it, parts on soft mounts move on their own.
-constexpr double kBalanceBelow_Hz = 8;
+constexpr double kBalanceBelow_Hz = 3;
 /// No coordinate moves by more per metre of a post.
 constexpr double kMostMotion = 10;
 /// a, b, c of a tyre.
@@ -64,7 +64,8 @@ Eigen::VectorXcd WeightedReadings(const AuditSubject& subject, const std::vector
 }  // namespace
 
 AuditEquations::AuditEquations(const AuditSubject& subject, const RigTolerance& tolerance) : car_(subject.car) {
-  unknowns_ = kOfTyre * At(car_.tyres.size()) + car_.reach.size() + At(car_.balances.size());
+  unknowns_ = kOfTyre * At(car_.tyres.size()) + car_.reach.size();
+  if (car_.balance) unknowns_ += 1 + 2 * At(car_.balance->others.size());
   for (std::size_t r = 0; r < subject.runs.size(); ++r)
     for (std::size_t f = 0; f < subject.runs[r].frequency_Hz.size(); ++f) AddPoint(subject, tolerance, r, f);
   AddRows(subject);
@@ -105,29 +106,26 @@ void AuditEquations::AddPoint(const AuditSubject& subject, const RigTolerance& t
   point.to_coordinates = inverse.leftCols(rows);
   point.to_rest = Eigen::MatrixXd::Identity(rows, rows) - point.shape * point.to_coordinates;
   degrees_ += 2 * point.to_rest.trace();
-  AddBalances(subject, tolerance, inverse, point);
-  degrees_ += 2 * static_cast<double>(point.balance_sd.size());
+  AddBalance(subject, tolerance, inverse, point);
+  if (point.balance_sd > 0) degrees_ += 2;
   points_.push_back(std::move(point));
 }
 
-void AuditEquations::AddBalances(const AuditSubject& subject, const RigTolerance& tolerance,
-                                 const Eigen::MatrixXd& deviations, Point& point) const {
+void AuditEquations::AddBalance(const AuditSubject& subject, const RigTolerance& tolerance,
+                                const Eigen::MatrixXd& deviations, Point& point) const {
   const AuditedRun& run = subject.runs[point.run];
-  if (run.frequency_Hz[point.frequency] > kBalanceBelow_Hz || point.tyres.size() < car_.tyres.size()) return;
+  if (!car_.balance || run.frequency_Hz[point.frequency] > kBalanceBelow_Hz || point.tyres.size() < car_.tyres.size())
+    return;
   const double omega = Omega(run, point.frequency);
-  point.balance_sd.resize(At(car_.balances.size()));
-  for (std::size_t b = 0; b < car_.balances.size(); ++b) {
-    const AuditedBalance& balance = car_.balances[b];
-    double of_forces = 0;
-    double forces = 0;
-    for (std::size_t t = 0; t < car_.tyres.size(); ++t) {
-      const double lever = std::abs(balance.lever[At(t)]) / (omega * omega);
-      of_forces = std::hypot(of_forces, lever * run.force_sd(At(t), At(point.frequency)));
-      forces += lever * std::abs(run.forces(At(t), At(point.frequency)));
-    }
-    const Eigen::RowVectorXd of_motion = (balance.inertia - balance.gravity / (omega * omega)) * deviations;
-    point.balance_sd[At(b)] = std::hypot(of_forces, of_motion.norm(), tolerance.reading * forces);
+  double of_forces = 0;
+  double forces = 0;
+  for (std::size_t t = 0; t < car_.tyres.size(); ++t) {
+    const double lever = std::abs(car_.balance->lever[At(t)]) / (omega * omega);
+    of_forces = std::hypot(of_forces, lever * run.force_sd(At(t), At(point.frequency)));
+    forces += lever * std::abs(run.forces(At(t), At(point.frequency)));
   }
+  const Eigen::RowVectorXd of_motion = (car_.balance->inertia - car_.balance->gravity / (omega * omega)) * deviations;
+  point.balance_sd = std::hypot(of_forces, of_motion.norm(), tolerance.reading * forces);
 }
 
 void AuditEquations::AddRows(const AuditSubject& subject) {
@@ -137,14 +135,28 @@ void AuditEquations::AddRows(const AuditSubject& subject) {
     for (const std::size_t s : point.sensors)
       twice({Row::Kind::kSensor, s, point.run, point.frequency, point.sd[next++]});
     for (const std::size_t t : point.tyres) twice({Row::Kind::kTyre, t, point.run, point.frequency, point.sd[next++]});
-    for (Eigen::Index b = 0; b < point.balance_sd.size(); ++b)
-      twice({Row::Kind::kBalance, static_cast<std::size_t>(b), point.run, point.frequency, point.balance_sd[b]});
+    if (point.balance_sd > 0) twice({Row::Kind::kBalance, 0, point.run, point.frequency, point.balance_sd});
   }
-  for (std::size_t l = 0; l < subject.loads.size(); ++l)
-    rows_.push_back({Row::Kind::kLoad, l, 0, 0, subject.loads[l].sd});
+  if (subject.weight) rows_.push_back({Row::Kind::kWeight, 0, 0, 0, subject.weight->sd});
   for (Eigen::Index j = 0; j < car_.reach.size(); ++j)
     rows_.push_back({Row::Kind::kPrior, static_cast<std::size_t>(j), 0, 0, car_.reach[j]});
-  degrees_ += static_cast<double>(subject.loads.size()) + static_cast<double>(car_.reach.size());
+  degrees_ += (subject.weight ? 1.0 : 0.0) + static_cast<double>(car_.reach.size());
+}
+
+Eigen::RowVectorXd AuditEquations::BalanceRow(const Eigen::VectorXd& unknowns, double omega) const {
+  const AuditedBalance& balance = *car_.balance;
+  const Eigen::Index first = kOfTyre * At(car_.tyres.size());
+  const double square = std::pow(omega / kUsualRate, 2);
+  const auto shares = unknowns.tail(1 + 2 * At(balance.others.size()));
+  Eigen::RowVectorXd inertia = (1 + shares[0] * square) * balance.inertia;
+  Eigen::RowVectorXd gravity = balance.gravity;
+  for (std::size_t k = 0; k < balance.others.size(); ++k)
+    inertia += (shares[1 + 2 * At(k)] + shares[2 + 2 * At(k)] * square) * balance.others[k];
+  for (std::size_t j = 0; j < balance.inertia_slope.size(); ++j) {
+    inertia += unknowns[first + At(j)] * balance.inertia_slope[j];
+    gravity += unknowns[first + At(j)] * balance.gravity_slope[j];
+  }
+  return inertia - gravity / (omega * omega);
 }
 
 Eigen::VectorXd AuditEquations::Misclosures(const AuditSubject& subject, const Eigen::VectorXd& unknowns) const {
@@ -156,7 +168,6 @@ Eigen::VectorXd AuditEquations::Misclosures(const AuditSubject& subject, const E
   };
   const Eigen::Index parameters = car_.reach.size();
   const auto changes = unknowns.segment(kOfTyre * At(car_.tyres.size()), parameters);
-  const auto yields = unknowns.tail(At(car_.balances.size()));
   for (const Point& point : points_) {
     const AuditedRun& run = subject.runs[point.run];
     const double omega = Omega(run, point.frequency);
@@ -172,23 +183,15 @@ Eigen::VectorXd AuditEquations::Misclosures(const AuditSubject& subject, const E
     }
     const Eigen::VectorXcd rest = point.to_rest * readings;
     for (const Complex& value : rest) put(value);
-    for (Eigen::Index b = 0; b < point.balance_sd.size(); ++b) {
-      const AuditedBalance& balance = car_.balances[static_cast<std::size_t>(b)];
-      Eigen::RowVectorXd inertia = balance.inertia;
-      Eigen::RowVectorXd gravity = balance.gravity;
-      for (Eigen::Index j = 0; j < parameters; ++j) {
-        inertia += changes[j] * balance.inertia_slope[static_cast<std::size_t>(j)];
-        gravity += changes[j] * balance.gravity_slope[static_cast<std::size_t>(j)];
-      }
-      inertia += yields[b] * std::pow(omega / kUsualRate, 2) * balance.inertia;
-      Complex sum = ((inertia - gravity / (omega * omega)).cast<Complex>() * q)(0);
-      for (std::size_t t = 0; t < car_.tyres.size(); ++t)
-        sum += balance.lever[At(t)] * run.forces(At(t), At(point.frequency)) / (omega * omega);
-      put(sum / point.balance_sd[b]);
-    }
+    if (!(point.balance_sd > 0)) continue;
+    Complex sum = (BalanceRow(unknowns, omega).cast<Complex>() * q)(0);
+    for (std::size_t t = 0; t < car_.tyres.size(); ++t)
+      sum += car_.balance->lever[At(t)] * run.forces(At(t), At(point.frequency)) / (omega * omega);
+    put(sum / point.balance_sd);
   }
-  for (const AuditedLoad& load : subject.loads)
-    out[next++] = (load.load - load.modelled - load.slope.dot(changes)) / load.sd;
+  if (subject.weight)
+    out[next++] =
+        (subject.weight->measured - subject.weight->modelled - subject.weight->slope.dot(changes)) / subject.weight->sd;
   for (Eigen::Index j = 0; j < parameters; ++j) out[next++] = changes[j] / car_.reach[j];
   return out;
 }

@@ -14,16 +14,17 @@ namespace fourpost {
 /// - sensors: at each frequency the readings of all sensors follow from n coordinates q;
 /// - tyres: foot q = height of the post - (a + b i w - c w^2) force, with a, b, c of each tyre unknown, which is the
 ///   reciprocal of rate + i w damping up to its square;
-/// - balances: see AuditedBalance, with masses and inertias unknown within their reach, and one unknown number each for
-///   parts that give way a little (a power unit on its mounts: its share of inertia grows as w^2);
-/// - loads at rest: those of the same masses.
+/// - forces: see AuditedBalance, with masses unknown within their reach, and unknown shares of the inertia of other
+///   motions, for a centre of mass that is elsewhere, and of all as w^2 grows, for parts that give way (a power unit on
+///   its mounts);
+/// - weight at rest: that of the same masses.
 /// What the readings leave over, over its standard deviation, is free of q; the unknown numbers are common to all
 /// recordings and frequencies.
 class AuditEquations {
  public:
   /// What one entry of Misclosures() belongs to; each complex one has two.
   struct Row {
-    enum class Kind { kSensor, kTyre, kBalance, kLoad, kPrior };
+    enum class Kind { kSensor, kTyre, kBalance, kWeight, kPrior };
     Kind kind = Kind::kSensor;
     std::size_t member = 0;
     std::size_t run = 0;
@@ -56,14 +57,16 @@ class AuditEquations {
     /// To coordinates, and to what they leave over, of readings over their standard deviations.
     Eigen::MatrixXd to_coordinates;
     Eigen::MatrixXd to_rest;
-    /// One per balance; empty where a force is missing or the frequency is too high.
-    Eigen::VectorXd balance_sd;
+    /// 0 where a force is missing or the frequency is too high.
+    double balance_sd = 0;
   };
 
   void AddPoint(const AuditSubject& subject, const RigTolerance& tolerance, std::size_t run, std::size_t frequency);
   /// `deviations`: times its transpose the covariance of coordinates.
-  void AddBalances(const AuditSubject& subject, const RigTolerance& tolerance, const Eigen::MatrixXd& deviations,
-                   Point& point) const;
+  void AddBalance(const AuditSubject& subject, const RigTolerance& tolerance, const Eigen::MatrixXd& deviations,
+                  Point& point) const;
+  /// What coordinates are multiplied by, over the square of the frequency.
+  Eigen::RowVectorXd BalanceRow(const Eigen::VectorXd& unknowns, double omega) const;
   void AddRows(const AuditSubject& subject);
 
   std::vector<Point> points_;

@@ -3,6 +3,7 @@
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,22 +40,22 @@ struct AuditedTyre {
   std::string cell;
 };
 
-/// A motion of the whole car without any inner deformation, along which tyre forces balance inertia and gravity:
+/// The car moves up as a whole, without any inner deformation: tyre forces balance inertia and gravity,
 /// sum_t lever_t F_t = (-w^2 inertia + gravity) q. Slopes: one per parameter.
 struct AuditedBalance {
-  std::string name;
   /// One per tyre.
   Eigen::VectorXd lever;
   Eigen::RowVectorXd inertia;
   Eigen::RowVectorXd gravity;
   std::vector<Eigen::RowVectorXd> inertia_slope;
   std::vector<Eigen::RowVectorXd> gravity_slope;
+  /// Inertia of the car's other motions as a whole (pitch, roll): what a centre of mass that is elsewhere adds.
+  std::vector<Eigen::RowVectorXd> others;
 };
 
-/// Load of a tyre at rest, measured and of the vehicle's file [N].
-struct AuditedLoad {
-  std::string tyre;
-  double load = 0;
+/// Weight of the car at rest, measured and of the vehicle's file [N].
+struct AuditedWeight {
+  double measured = 0;
   double sd = 0;
   double modelled = 0;
   /// One per parameter.
@@ -66,7 +67,7 @@ struct AuditedCar {
   Eigen::Index coordinates = 0;
   std::vector<AuditedSensor> sensors;
   std::vector<AuditedTyre> tyres;
-  std::vector<AuditedBalance> balances;
+  std::optional<AuditedBalance> balance;
   /// How far each parameter of inertia may be from its value in the vehicle's file, as a standard deviation.
   Eigen::VectorXd reach;
 };
@@ -88,7 +89,7 @@ struct AuditedRun {
 struct AuditSubject {
   AuditedCar car;
   std::vector<AuditedRun> runs;
-  std::vector<AuditedLoad> loads;
+  std::optional<AuditedWeight> weight;
 };
 
 }  // namespace fourpost

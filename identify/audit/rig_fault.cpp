@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -52,9 +53,10 @@ class FaultList {
       if (IsMeasured(subject_, Where::kCells, t)) cells.push_back(t);
     AddDevice(Where::kCells, NameOf(Device::kLoadCells), cells);
     AddPosts();
-    AddLoads();
-    if (!cells.empty())
-      Add({.kind = Kind::kScale, .where = Where::kClock, .name = "frequency", .allowed = tolerance_.frequency});
+    if (!subject_.car.balance || cells.size() < subject_.car.tyres.size()) return std::move(faults_);
+    if (subject_.weight)
+      Add({.kind = Kind::kScale, .where = Where::kWeight, .name = "loads at rest", .allowed = tolerance_.weight});
+    Add({.kind = Kind::kScale, .where = Where::kClock, .name = "frequency", .allowed = tolerance_.frequency});
     return std::move(faults_);
   }
 
@@ -111,24 +113,6 @@ class FaultList {
          .allowed = tolerance_.device_delay});
   }
 
-  void AddLoads() {
-    std::vector<std::size_t> all;
-    for (std::size_t l = 0; l < subject_.loads.size(); ++l) {
-      Add({.kind = Kind::kScale,
-           .where = Where::kLoads,
-           .members = {l},
-           .name = "load at rest of " + subject_.loads[l].tyre,
-           .allowed = tolerance_.load});
-      all.push_back(l);
-    }
-    if (all.size() > 1)
-      Add({.kind = Kind::kScale,
-           .where = Where::kLoads,
-           .members = all,
-           .name = "all loads at rest",
-           .allowed = tolerance_.load});
-  }
-
   const AuditSubject& subject_;
   const RigTolerance& tolerance_;
   std::vector<RigFault> faults_;
@@ -140,12 +124,11 @@ Eigen::MatrixXcd& ReadingsOf(AuditedRun& run, Where where) {
 }
 
 void Scale(AuditSubject& subject, const RigFault& fault, double value) {
-  if (fault.where == Where::kLoads)
-    for (const std::size_t l : fault.members) subject.loads[l].load *= 1 + value;
+  if (fault.where == Where::kWeight) subject.weight->measured *= 1 + value;
   for (AuditedRun& run : subject.runs) {
     if (fault.where == Where::kClock)
       for (double& frequency : run.frequency_Hz) frequency *= 1 + value;
-    if (fault.where == Where::kLoads || fault.where == Where::kClock) continue;
+    if (fault.where == Where::kWeight || fault.where == Where::kClock) continue;
     for (const std::size_t m : fault.members) {
       const auto row = static_cast<Eigen::Index>(m);
       ReadingsOf(run, fault.where).row(row) *= 1 + value;
@@ -173,6 +156,13 @@ void Exchange(AuditSubject& subject, const RigFault& fault) {
   }
 }
 
+void LeaveOut(AuditSubject& subject, const RigFault& fault) {
+  for (AuditedRun& run : subject.runs)
+    ReadingsOf(run, fault.where)
+        .row(static_cast<Eigen::Index>(fault.members[0]))
+        .setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
 }  // namespace
 
 std::vector<RigFault> PossibleFaults(const AuditSubject& subject, const RigTolerance& tolerance) {
@@ -184,6 +174,7 @@ AuditSubject Corrected(AuditSubject subject, const RigFault& fault, double value
     case Kind::kScale: Scale(subject, fault, value); break;
     case Kind::kDelay: Hasten(subject, fault, value); break;
     case Kind::kExchange: Exchange(subject, fault); break;
+    case Kind::kOther: LeaveOut(subject, fault); break;
     case Kind::kPlace: {
       AuditedSensor& sensor = subject.car.sensors[fault.members[0]];
       sensor.motion += value * sensor.motion_by_place[static_cast<std::size_t>(fault.axis)];

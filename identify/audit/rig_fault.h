@@ -19,14 +19,16 @@ struct RigFault {
     kPlace,
     /// Two channels are exchanged.
     kExchange,
+    /// A channel is not what its name says.
+    kOther,
   };
-  /// What is wrong: sensors and load cells of one or several devices, posts, loads at rest, or the rig's clock
+  /// What is wrong: sensors and load cells of one or several devices, posts, the weight at rest, or the rig's clock
   /// (frequencies).
-  enum class Where { kSensors, kCells, kPosts, kLoads, kClock };
+  enum class Where { kSensors, kCells, kPosts, kWeight, kClock };
 
   Kind kind = Kind::kScale;
   Where where = Where::kSensors;
-  /// Indices of sensors, tyres (cells), posts or loads.
+  /// Indices of sensors, tyres (cells) or posts.
   std::vector<std::size_t> members;
   /// Of kPlace: 0 x, 1 y, 2 z.
   int axis = 0;
@@ -46,8 +48,8 @@ struct RigTolerance {
   double device_delay = 0.2e-3;
   /// [m]
   double place = 0.007;
-  /// Of a load at rest, beside its own standard deviation.
-  double load = 0.002;
+  /// Of the weight at rest, beside its own standard deviation.
+  double weight = 0.002;
   double frequency = 0.001;
   /// Of each reading, independent from one frequency to the next: bodies bend, lines are not quite straight. Share of
   /// the reading, and of the loudest of its device.

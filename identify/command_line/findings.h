@@ -35,9 +35,6 @@ inline const Finding kVehicleForStudy{"vehicle-for-study", Severity::kError, "th
 inline const Finding kVehicleForRecording{"vehicle-for-recording", Severity::kError,
                                           "this is a vehicle file, not a recording",
                                           "see `fourpost check` and `fourpost params` for its contents"};
-inline const Finding kStudyForRecording{
-    "study-for-recording", Severity::kError, "this is a study, not a recording",
-    "name its recordings to see their contents; `fourpost response` compares them with its vehicle"};
 inline const Finding kFolderForRecording{"folder-for-recording", Severity::kError, "this is a folder, not a recording",
                                          "name the recordings in it; `fourpost report` shows what a fit wrote"};
 inline const Finding kFileOfOtherKind{"file-of-other-kind", Severity::kError, "this is {}", "give {}"};

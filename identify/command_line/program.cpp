@@ -68,8 +68,11 @@ void Program::AddInit() {
 void Program::AddInfo() {
   CLI::App* sub =
       Add("info", "Show the channels of a recording: units, sampling rate, ranges, resolution, clipping and gaps",
-          "  fourpost info sweep.csv\n  fourpost info --json run1.mat run2.mat", [this] { return Run(info_); });
-  sub->add_option("FILE", info_.files, "Time histories, stepped sines or static loads (.csv, .mat)")->required();
+          "  fourpost info sweep.csv\n  fourpost info study.yaml\n  fourpost info --json run1.mat run2.mat",
+          [this] { return Run(info_); });
+  sub->add_option("FILE", info_.files,
+                  "Time histories, stepped sines or static loads (.csv, .mat); a study (.yaml), whose rig is audited")
+      ->required();
   sub->add_flag("--json", info_.json, "Print JSON");
 }
 

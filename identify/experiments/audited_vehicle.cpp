@@ -59,24 +59,24 @@ Eigen::MatrixXd TyreStiffness(const Vehicle& vehicle, const std::vector<AuditedT
 /// The coordinates' velocity at which all links move as one body: vertical motion first, then turns and the rest as far
 /// as the vehicle can.
 Eigen::VectorXd WholeMotion(const std::vector<LinkMotion>& links, const Eigen::Vector3d& velocity,
-                            const Eigen::Vector3d& turn, double axis_height) {
-  constexpr double kLess = 1e-5;
+                            const Eigen::Vector3d& turn, const Eigen::Vector3d& axis) {
+  constexpr double kTurn = 1e-2;
+  constexpr double kAside = 1e-7;
   const Eigen::Index n = links.front().com_jacobian.cols();
   Eigen::MatrixXd rows(6 * static_cast<Eigen::Index>(links.size()), n);
   Eigen::VectorXd wanted(rows.rows());
   Eigen::Index next = 0;
   for (const LinkMotion& link : links) {
-    const Eigen::Vector3d from_axis = link.com - Eigen::Vector3d(0, 0, axis_height);
-    const Eigen::Vector3d moves = velocity + turn.cross(from_axis);
+    const Eigen::Vector3d moves = velocity + turn.cross(link.com - axis);
     rows.middleRows(next, 3) = link.com_jacobian;
     wanted.segment(next, 3) = moves;
-    rows.middleRows(next, 2) *= kLess;
-    wanted.segment(next, 2) *= kLess;
-    rows.middleRows(next + 3, 3) = kLess * link.spin_jacobian;
-    wanted.segment(next + 3, 3) = kLess * turn;
+    rows.middleRows(next, 2) *= kAside;
+    wanted.segment(next, 2) *= kAside;
+    rows.middleRows(next + 3, 3) = kTurn * link.spin_jacobian;
+    wanted.segment(next + 3, 3) = kTurn * turn;
     next += 6;
   }
-  return LeastNorm(rows, 1e-9).Solve(wanted);
+  return LeastNorm(rows, 1e-11).Solve(wanted);
 }
 
 bool IsWithoutInnerForces(const CondensedModel& model, const Eigen::MatrixXd& tyres, const Eigen::VectorXd& motion) {
@@ -99,23 +99,23 @@ bool LacksSideways(const std::vector<LinkMotion>& links, const Eigen::Vector3d& 
   return false;
 }
 
-double HeightOfMass(const std::vector<LinkMotion>& links) {
+Eigen::Vector3d CentreOfMass(const std::vector<LinkMotion>& links) {
   double mass = 0;
-  double moment = 0;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   for (const LinkMotion& link : links) {
     mass += link.mass;
-    moment += link.mass * link.com.z();
+    moment += link.mass * link.com;
   }
   return moment / mass;
 }
 
-/// Pitch is about the height of the centre of mass, so that it needs no motion along the car, which no sensor sees and
-/// free wheels allow; roll about the ground, where wheels do not slide.
+/// Pitch is about the centre of mass, so that it needs no motion along the car, which no sensor sees and free wheels
+/// allow; roll about the ground below it, where wheels do not slide.
 struct NamedMotion {
   const char* name;
   Eigen::Vector3d velocity;
   Eigen::Vector3d turn;
-  double axis_height;
+  Eigen::Vector3d axis;
 };
 
 std::vector<std::pair<std::string, Eigen::VectorXd>> WholeMotions(const CondensedVehicle& vehicle,
@@ -125,13 +125,13 @@ std::vector<std::pair<std::string, Eigen::VectorXd>> WholeMotions(const Condense
   const std::vector<LinkMotion> links = vehicle.LinkMotions(values);
   std::vector<std::pair<std::string, Eigen::VectorXd>> motions;
   if (links.empty()) return motions;
+  const Eigen::Vector3d centre = CentreOfMass(links);
   Eigen::MatrixXd found(vehicle.size(), 0);
   for (const NamedMotion& one :
-       {NamedMotion{"heave", {0, 0, 1}, {0, 0, 0}, 0}, NamedMotion{"pitch", {0, 0, 0}, {0, 1, 0}, HeightOfMass(links)},
-        NamedMotion{"roll", {0, 0, 0}, {1, 0, 0}, ground}}) {
-    const Eigen::VectorXd motion = WholeMotion(links, one.velocity, one.turn, one.axis_height);
-    if (!IsWithoutInnerForces(model, tyres, motion) || LacksSideways(links, one.turn, one.axis_height, motion))
-      continue;
+       {NamedMotion{"heave", {0, 0, 1}, {0, 0, 0}, centre}, NamedMotion{"pitch", {0, 0, 0}, {0, 1, 0}, centre},
+        NamedMotion{"roll", {0, 0, 0}, {1, 0, 0}, {centre.x(), centre.y(), ground}}}) {
+    const Eigen::VectorXd motion = WholeMotion(links, one.velocity, one.turn, one.axis);
+    if (!IsWithoutInnerForces(model, tyres, motion) || LacksSideways(links, one.turn, one.axis.z(), motion)) continue;
     Eigen::MatrixXd with(found.rows(), found.cols() + 1);
     with << found, motion;
     if (LeastNorm(with, 1e-6).rank() < with.cols()) continue;
@@ -241,18 +241,16 @@ void AuditedVehicle::AddInertia(const Subject& subject) {
   const double ground = FootHeight(vehicle_, vehicle.LinkMotions(values), values);
   const std::vector<std::pair<std::string, Eigen::VectorXd>> motions =
       WholeMotions(vehicle, model_, TyreStiffness(vehicle_, tyres, values, vehicle.size()), values, ground);
+  if (motions.empty() || motions.front().first != "heave") return;
   const WholeCar here = WholeCarAt(vehicle, tyres, motions, values);
-  for (std::size_t m = 0; m < motions.size(); ++m) {
-    AuditedBalance balance{.name = motions[m].first, .inertia = here.inertia[m], .gravity = here.gravity[m]};
-    balance.lever.resize(static_cast<Eigen::Index>(tyres.size()));
-    for (std::size_t t = 0; t < tyres.size(); ++t)
-      balance.lever[static_cast<Eigen::Index>(t)] = tyres[t].foot.dot(motions[m].second.transpose());
-    audited_.car.balances.push_back(std::move(balance));
-  }
+  AuditedBalance balance{.inertia = here.inertia.front(), .gravity = here.gravity.front()};
+  balance.others.assign(here.inertia.begin() + 1, here.inertia.end());
+  balance.lever.resize(static_cast<Eigen::Index>(tyres.size()));
   for (std::size_t t = 0; t < tyres.size(); ++t)
-    loads_.push_back({.tyre = tyres[t].name, .modelled = here.loads[static_cast<Eigen::Index>(t)]});
+    balance.lever[static_cast<Eigen::Index>(t)] = tyres[t].foot.dot(motions.front().second.transpose());
+  weight_.modelled = here.loads.sum();
   std::vector<double> reaches;
-  std::vector<Eigen::VectorXd> load_slopes;
+  std::vector<double> slopes;
   for (std::size_t j = 0; j < vehicle_.parameters.size(); ++j) {
     const double reach = ReachOf(vehicle_.parameters[j]);
     if (!(reach > 0)) continue;
@@ -260,26 +258,18 @@ void AuditedVehicle::AddInertia(const Subject& subject) {
     std::vector<double> moved = values;
     moved[j] += step;
     const WholeCar there = WholeCarAt(vehicle, tyres, motions, moved);
-    double change = (there.loads - here.loads).norm() / here.loads.norm();
-    for (std::size_t m = 0; m < motions.size(); ++m)
-      change = std::max(change, (there.inertia[m] - here.inertia[m]).norm() / here.inertia[m].norm());
+    const double change = std::max(std::abs(there.loads.sum() / here.loads.sum() - 1),
+                                   (there.inertia.front() - balance.inertia).norm() / balance.inertia.norm());
     // Rounding changes them by less.
     if (change < 1e-10) continue;
     reaches.push_back(reach);
-    parameters_.push_back(j);
-    load_slopes.push_back((there.loads - here.loads) / step);
-    for (std::size_t m = 0; m < motions.size(); ++m) {
-      AuditedBalance& balance = audited_.car.balances[m];
-      balance.inertia_slope.push_back((there.inertia[m] - here.inertia[m]) / step);
-      balance.gravity_slope.push_back((there.gravity[m] - here.gravity[m]) / step);
-    }
+    slopes.push_back((there.loads.sum() - here.loads.sum()) / step);
+    balance.inertia_slope.push_back((there.inertia.front() - balance.inertia) / step);
+    balance.gravity_slope.push_back((there.gravity.front() - balance.gravity) / step);
   }
+  audited_.car.balance = std::move(balance);
   audited_.car.reach = Eigen::Map<const Eigen::VectorXd>(reaches.data(), static_cast<Eigen::Index>(reaches.size()));
-  for (std::size_t t = 0; t < tyres.size(); ++t) {
-    loads_[t].slope.resize(audited_.car.reach.size());
-    for (std::size_t j = 0; j < load_slopes.size(); ++j)
-      loads_[t].slope[static_cast<Eigen::Index>(j)] = load_slopes[j][static_cast<Eigen::Index>(t)];
-  }
+  weight_.slope = Eigen::Map<const Eigen::VectorXd>(slopes.data(), static_cast<Eigen::Index>(slopes.size()));
 }
 
 AuditedRun AuditedVehicle::Blank(std::string name, std::vector<double> frequency_Hz) const {
@@ -317,11 +307,25 @@ void AuditedVehicle::Put(AuditedRun& run, std::size_t sensor, std::size_t freque
   run.motion_sd(row, f) = sd / std::abs(unit);
 }
 
-void AuditedVehicle::AddLoad(std::size_t tyre, double load, double sd) {
-  if (tyre >= loads_.size()) return;
-  audited_.loads.push_back(loads_[tyre]);
-  audited_.loads.back().load = load;
-  audited_.loads.back().sd = sd;
+void AuditedVehicle::Add(AuditedRun run, const std::vector<double>& amplitude_m) {
+  constexpr double kShare = 0.9;
+  for (Eigen::Index t = 0; t < run.forces.rows(); ++t) {
+    const double most = kShare * model_.preloads.tyre[static_cast<std::size_t>(t)];
+    std::vector<Eigen::Index> lifted;
+    for (Eigen::Index f = 0; f < run.forces.cols(); ++f)
+      if (std::abs(run.forces(t, f)) * amplitude_m[static_cast<std::size_t>(f)] > most) lifted.push_back(f);
+    if (2 * std::ssize(lifted) > run.forces.cols()) continue;
+    for (const Eigen::Index f : lifted) run.forces(t, f) = std::numeric_limits<double>::quiet_NaN();
+  }
+  audited_.runs.push_back(std::move(run));
+}
+
+void AuditedVehicle::AddLoad(double load, double sd) {
+  weight_.measured += load;
+  weight_.sd = std::hypot(weight_.sd, sd);
+  ++loads_;
+  // The file's places of masses say how it is shared; only the sum is sure.
+  if (loads_ == audited_.car.tyres.size() && audited_.car.balance) audited_.weight = weight_;
 }
 
 }  // namespace fourpost

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "identify/audit/audit_subject.h"
@@ -24,8 +27,11 @@ class AuditedVehicle {
   /// load cells feel wheelpans.
   void Put(AuditedRun& run, std::size_t sensor, std::size_t frequency, std::complex<double> reading, double sd);
 
-  void Add(AuditedRun run) { audited_.runs.push_back(std::move(run)); }
-  void AddLoad(std::size_t tyre, double load, double sd);
+  /// `amplitude_m`: of the reference post. Forces at which a tyre would pull are left out: where it lifts off, force
+  /// and squeeze are no longer proportional. Not where it would at most frequencies, which is a matter of scale.
+  void Add(AuditedRun run, const std::vector<double>& amplitude_m);
+  /// At rest, of one tyre after the other.
+  void AddLoad(double load, double sd);
 
   const AuditSubject& audited() const { return audited_; }
 
@@ -39,9 +45,9 @@ class AuditedVehicle {
   AuditSubject audited_;
   /// Of each sensor of the vehicle its place among the audited ones, or its tyre; -1: neither.
   std::vector<int> place_of_sensor_;
-  /// Parameters of inertia, and loads of all tyres with their slopes.
-  std::vector<std::size_t> parameters_;
-  std::vector<AuditedLoad> loads_;
+  /// Of the loads so far.
+  AuditedWeight weight_;
+  std::size_t loads_ = 0;
 };
 
 }  // namespace fourpost

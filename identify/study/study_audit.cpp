@@ -25,7 +25,7 @@ constexpr double kMilli = 1e3;
 constexpr double kPercent = 100;
 
 /// What is left over, over its noise, when no fault that is known explains it.
-constexpr double kContradiction = 3;
+constexpr double kContradiction = 2;
 
 struct KnownFactor {
   double factor;
@@ -56,8 +56,7 @@ const char* AxisName(int axis) {
 /// "'a_cg' reads 1.03 times the true value"
 std::string Words(const RigFault& fault, double size) {
   switch (fault.kind) {
-    case Kind::kScale:
-      return "'" + fault.name + "' reads " + ShortNumber(FactorOf(size), 4) + " times the true value";
+    case Kind::kScale: return "'" + fault.name + "' reads " + ShortNumber(FactorOf(size), 4) + " times the true value";
     case Kind::kDelay:
       return "'" + fault.name + "' comes " + ShortNumber(std::abs(size) * kMilli, 2) + " ms " +
              (size > 0 ? "late" : "early");
@@ -65,6 +64,7 @@ std::string Words(const RigFault& fault, double size) {
       return "'" + fault.name + "' sits " + ShortNumber(std::abs(size), 2) + " m further along " +
              (size > 0 ? "+" : "-") + AxisName(fault.axis);
     case Kind::kExchange: return fault.name + " are exchanged";
+    case Kind::kOther: return "'" + fault.name + "' measures something else";
   }
   return "";
 }
@@ -81,12 +81,13 @@ const Finding& KindOf(const Suspicion& suspicion) {
   const RigFault& fault = suspicion.fault;
   switch (fault.kind) {
     case Kind::kExchange: return kRigExchanged;
+    case Kind::kOther: return kRigForeign;
     case Kind::kDelay: return fault.where == Where::kPosts ? kRigPostsDelay : kRigDelay;
     case Kind::kPlace: return kRigPlace;
     case Kind::kScale: break;
   }
   if (fault.where == Where::kClock) return kRigClock;
-  if (fault.where == Where::kLoads) return kRigLoads;
+  if (fault.where == Where::kWeight) return kRigLoads;
   const double factor = FactorOf(suspicion.size);
   if (std::abs(factor + 1) < 0.1) return kRigSign;
   if (KnownOf(factor) != nullptr) return kRigUnit;
@@ -119,6 +120,7 @@ const char* KindName(Kind kind) {
     case Kind::kDelay: return "delay";
     case Kind::kPlace: return "position";
     case Kind::kExchange: return "exchange";
+    case Kind::kOther: return "other channel";
   }
   return "";
 }
@@ -143,6 +145,23 @@ std::string SeenText(const Resolution& resolution, double unit, int digits) {
   return std::isfinite(resolution.sd) ? ShortNumber(unit * resolution.Seen(), digits) : "-";
 }
 
+/// Responses are relative to posts, so that no other channel speaks of their amplitudes.
+void ReportAmplitudes(const FourPost& sines, Diagnostics& diagnostics) {
+  // Of any rig for vehicles: least of what a servo-hydraulic post resolves, most of its stroke.
+  constexpr double kLeast_m = 0.1e-3;
+  constexpr double kMost_m = 0.25;
+  for (const MeasuredRun& run : sines.runs) {
+    const std::vector<double>& amplitudes = run.excitation.amplitude_m;
+    const double most = *std::max_element(amplitudes.begin(), amplitudes.end());
+    if (most >= kLeast_m && most <= kMost_m) continue;
+    const auto stated = std::find_if(sines.plan.recordings.begin(), sines.plan.recordings.end(),
+                                     [&](const StudyRecording& one) { return one.name == run.name; });
+    const int line = stated == sines.plan.recordings.end() ? 0 : stated->line;
+    diagnostics.Report(kRigAmplitude, {.file = sines.plan.file, .line = line},
+                       {run.name, ShortNumber(kMilli * most, 3)});
+  }
+}
+
 }  // namespace
 
 std::optional<Audit> AuditStudy(const LoadedStudy& study) {
@@ -164,6 +183,7 @@ void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain,
       diagnostics.ReportAsWarning(kind, place, words);
     else diagnostics.Report(kind, place, words);
   }
+  if (const FourPost* const sines = study.study.experiments.Find<FourPost>()) ReportAmplitudes(*sines, diagnostics);
   if (audit.misfit > kContradiction)
     diagnostics.Report(kRigContradiction, {.file = study.study.file.string()}, {ShortNumber(audit.misfit, 2)});
 }
@@ -184,8 +204,8 @@ std::string AuditText(const Audit& audit) {
       open += std::string(open.empty() ? "" : ", ") + KindName(fault.kind) + " of " + fault.name;
   }
   std::sort(order.begin(), order.end());
-  TextTable table({"channel", "left over [%]", "expected [%]", "scale seen from [%]", "delay from [ms]",
-                   "position (x) from [cm]"});
+  TextTable table(
+      {"channel", "left over [%]", "expected [%]", "scale seen from [%]", "delay from [ms]", "position (x) from [cm]"});
   for (const std::string& name : order) {
     double rest = 0;
     double expected = 0;
@@ -196,8 +216,9 @@ std::string AuditText(const Audit& audit) {
         expected = std::max(expected, channel.expected);
         ++count;
       }
-    table.Add({name, count > 0 ? ShortNumber(kPercent * rest, 2) : "", count > 0 ? ShortNumber(kPercent * expected, 2) : "",
-               seen[name].scale, seen[name].delay, seen[name].place});
+    table.Add({name, count > 0 ? ShortNumber(kPercent * rest, 2) : "",
+               count > 0 ? ShortNumber(kPercent * expected, 2) : "", seen[name].scale, seen[name].delay,
+               seen[name].place});
   }
   return "audit of the rig, without a fit: what channels leave over of the motion and the forces that all agree on\n" +
          table.Format() + "left over: root mean square, of the worst recording; misfit " +

@@ -15,8 +15,8 @@ namespace fourpost {
 /// FaultyInput when the vehicle cannot be assembled.
 std::optional<Audit> AuditStudy(const LoadedStudy& study);
 
-/// One finding for each suspicion, at the channel's line of the study; what is certain (a sign, an exchange, a unit that
-/// nothing else explains) as `certain`.
+/// One finding for each suspicion, at the channel's line of the study; what is certain (a sign, an exchange, a unit
+/// that nothing else explains) as `certain`.
 void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain, Diagnostics& diagnostics);
 
 /// What each channel leaves over, and from which size on a fault of it would be seen.

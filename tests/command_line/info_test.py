@@ -126,10 +126,19 @@ class Info(ProgramTest):
         self.assertIn("a_axle_FL", text)
         self.assertIn("static_load_FL", text)
 
+    def test_of_a_study_audits_the_rig(self):
+        study = SOURCE / "studies/landrover110/model2.yaml"
+        text = self.run_program("info", study).stdout
+        self.assertIn("audit of the rig", text)
+        self.assertIn("a_tow_point", text)
+        self.assertNotIn("[rig-", text)
+        audit = json.loads(self.run_program("info", study, "--json").stdout)["files"][0]["audit"]
+        self.assertEqual(audit["suspicions"], [])
+        self.assertLess(audit["misfit"], 1)
+
     def test_says_what_else_fits_other_files(self):
         self.run_program("init", "car")
-        for name, finding in (("car/study.yaml", "study-for-recording"), ("car/vehicle.urdf", "vehicle-for-recording"),
-                              ("car", "folder-for-recording"), ("response.svg", "file-of-other-kind")):
+        for name, finding in (("car/vehicle.urdf", "vehicle-for-recording"), ("car", "folder-for-recording"), ("response.svg", "file-of-other-kind")):
             outcome = self.run_program("info", name, "car/stepped_sine.csv", code=3)
             self.assertIn("stepped sine", outcome.stdout)
             self.assertTrue(outcome.stderr.startswith(f"{name}: error: "), outcome.stderr)

@@ -103,7 +103,7 @@ def record(program, folder, made, draw, count=48):
     loudest = {}
     for row in rows:
         key = (row["mode"], row["unit"], row["frequency_Hz"])
-        loudest[key] = max(loudest.get(key, 0), float(row["gain"]))
+        loudest[key] = max(loudest.get(key, 0), float(row["gain"] or 0))
     for name, mode in MODES.items():
         with open(folder / f"{name}_frf.csv", "w", newline="") as file:
             out = csv.writer(file)

@@ -15,7 +15,7 @@ void FourPost::AddRecordings(AuditedVehicle& audited) const {
       for (std::size_t f = 0; f < channel.response.size(); ++f)
         audited.Put(added, channel.sensor, f, channel.response[f],
                     std::hypot(channel.radial_sd[f], channel.tangential_sd[f]) / std::sqrt(2.0));
-    audited.Add(std::move(added));
+    audited.Add(std::move(added), run.excitation.amplitude_m);
   }
 }
 

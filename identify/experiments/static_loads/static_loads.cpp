@@ -3,6 +3,7 @@
 #include <string>
 
 #include "analysis/text/text_table.h"
+#include "identify/experiments/audited_vehicle.h"
 #include "identify/experiments/static_loads/load_lint.h"
 #include "identify/fit/fit.h"
 #include "identify/study_file/channel_source_reader.h"
@@ -46,7 +47,7 @@ void StaticLoadTest::Check(const Subject& subject, Severity, Diagnostics& diagno
 }
 
 void StaticLoadTest::AddRecordings(AuditedVehicle& audited) const {
-  for (const MeasuredLoad& load : loads) audited.AddLoad(load.tyre, load.load_N, load.sd_N);
+  for (const MeasuredLoad& load : loads) audited.AddLoad(load.load_N, load.sd_N);
 }
 
 void StaticLoadTest::CheckFit(const Subject& subject, const FitResult& fit, Diagnostics& diagnostics) const {
