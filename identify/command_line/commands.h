@@ -9,6 +9,7 @@
 #include "analysis/text/diagnostics.h"
 #include "identify/run/fit_run.h"
 #include "identify/run/run_draws.h"
+#include "identify/run/run_suggestions.h"
 #include "vehicles/engine/steady_response.h"
 #include "vehicles/requests/amplitude_limits.h"
 #include "vehicles/requests/sweep.h"
@@ -177,6 +178,16 @@ struct DrawsCommand : DrawRequest {
   bool json = false;
 };
 
+/// `fourpost suggest RUN`
+struct SuggestCommand : SuggestRequest {
+  /// Number of a suggestion to write into `output`; 0: none.
+  std::size_t apply = 0;
+  std::filesystem::path output;
+  bool json = false;
+  /// List those that do not pay as well.
+  bool all = false;
+};
+
 /// `fourpost rank RUN...`
 struct RankCommand {
   /// Folders of fits.
@@ -200,5 +211,6 @@ int Run(const ReportCommand& command);
 int Run(const CompareCommand& command);
 int Run(const RankCommand& command);
 int Run(const DrawsCommand& command);
+int Run(const SuggestCommand& command);
 
 }  // namespace fourpost

@@ -39,6 +39,7 @@ class Program {
   void AddCompare();
   void AddRank();
   void AddDraws();
+  void AddSuggest();
   void AddCompletion();
   void AddMan();
   void AddHelp();
@@ -58,6 +59,7 @@ class Program {
   CompareCommand compare_;
   RankCommand rank_;
   DrawsCommand draws_;
+  SuggestCommand suggest_;
   std::string shell_;
   std::string topic_;
 };
