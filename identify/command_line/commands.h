@@ -119,6 +119,8 @@ struct SimulateCommand {
 /// `fourpost fit STUDY -o DIR`
 struct FitCommand : FitRequest {
   bool json = false;
+  /// Add to the vehicle what pays, step by step.
+  bool grow = false;
 };
 
 /// `fourpost predict RUN --recording FILE`

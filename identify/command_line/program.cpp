@@ -147,6 +147,9 @@ void Program::AddFit() {
       "--resume", fit_.resume,
       "Continue a fit that was stopped; an error if the vehicle, recordings, program or settings that residuals "
       "depend on have changed");
+  sub->add_flag("--grow", fit_.grow,
+                "Add to the vehicle, step by step, what `fourpost suggest` names first, while BIC falls and validation "
+                "recordings are predicted no worse; steps/growth.json holds the path");
   sub->add_flag("--json", fit_.json, "Print result.json instead of tables");
 }
 

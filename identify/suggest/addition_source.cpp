@@ -132,4 +132,18 @@ std::vector<std::pair<std::string, std::string>> AdditionSource::EndsOf(const ch
   return ends;
 }
 
+tinyxml2::XMLElement* AdditionSource::ImageOf(const char* tag, const std::string& written,
+                                              tinyxml2::XMLDocument& document) const {
+  const VehicleEdit edit = Edit();
+  const tinyxml2::XMLElement* element = edit.Find(tag, written);
+  if (!element) return nullptr;
+  tinyxml2::XMLElement* image = element->DeepClone(&document)->ToElement();
+  document.InsertEndChild(image);
+  for (const char* name : {"name", "parent", "child", "link"})
+    if (const auto text = AttributeText(*image, name)) image->SetAttribute(name, MirroredName(*text, edit).c_str());
+  for (const char* vector : {"xyz", "axis"})
+    if (const auto text = AttributeText(*image, vector)) image->SetAttribute(vector, MirroredVector(*text).c_str());
+  return image;
+}
+
 }  // namespace fourpost

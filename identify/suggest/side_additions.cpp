@@ -62,8 +62,13 @@ class SideAdditions {
   /// differ from those of the others.
   void Add(const Kind& kind, const std::string& name) {
     VehicleEdit edit = source_.Edit();
+    const auto twin = source_.vehicle().twins.find(name);
+    tinyxml2::XMLDocument written_out;
     const tinyxml2::XMLElement* element = edit.Find(kind.tag, name);
-    if (!element || source_.WrittenOf(kind.tag, {name}).empty()) return;
+    const bool is_image = !element && twin != source_.vehicle().twins.end();
+    if (is_image) element = source_.ImageOf(kind.tag, twin->second, written_out);
+    else if (source_.WrittenOf(kind.tag, {name}).empty()) return;  // its image has them of its own
+    if (!element) return;
     std::vector<Reference> references;
     AddReferences(*element, references);
     Addition addition{.mechanism = std::string("own_") + kind.noun, .elements = {name}};
@@ -86,8 +91,15 @@ class SideAdditions {
                   .source = "suggested: " + addition.words},
                  value);
       }
-      edit.Set(*reference.element, reference.attribute,
-               reference.text.substr(0, reference.text.find('$')) + '$' + own[reference.parameter]);
+      const std::string text = reference.text.substr(0, reference.text.find('$')) + '$' + own[reference.parameter];
+      if (is_image)
+        const_cast<tinyxml2::XMLElement*>(reference.element)->SetAttribute(reference.attribute.c_str(), text.c_str());
+      else edit.Set(*reference.element, reference.attribute, text);
+    }
+    if (is_image && !own.empty()) {
+      tinyxml2::XMLPrinter printer(nullptr, true);
+      written_out.Print(&printer);
+      edit.Add(printer.CStr());
     }
     if (own.empty()) return;
     addition.values = [shared](double amount) {
