@@ -38,8 +38,8 @@ void Add(const std::string& study, const std::vector<std::string>& sensors, cons
     return edit.CorrectChannels(sensors, "scale", FormatNumber(AtDigits(1 + amount, 5))) ? edit.Text() : "";
   };
   scale.first = 0.02;
-  scale.least = -0.5;
-  scale.greatest = 1;
+  scale.least = -0.25;
+  scale.greatest = 0.35;
   for (Addition* addition : {&delay, &scale}) additions.push_back(std::move(*addition));
 }
 

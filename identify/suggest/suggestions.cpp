@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 
 #include "analysis/process/deadline.h"
 #include "identify/refine/difference_jacobian.h"
@@ -16,6 +17,7 @@
 #include "identify/search/parallel.h"
 #include "identify/study_file/study_edit.h"
 #include "identify/suggest/addition_source.h"
+#include "identify/suggest/findings.h"
 #include "identify/suggest/score_test.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/reader/vehicle_file.h"
@@ -139,13 +141,13 @@ class Suggester {
     FittedPoint point;
     point.loss = RobustLoss(kind, study_.study.refine.scale.value_or(UsualScale(kind)), objective_.prior_count());
     const Evaluation here = archive.EvaluateValues({values_}).front();
-    if (!here.ok()) throw FaultyInput(Cannot());
+    if (!here.ok()) Refuse(kSuggestPointFailed, {study_.study.file.string()});
     point.residuals = here.residuals;
     const Eigen::VectorXd x = variables_.FromValues(values_);
     const RefineOptions options;
     const std::optional<Eigen::MatrixXd> jacobian =
         DifferenceJacobian(archive, variables_, x, here.residuals, options.DifferenceStep(archive.problem()));
-    if (!jacobian) throw FaultyInput(Cannot());
+    if (!jacobian) Refuse(kSuggestPointFailed, {study_.study.file.string()});
     point.jacobian = *jacobian;
     for (Index j = 0; j < x.size(); ++j)
       if (IsHeldByBound(x, j, *jacobian, here.residuals)) point.jacobian.col(j).setZero();
@@ -160,14 +162,6 @@ class Suggester {
     const double near = kAtBound * (variables_.upper()[j] - variables_.lower()[j]);
     const double slope = jacobian.col(j).dot(residuals);
     return (x[j] - variables_.lower()[j] < near && slope > 0) || (variables_.upper()[j] - x[j] < near && slope < 0);
-  }
-
-  Diagnostics Cannot() const {
-    Diagnostics findings;
-    static const Finding kPoint{"suggest-point", Severity::kError, "the fitted values cannot be evaluated",
-                                "check the run's vehicle.urdf with `fourpost check`"};
-    findings.Report(kPoint, {study_.study.file.string()});
-    return findings;
   }
 
   std::vector<Trial> Trials() {
@@ -192,13 +186,9 @@ class Suggester {
       if (hooks_.IsStopped()) break;
       try {
         trial.study = std::make_unique<AugmentedStudy>(study_, trial.addition);
-      } catch (const FaultyInput& fault) {
-        if (getenv("SUGGEST_DEBUG"))
-          fprintf(stderr, "%s: %s\n", trial.addition.Key().c_str(),
-                  fault.diagnostics().items().front().message.c_str());
+      } catch (const FaultyInput&) {
         ++result_.failed;
-      } catch (const SimulationError& e) {
-        if (getenv("SUGGEST_DEBUG")) fprintf(stderr, "%s: %s\n", trial.addition.Key().c_str(), e.what());
+      } catch (const SimulationError&) {
         ++result_.failed;
       }
     }

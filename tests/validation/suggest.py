@@ -128,7 +128,7 @@ CASES = [
     ("stop", "quarter_car", stop(STRUT, 12, 60), None, "bump_stop", {"spring"}, []),
     ("stop", "landrover110_model1", stop('parent="front_top" child="front_centre"', 12, 400), None, "bump_stop",
      {"front_coil"}, []),
-    ("mount_cubic", "quarter_car", mount("quarter_car", ' cubic="40000 N/mm^3"'), mount("quarter_car"), "mount_cubic",
+    ("mount_cubic", "quarter_car", mount("quarter_car", ' cubic="800 N/mm^3"'), mount("quarter_car"), "mount_cubic",
      {"damper"}, []),
     ("mount_cubic", "landrover110_model1", mount("landrover110_model1", ' cubic="1000 kN/mm^3"'),
      mount("landrover110_model1"), "mount_cubic", {"front_damper"}, []),
