@@ -10,6 +10,7 @@
 #include "analysis/text/diagnostics.h"
 #include "identify/run/fit_run.h"
 #include "identify/run/run_draws.h"
+#include "identify/run/run_suggestions.h"
 #include "vehicles/engine/steady_response.h"
 #include "vehicles/requests/amplitude_limits.h"
 #include "vehicles/requests/sweep.h"
@@ -129,6 +130,8 @@ struct SimulateCommand {
 /// `fourpost fit STUDY -o DIR`
 struct FitCommand : FitRequest {
   bool json = false;
+  /// Add to the vehicle what pays, step by step.
+  bool grow = false;
 };
 
 /// `fourpost predict RUN --recording FILE`
@@ -188,6 +191,16 @@ struct DrawsCommand : DrawRequest {
   bool json = false;
 };
 
+/// `fourpost suggest RUN`
+struct SuggestCommand : SuggestRequest {
+  /// Number of a suggestion to write into `output`; 0: none.
+  std::size_t apply = 0;
+  std::filesystem::path output;
+  bool json = false;
+  /// List those that do not pay as well.
+  bool all = false;
+};
+
 /// `fourpost rank RUN...`
 struct RankCommand {
   /// Folders of fits.
@@ -212,5 +225,6 @@ int Run(const ReportCommand& command);
 int Run(const CompareCommand& command);
 int Run(const RankCommand& command);
 int Run(const DrawsCommand& command);
+int Run(const SuggestCommand& command);
 
 }  // namespace fourpost

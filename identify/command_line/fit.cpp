@@ -1,7 +1,9 @@
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
 
+#include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/fit_progress.h"
@@ -9,6 +11,7 @@
 #include "identify/command_line/print.h"
 #include "identify/command_line/work_progress.h"
 #include "identify/run/findings.h"
+#include "identify/run/grown_fit.h"
 
 namespace fourpost {
 namespace {
@@ -25,6 +28,19 @@ int CodeOf(FitEnd end) {
   return kNotGood;
 }
 
+/// The path of a fit that grew.
+std::string GrowthText(const std::vector<GrowthStep>& steps) {
+  TextTable table({"step", "added", "misfit", "change of BIC", "validation error, %", "kept"});
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const GrowthStep& step = steps[i];
+    table.Add({std::to_string(i), step.added.empty() ? "nothing" : step.added, Rounded(step.misfit, 3),
+               i == 0 ? "" : Rounded(step.criterion, 4),
+               std::isfinite(step.validation_percent) ? Rounded(step.validation_percent, 3) : "",
+               step.is_kept ? "yes" : "no: " + step.reason});
+  }
+  return table.Format() + '\n';
+}
+
 }  // namespace
 
 int Run(const FitCommand& command) {
@@ -33,7 +49,9 @@ int Run(const FitCommand& command) {
                           .find = [&progress](const Diagnostics& found) { progress.Tell(found); },
                           .begin = CatchInterrupts,
                           .fit = [](const FitOptions& options) { return ShownFit(options); }};
-  const FitRun run = FitStudy(command, hooks);
+  const GrownFit grown =
+      command.grow ? GrowFit(command, hooks) : GrownFit{.steps = {}, .fit = FitStudy(command, hooks)};
+  const FitRun& run = grown.fit;
   const FitResult& fit = run.fit;
   if (!run.is_written) {
     Tell(fit.end == FitEnd::kInterrupted ? kFitInterrupted : kFitWithoutResults, {},
@@ -42,7 +60,7 @@ int Run(const FitCommand& command) {
   }
   progress.End();
   if (command.json) Print(run.json);
-  else PrintText(run.text);
+  else PrintText((command.grow ? GrowthText(grown.steps) : "") + run.text);
   std::fprintf(stderr, "results: %s; open %s\n", command.output.c_str(), (command.output / "report.html").c_str());
   return fit.end == FitEnd::kConverged && !run.verdict.explains() ? kNotGood : CodeOf(fit.end);
 }

@@ -45,6 +45,7 @@ Program::Program() {
   AddCompare();
   AddRank();
   AddDraws();
+  AddSuggest();
   AddCompletion();
   AddMan();
   AddHelp();
@@ -160,6 +161,9 @@ void Program::AddFit() {
       "--resume", fit_.resume,
       "Continue a fit that was stopped; an error if the vehicle, recordings, program or settings that residuals "
       "depend on have changed");
+  sub->add_flag("--grow", fit_.grow,
+                "Add to the vehicle, step by step, what `fourpost suggest` names first, while BIC falls and validation "
+                "recordings are predicted no worse; steps/growth.json holds the path");
   sub->add_flag("--json", fit_.json, "Print result.json instead of tables");
 }
 
@@ -249,6 +253,29 @@ void Program::AddDraws() {
       ->check(CLI::Range(0, 1024));
   sub->add_option("-o,--output", draws_.output, "Write the CSV here (default: stdout) and print a summary");
   sub->add_flag("--json", draws_.json, "Print JSON: the summary, and the draws without -o");
+}
+
+void Program::AddSuggest() {
+  CLI::App* sub = Add("suggest", "Suggest what to add to a fitted vehicle: mechanism, place, size and what it is worth",
+                      "  fourpost suggest run --study study.yaml\n"
+                      "  fourpost suggest run --study study.yaml --apply 1 -o with_friction",
+                      [this] {
+                        RequireStudyFile(suggest_.study);
+                        return Run(suggest_);
+                      });
+  sub->add_option("RUN", suggest_.run, "Folder that `fourpost fit -o` wrote")->required();
+  sub->add_option("--study", suggest_.study, "The study that the run fitted")->required();
+  CLI::Option* const output =
+      sub->add_option("-o,--output", suggest_.output, "Folder for vehicle.urdf and study.yaml with a suggestion");
+  CLI::Option* const apply = sub->add_option("--apply", suggest_.apply, "Number of the suggestion to write there")
+                                 ->check(CLI::Range(1, 10000));
+  apply->needs(output);
+  output->needs(apply);
+  sub->add_flag("--all", suggest_.all, "List additions that do not pay as well");
+  sub->add_option("--threads", suggest_.threads,
+                  "Evaluations in parallel, without influence on the result; 0: one per processor")
+      ->check(CLI::Range(0, 1024));
+  sub->add_flag("--json", suggest_.json, "Print JSON instead of a table");
 }
 
 void Program::AddCompletion() {

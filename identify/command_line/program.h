@@ -40,6 +40,7 @@ class Program {
   void AddCompare();
   void AddRank();
   void AddDraws();
+  void AddSuggest();
   void AddCompletion();
   void AddMan();
   void AddHelp();
@@ -60,6 +61,7 @@ class Program {
   CompareCommand compare_;
   RankCommand rank_;
   DrawsCommand draws_;
+  SuggestCommand suggest_;
   std::string shell_;
   std::string topic_;
 };

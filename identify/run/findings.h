@@ -103,4 +103,10 @@ inline const Finding kDrawsNotMixed{"draws-not-mixed", Severity::kWarning,
                                     "after {} generations the ensemble still correlates by {} with its earlier state",
                                     "allow more evaluations"};
 
+// What could be added to its vehicle.
+
+inline const Finding kSuggestionUnknown{"suggestion-unknown", Severity::kError,
+                                        "there is no suggestion {}; {} are listed",
+                                        "give the number of a row of `fourpost suggest`"};
+
 }  // namespace fourpost

@@ -190,13 +190,17 @@ class StudyReader {
 
 std::optional<Study> ReadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {
   const std::optional<std::string> text = ReadTextFile(file, diagnostics);
-  if (!text) return std::nullopt;
-  const std::optional<YAML::Node> root = ReadYaml(*text, file.string(), diagnostics);
+  return text ? ReadStudyText(*text, file, diagnostics) : std::nullopt;
+}
+
+std::optional<Study> ReadStudyText(const std::string& text, const std::filesystem::path& file,
+                                   Diagnostics& diagnostics) {
+  const std::optional<YAML::Node> root = ReadYaml(text, file.string(), diagnostics);
   if (!root) return std::nullopt;
   std::optional<Study> study;
   try {
     study = StudyReader(file, diagnostics).Read(*root);
-    study->text = *text;
+    study->text = text;
   } catch (const YAML::Exception& error) {
     diagnostics.Report(kStudyNotYaml, {file.string(), error.mark.is_null() ? 0 : error.mark.line + 1}, {error.msg});
   }

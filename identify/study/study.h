@@ -82,4 +82,8 @@ struct Study {
 /// Reads a study. Adds every fault to `diagnostics` with file and line; nothing when there was an error.
 std::optional<Study> ReadStudy(const std::filesystem::path& file, Diagnostics& diagnostics);
 
+/// The same for a text, the content of `file`. Findings name `file`, and paths are resolved against its folder.
+std::optional<Study> ReadStudyText(const std::string& text, const std::filesystem::path& file,
+                                   Diagnostics& diagnostics);
+
 }  // namespace fourpost

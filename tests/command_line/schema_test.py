@@ -63,6 +63,7 @@ class Schema(ProgramTest):
         self.check("predict", "predict", "run", "--recording", "car/stepped_sine.csv")
         self.check("draws", "draws", "run")
         self.check("draws", "draws", "run", "--noise-only", "--study", "car/study.yaml", "-o", "draws.csv")
+        self.check("suggest", "suggest", "run", "--study", "car/study.yaml", "--all")
         load = ["--add-mass", "20 kg", "--at", "0,0,0.8"]
         self.check("predict", "predict", "run", "--recording", "car/stepped_sine.csv", *load)
 

@@ -1,0 +1,132 @@
+#include "identify/study_file/study_edit.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include <yaml-cpp/yaml.h>
+
+namespace fourpost {
+namespace {
+
+namespace fs = std::filesystem;
+
+void Visit(const YAML::Node& node, const std::function<void(const YAML::Node&)>& visit) {
+  if (node.IsScalar()) visit(node);
+  if (node.IsSequence())
+    for (const YAML::Node& entry : node) Visit(entry, visit);
+  if (node.IsMap())
+    for (const auto& entry : node) Visit(entry.second, visit);
+}
+
+/// Maps of sensors to channels.
+std::vector<YAML::Node> ChannelMaps(const YAML::Node& study) {
+  std::vector<YAML::Node> maps;
+  if (study["channels"].IsDefined() && study["channels"].IsMap()) maps.push_back(study["channels"]);
+  if (study["histories"].IsDefined() && study["histories"].IsSequence())
+    for (const YAML::Node& history : study["histories"])
+      if (history.IsMap() && history["channels"].IsDefined() && history["channels"].IsMap())
+        maps.push_back(history["channels"]);
+  return maps;
+}
+
+/// Of a scalar as it is written, quotes included.
+std::pair<std::size_t, std::size_t> SpanOf(const YAML::Node& scalar, const std::string& text) {
+  const auto begin = static_cast<std::size_t>(scalar.Mark().pos);
+  const char first = begin < text.size() ? text[begin] : '\0';
+  if (first == '"' || first == '\'') return {begin, text.find(first, begin + 1) + 1};
+  return {begin, begin + scalar.Scalar().size()};
+}
+
+/// Nodes that name one recorded channel each: a scalar, or a map with the key `channel`.
+void AddSources(const YAML::Node& node, std::vector<YAML::Node>& sources) {
+  if (node.IsScalar() || (node.IsMap() && node["channel"].IsDefined())) return sources.push_back(node);
+  if (!node.IsMap()) return;
+  for (const char* key : {"mean", "sum"})
+    if (node[key].IsDefined() && node[key].IsSequence())
+      for (const YAML::Node& entry : node[key]) AddSources(entry, sources);
+}
+
+}  // namespace
+
+StudyEdit::StudyEdit(std::string text) : text_(std::move(text)) {}
+
+void StudyEdit::Rebase(const std::vector<fs::path>& files, const fs::path& from, const fs::path& to) {
+  Visit(YAML::Load(text_), [&](const YAML::Node& node) {
+    const fs::path named = (from / node.Scalar()).lexically_normal();
+    if (std::find(files.begin(), files.end(), named) == files.end()) return;
+    const auto [begin, end] = SpanOf(node, text_);
+    const fs::path target = fs::weakly_canonical(fs::absolute(named));
+    const fs::path relative = target.lexically_relative(fs::weakly_canonical(fs::absolute(to)));
+    changes_[begin] = {end, '"' + (relative.empty() ? target : relative).generic_string() + '"'};
+  });
+}
+
+void StudyEdit::SetVehicle(const std::string& file) {
+  const YAML::Node vehicle = YAML::Load(text_)["vehicle"];
+  const auto [begin, end] = SpanOf(vehicle, text_);
+  changes_[begin] = {end, file};
+}
+
+void StudyEdit::AddFree(const std::vector<std::string>& names) {
+  const YAML::Node free = YAML::Load(text_)["free"];
+  if (!free.IsDefined() || !free.IsSequence() || free.size() == 0 || names.empty()) return;
+  const YAML::Node last = free[free.size() - 1];
+  const std::size_t end = SpanOf(last, text_).second;
+  std::string added;
+  if (free.Style() == YAML::EmitterStyle::Flow) {
+    for (const std::string& name : names) added += ", " + name;
+  } else {
+    // As far in as the entry before.
+    const auto begin = static_cast<std::size_t>(last.Mark().pos);
+    const std::size_t line = text_.rfind('\n', begin) + 1;
+    for (const std::string& name : names) added += '\n' + text_.substr(line, begin - line) + name;
+  }
+  changes_[end] = {end, added};
+}
+
+bool StudyEdit::CorrectChannels(const std::vector<std::string>& sensors, const std::string& key,
+                                const std::string& value) {
+  const YAML::Node study = YAML::Load(text_);
+  std::map<std::size_t, Change> changes;
+  for (const YAML::Node& map : ChannelMaps(study))
+    for (const std::string& sensor : sensors) {
+      if (!map[sensor].IsDefined()) continue;
+      std::vector<YAML::Node> sources;
+      AddSources(map[sensor], sources);
+      for (const YAML::Node& source : sources) {
+        if (source.IsScalar()) {
+          const auto [begin, end] = SpanOf(source, text_);
+          changes[begin] = {end, "{channel: " + text_.substr(begin, end - begin) + ", " + key + ": " + value + "}"};
+          continue;
+        }
+        if (source[key].IsDefined() || source.Style() != YAML::EmitterStyle::Flow) return false;
+        const std::size_t end = SpanOf(source["channel"], text_).second;
+        changes[end] = {end, ", " + key + ": " + value};
+      }
+    }
+  if (changes.empty()) return false;
+  changes_.merge(changes);
+  return true;
+}
+
+std::string StudyEdit::Text() const {
+  std::string result;
+  std::size_t done = 0;
+  for (const auto& [begin, change] : changes_) {
+    result += text_.substr(done, begin - done) + change.text;
+    done = change.end;
+  }
+  return result + text_.substr(done);
+}
+
+std::vector<std::string> MeasuredSensors(const std::string& study_text) {
+  std::vector<std::string> names;
+  for (const YAML::Node& map : ChannelMaps(YAML::Load(study_text)))
+    for (const auto& entry : map)
+      if (const auto name = entry.first.as<std::string>(); std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+  return names;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "identify/refine/robust_loss.h"
+#include "identify/residuals/residual_structure.h"
+
+namespace fourpost {
+
+/// A fitted point, about which additions are judged. N residuals, n variables.
+struct FittedPoint {
+  /// Priors included.
+  Eigen::VectorXd residuals;
+  /// d residuals / d FitVariables; zero columns of those at their bounds.
+  Eigen::MatrixXd jacobian;
+  RobustLoss loss;
+};
+
+/// What is left of a cost when the n variables follow, to first order.
+struct Followed {
+  double cost = 0;
+  /// Of FitVariables.
+  Eigen::VectorXd step;
+  /// Weighted residuals that no step accounts for.
+  Eigen::VectorXd left;
+};
+
+/// Residuals that changed, with the variables following: min over d of the loss of r + J d, by iteratively reweighted
+/// least squares.
+class FollowedCost {
+ public:
+  explicit FollowedCost(FittedPoint point);
+
+  Followed Of(const Eigen::VectorXd& residuals) const;
+  const FittedPoint& point() const { return point_; }
+
+ private:
+  FittedPoint point_;
+};
+
+/// The residuals for an amount of something new and a step of the variables; nothing where they cannot be evaluated.
+using ResidualsOf = std::function<std::optional<Eigen::VectorXd>(double amount, const Eigen::VectorXd& step)>;
+
+/// What an addition is worth.
+struct ScoreTest {
+  double amount = 0;
+  /// Below that of the fitted point.
+  double cost = 0;
+  Eigen::VectorXd step;
+  /// What it changes in the residuals beyond what the variables could, weighted.
+  Eigen::VectorXd direction;
+  int evaluations = 0;
+};
+
+struct AmountRange {
+  double first = 1;
+  double least = 0;
+  double greatest = 0;
+};
+
+/// The amount at which the cost, variables following, is least: residuals are linear in the amount between 0 and those
+/// that were evaluated, of which there are four at most; the best of these is the answer. A score test takes the first
+/// of them to be small (Rao 1948); laws with kinks, which begin to act at some amount, need the others. Nothing where
+/// none can be evaluated.
+std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals);
+
+/// Goes on from there: steps of the amount and the variables together with the derivatives that are known, each
+/// evaluated truly and kept where the cost falls.
+void Confirm(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals, ScoreTest& test);
+
+/// How many independent residuals would say as much: of each series n (1 - c) / (1 + c), c: correlation of neighbours,
+/// not below 0. Where a model is too simple its residuals are alike over frequency and time.
+double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStructure& structure);
+
+/// Change of the extended Bayesian criterion (Chen and Chen, Biometrika 95, 2008), below 0 where it pays:
+///   n ln(cost / cost before) + k ln n + 2 max(k, 1) ln(additions).
+/// The misfit takes the place of the noise, so that errors of a model that is too simple count as noise does; the last
+/// term allows for the best of many.
+double CriterionChange(double cost_before, double cost, double effective, int parameters, std::size_t additions);
+
+}  // namespace fourpost

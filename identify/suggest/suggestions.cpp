@@ -1,0 +1,356 @@
+#include "identify/suggest/suggestions.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+
+#include "analysis/process/deadline.h"
+#include "identify/refine/difference_jacobian.h"
+#include "identify/refine/fit_variables.h"
+#include "identify/refine/refine.h"
+#include "identify/search/archive.h"
+#include "identify/search/parallel.h"
+#include "identify/study_file/study_edit.h"
+#include "identify/suggest/addition_source.h"
+#include "identify/suggest/findings.h"
+#include "identify/suggest/score_test.h"
+#include "vehicles/multibody/simulation_error.h"
+#include "vehicles/reader/vehicle_file.h"
+
+namespace fourpost {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kAlike = 0.95;
+
+/// A study's objective with one addition in it.
+class AugmentedStudy {
+ public:
+  /// Throws FaultyInput where the vehicle cannot be read, assembled or held.
+  AugmentedStudy(const LoadedStudy& study, const Addition& addition) : study_(study), addition_(addition) {
+    if (addition.study) return;
+    vehicle_ = study.vehicle;
+    if (!addition.vehicle.empty()) {
+      Diagnostics findings;
+      std::optional<Vehicle> vehicle = ReadVehicleText(addition.vehicle, study.vehicle.file, findings);
+      if (!vehicle) throw FaultyInput(findings);
+      vehicle_ = *std::move(vehicle);
+    }
+    for (const std::size_t i : study.free) free_.push_back(PlaceOf(study.vehicle.parameters[i].name));
+    for (const std::string& name : addition.parameters) free_.push_back(PlaceOf(name));
+    const Subject subject(vehicle_, free_, study.study.file, study.study.search.deadline_s);
+    std::vector<ResidualBlock> blocks;
+    for (const Experiment& experiment : study.study.experiments)
+      if (std::optional<ResidualBlock> block = experiment.Residuals(subject)) blocks.push_back(*std::move(block));
+    // Priors are those of the study: of new parameters nothing is known.
+    objective_.emplace(vehicle_, free_, std::move(blocks));
+  }
+
+  /// `values`: of the study's free parameters.
+  std::optional<Eigen::VectorXd> At(double amount, const Eigen::VectorXd& values) const {
+    if (addition_.study) return OfStudy(amount, values);
+    const std::vector<double> added = addition_.values(amount);
+    Eigen::VectorXd all(values.size() + static_cast<Index>(added.size()));
+    all.head(values.size()) = values;
+    for (std::size_t i = 0; i < added.size(); ++i) all[values.size() + static_cast<Index>(i)] = added[i];
+    return Evaluated(*objective_, all);
+  }
+
+ private:
+  std::size_t PlaceOf(const std::string& name) const {
+    for (std::size_t i = 0; i < vehicle_.parameters.size(); ++i)
+      if (vehicle_.parameters[i].name == name) return i;
+    throw std::logic_error("AugmentedStudy: no parameter " + name);
+  }
+
+  std::optional<Eigen::VectorXd> Evaluated(const VehicleObjective& objective, const Eigen::VectorXd& values) const {
+    try {
+      const Evaluation evaluation = objective.Evaluate(values, Deadline::In(study_.study.search.deadline_s));
+      if (evaluation.ok() && evaluation.residuals.allFinite()) return evaluation.residuals;
+    } catch (const TimedOut&) {
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Eigen::VectorXd> OfStudy(double amount, const Eigen::VectorXd& values) const {
+    const std::string text = addition_.study(amount);
+    if (text.empty()) return std::nullopt;
+    Diagnostics findings;
+    std::optional<Study> study = ReadStudyText(text, study_.study.file, findings);
+    if (!study) return std::nullopt;
+    LoadedStudy loaded{.study = *std::move(study), .vehicle = study_.vehicle, .free = study_.free};
+    const Subject subject = loaded.MakeSubject();
+    for (Experiment& experiment : loaded.study.experiments) experiment.Load(subject, findings);
+    if (findings.HasErrors()) return std::nullopt;
+    loaded.Prepare();
+    return Evaluated(loaded.MakeObjective(), values);
+  }
+
+  const LoadedStudy& study_;
+  const Addition& addition_;
+  Vehicle vehicle_;
+  std::vector<std::size_t> free_;
+  std::optional<VehicleObjective> objective_;
+};
+
+/// A addition under test.
+struct Trial {
+  Addition addition;
+  std::unique_ptr<AugmentedStudy> study;
+  std::optional<ScoreTest> test;
+};
+
+class Suggester {
+ public:
+  Suggester(const LoadedStudy& study, const Eigen::VectorXd& values, int threads, const WorkHooks& hooks)
+      : study_(study),
+        values_(values),
+        threads_(threads),
+        hooks_(hooks),
+        objective_(study.MakeObjective()),
+        variables_(objective_.MakeProblem().lattice) {}
+
+  Suggestions Run() {
+    const FollowedCost fitted = Fitted();
+    const double before = fitted.Of(fitted.point().residuals).cost;
+    result_.cost = fitted.point().loss.Cost(fitted.point().residuals);
+    result_.residuals = fitted.point().residuals.size() - objective_.prior_count();
+    const Eigen::VectorXd weighted =
+        fitted.point().loss.Weights(fitted.point().residuals).cwiseSqrt().cwiseProduct(fitted.point().residuals);
+    result_.effective = EffectiveResiduals(weighted.head(result_.residuals), JoinedStructure(objective_.blocks()));
+    result_.misfit = std::sqrt(fitted.point().residuals.head(result_.residuals).squaredNorm() /
+                               std::max(1.0, static_cast<double>(result_.residuals - values_.size())));
+    std::vector<Trial> trials = Trials();
+    TestAll(fitted, trials);
+    std::vector<Trial*> best = BestOfEach(trials, before);
+    Confirm(fitted, before, best);
+    Describe(before, best);
+    return std::move(result_);
+  }
+
+ private:
+  FollowedCost Fitted() {
+    Archive archive(objective_.MakeProblem(), threads_);
+    const LossKind kind = study_.study.refine.loss;
+    FittedPoint point;
+    point.loss = RobustLoss(kind, study_.study.refine.scale.value_or(UsualScale(kind)), objective_.prior_count());
+    const Evaluation here = archive.EvaluateValues({values_}).front();
+    if (!here.ok()) Refuse(kSuggestPointFailed, {study_.study.file.string()});
+    point.residuals = here.residuals;
+    const Eigen::VectorXd x = variables_.FromValues(values_);
+    const RefineOptions options;
+    const std::optional<Eigen::MatrixXd> jacobian =
+        DifferenceJacobian(archive, variables_, x, here.residuals, options.DifferenceStep(archive.problem()));
+    if (!jacobian) Refuse(kSuggestPointFailed, {study_.study.file.string()});
+    point.jacobian = *jacobian;
+    for (Index j = 0; j < x.size(); ++j)
+      if (IsHeldByBound(x, j, *jacobian, here.residuals)) point.jacobian.col(j).setZero();
+    result_.evaluations += archive.counts().paid;
+    return FollowedCost(std::move(point));
+  }
+
+  /// Whether the cost would take the variable beyond its bound.
+  bool IsHeldByBound(const Eigen::VectorXd& x, Index j, const Eigen::MatrixXd& jacobian,
+                     const Eigen::VectorXd& residuals) const {
+    constexpr double kAtBound = 1e-6;
+    const double near = kAtBound * (variables_.upper()[j] - variables_.lower()[j]);
+    const double slope = jacobian.col(j).dot(residuals);
+    return (x[j] - variables_.lower()[j] < near && slope > 0) || (variables_.upper()[j] - x[j] < near && slope < 0);
+  }
+
+  std::vector<Trial> Trials() {
+    const AdditionSource source(study_.vehicle, objective_.AllParameters(values_));
+    std::vector<Addition> additions;
+    AddDamperAdditions(source, additions);
+    AddSpringAdditions(source, additions);
+    AddTyreAdditions(source, additions);
+    AddBushAdditions(source, additions);
+    AddBodyAdditions(source, additions);
+    AddSideAdditions(source, additions);
+    AddHeldAdditions(source, study_.free, additions);
+    AddChannelAdditions(source, study_.study.text, additions);
+    result_.tried = additions.size();
+    std::vector<Trial> trials;
+    trials.reserve(additions.size());
+    for (Addition& addition : additions) trials.push_back({.addition = std::move(addition)});
+    // One after the other: libraries that read vehicles report faults in one place.
+    for (Trial& trial : trials) {
+      hooks_.Show("suggest: reading " + std::to_string(&trial - trials.data() + 1) + " of " +
+                  std::to_string(trials.size()) + " additions");
+      if (hooks_.IsStopped()) break;
+      try {
+        trial.study = std::make_unique<AugmentedStudy>(study_, trial.addition);
+      } catch (const FaultyInput&) {
+        ++result_.failed;
+      } catch (const SimulationError&) {
+        ++result_.failed;
+      }
+    }
+    return trials;
+  }
+
+  ResidualsOf Residuals(const Trial& trial) const {
+    const Eigen::VectorXd x = variables_.FromValues(values_);
+    return [this, &trial, x](double amount, const Eigen::VectorXd& step) {
+      return trial.study->At(amount, Moved(x, step));
+    };
+  }
+
+  Eigen::VectorXd Moved(const Eigen::VectorXd& x, const Eigen::VectorXd& step) const {
+    if (step.isZero(0)) return values_;
+    return variables_.ToValues((x + step).cwiseMax(variables_.lower()).cwiseMin(variables_.upper()));
+  }
+
+  static AmountRange RangeOf(const Addition& addition) { return {addition.first, addition.least, addition.greatest}; }
+
+  void TestAll(const FollowedCost& fitted, std::vector<Trial>& trials) {
+    std::atomic<std::size_t> done = 0;
+    std::atomic<std::int64_t> evaluations = 0;
+    std::atomic<std::size_t> failed = 0;
+    std::mutex shown;
+    ForEachInParallel(trials.size(), threads_, [&](std::size_t i) {
+      Trial& trial = trials[i];
+      if (!trial.study || hooks_.IsStopped()) return;
+      trial.test = TestAmount(fitted, RangeOf(trial.addition), Residuals(trial));
+      if (trial.test) evaluations += trial.test->evaluations;
+      else ++failed;
+      const std::size_t now = ++done;
+      const std::lock_guard lock(shown);
+      hooks_.Show("suggest: tested " + std::to_string(now) + " of " + std::to_string(trials.size()) + " additions");
+    });
+    result_.evaluations += evaluations;
+    result_.failed += failed;
+    result_.is_interrupted = hooks_.IsStopped();
+  }
+
+  double CriterionOf(double before, const Trial& trial) const {
+    return CriterionChange(before, trial.test->cost, result_.effective, trial.addition.count, result_.tried);
+  }
+
+  /// The best of all alternatives for each thing that could be added, by their criterion.
+  std::vector<Trial*> BestOfEach(std::vector<Trial>& trials, double before) const {
+    std::map<std::string, Trial*> of_key;
+    for (Trial& trial : trials) {
+      if (!trial.test) continue;
+      Trial*& best = of_key.try_emplace(trial.addition.Key(), &trial).first->second;
+      if (CriterionOf(before, trial) < CriterionOf(before, *best)) best = &trial;
+    }
+    std::vector<Trial*> list;
+    for (const auto& [key, trial] : of_key) list.push_back(trial);
+    Sort(list, before);
+    return list;
+  }
+
+  void Sort(std::vector<Trial*>& list, double before) const {
+    std::stable_sort(list.begin(), list.end(),
+                     [&](const Trial* a, const Trial* b) { return CriterionOf(before, *a) < CriterionOf(before, *b); });
+  }
+
+  /// The first of the list, evaluated truly with the parameters following; others of less promise stay as they are.
+  void Confirm(const FollowedCost& fitted, double before, std::vector<Trial*>& list) {
+    constexpr std::size_t kMost = 12;
+    const std::size_t count = std::min(list.size(), kMost);
+    std::vector<int> evaluated(count);
+    ForEachInParallel(count, threads_, [&](std::size_t i) {
+      ScoreTest& test = *list[i]->test;
+      const int earlier = test.evaluations;
+      if (!hooks_.IsStopped()) fourpost::Confirm(fitted, RangeOf(list[i]->addition), Residuals(*list[i]), test);
+      evaluated[i] = test.evaluations - earlier;
+    });
+    for (const int number : evaluated) result_.evaluations += number;
+    Sort(list, before);
+  }
+
+  void Describe(double before, const std::vector<Trial*>& list) {
+    for (const Trial* trial : list) {
+      Suggestion one{.addition = trial->addition, .amount = trial->test->amount};
+      if (one.addition.values) one.values = one.addition.values(one.amount);
+      one.cost = trial->test->cost;
+      one.fall = 1 - trial->test->cost / before;
+      one.criterion = CriterionOf(before, *trial);
+      one.moved = MovedBy(trial->test->step);
+      result_.list.push_back(std::move(one));
+    }
+    const std::size_t paying = result_.Paying();
+    for (std::size_t i = 0; i < paying; ++i)
+      for (std::size_t k = 0; k < paying; ++k) {
+        const Eigen::VectorXd& a = list[i]->test->direction;
+        const Eigen::VectorXd& b = list[k]->test->direction;
+        if (i != k && std::abs(a.dot(b)) > kAlike * a.norm() * b.norm()) result_.list[i].like.push_back(k);
+      }
+  }
+
+  std::vector<MovedParameter> MovedBy(const Eigen::VectorXd& step) const {
+    constexpr double kLeast = 0.01;
+    const Eigen::VectorXd moved = Moved(variables_.FromValues(values_), step);
+    std::vector<MovedParameter> list;
+    for (Index j = 0; j < step.size(); ++j) {
+      const Parameter& parameter = study_.vehicle.parameters[study_.free[static_cast<std::size_t>(j)]];
+      const double whole = variables_.is_logarithmic(j) ? values_[j] : parameter.upper - parameter.lower;
+      const double share = (moved[j] - values_[j]) / whole;
+      if (std::abs(share) >= kLeast) list.push_back({parameter.name, share});
+    }
+    std::stable_sort(list.begin(), list.end(), [](const MovedParameter& a, const MovedParameter& b) {
+      return std::abs(a.share) > std::abs(b.share);
+    });
+    return list;
+  }
+
+  const LoadedStudy& study_;
+  const Eigen::VectorXd& values_;
+  int threads_;
+  const WorkHooks& hooks_;
+  VehicleObjective objective_;
+  FitVariables variables_;
+  Suggestions result_;
+};
+
+}  // namespace
+
+std::size_t Suggestions::Paying() const {
+  return static_cast<std::size_t>(
+      std::count_if(list.begin(), list.end(), [](const Suggestion& one) { return one.criterion < 0; }));
+}
+
+Suggestions SuggestFor(const LoadedStudy& study, const Eigen::VectorXd& values, int threads, const WorkHooks& hooks) {
+  return Suggester(study, values, threads, hooks).Run();
+}
+
+AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const Suggestion& suggestion,
+                        const std::filesystem::path& folder) {
+  const Addition& addition = suggestion.addition;
+  Diagnostics findings;
+  Vehicle vehicle = study.vehicle;
+  if (!addition.vehicle.empty()) {
+    std::optional<Vehicle> read = ReadVehicleText(addition.vehicle, study.vehicle.file, findings);
+    if (!read) throw FaultyInput(findings);
+    vehicle = *std::move(read);
+  }
+  std::vector<double> all = vehicle.ParameterValues();
+  const auto set = [&](const std::string& name, double value) {
+    for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
+      const Parameter& parameter = vehicle.parameters[i];
+      if (parameter.name == name && !parameter.prior_sd) all[i] = std::clamp(value, parameter.lower, parameter.upper);
+    }
+  };
+  for (std::size_t i = 0; i < study.free.size(); ++i)
+    set(study.vehicle.parameters[study.free[i]].name, values[static_cast<Index>(i)]);
+  for (std::size_t i = 0; i < addition.parameters.size(); ++i) set(addition.parameters[i], suggestion.values[i]);
+
+  StudyEdit edit(addition.study ? addition.study(suggestion.amount) : study.study.text);
+  std::vector<std::filesystem::path> files;
+  for (const Experiment& experiment : study.study.experiments)
+    for (const ExperimentFile& file : experiment.Files()) files.push_back(file.path.lexically_normal());
+  edit.Rebase(files, study.study.file.parent_path(), folder);
+  edit.SetVehicle("vehicle.urdf");
+  edit.AddFree(addition.parameters);
+  return {.vehicle = VehicleTextWithValues(vehicle, all, folder), .study = edit.Text()};
+}
+
+}  // namespace fourpost

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "analysis/process/work_hooks.h"
+#include "identify/study/loaded_study.h"
+#include "identify/suggest/addition.h"
+
+namespace fourpost {
+
+/// A parameter that something new would change, as a share of its value; of one whose range includes 0, of its range.
+struct MovedParameter {
+  std::string name;
+  double share = 0;
+};
+
+/// Something that could be added, and what it would be worth.
+struct Suggestion {
+  Addition addition;
+  double amount = 0;
+  /// SI, of Addition::parameters.
+  std::vector<double> values;
+  /// Expected, and its share of the present cost that goes.
+  double cost = 0;
+  double fall = 0;
+  /// See CriterionChange(); below 0: it pays.
+  double criterion = 0;
+  /// All that a hundredth changes, the largest first.
+  std::vector<MovedParameter> moved;
+  /// Places in the list of others that pay and change the residuals alike: correlation above 0.95.
+  std::vector<std::size_t> like;
+};
+
+struct Suggestions {
+  /// Those that pay, the best first; then the others by their criterion.
+  std::vector<Suggestion> list;
+  double cost = 0;
+  double misfit = 0;
+  /// Residuals, and how many independent ones these are worth.
+  Eigen::Index residuals = 0;
+  double effective = 0;
+  /// Additions that were tried, of which as many could not be evaluated.
+  std::size_t tried = 0;
+  std::size_t failed = 0;
+  std::int64_t evaluations = 0;
+  bool is_interrupted = false;
+
+  std::size_t Paying() const;
+};
+
+/// What could be added to a fitted vehicle. `study`: prepared, and corrected as the fit ended; `values`: of its free
+/// parameters, SI. `threads`: 0: one per processor. Throws FaultyInput.
+Suggestions SuggestFor(const LoadedStudy& study, const Eigen::VectorXd& values, int threads, const WorkHooks& hooks);
+
+/// The vehicle file and the study with a suggestion, to be written into `folder` as vehicle.urdf and study.yaml.
+/// Parameters begin at their fitted `values`, those with a prior at its centre.
+struct AppliedSuggestion {
+  std::string vehicle;
+  std::string study;
+};
+AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const Suggestion& suggestion,
+                        const std::filesystem::path& folder);
+
+}  // namespace fourpost

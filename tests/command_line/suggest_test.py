@@ -1,0 +1,71 @@
+"""What `fourpost suggest` names first is what was planted; its files can be fitted; a fit grows by it."""
+import json
+import random
+import sys
+import unittest
+
+import jsonschema
+
+from program import FOURPOST, SOURCE, ProgramTest
+
+sys.path.insert(0, str(SOURCE / "tests/validation"))
+import suggest  # noqa: E402
+
+SCHEMA = json.loads((SOURCE / "identify/command_line/schema/suggest.json").read_text())
+CAR = "quarter_car"
+FRICTION = ("friction", CAR, suggest.friction("damper", 40), None, "friction", {"damper"}, [])
+CLEAN = ("none", CAR, lambda text: text, None, "", set(), [])
+
+
+class Suggest(ProgramTest):
+    def record(self, case):
+        suggest.four_post(FOURPOST, self.folder, case, random.Random(1))
+
+    def fit(self, study, folder, *more, code=0):
+        self.run_program("fit", study, "-o", folder, "--threads", "1", "--accept-implausible", *more, code=code)
+
+    def suggested(self, *more):
+        text = self.run_program("suggest", "run", "--study", "study.yaml", "--json", *more).stdout
+        document = json.loads(text)
+        jsonschema.Draft202012Validator(SCHEMA).validate(document)
+        return document
+
+    def test_names_planted_friction(self):
+        self.record(FRICTION)
+        self.fit("study.yaml", "run")
+        before = self.suggested("--apply", "1", "-o", "with_friction")
+        first = before["suggestions"][0]
+        self.assertEqual((first["mechanism"], first["elements"]), ("friction", ["damper"]))
+        # Two steps of Gauss and Newton from a model without it.
+        self.assertAlmostEqual(first["parameters"][0]["value"], 40, delta=15)
+        self.fit("with_friction/study.yaml", "run")
+        after = json.loads((self.folder / "run/result.json").read_text())
+        friction = next(p for p in after["parameters"] if p["name"].startswith("friction"))
+        # 0.5 % of noise leave the friction to some per cent.
+        self.assertAlmostEqual(friction["value"], 40, delta=2)
+        self.assertLess(after["misfit"], 0.2 * before["misfit"])
+
+    def test_is_silent_of_a_twin(self):
+        self.record(CLEAN)
+        self.fit("study.yaml", "run")
+        self.assertEqual(self.suggested()["suggestions"], [])
+        self.assertGreater(len(self.suggested("--all")["suggestions"]), 10)
+
+    def test_fit_grows(self):
+        self.record(FRICTION)
+        self.fit("study.yaml", "grown", "--grow")
+        path = json.loads((self.folder / "grown/steps/growth.json").read_text())
+        kept = [step["mechanism"] for step in path["steps"] if step["kept"]]
+        self.assertEqual(kept, ["", "friction"])
+        result = json.loads((self.folder / "grown/result.json").read_text())
+        self.assertIn("friction_damper", [p["name"] for p in result["parameters"]])
+
+    def test_refuses_what_cannot_be(self):
+        self.record(CLEAN)
+        self.fit("study.yaml", "run")
+        answer = self.run_program("suggest", "run", "--study", "study.yaml", "--apply", "9999", "-o", "new", code=3)
+        self.assert_finding(answer.stderr, "suggestion-unknown")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,61 @@
+#include "identify/study_file/study_edit.h"
+
+#include <gmock/gmock.h>
+
+namespace fourpost {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr const char* kStudy = R"(# a study
+vehicle: car.urdf   # the car
+recordings:
+  - {file: 'rig/heave.csv', posts: heave}
+channels:
+  a_body: {mean: [left, {channel: right, sign: -1}]}
+  F: load
+free: [k, c]
+)";
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(StudyEdit, LeavesAllElseAsItIs) { EXPECT_EQ(StudyEdit(kStudy).Text(), kStudy); }
+
+TEST(StudyEdit, NamesFilesFromAnotherFolder) {
+  StudyEdit edit(kStudy);
+  edit.Rebase({"/data/rig/heave.csv"}, "/data", "/data/out/one");
+  edit.SetVehicle("vehicle.urdf");
+  EXPECT_EQ(edit.Text(),
+            Replaced(Replaced(kStudy, "'rig/heave.csv'", "\"../../rig/heave.csv\""), "car.urdf", "vehicle.urdf"));
+}
+
+TEST(StudyEdit, FreesParametersWhereAListNamesThem) {
+  StudyEdit edit(kStudy);
+  edit.AddFree({"f", "k_mount"});
+  EXPECT_EQ(edit.Text(), Replaced(kStudy, "[k, c]", "[k, c, f, k_mount]"));
+  StudyEdit lines("free:\n  - k\n  - c\n");
+  lines.AddFree({"f"});
+  EXPECT_EQ(lines.Text(), "free:\n  - k\n  - c\n  - f\n");
+  StudyEdit all("vehicle: a.urdf\n");
+  all.AddFree({"f"});
+  EXPECT_EQ(all.Text(), "vehicle: a.urdf\n");
+}
+
+TEST(StudyEdit, CorrectsAllChannelsOfASensor) {
+  StudyEdit edit(kStudy);
+  EXPECT_TRUE(edit.CorrectChannels({"a_body", "F"}, "delay", "2 ms"));
+  EXPECT_THAT(edit.Text(),
+              HasSubstr("{mean: [{channel: left, delay: 2 ms}, {channel: right, delay: 2 ms, sign: -1}]}"));
+  EXPECT_THAT(edit.Text(), HasSubstr("F: {channel: load, delay: 2 ms}"));
+  StudyEdit twice(kStudy);
+  EXPECT_FALSE(twice.CorrectChannels({"a_body"}, "sign", "1"));
+  EXPECT_EQ(twice.Text(), kStudy);
+}
+
+TEST(StudyEdit, KnowsMeasuredSensors) { EXPECT_THAT(MeasuredSensors(kStudy), ElementsAre("a_body", "F")); }
+
+}  // namespace
+}  // namespace fourpost

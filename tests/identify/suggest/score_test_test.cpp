@@ -1,0 +1,128 @@
+#include "identify/suggest/score_test.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <Eigen/QR>
+
+#include "analysis/signals/random_stream.h"
+
+namespace fourpost {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+VectorXd White(Index count, std::uint64_t seed) {
+  RandomStream draws(seed, "noise");
+  VectorXd noise(count);
+  for (double& value : noise) value = draws.Normal();
+  return noise;
+}
+
+/// A linear model at its optimum: residuals are noise and something that is missing, less what the columns explain.
+FittedPoint Optimum(Index count, Index variables, const VectorXd& missing, std::uint64_t seed) {
+  FittedPoint point;
+  point.jacobian.resize(count, variables);
+  for (Index j = 0; j < variables; ++j)
+    point.jacobian.col(j) = White(count, seed + 100 + static_cast<std::uint64_t>(j));
+  const VectorXd all = White(count, seed) + missing;
+  point.residuals = all - point.jacobian * point.jacobian.colPivHouseholderQr().solve(all);
+  return point;
+}
+
+/// What is left of a vector when the columns of a matrix are taken out.
+VectorXd Beyond(const MatrixXd& matrix, const VectorXd& vector) {
+  return vector - matrix * matrix.colPivHouseholderQr().solve(vector);
+}
+
+// Of a linear model the cost falls by (q'r)^2 / q'q at -q'r / q'q, q: the new column beyond the others (Rao 1948). The
+// grid of amounts resolves 1/300 of its reach, which costs 1e-4 of the fall; ties of variables to their values take as
+// much.
+TEST(ScoreTest, OfALinearModelIsTheClosedForm) {
+  const VectorXd column = White(400, 7);
+  const FittedPoint point = Optimum(400, 5, -0.6 * column, 1);
+  const VectorXd q = Beyond(point.jacobian, column);
+  const double amount = -q.dot(point.residuals) / q.squaredNorm();
+  const double fall = std::pow(q.dot(point.residuals), 2) / q.squaredNorm();
+  ASSERT_GT(amount, 0.4);
+  const FollowedCost fitted(point);
+  const auto residuals = [&](double s, const VectorXd& step) {
+    return std::optional<VectorXd>(point.residuals + s * column + point.jacobian * step);
+  };
+  const AmountRange range{.first = 0.05, .least = 0, .greatest = 10};
+  auto test = TestAmount(fitted, range, residuals);
+  ASSERT_TRUE(test.has_value());
+  EXPECT_NEAR(test->amount, amount, 0.02 * amount);
+  EXPECT_NEAR(point.residuals.squaredNorm() - test->cost, fall, 1e-3 * fall);
+  Confirm(fitted, range, residuals, *test);
+  EXPECT_NEAR(test->amount, amount, 1e-3 * amount);
+  EXPECT_NEAR(point.residuals.squaredNorm() - test->cost, fall, 1e-4 * fall);
+}
+
+TEST(ScoreTest, IsZeroWhereTheSignIsNotPhysical) {
+  const VectorXd column = White(400, 7);
+  const FittedPoint point = Optimum(400, 5, 0.6 * column, 1);
+  const auto residuals = [&](double s, const VectorXd& step) {
+    return std::optional<VectorXd>(point.residuals + s * column + point.jacobian * step);
+  };
+  const auto test = TestAmount(FollowedCost(point), {.first = 0.05, .least = 0, .greatest = 10}, residuals);
+  ASSERT_TRUE(test.has_value());
+  EXPECT_GE(test->cost, point.residuals.squaredNorm() * (1 - 1e-6));
+}
+
+// A knee acts from 0.3 on: the slope at 0 says nothing of it.
+TEST(ScoreTest, FindsWhatBeginsToActAtSomeAmount) {
+  const VectorXd column = White(400, 7);
+  const FittedPoint point = Optimum(400, 5, -0.5 * column, 1);
+  const auto residuals = [&](double s, const VectorXd& step) {
+    return std::optional<VectorXd>(point.residuals + std::max(0.0, s - 0.3) * column + point.jacobian * step);
+  };
+  const auto test = TestAmount(FollowedCost(point), {.first = 0.5, .least = 0, .greatest = 10}, residuals);
+  ASSERT_TRUE(test.has_value());
+  EXPECT_NEAR(test->amount, 0.8, 0.1);
+}
+
+// 500 sets of white noise, 30 columns that have nothing to do with it each: at most one set in 20 has one that pays.
+TEST(ScoreTest, OfWhiteNoiseSuggestsNothing) {
+  constexpr int kSets = 500;
+  constexpr std::size_t kColumns = 30;
+  int paying = 0;
+  for (int set = 0; set < kSets; ++set) {
+    const auto seed = static_cast<std::uint64_t>(1000 + 50 * set);
+    const FittedPoint point = Optimum(300, 4, VectorXd::Zero(300), seed);
+    ResidualStructure structure;
+    structure.series.push_back({.first = 0, .count = 300, .step = 1});
+    const double effective = EffectiveResiduals(point.residuals, structure);
+    const double cost = point.residuals.squaredNorm();
+    double best = 0;
+    for (std::size_t k = 0; k < kColumns; ++k) {
+      const VectorXd q = Beyond(point.jacobian, White(300, seed + 7 * k + 900000));
+      const double fall = std::pow(q.dot(point.residuals), 2) / q.squaredNorm();
+      best = std::min(best, CriterionChange(cost, cost - fall, effective, 1, kColumns));
+    }
+    paying += best < 0 ? 1 : 0;
+  }
+  EXPECT_LE(paying, kSets / 20);
+}
+
+// Of x_t = a x_{t-1} + e_t a mean is worth n (1 - a) / (1 + a) samples. The correlation is known to 1/sqrt(n).
+TEST(EffectiveResiduals, AreThoseOfAnAutoregression) {
+  constexpr Index kSamples = 20000;
+  constexpr double kCorrelation = 0.8;
+  VectorXd noise = White(kSamples, 3);
+  ResidualStructure structure;
+  structure.series.push_back({.first = 0, .count = kSamples, .step = 1});
+  EXPECT_NEAR(EffectiveResiduals(noise, structure), kSamples, 0.05 * kSamples);
+  for (Index i = 1; i < kSamples; ++i) noise[i] += kCorrelation * noise[i - 1];
+  EXPECT_NEAR(EffectiveResiduals(noise, structure), kSamples / 9.0, 0.05 * kSamples / 9);
+}
+
+TEST(CriterionChange, IsThatOfChenAndChen) {
+  EXPECT_DOUBLE_EQ(CriterionChange(100, 50, 80, 2, 30), 80 * std::log(0.5) + 2 * std::log(80.0) + 4 * std::log(30.0));
+  EXPECT_GT(CriterionChange(100, 99, 80, 1, 30), 0);
+}
+
+}  // namespace
+}  // namespace fourpost
