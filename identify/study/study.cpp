@@ -64,7 +64,7 @@ class StudyReader {
     study_.problem_line = LineOf(top.Get("problem"));
     const auto known = [&](std::string_view name) { return name == study_.problem; };
     if (study_.problem && std::none_of(kTestProblems.begin(), kTestProblems.end(), known))
-      Fault(top.Get("problem"), kProblemUnknown, {*study_.problem, Suggestion(*study_.problem, kTestProblems)});
+      Fault(top.Get("problem"), kProblemUnknown, {*study_.problem, SuggestLegal(*study_.problem, kTestProblems)});
     ReadSearches(top);
     return study_;
   }
@@ -100,7 +100,7 @@ class StudyReader {
     method.preset = Present(map.Text("method").value_or(""), preset);
     if (!method.preset.empty() &&
         std::find(kMethodNames.begin(), kMethodNames.end(), method.preset) == kMethodNames.end())
-      Fault(preset, kMethodPresetUnknown, {method.preset, Suggestion(method.preset, kMethodNames)});
+      Fault(preset, kMethodPresetUnknown, {method.preset, SuggestLegal(method.preset, kMethodNames)});
     for (const auto& entry : node) {
       const auto key = entry.first.as<std::string>();
       if (key == "method") continue;
@@ -159,7 +159,7 @@ class StudyReader {
     const std::optional<std::string> name = map.Text("loss");
     if (!name) return;
     const auto* const found = std::find(kLossNames.begin(), kLossNames.end(), *name);
-    if (found == kLossNames.end()) return Fault(map.Get("loss"), kLossUnknown, {*name, Suggestion(*name, kLossNames)});
+    if (found == kLossNames.end()) return Fault(map.Get("loss"), kLossUnknown, {*name, SuggestLegal(*name, kLossNames)});
     study_.refine.loss = static_cast<LossKind>(found - kLossNames.begin());
   }
 

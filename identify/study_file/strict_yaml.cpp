@@ -12,7 +12,7 @@ namespace fourpost {
 
 int LineOf(const YAML::Node& node) { return node.Mark().is_null() ? 0 : node.Mark().line + 1; }
 
-std::string Suggestion(std::string_view word, std::span<const std::string_view> legal) {
+std::string SuggestLegal(std::string_view word, std::span<const std::string_view> legal) {
   std::string nearest = DidYouMean(word, legal);
   if (!nearest.empty()) return nearest;
   std::string all;
@@ -36,7 +36,7 @@ StrictMap::StrictMap(const YAML::Node& node, std::string where, const std::vecto
     const std::string key = entry.first.Scalar();
     if (!seen.insert(key).second) Fault(entry.first, kKeyTwice, {key, where_});
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      Fault(entry.first, kKeyUnknown, {key, where_, Suggestion(key, keys)});
+      Fault(entry.first, kKeyUnknown, {key, where_, SuggestLegal(key, keys)});
   }
 }
 

@@ -64,7 +64,7 @@ class StrictMap {
 };
 
 /// To end a message about an unknown word with: ", did you mean ...?", or all known ones when none is near.
-std::string Suggestion(std::string_view word, std::span<const std::string_view> legal);
+std::string SuggestLegal(std::string_view word, std::span<const std::string_view> legal);
 
 /// 1-based line of a node.
 int LineOf(const YAML::Node& node);

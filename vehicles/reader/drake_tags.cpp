@@ -98,7 +98,7 @@ class DrakeTags {
       const auto rule = std::find_if(rules.begin(), rules.end(), [&](const TagRule& r) { return r.path == name; });
       if (rule == rules.end()) {
         faults_.Report(kTagUnknown, LineOf(*child),
-                       {std::string(name), " in " + Describe(tag), Suggestion(name, legal)});
+                       {std::string(name), " in " + Describe(tag), SuggestLegal(name, legal)});
         misspelt.insert(NearestName(name, legal).value_or(name));
       } else if (++count[name] > 1) faults_.Report(kTagTwice, LineOf(*child), {Describe(tag), std::string(name)});
       else CheckAttributes(*child, *rule, faults_);

@@ -107,7 +107,7 @@ std::set<std::string, std::less<>> LostNames(const XMLElement& robot) {
   return names;
 }
 
-std::string Suggestion(std::string_view name, const std::vector<std::string_view>& legal) {
+std::string SuggestLegal(std::string_view name, const std::vector<std::string_view>& legal) {
   if (const auto meant = Meant(name, legal)) return ", did you mean '" + std::string(*meant) + "'?";
   return legal.empty() ? ": none is legal here" : "; legal: " + Joined(legal);
 }
@@ -137,7 +137,7 @@ void CheckAttributes(const XMLElement& element, const TagRule& rule, FileFaults&
       continue;
     }
     faults.Report(kAttributeUnknown, LineOf(element, given->Name()),
-                  {std::string(name), Describe(element), Suggestion(name, legal)});
+                  {std::string(name), Describe(element), SuggestLegal(name, legal)});
   }
   for (const AttributeRule& attribute : rule.attributes)
     if (attribute.required && !seen.contains(attribute.name))
@@ -185,7 +185,7 @@ void ReportForm(const XMLElement& element, std::string_view path, FileFaults& fa
   for (const TagRule* rule : FindTags(path)) types.push_back(rule->type);
   const std::optional<std::string> type = AttributeText(element, "type");
   if (!type) faults.Report(kTypeMissing, LineOf(element), {Describe(element), Joined(types)});
-  else faults.Report(kTypeUnknown, LineOf(element), {*type, Describe(element), Suggestion(*type, types)});
+  else faults.Report(kTypeUnknown, LineOf(element), {*type, Describe(element), SuggestLegal(*type, types)});
 }
 
 void CheckElement(const XMLElement& element, const std::string& above, FileFaults& faults) {
@@ -194,7 +194,7 @@ void CheckElement(const XMLElement& element, const std::string& above, FileFault
   if (FindTags(path).empty()) {
     const std::string place = above.empty() ? "" : " in " + Describe(*element.Parent()->ToElement());
     faults.Report(kTagUnknown, LineOf(element),
-                  {element.Name(), place, Suggestion(element.Name(), NamesOf(TagsBelow(above)))});
+                  {element.Name(), place, SuggestLegal(element.Name(), NamesOf(TagsBelow(above)))});
     return;
   }
   const TagRule* rule = FormOf(element, path);

@@ -33,6 +33,6 @@ bool IsUnknownTag(const tinyxml2::XMLElement& element);
 std::set<std::string, std::less<>> LostNames(const tinyxml2::XMLElement& robot);
 
 /// End of a message about an unknown name: the nearest legal one, or else all of them.
-std::string Suggestion(std::string_view name, const std::vector<std::string_view>& legal);
+std::string SuggestLegal(std::string_view name, const std::vector<std::string_view>& legal);
 
 }  // namespace fourpost

@@ -63,7 +63,7 @@ class FourPostReader {
   std::string Pattern(const YAML::Node& node) {
     const std::string& name = node.Scalar();
     if (std::find(kPostPatterns.begin(), kPostPatterns.end(), name) == kPostPatterns.end())
-      Fault(node, kSinePatternUnknown, {name, Suggestion(name, kPostPatterns)});
+      Fault(node, kSinePatternUnknown, {name, SuggestLegal(name, kPostPatterns)});
     return name;
   }
 

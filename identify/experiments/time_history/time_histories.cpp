@@ -20,7 +20,7 @@ HistoryCost ReadCost(const StrictMap& study) {
   if (!cost) return HistoryCost::kWhitened;
   const auto* const found = std::find(kHistoryCostNames.begin(), kHistoryCostNames.end(), *cost);
   if (found != kHistoryCostNames.end()) return static_cast<HistoryCost>(found - kHistoryCostNames.begin());
-  study.Fault(study.Get("cost"), kHistoryCostUnknown, {*cost, Suggestion(*cost, kHistoryCostNames)});
+  study.Fault(study.Get("cost"), kHistoryCostUnknown, {*cost, SuggestLegal(*cost, kHistoryCostNames)});
   return HistoryCost::kWhitened;
 }
 
