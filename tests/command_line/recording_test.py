@@ -1,6 +1,8 @@
 """A study of recordings in the formats of measurement systems answers as one of CSV."""
+import cmath
 import csv
 import json
+import math
 import struct
 import unittest
 
@@ -11,7 +13,7 @@ DAMPER = SOURCE / "studies/damper"
 
 def columns(file):
     """Names, units and columns of a CSV of numbers."""
-    rows = list(csv.reader(file.open()))
+    rows = list(csv.reader(file.read_text().splitlines()))
     return rows[0], rows[1], [[float(field) for field in column] for column in zip(*rows[2:])]
 
 
@@ -20,9 +22,11 @@ def universal(names, units, values, step):
     sets = b""
     for name, unit, numbers in zip(names, units, values):
         data = struct.pack(f"<{len(numbers)}d", *numbers)
+        # Ten columns do not hold a longer name, the label of the axis does.
+        entity = name if len(name) <= 10 else "NONE"
         axis = f"    0    0    0 {'NONE':20} "
         sets += (f"    -1\n{'58b':>6}{1:6}{2:6}{11:12}{len(data):12}{0:6}{0:6}{0:12}{0:12}\n{name}\nNONE\nNONE\nNONE\nNONE\n"
-                 f"{1:5}{1:10}{1:5}{0:10} {name if len(name) <= 10 else "NONE":10}{0:10}{0:4} {'NONE':10}{0:10}{0:4}\n"
+                 f"{1:5}{1:10}{1:5}{0:10} {entity:10}{0:10}{0:4} {'NONE':10}{0:10}{0:4}\n"
                  f"{4:10}{len(numbers):10}{1:10}{0:13.5E}{step:13.5E}{0:13.5E}\n{17:10}{axis}{'s':20}\n"
                  f"{0:10}    0    0    0 {name:20} {unit:20}\n{0:10}{axis}{'NONE':20}\n{0:10}{axis}{'NONE':20}\n").encode() + data + b"\n    -1\n"
     return sets
@@ -46,6 +50,28 @@ def rpc(names, units, values, step):
     return file
 
 
+def frequency_responses(rows):
+    """Data sets 58b of responses to the displacement of a post, at frequencies of their own, of a stepped sine's rows."""
+    sets = b""
+    for channel in sorted({row["channel"] for row in rows}):
+        points = [row for row in rows if row["channel"] == channel]
+        data = b""
+        for row in points:
+            frequency = float(row["frequency_Hz"])
+            response = cmath.rect(float(row["gain"]), math.radians(float(row["phase_deg"])))
+            # A stepped sine has accelerations relative to the post's.
+            if row["unit"] == "m/s^2":
+                response *= -(2 * math.pi * frequency) ** 2
+            data += struct.pack("<3d", frequency, response.real, response.imag)
+        axis = f"    0    0    0 {'NONE':20} "
+        sets += (f"    -1\n{'58b':>6}{1:6}{2:6}{11:12}{len(data):12}{0:6}{0:6}{0:12}{0:12}\nNONE\nNONE\nNONE\nNONE\nNONE\n"
+                 f"{4:5}{1:10}{1:5}{0:10} {channel:10}{0:10}{0:4} {'post':10}{1:10}{3:4}\n"
+                 f"{6:10}{len(points):10}{0:10}{0:13.5E}{0:13.5E}{0:13.5E}\n{18:10}{axis}{'Hz':20}\n"
+                 f"{0:10}{axis}{points[0]['unit']:20}\n{8:10}{axis}{'m':20}\n{0:10}{axis}{'NONE':20}\n").encode()
+        sets += data + b"\n    -1\n"
+    return sets
+
+
 class Recordings(ProgramTest):
     def channels(self, name):
         told = json.loads(self.run_program("info", name, "--json").stdout)["files"][0]
@@ -67,6 +93,27 @@ class Recordings(ProgramTest):
         self.write("uff.yaml", study.replace("sweep.csv", "sweep.uff"))
         self.assertEqual(json.loads(self.run_program("response", "csv.yaml", "--json").stdout)["channels"],
                          json.loads(self.run_program("response", "uff.yaml", "--json").stdout)["channels"])
+
+    def test_frequency_responses_of_a_universal_file_are_a_stepped_sine(self):
+        self.run_program("init", "car")
+        rows = list(csv.DictReader((self.folder / "car/stepped_sine.csv").read_text().splitlines()))
+        fields = ("frequency_Hz", "channel", "gain", "phase_deg", "unit")
+        self.write("car/plain.csv", "post_amplitude_m," + ",".join(fields) + "\n" +
+                   "".join("0.005," + ",".join(row[field] for field in fields) + "\n" for row in rows))
+        self.write("car/plain.uff", frequency_responses(rows))
+        study = (self.folder / "car/study.yaml").read_text()
+        self.write("car/csv.yaml", study.replace("file: stepped_sine.csv", "file: plain.csv"))
+        self.write("car/uff.yaml", study.replace("file: stepped_sine.csv", "file: plain.uff\n    amplitude: 5 mm"))
+        answers = [json.loads(self.run_program("response", f"car/{name}.yaml", "--json").stdout) for name in ("csv", "uff")]
+        for one, other in zip(answers[0]["channels"], answers[1]["channels"]):
+            self.assertEqual(one["name"], other["name"])
+            # Responses went through real and imaginary parts and back.
+            self.assertAlmostEqual(one["rms_dB"], other["rms_dB"], 9)
+            self.assertAlmostEqual(one["rms_deg"], other["rms_deg"], 9)
+        self.assertIn("post amplitude not stated", self.run_program("info", "car/plain.uff").stdout)
+        self.write("car/none.yaml", study.replace("file: stepped_sine.csv", "file: plain.uff"))
+        outcome = self.run_program("response", "car/none.yaml", code=3)
+        self.assert_finding(outcome.stderr, "amplitude-missing", "car/plain.uff:")
 
     def test_drive_file_of_rpc_moves_the_posts(self):
         heights = [0.01 * (1 - abs(k - 256) / 256) for k in range(512)]

@@ -30,9 +30,9 @@ std::string BytesOf(const std::vector<Number>& numbers, bool is_big_endian = fal
 }
 
 /// Filled up with `filling`.
-inline std::string Padded(std::string text, std::size_t size, char filling = '\0') {
-  text.resize(size, filling);
-  return text;
+inline std::string Padded(const std::string& text, std::size_t size, char filling = '\0') {
+  std::string padded(size, filling);
+  return padded.replace(0, std::min(size, text.size()), text, 0, size);
 }
 
 /// SHA-256 of the numbers as doubles, little endian, one behind the other: what an independent reader computes.

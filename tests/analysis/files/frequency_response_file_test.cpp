@@ -44,7 +44,11 @@ FrequencyResponse ReadGood(const std::string& text) {
   return *response;
 }
 
-Diagnostics Faults(const std::string& text) { return FaultsOf("frf.csv", text, ReadFrequencyResponse); }
+Diagnostics Faults(const std::string& text) {
+  return FaultsOf("frf.csv", text, [](const std::filesystem::path& file, Diagnostics& diagnostics) {
+    return ReadFrequencyResponse(file, diagnostics);
+  });
+}
 
 TEST(FrequencyResponseFile, HasItsFrequenciesAmplitudesAndChannels) {
   const FrequencyResponse response = ReadGood(kGood);

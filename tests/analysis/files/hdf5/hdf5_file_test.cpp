@@ -140,7 +140,7 @@ TEST_F(Hdf5File, ThatIsDamagedIsRefused) {
   }
   const std::string whole = ReadText(path_);
   EXPECT_THAT(FaultsOfBytes(whole.substr(0, 600)), testing::Property(&Diagnostics::HasErrors, true));
-  EXPECT_THAT(FaultsOfBytes("\x89HDF\r\n\x1A\n" + std::string(500, 'x')),
+  EXPECT_THAT(FaultsOfBytes(std::string("\x89HDF\r\n\x1A\n").append(500, 'x')),
               testing::Property(&Diagnostics::HasErrors, true));
 }
 

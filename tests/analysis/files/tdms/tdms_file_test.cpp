@@ -54,7 +54,8 @@ class Segment {
 
   std::string Bytes(const std::string& data, std::uint32_t mask = kNewObjects) const {
     const std::string meta = count_ == 0 ? "" : BytesOf(count_, big_) + objects_;
-    const std::uint32_t all = mask | (count_ == 0 ? 0 : kMetaData) | kRawData | (big_ ? kBigEndian : 0);
+    const std::uint32_t all =
+        mask | (count_ == 0 ? 0U : std::uint32_t{kMetaData}) | kRawData | (big_ ? std::uint32_t{kBigEndian} : 0U);
     return "TDSm" + BytesOf(all) + BytesOf(std::uint32_t{4713}, big_) +
            BytesOf(std::uint64_t{meta.size() + data.size()}, big_) + BytesOf(std::uint64_t{meta.size()}, big_) + meta +
            data;
