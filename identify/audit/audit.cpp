@@ -294,20 +294,30 @@ bool IsOfOneChannel(const RigFault& fault) {
   return fault.kind == Kind::kScale && fault.members.size() == 1 && fault.where != RigFault::Where::kPosts;
 }
 
+/// By which a channel's sign, or a device's unit, is wrong: readings over true values, less one.
+std::vector<double> UsualSizes(const RigFault& fault) {
+  if (fault.kind != Kind::kScale) return {};
+  if (IsOfOneChannel(fault)) return {-2};
+  if (fault.members.size() < 2) return {};
+  std::vector<double> sizes;
+  for (const double factor : {-1.0, 1000.0, 25.4, 9.80665, 4.4482216})
+    for (const double one : {factor, 1 / factor}) sizes.push_back(one - 1);
+  return sizes;
+}
+
 /// Where no derivative leads to what explains the readings, as with the sign of a force, which rates of tyres follow:
-/// the channel with whose sign turned least is left over, if that is a matter of noise then.
-std::optional<Suspicion> TurnedChannel(const AuditSubject& subject, const RigTolerance& tolerance,
-                                       const std::vector<RigFault>& faults) {
-  constexpr double kTurned = -2;
+/// the sign or unit with which least is left over, if that is a matter of noise then.
+std::optional<Suspicion> UsualFault(const AuditSubject& subject, const RigTolerance& tolerance,
+                                    const std::vector<RigFault>& faults) {
   std::optional<Suspicion> found;
   double least = kExplained;
-  for (const RigFault& fault : faults) {
-    if (!IsOfOneChannel(fault)) continue;
-    const double noise = NoiseOf(Corrected(subject, fault, kTurned), tolerance);
-    if (noise >= least) continue;
-    least = noise;
-    found = Suspicion{.fault = fault, .size = kTurned};
-  }
+  for (const RigFault& fault : faults)
+    for (const double size : UsualSizes(fault)) {
+      const double noise = NoiseOf(Corrected(subject, fault, size), tolerance);
+      if (noise >= least) continue;
+      least = noise;
+      found = Suspicion{.fault = fault, .size = size};
+    }
   return found;
 }
 
@@ -384,7 +394,7 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
     const double noise = std::max(1.0, (stand.Squares() - best.fall) / stand.degrees());
     Suspicion suspicion = SuspicionOf(all, faults, noise * stand.Correlated(best));
     if (noise > kExplained && NoiseOf(Corrected(corrected, suspicion.fault, suspicion.size), tolerance) >= kExplained) {
-      std::optional<Suspicion> other = TurnedChannel(corrected, tolerance, faults);
+      std::optional<Suspicion> other = UsualFault(corrected, tolerance, faults);
       if (!other) other = ForeignChannel(corrected, tolerance, faults);
       if (other) {
         suspicion = *other;
