@@ -294,15 +294,19 @@ bool IsOfOneChannel(const RigFault& fault) {
   return fault.kind == Kind::kScale && fault.members.size() == 1 && fault.where != RigFault::Where::kPosts;
 }
 
-/// By which a channel's sign, or a device's unit, is wrong: readings over true values, less one.
-std::vector<double> UsualSizes(const RigFault& fault) {
-  if (fault.kind != Kind::kScale) return {};
-  if (IsOfOneChannel(fault)) return {-2};
-  if (fault.members.size() < 2) return {};
+/// Of signs and units: true values over readings, less one.
+std::vector<double> UnitSizes() {
   std::vector<double> sizes;
   for (const double factor : {-1.0, 1000.0, 25.4, 9.80665, 4.4482216})
     for (const double one : {factor, 1 / factor}) sizes.push_back(one - 1);
   return sizes;
+}
+
+/// Of one channel signs alone, for each takes its time.
+std::vector<double> UsualSizes(const RigFault& fault) {
+  if (fault.kind != Kind::kScale) return {};
+  if (IsOfOneChannel(fault)) return {-2};
+  return fault.members.size() < 2 ? std::vector<double>() : UnitSizes();
 }
 
 /// Where no derivative leads to what explains the readings, as with the sign of a force, which rates of tyres follow:
@@ -321,7 +325,7 @@ std::optional<Suspicion> UsualFault(const AuditSubject& subject, const RigTolera
   return found;
 }
 
-/// Likewise the channel without which least is left over.
+/// Likewise the channel without which least is left over, in another unit if that explains it.
 std::optional<Suspicion> ForeignChannel(const AuditSubject& subject, const RigTolerance& tolerance,
                                         const std::vector<RigFault>& faults) {
   std::optional<Suspicion> found;
@@ -335,6 +339,12 @@ std::optional<Suspicion> ForeignChannel(const AuditSubject& subject, const RigTo
     least = noise;
     found = Suspicion{.fault = foreign};
   }
+  if (!found) return found;
+  RigFault scale = found->fault;
+  scale.kind = Kind::kScale;
+  for (const double size : UnitSizes())
+    if (NoiseOf(Corrected(subject, scale, size), tolerance) < kExplained)
+      return Suspicion{.fault = scale, .size = size};
   return found;
 }
 
