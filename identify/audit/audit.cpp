@@ -294,24 +294,38 @@ bool IsOfOneChannel(const RigFault& fault) {
   return fault.kind == Kind::kScale && fault.members.size() == 1 && fault.where != RigFault::Where::kPosts;
 }
 
+/// Of signs and units: true values over readings, less one.
+std::vector<double> UnitSizes() {
+  std::vector<double> sizes;
+  for (const double factor : {-1.0, 1000.0, 25.4, 9.80665, 4.4482216})
+    for (const double one : {factor, 1 / factor}) sizes.push_back(one - 1);
+  return sizes;
+}
+
+/// Of one channel signs alone, for each takes its time.
+std::vector<double> UsualSizes(const RigFault& fault) {
+  if (fault.kind != Kind::kScale) return {};
+  if (IsOfOneChannel(fault)) return {-2};
+  return fault.members.size() < 2 ? std::vector<double>() : UnitSizes();
+}
+
 /// Where no derivative leads to what explains the readings, as with the sign of a force, which rates of tyres follow:
-/// the channel with whose sign turned least is left over, if that is a matter of noise then.
-std::optional<Suspicion> TurnedChannel(const AuditSubject& subject, const RigTolerance& tolerance,
-                                       const std::vector<RigFault>& faults) {
-  constexpr double kTurned = -2;
+/// the sign or unit with which least is left over, if that is a matter of noise then.
+std::optional<Suspicion> UsualFault(const AuditSubject& subject, const RigTolerance& tolerance,
+                                    const std::vector<RigFault>& faults) {
   std::optional<Suspicion> found;
   double least = kExplained;
-  for (const RigFault& fault : faults) {
-    if (!IsOfOneChannel(fault)) continue;
-    const double noise = NoiseOf(Corrected(subject, fault, kTurned), tolerance);
-    if (noise >= least) continue;
-    least = noise;
-    found = Suspicion{.fault = fault, .size = kTurned};
-  }
+  for (const RigFault& fault : faults)
+    for (const double size : UsualSizes(fault)) {
+      const double noise = NoiseOf(Corrected(subject, fault, size), tolerance);
+      if (noise >= least) continue;
+      least = noise;
+      found = Suspicion{.fault = fault, .size = size};
+    }
   return found;
 }
 
-/// Likewise the channel without which least is left over.
+/// Likewise the channel without which least is left over, in another unit if that explains it.
 std::optional<Suspicion> ForeignChannel(const AuditSubject& subject, const RigTolerance& tolerance,
                                         const std::vector<RigFault>& faults) {
   std::optional<Suspicion> found;
@@ -325,6 +339,12 @@ std::optional<Suspicion> ForeignChannel(const AuditSubject& subject, const RigTo
     least = noise;
     found = Suspicion{.fault = foreign};
   }
+  if (!found) return found;
+  RigFault scale = found->fault;
+  scale.kind = Kind::kScale;
+  for (const double size : UnitSizes())
+    if (NoiseOf(Corrected(subject, scale, size), tolerance) < kExplained)
+      return Suspicion{.fault = scale, .size = size};
   return found;
 }
 
@@ -384,7 +404,7 @@ Audit AuditRig(const AuditSubject& subject, const RigTolerance& tolerance) {
     const double noise = std::max(1.0, (stand.Squares() - best.fall) / stand.degrees());
     Suspicion suspicion = SuspicionOf(all, faults, noise * stand.Correlated(best));
     if (noise > kExplained && NoiseOf(Corrected(corrected, suspicion.fault, suspicion.size), tolerance) >= kExplained) {
-      std::optional<Suspicion> other = TurnedChannel(corrected, tolerance, faults);
+      std::optional<Suspicion> other = UsualFault(corrected, tolerance, faults);
       if (!other) other = ForeignChannel(corrected, tolerance, faults);
       if (other) {
         suspicion = *other;

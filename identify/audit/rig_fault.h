@@ -53,8 +53,8 @@ struct RigTolerance {
   double frequency = 0.001;
   /// Of each reading, independent from one frequency to the next: bodies bend, lines are not quite straight. Share of
   /// the reading, and of the loudest of its device.
-  double reading = 0.002;
-  double floor = 0.001;
+  double reading = 0.001;
+  double floor = 0.0005;
 };
 
 /// All that can be wrong with what was recorded.

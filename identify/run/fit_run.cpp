@@ -228,6 +228,9 @@ class Fitter {
     Keep(results.findings);
     if (audit_) results.json["audit"] = AuditJson(*audit_);
     run.verdict = JudgeFit(fit, results.shares);
+    // What channels say against each other no parameters explain, whatever the misfit.
+    if (audit_ && fit.end != FitEnd::kInterrupted && !request_.accept_implausible)
+      ReportAudit(loaded, *audit_, Severity::kWarning, run.verdict.reasons);
     const Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
     run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text);
     run.json = ResultJson(loaded, seed, fit, results.json, {run.verdict, conclusions, warnings_});

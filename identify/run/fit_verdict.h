@@ -20,6 +20,7 @@ struct FitVerdict {
 /// - a channel over all recordings, or a recording over all channels of one unit, has a normalised mean square error
 ///   above 100 %: a constant would be nearer. Only what is loud enough to judge, as a root mean square: over frequency
 ///   at least a tenth of the loudest of its unit, for next to a node small errors are large shares, over time 2 %;
+/// - the audit of the rig suspects a channel, which fit_run.cpp adds;
 /// - most parameters are at their bounds and the misfit is more than 1.5 times what noise and model error explain.
 /// A fit that was interrupted is not judged: no reasons.
 FitVerdict JudgeFit(const FitResult& fit, const std::vector<ErrorShare>& shares);
