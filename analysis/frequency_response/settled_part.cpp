@@ -30,11 +30,11 @@ struct LastHalf {
   double variance = 0;
 };
 
-LastHalf LastHalfOf(std::span<const Complex> series) {
-  constexpr double kLeast = 1e-3;
+/// `least`: scatter that counts at least, as a share of the mean.
+LastHalf LastHalfOf(std::span<const Complex> series, double least) {
   const std::span<const Complex> half = series.subspan(series.size() / 2);
   LastHalf last{.mean = MeanOf(half), .blocks = static_cast<double>(half.size())};
-  last.variance = ScatterOf(half) + kLeast * kLeast * std::norm(last.mean);
+  last.variance = ScatterOf(half) + least * least * std::norm(last.mean);
   return last;
 }
 
@@ -57,26 +57,29 @@ std::vector<std::size_t> LengthsFrom(std::size_t first, std::size_t blocks) {
 
 SettledPart SettledPartOf(std::span<const std::vector<Complex>> signals) {
   constexpr double kFalse = 1e-3;
+  constexpr double kFine = 1e-3;
+  constexpr double kCoarse = 5e-3;
   if (signals.empty() || signals.front().size() < 4) return {};
   const std::size_t blocks = signals.front().size();
-  std::vector<LastHalf> last;
-  for (const std::vector<Complex>& series : signals) last.push_back(LastHalfOf(series));
   const std::size_t tests = signals.size() * LengthsFrom(0, blocks).size();
   // |off|^2 over the variance of one number is chi-square / 2: exp(-x) are beyond x. Few blocks know their scatter
   // poorly: Hotelling's T^2 in place of it.
   const double p = kFalse / static_cast<double>(tests);
-  const double freedom = std::max(1.0, last.front().blocks - 1);
+  const double freedom = std::max(1.0, static_cast<double>(blocks - blocks / 2) - 1);
   const double threshold = freedom * (std::pow(p, -1 / freedom) - 1);
+  const auto begins_off = [&](std::size_t first, double least) {
+    for (const std::vector<Complex>& series : signals) {
+      const LastHalf last = LastHalfOf(series, least);
+      for (const std::size_t length : LengthsFrom(first, blocks))
+        if (BeginsOff(series, first, length, last, threshold)) return true;
+    }
+    return false;
+  };
   // A dwell's beginning is known to a cycle: what is short enough not to be seen would still bias the mean.
   constexpr std::size_t kEnough = 6;
-  for (std::size_t first = blocks >= kEnough ? 1 : 0; first <= blocks / 2; ++first) {
-    bool is_off = false;
-    for (std::size_t s = 0; s < signals.size() && !is_off; ++s)
-      for (const std::size_t length : LengthsFrom(first, blocks))
-        is_off = is_off || BeginsOff(signals[s], first, length, last[s], threshold);
-    if (!is_off) return {first, true};
-  }
-  return {blocks / 2, false};
+  for (std::size_t first = blocks >= kEnough ? 1 : 0; first <= blocks / 2; ++first)
+    if (!begins_off(first, kFine)) return {first, true};
+  return {blocks / 2, !begins_off(blocks / 2, kCoarse)};
 }
 
 double VarianceOfMean(std::span<const Complex> series) {

@@ -11,7 +11,7 @@ namespace fourpost {
 struct SettledPart {
   /// The first block of it.
   std::size_t first = 0;
-  /// False where the second half, too, begins off its end.
+  /// False where the second half, too, begins off its end, by more than 0.04 dB over the root of the number of blocks.
   bool is_settled = true;
 };
 

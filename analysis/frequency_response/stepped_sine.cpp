@@ -105,6 +105,9 @@ class DwellFit {
     while (begin > 0 && is_same(begin - 1)) --begin;
     std::size_t stop = middle;
     while (stop + 1 < phasor.size() && is_same(stop + 1)) ++stop;
+    // The last one may hold a part of the next dwell that is too small to be seen.
+    constexpr std::size_t kEnough = 6;
+    if (stop - begin >= kEnough) --stop;
     start_ = first + static_cast<double>(begin) * cycle;
     end_ = first + static_cast<double>(stop + 1) * cycle + 1e-6;
     frequency_ = RefinedFrequency(all_[tracked], start_, end_, frequency_);
