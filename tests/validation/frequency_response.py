@@ -11,7 +11,7 @@ amplitudes of stepped sines: they are not the same.
 A row per vehicle, motion, noise and channel:
   points      numbers compared, a gain and a phase at each frequency
   covered     share of these within 1.96 of their standard deviations, %
-  sharp       frequencies at which four standard deviations are below 0.05 dB and 0.3 degrees
+  sharp       frequencies at which three standard deviations are below 0.05 dB and 0.3 degrees
   worst_dB, worst_deg   largest errors at these
   median_sd_dB          of all
 """
@@ -90,7 +90,7 @@ def compare(measured, true):
         covered += (abs(error.real) < 1.96 * sd) + (abs(error.imag) < 1.96 * math.radians(phase_sd))
         sd_dB = 20 / math.log(10) * sd
         deviations.append(sd_dB)
-        if 4 * sd_dB < 0.05 and 4 * phase_sd < 0.3:
+        if 3 * sd_dB < 0.05 and 3 * phase_sd < 0.3:
             sharp += 1
             worst_dB = max(worst_dB, abs(20 * math.log10(abs(ratio))))
             worst_deg = max(worst_deg, abs(math.degrees(cmath.phase(ratio))))
@@ -100,7 +100,7 @@ def compare(measured, true):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
-    parser.add_argument("--seeds", type=int, default=3)
+    parser.add_argument("--seeds", type=int, default=4)
     parser.add_argument("--vehicle", choices=VEHICLES, action="append")
     options = parser.parse_args()
     program = Path(options.program).resolve()

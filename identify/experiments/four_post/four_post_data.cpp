@@ -127,9 +127,11 @@ class DataLoader {
     MeasuredRun run;
     run.name = recording.name;
     run.excitation.shape = Shape(recording);
-    if (run.excitation.shape.empty()) return;
+    // A pattern that these posts cannot make has been reported; the file's own faults are as well.
+    const bool has_shape = !run.excitation.shape.empty();
     const std::optional<FrequencyResponse> measured =
-        ReadStudyRecording(recording, file_, NamesOf(vehicle_.posts), run.excitation.shape, diagnostics_);
+        ReadStudyRecording(recording, file_, has_shape ? NamesOf(vehicle_.posts) : std::vector<std::string>(),
+                           run.excitation.shape, diagnostics_);
     if (!measured) return;
     run.excitation.frequency_Hz = measured->frequency_Hz;
     run.excitation.amplitude_m = measured->amplitude_m;
