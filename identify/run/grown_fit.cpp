@@ -86,6 +86,7 @@ class Grower {
     request.study = study;
     request.output = request_.output / step.folder / "fit";
     request.profile.clear();
+    request.from_file = !step.added.empty();
     grown_.fit = FitStudy(request, hooks_);
     if (!grown_.fit.is_written || grown_.fit.fit.end == FitEnd::kInterrupted) return false;
     step.cost = grown_.fit.fit.cost;
@@ -136,6 +137,7 @@ class Grower {
                   fs::copy_options::overwrite_existing, failure);
     FitRequest request = request_;
     request.study = study;
+    request.from_file = !LastKept().added.empty();
     grown_.fit = FitStudy(request, hooks_);
   }
 

@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "analysis/process/deadline.h"
+#include "analysis/text/short_number.h"
+#include "analysis/text/units.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/refine/refine.h"
@@ -21,6 +23,7 @@
 #include "identify/suggest/score_test.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/reader/vehicle_file.h"
+#include "vehicles/tags/tag.h"
 
 namespace fourpost {
 namespace {
@@ -311,6 +314,28 @@ class Suggester {
   Suggestions result_;
 };
 
+/// New parameters with bounds within a factor of their expected values: the wide ones of a test hold values at which
+/// nothing of the vehicle is left to see.
+std::string WithNarrowBounds(const std::string& text, const Suggestion& suggestion) {
+  constexpr double kFactor = 10;
+  VehicleEdit edit(text);
+  for (std::size_t i = 0; i < suggestion.values.size(); ++i) {
+    const tinyxml2::XMLElement* element = edit.Find("fp:parameter", suggestion.addition.parameters[i]);
+    const double value = suggestion.values[i];
+    if (!element || !(value > 0)) continue;
+    const auto bound = [&](const char* name) { return ParseQuantity(AttributeText(*element, name).value_or("")); };
+    const auto lower = bound("lower");
+    const auto upper = bound("upper");
+    if (!lower || !upper) continue;
+    const double least = lower->si > 0 ? std::max(lower->si, value / kFactor) : lower->si;
+    const double most = std::min(upper->si, value * kFactor);
+    edit.Set(*element, "lower", FormatQuantity(AtDigits(least, 4), lower->unit_text));
+    edit.Set(*element, "upper", FormatQuantity(AtDigits(most, 4), upper->unit_text));
+    edit.Set(*element, "precision", FormatQuantity(AtDigits((most - least) / 1e5, 3), upper->unit_text));
+  }
+  return edit.Text();
+}
+
 }  // namespace
 
 std::size_t Suggestions::Paying() const {
@@ -336,7 +361,8 @@ AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values,
   const auto set = [&](const std::string& name, double value) {
     for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
       const Parameter& parameter = vehicle.parameters[i];
-      if (parameter.name == name && !parameter.prior_sd) all[i] = std::clamp(value, parameter.lower, parameter.upper);
+      if (parameter.name == name && !parameter.prior_sd)
+        all[i] = std::clamp(AtDigits(value, 6), parameter.lower, parameter.upper);
     }
   };
   for (std::size_t i = 0; i < study.free.size(); ++i)
@@ -350,7 +376,8 @@ AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values,
   edit.Rebase(files, study.study.file.parent_path(), folder);
   edit.SetVehicle("vehicle.urdf");
   edit.AddFree(addition.parameters);
-  return {.vehicle = VehicleTextWithValues(vehicle, all, folder), .study = edit.Text()};
+  const std::string text = VehicleTextWithValues(vehicle, all, folder);
+  return {.vehicle = addition.vehicle.empty() ? text : WithNarrowBounds(text, suggestion), .study = edit.Text()};
 }
 
 }  // namespace fourpost
