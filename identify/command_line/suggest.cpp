@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// SI units of the parameters that a suggestion adds or frees.
-std::vector<std::string> UnitsOf(const Suggestion& suggestion, const LoadedStudy& study) {
+std::vector<std::string> UnitsOf(const SuggestedAddition& suggestion, const LoadedStudy& study) {
   Vehicle vehicle = study.vehicle;
   Diagnostics findings;
   if (!suggestion.addition.vehicle.empty())
@@ -34,7 +34,7 @@ std::vector<std::string> UnitsOf(const Suggestion& suggestion, const LoadedStudy
 }
 
 /// "friction_front 86 N"; of a channel "0.002 s".
-std::string SizeText(const Suggestion& suggestion, const std::vector<std::string>& units) {
+std::string SizeText(const SuggestedAddition& suggestion, const std::vector<std::string>& units) {
   if (suggestion.addition.study)
     return suggestion.addition.mechanism == "delay" ? Rounded(1e3 * suggestion.amount, 3) + " ms"
                                                     : "times " + Rounded(1 + suggestion.amount, 4);
@@ -44,7 +44,7 @@ std::string SizeText(const Suggestion& suggestion, const std::vector<std::string
   return text;
 }
 
-std::string MovedText(const Suggestion& suggestion) {
+std::string MovedText(const SuggestedAddition& suggestion) {
   constexpr std::size_t kMost = 3;
   std::string text;
   for (std::size_t i = 0; i < suggestion.moved.size() && i < kMost; ++i)
@@ -72,7 +72,7 @@ std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
   if (shown > 0) {
     TextTable table({"no.", "add", "expected", "cost falls, %", "change of BIC", "moves"});
     for (std::size_t i = 0; i < shown; ++i) {
-      const Suggestion& one = all.list[i];
+      const SuggestedAddition& one = all.list[i];
       table.Add({std::to_string(i + 1), one.addition.words, SizeText(one, UnitsOf(one, run.study)),
                  Rounded(100 * one.fall, 3), Rounded(one.criterion, 3), MovedText(one)});
     }
@@ -86,7 +86,7 @@ std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
   return text;
 }
 
-Json AsJson(const Suggestion& one, std::size_t number, const LoadedStudy& study) {
+Json AsJson(const SuggestedAddition& one, std::size_t number, const LoadedStudy& study) {
   const std::vector<std::string> units = UnitsOf(one, study);
   Json parameters = Json::array();
   for (std::size_t i = 0; i < one.values.size(); ++i)

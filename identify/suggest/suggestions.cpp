@@ -272,7 +272,7 @@ class Suggester {
 
   void Describe(double before, const std::vector<Trial*>& list) {
     for (const Trial* trial : list) {
-      Suggestion one{.addition = trial->addition, .amount = trial->test->amount};
+      SuggestedAddition one{.addition = trial->addition, .amount = trial->test->amount};
       if (one.addition.values) one.values = one.addition.values(one.amount);
       one.cost = trial->test->cost;
       one.fall = 1 - trial->test->cost / before;
@@ -316,7 +316,7 @@ class Suggester {
 
 /// New parameters with bounds within a factor of their expected values: the wide ones of a test hold values at which
 /// nothing of the vehicle is left to see.
-std::string WithNarrowBounds(const std::string& text, const Suggestion& suggestion) {
+std::string WithNarrowBounds(const std::string& text, const SuggestedAddition& suggestion) {
   constexpr double kFactor = 10;
   VehicleEdit edit(text);
   for (std::size_t i = 0; i < suggestion.values.size(); ++i) {
@@ -340,14 +340,14 @@ std::string WithNarrowBounds(const std::string& text, const Suggestion& suggesti
 
 std::size_t Suggestions::Paying() const {
   return static_cast<std::size_t>(
-      std::count_if(list.begin(), list.end(), [](const Suggestion& one) { return one.criterion < 0; }));
+      std::count_if(list.begin(), list.end(), [](const SuggestedAddition& one) { return one.criterion < 0; }));
 }
 
 Suggestions SuggestFor(const LoadedStudy& study, const Eigen::VectorXd& values, int threads, const WorkHooks& hooks) {
   return Suggester(study, values, threads, hooks).Run();
 }
 
-AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const Suggestion& suggestion,
+AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const SuggestedAddition& suggestion,
                         const std::filesystem::path& folder) {
   const Addition& addition = suggestion.addition;
   Diagnostics findings;

@@ -19,7 +19,7 @@ struct MovedParameter {
 };
 
 /// Something that could be added, and what it would be worth.
-struct Suggestion {
+struct SuggestedAddition {
   Addition addition;
   double amount = 0;
   /// SI, of Addition::parameters.
@@ -37,7 +37,7 @@ struct Suggestion {
 
 struct Suggestions {
   /// Those that pay, the best first; then the others by their criterion.
-  std::vector<Suggestion> list;
+  std::vector<SuggestedAddition> list;
   double cost = 0;
   double misfit = 0;
   /// Residuals, and how many independent ones these are worth.
@@ -62,7 +62,7 @@ struct AppliedSuggestion {
   std::string vehicle;
   std::string study;
 };
-AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const Suggestion& suggestion,
+AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const SuggestedAddition& suggestion,
                         const std::filesystem::path& folder);
 
 }  // namespace fourpost
