@@ -59,15 +59,15 @@ std::string AlikeText(const Suggestions& suggestions) {
     std::string others;
     for (const std::size_t k : suggestions.list[i].like)
       if (k > i) others += (others.empty() ? "" : ", ") + std::to_string(k + 1);
-    if (!others.empty()) text += std::to_string(i + 1) + " cannot be told apart from " + others + " by these data.\n";
+    if (!others.empty()) text += "These data cannot distinguish " + std::to_string(i + 1) + " from " + others + ".\n";
   }
   return text;
 }
 
 std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
   const Suggestions& all = run.suggestions;
-  const std::size_t paying = all.Paying();
-  const std::size_t shown = command.all ? all.list.size() : paying;
+  const std::size_t worthwhile = all.Worthwhile();
+  const std::size_t shown = command.all ? all.list.size() : worthwhile;
   std::string text;
   if (shown > 0) {
     TextTable table({"no.", "add", "expected", "cost falls, %", "change of BIC", "moves"});
@@ -78,7 +78,7 @@ std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
     }
     text = table.Format() + '\n' + AlikeText(all);
   }
-  if (paying == 0) text += "Nothing of what was tried pays: no addition lowers the criterion.\n";
+  if (worthwhile == 0) text += "No addition that was tried lowers BIC.\n";
   text += "Misfit " + Rounded(all.misfit, 3) + "; " + std::to_string(all.residuals) + " residuals worth " +
           Rounded(all.effective, 3) + " independent ones; " + std::to_string(all.tried) + " additions tried, " +
           std::to_string(all.failed) + " of them cannot be evaluated; " + std::to_string(all.evaluations) +
@@ -100,7 +100,7 @@ Json AsJson(const SuggestedAddition& one, std::size_t number, const LoadedStudy&
           {"mechanism", one.addition.mechanism},
           {"elements", one.addition.elements},
           {"text", one.addition.words},
-          {"pays", one.criterion < 0},
+          {"lowers_bic", one.criterion < 0},
           {"parameters", parameters},
           {"correction", one.addition.study ? Json(one.amount) : Json(nullptr)},
           {"cost", one.cost},
@@ -112,7 +112,7 @@ Json AsJson(const SuggestedAddition& one, std::size_t number, const LoadedStudy&
 
 std::string AsJson(const SuggestCommand& command, const RunSuggestions& run) {
   const Suggestions& all = run.suggestions;
-  const std::size_t shown = command.all ? all.list.size() : all.Paying();
+  const std::size_t shown = command.all ? all.list.size() : all.Worthwhile();
   Json list = Json::array();
   for (std::size_t i = 0; i < shown; ++i) list.push_back(AsJson(all.list[i], i + 1, run.study));
   return JsonText(Json{{"run", command.run.filename().string()},

@@ -102,7 +102,7 @@ class Grower {
     const RunSuggestions run = SuggestForRun(
         {.run = request_.output / before.folder / "fit", .study = study, .threads = request_.threads}, hooks_.work);
     const Suggestions& suggestions = run.suggestions;
-    for (std::size_t k = 0; k < std::min(kMostTries, suggestions.Paying()) && !hooks_.work.IsStopped(); ++k) {
+    for (std::size_t k = 0; k < std::min(kMostTries, suggestions.Worthwhile()) && !hooks_.work.IsStopped(); ++k) {
       const SuggestedAddition& one = suggestions.list[k];
       GrowthStep step{.added = one.addition.words,
                       .mechanism = one.addition.mechanism,

@@ -280,9 +280,9 @@ class Suggester {
       one.moved = MovedBy(trial->test->step);
       result_.list.push_back(std::move(one));
     }
-    const std::size_t paying = result_.Paying();
-    for (std::size_t i = 0; i < paying; ++i)
-      for (std::size_t k = 0; k < paying; ++k) {
+    const std::size_t worthwhile = result_.Worthwhile();
+    for (std::size_t i = 0; i < worthwhile; ++i)
+      for (std::size_t k = 0; k < worthwhile; ++k) {
         const Eigen::VectorXd& a = list[i]->test->direction;
         const Eigen::VectorXd& b = list[k]->test->direction;
         if (i != k && std::abs(a.dot(b)) > kAlike * a.norm() * b.norm()) result_.list[i].like.push_back(k);
@@ -338,7 +338,7 @@ std::string WithNarrowBounds(const std::string& text, const SuggestedAddition& s
 
 }  // namespace
 
-std::size_t Suggestions::Paying() const {
+std::size_t Suggestions::Worthwhile() const {
   return static_cast<std::size_t>(
       std::count_if(list.begin(), list.end(), [](const SuggestedAddition& one) { return one.criterion < 0; }));
 }

@@ -27,16 +27,16 @@ struct SuggestedAddition {
   /// Expected, and its share of the present cost that goes.
   double cost = 0;
   double fall = 0;
-  /// See CriterionChange(); below 0: it pays.
+  /// See CriterionChange(); below 0: it is worth adding.
   double criterion = 0;
   /// All that a hundredth changes, the largest first.
   std::vector<MovedParameter> moved;
-  /// Places in the list of others that pay and change the residuals alike: correlation above 0.95.
+  /// Places in the list of others that are worth adding and change the residuals alike: correlation above 0.95.
   std::vector<std::size_t> like;
 };
 
 struct Suggestions {
-  /// Those that pay, the best first; then the others by their criterion.
+  /// Those worth adding, the best first; then the others by their criterion.
   std::vector<SuggestedAddition> list;
   double cost = 0;
   double misfit = 0;
@@ -49,7 +49,8 @@ struct Suggestions {
   std::int64_t evaluations = 0;
   bool is_interrupted = false;
 
-  std::size_t Paying() const;
+  /// How many of the list are worth adding.
+  std::size_t Worthwhile() const;
 };
 
 /// What could be added to a fitted vehicle. `study`: prepared, and corrected as the fit ended; `values`: of its free
