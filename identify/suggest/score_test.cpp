@@ -120,6 +120,7 @@ std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRang
   test.cost = best->followed.cost;
   test.step = best->followed.step;
   test.direction = fitted.Of(best->residuals - fitted.point().residuals).left;
+  test.left = best->followed.left;
   return test;
 }
 
@@ -152,6 +153,7 @@ void Confirm(const FollowedCost& fitted, const AmountRange& range, const Residua
     cost = next_cost;
     amount = std::clamp(next_amount, range.least, range.greatest);
     step += step_ahead;
+    test.left = fitted.point().loss.Weights(*there).cwiseSqrt().cwiseProduct(*there);
     if (is_end) break;
     FittedPoint both = fitted.point();
     both.jacobian.conservativeResize(Eigen::NoChange, n + 1);

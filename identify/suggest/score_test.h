@@ -52,6 +52,8 @@ struct ScoreTest {
   Eigen::VectorXd step;
   /// What it changes in the residuals beyond what the variables could, weighted.
   Eigen::VectorXd direction;
+  /// Weighted residuals with it, variables following.
+  Eigen::VectorXd left;
   int evaluations = 0;
 };
 

@@ -117,7 +117,8 @@ class Suggester {
         threads_(threads),
         hooks_(hooks),
         objective_(study.MakeObjective()),
-        variables_(objective_.MakeProblem().lattice) {}
+        variables_(objective_.MakeProblem().lattice),
+        structure_(JoinedStructure(objective_.blocks())) {}
 
   Suggestions Run() {
     const FollowedCost fitted = Fitted();
@@ -126,7 +127,7 @@ class Suggester {
     result_.residuals = fitted.point().residuals.size() - objective_.prior_count();
     const Eigen::VectorXd weighted =
         fitted.point().loss.Weights(fitted.point().residuals).cwiseSqrt().cwiseProduct(fitted.point().residuals);
-    result_.effective = EffectiveResiduals(weighted.head(result_.residuals), JoinedStructure(objective_.blocks()));
+    result_.effective = EffectiveResiduals(weighted.head(result_.residuals), structure_);
     result_.misfit = std::sqrt(fitted.point().residuals.head(result_.residuals).squaredNorm() /
                                std::max(1.0, static_cast<double>(result_.residuals - values_.size())));
     std::vector<Trial> trials = Trials();
@@ -233,7 +234,9 @@ class Suggester {
   }
 
   double CriterionOf(double before, const Trial& trial) const {
-    return CriterionChange(before, trial.test->cost, result_.effective, trial.addition.count, result_.tried);
+    // By what is left with it: errors that it explains are alike because it is missing.
+    const double effective = EffectiveResiduals(trial.test->left.head(result_.residuals), structure_);
+    return CriterionChange(before, trial.test->cost, effective, trial.addition.count, result_.tried);
   }
 
   /// The best of all alternatives for each thing that could be added, by their criterion.
@@ -277,6 +280,7 @@ class Suggester {
       one.cost = trial->test->cost;
       one.fall = 1 - trial->test->cost / before;
       one.criterion = CriterionOf(before, *trial);
+      one.effective = EffectiveResiduals(trial->test->left.head(result_.residuals), structure_);
       one.moved = MovedBy(trial->test->step);
       result_.list.push_back(std::move(one));
     }
@@ -311,6 +315,7 @@ class Suggester {
   const WorkHooks& hooks_;
   VehicleObjective objective_;
   FitVariables variables_;
+  ResidualStructure structure_;
   Suggestions result_;
 };
 

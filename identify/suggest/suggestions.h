@@ -27,6 +27,8 @@ struct SuggestedAddition {
   /// Expected, and its share of the present cost that goes.
   double cost = 0;
   double fall = 0;
+  /// Independent residuals that those left with it are worth.
+  double effective = 0;
   /// See CriterionChange(); below 0: it is worth adding.
   double criterion = 0;
   /// All that a hundredth changes, the largest first.
