@@ -130,7 +130,7 @@ struct SimulateCommand {
 /// `fourpost fit STUDY -o DIR`
 struct FitCommand : FitRequest {
   bool json = false;
-  /// Add to the vehicle what pays, step by step.
+  /// Add to the vehicle what lowers BIC, step by step.
   bool grow = false;
 };
 
@@ -197,7 +197,7 @@ struct SuggestCommand : SuggestRequest {
   std::size_t apply = 0;
   std::filesystem::path output;
   bool json = false;
-  /// List those that do not pay as well.
+  /// List those that do not lower BIC as well.
   bool all = false;
 };
 

@@ -271,7 +271,7 @@ void Program::AddSuggest() {
                                  ->check(CLI::Range(1, 10000));
   apply->needs(output);
   output->needs(apply);
-  sub->add_flag("--all", suggest_.all, "List additions that do not pay as well");
+  sub->add_flag("--all", suggest_.all, "List additions that do not lower BIC as well");
   sub->add_option("--threads", suggest_.threads,
                   "Evaluations in parallel, without influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// SI units of the parameters that a suggestion adds or frees.
-std::vector<std::string> UnitsOf(const Suggestion& suggestion, const LoadedStudy& study) {
+std::vector<std::string> UnitsOf(const SuggestedAddition& suggestion, const LoadedStudy& study) {
   Vehicle vehicle = study.vehicle;
   Diagnostics findings;
   if (!suggestion.addition.vehicle.empty())
@@ -34,7 +34,7 @@ std::vector<std::string> UnitsOf(const Suggestion& suggestion, const LoadedStudy
 }
 
 /// "friction_front 86 N"; of a channel "0.002 s".
-std::string SizeText(const Suggestion& suggestion, const std::vector<std::string>& units) {
+std::string SizeText(const SuggestedAddition& suggestion, const std::vector<std::string>& units) {
   if (suggestion.addition.study)
     return suggestion.addition.mechanism == "delay" ? Rounded(1e3 * suggestion.amount, 3) + " ms"
                                                     : "times " + Rounded(1 + suggestion.amount, 4);
@@ -44,7 +44,7 @@ std::string SizeText(const Suggestion& suggestion, const std::vector<std::string
   return text;
 }
 
-std::string MovedText(const Suggestion& suggestion) {
+std::string MovedText(const SuggestedAddition& suggestion) {
   constexpr std::size_t kMost = 3;
   std::string text;
   for (std::size_t i = 0; i < suggestion.moved.size() && i < kMost; ++i)
@@ -59,26 +59,26 @@ std::string AlikeText(const Suggestions& suggestions) {
     std::string others;
     for (const std::size_t k : suggestions.list[i].like)
       if (k > i) others += (others.empty() ? "" : ", ") + std::to_string(k + 1);
-    if (!others.empty()) text += std::to_string(i + 1) + " cannot be told apart from " + others + " by these data.\n";
+    if (!others.empty()) text += "These data cannot distinguish " + std::to_string(i + 1) + " from " + others + ".\n";
   }
   return text;
 }
 
 std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
   const Suggestions& all = run.suggestions;
-  const std::size_t paying = all.Paying();
-  const std::size_t shown = command.all ? all.list.size() : paying;
+  const std::size_t worthwhile = all.Worthwhile();
+  const std::size_t shown = command.all ? all.list.size() : worthwhile;
   std::string text;
   if (shown > 0) {
     TextTable table({"no.", "add", "expected", "cost falls, %", "change of BIC", "moves"});
     for (std::size_t i = 0; i < shown; ++i) {
-      const Suggestion& one = all.list[i];
+      const SuggestedAddition& one = all.list[i];
       table.Add({std::to_string(i + 1), one.addition.words, SizeText(one, UnitsOf(one, run.study)),
                  Rounded(100 * one.fall, 3), Rounded(one.criterion, 3), MovedText(one)});
     }
     text = table.Format() + '\n' + AlikeText(all);
   }
-  if (paying == 0) text += "Nothing of what was tried pays: no addition lowers the criterion.\n";
+  if (worthwhile == 0) text += "No addition that was tried lowers BIC.\n";
   text += "Misfit " + Rounded(all.misfit, 3) + "; " + std::to_string(all.residuals) + " residuals worth " +
           Rounded(all.effective, 3) + " independent ones; " + std::to_string(all.tried) + " additions tried, " +
           std::to_string(all.failed) + " of them cannot be evaluated; " + std::to_string(all.evaluations) +
@@ -86,7 +86,7 @@ std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
   return text;
 }
 
-Json AsJson(const Suggestion& one, std::size_t number, const LoadedStudy& study) {
+Json AsJson(const SuggestedAddition& one, std::size_t number, const LoadedStudy& study) {
   const std::vector<std::string> units = UnitsOf(one, study);
   Json parameters = Json::array();
   for (std::size_t i = 0; i < one.values.size(); ++i)
@@ -100,7 +100,7 @@ Json AsJson(const Suggestion& one, std::size_t number, const LoadedStudy& study)
           {"mechanism", one.addition.mechanism},
           {"elements", one.addition.elements},
           {"text", one.addition.words},
-          {"pays", one.criterion < 0},
+          {"lowers_bic", one.criterion < 0},
           {"parameters", parameters},
           {"correction", one.addition.study ? Json(one.amount) : Json(nullptr)},
           {"cost", one.cost},
@@ -112,7 +112,7 @@ Json AsJson(const Suggestion& one, std::size_t number, const LoadedStudy& study)
 
 std::string AsJson(const SuggestCommand& command, const RunSuggestions& run) {
   const Suggestions& all = run.suggestions;
-  const std::size_t shown = command.all ? all.list.size() : all.Paying();
+  const std::size_t shown = command.all ? all.list.size() : all.Worthwhile();
   Json list = Json::array();
   for (std::size_t i = 0; i < shown; ++i) list.push_back(AsJson(all.list[i], i + 1, run.study));
   return JsonText(Json{{"run", command.run.filename().string()},

@@ -116,6 +116,7 @@ class Fitter {
     options.threads = request_.threads;
     options.accept_unidentified = request_.accept_unidentified;
     options.profiled = Profiled(objective, request_.profile);
+    if (request_.from_file) options.from = objective.FileValues();
     RequireInputsElsewhere(loaded.InputFiles(), request_.output);
     RequireNoOtherResult(request_.output, ResultKind::kFit);
     // What was begun is ended in order; until here nothing is lost.

@@ -28,6 +28,8 @@ struct FitRequest {
   bool accept_unidentified = false;
   /// Fit although posts of a recording move otherwise than the study states.
   bool accept_implausible = false;
+  /// Refine from the values of the vehicle's file alone, without a search.
+  bool from_file = false;
   /// Names of parameters to profile, or "all".
   std::vector<std::string> profile = {};
 };

@@ -86,6 +86,7 @@ class Grower {
     request.study = study;
     request.output = request_.output / step.folder / "fit";
     request.profile.clear();
+    request.from_file = !step.added.empty();
     grown_.fit = FitStudy(request, hooks_);
     if (!grown_.fit.is_written || grown_.fit.fit.end == FitEnd::kInterrupted) return false;
     step.cost = grown_.fit.fit.cost;
@@ -101,8 +102,8 @@ class Grower {
     const RunSuggestions run = SuggestForRun(
         {.run = request_.output / before.folder / "fit", .study = study, .threads = request_.threads}, hooks_.work);
     const Suggestions& suggestions = run.suggestions;
-    for (std::size_t k = 0; k < std::min(kMostTries, suggestions.Paying()) && !hooks_.work.IsStopped(); ++k) {
-      const Suggestion& one = suggestions.list[k];
+    for (std::size_t k = 0; k < std::min(kMostTries, suggestions.Worthwhile()) && !hooks_.work.IsStopped(); ++k) {
+      const SuggestedAddition& one = suggestions.list[k];
       GrowthStep step{.added = one.addition.words,
                       .mechanism = one.addition.mechanism,
                       .elements = one.addition.elements,
@@ -111,8 +112,7 @@ class Grower {
       WriteApplied(run, k + 1, folder);
       hooks_.work.Note("step " + std::to_string(grown_.steps.size()) + ": " + step.added);
       if (!Fit(folder / "study.yaml", step)) return std::nullopt;
-      step.criterion =
-          CriterionChange(before.cost, step.cost, suggestions.effective, one.addition.count, suggestions.tried);
+      step.criterion = CriterionChange(before.cost, step.cost, one.effective, one.addition.count, suggestions.tried);
       Judge(before, step);
       grown_.steps.push_back(step);
       WritePath();
@@ -136,6 +136,7 @@ class Grower {
                   fs::copy_options::overwrite_existing, failure);
     FitRequest request = request_;
     request.study = study;
+    request.from_file = !LastKept().added.empty();
     grown_.fit = FitStudy(request, hooks_);
   }
 

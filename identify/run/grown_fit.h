@@ -7,7 +7,7 @@
 
 namespace fourpost {
 
-/// A step of a fit that adds to its vehicle what pays.
+/// A step of a fit that adds to its vehicle what lowers BIC.
 struct GrowthStep {
   /// "dry friction beside damper 'front'"; empty: the study as it stands.
   std::string added;

@@ -72,7 +72,7 @@ RunSuggestions SuggestForRun(const SuggestRequest& request, const WorkHooks& hoo
 }
 
 void WriteApplied(const RunSuggestions& suggestions, std::size_t k, const std::filesystem::path& folder) {
-  const std::vector<Suggestion>& list = suggestions.suggestions.list;
+  const std::vector<SuggestedAddition>& list = suggestions.suggestions.list;
   if (k < 1 || k > list.size())
     Refuse(kSuggestionUnknown, Place::Option("--apply"), {std::to_string(k), std::to_string(list.size())});
   RequireInputsElsewhere(suggestions.study.InputFiles(), folder);

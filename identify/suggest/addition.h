@@ -29,7 +29,7 @@ struct Addition {
   double first = 1;
   double least = 0;
   double greatest = std::numeric_limits<double>::infinity();
-  /// Numbers that the data have to pay for.
+  /// Numbers that it adds, for the criterion.
   int count = 1;
 
   /// Of alternatives for the same thing, such as knees at several speeds, the best stands for all.

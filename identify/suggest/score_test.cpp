@@ -120,46 +120,53 @@ std::optional<ScoreTest> TestAmount(const FollowedCost& fitted, const AmountRang
   test.cost = best->followed.cost;
   test.step = best->followed.step;
   test.direction = fitted.Of(best->residuals - fitted.point().residuals).left;
+  test.left = best->followed.left;
   return test;
 }
 
 void Confirm(const FollowedCost& fitted, const AmountRange& range, const ResidualsOf& residuals, ScoreTest& test) {
-  constexpr int kRounds = 3;
+  constexpr int kMost = 7;
+  constexpr double kShorter = 0.3;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(test.step.size());
-  const std::optional<Eigen::VectorXd> alone = residuals(test.amount, none);
   ++test.evaluations;
+  const std::optional<Eigen::VectorXd> alone = residuals(test.amount, none);
   if (!alone) return;
-  // By a relative change of the amount.
-  const Eigen::VectorXd column = *alone - fitted.point().residuals;
-  FittedPoint both = fitted.point();
-  const Index n = both.jacobian.cols();
-  both.jacobian.conservativeResize(Eigen::NoChange, n + 1);
-  both.jacobian.col(n) = column;
-  const FollowedCost together(std::move(both));
-  double best = std::numeric_limits<double>::infinity();
-  double amount = test.amount;
-  Eigen::VectorXd step = test.step;
-  double share = 1;
-  for (int round = 0; round < kRounds; ++round) {
+  const Index n = none.size();
+  const Eigen::VectorXd column = (*alone - fitted.point().residuals) / test.amount;
+  double amount = 0;
+  Eigen::VectorXd step = none;
+  double cost = fitted.point().loss.Cost(fitted.point().residuals);
+  double amount_ahead = test.amount;
+  Eigen::VectorXd step_ahead = test.step;
+  for (int round = 0; round < kMost; ++round) {
     ++test.evaluations;
-    const std::optional<Eigen::VectorXd> there = residuals(amount, step);
-    const double cost = there ? fitted.point().loss.Cost(*there) : std::numeric_limits<double>::infinity();
-    if (cost < best) {
-      best = cost;
-      test.amount = amount;
-      test.step = step;
-    } else {
-      share /= 3;
-    }
-    if (!there) {
-      step *= 0.5;
+    const double next_amount = range.least == range.greatest ? range.first : amount + amount_ahead;
+    const std::optional<Eigen::VectorXd> there =
+        residuals(std::clamp(next_amount, range.least, range.greatest), step + step_ahead);
+    const double next_cost = there ? fitted.point().loss.Cost(*there) : std::numeric_limits<double>::infinity();
+    if (!(next_cost < cost)) {
+      amount_ahead *= kShorter;
+      step_ahead *= kShorter;
       continue;
     }
-    const Followed next = together.Of(*there);
-    step += share * next.step.head(n);
-    amount = std::clamp(amount * (1 + share * std::clamp(next.step[n], -0.7, 2.0)), range.least, range.greatest);
+    const bool is_end = next_cost > 0.999 * cost;
+    cost = next_cost;
+    amount = std::clamp(next_amount, range.least, range.greatest);
+    step += step_ahead;
+    test.left = fitted.point().loss.Weights(*there).cwiseSqrt().cwiseProduct(*there);
+    if (is_end) break;
+    FittedPoint both = fitted.point();
+    both.jacobian.conservativeResize(Eigen::NoChange, n + 1);
+    // By its size: it may become some times larger, or vanish.
+    both.jacobian.col(n) = amount * column;
+    const Followed next = FollowedCost(std::move(both)).Of(*there);
+    step_ahead = next.step.head(n);
+    amount_ahead = amount * std::clamp(next.step[n], -0.7, 2.0);
   }
-  test.cost = best;
+  test.cost = cost;
+  if (amount == 0) return;
+  test.amount = amount;
+  test.step = step;
 }
 
 double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStructure& structure) {

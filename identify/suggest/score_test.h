@@ -52,6 +52,8 @@ struct ScoreTest {
   Eigen::VectorXd step;
   /// What it changes in the residuals beyond what the variables could, weighted.
   Eigen::VectorXd direction;
+  /// Weighted residuals with it, variables following.
+  Eigen::VectorXd left;
   int evaluations = 0;
 };
 
@@ -75,7 +77,7 @@ void Confirm(const FollowedCost& fitted, const AmountRange& range, const Residua
 /// not below 0. Where a model is too simple its residuals are alike over frequency and time.
 double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStructure& structure);
 
-/// Change of the extended Bayesian criterion (Chen and Chen, Biometrika 95, 2008), below 0 where it pays:
+/// Change of the extended Bayesian criterion (Chen and Chen, Biometrika 95, 2008), below 0 where it is worth adding:
 ///   n ln(cost / cost before) + k ln n + 2 max(k, 1) ln(additions).
 /// The misfit takes the place of the noise, so that errors of a model that is too simple count as noise does; the last
 /// term allows for the best of many.

@@ -10,6 +10,8 @@
 #include <stdexcept>
 
 #include "analysis/process/deadline.h"
+#include "analysis/text/short_number.h"
+#include "analysis/text/units.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/refine/refine.h"
@@ -21,6 +23,7 @@
 #include "identify/suggest/score_test.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/reader/vehicle_file.h"
+#include "vehicles/tags/tag.h"
 
 namespace fourpost {
 namespace {
@@ -114,7 +117,8 @@ class Suggester {
         threads_(threads),
         hooks_(hooks),
         objective_(study.MakeObjective()),
-        variables_(objective_.MakeProblem().lattice) {}
+        variables_(objective_.MakeProblem().lattice),
+        structure_(JoinedStructure(objective_.blocks())) {}
 
   Suggestions Run() {
     const FollowedCost fitted = Fitted();
@@ -123,7 +127,7 @@ class Suggester {
     result_.residuals = fitted.point().residuals.size() - objective_.prior_count();
     const Eigen::VectorXd weighted =
         fitted.point().loss.Weights(fitted.point().residuals).cwiseSqrt().cwiseProduct(fitted.point().residuals);
-    result_.effective = EffectiveResiduals(weighted.head(result_.residuals), JoinedStructure(objective_.blocks()));
+    result_.effective = EffectiveResiduals(weighted.head(result_.residuals), structure_);
     result_.misfit = std::sqrt(fitted.point().residuals.head(result_.residuals).squaredNorm() /
                                std::max(1.0, static_cast<double>(result_.residuals - values_.size())));
     std::vector<Trial> trials = Trials();
@@ -230,7 +234,9 @@ class Suggester {
   }
 
   double CriterionOf(double before, const Trial& trial) const {
-    return CriterionChange(before, trial.test->cost, result_.effective, trial.addition.count, result_.tried);
+    // By what is left with it: errors that it explains are alike because it is missing.
+    const double effective = EffectiveResiduals(trial.test->left.head(result_.residuals), structure_);
+    return CriterionChange(before, trial.test->cost, effective, trial.addition.count, result_.tried);
   }
 
   /// The best of all alternatives for each thing that could be added, by their criterion.
@@ -269,17 +275,18 @@ class Suggester {
 
   void Describe(double before, const std::vector<Trial*>& list) {
     for (const Trial* trial : list) {
-      Suggestion one{.addition = trial->addition, .amount = trial->test->amount};
+      SuggestedAddition one{.addition = trial->addition, .amount = trial->test->amount};
       if (one.addition.values) one.values = one.addition.values(one.amount);
       one.cost = trial->test->cost;
       one.fall = 1 - trial->test->cost / before;
       one.criterion = CriterionOf(before, *trial);
+      one.effective = EffectiveResiduals(trial->test->left.head(result_.residuals), structure_);
       one.moved = MovedBy(trial->test->step);
       result_.list.push_back(std::move(one));
     }
-    const std::size_t paying = result_.Paying();
-    for (std::size_t i = 0; i < paying; ++i)
-      for (std::size_t k = 0; k < paying; ++k) {
+    const std::size_t worthwhile = result_.Worthwhile();
+    for (std::size_t i = 0; i < worthwhile; ++i)
+      for (std::size_t k = 0; k < worthwhile; ++k) {
         const Eigen::VectorXd& a = list[i]->test->direction;
         const Eigen::VectorXd& b = list[k]->test->direction;
         if (i != k && std::abs(a.dot(b)) > kAlike * a.norm() * b.norm()) result_.list[i].like.push_back(k);
@@ -308,21 +315,44 @@ class Suggester {
   const WorkHooks& hooks_;
   VehicleObjective objective_;
   FitVariables variables_;
+  ResidualStructure structure_;
   Suggestions result_;
 };
 
+/// New parameters with bounds within a factor of their expected values: the wide ones of a test hold values at which
+/// nothing of the vehicle is left to see.
+std::string WithNarrowBounds(const std::string& text, const SuggestedAddition& suggestion) {
+  constexpr double kFactor = 10;
+  VehicleEdit edit(text);
+  for (std::size_t i = 0; i < suggestion.values.size(); ++i) {
+    const tinyxml2::XMLElement* element = edit.Find("fp:parameter", suggestion.addition.parameters[i]);
+    const double value = suggestion.values[i];
+    if (!element || !(value > 0)) continue;
+    const auto bound = [&](const char* name) { return ParseQuantity(AttributeText(*element, name).value_or("")); };
+    const auto lower = bound("lower");
+    const auto upper = bound("upper");
+    if (!lower || !upper) continue;
+    const double least = lower->si > 0 ? std::max(lower->si, value / kFactor) : lower->si;
+    const double most = std::min(upper->si, value * kFactor);
+    edit.Set(*element, "lower", FormatQuantity(AtDigits(least, 4), lower->unit_text));
+    edit.Set(*element, "upper", FormatQuantity(AtDigits(most, 4), upper->unit_text));
+    edit.Set(*element, "precision", FormatQuantity(AtDigits((most - least) / 1e5, 3), upper->unit_text));
+  }
+  return edit.Text();
+}
+
 }  // namespace
 
-std::size_t Suggestions::Paying() const {
+std::size_t Suggestions::Worthwhile() const {
   return static_cast<std::size_t>(
-      std::count_if(list.begin(), list.end(), [](const Suggestion& one) { return one.criterion < 0; }));
+      std::count_if(list.begin(), list.end(), [](const SuggestedAddition& one) { return one.criterion < 0; }));
 }
 
 Suggestions SuggestFor(const LoadedStudy& study, const Eigen::VectorXd& values, int threads, const WorkHooks& hooks) {
   return Suggester(study, values, threads, hooks).Run();
 }
 
-AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const Suggestion& suggestion,
+AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const SuggestedAddition& suggestion,
                         const std::filesystem::path& folder) {
   const Addition& addition = suggestion.addition;
   Diagnostics findings;
@@ -336,7 +366,8 @@ AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values,
   const auto set = [&](const std::string& name, double value) {
     for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
       const Parameter& parameter = vehicle.parameters[i];
-      if (parameter.name == name && !parameter.prior_sd) all[i] = std::clamp(value, parameter.lower, parameter.upper);
+      if (parameter.name == name && !parameter.prior_sd)
+        all[i] = std::clamp(AtDigits(value, 6), parameter.lower, parameter.upper);
     }
   };
   for (std::size_t i = 0; i < study.free.size(); ++i)
@@ -350,7 +381,8 @@ AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values,
   edit.Rebase(files, study.study.file.parent_path(), folder);
   edit.SetVehicle("vehicle.urdf");
   edit.AddFree(addition.parameters);
-  return {.vehicle = VehicleTextWithValues(vehicle, all, folder), .study = edit.Text()};
+  const std::string text = VehicleTextWithValues(vehicle, all, folder);
+  return {.vehicle = addition.vehicle.empty() ? text : WithNarrowBounds(text, suggestion), .study = edit.Text()};
 }
 
 }  // namespace fourpost

@@ -19,7 +19,7 @@ struct MovedParameter {
 };
 
 /// Something that could be added, and what it would be worth.
-struct Suggestion {
+struct SuggestedAddition {
   Addition addition;
   double amount = 0;
   /// SI, of Addition::parameters.
@@ -27,17 +27,19 @@ struct Suggestion {
   /// Expected, and its share of the present cost that goes.
   double cost = 0;
   double fall = 0;
-  /// See CriterionChange(); below 0: it pays.
+  /// Independent residuals that those left with it are worth.
+  double effective = 0;
+  /// See CriterionChange(); below 0: it is worth adding.
   double criterion = 0;
   /// All that a hundredth changes, the largest first.
   std::vector<MovedParameter> moved;
-  /// Places in the list of others that pay and change the residuals alike: correlation above 0.95.
+  /// Places in the list of others that are worth adding and change the residuals alike: correlation above 0.95.
   std::vector<std::size_t> like;
 };
 
 struct Suggestions {
-  /// Those that pay, the best first; then the others by their criterion.
-  std::vector<Suggestion> list;
+  /// Those worth adding, the best first; then the others by their criterion.
+  std::vector<SuggestedAddition> list;
   double cost = 0;
   double misfit = 0;
   /// Residuals, and how many independent ones these are worth.
@@ -49,7 +51,8 @@ struct Suggestions {
   std::int64_t evaluations = 0;
   bool is_interrupted = false;
 
-  std::size_t Paying() const;
+  /// How many of the list are worth adding.
+  std::size_t Worthwhile() const;
 };
 
 /// What could be added to a fitted vehicle. `study`: prepared, and corrected as the fit ended; `values`: of its free
@@ -62,7 +65,7 @@ struct AppliedSuggestion {
   std::string vehicle;
   std::string study;
 };
-AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const Suggestion& suggestion,
+AppliedSuggestion Apply(const LoadedStudy& study, const Eigen::VectorXd& values, const SuggestedAddition& suggestion,
                         const std::filesystem::path& folder);
 
 }  // namespace fourpost

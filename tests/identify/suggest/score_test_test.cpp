@@ -84,11 +84,11 @@ TEST(ScoreTest, FindsWhatBeginsToActAtSomeAmount) {
   EXPECT_NEAR(test->amount, 0.8, 0.1);
 }
 
-// 500 sets of white noise, 30 columns that have nothing to do with it each: at most one set in 20 has one that pays.
+// 500 sets of white noise, 30 columns that have nothing to do with it each: at most one set in 20 has one that seems worth adding.
 TEST(ScoreTest, OfWhiteNoiseSuggestsNothing) {
   constexpr int kSets = 500;
   constexpr std::size_t kColumns = 30;
-  int paying = 0;
+  int worthwhile = 0;
   for (int set = 0; set < kSets; ++set) {
     const auto seed = static_cast<std::uint64_t>(1000 + 50 * set);
     const FittedPoint point = Optimum(300, 4, VectorXd::Zero(300), seed);
@@ -102,9 +102,9 @@ TEST(ScoreTest, OfWhiteNoiseSuggestsNothing) {
       const double fall = std::pow(q.dot(point.residuals), 2) / q.squaredNorm();
       best = std::min(best, CriterionChange(cost, cost - fall, effective, 1, kColumns));
     }
-    paying += best < 0 ? 1 : 0;
+    worthwhile += best < 0 ? 1 : 0;
   }
-  EXPECT_LE(paying, kSets / 20);
+  EXPECT_LE(worthwhile, kSets / 20);
 }
 
 // Of x_t = a x_{t-1} + e_t a mean is worth n (1 - a) / (1 + a) samples. The correlation is known to 1/sqrt(n).
