@@ -178,9 +178,10 @@ TEST(AuditEquations, CoordinatesLeaveNothingOver) {
   const Eigen::VectorXd difference = equations.Misclosures(moved, unknowns) - equations.Misclosures(bar, unknowns);
   for (std::size_t i = 0; i < equations.rows().size(); ++i) {
     if (equations.rows()[i].kind == AuditEquations::Row::Kind::kSensor ||
-        equations.rows()[i].kind == AuditEquations::Row::Kind::kTyre)
+        equations.rows()[i].kind == AuditEquations::Row::Kind::kTyre) {
       // The bound on coordinates takes a share of (noise / 10)^2.
       EXPECT_NEAR(difference[static_cast<Eigen::Index>(i)], 0, 1e-3);
+    }
   }
 }
 

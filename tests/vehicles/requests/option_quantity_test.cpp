@@ -10,7 +10,7 @@ namespace {
 
 class OptionQuantity : public testing::Test {
  protected:
-  std::optional<double> Read(const std::string& text, const Dimension& dimension, Sign sign = Sign::kPositive) {
+  std::optional<double> Read(const std::string& text, const Dimension& dimension, OptionSign sign = OptionSign::kPositive) {
     return ReadQuantity(text, dimension, "--option", diagnostics_, sign);
   }
   std::string Findings() const { return diagnostics_.Format(); }
@@ -21,7 +21,7 @@ class OptionQuantity : public testing::Test {
 TEST_F(OptionQuantity, IsSiWhateverItsUnit) {
   EXPECT_EQ(Read("5mm", kLength), 0.005);
   EXPECT_EQ(Read("36 km/h", kVelocity), 10);
-  EXPECT_EQ(Read("-5mm", kLength, Sign::kAny), -0.005);
+  EXPECT_EQ(Read("-5mm", kLength, OptionSign::kAny), -0.005);
   EXPECT_EQ(Read("2Hz", kFrequency), 2);
   EXPECT_EQ(Findings(), "");
 }
