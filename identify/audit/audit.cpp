@@ -137,7 +137,7 @@ class Stand {
   }
 
  private:
-  /// Of the whole car the unknown numbers, by Gauss-Newton: all but products of two small ones are linear.
+  /// Of the whole car the unknown numbers, by Gauss-Newton: only products of two small ones are not linear.
   void Solve() {
     unknowns_ = Eigen::VectorXd::Zero(equations_.unknowns());
     for (std::size_t t = 0; t < subject_.car.tyres.size(); ++t) unknowns_[3 * static_cast<Eigen::Index>(t)] = 1;
