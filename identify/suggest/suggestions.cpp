@@ -114,7 +114,7 @@ class Suggester {
   Suggester(const LoadedStudy& study, const Eigen::VectorXd& values, int threads, const WorkHooks& hooks)
       : study_(study),
         values_(values),
-        threads_(threads),
+        threads_(ThreadCount(threads)),
         hooks_(hooks),
         objective_(study.MakeObjective()),
         variables_(objective_.MakeProblem().lattice),

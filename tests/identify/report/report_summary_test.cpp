@@ -101,12 +101,12 @@ TEST(Summary, DoesNotCallAModelCompleteThatMissesMoreThanNoise) {
               AllOf(HasSubstr("All fitted channels are within tolerance. "), HasSubstr("Nothing is missing")));
   result["misfit"] = 2.2;
   EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("within tolerance, but residuals are 2.2 times what noise"),
-                                                HasSubstr("Fit a richer one"), Not(HasSubstr("Nothing is missing"))));
+                                                HasSubstr("fit a richer one"), Not(HasSubstr("Nothing is missing"))));
   // Noise that is larger than stated lacks nothing.
   result["intervals"] = {{"model_error", false}};
   EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("State the noise"), Not(HasSubstr("lacks"))));
   result["intervals"]["model_error"] = true;
-  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("Fit a richer one"), Not(HasSubstr("State the noise"))));
+  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("fit a richer one"), Not(HasSubstr("State the noise"))));
 }
 
 // Neither explained nor missed.
