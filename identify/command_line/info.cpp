@@ -33,10 +33,9 @@ std::optional<Described> DescribeStudy(const std::filesystem::path& file, Diagno
   const std::optional<LoadedStudy> study = LoadStudy(file, faults);
   if (!study) return std::nullopt;
   Diagnostics findings;
-  const std::optional<Audit> audit = AuditStudy(*study);
-  if (audit) ReportAudit(*study, *audit, Severity::kWarning, findings);
+  const std::optional<Audit> audit = CheckRecordings(*study, Severity::kWarning, findings);
   Json json = {{"kind", "study"}, {"audit", audit ? AuditJson(*audit) : Json()}, {"warnings", WarningsJson(findings)}};
-  std::string text = audit ? AuditText(*audit) : "a study without stepped sines on posts, which an audit needs\n";
+  std::string text = audit ? AuditText(*audit) : "no audit: it needs stepped sines of posts that move as stated\n";
   for (const Diagnostic& finding : findings.ByWeight()) text += Format(finding) + '\n';
   return Described{file.string(), {std::move(text), std::move(json)}};
 }

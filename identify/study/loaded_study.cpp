@@ -6,6 +6,7 @@
 
 #include "analysis/files/near_file.h"
 #include "analysis/text/nearest.h"
+#include "identify/experiments/four_post/findings.h"
 #include "identify/study/findings.h"
 #include "identify/study/scale_lint.h"
 #include "identify/study/study_audit.h"
@@ -46,6 +47,12 @@ bool HasFiles(const Study& study, Diagnostics& diagnostics) {
       if (file.use == ExperimentFile::Use::kFitted)
         all = RequireFile(file.path, study.file.string(), file.line, diagnostics) && all;
   return all;
+}
+
+bool PostsMoveOtherwise(const Diagnostics& diagnostics) {
+  const std::vector<Diagnostic>& items = diagnostics.items();
+  return std::any_of(items.begin(), items.end(),
+                     [](const Diagnostic& item) { return item.id == kPostsMoveOtherwise.id(); });
 }
 
 }  // namespace
@@ -102,6 +109,8 @@ std::optional<Audit> CheckRecordings(const LoadedStudy& study, Severity wrong_po
   LintScale(study, diagnostics);
   const Subject subject = study.MakeSubject();
   for (const Experiment& experiment : study.study.experiments) experiment.Check(subject, wrong_posts, diagnostics);
+  // The audit takes the motion of the posts as stated.
+  if (PostsMoveOtherwise(diagnostics)) return std::nullopt;
   std::optional<Audit> audit = AuditStudy(study);
   if (audit) ReportAudit(study, *audit, wrong_posts, diagnostics);
   return audit;
