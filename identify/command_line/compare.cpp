@@ -92,7 +92,8 @@ std::string Rule(const Comparison& comparison, const ComparisonOptions& options)
 
 std::string GainText(const std::string& what, const SearchGain& gain) {
   if (gain.count == 0) return "";
-  return ", " + std::to_string(gain.count) + " " + what + (gain.count == 1 ? "" : "s") + " (" + std::to_string(gain.successes) + " with a lower cost)";
+  return ", " + std::to_string(gain.count) + " " + what + (gain.count == 1 ? "" : "s") + " (" +
+         std::to_string(gain.successes) + " with a lower cost)";
 }
 
 std::string Details(const Comparison& comparison, const ComparisonOptions& options) {

@@ -35,7 +35,8 @@ std::optional<Described> DescribeStudy(const std::filesystem::path& file, Diagno
   Diagnostics findings;
   const std::optional<Audit> audit = CheckRecordings(*study, Severity::kWarning, findings);
   Json json = {{"kind", "study"}, {"audit", audit ? AuditJson(*audit) : Json()}, {"warnings", WarningsJson(findings)}};
-  std::string text = audit ? AuditText(*audit) : "no audit: it needs stepped sines of posts that move as stated\n";
+  std::string text =
+      audit ? AuditText(*audit) : "no audit: it needs stepped sines, and posts and wheelpans as stated\n";
   for (const Diagnostic& finding : findings.ByWeight()) text += Format(finding) + '\n';
   return Described{file.string(), {std::move(text), std::move(json)}};
 }

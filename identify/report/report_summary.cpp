@@ -292,7 +292,8 @@ bool AgreesWithItself(const Json& result) {
 /// Where residuals are larger than noise and stated model error explain.
 std::string OnMisfit(const Json& result, const ReportRemarks& remarks) {
   if (AgreesWithItself(result))
-    return "Residuals are larger than their stated standard deviations, yet no part of the data contradicts another. State the "
+    return "Residuals are larger than their stated standard deviations, yet no part of the data contradicts another. "
+           "State the "
            "noise that the recordings have.";
   if (!remarks.where_missed.empty()) return remarks.where_missed;
   return "Check sign, scale, delay and position of the channels with large residuals. If they are right, the model "

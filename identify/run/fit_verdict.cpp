@@ -73,7 +73,8 @@ void AddOpen(const FitResult& fit, Diagnostics& conclusions) {
   for (const std::string& combination : fit.weakest) conclusions.Report(kDirectionUndetermined, {}, {combination});
 }
 
-/// Optima that noise and model error do not distinguish from the best. Costs before a correction are those of another model.
+/// Optima that noise and model error do not distinguish from the best. Costs before a correction are those of another
+/// model.
 void AddOtherOptima(const FitResult& fit, Diagnostics& conclusions) {
   const std::optional<ParameterSpread> spread = fit.Spread();
   if (!spread) return;

@@ -49,10 +49,9 @@ bool HasFiles(const Study& study, Diagnostics& diagnostics) {
   return all;
 }
 
-bool PostsMoveOtherwise(const Diagnostics& diagnostics) {
-  const std::vector<Diagnostic>& items = diagnostics.items();
-  return std::any_of(items.begin(), items.end(),
-                     [](const Diagnostic& item) { return item.id == kPostsMoveOtherwise.id(); });
+/// Of what an audit takes as stated: the motion of the posts, and the masses on load cells.
+bool ContradictsAnAudit(const Diagnostic& item) {
+  return item.id == kPostsMoveOtherwise.id() || item.id == kWheelpanForgotten.id() || item.id == kWheelpanTakenOut.id();
 }
 
 }  // namespace
@@ -109,8 +108,8 @@ std::optional<Audit> CheckRecordings(const LoadedStudy& study, Severity wrong_po
   LintScale(study, diagnostics);
   const Subject subject = study.MakeSubject();
   for (const Experiment& experiment : study.study.experiments) experiment.Check(subject, wrong_posts, diagnostics);
-  // The audit takes the motion of the posts as stated.
-  if (PostsMoveOtherwise(diagnostics)) return std::nullopt;
+  const std::vector<Diagnostic>& found = diagnostics.items();
+  if (std::any_of(found.begin(), found.end(), ContradictsAnAudit)) return std::nullopt;
   std::optional<Audit> audit = AuditStudy(study);
   if (audit) ReportAudit(study, *audit, wrong_posts, diagnostics);
   return audit;

@@ -47,7 +47,7 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
 
 /// Implausible recordings, at the values of the vehicle's file, as warnings; posts that certainly move otherwise than
 /// stated, and channels that are certainly wired wrongly, as `wrong_posts`. Returns the audit of the rig where there is
-/// one and the posts move as stated. Throws FaultyInput when the vehicle cannot be assembled.
+/// one, and posts and wheelpans are as stated. Throws FaultyInput when the vehicle cannot be assembled.
 std::optional<Audit> CheckRecordings(const LoadedStudy& study, Severity wrong_posts, Diagnostics& diagnostics);
 
 }  // namespace fourpost

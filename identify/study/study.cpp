@@ -159,7 +159,8 @@ class StudyReader {
     const std::optional<std::string> name = map.Text("loss");
     if (!name) return;
     const auto* const found = std::find(kLossNames.begin(), kLossNames.end(), *name);
-    if (found == kLossNames.end()) return Fault(map.Get("loss"), kLossUnknown, {*name, SuggestLegal(*name, kLossNames)});
+    if (found == kLossNames.end())
+      return Fault(map.Get("loss"), kLossUnknown, {*name, SuggestLegal(*name, kLossNames)});
     study_.refine.loss = static_cast<LossKind>(found - kLossNames.begin());
   }
 

@@ -63,7 +63,7 @@ class Suggest(ProgramTest):
     def test_refuses_what_cannot_be(self):
         self.record(CLEAN)
         self.fit("study.yaml", "run")
-        answer = self.run_program("suggest", "run", "--study", "study.yaml", "--apply", "9999", "-o", "new", code=3)
+        answer = self.run_program("suggest", "run", "--study", "study.yaml", "--apply", "9999", "-o", "new", code=2)
         self.assert_finding(answer.stderr, "suggestion-unknown")
 
 

@@ -8,9 +8,9 @@
 
 #include "analysis/signals/mix_bits.h"
 #include "identify/comparison/comparison_json.h"
-#include "tests/peers/findings.h"
 #include "tests/findings.h"
 #include "tests/identify/test_problems.h"
+#include "tests/peers/findings.h"
 
 namespace fourpost {
 namespace {

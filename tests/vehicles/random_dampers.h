@@ -47,9 +47,8 @@ inline std::string LawElement(int law, double compression, double rebound) {
     case 1: return "<bilinear" + rates + "/>";
     case 2: return "<smooth" + rates + " speed=\"30 mm/s\"/>";
     case 3:
-      return "<digressive" + rates + " bump_knee=\"0.08 m/s\" bump_beyond=\"" +
-             NumberText(0.4 * compression) + " N*s/m\" rebound_knee=\"0.1 m/s\" rebound_beyond=\"" +
-             NumberText(0.4 * rebound) + " N*s/m\"/>";
+      return "<digressive" + rates + " bump_knee=\"0.08 m/s\" bump_beyond=\"" + NumberText(0.4 * compression) +
+             " N*s/m\" rebound_knee=\"0.1 m/s\" rebound_beyond=\"" + NumberText(0.4 * rebound) + " N*s/m\"/>";
   }
   std::string points;
   for (const auto& [speed, share] : {std::pair{-0.4, -0.3}, {-0.1, -0.1}, {0.1, 0.1}, {0.4, 0.3}})

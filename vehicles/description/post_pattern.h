@@ -17,7 +17,8 @@ inline constexpr std::array<std::string_view, 4> kPostPatterns = {"heave", "pitc
 /// A pattern that is unknown, or that the posts of a vehicle cannot make.
 class PatternError : public std::invalid_argument {
  public:
-  explicit PatternError(Found found) : std::invalid_argument(found.kind->Message(found.words)), found_(std::move(found)) {}
+  explicit PatternError(Found found)
+      : std::invalid_argument(found.kind->Message(found.words)), found_(std::move(found)) {}
   const Found& found() const { return found_; }
 
  private:

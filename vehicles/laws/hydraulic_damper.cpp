@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "analysis/text/option_check.h"
 #include "analysis/numerics/increasing_root.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 namespace {

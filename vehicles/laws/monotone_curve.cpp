@@ -5,8 +5,8 @@
 #include <sstream>
 #include <utility>
 
-#include "analysis/text/option_check.h"
 #include "analysis/numerics/increasing_root.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "vehicles/multibody/simbody_bodies.h"
 #include "vehicles/multibody/small_turn.h"
 #include "vehicles/multibody/tyre_foot.h"
-#include "vehicles/multibody/simbody_bodies.h"
 
 namespace fourpost {
 namespace {

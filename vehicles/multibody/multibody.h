@@ -9,8 +9,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "vehicles/description/vehicle.h"
 #include "vehicles/description/post_motion.h"
+#include "vehicles/description/vehicle.h"
 
 namespace fourpost {
 

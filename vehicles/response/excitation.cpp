@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "analysis/text/option_check.h"
 #include "analysis/text/count_check.h"
+#include "analysis/text/option_check.h"
 
 namespace fourpost {
 namespace {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <span>
 
-#include "vehicles/condensed/condensed_vehicle.h"
 #include "analysis/text/count_check.h"
+#include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/response/harmonic_balance.h"
 
 namespace fourpost {

@@ -1,7 +1,7 @@
 #include "vehicles/response/full_balance.h"
 
-#include "analysis/text/option_check.h"
 #include "analysis/text/count_check.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/response/full_cycle.h"
 #include "vehicles/response/response_recorder.h"
 

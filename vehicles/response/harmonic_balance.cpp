@@ -1,7 +1,7 @@
 #include "vehicles/response/harmonic_balance.h"
 
-#include "analysis/text/option_check.h"
 #include "analysis/text/count_check.h"
+#include "analysis/text/option_check.h"
 #include "vehicles/response/contact_cycle.h"
 #include "vehicles/response/response_recorder.h"
 

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "analysis/process/deadline.h"
 #include "analysis/numerics/anderson_acceleration.h"
+#include "analysis/process/deadline.h"
 #include "vehicles/condensed/port.h"
 #include "vehicles/condensed/receptance.h"
 #include "vehicles/response/cycle_transform.h"

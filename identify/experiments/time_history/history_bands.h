@@ -24,8 +24,8 @@ std::vector<HistoryDiscrepancy> HistoryDiscrepancies(const std::vector<MeasuredH
                                                      const std::vector<Eigen::MatrixXd>& modelled);
 
 nlohmann::ordered_json DiscrepancyJson(const std::vector<HistoryDiscrepancy>& all);
-/// `history_discrepancy` of result.json; of a run that fitted stepped sines alone from its `discrepancy`; nothing of one
-/// with neither.
+/// `history_discrepancy` of result.json; of a run that fitted stepped sines alone from its `discrepancy`; nothing of
+/// one with neither.
 std::vector<HistoryDiscrepancy> ReadHistoryDiscrepancies(const std::filesystem::path& result);
 
 /// Half widths of bands of 95 % about the signals of one history, samples x signals in their units: of the parameters

@@ -60,8 +60,8 @@ struct MeasuredHistory {
   Eigen::Index Stride() const;
 };
 
-/// The same with noise added to the recorded heights of the posts, `sign` times that of this seed, of the deviation that
-/// is in them already.
+/// The same with noise added to the recorded heights of the posts, `sign` times that of this seed, of the deviation
+/// that is in them already.
 MeasuredHistory WithPostNoise(const MeasuredHistory& history, std::uint64_t seed, double sign);
 
 inline Eigen::VectorXd WithoutMean(const Eigen::VectorXd& values) { return values.array() - values.mean(); }

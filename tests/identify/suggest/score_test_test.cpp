@@ -84,7 +84,8 @@ TEST(ScoreTest, FindsWhatBeginsToActAtSomeAmount) {
   EXPECT_NEAR(test->amount, 0.8, 0.1);
 }
 
-// 500 sets of white noise, 30 columns that have nothing to do with it each: at most one set in 20 has one that seems worth adding.
+// 500 sets of white noise, 30 columns that have nothing to do with it each: at most one set in 20 has one that seems
+// worth adding.
 TEST(ScoreTest, OfWhiteNoiseSuggestsNothing) {
   constexpr int kSets = 500;
   constexpr std::size_t kColumns = 30;

@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 
 #include "tests/vehicles/force_checker.h"
-#include "vehicles/multibody/tyre_foot.h"
 #include "vehicles/multibody/simbody_bodies.h"
+#include "vehicles/multibody/tyre_foot.h"
 
 namespace fourpost {
 namespace {

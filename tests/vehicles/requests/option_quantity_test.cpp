@@ -10,7 +10,8 @@ namespace {
 
 class OptionQuantity : public testing::Test {
  protected:
-  std::optional<double> Read(const std::string& text, const Dimension& dimension, OptionSign sign = OptionSign::kPositive) {
+  std::optional<double> Read(const std::string& text, const Dimension& dimension,
+                             OptionSign sign = OptionSign::kPositive) {
     return ReadQuantity(text, dimension, "--option", diagnostics_, sign);
   }
   std::string Findings() const { return diagnostics_.Format(); }
