@@ -192,7 +192,7 @@ std::vector<DwellResponse> RespondInDwells(const RigSignals& signals, std::span<
   return responses;
 }
 
-std::vector<RestLevel> RestLevels(const RigSignals& signals, std::span<const Dwell> dwells) {
+std::vector<double> LevelsAtRest(const RigSignals& signals, std::span<const Dwell> dwells) {
   constexpr double kRest = 5e-3;
   constexpr double kLeast_s = 0.5;
   double largest = 0;
@@ -206,29 +206,12 @@ std::vector<RestLevel> RestLevels(const RigSignals& signals, std::span<const Dwe
       return DeviationOf(post.subspan(first, length)) < kRest * largest && *high - *low < 10 * kRest * largest;
     });
   };
-  std::vector<RestLevel> levels;
-  for (std::size_t first = 0; first + length <= signals.samples(); first += length) {
-    if (!is_still(first)) continue;
-    RestLevel level{.time = static_cast<double>(first) + 0.5 * static_cast<double>(length)};
-    for (const std::span<const double> channel : signals.channels)
-      level.channels.push_back(Mean(channel.subspan(first, length)));
-    levels.push_back(std::move(level));
-  }
+  std::size_t still = 0;
+  while (still + length <= signals.samples() && is_still(still)) still += length;
+  std::vector<double> levels;
+  if (still == 0) return levels;
+  for (const std::span<const double> channel : signals.channels) levels.push_back(Mean(channel.first(still)));
   return levels;
-}
-
-std::vector<double> LevelAt(std::span<const RestLevel> levels, double time) {
-  if (levels.empty()) return {};
-  const auto above =
-      std::find_if(levels.begin(), levels.end(), [&](const RestLevel& level) { return level.time >= time; });
-  if (above == levels.begin()) return above->channels;
-  const auto below = above - 1;
-  if (above == levels.end()) return below->channels;
-  const double share = (time - below->time) / (above->time - below->time);
-  std::vector<double> level;
-  for (std::size_t c = 0; c < below->channels.size(); ++c)
-    level.push_back(below->channels[c] + share * (above->channels[c] - below->channels[c]));
-  return level;
 }
 
 }  // namespace fourpost

@@ -53,16 +53,9 @@ struct DwellResponse {
 std::vector<DwellResponse> RespondInDwells(const RigSignals& signals, std::span<const Dwell> dwells,
                                            std::optional<std::size_t> reference = std::nullopt);
 
-/// Stretches in which no post moves by more than half a per cent of the largest amplitude, of half a second at least:
-/// the mean of a channel in these is its level at rest.
-struct RestLevel {
-  double time = 0;
-  std::vector<double> channels;
-};
-std::vector<RestLevel> RestLevels(const RigSignals& signals, std::span<const Dwell> dwells);
-
-/// The level at rest of every channel at a time, linear between those known, constant beyond. Empty where there is
-/// none.
-std::vector<double> LevelAt(std::span<const RestLevel> levels, double time);
+/// Mean of every channel before the posts first move, by no more than half a per cent of the largest amplitude for half
+/// a second at least; empty where they move from the start. Later pauses do not count: the vehicle still rings down in
+/// them.
+std::vector<double> LevelsAtRest(const RigSignals& signals, std::span<const Dwell> dwells);
 
 }  // namespace fourpost

@@ -206,10 +206,9 @@ class ResponseMaker {
       Fault(kResponseNoDwell, looked.file, {looked.recording.posts[looked.largest_post]});
       return;
     }
-    const std::vector<RestLevel> levels = RestLevels(signals, looked.dwells);
-    has_rest_ = has_rest_ && !levels.empty();
+    const std::vector<double> rest = LevelsAtRest(signals, looked.dwells);
+    has_rest_ = has_rest_ && !rest.empty();
     for (DwellResponse& response : responses) {
-      const std::vector<double> rest = LevelAt(levels, 0.5 * static_cast<double>(response.first + response.last));
       for (std::size_t c = 0; c < rest.size(); ++c) response.channels[c].mean -= rest[c];
       UndoFilter(response);
       ++out_.dwells;

@@ -59,7 +59,8 @@ struct MeasuredResponse {
   PostShares shares;
   /// See PatternOf().
   std::optional<std::string> pattern;
-  /// Deviations are those of the mean over repeats. Means are relative to rest, empty where the record has no rest.
+  /// Deviations are those of the mean over repeats. Means are relative to rest, empty where a record does not begin at
+  /// rest.
   FrequencyResponse response;
   /// Stepped sines: dwells at each frequency.
   std::vector<int> repeats = {};

@@ -95,7 +95,7 @@ std::string FoundText(const MeasuredResponses& measured) {
     case ExcitationKind::kStepped:
       text += std::to_string(measured.dwells) + " dwells, " + Rounded(measured.median_cycles, 3) +
               " settled cycles each (median); mean offsets " +
-              (measured.has_rest ? "relative to rest" : "not known, as the record has no rest");
+              (measured.has_rest ? "relative to rest" : "not known, as a record does not begin at rest");
       break;
     case ExcitationKind::kSweep:
     case ExcitationKind::kRandom:

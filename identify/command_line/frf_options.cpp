@@ -54,7 +54,8 @@ void AddFilter(CLI::App& app, FrfCommand& command) {
 
 void AddOptions(CLI::App& subcommand, FrfCommand& command) {
   subcommand
-      .add_option("FILE", command.request.files, "Time histories of one motion, with names and units (.csv, .mat)")
+      .add_option("FILE", command.request.files,
+                  "Time histories of one motion, with names and units (text, MAT, RPC III, UFF, TDMS, MDF, LVM, HDF5)")
       ->required();
   subcommand
       .add_option_function<std::vector<std::string>>(

@@ -73,7 +73,8 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
   subcommand.add_option("RUN", command.run, "Folder that `fourpost fit` wrote")->required();
   subcommand
       .add_option("--recording", command.recording,
-                  "Recording (.csv, .mat) of another excitation, in the layout of those that were fitted")
+                  "Recording (text, MAT, RPC III, UFF, TDMS, MDF, LVM, HDF5) of another excitation, in the layout of "
+                  "those that were fitted")
       ->required();
   subcommand.add_option("--mode", command.mode,
                         "How the posts moved in a stepped sine: heave, pitch, roll, warp, or an amplitude for each "

@@ -72,7 +72,8 @@ void Program::AddInfo() {
           "  fourpost info sweep.csv\n  fourpost info study.yaml\n  fourpost info --json run1.mat run2.mat",
           [this] { return Run(info_); });
   sub->add_option("FILE", info_.files,
-                  "Time histories, stepped sines or static loads (.csv, .mat); a study (.yaml), whose rig is audited")
+                  "Time histories, stepped sines or static loads (text, MAT, RPC III, UFF, TDMS, MDF, LVM, HDF5); a "
+                  "study (.yaml), whose rig is audited")
       ->required();
   sub->add_flag("--json", info_.json, "Print JSON");
 }

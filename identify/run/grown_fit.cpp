@@ -112,7 +112,8 @@ class Grower {
       WriteApplied(run, k + 1, folder);
       hooks_.work.Note("step " + std::to_string(grown_.steps.size()) + ": " + step.added);
       if (!Fit(folder / "study.yaml", step)) return std::nullopt;
-      step.criterion = CriterionChange(before.cost, step.cost, one.effective, one.addition.count, suggestions.tried);
+      step.criterion = CriterionChange(before.cost, step.cost, suggestions.residuals, one.effective, one.addition.count,
+                                       suggestions.tried);
       Judge(before, step);
       grown_.steps.push_back(step);
       WritePath();

@@ -190,9 +190,11 @@ double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStruct
   return std::max(effective, 4.0);
 }
 
-double CriterionChange(double cost_before, double cost, double effective, int parameters, std::size_t additions) {
+double CriterionChange(double cost_before, double cost, Index residuals, double effective, int parameters,
+                       std::size_t additions) {
   if (!(cost > 0) || !(cost_before > 0)) return 0;
-  return effective * std::log(cost / cost_before) + parameters * std::log(effective) +
+  const double missing = std::max(0.0, static_cast<double>(residuals) - cost_before);
+  return effective * std::log((cost + missing) / (cost_before + missing)) + parameters * std::log(effective) +
          2 * std::max(parameters, 1) * std::log(static_cast<double>(std::max<std::size_t>(additions, 1)));
 }
 

@@ -80,7 +80,9 @@ double EffectiveResiduals(const Eigen::VectorXd& residuals, const ResidualStruct
 /// Change of the extended Bayesian criterion (Chen and Chen, Biometrika 95, 2008), below 0 where it is worth adding:
 ///   n ln(cost / cost before) + k ln n + 2 max(k, 1) ln(additions).
 /// The misfit takes the place of the noise, so that errors of a model that is too simple count as noise does; the last
-/// term allows for the best of many.
-double CriterionChange(double cost_before, double cost, double effective, int parameters, std::size_t additions);
+/// term allows for the best of many. Where the cost is below the number of residuals, what is missing is added to both
+/// costs: stated noise and model error explain the data, and no pattern within them asks for more.
+double CriterionChange(double cost_before, double cost, Eigen::Index residuals, double effective, int parameters,
+                       std::size_t additions);
 
 }  // namespace fourpost

@@ -236,7 +236,7 @@ class Suggester {
   double CriterionOf(double before, const Trial& trial) const {
     // By what is left with it: errors that it explains are alike because it is missing.
     const double effective = EffectiveResiduals(trial.test->left.head(result_.residuals), structure_);
-    return CriterionChange(before, trial.test->cost, effective, trial.addition.count, result_.tried);
+    return CriterionChange(before, trial.test->cost, result_.residuals, effective, trial.addition.count, result_.tried);
   }
 
   /// The best of all alternatives for each thing that could be added, by their criterion.

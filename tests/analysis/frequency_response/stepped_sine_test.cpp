@@ -52,15 +52,33 @@ TEST(SteppedSine, HasHarmonicsAndMeansFromRest) {
   for (const double z : post) channel.push_back(7 + 2 * z + 5 * z * z);
   const std::vector<Dwell> dwells = FindDwells(TrackTone(post));
   const RigSignals signals{.rate_Hz = kRate, .posts = {post}, .channels = {channel}};
-  const std::vector<RestLevel> rest = RestLevels(signals, dwells);
+  const std::vector<double> rest = LevelsAtRest(signals, dwells);
+  ASSERT_EQ(rest.size(), 1U);
   const std::vector<DwellResponse> responses = RespondInDwells(signals, dwells);
   ASSERT_EQ(responses.size(), 3U);
   for (const DwellResponse& at : responses) {
     const double square = 5 * at.amplitude * at.amplitude / 2;
     EXPECT_NEAR(at.channels[0].harmonics[1], square, 1e-3 * square);
-    EXPECT_NEAR(at.channels[0].mean - LevelAt(rest, static_cast<double>(at.first))[0], square, 1e-3 * square);
+    EXPECT_NEAR(at.channels[0].mean - rest[0], square, 1e-3 * square);
     EXPECT_NEAR(at.channels[0].Distortion(), square / (2 * at.amplitude), 1e-4);
   }
+}
+
+// In a pause between dwells a vehicle rings down: only what was before the first counts.
+TEST(SteppedSine, HasItsRestBeforeThePostsMove) {
+  std::vector<double> post = SteppedSine({2}, 20, kRate);
+  std::vector<double> channel(post.size(), 3.0);
+  post.resize(post.size() + static_cast<std::size_t>(2 * kRate), 0.0);
+  channel.resize(post.size(), 5.0);
+  const std::vector<double> again = SteppedSine({4}, 20, kRate);
+  post.insert(post.end(), again.begin(), again.end());
+  channel.resize(post.size(), 5.0);
+  const std::vector<Dwell> dwells = FindDwells(TrackTone(post));
+  EXPECT_EQ(LevelsAtRest({.rate_Hz = kRate, .posts = {post}, .channels = {channel}}, dwells), std::vector<double>{3.0});
+  // From the first sine on there is none.
+  const std::size_t begin = static_cast<std::size_t>(2.1 * kRate);
+  const std::span<const double> moving = std::span<const double>(post).subspan(begin);
+  EXPECT_TRUE(LevelsAtRest({.rate_Hz = kRate, .posts = {moving}, .channels = {moving}}, dwells).empty());
 }
 
 TEST(SteppedSine, IsRelativeToThePatternOfThePosts) {

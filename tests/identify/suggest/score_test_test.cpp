@@ -101,7 +101,7 @@ TEST(ScoreTest, OfWhiteNoiseSuggestsNothing) {
     for (std::size_t k = 0; k < kColumns; ++k) {
       const VectorXd q = Beyond(point.jacobian, White(300, seed + 7 * k + 900000));
       const double fall = std::pow(q.dot(point.residuals), 2) / q.squaredNorm();
-      best = std::min(best, CriterionChange(cost, cost - fall, effective, 1, kColumns));
+      best = std::min(best, CriterionChange(cost, cost - fall, 300, effective, 1, kColumns));
     }
     worthwhile += best < 0 ? 1 : 0;
   }
@@ -121,8 +121,15 @@ TEST(EffectiveResiduals, AreThoseOfAnAutoregression) {
 }
 
 TEST(CriterionChange, IsThatOfChenAndChen) {
-  EXPECT_DOUBLE_EQ(CriterionChange(100, 50, 80, 2, 30), 80 * std::log(0.5) + 2 * std::log(80.0) + 4 * std::log(30.0));
-  EXPECT_GT(CriterionChange(100, 99, 80, 1, 30), 0);
+  EXPECT_DOUBLE_EQ(CriterionChange(100, 50, 100, 80, 2, 30),
+                   80 * std::log(0.5) + 2 * std::log(80.0) + 4 * std::log(30.0));
+  EXPECT_GT(CriterionChange(100, 99, 100, 80, 1, 30), 0);
+}
+
+// A cost of 13 for 100 residuals: they are smaller than stated, and a pattern among them is nothing that is missing.
+TEST(CriterionChange, AsksForNothingWithinTheStatedErrors) {
+  EXPECT_LT(CriterionChange(200, 100, 100, 80, 1, 30), 0);
+  EXPECT_GT(CriterionChange(13, 6.5, 100, 80, 1, 30), 0);
 }
 
 }  // namespace
