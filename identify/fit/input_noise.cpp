@@ -19,7 +19,7 @@ std::optional<Eigen::MatrixXd> GradientWith(const VehicleObjective& objective, c
                                             const std::function<bool()>& stop, std::int64_t& evaluated) {
   std::vector<ResidualBlock> blocks;
   for (const ResidualBlock& block : objective.blocks())
-    blocks.push_back(block.with_input_noise ? block.with_input_noise(sign) : block);
+    blocks.push_back(block.with_input_noise ? block.with_input_noise(objective.AllParameters(values), sign) : block);
   const VehicleObjective noisy(objective.vehicle(), objective.free(), std::move(blocks));
   Archive archive(noisy.MakeProblem(), threads);
   archive.StopBatches(stop);

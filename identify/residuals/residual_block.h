@@ -29,9 +29,10 @@ struct ResidualBlock {
       differentiate = {};
   /// For what is known of the parameters; empty: nothing beyond that all residuals are independent.
   ResidualStructure structure = {};
-  /// The same block with noise added to its inputs, `sign` times always the same one, of the size that is in them
-  /// already; empty: none is known of. What it changes shows what the noise that is there has changed.
-  std::function<ResidualBlock(double sign)> with_input_noise = {};
+  /// The same block with noise added to its inputs, `sign` times always the same one, like that which is in them
+  /// already, as far as residuals at `values` show it; empty: none is known of. What it changes shows what the noise
+  /// that is there has changed.
+  std::function<ResidualBlock(const std::vector<double>& values, double sign)> with_input_noise = {};
 };
 
 }  // namespace fourpost

@@ -69,8 +69,10 @@ class HistoryLoader {
     history.heights = Heights(*recording);
     history.posts = FollowHeights(history.heights, recording->start_s, recording->step_s,
                                   study_.filter ? &*study_.filter : nullptr);
-    for (std::size_t p = 0; p < posts_.size(); ++p)
+    for (std::size_t p = 0; p < posts_.size(); ++p) {
       history.post_noise_sd.push_back(post_noise_[p].value_or(NoiseFloor(history.heights[p])));
+      history.post_noise_is_stated.push_back(post_noise_[p].has_value());
+    }
     AddSignals(*recording, noise, history);
     return history;
   }
@@ -230,17 +232,6 @@ class HistoryLoader {
 };
 
 }  // namespace
-
-MeasuredHistory WithPostNoise(const MeasuredHistory& history, std::uint64_t seed, double sign) {
-  MeasuredHistory noisy = history;
-  for (std::size_t p = 0; p < noisy.heights.size(); ++p) {
-    RandomStream draws(seed, "post noise", p);
-    for (double& height : noisy.heights[p]) height += sign * history.post_noise_sd[p] * draws.Normal();
-  }
-  noisy.posts = FollowHeights(noisy.heights, history.posts.start_s, history.posts.step_s,
-                              history.filter ? &*history.filter : nullptr);
-  return noisy;
-}
 
 double MeasuredSignal::Deviation() const { return std::sqrt((values.array() - values.mean()).square().mean()); }
 

@@ -41,6 +41,8 @@ struct MeasuredHistory {
   /// As recorded, without their means [m]; and the deviation of the noise in them, as stated or by NoiseFloor().
   std::vector<std::vector<double>> heights = {};
   std::vector<double> post_noise_sd = {};
+  /// Per post, whether the study states it.
+  std::vector<char> post_noise_is_stated = {};
   std::optional<LowPassDesign> filter;
   /// Of a Kalman filter's process, as the study states it [m/s^2]; 0: it does not.
   double process_sd = 0;
@@ -59,10 +61,6 @@ struct MeasuredHistory {
   /// it, and noise that is nearly independent from sample to sample.
   Eigen::Index Stride() const;
 };
-
-/// The same with noise added to the recorded heights of the posts, `sign` times that of this seed, of the deviation
-/// that is in them already.
-MeasuredHistory WithPostNoise(const MeasuredHistory& history, std::uint64_t seed, double sign);
 
 inline Eigen::VectorXd WithoutMean(const Eigen::VectorXd& values) { return values.array() - values.mean(); }
 

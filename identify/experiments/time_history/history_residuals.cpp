@@ -12,6 +12,7 @@
 #include "analysis/signals/fit_quality.h"
 #include "analysis/signals/signal_timing.h"
 #include "analysis/text/option_check.h"
+#include "identify/experiments/time_history/post_noise.h"
 #include "identify/experiments/time_history/start_state.h"
 #include "identify/residuals/sensor_group.h"
 
@@ -138,6 +139,16 @@ std::vector<double> HistoryResiduals::Steps() const {
   return steps;
 }
 
+std::vector<MeasuredHistory> HistoryResiduals::WithPostNoise(const std::vector<double>& values, double sign) const {
+  const CondensedModel model = condensed_->At(values);
+  std::vector<MeasuredHistory> noisy;
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const PostNoise noise = PostNoiseOf(histories_[h], model, Modelled(h, model, {}), simulations_[h].step_s());
+    noisy.push_back(fourpost::WithPostNoise(histories_[h], noise, h, sign));
+  }
+  return noisy;
+}
+
 std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double>& values) const {
   const CondensedModel model = condensed_->At(values);
   std::vector<double> changes;
@@ -151,9 +162,12 @@ std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double
 
 namespace {
 
+/// Or may have it.
 bool HasPostNoise(const std::vector<MeasuredHistory>& histories) {
   return std::any_of(histories.begin(), histories.end(), [](const MeasuredHistory& history) {
-    return std::any_of(history.post_noise_sd.begin(), history.post_noise_sd.end(), [](double sd) { return sd > 0; });
+    for (std::size_t p = 0; p < history.post_noise_sd.size(); ++p)
+      if (history.post_noise_sd[p] > 0 || !history.post_noise_is_stated[p]) return true;
+    return false;
   });
 }
 
@@ -186,14 +200,13 @@ ResidualStructure HistoryResiduals::Structure() const {
 
 ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
                            const HistoryResiduals::Options& options) {
-  std::function<ResidualBlock(double)> with_input_noise;
-  if (options.cost == HistoryCost::kWhitened && HasPostNoise(histories))
-    with_input_noise = [=](double sign) {
-      std::vector<MeasuredHistory> noisy;
-      for (std::size_t h = 0; h < histories.size(); ++h) noisy.push_back(WithPostNoise(histories[h], h, sign));
-      return HistoryBlock(vehicle, std::move(noisy), options);
+  const bool has_noise = options.cost == HistoryCost::kWhitened && HasPostNoise(histories);
+  const auto residuals = std::make_shared<const HistoryResiduals>(vehicle, std::move(histories), options);
+  std::function<ResidualBlock(const std::vector<double>&, double)> with_input_noise;
+  if (has_noise)
+    with_input_noise = [=](const std::vector<double>& values, double sign) {
+      return HistoryBlock(vehicle, residuals->WithPostNoise(values, sign), options);
     };
-  const auto residuals = std::make_shared<const HistoryResiduals>(std::move(vehicle), std::move(histories), options);
   return {.name = "time histories",
           .count = residuals->count(),
           // What the elements' forces are solved to, times what a step's error may grow to.

@@ -70,6 +70,10 @@ class HistoryResiduals {
   /// Of each history [s].
   std::vector<double> Steps() const;
 
+  /// Whitened: the histories with noise added to their posts like that which is in them, `sign` times always the same
+  /// one. Throws as PostNoiseOf() does.
+  std::vector<MeasuredHistory> WithPostNoise(const std::vector<double>& values, double sign) const;
+
   /// By how much half the step changes each history at these values: of its signals the largest rms of the change, as a
   /// share of the signal's own. Steps are those of the file's values, and others may want finer ones.
   std::vector<double> ChangesByHalfStep(const std::vector<double>& values) const;
