@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "identify/fit/first_order_step.h"
 #include "identify/fit/input_noise.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/refine/search_method_list.h"
@@ -341,7 +342,10 @@ class RunningFit {
     if (best.jacobian.size() > 0) {
       const std::vector<ParameterState> states =
           StatesAt(best, archive_.lattice(), NoisyAt(archive_, best, result_.prior_count, options_.refine, stop_));
-      const Eigen::MatrixXd input_noise = AllowForInputNoise(states, best);
+      const std::vector<Eigen::Index> fixed = FixedOf(states);
+      const Eigen::VectorXd step = IntegrationStep(objective_, best, options_.refine.loss, fixed);
+      if (step.size() > 0) MoveBy(archive_, step, options_.refine.loss, best);
+      const Eigen::MatrixXd input_noise = AllowForInputNoise(fixed, best);
       AddCertainty(best, states, input_noise);
       AddProfiles(best);
     }
@@ -350,9 +354,9 @@ class RunningFit {
   }
 
   /// Moves the best point by the bias that noise of the recorded inputs makes; the gradient by that noise.
-  Eigen::MatrixXd AllowForInputNoise(const std::vector<ParameterState>& states, RefineResult& best) {
-    const std::optional<InputNoise> noise = InputNoiseAt(objective_, best, options_.refine, FixedOf(states),
-                                                         options_.threads, stop_, result_.evaluations_beside);
+  Eigen::MatrixXd AllowForInputNoise(const std::vector<Eigen::Index>& fixed, RefineResult& best) {
+    const std::optional<InputNoise> noise =
+        InputNoiseAt(objective_, best, options_.refine, fixed, options_.threads, stop_, result_.evaluations_beside);
     if (!noise || !MoveBy(archive_, noise->step, options_.refine.loss, best)) return {};
     result_.moved_by_input_noise = noise->step;
     return noise->gradient;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "analysis/numerics/decompositions.h"
+#include "identify/fit/first_order_step.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
 #include "identify/search/archive.h"
@@ -50,7 +50,7 @@ std::optional<InputNoise> InputNoiseAt(const VehicleObjective& objective, const 
   const Eigen::VectorXd residuals = best.residuals.head(data);
   const Eigen::VectorXd weights = refine.loss.Weights(residuals);
   InputNoise noise = {.gradient = -(residuals.cwiseProduct(weights).asDiagonal() * best.jacobian.topRows(data)),
-                      .step = Eigen::VectorXd::Zero(best.jacobian.cols())};
+                      .step = {}};
   try {
     for (const double sign : {-1.0, 1.0}) {
       const auto with = GradientWith(objective, best.values, sign, refine, threads, stop, evaluated);
@@ -60,13 +60,7 @@ std::optional<InputNoise> InputNoiseAt(const VehicleObjective& objective, const 
   } catch (const BatchStopped&) {
     return std::nullopt;
   }
-  std::vector<Index> moving;
-  for (Index j = 0; j < best.jacobian.cols(); ++j)
-    if (std::find(held.begin(), held.end(), j) == held.end()) moving.push_back(j);
-  Eigen::MatrixXd weighted = best.jacobian(Eigen::all, moving);
-  weighted.topRows(data) = weights.cwiseSqrt().asDiagonal() * weighted.topRows(data);
-  const Eigen::VectorXd gradient = noise.gradient.colwise().sum()(moving);
-  noise.step(moving) = LeastNorm(weighted.transpose() * weighted).Solve(gradient);
+  noise.step = FirstOrderStep(best, refine.loss, data, held, -noise.gradient.colwise().sum().transpose());
   return noise;
 }
 

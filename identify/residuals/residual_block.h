@@ -27,6 +27,9 @@ struct ResidualBlock {
   /// and good enough for steps of a refinement; empty where only differences give them. Throws what it cannot do.
   std::function<Eigen::MatrixXd(const std::vector<double>& values, const std::vector<std::size_t>& parameters)>
       differentiate = {};
+  /// Residuals with a quarter of the integration's step; empty where nothing is integrated. Throws std::runtime_error
+  /// where they cannot be computed.
+  std::function<Eigen::VectorXd(const std::vector<double>& values)> at_finer_steps = {};
   /// For what is known of the parameters; empty: nothing beyond that all residuals are independent.
   ResidualStructure structure = {};
   /// The same block with noise added to its inputs, `sign` times always the same one, like that which is in them

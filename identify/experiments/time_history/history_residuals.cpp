@@ -67,14 +67,29 @@ Eigen::VectorXd HistoryResiduals::At(const std::vector<double>& values, const De
   const CondensedModel model = condensed_->At(values);
   Eigen::VectorXd residuals(count_);
   Index at = 0;
+  for (std::size_t h = 0; h < histories_.size(); ++h)
+    AddHistory(histories_[h], Modelled(h, model, deadline), at, residuals);
+  return residuals;
+}
+
+Eigen::VectorXd HistoryResiduals::AtFinerSteps(const std::vector<double>& values) const {
+  const CondensedModel model = condensed_->At(values);
+  Eigen::VectorXd residuals(count_);
+  Index at = 0;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
     const MeasuredHistory& history = histories_[h];
-    const Index each = CountOf(history);
-    const Eigen::MatrixXd modelled = Modelled(h, model, deadline);
-    for (std::size_t i = 0; i < history.signals.size(); ++i, at += each)
-      AddSignal(history, history.signals[i], modelled.col(static_cast<Index>(i)), residuals.segment(at, each));
+    Eigen::MatrixXd modelled = HistorySimulation(history, 0.25 * simulations_[h].step_s()).Run(model);
+    AddStartTo(history, model, modelled);
+    AddHistory(history, modelled, at, residuals);
   }
   return residuals;
+}
+
+void HistoryResiduals::AddHistory(const MeasuredHistory& history, const Eigen::MatrixXd& modelled, Index& at,
+                                  Eigen::VectorXd& out) const {
+  const Index each = CountOf(history);
+  for (std::size_t i = 0; i < history.signals.size(); ++i, at += each)
+    AddSignal(history, history.signals[i], modelled.col(static_cast<Index>(i)), out.segment(at, each));
 }
 
 Eigen::VectorXd HistoryResiduals::OfPrediction(const std::vector<KalmanPrediction>& predictions) const {
@@ -112,12 +127,16 @@ std::vector<Eigen::MatrixXd> HistoryResiduals::Modelled(const std::vector<double
 Eigen::MatrixXd HistoryResiduals::Modelled(std::size_t h, const CondensedModel& model, const Deadline& deadline) const {
   const MeasuredHistory& history = histories_[h];
   Eigen::MatrixXd modelled = simulations_[h].Run(model, deadline);
-  if (options_.cost != HistoryCost::kWhitened) return modelled;
+  if (options_.cost == HistoryCost::kWhitened) AddStartTo(history, model, modelled);
+  return modelled;
+}
+
+void HistoryResiduals::AddStartTo(const MeasuredHistory& history, const CondensedModel& model,
+                                  Eigen::MatrixXd& modelled) const {
   Eigen::VectorXd weights(modelled.cols());
   for (Index i = 0; i < weights.size(); ++i)
     weights[i] = 1 / std::pow(DeviationOf(history.signals[static_cast<std::size_t>(i)]), 2);
   AddStart(history, model, weights, history.Stride(), modelled);
-  return modelled;
 }
 
 double HistoryResiduals::DeviationOf(const MeasuredSignal& signal) const {
@@ -202,6 +221,9 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
                            const HistoryResiduals::Options& options) {
   const bool has_noise = options.cost == HistoryCost::kWhitened && HasPostNoise(histories);
   const auto residuals = std::make_shared<const HistoryResiduals>(vehicle, std::move(histories), options);
+  std::function<Eigen::VectorXd(const std::vector<double>&)> at_finer_steps;
+  if (options.cost == HistoryCost::kWhitened)
+    at_finer_steps = [residuals](const std::vector<double>& values) { return residuals->AtFinerSteps(values); };
   std::function<ResidualBlock(const std::vector<double>&, double)> with_input_noise;
   if (has_noise)
     with_input_noise = [=](const std::vector<double>& values, double sign) {
@@ -219,6 +241,7 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
                   return Failed(Failure::kNotConverged, fault.what());
                 }
               },
+          .at_finer_steps = std::move(at_finer_steps),
           .structure = residuals->Structure(),
           .with_input_noise = std::move(with_input_noise)};
 }

@@ -62,6 +62,10 @@ class HistoryResiduals {
   /// Per history, samples of the window x signals; whitened, with the state at the start that suits it, see AddStart().
   std::vector<Eigen::MatrixXd> Modelled(const std::vector<double>& values) const;
 
+  /// Whitened: the same residuals with a quarter of each history's step. Throws std::runtime_error where the motion
+  /// cannot be computed.
+  Eigen::VectorXd AtFinerSteps(const std::vector<double>& values) const;
+
   /// Of a cost by prediction; of each history.
   std::vector<KalmanPrediction> Predicted(const std::vector<double>& values, const Deadline& deadline = {}) const;
   const std::vector<KalmanNoise>& noise() const { return noise_; }
@@ -87,6 +91,10 @@ class HistoryResiduals {
   /// Residuals of a signal.
   Eigen::Index CountOf(const MeasuredHistory& history) const;
   Eigen::MatrixXd Modelled(std::size_t h, const CondensedModel& model, const Deadline& deadline) const;
+  void AddHistory(const MeasuredHistory& history, const Eigen::MatrixXd& modelled, Eigen::Index& at,
+                  Eigen::VectorXd& out) const;
+  /// The state at the start that suits it added.
+  void AddStartTo(const MeasuredHistory& history, const CondensedModel& model, Eigen::MatrixXd& modelled) const;
   /// Of a whitened residual.
   double DeviationOf(const MeasuredSignal& signal) const;
   Eigen::VectorXd OfPrediction(const std::vector<KalmanPrediction>& predictions) const;

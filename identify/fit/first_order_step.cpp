@@ -1,0 +1,48 @@
+#include "identify/fit/first_order_step.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "analysis/numerics/decompositions.h"
+
+namespace fourpost {
+
+using Eigen::Index;
+
+Eigen::VectorXd FirstOrderStep(const RefineResult& best, const RobustLoss& loss, Index data,
+                               const std::vector<Index>& held, const Eigen::VectorXd& gradient) {
+  std::vector<Index> moving;
+  for (Index j = 0; j < best.jacobian.cols(); ++j)
+    if (std::find(held.begin(), held.end(), j) == held.end()) moving.push_back(j);
+  Eigen::MatrixXd weighted = best.jacobian(Eigen::all, moving);
+  const Eigen::VectorXd weights = loss.Weights(best.residuals.head(data));
+  weighted.topRows(data) = weights.cwiseSqrt().asDiagonal() * weighted.topRows(data);
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(best.jacobian.cols());
+  step(moving) = LeastNorm(weighted.transpose() * weighted).Solve(Eigen::VectorXd(-gradient(moving)));
+  return step;
+}
+
+Eigen::VectorXd IntegrationStep(const VehicleObjective& objective, const RefineResult& best, const RobustLoss& loss,
+                                const std::vector<Index>& held) {
+  const Index data = best.jacobian.rows() - objective.prior_count();
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(data);
+  bool integrates = false;
+  Index at = 0;
+  try {
+    for (const ResidualBlock& block : objective.blocks()) {
+      if (block.at_finer_steps) {
+        change.segment(at, block.count) =
+            block.at_finer_steps(objective.AllParameters(best.values)) - best.residuals.segment(at, block.count);
+        integrates = true;
+      }
+      at += block.count;
+    }
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+  if (!integrates || !change.allFinite()) return {};
+  const Eigen::VectorXd weights = loss.Weights(best.residuals.head(data));
+  return FirstOrderStep(best, loss, data, held, best.jacobian.topRows(data).transpose() * weights.cwiseProduct(change));
+}
+
+}  // namespace fourpost
