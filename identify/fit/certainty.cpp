@@ -32,7 +32,7 @@ class Optimum {
         // are: a loss bounds the pull of residuals, and knows nothing of why they are so large.
         cost_(std::max(residuals_.squaredNorm(), loss.EquivalentCost(residuals_))),
         input_noise_(input_noise),
-        noise_(residuals_.cwiseProduct(weights_), structure_, jacobian_.cols()) {
+        noise_(residuals_.cwiseProduct(weights_), structure_, jacobian_) {
     const FitVariables variables(lattice);
     for (Index j = 0; j < variables.size(); ++j) is_relative_.push_back(variables.is_logarithmic(j));
   }
@@ -88,7 +88,10 @@ class Optimum {
       others += jacobian_.row(i).transpose() * jacobian_.row(i);
     }
     const double inflation = count > static_cast<double>(jacobian_.cols()) ? std::max(1.0, squares / count) : 1;
-    return noise_.CovarianceOverTime(jacobian_) + inflation * others + priors_.transpose() * priors_;
+    Eigen::MatrixXd score = noise_.CovarianceOverTime(jacobian_) + inflation * others + priors_.transpose() * priors_;
+    // The noise that was added once more to take back a bias scatters, too.
+    if (input_noise_.size() > 0) score += noise_.CovarianceOfStretches(input_noise_, noise_.over_time());
+    return score;
   }
 
   Index data_;

@@ -22,6 +22,14 @@ Eigen::VectorXd FirstOrderStep(const RefineResult& best, const RobustLoss& loss,
   return step;
 }
 
+Eigen::VectorXd RemainingStep(const RefineResult& best, const RobustLoss& loss, Index priors,
+                              const std::vector<Index>& held) {
+  const Index data = best.jacobian.rows() - priors;
+  Eigen::VectorXd residuals = best.residuals;
+  residuals.head(data).array() *= loss.Weights(best.residuals.head(data)).array();
+  return FirstOrderStep(best, loss, data, held, best.jacobian.transpose() * residuals);
+}
+
 Eigen::VectorXd IntegrationStep(const VehicleObjective& objective, const RefineResult& best, const RobustLoss& loss,
                                 const std::vector<Index>& held) {
   const Index data = best.jacobian.rows() - objective.prior_count();

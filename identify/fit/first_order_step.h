@@ -14,6 +14,10 @@ namespace fourpost {
 Eigen::VectorXd FirstOrderStep(const RefineResult& best, const RobustLoss& loss, Eigen::Index data,
                                const std::vector<Eigen::Index>& held, const Eigen::VectorXd& gradient);
 
+/// The step that is left to the optimum, n in FitVariables, to first order.
+Eigen::VectorXd RemainingStep(const RefineResult& best, const RobustLoss& loss, Eigen::Index priors,
+                              const std::vector<Eigen::Index>& held);
+
 /// The step that an exact integration moves the optimum by, n in FitVariables: to first order, by residuals at a
 /// quarter of the step. Empty where no block integrates, or one cannot be computed.
 Eigen::VectorXd IntegrationStep(const VehicleObjective& objective, const RefineResult& best, const RobustLoss& loss,

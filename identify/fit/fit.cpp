@@ -343,14 +343,29 @@ class RunningFit {
       const std::vector<ParameterState> states =
           StatesAt(best, archive_.lattice(), NoisyAt(archive_, best, result_.prior_count, options_.refine, stop_));
       const std::vector<Eigen::Index> fixed = FixedOf(states);
+      const Eigen::VectorXd left = RemainingStep(best, options_.refine.loss, result_.prior_count, fixed);
       const Eigen::VectorXd step = IntegrationStep(objective_, best, options_.refine.loss, fixed);
       if (step.size() > 0) MoveBy(archive_, step, options_.refine.loss, best);
       const Eigen::MatrixXd input_noise = AllowForInputNoise(fixed, best);
       AddCertainty(best, states, input_noise);
-      AddProfiles(best);
+      if (result_.end != FitEnd::kConverged) JudgeEnd(left);
+      if (result_.covariance) AddProfiles(best);
     }
     result_.cost = best.cost;
     return best.values;
+  }
+
+  /// Deviations are those of an optimum. One that is less than a tenth of them away is reached. `left`: the step to it.
+  void JudgeEnd(const Eigen::VectorXd& left) {
+    constexpr double kNear = 0.1;
+    bool is_near = true;
+    for (const Eigen::Index j : result_.certainty->judged)
+      is_near = is_near && std::abs(left[j]) < kNear * result_.certainty->total_sd[j];
+    if (is_near && result_.end == FitEnd::kNotConverged) result_.end = FitEnd::kConverged;
+    if (is_near) return;
+    result_.certainty.reset();
+    result_.covariance.reset();
+    result_.weakest.clear();
   }
 
   /// Moves the best point by the bias that noise of the recorded inputs makes; the gradient by that noise.

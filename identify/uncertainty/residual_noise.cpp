@@ -8,6 +8,7 @@
 
 #include <unsupported/Eigen/FFT>
 
+#include "analysis/numerics/decompositions.h"
 #include "analysis/signals/autocorrelation.h"
 
 namespace fourpost {
@@ -59,6 +60,24 @@ std::vector<Eigen::MatrixXcd> Smoothed(const Eigen::MatrixXcd& transforms, Index
   return smoothed;
 }
 
+/// Likewise of one power.
+Eigen::VectorXd SmoothedPower(const Eigen::VectorXd& power, Index reach) {
+  Eigen::MatrixXcd roots = power.cwiseSqrt().cast<std::complex<double>>();
+  const std::vector<Eigen::MatrixXcd> smoothed = Smoothed(roots, reach, 1);
+  return Eigen::VectorXd::NullaryExpr(power.size(),
+                                      [&](Index k) { return smoothed[static_cast<std::size_t>(k)](0, 0).real(); });
+}
+
+/// Columns that span those of a matrix.
+Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& matrix) {
+  constexpr double kRank = 1e-12;
+  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(matrix.transpose() * matrix);
+  std::vector<Index> spanning;
+  for (Index i = 0; i < pairs.values.size(); ++i)
+    if (pairs.values[i] > kRank * pairs.values[pairs.values.size() - 1]) spanning.push_back(i);
+  return matrix * pairs.vectors(Eigen::all, spanning) * pairs.values(spanning).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
 /// Noise variances of neighbours over frequency, from second differences, smoothed over five of them.
 void AddVariances(const ResidualSeries& series, const Eigen::VectorXd& residuals, Eigen::VectorXd& variance) {
   constexpr Index kReach = 2;
@@ -80,7 +99,7 @@ void AddVariances(const ResidualSeries& series, const Eigen::VectorXd& residuals
 }  // namespace
 
 ResidualNoise::ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStructure& structure,
-                             Eigen::Index parameters)
+                             const Eigen::MatrixXd& jacobian)
     : variance_(Eigen::VectorXd::Ones(residuals.size())), over_time_(static_cast<std::size_t>(residuals.size()), 0) {
   std::map<int, std::vector<ResidualSeries>> records;
   for (const ResidualSeries& series : structure.series) {
@@ -91,13 +110,28 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStr
     records[series.record].push_back(series);
     for (Index k = 0; k < series.count; ++k) over_time_[static_cast<std::size_t>(series.first + k * series.step)] = 1;
   }
-  const auto all = static_cast<double>(residuals.size());
-  const double scale = all / std::max(1.0, all - static_cast<double>(parameters));
-  for (auto& [number, channels] : records) records_.push_back(Measured(std::move(channels), residuals, scale));
+  if (records.empty()) return;
+  const Eigen::MatrixXd fitted = Orthonormal(jacobian);
+  for (auto& [number, channels] : records) records_.push_back(Measured(std::move(channels), residuals, fitted));
+}
+
+// Of N / T of the samples' power per point of the transform, `fitted` takes the sum of |F|^2 over its columns.
+Eigen::MatrixXd ResidualNoise::Kept(const Record& record, const Eigen::MatrixXd& fitted, Index reach) {
+  // A channel that a fit follows everywhere says nothing of its noise.
+  constexpr double kLeast = 0.2;
+  Eigen::MatrixXd kept(record.points / 2 + 1, static_cast<Index>(record.channels.size()));
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    Eigen::MatrixXcd transforms(kept.rows(), fitted.cols());
+    for (Index p = 0; p < fitted.cols(); ++p)
+      transforms.col(p) = Transformed(ValuesOf(record.channels[c], fitted.col(p)), record.points);
+    const Eigen::VectorXd taken = transforms.cwiseAbs2().rowwise().sum() / static_cast<double>(record.samples);
+    kept.col(static_cast<Index>(c)) = (1 - SmoothedPower(taken, reach).array()).max(kLeast);
+  }
+  return kept;
 }
 
 ResidualNoise::Record ResidualNoise::Measured(std::vector<ResidualSeries> channels, const Eigen::VectorXd& residuals,
-                                              double scale) {
+                                              const Eigen::MatrixXd& fitted) {
   Record record;
   record.channels = std::move(channels);
   record.samples = record.channels.front().count;
@@ -112,12 +146,14 @@ ResidualNoise::Record ResidualNoise::Measured(std::vector<ResidualSeries> channe
     transforms.col(c) = Transformed(Whitened(signal, coefficients), record.points);
     colour.col(c) = FilterAt(coefficients, record.points).cwiseInverse();
   }
+  const auto samples = static_cast<double>(record.samples);
   // Of some thousand samples 30 to 60 independent ones of the periodogram, whose points are half as far apart.
-  const auto reach = static_cast<Index>(std::clamp(std::sqrt(static_cast<double>(record.samples)) / 2, 4.0, 40.0) *
-                                        static_cast<double>(record.points) / static_cast<double>(record.samples));
-  record.spectrum = Smoothed(transforms, reach, scale / static_cast<double>(record.samples));
+  const auto reach =
+      static_cast<Index>(std::clamp(std::sqrt(samples) / 2, 4.0, 40.0) * static_cast<double>(record.points) / samples);
+  record.spectrum = Smoothed(transforms, reach, 1 / samples);
+  const Eigen::MatrixXd kept = Kept(record, fitted, reach);
   for (Index k = 0; k < colour.rows(); ++k) {
-    const Eigen::VectorXcd by = colour.row(k).transpose();
+    const Eigen::VectorXcd by = colour.row(k).cwiseQuotient(kept.row(k).cwiseSqrt()).transpose();
     Eigen::MatrixXcd& power = record.spectrum[static_cast<std::size_t>(k)];
     power = (by * by.adjoint()).cwiseProduct(power).eval();
   }

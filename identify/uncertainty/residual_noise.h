@@ -15,12 +15,14 @@ namespace fourpost {
 /// - Over time it may be correlated from sample to sample and between the channels of a record. Its spectral matrix is
 ///   that of the residuals: an autoregression per channel, of the order that BIC prefers (Akaike 1974, Schwarz 1978;
 ///   solved by Levinson and Durbin), recoloured by the smoothed periodogram of what that leaves (prewhitening: Andrews
-///   and Monahan, Econometrica 60, 1992).
+///   and Monahan, Econometrica 60, 1992). A fit takes noise with it at the frequencies that it rests on; the spectrum
+///   makes up for that by the leverage there (HC2: MacKinnon and White, J. Econometrics 29, 1985).
 /// - Residuals outside all series have their stated variance, 1.
 class ResidualNoise {
  public:
-  /// `residuals`: of the data, each times its weight in the gradient. `parameters`: how many were fitted to them.
-  ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStructure& structure, Eigen::Index parameters);
+  /// `residuals`: of the data, each times its weight in the gradient. `jacobian`, N x n: of the parameters that were
+  /// fitted to them.
+  ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStructure& structure, const Eigen::MatrixXd& jacobian);
 
   /// Covariance of sum_i J_i r_i over the residuals i that `among` says with that over those that `with` says, n x n,
   /// for a Jacobian N x n: of the noise alone. Of N flags each.
@@ -48,7 +50,11 @@ class ResidualNoise {
     std::vector<Eigen::MatrixXcd> spectrum;
   };
 
-  static Record Measured(std::vector<ResidualSeries> channels, const Eigen::VectorXd& residuals, double scale);
+  /// `fitted`: columns that span those of the Jacobian, orthonormal over all residuals.
+  static Record Measured(std::vector<ResidualSeries> channels, const Eigen::VectorXd& residuals,
+                         const Eigen::MatrixXd& fitted);
+  /// What a fit has left of each channel's noise, frequencies x channels, as a share.
+  static Eigen::MatrixXd Kept(const Record& record, const Eigen::MatrixXd& fitted, Eigen::Index reach);
   /// Of its channels, those of which something takes part, and transforms of their derivatives, frequencies x n each.
   struct Transforms {
     std::vector<Eigen::Index> channels;

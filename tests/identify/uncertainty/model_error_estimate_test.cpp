@@ -38,7 +38,9 @@ ResidualStructure Structure() {
 }
 
 ModelErrorEstimate EstimateOf(const FittedResiduals& fitted) {
-  return EstimateModelError(fitted, Structure(), ResidualNoise(fitted.scores.col(0), Structure(), 1));
+  return EstimateModelError(
+      fitted, Structure(),
+      ResidualNoise(fitted.scores.col(0), Structure(), Eigen::MatrixXd::Zero(fitted.scores.rows(), 1)));
 }
 
 // Without cluster g the mean of the others, in the sense of residuals: -mean of g's residuals over the others' number.
@@ -75,7 +77,10 @@ TEST(ModelErrorEstimate, NamesRecordingsThatContradictTheRest) {
   structure.recordings.Add("sweep", kEach);
   const auto by_recording = [&](double offset) {
     const FittedResiduals fitted = Fitted(Eigen::Vector4d(0, 0, 0, offset), 1, 2);
-    return EstimateModelError(fitted, structure, ResidualNoise(fitted.scores.col(0), structure, 1)).by_recording;
+    return EstimateModelError(
+               fitted, structure,
+               ResidualNoise(fitted.scores.col(0), structure, Eigen::MatrixXd::Zero(fitted.scores.rows(), 1)))
+        .by_recording;
   };
   const Eigen::VectorXd any = Eigen::VectorXd::Zero(1);
   EXPECT_TRUE(by_recording(0).Contradictions(any).empty());
@@ -106,8 +111,9 @@ TEST(ModelErrorEstimate, AddsDegreesOfFreedomOfWays) {
   ResidualStructure structure = Structure();
   structure.partitions.push_back(structure.partitions[0]);
   const FittedResiduals fitted = Fitted(Eigen::Vector4d(-3, -1, 1, 3), 1e-6, 1);
-  const ModelErrorEstimate estimate =
-      EstimateModelError(fitted, structure, ResidualNoise(fitted.scores.col(0), structure, 1));
+  const ModelErrorEstimate estimate = EstimateModelError(
+      fitted, structure,
+      ResidualNoise(fitted.scores.col(0), structure, Eigen::MatrixXd::Zero(fitted.scores.rows(), 1)));
   EXPECT_NEAR(estimate.reach[0], 2.44691 * std::sqrt(0.75 * 20 / 9), 1e-4);
 }
 
@@ -119,8 +125,9 @@ TEST(ModelErrorEstimate, LeavesWhatRestsOnOneCluster) {
   fitted.jacobian.col(1).tail(kEach).setLinSpaced(-1, 1);
   fitted.scores = fitted.scores.col(0).asDiagonal() * fitted.jacobian;
   fitted.is_relative = {true, true};
-  const ModelErrorEstimate estimate =
-      EstimateModelError(fitted, Structure(), ResidualNoise(fitted.scores.col(0), Structure(), 2));
+  const ModelErrorEstimate estimate = EstimateModelError(
+      fitted, Structure(),
+      ResidualNoise(fitted.scores.col(0), Structure(), Eigen::MatrixXd::Zero(fitted.scores.rows(), 1)));
   EXPECT_EQ(estimate.ways[0].rests_on[0], -1);
   EXPECT_EQ(estimate.ways[0].rests_on[1], kClusters - 1);
   EXPECT_LT(std::abs(estimate.ways[0].shifts(1, kClusters - 1)), 0.1);
@@ -132,8 +139,9 @@ TEST(ModelErrorEstimate, LearnsNothingFromTwoClusters) {
   structure.partitions[0].Add("a", 2 * kEach);
   structure.partitions[0].Add("b", 2 * kEach);
   const FittedResiduals fitted = Fitted(Eigen::Vector4d(-1, -1, 1, 1), 0.1, 1);
-  const ModelErrorEstimate estimate =
-      EstimateModelError(fitted, structure, ResidualNoise(fitted.scores.col(0), structure, 1));
+  const ModelErrorEstimate estimate = EstimateModelError(
+      fitted, structure,
+      ResidualNoise(fitted.scores.col(0), structure, Eigen::MatrixXd::Zero(fitted.scores.rows(), 1)));
   EXPECT_FALSE(estimate.is_significant);
   EXPECT_EQ(estimate.ways[0].shifts.size(), 0);
 }
