@@ -203,10 +203,22 @@ class PostNoiseEstimate {
     normal_.setZero(count, count);
     right_.setZero(count);
     for (std::size_t k = 1; k < residuals_.size(); ++k) {
-      const Eigen::MatrixXcd& residual = residuals_[k];
-      for (Index i = 0; i < residual.rows(); ++i)
-        for (Index j = 0; j < i; ++j) AddPair(k, i, j, residual(i, i).real() * residual(j, j).real());
+      const Eigen::VectorXd power = PowerAbout(k);
+      for (Index i = 0; i < power.size(); ++i)
+        for (Index j = 0; j < i; ++j) AddPair(k, i, j, power[i] * power[j]);
     }
+    // Spectra of what noise causes scatter themselves, which adds 1 / K to their squares.
+    right_ *= 1 + 1 / independent_;
+  }
+
+  /// Of each channel, over neighbours, lest a spectrum be weighted by its own scatter.
+  Eigen::VectorXd PowerAbout(std::size_t k) const {
+    constexpr std::size_t kReach = 3;
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(residuals_[k].rows());
+    const std::size_t from = k > kReach ? k - kReach : 1;
+    const std::size_t end = std::min(k + kReach + 1, residuals_.size());
+    for (std::size_t at = from; at < end; ++at) sum += residuals_[at].diagonal().real();
+    return sum / static_cast<double>(end - from);
   }
 
   void AddPair(std::size_t k, Index i, Index j, double chance) {
@@ -229,6 +241,7 @@ class PostNoiseEstimate {
     std::vector<Index> open;
     for (Index i = 0; i < density.size(); ++i)
       if (!history_.post_noise_is_stated[static_cast<std::size_t>(i / bands)]) open.push_back(i);
+    if (open.empty()) return;
     Eigen::VectorXd known = density;
     known(open).setZero();
     const Eigen::MatrixXd normal = normal_(open, open);
@@ -237,7 +250,7 @@ class PostNoiseEstimate {
     // The model lacks something where noise of the posts does not cause most of what channels have in common.
     Eigen::VectorXd all = known;
     all(open) = seen;
-    if (open.empty() || all.dot(2 * right_ - normal_ * all) < 0.5 * common_) return;
+    if (all.dot(2 * right_ - normal_ * all) < 0.5 * common_) return;
     // Each term scatters by 1 / 2K about its mean, and under Hann's window neighbours by 1.5 of that together.
     const Eigen::MatrixXd covariance = 1.5 / (2 * independent_) * LeastNorm(normal).PseudoInverse();
     for (Index i = 0; i < seen.size(); ++i) {
