@@ -19,6 +19,25 @@ void AddBlock(const ResidualBlock& block, const ResidualPartition* part, Residua
   for (const std::size_t cluster : part->cluster_of) whole.Add(part->clusters[cluster], 1);
 }
 
+Eigen::MatrixXd JoinedColumns(const std::vector<ResidualBlock>& blocks) {
+  Eigen::Index rows = 0;
+  Eigen::Index columns = 0;
+  for (const ResidualBlock& block : blocks) {
+    rows += block.count;
+    columns += block.structure.absorbed.cols();
+  }
+  Eigen::MatrixXd joined = Eigen::MatrixXd::Zero(rows, columns);
+  Eigen::Index row = 0;
+  Eigen::Index column = 0;
+  for (const ResidualBlock& block : blocks) {
+    const Eigen::MatrixXd& part = block.structure.absorbed;
+    joined.block(row, column, part.rows(), part.cols()) = part;
+    row += block.count;
+    column += part.cols();
+  }
+  return joined;
+}
+
 }  // namespace
 
 void ResidualPartition::Add(const std::string& cluster, Eigen::Index count) {
@@ -30,6 +49,7 @@ void ResidualPartition::Add(const std::string& cluster, Eigen::Index count) {
 
 ResidualStructure JoinedStructure(const std::vector<ResidualBlock>& blocks) {
   ResidualStructure whole;
+  whole.absorbed = JoinedColumns(blocks);
   Eigen::Index first = 0;
   int record = 0;
   for (const ResidualBlock& block : blocks) {

@@ -39,6 +39,9 @@ struct ResidualStructure {
   /// Clusters are recordings.
   ResidualPartition recordings = {"recordings", {}, {}};
   std::vector<ResidualSeries> series;
+  /// What a block fits along with the parameters, such as the state at the start of a record: columns, a row for each
+  /// residual; no rows: nothing.
+  Eigen::MatrixXd absorbed = {};
 };
 
 struct ResidualBlock;

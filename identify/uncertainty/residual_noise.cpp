@@ -39,8 +39,27 @@ Eigen::VectorXcd FilterAt(const std::vector<double>& coefficients, Index points)
   return Transformed(taps, points);
 }
 
-/// Mean over `reach` neighbours on each side, mirrored at both ends.
-std::vector<Eigen::MatrixXcd> Smoothed(const Eigen::MatrixXcd& transforms, Index reach, double scale) {
+/// How many neighbours a spectrum is averaged over on each side: a quarter of its frequency, as resonances are as wide
+/// as that, but at least eight and at most 40 independent points, fewer of short records.
+class Reach {
+ public:
+  Reach(Index samples, Index points)
+      : apart_(static_cast<double>(points) / static_cast<double>(samples)),
+        most_(std::clamp(std::sqrt(static_cast<double>(samples)) / 2, 8.0, 40.0)) {}
+
+  Index At(Index k) const {
+    constexpr double kLeast = 8;
+    return static_cast<Index>(apart_ * std::clamp(0.25 * static_cast<double>(k) / apart_, kLeast, most_));
+  }
+
+ private:
+  /// Points from one independent point to the next.
+  double apart_;
+  double most_;
+};
+
+/// Mean over neighbours, mirrored at both ends.
+std::vector<Eigen::MatrixXcd> Smoothed(const Eigen::MatrixXcd& transforms, const Reach& reach, double scale) {
   const Index last = transforms.rows() - 1;
   const Index channels = transforms.cols();
   const auto power = [&](Index k) -> Eigen::MatrixXcd {
@@ -52,16 +71,18 @@ std::vector<Eigen::MatrixXcd> Smoothed(const Eigen::MatrixXcd& transforms, Index
   };
   std::vector<Eigen::MatrixXcd> smoothed;
   Eigen::MatrixXcd sum = Eigen::MatrixXcd::Zero(channels, channels);
-  for (Index k = -reach; k <= reach; ++k) sum += power(k);
+  Index from = -reach.At(0);
+  Index end = from;
   for (Index k = 0; k <= last; ++k) {
-    smoothed.push_back(scale / static_cast<double>(2 * reach + 1) * sum);
-    sum += power(k + reach + 1) - power(k - reach);
+    for (; end <= k + reach.At(k); ++end) sum += power(end);
+    for (; from < k - reach.At(k); ++from) sum -= power(from);
+    smoothed.push_back(scale / static_cast<double>(end - from) * sum);
   }
   return smoothed;
 }
 
 /// Likewise of one power.
-Eigen::VectorXd SmoothedPower(const Eigen::VectorXd& power, Index reach) {
+Eigen::VectorXd SmoothedPower(const Eigen::VectorXd& power, const Reach& reach) {
   Eigen::MatrixXcd roots = power.cwiseSqrt().cast<std::complex<double>>();
   const std::vector<Eigen::MatrixXcd> smoothed = Smoothed(roots, reach, 1);
   return Eigen::VectorXd::NullaryExpr(power.size(),
@@ -70,12 +91,14 @@ Eigen::VectorXd SmoothedPower(const Eigen::VectorXd& power, Index reach) {
 
 /// Columns that span those of a matrix.
 Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& matrix) {
-  constexpr double kRank = 1e-12;
-  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(matrix.transpose() * matrix);
+  constexpr double kRank = 1e-9;
+  const Eigen::VectorXd scale = matrix.colwise().norm().unaryExpr([](double n) { return n > 0 ? 1 / n : 0; });
+  const Eigen::MatrixXd scaled = matrix * scale.asDiagonal();
+  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(scaled.transpose() * scaled);
   std::vector<Index> spanning;
   for (Index i = 0; i < pairs.values.size(); ++i)
     if (pairs.values[i] > kRank * pairs.values[pairs.values.size() - 1]) spanning.push_back(i);
-  return matrix * pairs.vectors(Eigen::all, spanning) * pairs.values(spanning).cwiseSqrt().cwiseInverse().asDiagonal();
+  return scaled * pairs.vectors(Eigen::all, spanning) * pairs.values(spanning).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 /// Noise variances of neighbours over frequency, from second differences, smoothed over five of them.
@@ -111,14 +134,18 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStr
     for (Index k = 0; k < series.count; ++k) over_time_[static_cast<std::size_t>(series.first + k * series.step)] = 1;
   }
   if (records.empty()) return;
-  const Eigen::MatrixXd fitted = Orthonormal(jacobian);
+  Eigen::MatrixXd all = jacobian;
+  all.conservativeResize(Eigen::NoChange, jacobian.cols() + structure.absorbed.cols());
+  if (structure.absorbed.size() > 0) all.rightCols(structure.absorbed.cols()) = structure.absorbed;
+  const Eigen::MatrixXd fitted = Orthonormal(all);
   for (auto& [number, channels] : records) records_.push_back(Measured(std::move(channels), residuals, fitted));
 }
 
 // Of N / T of the samples' power per point of the transform, `fitted` takes the sum of |F|^2 over its columns.
-Eigen::MatrixXd ResidualNoise::Kept(const Record& record, const Eigen::MatrixXd& fitted, Index reach) {
+Eigen::MatrixXd ResidualNoise::Kept(const Record& record, const Eigen::MatrixXd& fitted) {
   // A channel that a fit follows everywhere says nothing of its noise.
   constexpr double kLeast = 0.2;
+  const Reach reach(record.samples, record.points);
   Eigen::MatrixXd kept(record.points / 2 + 1, static_cast<Index>(record.channels.size()));
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
     Eigen::MatrixXcd transforms(kept.rows(), fitted.cols());
@@ -146,12 +173,8 @@ ResidualNoise::Record ResidualNoise::Measured(std::vector<ResidualSeries> channe
     transforms.col(c) = Transformed(Whitened(signal, coefficients), record.points);
     colour.col(c) = FilterAt(coefficients, record.points).cwiseInverse();
   }
-  const auto samples = static_cast<double>(record.samples);
-  // Of some thousand samples 30 to 60 independent ones of the periodogram, whose points are half as far apart.
-  const auto reach =
-      static_cast<Index>(std::clamp(std::sqrt(samples) / 2, 4.0, 40.0) * static_cast<double>(record.points) / samples);
-  record.spectrum = Smoothed(transforms, reach, 1 / samples);
-  const Eigen::MatrixXd kept = Kept(record, fitted, reach);
+  record.spectrum = Smoothed(transforms, Reach(record.samples, record.points), 1 / static_cast<double>(record.samples));
+  const Eigen::MatrixXd kept = Kept(record, fitted);
   for (Index k = 0; k < colour.rows(); ++k) {
     const Eigen::VectorXcd by = colour.row(k).cwiseQuotient(kept.row(k).cwiseSqrt()).transpose();
     Eigen::MatrixXcd& power = record.spectrum[static_cast<std::size_t>(k)];

@@ -54,7 +54,7 @@ class ResidualNoise {
   static Record Measured(std::vector<ResidualSeries> channels, const Eigen::VectorXd& residuals,
                          const Eigen::MatrixXd& fitted);
   /// What a fit has left of each channel's noise, frequencies x channels, as a share.
-  static Eigen::MatrixXd Kept(const Record& record, const Eigen::MatrixXd& fitted, Eigen::Index reach);
+  static Eigen::MatrixXd Kept(const Record& record, const Eigen::MatrixXd& fitted);
   /// Of its channels, those of which something takes part, and transforms of their derivatives, frequencies x n each.
   struct Transforms {
     std::vector<Eigen::Index> channels;

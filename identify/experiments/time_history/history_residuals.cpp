@@ -192,6 +192,30 @@ bool HasPostNoise(const std::vector<MeasuredHistory>& histories) {
 
 }  // namespace
 
+Eigen::MatrixXd HistoryResiduals::Starts() const {
+  const CondensedModel model = condensed_->At(condensed_->vehicle().ParameterValues());
+  std::vector<Eigen::MatrixXd> motions;
+  Index columns = 0;
+  for (const MeasuredHistory& history : histories_) {
+    motions.push_back(FreeMotions(history, model));
+    columns += motions.back().cols();
+  }
+  Eigen::MatrixXd starts = Eigen::MatrixXd::Zero(count_, columns);
+  Index row = 0;
+  Index column = 0;
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const MeasuredHistory& history = histories_[h];
+    const Index each = CountOf(history);
+    for (std::size_t s = 0; s < history.signals.size(); ++s, row += each) {
+      const auto rows = Eigen::seqN(static_cast<Index>(s) * history.count, each, history.Stride());
+      starts.block(row, column, each, motions[h].cols()) =
+          motions[h](rows, Eigen::all) / DeviationOf(history.signals[s]);
+    }
+    column += motions[h].cols();
+  }
+  return starts;
+}
+
 ResidualStructure HistoryResiduals::Structure() const {
   ResidualPartition groups = {"sensor groups", {}, {}};
   ResidualStructure structure;
@@ -214,6 +238,7 @@ ResidualStructure HistoryResiduals::Structure() const {
     }
   }
   structure.partitions = {std::move(groups)};
+  if (options_.cost == HistoryCost::kWhitened) structure.absorbed = Starts();
   return structure;
 }
 

@@ -88,6 +88,8 @@ class HistoryResiduals {
   ResidualStructure Structure() const;
 
  private:
+  /// What AddStartTo() adds is a sum of these, residuals x columns, at the file's values.
+  Eigen::MatrixXd Starts() const;
   /// Residuals of a signal.
   Eigen::Index CountOf(const MeasuredHistory& history) const;
   Eigen::MatrixXd Modelled(std::size_t h, const CondensedModel& model, const Deadline& deadline) const;

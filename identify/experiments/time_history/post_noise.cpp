@@ -8,6 +8,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "analysis/numerics/decompositions.h"
+#include "analysis/signals/median.h"
 #include "analysis/signals/random_stream.h"
 #include "identify/experiments/time_history/history_simulation.h"
 
@@ -119,8 +120,8 @@ Eigen::VectorXd NotNegative(const Eigen::MatrixXd& normal, const Eigen::VectorXd
   return x;
 }
 
-/// Least squares over all pairs of channels and all frequencies, each in parts of what chance makes of it. What noise
-/// of one octave causes is not confined to it: a damper with two rates passes it on to all others.
+/// Least squares over all pairs of channels and the frequencies of each octave, each in parts of what chance makes of
+/// it.
 class PostNoiseEstimate {
  public:
   PostNoiseEstimate(const MeasuredHistory& history, const CondensedModel& model, const Eigen::MatrixXd& modelled,
@@ -129,6 +130,7 @@ class PostNoiseEstimate {
     const Index segment = Segment();
     const SpectralMatrices spectra = SpectraOf(Measured(modelled), history.rate_Hz, segment);
     independent_ = spectra.independent;
+    spacing_Hz_ = spectra.spacing_Hz;
     for (std::size_t k = 0; k < spectra.at.size(); ++k) residuals_.push_back(Unexplained(spectra.at[k]));
     ends_Hz_ = Octaves(history.rate_Hz, spectra.spacing_Hz);
     const Eigen::MatrixXd before = HistorySimulation(history, step_s).Run(model);
@@ -221,10 +223,16 @@ class PostNoiseEstimate {
     return sum / static_cast<double>(end - from);
   }
 
+  Index BandOf(std::size_t k) const {
+    return std::lower_bound(ends_Hz_.begin(), ends_Hz_.end() - 1, static_cast<double>(k) * spacing_Hz_) -
+           ends_Hz_.begin();
+  }
+
   void AddPair(std::size_t k, Index i, Index j, double chance) {
     if (!(chance > 0)) return;
-    Eigen::VectorXcd causes(normal_.rows());
-    for (Index c = 0; c < causes.size(); ++c) causes[c] = causes_[static_cast<std::size_t>(c)][k](i, j);
+    Eigen::VectorXcd causes = Eigen::VectorXcd::Zero(normal_.rows());
+    const auto bands = static_cast<Index>(ends_Hz_.size());
+    for (Index c = BandOf(k); c < causes.size(); c += bands) causes[c] = causes_[static_cast<std::size_t>(c)][k](i, j);
     const std::complex<double> residual = residuals_[k](i, j);
     right_ += (causes.conjugate() * residual).real() / chance;
     normal_ += (causes.conjugate() * causes.transpose()).real() / chance;
@@ -253,17 +261,28 @@ class PostNoiseEstimate {
     if (all.dot(2 * right_ - normal_ * all) < 0.5 * common_) return;
     // Each term scatters by 1 / 2K about its mean, and under Hann's window neighbours by 1.5 of that together.
     const Eigen::MatrixXd covariance = 1.5 / (2 * independent_) * LeastNorm(normal).PseudoInverse();
-    for (Index i = 0; i < seen.size(); ++i) {
-      double& white = density[open[static_cast<std::size_t>(i)]];
-      const double sd = std::sqrt(covariance(i, i));
-      const bool is_sharp = normal(i, i) > 0 && (sd < 0.5 * white || seen[i] > 3 * sd);
-      if (is_sharp) white = seen[i];
+    for (Index first = 0; first < seen.size(); first += bands) {
+      std::vector<Index> sharp;
+      for (Index i = first; i < first + bands; ++i)
+        if (normal(i, i) > 0 && seen[i] > 3 * std::sqrt(covariance(i, i))) sharp.push_back(i);
+      if (IsWhite(seen, sharp, density[open[static_cast<std::size_t>(first)]])) continue;
+      for (const Index i : sharp) density[open[static_cast<std::size_t>(i)]] = seen[i];
     }
+  }
+
+  /// Noise of one post. A damper with two rates passes some of it on from octave to octave, so that one alone does not
+  /// speak against white noise.
+  static bool IsWhite(const Eigen::VectorXd& seen, const std::vector<Index>& sharp, double white) {
+    constexpr double kColoured = 3;
+    std::vector<double> sizes;
+    for (const Index i : sharp) sizes.push_back(seen[i]);
+    return sizes.empty() || Median(std::move(sizes)) < kColoured * white;
   }
 
   const MeasuredHistory& history_;
   Index posts_;
   double independent_ = 1;
+  double spacing_Hz_ = 0;
   std::vector<double> ends_Hz_;
   /// Per frequency: between channels, what does not follow from the posts.
   std::vector<Eigen::MatrixXcd> residuals_;
