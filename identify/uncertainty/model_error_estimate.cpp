@@ -201,7 +201,7 @@ ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const Resid
   }
   if (ways == 0) return estimate;
   const Eigen::VectorXd sums = estimate.covariance.diagonal();
-  estimate.covariance /= ways;
+  estimate.covariance *= kErrorInCommon * kErrorInCommon / ways;
   const Eigen::VectorXd variance = estimate.covariance.diagonal();
   std::vector<double> shares;
   std::vector<double> relative;

@@ -74,16 +74,20 @@ struct ModelErrorEstimate {
   Eigen::MatrixXd covariance;
 };
 
+/// What parts of the data have in common of an error shows in none of their differences; those of thirty random cars
+/// with richer physics than their models, tests/validation/coverage.py --first 301, say how much that is.
+inline constexpr double kErrorInCommon = 1.15;
+
 /// A model that lacks something fits no two parts of the data by the same parameters; how far these go apart shows how
 /// far they are from the truth. Delete-a-group jackknife (Shao and Wu, Ann. Stat. 17, 1989) over few physical clusters,
 /// one Gauss-Newton step each, which takes no evaluation: with psi_i = w_i r_i, H = sum w_i J_i J_i' and the priors,
-///   d_g = (H - H_g)^-1 sum_{i in g} J_i psi_i,   V_jj = (G - 1) / G sum_g max(0, d_gj^2 - its variance by noise),
-/// mean over the ways. Half widths are sqrt(V_jj) times Student's t of 95 %, with the degrees of freedom of a sum of
-/// variances that have G - 1 each (Satterthwaite, Biometrics Bulletin 2, 1946): two ways that say the same count as
-/// both, one that says it all as one. V_jj is at least m C_jj / 4, C = H^-1, m the median of V_jj / C_jj, and at least
-/// (0.75)^2 of the median of all relative variances: what is missing moves all parameters, and where all parts of the
-/// data agree on a wrong value V_jj is too small. On vehicles whose models lack much such intervals hold the truth in
-/// 80 to 90 of 100, not in 95; nothing can be said of an error on which all parts agree.
+///   d_g = (H - H_g)^-1 sum_{i in g} J_i psi_i,   V_jj = c^2 (G - 1) / G sum_g max(0, d_gj^2 - its variance by noise),
+/// mean over the ways, c = kErrorInCommon. Half widths are sqrt(V_jj) times Student's t of 95 %, with the degrees of
+/// freedom of a sum of variances that have G - 1 each (Satterthwaite, Biometrics Bulletin 2, 1946): two ways that say
+/// the same count as both, one that says it all as one. V_jj is at least m C_jj / 4, C = H^-1, m the median of V_jj /
+/// C_jj, and at least (0.75)^2 of the median of all relative variances: what is missing moves all parameters, and where
+/// all parts of the data agree on a wrong value V_jj is too small. On vehicles whose models lack much such intervals
+/// hold the truth in 80 to 90 of 100, not in 95; nothing can be said of an error on which all parts agree.
 ModelErrorEstimate EstimateModelError(const FittedResiduals& fitted, const ResidualStructure& structure,
                                       const ResidualNoise& noise);
 

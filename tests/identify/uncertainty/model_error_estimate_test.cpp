@@ -51,7 +51,7 @@ TEST(ModelErrorEstimate, MovesAsTheFitWithoutAClusterWould) {
   for (Eigen::Index g = 0; g < kClusters; ++g)
     EXPECT_NEAR(estimate.ways[0].shifts(0, g), offsets[g] / (kClusters - 1), 1e-5);
   // (G - 1) / G sum of squares: 3 / 4 of 20 / 9; Student's t of three degrees of freedom.
-  EXPECT_NEAR(estimate.reach[0], 3.18245 * std::sqrt(0.75 * 20 / 9), 1e-4);
+  EXPECT_NEAR(estimate.reach[0], kErrorInCommon * 3.18245 * std::sqrt(0.75 * 20 / 9), 1e-4);
   EXPECT_TRUE(estimate.is_significant);
 }
 
@@ -114,7 +114,7 @@ TEST(ModelErrorEstimate, AddsDegreesOfFreedomOfWays) {
   const ModelErrorEstimate estimate = EstimateModelError(
       fitted, structure,
       ResidualNoise(fitted.scores.col(0), structure, Eigen::MatrixXd::Zero(fitted.scores.rows(), 1)));
-  EXPECT_NEAR(estimate.reach[0], 2.44691 * std::sqrt(0.75 * 20 / 9), 1e-4);
+  EXPECT_NEAR(estimate.reach[0], kErrorInCommon * 2.44691 * std::sqrt(0.75 * 20 / 9), 1e-4);
 }
 
 // What two of three clusters hold nothing of stays where it is, and the third is named.
