@@ -173,7 +173,7 @@ class PostNoiseEstimate {
     return measured;
   }
 
-  /// Where the posts hardly moved the recorded heights are noise themselves.
+  /// Where the posts did not move the recorded heights are noise themselves.
   Eigen::MatrixXcd Unexplained(const Eigen::MatrixXcd& spectra) const {
     constexpr double kMoves = 10;
     bool moves = true;
