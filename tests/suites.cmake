@@ -1,5 +1,5 @@
 # Lists the tests of PROGRAM for ctest, when it starts: fast ones a suite each, since most of them take less time than
-# their process, and SLOW ones, patterns of --gtest_filter, one by one.
+# their process, and SLOW ones, patterns of --gtest_filter, one by one; these start first.
 if(NOT EXISTS ${PROGRAM})
   get_filename_component(name ${PROGRAM} NAME)
   add_test(${name}_NOT_BUILT ${name}_NOT_BUILT)
@@ -34,7 +34,7 @@ if(NOT EXISTS ${LIST} OR ${PROGRAM} IS_NEWER_THAN ${LIST} OR ${CMAKE_CURRENT_LIS
         set(suite ${CMAKE_MATCH_1})
       elseif(line MATCHES "^  (.*)$")
         string(APPEND tests "add_test([=[${suite}${CMAKE_MATCH_1}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${suite}${CMAKE_MATCH_1}]=])\n"
-          "set_tests_properties([=[${suite}${CMAKE_MATCH_1}]=] PROPERTIES LABELS slow)\n")
+          "set_tests_properties([=[${suite}${CMAKE_MATCH_1}]=] PROPERTIES LABELS slow COST 5)\n")
       endif()
     endforeach()
   endif()

@@ -34,7 +34,7 @@ class FittedCost {
   FittedCost(const DrawRequest& request, const RunSpread& run, const WorkHooks& hooks)
       : run_(run),
         variables_(run.parameters.lattice),
-        loaded_(Load(request.study)),
+        loaded_(LoadSoundStudy(request.study)),
         objective_(Corrected(hooks)),
         options_(FitOptionsOf(loaded_.study, objective_).refine),
         archive_(objective_.MakeProblem(), request.threads) {
@@ -74,26 +74,11 @@ class FittedCost {
   }
 
  private:
-  static LoadedStudy Load(const std::filesystem::path& study) {
-    Diagnostics diagnostics;
-    std::optional<LoadedStudy> loaded = LoadStudy(study, diagnostics);
-    if (!loaded || diagnostics.HasErrors()) throw FaultyInput(diagnostics);
-    return *std::move(loaded);
-  }
-
   /// As the fit ended, with what the full geometry adds.
   VehicleObjective Corrected(const WorkHooks& hooks) {
     RequireParameters();
     loaded_.Prepare(hooks);
-    std::vector<double> values = loaded_.vehicle.ParameterValues();
-    for (std::size_t i = 0; i < loaded_.free.size(); ++i)
-      values[loaded_.free[i]] = run_.parameters.values[static_cast<Index>(i)];
-    const Subject subject = loaded_.MakeSubject();
-    bool is_due = false;
-    for (Experiment& experiment : loaded_.study.experiments)
-      is_due |= experiment.CheckGeometry(subject, values, hooks) == Experiment::Geometry::kCorrectionDue;
-    if (is_due)
-      for (Experiment& experiment : loaded_.study.experiments) experiment.Correct();
+    loaded_.CorrectAt(run_.parameters.values, hooks);
     return loaded_.MakeObjective();
   }
 

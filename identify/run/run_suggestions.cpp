@@ -18,13 +18,6 @@ namespace {
 
 using Eigen::Index;
 
-LoadedStudy Load(const std::filesystem::path& file) {
-  Diagnostics diagnostics;
-  std::optional<LoadedStudy> loaded = LoadStudy(file, diagnostics);
-  if (!loaded || diagnostics.HasErrors()) throw FaultyInput(diagnostics);
-  return *std::move(loaded);
-}
-
 /// Of the study's free parameters. Throws FaultyInput where the run fitted others.
 Eigen::VectorXd FittedValues(const nlohmann::json& result, const LoadedStudy& study) {
   Eigen::VectorXd values(static_cast<Index>(study.free.size()));
@@ -39,18 +32,6 @@ Eigen::VectorXd FittedValues(const nlohmann::json& result, const LoadedStudy& st
   return values;
 }
 
-/// With what the full geometry adds, as the fit ended.
-void Correct(LoadedStudy& study, const Eigen::VectorXd& fitted, const WorkHooks& hooks) {
-  std::vector<double> values = study.vehicle.ParameterValues();
-  for (std::size_t i = 0; i < study.free.size(); ++i) values[study.free[i]] = fitted[static_cast<Index>(i)];
-  const Subject subject = study.MakeSubject();
-  bool is_due = false;
-  for (Experiment& experiment : study.study.experiments)
-    is_due |= experiment.CheckGeometry(subject, values, hooks) == Experiment::Geometry::kCorrectionDue;
-  if (is_due)
-    for (Experiment& experiment : study.study.experiments) experiment.Correct();
-}
-
 void RequireCost(const nlohmann::json& result, double cost, const std::filesystem::path& study) {
   constexpr double kDifference = 0.01;
   const double fitted = result.value("cost", std::nan(""));
@@ -62,10 +43,10 @@ void RequireCost(const nlohmann::json& result, double cost, const std::filesyste
 
 RunSuggestions SuggestForRun(const SuggestRequest& request, const WorkHooks& hooks) {
   const nlohmann::json result = ReadResultFile(request.run / "result.json");
-  RunSuggestions run{.study = Load(request.study)};
+  RunSuggestions run{.study = LoadSoundStudy(request.study)};
   run.values = FittedValues(result, run.study);
   run.study.Prepare(hooks);
-  Correct(run.study, run.values, hooks);
+  run.study.CorrectAt(run.values, hooks);
   run.suggestions = SuggestFor(run.study, run.values, request.threads, hooks);
   RequireCost(result, run.suggestions.cost, request.study);
   return run;

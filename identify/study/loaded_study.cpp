@@ -66,6 +66,17 @@ void LoadedStudy::Prepare(const WorkHooks& hooks) {
   for (Experiment& experiment : study.experiments) experiment.Prepare(subject, hooks);
 }
 
+void LoadedStudy::CorrectAt(const Eigen::VectorXd& fitted, const WorkHooks& hooks) {
+  std::vector<double> values = vehicle.ParameterValues();
+  for (std::size_t i = 0; i < free.size(); ++i) values[free[i]] = fitted[static_cast<Eigen::Index>(i)];
+  const Subject subject = MakeSubject();
+  bool is_due = false;
+  for (Experiment& experiment : study.experiments)
+    is_due |= experiment.CheckGeometry(subject, values, hooks) == Experiment::Geometry::kCorrectionDue;
+  if (is_due)
+    for (Experiment& experiment : study.experiments) experiment.Correct();
+}
+
 VehicleObjective LoadedStudy::MakeObjective() const {
   const Subject subject = MakeSubject();
   std::vector<ResidualBlock> blocks;
@@ -102,6 +113,13 @@ std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnost
   loaded.fitted_files = FittedFiles(loaded.study);
   loaded.validation_files = ValidationFiles(loaded.study);
   return loaded;
+}
+
+LoadedStudy LoadSoundStudy(const std::filesystem::path& file) {
+  Diagnostics diagnostics;
+  std::optional<LoadedStudy> loaded = LoadStudy(file, diagnostics);
+  if (!loaded || diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+  return *std::move(loaded);
 }
 
 std::optional<Audit> CheckRecordings(const LoadedStudy& study, Severity wrong_posts, Diagnostics& diagnostics) {

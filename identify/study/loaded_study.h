@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "analysis/process/work_hooks.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/audit/audit.h"
@@ -34,6 +36,10 @@ struct LoadedStudy {
   /// What experiments need once before a fit. Throws FaultyInput.
   void Prepare(const WorkHooks& hooks = {});
 
+  /// As a fit that ends with these values of the free parameters: experiments that ask for it add what the full
+  /// geometry does there. After Prepare().
+  void CorrectAt(const Eigen::VectorXd& fitted, const WorkHooks& hooks);
+
   /// The misfit over all experiments. Throws FaultyInput when the vehicle cannot be assembled or held.
   VehicleObjective MakeObjective() const;
 
@@ -44,6 +50,8 @@ struct LoadedStudy {
 /// Reads a study, its vehicle and its recordings. Adds every fault of all of them to `diagnostics`; nothing when there
 /// was an error. Recordings for validation that have a fault are left out, with a warning.
 std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// Throws FaultyInput instead, and drops warnings.
+LoadedStudy LoadSoundStudy(const std::filesystem::path& file);
 
 /// Implausible recordings, at the values of the vehicle's file, as warnings; posts that certainly move otherwise than
 /// stated, and channels that are certainly wired wrongly, as `wrong_posts`. Returns the audit of the rig where there is

@@ -50,6 +50,9 @@ class Suggest(ProgramTest):
         self.fit("study.yaml", "run")
         self.assertEqual(self.suggested()["suggestions"], [])
         self.assertGreater(len(self.suggested("--all")["suggestions"]), 10)
+        # Nor is there one of that number.
+        answer = self.run_program("suggest", "run", "--study", "study.yaml", "--apply", "9999", "-o", "new", code=2)
+        self.assert_finding(answer.stderr, "suggestion-unknown")
 
     def test_fit_grows(self):
         self.record(FRICTION)
@@ -59,12 +62,6 @@ class Suggest(ProgramTest):
         self.assertEqual(kept, ["", "friction"])
         result = json.loads((self.folder / "grown/result.json").read_text())
         self.assertIn("friction_damper", [p["name"] for p in result["parameters"]])
-
-    def test_refuses_what_cannot_be(self):
-        self.record(CLEAN)
-        self.fit("study.yaml", "run")
-        answer = self.run_program("suggest", "run", "--study", "study.yaml", "--apply", "9999", "-o", "new", code=2)
-        self.assert_finding(answer.stderr, "suggestion-unknown")
 
 
 if __name__ == "__main__":

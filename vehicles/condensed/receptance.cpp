@@ -37,7 +37,7 @@ Eigen::VectorXd StateUnits(const LinearVehicle& vehicle) {
 Complex Inverse(Complex z) { return std::conj(z) * (1 / std::norm(z)); }
 
 /// See Poles: weight of a pole, or of a pair.
-Complex Weight(Complex pole, double omega) {
+Complex PoleWeight(Complex pole, double omega) {
   if (pole.imag() == 0) return Inverse({-pole.real(), omega});
   return Inverse({std::norm(pole) - omega * omega, -2 * omega * pole.real()});
 }
@@ -149,7 +149,7 @@ void Receptance::SumResidues(double omega, int first, int last, const Eigen::Mat
   for (Eigen::Index k = 0; k < n; ++k)
     for (Eigen::Index i = 0; i < rows; ++i) {
       const double w = static_cast<double>(first + i) * omega;
-      const Complex weight = Weight(poles_->values[k], w);
+      const Complex weight = PoleWeight(poles_->values[k], w);
       weights(i, k) = -w * weight.imag();
       weights(rows + i, k) = w * weight.real();
       weights(i, n + k) = weight.real();

@@ -12,13 +12,13 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-bool IsNameCharacter(char c) {
+bool IsOfParameterName(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
 std::string_view NameAtBegin(std::string_view text) {
   return text.substr(
-      0, static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), IsNameCharacter) - text.begin()));
+      0, static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), IsOfParameterName) - text.begin()));
 }
 
 /// The factor before a '$': "" is 1, "-" is -1, "0.5*" is 0.5.
@@ -92,7 +92,7 @@ std::optional<ParameterReference> ParseReference(std::string_view text) {
 
 std::optional<ParameterReference> ReferenceWithoutDollar(std::string_view text) {
   text = Trimmed(text);
-  const auto begin = std::find_if_not(text.rbegin(), text.rend(), IsNameCharacter).base() - text.begin();
+  const auto begin = std::find_if_not(text.rbegin(), text.rend(), IsOfParameterName).base() - text.begin();
   const std::string_view name = text.substr(static_cast<std::size_t>(begin));
   const std::optional<double> factor = ParseFactor(Trimmed(text.substr(0, text.size() - name.size())));
   if (!factor || name.empty() || std::isdigit(static_cast<unsigned char>(name.front()))) return std::nullopt;

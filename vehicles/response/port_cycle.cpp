@@ -126,11 +126,11 @@ PortCycle::Method PortCycle::Newton() const {
 
 /// How many harmonics Newton's method can afford, from the mean on.
 Eigen::Index PortCycle::NewtonRows() const {
-  constexpr Eigen::Index kMostUnknowns = 160;
+  constexpr Eigen::Index kMostWithoutMemory = 160;
   // For lack of another method that leads there.
   constexpr Eigen::Index kMostWithMemory = 480;
   const Eigen::Index active = (remainder_.cwiseAbs().colwise().maxCoeff().array() > 0).count();
-  const Eigen::Index most = has_memory_ ? kMostWithMemory : kMostUnknowns;
+  const Eigen::Index most = has_memory_ ? kMostWithMemory : kMostWithoutMemory;
   return std::min(extension_.rows(), (most / std::max<Eigen::Index>(active, 1) + 1) / 2);
 }
 

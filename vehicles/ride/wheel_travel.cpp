@@ -1,7 +1,5 @@
 #include "vehicles/ride/wheel_travel.h"
 
-#include <Eigen/SVD>
-
 #include "analysis/numerics/decompositions.h"
 
 namespace fourpost {
@@ -25,9 +23,10 @@ Eigen::MatrixXd Constraints(const Suspension& suspension, Eigen::Index coordinat
 }
 
 Eigen::MatrixXd NullSpace(const Eigen::MatrixXd& rows) {
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullV);
-  svd.setThreshold(kRankTolerance);
-  return svd.matrixV().rightCols(rows.cols() - svd.rank());
+  const SingularValues parts = SingularValuesOf(rows, SingularValues::kRight);
+  const double largest = parts.values.size() > 0 ? parts.values[0] : 0;
+  const Eigen::Index rank = largest > 0 ? (parts.values.array() >= kRankTolerance * largest).count() : 0;
+  return parts.right.rightCols(rows.cols() - rank);
 }
 
 LeastNorm LeastNormOf(const Eigen::MatrixXd& matrix) {

@@ -132,7 +132,7 @@ Found ExplanationOf(const Station& station, const RigidMotion& others, const Cha
 
 void LintBody(const std::vector<Station>& stations, ChannelWarnings& warnings) {
   // Sensors of a rig are good to some per cent, and bodies bend a little.
-  constexpr double kFarOff = 0.1;
+  constexpr double kNoticeable = 0.1;
   constexpr double kFarMoreThanOthers = 3;
   Stray stray;
   for (std::size_t s = 0; s < stations.size(); ++s) {
@@ -143,7 +143,7 @@ void LintBody(const std::vector<Station>& stations, ChannelWarnings& warnings) {
                                  static_cast<double>(measured.size()));
     stray = {s, rms, others.rms, std::move(others)};
   }
-  if (stray.rms < kFarOff || stray.rms < kFarMoreThanOthers * stray.others_rms) return;
+  if (stray.rms < kNoticeable || stray.rms < kFarMoreThanOthers * stray.others_rms) return;
   const Station& station = stations[stray.station];
   const Found found =
       ExplanationOf(station, stray.others, warnings,

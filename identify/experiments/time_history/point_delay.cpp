@@ -43,7 +43,7 @@ std::optional<double> DelayOf(const Eigen::VectorXd& z, const Eigen::VectorXd& a
   constexpr Index kFewest = 64;
   // What a delay leaves is noise, of any other fault it is more.
   constexpr double kMostLeft_percent = 25;
-  constexpr double kMuch = 0.25;
+  constexpr double kShareLeft = 0.25;
   const Index reach = std::max<Index>(1, std::lround(kReach_s * rate_Hz));
   if (z.size() < 2 * reach + kFewest) return std::nullopt;
   const Eigen::VectorXd second = WithoutMean(SecondDifference(z, reach, rate_Hz));
@@ -52,7 +52,7 @@ std::optional<double> DelayOf(const Eigen::VectorXd& z, const Eigen::VectorXd& a
   const double apart = NormalisedMse_percent({second.data(), static_cast<std::size_t>(second.size())},
                                              {mean.data(), static_cast<std::size_t>(mean.size())});
   if (!(std::abs(timing.delay_s) * rate_Hz > 1 && timing.gain > 0 && timing.nmse_percent < kMostLeft_percent &&
-        timing.nmse_percent < kMuch * apart))
+        timing.nmse_percent < kShareLeft * apart))
     return std::nullopt;
   return timing.delay_s;
 }

@@ -56,7 +56,7 @@ std::vector<FreeMode> ModesOf(const MeasuredHistory& history, const CondensedMod
 }
 
 /// Of one signal: samples of the window.
-Eigen::VectorXd Window(const MeasuredHistory& history, Eigen::VectorXd all) {
+Eigen::VectorXd InWindow(const MeasuredHistory& history, Eigen::VectorXd all) {
   if (const auto& filter = history.filter)
     LowPass(filter->order, filter->cutoff_Hz, history.rate_Hz)
         .Apply({all.data(), static_cast<std::size_t>(all.size())});
@@ -78,9 +78,9 @@ Eigen::MatrixXd FreeMotions(const MeasuredHistory& history, const CondensedModel
       Eigen::VectorXcd all = Eigen::VectorXcd::Zero(samples);
       std::complex<double> now = mode.readings[s];
       for (Index k = 0; k < lasting; ++k, now *= step) all[k] = now;
-      motions.col(column).segment(s * history.count, history.count) = Window(history, all.real());
+      motions.col(column).segment(s * history.count, history.count) = InWindow(history, all.real());
       if (mode.eigenvalue.imag() != 0)
-        motions.col(column + 1).segment(s * history.count, history.count) = Window(history, all.imag());
+        motions.col(column + 1).segment(s * history.count, history.count) = InWindow(history, all.imag());
     }
     column += mode.eigenvalue.imag() != 0 ? 2 : 1;
   }

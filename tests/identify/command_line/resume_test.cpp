@@ -87,7 +87,7 @@ class Resume : public ProgramTest {
 TEST_F(Resume, AfterFiftyKillsGivesTheResultOfAnUninterruptedFitAndPaysForNothingTwice) {
   // A quarter car: little but evaluations.
   const std::string study = "studies/starter/study.yaml";
-  ReplaceIn(study, "  evaluations: 100\n", "  evaluations: 4000\n  generations: 1000\n");
+  ReplaceIn(study, "  evaluations: 100\n", "  evaluations: 1500\n  generations: 1000\n");
   ASSERT_EQ(Run(Fit("whole", study)).code, 0);
   ExpectPaidOnce("whole");
   const std::int64_t all = ArchiveIn("whole").evaluations;
