@@ -84,8 +84,11 @@ struct MeasuredResponses {
   double period_s = 0;
   int periods = 0;
   std::vector<MeasuredResponse> responses;
-  /// Columns that are no response of a vehicle.
+  /// Columns that are no response of a vehicle; and those of them whose unit is not known, as "'oil' (foo)".
   std::vector<std::string> left_out;
+  std::vector<std::string> unit_unknown;
+  /// Channels that move as the posts do at every frequency, up to their sign.
+  std::vector<std::string> like_posts;
 };
 
 /// "stepped sine", "sweep", "random motion", "multisine"

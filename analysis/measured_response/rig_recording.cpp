@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -60,6 +61,15 @@ std::string ResponseUnit(const RecordedTable& table, std::size_t column) {
   if (unit->dimension == kForce) return "N";
   if (unit->dimension == kAcceleration) return "m/s^2";
   return IsAngularVelocity(*unit, table.unit(column)) ? "rad/s" : "";
+}
+
+/// A column of numbers with its unit, where that is not known: "'oil' (foo)"; else empty.
+std::string UnknownUnit(const RecordedTable& table, std::size_t column) {
+  if (UnitOf(table, column) || table.HoldsText(column)) return "";
+  const std::optional<double> first = table.rows(column) > 0 ? table.Number(0, column) : std::nullopt;
+  if (!first || std::isnan(*first)) return "";
+  const std::string& unit = table.unit(column);
+  return "'" + table.names()[column] + "' (" + (unit.empty() ? "no unit" : unit) + ")";
 }
 
 std::string ListOr(const std::vector<std::string>& names, const std::string& none) {
@@ -124,6 +134,7 @@ std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, 
     const std::string unit = ResponseUnit(*table, column);
     if (unit.empty() || table->HoldsText(column)) {
       out.left_out.push_back(name);
+      if (const std::string text = UnknownUnit(*table, column); !text.empty()) out.unit_unknown.push_back(text);
       continue;
     }
     out.names.push_back(name);

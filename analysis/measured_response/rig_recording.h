@@ -29,8 +29,9 @@ struct RigRecording {
   /// "m", "N", "m/s^2" or "rad/s".
   std::vector<std::string> units;
   std::vector<std::vector<double>> channels;
-  /// Columns in other units, or without one.
+  /// Columns in other units, or without one; and those of them whose unit is not known, as 'oil [foo]'.
   std::vector<std::string> left_out;
+  std::vector<std::string> unit_unknown;
 
   RigSignals Signals() const;
   double duration_s() const;

@@ -24,6 +24,7 @@ struct OverTime {
   /// Of each column, as far as its file has them.
   std::vector<std::string> groups;
   std::vector<std::string> points;
+  std::vector<std::string> descriptions;
   std::size_t samples = 0;
   /// Lines of the rows that lack a number first, a column each; 0 where none does and of a MAT file.
   std::vector<int> missing_lines;
@@ -108,8 +109,13 @@ bool IsShown(const std::vector<std::string>& places) {
   return std::any_of(places.begin(), places.end(), [&](const std::string& place) { return place != places.front(); });
 }
 
+bool HasAny(const std::vector<std::string>& texts) {
+  return std::any_of(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); });
+}
+
 TextTable ChannelsTable(const OverTime& content) {
   std::vector<std::string> names = {"channel", "unit", "minimum", "maximum", "mean", "rms", "level", "remarks"};
+  if (HasAny(content.descriptions)) names.insert(names.begin() + 2, "description");
   if (IsShown(content.points)) names.insert(names.begin() + 2, "point");
   if (IsShown(content.groups)) names.insert(names.begin() + 2, "group");
   if (content.has_several_rates) names.insert(names.begin() + 2, "rate");
@@ -124,6 +130,7 @@ TextTable ChannelsTable(const OverTime& content) {
                                     Rounded(c.rms, 4),
                                     Rounded(c.level, 2),
                                     Joined(Remarks(c, content.missing_lines[i]))};
+    if (HasAny(content.descriptions)) row.insert(row.begin() + 2, content.descriptions[i]);
     if (IsShown(content.points)) row.insert(row.begin() + 2, content.points[i]);
     if (IsShown(content.groups)) row.insert(row.begin() + 2, content.groups[i]);
     if (content.has_several_rates) row.insert(row.begin() + 2, Short(std::round(1e4 * c.rate_Hz) / 1e4) + " Hz");
@@ -180,6 +187,8 @@ Json JsonOf(const OverTime& content) {
       json["channels"].back()["group"] = ValidUtf8(content.groups[i]);
     if (!content.points.empty() && !content.points[i].empty())
       json["channels"].back()["point"] = ValidUtf8(content.points[i]);
+    if (!content.descriptions.empty() && !content.descriptions[i].empty())
+      json["channels"].back()["description"] = ValidUtf8(content.descriptions[i]);
   }
   return json;
 }
@@ -211,6 +220,7 @@ RecordingLook LookOverTime(const std::filesystem::path& file, const RecordedTabl
       const RecordingChannel& channel = *recorded->channel(*table.FindColumn(column.name));
       content.groups.push_back(channel.group);
       content.points.push_back(channel.point);
+      content.descriptions.push_back(channel.description);
     }
   }
   if (!channels.empty()) {

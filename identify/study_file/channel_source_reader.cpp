@@ -3,6 +3,7 @@
 #include "analysis/files/recorded_unit.h"
 #include "analysis/text/number.h"
 #include "identify/study_file/findings.h"
+#include "identify/study_file/named_channels.h"
 #include "identify/study_file/strict_yaml.h"
 
 namespace fourpost {
@@ -108,6 +109,7 @@ std::vector<std::pair<std::string, ChannelSource>> ReadChannelSources(const YAML
   const StrictMap unique(node, where, {names.begin(), names.end()}, file, diagnostics);
   for (const auto& entry : node) {
     const auto name = entry.first.as<std::string>();
+    if (IsOthersByName(name, entry.second)) continue;
     sources.emplace_back(name, ReadSource(entry.second, name, kind, file, diagnostics));
   }
   return sources;

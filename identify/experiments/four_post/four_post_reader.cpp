@@ -6,6 +6,7 @@
 
 #include "identify/experiments/four_post/findings.h"
 #include "identify/study_file/channel_source_reader.h"
+#include "identify/study_file/named_channels.h"
 #include "vehicles/description/post_pattern.h"
 
 namespace fourpost {
@@ -20,7 +21,9 @@ class FourPostReader {
 
   FourPostPlan Read() {
     ReadRecordings(study_);
-    if (const YAML::Node channels = study_.Require("channels"); channels.IsDefined())
+    const YAML::Node channels = study_.Get("channels");
+    plan_.takes_others_by_name = TakesOthersByName(channels);
+    if (channels.IsDefined())
       plan_.channels =
           ReadChannelSources(channels, "'channels'", "sensors", ChannelKind::kSteppedSine, file_, study_.diagnostics());
     ReadBand(study_);

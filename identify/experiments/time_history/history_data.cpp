@@ -17,6 +17,7 @@
 #include "analysis/text/units.h"
 #include "identify/experiments/time_history/findings.h"
 #include "identify/study_file/filter_rate.h"
+#include "identify/study_file/findings.h"
 #include "identify/study_file/source_recording.h"
 #include "vehicles/response/response_recorder.h"
 
@@ -82,6 +83,7 @@ class HistoryLoader {
   }
 
   void CheckNames() {
+    if (study_.channels.empty()) Fault(kNoChannelByName, study_.line, {DidYouMeanOrAll("", sensors_)});
     for (const auto& [post, source] : study_.posts)
       if (!IndexOf(post, posts_)) Fault(kHistoryPostUnknown, source.line, {post, DidYouMeanOrAll(post, posts_)});
     for (const auto& [sensor, source] : study_.channels)

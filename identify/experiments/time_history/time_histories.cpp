@@ -73,9 +73,10 @@ void Add(Sha256& digest, const MeasuredHistory& history) {
 std::unique_ptr<Experiment> TimeHistories::Read(const StrictMap& study) {
   if (!study.Has("histories")) return nullptr;
   auto read = std::make_unique<TimeHistories>();
-  read->plan = {.file = study.file(),
-                .histories = ReadHistories(study.Get("histories"), study.file(), study.diagnostics()),
-                .cost = ReadCost(study)};
+  read->plan = {
+      .file = study.file(),
+      .histories = ReadHistories(study.Get("histories"), study.Get("channels"), study.file(), study.diagnostics()),
+      .cost = ReadCost(study)};
   // Faults of what both share are reported once, by the stepped sines where they are read.
   const bool has_sines = study.Has("recordings") || HistoriesOf(read->plan.histories, false).empty();
   Diagnostics reported_elsewhere;
@@ -94,6 +95,7 @@ std::vector<ExperimentFile> TimeHistories::Files() const {
 
 void TimeHistories::Load(const Subject& subject, Diagnostics& diagnostics) {
   const Vehicle& vehicle = subject.vehicle();
+  for (StudyHistory& history : plan.histories) MapByName(vehicle, history);
   const std::optional<std::vector<MeasuredHistory>> histories =
       LoadHistories(HistoriesOf(plan.histories, false), plan.file, vehicle, diagnostics);
   validation = LoadValidation(HistoriesOf(plan.histories, true), plan.file, vehicle, diagnostics, left_out_);

@@ -95,6 +95,7 @@ class HistoryPrediction {
     Diagnostics diagnostics;
     const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
     if (!table) throw FaultyInput(diagnostics);
+    MapByName(subject_.vehicle(), history);
     KeepMeasured(recording, table->names(), history.channels, findings);
     return history;
   }
