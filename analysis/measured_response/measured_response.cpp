@@ -129,7 +129,7 @@ class ResponseMaker {
   }
 
   std::optional<LookedAt> Look(const std::filesystem::path& file) {
-    std::optional<RigRecording> recording = ReadRigRecording(file, request_.posts, diagnostics_);
+    std::optional<RigRecording> recording = ReadRigRecording(file, request_.posts, diagnostics_, request_.preparation);
     if (!recording) return std::nullopt;
     DropSilent(file, *recording);
     LookedAt looked{.file = file, .recording = *std::move(recording)};

@@ -114,7 +114,7 @@ std::vector<PostChannel> PostsByName(const RecordedTable& table) {
 }
 
 std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, std::span<const PostChannel> posts,
-                                             Diagnostics& diagnostics) {
+                                             Diagnostics& diagnostics, const TimePreparation& preparation) {
   const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
   if (!table) return std::nullopt;
   const std::vector<PostChannel> known =
@@ -147,7 +147,7 @@ std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, 
   }
   RecordedChannel times = kTimeColumn;
   if (!time.empty()) times.names = {time};
-  std::optional<TimeRecording> recording = ReadTimeRecording(*table, wanted, diagnostics, times);
+  std::optional<TimeRecording> recording = ReadTimeRecording(*table, wanted, diagnostics, times, preparation);
   if (!recording) return std::nullopt;
   out.rate_Hz = recording->rate_Hz();
   const auto first = std::make_move_iterator(recording->channels.begin());

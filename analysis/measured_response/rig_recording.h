@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/files/recorded_table.h"
+#include "analysis/files/time_recording.h"
 #include "analysis/frequency_response/rig_signals.h"
 #include "analysis/text/diagnostics.h"
 
@@ -43,6 +44,6 @@ std::vector<PostChannel> PostsByName(const RecordedTable& table);
 
 /// Reads a time history; posts by PostsByName() where `posts` is empty. Adds every fault; nothing when there was one.
 std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, std::span<const PostChannel> posts,
-                                             Diagnostics& diagnostics);
+                                             Diagnostics& diagnostics, const TimePreparation& preparation = {});
 
 }  // namespace fourpost

@@ -66,6 +66,7 @@ std::string TextOf(const StudyDraft& draft, const fs::path& study) {
   TextTable table({"file", "of the vehicle", "channel", "by", "correlation", ""});
   std::string unused;
   std::string named;
+  bool has_rows = false;
   for (const DraftedFile& file : draft.files) {
     const std::string name = file.path.filename().string();
     if (!file.is_used) unused += "not used: " + name + ": " + file.use + '\n';
@@ -75,6 +76,7 @@ std::string TextOf(const StudyDraft& draft, const fs::path& study) {
         ++by_name;
         continue;
       }
+      has_rows = true;
       table.Add({name, match.name, SourceText(match.source), WordsFor(match.by),
                  match.correlation ? Rounded(*match.correlation, 2) : "", match.IsSure() ? "" : "look at"});
     }
@@ -83,7 +85,7 @@ std::string TextOf(const StudyDraft& draft, const fs::path& study) {
                " channels by name" + (file.channels_left.empty() ? "" : ", not used: " + Listed(file.channels_left)) +
                '\n';
   }
-  return named + (table.empty() ? "" : table.Format()) + unused + "wrote\n  " + study.string() +
+  return named + (has_rows ? table.Format() : "") + unused + "wrote\n  " + study.string() +
          "\nnext\n  fourpost fit " + study.string() + " -o run\n";
 }
 

@@ -11,12 +11,16 @@ namespace {
 
 std::vector<std::string_view> KeysOf(ChannelKind kind) {
   switch (kind) {
-    case ChannelKind::kHistory: return {"channel", "sign", "scale", "unit", "delay"};
+    case ChannelKind::kHistory: 
+      return {"channel", "sign", "scale", "unit", "delay", "offset", "trend", "high_pass", "integrate"};
     case ChannelKind::kSteppedSine: return {"channel", "sign", "scale", "delay"};
     case ChannelKind::kLoad: break;
   }
   return {"channel", "sign", "scale"};
 }
+
+/// Of a high-pass.
+constexpr double kLowest_Hz = 1e-6;
 
 double ReadFactor(const StrictMap& map, const std::string& what) {
   const double sign = ParseNumber(map.Text("sign").value_or("1")).value_or(0);
@@ -91,6 +95,15 @@ SourceChannel ReadSourceChannel(const YAML::Node& node, const std::string& what,
   channel.unit = ReadUnit(map, what);
   channel.factor = ReadFactor(map, what);
   channel.delay_s = map.Quantity("delay", kTime, -1e3).value_or(0);
+  channel.offset = map.Text("offset").value_or("");
+  if (!channel.offset.empty() && !ParseQuantity(channel.offset))
+    map.Fault(map.Get("offset"), kChannelOffset, {what, channel.offset});
+  if (const auto trend = map.Text("trend")) {
+    channel.has_trend = *trend == "remove";
+    if (!channel.has_trend) map.Fault(map.Get("trend"), kChannelTrend, {what});
+  }
+  channel.high_pass_Hz = map.Quantity("high_pass", kFrequency, kLowest_Hz);
+  channel.integrated_above_Hz = map.Quantity("integrate", kFrequency, kLowest_Hz);
   return channel;
 }
 

@@ -17,6 +17,10 @@ std::string ChannelText(const SourceChannel& channel) {
   if (channel.factor < 0) keys += ", sign: -1";
   if (std::abs(channel.factor) != 1) keys += ", scale: " + ShortNumber(std::abs(channel.factor), kDigits);
   if (channel.delay_s != 0) keys += ", delay: " + ShortNumber(1e3 * channel.delay_s, kDigits) + " ms";
+  if (!channel.offset.empty()) keys += ", offset: " + channel.offset;
+  if (channel.has_trend) keys += ", trend: remove";
+  if (channel.high_pass_Hz) keys += ", high_pass: " + ShortNumber(*channel.high_pass_Hz, kDigits) + " Hz";
+  if (channel.integrated_above_Hz) keys += ", integrate: " + ShortNumber(*channel.integrated_above_Hz, kDigits) + " Hz";
   const std::string name = YamlText(channel.name);
   return keys.empty() ? name : "{channel: " + name + keys + "}";
 }

@@ -31,6 +31,7 @@ struct StudyRecording {
   /// Of a time history: channels of the posts' displacements, by name where there are none; and the rig's filter.
   std::vector<PostChannel> post_channels = {};
   std::optional<AcquisitionFilter> filter = {};
+  TimePreparation preparation = {};
   int line = 0;
 };
 

@@ -74,8 +74,11 @@ class MeasuredRecording {
       diagnostics_.Report(kSineRepeatsCounted, place_, {recording_.name});
       return std::nullopt;
     }
-    return MeasureResponses(
-        {.files = {recording_.file}, .posts = recording_.post_channels, .filter = recording_.filter}, diagnostics_);
+    return MeasureResponses({.files = {recording_.file},
+                             .posts = recording_.post_channels,
+                             .filter = recording_.filter,
+                             .preparation = recording_.preparation},
+                            diagnostics_);
   }
 
   /// Of each post of the vehicle among those of the recording.
@@ -135,7 +138,7 @@ std::optional<FrequencyResponse> ReadStudyRecording(const StudyRecording& record
                                                     const std::vector<std::string>& posts,
                                                     const std::vector<double>& shape, Diagnostics& diagnostics) {
   if (IsOverTime(recording.file)) return MeasuredRecording(recording, study, diagnostics).Read(posts, shape);
-  if (!recording.post_channels.empty() || recording.filter)
+  if (!recording.post_channels.empty() || recording.filter || recording.preparation.IsGridded())
     diagnostics.Report(kSineKeysOfHistory, {study, recording.line}, {recording.name});
   return ReadFrequencyResponse(recording.file, diagnostics, recording.amplitude_m);
 }

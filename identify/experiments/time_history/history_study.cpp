@@ -22,7 +22,8 @@ class HistoryReader {
   StudyHistory Read(const YAML::Node& node) {
     const StrictMap map =
         Map(node, "the history",
-            {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use", "time"});
+            {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use", "time",
+             "resample", "bridge", "with", "heights"});
     StudyHistory history;
     history.line = map.line();
     map.Require("file");
@@ -48,6 +49,7 @@ class HistoryReader {
       history.is_validation = *use == "validation";
       if (*use != "fit" && *use != "validation") map.Fault(map.Get("use"), kHistoryUse, {where_});
     }
+    ReadPreparation(map, history);
     history.start_s = map.Quantity("start", kTime, -1e9);
     history.end_s = map.Quantity("end", kTime, -1e9);
     if (history.start_s && history.end_s && !(*history.start_s < *history.end_s))
@@ -58,6 +60,38 @@ class HistoryReader {
  private:
   StrictMap Map(const YAML::Node& node, const std::string& where, const std::vector<std::string_view>& keys) {
     return {node, where, keys, file_, diagnostics_};
+  }
+
+  void ReadPreparation(const StrictMap& map, StudyHistory& history) {
+    history.preparation.rate_Hz = map.Quantity("resample", kFrequency, 1e-6);
+    history.preparation.bridge_s = map.Quantity("bridge", kTime, 0).value_or(0);
+    if (map.Has("with")) history.preparation.others = Others(map.Get("with"));
+    if (const auto heights = map.Text("heights")) {
+      history.has_absolute_heights = *heights == "absolute";
+      if (!history.has_absolute_heights) map.Fault(map.Get("heights"), kHistoryHeights, {where_});
+    }
+  }
+
+  /// A list of files, or of {file, delay}.
+  std::vector<OtherFile> Others(const YAML::Node& list) {
+    std::vector<OtherFile> others;
+    const std::string where = "'with' of " + where_;
+    if (!list.IsSequence() || list.size() == 0) {
+      diagnostics_.Report(kHistoryWith, {file_, LineOf(list)}, {where});
+      return others;
+    }
+    for (const YAML::Node& entry : list) {
+      OtherFile& other = others.emplace_back();
+      if (entry.IsScalar()) {
+        other.path = (study_.parent_path() / entry.Scalar()).lexically_normal();
+        continue;
+      }
+      const StrictMap map = Map(entry, where, {"file", "delay"});
+      map.Require("file");
+      if (const auto file = map.Text("file")) other.path = (study_.parent_path() / *file).lexically_normal();
+      other.delay_s = map.Quantity("delay", kTime, -1e9).value_or(0);
+    }
+    return others;
   }
 
   /// A mapping of names that are not known here.

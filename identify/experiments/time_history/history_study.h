@@ -10,6 +10,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "analysis/files/time_recording.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/study_file/channel_source.h"
 #include "vehicles/description/vehicle.h"
@@ -37,6 +38,10 @@ struct StudyHistory {
   /// Whether posts, and sensors that are not stated, are known by the names of channels.
   bool has_posts_by_name = false;
   bool takes_others_by_name = false;
+  /// Of its times; files beside it are resolved.
+  TimePreparation preparation;
+  /// Whether heights of posts count from where they were recorded, not from their means.
+  bool has_absolute_heights = false;
   /// Through which the rig sent all channels, heights of posts included.
   std::optional<LowPassDesign> filter;
   /// What sensors read at rest.

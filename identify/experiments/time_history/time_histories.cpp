@@ -86,10 +86,12 @@ std::unique_ptr<Experiment> TimeHistories::Read(const StrictMap& study) {
 
 std::vector<ExperimentFile> TimeHistories::Files() const {
   std::vector<ExperimentFile> files;
-  for (const StudyHistory& history : plan.histories)
-    files.push_back({.path = history.file,
-                     .line = history.line,
-                     .use = history.is_validation ? ExperimentFile::Use::kValidation : ExperimentFile::Use::kFitted});
+  for (const StudyHistory& history : plan.histories) {
+    const auto use = history.is_validation ? ExperimentFile::Use::kValidation : ExperimentFile::Use::kFitted;
+    files.push_back({.path = history.file, .line = history.line, .use = use});
+    for (const OtherFile& other : history.preparation.others)
+      files.push_back({.path = other.path, .line = history.line, .use = use});
+  }
   return files;
 }
 
