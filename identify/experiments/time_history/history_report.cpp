@@ -71,10 +71,10 @@ class HistoryData : public ExperimentData {
   /// What the study had done to the recordings, which the charts show afterwards.
   std::string PreparationsHtml() const {
     std::string items;
-    for (const Json& history : ListAt(run_.result, "histories")) {
-      std::string text;
+    for (const nlohmann::json& history : ListAt(run_.result, "histories")) {
       if (!history.contains("preparation")) continue;
-      for (const Json& one : history["preparation"])
+      std::string text;
+      for (const nlohmann::json& one : history["preparation"])
         if (one.is_string()) text += (text.empty() ? "" : "; ") + one.get<std::string>();
       items += html::Element("li", "", html::Escaped(TextAt(history, "recording") + ": " + text));
     }

@@ -16,7 +16,7 @@ namespace {
 constexpr double kRate = 500;
 
 std::vector<double> Normal(std::size_t count, double sd) {
-  RandomStream stream(3);
+  RandomStream stream(3, "sensor noise", 0);
   std::vector<double> noise;
   for (std::size_t k = 0; k < count; ++k) noise.push_back(sd * stream.Normal());
   return noise;
