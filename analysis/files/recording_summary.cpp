@@ -136,7 +136,8 @@ RecordingSummary Summarise(const RecordedTable& table) {
   RestSearch rest;
   const std::optional<std::size_t> times = TimesOf(table);
   if (times) summary.time = SummariseTimes(table, *times);
-  if (summary.time) summary.time->is_guessed = !IsNamedAsTimes(table.names()[*times]) && !ParseRecordedUnit(table.unit(*times));
+  if (summary.time)
+    summary.time->is_guessed = !IsNamedAsTimes(table.names()[*times]) && !ParseRecordedUnit(table.unit(*times));
   for (std::size_t column = 0; column < table.names().size(); ++column)
     if (column != times && !table.HoldsText(column))
       summary.columns.push_back(SummariseColumn(table, column, summary.time ? summary.time->rate_Hz : 0, rest));

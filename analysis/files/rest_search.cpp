@@ -24,7 +24,9 @@ void AddQuarters(const std::vector<double>& part, double rate_Hz, std::vector<do
 
 void RestSearch::Add(std::span<const double> values, double rate_Hz) {
   Channel channel{.rate_Hz = rate_Hz, .count = values.size()};
-  const auto kept = static_cast<std::size_t>(kKept_s * rate_Hz);
+  // Of a very fast recorder less, so that many channels fit into memory.
+  constexpr double kMost = 1e5;
+  const auto kept = static_cast<std::size_t>(std::min(kMost, kKept_s * rate_Hz));
   const std::size_t begin = std::min(kept, values.size());
   const std::size_t end = std::min(kept, values.size() - begin);
   channel.begin.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(begin));

@@ -13,8 +13,8 @@ struct RestTime {
   double to_s = 0;
 };
 
-/// Finds where all channels of a record rest, of its first and last half minute, from what they look like in quarters of
-/// a second; channels are looked at one after the other and need not be kept.
+/// Finds where all channels of a record rest, of its first and last half minute, from what they look like in quarters
+/// of a second; channels are looked at one after the other and need not be kept.
 class RestSearch {
  public:
   /// Of one channel, all samples; no finite ones do not count.

@@ -116,7 +116,8 @@ class RecordReader {
     const double si = unit * channel.factor;
     const double offset = channel.offset ? channel.offset->si / unit : 0;
     if (channel.offset && !(channel.offset->unit.dimension == DimensionOf(column, channel)))
-      Fault(kOffsetDimension, table_.units_line(), {channel.names.front(), DimensionName(channel.offset->unit.dimension)});
+      Fault(kOffsetDimension, table_.units_line(),
+            {channel.names.front(), DimensionName(channel.offset->unit.dimension)});
     if (table_.recording() != nullptr)
       if (std::optional<std::vector<double>> values = Finite(table_.recording()->Column(column), offset, si))
         return *values;
@@ -260,7 +261,8 @@ class RecordReader {
       done("trend taken away");
     }
     for (const std::optional<double>& cutoff : {channel.high_pass_Hz, channel.integrated_above_Hz})
-      if (cutoff && !(*cutoff < rate_Hz / 2)) return Fault(kHighPassTooHigh, 0, {FormatNumber(*cutoff), name, Rate(rate_Hz)});
+      if (cutoff && !(*cutoff < rate_Hz / 2))
+        return Fault(kHighPassTooHigh, 0, {FormatNumber(*cutoff), name, Rate(rate_Hz)});
     if (channel.high_pass_Hz) {
       RemoveSlow(values, rate_Hz, *channel.high_pass_Hz);
       done("high-pass of " + FormatNumber(*channel.high_pass_Hz) + " Hz");
@@ -413,10 +415,11 @@ void Join(const TimeRecording& part, double delay_s, std::span<const std::size_t
   const double rounding = 1e-6 * whole.step_s;
   while (first < samples && whole.time_s(first) < times.front() - rounding) ++first;
   std::size_t last = first;
-  while (last < samples && whole.time_s(last) <= times.back() + rounding)
-    grid.push_back(whole.time_s(last++));
+  while (last < samples && whole.time_s(last) <= times.back() + rounding) grid.push_back(whole.time_s(last++));
   for (std::vector<double>& channel : whole.channels)
-    if (!channel.empty()) channel = {channel.begin() + static_cast<std::ptrdiff_t>(first), channel.begin() + static_cast<std::ptrdiff_t>(last)};
+    if (!channel.empty())
+      channel = {channel.begin() + static_cast<std::ptrdiff_t>(first),
+                 channel.begin() + static_cast<std::ptrdiff_t>(last)};
   for (std::size_t i = 0; i < places.size(); ++i)
     whole.channels[places[i]] = InterpolatedAt(times, part.channels[i], grid);
   samples = grid.size();

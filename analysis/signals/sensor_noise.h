@@ -10,14 +10,15 @@ struct SensorNoise {
   double sd = 0;
   /// See WhitenessOf().
   bool is_white = true;
-  /// Skewness and excess kurtosis within four standard deviations of those of as many independent normal samples, or too
-  /// small to matter: 0.3 and 0.5.
+  /// Skewness and excess kurtosis within four standard deviations of those of as many independent normal samples, or
+  /// too small to matter: 0.3 and 0.5.
   bool is_normal = true;
   double skewness = 0;
   double kurtosis = 0;
   /// Below which 95 % of its power is; of white noise nearly half the rate.
   double below_Hz = 0;
-  /// A line that stands twenty times above the median of the spectrum and holds a tenth of the power, such as mains hum.
+  /// A line that stands twenty times above the median of the spectrum and holds a tenth of the power, such as mains
+  /// hum.
   std::optional<double> line_Hz;
 };
 

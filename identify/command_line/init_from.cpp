@@ -85,8 +85,8 @@ std::string TextOf(const StudyDraft& draft, const fs::path& study) {
                " channels by name" + (file.channels_left.empty() ? "" : ", not used: " + Listed(file.channels_left)) +
                '\n';
   }
-  return named + (has_rows ? table.Format() : "") + unused + "wrote\n  " + study.string() +
-         "\nnext\n  fourpost fit " + study.string() + " -o run\n";
+  return named + (has_rows ? table.Format() : "") + unused + "wrote\n  " + study.string() + "\nnext\n  fourpost fit " +
+         study.string() + " -o run\n";
 }
 
 std::string JsonOf(const StudyDraft& draft, const fs::path& folder) {

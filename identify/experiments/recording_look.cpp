@@ -106,8 +106,8 @@ std::string TimesText(const RecordingSummary& summary) {
   std::string text = Short(time.start_s) + " to " + Short(time.end_s) + " s at " +
                      Short(std::round(1e4 * time.rate_Hz) / 1e4) + " Hz ('" + time.column + "')\n";
   if (time.is_guessed)
-    text += "times are a guess, as '" + time.column + "' rises evenly: name it in the study, time: {channel: " +
-            time.column + ", unit: s}\n";
+    text += "times are a guess, as '" + time.column +
+            "' rises evenly: name it in the study, time: {channel: " + time.column + ", unit: s}\n";
   constexpr double kJitter = 0.01;
   if (time.jitter > kJitter)
     text += "jitter: steps differ by " + Rounded(100 * time.jitter, 2) + " % rms; state 'resample' in the study\n";
@@ -133,7 +133,8 @@ bool HasAny(const std::vector<std::string>& texts) {
 }
 
 TextTable ChannelsTable(const OverTime& content) {
-  std::vector<std::string> names = {"channel", "unit", "minimum", "maximum", "mean", "rms", "level", "noise", "remarks"};
+  std::vector<std::string> names = {"channel", "unit",  "minimum", "maximum", "mean",
+                                    "rms",     "level", "noise",   "remarks"};
   if (HasAny(content.descriptions)) names.insert(names.begin() + 2, "description");
   if (IsShown(content.points)) names.insert(names.begin() + 2, "point");
   if (IsShown(content.groups)) names.insert(names.begin() + 2, "group");
@@ -207,10 +208,14 @@ Json JsonOf(const OverTime& content) {
     Json gaps = Json::array();
     for (const TimeGap& gap : time->gaps)
       gaps.push_back({{"line", gap.line == 0 ? Json() : Json(gap.line)}, {"from_s", gap.from_s}, {"to_s", gap.to_s}});
-    json["time"] = {{"column", time->column}, {"start_s", time->start_s},
-                    {"end_s", time->end_s},   {"rate_Hz", time->rate_Hz},
-                    {"gaps", gaps},           {"unevenness_samples", time->unevenness},
-                    {"jitter_share", time->jitter}, {"guessed", time->is_guessed}};
+    json["time"] = {{"column", time->column},
+                    {"start_s", time->start_s},
+                    {"end_s", time->end_s},
+                    {"rate_Hz", time->rate_Hz},
+                    {"gaps", gaps},
+                    {"unevenness_samples", time->unevenness},
+                    {"jitter_share", time->jitter},
+                    {"guessed", time->is_guessed}};
   }
   const std::optional<RestTime>& rest = content.summary.rest;
   json["rest_s"] = rest ? Json{rest->from_s, rest->to_s} : Json();

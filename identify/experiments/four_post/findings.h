@@ -37,10 +37,11 @@ inline const Finding kBandWithoutFrequency{"band-without-frequency", Severity::k
 inline const Finding kSinePostChannels{"sine-post-channels", Severity::kError,
                                        "'post_channels' must map each post to its channel",
                                        "write it as {FL: z_fl, FR: z_fr}"};
-inline const Finding kSineKeysOfHistory{"sine-keys-of-history", Severity::kError,
-                                        "'post_channels', 'filter', 'resample' and 'bridge' are for time histories, and recording '{}' is a "
-                                        "table of responses",
-                                        "remove them"};
+inline const Finding kSineKeysOfHistory{
+    "sine-keys-of-history", Severity::kError,
+    "'post_channels', 'filter', 'resample' and 'bridge' are for time histories, and recording '{}' is a "
+    "table of responses",
+    "remove them"};
 inline const Finding kSineRepeatsCounted{"sine-repeats-counted", Severity::kError,
                                          "recording '{}' is a time history, of which repeats are counted",
                                          "remove 'repeats'"};

@@ -41,8 +41,8 @@ class FourPostReader {
     }
     for (const YAML::Node& entry : list) {
       const StrictMap map =
-          Map(entry, "the recording", {"name", "file", "posts", "repeats", "amplitude", "post_channels", "filter", "resample",
-               "bridge"});
+          Map(entry, "the recording",
+              {"name", "file", "posts", "repeats", "amplitude", "post_channels", "filter", "resample", "bridge"});
       StudyRecording recording;
       recording.line = map.line();
       map.Require("file");

@@ -45,7 +45,7 @@ class HistoryData : public ExperimentData {
     return {{"histories", "Time histories",
              PreparationsHtml() +
                  html::Drawn("histories",
-                         "The charts need JavaScript; history.svg and validation.svg beside this file show them."),
+                             "The charts need JavaScript; history.svg and validation.svg beside this file show them."),
              true}};
   }
 

@@ -20,10 +20,9 @@ class HistoryReader {
       : study_(std::move(study)), file_(study_.string()), channels_(std::move(channels)), diagnostics_(diagnostics) {}
 
   StudyHistory Read(const YAML::Node& node) {
-    const StrictMap map =
-        Map(node, "the history",
-            {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use", "time",
-             "resample", "bridge", "with", "heights"});
+    const StrictMap map = Map(node, "the history",
+                              {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use",
+                               "time", "resample", "bridge", "with", "heights"});
     StudyHistory history;
     history.line = map.line();
     map.Require("file");

@@ -30,7 +30,8 @@ TEST(UnevenSamples, ErrorFallsWithTheThirdPowerOfTheSpacing) {
     for (double t = 0.5; t < 1.5; t += 0.003) at.push_back(t);
     const std::vector<double> interpolated = InterpolatedAt(times, values, at);
     double worst = 0;
-    for (std::size_t k = 0; k < at.size(); ++k) worst = std::max(worst, std::abs(interpolated[k] - std::sin(3 * at[k])));
+    for (std::size_t k = 0; k < at.size(); ++k)
+      worst = std::max(worst, std::abs(interpolated[k] - std::sin(3 * at[k])));
     return worst;
   };
   // 8 for third order, less what the last interval of each happens to be.
