@@ -40,7 +40,7 @@ std::vector<double> ShapeByName(const std::filesystem::path& file, const Vehicle
 
 void ReadSines(const Vehicle& vehicle, FileReading& reading) {
   Diagnostics found;
-  // An amplitude that is not in the file is for the user to state; responses hardly depend on it here.
+  // An amplitude that is not in the file is for the user to state; the shape of responses depends little on it.
   constexpr double kAmplitude_m = 5e-3;
   std::optional<FrequencyResponse> response = ReadFrequencyResponse(reading.path, found, kAmplitude_m);
   if (!response) {

@@ -30,7 +30,7 @@ struct FileReading {
   std::string reason = {};
   /// Time histories: the name of each post, and its channels.
   std::vector<ChannelMatch> posts = {};
-  /// All but times and posts, in known units.
+  /// Without times and posts, in known units.
   std::vector<OfferedChannel> channels = {};
   std::vector<DraftedMotion> motions = {};
 };
