@@ -154,12 +154,17 @@ class StudyReader {
       study_.free = Names(node, "'free'");
       return;
     }
-    // A plain text in YAML: "all", or "all but [a, b]".
-    constexpr std::string_view kAllBut = "all but";
-    const std::string& text = node.Scalar();
-    if (text == "all") return;
-    if (!text.starts_with(kAllBut)) return Fault(node, kFreeNotNames);
-    const YAML::Node held = YAML::Load(text.substr(kAllBut.size()));
+    // A plain text in YAML: "all", or `all but [a, b]`.
+    const auto behind = [](std::string_view text, std::string_view word) -> std::optional<std::string_view> {
+      text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+      if (!text.starts_with(word)) return std::nullopt;
+      return text.substr(word.size());
+    };
+    const std::optional<std::string_view> but = behind(node.Scalar(), "all");
+    if (but && but->empty()) return;
+    const std::optional<std::string_view> list = but ? behind(*but, "but") : std::nullopt;
+    if (!list) return Fault(node, kFreeNotNames);
+    const YAML::Node held = YAML::Load(std::string(*list));
     for (const YAML::Node& entry : held)
       if (entry.IsScalar()) study_.held.push_back(entry.Scalar());
     if (!held.IsSequence() || study_.held.size() != held.size() || study_.held.empty()) Fault(node, kFreeNotNames);
