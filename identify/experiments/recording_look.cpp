@@ -81,7 +81,8 @@ std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) 
   };
   clipped(column.clipped_top, column.maximum);
   clipped(column.clipped_bottom, column.minimum);
-  constexpr double kDrifts = 0.5;
+  // A straight line is a quarter of the variance: a motion of few periods has a slope of its own.
+  constexpr double kDrifts = 1.7;
   if (std::abs(column.drift) > kDrifts * column.rms && column.rms > 0 && column.minimum != column.maximum)
     remarks.push_back("drifts by " + Rounded(column.drift, 2));
   if (column.noise && column.noise->sd > 0) AddNoise(*column.noise, column.level, remarks);
