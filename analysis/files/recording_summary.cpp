@@ -81,6 +81,9 @@ std::optional<TimeSummary> SummariseTimes(const RecordedTable& table, std::size_
   if (!summary.gaps.empty()) return summary;
   summary.rate_Hz = static_cast<double>(steps.size()) / (times.back() - times.front());
   summary.unevenness = Unevenness(times);
+  // Times of few digits, or of single precision, are uneven by their rounding alone.
+  const double rounding_s = std::max(LevelOf(steps), 0x1p-23 * std::abs(times.back()));
+  if (summary.unevenness / summary.rate_Hz <= 1.01 * rounding_s) return summary;
   double squares = 0;
   for (const double step : steps) squares += std::pow(step / usual - 1, 2);
   summary.jitter = std::sqrt(squares / static_cast<double>(steps.size()));

@@ -57,7 +57,8 @@ struct TimeSummary {
   std::vector<TimeGap> gaps;
   /// The largest difference from even steps between first and last sample, in steps; of a record without gaps.
   double unevenness = 0;
-  /// Root mean square of steps about the usual one, as a share of it; of a record without gaps.
+  /// Root mean square of steps about the usual one, as a share of it; of a record without gaps, and
+  /// beyond what rounding of the times explains.
   double jitter = 0;
   /// Neither by name nor by unit: the column rises evenly, and no other does.
   bool is_guessed = false;
