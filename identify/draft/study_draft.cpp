@@ -98,8 +98,11 @@ class Drafter {
     const fs::path folder = fs::weakly_canonical(fs::absolute(study_)).parent_path();
     const fs::path target = fs::weakly_canonical(fs::absolute(file));
     // Of two folders that have nothing in common but the root a relative path is no help.
-    const auto first = [](const fs::path& path) { return path.relative_path().begin(); };
-    const bool is_far = folder.relative_path().empty() || *first(target) != *first(folder);
+    const auto first = [](const fs::path& path) {
+      const fs::path behind_root = path.relative_path();
+      return behind_root.empty() ? fs::path() : *behind_root.begin();
+    };
+    const bool is_far = first(target) != first(folder);
     return YamlText((is_far ? target : target.lexically_relative(folder)).generic_string());
   }
 

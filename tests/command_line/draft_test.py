@@ -146,7 +146,7 @@ class ShortStudies(ProgramTest):
     def test_check_with_other_values(self):
         check = lambda *options: json.loads(self.run_program("check", "car/vehicle.urdf", "--json", *options).stdout)
         self.assertNotEqual(check()["modes"], check("--set", "k=30kN/m")["modes"])
-        self.assert_finding(self.run_program("check", "car/vehicle.urdf", "--set", "nonsense=3", code=3).stderr,
+        self.assert_finding(self.run_program("check", "car/vehicle.urdf", "--set", "nonsense=3", code=2).stderr,
                             "option-parameter")
 
 
@@ -218,7 +218,9 @@ class Preparation(ProgramTest):
         # Another recorder: half its rate, begun later, its clock 12 ms ahead.
         self.save("two.csv", [[row[0] + 0.012, *row[3:]] for row in self.rows[101::2]],
                   ["time"] + self.names[3:], ["s"] + self.units[3:])
-        self.assert_as_good("file: one.csv, with: [{file: two.csv, delay: 12 ms}]", 0.05)
+        joined = "file: one.csv, with: [{file: two.csv, delay: 12 ms}]"
+        self.assertEqual(set(self.errors(joined)), set(self.errors("file: good.csv")))
+        self.assert_as_good(joined, 0.05)
         self.assertGreater(max(self.errors("file: one.csv, with: [two.csv]").values()), 0.5)
 
     def test_takes_offset_and_trend_away(self):

@@ -148,13 +148,16 @@ void MapByName(const Vehicle& vehicle, StudyHistory& history) {
   Diagnostics left_to_loading;
   const std::optional<RecordedTable> table = ReadRecordedTable(history.file, left_to_loading);
   if (!table) return;
+  std::vector<std::string> recorded = table->names();
+  for (const OtherFile& other : history.preparation.others)
+    if (const std::optional<RecordedTable> beside = ReadRecordedTable(other.path, left_to_loading))
+      recorded.insert(recorded.end(), beside->names().begin(), beside->names().end());
   if (history.has_posts_by_name)
     for (const Post& post : vehicle.posts)
-      if (const auto channel = ChannelOfPost(post.name, vehicle.posts.size(), table->names()))
+      if (const auto channel = ChannelOfPost(post.name, vehicle.posts.size(), recorded))
         history.posts.emplace_back(post.name,
                                    ChannelSource{.channels = {SourceChannel(*channel)}, .line = history.line});
-  if (history.takes_others_by_name)
-    AddByName(NamesOf(vehicle.sensors), ChannelNames(*table), history.line, history.channels);
+  if (history.takes_others_by_name) AddByName(NamesOf(vehicle.sensors), recorded, history.line, history.channels);
   history.has_posts_by_name = history.takes_others_by_name = false;
 }
 
