@@ -203,7 +203,7 @@ class ResponseMaker {
   /// wheels: no part of a vehicle does.
   void FindLikePosts() {
     constexpr double kBelow_Hz = 3;
-    constexpr double kBeyond_Hz = 8;
+    constexpr double kBeyond_Hz = 7.5;
     const FrequencyResponse& response = out_.responses.front().response;
     if (response.frequency_Hz.front() > kBelow_Hz || response.frequency_Hz.back() < kBeyond_Hz) return;
     for (const ChannelResponse& channel : response.channels)

@@ -29,6 +29,8 @@ class Help(ProgramTest):
         for new, name in (("vehicle.urdf", "car.urdf"), ("vehicle.urdf", "vehicle.urdf"), ("study.yaml", "study.yaml"),
                           ("stepped_sine.csv", "stepped_sine.csv")):
             shutil.copy(self.folder / "new" / new, self.folder / name)
+        (self.folder / "rig").mkdir()
+        shutil.copy(self.folder / "stepped_sine.csv", self.folder / "rig")
         rover = SOURCE / "urdf/landrover110_model3.urdf"
         for model in ("model1", "model2"):
             self.run_program("fit", SOURCE / f"studies/damper/{model}.yaml", "-o", f"models/{model}")
@@ -85,7 +87,7 @@ class Help(ProgramTest):
 
     def test_bash_completes(self):
         self.assertEqual(self.complete("fourpost", "re"), {"response", "report"})
-        self.assertEqual(self.complete("fourpost", "fit", "--s"), {"--seed"})
+        self.assertEqual(self.complete("fourpost", "fit", "--s"), {"--seed", "--set"})
         self.assertEqual(self.complete("fourpost", "response", "--engine", "t"), {"time"})
         self.assertEqual(self.complete("fourpost", "simulate", "--engine", ""), {"auto", "reduced", "full"})
         self.assertEqual(self.complete("fourpost", "simulate", "--engine", "="), {"auto", "reduced", "full"})
