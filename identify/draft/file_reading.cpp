@@ -112,6 +112,12 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
     if (table.names()[column] != time && unit && !table.HoldsText(column))
       reading.channels.push_back({table.names()[column], unit->dimension});
   }
+  if (vehicle.posts.empty()) {
+    const bool is_bench = !BenchChannel(reading, kLength).empty() && !BenchChannel(reading, kForce).empty();
+    if (is_bench) reading.kind = FileReading::Kind::kBench;
+    else reading.reason = "no displacement and force of a damper";
+    return;
+  }
   MatchPosts(vehicle, reading);
   if (reading.posts.size() < vehicle.posts.size()) {
     reading.reason = "no channels found for all posts";
@@ -132,6 +138,12 @@ void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading
 }
 
 }  // namespace
+
+std::string BenchChannel(const FileReading& reading, const Dimension& dimension) {
+  for (const OfferedChannel& channel : reading.channels)
+    if (channel.dimension == dimension) return channel.name;
+  return "";
+}
 
 std::optional<std::string> PatternOfShape(const Vehicle& vehicle, const std::vector<double>& shape) {
   constexpr double kNear = 0.1;

@@ -22,7 +22,7 @@ struct DraftedMotion {
 
 /// A file as a draft of a study sees it.
 struct FileReading {
-  enum class Kind { kSines, kDwells, kHistory, kLoads, kUnread };
+  enum class Kind { kSines, kDwells, kHistory, kLoads, kBench, kUnread };
 
   std::filesystem::path path;
   Kind kind = Kind::kUnread;
@@ -37,6 +37,9 @@ struct FileReading {
 
 /// Reads a file as far as a draft needs it. Adds no findings: what keeps it from being used is the reason.
 FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle);
+
+/// The first channel of a dimension; empty: there is none.
+std::string BenchChannel(const FileReading& reading, const Dimension& dimension);
 
 /// "heave" and the like of a shape that the vehicle's posts make so, up to its sign.
 std::optional<std::string> PatternOfShape(const Vehicle& vehicle, const std::vector<double>& shape);

@@ -50,7 +50,7 @@ FrequencyResponse MotionEvidence::Modelled(const DraftedMotion& motion, const st
   MeasuredRun run;
   run.excitation = {
       .frequency_Hz = motion.response.frequency_Hz, .amplitude_m = motion.response.amplitude_m, .shape = shape};
-  return ModelledResponses(model_, vehicle_.sensors, {run}).front();
+  return ModelledResponses(*model_, vehicle_.sensors, {run}).front();
 }
 
 std::vector<double> MotionEvidence::LikeliestShape(const FileReading& reading, const DraftedMotion& motion) const {
@@ -79,6 +79,7 @@ std::vector<double> MotionEvidence::LikeliestShape(const FileReading& reading, c
 }
 
 void MotionEvidence::Add(FileReading& reading) {
+  if (model_ == nullptr) return;
   for (DraftedMotion& motion : reading.motions) {
     const DraftedMotion thin{Thinned(motion.response), {}};
     if (thin.response.frequency_Hz.empty()) continue;

@@ -16,7 +16,7 @@ namespace fourpost {
 /// responses over frequencies, the mean over motions.
 class MotionEvidence {
  public:
-  MotionEvidence(const Vehicle& vehicle, const CondensedModel& model) : vehicle_(vehicle), model_(model) {}
+  MotionEvidence(const Vehicle& vehicle, const CondensedModel* model) : vehicle_(vehicle), model_(model) {}
 
   /// Adds the motions of a file. One whose posts are not known is taken as that pattern in which channels that are
   /// named as sensors are move as these do; it is then set.
@@ -34,7 +34,8 @@ class MotionEvidence {
   std::vector<double> LikeliestShape(const FileReading& reading, const DraftedMotion& motion) const;
 
   const Vehicle& vehicle_;
-  const CondensedModel& model_;
+  /// Null of a vehicle without posts, which nothing is added to.
+  const CondensedModel* model_;
   std::map<std::pair<std::string, std::string>, Sum> sums_;
 };
 

@@ -79,14 +79,16 @@ class Drafter {
   StudyDraft Draft() {
     const std::vector<std::size_t> none;
     const Subject subject(vehicle_, none, study_);
-    const CondensedModel model = subject.Condensed()->At(vehicle_.ParameterValues());
-    MotionEvidence evidence(vehicle_, model);
+    std::optional<CondensedModel> model;
+    if (!vehicle_.posts.empty()) model = subject.Condensed()->At(vehicle_.ParameterValues());
+    MotionEvidence evidence(vehicle_, model ? &*model : nullptr);
     for (FileReading& reading : readings_) evidence.Add(reading);
     for (const FileReading& reading : readings_) Match(reading, evidence);
     text_ = "vehicle: " + Relative(vehicle_.file) + "\n";
     AddRecordings();
     AddHistories();
     AddLoads();
+    AddBench();
     StudyDraft draft{.text = text_, .files = drafted_, .findings = {}};
     Check(draft);
     draft.text = Head(draft) + draft.text;
@@ -219,9 +221,27 @@ class Drafter {
     }
   }
 
+  /// Of a vehicle without posts, a damper between clamps.
+  void AddBench() {
+    std::string list;
+    std::string channels;
+    for (std::size_t i = 0; i < readings_.size(); ++i) {
+      if (readings_[i].kind != Kind::kBench) continue;
+      drafted_[i].use = "bench";
+      drafted_[i].channels_left.clear();
+      if (list.empty())
+        for (const auto& [key, dimension] : {std::pair("displacement", kLength), std::pair("force", kForce)})
+          if (const std::string name = BenchChannel(readings_[i], dimension); name != key)
+            channels += std::string("  ") + key + ": " + YamlText(name) + "\n";
+      list += "    - " + Relative(readings_[i].path) + "\n";
+    }
+    if (!list.empty()) text_ += "\nbench:\n" + channels + "  recordings:\n" + list;
+  }
+
   void Check(StudyDraft& draft) const {
-    if (std::none_of(drafted_.begin(), drafted_.end(),
-                     [](const DraftedFile& file) { return file.use == "recordings" || file.use == "histories"; }))
+    if (std::none_of(drafted_.begin(), drafted_.end(), [](const DraftedFile& file) {
+          return file.use == "recordings" || file.use == "histories" || file.use == "bench";
+        }))
       return;
     const std::optional<LoadedStudy> loaded = LoadStudyText(draft.text, study_, draft.findings);
     if (!loaded) return;

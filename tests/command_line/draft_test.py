@@ -109,6 +109,17 @@ class Draft(ProgramTest):
         self.assertIn("use: validation", (self.folder / "both/study.yaml").read_text())
 
 
+    def test_takes_a_damper_from_its_bench(self):
+        damper = SOURCE / "studies/damper"
+        rows = (damper / "sine_5Hz_3mm.csv").read_text().splitlines()
+        names = rows[0].replace("displacement", "Stroke").replace("force", "Rod load")
+        self.write("bench.csv", "\n".join([names] + rows[1:]) + "\n")
+        self.run_program("init", "study", "--from", "bench.csv", "--vehicle", damper / "model2.urdf")
+        text = (self.folder / "study/study.yaml").read_text()
+        self.assertIn("bench:\n  displacement: Stroke\n  force: Rod load\n  recordings:\n    - ../bench.csv\n", text)
+        self.run_program("response", "study/study.yaml")
+
+
 class ShortStudies(ProgramTest):
     def setUp(self):
         super().setUp()
