@@ -28,11 +28,11 @@ std::string_view StandIn(std::string_view before, std::string_view after) {
   return IsUnit(after) ? "N" : "...";
 }
 
-/// Whether what follows is one more word, which brings its own blank: behind a letter or a quote that closes.
-bool EndsAWord(std::string_view text) {
+/// Whether what is between these is one more word, which brings its own blank: behind a letter or a quote that closes.
+bool EndsAWord(std::string_view text, std::string_view after) {
   if (text.empty()) return false;
   const char last = text.back();
-  if (last == '\'' || last == '`') return std::count(text.begin(), text.end(), last) % 2 == 0;
+  if (last == '\'' || last == '`') return !after.starts_with(last) && !after.starts_with(' ');
   return std::isalnum(static_cast<unsigned char>(last)) != 0;
 }
 
@@ -46,7 +46,7 @@ std::string WithStandIns(std::string_view text) {
     if (at == std::string_view::npos) return shown;
     text.remove_prefix(at);
     while (text.starts_with(kWord)) text.remove_prefix(kWord.size());
-    if (EndsAWord(shown)) shown += ' ';
+    if (EndsAWord(shown, text)) shown += ' ';
     shown += StandIn(shown, text);
   }
 }
