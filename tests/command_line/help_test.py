@@ -211,6 +211,11 @@ class Help(ProgramTest):
         for finding in ids[::7]:
             self.assertTrue(self.run_program("help", finding).stdout.startswith(finding + ", "))
 
+    def test_of_a_finding_names_what_stands_in_its_places(self):
+        self.assertIn("unknown key 'NAME' in ...\n", self.run_program("help", "key-unknown").stdout)
+        self.assertIn("N % of the posts' motion in 'NAME' does", self.run_program("help", "response-posts-off").stdout)
+        self.assertNotIn("......", self.run_program("help", "findings").stdout)
+
     def test_ends_with_5_when_stdout_is_full(self):
         for words in (["man"], ["completion", "zsh"], ["init", "car"]):
             with open("/dev/full", "w") as full:
