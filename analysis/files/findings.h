@@ -57,6 +57,27 @@ inline const Finding kCsvRowLength{"csv-row-length", Severity::kError, "the row 
 inline const Finding kCsvNotANumber{"csv-not-a-number", Severity::kError, "{} '{}' is not a finite number",
                                     "correct it, or leave the field empty where nothing was measured"};
 
+// Preparation of time histories.
+
+inline const Finding kGapNotBridged{"gap-not-bridged", Severity::kError,
+                                    "no samples of '{}' from {} to {}, longer than {}",
+                                    "raise 'bridge', or cut the recording by 'start' and 'end'"};
+inline const Finding kResampledBelow{
+    "resampled-below", Severity::kError,
+    "{} Hz are below the recorded rate of {} Hz, so that what is faster would be folded",
+    "state 'resample' at the recorded rate or above"};
+inline const Finding kHighPassTooHigh{"high-pass-too-high", Severity::kError,
+                                      "{} Hz for '{}' is not below half the sampling rate of {} Hz", "lower it"};
+inline const Finding kNothingToIntegrate{
+    "nothing-to-integrate", Severity::kError,
+    "'{}' is in '{}', not a velocity or an acceleration, so it cannot be integrated",
+    "remove 'integrate', or correct the unit"};
+inline const Finding kOffsetDimension{"offset-dimension", Severity::kError,
+                                      "the offset of '{}' is a {}, which the channel is not",
+                                      "give it in the channel's unit"};
+inline const Finding kChannelInNoFile{"channel-in-no-file", Severity::kError, "no file has channel '{}' ({})",
+                                      "correct the name, or add the file under 'with'"};
+
 // MAT files.
 
 inline const Finding kMatNoVector{"mat-no-vector", Severity::kError, "MAT file holds no vector of real numbers",

@@ -6,6 +6,7 @@
 
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/time_recording.h"
+#include "analysis/signals/drift.h"
 #include "analysis/signals/median.h"
 #include "analysis/signals/signal_levels.h"
 
@@ -21,13 +22,37 @@ std::vector<double> Values(const RecordedTable& table, std::size_t column) {
   return values;
 }
 
+/// Steps of a half to one and a half times the mean one.
+bool RisesEvenly(const RecordedTable& table, std::size_t column) {
+  if (table.HoldsText(column) || table.rows(column) < 4) return false;
+  const std::vector<double> values = Values(table, column);
+  const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (!(std::abs(values[k] - values[k - 1] - step) < 0.5 * step)) return false;
+  return true;
+}
+
+std::optional<std::size_t> GuessedTimes(const RecordedTable& table) {
+  std::optional<std::size_t> guessed;
+  for (std::size_t column = 0; column < table.names().size(); ++column) {
+    if (!table.unit(column).empty() || !RisesEvenly(table, column)) continue;
+    if (guessed) return std::nullopt;
+    guessed = column;
+  }
+  return guessed;
+}
+
 std::optional<std::size_t> TimesOf(const RecordedTable& table) {
   for (const std::string& name : kTimeColumn.names)
     if (const std::optional<std::size_t> column = table.FindColumn(name)) return column;
   for (std::size_t column = 0; column < table.names().size(); ++column)
     if (const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column)); unit && unit->dimension == kTime)
       return column;
-  return std::nullopt;
+  return GuessedTimes(table);
+}
+
+bool IsNamedAsTimes(const std::string& name) {
+  return std::find(kTimeColumn.names.begin(), kTimeColumn.names.end(), name) != kTimeColumn.names.end();
 }
 
 double Unevenness(const std::vector<double>& times) {
@@ -56,6 +81,12 @@ std::optional<TimeSummary> SummariseTimes(const RecordedTable& table, std::size_
   if (!summary.gaps.empty()) return summary;
   summary.rate_Hz = static_cast<double>(steps.size()) / (times.back() - times.front());
   summary.unevenness = Unevenness(times);
+  // Times of few digits, or of single precision, are uneven by their rounding alone.
+  const double rounding_s = std::max(LevelOf(steps), 0x1p-23 * std::abs(times.back()));
+  if (summary.unevenness / summary.rate_Hz <= 1.01 * rounding_s) return summary;
+  double squares = 0;
+  for (const double step : steps) squares += std::pow(step / usual - 1, 2);
+  summary.jitter = std::sqrt(squares / static_cast<double>(steps.size()));
   return summary;
 }
 
@@ -69,6 +100,8 @@ void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
   double squares = 0;
   for (const double value : values) squares += (value - summary.mean) * (value - summary.mean);
   summary.rms = std::sqrt(squares / count);
+  const TrendLine trend = TrendOf(values);
+  summary.drift = trend.last - trend.first;
   summary.level = LevelOf(values);
   const std::size_t top = ClippedAtTop(values, summary.level);
   const std::size_t bottom = ClippedAtBottom(values, summary.level);
@@ -77,12 +110,14 @@ void AddExtent(const std::vector<double>& values, ColumnSummary& summary) {
   summary.clipped_bottom = bottom;
 }
 
-ColumnSummary SummariseColumn(const RecordedTable& table, std::size_t column) {
+/// `rate_Hz`: where the channel has none of its own.
+ColumnSummary SummariseColumn(const RecordedTable& table, std::size_t column, double rate_Hz, RestSearch& rest) {
   ColumnSummary summary = {.name = table.names()[column], .unit = table.unit(column)};
   summary.unit_known = ParseRecordedUnit(summary.unit).has_value();
   std::vector<double> values = Values(table, column);
   summary.samples = values.size();
   if (table.recording() != nullptr) summary.rate_Hz = table.recording()->rate_Hz(column);
+  rest.Add(values, summary.rate_Hz > 0 ? summary.rate_Hz : rate_Hz);
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (std::isfinite(values[row])) continue;
     if (summary.missing++ == 0) summary.first_missing = row;
@@ -101,10 +136,21 @@ std::string TimesColumn(const RecordedTable& table) {
 
 RecordingSummary Summarise(const RecordedTable& table) {
   RecordingSummary summary;
+  RestSearch rest;
   const std::optional<std::size_t> times = TimesOf(table);
   if (times) summary.time = SummariseTimes(table, *times);
+  if (summary.time)
+    summary.time->is_guessed = !IsNamedAsTimes(table.names()[*times]) && !ParseRecordedUnit(table.unit(*times));
   for (std::size_t column = 0; column < table.names().size(); ++column)
-    if (column != times && !table.HoldsText(column)) summary.columns.push_back(SummariseColumn(table, column));
+    if (column != times && !table.HoldsText(column))
+      summary.columns.push_back(SummariseColumn(table, column, summary.time ? summary.time->rate_Hz : 0, rest));
+  // Between gaps nobody knows when.
+  if (!summary.time || !summary.time->gaps.empty()) return summary;
+  summary.rest = rest.Longest();
+  constexpr std::size_t kFewest = 64;
+  for (std::size_t i = 0; summary.rest && i < summary.columns.size(); ++i)
+    if (const std::vector<double> samples = rest.Samples(i, *summary.rest); samples.size() >= kFewest)
+      summary.columns[i].noise = SensorNoiseOf(samples, rest.rate_Hz(i));
   return summary;
 }
 

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "analysis/files/recorded_table.h"
+#include "analysis/files/rest_search.h"
+#include "analysis/signals/sensor_noise.h"
 
 namespace fourpost {
 
@@ -31,6 +33,10 @@ struct ColumnSummary {
   /// See ClippedAtTop and ClippedAtBottom; 0 below kFewestClipped in all.
   std::size_t clipped_top = 0;
   std::size_t clipped_bottom = 0;
+  /// By which its straight line rises over the record.
+  double drift = 0;
+  /// At RecordingSummary::rest; nothing without it, and of fewer than 64 samples there.
+  std::optional<SensorNoise> noise = {};
 };
 
 /// Times that are further apart than the usual step, or step back.
@@ -51,6 +57,11 @@ struct TimeSummary {
   std::vector<TimeGap> gaps;
   /// The largest difference from even steps between first and last sample, in steps; of a record without gaps.
   double unevenness = 0;
+  /// Root mean square of steps about the usual one, as a share of it; of a record without gaps, and
+  /// beyond what rounding of the times explains.
+  double jitter = 0;
+  /// Neither by name nor by unit: the column rises evenly, and no other does.
+  bool is_guessed = false;
 };
 
 struct RecordingSummary {
@@ -58,12 +69,15 @@ struct RecordingSummary {
   std::optional<TimeSummary> time;
   /// All columns but that of the times.
   std::vector<ColumnSummary> columns;
+  /// When nothing moves, from the begin of the record.
+  std::optional<RestTime> rest = {};
 };
 
 /// The column of the samples' times; empty where there is none.
 std::string TimesColumn(const RecordedTable& table);
 
-/// Looks at all columns. Times are a column of kTimeColumn's names, else the first in a unit of time.
+/// Looks at all columns. Times are a column of kTimeColumn's names, else the first in a unit of time, else the only one
+/// without a unit that rises evenly.
 RecordingSummary Summarise(const RecordedTable& table);
 
 }  // namespace fourpost

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include "analysis/files/findings.h"
 #include "analysis/files/recorded_table.h"
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/recording_layout.h"
+#include "analysis/signals/drift.h"
 #include "analysis/signals/median.h"
+#include "analysis/signals/uneven_samples.h"
 #include "analysis/signals/uniform_spline.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
@@ -37,19 +41,26 @@ class RecordReader {
  public:
   RecordReader(const RecordedTable& table, Diagnostics& diagnostics) : table_(table), diagnostics_(diagnostics) {}
 
-  std::optional<TimeRecording> Read(std::span<const RecordedChannel> wanted, const RecordedChannel& time) {
+  std::optional<TimeRecording> Read(std::span<const RecordedChannel> wanted, const RecordedChannel& time,
+                                    const TimePreparation& preparation) {
     const std::vector<double> times = Column(time);
     times_good_ = good_;
+    may_miss_ = preparation.IsGridded();
     TimeRecording recording;
     std::vector<std::size_t> lengths;
     for (const RecordedChannel& channel : wanted) {
       recording.channels.push_back(Column(channel));
       lengths.push_back(recording.channels.back().size());
     }
-    recording.step_s = CheckTimes(wanted, times, lengths);
+    if (preparation.IsGridded()) PutOnGrid(wanted, times, lengths, preparation, recording);
+    else recording.step_s = CheckTimes(wanted, times, lengths);
     if (!good_) return std::nullopt;
-    recording.start_s = times.front();
-    recording.end_s = times.back();
+    if (!preparation.IsGridded()) {
+      recording.start_s = times.front();
+      recording.end_s = times.back();
+    }
+    for (std::size_t i = 0; i < wanted.size(); ++i) Prepare(wanted[i], recording.channels[i], recording);
+    if (!good_) return std::nullopt;
     TakeDelaysBack(wanted, recording);
     if (!good_) return std::nullopt;
     return recording;
@@ -101,17 +112,24 @@ class RecordReader {
   }
 
   std::vector<double> Values(std::size_t column, const RecordedChannel& channel) {
-    const double si = UnitOf(column, channel) * channel.factor;
+    const double unit = UnitOf(column, channel);
+    const double si = unit * channel.factor;
+    const double offset = channel.offset ? channel.offset->si / unit : 0;
+    if (channel.offset && !(channel.offset->unit.dimension == DimensionOf(column, channel)))
+      Fault(kOffsetDimension, table_.units_line(),
+            {channel.names.front(), DimensionName(channel.offset->unit.dimension)});
     if (table_.recording() != nullptr)
-      if (std::optional<std::vector<double>> values = Finite(table_.recording()->Column(column), si)) return *values;
-    std::vector<double> values(table_.rows(column));
+      if (std::optional<std::vector<double>> values = Finite(table_.recording()->Column(column), offset, si))
+        return *values;
+    std::vector<double> values(table_.rows(column), std::numeric_limits<double>::quiet_NaN());
     int found = 0;
     for (std::size_t row = 0; row < values.size() && found < kMostFindings; ++row) {
       const std::optional<double> number = table_.Number(row, column);
       if (number && std::isfinite(*number)) {
-        values[row] = *number * si;
+        values[row] = (*number - offset) * si;
         continue;
       }
+      if (may_miss_ && (number || table_.Text(row, column).empty())) continue;
       ++found;
       const std::string text = table_.Text(row, column);
       Fault(kSampleMissing, table_.line(row),
@@ -121,10 +139,10 @@ class RecordReader {
   }
 
   /// The values in SI; nothing where one is not finite.
-  static std::optional<std::vector<double>> Finite(std::vector<double> values, double si) {
+  static std::optional<std::vector<double>> Finite(std::vector<double> values, double offset, double si) {
     for (double& value : values) {
       if (!std::isfinite(value)) return std::nullopt;
-      value *= si;
+      value = (value - offset) * si;
     }
     return values;
   }
@@ -136,7 +154,15 @@ class RecordReader {
   double UnitOf(std::size_t column, const RecordedChannel& channel) {
     const std::string text = channel.unit.empty() ? table_.unit(column) : channel.unit;
     const std::optional<Unit> unit = ParseRecordedUnit(text);
-    if (unit && unit->dimension == channel.dimension) return unit->si;
+    if (unit && unit->dimension == channel.dimension && !channel.integrated_above_Hz) return unit->si;
+    if (unit && channel.integrated_above_Hz && IntegralsOf(unit->dimension) > 0) {
+      integrals_[channel.names.front()] = IntegralsOf(unit->dimension);
+      return unit->si;
+    }
+    if (channel.integrated_above_Hz) {
+      Fault(kNothingToIntegrate, table_.units_line(), {table_.names()[column], text});
+      return 1;
+    }
     const std::string such = channel.dimension == kLength ? "mm" : SiUnit(channel.dimension);
     const std::string wanted = DimensionName(channel.dimension) + " such as '" + such + "'";
     const std::string& name = table_.names()[column];
@@ -149,6 +175,107 @@ class RecordReader {
     // Times that are in a unit of something else.
     else Fault(kTimeSwapped, line, {name, channel.what, text, wanted, others.front()});
     return 1;
+  }
+
+  Dimension DimensionOf(std::size_t column, const RecordedChannel& channel) const {
+    const std::optional<Unit> unit = ParseRecordedUnit(channel.unit.empty() ? table_.unit(column) : channel.unit);
+    return unit ? unit->dimension : channel.dimension;
+  }
+
+  /// That make a length of it.
+  static int IntegralsOf(const Dimension& dimension) {
+    return dimension == kAcceleration ? 2 : dimension == kVelocity ? 1 : 0;
+  }
+
+  /// Times as even as they are asked for, and every channel there.
+  void PutOnGrid(std::span<const RecordedChannel> wanted, const std::vector<double>& times,
+                 const std::vector<std::size_t>& lengths, const TimePreparation& preparation,
+                 TimeRecording& recording) {
+    if (!good_) return;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      if (lengths[i] != times.size())
+        return Fault(kSamplesDiffer, 0,
+                     {wanted[i].names.front(), std::to_string(lengths[i]), std::to_string(times.size())});
+    if (times.size() < 4) return Fault(kTooFewSamples, 0, {std::to_string(times.size())});
+    std::vector<double> steps(times.size() - 1);
+    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
+    const double usual = Median(steps);
+    if (!(usual > 0) || StepBack(steps)) return Fault(kTimeDoesNotRise, 0);
+    const double rate_Hz = preparation.rate_Hz.value_or(1 / usual);
+    constexpr double kSame = 0.99;
+    if (rate_Hz < kSame / usual) return Fault(kResampledBelow, 0, {FormatNumber(rate_Hz), Rate(1 / usual)});
+    recording.step_s = 1 / rate_Hz;
+    recording.start_s = times.front();
+    std::vector<double> grid;
+    // The last sample may be there but for the rounding of times.
+    const double end_s = times.back() + 1e-6 * recording.step_s;
+    for (std::size_t k = 0; recording.time_s(k) <= end_s; ++k) grid.push_back(recording.time_s(k));
+    recording.end_s = grid.back();
+    const double longest_s = std::max(preparation.bridge_s, kJitter * usual);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      recording.channels[i] = OnGrid(wanted[i], times, recording.channels[i], grid, usual, longest_s);
+    if (!good_) return;
+    if (preparation.rate_Hz) recording.preparations.push_back("resampled to " + FormatNumber(rate_Hz) + " Hz");
+    if (bridged_ > 0)
+      recording.preparations.push_back(std::to_string(bridged_) + " gaps of channels bridged, the longest " +
+                                       Seconds(longest_bridged_s_));
+  }
+
+  /// A sample that comes later than this many usual steps is a gap.
+  static constexpr double kJitter = 1.5;
+
+  std::vector<double> OnGrid(const RecordedChannel& channel, const std::vector<double>& times,
+                             const std::vector<double>& values, const std::vector<double>& grid, double usual,
+                             double longest_s) {
+    std::vector<double> at;
+    std::vector<double> known;
+    int found = 0;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+      // Times that stand or step back now and then are left out.
+      if (!std::isfinite(values[k]) || (!at.empty() && times[k] <= at.back())) continue;
+      const double gap_s = at.empty() ? times[k] - times.front() : times[k] - at.back();
+      if (gap_s > longest_s && found++ < kMostFindings)
+        Fault(kGapNotBridged, table_.line(k),
+              {channel.names.front(), Seconds(times[k] - gap_s), Seconds(times[k]), Seconds(longest_s)});
+      if (gap_s > kJitter * usual) {
+        ++bridged_;
+        longest_bridged_s_ = std::max(longest_bridged_s_, gap_s);
+      }
+      at.push_back(times[k]);
+      known.push_back(values[k]);
+    }
+    if (at.size() < 3) Fault(kTooFewSamples, 0, {std::to_string(at.size())});
+    return at.size() < 3 ? std::vector<double>(grid.size()) : InterpolatedAt(at, known, grid);
+  }
+
+  static std::string Rate(double rate_Hz) { return FormatNumber(std::round(1e4 * rate_Hz) / 1e4); }
+
+  /// Trend, what is slow, and integrals.
+  void Prepare(const RecordedChannel& channel, std::vector<double>& values, TimeRecording& recording) {
+    const std::string& name = channel.names.front();
+    const double rate_Hz = recording.rate_Hz();
+    const auto done = [&](const std::string& what) { recording.preparations.push_back(name + ": " + what); };
+    if (channel.offset) done("offset taken away");
+    if (channel.has_trend) {
+      RemoveTrend(values);
+      done("trend taken away");
+    }
+    for (const std::optional<double>& cutoff : {channel.high_pass_Hz, channel.integrated_above_Hz})
+      if (cutoff && !(*cutoff < rate_Hz / 2))
+        return Fault(kHighPassTooHigh, 0, {FormatNumber(*cutoff), name, Rate(rate_Hz)});
+    if (channel.high_pass_Hz) {
+      RemoveSlow(values, rate_Hz, *channel.high_pass_Hz);
+      done("high-pass of " + FormatNumber(*channel.high_pass_Hz) + " Hz");
+    }
+    if (!channel.integrated_above_Hz) return;
+    const int times = integrals_[name];
+    RemoveSlow(values, rate_Hz, *channel.integrated_above_Hz);
+    for (int k = 0; k < times; ++k) {
+      values = IntegralOf(values, rate_Hz);
+      RemoveSlow(values, rate_Hz, *channel.integrated_above_Hz);
+    }
+    done(std::string("integrated ") + (times == 2 ? "twice" : "once") + ", without what is slower than " +
+         FormatNumber(*channel.integrated_above_Hz) + " Hz");
   }
 
   /// What a channel has beyond the record is not known: all are cut alike.
@@ -244,6 +371,12 @@ class RecordReader {
   Diagnostics& diagnostics_;
   bool good_ = true;
   bool times_good_ = true;
+  /// Samples may be missing, since gaps are bridged.
+  bool may_miss_ = false;
+  int bridged_ = 0;
+  double longest_bridged_s_ = 0;
+  /// Of channels that are integrated.
+  std::map<std::string, int> integrals_;
 };
 
 /// `read` with a reader of the table; a fault that a file shows only then is one of its findings.
@@ -265,20 +398,90 @@ void CheckTimeRecording(const RecordedTable& table, std::span<const RecordedChan
   Reading(table, diagnostics, [&](RecordReader& reader) { reader.Check(wanted, time); });
 }
 
+namespace {
+
+bool HasOneOf(const RecordedTable& table, const RecordedChannel& channel) {
+  return std::any_of(channel.names.begin(), channel.names.end(),
+                     [&](const std::string& name) { return table.FindColumn(name).has_value(); });
+}
+
+/// Channels of `part` at the times of `whole`, which loses what the part does not cover.
+void Join(const TimeRecording& part, double delay_s, std::span<const std::size_t> places, std::size_t& samples,
+          TimeRecording& whole) {
+  std::vector<double> times;
+  for (std::size_t k = 0; k < part.samples(); ++k) times.push_back(part.time_s(k) - delay_s);
+  std::vector<double> grid;
+  std::size_t first = 0;
+  const double rounding = 1e-6 * whole.step_s;
+  while (first < samples && whole.time_s(first) < times.front() - rounding) ++first;
+  std::size_t last = first;
+  while (last < samples && whole.time_s(last) <= times.back() + rounding) grid.push_back(whole.time_s(last++));
+  for (std::vector<double>& channel : whole.channels)
+    if (!channel.empty())
+      channel = {channel.begin() + static_cast<std::ptrdiff_t>(first),
+                 channel.begin() + static_cast<std::ptrdiff_t>(last)};
+  for (std::size_t i = 0; i < places.size(); ++i)
+    whole.channels[places[i]] = InterpolatedAt(times, part.channels[i], grid);
+  samples = grid.size();
+  if (grid.empty()) return;
+  whole.start_s = grid.front();
+  whole.end_s = grid.back();
+  whole.preparations.insert(whole.preparations.end(), part.preparations.begin(), part.preparations.end());
+}
+
+}  // namespace
+
 std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file,
                                                std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
-                                               const RecordedChannel& time) {
+                                               const RecordedChannel& time, const TimePreparation& preparation) {
   const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
-  return table ? ReadTimeRecording(*table, wanted, diagnostics, time) : std::nullopt;
+  if (!table) return std::nullopt;
+  // Of each file the channels that none before it has.
+  std::vector<std::size_t> open;
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    (HasOneOf(*table, wanted[i]) || preparation.others.empty() ? own : open).push_back(i);
+  const auto chosen = [&](const std::vector<std::size_t>& places) {
+    std::vector<RecordedChannel> some;
+    for (const std::size_t place : places) some.push_back(wanted[place]);
+    return some;
+  };
+  if (open.empty() || own.empty()) return ReadTimeRecording(*table, wanted, diagnostics, time, preparation);
+  std::optional<TimeRecording> first = ReadTimeRecording(*table, chosen(own), diagnostics, time, preparation);
+  if (!first) return std::nullopt;
+  TimeRecording whole = *first;
+  std::size_t samples = first->samples();
+  whole.channels.assign(wanted.size(), {});
+  for (std::size_t i = 0; i < own.size(); ++i) whole.channels[own[i]] = std::move(first->channels[i]);
+  for (const OtherFile& other : preparation.others) {
+    const std::optional<RecordedTable> beside = ReadRecordedTable(other.path, diagnostics);
+    if (!beside) return std::nullopt;
+    std::vector<std::size_t> here;
+    for (const std::size_t place : open)
+      if (HasOneOf(*beside, wanted[place])) here.push_back(place);
+    if (here.empty()) continue;
+    std::erase_if(open, [&](std::size_t place) { return std::find(here.begin(), here.end(), place) != here.end(); });
+    const std::optional<TimeRecording> part = ReadTimeRecording(*beside, chosen(here), diagnostics, time, preparation);
+    if (!part) return std::nullopt;
+    whole.preparations.push_back("with " + other.path.filename().string() +
+                                 (other.delay_s != 0 ? ", " + Seconds(other.delay_s) + " ahead" : ""));
+    Join(*part, other.delay_s, here, samples, whole);
+  }
+  for (const std::size_t place : open)
+    diagnostics.Report(kChannelInNoFile, {file.string()}, {wanted[place].names.front(), wanted[place].what});
+  if (samples < 4) diagnostics.Report(kTooFewSamples, {file.string()}, {std::to_string(samples)});
+  if (!open.empty() || samples < 4) return std::nullopt;
+  return whole;
 }
 
 std::optional<TimeRecording> ReadTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted,
-                                               Diagnostics& diagnostics, const RecordedChannel& time) {
+                                               Diagnostics& diagnostics, const RecordedChannel& time,
+                                               const TimePreparation& preparation) {
   if (IsSteppedSine(table)) {
     diagnostics.Report(kSteppedSineAsHistory, {table.file(), table.names_line()});
     return std::nullopt;
   }
-  return Reading(table, diagnostics, [&](RecordReader& reader) { return reader.Read(wanted, time); });
+  return Reading(table, diagnostics, [&](RecordReader& reader) { return reader.Read(wanted, time, preparation); });
 }
 
 }  // namespace fourpost

@@ -27,6 +27,33 @@ struct RecordedChannel {
   double factor = 1;
   /// By which it comes later than what it measures; taken back by a cubic spline through the samples.
   double delay_s = 0;
+  /// What it reads at zero; goes before sign and scale.
+  std::optional<Quantity> offset = {};
+  /// Its straight line is taken away, or what is slower than this, see RemoveSlow().
+  bool has_trend = false;
+  std::optional<double> high_pass_Hz = {};
+  /// Of a length that was recorded as a velocity or an acceleration: it is integrated, and what is slower than this is
+  /// taken away each time.
+  std::optional<double> integrated_above_Hz = {};
+};
+
+/// Another file that was recorded beside the first.
+struct OtherFile {
+  std::filesystem::path path;
+  /// By which its clock is ahead: its times less those of the first file.
+  double delay_s = 0;
+};
+
+/// What is done to the times of a recording before it is used.
+struct TimePreparation {
+  /// Even times of this rate, which channels are interpolated at; not below the recorded one.
+  std::optional<double> rate_Hz = {};
+  /// Up to which gaps are bridged by interpolation; 0: none are.
+  double bridge_s = 0;
+  /// Where channels are looked for that the first file does not have.
+  std::vector<OtherFile> others = {};
+
+  bool IsGridded() const { return rate_Hz || bridge_s > 0; }
 };
 
 /// The column of times unless a study names another.
@@ -39,8 +66,10 @@ struct TimeRecording {
   double start_s = 0;
   double end_s = 0;
   double step_s = 0;
-  /// One per channel wanted, in its order; SI, as measured, offsets included.
+  /// One per channel wanted, in its order; SI, as measured, offsets included unless they are stated.
   std::vector<std::vector<double>> channels;
+  /// What was done to it, a sentence each.
+  std::vector<std::string> preparations = {};
 
   std::size_t samples() const { return channels.empty() ? 0 : channels.front().size(); }
   double rate_Hz() const { return 1 / step_s; }
@@ -53,10 +82,12 @@ struct TimeRecording {
 /// that step back or are not evenly spaced. Nothing when there was one.
 std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file,
                                                std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
-                                               const RecordedChannel& time = kTimeColumn);
-/// Likewise of a file that has been read.
+                                               const RecordedChannel& time = kTimeColumn,
+                                               const TimePreparation& preparation = {});
+/// Likewise of a file that has been read; without other files.
 std::optional<TimeRecording> ReadTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted,
-                                               Diagnostics& diagnostics, const RecordedChannel& time = kTimeColumn);
+                                               Diagnostics& diagnostics, const RecordedChannel& time = kTimeColumn,
+                                               const TimePreparation& preparation = {});
 
 /// Reports what ReadTimeRecording would of a table, and keeps no channel: the record may be larger than memory.
 void CheckTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,

@@ -62,6 +62,12 @@ inline const Finding kResponseMultisineNonlinear{
     "response-multisine-nonlinear", Severity::kWarning,
     "{} % of '{}' is distortion and {} % is noise: the response is a linear approximation for this motion only",
     "to fit a model of dampers and friction record stepped sines, whose responses belong to an amplitude"};
+inline const Finding kResponseUnitUnknown{"response-unit-unknown", Severity::kWarning,
+                                          "channels are left out, as their units are not known: {}",
+                                          "write a unit such as mm, kN or m/s^2 below or behind each name"};
+inline const Finding kResponseLikePost{"response-like-post", Severity::kWarning,
+                                       "'{}' moves as the posts do at every frequency, as if it were another of them",
+                                       "name each post: --post {}=NAME"};
 inline const Finding kResponseChannelSilent{"response-channel-silent", Severity::kWarning,
                                             "channel '{}' does not move and is left out", "check its cable"};
 }  // namespace fourpost

@@ -119,6 +119,7 @@ class ResponseMaker {
     if (out_.kind == ExcitationKind::kStepped) FinishDwells();
     else FinishSpectra();
     if (diagnostics_.HasErrors()) return std::nullopt;
+    FindLikePosts();
     return std::move(out_);
   }
 
@@ -128,7 +129,7 @@ class ResponseMaker {
   }
 
   std::optional<LookedAt> Look(const std::filesystem::path& file) {
-    std::optional<RigRecording> recording = ReadRigRecording(file, request_.posts, diagnostics_);
+    std::optional<RigRecording> recording = ReadRigRecording(file, request_.posts, diagnostics_, request_.preparation);
     if (!recording) return std::nullopt;
     DropSilent(file, *recording);
     LookedAt looked{.file = file, .recording = *std::move(recording)};
@@ -182,6 +183,7 @@ class ResponseMaker {
       out_.posts = recording.posts;
       out_.rate_Hz = recording.rate_Hz;
       out_.left_out = recording.left_out;
+      out_.unit_unknown = recording.unit_unknown;
       names_ = recording.names;
       units_ = recording.units;
       return true;
@@ -195,6 +197,27 @@ class ResponseMaker {
     for (const std::string& name : recording.names)
       if (!IndexOf(name, names_)) Fault(kResponseChannelsDiffer, request_.files.front(), {name});
     return recording.names == names_;
+  }
+
+  /// A displacement that has the same share of the posts' motion from below the body's modes to beyond those of the
+  /// wheels: no part of a vehicle does.
+  void FindLikePosts() {
+    constexpr double kBelow_Hz = 3;
+    constexpr double kBeyond_Hz = 7.5;
+    const FrequencyResponse& response = out_.responses.front().response;
+    if (response.frequency_Hz.front() > kBelow_Hz || response.frequency_Hz.back() < kBeyond_Hz) return;
+    for (const ChannelResponse& channel : response.channels)
+      if (channel.unit == "m" && IsConstant(channel)) out_.like_posts.push_back(channel.name);
+  }
+
+  static bool IsConstant(const ChannelResponse& channel) {
+    constexpr double kShare = 0.01;
+    constexpr double kDeviations = 4;
+    const double gain = channel.response.front().real();
+    for (std::size_t i = 0; i < channel.response.size(); ++i)
+      if (!(std::abs(channel.response[i] - gain) < kShare * std::abs(gain) + kDeviations * channel.gain_sd[i]))
+        return false;
+    return std::abs(gain) > kShare;
   }
 
   // Stepped sines.

@@ -30,6 +30,7 @@ struct ResponseRequest {
   /// Empty: found in the posts' motion.
   std::optional<ExcitationKind> kind = {};
   std::optional<AcquisitionFilter> filter = {};
+  TimePreparation preparation = {};
   /// Of sweeps and random motions, rising; empty: 64 over the band in which the posts move.
   std::vector<double> frequencies_Hz = {};
 };
@@ -84,8 +85,11 @@ struct MeasuredResponses {
   double period_s = 0;
   int periods = 0;
   std::vector<MeasuredResponse> responses;
-  /// Columns that are no response of a vehicle.
+  /// Columns that are no response of a vehicle; and those of them whose unit is not known, as "'oil' (foo)".
   std::vector<std::string> left_out;
+  std::vector<std::string> unit_unknown;
+  /// Channels that move as the posts do at every frequency, up to their sign.
+  std::vector<std::string> like_posts;
 };
 
 /// "stepped sine", "sweep", "random motion", "multisine"

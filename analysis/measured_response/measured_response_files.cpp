@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "analysis/charts/bode_panel.h"
 #include "analysis/charts/svg_chart.h"
 #include "analysis/files/csv_writer.h"
 #include "analysis/files/json_text.h"
+#include "analysis/files/universal/universal_writer.h"
 #include "analysis/signals/decibel.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
@@ -168,6 +170,12 @@ Json ChannelsJson(const MeasuredResponse& response) {
       phase_deg.push_back(DegreesFromRadians(std::arg(channel.response[i])));
       phase_sd_deg.push_back(DegreesFromRadians(channel.phase_sd_rad[i]));
     }
+    std::vector<double> gain_h2;
+    std::vector<double> gain_hv;
+    for (std::size_t i = 0; i < quality.coherence_at.size(); ++i) {
+      gain_h2.push_back(gain[i] / quality.coherence_at[i]);
+      gain_hv.push_back(gain[i] / std::sqrt(quality.coherence_at[i]));
+    }
     list.push_back({{"name", channel.name},
                     {"unit", channel.unit},
                     {"gain", Numbers(gain)},
@@ -177,6 +185,8 @@ Json ChannelsJson(const MeasuredResponse& response) {
                     {"mean", Numbers(channel.mean)},
                     {"second_harmonic", Numbers(channel.second_harmonic)},
                     {"coherence", Numbers(quality.coherence_at)},
+                    {"gain_h2", Numbers(gain_h2)},
+                    {"gain_hv", Numbers(gain_hv)},
                     {"distortion", NumberOrNull(quality.distortion)},
                     {"noise", NumberOrNull(quality.noise)},
                     {"median_sd_share", NumberOrNull(quality.deviation)}});
@@ -202,6 +212,17 @@ std::string RecordingCsv(const FrequencyResponse& response) {
       csv.Add(at(channel.mean, i)).Add(at(channel.second_harmonic, i));
     }
   return csv.text();
+}
+
+std::string RecordingUniversal(const MeasuredResponse& response, const std::string& reference) {
+  std::vector<UniversalResponse> responses;
+  const std::vector<double>& frequencies = response.response.frequency_Hz;
+  for (const ChannelResponse& channel : response.response.channels) {
+    UniversalResponse& one = responses.emplace_back(UniversalResponse{channel.name, channel.unit, channel.response});
+    for (std::size_t i = 0; i < frequencies.size() && channel.unit == "m/s^2"; ++i)
+      one.values[i] *= -std::pow(2 * std::numbers::pi * frequencies[i], 2);
+  }
+  return UniversalBytes(frequencies, reference, responses);
 }
 
 std::string MeasuredSvg(const MeasuredResponse& response, ExcitationKind kind) {

@@ -13,6 +13,10 @@ namespace fourpost {
 /// The recording that 'recordings' of a study takes, see ReadFrequencyResponse().
 std::string RecordingCsv(const FrequencyResponse& response);
 
+/// The same as a universal file, per displacement of the reference post: accelerations in m/s^2 per m. It has neither
+/// deviations, nor amplitudes of posts, nor mean offsets.
+std::string RecordingUniversal(const MeasuredResponse& response, const std::string& reference);
+
 /// Gain and phase with bands of two standard deviations, a row for each channel; the coherence, where there is one.
 std::string MeasuredSvg(const MeasuredResponse& response, ExcitationKind kind);
 
@@ -22,6 +26,8 @@ std::string StudySection(const MeasuredResponses& measured);
 /// For the terminal: what was found, and a table of channels for each response.
 std::string MeasuredText(const MeasuredResponses& measured);
 
+/// Gains are H1; those of sweeps and random motions also H2 and Hv, the geometric mean of both, which have the phase of
+/// H1: noise of the posts lowers H1, noise of a channel raises H2.
 nlohmann::ordered_json MeasuredJson(const MeasuredResponses& measured);
 
 }  // namespace fourpost

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -62,6 +63,15 @@ std::string ResponseUnit(const RecordedTable& table, std::size_t column) {
   return IsAngularVelocity(*unit, table.unit(column)) ? "rad/s" : "";
 }
 
+/// A column of numbers with its unit, where that is not known: "'oil' (foo)"; else empty.
+std::string UnknownUnit(const RecordedTable& table, std::size_t column) {
+  if (UnitOf(table, column) || table.HoldsText(column)) return "";
+  const std::optional<double> first = table.rows(column) > 0 ? table.Number(0, column) : std::nullopt;
+  if (!first || std::isnan(*first)) return "";
+  const std::string& unit = table.unit(column);
+  return "'" + table.names()[column] + "' (" + (unit.empty() ? "no unit" : unit) + ")";
+}
+
 std::string ListOr(const std::vector<std::string>& names, const std::string& none) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -104,7 +114,7 @@ std::vector<PostChannel> PostsByName(const RecordedTable& table) {
 }
 
 std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, std::span<const PostChannel> posts,
-                                             Diagnostics& diagnostics) {
+                                             Diagnostics& diagnostics, const TimePreparation& preparation) {
   const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
   if (!table) return std::nullopt;
   const std::vector<PostChannel> known =
@@ -124,6 +134,7 @@ std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, 
     const std::string unit = ResponseUnit(*table, column);
     if (unit.empty() || table->HoldsText(column)) {
       out.left_out.push_back(name);
+      if (const std::string text = UnknownUnit(*table, column); !text.empty()) out.unit_unknown.push_back(text);
       continue;
     }
     out.names.push_back(name);
@@ -136,7 +147,7 @@ std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, 
   }
   RecordedChannel times = kTimeColumn;
   if (!time.empty()) times.names = {time};
-  std::optional<TimeRecording> recording = ReadTimeRecording(*table, wanted, diagnostics, times);
+  std::optional<TimeRecording> recording = ReadTimeRecording(*table, wanted, diagnostics, times, preparation);
   if (!recording) return std::nullopt;
   out.rate_Hz = recording->rate_Hz();
   const auto first = std::make_move_iterator(recording->channels.begin());

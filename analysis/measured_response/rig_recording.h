@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/files/recorded_table.h"
+#include "analysis/files/time_recording.h"
 #include "analysis/frequency_response/rig_signals.h"
 #include "analysis/text/diagnostics.h"
 
@@ -29,8 +30,9 @@ struct RigRecording {
   /// "m", "N", "m/s^2" or "rad/s".
   std::vector<std::string> units;
   std::vector<std::vector<double>> channels;
-  /// Columns in other units, or without one.
+  /// Columns in other units, or without one; and those of them whose unit is not known, as 'oil [foo]'.
   std::vector<std::string> left_out;
+  std::vector<std::string> unit_unknown;
 
   RigSignals Signals() const;
   double duration_s() const;
@@ -42,6 +44,6 @@ std::vector<PostChannel> PostsByName(const RecordedTable& table);
 
 /// Reads a time history; posts by PostsByName() where `posts` is empty. Adds every fault; nothing when there was one.
 std::optional<RigRecording> ReadRigRecording(const std::filesystem::path& file, std::span<const PostChannel> posts,
-                                             Diagnostics& diagnostics);
+                                             Diagnostics& diagnostics, const TimePreparation& preparation = {});
 
 }  // namespace fourpost

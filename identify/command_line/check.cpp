@@ -14,6 +14,7 @@
 #include "vehicles/loops/mobility.h"
 #include "vehicles/reader/resolved_text.h"
 #include "vehicles/reader/vehicle_file.h"
+#include "vehicles/requests/parameter_setting.h"
 #include "vehicles/ride/vehicle_summary.h"
 
 namespace fourpost {
@@ -24,9 +25,11 @@ void Append(const Diagnostics& more, Diagnostics& findings) {
 }
 
 /// Adds all that can be found in the file; nothing where an error keeps the vehicle from being checked.
-std::optional<CheckedVehicle> Checked(const std::filesystem::path& file, Diagnostics& findings) {
-  std::optional<Vehicle> vehicle = ReadVehicle(file, findings);
+std::optional<CheckedVehicle> Checked(const CheckCommand& command, Diagnostics& findings) {
+  std::optional<Vehicle> vehicle = ReadVehicle(command.model, findings);
   if (!vehicle) return std::nullopt;
+  SetParameters(command.set, *vehicle, findings);
+  if (findings.HasErrors()) return std::nullopt;
   Append(LintDescription(*vehicle), findings);
   try {
     Mobility mobility = MobilityOf(*vehicle);
@@ -54,7 +57,7 @@ int PrintResolved(const std::filesystem::path& file) {
 int Run(const CheckCommand& command) {
   if (command.resolved) return PrintResolved(command.model);
   Diagnostics findings;
-  const std::optional<CheckedVehicle> checked = Checked(command.model, findings);
+  const std::optional<CheckedVehicle> checked = Checked(command, findings);
   if (command.json) Print(CheckJson(checked, findings));
   if (!checked) throw FaultyInput(findings);
   Tell(findings);

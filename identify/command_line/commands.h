@@ -20,6 +20,9 @@ namespace fourpost {
 /// `fourpost init DIR`
 struct InitCommand {
   std::filesystem::path folder;
+  /// Recordings and the vehicle of a study to draft; empty: the starter study is written.
+  std::vector<std::filesystem::path> from;
+  std::filesystem::path vehicle;
   bool json = false;
 };
 
@@ -49,6 +52,8 @@ struct ParamsCommand {
 struct CheckCommand {
   std::filesystem::path model;
   bool json = false;
+  /// "name=value"
+  std::vector<std::string> set;
   /// Print the file with its defaults filled in, in place of the report.
   bool resolved = false;
 };

@@ -154,6 +154,13 @@ inline const Finding kStarterFolderIsFile{"starter-folder-is-file", Severity::kE
 inline const Finding kStarterFolderNotEmpty{"starter-folder-not-empty", Severity::kError, "the folder is not empty",
                                             "name a new folder"};
 
+inline const Finding kDraftIsThere{"draft-is-there", Severity::kError, "there is a study already",
+                                   "name another folder, or move it away"};
+inline const Finding kNothingToDraftFrom{"nothing-to-draft-from", Severity::kError, "no recording is in this folder",
+                                         "name a folder with recordings, or files"};
+inline const Finding kNotDrafted{"not-drafted", Severity::kError, "nothing can be made of this recording: {}",
+                                 "see `fourpost info` of it, or write the study by hand"};
+
 // Ends of a command.
 
 inline const Finding kResponseInterrupted{"response-interrupted", Severity::kWarning,

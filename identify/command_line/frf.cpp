@@ -5,6 +5,7 @@
 #include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/json_text.h"
 #include "analysis/files/output_folder.h"
+#include "analysis/measured_response/findings.h"
 #include "analysis/measured_response/measured_response_files.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
@@ -21,12 +22,22 @@ void Write(const std::filesystem::path& folder, const std::string& json, const M
   OutputFolder output(folder, "", kMark);
   for (const MeasuredResponse& response : measured.responses) {
     output.Add(response.name + ".csv", RecordingCsv(response.response));
+    output.Add(response.name + ".uff", RecordingUniversal(response, measured.posts[response.shares.reference]));
     output.Add(response.name + ".svg", MeasuredSvg(response, measured.kind));
   }
   output.Add("recordings.yaml", StudySection(measured));
   output.Add(kMark, json);
   output.Commit();
   std::fprintf(stderr, "results: %s\n", folder.string().c_str());
+}
+
+/// What a user of this command has perhaps forgotten to state.
+void FindWhatIsMissing(const FrfCommand& command, const MeasuredResponses& measured, Diagnostics& findings) {
+  const Place place{command.request.files.front().string()};
+  std::string unknown;
+  for (const std::string& channel : measured.unit_unknown) unknown += (unknown.empty() ? "" : ", ") + channel;
+  if (!unknown.empty()) findings.Report(kResponseUnitUnknown, place, {unknown});
+  for (const std::string& channel : measured.like_posts) findings.Report(kResponseLikePost, place, {channel, channel});
 }
 
 }  // namespace
@@ -43,6 +54,7 @@ int Run(const FrfCommand& command) {
   }
   const std::optional<MeasuredResponses> measured = MeasureResponses(command.request, findings);
   if (!measured) throw FaultyInput(findings);
+  FindWhatIsMissing(command, *measured, findings);
   Tell(findings);
   nlohmann::ordered_json json = MeasuredJson(*measured);
   json["warnings"] = WarningsJson(findings);

@@ -84,8 +84,8 @@ void AddOptions(CLI::App& subcommand, FrfCommand& command) {
       },
       "Frequencies for sweeps and random motions, 0.5Hz:30Hz:64 or a list (default: 64 in the band of the posts)");
   subcommand.add_option("-o,--output", command.output,
-                        "Folder for each pattern's recording (heave.csv) and picture (heave.svg), recordings.yaml, the "
-                        "part of a study that takes them, and frf.json");
+                        "Folder for each pattern's recording (heave.csv, heave.uff) and picture (heave.svg), "
+                        "recordings.yaml, the part of a study that takes them, and frf.json");
   subcommand.add_flag("--json", command.json, "Print frf.json instead of tables");
 }
 

@@ -9,6 +9,7 @@
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/findings.h"
+#include "identify/command_line/init_from.h"
 #include "identify/command_line/output_file.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/starter_files.h"
@@ -66,6 +67,7 @@ std::string InitJson(const fs::path& folder) {
 }  // namespace
 
 int Run(const InitCommand& command) {
+  if (!command.from.empty()) return RunInitFrom(command);
   CheckFolder(command.folder);
   WriteAll(command.folder);
   if (command.json) Print(InitJson(command.folder));

@@ -59,8 +59,11 @@ const Experiment& ExperimentOf(const std::filesystem::path& recording, const Stu
   Diagnostics diagnostics;
   const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
   if (!table) throw FaultyInput(diagnostics);
+  // Later kinds are more special: a history is one of stepped sines only where the study has no histories.
+  const Experiment* last = nullptr;
   for (const Experiment& experiment : study.experiments)
-    if (experiment.Reads(*table)) return experiment;
+    if (experiment.Reads(*table)) last = &experiment;
+  if (last != nullptr) return *last;
   std::string kinds;
   for (const Experiment& experiment : study.experiments)
     if (!experiment.Recordings().empty()) kinds += (kinds.empty() ? "" : "; ") + std::string(experiment.Recordings());

@@ -59,10 +59,21 @@ CLI::App* Program::Add(const char* name, const char* help, const char* examples,
 }
 
 void Program::AddInit() {
-  CLI::App* sub =
-      Add("init", "Write an example study to start from: a vehicle, a recording and comments; it fits in a second",
-          "  fourpost init car\n  fourpost fit car/study.yaml -o run", [this] { return Run(init_); });
-  sub->add_option("DIR", init_.folder, "New or empty folder")->required();
+  CLI::App* sub = Add(
+      "init", "Write a study to start from: an example that fits in a second, or a draft for recordings and a vehicle",
+      "  fourpost init car\n  fourpost fit car/study.yaml -o run\n"
+      "  fourpost init study --from rig --vehicle car.urdf",
+      [this] {
+        if (!init_.vehicle.empty()) RequireVehicleFile(init_.vehicle);
+        return Run(init_);
+      });
+  sub->add_option("DIR", init_.folder, "New or empty folder; with --from also one without a study.yaml")->required();
+  CLI::Option* from = sub->add_option("--from", init_.from,
+                                      "Recordings, or folders of such: draft a study of them, with channels matched to "
+                                      "the sensors of --vehicle");
+  CLI::Option* vehicle = sub->add_option("--vehicle", init_.vehicle, "Vehicle file (.urdf) of the study to draft");
+  from->needs(vehicle);
+  vehicle->needs(from);
   sub->add_flag("--json", init_.json, "Print JSON: the folder and its files");
 }
 
@@ -94,10 +105,12 @@ void Program::AddCheck() {
                         return Run(check_);
                       });
   sub->add_option("MODEL", check_.model, "Vehicle file (.urdf)")->required();
+  CLI::Option* set = AddSettings(*sub, check_.set);
   CLI::Option* json = sub->add_flag("--json", check_.json, "Print JSON");
   sub->add_flag("--resolved", check_.resolved,
                 "Print the file with all defaults of fp: tags filled in and paths of meshes relative to this folder")
-      ->excludes(json);
+      ->excludes(json)
+      ->excludes(set);
 }
 
 void Program::AddParams() {
@@ -146,6 +159,7 @@ void Program::AddFit() {
                   "start and fitted values, and the measured and modelled channels: response.csv and response.svg, "
                   "history.csv and history.svg, bench.csv and diagrams.svg")
       ->required();
+  AddSettings(*sub, fit_.set);
   sub->add_option("--seed", fit_.seed, "Seed of the search (default: that of the study)")->check(WholeNumber("--seed"));
   sub->add_option("--threads", fit_.threads,
                   "Evaluations in parallel, without influence on the result; 0: one per processor")

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +28,22 @@
 namespace fourpost {
 namespace {
 
+namespace fs = std::filesystem;
+
+using HistoryWriter = std::string (*)(const std::string& motion, const TimeHistory& history,
+                                      const std::vector<HistoryChannel>& channels);
+
+/// By the ending of a file; null for one that is not known.
+HistoryWriter WriterOf(const fs::path& file) {
+  static const std::map<std::string, HistoryWriter> writers = {
+      {".csv", [](const auto&, const auto& history, const auto& channels) { return HistoryCsv(history, channels); }},
+      {".uff", &HistoryUniversal},
+      {".rsp", &HistoryRpc},
+      {".drv", &HistoryDrive}};
+  const auto found = writers.find(file.extension().string());
+  return found == writers.end() ? nullptr : found->second;
+}
+
 /// What was read, without a fault.
 struct HistoryJob {
   Vehicle vehicle;
@@ -51,7 +69,10 @@ void CheckOutputs(const SimulateCommand& command) {
   if (!command.output.empty() && command.output == command.chart) RefuseToWrite(kOutputNamedTwice, command.output);
   RequireWritable(command.output, {command.model, command.recording});
   RequireWritable(command.chart, {command.model, command.recording});
-  RequireEnding("--output", command.output, "a table", ".csv");
+  if (!command.output.empty() && WriterOf(command.output) == nullptr)
+    Refuse(kOutputEnding, Place::Option("--output"),
+           {command.output.string(), "a time history", ".csv, .uff, .rsp or .drv",
+            fs::path(command.output).replace_extension(".csv").string()});
   RequireEnding("--chart", command.chart, "a picture", ".svg");
 }
 
@@ -123,7 +144,7 @@ int Run(const SimulateCommand& command) {
     Tell(kHistoryInterrupted, {},
          {Rounded(history.TimeAt(history.size() - 1), 3) + " s", Rounded(job.drive.end_s, 3) + " s"});
   const std::vector<HistoryChannel> channels = ChannelsOf(job.vehicle, history, job.sensors);
-  if (!command.output.empty()) WriteFile(command.output, HistoryCsv(history, channels));
+  if (!command.output.empty()) WriteFile(command.output, WriterOf(command.output)(origin.motion, history, channels));
   if (!command.chart.empty())
     WriteFile(command.chart, HistorySvg("Time history of " + job.vehicle.name, origin.motion, history.start_s,
                                         history.rate_Hz, channels));

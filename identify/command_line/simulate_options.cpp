@@ -171,7 +171,10 @@ void AddOptions(CLI::App& subcommand, SimulateCommand& command) {
       .AddShare("--error",
                 "Largest change of a channel when the time step is halved, as a share of its rms (default 0.1%)",
                 command.error);
-  subcommand.add_option("-o,--output", command.output, "Write the CSV here (default: stdout) and print a summary");
+  subcommand.add_option(
+      "-o,--output", command.output,
+      "Write the history here, as CSV, or by the ending as a universal file (.uff), RPC III (.rsp), or "
+      "the posts alone as a drive file (.drv), and print a summary (default: CSV on stdout)");
   subcommand.add_option("--chart", command.chart, "Write a chart of the history here (.svg)");
   subcommand.add_flag("--json", command.json, "Print the summary as JSON instead of CSV or a table");
 }

@@ -6,6 +6,7 @@
 
 #include "analysis/files/recorded_unit.h"
 #include "analysis/text/number.h"
+#include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
 #include "analysis/text/utf8.h"
 #include "identify/experiments/findings.h"
@@ -24,6 +25,7 @@ struct OverTime {
   /// Of each column, as far as its file has them.
   std::vector<std::string> groups;
   std::vector<std::string> points;
+  std::vector<std::string> descriptions;
   std::size_t samples = 0;
   /// Lines of the rows that lack a number first, a column each; 0 where none does and of a MAT file.
   std::vector<int> missing_lines;
@@ -55,6 +57,14 @@ void AddLengths(const RecordingSummary& summary, const RecordedTable& table, std
 /// A record may be as uneven as times with few digits are.
 constexpr double kUneven = 0.5;
 
+/// What is not as of a good sensor.
+void AddNoise(const SensorNoise& noise, double level, std::vector<std::string>& remarks) {
+  if (noise.line_Hz) remarks.push_back("noise: line at " + Rounded(*noise.line_Hz, 3) + " Hz");
+  else if (!noise.is_white) remarks.push_back("noise: not white, below " + Rounded(noise.below_Hz, 2) + " Hz");
+  // Few levels have a distribution of their own.
+  if (!noise.is_normal && noise.sd > 2 * level) remarks.emplace_back("noise: not normal");
+}
+
 /// What would keep a study from using it, or should be looked at.
 std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) {
   std::vector<std::string> remarks;
@@ -71,6 +81,11 @@ std::vector<std::string> Remarks(const ColumnSummary& column, int missing_line) 
   };
   clipped(column.clipped_top, column.maximum);
   clipped(column.clipped_bottom, column.minimum);
+  // A straight line is a quarter of the variance: a motion of few periods has a slope of its own.
+  constexpr double kDrifts = 1.7;
+  if (std::abs(column.drift) > kDrifts * column.rms && column.rms > 0 && column.minimum != column.maximum)
+    remarks.push_back("drifts by " + Rounded(column.drift, 2));
+  if (column.noise && column.noise->sd > 0) AddNoise(*column.noise, column.level, remarks);
   // A level's rounding has the deviation level/sqrt(12).
   if (column.rms > 0 && column.level / std::sqrt(12.0) > 0.05 * column.rms)
     remarks.push_back("coarse resolution: levels of " + Rounded(100 * column.level / column.rms, 2) + " % of its rms");
@@ -91,6 +106,12 @@ std::string TimesText(const RecordingSummary& summary) {
   const TimeSummary& time = *summary.time;
   std::string text = Short(time.start_s) + " to " + Short(time.end_s) + " s at " +
                      Short(std::round(1e4 * time.rate_Hz) / 1e4) + " Hz ('" + time.column + "')\n";
+  if (time.is_guessed)
+    text += "times are a guess, as '" + time.column +
+            "' rises evenly: name it in the study, time: {channel: " + time.column + ", unit: s}\n";
+  constexpr double kJitter = 0.01;
+  if (time.jitter > kJitter)
+    text += "jitter: steps differ by " + Rounded(100 * time.jitter, 2) + " % rms; state 'resample' in the study\n";
   constexpr std::size_t kMost = 5;
   for (std::size_t i = 0; i < std::min(kMost, time.gaps.size()); ++i) {
     const TimeGap& gap = time.gaps[i];
@@ -108,8 +129,14 @@ bool IsShown(const std::vector<std::string>& places) {
   return std::any_of(places.begin(), places.end(), [&](const std::string& place) { return place != places.front(); });
 }
 
+bool HasAny(const std::vector<std::string>& texts) {
+  return std::any_of(texts.begin(), texts.end(), [](const std::string& text) { return !text.empty(); });
+}
+
 TextTable ChannelsTable(const OverTime& content) {
-  std::vector<std::string> names = {"channel", "unit", "minimum", "maximum", "mean", "rms", "level", "remarks"};
+  std::vector<std::string> names = {"channel", "unit",  "minimum", "maximum", "mean",
+                                    "rms",     "level", "noise",   "remarks"};
+  if (HasAny(content.descriptions)) names.insert(names.begin() + 2, "description");
   if (IsShown(content.points)) names.insert(names.begin() + 2, "point");
   if (IsShown(content.groups)) names.insert(names.begin() + 2, "group");
   if (content.has_several_rates) names.insert(names.begin() + 2, "rate");
@@ -123,7 +150,9 @@ TextTable ChannelsTable(const OverTime& content) {
                                     Rounded(c.mean, 4),
                                     Rounded(c.rms, 4),
                                     Rounded(c.level, 2),
+                                    c.noise ? Rounded(c.noise->sd, 3) : "",
                                     Joined(Remarks(c, content.missing_lines[i]))};
+    if (HasAny(content.descriptions)) row.insert(row.begin() + 2, content.descriptions[i]);
     if (IsShown(content.points)) row.insert(row.begin() + 2, content.points[i]);
     if (IsShown(content.groups)) row.insert(row.begin() + 2, content.groups[i]);
     if (content.has_several_rates) row.insert(row.begin() + 2, Short(std::round(1e4 * c.rate_Hz) / 1e4) + " Hz");
@@ -138,13 +167,37 @@ std::string OriginText(const OverTime& content) {
   return content.format + (content.description.empty() ? "" : ": " + content.description) + '\n';
 }
 
+/// When it rests, and the noise there as a study states it.
+std::string RestText(const RecordingSummary& summary) {
+  if (!summary.rest) return "no rest of half a second at begin or end, so the noise of sensors is not known\n";
+  std::string noise;
+  for (const ColumnSummary& column : summary.columns)
+    if (column.noise && column.noise->sd > 0 && column.unit_known)
+      noise += (noise.empty() ? "" : ", ") + column.name + ": " + ShortNumber(column.noise->sd, 3) + " " +
+               WithoutBrackets(column.unit);
+  return "at rest from " + Rounded(summary.rest->from_s, 3) + " to " + Rounded(summary.rest->to_s, 3) +
+         " s after the first sample" +
+         (noise.empty() ? "\n" : "; in a study, by the names of sensors:\n  noise: {" + noise + "}\n");
+}
+
 std::string TextOf(const OverTime& content) {
   std::string refusals;
   for (const std::string& refusal : content.refusals) refusals += "  " + refusal + '\n';
   if (!refusals.empty()) refusals = "a fit refuses this recording:\n" + refusals;
   return "time history, " + std::to_string(content.samples) + " samples, " + TimesText(content.summary) +
          OriginText(content) + ChannelsTable(content).Format() +
-         "rms: about the mean; level: smallest difference between two values\n" + refusals;
+         "rms: about the mean; level: smallest difference between two values; noise: standard deviation at rest\n" +
+         RestText(content.summary) + refusals;
+}
+
+Json NoiseJson(const SensorNoise& noise) {
+  return {{"sd", noise.sd},
+          {"white", noise.is_white},
+          {"normal", noise.is_normal},
+          {"skewness", noise.skewness},
+          {"excess_kurtosis", noise.kurtosis},
+          {"below_Hz", noise.below_Hz},
+          {"line_Hz", noise.line_Hz ? Json(*noise.line_Hz) : Json()}};
 }
 
 Json JsonOf(const OverTime& content) {
@@ -156,10 +209,17 @@ Json JsonOf(const OverTime& content) {
     Json gaps = Json::array();
     for (const TimeGap& gap : time->gaps)
       gaps.push_back({{"line", gap.line == 0 ? Json() : Json(gap.line)}, {"from_s", gap.from_s}, {"to_s", gap.to_s}});
-    json["time"] = {{"column", time->column}, {"start_s", time->start_s},
-                    {"end_s", time->end_s},   {"rate_Hz", time->rate_Hz},
-                    {"gaps", gaps},           {"unevenness_samples", time->unevenness}};
+    json["time"] = {{"column", time->column},
+                    {"start_s", time->start_s},
+                    {"end_s", time->end_s},
+                    {"rate_Hz", time->rate_Hz},
+                    {"gaps", gaps},
+                    {"unevenness_samples", time->unevenness},
+                    {"jitter_share", time->jitter},
+                    {"guessed", time->is_guessed}};
   }
+  const std::optional<RestTime>& rest = content.summary.rest;
+  json["rest_s"] = rest ? Json{rest->from_s, rest->to_s} : Json();
   for (std::size_t i = 0; i < content.summary.columns.size(); ++i) {
     const ColumnSummary& c = content.summary.columns[i];
     json["channels"].push_back({{"name", c.name},
@@ -175,11 +235,15 @@ Json JsonOf(const OverTime& content) {
                                 {"level", c.level},
                                 {"clipped_top", c.clipped_top},
                                 {"clipped_bottom", c.clipped_bottom},
+                                {"drift", c.drift},
+                                {"noise", c.noise ? NoiseJson(*c.noise) : Json()},
                                 {"remarks", Remarks(c, content.missing_lines[i])}});
     if (!content.groups.empty() && !content.groups[i].empty())
       json["channels"].back()["group"] = ValidUtf8(content.groups[i]);
     if (!content.points.empty() && !content.points[i].empty())
       json["channels"].back()["point"] = ValidUtf8(content.points[i]);
+    if (!content.descriptions.empty() && !content.descriptions[i].empty())
+      json["channels"].back()["description"] = ValidUtf8(content.descriptions[i]);
   }
   return json;
 }
@@ -211,6 +275,7 @@ RecordingLook LookOverTime(const std::filesystem::path& file, const RecordedTabl
       const RecordingChannel& channel = *recorded->channel(*table.FindColumn(column.name));
       content.groups.push_back(channel.group);
       content.points.push_back(channel.point);
+      content.descriptions.push_back(channel.description);
     }
   }
   if (!channels.empty()) {

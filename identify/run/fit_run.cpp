@@ -140,7 +140,7 @@ class Fitter {
  private:
   LoadedStudy Load() {
     Diagnostics diagnostics;
-    std::optional<LoadedStudy> loaded = LoadStudy(request_.study, diagnostics);
+    std::optional<LoadedStudy> loaded = LoadStudy(request_.study, diagnostics, request_.set);
     if (!loaded) throw FaultyInput(diagnostics);
     audit_ = CheckRecordings(*loaded, request_.accept_implausible ? Severity::kWarning : Severity::kError, diagnostics);
     RequirePlausible(*loaded, diagnostics);

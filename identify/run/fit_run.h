@@ -18,6 +18,8 @@ namespace fourpost {
 struct FitRequest {
   std::filesystem::path study;
   std::filesystem::path output;
+  /// Values of parameters to start from and to hold, "k=20kN/m", in place of those of the study.
+  std::vector<std::string> set = {};
   /// In place of the study's.
   std::optional<std::uint64_t> seed = {};
   /// 0: one per processor.

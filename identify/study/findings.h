@@ -13,6 +13,11 @@ inline const Finding kStudyWithoutVehicle{"study-without-vehicle", Severity::kEr
                                           "give a study with a vehicle and recordings"};
 inline const Finding kStudyNotNames{"study-not-names", Severity::kError, "{} must be a list of names",
                                     "write it as [a, b]"};
+inline const Finding kFreeNotNames{"free-not-names", Severity::kError,
+                                   "'free' must be a list of names, `all`, or all parameters but some",
+                                   "write [a, b] or `all but [a, b]`"};
+inline const Finding kStartNotMapped{"start-not-mapped", Severity::kError, "'start' must map parameters to values",
+                                     "write one line for each, as `k_front: 40 kN/m`"};
 inline const Finding kFreeUnknown{"free-unknown", Severity::kError, "the vehicle has no parameter '{}'{}"};
 inline const Finding kFreeWithoutRange{"free-without-range", Severity::kError,
                                        "parameter '{}' is to be fitted, but has no range",

@@ -11,6 +11,7 @@
 #include "identify/study/scale_lint.h"
 #include "identify/study/study_audit.h"
 #include "vehicles/reader/vehicle_file.h"
+#include "vehicles/requests/parameter_setting.h"
 
 namespace fourpost {
 namespace {
@@ -22,8 +23,12 @@ std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehic
   std::vector<std::string> names;
   for (std::size_t i = 0; i < vehicle.parameters.size(); ++i) {
     names.push_back(vehicle.parameters[i].name);
-    if (study.free.empty() && HasRange(vehicle.parameters[i])) free.push_back(i);
+    const bool is_held = std::find(study.held.begin(), study.held.end(), names.back()) != study.held.end();
+    if (study.free.empty() && !is_held && HasRange(vehicle.parameters[i])) free.push_back(i);
   }
+  for (const std::string& name : study.held)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      diagnostics.Report(kFreeUnknown, {study.file.string(), study.free_line}, {name, DidYouMeanOrAll(name, names)});
   for (const std::string& name : study.free) {
     const auto found = std::find(names.begin(), names.end(), name);
     const auto index = static_cast<std::size_t>(found - names.begin());
@@ -37,6 +42,19 @@ std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehic
   }
   if (free.empty() && study.free.empty()) diagnostics.Report(kNothingFree, {vehicle.file});
   return free;
+}
+
+/// Values of `start`, at whose lines faults are, then those of options.
+void SetValues(const Study& study, const std::vector<std::string>& set, Vehicle& vehicle, Diagnostics& diagnostics) {
+  for (const StudyStart& start : study.start) {
+    Diagnostics found;
+    SetParameter(start.parameter + "=" + start.value, "start", vehicle, found);
+    for (Diagnostic item : found.items()) {
+      item.place = {study.file.string(), start.line};
+      diagnostics.Add(std::move(item));
+    }
+  }
+  SetParameters(set, vehicle, diagnostics);
 }
 
 /// Whether all files are there that are to be fitted; names the study's own line for one that is not.
@@ -92,27 +110,42 @@ std::vector<std::filesystem::path> LoadedStudy::InputFiles() const {
   return files;
 }
 
-std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics) {
-  std::optional<Study> study = ReadStudy(file, diagnostics);
+namespace {
+
+std::optional<LoadedStudy> Loaded(std::optional<Study> study, Diagnostics& diagnostics,
+                                  const std::vector<std::string>& set) {
   if (!study) return std::nullopt;
   if (study->problem) {
     diagnostics.Report(kStudyWithoutVehicle, {study->file.string(), study->problem_line});
     return std::nullopt;
   }
   if (!HasFiles(*study, diagnostics)) return std::nullopt;
-  const std::optional<Vehicle> vehicle = ReadVehicle(study->vehicle, diagnostics);
+  std::optional<Vehicle> vehicle = ReadVehicle(study->vehicle, diagnostics);
   if (!vehicle) {
     for (const Experiment& experiment : study->experiments) experiment.CheckFiles(diagnostics);
     return std::nullopt;
   }
+  SetValues(*study, set, *vehicle, diagnostics);
   std::vector<std::size_t> free = FreeParameters(*study, *vehicle, diagnostics);
-  LoadedStudy loaded{*std::move(study), *vehicle, std::move(free)};
+  LoadedStudy loaded{*std::move(study), *vehicle, std::move(free), set};
   const Subject subject = loaded.MakeSubject();
   for (Experiment& experiment : loaded.study.experiments) experiment.Load(subject, diagnostics);
   if (diagnostics.HasErrors()) return std::nullopt;
   loaded.fitted_files = FittedFiles(loaded.study);
   loaded.validation_files = ValidationFiles(loaded.study);
   return loaded;
+}
+
+}  // namespace
+
+std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                     const std::vector<std::string>& set) {
+  return Loaded(ReadStudy(file, diagnostics), diagnostics, set);
+}
+
+std::optional<LoadedStudy> LoadStudyText(const std::string& text, const std::filesystem::path& file,
+                                         Diagnostics& diagnostics) {
+  return Loaded(ReadStudyText(text, file, diagnostics), diagnostics, {});
 }
 
 LoadedStudy LoadSoundStudy(const std::filesystem::path& file) {

@@ -23,6 +23,8 @@ struct LoadedStudy {
   Vehicle vehicle;
   /// Parameters to fit, as indices into Vehicle::parameters.
   std::vector<std::size_t> free;
+  /// Values in place of those of the files, as options have them.
+  std::vector<std::string> set = {};
   /// As they were read: a file may change while a fit runs.
   std::vector<FileDigest> fitted_files = {};
   std::vector<FileDigest> validation_files = {};
@@ -49,9 +51,15 @@ struct LoadedStudy {
 
 /// Reads a study, its vehicle and its recordings. Adds every fault of all of them to `diagnostics`; nothing when there
 /// was an error. Recordings for validation that have a fault are left out, with a warning.
-std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics);
+/// `set`: values of parameters, "k_front=40kN/m", in place of those of study and vehicle; faults name --set.
+std::optional<LoadedStudy> LoadStudy(const std::filesystem::path& file, Diagnostics& diagnostics,
+                                     const std::vector<std::string>& set = {});
 /// Throws FaultyInput instead, and drops warnings.
 LoadedStudy LoadSoundStudy(const std::filesystem::path& file);
+
+/// The same of a text, the content of `file`.
+std::optional<LoadedStudy> LoadStudyText(const std::string& text, const std::filesystem::path& file,
+                                         Diagnostics& diagnostics);
 
 /// Implausible recordings, at the values of the vehicle's file, as warnings; posts that certainly move otherwise than
 /// stated, and channels that are certainly wired wrongly, as `wrong_posts`. Returns the audit of the rig where there is

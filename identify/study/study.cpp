@@ -52,6 +52,7 @@ class StudyReader {
     for (const ExperimentKind* kind : kinds)
       if (std::unique_ptr<Experiment> experiment = kind->read(top)) study_.experiments.Add(std::move(experiment));
     if (top.Has("free")) ReadFree(top.Get("free"));
+    if (top.Has("start")) ReadStart(top.Get("start"));
     if (top.Has("refine")) ReadRefine(top.Get("refine"));
     ReadSearches(top);
     return study_;
@@ -70,7 +71,7 @@ class StudyReader {
   }
 
   static std::vector<std::string_view> KeysOf(const std::vector<const ExperimentKind*>& kinds) {
-    std::vector<std::string_view> keys = {"vehicle", "free", "search", "refine", "target", "methods"};
+    std::vector<std::string_view> keys = {"vehicle", "free", "start", "search", "refine", "target", "methods"};
     for (const ExperimentKind* kind : kinds) keys.insert(keys.end(), kind->keys.begin(), kind->keys.end());
     return keys;
   }
@@ -148,8 +149,37 @@ class StudyReader {
   }
 
   void ReadFree(const YAML::Node& node) {
-    study_.free = Names(node, "'free'");
     study_.free_line = LineOf(node);
+    if (!node.IsScalar()) {
+      study_.free = Names(node, "'free'");
+      return;
+    }
+    // A plain text in YAML: "all", or `all but [a, b]`.
+    const auto behind = [](std::string_view text, std::string_view word) -> std::optional<std::string_view> {
+      text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+      if (!text.starts_with(word)) return std::nullopt;
+      return text.substr(word.size());
+    };
+    const std::optional<std::string_view> but = behind(node.Scalar(), "all");
+    if (but && but->empty()) return;
+    const std::optional<std::string_view> list = but ? behind(*but, "but") : std::nullopt;
+    if (!list) return Fault(node, kFreeNotNames);
+    const YAML::Node held = YAML::Load(std::string(*list));
+    for (const YAML::Node& entry : held)
+      if (entry.IsScalar()) study_.held.push_back(entry.Scalar());
+    if (!held.IsSequence() || study_.held.size() != held.size() || study_.held.empty()) Fault(node, kFreeNotNames);
+  }
+
+  void ReadStart(const YAML::Node& node) {
+    if (!node.IsMap() || node.size() == 0) return Fault(node, kStartNotMapped);
+    std::vector<std::string> names;
+    for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
+    const StrictMap unique = Map(node, "'start'", {names.begin(), names.end()});
+    for (const auto& entry : node) {
+      if (entry.second.IsScalar())
+        study_.start.push_back({entry.first.as<std::string>(), entry.second.Scalar(), LineOf(entry.second)});
+      else Fault(entry.second, kStartNotMapped);
+    }
   }
 
   void ReadRefine(const YAML::Node& node) {

@@ -35,6 +35,13 @@ struct StudySearch {
   double deadline_s = 10;
 };
 
+/// A value of a parameter, as written: "40 kN/m".
+struct StudyStart {
+  std::string parameter;
+  std::string value;
+  int line = 0;
+};
+
 /// The refinement of a fit.
 struct StudyRefine {
   LossKind loss = LossKind::kNone;
@@ -69,9 +76,12 @@ struct Study {
   std::filesystem::path vehicle;
   int vehicle_line = 0;
   Experiments experiments;
-  /// Parameters of the vehicle to fit; empty: every one that has a range.
+  /// Parameters of the vehicle to fit; empty: every one that has a range, but those held.
   std::vector<std::string> free;
+  std::vector<std::string> held;
   int free_line = 0;
+  /// Values of parameters in place of the vehicle file's.
+  std::vector<StudyStart> start;
   StudySearch search;
   StudyRefine refine;
   /// Cost at which a search has solved it; for comparisons.

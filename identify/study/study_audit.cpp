@@ -110,8 +110,9 @@ int LineOf(const LoadedStudy& study, const Suspicion& suspicion) {
 }
 
 std::string Sure(const Suspicion& suspicion) {
-  return ShortNumber(std::sqrt(suspicion.score), 2) + " sd, the next other explanation " +
-         ShortNumber(std::sqrt(std::max(0.0, suspicion.next_score)), 2);
+  const std::string sure = ShortNumber(std::sqrt(suspicion.score), 2) + " sd, ";
+  if (!(suspicion.next_score > 0)) return sure + "nothing else explains it";
+  return sure + "the next best explanation " + ShortNumber(std::sqrt(suspicion.next_score), 2) + " sd";
 }
 
 const char* KindName(Kind kind) {
@@ -223,8 +224,8 @@ std::string AuditText(const Audit& audit) {
   return "audit of the rig, without a fit: what channels leave over of the motion and the forces that all agree on\n" +
          table.Format() + "left over: root mean square, of the worst recording; misfit " +
          ShortNumber(audit.misfit, 2) + " (about 1 or less is expected)\n" +
-         (open.empty() ? "" : "redundancy shows nothing of: " + open + '\n') +
-         "nor of: amplitudes of posts where responses are relative to them, mean offsets\n";
+         (open.empty() ? "" : "not checked, as no other channel depends on it: " + open + '\n') +
+         "not checked: amplitudes of posts where responses are relative to them, and mean offsets\n";
 }
 
 Json AuditJson(const Audit& audit) {

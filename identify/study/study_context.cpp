@@ -60,6 +60,9 @@ EvaluationContext ContextOf(const LoadedStudy& study) {
   for (const std::size_t index : study.free) settings.Add(study.vehicle.parameters[index].name);
   for (const Experiment& experiment : study.study.experiments) experiment.AddTo(data, settings);
   settings.Add(study.study.search.deadline_s);
+  // Held parameters keep them.
+  for (const StudyStart& start : study.study.start) settings.Add(start.parameter + "=" + start.value);
+  for (const std::string& value : study.set) settings.Add(value);
   return {
       .vehicle = DigestOf(study.vehicle), .data = data.Hex(), .settings = settings.Hex(), .version = VersionDigest()};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,12 @@ struct SourceChannel {
   double factor = 1;
   /// By which it comes later than what it measures.
   double delay_s = 0;
+  /// What it reads at zero, as written: "3 mm"; empty: nothing is taken away.
+  std::string offset;
+  /// See RecordedChannel.
+  bool has_trend = false;
+  std::optional<double> high_pass_Hz;
+  std::optional<double> integrated_above_Hz;
 };
 
 /// Which measured channels a quantity of the model stands for. A planar vehicle stands for both sides: it is compared

@@ -3,6 +3,7 @@
 #include "analysis/files/recorded_unit.h"
 #include "analysis/text/number.h"
 #include "identify/study_file/findings.h"
+#include "identify/study_file/named_channels.h"
 #include "identify/study_file/strict_yaml.h"
 
 namespace fourpost {
@@ -10,12 +11,16 @@ namespace {
 
 std::vector<std::string_view> KeysOf(ChannelKind kind) {
   switch (kind) {
-    case ChannelKind::kHistory: return {"channel", "sign", "scale", "unit", "delay"};
+    case ChannelKind::kHistory:
+      return {"channel", "sign", "scale", "unit", "delay", "offset", "trend", "high_pass", "integrate"};
     case ChannelKind::kSteppedSine: return {"channel", "sign", "scale", "delay"};
     case ChannelKind::kLoad: break;
   }
   return {"channel", "sign", "scale"};
 }
+
+/// Of a high-pass.
+constexpr double kLowest_Hz = 1e-6;
 
 double ReadFactor(const StrictMap& map, const std::string& what) {
   const double sign = ParseNumber(map.Text("sign").value_or("1")).value_or(0);
@@ -90,6 +95,15 @@ SourceChannel ReadSourceChannel(const YAML::Node& node, const std::string& what,
   channel.unit = ReadUnit(map, what);
   channel.factor = ReadFactor(map, what);
   channel.delay_s = map.Quantity("delay", kTime, -1e3).value_or(0);
+  channel.offset = map.Text("offset").value_or("");
+  if (!channel.offset.empty() && !ParseQuantity(channel.offset))
+    map.Fault(map.Get("offset"), kChannelOffset, {what, channel.offset});
+  if (const auto trend = map.Text("trend")) {
+    channel.has_trend = *trend == "remove";
+    if (!channel.has_trend) map.Fault(map.Get("trend"), kChannelTrend, {what});
+  }
+  channel.high_pass_Hz = map.Quantity("high_pass", kFrequency, kLowest_Hz);
+  channel.integrated_above_Hz = map.Quantity("integrate", kFrequency, kLowest_Hz);
   return channel;
 }
 
@@ -108,6 +122,7 @@ std::vector<std::pair<std::string, ChannelSource>> ReadChannelSources(const YAML
   const StrictMap unique(node, where, {names.begin(), names.end()}, file, diagnostics);
   for (const auto& entry : node) {
     const auto name = entry.first.as<std::string>();
+    if (IsOthersByName(name, entry.second)) continue;
     sources.emplace_back(name, ReadSource(entry.second, name, kind, file, diagnostics));
   }
   return sources;

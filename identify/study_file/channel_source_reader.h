@@ -19,7 +19,8 @@ SourceChannel ReadSourceChannel(const YAML::Node& node, const std::string& what,
                                 const std::string& file, Diagnostics& diagnostics);
 
 /// A map from names of the vehicle to what was measured for them: a channel, or {mean: [a, b]} or {sum: [a, b]} of
-/// some. `what`: the kind of names, such as "sensors". Adds every fault to `diagnostics`.
+/// some; `others: by name` is left out, see TakesOthersByName(). `what`: the kind of names, such as "sensors". Adds
+/// every fault to `diagnostics`.
 std::vector<std::pair<std::string, ChannelSource>> ReadChannelSources(const YAML::Node& node, const std::string& where,
                                                                       const std::string& what, ChannelKind kind,
                                                                       const std::string& file,

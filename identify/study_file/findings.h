@@ -61,6 +61,14 @@ inline const Finding kChannelScale{"channel-scale", Severity::kError, "'scale' o
 inline const Finding kChannelSourceUnit{"channel-source-unit", Severity::kError,
                                         "'unit' of {} is '{}', an unknown unit", "write one such as mm, kN or m/s^2"};
 
+inline const Finding kChannelOffset{"channel-offset", Severity::kError,
+                                    "'offset' of {} is '{}', not a number with a unit", "write it as 3 mm"};
+inline const Finding kChannelTrend{"channel-trend", Severity::kError, "'trend' of {} can only be 'remove'",
+                                   "leave it out to keep the trend"};
+inline const Finding kNoChannelByName{"no-channel-by-name", Severity::kError,
+                                      "no channel is called as a sensor of the vehicle{}",
+                                      "map sensors to channels by 'channels'"};
+
 // Recordings.
 
 inline const Finding kFittedChannelsMissing{"fitted-channels-missing", Severity::kError,

@@ -15,7 +15,11 @@ inline RecordedChannel AsRecorded(const SourceChannel& channel, const Dimension&
           .what = what,
           .unit = channel.unit,
           .factor = channel.factor,
-          .delay_s = channel.delay_s};
+          .delay_s = channel.delay_s,
+          .offset = ParseQuantity(channel.offset),
+          .has_trend = channel.has_trend,
+          .high_pass_Hz = channel.high_pass_Hz,
+          .integrated_above_Hz = channel.integrated_above_Hz};
 }
 
 /// The usual one where a study names none.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string_view>
 #include <utility>
 
 #include <yaml-cpp/yaml.h>
@@ -66,6 +67,19 @@ void StudyEdit::SetVehicle(const std::string& file) {
   const YAML::Node vehicle = YAML::Load(text_)["vehicle"];
   const auto [begin, end] = SpanOf(vehicle, text_);
   changes_[begin] = {end, file};
+  // A key of the study begins a line, and its value goes on in lines that begin with blanks.
+  constexpr std::string_view kStart = "start:";
+  for (std::size_t line = 0; line < text_.size();) {
+    std::size_t next = std::min(text_.find('\n', line), text_.size() - 1) + 1;
+    if (text_.compare(line, kStart.size(), kStart) != 0) {
+      line = next;
+      continue;
+    }
+    while (next < text_.size() && (text_[next] == ' ' || text_[next] == '#'))
+      next = std::min(text_.find('\n', next), text_.size() - 1) + 1;
+    changes_[line] = {next, ""};
+    return;
+  }
 }
 
 void StudyEdit::AddFree(const std::vector<std::string>& names) {

@@ -17,7 +17,7 @@ class StudyEdit {
   /// the folder `to`.
   void Rebase(const std::vector<std::filesystem::path>& files, const std::filesystem::path& from,
               const std::filesystem::path& to);
-  /// The value of the key `vehicle`.
+  /// The value of the key `vehicle`, whose file has the values of its parameters: `start` goes.
   void SetVehicle(const std::string& file);
   /// To the list `free`, where there is one.
   void AddFree(const std::vector<std::string>& names);

@@ -43,7 +43,7 @@ class Frf(ProgramTest):
     def test_is_what_a_study_makes_of_the_same_file(self):
         self.run_program("frf", "dwells.csv", "-o", "frf")
         files = {file.name for file in (self.folder / "frf").iterdir()}
-        self.assertEqual(files, {"heave.csv", "heave.svg", "recordings.yaml", "frf.json"})
+        self.assertEqual(files, {"heave.csv", "heave.uff", "heave.svg", "recordings.yaml", "frf.json"})
         table = self.respond("file: frf/heave.csv, posts: heave")
         history = self.respond("file: dwells.csv, posts: heave")
         for one, other in zip(table["channels"], history["channels"], strict=True):
@@ -52,6 +52,54 @@ class Frf(ProgramTest):
             # The vehicle is the one that was simulated: noise of 0.1 % and what is left of the run-in.
             self.assertLess(other["rms_dB"], 0.05, other)
             self.assertLess(other["rms_deg"], 0.3, other)
+
+    def test_is_a_universal_file_too(self):
+        self.run_program("frf", "dwells.csv", "-o", "frf")
+        table = self.respond("file: frf/heave.csv, posts: heave")
+        functions = self.respond("file: frf/heave.uff, posts: heave, amplitude: 2 mm")
+        for one, other in zip(table["channels"], functions["channels"], strict=True):
+            # It has no deviations to weight by, and one amplitude for all; this car's springs are linear.
+            self.assertAlmostEqual(one["rms_dB"], other["rms_dB"], 2)
+
+    def test_is_predicted_by_a_vehicle_that_was_fitted_to_such(self):
+        self.write("study.yaml", STUDY.format(recording="file: dwells.csv, posts: heave") + "free: [k]\n")
+        self.run_program("fit", "study.yaml", "-o", "run")
+        self.run_program("simulate", "car.urdf", "--recording", "heights.csv", "--rate", f"{RATE}Hz", "--noise", "0.1%",
+                         "--seed", "2", "--engine", "reduced", "-o", "again.csv")
+        outcome = self.run_program("predict", "run", "--recording", "again.csv", "--json")
+        self.assertEqual(json.loads(outcome.stdout)["posts"], "post=1")
+        for channel in json.loads(outcome.stdout)["channels"]:
+            # The vehicle is the one that was simulated.
+            self.assertLess(channel["nmse_percent"], 0.1)
+        self.assertNotIn("recording-was-fitted", outcome.stderr)
+
+    def test_has_the_ends_of_a_band_although_frequencies_are_measured(self):
+        measured = json.loads(self.run_program("frf", "dwells.csv", "--json").stdout)["responses"][0]["frequency_Hz"]
+        self.assertNotEqual((measured[0], measured[-1]), (2, 8))
+        self.write("study.yaml", STUDY.format(recording="file: dwells.csv, posts: heave").replace("[1 Hz, 10 Hz]", "[2 Hz, 8 Hz]"))
+        answer = json.loads(self.run_program("response", "study.yaml", "--engine", "reduced", "--json").stdout)
+        self.assertEqual(len(answer["recordings"][0]["frequency_Hz"]), 4)
+
+    def test_says_what_was_perhaps_forgotten(self):
+        rows = (self.folder / "dwells.csv").read_text().splitlines()
+        height = rows[0].split(",").index("post_post")
+        more = ["left,oil", "m,foo"] + [row.split(",")[height] + ",1.5" for row in rows[2:]]
+        self.write("more.csv", "\n".join(f"{row},{added}" for row, added in zip(rows, more)) + "\n")
+        warnings = self.run_program("frf", "more.csv", "--post", "post_post=FL").stderr
+        self.assert_finding(warnings, "response-like-post")
+        self.assert_finding(warnings, "response-unit-unknown")
+        self.assertIn("'oil' (foo)", warnings)
+        warnings = self.run_program("frf", "dwells.csv").stderr
+        self.assertNotIn("response-", warnings)
+
+    def test_of_random_motion_has_h1_h2_and_hv(self):
+        self.run_program("simulate", "car.urdf", "--random", "4mm", "--duration", "100s", "--noise", "5%", "-o", "random.csv")
+        channel = json.loads(self.run_program("frf", "random.csv", "--json").stdout)["responses"][0]["channels"][0]
+        for h1, h2, hv, coherence in zip(channel["gain"], channel["gain_h2"], channel["gain_hv"], channel["coherence"]):
+            # H1 = Sxy/Sxx, H2 = Syy/Syx, so that coherence is their ratio.
+            self.assertAlmostEqual(h1 / h2, coherence, 12)
+            self.assertAlmostEqual(hv * hv, h1 * h2, 9 * (h1 * h2 < 1) or 6)
+            self.assertLess(coherence, 1)
 
     def test_of_a_study_names_what_contradicts_it(self):
         for recording, finding in (("file: dwells.csv, posts: {post: 0.5, x: 1}", "sine-post-unknown"),

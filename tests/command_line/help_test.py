@@ -29,6 +29,8 @@ class Help(ProgramTest):
         for new, name in (("vehicle.urdf", "car.urdf"), ("vehicle.urdf", "vehicle.urdf"), ("study.yaml", "study.yaml"),
                           ("stepped_sine.csv", "stepped_sine.csv")):
             shutil.copy(self.folder / "new" / new, self.folder / name)
+        (self.folder / "rig").mkdir()
+        shutil.copy(self.folder / "stepped_sine.csv", self.folder / "rig")
         rover = SOURCE / "urdf/landrover110_model3.urdf"
         for model in ("model1", "model2"):
             self.run_program("fit", SOURCE / f"studies/damper/{model}.yaml", "-o", f"models/{model}")
@@ -85,7 +87,7 @@ class Help(ProgramTest):
 
     def test_bash_completes(self):
         self.assertEqual(self.complete("fourpost", "re"), {"response", "report"})
-        self.assertEqual(self.complete("fourpost", "fit", "--s"), {"--seed"})
+        self.assertEqual(self.complete("fourpost", "fit", "--s"), {"--seed", "--set"})
         self.assertEqual(self.complete("fourpost", "response", "--engine", "t"), {"time"})
         self.assertEqual(self.complete("fourpost", "simulate", "--engine", ""), {"auto", "reduced", "full"})
         self.assertEqual(self.complete("fourpost", "simulate", "--engine", "="), {"auto", "reduced", "full"})
@@ -208,6 +210,11 @@ class Help(ProgramTest):
         self.assertEqual(ids, sorted(ids))
         for finding in ids[::7]:
             self.assertTrue(self.run_program("help", finding).stdout.startswith(finding + ", "))
+
+    def test_of_a_finding_names_what_stands_in_its_places(self):
+        self.assertIn("unknown key 'NAME' in ...\n", self.run_program("help", "key-unknown").stdout)
+        self.assertIn("N % of the posts' motion in 'NAME' does", self.run_program("help", "response-posts-off").stdout)
+        self.assertNotIn("......", self.run_program("help", "findings").stdout)
 
     def test_ends_with_5_when_stdout_is_full(self):
         for words in (["man"], ["completion", "zsh"], ["init", "car"]):

@@ -115,6 +115,25 @@ class Recordings(ProgramTest):
         outcome = self.run_program("response", "car/none.yaml", code=3)
         self.assert_finding(outcome.stderr, "amplitude-missing", "car/plain.uff:")
 
+    def test_simulated_history_is_written_in_formats_of_rigs(self):
+        simulate = ("simulate", SOURCE / "urdf/quarter_car.urdf", "--sine", "2Hz", "--duration", "4s", "-o")
+        for name in ("run.csv", "run.uff", "run.rsp", "run.drv"):
+            self.run_program(*simulate, name)
+        names, units, values = columns(self.folder / "run.csv")
+        for name, digits in (("run.uff", 7), ("run.rsp", 6), ("run.drv", 3)):
+            told = json.loads(self.run_program("info", name, "--json").stdout)["files"][0]
+            for channel in told["channels"]:
+                column = names.index(channel["name"])
+                self.assertEqual(channel["unit"], units[column])
+                # A CSV has eight digits, floats seven, 16 bits four; a sine's mean is small beside it.
+                for key, value in (("maximum", max(values[column])), ("minimum", min(values[column]))):
+                    self.assertLess(abs(channel[key] - value), 0.6 * 10**-digits * max(map(abs, values[column])), (name, channel, key))
+            self.assertEqual([channel["name"] for channel in told["channels"]],
+                             names[1:2] if name == "run.drv" else names[1:])
+            self.assertAlmostEqual(told["time"]["rate_Hz"], 500)
+        outcome = self.run_program(*simulate, "run.tdms", code=2)
+        self.assert_finding(outcome.stderr, "output-ending")
+
     def test_drive_file_of_rpc_moves_the_posts(self):
         heights = [0.01 * (1 - abs(k - 256) / 256) for k in range(512)]
         self.write("drive.drv", rpc(["post"], ["m"], [heights], 0.005))

@@ -1,12 +1,16 @@
 #include "vehicles/requests/history_files.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include <nlohmann/json.hpp>
 
 #include "analysis/files/csv_writer.h"
 #include "analysis/files/json_text.h"
+#include "analysis/files/rpc/rpc_writer.h"
+#include "analysis/files/universal/universal_writer.h"
 #include "analysis/text/number.h"
 #include "vehicles/requests/channel_json.h"
 #include "vehicles/requests/versions.h"
@@ -39,6 +43,18 @@ Json ChannelsJson(const std::vector<HistoryChannel>& channels) {
   return list;
 }
 
+Recording AsRecording(const std::string& motion, const TimeHistory& history,
+                      const std::vector<HistoryChannel>& channels) {
+  Recording recording{.format = "", .description = motion};
+  for (const HistoryChannel& channel : channels)
+    recording.channels.push_back({.name = channel.name,
+                                  .unit = channel.unit,
+                                  .start_s = std::round(1e9 * history.start_s) / 1e9,
+                                  .step_s = 1 / history.rate_Hz,
+                                  .values = {channel.values.begin(), channel.values.end()}});
+  return recording;
+}
+
 }  // namespace
 
 std::string HistoryCsv(const TimeHistory& history, const std::vector<HistoryChannel>& channels) {
@@ -52,6 +68,24 @@ std::string HistoryCsv(const TimeHistory& history, const std::vector<HistoryChan
     for (const HistoryChannel& channel : channels) csv.Add(EightDigits(channel.values[k]));
   }
   return csv.text();
+}
+
+std::string HistoryUniversal(const std::string& motion, const TimeHistory& history,
+                             const std::vector<HistoryChannel>& channels) {
+  return UniversalBytes(AsRecording(motion, history, channels));
+}
+
+std::string HistoryRpc(const std::string& motion, const TimeHistory& history,
+                       const std::vector<HistoryChannel>& channels) {
+  return RpcBytes(AsRecording(motion, history, channels), RpcNumbers::kFloat);
+}
+
+std::string HistoryDrive(const std::string& motion, const TimeHistory& history,
+                         const std::vector<HistoryChannel>& channels) {
+  std::vector<HistoryChannel> posts;
+  std::copy_if(channels.begin(), channels.end(), std::back_inserter(posts),
+               [](const HistoryChannel& channel) { return channel.name.starts_with("post_"); });
+  return RpcBytes(AsRecording(motion, history, posts), RpcNumbers::kShortInteger);
 }
 
 Json EngineJson(const HistoryEngine& by, double error) {

@@ -28,6 +28,15 @@ struct HistoryOrigin {
 /// Comma-separated text: names, units, then a row per sample; eight digits, more than any engine's accuracy.
 std::string HistoryCsv(const TimeHistory& history, const std::vector<HistoryChannel>& channels);
 
+/// The same as a universal file of double precision; as an RPC III file of floats; and its posts alone, which come
+/// first and are called "post_", as a drive file of short integers.
+std::string HistoryUniversal(const std::string& motion, const TimeHistory& history,
+                             const std::vector<HistoryChannel>& channels);
+std::string HistoryRpc(const std::string& motion, const TimeHistory& history,
+                       const std::vector<HistoryChannel>& channels);
+std::string HistoryDrive(const std::string& motion, const TimeHistory& history,
+                         const std::vector<HistoryChannel>& channels);
+
 /// {engine, integration, linear_kinematics_error}: the common keys of all time histories. `error`: the requested one.
 nlohmann::ordered_json EngineJson(const HistoryEngine& by, double error);
 

@@ -11,6 +11,9 @@ inline const Finding kLvmNames{"lvm-names", Severity::kError, "no line of channe
                                "copy or save it again"};
 inline const Finding kLvmNumber{"lvm-number", Severity::kError, "'{}' of channel '{}' is not a number",
                                 "correct it, or leave the field empty where nothing was measured"};
+inline const Finding kLvmCutShort{"lvm-cut-short", Severity::kError,
+                                  "the file is cut short: a part has {} samples of channel '{}', and its header {}",
+                                  "copy or save it again"};
 inline const Finding kLvmChannels{"lvm-channels", Severity::kError, "a part with {} channels follows one with {}",
                                   "save each part as a file"};
 

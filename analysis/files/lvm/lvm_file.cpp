@@ -98,7 +98,21 @@ class LvmFile : public RecordingFile {
       for (std::size_t i = 0; i < columns_.size(); ++i) AddSample(i, fields, row);
       ++row;
     }
+    CheckSamples(header, row);
     return true;
+  }
+
+  /// Of the part that ends in `rows` rows: no fewer than its header has. There may be more, of packets that were
+  /// written behind it without a header.
+  void CheckSamples(const LvmHeader& header, std::size_t rows) const {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      std::size_t samples = rows;
+      while (samples > 0 && std::isnan(values_[i][values_[i].size() - 1 - (rows - samples)])) --samples;
+      const double stated = Number(header, "Samples", i);
+      if (static_cast<double>(samples) < stated)
+        throw RecordingFault(kLvmCutShort, {std::to_string(samples), columns_[i].name, FormatNumber(stated)},
+                             lines_.line());
+    }
   }
 
   void ReadNames(const std::vector<std::string>& names, const LvmHeader& header) {

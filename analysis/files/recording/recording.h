@@ -16,6 +16,8 @@ struct RecordingChannel {
   std::string group = "";
   /// Node and direction, "12 +Z", of universal files; else empty.
   std::string point = "";
+  /// What the file says of it beside its name, as the ID lines of universal files; else empty.
+  std::string description = "";
   std::size_t samples = 0;
   /// Of evenly spaced samples: first time, and step; a step of 0 means that they are not, or that nothing says when.
   double start_s = 0;

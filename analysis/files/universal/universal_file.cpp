@@ -18,6 +18,14 @@ double SecondsOf(const UniversalAxis& abscissa) {
   return unit && unit->dimension == kTime ? unit->si : 1;
 }
 
+/// The ID lines that say something, unless it is the name alone.
+std::string IdOf(const UniversalFunction& function) {
+  std::string text;
+  for (const std::string& line : function.id)
+    if (!line.empty() && line != "NONE") text += (text.empty() ? "" : "; ") + line;
+  return text == NameOf(function) ? "" : text;
+}
+
 std::string TypesOf(const std::vector<UniversalFunction>& functions) {
   std::string types;
   for (const UniversalFunction& function : functions) {
@@ -55,6 +63,7 @@ UniversalFile::UniversalFile(const std::filesystem::path& file) : bytes_(file, "
     RecordingChannel channel = {.name = NameOf(function),
                                 .unit = function.ordinate.unit,
                                 .point = function.response.Text(),
+                                .description = IdOf(function),
                                 .samples = function.samples};
     const double second = SecondsOf(function.abscissa);
     channel.start_s = function.start * second;

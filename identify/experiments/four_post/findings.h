@@ -37,10 +37,11 @@ inline const Finding kBandWithoutFrequency{"band-without-frequency", Severity::k
 inline const Finding kSinePostChannels{"sine-post-channels", Severity::kError,
                                        "'post_channels' must map each post to its channel",
                                        "write it as {FL: z_fl, FR: z_fr}"};
-inline const Finding kSineKeysOfHistory{"sine-keys-of-history", Severity::kError,
-                                        "'post_channels' and 'filter' are for time histories, and recording '{}' is a "
-                                        "table of responses",
-                                        "remove them"};
+inline const Finding kSineKeysOfHistory{
+    "sine-keys-of-history", Severity::kError,
+    "'post_channels', 'filter', 'resample' and 'bridge' are for time histories, and recording '{}' is a "
+    "table of responses",
+    "remove them"};
 inline const Finding kSineRepeatsCounted{"sine-repeats-counted", Severity::kError,
                                          "recording '{}' is a time history, of which repeats are counted",
                                          "remove 'repeats'"};
@@ -108,8 +109,9 @@ inline const Finding kWheelpanForgotten{
     "{}",
     "write `wheelpan=\"{} kg\"` at fp:sensor there{}, or subtract the inertia from the recording"};
 inline const Finding kWheelpanTakenOut{"wheelpan-taken-out", Severity::kWarning,
-                                       "load cells lack the inertia of the wheelpan that is in the vehicle file: {}",
-                                       "remove `wheelpan` there if its inertia has been subtracted from the recording"};
+                                       "load cells lack the inertia of a wheelpan: {}",
+                                       "remove `wheelpan` there if its inertia is subtracted from the recording; where "
+                                       "the vehicle file has none, it was subtracted twice"};
 
 // The fit.
 
@@ -142,6 +144,8 @@ inline const Finding kSineKinematicsVisible{
 inline const Finding kSineOutsideBand{"sine-outside-band", Severity::kError,
                                       "the recording has no frequency within the band of the fitted study",
                                       "predict a recording within the study's `band`"};
+inline const Finding kSineSeveralMotions{"sine-several-motions", Severity::kError,
+                                         "the recording holds {} motions of the posts", "choose one by --mode"};
 inline const Finding kPatternNotFound{
     "pattern-not-found", Severity::kError,
     "no pattern that the posts of {} can make resembles this recording at its lowest frequencies",

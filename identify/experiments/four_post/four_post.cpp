@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "analysis/files/recording_layout.h"
 #include "analysis/signals/decibel.h"
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
@@ -148,6 +149,7 @@ void FourPost::CheckFiles(Diagnostics& diagnostics) const {
 }
 
 void FourPost::Load(const Subject& subject, Diagnostics& diagnostics) {
+  AddChannelsByName(subject.vehicle(), plan);
   runs = LoadRuns(plan, subject.vehicle(), diagnostics);
   if (!diagnostics.HasErrors()) CheckBand(plan, runs, diagnostics);
 }
@@ -248,6 +250,9 @@ std::optional<ExperimentResults> FourPost::Respond(const Subject& subject, std::
   return results;
 }
 
-bool FourPost::Reads(const RecordedTable& table) const { return table.FindColumn("frequency_Hz").has_value(); }
+bool FourPost::Reads(const RecordedTable& table) const {
+  // Of a time history responses are made.
+  return IsSteppedSine(table) || IsTimeHistory(table);
+}
 
 }  // namespace fourpost

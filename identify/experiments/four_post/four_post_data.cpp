@@ -1,6 +1,7 @@
 #include "identify/experiments/four_post/four_post_data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -11,6 +12,8 @@
 #include "analysis/text/nearest.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/study_recording.h"
+#include "identify/study_file/findings.h"
+#include "identify/study_file/named_channels.h"
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/response/response_recorder.h"
 
@@ -111,6 +114,8 @@ class DataLoader {
 
   std::vector<MeasuredRun> Load() {
     CheckChannelNames();
+    if (plan_.channels.empty())
+      diagnostics_.Report(kNoChannelByName, {file_}, {DidYouMeanOrAll("", NamesOf(vehicle_.sensors))});
     for (const StudyRecording& recording : plan_.recordings) LoadRun(recording);
     return std::move(runs_);
   }
@@ -201,7 +206,9 @@ class DataLoader {
     bool good = true;
     for (const ChannelResponse& channel : channels) {
       if (channel.unit == unit) continue;
-      diagnostics_.Report(kSineUnitsDiffer, {file_, source.line}, {channel.name, channel.unit, sensor.name, unit});
+      // Once for all recordings.
+      if (reported_units_.insert({sensor.name, channel.name, channel.unit}).second)
+        diagnostics_.Report(kSineUnitsDiffer, {file_, source.line}, {channel.name, channel.unit, sensor.name, unit});
       good = false;
     }
     return good;
@@ -248,6 +255,8 @@ class DataLoader {
   std::vector<MeasuredRun> runs_;
   /// By name of the study and place among its channels.
   std::set<std::pair<std::string, std::size_t>> reported_opposed_;
+  /// Sensor, channel and its unit.
+  std::set<std::array<std::string, 3>> reported_units_;
 };
 
 template <typename Value>
@@ -260,15 +269,35 @@ std::vector<Value> Kept(const std::vector<Value>& values, const std::vector<bool
 
 }  // namespace
 
+void AddChannelsByName(const Vehicle& vehicle, FourPostPlan& plan) {
+  if (!plan.takes_others_by_name) return;
+  plan.takes_others_by_name = false;
+  std::vector<std::string> common = NamesOf(vehicle.sensors);
+  for (const StudyRecording& recording : plan.recordings) {
+    Diagnostics left_to_loading;
+    const std::optional<RecordedTable> table = ReadRecordedTable(recording.file, left_to_loading);
+    if (!table) continue;
+    const std::vector<std::string> recorded = ChannelNames(*table);
+    std::erase_if(common, [&](const std::string& name) { return !IndexOf(name, recorded); });
+  }
+  AddByName(common, common, plan.recordings.empty() ? 0 : plan.recordings.front().line, plan.channels);
+}
+
 std::vector<MeasuredRun> LoadRuns(const FourPostPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics) {
   return DataLoader(plan, vehicle, diagnostics).Load();
+}
+
+bool IsInBand(double frequency_Hz, double lower_Hz, double upper_Hz) {
+  // Frequencies of dwells are measured, those of a band are round.
+  constexpr double kMeasured = 1e-3;
+  return frequency_Hz >= (1 - kMeasured) * lower_Hz && frequency_Hz <= (1 + kMeasured) * upper_Hz;
 }
 
 std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double lower_Hz, double upper_Hz) {
   std::vector<MeasuredRun> out;
   for (const MeasuredRun& run : runs) {
     std::vector<bool> keep;
-    for (const double f : run.excitation.frequency_Hz) keep.push_back(f >= lower_Hz && f <= upper_Hz);
+    for (const double f : run.excitation.frequency_Hz) keep.push_back(IsInBand(f, lower_Hz, upper_Hz));
     MeasuredRun part = run;
     part.excitation.frequency_Hz = Kept(run.excitation.frequency_Hz, keep);
     part.excitation.amplitude_m = Kept(run.excitation.amplitude_m, keep);

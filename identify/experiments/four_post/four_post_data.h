@@ -31,6 +31,7 @@ struct StudyRecording {
   /// Of a time history: channels of the posts' displacements, by name where there are none; and the rig's filter.
   std::vector<PostChannel> post_channels = {};
   std::optional<AcquisitionFilter> filter = {};
+  TimePreparation preparation = {};
   int line = 0;
 };
 
@@ -65,17 +66,25 @@ struct FourPostPlan {
   std::vector<StudyRecording> recordings;
   /// Sensor of the vehicle, and what was measured for it.
   std::vector<std::pair<std::string, ChannelSource>> channels;
+  /// Whether sensors that all recordings have channels of the same name for are measured as well.
+  bool takes_others_by_name = false;
   double band_lower_Hz = 0;
   double band_upper_Hz = 0;
   int band_line = 0;
   ModelError model_error;
 };
 
+/// Adds the sensors to `channels` that are measured by name. Faults of files are left to LoadRuns().
+void AddChannelsByName(const Vehicle& vehicle, FourPostPlan& plan);
+
 /// Reads the recordings and maps their channels to the vehicle's sensors. Adds every fault to `diagnostics`; recordings
 /// that cannot be read are left out.
 std::vector<MeasuredRun> LoadRuns(const FourPostPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics);
 
-/// The runs with only the frequencies from lower to upper.
+/// Whether a study's band holds a frequency: from its lower to its upper end, which hold those within 0.1 % of them.
+bool IsInBand(double frequency_Hz, double lower_Hz, double upper_Hz);
+
+/// The runs with only the frequencies of the band.
 std::vector<MeasuredRun> InBand(const std::vector<MeasuredRun>& runs, double lower_Hz, double upper_Hz);
 
 }  // namespace fourpost

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "analysis/files/frequency_response_file.h"
+#include "analysis/text/named.h"
+#include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
 #include "identify/experiments/four_post/covered_sines.h"
 #include "identify/experiments/four_post/findings.h"
@@ -19,8 +21,10 @@
 #include "identify/experiments/four_post/response_bands.h"
 #include "identify/experiments/four_post/response_chart.h"
 #include "identify/experiments/four_post/response_misfit_json.h"
+#include "identify/experiments/four_post/study_recording.h"
 #include "identify/experiments/four_post/tyre_pull_lint.h"
 #include "identify/study_file/measured_channels.h"
+#include "identify/study_file/named_channels.h"
 #include "vehicles/description/post_pattern.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/requests/engine_text.h"
@@ -69,6 +73,14 @@ void PutInBand(const FrequencyResponse& band, FrequencyResponse& whole) {
   }
 }
 
+/// "FL=1,FR=-1", as `--mode` has it.
+std::string SharesText(const Vehicle& vehicle, const Excitation& excitation) {
+  std::string text;
+  for (std::size_t p = 0; p < vehicle.posts.size(); ++p)
+    text += (text.empty() ? "" : ",") + vehicle.posts[p].name + "=" + FormatNumber(excitation.shape[p]);
+  return text;
+}
+
 /// One recording and what is asked of it.
 class SinePrediction {
  public:
@@ -78,6 +90,7 @@ class SinePrediction {
         subject_(subject),
         request_(request),
         hooks_(hooks),
+        is_history_(IsOverTime(request.recording)),
         model_(subject.Condensed()->At(subject.vehicle().ParameterValues())) {}
 
   std::optional<ExperimentResults> Run() const {
@@ -136,19 +149,58 @@ class SinePrediction {
     results.json["band_95"] = BandCountsJson(bands.counts, bands.evaluations);
   }
 
-  /// The recording in place of those fitted; its posts are set later.
+  /// The recording in place of those fitted; the posts of a table are set later.
   MeasuredRun Load(Diagnostics& findings) const {
     FourPostPlan plan = plan_;
     plan.file = subject_.study_file().string();
-    KeepMeasured(request_.recording, ChannelsIn(request_.recording), plan.channels, findings);
-    StudyRecording recording = plan.recordings.front();
+    StudyRecording recording = is_history_ ? FirstWithPosts() : plan.recordings.front();
     recording.file = request_.recording;
     recording.name = request_.recording.stem().string();
+    std::vector<std::string> channels;
+    if (is_history_) channels = SetMotion(recording);
+    else channels = ChannelsIn(request_.recording);
+    if (plan.takes_others_by_name) {
+      AddByName(NamesOf(subject_.vehicle().sensors), channels, recording.line, plan.channels);
+      plan.takes_others_by_name = false;
+    }
+    KeepMeasured(request_.recording, channels, plan.channels, findings);
     plan.recordings = {recording};
     Diagnostics diagnostics;
     const std::vector<MeasuredRun> runs = LoadRuns(plan, subject_.vehicle(), diagnostics);
     if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+    findings.Add(diagnostics);
     return runs.front();
+  }
+
+  /// Whose channels of posts and filter are those of any other; where none states them, posts are known by name.
+  const StudyRecording& FirstWithPosts() const {
+    const std::vector<StudyRecording>& all = plan_.recordings;
+    const auto found = std::find_if(all.begin(), all.end(), [](const StudyRecording& recording) {
+      return !recording.post_channels.empty() || recording.filter;
+    });
+    return found == all.end() ? all.front() : *found;
+  }
+
+  /// Posts as `--mode` has it, or as they moved; returns the channels of the file.
+  std::vector<std::string> SetMotion(StudyRecording& recording) const {
+    const std::vector<std::string> posts = NamesOf(subject_.vehicle().posts);
+    Diagnostics diagnostics;
+    const auto content = ReadHistoryContent(recording, subject_.study_file().string(), posts, diagnostics);
+    if (!content) throw FaultyInput(diagnostics);
+    if (request_.mode.empty() && content->shapes.size() > 1)
+      Refuse(kSineSeveralMotions, {request_.recording.string()}, {std::to_string(content->shapes.size())});
+    const std::vector<double> shape = request_.mode.empty() ? content->shapes.front() : StatedShape();
+    recording.pattern.reset();
+    recording.posts.clear();
+    for (std::size_t p = 0; p < posts.size(); ++p) recording.posts.emplace_back(posts[p], shape[p]);
+    return content->channels;
+  }
+
+  std::vector<double> StatedShape() const {
+    Diagnostics diagnostics;
+    std::vector<double> shape = ReadPostShape(request_.mode, subject_.vehicle(), diagnostics);
+    if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+    return shape;
   }
 
   FrequencyResponse Respond(const MeasuredRun& run) const {
@@ -156,10 +208,9 @@ class SinePrediction {
   }
 
   std::string SetPosts(MeasuredRun& run) const {
+    if (is_history_) return request_.mode.empty() ? SharesText(subject_.vehicle(), run.excitation) : request_.mode;
     if (request_.mode.empty()) return GuessPattern(run);
-    Diagnostics diagnostics;
-    run.excitation.shape = ReadPostShape(request_.mode, subject_.vehicle(), diagnostics);
-    if (diagnostics.HasErrors()) throw FaultyInput(diagnostics);
+    run.excitation.shape = StatedShape();
     return request_.mode;
   }
 
@@ -208,6 +259,8 @@ class SinePrediction {
   const Subject& subject_;
   const PredictionRequest& request_;
   const WorkHooks& hooks_;
+  /// Of which responses are made, and which holds the motion of its posts.
+  bool is_history_;
   CondensedModel model_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "identify/experiments/four_post/findings.h"
 #include "identify/study_file/channel_source_reader.h"
+#include "identify/study_file/named_channels.h"
 #include "vehicles/description/post_pattern.h"
 
 namespace fourpost {
@@ -20,7 +21,9 @@ class FourPostReader {
 
   FourPostPlan Read() {
     ReadRecordings(study_);
-    if (const YAML::Node channels = study_.Require("channels"); channels.IsDefined())
+    const YAML::Node channels = study_.Get("channels");
+    plan_.takes_others_by_name = TakesOthersByName(channels);
+    if (channels.IsDefined())
       plan_.channels =
           ReadChannelSources(channels, "'channels'", "sensors", ChannelKind::kSteppedSine, file_, study_.diagnostics());
     ReadBand(study_);
@@ -38,7 +41,8 @@ class FourPostReader {
     }
     for (const YAML::Node& entry : list) {
       const StrictMap map =
-          Map(entry, "the recording", {"name", "file", "posts", "repeats", "amplitude", "post_channels", "filter"});
+          Map(entry, "the recording",
+              {"name", "file", "posts", "repeats", "amplitude", "post_channels", "filter", "resample", "bridge"});
       StudyRecording recording;
       recording.line = map.line();
       map.Require("file");
@@ -49,6 +53,8 @@ class FourPostReader {
       if (const YAML::Node posts = map.Require("posts"); posts.IsDefined()) ReadPosts(posts, recording);
       if (map.Has("post_channels")) recording.post_channels = PostChannels(map.Get("post_channels"));
       if (map.Has("filter")) recording.filter = Filter(map.Get("filter"));
+      recording.preparation.rate_Hz = map.Quantity("resample", kFrequency, 1e-6);
+      recording.preparation.bridge_s = map.Quantity("bridge", kTime, 0).value_or(0);
       for (const StudyRecording& other : plan_.recordings)
         if (other.name == recording.name) Fault(entry, kSineTwice, {recording.name});
       plan_.recordings.push_back(recording);

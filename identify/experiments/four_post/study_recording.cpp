@@ -12,13 +12,6 @@
 namespace fourpost {
 namespace {
 
-bool IsOverTime(const std::filesystem::path& file) {
-  // Its faults are reported by the one who reads it in earnest.
-  Diagnostics unheard;
-  const std::optional<RecordedTable> table = ReadRecordedTable(file, unheard);
-  return table && IsTimeHistory(*table);
-}
-
 std::string Joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -56,19 +49,38 @@ class MeasuredRecording {
       : recording_(recording), place_{study, recording.line}, diagnostics_(diagnostics) {}
 
   std::optional<FrequencyResponse> Read(const std::vector<std::string>& posts, const std::vector<double>& shape) {
-    if (recording_.repeats > 1) {
-      diagnostics_.Report(kSineRepeatsCounted, place_, {recording_.name});
-      return std::nullopt;
-    }
-    std::optional<MeasuredResponses> measured = MeasureResponses(
-        {.files = {recording_.file}, .posts = recording_.post_channels, .filter = recording_.filter}, diagnostics_);
+    std::optional<MeasuredResponses> measured = Measure();
     if (!measured) return std::nullopt;
     if (posts.empty()) return std::move(measured->responses.front().response);
     const std::optional<std::vector<std::size_t>> places = PlacesOf(posts, *measured);
     return places ? Chosen(posts, shape, *places, *measured) : std::nullopt;
   }
 
+  std::optional<HistoryContent> Content(const std::vector<std::string>& posts) {
+    const std::optional<MeasuredResponses> measured = Measure();
+    const auto places = measured ? PlacesOf(posts, *measured) : std::nullopt;
+    if (!places) return std::nullopt;
+    HistoryContent content{.channels = NamesOf(measured->responses.front().response.channels), .shapes = {}};
+    for (const MeasuredResponse& response : measured->responses) {
+      std::vector<double>& shape = content.shapes.emplace_back();
+      for (const std::size_t place : *places) shape.push_back(response.shares.share[place]);
+    }
+    return content;
+  }
+
  private:
+  std::optional<MeasuredResponses> Measure() {
+    if (recording_.repeats > 1) {
+      diagnostics_.Report(kSineRepeatsCounted, place_, {recording_.name});
+      return std::nullopt;
+    }
+    return MeasureResponses({.files = {recording_.file},
+                             .posts = recording_.post_channels,
+                             .filter = recording_.filter,
+                             .preparation = recording_.preparation},
+                            diagnostics_);
+  }
+
   /// Of each post of the vehicle among those of the recording.
   std::optional<std::vector<std::size_t>> PlacesOf(const std::vector<std::string>& posts,
                                                    const MeasuredResponses& measured) {
@@ -110,11 +122,23 @@ class MeasuredRecording {
 
 }  // namespace
 
+bool IsOverTime(const std::filesystem::path& file) {
+  // Its faults are reported by the one who reads it in earnest.
+  Diagnostics unheard;
+  const std::optional<RecordedTable> table = ReadRecordedTable(file, unheard);
+  return table && IsTimeHistory(*table);
+}
+
+std::optional<HistoryContent> ReadHistoryContent(const StudyRecording& recording, const std::string& study,
+                                                 const std::vector<std::string>& posts, Diagnostics& diagnostics) {
+  return MeasuredRecording(recording, study, diagnostics).Content(posts);
+}
+
 std::optional<FrequencyResponse> ReadStudyRecording(const StudyRecording& recording, const std::string& study,
                                                     const std::vector<std::string>& posts,
                                                     const std::vector<double>& shape, Diagnostics& diagnostics) {
   if (IsOverTime(recording.file)) return MeasuredRecording(recording, study, diagnostics).Read(posts, shape);
-  if (!recording.post_channels.empty() || recording.filter)
+  if (!recording.post_channels.empty() || recording.filter || recording.preparation.IsGridded())
     diagnostics.Report(kSineKeysOfHistory, {study, recording.line}, {recording.name});
   return ReadFrequencyResponse(recording.file, diagnostics, recording.amplitude_m);
 }

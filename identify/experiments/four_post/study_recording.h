@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,20 @@
 #include "identify/experiments/four_post/four_post_data.h"
 
 namespace fourpost {
+
+/// Whether a file is a time history, of which responses are made.
+bool IsOverTime(const std::filesystem::path& file);
+
+/// What is in a time history: its channels, and how the posts of the vehicle moved, the share of each in each motion.
+struct HistoryContent {
+  std::vector<std::string> channels;
+  std::vector<std::vector<double>> shapes;
+};
+
+/// Of a recording that is a time history, whose posts the study need not state. Adds every fault; nothing when there
+/// was one.
+std::optional<HistoryContent> ReadHistoryContent(const StudyRecording& recording, const std::string& study,
+                                                 const std::vector<std::string>& posts, Diagnostics& diagnostics);
 
 /// The responses of a recording of a study: of a table of stepped sines as it stands, see ReadFrequencyResponse(); of a
 /// time history as MeasureResponses() makes them, those in which the posts of the vehicle move as stated: `posts` are

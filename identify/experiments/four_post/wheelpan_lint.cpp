@@ -141,6 +141,10 @@ void LintWheelpans(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
   // Of the recordings of the Land Rover with and without a wheelpan's inertia, at the files' values: 0.5 to 0.98, and
   // 0.04 at the most.
   constexpr double kMost = 0.4;
+  // A pan that is taken out is taken out as a whole, and none is lighter. A model with friction leaves -5 kg over.
+  constexpr double kOfWheelpan = 0.5;
+  constexpr double kLightPan_kg = 10;
+  const std::vector<double> values = vehicle.ParameterValues();
   ExtraMasses forgotten;
   ExtraMasses taken_out;
   for (std::size_t s = 0; s < vehicle.sensors.size(); ++s) {
@@ -148,7 +152,9 @@ void LintWheelpans(const Vehicle& vehicle, const std::vector<MeasuredRun>& runs,
     if (sensor.type != Sensor::Type::kLoadCell) continue;
     const ExtraMass extra = ExtraMassOf(vehicle, runs, modelled, s);
     if (std::abs(extra.kg) < kLight_kg || extra.explained < kMost) continue;
-    (extra.kg > 0 ? forgotten : taken_out).emplace_back(&sensor, extra.kg);
+    if (extra.kg > 0) forgotten.emplace_back(&sensor, extra.kg);
+    else if (-extra.kg > std::max(kOfWheelpan * sensor.wheelpan.At(values), kLightPan_kg))
+      taken_out.emplace_back(&sensor, extra.kg);
   }
   WarnOfForgotten(vehicle, forgotten, warnings);
   WarnOfTakenOut(taken_out, warnings);

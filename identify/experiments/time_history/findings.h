@@ -23,6 +23,15 @@ inline const Finding kNoiseUnreadable{
     "'{}'"};
 inline const Finding kHistoryCostUnknown{"history-cost-unknown", Severity::kError, "unknown cost '{}'{}"};
 inline const Finding kHistoryPostUnknown{"history-post-unknown", Severity::kError, "the vehicle has no post '{}'{}"};
+inline const Finding kHistoryHeights{"history-heights", Severity::kError, "'heights' of {} can only be 'absolute'",
+                                     "leave it out for heights about their means"};
+inline const Finding kHistoryWith{"history-with", Severity::kError, "{} must be a list of files",
+                                  "write [b.csv], or [{file: b.csv, delay: 12 ms}]"};
+inline const Finding kSaturatedLeftOut{"saturated-left-out", Severity::kWarning,
+                                       "'{}' {} in {}, so it is left out of the validation", "check its range"};
+inline const Finding kHistoryAllSaturated{"history-all-saturated", Severity::kError,
+                                          "history '{}' has no channel that is not saturated",
+                                          "record it with larger ranges"};
 inline const Finding kHistoryPostMissing{"history-post-missing", Severity::kError,
                                          "history '{}' does not state how post '{}' moved",
                                          "name the channel of its height under 'posts'"};

@@ -17,6 +17,7 @@
 #include "analysis/text/units.h"
 #include "identify/experiments/time_history/findings.h"
 #include "identify/study_file/filter_rate.h"
+#include "identify/study_file/findings.h"
 #include "identify/study_file/source_recording.h"
 #include "vehicles/response/response_recorder.h"
 
@@ -57,12 +58,14 @@ class HistoryLoader {
         Want(source, ParseUnit(UnitOf(vehicle_.sensors[*index].type))->dimension, "sensor '" + sensor + "'");
     const std::vector<double> noise = ReadNoise();
     const std::optional<TimeRecording> recording =
-        ReadTimeRecording(study_.file, wanted_, diagnostics_, TimeColumn(study_.time));
+        ReadTimeRecording(study_.file, wanted_, diagnostics_, TimeColumn(study_.time), study_.preparation);
     if (!good_ || !recording) return std::nullopt;
     MeasuredHistory history{.name = study_.name,
                             .rate_Hz = recording->rate_Hz(),
                             .filter = study_.filter,
                             .process_sd = study_.process_sd.value_or(0)};
+    history.preparations = recording->preparations;
+    if (study_.has_absolute_heights) history.preparations.emplace_back("heights of posts as recorded");
     CheckRate(history.rate_Hz);
     SetWindow(*recording, history);
     if (!good_) return std::nullopt;
@@ -84,6 +87,7 @@ class HistoryLoader {
   }
 
   void CheckNames() {
+    if (study_.channels.empty()) Fault(kNoChannelByName, study_.line, {DidYouMeanOrAll("", sensors_)});
     for (const auto& [post, source] : study_.posts)
       if (!IndexOf(post, posts_)) Fault(kHistoryPostUnknown, source.line, {post, DidYouMeanOrAll(post, posts_)});
     for (const auto& [sensor, source] : study_.channels)
@@ -183,7 +187,8 @@ class HistoryLoader {
   std::vector<std::vector<double>> Heights(const TimeRecording& recording) {
     std::vector<std::vector<double>> heights(posts_.size());
     for (const auto& [post, source] : study_.posts) {
-      const Eigen::VectorXd height = WithoutMean(Combined(recording, source));
+      const Eigen::VectorXd recorded = Combined(recording, source);
+      const Eigen::VectorXd height = study_.has_absolute_heights ? recorded : WithoutMean(recorded);
       CheckSampling(post, height, recording.rate_Hz());
       heights[*IndexOf(post, posts_)].assign(height.begin(), height.end());
     }
@@ -201,20 +206,22 @@ class HistoryLoader {
                             .noise_sd = noise[sensor],
                             .source = source};
       if (signal.Deviation() == 0) Fault(kChannelDead, source.line, {name, study_.file.filename().string()});
-      CheckSaturation(name, signal.unit, source, history, all);
-      history.signals.push_back(std::move(signal));
+      if (CheckSaturation(name, signal.unit, source, history, all)) history.signals.push_back(std::move(signal));
     }
+    if (history.signals.empty()) Fault(kHistoryAllSaturated, study_.line, {study_.name});
   }
 
-  /// Of the window.
-  void CheckSaturation(const std::string& name, const std::string& unit, const ChannelSource& source,
+  /// Of the window. False where the channel is to be left out: what it should have read is not known.
+  bool CheckSaturation(const std::string& name, const std::string& unit, const ChannelSource& source,
                        const MeasuredHistory& history, const Eigen::VectorXd& all) {
     const std::span<const double> values(all.data() + history.first, static_cast<std::size_t>(history.count));
     const std::optional<ClippedEnds> ends = ClippingAtEnds(values);
-    if (!ends) return;
+    if (!ends) return true;
     const double first_s = history.TimeAt(static_cast<Index>(ends->first()));
-    diagnostics_.Report(kChannelSaturated, {file_, source.line},
+    const bool is_left_out = study_.is_validation && ends->is_exact();
+    diagnostics_.Report(is_left_out ? kSaturatedLeftOut : kChannelSaturated, {file_, source.line},
                         {name, ends->Text(unit, first_s), study_.file.filename().string()});
+    return !is_left_out;
   }
 
   const StudyHistory& study_;

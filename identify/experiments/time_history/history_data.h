@@ -51,6 +51,8 @@ struct MeasuredHistory {
   Eigen::Index first = 0;
   Eigen::Index count = 0;
   std::vector<MeasuredSignal> signals;
+  /// What was done to the recording, a sentence each.
+  std::vector<std::string> preparations = {};
   /// Samples of the window x signals: what the full geometry adds to the reduced model's signals, see
   /// full_correction.h; empty: nothing.
   Eigen::MatrixXd correction = {};

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <iterator>
 
+#include "analysis/files/recorded_table.h"
+#include "analysis/text/named.h"
 #include "identify/experiments/time_history/findings.h"
 #include "identify/study_file/channel_source_reader.h"
 #include "identify/study_file/findings.h"
+#include "identify/study_file/named_channels.h"
 #include "identify/study_file/strict_yaml.h"
 
 namespace fourpost {
@@ -13,13 +16,13 @@ namespace {
 
 class HistoryReader {
  public:
-  HistoryReader(std::filesystem::path study, Diagnostics& diagnostics)
-      : study_(std::move(study)), file_(study_.string()), diagnostics_(diagnostics) {}
+  HistoryReader(std::filesystem::path study, YAML::Node channels, Diagnostics& diagnostics)
+      : study_(std::move(study)), file_(study_.string()), channels_(std::move(channels)), diagnostics_(diagnostics) {}
 
   StudyHistory Read(const YAML::Node& node) {
-    const StrictMap map =
-        Map(node, "the history",
-            {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use", "time"});
+    const StrictMap map = Map(node, "the history",
+                              {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use",
+                               "time", "resample", "bridge", "with", "heights"});
     StudyHistory history;
     history.line = map.line();
     map.Require("file");
@@ -29,10 +32,13 @@ class HistoryReader {
     if (map.Has("time"))
       history.time =
           ReadSourceChannel(map.Get("time"), "'time' of " + where_, ChannelKind::kHistory, file_, diagnostics_);
-    history.posts = ReadChannelSources(map.Require("posts"), "'posts' of " + where_, "posts", ChannelKind::kHistory,
-                                       file_, diagnostics_);
-    history.channels = ReadChannelSources(map.Require("channels"), "'channels' of " + where_, "sensors",
-                                          ChannelKind::kHistory, file_, diagnostics_);
+    history.has_posts_by_name = !map.Has("posts");
+    history.posts = ReadChannelSources(map.Get("posts"), "'posts' of " + where_, "posts", ChannelKind::kHistory, file_,
+                                       diagnostics_);
+    const YAML::Node channels = map.Has("channels") ? map.Get("channels") : channels_;
+    history.takes_others_by_name = TakesOthersByName(channels);
+    history.channels =
+        ReadChannelSources(channels, "'channels' of " + where_, "sensors", ChannelKind::kHistory, file_, diagnostics_);
     if (map.Has("filter")) history.filter = Filter(map.Get("filter"));
     if (map.Has("noise")) history.noise = Noise(map.Get("noise"));
     history.process_sd = map.Quantity("process", kAcceleration, 0);
@@ -42,6 +48,7 @@ class HistoryReader {
       history.is_validation = *use == "validation";
       if (*use != "fit" && *use != "validation") map.Fault(map.Get("use"), kHistoryUse, {where_});
     }
+    ReadPreparation(map, history);
     history.start_s = map.Quantity("start", kTime, -1e9);
     history.end_s = map.Quantity("end", kTime, -1e9);
     if (history.start_s && history.end_s && !(*history.start_s < *history.end_s))
@@ -52,6 +59,38 @@ class HistoryReader {
  private:
   StrictMap Map(const YAML::Node& node, const std::string& where, const std::vector<std::string_view>& keys) {
     return {node, where, keys, file_, diagnostics_};
+  }
+
+  void ReadPreparation(const StrictMap& map, StudyHistory& history) {
+    history.preparation.rate_Hz = map.Quantity("resample", kFrequency, 1e-6);
+    history.preparation.bridge_s = map.Quantity("bridge", kTime, 0).value_or(0);
+    if (map.Has("with")) history.preparation.others = Others(map.Get("with"));
+    if (const auto heights = map.Text("heights")) {
+      history.has_absolute_heights = *heights == "absolute";
+      if (!history.has_absolute_heights) map.Fault(map.Get("heights"), kHistoryHeights, {where_});
+    }
+  }
+
+  /// A list of files, or of {file, delay}.
+  std::vector<OtherFile> Others(const YAML::Node& list) {
+    std::vector<OtherFile> others;
+    const std::string where = "'with' of " + where_;
+    if (!list.IsSequence() || list.size() == 0) {
+      diagnostics_.Report(kHistoryWith, {file_, LineOf(list)}, {where});
+      return others;
+    }
+    for (const YAML::Node& entry : list) {
+      OtherFile& other = others.emplace_back();
+      if (entry.IsScalar()) {
+        other.path = (study_.parent_path() / entry.Scalar()).lexically_normal();
+        continue;
+      }
+      const StrictMap map = Map(entry, where, {"file", "delay"});
+      map.Require("file");
+      if (const auto file = map.Text("file")) other.path = (study_.parent_path() / *file).lexically_normal();
+      other.delay_s = map.Quantity("delay", kTime, -1e9).value_or(0);
+    }
+    return others;
   }
 
   /// A mapping of names that are not known here.
@@ -87,10 +126,40 @@ class HistoryReader {
   std::filesystem::path study_;
   std::string file_;
   std::string where_;
+  /// Of histories that have none.
+  YAML::Node channels_;
   Diagnostics& diagnostics_;
 };
 
+/// Of a post among the columns of a recording.
+std::optional<std::string> ChannelOfPost(const std::string& post, std::size_t posts,
+                                         const std::vector<std::string>& recorded) {
+  for (const std::string& name : {post, "post_" + post})
+    if (std::find(recorded.begin(), recorded.end(), name) != recorded.end()) return name;
+  const auto is_post = [](const std::string& name) { return name.starts_with("post"); };
+  if (posts != 1 || std::count_if(recorded.begin(), recorded.end(), is_post) != 1) return std::nullopt;
+  return *std::find_if(recorded.begin(), recorded.end(), is_post);
+}
+
 }  // namespace
+
+void MapByName(const Vehicle& vehicle, StudyHistory& history) {
+  if (!history.has_posts_by_name && !history.takes_others_by_name) return;
+  Diagnostics left_to_loading;
+  const std::optional<RecordedTable> table = ReadRecordedTable(history.file, left_to_loading);
+  if (!table) return;
+  std::vector<std::string> recorded = table->names();
+  for (const OtherFile& other : history.preparation.others)
+    if (const std::optional<RecordedTable> beside = ReadRecordedTable(other.path, left_to_loading))
+      recorded.insert(recorded.end(), beside->names().begin(), beside->names().end());
+  if (history.has_posts_by_name)
+    for (const Post& post : vehicle.posts)
+      if (const auto channel = ChannelOfPost(post.name, vehicle.posts.size(), recorded))
+        history.posts.emplace_back(post.name,
+                                   ChannelSource{.channels = {SourceChannel(*channel)}, .line = history.line});
+  if (history.takes_others_by_name) AddByName(NamesOf(vehicle.sensors), recorded, history.line, history.channels);
+  history.has_posts_by_name = history.takes_others_by_name = false;
+}
 
 std::vector<StudyHistory> HistoriesOf(const std::vector<StudyHistory>& all, bool validation) {
   std::vector<StudyHistory> some;
@@ -99,15 +168,15 @@ std::vector<StudyHistory> HistoriesOf(const std::vector<StudyHistory>& all, bool
   return some;
 }
 
-std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const std::filesystem::path& study,
-                                        Diagnostics& diagnostics) {
+std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const YAML::Node& channels,
+                                        const std::filesystem::path& study, Diagnostics& diagnostics) {
   std::vector<StudyHistory> histories;
   if (!list.IsSequence() || list.size() == 0) {
     diagnostics.Report(kHistoriesEmpty, {study.string(), LineOf(list)});
     return histories;
   }
   for (const YAML::Node& node : list) {
-    StudyHistory history = HistoryReader(study, diagnostics).Read(node);
+    StudyHistory history = HistoryReader(study, channels, diagnostics).Read(node);
     for (const StudyHistory& other : histories)
       if (other.name == history.name) diagnostics.Report(kHistoryTwice, {study.string(), history.line}, {history.name});
     histories.push_back(std::move(history));

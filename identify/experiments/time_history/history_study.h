@@ -10,8 +10,10 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include "analysis/files/time_recording.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/study_file/channel_source.h"
+#include "vehicles/description/vehicle.h"
 #include "vehicles/posts/recorded_posts.h"
 
 namespace fourpost {
@@ -33,6 +35,13 @@ struct StudyHistory {
   std::vector<std::pair<std::string, ChannelSource>> posts;
   /// Sensor of the vehicle, and what was measured for it.
   std::vector<std::pair<std::string, ChannelSource>> channels;
+  /// Whether posts, and sensors that are not stated, are known by the names of channels.
+  bool has_posts_by_name = false;
+  bool takes_others_by_name = false;
+  /// Of its times; files beside it are resolved.
+  TimePreparation preparation;
+  /// Whether heights of posts count from where they were recorded, not from their means.
+  bool has_absolute_heights = false;
   /// Through which the rig sent all channels, heights of posts included.
   std::optional<LowPassDesign> filter;
   /// What sensors read at rest.
@@ -62,8 +71,13 @@ inline constexpr std::array<std::string_view, 3> kHistoryCostNames{"whitened", "
 /// Those to fit, or those only to predict.
 std::vector<StudyHistory> HistoriesOf(const std::vector<StudyHistory>& all, bool validation);
 
-/// The list under `histories`. Adds every fault to `diagnostics`.
-std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const std::filesystem::path& study,
-                                        Diagnostics& diagnostics);
+/// The list under `histories`; `channels` are those of histories that have none. Adds every fault to `diagnostics`.
+std::vector<StudyHistory> ReadHistories(const YAML::Node& list, const YAML::Node& channels,
+                                        const std::filesystem::path& study, Diagnostics& diagnostics);
+
+/// Maps posts and sensors to channels of the same name, where the study leaves that to their names: a post's is called
+/// as the post, or post_ and so; one post and one channel that begins with "post" need no more. Faults of the file are
+/// left to LoadHistories().
+void MapByName(const Vehicle& vehicle, StudyHistory& history);
 
 }  // namespace fourpost

@@ -73,9 +73,10 @@ void Add(Sha256& digest, const MeasuredHistory& history) {
 std::unique_ptr<Experiment> TimeHistories::Read(const StrictMap& study) {
   if (!study.Has("histories")) return nullptr;
   auto read = std::make_unique<TimeHistories>();
-  read->plan = {.file = study.file(),
-                .histories = ReadHistories(study.Get("histories"), study.file(), study.diagnostics()),
-                .cost = ReadCost(study)};
+  read->plan = {
+      .file = study.file(),
+      .histories = ReadHistories(study.Get("histories"), study.Get("channels"), study.file(), study.diagnostics()),
+      .cost = ReadCost(study)};
   // Faults of what both share are reported once, by the stepped sines where they are read.
   const bool has_sines = study.Has("recordings") || HistoriesOf(read->plan.histories, false).empty();
   Diagnostics reported_elsewhere;
@@ -85,15 +86,18 @@ std::unique_ptr<Experiment> TimeHistories::Read(const StrictMap& study) {
 
 std::vector<ExperimentFile> TimeHistories::Files() const {
   std::vector<ExperimentFile> files;
-  for (const StudyHistory& history : plan.histories)
-    files.push_back({.path = history.file,
-                     .line = history.line,
-                     .use = history.is_validation ? ExperimentFile::Use::kValidation : ExperimentFile::Use::kFitted});
+  for (const StudyHistory& history : plan.histories) {
+    const auto use = history.is_validation ? ExperimentFile::Use::kValidation : ExperimentFile::Use::kFitted;
+    files.push_back({.path = history.file, .line = history.line, .use = use});
+    for (const OtherFile& other : history.preparation.others)
+      files.push_back({.path = other.path, .line = history.line, .use = use});
+  }
   return files;
 }
 
 void TimeHistories::Load(const Subject& subject, Diagnostics& diagnostics) {
   const Vehicle& vehicle = subject.vehicle();
+  for (StudyHistory& history : plan.histories) MapByName(vehicle, history);
   const std::optional<std::vector<MeasuredHistory>> histories =
       LoadHistories(HistoriesOf(plan.histories, false), plan.file, vehicle, diagnostics);
   validation = LoadValidation(HistoriesOf(plan.histories, true), plan.file, vehicle, diagnostics, left_out_);

@@ -92,9 +92,12 @@ class HistoryPrediction {
     history.file = recording;
     history.name = recording.stem().string();
     history.end_s.reset();
+    // Beside this file there is none.
+    history.preparation.others.clear();
     Diagnostics diagnostics;
     const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
     if (!table) throw FaultyInput(diagnostics);
+    MapByName(subject_.vehicle(), history);
     KeepMeasured(recording, table->names(), history.channels, findings);
     return history;
   }

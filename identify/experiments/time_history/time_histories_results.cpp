@@ -58,19 +58,20 @@ void AddMotions(const CondensedModel& model, const HistoryResiduals& residuals, 
   }
 }
 
-void AddEngine(const std::string& recording, bool is_fitted, const HistoryEngine& by, double error,
+void AddEngine(const MeasuredHistory& history, bool is_fitted, const HistoryEngine& by, double error,
                ExperimentResults& results) {
-  Json entry = {{"recording", recording}, {"fitted", is_fitted}};
+  Json entry = {{"recording", history.name}, {"fitted", is_fitted}};
   entry.update(EngineJson(by, error));
+  if (!history.preparations.empty()) entry["preparation"] = history.preparations;
   results.json["histories"].push_back(entry);
-  (is_fitted ? results.text : results.unseen_text) += FitEngineText(recording, by);
+  (is_fitted ? results.text : results.unseen_text) += FitEngineText(history.name, by);
 }
 
 void AddEngines(const TimeHistories& experiment, double error, ExperimentResults& results) {
   for (std::size_t h = 0; h < experiment.checks.size(); ++h) {
     const std::string& name = experiment.fitted[h].name;
     const HistoryEngine& by = experiment.checks[h].by;
-    AddEngine(name, true, by, error, results);
+    AddEngine(experiment.fitted[h], true, by, error, results);
     if (by.engine == Engine::kReduced && by.kinematics_error && by.kinematics_error->IsVisible())
       results.findings.Report(kHistoryKinematicsVisible, {experiment.plan.file},
                               {name, KinematicsText(*by.kinematics_error)});
@@ -117,7 +118,7 @@ void AddValidation(const TimeHistories& experiment, const Subject& subject, cons
       HistoryMisfitsJson(Show(experiment.plan, subject.vehicle(), residuals, fit.values, predictions.modelled, false,
                               "validation", results.unseen_text, results));
   for (std::size_t h = 0; h < predictions.by.size(); ++h)
-    AddEngine(predictions.histories[h].name, false, predictions.by[h], error, results);
+    AddEngine(predictions.histories[h], false, predictions.by[h], error, results);
   AddMotions(subject.Condensed()->At(fit.values), residuals, motions);
 }
 

@@ -45,10 +45,20 @@ TEST(UniversalFile, BinarySampleOfOthersReadsAsAnIndependentReaderReadsIt) {
   EXPECT_EQ(channel.name, "sine 5 Hz");
   EXPECT_EQ(channel.unit, "g");
   EXPECT_EQ(channel.point, "1");
+  // Its ID lines say nothing.
+  EXPECT_EQ(channel.description, "");
   EXPECT_EQ(channel.step_s, 0.01);
   ASSERT_EQ(channel.values.size(), 250);
   // By Python's struct: 250 doubles behind the eleven lines.
   EXPECT_EQ(DigestOf(channel.values), "43e59a845be8a7afac1aa02628802d079adf8c4a3e33d24aa67352a94783e806");
+}
+
+TEST(UniversalFile, DescribesChannelsByTheirIdLines) {
+  const std::string numbers = "  1.00000E+00  2.00000E+00  3.00000E+00  4.00000E+00\n";
+  const Recording recording = ReadBytes(TextSet(HeadOf(2, 4, true), numbers));
+  ASSERT_EQ(recording.channels.size(), 1);
+  EXPECT_EQ(recording.channels[0].name, "F_left");
+  EXPECT_EQ(recording.channels[0].description, "force");
 }
 
 TEST(UniversalFile, SampleWithAShortLastLineLongExponentsAndCharactersOfUtf8) {

@@ -134,6 +134,9 @@ TEST_F(FourPostDataTest, AddsTheDeviationsOfPhasorsInLine) {
 
 TEST_F(FourPostDataTest, RefusesAChannelOfAnotherQuantity) {
   plan_.channels[0].second.channels[1] = "F_left";
+  plan_.recordings.push_back(plan_.recordings[0]);
+  plan_.recordings.back().name = "again";
+  // Of both recordings once.
   EXPECT_THAT(Fault(), Reports(kSineUnitsDiffer, 7, {"'F_left' is in N", "'strut' in m"}));
 }
 

@@ -167,6 +167,13 @@ TEST(RecordingLint, TellsOfAWheelpanTakenOutTwice) {
   EXPECT_THAT(Lint(study).Format(), ContainsRegex("'F_tyre_rear' about (4[5-9]|5[0-5]) kg"));
 }
 
+// As friction or another tyre leave over.
+TEST(RecordingLint, SaysNothingOfFewKilogramsWithoutAWheelpan) {
+  LoadedStudy study = ShippedStudy("model1");
+  AddWheelpan(study, "F_tyre_rear", -7, 1);
+  EXPECT_THAT(Lint(study), Not(Reports(kWheelpanTakenOut, LineOf(study, "F_tyre_rear"))));
+}
+
 TEST(RecordingLint, TellsOfLoadsThatNoMassesMake) {
   LoadedStudy study = ShippedStudy("model1");
   // Bounds leave it some 600 kg.

@@ -22,7 +22,7 @@ constexpr const char* kGood = R"(
 )";
 
 std::vector<StudyHistory> Read(const std::string& text, Diagnostics& diagnostics) {
-  return ReadHistories(YAML::Load(text), "folder/study.yaml", diagnostics);
+  return ReadHistories(YAML::Load(text), YAML::Node(YAML::NodeType::Undefined), "folder/study.yaml", diagnostics);
 }
 
 Diagnostics Fault(const std::string& what, const std::string& with) {

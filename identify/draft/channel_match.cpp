@@ -1,0 +1,179 @@
+#include "identify/draft/channel_match.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "identify/draft/name_meaning.h"
+#include "vehicles/description/post_pattern.h"
+#include "vehicles/response/response_recorder.h"
+
+namespace fourpost {
+namespace {
+
+/// One channel, or a left and a right one together.
+struct Candidate {
+  std::vector<std::string> names;
+  NameMeaning meaning;
+  Dimension dimension;
+};
+
+struct Pairing {
+  std::size_t sought = 0;
+  std::size_t candidate = 0;
+  double likeness = 0;
+  std::optional<double> correlation;
+  double score = 0;
+};
+
+/// From where on a name is enough, and motion without a name.
+constexpr double kLike = 0.5;
+constexpr double kMoved = 0.9;
+/// Of scores: what is nearer is a rival.
+constexpr double kNear = 0.03;
+
+std::vector<Candidate> CandidatesOf(const std::vector<OfferedChannel>& offered, bool has_sides) {
+  std::vector<Candidate> singles;
+  for (const OfferedChannel& channel : offered)
+    singles.push_back({{channel.name}, MeaningOf(channel.name), channel.dimension});
+  if (has_sides) return singles;
+  std::vector<Candidate> all;
+  std::set<std::string> paired;
+  for (const Candidate& left : singles)
+    for (const Candidate& right : singles) {
+      if (left.meaning.left != 1 || right.meaning.left != -1 || !(left.dimension == right.dimension)) continue;
+      if (left.meaning.words != right.meaning.words || left.meaning.front != right.meaning.front) continue;
+      Candidate both = {{left.names.front(), right.names.front()}, left.meaning, left.dimension};
+      both.meaning.left = 0;
+      all.push_back(std::move(both));
+      paired.insert({left.names.front(), right.names.front()});
+    }
+  for (Candidate& single : singles)
+    if (!paired.contains(single.names.front())) all.push_back(std::move(single));
+  return all;
+}
+
+std::optional<double> MeanCorrelation(const std::string& sought, const Candidate& candidate,
+                                      const CorrelationOf& correlation) {
+  if (!correlation) return std::nullopt;
+  double sum = 0;
+  for (const std::string& name : candidate.names) {
+    const std::optional<double> one = correlation(sought, name);
+    if (!one) return std::nullopt;
+    sum += *one;
+  }
+  return sum / static_cast<double>(candidate.names.size());
+}
+
+/// Rises with both; an equal name is above all.
+double ScoreOf(const Pairing& pairing, bool is_equal) {
+  constexpr double kMotion = 0.4;
+  return (is_equal ? 2 : pairing.likeness) + kMotion * std::abs(pairing.correlation.value_or(0));
+}
+
+std::vector<Pairing> PairingsOf(const std::vector<SoughtChannel>& sought, const std::vector<Candidate>& candidates,
+                                const CorrelationOf& correlation) {
+  std::vector<Pairing> pairings;
+  for (std::size_t s = 0; s < sought.size(); ++s) {
+    const NameMeaning meaning = MeaningOf(sought[s].name);
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      if (!(sought[s].dimension == candidates[c].dimension)) continue;
+      Pairing pairing{.sought = s, .candidate = c, .likeness = Likeness(meaning, candidates[c].meaning)};
+      if (pairing.likeness < 0) continue;
+      pairing.correlation = MeanCorrelation(sought[s].name, candidates[c], correlation);
+      const bool is_equal = candidates[c].names.size() == 1 && candidates[c].names.front() == sought[s].name;
+      if (!is_equal && pairing.likeness < kLike && std::abs(pairing.correlation.value_or(0)) < kMoved) continue;
+      pairing.score = ScoreOf(pairing, is_equal);
+      pairings.push_back(pairing);
+    }
+  }
+  std::stable_sort(pairings.begin(), pairings.end(),
+                   [](const Pairing& a, const Pairing& b) { return a.score > b.score; });
+  return pairings;
+}
+
+std::string TextOf(const Candidate& candidate) {
+  std::string text;
+  for (const std::string& name : candidate.names) text += (text.empty() ? "" : " and ") + name;
+  return text;
+}
+
+ChannelMatch MatchOf(const Pairing& pairing, const SoughtChannel& sought, const Candidate& candidate) {
+  ChannelMatch match{.name = sought.name, .source = {}, .correlation = pairing.correlation};
+  constexpr double kOpposite = -0.5;
+  const double sign = pairing.correlation.value_or(1) < kOpposite ? -1 : 1;
+  for (const std::string& name : candidate.names) {
+    match.source.channels.emplace_back(name);
+    match.source.channels.back().factor = sign;
+  }
+  if (candidate.names.size() > 1 && sought.is_sum) match.source.combine = ChannelSource::Combine::kSum;
+  const bool is_equal = candidate.names.size() == 1 && candidate.names.front() == sought.name;
+  match.by = is_equal                    ? ChannelMatch::By::kName
+             : pairing.likeness >= kLike ? ChannelMatch::By::kLikeName
+                                         : ChannelMatch::By::kMotion;
+  return match;
+}
+
+}  // namespace
+
+bool ChannelMatch::IsSure() const {
+  // A vehicle whose values are not fitted moves about as the real one does.
+  const double enough = by == By::kName ? 0.2 : 0.5;
+  return by != By::kMotion && rival.empty() && correlation.value_or(1) > enough;
+}
+
+std::vector<ChannelMatch> MatchChannels(const std::vector<SoughtChannel>& sought,
+                                        const std::vector<OfferedChannel>& offered, bool has_sides,
+                                        const CorrelationOf& correlation) {
+  const std::vector<Candidate> candidates = CandidatesOf(offered, has_sides);
+  const std::vector<Pairing> pairings = PairingsOf(sought, candidates, correlation);
+  std::vector<bool> is_found(sought.size());
+  std::vector<bool> is_taken(candidates.size());
+  std::vector<std::optional<ChannelMatch>> found(sought.size());
+  for (const Pairing& best : pairings) {
+    if (is_found[best.sought] || is_taken[best.candidate]) continue;
+    ChannelMatch match = MatchOf(best, sought[best.sought], candidates[best.candidate]);
+    for (const Pairing& other : pairings) {
+      const bool is_rival = other.sought == best.sought && other.candidate != best.candidate &&
+                            !is_taken[other.candidate] && other.score > best.score - kNear;
+      if (is_rival && match.by != ChannelMatch::By::kName) match.rival = TextOf(candidates[other.candidate]);
+    }
+    is_found[best.sought] = is_taken[best.candidate] = true;
+    found[best.sought] = std::move(match);
+  }
+  std::vector<ChannelMatch> matches;
+  for (std::optional<ChannelMatch>& match : found)
+    if (match) matches.push_back(*std::move(match));
+  return matches;
+}
+
+std::vector<SoughtChannel> SoughtSensors(const Vehicle& vehicle) {
+  std::vector<SoughtChannel> sought;
+  for (const Sensor& sensor : vehicle.sensors)
+    sought.push_back({sensor.name, ParseUnit(UnitOf(sensor.type))->dimension, sensor.type == Sensor::Type::kLoadCell});
+  return sought;
+}
+
+std::vector<SoughtChannel> SoughtPosts(const Vehicle& vehicle) {
+  std::vector<SoughtChannel> sought;
+  for (const Post& post : vehicle.posts) sought.push_back({"post_" + post.name, kLength});
+  return sought;
+}
+
+std::vector<SoughtChannel> SoughtTyres(const Vehicle& vehicle) {
+  std::vector<SoughtChannel> sought;
+  for (const Tyre& tyre : vehicle.tyres) sought.push_back({tyre.name, kForce, true});
+  return sought;
+}
+
+bool HasSides(const Vehicle& vehicle) {
+  try {
+    PostPattern(vehicle, "roll");
+    return true;
+  } catch (const PatternError&) {
+    return false;
+  }
+}
+
+}  // namespace fourpost

@@ -1,0 +1,181 @@
+#include "identify/draft/file_reading.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/files/frequency_response_file.h"
+#include "analysis/files/recorded_unit.h"
+#include "analysis/files/recording_layout.h"
+#include "analysis/files/recording_summary.h"
+#include "analysis/files/static_loads.h"
+#include "analysis/measured_response/measured_response.h"
+#include "analysis/text/named.h"
+#include "identify/draft/name_meaning.h"
+#include "vehicles/description/post_pattern.h"
+
+namespace fourpost {
+namespace {
+
+std::string FirstError(const Diagnostics& found) {
+  for (const Diagnostic& item : found.items())
+    if (item.severity == Severity::kError) return item.message;
+  return "no recording";
+}
+
+/// A pattern that the name of a file speaks of.
+std::vector<double> ShapeByName(const std::filesystem::path& file, const Vehicle& vehicle) {
+  const std::set<std::string> words = MeaningOf(file.stem().string()).words;
+  const auto has = [&](const char* word) { return words.contains(word); };
+  const char* pattern = has("heave") || has("bounce") ? "heave"
+                        : has("pitch")                ? "pitch"
+                        : has("roll")                 ? "roll"
+                        : has("warp") || has("twist") ? "warp"
+                                                      : "";
+  try {
+    return *pattern == '\0' ? std::vector<double>() : PostPattern(vehicle, pattern);
+  } catch (const PatternError&) {
+    return {};
+  }
+}
+
+void ReadSines(const Vehicle& vehicle, FileReading& reading) {
+  Diagnostics found;
+  // An amplitude that is not in the file is for the user to state; the shape of responses depends little on it.
+  constexpr double kAmplitude_m = 5e-3;
+  std::optional<FrequencyResponse> response = ReadFrequencyResponse(reading.path, found, kAmplitude_m);
+  if (!response) {
+    reading.reason = FirstError(found);
+    return;
+  }
+  reading.kind = FileReading::Kind::kSines;
+  for (const ChannelResponse& channel : response->channels)
+    reading.channels.push_back({channel.name, ParseUnit(channel.unit)->dimension});
+  reading.motions.push_back({*std::move(response), ShapeByName(reading.path, vehicle)});
+}
+
+void ReadLoads(FileReading& reading) {
+  Diagnostics found;
+  const auto loads = ReadStaticLoads(reading.path, found);
+  if (!loads) {
+    reading.reason = FirstError(found);
+    return;
+  }
+  reading.kind = FileReading::Kind::kLoads;
+  for (const StaticMeasurement& load : *loads) reading.channels.push_back({load.name, load.dimension});
+}
+
+/// Posts by what names say; of one post the only channel that is named as one.
+void MatchPosts(const Vehicle& vehicle, FileReading& reading) {
+  reading.posts = MatchChannels(SoughtPosts(vehicle), reading.channels, HasSides(vehicle));
+  if (reading.posts.empty() && vehicle.posts.size() == 1) {
+    const auto is_post = [](const OfferedChannel& channel) {
+      return channel.dimension == kLength && MeaningOf(channel.name).words.contains("post");
+    };
+    const auto found = std::find_if(reading.channels.begin(), reading.channels.end(), is_post);
+    if (found != reading.channels.end())
+      reading.posts.push_back({.name = "post_" + vehicle.posts.front().name,
+                               .source = {.channels = {SourceChannel(found->name)}},
+                               .by = ChannelMatch::By::kLikeName,
+                               .correlation = {},
+                               .rival = {}});
+  }
+  for (ChannelMatch& post : reading.posts) {
+    post.name = post.name.substr(std::string("post_").size());
+    for (const SourceChannel& source : post.source.channels)
+      std::erase_if(reading.channels, [&](const OfferedChannel& channel) { return channel.name == source.name; });
+  }
+}
+
+/// Of each post of the vehicle: the mean of its channels.
+std::vector<double> ShapeOf(const Vehicle& vehicle, const FileReading& reading, const MeasuredResponses& measured,
+                            const PostShares& shares) {
+  std::vector<double> shape;
+  for (const Post& post : vehicle.posts) {
+    const auto match = std::find_if(reading.posts.begin(), reading.posts.end(),
+                                    [&](const ChannelMatch& one) { return one.name == post.name; });
+    double sum = 0;
+    for (const SourceChannel& channel : match->source.channels)
+      sum += shares.share[*IndexOf(channel.name, measured.posts)] / static_cast<double>(match->source.channels.size());
+    shape.push_back(sum);
+  }
+  return shape;
+}
+
+void ReadHistory(const RecordedTable& table, const Vehicle& vehicle, FileReading& reading) {
+  const std::string time = TimesColumn(table);
+  if (time.empty()) {
+    reading.reason = "no column of times";
+    return;
+  }
+  for (std::size_t column = 0; column < table.names().size(); ++column) {
+    const std::optional<Unit> unit = ParseRecordedUnit(table.unit(column));
+    if (table.names()[column] != time && unit && !table.HoldsText(column))
+      reading.channels.push_back({table.names()[column], unit->dimension});
+  }
+  if (vehicle.posts.empty()) {
+    const bool is_bench = !BenchChannel(reading, kLength).empty() && !BenchChannel(reading, kForce).empty();
+    if (is_bench) reading.kind = FileReading::Kind::kBench;
+    else reading.reason = "no displacement and force of a damper";
+    return;
+  }
+  MatchPosts(vehicle, reading);
+  if (reading.posts.size() < vehicle.posts.size()) {
+    reading.reason = "no channels found for all posts";
+    return;
+  }
+  reading.kind = FileReading::Kind::kHistory;
+  ResponseRequest request{.files = {reading.path}};
+  for (const ChannelMatch& post : reading.posts)
+    for (const SourceChannel& channel : post.source.channels) request.posts.push_back({channel.name, channel.name});
+  Diagnostics unheard;
+  std::optional<MeasuredResponses> measured = MeasureResponses(request, unheard);
+  if (!measured) return;
+  if (measured->kind == ExcitationKind::kStepped) reading.kind = FileReading::Kind::kDwells;
+  for (MeasuredResponse& response : measured->responses) {
+    std::vector<double> shape = ShapeOf(vehicle, reading, *measured, response.shares);
+    reading.motions.push_back({std::move(response.response), std::move(shape)});
+  }
+}
+
+}  // namespace
+
+std::string BenchChannel(const FileReading& reading, const Dimension& dimension) {
+  for (const OfferedChannel& channel : reading.channels)
+    if (channel.dimension == dimension) return channel.name;
+  return "";
+}
+
+std::optional<std::string> PatternOfShape(const Vehicle& vehicle, const std::vector<double>& shape) {
+  constexpr double kNear = 0.1;
+  for (const std::string_view pattern : kPostPatterns) {
+    try {
+      const std::vector<double> exact = PostPattern(vehicle, pattern);
+      for (const double sense : {1.0, -1.0}) {
+        double off = 0;
+        for (std::size_t p = 0; p < shape.size(); ++p) off = std::max(off, std::abs(sense * shape[p] - exact[p]));
+        if (off < kNear) return std::string(pattern);
+      }
+    } catch (const PatternError&) {
+      continue;
+    }
+  }
+  return std::nullopt;
+}
+
+FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle) {
+  FileReading reading{.path = file};
+  Diagnostics found;
+  try {
+    const std::optional<RecordedTable> table = ReadRecordedTable(file, found);
+    if (!table) reading.reason = FirstError(found);
+    else if (IsSteppedSine(*table)) ReadSines(vehicle, reading);
+    else if (table->FindColumn("quantity") && table->FindColumn("value")) ReadLoads(reading);
+    else ReadHistory(*table, vehicle, reading);
+  } catch (const FaultyInput& faulty) {
+    reading.kind = FileReading::Kind::kUnread;
+    reading.reason = FirstError(faulty.diagnostics());
+  }
+  return reading;
+}
+
+}  // namespace fourpost

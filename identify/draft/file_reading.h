@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/signals/frequency_response.h"
+#include "identify/draft/channel_match.h"
+#include "identify/study_file/channel_source.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// Responses to one motion of the posts.
+struct DraftedMotion {
+  FrequencyResponse response;
+  /// Of each post of the vehicle; empty where nothing says how they moved.
+  std::vector<double> shape;
+};
+
+/// A file as a draft of a study sees it.
+struct FileReading {
+  enum class Kind { kSines, kDwells, kHistory, kLoads, kBench, kUnread };
+
+  std::filesystem::path path;
+  Kind kind = Kind::kUnread;
+  /// Of what is not read: why.
+  std::string reason = {};
+  /// Time histories: the name of each post, and its channels.
+  std::vector<ChannelMatch> posts = {};
+  /// Without times and posts, in known units.
+  std::vector<OfferedChannel> channels = {};
+  std::vector<DraftedMotion> motions = {};
+};
+
+/// Reads a file as far as a draft needs it. Adds no findings: what keeps it from being used is the reason.
+FileReading ReadForDraft(const std::filesystem::path& file, const Vehicle& vehicle);
+
+/// The first channel of a dimension; empty: there is none.
+std::string BenchChannel(const FileReading& reading, const Dimension& dimension);
+
+/// "heave" and the like of a shape that the vehicle's posts make so, up to its sign.
+std::optional<std::string> PatternOfShape(const Vehicle& vehicle, const std::vector<double>& shape);
+
+}  // namespace fourpost

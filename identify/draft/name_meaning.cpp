@@ -1,0 +1,109 @@
+#include "identify/draft/name_meaning.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace fourpost {
+namespace {
+
+struct Corner {
+  int front;
+  int left;
+};
+
+const std::map<std::string, Corner, std::less<>> kCorners = {
+    {"fl", {1, 1}},   {"lf", {1, 1}},      {"vl", {1, 1}},    {"fr", {1, -1}},  {"rf", {1, -1}},   {"vr", {1, -1}},
+    {"rl", {-1, 1}},  {"lr", {-1, 1}},     {"hl", {-1, 1}},   {"rr", {-1, -1}}, {"hr", {-1, -1}},  {"front", {1, 0}},
+    {"frt", {1, 0}},  {"fore", {1, 0}},    {"vorne", {1, 0}}, {"vorn", {1, 0}}, {"rear", {-1, 0}}, {"back", {-1, 0}},
+    {"aft", {-1, 0}}, {"hinten", {-1, 0}}, {"left", {0, 1}},  {"lh", {0, 1}},   {"links", {0, 1}}, {"right", {0, -1}},
+    {"rh", {0, -1}},  {"rechts", {0, -1}}};
+
+const std::map<std::string, std::string, std::less<>> kWords = {
+    {"chassis", "body"},  {"sprung", "body"},      {"frame", "body"},    {"cab", "body"},         {"aufbau", "body"},
+    {"top", "body"},      {"hub", "axle"},         {"unsprung", "axle"}, {"upright", "axle"},     {"knuckle", "axle"},
+    {"wheel", "axle"},    {"achse", "axle"},       {"rad", "axle"},      {"spindle", "axle"},     {"damper", "strut"},
+    {"shock", "strut"},   {"spring", "strut"},     {"susp", "strut"},    {"suspension", "strut"}, {"lvdt", "strut"},
+    {"defl", "strut"},    {"deflection", "strut"}, {"travel", "strut"},  {"pot", "strut"},        {"feder", "strut"},
+    {"tire", "tyre"},     {"load", "tyre"},        {"loadcell", "tyre"}, {"cell", "tyre"},        {"pan", "tyre"},
+    {"wheelpan", "tyre"}, {"fz", "tyre"},          {"contact", "tyre"},  {"radlast", "tyre"},     {"actuator", "post"},
+    {"act", "post"},      {"ram", "post"},         {"platform", "post"}, {"road", "post"},        {"ground", "post"},
+    {"exciter", "post"},  {"table", "post"},       {"stempel", "post"},  {"cog", "cg"},           {"centre", "cg"},
+    {"center", "cg"}};
+
+/// What a unit says as well, and what says nothing.
+constexpr std::array<std::string_view, 22> kQuantities = {
+    "a",  "acc",     "accel",  "acceleration", "s",     "z",        "x",      "y",
+    "f",  "force",   "disp",   "displacement", "pos",   "position", "height", "level",
+    "ch", "channel", "sensor", "static",       "kraft", "weg"};
+
+bool IsQuantity(std::string_view word) {
+  return std::find(kQuantities.begin(), kQuantities.end(), word) != kQuantities.end();
+}
+
+bool IsSmall(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
+bool IsCapital(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+bool IsDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+/// In lower case; split where no letters are, where a capital follows a small letter, and before digits.
+std::vector<std::string> Split(std::string_view name) {
+  std::vector<std::string> words(1);
+  char last = ' ';
+  for (const char c : name) {
+    const bool is_word = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    const bool begins = !is_word || (IsCapital(c) && IsSmall(last)) || (IsDigit(c) != IsDigit(last));
+    if (begins && !words.back().empty()) words.emplace_back();
+    if (is_word) words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    last = c;
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+/// The corner at the end of "zfl" and "accrr", which goes from the word then.
+std::optional<Corner> CornerBehind(std::string& word) {
+  if (word.size() < 3) return std::nullopt;
+  const std::string head = word.substr(0, word.size() - 2);
+  const auto corner = kCorners.find(word.substr(word.size() - 2));
+  if (corner == kCorners.end() || (!IsQuantity(head) && !kWords.contains(head))) return std::nullopt;
+  word = head;
+  return corner->second;
+}
+
+}  // namespace
+
+NameMeaning MeaningOf(std::string_view name) {
+  NameMeaning meaning;
+  const auto add = [&](const Corner& corner) {
+    if (corner.front != 0) meaning.front = corner.front;
+    if (corner.left != 0) meaning.left = corner.left;
+  };
+  for (std::string word : Split(name)) {
+    if (const auto corner = kCorners.find(word); corner != kCorners.end()) {
+      add(corner->second);
+      continue;
+    }
+    if (const std::optional<Corner> corner = CornerBehind(word)) add(*corner);
+    if (IsQuantity(word)) continue;
+    const auto known = kWords.find(word);
+    meaning.words.insert(known == kWords.end() ? word : known->second);
+  }
+  return meaning;
+}
+
+double Likeness(const NameMeaning& one, const NameMeaning& other) {
+  if (one.front * other.front < 0 || one.left * other.left < 0) return -1;
+  std::vector<std::string> common;
+  std::set_intersection(one.words.begin(), one.words.end(), other.words.begin(), other.words.end(),
+                        std::back_inserter(common));
+  const double all = static_cast<double>(one.words.size() + other.words.size() - common.size());
+  const double words = all > 0 ? static_cast<double>(common.size()) / all : 0;
+  // A place that one says and the other does not speaks against them.
+  const auto place = [](int a, int b) { return a == b ? (a == 0 ? 0.5 : 1.0) : 0.0; };
+  return 0.5 * words + 0.25 * place(one.front, other.front) + 0.25 * place(one.left, other.left);
+}
+
+}  // namespace fourpost

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace fourpost {
+
+/// What the name of a channel, a sensor, a post or a tyre says.
+struct NameMeaning {
+  /// "body", "axle", "strut", "tyre" and "post" for all words that mean these; others as they are, in lower case.
+  /// Without words for quantities, which units say.
+  std::set<std::string> words;
+  /// 1 front, -1 rear, 0 not said; 1 left, -1 right, 0 not said.
+  int front = 0;
+  int left = 0;
+};
+
+/// Of names such as "F_tyre_FL", "Damper Pot LF", "accHubRR", "zfl" and "Radlast_VL" (German corners and words, too).
+NameMeaning MeaningOf(std::string_view name);
+
+/// From 0, nothing in common, to 1, the same; -1 where they are at different places.
+double Likeness(const NameMeaning& one, const NameMeaning& other);
+
+}  // namespace fourpost

@@ -1,0 +1,290 @@
+#include "identify/draft/study_draft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "analysis/text/number.h"
+#include "analysis/text/short_number.h"
+#include "analysis/text/text_table.h"
+#include "identify/draft/file_reading.h"
+#include "identify/draft/motion_evidence.h"
+#include "identify/experiments/subject.h"
+#include "identify/study/loaded_study.h"
+#include "identify/study_file/channel_source_text.h"
+
+namespace fourpost {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Kind = FileReading::Kind;
+
+bool IsNamedSo(const ChannelMatch& match) {
+  return match.by == ChannelMatch::By::kName && match.source.channels.front().factor == 1;
+}
+
+/// A post's channel that a study finds by its name.
+bool IsPostNamedSo(const ChannelMatch& post) {
+  const std::vector<SourceChannel>& channels = post.source.channels;
+  return channels.size() == 1 && (channels.front().name == post.name || channels.front().name == "post_" + post.name);
+}
+
+bool AreSame(const std::vector<ChannelMatch>& one, const std::vector<ChannelMatch>& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const auto& a, const auto& b) {
+    return a.name == b.name && SourceText(a.source) == SourceText(b.source);
+  });
+}
+
+/// "look at: ..." of a match that is not sure; else empty.
+std::string DoubtOf(const ChannelMatch& match) {
+  if (match.IsSure()) return "";
+  std::string doubt;
+  const auto add = [&](const std::string& text) { doubt += (doubt.empty() ? "" : "; ") + text; };
+  if (match.by == ChannelMatch::By::kMotion) add("by its motion alone");
+  if (match.source.channels.front().factor < 0) add("moves against the vehicle, so its sign is turned");
+  else if (match.by != ChannelMatch::By::kMotion && match.rival.empty()) add("moves otherwise than the vehicle");
+  if (match.correlation) add("correlation " + Rounded(*match.correlation, 2));
+  if (!match.rival.empty()) add("or " + match.rival);
+  return "look at: " + doubt;
+}
+
+/// Lines `name: channel`, those that names do not say; `others: by name` where there are such as well.
+std::string ChannelLines(const std::vector<ChannelMatch>& matches, const std::string& indent) {
+  std::string lines;
+  bool has_named = false;
+  for (const ChannelMatch& match : matches) {
+    has_named = has_named || IsNamedSo(match);
+    if (IsNamedSo(match) && match.IsSure()) continue;
+    const std::string doubt = DoubtOf(match);
+    lines += indent + match.name + ": " + SourceText(match.source) + (doubt.empty() ? "" : "  # " + doubt) + '\n';
+  }
+  return lines.empty() || !has_named ? lines : lines + indent + "others: by name\n";
+}
+
+std::string Listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+class Drafter {
+ public:
+  Drafter(const std::vector<fs::path>& files, const Vehicle& vehicle, const fs::path& study)
+      : vehicle_(vehicle), study_(study) {
+    for (const fs::path& file : files) readings_.push_back(ReadForDraft(file, vehicle));
+  }
+
+  StudyDraft Draft() {
+    const std::vector<std::size_t> none;
+    const Subject subject(vehicle_, none, study_);
+    std::optional<CondensedModel> model;
+    if (!vehicle_.posts.empty()) model = subject.Condensed()->At(vehicle_.ParameterValues());
+    MotionEvidence evidence(vehicle_, model ? &*model : nullptr);
+    for (FileReading& reading : readings_) evidence.Add(reading);
+    for (const FileReading& reading : readings_) Match(reading, evidence);
+    text_ = "vehicle: " + Relative(vehicle_.file) + "\n";
+    AddRecordings();
+    AddHistories();
+    AddLoads();
+    AddBench();
+    StudyDraft draft{.text = text_, .files = drafted_, .findings = {}};
+    Check(draft);
+    draft.text = Head(draft) + draft.text;
+    return draft;
+  }
+
+ private:
+  std::string Relative(const fs::path& file) const {
+    const fs::path folder = fs::weakly_canonical(fs::absolute(study_)).parent_path();
+    const fs::path target = fs::weakly_canonical(fs::absolute(file));
+    // Of two folders that have nothing in common but the root a relative path is no help.
+    const auto first = [](const fs::path& path) {
+      const fs::path behind_root = path.relative_path();
+      return behind_root.empty() ? fs::path() : *behind_root.begin();
+    };
+    const bool is_far = first(target) != first(folder);
+    return YamlText((is_far ? target : target.lexically_relative(folder)).generic_string());
+  }
+
+  void Match(const FileReading& reading, const MotionEvidence& evidence) {
+    DraftedFile drafted{.path = reading.path, .use = reading.reason};
+    const bool is_loads = reading.kind == Kind::kLoads;
+    const std::vector<SoughtChannel> sought = is_loads ? SoughtTyres(vehicle_) : SoughtSensors(vehicle_);
+    if (reading.kind != Kind::kUnread) {
+      drafted.is_used = true;
+      drafted.matches = MatchChannels(
+          sought, reading.channels, HasSides(vehicle_),
+          [&](const std::string& name, const std::string& channel) { return evidence.Of(name, channel); });
+      for (const SoughtChannel& one : sought)
+        if (std::none_of(drafted.matches.begin(), drafted.matches.end(),
+                         [&](const ChannelMatch& match) { return match.name == one.name; }))
+          drafted.sensors_left.push_back(one.name);
+      for (const OfferedChannel& channel : reading.channels)
+        if (!IsMatched(channel.name, drafted.matches)) drafted.channels_left.push_back(channel.name);
+    }
+    drafted_.push_back(std::move(drafted));
+  }
+
+  static bool IsMatched(const std::string& channel, const std::vector<ChannelMatch>& matches) {
+    return std::any_of(matches.begin(), matches.end(), [&](const ChannelMatch& match) {
+      const std::vector<SourceChannel>& channels = match.source.channels;
+      return std::any_of(channels.begin(), channels.end(), [&](const auto& one) { return one.name == channel; });
+    });
+  }
+
+  bool IsSine(std::size_t i) const { return readings_[i].kind == Kind::kSines || readings_[i].kind == Kind::kDwells; }
+
+  /// `recordings`, the `channels` of the first of them, which all share, and `band`.
+  void AddRecordings() {
+    std::string list;
+    double lower_Hz = std::numeric_limits<double>::infinity();
+    double upper_Hz = 0;
+    for (std::size_t i = 0; i < readings_.size(); ++i) {
+      if (!IsSine(i)) continue;
+      drafted_[i].use = "recordings";
+      if (list.empty()) shared_ = i;
+      list += RecordingEntry(readings_[i]);
+      for (const DraftedMotion& motion : readings_[i].motions) {
+        lower_Hz = std::min(lower_Hz, motion.response.frequency_Hz.front());
+        upper_Hz = std::max(upper_Hz, motion.response.frequency_Hz.back());
+      }
+    }
+    if (list.empty()) return;
+    text_ += "\nrecordings:\n" + list;
+    const std::string lines = ChannelLines(drafted_[*shared_].matches, "  ");
+    if (!lines.empty()) text_ += "\n# sensor of the vehicle: channel\nchannels:\n" + lines;
+    has_channels_ = !lines.empty();
+    text_ += "\n# All frequencies of the recordings; leave out what the model does not have.\nband: [" +
+             FormatNumber(std::floor(1e3 * lower_Hz) / 1e3) + " Hz, " + FormatNumber(std::ceil(1e3 * upper_Hz) / 1e3) +
+             " Hz]\n";
+  }
+
+  std::string RecordingEntry(const FileReading& reading) const {
+    const std::vector<double> shape = reading.motions.empty() ? std::vector<double>() : reading.motions.front().shape;
+    const std::optional<std::string> pattern = shape.empty() ? std::nullopt : PatternOfShape(vehicle_, shape);
+    std::string entry = "  - file: " + Relative(reading.path) + "\n    posts: ";
+    if (pattern) entry += *pattern + "\n";
+    else if (shape.empty()) entry += "heave  # look at: nothing says how the posts moved\n";
+    else entry += Shares(shape) + "\n";
+    return entry + PostLines(reading, "    post_channels: ", false);
+  }
+
+  std::string Shares(const std::vector<double>& shape) const {
+    std::string text;
+    for (std::size_t p = 0; p < shape.size(); ++p)
+      text += (p > 0 ? ", " : "") + vehicle_.posts[p].name + ": " + ShortNumber(shape[p], 3);
+    return "{" + text + "}";
+  }
+
+  /// Where names do not say which channels the posts' are. `recordings` take one channel of each.
+  static std::string PostLines(const FileReading& reading, const std::string& key, bool takes_several) {
+    if (std::all_of(reading.posts.begin(), reading.posts.end(), IsPostNamedSo)) return "";
+    std::string text;
+    for (const ChannelMatch& post : reading.posts)
+      text += (text.empty() ? "" : ", ") + post.name + ": " +
+              (takes_several ? SourceText(post.source) : YamlText(post.source.channels.front().name));
+    return key + "{" + text + "}\n";
+  }
+
+  void AddHistories() {
+    std::string list;
+    for (std::size_t i = 0; i < readings_.size(); ++i) {
+      if (readings_[i].kind != Kind::kHistory) continue;
+      drafted_[i].use = "histories";
+      list += "  - file: " + Relative(readings_[i].path) + "\n" +
+              (shared_ ? "    use: validation  # stepped sines are fitted\n" : "") +
+              PostLines(readings_[i], "    posts: ", true);
+      const bool is_shared = shared_ && AreSame(drafted_[i].matches, drafted_[*shared_].matches);
+      const std::string lines = ChannelLines(drafted_[i].matches, "      ");
+      if (is_shared || (lines.empty() && !has_channels_)) continue;
+      list += "    channels:\n" + (lines.empty() ? "      others: by name\n" : lines);
+    }
+    if (list.empty()) return;
+    text_ +=
+        "\n# State the low-pass that the rig sent all channels through, if there was one: filter: {order: 4, "
+        "cutoff: 30 Hz}\nhistories:\n" +
+        list;
+  }
+
+  void AddLoads() {
+    for (std::size_t i = 0; i < readings_.size(); ++i) {
+      if (readings_[i].kind != Kind::kLoads) continue;
+      std::string lines;
+      for (const ChannelMatch& match : drafted_[i].matches)
+        lines += "    " + match.name + ": " + SourceText(match.source) + '\n';
+      drafted_[i].use = lines.empty() ? "no loads found for the tyres" : "static_loads";
+      drafted_[i].is_used = !lines.empty();
+      if (!lines.empty()) text_ += "\nstatic_loads:\n  file: " + Relative(readings_[i].path) + "\n  tyres:\n" + lines;
+      return;
+    }
+  }
+
+  /// Of a vehicle without posts, a damper between clamps.
+  void AddBench() {
+    std::string list;
+    std::string channels;
+    for (std::size_t i = 0; i < readings_.size(); ++i) {
+      if (readings_[i].kind != Kind::kBench) continue;
+      drafted_[i].use = "bench";
+      drafted_[i].channels_left.clear();
+      if (list.empty())
+        for (const auto& [key, dimension] : {std::pair("displacement", kLength), std::pair("force", kForce)})
+          if (const std::string name = BenchChannel(readings_[i], dimension); name != key)
+            channels += std::string("  ") + key + ": " + YamlText(name) + "\n";
+      list += "    - " + Relative(readings_[i].path) + "\n";
+    }
+    if (!list.empty()) text_ += "\nbench:\n" + channels + "  recordings:\n" + list;
+  }
+
+  void Check(StudyDraft& draft) const {
+    if (std::none_of(drafted_.begin(), drafted_.end(), [](const DraftedFile& file) {
+          return file.use == "recordings" || file.use == "histories" || file.use == "bench";
+        }))
+      return;
+    const std::optional<LoadedStudy> loaded = LoadStudyText(draft.text, study_, draft.findings);
+    if (!loaded) return;
+    try {
+      CheckRecordings(*loaded, Severity::kWarning, draft.findings);
+    } catch (const FaultyInput& fault) {
+      draft.findings.Add(fault.diagnostics());
+    }
+  }
+
+  /// What a user should know before the first line.
+  std::string Head(const StudyDraft& draft) const {
+    std::string text = "# Drafted from recordings by the names of channels, their units and how they move.\n";
+    for (std::size_t i = 0; i < drafted_.size(); ++i) {
+      const DraftedFile& file = drafted_[i];
+      const std::string name = file.path.filename().string();
+      if (!file.is_used) text += "# not used: " + name + ": " + file.use + '\n';
+      if (!file.channels_left.empty())
+        text += "# " + name + ", channels without a sensor: " + Listed(file.channels_left) + '\n';
+      if (!file.sensors_left.empty()) text += "# " + name + ", without a channel: " + Listed(file.sensors_left) + '\n';
+      if (IsSine(i) && shared_ && *shared_ != i && !AreSame(file.matches, drafted_[*shared_].matches))
+        text += "# look at: channels of " + name + " are called otherwise than those of " +
+                drafted_[*shared_].path.filename().string() + ", and a study has one set of names for both\n";
+    }
+    for (const Diagnostic& item : draft.findings.ByWeight())
+      text += "# look at: " + item.message + " [" + item.id + "]\n";
+    return text;
+  }
+
+  const Vehicle& vehicle_;
+  fs::path study_;
+  std::vector<FileReading> readings_;
+  std::vector<DraftedFile> drafted_;
+  /// The file whose channels are those of the study.
+  std::optional<std::size_t> shared_;
+  bool has_channels_ = false;
+  std::string text_;
+};
+
+}  // namespace
+
+StudyDraft DraftStudy(const std::vector<fs::path>& files, const Vehicle& vehicle, const fs::path& study) {
+  return Drafter(files, vehicle, study).Draft();
+}
+
+}  // namespace fourpost

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/text/diagnostics.h"
+#include "identify/draft/channel_match.h"
+#include "vehicles/description/vehicle.h"
+
+namespace fourpost {
+
+/// A file that a study was drafted from.
+struct DraftedFile {
+  std::filesystem::path path;
+  /// What is made of it: "recordings", "histories", "static_loads", or why nothing is.
+  std::string use;
+  bool is_used = false;
+  /// What of the vehicle its channels were matched to, posts first.
+  std::vector<ChannelMatch> matches = {};
+  /// Channels that nothing was matched to, and what has no channel.
+  std::vector<std::string> channels_left = {};
+  std::vector<std::string> sensors_left = {};
+};
+
+struct StudyDraft {
+  /// The study, with what is to be looked at as comments.
+  std::string text;
+  std::vector<DraftedFile> files;
+  /// What loading it and checking its recordings found; errors are such that a fit would find.
+  Diagnostics findings;
+};
+
+/// Drafts a study of a vehicle and recordings: stepped sines, as tables, frequency responses or dwells over time,
+/// become `recordings`, other time histories `histories`, loads at rest `static_loads`. Posts and sensors are matched
+/// to channels by MatchChannels(), with the responses of the vehicle as its file has it; the draft is then checked as
+/// `fourpost info STUDY` does. `study`: where it will be written; paths are relative to its folder. Throws FaultyInput
+/// where the vehicle cannot be assembled.
+StudyDraft DraftStudy(const std::vector<std::filesystem::path>& files, const Vehicle& vehicle,
+                      const std::filesystem::path& study);
+
+}  // namespace fourpost

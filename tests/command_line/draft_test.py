@@ -1,0 +1,255 @@
+"""A rig's folder becomes a study: channels of other names, units and signs; and the keys that keep studies short."""
+import csv
+import json
+import math
+import unittest
+
+from program import SOURCE, ProgramTest
+
+RATE = 200
+# Sensor of the vehicle, and what a rig calls it, in which unit and with which sign.
+NAMES = {"post_post": ("Actuator pos", "mm", 1e3), "a_body": ("Chassis Acc", "g", 1 / 9.80665),
+         "a_wheel": ("Hub Acc", "g", -1 / 9.80665), "s_strut": ("Damper Pot", "mm", 1e3),
+         "F_tyre": ("Load cell", "kN", 1e-3)}
+
+
+def dwells(frequencies):
+    """Two seconds of rest, then four seconds of each."""
+    heights = [0.0] * (2 * RATE)
+    phase = 0.0
+    for frequency in frequencies:
+        for _ in range(4 * RATE):
+            phase += 2 * math.pi * frequency / RATE
+            heights.append(5e-3 / frequency * math.sin(phase))
+    return heights
+
+
+def renamed(text):
+    """The columns of a rig: other names and units, a blank column, lines above the names."""
+    rows = list(csv.reader(text.splitlines()))
+    columns = [["Time"] + ["s"] + [row[0] for row in rows[2:]]]
+    for column in range(1, len(rows[0])):
+        name, unit, factor = NAMES[rows[0][column]]
+        columns.append([name, unit] + [f"{factor * float(row[column]):.8g}" for row in rows[2:]])
+    return "Rig 4;2026\n" + "\n".join(";".join(row) for row in zip(*columns)) + "\n"
+
+
+class Draft(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.copy("meshes")
+        text = (SOURCE / "studies/starter/vehicle.urdf").read_text()
+        self.sensors = [part.split('"')[1] for part in text.split("<fp:sensor name=")[1:]]
+        self.write("car.urdf", text)
+        rows = "".join(f"{k / RATE:.4f},{z:.9g}\n" for k, z in enumerate(dwells([1, 2, 3, 5, 8, 12])))
+        self.write("heights.csv", "time,post\ns,m\n" + rows)
+        self.simulate("dwells.csv")
+
+    def simulate(self, name, *options):
+        self.run_program("simulate", "car.urdf", "--recording", "heights.csv", "--rate", f"{RATE}Hz", "--noise", "0.1%",
+                         "--engine", "reduced", *options, "-o", name)
+
+    def test_of_a_rigs_folder_fits_in_two_commands(self):
+        (self.folder / "rig").mkdir()
+        self.write("rig/run1.csv", renamed((self.folder / "dwells.csv").read_text()))
+        self.write("rig/notes.txt", "springs of the red car\n")
+        outcome = self.run_program("init", "study", "--from", "rig", "--vehicle", "car.urdf", "--json")
+        told = json.loads(outcome.stdout)
+        used = {entry["file"]: entry["use"] for entry in told["recordings"]}
+        self.assertEqual(used, {"rig/run1.csv": "recordings", "rig/notes.txt": None})
+        channels = {match["name"]: match["channel"] for entry in told["recordings"] for match in entry["matches"]}
+        for sensor in self.sensors:
+            if sensor not in NAMES:
+                continue
+            name, _, factor = NAMES[sensor]
+            self.assertEqual(channels[sensor], name if factor > 0 else f"{{channel: {name}, sign: -1}}")
+        text = (self.folder / "study/study.yaml").read_text()
+        self.assertIn("# not used: notes.txt", text)
+        self.run_program("fit", "study/study.yaml", "-o", "run", code=0)
+        # The car is the one that was simulated.
+        result = json.loads((self.folder / "run/result.json").read_text())
+        self.assertLess(result["misfit"], 1)
+        for parameter in result["parameters"]:
+            self.assertLess(abs(parameter["value"] / parameter["start"] - 1), 0.05, parameter["name"])
+
+    def test_needs_no_lines_for_channels_that_are_named_as_sensors(self):
+        self.run_program("init", "study", "--from", "dwells.csv", "--vehicle", "car.urdf")
+        text = (self.folder / "study/study.yaml").read_text()
+        self.assertNotIn("channels:", text)
+        self.assertNotIn("look at", text)
+        self.assertIn("file: ../dwells.csv\n    posts: heave", text)
+        answer = json.loads(self.run_program("response", "study/study.yaml", "--engine", "reduced", "--json").stdout)
+        self.assertEqual({channel["name"] for channel in answer["channels"]}, set(self.sensors))
+
+    def test_asks_for_nothing_twice(self):
+        self.run_program("init", "study", "--from", "dwells.csv", "--vehicle", "car.urdf")
+        before = (self.folder / "study/study.yaml").read_text()
+        outcome = self.run_program("init", "study", "--from", "dwells.csv", "--vehicle", "car.urdf", code=5)
+        self.assert_finding(outcome.stderr, "draft-is-there", "study/study.yaml")
+        self.assertEqual(before, (self.folder / "study/study.yaml").read_text())
+
+    def test_refuses_what_nothing_can_be_made_of(self):
+        (self.folder / "empty").mkdir()
+        self.assert_finding(self.run_program("init", "study", "--from", "empty", "--vehicle", "car.urdf", code=3).stderr,
+                            "nothing-to-draft-from")
+        self.write("text.csv", "springs of the red car\n")
+        self.assert_finding(self.run_program("init", "study", "--from", "text.csv", "--vehicle", "car.urdf", code=3).stderr,
+                            "not-drafted")
+        self.assertFalse((self.folder / "study").exists())
+        self.run_program("init", "study", "--from", "dwells.csv", code=2)
+
+    def test_takes_a_sweep_as_a_history(self):
+        self.run_program("simulate", "car.urdf", "--sweep", "0.5Hz:20Hz", "--duration", "30s", "--rate", "200Hz", "-o",
+                         "sweep.csv")
+        self.run_program("init", "study", "--from", "sweep.csv", "--vehicle", "car.urdf")
+        text = (self.folder / "study/study.yaml").read_text()
+        self.assertIn("histories:\n  - file: ../sweep.csv\n", text)
+        self.run_program("response", "study/study.yaml")
+        self.run_program("init", "both", "--from", "sweep.csv", "dwells.csv", "--vehicle", "car.urdf")
+        self.assertIn("use: validation", (self.folder / "both/study.yaml").read_text())
+
+
+    def test_takes_a_damper_from_its_bench(self):
+        damper = SOURCE / "studies/damper"
+        rows = (damper / "sine_5Hz_3mm.csv").read_text().splitlines()
+        names = rows[0].replace("displacement", "Stroke").replace("force", "Rod load")
+        self.write("bench.csv", "\n".join([names] + rows[1:]) + "\n")
+        self.run_program("init", "study", "--from", "bench.csv", "--vehicle", damper / "model2.urdf")
+        text = (self.folder / "study/study.yaml").read_text()
+        self.assertIn("bench:\n  displacement: Stroke\n  force: Rod load\n  recordings:\n    - ../bench.csv\n", text)
+        self.run_program("response", "study/study.yaml")
+
+
+class ShortStudies(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.run_program("init", "car")
+        self.study = (self.folder / "car/study.yaml").read_text()
+
+    def fit(self, lines, *options, code=0):
+        self.write("car/changed.yaml", self.study + lines)
+        outcome = self.run_program("fit", "car/changed.yaml", "-o", "run", "--json", *options, code=code)
+        return outcome if code else {p["name"]: p for p in json.loads(outcome.stdout)["parameters"]}
+
+    def test_free_all_but_some(self):
+        self.study = "\n".join(line for line in self.study.splitlines() if not line.startswith("free:")) + "\n"
+        all_of_them = set(self.fit(""))
+        some = sorted(all_of_them)[0]
+        self.assertEqual(set(self.fit(f"free: all but [{some}]\n")), all_of_them - {some})
+        self.assert_finding(self.fit("free: all but [nonsense]\n", code=3).stderr, "free-unknown")
+        self.assert_finding(self.fit("free: most\n", code=3).stderr, "free-not-names")
+
+    def test_start_values_of_study_and_option(self):
+        self.study = "\n".join(line for line in self.study.splitlines() if not line.startswith("free:")) + "\n"
+        parameters = json.loads(self.run_program("params", "car/vehicle.urdf", "--json").stdout)["parameters"]
+        stiff = next(p for p in parameters if p["name"] == "k")
+        start = 0.9 * stiff["value"] + 0.1 * stiff["lower"]
+        found = self.fit(f"start: {{k: {start} N/m}}\n")
+        self.assertAlmostEqual(found["k"]["start"], start, 6)
+        # Held at it, the fitted vehicle has it too.
+        self.fit("free: all but [k]\n", "--set", f"k={start}N/m")
+        held = json.loads(self.run_program("params", "run/vehicle.urdf", "--json").stdout)["parameters"]
+        self.assertAlmostEqual(next(p for p in held if p["name"] == "k")["value"], start, 6)
+        fault = self.fit("start: {k: 3 kg}\n", code=3).stderr
+        self.assert_finding(fault, "setting-unit", "car/changed.yaml:")
+        self.assert_finding(self.fit("start: 3\n", code=3).stderr, "start-not-mapped")
+
+    def test_check_with_other_values(self):
+        check = lambda *options: json.loads(self.run_program("check", "car/vehicle.urdf", "--json", *options).stdout)
+        self.assertNotEqual(check()["modes"], check("--set", "k=30kN/m")["modes"])
+        self.assert_finding(self.run_program("check", "car/vehicle.urdf", "--set", "nonsense=3", code=2).stderr,
+                            "option-parameter")
+
+
+class Preparation(ProgramTest):
+    """A history that was spoilt in a known way is read as before."""
+
+    def setUp(self):
+        super().setUp()
+        self.copy("meshes")
+        self.write("car.urdf", (SOURCE / "studies/starter/vehicle.urdf").read_text())
+        self.run_program("simulate", "car.urdf", "--sweep", "1Hz:8Hz", "--duration", "20s", "--rate", "400Hz",
+                         "--engine", "reduced", "-o", "good.csv")
+        rows = list(csv.reader((self.folder / "good.csv").read_text().splitlines()))
+        self.names, self.units = rows[0], rows[1]
+        self.rows = [[float(field) for field in row] for row in rows[2:]]
+        self.post = self.names.index("post_post")
+
+    def save(self, name, rows, names=None, units=None):
+        lines = [names or self.names, units or self.units]
+        lines += [["" if value is None else f"{value:.12g}" for value in row] for row in rows]
+        self.write(name, "\n".join(",".join(line) for line in lines) + "\n")
+
+    def errors(self, keys, code=0):
+        """NMSE of each channel of a vehicle that is the simulated one."""
+        self.write("study.yaml", f"vehicle: car.urdf\nhistories:\n  - {{{keys}}}\n")
+        outcome = self.run_program("response", "study.yaml", "--engine", "reduced", "--json", code=code)
+        if code:
+            return outcome.stderr
+        return {channel["name"]: channel["nmse_percent"] for channel in json.loads(outcome.stdout)["channels"]}
+
+    def assert_as_good(self, keys, limit=0.01):
+        for name, error in self.errors(keys).items():
+            self.assertLess(error, limit, name)
+
+    def test_of_nothing_changes_nothing(self):
+        # Simulation at its own error, 0.1 % rms.
+        self.assert_as_good("file: good.csv")
+
+    def test_bridges_gaps_and_evens_times(self):
+        spoilt = [list(row) for k, row in enumerate(self.rows) if not 3000 <= k < 3006]
+        for k, row in enumerate(spoilt):
+            row[0] += 2e-4 * math.sin(k)
+        # The channels go with the times they were sampled at.
+        column = self.names.index("a_body") if "a_body" in self.names else 2
+        spoilt[1000][column] = None
+        self.save("spoilt.csv", spoilt)
+        faults = self.errors("file: spoilt.csv", code=3)
+        self.assert_finding(faults, "time-step-uneven")
+        self.assert_finding(faults, "sample-missing")
+        # Jitter of 0.2 ms that is not in the samples is 0.01 of a period at 8 Hz, 0.25 % of their squares at the most.
+        self.assert_as_good("file: spoilt.csv, resample: 400 Hz, bridge: 20 ms", 0.3)
+        self.assert_finding(self.errors("file: spoilt.csv, resample: 400 Hz, bridge: 10 ms", code=3), "gap-not-bridged")
+        self.assert_finding(self.errors("file: good.csv, resample: 100 Hz", code=3), "resampled-below")
+
+    def test_integrates_a_post_that_was_recorded_as_velocity(self):
+        heights = [row[self.post] for row in self.rows]
+        speed = [0.0] + [400 * (b - a) / 2 for a, b in zip(heights, heights[2:])] + [0.0]
+        self.save("speed.csv", [[*row, v + 0.01] for row, v in zip(self.rows, speed)], self.names + ["v"], self.units + ["m/s"])
+        self.assert_finding(self.errors("file: speed.csv, posts: {post: v}", code=3), "unit-of-other-dimension")
+        # Central differences are off by (w h)^2 / 6 = 0.26 % at 8 Hz; the high-pass leaves 1/17 of a sine of twice its
+        # frequency, 0.004 at four times.
+        self.assert_as_good("file: speed.csv, posts: {post: {channel: v, integrate: 0.1 Hz}}", 0.1)
+        self.assert_finding(self.errors("file: good.csv, posts: {post: {channel: post_post, integrate: 0.1 Hz}}", code=3),
+                            "nothing-to-integrate")
+
+    def test_joins_files_of_one_clock(self):
+        some = self.names[:3]
+        self.save("one.csv", [row[:3] for row in self.rows], some, self.units[:3])
+        # Another recorder: half its rate, begun later, its clock 12 ms ahead.
+        self.save("two.csv", [[row[0] + 0.012, *row[3:]] for row in self.rows[101::2]],
+                  ["time"] + self.names[3:], ["s"] + self.units[3:])
+        joined = "file: one.csv, with: [{file: two.csv, delay: 12 ms}]"
+        self.assertEqual(set(self.errors(joined)), set(self.errors("file: good.csv")))
+        self.assert_as_good(joined, 0.05)
+        self.assertGreater(max(self.errors("file: one.csv, with: [two.csv]").values()), 0.5)
+
+    def test_takes_offset_and_trend_away(self):
+        drifting = [list(row) for row in self.rows]
+        strut = self.names.index("s_strut")
+        for row in drifting:
+            row[strut] += 0.003 + 0.0005 * row[0]
+        self.save("drifting.csv", drifting)
+        before = self.errors("file: drifting.csv")["s_strut"]
+        keys = "file: drifting.csv, channels: {{s_strut: {{channel: s_strut, {}}}, others: by name}}"
+        after = self.errors(keys.format("trend: remove"))["s_strut"]
+        # The sweep has a slope of its own, of some thousandths of its size.
+        self.assertLess(after, 0.02 * before)
+        self.assertLess(self.errors(keys.format("high_pass: 0.1 Hz"))["s_strut"], 0.05 * before)
+        self.assertAlmostEqual(self.errors(keys.format("offset: 3 mm"))["s_strut"], before, 6)
+        self.assert_finding(self.errors(keys.format("offset: 3 N"), code=3), "offset-dimension")
+        self.assert_finding(self.errors(keys.format("trend: keep"), code=3), "channel-trend")
+
+
+if __name__ == "__main__":
+    unittest.main()
