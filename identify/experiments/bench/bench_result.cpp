@@ -74,6 +74,22 @@ std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& re
   return misfits;
 }
 
+std::vector<YardstickRecord> YardstickRecords(const std::vector<ModelledRecording>& recordings) {
+  std::vector<YardstickRecord> records;
+  for (const auto& [recording, force] : recordings) {
+    const auto count = static_cast<Eigen::Index>(recording.end - recording.first);
+    YardstickRecord record{.name = recording.name, .rate_Hz = 1 / recording.sample_s};
+    record.inputs.resize(count, 1);
+    for (Eigen::Index k = 0; k < count; ++k)
+      record.inputs(k, 0) =
+          recording.motion.extension[(recording.first + static_cast<std::size_t>(k)) * recording.motion.steps];
+    record.channels.push_back(
+        {"force", Eigen::Map<const Eigen::VectorXd>(recording.force.data() + recording.first, count)});
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
 std::string BenchCsv(const std::vector<ModelledRecording>& recordings, const HalfWidths* about) {
   std::vector<std::string> head = {"recording", "time_s", "displacement_m", "speed_mps", "measured_N", "modelled_N"};
   if (about) head.insert(head.end(), {"half_95_parameters_N", "half_95_measured_N"});

@@ -149,8 +149,10 @@ ExperimentResults DamperBench::Results(const Subject& subject, const FitResult& 
   const std::vector<ModelledRecording> kept = Predicted(damper, data.validation, fit.values, results);
   for (const LeftOutRecording& recording : left_out_)
     results.json["validation_left_out"].push_back(LeftOutJson(recording));
-  const std::vector<HistoryMisfit> misfits = BenchMisfits(fitted);
-  const std::vector<HistoryMisfit> kept_misfits = BenchMisfits(kept);
+  std::vector<HistoryMisfit> misfits = BenchMisfits(fitted);
+  std::vector<HistoryMisfit> kept_misfits = BenchMisfits(kept);
+  AddYardsticks(YardstickRecords(fitted), YardstickRecords(fitted), misfits);
+  AddYardsticks(YardstickRecords(fitted), YardstickRecords(kept), kept_misfits);
   results.json["channels"] = HistoryMisfitsJson(misfits);
   results.json["history_discrepancy"] = {{{"channel", "force"}, {"share", ForceDiscrepancy(fitted)}}};
   if (!kept_misfits.empty()) results.json["validation"] = HistoryMisfitsJson(kept_misfits);
@@ -162,6 +164,10 @@ ExperimentResults DamperBench::Results(const Subject& subject, const FitResult& 
   AddRows(misfits, "fitted", table);
   AddRows(kept_misfits, "validation", table);
   results.text = table.Format();
+  std::vector<HistoryMisfit> all_misfits = misfits;
+  all_misfits.insert(all_misfits.end(), kept_misfits.begin(), kept_misfits.end());
+  if (const std::string yardsticks = YardstickTable(all_misfits); !yardsticks.empty())
+    results.text += '\n' + yardsticks + '\n';
   std::vector<ModelledRecording> all = fitted;
   all.insert(all.end(), kept.begin(), kept.end());
   AddIntegration(damper, all, fit.values, results);

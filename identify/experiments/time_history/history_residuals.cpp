@@ -282,4 +282,18 @@ std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& hi
   return misfits;
 }
 
+std::vector<YardstickRecord> YardstickRecords(const std::vector<MeasuredHistory>& histories) {
+  std::vector<YardstickRecord> records;
+  for (const MeasuredHistory& history : histories) {
+    YardstickRecord record{.name = history.name, .rate_Hz = history.rate_Hz};
+    record.inputs.resize(history.count, static_cast<Index>(history.heights.size()));
+    for (std::size_t p = 0; p < history.heights.size(); ++p)
+      record.inputs.col(static_cast<Index>(p)) =
+          Eigen::Map<const Eigen::VectorXd>(history.heights[p].data() + history.first, history.count);
+    for (const MeasuredSignal& signal : history.signals) record.channels.push_back({signal.name, signal.values});
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
 }  // namespace fourpost

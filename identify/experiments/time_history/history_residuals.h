@@ -13,6 +13,7 @@
 #include "identify/experiments/time_history/kalman_predictor.h"
 #include "identify/residuals/history_misfit.h"
 #include "identify/residuals/residual_block.h"
+#include "identify/residuals/yardstick.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
@@ -115,5 +116,8 @@ void AddReducedErrors(const MeasuredHistory& history, const Eigen::MatrixXd& mod
 /// How well models show each signal of each history; `modelled` as HistoryResiduals::Modelled gives it.
 std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,
                                           const std::vector<Eigen::MatrixXd>& modelled);
+
+/// For AddYardsticks(): heights of the posts and signals within the windows.
+std::vector<YardstickRecord> YardstickRecords(const std::vector<MeasuredHistory>& histories);
 
 }  // namespace fourpost

@@ -26,16 +26,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Table and files; `name` of the files.
-std::vector<HistoryMisfit> Show(const HistoryPlan& plan, const Vehicle& vehicle, const HistoryResiduals& residuals,
-                                const std::vector<double>& values, const std::vector<Eigen::MatrixXd>& modelled,
-                                bool has_one_step, const std::string& name, std::string& text,
-                                ExperimentResults& results) {
+std::vector<HistoryMisfit> Show(const TimeHistories& experiment, const Vehicle& vehicle,
+                                const HistoryResiduals& residuals, const std::vector<double>& values,
+                                const std::vector<Eigen::MatrixXd>& modelled, bool has_one_step,
+                                const std::string& name, std::string& text, ExperimentResults& results) {
+  const HistoryPlan& plan = experiment.plan;
   const std::vector<MeasuredHistory>& histories = residuals.histories();
   std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
   if (has_one_step) AddOneStepErrors(histories, residuals.Predicted(values), misfits);
   LintHistories(plan.file, plan.histories, vehicle, values, residuals, misfits, results.findings);
   LintTyrePulls(vehicle, values, histories, residuals.Steps(), results.findings);
+  AddYardsticks(YardstickRecords(experiment.fitted), YardstickRecords(histories), misfits);
   text += HistoryTable(misfits) + '\n';
+  if (const std::string yardsticks = YardstickTable(misfits); !yardsticks.empty()) text += yardsticks + '\n';
   results.files.emplace_back(name + ".csv", HistoryFitCsv(histories, modelled));
   auto misfit = misfits.begin();
   for (std::size_t h = 0; h < histories.size(); ++h) {
@@ -114,7 +117,7 @@ void AddValidation(const TimeHistories& experiment, const Subject& subject, cons
   const HistoryResiduals residuals(subject.Condensed(), predictions.histories, {});
   results.unseen_text += "Not fitted:\n";
   results.json["validation"] =
-      HistoryMisfitsJson(Show(experiment.plan, subject.vehicle(), residuals, fit.values, predictions.modelled, false,
+      HistoryMisfitsJson(Show(experiment, subject.vehicle(), residuals, fit.values, predictions.modelled, false,
                               "validation", results.unseen_text, results));
   for (std::size_t h = 0; h < predictions.by.size(); ++h)
     AddEngine(predictions.histories[h].name, false, predictions.by[h], error, results);
@@ -135,7 +138,7 @@ ExperimentResults TimeHistories::Results(const Subject& subject, const FitResult
     const HistoryResiduals residuals(subject.Condensed(), fitted, Options(subject));
     const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
     const std::vector<HistoryMisfit> misfits =
-        Show(plan, subject.vehicle(), residuals, fit.values, modelled, plan.cost == HistoryCost::kPrediction, "history",
+        Show(*this, subject.vehicle(), residuals, fit.values, modelled, plan.cost == HistoryCost::kPrediction, "history",
              results.text, results);
     results.json["channels"] = HistoryMisfitsJson(misfits);
     results.json["history_cost"] = kHistoryCostNames[static_cast<std::size_t>(plan.cost)];
