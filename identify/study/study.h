@@ -10,6 +10,7 @@
 #include "analysis/text/diagnostics.h"
 #include "identify/experiments/experiment.h"
 #include "identify/refine/robust_loss.h"
+#include "identify/study_file/control.h"
 
 namespace fourpost {
 
@@ -72,6 +73,8 @@ struct Study {
   /// Parameters of the vehicle to fit; empty: every one that has a range.
   std::vector<std::string> free;
   int free_line = 0;
+  /// Which parameters follow the recordings' settings.
+  StudyControl control;
   StudySearch search;
   StudyRefine refine;
   /// Cost at which a search has solved it; for comparisons.

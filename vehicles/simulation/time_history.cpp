@@ -99,6 +99,7 @@ CondensedHistory SimulateCondensed(const CondensedModel& model, const RigView& r
                                    const TimeGrid& grid, const CondensedHistoryOptions& options, const GoOn& go_on) {
   const auto run = [&](double longest_step, const GoOn& goes_on) {
     CondensedSystem system(model, rig, longest_step);
+    system.StartFrom(options.released);
     return Simulate(system, posts, grid, goes_on);
   };
   return SimulateByHalving(run, rig.sensors, grid, options, go_on);

@@ -85,8 +85,10 @@ AttributeRule Bound(std::string_view name, std::string_view doc) {
 std::vector<TagRule> MakeParameterTags() {
   return {
       {.path = "fp:parameter",
-       .doc = "A number that a fit may change, used as `$name` or bound to numbers of the tree. Without bounds it is "
-              "fixed; give all three of lower, upper and precision or none.",
+       .doc =
+           "A number that a fit may change, used as `$name` or bound to numbers of the tree. Without bounds it is "
+           "fixed; give all three of lower, upper and precision or none. `NAME_at_2` holds the value of the parameter "
+           "NAME at the setting 2 of a study's `control` (`1p5` is 1.5, `m1` is -1) and needs no other use.",
        .attributes = {{.name = "name", .kind = Kind::kName, .doc = "letters, digits and '_'"},
                       {.name = "value", .kind = Kind::kQuantity, .doc = "the number, with the unit it is shown in"},
                       Bound("lower", "least value of a search"),

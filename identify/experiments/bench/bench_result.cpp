@@ -52,7 +52,7 @@ std::vector<ModelledRecording> ModelledRecordings(const BenchDamper& damper,
 double IntegrationError(const BenchDamper& damper, const ModelledRecording& modelled,
                         const std::vector<double>& values) {
   const BenchRecording& recording = modelled.recording;
-  std::vector<double> finer = damper.FinerTensions(recording.motion, values);
+  std::vector<double> finer = damper.FinerTensions(recording.motion, recording.setting.At(values));
   if (finer.empty()) throw SimulationError(kBenchChamberCloses, {recording.name});
   if (recording.filter) recording.filter->Apply(finer);
   // Per cent of the finer one's variance.

@@ -118,8 +118,15 @@ std::vector<ExperimentFile> DamperBench::Files() const {
   return files;
 }
 
+std::vector<double> DamperBench::Settings() const {
+  std::vector<double> settings;
+  for (const BenchStudy::Recording& recording : plan.recordings)
+    if (recording.setting) settings.push_back(*recording.setting);
+  return settings;
+}
+
 void DamperBench::Load(const Subject& subject, Diagnostics& diagnostics) {
-  std::optional<BenchData> loaded = LoadBenchData(plan, file, subject.vehicle(), diagnostics);
+  std::optional<BenchData> loaded = LoadBenchData(plan, file, subject.vehicle(), diagnostics, subject.control());
   if (!loaded) return;
   data = *std::move(loaded);
   left_out_ = data.left_out;
@@ -129,6 +136,7 @@ void DamperBench::AddTo(Sha256& digest, Sha256& settings) const {
   digest.Add(static_cast<double>(data.damper));
   for (const BenchRecording& recording : data.fitted) {
     digest.Add(recording.name);
+    fourpost::AddTo(digest, recording.setting);
     digest.Add(recording.sample_s);
     digest.Add(recording.cutoff_Hz);
     digest.Add(recording.motion.extension);
@@ -220,7 +228,8 @@ std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, co
   refuse(!request.noise_from.empty(), "--noise-from");
   if (results.findings.HasErrors()) throw FaultyInput(results.findings);
   DamperBench other = *this;
-  other.plan.recordings = {{.name = request.recording.stem().string(), .file = request.recording}};
+  other.plan.recordings = {
+      {.name = request.recording.stem().string(), .file = request.recording, .setting = request.setting}};
   other.plan.validation.clear();
   other.Load(subject, results.findings);
   if (results.findings.HasErrors()) throw FaultyInput(results.findings);

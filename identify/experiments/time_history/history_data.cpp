@@ -40,8 +40,10 @@ std::optional<std::size_t> IndexOf(const std::string& name, const std::vector<st
 
 class HistoryLoader {
  public:
-  HistoryLoader(const StudyHistory& study, const std::string& file, const Vehicle& vehicle, Diagnostics& diagnostics)
+  HistoryLoader(const StudyHistory& study, const std::string& file, const Vehicle& vehicle, const Control& control,
+                Diagnostics& diagnostics)
       : study_(study),
+        control_(control),
         file_(file),
         vehicle_(vehicle),
         diagnostics_(diagnostics),
@@ -59,14 +61,24 @@ class HistoryLoader {
     const std::optional<TimeRecording> recording =
         ReadTimeRecording(study_.file, wanted_, diagnostics_, TimeColumn(study_.time));
     if (!good_ || !recording) return std::nullopt;
-    MeasuredHistory history{.name = study_.name,
-                            .rate_Hz = recording->rate_Hz(),
-                            .filter = study_.filter,
-                            .process_sd = study_.process_sd.value_or(0)};
+    MeasuredHistory history{
+        .name = study_.name,
+        .rate_Hz = recording->rate_Hz(),
+        .filter = study_.filter,
+        .release = study_.release,
+        .setting = SettingOf(control_, study_.setting, study_.name, {file_, study_.line}, diagnostics_),
+        .process_sd = study_.process_sd.value_or(0)};
     CheckRate(history.rate_Hz);
     SetWindow(*recording, history);
     if (!good_) return std::nullopt;
     history.heights = Heights(*recording);
+    if (history.release) Find(*history.release);
+    if (history.release && study_.posts.empty()) {
+      history.posts = PostsAtRest(*recording);
+      history.post_noise_sd.assign(posts_.size(), 0);
+      AddSignals(*recording, noise, history);
+      return history;
+    }
     history.posts = FollowHeights(history.heights, recording->start_s, recording->step_s,
                                   study_.filter ? &*study_.filter : nullptr);
     for (std::size_t p = 0; p < posts_.size(); ++p)
@@ -87,9 +99,35 @@ class HistoryLoader {
     for (const auto& [sensor, source] : study_.channels)
       if (!IndexOf(sensor, sensors_))
         Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMeanOrAll(sensor, sensors_)});
+    if (study_.release) CheckRelease();
+    if (study_.release && study_.posts.empty()) return;
     for (const std::string& post : posts_)
       if (std::none_of(study_.posts.begin(), study_.posts.end(), [&](const auto& one) { return one.first == post; }))
         Fault(kHistoryPostMissing, study_.line, {study_.name, post});
+  }
+
+  void CheckRelease() {
+    for (const Release::Hold& hold : study_.release->held) {
+      const std::optional<std::size_t> sensor = IndexOf(hold.sensor, sensors_);
+      if (!sensor) Fault(kHistorySensorUnknown, hold.line, {hold.sensor, DidYouMeanOrAll(hold.sensor, sensors_)});
+      else if (ParseUnit(UnitOf(vehicle_.sensors[*sensor].type))->dimension != kLength)
+        Fault(kReleaseOfOtherSensor, hold.line, {hold.sensor});
+    }
+    for (const Damper& damper : vehicle_.dampers)
+      if (damper.hydraulic) Fault(kReleaseHydraulic, study_.line, {study_.name, damper.name});
+  }
+
+  /// Its sensors in the vehicle.
+  void Find(Release& release) const {
+    for (Release::Hold& hold : release.held) hold.index = *IndexOf(hold.sensor, sensors_);
+  }
+
+  RecordedPosts PostsAtRest(const TimeRecording& recording) const {
+    return {.motion = [](double, std::span<PostState> posts) { std::fill(posts.begin(), posts.end(), PostState{}); },
+            .count = posts_.size(),
+            .start_s = recording.start_s,
+            .end_s = recording.end_s,
+            .step_s = recording.step_s};
   }
 
   void Want(const ChannelSource& source, const Dimension& dimension, const std::string& what) {
@@ -179,7 +217,7 @@ class HistoryLoader {
   }
 
   std::vector<std::vector<double>> Heights(const TimeRecording& recording) {
-    std::vector<std::vector<double>> heights(posts_.size());
+    std::vector<std::vector<double>> heights(posts_.size(), std::vector<double>(recording.samples()));
     for (const auto& [post, source] : study_.posts) {
       const Eigen::VectorXd height = WithoutMean(Combined(recording, source));
       CheckSampling(post, height, recording.rate_Hz());
@@ -216,6 +254,7 @@ class HistoryLoader {
   }
 
   const StudyHistory& study_;
+  const Control& control_;
   const std::string& file_;
   const Vehicle& vehicle_;
   Diagnostics& diagnostics_;
@@ -252,10 +291,10 @@ Index MeasuredHistory::Stride() const {
 
 std::optional<std::vector<MeasuredHistory>> LoadHistories(const std::vector<StudyHistory>& histories,
                                                           const std::string& study_file, const Vehicle& vehicle,
-                                                          Diagnostics& diagnostics) {
+                                                          Diagnostics& diagnostics, const Control& control) {
   std::vector<MeasuredHistory> loaded;
   for (const StudyHistory& study : histories)
-    if (std::optional<MeasuredHistory> history = HistoryLoader(study, study_file, vehicle, diagnostics).Load())
+    if (std::optional<MeasuredHistory> history = HistoryLoader(study, study_file, vehicle, control, diagnostics).Load())
       loaded.push_back(std::move(*history));
   if (diagnostics.HasErrors()) return std::nullopt;
   return loaded;
@@ -263,13 +302,13 @@ std::optional<std::vector<MeasuredHistory>> LoadHistories(const std::vector<Stud
 
 std::vector<MeasuredHistory> LoadValidation(const std::vector<StudyHistory>& histories, const std::string& study_file,
                                             const Vehicle& vehicle, Diagnostics& diagnostics,
-                                            std::vector<LeftOutRecording>& left_out) {
+                                            std::vector<LeftOutRecording>& left_out, const Control& control) {
   std::vector<MeasuredHistory> loaded;
   for (const StudyHistory& study : histories) {
     Diagnostics found;
     std::optional<MeasuredHistory> history;
     if (RequireFile(study.file, study_file, study.line, found))
-      history = HistoryLoader(study, study_file, vehicle, found).Load();
+      history = HistoryLoader(study, study_file, vehicle, control, found).Load();
     if (std::optional<LeftOutRecording> out = LeftOutFor(found, study.name, study.file, diagnostics))
       left_out.push_back(*std::move(out));
     else if (history) loaded.push_back(std::move(*history));

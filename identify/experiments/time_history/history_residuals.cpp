@@ -39,22 +39,30 @@ HistoryResiduals::HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehic
     : condensed_(std::move(vehicle)), histories_(std::move(histories)), options_(options) {
   RequireOption(options.model_error >= 0 && std::isfinite(options.model_error), "HistoryResiduals: model_error",
                 options.model_error, "finite and not negative");
-  const CondensedModel model = condensed_->At(condensed_->vehicle().ParameterValues());
+  const std::vector<double> of_file = condensed_->vehicle().ParameterValues();
   const RigView rig = RigViewOf(condensed_->vehicle());
   simulations_.reserve(histories_.size());
-  for (const MeasuredHistory& history : histories_) {
+  for (MeasuredHistory& history : histories_) {
+    const CondensedModel model = ModelOf(history, of_file);
+    if (history.release) history.release->model_error = options.model_error;
     simulations_.emplace_back(history, HistoryStep(history, model, rig, options.error));
+    // Estimates go on from that at the file's values, the same in every thread.
+    if (history.release) history.release->guess = simulations_.back().StartOf(model).estimate.unknowns;
     if (options.cost == HistoryCost::kPrediction) predictors_.emplace_back(history);
     count_ += CountOf(history) * static_cast<Index>(history.signals.size());
   }
   if (options.cost != HistoryCost::kPrediction) return;
   noise_ = options.noise;
   if (noise_.empty())
-    for (const KalmanPredictor& predictor : predictors_)
-      noise_.push_back(predictor.Estimate(model, options.noise_search));
+    for (std::size_t h = 0; h < predictors_.size(); ++h)
+      noise_.push_back(predictors_[h].Estimate(ModelOf(histories_[h], of_file), options.noise_search));
   RequireOption(noise_.size() == histories_.size(), "HistoryResiduals: noise", static_cast<double>(noise_.size()),
                 "one per history");
-  reference_log_determinant_ = LogDeterminantOf(Predicted(condensed_->vehicle().ParameterValues()));
+  reference_log_determinant_ = LogDeterminantOf(Predicted(of_file));
+}
+
+CondensedModel HistoryResiduals::ModelOf(const MeasuredHistory& history, const std::vector<double>& values) const {
+  return condensed_->At(history.setting.At(values));
 }
 
 Index HistoryResiduals::CountOf(const MeasuredHistory& history) const {
@@ -63,13 +71,12 @@ Index HistoryResiduals::CountOf(const MeasuredHistory& history) const {
 
 Eigen::VectorXd HistoryResiduals::At(const std::vector<double>& values, const Deadline& deadline) const {
   if (options_.cost == HistoryCost::kPrediction) return OfPrediction(Predicted(values, deadline));
-  const CondensedModel model = condensed_->At(values);
   Eigen::VectorXd residuals(count_);
   Index at = 0;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
     const MeasuredHistory& history = histories_[h];
     const Index each = CountOf(history);
-    const Eigen::MatrixXd modelled = Modelled(h, model, deadline);
+    const Eigen::MatrixXd modelled = Modelled(h, ModelOf(history, values), deadline);
     for (std::size_t i = 0; i < history.signals.size(); ++i, at += each)
       AddSignal(history, history.signals[i], modelled.col(static_cast<Index>(i)), residuals.segment(at, each));
   }
@@ -102,9 +109,9 @@ void HistoryResiduals::AddSignal(const MeasuredHistory& history, const MeasuredS
 }
 
 std::vector<Eigen::MatrixXd> HistoryResiduals::Modelled(const std::vector<double>& values) const {
-  const CondensedModel model = condensed_->At(values);
   std::vector<Eigen::MatrixXd> modelled;
-  for (std::size_t h = 0; h < simulations_.size(); ++h) modelled.push_back(Modelled(h, model, {}));
+  for (std::size_t h = 0; h < simulations_.size(); ++h)
+    modelled.push_back(Modelled(h, ModelOf(histories_[h], values), {}));
   return modelled;
 }
 
@@ -115,7 +122,7 @@ Eigen::MatrixXd HistoryResiduals::Modelled(std::size_t h, const CondensedModel& 
   Eigen::VectorXd weights(modelled.cols());
   for (Index i = 0; i < weights.size(); ++i)
     weights[i] = 1 / std::pow(DeviationOf(history.signals[static_cast<std::size_t>(i)]), 2);
-  AddStart(history, model, weights, history.Stride(), modelled);
+  if (!history.release) AddStart(history, model, weights, history.Stride(), modelled);
   return modelled;
 }
 
@@ -125,10 +132,9 @@ double HistoryResiduals::DeviationOf(const MeasuredSignal& signal) const {
 
 std::vector<KalmanPrediction> HistoryResiduals::Predicted(const std::vector<double>& values,
                                                           const Deadline& deadline) const {
-  const CondensedModel model = condensed_->At(values);
   std::vector<KalmanPrediction> predicted;
   for (std::size_t h = 0; h < predictors_.size(); ++h)
-    predicted.push_back(predictors_[h].Run(model, noise_[h], deadline));
+    predicted.push_back(predictors_[h].Run(ModelOf(histories_[h], values), noise_[h], deadline));
   return predicted;
 }
 
@@ -139,9 +145,9 @@ std::vector<double> HistoryResiduals::Steps() const {
 }
 
 std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double>& values) const {
-  const CondensedModel model = condensed_->At(values);
   std::vector<double> changes;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const CondensedModel model = ModelOf(histories_[h], values);
     const Eigen::MatrixXd coarse = simulations_[h].Run(model);
     const Eigen::MatrixXd fine = HistorySimulation(histories_[h], 0.5 * simulations_[h].step_s()).Run(model);
     changes.push_back(((coarse - fine).colwise().norm().array() / fine.colwise().norm().array()).maxCoeff());

@@ -80,6 +80,9 @@ class HistoryResiduals {
   /// Groups of sensors, recordings, and the order of samples.
   ResidualStructure Structure() const;
 
+  /// The vehicle at these values, and at the history's setting.
+  CondensedModel ModelOf(const MeasuredHistory& history, const std::vector<double>& values) const;
+
  private:
   /// Residuals of a signal.
   Eigen::Index CountOf(const MeasuredHistory& history) const;

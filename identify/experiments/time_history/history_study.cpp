@@ -5,6 +5,7 @@
 
 #include "identify/experiments/time_history/findings.h"
 #include "identify/study_file/channel_source_reader.h"
+#include "identify/study_file/control_reader.h"
 #include "identify/study_file/findings.h"
 #include "identify/study_file/strict_yaml.h"
 
@@ -17,9 +18,9 @@ class HistoryReader {
       : study_(std::move(study)), file_(study_.string()), diagnostics_(diagnostics) {}
 
   StudyHistory Read(const YAML::Node& node) {
-    const StrictMap map =
-        Map(node, "the history",
-            {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use", "time"});
+    const StrictMap map = Map(node, "the history",
+                              {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use",
+                               "time", "release", "control"});
     StudyHistory history;
     history.line = map.line();
     map.Require("file");
@@ -29,10 +30,13 @@ class HistoryReader {
     if (map.Has("time"))
       history.time =
           ReadSourceChannel(map.Get("time"), "'time' of " + where_, ChannelKind::kHistory, file_, diagnostics_);
-    history.posts = ReadChannelSources(map.Require("posts"), "'posts' of " + where_, "posts", ChannelKind::kHistory,
-                                       file_, diagnostics_);
+    if (map.Has("release")) history.release = ReadRelease(map);
+    if (!history.release || map.Has("posts"))
+      history.posts = ReadChannelSources(map.Require("posts"), "'posts' of " + where_, "posts", ChannelKind::kHistory,
+                                         file_, diagnostics_);
     history.channels = ReadChannelSources(map.Require("channels"), "'channels' of " + where_, "sensors",
                                           ChannelKind::kHistory, file_, diagnostics_);
+    history.setting = ReadSetting(map);
     if (map.Has("filter")) history.filter = Filter(map.Get("filter"));
     if (map.Has("noise")) history.noise = Noise(map.Get("noise"));
     history.process_sd = map.Quantity("process", kAcceleration, 0);
@@ -60,6 +64,32 @@ class HistoryReader {
     for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
     const StrictMap unique = Map(node, where, {names.begin(), names.end()});
     return names;
+  }
+
+  /// "estimated", "at rest", or readings of sensors at which it was held.
+  Release ReadRelease(const StrictMap& map) {
+    const YAML::Node node = map.Get("release");
+    Release release;
+    if (node.IsScalar()) {
+      const std::string from = node.Scalar();
+      if (from == "at rest") release.from = Release::From::kRest;
+      else if (from != "estimated") map.Fault(node, kReleaseUnknown, {where_, from});
+      return release;
+    }
+    release.from = Release::From::kHeld;
+    if (!node.IsMap() || node.size() == 0) {
+      map.Fault(node, kReleaseUnknown, {where_, "no text and no mapping"});
+      return release;
+    }
+    const std::string where = "'release' of " + where_;
+    for (const std::string& sensor : Keys(node, where)) {
+      Release::Hold hold{.sensor = sensor, .line = LineOf(node[sensor])};
+      if (!node[sensor].IsScalar() || node[sensor].Scalar() != "estimated")
+        hold.reading_m =
+            ReadQuantity(node[sensor], kLength, "'" + sensor + "' of " + where, file_, diagnostics_).value_or(0);
+      release.held.push_back(std::move(hold));
+    }
+    return release;
   }
 
   std::optional<LowPassDesign> Filter(const YAML::Node& node) {

@@ -11,6 +11,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "analysis/text/diagnostics.h"
+#include "identify/experiments/time_history/release.h"
 #include "identify/study_file/channel_source.h"
 #include "vehicles/posts/recorded_posts.h"
 
@@ -33,6 +34,10 @@ struct StudyHistory {
   std::vector<std::pair<std::string, ChannelSource>> posts;
   /// Sensor of the vehicle, and what was measured for it.
   std::vector<std::pair<std::string, ChannelSource>> channels;
+  /// Where the vehicle is let go at the start of the window; posts that are not named rest then.
+  std::optional<Release> release;
+  /// Of a control that parameters follow.
+  std::optional<double> setting;
   /// Through which the rig sent all channels, heights of posts included.
   std::optional<LowPassDesign> filter;
   /// What sensors read at rest.

@@ -92,6 +92,7 @@ class HistoryPrediction {
     history.file = recording;
     history.name = recording.stem().string();
     history.end_s.reset();
+    history.setting = request_.setting;
     Diagnostics diagnostics;
     const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
     if (!table) throw FaultyInput(diagnostics);
@@ -105,7 +106,7 @@ class HistoryPrediction {
 
   MeasuredHistory Load(const StudyHistory& layout, Diagnostics& diagnostics) const {
     const std::optional<std::vector<MeasuredHistory>> histories =
-        LoadHistories({layout}, subject_.study_file().string(), subject_.vehicle(), diagnostics);
+        LoadHistories({layout}, subject_.study_file().string(), subject_.vehicle(), diagnostics, subject_.control());
     if (!histories) throw FaultyInput(diagnostics);
     return histories->front();
   }
@@ -120,7 +121,9 @@ class HistoryPrediction {
     return Load(layout, findings);
   }
 
-  CondensedModel Model() const { return subject_.Condensed()->At(subject_.vehicle().ParameterValues()); }
+  CondensedModel Model(const MeasuredHistory& history) const {
+    return subject_.Condensed()->At(history.setting.At(subject_.vehicle().ParameterValues()));
+  }
 
   /// Never of the recording that is judged.
   KalmanNoise NoiseOf(const MeasuredHistory& judged) const {
@@ -129,8 +132,8 @@ class HistoryPrediction {
       if (held) return *held;
       Refuse(kKalmanWithoutNoise, {request_.run.string()});
     }
-    return KalmanPredictor(LoadAsRecorded(request_.noise_from, std::nullopt))
-        .Estimate(Model(), {.progress = KalmanProgress(hooks_)});
+    const MeasuredHistory recorded = LoadAsRecorded(request_.noise_from, std::nullopt);
+    return KalmanPredictor(recorded).Estimate(Model(recorded), {.progress = KalmanProgress(hooks_)});
   }
 
   void AddKalman(const MeasuredHistory& judged, std::vector<HistoryMisfit>& misfits) const {
@@ -138,7 +141,7 @@ class HistoryPrediction {
       if (damper.hydraulic) Refuse(kKalmanHydraulic, {(request_.run / "vehicle.urdf").string()}, {damper.name});
     const MeasuredHistory recorded =
         LoadAsRecorded(request_.recording, judged.TimeAt(judged.count - 1) + 0.5 / judged.rate_Hz);
-    const KalmanPrediction prediction = KalmanPredictor(recorded).Run(Model(), NoiseOf(recorded));
+    const KalmanPrediction prediction = KalmanPredictor(recorded).Run(Model(recorded), NoiseOf(recorded));
     AddOneStepErrors({recorded}, {prediction}, misfits);
   }
 
