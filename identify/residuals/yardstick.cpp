@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "analysis/numerics/decompositions.h"
 #include "analysis/signals/arx.h"
@@ -42,6 +41,10 @@ const VectorXd* Find(const YardstickRecord& record, const std::string& channel) 
   const auto found = std::find_if(record.channels.begin(), record.channels.end(),
                                   [&](const YardstickRecord::Channel& other) { return other.name == channel; });
   return found == record.channels.end() ? nullptr : &found->values;
+}
+
+bool AreOneSystem(const YardstickRecord& a, const YardstickRecord& b) {
+  return a.rate_Hz == b.rate_Hz && a.setting == b.setting;
 }
 
 MatrixXd Centred(const MatrixXd& values) { return values.rowwise() - values.colwise().mean(); }
@@ -98,7 +101,7 @@ LinearModel FitLinear(const std::vector<YardstickRecord>& fitted, const std::str
                       const YardstickRecord& judged) {
   std::vector<const YardstickRecord*> records;
   for (const YardstickRecord& record : fitted)
-    if (Find(record, channel) && record.rate_Hz == judged.rate_Hz && record.inputs.cols() == judged.inputs.cols())
+    if (Find(record, channel) && AreOneSystem(record, judged) && record.inputs.cols() == judged.inputs.cols())
       records.push_back(&record);
   LinearModel model;
   if (records.empty()) return model;
@@ -133,7 +136,7 @@ void AddLinear(const LinearModel& model, const YardstickRecord& judged, const Ve
 
 bool AreRepeats(const YardstickRecord& a, const YardstickRecord& b) {
   constexpr double kAlike = 1e-3;
-  if (a.rate_Hz != b.rate_Hz || a.inputs.rows() != b.inputs.rows() || a.inputs.cols() != b.inputs.cols()) return false;
+  if (!AreOneSystem(a, b) || a.inputs.rows() != b.inputs.rows() || a.inputs.cols() != b.inputs.cols()) return false;
   const double power = Centred(a.inputs).squaredNorm();
   return power > 0 && Centred(a.inputs - b.inputs).squaredNorm() < kAlike * power;
 }
@@ -160,7 +163,12 @@ std::optional<double> Yardstick::Allowed_percent() const {
 
 void AddYardsticks(const std::vector<YardstickRecord>& fitted, const std::vector<YardstickRecord>& judged,
                    std::span<HistoryMisfit> misfits) {
-  std::vector<std::pair<std::string, LinearModel>> models;
+  struct Known {
+    std::string channel;
+    const YardstickRecord* record;
+    LinearModel model;
+  };
+  std::vector<Known> models;
   std::vector<YardstickRecord> all = fitted;
   for (const YardstickRecord& record : judged)
     if (std::none_of(fitted.begin(), fitted.end(), [&](const auto& other) { return other.name == record.name; }))
@@ -168,10 +176,12 @@ void AddYardsticks(const std::vector<YardstickRecord>& fitted, const std::vector
   std::size_t at = 0;
   for (const YardstickRecord& record : judged)
     for (const YardstickRecord::Channel& channel : record.channels) {
-      const std::string key = channel.name + ' ' + std::to_string(record.rate_Hz);
-      auto model = std::find_if(models.begin(), models.end(), [&](const auto& one) { return one.first == key; });
-      if (model == models.end()) model = models.insert(models.end(), {key, FitLinear(fitted, channel.name, record)});
-      AddLinear(model->second, record, channel.values, misfits[at].yardstick);
+      auto known = std::find_if(models.begin(), models.end(), [&](const Known& one) {
+        return one.channel == channel.name && AreOneSystem(*one.record, record);
+      });
+      if (known == models.end())
+        known = models.insert(models.end(), {channel.name, &record, FitLinear(fitted, channel.name, record)});
+      AddLinear(known->model, record, channel.values, misfits[at].yardstick);
       AddRepeats(all, record, channel.name, channel.values, misfits[at].yardstick);
       ++at;
     }

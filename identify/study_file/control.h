@@ -33,10 +33,13 @@ struct ControlSetting {
     std::size_t lower = 0;
     std::size_t upper = 0;
     double share = 0;
+
+    bool operator==(const Blend&) const = default;
   };
   std::vector<Blend> blends = {};
 
   std::vector<double> At(const std::vector<double>& values) const;
+  bool operator==(const ControlSetting&) const = default;
 };
 
 /// A study's control in the terms of a vehicle.

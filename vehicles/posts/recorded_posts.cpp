@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/files/recorded_table.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/low_pass.h"
 #include "analysis/signals/unfiltered.h"
@@ -96,9 +97,22 @@ std::optional<RecordedPosts> ReadRecordedPosts(const std::filesystem::path& file
   std::vector<RecordedChannel> wanted;
   for (const Post& post : vehicle.posts)
     wanted.push_back({{post.name, "post_" + post.name}, kLength, "the height of a post"});
+  // A recording of posts alone leaves actuators without force.
+  Diagnostics of_table;
+  const std::optional<RecordedTable> table = ReadRecordedTable(file, of_table);
+  for (const Actuator& actuator : vehicle.actuators)
+    if (table && table->FindColumn(actuator.name))
+      wanted.push_back({{actuator.name}, kForce, "the tension of an actuator"});
   const std::optional<TimeRecording> recording = ReadTimeRecording(file, wanted, diagnostics);
   if (!recording) return std::nullopt;
-  return FollowHeights(recording->channels, recording->start_s, recording->step_s);
+  // In the order of the vehicle's.
+  std::vector<std::vector<double>> channels(recording->channels.begin(),
+                                            recording->channels.begin() + std::ssize(vehicle.posts));
+  std::size_t next = vehicle.posts.size();
+  for (const Actuator& actuator : vehicle.actuators)
+    channels.push_back(table && table->FindColumn(actuator.name) ? recording->channels[next++]
+                                                                 : std::vector<double>(recording->samples()));
+  return FollowHeights(channels, recording->start_s, recording->step_s);
 }
 
 }  // namespace fourpost

@@ -43,9 +43,10 @@ RecordedPosts FollowHeights(const std::vector<std::vector<double>>& heights, dou
                             const LowPassDesign* filter = nullptr);
 
 /// Reads a CSV file of names and, below them, units: a column `time`, and one for each post of the vehicle, `FL` or
-/// `post_FL` for the post 'FL', in a unit of length, upward from the position under the resting vehicle. Other columns
-/// are ignored. Reports all of: missing columns, units of another dimension, fields that are no numbers, gaps, times
-/// that are not evenly spaced, records too short. Empty after any of these.
+/// `post_FL` for the post 'FL', in a unit of length, upward from the position under the resting vehicle; and, where
+/// there is one of its name, the tension of each actuator. Other columns are ignored. Reports all of: missing columns,
+/// units of another dimension, fields that are no numbers, gaps, times that are not evenly spaced, records too short.
+/// Empty after any of these.
 std::optional<RecordedPosts> ReadRecordedPosts(const std::filesystem::path& file, const Vehicle& vehicle,
                                                Diagnostics& diagnostics);
 

@@ -46,9 +46,11 @@ CondensedStepper::CondensedStepper(const CondensedModel& model, double step_s, F
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
   state_matrix_ = linear.StateMatrix();
   const Index n = model.mass.rows();
-  const Index posts = model.post_stiffness.cols();
+  const Index posts = model.inputs();
   MatrixXd of_posts = MatrixXd::Zero(linear.size(), 2 * posts);
-  of_posts.topRows(n) << model.post_stiffness, model.post_damping;
+  of_posts.block(0, 0, n, model.post_stiffness.cols()) = model.post_stiffness;
+  of_posts.block(0, model.post_stiffness.cols(), n, model.actuators.cols()) = model.actuators;
+  of_posts.block(0, posts, n, model.post_damping.cols()) = model.post_damping;
   by_posts_ = linear.StateInput(of_posts);
   MatrixXd tensions(linear.size(), static_cast<Index>(ports_.size()));
   for (std::size_t j = 0; j < ports_.size(); ++j) tensions.col(static_cast<Index>(j)) = -ports_[j].direction;
@@ -172,8 +174,11 @@ void CondensedStepper::MakeSensorRows(const CondensedModel& model) {
   on_state_ = model.on_acceleration * state_matrix_.middleRows(n, n);
   on_state_.leftCols(n) += model.on_position;
   on_state_.middleCols(n, n) += model.on_velocity;
-  on_post_.resize(sensors, post_.size());
-  on_post_ << model.on_post_height, model.on_post_velocity, model.on_post_acceleration;
+  on_post_.setZero(sensors, post_.size());
+  const Index inputs = post_.size() / 3;
+  on_post_.leftCols(model.on_post_height.cols()) = model.on_post_height;
+  on_post_.middleCols(inputs, model.on_post_velocity.cols()) = model.on_post_velocity;
+  on_post_.middleCols(2 * inputs, model.on_post_acceleration.cols()) = model.on_post_acceleration;
   on_post_.leftCols(by_posts_.cols()) += model.on_acceleration * by_posts_.middleRows(n, n);
   sensor_on_remainder_ = model.on_acceleration * on_remainder_.middleRows(n, n);
   for (std::size_t j = 0; j < ports_.size(); ++j)

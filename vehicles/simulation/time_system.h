@@ -21,6 +21,7 @@ struct RigView {
   double post_lever_m = 1;
   /// Of the stiffest tyre [N/m].
   double tyre_stiffness = 0;
+  std::size_t actuator_count = 0;
 };
 
 /// Of a vehicle at its file's values.

@@ -351,6 +351,11 @@ std::vector<TagRule> MakeBushingTags() {
                                     "loss factor: tangent of the loss angle")),
                       Usual("0.1 Hz", "1000 Hz",
                             Measure("frequency", kFrequency, Sign::kPositive, "where the loss factor holds"))}},
+      {.path = "fp:actuator",
+       .doc = "A force between two points that a recording gives, tension positive: an active suspension, a shaker, a "
+              "body actuator of a rig (one end on the ground). A study names its channel under `actuators`; without "
+              "one, and in responses to posts, it is zero.",
+       .attributes = {kNameRule, kParentRule, kChildRule, kGuideRule}},
       {.path = "fp:antiroll",
        .doc = "An anti-roll bar. It pulls on the left line with stiffness (e_left - e_right) + damping (e_left - "
               "e_right)', and pushes as much on the right one; e: extension of the line between the end of the bar's "

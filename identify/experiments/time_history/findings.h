@@ -43,6 +43,8 @@ inline const Finding kReleaseCost{"release-cost", Severity::kError,
 inline const Finding kReleaseWithoutPose{"release-without-pose", Severity::kError,
                                          "no pose of rest was found with the sensors of 'release' at their readings",
                                          "check signs and units of 'release', or hold fewer sensors"};
+inline const Finding kHistoryActuatorUnknown{"history-actuator-unknown", Severity::kError,
+                                             "the vehicle has no actuator '{}'{}"};
 inline const Finding kHistorySensorUnknown{"history-sensor-unknown", Severity::kError,
                                            "the vehicle has no sensor '{}'{}"};
 inline const Finding kHistoryWithoutWeight{

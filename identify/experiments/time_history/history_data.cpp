@@ -38,6 +38,13 @@ std::optional<std::size_t> IndexOf(const std::string& name, const std::vector<st
   return static_cast<std::size_t>(found - names.begin());
 }
 
+/// What moves the vehicle: heights of posts, then tensions.
+std::vector<std::vector<double>> Inputs(const MeasuredHistory& history) {
+  std::vector<std::vector<double>> inputs = history.heights;
+  inputs.insert(inputs.end(), history.tensions.begin(), history.tensions.end());
+  return inputs;
+}
+
 class HistoryLoader {
  public:
   HistoryLoader(const StudyHistory& study, const std::string& file, const Vehicle& vehicle, const Control& control,
@@ -49,11 +56,14 @@ class HistoryLoader {
         diagnostics_(diagnostics),
         posts_(NamesOf(vehicle.posts)),
         sensors_(NamesOf(vehicle.sensors)),
+        actuators_(NamesOf(vehicle.actuators)),
         post_noise_(vehicle.posts.size()) {}
 
   std::optional<MeasuredHistory> Load() {
     CheckNames();
     for (const auto& [post, source] : study_.posts) Want(source, kLength, "the height of post '" + post + "'");
+    for (const auto& [actuator, source] : study_.actuators)
+      Want(source, kForce, "the tension of actuator '" + actuator + "'");
     for (const auto& [sensor, source] : study_.channels)
       if (const auto index = IndexOf(sensor, sensors_))
         Want(source, ParseUnit(UnitOf(vehicle_.sensors[*index].type))->dimension, "sensor '" + sensor + "'");
@@ -72,17 +82,15 @@ class HistoryLoader {
     SetWindow(*recording, history);
     if (!good_) return std::nullopt;
     history.heights = Heights(*recording);
+    history.tensions = Tensions(*recording);
     if (history.release) Find(*history.release);
-    if (history.release && study_.posts.empty()) {
-      history.posts = PostsAtRest(*recording);
-      history.post_noise_sd.assign(posts_.size(), 0);
-      AddSignals(*recording, noise, history);
-      return history;
-    }
-    history.posts = FollowHeights(history.heights, recording->start_s, recording->step_s,
-                                  study_.filter ? &*study_.filter : nullptr);
+    history.posts = posts_.empty() && actuators_.empty()
+                        ? NoPosts(*recording)
+                        : FollowHeights(Inputs(history), recording->start_s, recording->step_s,
+                                        study_.filter ? &*study_.filter : nullptr);
     for (std::size_t p = 0; p < posts_.size(); ++p)
-      history.post_noise_sd.push_back(post_noise_[p].value_or(NoiseFloor(history.heights[p])));
+      history.post_noise_sd.push_back(study_.posts.empty() ? 0
+                                                           : post_noise_[p].value_or(NoiseFloor(history.heights[p])));
     AddSignals(*recording, noise, history);
     return history;
   }
@@ -96,14 +104,22 @@ class HistoryLoader {
   void CheckNames() {
     for (const auto& [post, source] : study_.posts)
       if (!IndexOf(post, posts_)) Fault(kHistoryPostUnknown, source.line, {post, DidYouMeanOrAll(post, posts_)});
+    for (const auto& [actuator, source] : study_.actuators) CheckActuator(actuator, source.line);
+    for (const auto& [actuator, load] : study_.loads_N) CheckActuator(actuator, study_.line);
     for (const auto& [sensor, source] : study_.channels)
       if (!IndexOf(sensor, sensors_))
         Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMeanOrAll(sensor, sensors_)});
     if (study_.release) CheckRelease();
-    if (study_.release && study_.posts.empty()) return;
+    // Posts that are not named rest.
+    if ((study_.release || !study_.actuators.empty()) && study_.posts.empty()) return;
     for (const std::string& post : posts_)
       if (std::none_of(study_.posts.begin(), study_.posts.end(), [&](const auto& one) { return one.first == post; }))
         Fault(kHistoryPostMissing, study_.line, {study_.name, post});
+  }
+
+  void CheckActuator(const std::string& actuator, int line) {
+    if (!IndexOf(actuator, actuators_))
+      Fault(kHistoryActuatorUnknown, line, {actuator, DidYouMeanOrAll(actuator, actuators_)});
   }
 
   void CheckRelease() {
@@ -122,12 +138,22 @@ class HistoryLoader {
     for (Release::Hold& hold : release.held) hold.index = *IndexOf(hold.sensor, sensors_);
   }
 
-  RecordedPosts PostsAtRest(const TimeRecording& recording) const {
-    return {.motion = [](double, std::span<PostState> posts) { std::fill(posts.begin(), posts.end(), PostState{}); },
-            .count = posts_.size(),
+  static RecordedPosts NoPosts(const TimeRecording& recording) {
+    return {.motion = [](double, std::span<PostState>) {},
             .start_s = recording.start_s,
             .end_s = recording.end_s,
             .step_s = recording.step_s};
+  }
+
+  std::vector<std::vector<double>> Tensions(const TimeRecording& recording) {
+    std::vector<std::vector<double>> tensions(actuators_.size(), std::vector<double>(recording.samples()));
+    for (const auto& [actuator, source] : study_.actuators) {
+      const Eigen::VectorXd tension = Combined(recording, source);
+      tensions[*IndexOf(actuator, actuators_)].assign(tension.begin(), tension.end());
+    }
+    for (const auto& [actuator, load] : study_.loads_N)
+      tensions[*IndexOf(actuator, actuators_)].assign(recording.samples(), load);
+    return tensions;
   }
 
   void Want(const ChannelSource& source, const Dimension& dimension, const std::string& what) {
@@ -260,6 +286,7 @@ class HistoryLoader {
   Diagnostics& diagnostics_;
   std::vector<std::string> posts_;
   std::vector<std::string> sensors_;
+  std::vector<std::string> actuators_;
   /// As stated.
   std::vector<std::optional<double>> post_noise_;
   std::vector<RecordedChannel> wanted_;
@@ -276,7 +303,7 @@ MeasuredHistory WithPostNoise(const MeasuredHistory& history, std::uint64_t seed
     RandomStream draws(seed, "post noise", p);
     for (double& height : noisy.heights[p]) height += sign * history.post_noise_sd[p] * draws.Normal();
   }
-  noisy.posts = FollowHeights(noisy.heights, history.posts.start_s, history.posts.step_s,
+  noisy.posts = FollowHeights(Inputs(noisy), history.posts.start_s, history.posts.step_s,
                               history.filter ? &*history.filter : nullptr);
   return noisy;
 }

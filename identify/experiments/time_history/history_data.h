@@ -42,6 +42,8 @@ struct MeasuredHistory {
   /// As recorded, without their means [m]; and the deviation of the noise in them, as stated or by NoiseFloor().
   std::vector<std::vector<double>> heights = {};
   std::vector<double> post_noise_sd = {};
+  /// Tensions of the actuators [N], with their means.
+  std::vector<std::vector<double>> tensions = {};
   std::optional<LowPassDesign> filter;
   /// From where the vehicle is let go at the first sample of the window.
   std::optional<Release> release = {};

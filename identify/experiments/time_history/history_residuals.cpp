@@ -291,11 +291,13 @@ std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& hi
 std::vector<YardstickRecord> YardstickRecords(const std::vector<MeasuredHistory>& histories) {
   std::vector<YardstickRecord> records;
   for (const MeasuredHistory& history : histories) {
-    YardstickRecord record{.name = history.name, .rate_Hz = history.rate_Hz};
-    record.inputs.resize(history.count, static_cast<Index>(history.heights.size()));
-    for (std::size_t p = 0; p < history.heights.size(); ++p)
+    YardstickRecord record{.name = history.name, .rate_Hz = history.rate_Hz, .setting = history.setting};
+    std::vector<std::vector<double>> inputs = history.heights;
+    inputs.insert(inputs.end(), history.tensions.begin(), history.tensions.end());
+    record.inputs.resize(history.count, static_cast<Index>(inputs.size()));
+    for (std::size_t p = 0; p < inputs.size(); ++p)
       record.inputs.col(static_cast<Index>(p)) =
-          Eigen::Map<const Eigen::VectorXd>(history.heights[p].data() + history.first, history.count);
+          Eigen::Map<const Eigen::VectorXd>(inputs[p].data() + history.first, history.count);
     for (const MeasuredSignal& signal : history.signals) record.channels.push_back({signal.name, signal.values});
     records.push_back(std::move(record));
   }

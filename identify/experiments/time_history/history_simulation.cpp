@@ -1,6 +1,7 @@
 #include "identify/experiments/time_history/history_simulation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <stdexcept>
@@ -68,8 +69,15 @@ Eigen::MatrixXd SignalsOf(const MeasuredHistory& history, const Eigen::MatrixXd&
   return out;
 }
 
-/// What displacement sensors measured at first, above where the record ends at rest, and the pose nearest to rest that
-/// shows it; without any the pose at rest.
+/// Of the straight line through the first hundredth of a second [unit/s].
+double FirstSlope(const Eigen::VectorXd& values, double rate_Hz) {
+  const Index count = std::min(values.size(), std::max<Index>(5, std::lround(0.01 * rate_Hz)));
+  const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(count, -1, 1);
+  return t.dot(values.head(count)) / t.squaredNorm() * 2 * rate_Hz / static_cast<double>(count - 1);
+}
+
+/// What displacement sensors measured at first, above where the record ends at rest, and the pose and velocities
+/// nearest to rest that show it; without any the pose at rest.
 Eigen::VectorXd GuessStart(const MeasuredHistory& history, const CondensedModel& model) {
   const Release& release = *history.release;
   Eigen::VectorXd guess = Eigen::VectorXd::Zero(release.Unknowns(model));
@@ -86,16 +94,21 @@ Eigen::VectorXd GuessStart(const MeasuredHistory& history, const CondensedModel&
     return guess;
   }
   std::vector<Index> sensors;
-  std::vector<double> readings;
+  std::vector<std::array<double, 2>> readings;
   for (const MeasuredSignal& signal : history.signals)
     if (ParseUnit(signal.unit)->dimension == kLength) {
       sensors.push_back(static_cast<Index>(signal.sensor));
-      readings.push_back(reading(signal));
+      readings.push_back({reading(signal), FirstSlope(signal.values, history.rate_Hz)});
     }
   if (sensors.empty()) return guess;
-  guess.head(model.mass.rows()) =
-      LeastNorm(Eigen::MatrixXd(model.on_position(sensors, Eigen::all)), 1e-6)
-          .Solve(Eigen::VectorXd(Eigen::Map<Eigen::VectorXd>(readings.data(), std::ssize(readings))));
+  const LeastNorm rows(Eigen::MatrixXd(model.on_position(sensors, Eigen::all)), 1e-6);
+  const Eigen::Index n = model.mass.rows();
+  for (Index part = 0; part < guess.size() / n; ++part) {
+    Eigen::VectorXd measured(std::ssize(readings));
+    for (Index i = 0; i < measured.size(); ++i)
+      measured[i] = readings[static_cast<std::size_t>(i)][static_cast<std::size_t>(part)];
+    guess.segment(part * n, n) = rows.Solve(measured);
+  }
   return guess;
 }
 
@@ -187,13 +200,14 @@ HistoryMotion HistorySimulation::Motion(const CondensedModel& model, Index strid
   const Index first = samples_ - history_->count;
   const Index frames = (history_->count - 1) / stride + 1;
   HistoryMotion motion{.start_s = history_->TimeAt(0), .rate_Hz = history_->rate_Hz / static_cast<double>(stride)};
-  motion.posts.resize(frames, post_count_);
+  const auto heights = static_cast<Index>(history_->heights.size());
+  motion.posts.resize(frames, heights);
   motion.coordinates.resize(frames, model.mass.rows());
   March(model, {}, [&](Index k, const CondensedStepper& stepper) {
     if (k < first || (k - first) % stride != 0) return;
     const Index frame = (k - first) / stride;
     const std::span<const PostState> posts = PostsAt(k * parts_);
-    for (Index p = 0; p < post_count_; ++p) motion.posts(frame, p) = posts[static_cast<std::size_t>(p)].height;
+    for (Index p = 0; p < heights; ++p) motion.posts(frame, p) = posts[static_cast<std::size_t>(p)].height;
     motion.coordinates.row(frame) = stepper.state().head(model.mass.rows()).transpose();
   });
   return motion;

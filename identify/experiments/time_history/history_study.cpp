@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "analysis/text/number.h"
 #include "identify/experiments/time_history/findings.h"
 #include "identify/study_file/channel_source_reader.h"
 #include "identify/study_file/control_reader.h"
@@ -20,7 +21,7 @@ class HistoryReader {
   StudyHistory Read(const YAML::Node& node) {
     const StrictMap map = Map(node, "the history",
                               {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use",
-                               "time", "release", "control"});
+                               "time", "release", "control", "actuators"});
     StudyHistory history;
     history.line = map.line();
     map.Require("file");
@@ -31,12 +32,13 @@ class HistoryReader {
       history.time =
           ReadSourceChannel(map.Get("time"), "'time' of " + where_, ChannelKind::kHistory, file_, diagnostics_);
     if (map.Has("release")) history.release = ReadRelease(map);
-    if (!history.release || map.Has("posts"))
+    if ((!history.release && !map.Has("actuators")) || map.Has("posts"))
       history.posts = ReadChannelSources(map.Require("posts"), "'posts' of " + where_, "posts", ChannelKind::kHistory,
                                          file_, diagnostics_);
     history.channels = ReadChannelSources(map.Require("channels"), "'channels' of " + where_, "sensors",
                                           ChannelKind::kHistory, file_, diagnostics_);
     history.setting = ReadSetting(map);
+    if (map.Has("actuators")) ReadActuators(map.Get("actuators"), history);
     if (map.Has("filter")) history.filter = Filter(map.Get("filter"));
     if (map.Has("noise")) history.noise = Noise(map.Get("noise"));
     history.process_sd = map.Quantity("process", kAcceleration, 0);
@@ -90,6 +92,21 @@ class HistoryReader {
       release.held.push_back(std::move(hold));
     }
     return release;
+  }
+
+  /// Channels, and constant forces.
+  void ReadActuators(const YAML::Node& node, StudyHistory& history) {
+    YAML::Node channels = YAML::Clone(node);
+    for (const auto& entry : node) {
+      const std::optional<Quantity> load =
+          entry.second.IsScalar() ? ParseQuantity(entry.second.Scalar()) : std::nullopt;
+      if (!load || load->unit.dimension != kForce) continue;
+      history.loads_N.emplace_back(entry.first.as<std::string>(), load->si);
+      channels.remove(entry.first.as<std::string>());
+    }
+    if (channels.size() > 0 || node.size() == 0)
+      history.actuators = ReadChannelSources(channels, "'actuators' of " + where_, "actuators", ChannelKind::kHistory,
+                                             file_, diagnostics_);
   }
 
   std::optional<LowPassDesign> Filter(const YAML::Node& node) {

@@ -34,6 +34,9 @@ struct StudyHistory {
   std::vector<std::pair<std::string, ChannelSource>> posts;
   /// Sensor of the vehicle, and what was measured for it.
   std::vector<std::pair<std::string, ChannelSource>> channels;
+  /// Actuator of the vehicle, and the channels of its tension, or a constant one.
+  std::vector<std::pair<std::string, ChannelSource>> actuators;
+  std::vector<std::pair<std::string, double>> loads_N;
   /// Where the vehicle is let go at the start of the window; posts that are not named rest then.
   std::optional<Release> release;
   /// Of a control that parameters follow.

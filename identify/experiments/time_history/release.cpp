@@ -103,7 +103,7 @@ EstimatedStart EstimateStart(const std::function<VectorXd(const VectorXd&)>& res
   // Metres and metres per second; the motion is as exact as rounding.
   constexpr double kStep = 1e-6;
   // Gains below it are rounding.
-  constexpr double kLeastGain = 1e-13;
+  constexpr double kLeastGain = 1e-11;
   EstimatedStart out{.unknowns = guess};
   const Index count = guess.size();
   if (count == 0) return out;
