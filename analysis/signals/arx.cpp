@@ -124,6 +124,31 @@ double FreeRunError(const Arx& arx, std::span<const ArxRecord> records) {
 
 VectorXd Centred(const VectorXd& values) { return values.array() - values.mean(); }
 
+struct Candidate {
+  Arx arx;
+  /// Of its free runs.
+  double error = INFINITY;
+};
+
+/// The best of plain least squares and the passes after it.
+Candidate OfOrder(std::span<const ArxRecord> records, Index order) {
+  constexpr int kPasses = 5;
+  const Index inputs = records.front().inputs.cols();
+  Arx last = Solution(TriangleOf(records, order), order, inputs);
+  Candidate best{last, FreeRunError(last, records)};
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::vector<ArxRecord> filtered = ThroughPoles(records, last.own);
+    if (filtered.empty()) break;
+    // That of filtered signals has passed the filter as well.
+    const double of_constant = 1 - last.own.sum();
+    last = Solution(TriangleOf(filtered, order), order, inputs);
+    last.constant *= of_constant;
+    const double error = FreeRunError(last, records);
+    if (error < best.error) best = {last, error};
+  }
+  return best;
+}
+
 }  // namespace
 
 VectorXd Arx::OneStep(const ArxRecord& record) const {
@@ -157,7 +182,6 @@ double ErrorOf(std::span<const ArxRecord> records, std::span<const VectorXd> mod
 }
 
 std::optional<Arx> FitArx(std::span<const ArxRecord> records, int most) {
-  constexpr int kPasses = 5;
   if (records.empty()) return std::nullopt;
   const Index inputs = records.front().inputs.cols();
   Index samples = 0;
@@ -170,23 +194,12 @@ std::optional<Arx> FitArx(std::span<const ArxRecord> records, int most) {
   const Index room = samples / kSamplesPerCoefficient;
   if (!(power > 0) || room < Columns(1, inputs)) return std::nullopt;
   const Index highest = std::min<Index>(most, (room - 1 - inputs) / (1 + inputs));
-  const Index order = OrderByBic(TriangleOf(records, highest), highest, inputs);
-  Arx best = Solution(TriangleOf(records, order), order, inputs);
-  double least = FreeRunError(best, records);
-  Arx last = best;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    const std::vector<ArxRecord> filtered = ThroughPoles(records, last.own);
-    if (filtered.empty()) break;
-    // That of filtered signals has passed the filter as well.
-    const double of_constant = 1 - last.own.sum();
-    last = Solution(TriangleOf(filtered, order), order, inputs);
-    last.constant *= of_constant;
-    const double error = FreeRunError(last, records);
-    if (!(error < least)) continue;
-    least = error;
-    best = last;
-  }
-  return best;
+  const Index by_bic = OrderByBic(TriangleOf(records, highest), highest, inputs);
+  Candidate best = OfOrder(records, by_bic);
+  for (const Index order : {2, 4, 6, 8})
+    if (order < by_bic)
+      if (Candidate lower = OfOrder(records, order); lower.error < best.error) best = std::move(lower);
+  return best.arx;
 }
 
 std::optional<double> LinearShare(const ArxRecord& record, Index segment) {

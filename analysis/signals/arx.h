@@ -33,11 +33,11 @@ struct Arx {
 double ErrorOf(std::span<const ArxRecord> records, std::span<const Eigen::VectorXd> modelled);
 
 /// The order from 1 to `most` with the least N ln(RSS/N) + p ln N for p coefficients, by one QR decomposition whose
-/// leading columns are those of lower orders. Where noise of the output biases the coefficients, least squares of
-/// signals filtered by 1/A of the last pass come nearer to those of least free-run error (Steiglitz and McBride, IEEE
-/// Trans. Automatic Control 10, 1965): of five passes the one with the least free-run error is taken. Nothing of
-/// records without inputs alike in number, of constant outputs, or with fewer than ten samples per coefficient of order
-/// 1.
+/// leading columns are those of lower orders. BIC sees predictions of the next sample, and noise of the output biases
+/// the coefficients. Least squares of signals filtered by 1/A of the last pass come nearer to those of least free-run
+/// error (Steiglitz and McBride, IEEE Trans. Automatic Control 10, 1965): of five passes, at that order and at 2, 4, 6
+/// and 8 if these are lower, the model with the least free-run error is taken. Nothing of records without inputs alike
+/// in number, of constant outputs, or with fewer than ten samples per coefficient of order 1.
 std::optional<Arx> FitArx(std::span<const ArxRecord> records, int most);
 
 /// The share of the output's power that follows linearly from the inputs, over all frequencies: the multiple coherence

@@ -150,6 +150,24 @@ std::string HistoryTable(const std::string& title, const std::vector<Json>& chan
   return html::Table(head, rows);
 }
 
+/// From where the vehicle was let go; empty where it was not.
+std::string ReleaseHtml(const Json& result) {
+  Rows rows;
+  for (const Json& release : ListAt(result, "releases"))
+    for (const Json& sensor : ListAt(release, "sensors")) {
+      const auto cell = [&](const char* key) { return NumberCell(ShownNumber(1e3 * NumberAt(sensor, key), 3)); };
+      rows.push_back({TextCell(TextAt(release, "recording")),
+                      {html::Element("code", "", html::Escaped(TextAt(sensor, "name"))), ""},
+                      cell("position_m"),
+                      cell("position_sd_m"),
+                      cell("velocity_mps"),
+                      cell("velocity_sd_mps")});
+    }
+  return rows.empty() ? ""
+                      : html::Table({"let go in", "sensor", "mm above rest", "sd", "mm/s", "sd"}, rows) +
+                            html::Element("p", "note", "Standard deviations are given the fitted parameters.") + '\n';
+}
+
 /// What the channels allow without physics, beside what the model leaves; empty without any.
 std::string YardstickHtml(const Json& result) {
   Rows rows;
@@ -261,7 +279,8 @@ std::string ChannelTableHtml(const Json& result) {
   std::vector<std::string> head = {"channel", "rms, dB", "rms, deg"};
   if (has_noise) head.emplace_back("correlation of neighbouring residuals");
   return (rows.empty() ? "" : html::Table(head, rows)) + HistoryTable("fitted recording", histories) +
-         HistoryTable("validation recording", ListAt(result, "validation")) + YardstickHtml(result);
+         HistoryTable("validation recording", ListAt(result, "validation")) + YardstickHtml(result) +
+         ReleaseHtml(result);
 }
 
 std::string ModeTableHtml(const Json& modes) {

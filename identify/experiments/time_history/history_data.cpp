@@ -38,13 +38,6 @@ std::optional<std::size_t> IndexOf(const std::string& name, const std::vector<st
   return static_cast<std::size_t>(found - names.begin());
 }
 
-/// What moves the vehicle: heights of posts, then tensions.
-std::vector<std::vector<double>> Inputs(const MeasuredHistory& history) {
-  std::vector<std::vector<double>> inputs = history.heights;
-  inputs.insert(inputs.end(), history.tensions.begin(), history.tensions.end());
-  return inputs;
-}
-
 class HistoryLoader {
  public:
   HistoryLoader(const StudyHistory& study, const std::string& file, const Vehicle& vehicle, const Control& control,
@@ -86,8 +79,8 @@ class HistoryLoader {
     if (history.release) Find(*history.release);
     history.posts = posts_.empty() && actuators_.empty()
                         ? NoPosts(*recording)
-                        : FollowHeights(Inputs(history), recording->start_s, recording->step_s,
-                                        study_.filter ? &*study_.filter : nullptr);
+                        : FollowHeights(history.heights, recording->start_s, recording->step_s,
+                                        study_.filter ? &*study_.filter : nullptr, history.tensions);
     for (std::size_t p = 0; p < posts_.size(); ++p)
       history.post_noise_sd.push_back(study_.posts.empty() ? 0
                                                            : post_noise_[p].value_or(NoiseFloor(history.heights[p])));
@@ -303,8 +296,8 @@ MeasuredHistory WithPostNoise(const MeasuredHistory& history, std::uint64_t seed
     RandomStream draws(seed, "post noise", p);
     for (double& height : noisy.heights[p]) height += sign * history.post_noise_sd[p] * draws.Normal();
   }
-  noisy.posts = FollowHeights(Inputs(noisy), history.posts.start_s, history.posts.step_s,
-                              history.filter ? &*history.filter : nullptr);
+  noisy.posts = FollowHeights(noisy.heights, history.posts.start_s, history.posts.step_s,
+                              history.filter ? &*history.filter : nullptr, history.tensions);
   return noisy;
 }
 
