@@ -13,6 +13,7 @@
 #include "identify/study/findings.h"
 #include "identify/study/scale_lint.h"
 #include "identify/study/study_audit.h"
+#include "identify/study_file/findings.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -54,6 +55,8 @@ std::string WithSettings(const Study& study, const Vehicle& vehicle, Diagnostics
   std::string tags;
   for (const StudyControl::Follower& follower : study.control.followers) {
     const auto found = std::find(names.begin(), names.end(), follower.parameter);
+    if (settings.empty())
+      diagnostics.Report(kControlWithoutSetting, {study.file.string(), follower.line}, {follower.parameter});
     if (found == names.end()) {
       diagnostics.Report(kFreeUnknown, {study.file.string(), follower.line},
                          {follower.parameter, DidYouMeanOrAll(follower.parameter, names)});

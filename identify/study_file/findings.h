@@ -81,6 +81,10 @@ inline const Finding kValidationLeftOut{"validation-left-out", Severity::kWarnin
 
 inline const Finding kControlNotMapped{"control-not-mapped", Severity::kError,
                                        "'control' must map parameters of the vehicle to 'linear' or 'per setting'"};
+inline const Finding kControlWithoutSetting{
+    "control-without-setting", Severity::kError,
+    "no recording to fit states the setting that '{}' of 'control' follows",
+    "add 'control' to the recordings of 'bench' or 'histories', or remove it from the study"};
 inline const Finding kControlUnknown{"control-unknown", Severity::kError, "'{}' under 'control' has no known law",
                                      "state 'linear' or 'per setting'"};
 inline const Finding kSettingNoNumber{"setting-no-number", Severity::kError, "'control' is '{}', which is no number",

@@ -49,7 +49,8 @@ CondensedStepper::CondensedStepper(const CondensedModel& model, double step_s, F
   const Index posts = model.inputs();
   MatrixXd of_posts = MatrixXd::Zero(linear.size(), 2 * posts);
   of_posts.block(0, 0, n, model.post_stiffness.cols()) = model.post_stiffness;
-  of_posts.block(0, model.post_stiffness.cols(), n, model.actuators.cols()) = model.actuators;
+  if (model.actuators.cols() > 0)
+    of_posts.block(0, model.post_stiffness.cols(), n, model.actuators.cols()) = model.actuators;
   of_posts.block(0, posts, n, model.post_damping.cols()) = model.post_damping;
   by_posts_ = linear.StateInput(of_posts);
   MatrixXd tensions(linear.size(), static_cast<Index>(ports_.size()));

@@ -230,7 +230,8 @@ std::optional<EngineHistory> SimulateBy(const HistorySolver::Options& options, c
   const SolvedHistory solved =
       HistorySolver(measured, values).Solve(history.posts.motion, GridOf(history), from, progress);
   if (solved.ended) return std::nullopt;
-  return EngineHistory{.modelled = SignalsOf(numbered, solved.history.readings.transpose()), .by = solved.by};
+  return EngineHistory{
+      .modelled = SignalsOf(numbered, solved.history.readings.transpose()), .by = solved.by, .released = from.released};
 }
 
 double HistoryStep(const MeasuredHistory& history, const CondensedModel& model, const RigView& rig, double error) {

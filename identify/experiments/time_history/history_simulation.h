@@ -76,6 +76,8 @@ struct EngineHistory {
   /// Samples of the window x signals, see HistorySimulation::Run.
   Eigen::MatrixXd modelled;
   HistoryEngine by;
+  /// Of a release, from where: see HistorySimulation::Start; else empty.
+  Eigen::VectorXd released = {};
 };
 
 /// The vehicle at these values through the history. Only sensors that were measured count in what linear kinematics are
