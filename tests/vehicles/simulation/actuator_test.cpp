@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/temporary_folder.h"
+#include "tests/vehicles/element_car.h"
 #include "tests/vehicles/recorded_rig.h"
 #include "tests/vehicles/ride_vehicles.h"
 #include "tests/vehicles/shipped_vehicle.h"
