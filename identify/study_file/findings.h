@@ -91,7 +91,7 @@ inline const Finding kSettingNoNumber{"setting-no-number", Severity::kError, "'c
                                       "state a number, with or without a unit, such as 1.5 A"};
 inline const Finding kSettingMissing{"setting-missing", Severity::kError,
                                      "'{}' does not state its setting, which parameters under 'control' follow",
-                                     "add 'control' with its number"};
+                                     "add 'control' with its number, or `--control` to `predict`"};
 inline const Finding kSettingWithoutControl{"setting-without-control", Severity::kError,
                                             "'{}' states a setting, which nothing follows",
                                             "name the parameters that follow it under 'control' of the study"};
