@@ -34,7 +34,8 @@ void Add(const MeasuredChannel& measured, const ChannelResponse& modelled, Sums&
     sums.square_deg += deg * deg;
     sums.square_error += std::norm(modelled.response[i] - measured.response[i]);
     sums.square_measured += std::norm(measured.response[i]);
-    sums.square_scatter += std::pow(measured.radial_sd[i], 2) + std::pow(measured.tangential_sd[i], 2);
+    if (!measured.radial_sd.empty())
+      sums.square_scatter += std::pow(measured.radial_sd[i], 2) + std::pow(measured.tangential_sd[i], 2);
     sums.count += 1;
     const std::complex<double> relative = ratio - 1.0;
     sums.square_relative += std::norm(relative);
@@ -58,7 +59,7 @@ std::vector<std::complex<double>> Alike(const std::vector<MeasuredRun>& runs, co
   for (const MeasuredRun& run : runs) {
     const MeasuredChannel* measured = Find(run, channel);
     if (!measured || run.excitation.shape != first.excitation.shape) continue;
-    for (std::size_t i = 0; i < measured->response.size(); ++i)
+    for (std::size_t i = 0; i < run.excitation.frequency_Hz.size(); ++i)
       if (std::abs(run.excitation.frequency_Hz[i] - wanted_Hz) < kSame * wanted_Hz)
         alike.push_back(measured->response[i]);
   }
@@ -71,7 +72,7 @@ std::optional<double> LinearError_percent(const std::vector<MeasuredRun>& runs, 
   double all = 0;
   for (const MeasuredRun& run : runs) {
     const MeasuredChannel* measured = Find(run, channel);
-    for (std::size_t i = 0; measured && i < measured->response.size(); ++i) {
+    for (std::size_t i = 0; measured && i < run.excitation.frequency_Hz.size(); ++i) {
       const std::vector<std::complex<double>> alike = Alike(runs, run, i, channel);
       if (alike.size() < 2) continue;
       std::complex<double> mean = 0;
