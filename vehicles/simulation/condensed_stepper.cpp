@@ -50,7 +50,6 @@ CondensedStepper::CondensedStepper(const CondensedModel& model, double step_s, F
   RequireOption(step_s > 0 && std::isfinite(step_s), "CondensedStepper: step_s", step_s, "positive and finite");
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
   state_matrix_ = linear.StateMatrix();
-  const Index n = model.mass.rows();
   const Index posts = model.inputs();
   MatrixXd of_posts = MatrixXd::Zero(linear.size(), 2 * posts);
   PutFrom(model.post_stiffness, 0, of_posts);
