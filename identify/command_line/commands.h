@@ -152,6 +152,8 @@ struct PredictCommand {
   /// A Kalman filter's one-step predictions as well; its noise estimated on this recording, empty: as the fit held it.
   bool kalman = false;
   std::filesystem::path noise_from;
+  /// Of the study's control.
+  std::optional<double> setting;
   /// Of a time history; empty: kAuto.
   std::optional<Engine> engine;
   bool json = false;

@@ -98,6 +98,9 @@ void AddOptions(CLI::App& subcommand, PredictCommand& command) {
           "With --kalman: estimate the filter's noise on this recording, which should be one that was fitted, not "
           "the one that is predicted; needed after a fit by another cost")
       ->needs(kalman);
+  subcommand.add_option("--control", command.setting,
+                        "The recording's setting, such as a current or clicks, of which the study's 'control' lets "
+                        "parameters follow");
   subcommand
       .add_option_function<std::string>(
           "--engine", [&command](const std::string& name) { command.engine = EngineNamed(name); },

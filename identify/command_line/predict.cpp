@@ -20,6 +20,7 @@
 #include "identify/run/result_kind.h"
 #include "identify/run/run_spread.h"
 #include "identify/study/fitted_files.h"
+#include "identify/study/loaded_study.h"
 #include "identify/study/study.h"
 #include "identify/study_file/warnings_json.h"
 #include "vehicles/reader/vehicle_file.h"
@@ -88,7 +89,8 @@ std::string LoadText(const FittedRun& model) { return model.load ? AddedLoadText
 std::optional<ExperimentResults> Predict(const PredictCommand& command, const FittedRun& model,
                                          WorkProgress& progress) {
   const std::vector<std::size_t> free;
-  const Subject subject(model.vehicle, free, command.run / "study.yaml");
+  Subject subject(model.vehicle, free, command.run / "study.yaml");
+  subject.FollowControl(ControlOf(model.study, model.vehicle));
   const Experiment& experiment = ExperimentOf(command.recording, model.study);
   std::optional<RunSpread> spread;
   if (HasRunSpread(command.run)) spread = ReadRunSpread(command.run);
@@ -101,6 +103,7 @@ std::optional<ExperimentResults> Predict(const PredictCommand& command, const Fi
                                                                  .has_kalman = command.kalman,
                                                                  .noise_from = command.noise_from,
                                                                  .spread = spread ? &spread->parameters : nullptr,
+                                                                 .setting = command.setting,
                                                                  .has_files = !command.output.empty()},
                                                                 progress.Hooks());
   if (results && spread && results->json.contains("band_95") && !spread->Held().empty())

@@ -75,6 +75,8 @@ struct PredictionRequest {
   std::filesystem::path noise_from = {};
   /// How far the fitted parameters may be off, for bands; null where the run does not say.
   const ParameterSpread* spread = nullptr;
+  /// Of a control that parameters follow.
+  std::optional<double> setting = {};
   /// Whether the results' files are wanted, which may take longer than the rest.
   bool has_files = false;
 };
@@ -87,6 +89,9 @@ class Experiment {
   virtual std::unique_ptr<Experiment> Clone() const = 0;
 
   virtual std::vector<ExperimentFile> Files() const = 0;
+
+  /// Settings of the study's control that the recordings to fit state.
+  virtual std::vector<double> Settings() const { return {}; }
 
   /// Reads the recordings without a vehicle, for the sake of their faults.
   virtual void CheckFiles(Diagnostics&) const {}

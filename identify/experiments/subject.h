@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include "identify/study_file/control.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/vehicle.h"
 
@@ -24,6 +26,9 @@ class Subject {
   const std::vector<std::size_t>& free() const { return free_; }
   /// For findings.
   const std::filesystem::path& study_file() const { return study_file_; }
+  /// Which parameters follow a recording's setting.
+  const Control& control() const { return control_; }
+  void FollowControl(Control control) { control_ = std::move(control); }
   /// What one evaluation may take.
   double deadline_s() const { return deadline_s_; }
 
@@ -39,6 +44,7 @@ class Subject {
   const std::vector<std::size_t>& free_;
   std::filesystem::path study_file_;
   double deadline_s_;
+  Control control_;
   mutable std::shared_ptr<const CondensedVehicle> condensed_;
 };
 

@@ -150,6 +150,51 @@ std::string HistoryTable(const std::string& title, const std::vector<Json>& chan
   return html::Table(head, rows);
 }
 
+/// From where the vehicle was let go; empty where it was not.
+std::string ReleaseHtml(const Json& result) {
+  Rows rows;
+  for (const Json& release : ListAt(result, "releases"))
+    for (const Json& sensor : ListAt(release, "sensors")) {
+      const auto cell = [&](const char* key) { return NumberCell(ShownNumber(1e3 * NumberAt(sensor, key), 3)); };
+      rows.push_back({TextCell(TextAt(release, "recording")),
+                      {html::Element("code", "", html::Escaped(TextAt(sensor, "name"))), ""},
+                      cell("position_m"),
+                      cell("position_sd_m"),
+                      cell("velocity_mps"),
+                      cell("velocity_sd_mps")});
+    }
+  return rows.empty() ? ""
+                      : html::Table({"let go in", "sensor", "mm above rest", "sd", "mm/s", "sd"}, rows) +
+                            html::Element("p", "note", "Standard deviations are given the fitted parameters.") + '\n';
+}
+
+/// What the channels allow without physics, beside what the model leaves; empty without any.
+std::string YardstickHtml(const Json& result) {
+  Rows rows;
+  for (const char* list : {"channels", "validation"})
+    for (const Json& channel : ListAt(result, list)) {
+      const Json yardstick = channel.value("yardstick", Json::object());
+      const auto cell = [&](const char* key) { return NumberCell(ShownNumber(NumberAt(yardstick, key), 3)); };
+      if (yardstick.empty()) continue;
+      rows.push_back({TextCell(TextAt(channel, "recording")),
+                      {html::Element("code", "", html::Escaped(TextAt(channel, "name"))), ""},
+                      NumberCell(ShownNumber(NumberAt(channel, "nmse_percent"), 3)),
+                      cell("nmse_percent"),
+                      cell("repeat_nmse_percent"),
+                      cell("coherence"),
+                      cell("model_nmse_percent")});
+    }
+  if (rows.empty()) return "";
+  return html::Table(
+             {"recording", "channel", "NMSE, %", "best linear model, %", "repeats, %", "coherence", "of the model, %"},
+             rows) +
+         html::Element("p", "note",
+                       "Without physics: the best linear model from the same inputs to the channel, what differs "
+                       "between repeats, and coherence. NMSE above the least of linear model and repeats is the "
+                       "model's: a better one exists. Below it, the data may allow no more.") +
+         '\n';
+}
+
 /// The poles of a mode; of a pair of conjugates one.
 std::string PolesText(const Json& mode) {
   const std::vector<Json> poles = ListAt(mode, "poles");
@@ -234,7 +279,8 @@ std::string ChannelTableHtml(const Json& result) {
   std::vector<std::string> head = {"channel", "rms, dB", "rms, deg"};
   if (has_noise) head.emplace_back("correlation of neighbouring residuals");
   return (rows.empty() ? "" : html::Table(head, rows)) + HistoryTable("fitted recording", histories) +
-         HistoryTable("validation recording", ListAt(result, "validation"));
+         HistoryTable("validation recording", ListAt(result, "validation")) + YardstickHtml(result) +
+         ReleaseHtml(result);
 }
 
 std::string ModeTableHtml(const Json& modes) {

@@ -11,6 +11,22 @@
 
 namespace fourpost {
 
+/// What is known of a channel without physics, see AddYardsticks(); [%] of its variance.
+struct Yardstick {
+  /// Of the best linear model from the inputs to the channel: its order, and the error of its predictions from each
+  /// sample to the next and of its simulation.
+  int order = 0;
+  std::optional<double> one_step_nmse_percent = {};
+  std::optional<double> nmse_percent = {};
+  /// Share of the channel's power that follows linearly from the inputs.
+  std::optional<double> coherence = {};
+  /// What differs between recordings of one motion.
+  std::optional<double> repeat_nmse_percent = {};
+
+  /// The least error that either shows to be possible: more is the model's, less may be the data's.
+  std::optional<double> Allowed_percent() const;
+};
+
 /// Of a channel of a time recording.
 struct HistoryMisfit {
   std::string recording;
@@ -43,6 +59,7 @@ struct HistoryMisfit {
   std::optional<std::string> swapped_with = {};
   /// Sum of squares of the measured channel about its mean.
   double measured_squares = 0;
+  Yardstick yardstick = {};
   /// SI; empty of a damper on its bench.
   std::string unit = {};
   /// What the study takes it from.

@@ -1,6 +1,7 @@
 #include "identify/residuals/history_table.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "analysis/text/text_table.h"
 
@@ -27,7 +28,39 @@ std::string OneStepTable(const std::vector<HistoryMisfit>& misfits) {
          table.Format();
 }
 
+std::string Percent(const std::optional<double>& percent) { return percent ? Rounded(*percent, 3) : "-"; }
+
 }  // namespace
+
+std::string YardstickTable(const std::vector<HistoryMisfit>& misfits) {
+  const auto has = [&](const auto& value) {
+    return std::any_of(misfits.begin(), misfits.end(),
+                       [&](const HistoryMisfit& one) { return value(one.yardstick).has_value(); });
+  };
+  if (!has([](const Yardstick& one) { return one.Allowed_percent(); })) return "";
+  const bool repeats = has([](const Yardstick& one) { return one.repeat_nmse_percent; });
+  std::vector<std::string> head = {"recording", "channel", "NMSE, %", "linear model, %", "its order", "coherence"};
+  if (repeats) head.emplace_back("repeats, %");
+  head.emplace_back("of the model, %");
+  TextTable table(head);
+  for (const HistoryMisfit& misfit : misfits) {
+    const Yardstick& one = misfit.yardstick;
+    std::vector<std::string> row = {misfit.recording,
+                                    misfit.name,
+                                    Rounded(misfit.nmse_percent, 3),
+                                    Percent(one.nmse_percent),
+                                    one.order > 0 ? std::to_string(one.order) : "-",
+                                    one.coherence ? Rounded(*one.coherence, 4) : "-"};
+    if (repeats) row.push_back(Percent(one.repeat_nmse_percent));
+    const std::optional<double> allowed = one.Allowed_percent();
+    row.push_back(allowed ? Percent(std::max(0.0, misfit.nmse_percent - *allowed)) : "-");
+    table.Add(row);
+  }
+  return "Without physics: the best linear model from the same inputs (ARX), coherence, and what differs between "
+         "repeats.\nNMSE above the least of these is the model's: a better one exists. Below it, the data may allow no "
+         "more.\n" +
+         table.Format();
+}
 
 std::string HistoryTable(const std::vector<HistoryMisfit>& misfits) {
   // Of one recording or some of several.

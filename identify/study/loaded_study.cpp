@@ -1,15 +1,19 @@
 #include "identify/study/loaded_study.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "analysis/files/near_file.h"
 #include "analysis/text/nearest.h"
+#include "analysis/text/number.h"
+#include "analysis/text/units.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/study/findings.h"
 #include "identify/study/scale_lint.h"
 #include "identify/study/study_audit.h"
+#include "identify/study_file/findings.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/requests/parameter_setting.h"
 
@@ -17,6 +21,83 @@ namespace fourpost {
 namespace {
 
 bool HasRange(const Parameter& parameter) { return parameter.upper > parameter.lower; }
+
+/// Of all recordings to fit, increasing.
+std::vector<double> SettingsOf(const Study& study) {
+  std::set<double> settings;
+  for (const Experiment& experiment : study.experiments)
+    for (const double setting : experiment.Settings()) settings.insert(setting);
+  return {settings.begin(), settings.end()};
+}
+
+std::vector<std::string> NamesOf(const Vehicle& vehicle) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : vehicle.parameters) names.push_back(parameter.name);
+  return names;
+}
+
+/// As a tag, of another name.
+std::string TagText(const Parameter& parameter, const std::string& name) {
+  const auto shown = [&](double value) {
+    const double unit = parameter.unit.empty() ? 1 : ParseUnit(parameter.unit)->si;
+    return FormatNumber(value / unit) + (parameter.unit.empty() ? "" : " " + parameter.unit);
+  };
+  std::string text = "  <fp:parameter name=\"" + name + "\" value=\"" + shown(parameter.value) + '"';
+  if (HasRange(parameter))
+    text += " lower=\"" + shown(parameter.lower) + "\" upper=\"" + shown(parameter.upper) + "\" precision=\"" +
+            shown(parameter.precision) + '"';
+  return text + " source=\"'" + parameter.name + "' at another setting\"/>\n";
+}
+
+/// Text of the vehicle with the parameters of followers at settings for which it has none.
+std::string WithSettings(const Study& study, const Vehicle& vehicle, Diagnostics& diagnostics) {
+  const std::vector<std::string> names = NamesOf(vehicle);
+  const std::vector<double> settings = SettingsOf(study);
+  std::string tags;
+  for (const StudyControl::Follower& follower : study.control.followers) {
+    const auto found = std::find(names.begin(), names.end(), follower.parameter);
+    if (settings.empty())
+      diagnostics.Report(kControlWithoutSetting, {study.file.string(), follower.line}, {follower.parameter});
+    if (found == names.end()) {
+      diagnostics.Report(kFreeUnknown, {study.file.string(), follower.line},
+                         {follower.parameter, DidYouMeanOrAll(follower.parameter, names)});
+      continue;
+    }
+    const std::vector<double> knots = KnotsOf(follower, settings);
+    for (std::size_t k = 1; k < knots.size(); ++k)
+      if (const std::string name = NameAtSetting(follower.parameter, knots[k]);
+          std::find(names.begin(), names.end(), name) == names.end())
+        tags += TagText(vehicle.parameters[static_cast<std::size_t>(found - names.begin())], name);
+  }
+  std::string text = vehicle.text;
+  text.insert(text.rfind("</robot>"), tags);
+  return text;
+}
+
+/// Nothing after an error.
+std::optional<Vehicle> VehicleOf(const Study& study, Diagnostics& diagnostics) {
+  std::optional<Vehicle> vehicle = ReadVehicle(study.vehicle, diagnostics);
+  if (!vehicle || study.control.followers.empty()) return vehicle;
+  const std::string text = WithSettings(study, *vehicle, diagnostics);
+  Diagnostics found_before;
+  if (diagnostics.HasErrors()) return std::nullopt;
+  return ReadVehicleText(text, study.vehicle, found_before);
+}
+
+/// With the followers that are free, all of their settings.
+std::vector<std::string> FreeNames(const Study& study) {
+  std::vector<std::string> names = study.free;
+  const std::vector<double> settings = SettingsOf(study);
+  for (const StudyControl::Follower& follower : study.control.followers) {
+    if (std::find(study.free.begin(), study.free.end(), follower.parameter) == study.free.end()) continue;
+    const std::vector<double> knots = KnotsOf(follower, settings);
+    for (std::size_t k = 1; k < knots.size(); ++k)
+      if (const std::string name = NameAtSetting(follower.parameter, knots[k]);
+          std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+  }
+  return names;
+}
 
 std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehicle, Diagnostics& diagnostics) {
   std::vector<std::size_t> free;
@@ -29,7 +110,7 @@ std::vector<std::size_t> FreeParameters(const Study& study, const Vehicle& vehic
   for (const std::string& name : study.held)
     if (std::find(names.begin(), names.end(), name) == names.end())
       diagnostics.Report(kFreeUnknown, {study.file.string(), study.free_line}, {name, DidYouMeanOrAll(name, names)});
-  for (const std::string& name : study.free) {
+  for (const std::string& name : FreeNames(study)) {
     const auto found = std::find(names.begin(), names.end(), name);
     const auto index = static_cast<std::size_t>(found - names.begin());
     if (found == names.end())
@@ -73,6 +154,10 @@ bool ContradictsAnAudit(const Diagnostic& item) {
 }
 
 }  // namespace
+
+Control ControlOf(const Study& study, const Vehicle& vehicle) {
+  return {study.control, SettingsOf(study), NamesOf(vehicle)};
+}
 
 bool LoadedStudy::HasDeviations() const {
   return std::all_of(study.experiments.begin(), study.experiments.end(),
@@ -120,7 +205,7 @@ std::optional<LoadedStudy> Loaded(std::optional<Study> study, Diagnostics& diagn
     return std::nullopt;
   }
   if (!HasFiles(*study, diagnostics)) return std::nullopt;
-  std::optional<Vehicle> vehicle = ReadVehicle(study->vehicle, diagnostics);
+  std::optional<Vehicle> vehicle = VehicleOf(*study, diagnostics);
   if (!vehicle) {
     for (const Experiment& experiment : study->experiments) experiment.CheckFiles(diagnostics);
     return std::nullopt;

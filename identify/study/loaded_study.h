@@ -17,6 +17,9 @@
 
 namespace fourpost {
 
+/// Which parameters of the vehicle follow the settings that the study's recordings state.
+Control ControlOf(const Study& study, const Vehicle& vehicle);
+
 /// A study with everything it names: its vehicle, and its experiments with their recordings.
 struct LoadedStudy {
   Study study;
@@ -30,7 +33,11 @@ struct LoadedStudy {
   std::vector<FileDigest> validation_files = {};
 
   /// Refers to this study, which must outlive it.
-  Subject MakeSubject() const { return {vehicle, free, study.file, study.search.deadline_s}; }
+  Subject MakeSubject() const {
+    Subject subject(vehicle, free, study.file, study.search.deadline_s);
+    subject.FollowControl(ControlOf(study, vehicle));
+    return subject;
+  }
 
   /// Whether the cost weighs by noise, so that a fit has standard deviations.
   bool HasDeviations() const;

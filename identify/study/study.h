@@ -10,6 +10,7 @@
 #include "analysis/text/diagnostics.h"
 #include "identify/experiments/experiment.h"
 #include "identify/refine/robust_loss.h"
+#include "identify/study_file/control.h"
 
 namespace fourpost {
 
@@ -82,6 +83,8 @@ struct Study {
   int free_line = 0;
   /// Values of parameters in place of the vehicle file's.
   std::vector<StudyStart> start;
+  /// Which parameters follow the recordings' settings.
+  StudyControl control;
   StudySearch search;
   StudyRefine refine;
   /// Cost at which a search has solved it; for comparisons.

@@ -85,4 +85,23 @@ inline const Finding kValidationLeftOut{"validation-left-out", Severity::kWarnin
                                         "recording '{}' is left out of the validation",
                                         "correct it, or remove it from the study"};
 
+// Controls.
+
+inline const Finding kControlNotMapped{"control-not-mapped", Severity::kError,
+                                       "'control' must map parameters of the vehicle to 'linear' or 'per setting'"};
+inline const Finding kControlWithoutSetting{
+    "control-without-setting", Severity::kError,
+    "no recording to fit states the setting that '{}' of 'control' follows",
+    "add 'control' to the recordings of 'bench' or 'histories', or remove it from the study"};
+inline const Finding kControlUnknown{"control-unknown", Severity::kError, "'{}' under 'control' has no known law",
+                                     "state 'linear' or 'per setting'"};
+inline const Finding kSettingNoNumber{"setting-no-number", Severity::kError, "'control' is '{}', which is no number",
+                                      "state a number, with or without a unit, such as 1.5 A"};
+inline const Finding kSettingMissing{"setting-missing", Severity::kError,
+                                     "'{}' does not state its setting, which parameters under 'control' follow",
+                                     "add 'control' with its number, or `--control` to `predict`"};
+inline const Finding kSettingWithoutControl{"setting-without-control", Severity::kError,
+                                            "'{}' states a setting, which nothing follows",
+                                            "name the parameters that follow it under 'control' of the study"};
+
 }  // namespace fourpost

@@ -12,9 +12,9 @@
 
 namespace fourpost {
 
-/// Reduced model of a vehicle for small motion s about static equilibrium: n independent coordinates, posts z and
-/// sensors y,
-///   mass s'' + damping s' + stiffness s + sum_j direction_j f_j = post_stiffness z + post_damping z'
+/// Reduced model of a vehicle for small motion s about static equilibrium: n independent coordinates, posts z,
+/// tensions a of actuators and sensors y,
+///   mass s'' + damping s' + stiffness s + sum_j direction_j f_j = post_stiffness z + post_damping z' + actuators a
 ///   y = on_position s + on_velocity s' + on_acceleration s''
 ///       + on_post_height z + on_post_velocity z' + on_post_acceleration z''
 /// f_j is the tension of damper j at its extension rate direction_j . s'. Springs, tyres and hydraulic dampers add the
@@ -71,6 +71,8 @@ struct CondensedModel {
   /// n x posts.
   Eigen::MatrixXd post_stiffness;
   Eigen::MatrixXd post_damping;
+  /// n x actuators, force on s per tension; without columns: there are none.
+  Eigen::MatrixXd actuators;
   std::vector<Dashpot> dashpots;
   std::vector<Stiffening> stiffenings;
   std::vector<Hydraulic> hydraulics;
@@ -86,6 +88,9 @@ struct CondensedModel {
 
   /// Forces that hold the vehicle in its design pose.
   Preloads preloads;
+
+  /// Posts and actuators.
+  Eigen::Index inputs() const { return post_stiffness.cols() + actuators.cols(); }
 
   /// The dashpots with a series spring, including those of hydraulic dampers, in file order.
   std::vector<const Dashpot*> SeriesDampers() const;

@@ -78,6 +78,9 @@ CondensedVehicle::CondensedVehicle(const Vehicle& vehicle)
   }
   for (const Damper& damper : vehicle.dampers)
     damper_directions_.push_back(undisturbed.LineLength(damper.line).gradient);
+  actuators_.resize(size_, static_cast<Eigen::Index>(vehicle.actuators.size()));
+  for (std::size_t i = 0; i < vehicle.actuators.size(); ++i)
+    actuators_.col(static_cast<Eigen::Index>(i)) = -undisturbed.LineLength(vehicle.actuators[i].line).gradient;
   for (std::size_t i = 0; i < vehicle.posts.size(); ++i)
     post_of_tyre_[static_cast<std::size_t>(vehicle.posts[i].tyre)] = static_cast<int>(i);
   AddBonds(undisturbed);
@@ -232,6 +235,7 @@ CondensedModel CondensedVehicle::At(std::span<const double> parameters) const {
   model.stiffness.setZero(size_, size_);
   model.post_stiffness.setZero(size_, posts);
   model.post_damping.setZero(size_, posts);
+  model.actuators = actuators_;
   for (const CondensedBody& body : bodies_) body.AddTo(parameters, model.mass, model.stiffness);
   AddSprings(parameters, model);
   AddTyres(parameters, model);

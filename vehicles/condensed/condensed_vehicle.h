@@ -101,6 +101,8 @@ class CondensedVehicle {
   std::vector<Held> held_;
   std::vector<Bond> bonds_;
   std::vector<Eigen::VectorXd> damper_directions_;
+  /// See CondensedModel.
+  Eigen::MatrixXd actuators_;
   std::vector<int> post_of_tyre_;
   /// Number of preloads that equilibrium sets.
   int holders_ = 0;

@@ -177,6 +177,8 @@ std::vector<ElementPoint> PointsOf(const Vehicle& vehicle) {
   for (const Spring& spring : vehicle.springs) AddLine(spring.Element(), spring.source_line, spring.line, points);
   for (const Damper& damper : vehicle.dampers)
     AddLine(Called("fp:damper", damper.name), damper.source_line, damper.line, points);
+  for (const Actuator& actuator : vehicle.actuators)
+    AddLine(Called("fp:actuator", actuator.name), actuator.source_line, actuator.line, points);
   for (const AntiRollBar& bar : vehicle.antiroll_bars) {
     AddLine("the left line of " + Called("fp:antiroll", bar.name), bar.source_line, bar.left, points);
     AddLine("the right line of " + Called("fp:antiroll", bar.name), bar.source_line, bar.right, points);

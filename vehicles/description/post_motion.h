@@ -13,7 +13,8 @@ struct PostState {
   double acceleration = 0;  // m/s^2
 };
 
-/// Motion of the post platforms at time t [s]; one entry per post.
+/// Motion of the post platforms at time t [s]; one entry per post, and behind these one per actuator, whose tension [N]
+/// and rates stand in place of heights.
 using PostMotion = std::function<void(double t, std::span<PostState> posts)>;
 
 /// The posts at one time.

@@ -187,6 +187,15 @@ struct Post {
   int source_line = 0;
 };
 
+/// A force between two points that a recording or a request gives, such as that of an active suspension, a shaker or
+/// the body actuators of a rig. Tension, which pulls the points together, is positive; without a given force it is
+/// none.
+struct Actuator {
+  std::string name;
+  ForceLine line;
+  int source_line = 0;
+};
+
 /// Keeps two points at their design distance.
 struct Rod {
   std::string name;
@@ -255,6 +264,7 @@ struct Vehicle {
   std::vector<AntiRollBar> antiroll_bars;
   std::vector<Tyre> tyres;
   std::vector<Post> posts;
+  std::vector<Actuator> actuators;
   std::vector<Rod> rods;
   std::vector<Ball> balls;
   std::vector<Weld> welds;

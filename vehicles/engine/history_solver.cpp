@@ -68,59 +68,63 @@ Multibody& HistorySolver::FullSystemAtValues() {
   return *multibody_;
 }
 
-SolvedHistory HistorySolver::Reduced(const PostMotion& posts, const TimeGrid& grid, double error,
+SolvedHistory HistorySolver::Reduced(const PostMotion& posts, const TimeGrid& grid, const Options& options,
                                      const Progress& progress) {
   const auto go_on = [&](double t) { return !progress || progress("reduced model", t); };
-  CondensedHistory answer = SimulateCondensed(model_, rig_, posts, grid, {.error = error}, go_on);
+  CondensedHistory answer =
+      SimulateCondensed(model_, rig_, posts, grid, {.error = options.error, .released = options.released}, go_on);
   return Taken(std::move(answer), Engine::kReduced);
 }
 
 /// `step_s`: of the condensed model within the steps of the full one, at first.
-SolvedHistory HistorySolver::Full(const PostMotion& posts, const TimeGrid& grid, double error, double step_s,
+SolvedHistory HistorySolver::Full(const PostMotion& posts, const TimeGrid& grid, const Options& options, double step_s,
                                   const Progress& progress) {
   const auto go_on = [&](double t) { return !progress || progress("full geometry", t); };
   const double share = std::min(1.0, step_s / std::min(1 / grid.rate_Hz, kLongestStep_s));
   const HistoryRun run = [&](double longest_step, const GoOn& goes_on) {
     FullSystem system(FullSystemAtValues(), model_,
                       {.longest_s = longest_step, .longest_part_s = share * longest_step});
+    system.StartFrom(options.released);
     return Simulate(system, posts, grid, goes_on);
   };
   try {
     CondensedHistory answer = SimulateByHalving(
-        run, rig_.sensors, grid, {.error = error, .longest_step_s = kLongestStep_s, .most_halvings = 3}, go_on);
+        run, rig_.sensors, grid, {.error = options.error, .longest_step_s = kLongestStep_s, .most_halvings = 3}, go_on);
     if (!std::isfinite(answer.change) && !answer.ended) throw SimulationError(kOneStepOnly);
     return Taken(std::move(answer), Engine::kFull);
   } catch (const std::runtime_error&) {
-    return Integrated(posts, grid, error, progress);
+    return Integrated(posts, grid, options, progress);
   }
 }
 
-SolvedHistory HistorySolver::Integrated(const PostMotion& posts, const TimeGrid& grid, double error,
+SolvedHistory HistorySolver::Integrated(const PostMotion& posts, const TimeGrid& grid, const Options& options,
                                         const Progress& progress) {
   const auto run = [&](double accuracy) {
     MultibodySystem system(FullSystemAtValues(), accuracy);
+    system.StartFrom(options.released);
     return Simulate(system, posts, grid, [&](double t) { return !progress || progress("multibody system", t); });
   };
   const Index whole = grid.lead_count() + grid.count();
   // Simbody weighs states by about 1 m, posts move by millimetres.
   SolvedHistory out{.by = {.engine = Engine::kFull}};
-  const TimeHistory rough = run(1e-2 * error);
-  out.history = rough.size() < whole ? rough : run(1e-3 * error);
+  const TimeHistory rough = run(1e-2 * options.error);
+  out.history = rough.size() < whole ? rough : run(1e-3 * options.error);
   out.ended = out.history.size() < whole;
   if (!out.ended) out.by.change = LargestDifferenceOf(rough, out.history, rig_.sensors).share;
   return out;
 }
 
-void HistorySolver::Estimate(const PostMotion& posts, const TimeGrid& grid, std::size_t compared,
+void HistorySolver::Estimate(const PostMotion& posts, const TimeGrid& grid, const Options& options,
                              const Progress& progress, SolvedHistory& reduced) {
   const auto stride = std::max(Index{1}, static_cast<Index>(std::floor(grid.rate_Hz / kComparedRate_Hz)));
   const TimeHistory linear = EveryOf(reduced.history, stride);
   const auto compare = [&](TimeSystem& system, const char* work) {
+    system.StartFrom(options.released);
     const TimeHistory full =
         Simulate(system, posts, WholeGrid(linear), [&](double t) { return !progress || progress(work, t); });
     reduced.ended = full.size() < linear.size();
     if (reduced.ended) reduced.by.not_estimated = Found{&kInterrupted}.Text();
-    else reduced.by.kinematics_error = LargestDifferenceOf(linear, full, rig_.sensors, compared);
+    else reduced.by.kinematics_error = LargestDifferenceOf(linear, full, rig_.sensors, options.compared);
   };
   try {
     FullSystem full(FullSystemAtValues(), model_, {.longest_s = kLongestStep_s, .longest_part_s = *reduced.by.step_s});
@@ -142,13 +146,21 @@ SolvedHistory HistorySolver::Solve(const PostMotion& posts, const TimeGrid& grid
   if (options.engine == Engine::kTimeIntegration)
     throw std::invalid_argument("HistorySolver: engine time is for steady responses; take full");
   if (options.engine == Engine::kFull)
-    return Full(posts, grid, options.error, 0.25 * std::min(1 / grid.rate_Hz, kLongestStep_s), progress);
-  SolvedHistory reduced = Reduced(posts, grid, options.error, progress);
+    return Full(posts, grid, options, 0.25 * std::min(1 / grid.rate_Hz, kLongestStep_s), progress);
+  SolvedHistory reduced = Reduced(posts, grid, options, progress);
   if (options.engine == Engine::kReduced || reduced.ended) return reduced;
-  Estimate(posts, grid, options.compared, progress, reduced);
+  Estimate(posts, grid, options, progress, reduced);
   if (reduced.ended || !reduced.by.kinematics_error || !(reduced.by.kinematics_error->share > options.visible))
     return reduced;
-  SolvedHistory full = Full(posts, grid, options.error, *reduced.by.step_s, progress);
+  SolvedHistory full;
+  try {
+    full = Full(posts, grid, options, *reduced.by.step_s, progress);
+  } catch (const SimulationError& fault) {
+    // Simbody's integrator, which finds most motions, starts from rest only.
+    if (options.released.size() == 0) throw;
+    reduced.by.not_estimated = fault.what();
+    return reduced;
+  }
   full.by.kinematics_error = full.ended
                                  ? reduced.by.kinematics_error
                                  : LargestDifferenceOf(reduced.history, full.history, rig_.sensors, options.compared);

@@ -64,6 +64,8 @@ class HistorySolver {
     std::size_t compared = static_cast<std::size_t>(-1);
     /// For kAuto: the full geometry is used if linear kinematics are off by more than this share of a channel's rms.
     double visible = kVisibleShare;
+    /// See TimeSystem::StartFrom(); empty: from rest.
+    Eigen::VectorXd released = {};
   };
 
   /// Called with the work ("reduced model", "full geometry", "multibody system") and its time; false ends it.
@@ -82,12 +84,14 @@ class HistorySolver {
 
  private:
   Multibody& FullSystemAtValues();
-  SolvedHistory Reduced(const PostMotion& posts, const TimeGrid& grid, double error, const Progress& progress);
-  SolvedHistory Full(const PostMotion& posts, const TimeGrid& grid, double error, double step_s,
+  SolvedHistory Reduced(const PostMotion& posts, const TimeGrid& grid, const Options& options,
+                        const Progress& progress);
+  SolvedHistory Full(const PostMotion& posts, const TimeGrid& grid, const Options& options, double step_s,
                      const Progress& progress);
-  SolvedHistory Integrated(const PostMotion& posts, const TimeGrid& grid, double error, const Progress& progress);
+  SolvedHistory Integrated(const PostMotion& posts, const TimeGrid& grid, const Options& options,
+                           const Progress& progress);
   /// Adds the kinematics error of a reduced result.
-  void Estimate(const PostMotion& posts, const TimeGrid& grid, std::size_t compared, const Progress& progress,
+  void Estimate(const PostMotion& posts, const TimeGrid& grid, const Options& options, const Progress& progress,
                 SolvedHistory& reduced);
 
   const Vehicle& vehicle_;

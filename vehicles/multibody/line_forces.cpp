@@ -104,4 +104,9 @@ SimTK::Real AntiRollForce::calcPotentialEnergy(const State& state) const {
   return 0.5 * data_.stiffness * difference * difference;
 }
 
+void ActuatorForce::calcForce(const State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
+                              SimTK::Vector_<SimTK::Vec3>&, SimTK::Vector&) const {
+  ApplyTension(line_, state, Motion(line_, state), platforms_(state.getTime())[index_].height, body_forces);
+}
+
 }  // namespace fourpost

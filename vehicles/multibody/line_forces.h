@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 
+#include "vehicles/description/post_motion.h"
 #include "vehicles/laws/dashpot_law.h"
 #include "vehicles/laws/mounted_hydraulic_damper.h"
 #include "vehicles/laws/series_damper.h"
@@ -95,6 +98,22 @@ inline constexpr double kHydraulicPressureUnit = 1e6;
 /// Rates of a hydraulic damper's states as a function of its states [kHydraulicPressureUnit, kHydraulicPressureUnit/s].
 std::array<double, 2> HydraulicRates(const HydraulicData& data, const LineMotion& motion,
                                      const std::array<double, 2>& states);
+
+/// Tension that is given over time.
+class ActuatorForce : public SimTK::Force::Custom::Implementation {
+ public:
+  /// `index`: of the tension among the platforms, see PostMotion.
+  ActuatorForce(const BodyLine& line, std::size_t index, const std::function<const Platforms&(double t)>& platforms)
+      : line_(line), index_(index), platforms_(platforms) {}
+  void calcForce(const SimTK::State& state, SimTK::Vector_<SimTK::SpatialVec>& body_forces,
+                 SimTK::Vector_<SimTK::Vec3>& particle_forces, SimTK::Vector& mobility_forces) const override;
+  SimTK::Real calcPotentialEnergy(const SimTK::State&) const override { return 0; }
+
+ private:
+  const BodyLine& line_;
+  std::size_t index_;
+  const std::function<const Platforms&(double t)>& platforms_;
+};
 
 /// Anti-roll bar: tension on the left line = stiffness (e_left - e_right) + damping (e_left - e_right)', opposite on
 /// the right one.

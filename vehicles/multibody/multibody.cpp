@@ -96,6 +96,7 @@ struct Multibody::Impl {
   std::vector<std::size_t> hydraulic_index;
   std::vector<BushingData> bushings;
   std::vector<AntiRollData> antiroll_bars;
+  std::vector<BodyLine> actuators;
   std::vector<TyreData> tyres;
   std::vector<SensorData> sensors;
   std::vector<double> rod_lengths;
@@ -111,7 +112,7 @@ struct Multibody::Impl {
 
 Multibody::Impl::Impl(const Vehicle& v) : vehicle(v) {
   platforms = [this](double t) -> const Platforms& { return PlatformsAt(t); };
-  posts.resize(vehicle.posts.size());
+  posts.resize(vehicle.posts.size() + vehicle.actuators.size());
   AddBodies();
   AddForces();
   AddLoops();
@@ -160,6 +161,9 @@ void Multibody::Impl::AddSprings() {
   for (const AntiRollBar& bar : vehicle.antiroll_bars)
     antiroll_bars.push_back({.left = MakeLine(bar.left), .right = MakeLine(bar.right)});
   for (const AntiRollData& bar : antiroll_bars) SimTK::Force::Custom(forces, new AntiRollForce(bar));
+  for (const Actuator& actuator : vehicle.actuators) actuators.push_back(MakeLine(actuator.line));
+  for (std::size_t i = 0; i < actuators.size(); ++i)
+    SimTK::Force::Custom(forces, new ActuatorForce(actuators[i], vehicle.posts.size() + i, platforms));
 }
 
 void Multibody::Impl::AddDampers() {

@@ -1,5 +1,6 @@
 #include "vehicles/posts/post_motions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -13,14 +14,16 @@ PostMotion FollowPattern(UniformSpline signal, std::vector<double> shape) {
   return [shared, shape = std::move(shape)](double t, std::span<PostState> posts) {
     const UniformSpline::Point now = shared->At(t);
     for (std::size_t p = 0; p < posts.size(); ++p)
-      posts[p] = {shape[p] * now.value, shape[p] * now.slope, shape[p] * now.curvature};
+      posts[p] = p < shape.size() ? PostState{shape[p] * now.value, shape[p] * now.slope, shape[p] * now.curvature}
+                                  : PostState();
   };
 }
 
 PostMotion FollowTracks(std::vector<DelayedTrack> tracks) {
   const auto shared = std::make_shared<const std::vector<DelayedTrack>>(std::move(tracks));
   return [shared](double t, std::span<PostState> posts) {
-    for (std::size_t p = 0; p < posts.size(); ++p) {
+    std::fill(posts.begin(), posts.end(), PostState());
+    for (std::size_t p = 0; p < std::min(posts.size(), shared->size()); ++p) {
       const UniformSpline::Point now = (*shared)[p].signal.At(t - (*shared)[p].delay_s);
       posts[p] = {now.value, now.slope, now.curvature};
     }

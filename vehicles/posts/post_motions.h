@@ -8,7 +8,8 @@
 
 namespace fourpost {
 
-/// All posts follow one signal, each by its share: a post pattern, see PostPattern.
+/// All posts follow one signal, each by its share: a post pattern, see PostPattern. Those without a
+/// share rest.
 PostMotion FollowPattern(UniformSpline signal, std::vector<double> shape);
 
 /// A signal that a post follows after a delay [s].
@@ -17,7 +18,7 @@ struct DelayedTrack {
   double delay_s = 0;
 };
 
-/// Each post follows its own.
+/// Each post follows its own; actuators behind them theirs, or carry none.
 PostMotion FollowTracks(std::vector<DelayedTrack> tracks);
 
 /// Height farthest from rest of each post at start, start + step, ... up to end [m]; signed.

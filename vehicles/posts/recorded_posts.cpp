@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis/files/recorded_table.h"
 #include "analysis/files/time_recording.h"
 #include "analysis/signals/low_pass.h"
 #include "analysis/signals/unfiltered.h"
@@ -56,9 +57,8 @@ std::vector<double> Refined(const std::vector<double>& values) {
 
 /// Lead-in and record as one spline: from rest by the polynomial of least order that meets height and velocity with no
 /// acceleration at both ends.
-UniformSpline WithLead(const std::vector<double>& heights, double start, double step, std::size_t lead,
+UniformSpline WithLead(const std::vector<double>& heights, double slope, double start, double step, std::size_t lead,
                        const LowPassDesign* filter) {
-  const double slope = SlopeAtStart(heights, step);
   const double duration = step * static_cast<double>(lead);
   std::vector<double> all;
   for (std::size_t k = 0; k < lead; ++k) {
@@ -79,16 +79,18 @@ UniformSpline WithLead(const std::vector<double>& heights, double start, double 
 }  // namespace
 
 RecordedPosts FollowHeights(const std::vector<std::vector<double>>& heights, double start_s, double step_s,
-                            const LowPassDesign* filter) {
+                            const LowPassDesign* filter, const std::vector<std::vector<double>>& tensions) {
   const auto lead = static_cast<std::size_t>(std::ceil(kLead_s / step_s));
   std::vector<DelayedTrack> tracks;
-  for (const std::vector<double>& post : heights) tracks.push_back({WithLead(post, start_s, step_s, lead, filter), 0});
-  return {FollowTracks(std::move(tracks)),
-          heights.size(),
-          start_s,
-          start_s + step_s * static_cast<double>(heights.at(0).size() - 1),
-          step_s,
-          step_s * static_cast<double>(lead)};
+  for (const std::vector<double>& post : heights)
+    tracks.push_back({WithLead(post, SlopeAtStart(post, step_s), start_s, step_s, lead, filter), 0});
+  for (const std::vector<double>& tension : tensions)
+    tracks.push_back({WithLead(tension, 0, start_s, step_s, lead, filter), 0});
+  const std::size_t samples = heights.empty() ? tensions.at(0).size() : heights[0].size();
+  const std::size_t count = tracks.size();
+  return {
+      FollowTracks(std::move(tracks)),   count, start_s, start_s + step_s * static_cast<double>(samples - 1), step_s,
+      step_s * static_cast<double>(lead)};
 }
 
 std::optional<RecordedPosts> ReadRecordedPosts(const std::filesystem::path& file, const Vehicle& vehicle,
@@ -96,9 +98,23 @@ std::optional<RecordedPosts> ReadRecordedPosts(const std::filesystem::path& file
   std::vector<RecordedChannel> wanted;
   for (const Post& post : vehicle.posts)
     wanted.push_back({{post.name, "post_" + post.name}, kLength, "the height of a post"});
+  // A recording of posts alone leaves actuators without force.
+  Diagnostics of_table;
+  const std::optional<RecordedTable> table = ReadRecordedTable(file, of_table);
+  for (const Actuator& actuator : vehicle.actuators)
+    if (table && table->FindColumn(actuator.name))
+      wanted.push_back({{actuator.name}, kForce, "the tension of an actuator"});
   const std::optional<TimeRecording> recording = ReadTimeRecording(file, wanted, diagnostics);
   if (!recording) return std::nullopt;
-  return FollowHeights(recording->channels, recording->start_s, recording->step_s);
+  // In the order of the vehicle's.
+  const std::vector<std::vector<double>> heights(recording->channels.begin(),
+                                                 recording->channels.begin() + std::ssize(vehicle.posts));
+  std::vector<std::vector<double>> tensions;
+  std::size_t next = vehicle.posts.size();
+  for (const Actuator& actuator : vehicle.actuators)
+    tensions.push_back(table && table->FindColumn(actuator.name) ? recording->channels[next++]
+                                                                 : std::vector<double>(recording->samples()));
+  return FollowHeights(heights, recording->start_s, recording->step_s, nullptr, tensions);
 }
 
 }  // namespace fourpost

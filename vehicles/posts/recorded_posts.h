@@ -39,13 +39,17 @@ struct RecordedPosts {
 /// Posts through samples of their heights at start + k step, one vector per post. `filter`: the low-pass of the
 /// recorded heights. It is inverted (Unfiltered) up to 1.5 times its cut-off, faded out to 2.5 times, so that the posts
 /// move as they did on the rig and not as recorded; the last UnknownEnd_s() of the record remain unknown then.
+/// `tensions`: of actuators, behind the posts. These come to their first value without a slope, which noise would
+/// decide.
 RecordedPosts FollowHeights(const std::vector<std::vector<double>>& heights, double start_s, double step_s,
-                            const LowPassDesign* filter = nullptr);
+                            const LowPassDesign* filter = nullptr,
+                            const std::vector<std::vector<double>>& tensions = {});
 
 /// Reads a CSV file of names and, below them, units: a column `time`, and one for each post of the vehicle, `FL` or
-/// `post_FL` for the post 'FL', in a unit of length, upward from the position under the resting vehicle. Other columns
-/// are ignored. Reports all of: missing columns, units of another dimension, fields that are no numbers, gaps, times
-/// that are not evenly spaced, records too short. Empty after any of these.
+/// `post_FL` for the post 'FL', in a unit of length, upward from the position under the resting vehicle; and, where
+/// there is one of its name, the tension of each actuator. Other columns are ignored. Reports all of: missing columns,
+/// units of another dimension, fields that are no numbers, gaps, times that are not evenly spaced, records too short.
+/// Empty after any of these.
 std::optional<RecordedPosts> ReadRecordedPosts(const std::filesystem::path& file, const Vehicle& vehicle,
                                                Diagnostics& diagnostics);
 

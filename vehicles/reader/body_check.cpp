@@ -138,6 +138,8 @@ void CheckLengths(const Vehicle& vehicle, FileFaults& faults) {
   for (const Spring& spring : vehicle.springs) check.Check(spring.Element(), spring.source_line, spring.line);
   for (const Damper& damper : vehicle.dampers)
     check.Check("fp:damper '" + damper.name + "'", damper.source_line, damper.line);
+  for (const Actuator& actuator : vehicle.actuators)
+    check.Check("fp:actuator '" + actuator.name + "'", actuator.source_line, actuator.line);
   for (const Sensor& sensor : vehicle.sensors)
     if (sensor.type == Sensor::Type::kStrut)
       check.Check("fp:sensor '" + sensor.name + "'", sensor.source_line, sensor.line);

@@ -43,6 +43,8 @@ class ElementReader {
     for (const Tag& tag : TagsOf(robot_, "fp:antiroll")) ReadAntiRollBar(tag);
     for (const Tag& tag : TagsOf(robot_, "fp:tyre")) ReadTyre(tag);
     for (const Tag& tag : TagsOf(robot_, "fp:post")) ReadPost(tag);
+    for (const Tag& tag : TagsOf(robot_, "fp:actuator"))
+      vehicle_.actuators.push_back({.name = tag.Text("name"), .line = lines_.ReadLine(tag), .source_line = tag.Line()});
     for (const Tag& tag : TagsOf(robot_, "fp:rod")) vehicle_.rods.push_back(ReadClosure<Rod>(tag));
     for (const Tag& tag : TagsOf(robot_, "fp:ball")) vehicle_.balls.push_back(ReadClosure<Ball>(tag));
     for (const Tag& tag : TagsOf(robot_, "fp:weld")) vehicle_.welds.push_back(ReadClosure<Weld>(tag));

@@ -358,7 +358,10 @@ void ParameterReader::CheckUse() const {
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     const Parameter& parameter = parameters_[i];
     const bool is_first = index_.find(parameter.name)->second == static_cast<int>(i);
-    if (sound_[i] && !used_[i] && is_first && !parameter.name.empty())
+    // One that holds the value of another at a setting, which studies use.
+    const std::size_t at = parameter.name.find("_at_");
+    const bool is_setting = at != std::string::npos && index_.contains(parameter.name.substr(0, at));
+    if (sound_[i] && !used_[i] && is_first && !is_setting && !parameter.name.empty())
       faults_.Report(kParameterUnused, parameter.line, {parameter.name, parameter.name});
   }
 }

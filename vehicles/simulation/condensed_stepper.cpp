@@ -33,6 +33,11 @@ const Eigen::Matrix4d& Hermite() {
   return coefficients;
 }
 
+/// From its first row and this column on; none where a model has no such.
+void PutFrom(const MatrixXd& part, Index column, MatrixXd& whole) {
+  whole.block(0, column, part.rows(), part.cols()) = part;
+}
+
 }  // namespace
 
 CondensedStepper::CondensedStepper(const CondensedModel& model, double step_s, Forces forces)
@@ -45,10 +50,11 @@ CondensedStepper::CondensedStepper(const CondensedModel& model, double step_s, F
   RequireOption(step_s > 0 && std::isfinite(step_s), "CondensedStepper: step_s", step_s, "positive and finite");
   const LinearVehicle linear(model, LinearVehicle::Rates::kCentre);
   state_matrix_ = linear.StateMatrix();
-  const Index n = model.mass.rows();
-  const Index posts = model.post_stiffness.cols();
+  const Index posts = model.inputs();
   MatrixXd of_posts = MatrixXd::Zero(linear.size(), 2 * posts);
-  of_posts.topRows(n) << model.post_stiffness, model.post_damping;
+  PutFrom(model.post_stiffness, 0, of_posts);
+  PutFrom(model.actuators, model.post_stiffness.cols(), of_posts);
+  PutFrom(model.post_damping, posts, of_posts);
   by_posts_ = linear.StateInput(of_posts);
   MatrixXd tensions(linear.size(), static_cast<Index>(ports_.size()));
   for (std::size_t j = 0; j < ports_.size(); ++j) tensions.col(static_cast<Index>(j)) = -ports_[j].direction;
@@ -172,8 +178,11 @@ void CondensedStepper::MakeSensorRows(const CondensedModel& model) {
   on_state_ = model.on_acceleration * state_matrix_.middleRows(n, n);
   on_state_.leftCols(n) += model.on_position;
   on_state_.middleCols(n, n) += model.on_velocity;
-  on_post_.resize(sensors, post_.size());
-  on_post_ << model.on_post_height, model.on_post_velocity, model.on_post_acceleration;
+  on_post_.setZero(sensors, post_.size());
+  const Index inputs = post_.size() / 3;
+  PutFrom(model.on_post_height, 0, on_post_);
+  PutFrom(model.on_post_velocity, inputs, on_post_);
+  PutFrom(model.on_post_acceleration, 2 * inputs, on_post_);
   on_post_.leftCols(by_posts_.cols()) += model.on_acceleration * by_posts_.middleRows(n, n);
   sensor_on_remainder_ = model.on_acceleration * on_remainder_.middleRows(n, n);
   for (std::size_t j = 0; j < ports_.size(); ++j)

@@ -34,6 +34,7 @@ class CondensedStepper {
   CondensedStepper(const CondensedModel& model, double step_s, Forces forces = Forces::kNone);
 
   double step_s() const { return step_s_; }
+  /// Posts, and behind them actuators: see PostMotion.
   std::size_t post_count() const { return static_cast<std::size_t>(post_.size()) / 3; }
   Eigen::Index sensor_count() const { return on_state_.rows(); }
 

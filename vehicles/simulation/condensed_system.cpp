@@ -36,7 +36,8 @@ void CondensedSystem::Run(const PostMotion& posts, double start, double step, co
   std::vector<PostState> now(stepper.post_count());
   Eigen::VectorXd readings(stepper.sensor_count());
   posts(start, now);
-  stepper.Start(now);
+  if (released().size() > 0) stepper.SetState(released(), now);
+  else stepper.Start(now);
   for (long k = 0;; ++k) {
     const double t = start + static_cast<double>(k) * step;
     stepper.Read(readings);

@@ -16,6 +16,9 @@ inline const Finding kMotionNotFound{"motion-not-found", Severity::kError,
                                      "reduce the motion, or use `--engine reduced`"};
 inline const Finding kFullDeparts{"full-departs", Severity::kError,
                                   "the full system does not follow the reduced model at t = {}", "take a shorter step"};
+inline const Finding kReleaseOfMultibody{
+    "release-of-multibody", Severity::kError, "the full geometry was not found along the motion after the release",
+    "check how far the vehicle was held from rest; the reduced model answers with `--engine reduced`"};
 inline const Finding kChamberCloses{"chamber-closes", Severity::kError, "a chamber of a hydraulic damper closes",
                                     "lengthen the oil column, or reduce the stroke"};
 

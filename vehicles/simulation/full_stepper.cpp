@@ -50,11 +50,12 @@ FullStepper::FullStepper(Multibody& multibody, const CondensedModel& model, doub
   extensions_.resize(parts + 1, static_cast<Index>(oil_.size()));
 }
 
-void FullStepper::Start(const PostMotion& posts, double t) {
+void FullStepper::Start(const PostMotion& posts, double t, const Eigen::VectorXd& released) {
   start_s_ = t;
   steps_ = evaluations_ = 0;
   posts(t, posts_);
   stepper_.Start(posts_);
+  if (released.size() > 0) stepper_.SetState(released, posts_);
   added_.setZero(full_.size());
   before_ = added_;
   // A centimetre per second squared of all that moves: of a vehicle at rest what is left of forces is their rounding.
@@ -66,7 +67,13 @@ void FullStepper::Start(const PostMotion& posts, double t) {
   extensions_.setZero();
   oil_at_start_ = oil_;
   extra_at_start_ = extra_;
-  Lacking(t);
+  const Eigen::VectorXd lacking = Lacking(t);
+  if (released.size() > 0) {
+    stepper_.Store(moment_);
+    moment_.added = added_ = before_ = -lacking;
+    stepper_.Return(moment_);
+    Lacking(t);
+  }
   readings_ = full_.Readings();
 }
 

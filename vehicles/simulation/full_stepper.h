@@ -25,8 +25,9 @@ class FullStepper {
   /// object. Throws std::invalid_argument for steps that are not positive.
   FullStepper(Multibody& multibody, const CondensedModel& model, double step_s, long parts);
 
-  /// At rest in the design pose at time t.
-  void Start(const PostMotion& posts, double t);
+  /// At rest in the design pose at time t, or in this state [s s' x] of the reduced model, where g follows from one
+  /// evaluation; without hydraulic dampers then.
+  void Start(const PostMotion& posts, double t, const Eigen::VectorXd& released = {});
 
   /// One step H. Throws SimulationError if g is not found.
   void Step(const PostMotion& posts);

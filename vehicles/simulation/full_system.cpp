@@ -41,7 +41,7 @@ void FullSystem::Run(const PostMotion& posts, double start, double step, const R
   const PostsAtRestAfterwards at_rest{multibody_};
   multibody_.SetPostMotion(posts);
   Eigen::VectorXd readings(static_cast<Eigen::Index>(rig().sensors.size()));
-  stepper.Start(posts, start);
+  stepper.Start(posts, start, released());
   for (long k = 0;; ++k) {
     const double t = start + static_cast<double>(k) * step;
     stepper.Read(readings);

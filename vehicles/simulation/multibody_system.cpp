@@ -1,5 +1,8 @@
 #include "vehicles/simulation/multibody_system.h"
 
+#include "vehicles/multibody/simulation_error.h"
+#include "vehicles/simulation/findings.h"
+
 namespace fourpost {
 
 MultibodySystem::MultibodySystem(Multibody& multibody, double accuracy)
@@ -7,6 +10,7 @@ MultibodySystem::MultibodySystem(Multibody& multibody, double accuracy)
 
 void MultibodySystem::Run(const PostMotion& posts, double start, double step, const ReadingSink& sink,
                           const std::function<bool()>& done) {
+  if (released().size() > 0) throw SimulationError(kReleaseOfMultibody);
   multibody_.SetPostMotion(posts);
   multibody_.Integrate(
       multibody_.RestState(), start, step, accuracy_,

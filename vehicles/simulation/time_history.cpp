@@ -63,12 +63,13 @@ TimeHistory Simulate(TimeSystem& system, const PostMotion& posts, const TimeGrid
   const Index count = lead + grid.count();
   history.posts.resize(count, static_cast<Index>(system.rig().post_count));
   history.readings.resize(count, static_cast<Index>(system.rig().sensors.size()));
-  std::vector<PostState> now(system.rig().post_count);
+  std::vector<PostState> now(system.rig().post_count + system.rig().actuator_count);
   Index filled = 0;
   bool ended = false;
   const auto sink = [&](double t, const Eigen::VectorXd& readings) {
     posts(t, now);
-    for (std::size_t p = 0; p < now.size(); ++p) history.posts(filled, static_cast<Index>(p)) = now[p].height;
+    for (std::size_t p = 0; p < system.rig().post_count; ++p)
+      history.posts(filled, static_cast<Index>(p)) = now[p].height;
     history.readings.row(filled) = readings.transpose();
     if (go_on && filled % 256 == 0) ended = !go_on(t);
     ++filled;
@@ -99,6 +100,7 @@ CondensedHistory SimulateCondensed(const CondensedModel& model, const RigView& r
                                    const TimeGrid& grid, const CondensedHistoryOptions& options, const GoOn& go_on) {
   const auto run = [&](double longest_step, const GoOn& goes_on) {
     CondensedSystem system(model, rig, longest_step);
+    system.StartFrom(options.released);
     return Simulate(system, posts, grid, goes_on);
   };
   return SimulateByHalving(run, rig.sensors, grid, options, go_on);

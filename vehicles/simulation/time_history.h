@@ -64,6 +64,8 @@ struct CondensedHistoryOptions {
   double longest_step_s = 2e-3;
   /// Limit of halvings.
   int most_halvings = 7;
+  /// See TimeSystem::StartFrom(); empty: from rest.
+  Eigen::VectorXd released = {};
 
   /// Throws std::invalid_argument naming the field, its value and its bound.
   void Validate() const;

@@ -29,7 +29,8 @@ double StiffestTyre(const Vehicle& vehicle) {
 }  // namespace
 
 RigView RigViewOf(const Vehicle& vehicle) {
-  return {vehicle.sensors, vehicle.posts.size(), LeverOfPosts(vehicle), StiffestTyre(vehicle)};
+  return {vehicle.sensors, vehicle.posts.size(), LeverOfPosts(vehicle), StiffestTyre(vehicle),
+          vehicle.actuators.size()};
 }
 
 }  // namespace fourpost

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -20,6 +21,7 @@ struct RigView {
   double post_lever_m = 1;
   /// Of the stiffest tyre [N/m].
   double tyre_stiffness = 0;
+  std::size_t actuator_count = 0;
 };
 
 /// Of a vehicle at its file's values.
@@ -38,16 +40,22 @@ class TimeSystem {
 
   const RigView& rig() const { return rig_; }
 
-  /// Runs from rest in the design pose at `start`, reporting at start + k step for k = 0, 1, ... until `done`. Throws
-  /// std::runtime_error if the motion cannot be computed.
+  /// Lets the vehicle go from this state of its reduced model, [s s' x], instead of rest in the design pose.
+  void StartFrom(Eigen::VectorXd state) { released_ = std::move(state); }
+
+  /// Runs from rest in the design pose, or from where it is let go, at `start`, reporting at start + k step for k = 0,
+  /// 1, ... until `done`. Throws std::runtime_error if the motion cannot be computed.
   virtual void Run(const PostMotion& posts, double start, double step, const ReadingSink& sink,
                    const std::function<bool()>& done) = 0;
 
  protected:
   explicit TimeSystem(RigView rig) : rig_(std::move(rig)) {}
+  /// Empty: from rest.
+  const Eigen::VectorXd& released() const { return released_; }
 
  private:
   RigView rig_;
+  Eigen::VectorXd released_;
 };
 
 }  // namespace fourpost

@@ -85,8 +85,10 @@ AttributeRule Bound(std::string_view name, std::string_view doc) {
 std::vector<TagRule> MakeParameterTags() {
   return {
       {.path = "fp:parameter",
-       .doc = "A number that a fit may change, used as `$name` or bound to numbers of the tree. Without bounds it is "
-              "fixed; give all three of lower, upper and precision or none.",
+       .doc =
+           "A number that a fit may change, used as `$name` or bound to numbers of the tree. Without bounds it is "
+           "fixed; give all three of lower, upper and precision or none. `NAME_at_2` holds the value of the parameter "
+           "NAME at the setting 2 of a study's `control` (`1p5` is 1.5, `m1` is -1) and needs no other use.",
        .attributes = {{.name = "name", .kind = Kind::kName, .doc = "letters, digits and '_'"},
                       {.name = "value", .kind = Kind::kQuantity, .doc = "the number, with the unit it is shown in"},
                       Bound("lower", "least value of a search"),
@@ -349,6 +351,11 @@ std::vector<TagRule> MakeBushingTags() {
                                     "loss factor: tangent of the loss angle")),
                       Usual("0.1 Hz", "1000 Hz",
                             Measure("frequency", kFrequency, Sign::kPositive, "where the loss factor holds"))}},
+      {.path = "fp:actuator",
+       .doc = "A force between two points that a recording gives, tension positive: an active suspension, a shaker, a "
+              "body actuator of a rig (one end on the ground). A study names its channel under `actuators`; without "
+              "one, and in responses to posts, it is zero.",
+       .attributes = {kNameRule, kParentRule, kChildRule, kGuideRule}},
       {.path = "fp:antiroll",
        .doc = "An anti-roll bar. It pulls on the left line with stiffness (e_left - e_right) + damping (e_left - "
               "e_right)', and pushes as much on the right one; e: extension of the line between the end of the bar's "

@@ -87,7 +87,7 @@ bool Check(const BenchDamper& damper, const BenchRecording& recording, const std
 }  // namespace
 
 std::optional<BenchData> LoadBenchData(const BenchStudy& study, const std::string& study_file, const Vehicle& vehicle,
-                                       Diagnostics& diagnostics) {
+                                       Diagnostics& diagnostics, const Control& control) {
   BenchData data;
   const std::optional<std::size_t> damper = FindDamper(study, study_file, vehicle, diagnostics);
   bool good = damper.has_value();
@@ -97,7 +97,9 @@ std::optional<BenchData> LoadBenchData(const BenchStudy& study, const std::strin
   if (damper) on_bench.emplace(vehicle, *damper);
   const auto load = [&](const BenchStudy::Recording& from, Diagnostics& found) {
     std::optional<BenchRecording> loaded = Load(study, from, on_bench, found);
-    if (loaded && on_bench && !Check(*on_bench, *loaded, values, from.file.string(), found)) loaded.reset();
+    if (loaded) loaded->setting = SettingOf(control, from.setting, from.name, {study_file, from.line}, found);
+    if (loaded && on_bench && !Check(*on_bench, *loaded, loaded->setting.At(values), from.file.string(), found))
+      loaded.reset();
     return loaded;
   };
   for (const BenchStudy::Recording& recording : study.recordings) {
@@ -119,7 +121,7 @@ std::optional<BenchData> LoadBenchData(const BenchStudy& study, const std::strin
 
 std::vector<double> ModelledForce(const BenchDamper& damper, const BenchRecording& recording,
                                   const std::vector<double>& values) {
-  std::vector<double> force = damper.Tensions(recording.motion, values);
+  std::vector<double> force = damper.Tensions(recording.motion, recording.setting.At(values));
   if (recording.filter) recording.filter->Apply(force);
   return force;
 }

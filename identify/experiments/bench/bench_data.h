@@ -7,6 +7,7 @@
 #include "analysis/signals/low_pass.h"
 #include "analysis/text/diagnostics.h"
 #include "identify/experiments/bench/bench_study.h"
+#include "identify/study_file/control.h"
 #include "identify/study_file/left_out_recording.h"
 #include "vehicles/bench/bench_damper.h"
 #include "vehicles/bench/bench_motion.h"
@@ -22,6 +23,8 @@ struct BenchRecording {
   std::string name;
   double start_s = 0;
   double sample_s = 0;
+  /// Of the damper's parameters, while it was recorded.
+  ControlSetting setting = {};
   /// What the clamps did, before any filter of the rig.
   BenchMotion motion;
   /// As measured, N.
@@ -49,7 +52,7 @@ struct BenchData {
 /// Reads the recordings and looks for what is wrong with them. Adds every fault to `diagnostics`; nothing when there
 /// was an error in what is to be fitted. Recordings for validation that have one are left out, with a warning.
 std::optional<BenchData> LoadBenchData(const BenchStudy& study, const std::string& study_file, const Vehicle& vehicle,
-                                       Diagnostics& diagnostics);
+                                       Diagnostics& diagnostics, const Control& control = {});
 
 /// What the rig would have recorded of this damper [N], at all samples; empty where it cannot move so.
 std::vector<double> ModelledForce(const BenchDamper& damper, const BenchRecording& recording,

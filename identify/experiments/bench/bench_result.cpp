@@ -52,7 +52,7 @@ std::vector<ModelledRecording> ModelledRecordings(const BenchDamper& damper,
 double IntegrationError(const BenchDamper& damper, const ModelledRecording& modelled,
                         const std::vector<double>& values) {
   const BenchRecording& recording = modelled.recording;
-  std::vector<double> finer = damper.FinerTensions(recording.motion, values);
+  std::vector<double> finer = damper.FinerTensions(recording.motion, recording.setting.At(values));
   if (finer.empty()) throw SimulationError(kBenchChamberCloses, {recording.name});
   if (recording.filter) recording.filter->Apply(finer);
   // Per cent of the finer one's variance.
@@ -72,6 +72,22 @@ std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& re
     JudgeNoise(Residual(recording, measured, modelled), misfits.back());
   }
   return misfits;
+}
+
+std::vector<YardstickRecord> YardstickRecords(const std::vector<ModelledRecording>& recordings) {
+  std::vector<YardstickRecord> records;
+  for (const auto& [recording, force] : recordings) {
+    const auto count = static_cast<Eigen::Index>(recording.end - recording.first);
+    YardstickRecord record{.name = recording.name, .rate_Hz = 1 / recording.sample_s, .setting = recording.setting};
+    record.inputs.resize(count, 1);
+    for (Eigen::Index k = 0; k < count; ++k)
+      record.inputs(k, 0) =
+          recording.motion.extension[(recording.first + static_cast<std::size_t>(k)) * recording.motion.steps];
+    record.channels.push_back(
+        {"force", Eigen::Map<const Eigen::VectorXd>(recording.force.data() + recording.first, count)});
+    records.push_back(std::move(record));
+  }
+  return records;
 }
 
 std::string BenchCsv(const std::vector<ModelledRecording>& recordings, const HalfWidths* about) {

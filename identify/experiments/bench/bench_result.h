@@ -7,6 +7,7 @@
 
 #include "identify/experiments/bench/bench_data.h"
 #include "identify/residuals/history_misfit.h"
+#include "identify/residuals/yardstick.h"
 
 namespace fourpost {
 
@@ -32,6 +33,9 @@ double IntegrationError(const BenchDamper& damper, const ModelledRecording& mode
 
 /// Over the samples that are compared.
 std::vector<HistoryMisfit> BenchMisfits(const std::vector<ModelledRecording>& recordings);
+
+/// For AddYardsticks(): extension and force of the samples that are compared.
+std::vector<YardstickRecord> YardstickRecords(const std::vector<ModelledRecording>& recordings);
 
 /// Of bands of 95 % about a force [N], one per sample that is compared: of the parameters alone, and of a new
 /// measurement.

@@ -5,6 +5,7 @@
 
 #include "identify/experiments/bench/findings.h"
 #include "identify/study_file/channel_source_reader.h"
+#include "identify/study_file/control_reader.h"
 #include "identify/study_file/findings.h"
 
 namespace fourpost {
@@ -70,10 +71,11 @@ class BenchReader {
     if (entry.IsScalar()) {
       recording.file = Resolve(entry.Scalar());
     } else {
-      const StrictMap map(entry, "the recording", {"name", "file"}, file_, diagnostics_);
+      const StrictMap map(entry, "the recording", {"name", "file", "control"}, file_, diagnostics_);
       map.Require("file");
       if (const auto file = map.Text("file")) recording.file = Resolve(*file);
       name = map.Text("name");
+      recording.setting = ReadSetting(map);
     }
     recording.name = name.value_or(recording.file.stem().string());
     return recording;

@@ -21,6 +21,8 @@ struct BenchStudy {
   struct Recording {
     std::string name;
     std::filesystem::path file;
+    /// Of a control that parameters follow.
+    std::optional<double> setting = {};
     int line = 0;
   };
   /// Of the vehicle; its only one when empty.

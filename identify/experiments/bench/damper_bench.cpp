@@ -118,8 +118,15 @@ std::vector<ExperimentFile> DamperBench::Files() const {
   return files;
 }
 
+std::vector<double> DamperBench::Settings() const {
+  std::vector<double> settings;
+  for (const BenchStudy::Recording& recording : plan.recordings)
+    if (recording.setting) settings.push_back(*recording.setting);
+  return settings;
+}
+
 void DamperBench::Load(const Subject& subject, Diagnostics& diagnostics) {
-  std::optional<BenchData> loaded = LoadBenchData(plan, file, subject.vehicle(), diagnostics);
+  std::optional<BenchData> loaded = LoadBenchData(plan, file, subject.vehicle(), diagnostics, subject.control());
   if (!loaded) return;
   data = *std::move(loaded);
   left_out_ = data.left_out;
@@ -129,6 +136,7 @@ void DamperBench::AddTo(Sha256& digest, Sha256& settings) const {
   digest.Add(static_cast<double>(data.damper));
   for (const BenchRecording& recording : data.fitted) {
     digest.Add(recording.name);
+    fourpost::AddTo(digest, recording.setting);
     digest.Add(recording.sample_s);
     digest.Add(recording.cutoff_Hz);
     digest.Add(recording.motion.extension);
@@ -149,8 +157,10 @@ ExperimentResults DamperBench::Results(const Subject& subject, const FitResult& 
   const std::vector<ModelledRecording> kept = Predicted(damper, data.validation, fit.values, results);
   for (const LeftOutRecording& recording : left_out_)
     results.json["validation_left_out"].push_back(LeftOutJson(recording));
-  const std::vector<HistoryMisfit> misfits = BenchMisfits(fitted);
-  const std::vector<HistoryMisfit> kept_misfits = BenchMisfits(kept);
+  std::vector<HistoryMisfit> misfits = BenchMisfits(fitted);
+  std::vector<HistoryMisfit> kept_misfits = BenchMisfits(kept);
+  AddYardsticks(YardstickRecords(fitted), YardstickRecords(fitted), misfits);
+  AddYardsticks(YardstickRecords(fitted), YardstickRecords(kept), kept_misfits);
   results.json["channels"] = HistoryMisfitsJson(misfits);
   results.json["history_discrepancy"] = {{{"channel", "force"}, {"share", ForceDiscrepancy(fitted)}}};
   if (!kept_misfits.empty()) results.json["validation"] = HistoryMisfitsJson(kept_misfits);
@@ -162,6 +172,10 @@ ExperimentResults DamperBench::Results(const Subject& subject, const FitResult& 
   AddRows(misfits, "fitted", table);
   AddRows(kept_misfits, "validation", table);
   results.text = table.Format();
+  std::vector<HistoryMisfit> all_misfits = misfits;
+  all_misfits.insert(all_misfits.end(), kept_misfits.begin(), kept_misfits.end());
+  if (const std::string yardsticks = YardstickTable(all_misfits); !yardsticks.empty())
+    results.text += '\n' + yardsticks + '\n';
   std::vector<ModelledRecording> all = fitted;
   all.insert(all.end(), kept.begin(), kept.end());
   AddIntegration(damper, all, fit.values, results);
@@ -214,7 +228,8 @@ std::optional<ExperimentResults> DamperBench::Predict(const Subject& subject, co
   refuse(!request.noise_from.empty(), "--noise-from");
   if (results.findings.HasErrors()) throw FaultyInput(results.findings);
   DamperBench other = *this;
-  other.plan.recordings = {{.name = request.recording.stem().string(), .file = request.recording}};
+  other.plan.recordings = {
+      {.name = request.recording.stem().string(), .file = request.recording, .setting = request.setting}};
   other.plan.validation.clear();
   other.Load(subject, results.findings);
   if (results.findings.HasErrors()) throw FaultyInput(results.findings);

@@ -1,5 +1,8 @@
 #include "identify/experiments/four_post/misfit_table.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "analysis/text/text_table.h"
 
 namespace fourpost {
@@ -9,16 +12,36 @@ void Add(const std::string& name, const ChannelMisfit& misfit, TextTable& table)
   table.Add({name, Rounded(misfit.rms_dB, 3), Rounded(misfit.rms_deg, 3), Rounded(misfit.nmse_percent, 3)});
 }
 
+std::string Percent(const std::optional<double>& percent) { return percent ? Rounded(*percent, 3) : "-"; }
+
+/// Empty without any.
+std::string YardstickTable(const std::vector<ChannelMisfit>& misfits) {
+  if (std::none_of(misfits.begin(), misfits.end(), [](const auto& misfit) { return misfit.Allowed_percent(); }))
+    return "";
+  TextTable table({"channel", "NMSE, %", "linear model, %", "scatter, %", "of the model, %"});
+  for (const ChannelMisfit& misfit : misfits) {
+    const std::optional<double> allowed = misfit.Allowed_percent();
+    table.Add({misfit.name, Rounded(misfit.nmse_percent, 3), Percent(misfit.linear_percent),
+               Percent(misfit.scatter_percent),
+               allowed ? Rounded(std::max(0.0, misfit.nmse_percent - *allowed), 3) : "-"});
+  }
+  return "\nWithout physics: the best linear model, which is one response for all recordings of a pattern, and the "
+         "scatter\nthat their standard deviations state. NMSE above the least of these is the model's: a better one "
+         "exists.\nBelow it, the data may allow no more.\n" +
+         table.Format();
+}
+
 }  // namespace
 
 std::string MisfitTable(const std::vector<ChannelMisfit>& misfits, const std::vector<ChannelMisfit>& recordings) {
   TextTable table({"channel", "rms dB", "rms deg", "NMSE, %"});
   for (const ChannelMisfit& misfit : misfits) Add(misfit.name, misfit, table);
   Add("all", GroupMisfit(misfits, ""), table);
-  if (recordings.size() < 2) return table.Format();
+  const std::string yardsticks = YardstickTable(misfits);
+  if (recordings.size() < 2) return table.Format() + yardsticks;
   TextTable by_recording({"recording", "rms dB", "rms deg", "NMSE, %"});
   for (const ChannelMisfit& misfit : recordings) Add(misfit.name, misfit, by_recording);
-  return table.Format() + '\n' + by_recording.Format();
+  return table.Format() + '\n' + by_recording.Format() + yardsticks;
 }
 
 }  // namespace fourpost

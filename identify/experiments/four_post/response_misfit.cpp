@@ -14,6 +14,7 @@ struct Sums {
   double square_deg = 0;
   double square_error = 0;
   double square_measured = 0;
+  double square_scatter = 0;
   double count = 0;
   /// Of relative errors: their squares, and products of neighbours.
   double square_relative = 0;
@@ -33,6 +34,8 @@ void Add(const MeasuredChannel& measured, const ChannelResponse& modelled, Sums&
     sums.square_deg += deg * deg;
     sums.square_error += std::norm(modelled.response[i] - measured.response[i]);
     sums.square_measured += std::norm(measured.response[i]);
+    if (!measured.radial_sd.empty())
+      sums.square_scatter += std::pow(measured.radial_sd[i], 2) + std::pow(measured.tangential_sd[i], 2);
     sums.count += 1;
     const std::complex<double> relative = ratio - 1.0;
     sums.square_relative += std::norm(relative);
@@ -41,7 +44,52 @@ void Add(const MeasuredChannel& measured, const ChannelResponse& modelled, Sums&
   }
 }
 
+const MeasuredChannel* Find(const MeasuredRun& run, const std::string& channel) {
+  const auto found = std::find_if(run.channels.begin(), run.channels.end(),
+                                  [&](const MeasuredChannel& other) { return other.name == channel; });
+  return found == run.channels.end() ? nullptr : &*found;
+}
+
+/// Of a channel at one frequency, in all recordings of one pattern.
+std::vector<std::complex<double>> Alike(const std::vector<MeasuredRun>& runs, const MeasuredRun& first,
+                                        std::size_t frequency, const std::string& channel) {
+  constexpr double kSame = 1e-3;
+  const double wanted_Hz = first.excitation.frequency_Hz[frequency];
+  std::vector<std::complex<double>> alike;
+  for (const MeasuredRun& run : runs) {
+    const MeasuredChannel* measured = Find(run, channel);
+    if (!measured || run.excitation.shape != first.excitation.shape) continue;
+    for (std::size_t i = 0; i < run.excitation.frequency_Hz.size(); ++i)
+      if (std::abs(run.excitation.frequency_Hz[i] - wanted_Hz) < kSame * wanted_Hz)
+        alike.push_back(measured->response[i]);
+  }
+  return alike;
+}
+
+/// What the mean over recordings leaves of each; nothing where no frequency is shared.
+std::optional<double> LinearError_percent(const std::vector<MeasuredRun>& runs, const std::string& channel) {
+  double error = 0;
+  double all = 0;
+  for (const MeasuredRun& run : runs) {
+    const MeasuredChannel* measured = Find(run, channel);
+    for (std::size_t i = 0; measured && i < run.excitation.frequency_Hz.size(); ++i) {
+      const std::vector<std::complex<double>> alike = Alike(runs, run, i, channel);
+      if (alike.size() < 2) continue;
+      std::complex<double> mean = 0;
+      for (const std::complex<double>& one : alike) mean += one / static_cast<double>(alike.size());
+      error += std::norm(measured->response[i] - mean);
+      all += std::norm(measured->response[i]);
+    }
+  }
+  return all > 0 ? std::optional(100 * error / all) : std::nullopt;
+}
+
 }  // namespace
+
+std::optional<double> ChannelMisfit::Allowed_percent() const {
+  if (scatter_percent && linear_percent) return std::min(*scatter_percent, *linear_percent);
+  return scatter_percent ? scatter_percent : linear_percent;
+}
 
 std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
                                            const std::vector<FrequencyResponse>& modelled) {
@@ -62,6 +110,8 @@ std::vector<ChannelMisfit> ResponseMisfits(const std::vector<MeasuredRun>& runs,
     misfits[i].rms_dB = std::sqrt(sums[i].square_dB / sums[i].count);
     misfits[i].rms_deg = std::sqrt(sums[i].square_deg / sums[i].count);
     misfits[i].nmse_percent = 100 * sums[i].square_error / sums[i].square_measured;
+    if (sums[i].square_scatter > 0) misfits[i].scatter_percent = 100 * sums[i].square_scatter / sums[i].square_measured;
+    misfits[i].linear_percent = LinearError_percent(runs, misfits[i].name);
     misfits[i].residual_correlation = sums[i].NeighbourCorrelation();
   }
   return misfits;

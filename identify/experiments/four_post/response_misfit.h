@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,15 @@ struct ChannelMisfit {
   /// Squared differences of the complex responses over the squares of those measured: next to a node, where decibels
   /// and degrees jump, it stays small.
   double nmse_percent = 0;
+  /// Without physics, of the same squares: those of the stated standard deviations, where there are any; and what a
+  /// response that is one for all recordings of a pattern leaves, their mean at frequencies that they share.
+  std::optional<double> scatter_percent = {};
+  std::optional<double> linear_percent = {};
   /// Of relative differences of the complex responses at neighbouring frequencies; about 0 where noise is all there is.
   double residual_correlation = 0;
+
+  /// The least error that either shows to be possible: more is the model's.
+  std::optional<double> Allowed_percent() const;
 };
 
 /// `modelled`: one response per run, at its frequencies, one channel per sensor of the vehicle; frequencies without an

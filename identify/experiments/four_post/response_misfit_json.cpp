@@ -1,5 +1,8 @@
 #include "identify/experiments/four_post/response_misfit_json.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "analysis/files/json_text.h"
 
 namespace fourpost {
@@ -17,6 +20,12 @@ nlohmann::ordered_json ResponseMisfitsJson(const std::vector<ChannelMisfit>& mis
     entry.update(ErrorsJson(misfit));
     entry["vaf_percent"] = NumberOrNull(100 - misfit.nmse_percent);
     entry["residual_correlation"] = NumberOrNull(misfit.residual_correlation);
+    if (const std::optional<double> allowed = misfit.Allowed_percent()) {
+      nlohmann::ordered_json& yardstick = entry["yardstick"];
+      if (misfit.linear_percent) yardstick["nmse_percent"] = NumberOrNull(*misfit.linear_percent);
+      if (misfit.scatter_percent) yardstick["repeat_nmse_percent"] = NumberOrNull(*misfit.scatter_percent);
+      yardstick["model_nmse_percent"] = NumberOrNull(std::max(0.0, misfit.nmse_percent - *allowed));
+    }
     list.push_back(std::move(entry));
   }
   return list;

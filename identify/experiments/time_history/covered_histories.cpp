@@ -48,11 +48,15 @@ void AddPosts(const MeasuredHistory& history, CoveredRanges& ranges) {
 CoveredRanges CoveredByHistories(const Vehicle& vehicle, const std::vector<double>& values,
                                  const std::vector<MeasuredHistory>& histories, const std::vector<double>& steps_s) {
   const ProbedVehicle probed(vehicle);
-  const CondensedModel model = CondensedVehicle(probed.vehicle()).At(values);
+  const CondensedVehicle condensed(probed.vehicle());
+  const CondensedVehicle own(vehicle);
   CoveredRanges ranges;
   for (std::size_t h = 0; h < histories.size(); ++h) {
     AddPosts(histories[h], ranges);
-    const Eigen::MatrixXd readings = HistorySimulation(histories[h], steps_s[h]).Readings(model);
+    const std::vector<double> at = histories[h].setting.At(values);
+    const CondensedModel model = condensed.At(at);
+    const HistorySimulation simulation(histories[h], steps_s[h]);
+    const Eigen::MatrixXd readings = simulation.Readings(model, simulation.StateOf(own.At(at)));
     probed.AddMotion(readings, histories[h].rate_Hz, model, ranges);
   }
   return ranges;

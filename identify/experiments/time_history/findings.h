@@ -35,6 +35,25 @@ inline const Finding kHistoryAllSaturated{"history-all-saturated", Severity::kEr
 inline const Finding kHistoryPostMissing{"history-post-missing", Severity::kError,
                                          "history '{}' does not state how post '{}' moved",
                                          "name the channel of its height under 'posts'"};
+inline const Finding kReleaseUnknown{
+    "release-unknown", Severity::kError, "'release' of {} is '{}'",
+    "state 'estimated' (any pose and velocity), 'at rest' (any pose), or the readings above rest of displacement "
+    "sensors at which the vehicle was held, such as {z_body: 50 mm} or {z_body: estimated}"};
+inline const Finding kReleaseOfOtherSensor{"release-of-other-sensor", Severity::kError,
+                                           "'{}' does not measure a displacement or a strut's length",
+                                           "name sensors that do, or state 'release: at rest'"};
+inline const Finding kReleaseHydraulic{
+    "release-hydraulic", Severity::kError,
+    "history '{}' starts from a release, at which the oil pressure in the hydraulic damper '{}' is not known",
+    "give the damper a law without memory, or move posts instead"};
+inline const Finding kReleaseCost{"release-cost", Severity::kError,
+                                  "history '{}' starts from a release, which the cost '{}' does not estimate",
+                                  "fit by the cost 'whitened'"};
+inline const Finding kReleaseWithoutPose{"release-without-pose", Severity::kError,
+                                         "no pose of rest was found with the sensors of 'release' at their readings",
+                                         "check signs and units of 'release', or hold fewer sensors"};
+inline const Finding kHistoryActuatorUnknown{"history-actuator-unknown", Severity::kError,
+                                             "the vehicle has no actuator '{}'{}"};
 inline const Finding kHistorySensorUnknown{"history-sensor-unknown", Severity::kError,
                                            "the vehicle has no sensor '{}'{}"};
 inline const Finding kHistoryWithoutWeight{

@@ -45,9 +45,10 @@ std::optional<std::vector<HistoryCheck>> CheckHistories(const Subject& subject,
     if (is_corrected && answer->by.engine == Engine::kFull) {
       MeasuredHistory plain = history;
       plain.correction.resize(0, 0);
-      const CondensedModel at_file = subject.Condensed()->At(vehicle.ParameterValues());
+      const CondensedModel at_file = subject.Condensed()->At(history.setting.At(vehicle.ParameterValues()));
       const HistorySimulation reduced(plain, HistoryStep(plain, at_file, RigViewOf(vehicle), error));
-      check.correction = answer->modelled - reduced.Run(subject.Condensed()->At(values));
+      check.correction =
+          answer->modelled - reduced.Run(subject.Condensed()->At(history.setting.At(values)), answer->released, {});
       check.change = ChangeOf(history, check.correction);
     } else {
       check.correction = history.correction;

@@ -41,18 +41,23 @@ std::optional<std::size_t> IndexOf(const std::string& name, const std::vector<st
 
 class HistoryLoader {
  public:
-  HistoryLoader(const StudyHistory& study, const std::string& file, const Vehicle& vehicle, Diagnostics& diagnostics)
+  HistoryLoader(const StudyHistory& study, const std::string& file, const Vehicle& vehicle, const Control& control,
+                Diagnostics& diagnostics)
       : study_(study),
+        control_(control),
         file_(file),
         vehicle_(vehicle),
         diagnostics_(diagnostics),
         posts_(NamesOf(vehicle.posts)),
         sensors_(NamesOf(vehicle.sensors)),
+        actuators_(NamesOf(vehicle.actuators)),
         post_noise_(vehicle.posts.size()) {}
 
   std::optional<MeasuredHistory> Load() {
     CheckNames();
     for (const auto& [post, source] : study_.posts) Want(source, kLength, "the height of post '" + post + "'");
+    for (const auto& [actuator, source] : study_.actuators)
+      Want(source, kForce, "the tension of actuator '" + actuator + "'");
     for (const auto& [sensor, source] : study_.channels)
       if (const auto index = IndexOf(sensor, sensors_))
         Want(source, ParseUnit(UnitOf(vehicle_.sensors[*index].type))->dimension, "sensor '" + sensor + "'");
@@ -60,21 +65,30 @@ class HistoryLoader {
     const std::optional<TimeRecording> recording =
         ReadTimeRecording(study_.file, wanted_, diagnostics_, TimeColumn(study_.time), study_.preparation);
     if (!good_ || !recording) return std::nullopt;
-    MeasuredHistory history{.name = study_.name,
-                            .rate_Hz = recording->rate_Hz(),
-                            .filter = study_.filter,
-                            .process_sd = study_.process_sd.value_or(0)};
+    MeasuredHistory history{
+        .name = study_.name,
+        .rate_Hz = recording->rate_Hz(),
+        .filter = study_.filter,
+        .release = study_.release,
+        .setting = SettingOf(control_, study_.setting, study_.name, {file_, study_.line}, diagnostics_),
+        .process_sd = study_.process_sd.value_or(0)};
     history.preparations = recording->preparations;
     if (study_.has_absolute_heights) history.preparations.emplace_back("heights of posts as recorded");
     CheckRate(history.rate_Hz);
     SetWindow(*recording, history);
     if (!good_) return std::nullopt;
     history.heights = Heights(*recording);
-    history.posts = FollowHeights(history.heights, recording->start_s, recording->step_s,
-                                  study_.filter ? &*study_.filter : nullptr);
+    history.tensions = Tensions(*recording);
+    if (history.release) Find(*history.release);
+    history.posts = posts_.empty() && actuators_.empty()
+                        ? NoPosts(*recording)
+                        : FollowHeights(history.heights, recording->start_s, recording->step_s,
+                                        study_.filter ? &*study_.filter : nullptr, history.tensions);
     for (std::size_t p = 0; p < posts_.size(); ++p) {
-      history.post_noise_sd.push_back(post_noise_[p].value_or(NoiseFloor(history.heights[p])));
-      history.post_noise_is_stated.push_back(post_noise_[p].has_value());
+      // Posts that the study does not name rest.
+      const bool is_known = post_noise_[p].has_value() || study_.posts.empty();
+      history.post_noise_sd.push_back(is_known ? post_noise_[p].value_or(0) : NoiseFloor(history.heights[p]));
+      history.post_noise_is_stated.push_back(is_known);
     }
     AddSignals(*recording, noise, history);
     return history;
@@ -90,12 +104,56 @@ class HistoryLoader {
     if (study_.channels.empty()) Fault(kNoChannelByName, study_.line, {DidYouMeanOrAll("", sensors_)});
     for (const auto& [post, source] : study_.posts)
       if (!IndexOf(post, posts_)) Fault(kHistoryPostUnknown, source.line, {post, DidYouMeanOrAll(post, posts_)});
+    for (const auto& [actuator, source] : study_.actuators) CheckActuator(actuator, source.line);
+    for (const auto& [actuator, load] : study_.loads_N) CheckActuator(actuator, study_.line);
     for (const auto& [sensor, source] : study_.channels)
       if (!IndexOf(sensor, sensors_))
         Fault(kHistorySensorUnknown, source.line, {sensor, DidYouMeanOrAll(sensor, sensors_)});
+    if (study_.release) CheckRelease();
+    // Posts that are not named rest.
+    if ((study_.release || !study_.actuators.empty()) && study_.posts.empty()) return;
     for (const std::string& post : posts_)
       if (std::none_of(study_.posts.begin(), study_.posts.end(), [&](const auto& one) { return one.first == post; }))
         Fault(kHistoryPostMissing, study_.line, {study_.name, post});
+  }
+
+  void CheckActuator(const std::string& actuator, int line) {
+    if (!IndexOf(actuator, actuators_))
+      Fault(kHistoryActuatorUnknown, line, {actuator, DidYouMeanOrAll(actuator, actuators_)});
+  }
+
+  void CheckRelease() {
+    for (const Release::Hold& hold : study_.release->held) {
+      const std::optional<std::size_t> sensor = IndexOf(hold.sensor, sensors_);
+      if (!sensor) Fault(kHistorySensorUnknown, hold.line, {hold.sensor, DidYouMeanOrAll(hold.sensor, sensors_)});
+      else if (ParseUnit(UnitOf(vehicle_.sensors[*sensor].type))->dimension != kLength)
+        Fault(kReleaseOfOtherSensor, hold.line, {hold.sensor});
+    }
+    for (const Damper& damper : vehicle_.dampers)
+      if (damper.hydraulic) Fault(kReleaseHydraulic, study_.line, {study_.name, damper.name});
+  }
+
+  /// Its sensors in the vehicle.
+  void Find(Release& release) const {
+    for (Release::Hold& hold : release.held) hold.index = *IndexOf(hold.sensor, sensors_);
+  }
+
+  static RecordedPosts NoPosts(const TimeRecording& recording) {
+    return {.motion = [](double, std::span<PostState>) {},
+            .start_s = recording.start_s,
+            .end_s = recording.end_s,
+            .step_s = recording.step_s};
+  }
+
+  std::vector<std::vector<double>> Tensions(const TimeRecording& recording) {
+    std::vector<std::vector<double>> tensions(actuators_.size(), std::vector<double>(recording.samples()));
+    for (const auto& [actuator, source] : study_.actuators) {
+      const Eigen::VectorXd tension = Combined(recording, source);
+      tensions[*IndexOf(actuator, actuators_)].assign(tension.begin(), tension.end());
+    }
+    for (const auto& [actuator, load] : study_.loads_N)
+      tensions[*IndexOf(actuator, actuators_)].assign(recording.samples(), load);
+    return tensions;
   }
 
   void Want(const ChannelSource& source, const Dimension& dimension, const std::string& what) {
@@ -185,7 +243,7 @@ class HistoryLoader {
   }
 
   std::vector<std::vector<double>> Heights(const TimeRecording& recording) {
-    std::vector<std::vector<double>> heights(posts_.size());
+    std::vector<std::vector<double>> heights(posts_.size(), std::vector<double>(recording.samples()));
     for (const auto& [post, source] : study_.posts) {
       const Eigen::VectorXd recorded = Combined(recording, source);
       const Eigen::VectorXd height = study_.has_absolute_heights ? recorded : WithoutMean(recorded);
@@ -225,11 +283,13 @@ class HistoryLoader {
   }
 
   const StudyHistory& study_;
+  const Control& control_;
   const std::string& file_;
   const Vehicle& vehicle_;
   Diagnostics& diagnostics_;
   std::vector<std::string> posts_;
   std::vector<std::string> sensors_;
+  std::vector<std::string> actuators_;
   /// As stated.
   std::vector<std::optional<double>> post_noise_;
   std::vector<RecordedChannel> wanted_;
@@ -250,10 +310,10 @@ Index MeasuredHistory::Stride() const {
 
 std::optional<std::vector<MeasuredHistory>> LoadHistories(const std::vector<StudyHistory>& histories,
                                                           const std::string& study_file, const Vehicle& vehicle,
-                                                          Diagnostics& diagnostics) {
+                                                          Diagnostics& diagnostics, const Control& control) {
   std::vector<MeasuredHistory> loaded;
   for (const StudyHistory& study : histories)
-    if (std::optional<MeasuredHistory> history = HistoryLoader(study, study_file, vehicle, diagnostics).Load())
+    if (std::optional<MeasuredHistory> history = HistoryLoader(study, study_file, vehicle, control, diagnostics).Load())
       loaded.push_back(std::move(*history));
   if (diagnostics.HasErrors()) return std::nullopt;
   return loaded;
@@ -261,13 +321,13 @@ std::optional<std::vector<MeasuredHistory>> LoadHistories(const std::vector<Stud
 
 std::vector<MeasuredHistory> LoadValidation(const std::vector<StudyHistory>& histories, const std::string& study_file,
                                             const Vehicle& vehicle, Diagnostics& diagnostics,
-                                            std::vector<LeftOutRecording>& left_out) {
+                                            std::vector<LeftOutRecording>& left_out, const Control& control) {
   std::vector<MeasuredHistory> loaded;
   for (const StudyHistory& study : histories) {
     Diagnostics found;
     std::optional<MeasuredHistory> history;
     if (RequireFile(study.file, study_file, study.line, found))
-      history = HistoryLoader(study, study_file, vehicle, found).Load();
+      history = HistoryLoader(study, study_file, vehicle, control, found).Load();
     if (std::optional<LeftOutRecording> out = LeftOutFor(found, study.name, study.file, diagnostics))
       left_out.push_back(*std::move(out));
     else if (history) loaded.push_back(std::move(*history));

@@ -10,6 +10,7 @@
 
 #include "analysis/text/diagnostics.h"
 #include "identify/experiments/time_history/history_study.h"
+#include "identify/study_file/control.h"
 #include "identify/study_file/left_out_recording.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/posts/recorded_posts.h"
@@ -43,7 +44,13 @@ struct MeasuredHistory {
   std::vector<double> post_noise_sd = {};
   /// Per post, whether the study states it.
   std::vector<char> post_noise_is_stated = {};
+  /// Tensions of the actuators [N], with their means.
+  std::vector<std::vector<double>> tensions = {};
   std::optional<LowPassDesign> filter;
+  /// From where the vehicle is let go at the first sample of the window.
+  std::optional<Release> release = {};
+  /// Of the vehicle's parameters, while it was recorded.
+  ControlSetting setting = {};
   /// Of a Kalman filter's process, as the study states it [m/s^2]; 0: it does not.
   double process_sd = 0;
   /// First sample compared, of the record; and how many are. Samples that the filter keeps back at the end are left
@@ -70,11 +77,11 @@ inline Eigen::VectorXd WithoutMean(const Eigen::VectorXd& values) { return value
 /// nothing when there was an error.
 std::optional<std::vector<MeasuredHistory>> LoadHistories(const std::vector<StudyHistory>& histories,
                                                           const std::string& study_file, const Vehicle& vehicle,
-                                                          Diagnostics& diagnostics);
+                                                          Diagnostics& diagnostics, const Control& control = {});
 
 /// Likewise those that a fit does not see; each that has a fault is left out, with a warning, and added to `left_out`.
 std::vector<MeasuredHistory> LoadValidation(const std::vector<StudyHistory>& histories, const std::string& study_file,
                                             const Vehicle& vehicle, Diagnostics& diagnostics,
-                                            std::vector<LeftOutRecording>& left_out);
+                                            std::vector<LeftOutRecording>& left_out, const Control& control = {});
 
 }  // namespace fourpost

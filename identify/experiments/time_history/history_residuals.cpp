@@ -40,22 +40,30 @@ HistoryResiduals::HistoryResiduals(std::shared_ptr<const CondensedVehicle> vehic
     : condensed_(std::move(vehicle)), histories_(std::move(histories)), options_(options) {
   RequireOption(options.model_error >= 0 && std::isfinite(options.model_error), "HistoryResiduals: model_error",
                 options.model_error, "finite and not negative");
-  const CondensedModel model = condensed_->At(condensed_->vehicle().ParameterValues());
+  const std::vector<double> of_file = condensed_->vehicle().ParameterValues();
   const RigView rig = RigViewOf(condensed_->vehicle());
   simulations_.reserve(histories_.size());
-  for (const MeasuredHistory& history : histories_) {
+  for (MeasuredHistory& history : histories_) {
+    const CondensedModel model = ModelOf(history, of_file);
+    if (history.release) history.release->model_error = options.model_error;
     simulations_.emplace_back(history, HistoryStep(history, model, rig, options.error));
+    // Estimates go on from that at the file's values, the same in every thread.
+    if (history.release) history.release->guess = simulations_.back().StartOf(model).estimate.unknowns;
     if (options.cost == HistoryCost::kPrediction) predictors_.emplace_back(history);
     count_ += CountOf(history) * static_cast<Index>(history.signals.size());
   }
   if (options.cost != HistoryCost::kPrediction) return;
   noise_ = options.noise;
   if (noise_.empty())
-    for (const KalmanPredictor& predictor : predictors_)
-      noise_.push_back(predictor.Estimate(model, options.noise_search));
+    for (std::size_t h = 0; h < predictors_.size(); ++h)
+      noise_.push_back(predictors_[h].Estimate(ModelOf(histories_[h], of_file), options.noise_search));
   RequireOption(noise_.size() == histories_.size(), "HistoryResiduals: noise", static_cast<double>(noise_.size()),
                 "one per history");
-  reference_log_determinant_ = LogDeterminantOf(Predicted(condensed_->vehicle().ParameterValues()));
+  reference_log_determinant_ = LogDeterminantOf(Predicted(of_file));
+}
+
+CondensedModel HistoryResiduals::ModelOf(const MeasuredHistory& history, const std::vector<double>& values) const {
+  return condensed_->At(history.setting.At(values));
 }
 
 Index HistoryResiduals::CountOf(const MeasuredHistory& history) const {
@@ -64,20 +72,19 @@ Index HistoryResiduals::CountOf(const MeasuredHistory& history) const {
 
 Eigen::VectorXd HistoryResiduals::At(const std::vector<double>& values, const Deadline& deadline) const {
   if (options_.cost == HistoryCost::kPrediction) return OfPrediction(Predicted(values, deadline));
-  const CondensedModel model = condensed_->At(values);
   Eigen::VectorXd residuals(count_);
   Index at = 0;
   for (std::size_t h = 0; h < histories_.size(); ++h)
-    AddHistory(histories_[h], Modelled(h, model, deadline), at, residuals);
+    AddHistory(histories_[h], Modelled(h, ModelOf(histories_[h], values), deadline), at, residuals);
   return residuals;
 }
 
 Eigen::VectorXd HistoryResiduals::AtFinerSteps(const std::vector<double>& values) const {
-  const CondensedModel model = condensed_->At(values);
   Eigen::VectorXd residuals(count_);
   Index at = 0;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
     const MeasuredHistory& history = histories_[h];
+    const CondensedModel model = ModelOf(history, values);
     Eigen::MatrixXd modelled = HistorySimulation(history, 0.25 * simulations_[h].step_s()).Run(model);
     AddStartTo(history, model, modelled);
     AddHistory(history, modelled, at, residuals);
@@ -118,9 +125,9 @@ void HistoryResiduals::AddSignal(const MeasuredHistory& history, const MeasuredS
 }
 
 std::vector<Eigen::MatrixXd> HistoryResiduals::Modelled(const std::vector<double>& values) const {
-  const CondensedModel model = condensed_->At(values);
   std::vector<Eigen::MatrixXd> modelled;
-  for (std::size_t h = 0; h < simulations_.size(); ++h) modelled.push_back(Modelled(h, model, {}));
+  for (std::size_t h = 0; h < simulations_.size(); ++h)
+    modelled.push_back(Modelled(h, ModelOf(histories_[h], values), {}));
   return modelled;
 }
 
@@ -136,7 +143,7 @@ void HistoryResiduals::AddStartTo(const MeasuredHistory& history, const Condense
   Eigen::VectorXd weights(modelled.cols());
   for (Index i = 0; i < weights.size(); ++i)
     weights[i] = 1 / std::pow(DeviationOf(history.signals[static_cast<std::size_t>(i)]), 2);
-  AddStart(history, model, weights, history.Stride(), modelled);
+  if (!history.release) AddStart(history, model, weights, history.Stride(), modelled);
 }
 
 double HistoryResiduals::DeviationOf(const MeasuredSignal& signal) const {
@@ -145,10 +152,9 @@ double HistoryResiduals::DeviationOf(const MeasuredSignal& signal) const {
 
 std::vector<KalmanPrediction> HistoryResiduals::Predicted(const std::vector<double>& values,
                                                           const Deadline& deadline) const {
-  const CondensedModel model = condensed_->At(values);
   std::vector<KalmanPrediction> predicted;
   for (std::size_t h = 0; h < predictors_.size(); ++h)
-    predicted.push_back(predictors_[h].Run(model, noise_[h], deadline));
+    predicted.push_back(predictors_[h].Run(ModelOf(histories_[h], values), noise_[h], deadline));
   return predicted;
 }
 
@@ -159,9 +165,9 @@ std::vector<double> HistoryResiduals::Steps() const {
 }
 
 std::vector<MeasuredHistory> HistoryResiduals::WithPostNoise(const std::vector<double>& values, double sign) const {
-  const CondensedModel model = condensed_->At(values);
   std::vector<MeasuredHistory> noisy;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const CondensedModel model = ModelOf(histories_[h], values);
     const PostNoise noise = PostNoiseOf(histories_[h], model, Modelled(h, model, {}), simulations_[h].step_s());
     noisy.push_back(fourpost::WithPostNoise(histories_[h], noise, h, sign));
   }
@@ -169,9 +175,9 @@ std::vector<MeasuredHistory> HistoryResiduals::WithPostNoise(const std::vector<d
 }
 
 std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double>& values) const {
-  const CondensedModel model = condensed_->At(values);
   std::vector<double> changes;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const CondensedModel model = ModelOf(histories_[h], values);
     const Eigen::MatrixXd coarse = simulations_[h].Run(model);
     const Eigen::MatrixXd fine = HistorySimulation(histories_[h], 0.5 * simulations_[h].step_s()).Run(model);
     changes.push_back(((coarse - fine).colwise().norm().array() / fine.colwise().norm().array()).maxCoeff());
@@ -193,11 +199,11 @@ bool HasPostNoise(const std::vector<MeasuredHistory>& histories) {
 }  // namespace
 
 Eigen::MatrixXd HistoryResiduals::Starts() const {
-  const CondensedModel model = condensed_->At(condensed_->vehicle().ParameterValues());
   std::vector<Eigen::MatrixXd> motions;
   Index columns = 0;
   for (const MeasuredHistory& history : histories_) {
-    motions.push_back(FreeMotions(history, model));
+    const CondensedModel model = ModelOf(history, condensed_->vehicle().ParameterValues());
+    motions.push_back(history.release ? Eigen::MatrixXd(0, 0) : FreeMotions(history, model));
     columns += motions.back().cols();
   }
   Eigen::MatrixXd starts = Eigen::MatrixXd::Zero(count_, columns);
@@ -207,6 +213,7 @@ Eigen::MatrixXd HistoryResiduals::Starts() const {
     const MeasuredHistory& history = histories_[h];
     const Index each = CountOf(history);
     for (std::size_t s = 0; s < history.signals.size(); ++s, row += each) {
+      if (motions[h].cols() == 0) continue;
       const auto rows = Eigen::seqN(static_cast<Index>(s) * history.count, each, history.Stride());
       starts.block(row, column, each, motions[h].cols()) =
           motions[h](rows, Eigen::all) / DeviationOf(history.signals[s]);
@@ -341,6 +348,22 @@ std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& hi
     FindSwapped(histories[h], modelled[h], std::span(misfits).subspan(first));
   }
   return misfits;
+}
+
+std::vector<YardstickRecord> YardstickRecords(const std::vector<MeasuredHistory>& histories) {
+  std::vector<YardstickRecord> records;
+  for (const MeasuredHistory& history : histories) {
+    YardstickRecord record{.name = history.name, .rate_Hz = history.rate_Hz, .setting = history.setting};
+    std::vector<std::vector<double>> inputs = history.heights;
+    inputs.insert(inputs.end(), history.tensions.begin(), history.tensions.end());
+    record.inputs.resize(history.count, static_cast<Index>(inputs.size()));
+    for (std::size_t p = 0; p < inputs.size(); ++p)
+      record.inputs.col(static_cast<Index>(p)) =
+          Eigen::Map<const Eigen::VectorXd>(inputs[p].data() + history.first, history.count);
+    for (const MeasuredSignal& signal : history.signals) record.channels.push_back({signal.name, signal.values});
+    records.push_back(std::move(record));
+  }
+  return records;
 }
 
 }  // namespace fourpost

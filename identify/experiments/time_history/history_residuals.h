@@ -13,6 +13,7 @@
 #include "identify/experiments/time_history/kalman_predictor.h"
 #include "identify/residuals/history_misfit.h"
 #include "identify/residuals/residual_block.h"
+#include "identify/residuals/yardstick.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
@@ -87,6 +88,9 @@ class HistoryResiduals {
   /// Groups of sensors, recordings, and the order of samples.
   ResidualStructure Structure() const;
 
+  /// The vehicle at these values, and at the history's setting.
+  CondensedModel ModelOf(const MeasuredHistory& history, const std::vector<double>& values) const;
+
  private:
   /// What AddStartTo() adds is a sum of these, residuals x columns, at the file's values.
   Eigen::MatrixXd Starts() const;
@@ -129,5 +133,8 @@ void AddReducedErrors(const MeasuredHistory& history, const Eigen::MatrixXd& mod
 /// How well models show each signal of each history; `modelled` as HistoryResiduals::Modelled gives it.
 std::vector<HistoryMisfit> HistoryMisfits(const std::vector<MeasuredHistory>& histories,
                                           const std::vector<Eigen::MatrixXd>& modelled);
+
+/// For AddYardsticks(): heights of the posts and signals within the windows.
+std::vector<YardstickRecord> YardstickRecords(const std::vector<MeasuredHistory>& histories);
 
 }  // namespace fourpost

@@ -9,6 +9,7 @@
 #include "analysis/process/deadline.h"
 #include "identify/experiments/recorded_motion.h"
 #include "identify/experiments/time_history/history_data.h"
+#include "identify/experiments/time_history/release.h"
 #include "vehicles/condensed/condensed_model.h"
 #include "vehicles/engine/history_solver.h"
 #include "vehicles/simulation/time_history.h"
@@ -26,12 +27,25 @@ class HistorySimulation {
   /// `step_s`: of the condensed stepper; whole parts of a sample are taken, none longer. The history must outlive this.
   HistorySimulation(const MeasuredHistory& history, double step_s);
 
+  /// Of a release: [s s' x] at the first sample of the window, as held or estimated from the signals, and how well.
+  struct Start {
+    Eigen::VectorXd state;
+    EstimatedStart estimate;
+  };
+  Start StartOf(const CondensedModel& model, const Deadline& deadline = {}) const;
+  /// Its state; empty without a release.
+  Eigen::VectorXd StateOf(const CondensedModel& model, const Deadline& deadline = {}) const;
+
   /// Samples of the window x signals, the history's correction included. Throws std::runtime_error where the motion
   /// cannot be computed, and TimedOut.
   Eigen::MatrixXd Run(const CondensedModel& model, const Deadline& deadline = {}) const;
 
+  /// From this state; empty: from rest.
+  Eigen::MatrixXd Run(const CondensedModel& model, const Eigen::VectorXd& state, const Deadline& deadline) const;
+
   /// What the sensors of a model read without the filter, samples of the window x sensors. Throws as Run() does.
-  Eigen::MatrixXd Readings(const CondensedModel& model) const;
+  /// `state`: as of Run(); of a vehicle with the same bodies, other sensors than the recording's may be read.
+  Eigen::MatrixXd Readings(const CondensedModel& model, const Eigen::VectorXd& state = {}) const;
 
   /// What moved while that was so: the first sample of the window and every `stride`-th after it, at least 1. No filter
   /// is between. Throws as Run() does.
@@ -43,6 +57,10 @@ class HistorySimulation {
   /// `sample(k, stepper)` after the steps to each sample.
   template <typename Sample>
   void March(const CondensedModel& model, const Deadline& deadline, const Sample& sample) const;
+  /// From this state; empty: from rest.
+  template <typename Sample>
+  void March(const CondensedModel& model, const Eigen::VectorXd& state, const Deadline& deadline,
+             const Sample& sample) const;
   std::span<const PostState> PostsAt(Eigen::Index step) const;
 
   const MeasuredHistory* history_;
@@ -58,6 +76,8 @@ struct EngineHistory {
   /// Samples of the window x signals, see HistorySimulation::Run.
   Eigen::MatrixXd modelled;
   HistoryEngine by;
+  /// Of a release, from where: see HistorySimulation::Start; else empty.
+  Eigen::VectorXd released = {};
 };
 
 /// The vehicle at these values through the history. Only sensors that were measured count in what linear kinematics are

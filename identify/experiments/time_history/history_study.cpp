@@ -5,8 +5,10 @@
 
 #include "analysis/files/recorded_table.h"
 #include "analysis/text/named.h"
+#include "analysis/text/number.h"
 #include "identify/experiments/time_history/findings.h"
 #include "identify/study_file/channel_source_reader.h"
+#include "identify/study_file/control_reader.h"
 #include "identify/study_file/findings.h"
 #include "identify/study_file/named_channels.h"
 #include "identify/study_file/strict_yaml.h"
@@ -22,7 +24,7 @@ class HistoryReader {
   StudyHistory Read(const YAML::Node& node) {
     const StrictMap map = Map(node, "the history",
                               {"name", "file", "posts", "channels", "filter", "noise", "process", "start", "end", "use",
-                               "time", "resample", "bridge", "with", "heights"});
+                               "time", "resample", "bridge", "with", "heights", "release", "control", "actuators"});
     StudyHistory history;
     history.line = map.line();
     map.Require("file");
@@ -32,13 +34,16 @@ class HistoryReader {
     if (map.Has("time"))
       history.time =
           ReadSourceChannel(map.Get("time"), "'time' of " + where_, ChannelKind::kHistory, file_, diagnostics_);
-    history.has_posts_by_name = !map.Has("posts");
+    if (map.Has("release")) history.release = ReadRelease(map);
+    history.has_posts_by_name = !map.Has("posts") && !history.release && !map.Has("actuators");
     history.posts = ReadChannelSources(map.Get("posts"), "'posts' of " + where_, "posts", ChannelKind::kHistory, file_,
                                        diagnostics_);
     const YAML::Node channels = map.Has("channels") ? map.Get("channels") : channels_;
     history.takes_others_by_name = TakesOthersByName(channels);
     history.channels =
         ReadChannelSources(channels, "'channels' of " + where_, "sensors", ChannelKind::kHistory, file_, diagnostics_);
+    history.setting = ReadSetting(map);
+    if (map.Has("actuators")) ReadActuators(map.Get("actuators"), history);
     if (map.Has("filter")) history.filter = Filter(map.Get("filter"));
     if (map.Has("noise")) history.noise = Noise(map.Get("noise"));
     history.process_sd = map.Quantity("process", kAcceleration, 0);
@@ -99,6 +104,47 @@ class HistoryReader {
     for (const auto& entry : node) names.push_back(entry.first.as<std::string>());
     const StrictMap unique = Map(node, where, {names.begin(), names.end()});
     return names;
+  }
+
+  /// "estimated", "at rest", or readings of sensors at which it was held.
+  Release ReadRelease(const StrictMap& map) {
+    const YAML::Node node = map.Get("release");
+    Release release;
+    if (node.IsScalar()) {
+      const std::string from = node.Scalar();
+      if (from == "at rest") release.from = Release::From::kRest;
+      else if (from != "estimated") map.Fault(node, kReleaseUnknown, {where_, from});
+      return release;
+    }
+    release.from = Release::From::kHeld;
+    if (!node.IsMap() || node.size() == 0) {
+      map.Fault(node, kReleaseUnknown, {where_, "no text and no mapping"});
+      return release;
+    }
+    const std::string where = "'release' of " + where_;
+    for (const std::string& sensor : Keys(node, where)) {
+      Release::Hold hold{.sensor = sensor, .line = LineOf(node[sensor])};
+      if (!node[sensor].IsScalar() || node[sensor].Scalar() != "estimated")
+        hold.reading_m =
+            ReadQuantity(node[sensor], kLength, "'" + sensor + "' of " + where, file_, diagnostics_).value_or(0);
+      release.held.push_back(std::move(hold));
+    }
+    return release;
+  }
+
+  /// Channels, and constant forces.
+  void ReadActuators(const YAML::Node& node, StudyHistory& history) {
+    YAML::Node channels = YAML::Clone(node);
+    for (const auto& entry : node) {
+      const std::optional<Quantity> load =
+          entry.second.IsScalar() ? ParseQuantity(entry.second.Scalar()) : std::nullopt;
+      if (!load || load->unit.dimension != kForce) continue;
+      history.loads_N.emplace_back(entry.first.as<std::string>(), load->si);
+      channels.remove(entry.first.as<std::string>());
+    }
+    if (channels.size() > 0 || node.size() == 0)
+      history.actuators = ReadChannelSources(channels, "'actuators' of " + where_, "actuators", ChannelKind::kHistory,
+                                             file_, diagnostics_);
   }
 
   std::optional<LowPassDesign> Filter(const YAML::Node& node) {

@@ -12,6 +12,7 @@
 
 #include "analysis/files/time_recording.h"
 #include "analysis/text/diagnostics.h"
+#include "identify/experiments/time_history/release.h"
 #include "identify/study_file/channel_source.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/posts/recorded_posts.h"
@@ -42,6 +43,13 @@ struct StudyHistory {
   TimePreparation preparation;
   /// Whether heights of posts count from where they were recorded, not from their means.
   bool has_absolute_heights = false;
+  /// Actuator of the vehicle, and the channels of its tension, or a constant one.
+  std::vector<std::pair<std::string, ChannelSource>> actuators;
+  std::vector<std::pair<std::string, double>> loads_N;
+  /// Where the vehicle is let go at the start of the window; posts that are not named rest then.
+  std::optional<Release> release;
+  /// Of a control that parameters follow.
+  std::optional<double> setting;
   /// Through which the rig sent all channels, heights of posts included.
   std::optional<LowPassDesign> filter;
   /// What sensors read at rest.

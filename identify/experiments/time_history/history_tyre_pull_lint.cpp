@@ -12,9 +12,13 @@ void LintTyrePulls(const Vehicle& vehicle, std::span<const double> values,
   Vehicle probed = vehicle;
   probed.sensors = ForceSensors(vehicle, LinearTyres(vehicle));
   if (probed.sensors.empty() || histories.empty()) return;
-  const CondensedModel model = CondensedVehicle(probed).At(values);
+  const CondensedVehicle condensed(probed);
+  const CondensedVehicle own(vehicle);
   for (std::size_t h = 0; h < histories.size(); ++h) {
-    const Eigen::MatrixXd forces = HistorySimulation(histories[h], steps_s[h]).Readings(model);
+    const std::vector<double> at = histories[h].setting.At({values.begin(), values.end()});
+    const CondensedModel model = condensed.At(at);
+    const HistorySimulation simulation(histories[h], steps_s[h]);
+    const Eigen::MatrixXd forces = simulation.Readings(model, simulation.StateOf(own.At(at)));
     WarnOfPulls(vehicle, FindTyrePulls(vehicle, model.preloads.tyre, forces), "samples", "'" + histories[h].name + "'",
                 diagnostics);
   }

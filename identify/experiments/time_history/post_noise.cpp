@@ -96,8 +96,8 @@ Eigen::VectorXd Coloured(std::uint64_t seed, std::size_t post, Index count, cons
 MeasuredHistory WithAdded(const MeasuredHistory& history, std::size_t post, const Eigen::VectorXd& added) {
   MeasuredHistory moved = history;
   for (std::size_t k = 0; k < moved.heights[post].size(); ++k) moved.heights[post][k] += added[static_cast<Index>(k)];
-  moved.posts =
-      FollowHeights(moved.heights, moved.posts.start_s, moved.posts.step_s, moved.filter ? &*moved.filter : nullptr);
+  moved.posts = FollowHeights(moved.heights, moved.posts.start_s, moved.posts.step_s,
+                              moved.filter ? &*moved.filter : nullptr, moved.tensions);
   return moved;
 }
 
@@ -196,7 +196,7 @@ class PostNoiseEstimate {
     const std::vector<double>& heights = history_.heights[post];
     double squares = 0;
     for (const double height : heights) squares += height * height;
-    const double rms = std::sqrt(squares / static_cast<double>(heights.size()));
+    const double rms = squares > 0 ? std::sqrt(squares / static_cast<double>(heights.size())) : 1e-3;
     return 1e-4 * rms / std::sqrt(ends_Hz_[band]) / std::max(1.0, ends_Hz_[band]);
   }
 

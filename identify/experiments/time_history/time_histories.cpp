@@ -24,6 +24,15 @@ HistoryCost ReadCost(const StrictMap& study) {
   return HistoryCost::kWhitened;
 }
 
+/// Only whitened residuals say what an estimated start is weighed by.
+void CheckReleases(const HistoryPlan& plan, Diagnostics& diagnostics) {
+  if (plan.cost == HistoryCost::kWhitened) return;
+  for (const StudyHistory& history : plan.histories)
+    if (history.release && !history.is_validation)
+      diagnostics.Report(kReleaseCost, {plan.file, history.line},
+                         {history.name, std::string(kHistoryCostNames[static_cast<std::size_t>(plan.cost)])});
+}
+
 /// What a Kalman filter cannot serve.
 void CheckPrediction(const HistoryPlan& plan, const Vehicle& vehicle, Diagnostics& diagnostics) {
   if (plan.cost != HistoryCost::kPrediction) return;
@@ -52,6 +61,15 @@ void Add(Sha256& digest, const Eigen::VectorXd& values) {
 
 void Add(Sha256& digest, const MeasuredHistory& history) {
   digest.Add(history.name);
+  fourpost::AddTo(digest, history.setting);
+  if (history.release) {
+    digest.Add("release");
+    digest.Add(static_cast<double>(history.release->from));
+    for (const Release::Hold& hold : history.release->held) {
+      digest.Add(hold.sensor);
+      digest.Add(hold.reading_m.value_or(-1e9));
+    }
+  }
   for (const double number : {history.rate_Hz, history.TimeAt(0), history.filter ? history.filter->cutoff_Hz : 0.0,
                               history.filter ? static_cast<double>(history.filter->order) : 0.0, history.process_sd})
     digest.Add(number);
@@ -95,13 +113,22 @@ std::vector<ExperimentFile> TimeHistories::Files() const {
   return files;
 }
 
+std::vector<double> TimeHistories::Settings() const {
+  std::vector<double> settings;
+  for (const StudyHistory& history : plan.histories)
+    if (history.setting && !history.is_validation) settings.push_back(*history.setting);
+  return settings;
+}
+
 void TimeHistories::Load(const Subject& subject, Diagnostics& diagnostics) {
   const Vehicle& vehicle = subject.vehicle();
   for (StudyHistory& history : plan.histories) MapByName(vehicle, history);
   const std::optional<std::vector<MeasuredHistory>> histories =
-      LoadHistories(HistoriesOf(plan.histories, false), plan.file, vehicle, diagnostics);
-  validation = LoadValidation(HistoriesOf(plan.histories, true), plan.file, vehicle, diagnostics, left_out_);
+      LoadHistories(HistoriesOf(plan.histories, false), plan.file, vehicle, diagnostics, subject.control());
+  validation =
+      LoadValidation(HistoriesOf(plan.histories, true), plan.file, vehicle, diagnostics, left_out_, subject.control());
   CheckPrediction(plan, vehicle, diagnostics);
+  CheckReleases(plan, diagnostics);
   if (!histories) return;
   CheckDeviations(plan, *histories, diagnostics);
   fitted = *histories;
@@ -144,12 +171,12 @@ bool TimeHistories::MeasuresForce() const {
 
 void TimeHistories::Prepare(const Subject& subject, const WorkHooks& hooks) {
   if (plan.cost != HistoryCost::kPrediction) return;
-  const CondensedModel model = subject.Condensed()->At(subject.vehicle().ParameterValues());
   kalman_noise.clear();
   try {
     for (const MeasuredHistory& history : fitted)
       kalman_noise.push_back(KalmanPredictor(history).Estimate(
-          model, {.deadline_s = subject.deadline_s(), .progress = KalmanProgress(hooks)}));
+          subject.Condensed()->At(history.setting.At(subject.vehicle().ParameterValues())),
+          {.deadline_s = subject.deadline_s(), .progress = KalmanProgress(hooks)}));
   } catch (const TimedOut&) {
     Refuse(kKalmanTooSlow, {plan.file}, {FormatNumber(subject.deadline_s())});
   }

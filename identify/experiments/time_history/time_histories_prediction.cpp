@@ -94,6 +94,7 @@ class HistoryPrediction {
     history.end_s.reset();
     // Beside this file there is none.
     history.preparation.others.clear();
+    history.setting = request_.setting;
     Diagnostics diagnostics;
     const std::optional<RecordedTable> table = ReadRecordedTable(recording, diagnostics);
     if (!table) throw FaultyInput(diagnostics);
@@ -108,7 +109,7 @@ class HistoryPrediction {
 
   MeasuredHistory Load(const StudyHistory& layout, Diagnostics& diagnostics) const {
     const std::optional<std::vector<MeasuredHistory>> histories =
-        LoadHistories({layout}, subject_.study_file().string(), subject_.vehicle(), diagnostics);
+        LoadHistories({layout}, subject_.study_file().string(), subject_.vehicle(), diagnostics, subject_.control());
     if (!histories) throw FaultyInput(diagnostics);
     return histories->front();
   }
@@ -123,7 +124,9 @@ class HistoryPrediction {
     return Load(layout, findings);
   }
 
-  CondensedModel Model() const { return subject_.Condensed()->At(subject_.vehicle().ParameterValues()); }
+  CondensedModel Model(const MeasuredHistory& history) const {
+    return subject_.Condensed()->At(history.setting.At(subject_.vehicle().ParameterValues()));
+  }
 
   /// Never of the recording that is judged.
   KalmanNoise NoiseOf(const MeasuredHistory& judged) const {
@@ -132,8 +135,8 @@ class HistoryPrediction {
       if (held) return *held;
       Refuse(kKalmanWithoutNoise, {request_.run.string()});
     }
-    return KalmanPredictor(LoadAsRecorded(request_.noise_from, std::nullopt))
-        .Estimate(Model(), {.progress = KalmanProgress(hooks_)});
+    const MeasuredHistory recorded = LoadAsRecorded(request_.noise_from, std::nullopt);
+    return KalmanPredictor(recorded).Estimate(Model(recorded), {.progress = KalmanProgress(hooks_)});
   }
 
   void AddKalman(const MeasuredHistory& judged, std::vector<HistoryMisfit>& misfits) const {
@@ -141,7 +144,7 @@ class HistoryPrediction {
       if (damper.hydraulic) Refuse(kKalmanHydraulic, {(request_.run / "vehicle.urdf").string()}, {damper.name});
     const MeasuredHistory recorded =
         LoadAsRecorded(request_.recording, judged.TimeAt(judged.count - 1) + 0.5 / judged.rate_Hz);
-    const KalmanPrediction prediction = KalmanPredictor(recorded).Run(Model(), NoiseOf(recorded));
+    const KalmanPrediction prediction = KalmanPredictor(recorded).Run(Model(recorded), NoiseOf(recorded));
     AddOneStepErrors({recorded}, {prediction}, misfits);
   }
 

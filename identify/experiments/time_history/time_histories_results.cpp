@@ -1,10 +1,13 @@
 // What a fit by time histories leaves: tables, files and keys of result.json.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "analysis/text/text_table.h"
+#include "analysis/text/units.h"
 #include "identify/experiments/time_history/covered_histories.h"
 #include "identify/experiments/time_history/findings.h"
 #include "identify/experiments/time_history/history_bands.h"
@@ -19,6 +22,7 @@
 #include "identify/residuals/history_table.h"
 #include "vehicles/requests/engine_text.h"
 #include "vehicles/requests/history_files.h"
+#include "vehicles/response/response_recorder.h"
 
 namespace fourpost {
 namespace {
@@ -26,16 +30,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Table and files; `name` of the files.
-std::vector<HistoryMisfit> Show(const HistoryPlan& plan, const Vehicle& vehicle, const HistoryResiduals& residuals,
-                                const std::vector<double>& values, const std::vector<Eigen::MatrixXd>& modelled,
-                                bool has_one_step, const std::string& name, std::string& text,
-                                ExperimentResults& results) {
+std::vector<HistoryMisfit> Show(const TimeHistories& experiment, const Vehicle& vehicle,
+                                const HistoryResiduals& residuals, const std::vector<double>& values,
+                                const std::vector<Eigen::MatrixXd>& modelled, bool has_one_step,
+                                const std::string& name, std::string& text, ExperimentResults& results) {
+  const HistoryPlan& plan = experiment.plan;
   const std::vector<MeasuredHistory>& histories = residuals.histories();
   std::vector<HistoryMisfit> misfits = HistoryMisfits(histories, modelled);
   if (has_one_step) AddOneStepErrors(histories, residuals.Predicted(values), misfits);
   LintHistories(plan.file, plan.histories, vehicle, values, residuals, misfits, results.findings);
   LintTyrePulls(vehicle, values, histories, residuals.Steps(), results.findings);
+  AddYardsticks(YardstickRecords(experiment.fitted), YardstickRecords(histories), misfits);
   text += HistoryTable(misfits) + '\n';
+  if (const std::string yardsticks = YardstickTable(misfits); !yardsticks.empty()) text += yardsticks + '\n';
   results.files.emplace_back(name + ".csv", HistoryFitCsv(histories, modelled));
   auto misfit = misfits.begin();
   for (std::size_t h = 0; h < histories.size(); ++h) {
@@ -48,13 +55,64 @@ std::vector<HistoryMisfit> Show(const HistoryPlan& plan, const Vehicle& vehicle,
 }
 
 /// How the fitted vehicle moved in each.
-void AddMotions(const CondensedModel& model, const HistoryResiduals& residuals, std::vector<RecordedHistory>& motions) {
+void AddMotions(const std::vector<double>& values, const HistoryResiduals& residuals,
+                std::vector<RecordedHistory>& motions) {
   const std::vector<double> steps = residuals.Steps();
   for (std::size_t h = 0; h < steps.size(); ++h) {
     const MeasuredHistory& history = residuals.histories()[h];
+    const CondensedModel model = residuals.ModelOf(history, values);
     const Eigen::Index columns = static_cast<Eigen::Index>(history.posts.count) + model.mass.rows();
     motions.push_back(
         {history.name, HistorySimulation(history, steps[h]).Motion(model, FrameStride(history, columns))});
+  }
+}
+
+/// How a state changes with its unknowns.
+Eigen::MatrixXd StatesByUnknowns(const Release& release, const CondensedModel& model,
+                                 const HistorySimulation::Start& start) {
+  constexpr double kStep = 1e-6;
+  Eigen::MatrixXd by(start.state.size(), start.estimate.unknowns.size());
+  for (Eigen::Index j = 0; j < by.cols(); ++j) {
+    Eigen::VectorXd moved = start.estimate.unknowns;
+    moved[j] += kStep;
+    by.col(j) = (ReleasedState(release, model, moved) - start.state) / kStep;
+  }
+  return by;
+}
+
+/// From where the fitted vehicle is let go: readings of all displacement sensors above rest, and their rates, with
+/// standard deviations of the estimate, given the fitted parameters.
+void AddReleases(const Vehicle& vehicle, const std::vector<double>& values, const HistoryResiduals& residuals,
+                 std::string& text, ExperimentResults& results) {
+  for (std::size_t h = 0; h < residuals.histories().size(); ++h) {
+    const MeasuredHistory& history = residuals.histories()[h];
+    if (!history.release) continue;
+    const CondensedModel model = residuals.ModelOf(history, values);
+    const Eigen::Index n = model.mass.rows();
+    const HistorySimulation::Start start = HistorySimulation(history, residuals.Steps()[h]).StartOf(model);
+    const Eigen::MatrixXd by = StatesByUnknowns(*history.release, model, start);
+    Json sensors = Json::array();
+    TextTable table({"released from", "mm above rest", "sd", "mm/s", "sd"});
+    for (std::size_t s = 0; s < vehicle.sensors.size(); ++s) {
+      if (ParseUnit(UnitOf(vehicle.sensors[s].type))->dimension != kLength) continue;
+      const Eigen::RowVectorXd row = model.on_position.row(static_cast<Eigen::Index>(s));
+      const auto reading = [&](Eigen::Index first) { return (row * start.state.segment(first, n))(0); };
+      const auto sd = [&](Eigen::Index first) {
+        if (by.cols() == 0) return 0.0;
+        const Eigen::RowVectorXd along = row * by.middleRows(first, n);
+        return std::sqrt(std::max(0.0, (along * start.estimate.covariance * along.transpose())(0)));
+      };
+      sensors.push_back({{"name", vehicle.sensors[s].name},
+                         {"position_m", reading(0)},
+                         {"position_sd_m", sd(0)},
+                         {"velocity_mps", reading(n)},
+                         {"velocity_sd_mps", sd(n)}});
+      table.Add({vehicle.sensors[s].name, Rounded(1e3 * reading(0), 4), Rounded(1e3 * sd(0), 2),
+                 Rounded(1e3 * reading(n), 4), Rounded(1e3 * sd(n), 2)});
+    }
+    results.json["releases"].push_back(
+        {{"recording", history.name}, {"start_s", history.TimeAt(0)}, {"sensors", std::move(sensors)}});
+    text += history.name + ", let go at " + Rounded(history.TimeAt(0), 4) + " s\n" + table.Format() + '\n';
   }
 }
 
@@ -115,11 +173,12 @@ void AddValidation(const TimeHistories& experiment, const Subject& subject, cons
   const HistoryResiduals residuals(subject.Condensed(), predictions.histories, {});
   results.unseen_text += "Not fitted:\n";
   results.json["validation"] =
-      HistoryMisfitsJson(Show(experiment.plan, subject.vehicle(), residuals, fit.values, predictions.modelled, false,
+      HistoryMisfitsJson(Show(experiment, subject.vehicle(), residuals, fit.values, predictions.modelled, false,
                               "validation", results.unseen_text, results));
   for (std::size_t h = 0; h < predictions.by.size(); ++h)
     AddEngine(predictions.histories[h], false, predictions.by[h], error, results);
-  AddMotions(subject.Condensed()->At(fit.values), residuals, motions);
+  AddReleases(subject.vehicle(), fit.values, residuals, results.unseen_text, results);
+  AddMotions(fit.values, residuals, motions);
 }
 
 }  // namespace
@@ -129,21 +188,21 @@ ExperimentResults TimeHistories::Results(const Subject& subject, const FitResult
   for (const LeftOutRecording& recording : left_out_)
     results.json["validation_left_out"].push_back(LeftOutJson(recording));
   if (fitted.empty() && validation.empty()) return results;
-  const CondensedModel model = subject.Condensed()->At(fit.values);
   const double error = Options(subject).error;
   std::vector<RecordedHistory> motions;
   if (!fitted.empty()) {
     const HistoryResiduals residuals(subject.Condensed(), fitted, Options(subject));
     const std::vector<Eigen::MatrixXd> modelled = residuals.Modelled(fit.values);
     const std::vector<HistoryMisfit> misfits =
-        Show(plan, subject.vehicle(), residuals, fit.values, modelled, plan.cost == HistoryCost::kPrediction, "history",
-             results.text, results);
+        Show(*this, subject.vehicle(), residuals, fit.values, modelled, plan.cost == HistoryCost::kPrediction,
+             "history", results.text, results);
     results.json["channels"] = HistoryMisfitsJson(misfits);
     results.json["history_cost"] = kHistoryCostNames[static_cast<std::size_t>(plan.cost)];
     results.json["history_discrepancy"] = DiscrepancyJson(HistoryDiscrepancies(fitted, modelled));
     results.json["covered"] = CoveredJson(CoveredByHistories(subject.vehicle(), fit.values, fitted, residuals.Steps()));
     results.shares = ErrorShares(misfits);
-    AddMotions(model, residuals, motions);
+    AddReleases(subject.vehicle(), fit.values, residuals, results.text, results);
+    AddMotions(fit.values, residuals, motions);
     // A fit that was cut short says nothing of its kinematics.
     if (fit.end != FitEnd::kInterrupted) AddEngines(*this, error, results);
   }

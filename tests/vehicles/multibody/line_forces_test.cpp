@@ -68,6 +68,26 @@ const SpringLaw kCubic{.stiffness = 30e3, .cubic = 2e6, .knees = {}};
 const SpringLaw kMultirate{.stiffness = 30e3, .knees = {{-0.05, -1, 20e3, 0}, {0.04, 1, -10e3, 0}}};
 const SpringLaw kStop{.stiffness = 0, .knees = {{-0.02, -1, 200e3, 5e7}, {0.03, 1, 100e3, 0}}};
 
+// It dissipates nothing and stores nothing: what it gives is its tension times the rate at which it shortens.
+TEST(ActuatorForce, IsInternalAndGivesItsTensionTimesItsRate) {
+  ForEachLine([](auto line_of) {
+    ForceChecker checker;
+    const BodyLine line = line_of(checker);
+    const std::function<const Platforms&(double)> platforms = [](double) -> const Platforms& {
+      static const Platforms inputs = {{.height = 1e9}, {.height = 700}};
+      return inputs;
+    };
+    checker.Add(new ActuatorForce(line, 1, platforms));
+    for (int draw = 0; draw < kDraws; ++draw) {
+      checker.Draw();
+      const ForceChecker::Balance balance = checker.Sum();
+      EXPECT_LE(balance.force.norm(), 1e-14 * balance.size);
+      EXPECT_LE(balance.moment.norm(), 1e-13 * balance.size);
+      EXPECT_NEAR(balance.power, -700 * DifferencedRate(checker, line), 1e-7);  // ForceChecker::Rate
+    }
+  });
+}
+
 TEST(SpringForce, IsInternalAndKeepsEnergyForEveryLaw) {
   for (const SpringLaw& law : {kLinear, kCubic, kMultirate, kStop})
     ForEachLine([&](auto line_of) {

@@ -31,6 +31,23 @@ TEST(Misfit, IsTheRootMeanSquareOverFrequenciesAndRecordings) {
   EXPECT_DOUBLE_EQ(misfits[0].rms_deg, std::sqrt(45.0 * 45.0 / 4));
 }
 
+// Scatter is that of the stated deviations; the linear model is the mean over recordings of one pattern.
+TEST(Misfit, StandsBesideScatterAndTheBestLinearModel) {
+  std::vector<MeasuredRun> runs = {Measured({1.0, 2.0}), Measured({1.2, 2.0}), Measured({5.0, 5.0})};
+  for (MeasuredRun& run : runs) {
+    run.excitation = {.frequency_Hz = {1, 2}, .amplitude_m = {0.01, 0.01}, .shape = {1, 1}};
+    run.channels[0].radial_sd = {0.03, 0.03};
+    run.channels[0].tangential_sd = {0.04, 0.04};
+  }
+  runs[2].excitation.shape = {1, -1};
+  const std::vector<FrequencyResponse> modelled = {Modelled({1, 2}), Modelled({1, 2}), Modelled({5, 5})};
+  const ChannelMisfit misfit = ResponseMisfits(runs, modelled)[0];
+  const double all = 1 + 4 + 1.44 + 4;
+  EXPECT_DOUBLE_EQ(*misfit.scatter_percent, 100 * 6 * 0.0025 / (all + 50));
+  EXPECT_NEAR(*misfit.linear_percent, 100 * 0.02 / all, 1e-12);
+  EXPECT_EQ(*misfit.Allowed_percent(), *misfit.scatter_percent);
+}
+
 TEST(Misfit, TakesTheShortWayRoundTheCircle) {
   const auto misfits = ResponseMisfits({Measured({std::polar(1.0, 3.1)})}, {Modelled({std::polar(1.0, -3.1)})});
   EXPECT_NEAR(misfits[0].rms_deg, (2 * std::numbers::pi - 6.2) * 180 / std::numbers::pi, 1e-12);  // rounding
