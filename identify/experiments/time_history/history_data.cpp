@@ -11,6 +11,7 @@
 #include "analysis/signals/noise_floor.h"
 #include "analysis/signals/random_stream.h"
 #include "analysis/signals/spectrum.h"
+#include "analysis/text/named.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 #include "analysis/text/short_number.h"
@@ -25,13 +26,6 @@ namespace fourpost {
 namespace {
 
 using Eigen::Index;
-
-template <typename Item>
-std::vector<std::string> NamesOf(const std::vector<Item>& items) {
-  std::vector<std::string> names;
-  for (const Item& item : items) names.push_back(item.name);
-  return names;
-}
 
 std::optional<std::size_t> IndexOf(const std::string& name, const std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), name);

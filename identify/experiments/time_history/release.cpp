@@ -101,7 +101,7 @@ VectorXd ReleasedState(const Release& release, const CondensedModel& model, cons
 EstimatedStart EstimateStart(const std::function<VectorXd(const VectorXd&)>& residuals, const VectorXd& guess) {
   constexpr int kMost = 30;
   // Metres and metres per second; the motion is as exact as rounding.
-  constexpr double kStep = 1e-6;
+  constexpr double kApart = 1e-6;
   // Gains below it are rounding.
   constexpr double kLeastGain = 1e-11;
   EstimatedStart out{.unknowns = guess};
@@ -113,8 +113,8 @@ EstimatedStart EstimateStart(const std::function<VectorXd(const VectorXd&)>& res
   for (int i = 0; i < kMost; ++i) {
     for (Index j = 0; j < count; ++j) {
       VectorXd moved = out.unknowns;
-      moved[j] += kStep;
-      jacobian.col(j) = (residuals(moved) - now) / kStep;
+      moved[j] += kApart;
+      jacobian.col(j) = (residuals(moved) - now) / kApart;
     }
     const MatrixXd normal = jacobian.transpose() * jacobian;
     const VectorXd scale = normal.diagonal().cwiseSqrt().unaryExpr([](double d) { return d > 0 ? 1 / d : 0; });

@@ -70,12 +70,12 @@ void AddMotions(const std::vector<double>& values, const HistoryResiduals& resid
 /// How a state changes with its unknowns.
 Eigen::MatrixXd StatesByUnknowns(const Release& release, const CondensedModel& model,
                                  const HistorySimulation::Start& start) {
-  constexpr double kStep = 1e-6;
+  constexpr double kApart = 1e-6;
   Eigen::MatrixXd by(start.state.size(), start.estimate.unknowns.size());
   for (Eigen::Index j = 0; j < by.cols(); ++j) {
     Eigen::VectorXd moved = start.estimate.unknowns;
-    moved[j] += kStep;
-    by.col(j) = (ReleasedState(release, model, moved) - start.state) / kStep;
+    moved[j] += kApart;
+    by.col(j) = (ReleasedState(release, model, moved) - start.state) / kApart;
   }
   return by;
 }
