@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -18,9 +19,13 @@ Eigen::VectorXd FirstOrderStep(const RefineResult& best, const RobustLoss& loss,
 Eigen::VectorXd RemainingStep(const RefineResult& best, const RobustLoss& loss, Eigen::Index priors,
                               const std::vector<Eigen::Index>& held);
 
-/// The step that an exact integration moves the optimum by, n in FitVariables: to first order, by residuals at a
-/// quarter of the step. Empty where no block integrates, or one cannot be computed.
-Eigen::VectorXd IntegrationStep(const VehicleObjective& objective, const RefineResult& best, const RobustLoss& loss,
+/// Residuals at a point of a refinement, those of blocks that integrate at a quarter of the step. Empty where no block
+/// integrates, or one cannot be computed.
+std::optional<Eigen::VectorXd> FinerResiduals(const VehicleObjective& objective, const RefineResult& point);
+
+/// The step by which these residuals have their optimum elsewhere, n in FitVariables, to first order.
+Eigen::VectorXd IntegrationStep(const VehicleObjective& objective, const RefineResult& best,
+                                const Eigen::VectorXd& finer, const RobustLoss& loss,
                                 const std::vector<Eigen::Index>& held);
 
 }  // namespace fourpost

@@ -344,8 +344,7 @@ class RunningFit {
           StatesAt(best, archive_.lattice(), NoisyAt(archive_, best, result_.prior_count, options_.refine, stop_));
       const std::vector<Eigen::Index> fixed = FixedOf(states);
       const Eigen::VectorXd left = RemainingStep(best, options_.refine.loss, result_.prior_count, fixed);
-      const Eigen::VectorXd step = IntegrationStep(objective_, best, options_.refine.loss, fixed);
-      if (step.size() > 0) MoveBy(archive_, step, options_.refine.loss, best);
+      AllowForIntegration(fixed, best);
       const Eigen::MatrixXd input_noise = AllowForInputNoise(fixed, best);
       AddCertainty(best, states, input_noise);
       if (result_.end != FitEnd::kConverged) JudgeEnd(left);
@@ -366,6 +365,17 @@ class RunningFit {
     result_.certainty.reset();
     result_.covariance.reset();
     result_.weakest.clear();
+  }
+
+  /// Moves the best point to where that of an exact integration is, if it is better by one that is nearly so.
+  void AllowForIntegration(const std::vector<Eigen::Index>& fixed, RefineResult& best) {
+    const RobustLoss& loss = options_.refine.loss;
+    const std::optional<Eigen::VectorXd> here = FinerResiduals(objective_, best);
+    if (!here) return;
+    RefineResult moved = best;
+    if (!MoveBy(archive_, IntegrationStep(objective_, best, *here, loss, fixed), loss, moved)) return;
+    const std::optional<Eigen::VectorXd> there = FinerResiduals(objective_, moved);
+    if (there && loss.Cost(*there) < loss.Cost(*here)) best = std::move(moved);
   }
 
   /// Moves the best point by the bias that noise of the recorded inputs makes; the gradient by that noise.

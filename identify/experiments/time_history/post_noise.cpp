@@ -258,7 +258,7 @@ class PostNoiseEstimate {
     // The model lacks something where noise of the posts does not cause most of what channels have in common.
     Eigen::VectorXd all = known;
     all(open) = seen;
-    if (all.dot(2 * right_ - normal_ * all) < 0.5 * common_) return;
+    if (common_ <= 0 || all.dot(2 * right_ - normal_ * all) < 0.7 * common_) return;
     // Each term scatters by 1 / 2K about its mean, and under Hann's window neighbours by 1.5 of that together.
     const Eigen::MatrixXd covariance = 1.5 / (2 * independent_) * LeastNorm(normal).PseudoInverse();
     for (Index first = 0; first < seen.size(); first += bands) {
