@@ -173,9 +173,9 @@ std::string YardstickHtml(const Json& result) {
   Rows rows;
   for (const char* list : {"channels", "validation"})
     for (const Json& channel : ListAt(result, list)) {
-      const Json yardstick = channel.value("yardstick", Json::object());
+      if (!channel.is_object() || !channel.contains("yardstick") || !channel["yardstick"].is_object()) continue;
+      const Json& yardstick = channel["yardstick"];
       const auto cell = [&](const char* key) { return NumberCell(ShownNumber(NumberAt(yardstick, key), 3)); };
-      if (yardstick.empty()) continue;
       rows.push_back({TextCell(TextAt(channel, "recording")),
                       {html::Element("code", "", html::Escaped(TextAt(channel, "name"))), ""},
                       NumberCell(ShownNumber(NumberAt(channel, "nmse_percent"), 3)),

@@ -76,7 +76,7 @@ struct ModelErrorEstimate {
 
 /// What parts of the data have in common of an error shows in none of their differences; random cars with richer
 /// physics than their models, tests/validation/coverage.py --first 301 and 401, say how much that is.
-inline constexpr double kErrorInCommon = 1.25;
+inline constexpr double kErrorInCommon = 1.2;
 
 /// A model that lacks something fits no two parts of the data by the same parameters; how far these go apart shows how
 /// far they are from the truth. Delete-a-group jackknife (Shao and Wu, Ann. Stat. 17, 1989) over few physical clusters,
