@@ -37,7 +37,7 @@ inline const Finding kResponseNoPeriod{"response-no-period", Severity::kError,
                                        "--kind random"};
 inline const Finding kResponsePostsApart{"response-posts-apart", Severity::kError,
                                          "{} % of the posts' motion is no common pattern: they move independently, and "
-                                         "responses to each cannot be told apart",
+                                         "responses to each cannot be separated",
                                          "move the posts in one pattern, or one of them at a time"};
 inline const Finding kResponsePostsOff{
     "response-posts-off", Severity::kWarning,
@@ -56,7 +56,7 @@ inline const Finding kResponseRandomNonlinear{
     "response-random-nonlinear", Severity::kWarning,
     "{} % of '{}' at {} Hz do not follow linearly from the posts (coherence {}): noise, or a vehicle that is not "
     "linear",
-    "a multisine on an odd grid tells these apart; to fit a model of dampers and friction record stepped sines, whose "
+    "a multisine on an odd grid separates the two; to fit a model of dampers and friction record stepped sines, whose "
     "responses belong to an amplitude"};
 inline const Finding kResponseMultisineNonlinear{
     "response-multisine-nonlinear", Severity::kWarning,

@@ -19,7 +19,7 @@ namespace {
 using Kind = RigFault::Kind;
 
 constexpr std::size_t kMostFaults = 4;
-/// By which the scores of two explanations must differ to be told apart: three standard deviations.
+/// By which the scores of two explanations must differ to be separated: three standard deviations.
 constexpr double kApart = 9;
 /// And by which share: sizes of large faults are only nearly additive.
 constexpr double kShareApart = 0.1;

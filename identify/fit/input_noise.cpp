@@ -1,7 +1,9 @@
 #include "identify/fit/input_noise.h"
 
-#include <algorithm>
+#include <array>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "identify/fit/first_order_step.h"
 #include "identify/refine/difference_jacobian.h"
@@ -13,13 +15,25 @@ namespace {
 
 using Eigen::Index;
 
-/// Its gradient by residuals, N x n: derivatives times weighted residuals. Throws BatchStopped.
-std::optional<Eigen::MatrixXd> GradientWith(const VehicleObjective& objective, const Eigen::VectorXd& values,
-                                            double sign, const RefineOptions& refine, int threads,
-                                            const std::function<bool()>& stop, std::int64_t& evaluated) {
-  std::vector<ResidualBlock> blocks;
-  for (const ResidualBlock& block : objective.blocks())
-    blocks.push_back(block.with_input_noise ? block.with_input_noise(objective.AllParameters(values), sign) : block);
+/// Blocks with noise added, and with the same taken away; none where no input has noise.
+using NoisyBlocks = std::array<std::vector<ResidualBlock>, 2>;
+
+NoisyBlocks WithNoise(const VehicleObjective& objective, const Eigen::VectorXd& values) {
+  NoisyBlocks noisy;
+  bool has_noise = false;
+  for (const ResidualBlock& block : objective.blocks()) {
+    std::vector<ResidualBlock> both;
+    if (block.with_input_noise) both = block.with_input_noise(objective.AllParameters(values));
+    has_noise = has_noise || !both.empty();
+    for (std::size_t i = 0; i < noisy.size(); ++i) noisy[i].push_back(both.empty() ? block : both[i]);
+  }
+  return has_noise ? noisy : NoisyBlocks();
+}
+
+/// Of these blocks, by residuals, N x n: derivatives times weighted residuals. Throws BatchStopped.
+std::optional<Eigen::MatrixXd> GradientOf(std::vector<ResidualBlock> blocks, const VehicleObjective& objective,
+                                          const Eigen::VectorXd& values, const RefineOptions& refine, int threads,
+                                          const std::function<bool()>& stop, std::int64_t& evaluated) {
   const VehicleObjective noisy(objective.vehicle(), objective.free(), std::move(blocks));
   Archive archive(noisy.MakeProblem(), threads);
   archive.StopBatches(stop);
@@ -41,23 +55,22 @@ std::optional<Eigen::MatrixXd> GradientWith(const VehicleObjective& objective, c
 std::optional<InputNoise> InputNoiseAt(const VehicleObjective& objective, const RefineResult& best,
                                        const RefineOptions& refine, const std::vector<Index>& held, int threads,
                                        const std::function<bool()>& stop, std::int64_t& evaluated) {
-  const auto& blocks = objective.blocks();
-  const bool has_noise = std::any_of(blocks.begin(), blocks.end(), [](const ResidualBlock& block) {
-    return static_cast<bool>(block.with_input_noise);
-  });
-  if (!has_noise || stop()) return std::nullopt;
+  if (stop()) return std::nullopt;
   const Index data = best.jacobian.rows() - objective.prior_count();
   const Eigen::VectorXd residuals = best.residuals.head(data);
   const Eigen::VectorXd weights = refine.loss.Weights(residuals);
   InputNoise noise = {.gradient = -(residuals.cwiseProduct(weights).asDiagonal() * best.jacobian.topRows(data)),
                       .step = {}};
   try {
-    for (const double sign : {-1.0, 1.0}) {
-      const auto with = GradientWith(objective, best.values, sign, refine, threads, stop, evaluated);
+    for (std::vector<ResidualBlock>& blocks : WithNoise(objective, best.values)) {
+      if (blocks.empty()) return std::nullopt;
+      const auto with = GradientOf(std::move(blocks), objective, best.values, refine, threads, stop, evaluated);
       if (!with) return std::nullopt;
       noise.gradient += 0.5 * *with;
     }
   } catch (const BatchStopped&) {
+    return std::nullopt;
+  } catch (const std::runtime_error&) {
     return std::nullopt;
   }
   noise.step = FirstOrderStep(best, refine.loss, data, held, -noise.gradient.colwise().sum().transpose());

@@ -32,10 +32,11 @@ struct ResidualBlock {
   std::function<Eigen::VectorXd(const std::vector<double>& values)> at_finer_steps = {};
   /// For what is known of the parameters; empty: nothing beyond that all residuals are independent.
   ResidualStructure structure = {};
-  /// The same block with noise added to its inputs, `sign` times always the same one, like that which is in them
-  /// already, as far as residuals at `values` show it; empty: none is known of. What it changes shows what the noise
-  /// that is there has changed.
-  std::function<ResidualBlock(const std::vector<double>& values, double sign)> with_input_noise = {};
+  /// Two: the same block with noise added to its inputs, and with that noise taken away, like the noise that is in them
+  /// already, as far as residuals at `values` show it. What it changes shows what the noise that is there has changed.
+  /// Returns none where there is no noise; empty where inputs have none. Throws std::runtime_error where it cannot be
+  /// found.
+  std::function<std::vector<ResidualBlock>(const std::vector<double>& values)> with_input_noise = {};
 };
 
 }  // namespace fourpost

@@ -89,16 +89,18 @@ Eigen::VectorXd SmoothedPower(const Eigen::VectorXd& power, const Reach& reach) 
                                       [&](Index k) { return smoothed[static_cast<std::size_t>(k)](0, 0).real(); });
 }
 
-/// Columns that span those of a matrix.
-Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& matrix) {
+/// C, so that the columns of matrix C are orthonormal and span those of the matrix.
+Eigen::MatrixXd Orthonormalising(const Eigen::MatrixXd& matrix) {
   constexpr double kRank = 1e-9;
-  const Eigen::VectorXd scale = matrix.colwise().norm().unaryExpr([](double n) { return n > 0 ? 1 / n : 0; });
-  const Eigen::MatrixXd scaled = matrix * scale.asDiagonal();
-  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(scaled.transpose() * scaled);
+  const Eigen::MatrixXd products = matrix.transpose() * matrix;
+  const Eigen::VectorXd scale =
+      products.diagonal().cwiseSqrt().unaryExpr([](double norm) { return norm > 0 ? 1 / norm : 0; });
+  const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(scale.asDiagonal() * products * scale.asDiagonal());
   std::vector<Index> spanning;
   for (Index i = 0; i < pairs.values.size(); ++i)
     if (pairs.values[i] > kRank * pairs.values[pairs.values.size() - 1]) spanning.push_back(i);
-  return scaled * pairs.vectors(Eigen::all, spanning) * pairs.values(spanning).cwiseSqrt().cwiseInverse().asDiagonal();
+  return scale.asDiagonal() * pairs.vectors(Eigen::all, spanning) *
+         pairs.values(spanning).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 /// Noise variances of neighbours over frequency, from second differences, smoothed over five of them.
@@ -137,28 +139,30 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& residuals, const ResidualStr
   Eigen::MatrixXd all = jacobian;
   all.conservativeResize(Eigen::NoChange, jacobian.cols() + structure.absorbed.cols());
   if (structure.absorbed.size() > 0) all.rightCols(structure.absorbed.cols()) = structure.absorbed;
-  const Eigen::MatrixXd fitted = Orthonormal(all);
+  const FittedColumns fitted = {all, Orthonormalising(all)};
   for (auto& [number, channels] : records) records_.push_back(Measured(std::move(channels), residuals, fitted));
 }
 
 // Of N / T of the samples' power per point of the transform, `fitted` takes the sum of |F|^2 over its columns.
-Eigen::MatrixXd ResidualNoise::Kept(const Record& record, const Eigen::MatrixXd& fitted) {
+Eigen::MatrixXd ResidualNoise::Kept(const Record& record, const FittedColumns& fitted) {
   // A channel that a fit follows everywhere says nothing of its noise.
   constexpr double kLeast = 0.2;
   const Reach reach(record.samples, record.points);
   Eigen::MatrixXd kept(record.points / 2 + 1, static_cast<Index>(record.channels.size()));
   for (std::size_t c = 0; c < record.channels.size(); ++c) {
-    Eigen::MatrixXcd transforms(kept.rows(), fitted.cols());
-    for (Index p = 0; p < fitted.cols(); ++p)
-      transforms.col(p) = Transformed(ValuesOf(record.channels[c], fitted.col(p)), record.points);
-    const Eigen::VectorXd taken = transforms.cwiseAbs2().rowwise().sum() / static_cast<double>(record.samples);
+    const ResidualSeries& series = record.channels[c];
+    const Eigen::MatrixXd rows = fitted.all(Eigen::seqN(series.first, series.count, series.step), Eigen::all);
+    const Eigen::MatrixXd columns = rows * fitted.orthonormalising;
+    Eigen::VectorXd taken = Eigen::VectorXd::Zero(kept.rows());
+    for (Index p = 0; p < columns.cols(); ++p) taken += Transformed(columns.col(p), record.points).cwiseAbs2();
+    taken /= static_cast<double>(record.samples);
     kept.col(static_cast<Index>(c)) = (1 - SmoothedPower(taken, reach).array()).max(kLeast);
   }
   return kept;
 }
 
 ResidualNoise::Record ResidualNoise::Measured(std::vector<ResidualSeries> channels, const Eigen::VectorXd& residuals,
-                                              const Eigen::MatrixXd& fitted) {
+                                              const FittedColumns& fitted) {
   Record record;
   record.channels = std::move(channels);
   record.samples = record.channels.front().count;

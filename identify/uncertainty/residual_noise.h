@@ -50,11 +50,16 @@ class ResidualNoise {
     std::vector<Eigen::MatrixXcd> spectrum;
   };
 
-  /// `fitted`: columns that span those of the Jacobian, orthonormal over all residuals.
+  /// What was fitted: a row for each residual, and what makes the columns orthonormal.
+  struct FittedColumns {
+    Eigen::MatrixXd all;
+    Eigen::MatrixXd orthonormalising;
+  };
+
   static Record Measured(std::vector<ResidualSeries> channels, const Eigen::VectorXd& residuals,
-                         const Eigen::MatrixXd& fitted);
+                         const FittedColumns& fitted);
   /// What a fit has left of each channel's noise, frequencies x channels, as a share.
-  static Eigen::MatrixXd Kept(const Record& record, const Eigen::MatrixXd& fitted);
+  static Eigen::MatrixXd Kept(const Record& record, const FittedColumns& fitted);
   /// Of its channels, those of which something takes part, and transforms of their derivatives, frequencies x n each.
   struct Transforms {
     std::vector<Eigen::Index> channels;

@@ -4,24 +4,13 @@ import json
 import math
 import unittest
 
-from program import SOURCE, ProgramTest
+from program import SOURCE, ProgramTest, dwells
 
 RATE = 200
 # Sensor of the vehicle, and what a rig calls it, in which unit and with which sign.
 NAMES = {"post_post": ("Actuator pos", "mm", 1e3), "a_body": ("Chassis Acc", "g", 1 / 9.80665),
          "a_wheel": ("Hub Acc", "g", -1 / 9.80665), "s_strut": ("Damper Pot", "mm", 1e3),
          "F_tyre": ("Load cell", "kN", 1e-3)}
-
-
-def dwells(frequencies):
-    """Two seconds of rest, then four seconds of each."""
-    heights = [0.0] * (2 * RATE)
-    phase = 0.0
-    for frequency in frequencies:
-        for _ in range(4 * RATE):
-            phase += 2 * math.pi * frequency / RATE
-            heights.append(5e-3 / frequency * math.sin(phase))
-    return heights
 
 
 def renamed(text):
@@ -41,7 +30,7 @@ class Draft(ProgramTest):
         text = (SOURCE / "studies/starter/vehicle.urdf").read_text()
         self.sensors = [part.split('"')[1] for part in text.split("<fp:sensor name=")[1:]]
         self.write("car.urdf", text)
-        rows = "".join(f"{k / RATE:.4f},{z:.9g}\n" for k, z in enumerate(dwells([1, 2, 3, 5, 8, 12])))
+        rows = "".join(f"{k / RATE:.4f},{z:.9g}\n" for k, z in enumerate(dwells([1, 2, 3, 5, 8, 12], RATE)))
         self.write("heights.csv", "time,post\ns,m\n" + rows)
         self.simulate("dwells.csv")
 
@@ -54,10 +43,10 @@ class Draft(ProgramTest):
         self.write("rig/run1.csv", renamed((self.folder / "dwells.csv").read_text()))
         self.write("rig/notes.txt", "springs of the red car\n")
         outcome = self.run_program("init", "study", "--from", "rig", "--vehicle", "car.urdf", "--json")
-        told = json.loads(outcome.stdout)
-        used = {entry["file"]: entry["use"] for entry in told["recordings"]}
+        answer = json.loads(outcome.stdout)
+        used = {entry["file"]: entry["use"] for entry in answer["recordings"]}
         self.assertEqual(used, {"rig/run1.csv": "recordings", "rig/notes.txt": None})
-        channels = {match["name"]: match["channel"] for entry in told["recordings"] for match in entry["matches"]}
+        channels = {match["name"]: match["channel"] for entry in answer["recordings"] for match in entry["matches"]}
         for sensor in self.sensors:
             if sensor not in NAMES:
                 continue

@@ -1,9 +1,8 @@
 """Time histories made into frequency responses, by the command and by a study."""
 import json
-import math
 import unittest
 
-from program import SOURCE, ProgramTest
+from program import SOURCE, ProgramTest, dwells
 
 RATE = 200
 STUDY = """vehicle: car.urdf
@@ -14,24 +13,13 @@ band: [1 Hz, 10 Hz]
 """
 
 
-def dwells(frequencies):
-    """Two seconds of rest, then four seconds of each."""
-    heights = [0.0] * (2 * RATE)
-    phase = 0.0
-    for frequency in frequencies:
-        for _ in range(4 * RATE):
-            phase += 2 * math.pi * frequency / RATE
-            heights.append(5e-3 / frequency * math.sin(phase))
-    return heights
-
-
 class Frf(ProgramTest):
     def setUp(self):
         super().setUp()
         self.copy("meshes")
         text = (SOURCE / "studies/starter/vehicle.urdf").read_text()
         self.write("car.urdf", text)
-        rows = "".join(f"{k / RATE:.4f},{z:.9g}\n" for k, z in enumerate(dwells([2, 3, 5, 8])))
+        rows = "".join(f"{k / RATE:.4f},{z:.9g}\n" for k, z in enumerate(dwells([2, 3, 5, 8], RATE)))
         self.write("heights.csv", "time,post\ns,m\n" + rows)
         self.run_program("simulate", "car.urdf", "--recording", "heights.csv", "--rate", f"{RATE}Hz", "--noise", "0.1%",
                          "--engine", "reduced", "-o", "dwells.csv")

@@ -1,4 +1,5 @@
 """Runs the program as a user does: FOURPOST names it, in a folder that goes with the test."""
+import math
 import os
 import pathlib
 import shutil
@@ -8,6 +9,17 @@ import unittest
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 FOURPOST = os.environ["FOURPOST"]
+
+
+def dwells(frequencies, rate):
+    """Heights of a post [m], `rate` a second: two seconds of rest, then four seconds of each frequency."""
+    heights = [0.0] * (2 * rate)
+    phase = 0.0
+    for frequency in frequencies:
+        for _ in range(4 * rate):
+            phase += 2 * math.pi * frequency / rate
+            heights.append(5e-3 / frequency * math.sin(phase))
+    return heights
 
 
 class ProgramTest(unittest.TestCase):

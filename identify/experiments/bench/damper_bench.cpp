@@ -159,8 +159,9 @@ ExperimentResults DamperBench::Results(const Subject& subject, const FitResult& 
     results.json["validation_left_out"].push_back(LeftOutJson(recording));
   std::vector<HistoryMisfit> misfits = BenchMisfits(fitted);
   std::vector<HistoryMisfit> kept_misfits = BenchMisfits(kept);
-  AddYardsticks(YardstickRecords(fitted), YardstickRecords(fitted), misfits);
-  AddYardsticks(YardstickRecords(fitted), YardstickRecords(kept), kept_misfits);
+  const std::vector<YardstickRecord> records = YardstickRecords(fitted);
+  AddYardsticks(records, records, misfits);
+  AddYardsticks(records, YardstickRecords(kept), kept_misfits);
   results.json["channels"] = HistoryMisfitsJson(misfits);
   results.json["history_discrepancy"] = {{{"channel", "force"}, {"share", ForceDiscrepancy(fitted)}}};
   if (!kept_misfits.empty()) results.json["validation"] = HistoryMisfitsJson(kept_misfits);

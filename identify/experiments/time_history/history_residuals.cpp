@@ -12,7 +12,6 @@
 #include "analysis/signals/fit_quality.h"
 #include "analysis/signals/signal_timing.h"
 #include "analysis/text/option_check.h"
-#include "identify/experiments/time_history/post_noise.h"
 #include "identify/experiments/time_history/start_state.h"
 #include "identify/residuals/sensor_group.h"
 
@@ -164,14 +163,13 @@ std::vector<double> HistoryResiduals::Steps() const {
   return steps;
 }
 
-std::vector<MeasuredHistory> HistoryResiduals::WithPostNoise(const std::vector<double>& values, double sign) const {
-  std::vector<MeasuredHistory> noisy;
+std::vector<PostNoise> HistoryResiduals::PostNoiseAt(const std::vector<double>& values) const {
+  std::vector<PostNoise> noise;
   for (std::size_t h = 0; h < histories_.size(); ++h) {
     const CondensedModel model = ModelOf(histories_[h], values);
-    const PostNoise noise = PostNoiseOf(histories_[h], model, Modelled(h, model, {}), simulations_[h].step_s());
-    noisy.push_back(fourpost::WithPostNoise(histories_[h], noise, h, sign));
+    noise.push_back(PostNoiseOf(histories_[h], model, Modelled(h, model, {}), simulations_[h].step_s()));
   }
-  return noisy;
+  return noise;
 }
 
 std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double>& values) const {
@@ -187,13 +185,28 @@ std::vector<double> HistoryResiduals::ChangesByHalfStep(const std::vector<double
 
 namespace {
 
-/// Or may have it.
-bool HasPostNoise(const std::vector<MeasuredHistory>& histories) {
-  return std::any_of(histories.begin(), histories.end(), [](const MeasuredHistory& history) {
+/// Nothing known of it is taken for noise that may be there.
+bool MayHavePostNoise(const std::vector<MeasuredHistory>& histories) {
+  for (const MeasuredHistory& history : histories)
     for (std::size_t p = 0; p < history.post_noise_sd.size(); ++p)
       if (history.post_noise_sd[p] > 0 || !history.post_noise_is_stated[p]) return true;
-    return false;
-  });
+  return false;
+}
+
+/// See ResidualBlock::with_input_noise.
+std::vector<ResidualBlock> WithPostNoise(const HistoryResiduals& residuals,
+                                         const std::shared_ptr<const CondensedVehicle>& vehicle,
+                                         const std::vector<double>& values) {
+  const std::vector<PostNoise> noise = residuals.PostNoiseAt(values);
+  if (std::none_of(noise.begin(), noise.end(), [](const PostNoise& one) { return one.IsAny(); })) return {};
+  std::vector<ResidualBlock> both;
+  for (const double sign : {-1.0, 1.0}) {
+    std::vector<MeasuredHistory> noisy;
+    for (std::size_t h = 0; h < noise.size(); ++h)
+      noisy.push_back(WithPostNoise(residuals.histories()[h], noise[h], h, sign));
+    both.push_back(HistoryBlock(vehicle, std::move(noisy), residuals.options()));
+  }
+  return both;
 }
 
 }  // namespace
@@ -251,16 +264,14 @@ ResidualStructure HistoryResiduals::Structure() const {
 
 ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
                            const HistoryResiduals::Options& options) {
-  const bool has_noise = options.cost == HistoryCost::kWhitened && HasPostNoise(histories);
+  const bool has_noise = options.cost == HistoryCost::kWhitened && MayHavePostNoise(histories);
   const auto residuals = std::make_shared<const HistoryResiduals>(vehicle, std::move(histories), options);
   std::function<Eigen::VectorXd(const std::vector<double>&)> at_finer_steps;
   if (options.cost == HistoryCost::kWhitened)
     at_finer_steps = [residuals](const std::vector<double>& values) { return residuals->AtFinerSteps(values); };
-  std::function<ResidualBlock(const std::vector<double>&, double)> with_input_noise;
+  std::function<std::vector<ResidualBlock>(const std::vector<double>&)> with_input_noise;
   if (has_noise)
-    with_input_noise = [=](const std::vector<double>& values, double sign) {
-      return HistoryBlock(vehicle, residuals->WithPostNoise(values, sign), options);
-    };
+    with_input_noise = [=](const std::vector<double>& values) { return WithPostNoise(*residuals, vehicle, values); };
   return {.name = "time histories",
           .count = residuals->count(),
           // What the elements' forces are solved to, times what a step's error may grow to.

@@ -11,6 +11,7 @@
 #include "identify/experiments/time_history/history_data.h"
 #include "identify/experiments/time_history/history_simulation.h"
 #include "identify/experiments/time_history/kalman_predictor.h"
+#include "identify/experiments/time_history/post_noise.h"
 #include "identify/residuals/history_misfit.h"
 #include "identify/residuals/residual_block.h"
 #include "identify/residuals/yardstick.h"
@@ -75,9 +76,8 @@ class HistoryResiduals {
   /// Of each history [s].
   std::vector<double> Steps() const;
 
-  /// Whitened: the histories with noise added to their posts like that which is in them, `sign` times always the same
-  /// one. Throws as PostNoiseOf() does.
-  std::vector<MeasuredHistory> WithPostNoise(const std::vector<double>& values, double sign) const;
+  /// Whitened: of each history. Throws as PostNoiseOf() does.
+  std::vector<PostNoise> PostNoiseAt(const std::vector<double>& values) const;
 
   /// By how much half the step changes each history at these values: of its signals the largest rms of the change, as a
   /// share of the signal's own. Steps are those of the file's values, and others may want finer ones.

@@ -72,7 +72,7 @@ std::vector<double> Octaves(double rate_Hz, double spacing_Hz) {
   return ends;
 }
 
-/// Noise whose power is `density` [1/Hz] up to each of the ends.
+/// Noise whose spectrum is `density` [unit^2/Hz] up to each of the ends.
 Eigen::VectorXd Coloured(std::uint64_t seed, std::size_t post, Index count, const std::vector<double>& ends_Hz,
                          const std::vector<double>& density, double rate_Hz) {
   Index points = 2;
@@ -133,6 +133,9 @@ class PostNoiseEstimate {
     spacing_Hz_ = spectra.spacing_Hz;
     for (std::size_t k = 0; k < spectra.at.size(); ++k) residuals_.push_back(Unexplained(spectra.at[k]));
     ends_Hz_ = Octaves(history.rate_Hz, spectra.spacing_Hz);
+    const auto& stated = history.post_noise_is_stated;
+    const bool is_known = std::all_of(stated.begin(), stated.end(), [](char is) { return is != 0; });
+    if (is_known || history.signals.size() < 2) return;
     const Eigen::MatrixXd before = HistorySimulation(history, step_s).Run(model);
     for (std::size_t p = 0; p < history.heights.size(); ++p)
       for (std::size_t b = 0; b < ends_Hz_.size(); ++b) {
@@ -249,7 +252,7 @@ class PostNoiseEstimate {
     std::vector<Index> open;
     for (Index i = 0; i < density.size(); ++i)
       if (!history_.post_noise_is_stated[static_cast<std::size_t>(i / bands)]) open.push_back(i);
-    if (open.empty()) return;
+    if (open.empty() || causes_.empty()) return;
     Eigen::VectorXd known = density;
     known(open).setZero();
     const Eigen::MatrixXd normal = normal_(open, open);
@@ -295,6 +298,12 @@ class PostNoiseEstimate {
 };
 
 }  // namespace
+
+bool PostNoise::IsAny() const {
+  return std::any_of(density.begin(), density.end(), [](const std::vector<double>& post) {
+    return std::any_of(post.begin(), post.end(), [](double power) { return power > 0; });
+  });
+}
 
 PostNoise PostNoiseOf(const MeasuredHistory& history, const CondensedModel& model, const Eigen::MatrixXd& modelled,
                       double step_s) {

@@ -19,9 +19,12 @@ struct PostNoise {
   std::vector<double> ends_Hz;
   /// Per post, per band [m^2/Hz], one-sided.
   std::vector<std::vector<double>> density;
+
+  bool IsAny() const;
 };
 
-/// White noise of `history.post_noise_sd`; of posts whose noise the study does not state as the residuals show it.
+/// White noise of `history.post_noise_sd`; of posts whose noise the study does not state as the residuals of two channels
+/// or more show it.
 /// `modelled`: samples of the window x signals, at the values of `model`; `step_s`: of the condensed stepper. Throws as
 /// HistorySimulation::Run() does.
 PostNoise PostNoiseOf(const MeasuredHistory& history, const CondensedModel& model, const Eigen::MatrixXd& modelled,

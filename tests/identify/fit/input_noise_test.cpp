@@ -29,7 +29,10 @@ ResidualBlock Gain(const Eigen::VectorXd& input, const Eigen::VectorXd& output) 
           .count = input.size(),
           .evaluate = [=](const std::vector<double>& values,
                           const Deadline&) { return Evaluation{.residuals = values[0] * input - output}; },
-          .with_input_noise = [=](const std::vector<double>&, double sign) { return Gain(input + sign * Noise(99), output); }};
+          .with_input_noise =
+              [=](const std::vector<double>&) {
+                return std::vector{Gain(input - Noise(99), output), Gain(input + Noise(99), output)};
+              }};
 }
 
 // Least squares give p / (1 + s), s the noise's share of the input's squares.

@@ -136,6 +136,19 @@ TEST_F(PostNoiseTest, IsNotWhatTheModelLacks) {
   for (const double density : found.density[0]) EXPECT_EQ(density, 0);
 }
 
+// Without a second channel the empty part of the post's spectrum is all there is.
+TEST_F(PostNoiseTest, OfOneChannelIsThatOfThePost) {
+  MeasuredHistory history = Moved();
+  Measure(vehicle_, history);
+  AddNoise(history);
+  history.signals.resize(1);
+  EXPECT_FALSE(Found(history).IsAny());
+  history.post_noise_sd = {1e-5};
+  const PostNoise found = Found(history);
+  EXPECT_TRUE(found.IsAny());
+  for (const double density : found.density[0]) EXPECT_NEAR(density, 1e-10 * 2 / kRate_Hz, 1e-20);
+}
+
 TEST_F(PostNoiseTest, IsAddedWithItsSpectrum) {
   const MeasuredHistory history = Moved();
   const PostNoise noise = {.ends_Hz = {25, 50, 100}, .density = {{4e-12, 0, 1e-12}}};
