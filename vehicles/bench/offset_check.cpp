@@ -50,7 +50,9 @@ void CheckBenchOffsets(const BenchDamper& damper, const RecordedForce& recorded,
   constexpr double kOfForce = 0.15;
   std::vector<double> extension = AtSamples(motion);
   std::vector<double> modelled = damper.Tensions(motion, values);
-  const auto settled = [&](std::span<const double> signal) { return signal.subspan(first, end - first); };
+  const auto settled = [from = first, count = end - first](std::span<const double> signal) {
+    return signal.subspan(from, count);
+  };
   if (first >= end || end > force.size() || modelled.size() != force.size()) return;
   const double mean = Mean(settled(extension));
   const double stroke = Span(settled(extension));
