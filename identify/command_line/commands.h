@@ -134,6 +134,8 @@ struct SimulateCommand {
 
 /// `fourpost fit STUDY -o DIR`
 struct FitCommand : FitRequest {
+  FitCommand() { name_missing = true; }
+
   bool json = false;
   /// Add to the vehicle what lowers BIC, step by step.
   bool grow = false;

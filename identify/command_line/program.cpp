@@ -179,6 +179,7 @@ void Program::AddFit() {
   sub->add_flag("--grow", fit_.grow,
                 "Add to the vehicle, step by step, what `fourpost suggest` names first, while BIC falls and validation "
                 "recordings are predicted no worse; steps/growth.json holds the path");
+  sub->add_flag("!--no-suggest", fit_.name_missing, "Do not look for what the vehicle lacks where residuals are large");
   sub->add_flag("--json", fit_.json, "Print result.json instead of tables");
 }
 

@@ -6,43 +6,18 @@
 
 #include "analysis/files/json_text.h"
 #include "analysis/text/text_table.h"
-#include "analysis/text/units.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/interrupt.h"
 #include "identify/command_line/print.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/command_line/work_progress.h"
-#include "vehicles/reader/vehicle_file.h"
+#include "identify/suggest/suggestion_json.h"
 
 namespace fourpost {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// SI units of the parameters that a suggestion adds or frees.
-std::vector<std::string> UnitsOf(const SuggestedAddition& suggestion, const LoadedStudy& study) {
-  Vehicle vehicle = study.vehicle;
-  Diagnostics findings;
-  if (!suggestion.addition.vehicle.empty())
-    if (auto read = ReadVehicleText(suggestion.addition.vehicle, study.vehicle.file, findings)) vehicle = *read;
-  std::vector<std::string> units;
-  for (const std::string& name : suggestion.addition.parameters)
-    for (const Parameter& parameter : vehicle.parameters)
-      if (parameter.name == name) units.push_back(SiUnit(parameter.dimension));
-  return units;
-}
-
-/// "friction_front 86 N"; of a channel "0.002 s".
-std::string SizeText(const SuggestedAddition& suggestion, const std::vector<std::string>& units) {
-  if (suggestion.addition.study)
-    return suggestion.addition.mechanism == "delay" ? Rounded(1e3 * suggestion.amount, 3) + " ms"
-                                                    : "times " + Rounded(1 + suggestion.amount, 4);
-  std::string text;
-  for (std::size_t i = 0; i < suggestion.values.size(); ++i)
-    text += (text.empty() ? "" : ", ") + Rounded(suggestion.values[i], 3) + (units[i] == "1" ? "" : ' ' + units[i]);
-  return text;
-}
 
 std::string MovedText(const SuggestedAddition& suggestion) {
   constexpr std::size_t kMost = 3;
@@ -73,8 +48,8 @@ std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
     TextTable table({"no.", "add", "expected", "cost falls, %", "change of BIC", "moves"});
     for (std::size_t i = 0; i < shown; ++i) {
       const SuggestedAddition& one = all.list[i];
-      table.Add({std::to_string(i + 1), one.addition.words, SizeText(one, UnitsOf(one, run.study)),
-                 Rounded(100 * one.fall, 3), Rounded(one.criterion, 3), MovedText(one)});
+      table.Add({std::to_string(i + 1), one.addition.words, ExpectedText(one, run.study), Rounded(100 * one.fall, 3),
+                 Rounded(one.criterion, 3), MovedText(one)});
     }
     text = table.Format() + '\n' + AlikeText(all);
   }
@@ -86,35 +61,11 @@ std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
   return text;
 }
 
-Json AsJson(const SuggestedAddition& one, std::size_t number, const LoadedStudy& study) {
-  const std::vector<std::string> units = UnitsOf(one, study);
-  Json parameters = Json::array();
-  for (std::size_t i = 0; i < one.values.size(); ++i)
-    parameters.push_back({{"name", one.addition.parameters[i]}, {"unit", units[i]}, {"value", one.values[i]}});
-  Json moved = Json::array();
-  for (const MovedParameter& parameter : one.moved)
-    moved.push_back({{"name", parameter.name}, {"percent", 100 * parameter.share}});
-  Json like = Json::array();
-  for (const std::size_t k : one.like) like.push_back(k + 1);
-  return {{"number", number},
-          {"mechanism", one.addition.mechanism},
-          {"elements", one.addition.elements},
-          {"text", one.addition.words},
-          {"lowers_bic", one.criterion < 0},
-          {"parameters", parameters},
-          {"correction", one.addition.study ? Json(one.amount) : Json(nullptr)},
-          {"cost", one.cost},
-          {"fall_percent", 100 * one.fall},
-          {"criterion_change", one.criterion},
-          {"moves", moved},
-          {"like", like}};
-}
-
 std::string AsJson(const SuggestCommand& command, const RunSuggestions& run) {
   const Suggestions& all = run.suggestions;
   const std::size_t shown = command.all ? all.list.size() : all.Worthwhile();
   Json list = Json::array();
-  for (std::size_t i = 0; i < shown; ++i) list.push_back(AsJson(all.list[i], i + 1, run.study));
+  for (std::size_t i = 0; i < shown; ++i) list.push_back(SuggestionJson(all.list[i], i + 1, run.study));
   return JsonText(Json{{"run", command.run.filename().string()},
                        {"cost", all.cost},
                        {"misfit", all.misfit},

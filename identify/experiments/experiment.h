@@ -90,6 +90,9 @@ class Experiment {
 
   virtual std::vector<ExperimentFile> Files() const = 0;
 
+  /// Forgets recordings that the fit does not see; before Load().
+  virtual void LeaveOutValidation() {}
+
   /// Settings of the study's control that the recordings to fit state.
   virtual std::vector<double> Settings() const { return {}; }
 

@@ -111,6 +111,38 @@ std::string ResidualsAre(double misfit) {
   return "Residuals are " + ShownNumber(misfit, 2) + " times what noise and the stated model error explain";
 }
 
+/// What the fit found worth adding to the vehicle; empty of runs that did not look.
+std::vector<Json> MissingOf(const Json& result) { return ListAt(result.value("missing", Json()), "suggestions"); }
+
+/// "dry friction beside damper 'front' (149 N)"
+std::string AdditionText(const Json& missing) {
+  return html::Escaped(TextAt(missing, "text") + " (" + TextAt(missing, "expected") + ")");
+}
+
+/// As a part of the verdict.
+std::string MostLikelyMissing(const Json& result) {
+  const std::vector<Json> missing = MissingOf(result);
+  return missing.empty() ? "" : " The model most probably lacks " + AdditionText(missing.front()) + '.';
+}
+
+/// All that the fit names, each with what it would change.
+std::string WhatIsMissing(const Json& result) {
+  std::string items;
+  for (const Json& one : MissingOf(result)) {
+    std::string moves;
+    for (const Json& moved : ListAt(one, "moves"))
+      moves += (moves.empty() ? "; moves " : ", ") + Code(TextAt(moved, "name")) + ' ' +
+               (NumberAt(moved, "percent") > 0 ? "+" : "") + ShownNumber(NumberAt(moved, "percent"), 2) + " %";
+    items += html::Element(
+        "li", "",
+        AdditionText(one) + ": lowers the cost by " + ShownNumber(NumberAt(one, "fall_percent"), 2) + " %" + moves);
+  }
+  if (!items.empty()) return "Each alone, by its expected gain:" + html::Element("ul", "", items);
+  const double tried = NumberAt(result.value("missing", Json()), "tried");
+  return std::isfinite(tried) ? "Of " + ShownDecimals(tried, 0) + " additions to the model none explains the residuals."
+                              : "";
+}
+
 Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unseen) {
   const std::string end = TextAt(result, "termination");
   const Json starts = result.value("starts", Json());
@@ -129,7 +161,7 @@ Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unsee
   if (refined > 1 && agreeing < 2 && name == "good") name = "fair";
   const double misfit = MisfitOf(result);
   if (std::isfinite(misfit)) {
-    text += misfit > kExplained ? ResidualsAre(misfit) + "; about 1 is expected."
+    text += misfit > kExplained ? ResidualsAre(misfit) + "; about 1 is expected." + MostLikelyMissing(result)
                                 : "Noise and the stated model error explain the residuals.";
     if (misfit > kMisses && name == "good") name = "fair";
   }
@@ -396,7 +428,7 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
     next += html::Element("li", "", advice);
   return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
          Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
-         Item("What does not fit", misses) +
+         Item("What does not fit", misses) + Item("What is missing", WhatIsMissing(result)) +
          Item("What it predicts", Sentences(WhatItPredicts(validation, unseen), WhatWasLeftOut(result))) +
          Item("How it was modelled", HowModelled(remarks.modelled)) +
          Item("What is determined", WhatIsDetermined(parameters)) +

@@ -21,6 +21,7 @@
 #include "identify/study/loaded_study.h"
 #include "identify/study/study_audit.h"
 #include "identify/study/study_context.h"
+#include "identify/suggest/suggestion_json.h"
 #include "vehicles/reader/vehicle_file.h"
 
 namespace fourpost {
@@ -100,6 +101,24 @@ FitResult GoneOn(const FitResult& first, FitResult second) {
     sum.count += tally.count;
   }
   return second;
+}
+
+/// Of the free parameters.
+Eigen::VectorXd FreeValues(const LoadedStudy& loaded, const FitResult& fit) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(loaded.free.size()));
+  for (std::size_t i = 0; i < loaded.free.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = fit.values[loaded.free[i]];
+  return values;
+}
+
+/// What is worth adding, at most three; null where that was not looked for.
+nlohmann::ordered_json MissingJson(const std::optional<Suggestions>& found, const LoadedStudy& loaded) {
+  constexpr std::size_t kMost = 3;
+  if (!found) return nullptr;
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < std::min(kMost, found->Worthwhile()); ++i)
+    list.push_back(SuggestionJson(found->list[i], i + 1, loaded));
+  return {{"tried", found->tried}, {"suggestions", list}};
 }
 
 /// One fit from its study to its folder.
@@ -205,13 +224,23 @@ class Fitter {
          ++round) {
       for (Experiment& experiment : loaded.study.experiments) experiment.Correct();
       const VehicleObjective objective = loaded.MakeObjective();
-      options.from.emplace(static_cast<Eigen::Index>(loaded.free.size()));
-      for (std::size_t i = 0; i < loaded.free.size(); ++i)
-        (*options.from)[static_cast<Eigen::Index>(i)] = fit.values[loaded.free[i]];
+      options.from = FreeValues(loaded, fit);
       FitResult next = FitInto(ContextOf(loaded), objective, options);
       if (next.parameters.empty() || next.end == FitEnd::kInterrupted) fit.end = FitEnd::kInterrupted;
       else fit = GoneOn(fit, std::move(next));
     }
+  }
+
+  /// What could be added to the vehicle, where there is reason to look.
+  std::optional<Suggestions> Missing(const LoadedStudy& loaded, const FitResult& fit) const {
+    if (!request_.name_missing || fit.end != FitEnd::kConverged || !loaded.HasDeviations()) return std::nullopt;
+    if (!(fit.Misfit() > kLargeMisfit)) return std::nullopt;
+    Suggestions found = SuggestFor(loaded, FreeValues(loaded, fit), request_.threads, hooks_.work);
+    if (found.is_interrupted) {
+      hooks_.work.Note("interrupted while looking for what the vehicle lacks; `fourpost suggest` looks again");
+      return std::nullopt;
+    }
+    return found;
   }
 
   /// result.json goes last into the folder.
@@ -233,7 +262,8 @@ class Fitter {
     if (audit_ && fit.end != FitEnd::kInterrupted && !request_.accept_implausible)
       ReportAudit(loaded, *audit_, Severity::kWarning, run.verdict.reasons);
     const Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
-    run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text);
+    results.json["missing"] = MissingJson(Missing(loaded, fit), loaded);
+    run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text, results.json["missing"]);
     run.json = ResultJson(loaded, seed, fit, results.json, {run.verdict, conclusions, warnings_});
     std::vector<std::pair<std::string, std::string>>& files = results.files;
     files.emplace_back("parameters.csv", ParametersCsv(loaded.vehicle, fit.parameters));

@@ -34,6 +34,8 @@ struct FitRequest {
   bool from_file = false;
   /// Names of parameters to profile, or "all".
   std::vector<std::string> profile = {};
+  /// Look for what the vehicle lacks where residuals are larger than noise and stated model error explain.
+  bool name_missing = false;
 };
 
 /// How a fit shows that it gets on; each may be empty.

@@ -2,15 +2,17 @@
 
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "identify/fit/fit.h"
 #include "identify/run/fit_verdict.h"
 
 namespace fourpost {
 
 /// What `fourpost fit` prints on a terminal: tables of the parameters and of their profiles, `sections` (tables of what
-/// was measured), how the fit ended, how large the residuals are, the least identifiable direction, and the
-/// conclusions.
+/// was measured), how the fit ended, how large the residuals are, what could be added (`missing` of
+/// result.json), the least identifiable direction, and the conclusions.
 std::string FitText(const FitResult& fit, const FitVerdict& verdict, const Diagnostics& conclusions,
-                    const std::string& sections);
+                    const std::string& sections, const nlohmann::ordered_json& missing);
 
 }  // namespace fourpost

@@ -54,10 +54,9 @@ void AddPoor(const std::vector<Group>& groups, const Finding& kind, Diagnostics&
 }
 
 void AddBounds(const FitResult& fit, Diagnostics& reasons) {
-  constexpr double kExplained = 1.5;
   const auto at_bound = std::count_if(fit.parameters.begin(), fit.parameters.end(),
                                       [](const FittedParameter& parameter) { return parameter.at_bound; });
-  if (2 * at_bound <= std::ssize(fit.parameters) || fit.Misfit() <= kExplained) return;
+  if (2 * at_bound <= std::ssize(fit.parameters) || fit.Misfit() <= kLargeMisfit) return;
   reasons.Report(kParametersAtBounds, {}, {std::to_string(at_bound), std::to_string(fit.parameters.size())});
 }
 

@@ -8,6 +8,9 @@
 
 namespace fourpost {
 
+/// Residuals over noise and stated model error: above it the model lacks something.
+inline constexpr double kLargeMisfit = 1.5;
+
 /// Whether a fit explains its data, however well its numbers converged.
 struct FitVerdict {
   /// Why it does not; empty where nothing speaks against it.

@@ -86,6 +86,7 @@ class Grower {
     request.study = study;
     request.output = request_.output / step.folder / "fit";
     request.profile.clear();
+    request.name_missing = false;
     request.from_file = !step.added.empty();
     grown_.fit = FitStudy(request, hooks_);
     if (!grown_.fit.is_written || grown_.fit.fit.end == FitEnd::kInterrupted) return false;

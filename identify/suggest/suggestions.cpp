@@ -89,7 +89,10 @@ class AugmentedStudy {
     if (!study) return std::nullopt;
     LoadedStudy loaded{.study = *std::move(study), .vehicle = study_.vehicle, .free = study_.free};
     const Subject subject = loaded.MakeSubject();
-    for (Experiment& experiment : loaded.study.experiments) experiment.Load(subject, findings);
+    for (Experiment& experiment : loaded.study.experiments) {
+      experiment.LeaveOutValidation();
+      experiment.Load(subject, findings);
+    }
     if (findings.HasErrors()) return std::nullopt;
     loaded.Prepare();
     return Evaluated(loaded.MakeObjective(), values);

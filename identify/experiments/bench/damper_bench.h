@@ -24,6 +24,7 @@ class DamperBench : public Experiment {
 
   std::unique_ptr<Experiment> Clone() const override { return std::make_unique<DamperBench>(*this); }
   std::vector<ExperimentFile> Files() const override;
+  void LeaveOutValidation() override { plan.validation.clear(); }
   std::vector<double> Settings() const override;
   void Load(const Subject& subject, Diagnostics& diagnostics) override;
   void AddTo(Sha256& data, Sha256& settings) const override;

@@ -113,6 +113,10 @@ std::vector<ExperimentFile> TimeHistories::Files() const {
   return files;
 }
 
+void TimeHistories::LeaveOutValidation() {
+  std::erase_if(plan.histories, [](const StudyHistory& history) { return history.is_validation; });
+}
+
 std::vector<double> TimeHistories::Settings() const {
   std::vector<double> settings;
   for (const StudyHistory& history : plan.histories)

@@ -38,6 +38,7 @@ class TimeHistories : public Experiment {
 
   std::unique_ptr<Experiment> Clone() const override { return std::make_unique<TimeHistories>(*this); }
   std::vector<ExperimentFile> Files() const override;
+  void LeaveOutValidation() override;
   std::vector<double> Settings() const override;
   void Load(const Subject& subject, Diagnostics& diagnostics) override;
   void AddTo(Sha256& data, Sha256& settings) const override;
