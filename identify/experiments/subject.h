@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "identify/study_file/calibration.h"
 #include "identify/study_file/control.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/vehicle.h"
@@ -29,6 +30,9 @@ class Subject {
   /// Which parameters follow a recording's setting.
   const Control& control() const { return control_; }
   void FollowControl(Control control) { control_ = std::move(control); }
+  /// What is not exactly known of the instruments.
+  const std::vector<Calibration>& calibrations() const { return calibrations_; }
+  void Calibrate(std::vector<Calibration> calibrations) { calibrations_ = std::move(calibrations); }
   /// What one evaluation may take.
   double deadline_s() const { return deadline_s_; }
 
@@ -45,6 +49,7 @@ class Subject {
   std::filesystem::path study_file_;
   double deadline_s_;
   Control control_;
+  std::vector<Calibration> calibrations_;
   mutable std::shared_ptr<const CondensedVehicle> condensed_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "analysis/numerics/decompositions.h"
@@ -62,12 +63,38 @@ class Optimum {
                               structure_, noise_);
   }
 
-  /// judged x held: what one deviation of a held parameter moves the others by.
-  Eigen::MatrixXd MovedBy(const HeldParameters& held, const std::vector<Index>& judged) const {
+  /// What one standard deviation of each held parameter changes in the data's residuals.
+  Eigen::MatrixXd ByHeld(const HeldParameters& held) const {
+    return held.jacobian.topRows(data_) * held.variable_sd.asDiagonal();
+  }
+
+  /// judged x causes: by what the judged parameters give way to changes of the data's residuals.
+  Eigen::MatrixXd MovedBy(const Eigen::MatrixXd& changes, const std::vector<Index>& judged) const {
     const Eigen::MatrixXd hessian = Hessian(weights_)(judged, judged);
-    const Eigen::MatrixXd pull = jacobian_(Eigen::all, judged).transpose() * weights_.asDiagonal() *
-                                 held.jacobian.topRows(data_) * held.variable_sd.asDiagonal();
+    const Eigen::MatrixXd pull = jacobian_(Eigen::all, judged).transpose() * weights_.asDiagonal() * changes;
     return LeastNorm(hessian).Solve(pull);
+  }
+
+  /// What the data say of unknowns of unit variance that change the residuals, the judged parameters following:
+  /// -G'W r = K u + e with K = G'W (G - J D), D what the parameters give way by, e of the noise's covariance V. With
+  /// the unit variance of u
+  ///   E u = P K' V^-1 (-G'W r),  P = (1 + K' V^-1 K)^-1 its covariance.
+  Calibrated Calibrate(const Eigen::MatrixXd& changes, const std::vector<Index>& judged) const {
+    const Eigen::MatrixXd moved = MovedBy(changes, judged);
+    const Eigen::MatrixXd left = changes - jacobian_(Eigen::all, judged) * moved;
+    const Eigen::MatrixXd curvature = changes.transpose() * weights_.asDiagonal() * left;
+    const Eigen::VectorXd pull = -changes.transpose() * weights_.cwiseProduct(residuals_);
+    Eigen::MatrixXd noise = ScoreOf(left);
+    // Unknowns that nothing shows have neither curvature nor noise.
+    constexpr double kFloor = 1e-12;
+    noise.diagonal().array() += kFloor * std::max(1.0, noise.diagonal().maxCoeff());
+    const Eigen::LDLT<Eigen::MatrixXd> weighed(noise);
+    const Eigen::MatrixXd information = curvature.transpose() * weighed.solve(curvature);
+    Calibrated found{.changes = changes, .mean = {}, .covariance = {}, .step = Eigen::VectorXd::Zero(jacobian_.cols())};
+    found.covariance = (Eigen::MatrixXd::Identity(information.rows(), information.cols()) + information).inverse();
+    found.mean = found.covariance * curvature.transpose() * weighed.solve(pull);
+    found.step(judged) = -moved * found.mean;
+    return found;
   }
 
  private:
@@ -75,20 +102,26 @@ class Optimum {
     return jacobian_.transpose() * weights.asDiagonal() * jacobian_ + priors_.transpose() * priors_;
   }
 
-  /// Over time by the residuals' own correlation; else by their stated deviations, larger where the residuals are.
-  Eigen::MatrixXd Score() const {
+  /// Covariance of sum_i G_i r_i of the noise, N x causes: over time by the residuals' own correlation; else by their
+  /// stated deviations, larger where the residuals are.
+  Eigen::MatrixXd ScoreOf(const Eigen::MatrixXd& changes) const {
     const Eigen::VectorXd gradient = residuals_.cwiseProduct(weights_);
     double squares = 0;
     double count = 0;
-    Eigen::MatrixXd others = Eigen::MatrixXd::Zero(jacobian_.cols(), jacobian_.cols());
+    Eigen::MatrixXd others = Eigen::MatrixXd::Zero(changes.cols(), changes.cols());
     for (Index i = 0; i < data_; ++i) {
       if (noise_.over_time()[static_cast<std::size_t>(i)]) continue;
       squares += gradient[i] * gradient[i];
       count += 1;
-      others += jacobian_.row(i).transpose() * jacobian_.row(i);
+      others += changes.row(i).transpose() * changes.row(i);
     }
     const double inflation = count > static_cast<double>(jacobian_.cols()) ? std::max(1.0, squares / count) : 1;
-    Eigen::MatrixXd score = noise_.CovarianceOverTime(jacobian_) + inflation * others + priors_.transpose() * priors_;
+    if (!noise_.HasTime()) return inflation * others;
+    return noise_.CovarianceOverTime(changes) + inflation * others;
+  }
+
+  Eigen::MatrixXd Score() const {
+    Eigen::MatrixXd score = ScoreOf(jacobian_) + priors_.transpose() * priors_;
     // The noise that was added once more to take back a bias scatters, too.
     if (input_noise_.size() > 0) score += noise_.CovarianceOfStretches(input_noise_, noise_.over_time());
     return score;
@@ -213,7 +246,8 @@ std::string Certainty::LimitedBy(Index parameter) const {
   if (held_sd[parameter] <= noise) return "noise";
   Index largest = 0;
   by_held.col(parameter).maxCoeff(&largest);
-  return "held: " + held[static_cast<std::size_t>(largest)];
+  const bool is_parameter = static_cast<std::size_t>(largest) + calibrations.size() < held.size();
+  return (is_parameter ? "held: " : "calibration: ") + held[static_cast<std::size_t>(largest)];
 }
 
 std::vector<Contradiction> Certainty::Contradictions() const {
@@ -255,9 +289,61 @@ HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& 
   return held;
 }
 
+namespace {
+
+/// N x calibrations; without columns where the model cannot be evaluated.
+Eigen::MatrixXd ByCalibrations(const VehicleObjective& objective, const Eigen::VectorXd& values) {
+  Eigen::MatrixXd changes =
+      Eigen::MatrixXd::Zero(objective.residual_count() - objective.prior_count(), std::ssize(objective.calibrations()));
+  Index first = 0;
+  for (const ResidualBlock& block : objective.blocks()) {
+    try {
+      if (block.by_calibrations)
+        changes.middleRows(first, block.count) = block.by_calibrations(objective.AllParameters(values));
+    } catch (const std::runtime_error&) {
+      return {};
+    }
+    first += block.count;
+  }
+  return changes;
+}
+
+std::vector<CalibrationEstimate> Estimates(const Calibrated& calibrated, const std::vector<Calibration>& calibrations) {
+  std::vector<CalibrationEstimate> estimates;
+  for (std::size_t i = 0; i < calibrations.size(); ++i) {
+    const auto c = static_cast<Index>(i);
+    const Calibration& one = calibrations[i];
+    const double variance = calibrated.covariance(c, c);
+    // Before the data are seen the mean is of variance 1 - P.
+    constexpr double kUnseen = 1e-9;
+    estimates.push_back({.name = one.Name(),
+                         .unit = one.Unit(),
+                         .sd = one.sd,
+                         .estimate = one.sd * calibrated.mean[c],
+                         .estimate_sd = one.sd * std::sqrt(variance),
+                         .surprise = 1 - variance > kUnseen ? calibrated.mean[c] / std::sqrt(1 - variance) : 0});
+  }
+  return estimates;
+}
+
+}  // namespace
+
+std::optional<Calibrated> CalibratedAt(const VehicleObjective& objective, const Lattice& lattice,
+                                       const RefineResult& best, const RobustLoss& loss,
+                                       const std::vector<ParameterState>& states, const Eigen::MatrixXd& input_noise) {
+  if (objective.calibrations().empty()) return std::nullopt;
+  const Eigen::MatrixXd changes = ByCalibrations(objective, best.values);
+  if (changes.cols() == 0) return std::nullopt;
+  std::vector<Index> judged;
+  for (std::size_t j = 0; j < states.size(); ++j)
+    if (states[j] == ParameterState::kDetermined) judged.push_back(static_cast<Index>(j));
+  return Optimum(objective, lattice, best, loss, input_noise).Calibrate(changes, judged);
+}
+
 Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice, const RefineResult& best,
                       const RobustLoss& loss, const std::vector<ParameterState>& states,
-                      const Eigen::MatrixXd& input_noise, const HeldParameters& held) {
+                      const Eigen::MatrixXd& input_noise, const HeldParameters& held,
+                      const std::optional<Calibrated>& calibrated) {
   const Optimum optimum(objective, lattice, best, loss, input_noise);
   Certainty certainty;
   certainty.states = states;
@@ -274,16 +360,25 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
   if (certainty.judged.empty()) return certainty;
 
   certainty.model_error = optimum.ModelError(certainty.judged);
-  Eigen::MatrixXd by_held = Eigen::MatrixXd::Zero(static_cast<Index>(certainty.judged.size()), 0);
-  if (!held.places.empty()) by_held = optimum.MovedBy(held, certainty.judged);
+  Eigen::MatrixXd by_held = Eigen::MatrixXd::Zero(std::ssize(certainty.judged), std::ssize(held.places));
+  if (!held.places.empty()) by_held = optimum.MovedBy(optimum.ByHeld(held), certainty.judged);
   for (const std::size_t place : held.places) certainty.held.push_back(objective.vehicle().parameters[place].name);
+  Eigen::MatrixXd of_held = by_held * by_held.transpose();
+  if (calibrated) {
+    const Eigen::MatrixXd moved = optimum.MovedBy(calibrated->changes, certainty.judged);
+    of_held += moved * calibrated->covariance * moved.transpose();
+    by_held.conservativeResize(Eigen::NoChange, by_held.cols() + moved.cols());
+    by_held.rightCols(moved.cols()) = moved * calibrated->covariance.diagonal().cwiseSqrt().asDiagonal();
+    certainty.calibrations = Estimates(*calibrated, objective.calibrations());
+    for (const CalibrationEstimate& one : certainty.calibrations) certainty.held.push_back(one.name);
+  }
   certainty.by_held = Eigen::MatrixXd::Zero(by_held.cols(), count);
   const Eigen::VectorXd known = PriorDeviations(objective, lattice, best.values);
   for (std::size_t i = 0; i < certainty.judged.size(); ++i) {
     const auto row = static_cast<Index>(i);
     const Index j = certainty.judged[i];
     certainty.by_held.col(j) = by_held.row(row).transpose().cwiseAbs();
-    certainty.held_sd[j] = by_held.row(row).norm();
+    certainty.held_sd[j] = std::sqrt(of_held(row, row));
     const double noise = certainty.noise_sd[j];
     const double disagreement =
         certainty.model_error.is_significant ? certainty.model_error.reach[row] / certainty.covariance.reach_95 : 0;
@@ -292,7 +387,7 @@ Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice,
     certainty.model_sd[j] = std::min(certainty.model_sd[j], known[j]);
     certainty.total_sd[j] = std::hypot(noise, certainty.held_sd[j], certainty.model_sd[j]);
   }
-  AddCovariances(by_held * by_held.transpose(), certainty);
+  AddCovariances(of_held, certainty);
   return certainty;
 }
 

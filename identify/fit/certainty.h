@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,6 +27,23 @@ struct HeldParameters {
   Eigen::MatrixXd jacobian;
 };
 
+/// What the data say of an instrument that is known to a standard deviation.
+struct CalibrationEstimate {
+  /// "gain of accelerometers", and the unit of the numbers: a share, "s" or "N".
+  std::string name;
+  std::string unit;
+  /// As stated.
+  double sd = 0;
+  /// What data and statement together say, and how well; the statement alone says 0.
+  double estimate = 0;
+  double estimate_sd = 0;
+  /// How far the data alone are from the statement, over the standard deviation of both.
+  double surprise = 0;
+};
+
+/// By chance in one of eighty instruments.
+inline bool IsSurprising(const CalibrationEstimate& estimate) { return std::abs(estimate.surprise) > 2.5; }
+
 /// What data and priors say at an optimum, and of which parameters they cannot say anything there. Vectors have one
 /// entry per free parameter; deviations are those of FitVariables, NaN and infinite as in Covariance.
 struct Certainty {
@@ -45,12 +63,14 @@ struct Certainty {
   /// In FitVariables, judged x judged: of noise alone, and of all parts.
   Eigen::MatrixXd noise_covariance;
   Eigen::MatrixXd total_covariance;
-  /// Names of held parameters, and the deviation that each adds, held x free.
+  /// Names of held parameters and, after them, of calibrations, and the deviation that each adds, held x free.
   std::vector<std::string> held;
   Eigen::MatrixXd by_held;
+  std::vector<CalibrationEstimate> calibrations;
 
   /// What most of a parameter's deviation comes from: "noise"; "model: " and the part of the data that pulls it most;
-  /// "held: " and the parameter that moves it most. Empty for one without a deviation.
+  /// "held: " and the parameter, or "calibration: " and the instrument, that moves it most. Empty for one without a
+  /// deviation.
   std::string LimitedBy(Eigen::Index parameter) const;
 
   /// Recordings without which a parameter would leave its interval by noise, beyond what noise lets it move; with
@@ -63,6 +83,22 @@ struct Certainty {
 HeldParameters HeldAt(const VehicleObjective& objective, const Eigen::VectorXd& values, const RefineOptions& refine,
                       int threads, const std::function<bool()>& stop, std::int64_t& evaluated);
 
+/// What is known of an objective's calibrations at an optimum, in units of their standard deviations.
+struct Calibrated {
+  /// What one standard deviation of each changes in the residuals, those of priors left out, N x calibrations.
+  Eigen::MatrixXd changes;
+  /// Of the statement and the data together.
+  Eigen::VectorXd mean;
+  Eigen::MatrixXd covariance;
+  /// By what the parameters give way to the mean, n in FitVariables.
+  Eigen::VectorXd step;
+};
+
+/// Nothing where no calibration is stated or the model cannot be evaluated. `input_noise`, `states`: see CertaintyAt().
+std::optional<Calibrated> CalibratedAt(const VehicleObjective& objective, const Lattice& lattice,
+                                       const RefineResult& best, const RobustLoss& loss,
+                                       const std::vector<ParameterState>& states, const Eigen::MatrixXd& input_noise);
+
 /// Of parameters that cannot have a deviation at this optimum. `noisy`: places of those whose derivatives are noise. A
 /// parameter at its bound that changes nothing is not held there by the bound.
 std::vector<ParameterState> StatesAt(const RefineResult& best, const Lattice& lattice,
@@ -71,9 +107,11 @@ std::vector<ParameterState> StatesAt(const RefineResult& best, const Lattice& la
 std::vector<Eigen::Index> FixedOf(const std::vector<ParameterState>& states);
 
 /// `states`: see StatesAt(). `input_noise`: N x n, what noise of the inputs adds to the gradient; empty: nothing.
+/// `calibrated`: nothing, or what the residuals of `best` have been corrected by.
 Certainty CertaintyAt(const VehicleObjective& objective, const Lattice& lattice, const RefineResult& best,
                       const RobustLoss& loss, const std::vector<ParameterState>& states,
-                      const Eigen::MatrixXd& input_noise, const HeldParameters& held);
+                      const Eigen::MatrixXd& input_noise, const HeldParameters& held,
+                      const std::optional<Calibrated>& calibrated = {});
 
 /// Whether a value is at a bound of its range: refinement stops at steps of 1e-8.
 bool IsAtBound(const LatticeAxis& axis, double value);

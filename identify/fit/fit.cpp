@@ -346,7 +346,8 @@ class RunningFit {
       const Eigen::VectorXd left = RemainingStep(best, options_.refine.loss, result_.prior_count, fixed);
       AllowForIntegration(fixed, best);
       const Eigen::MatrixXd input_noise = AllowForInputNoise(fixed, best);
-      AddCertainty(best, states, input_noise);
+      const std::optional<Calibrated> calibrated = AllowForCalibrations(states, input_noise, best);
+      AddCertainty(best, states, input_noise, calibrated);
       if (result_.end != FitEnd::kConverged) JudgeEnd(left);
       if (result_.covariance) AddProfiles(best);
     }
@@ -387,12 +388,22 @@ class RunningFit {
     return noise->gradient;
   }
 
-  void AddCertainty(const RefineResult& best, const std::vector<ParameterState>& states,
-                    const Eigen::MatrixXd& input_noise) {
+  /// Moves the best point to that of calibrations that data and statement together make likeliest.
+  std::optional<Calibrated> AllowForCalibrations(const std::vector<ParameterState>& states,
+                                                 const Eigen::MatrixXd& input_noise, RefineResult& best) {
+    std::optional<Calibrated> found =
+        CalibratedAt(objective_, archive_.lattice(), best, options_.refine.loss, states, input_noise);
+    if (found && !MoveBy(archive_, found->step, options_.refine.loss, best)) return std::nullopt;
+    return found;
+  }
+
+  void AddCertainty(RefineResult best, const std::vector<ParameterState>& states, const Eigen::MatrixXd& input_noise,
+                    const std::optional<Calibrated>& calibrated) {
+    if (calibrated) best.residuals.head(calibrated->changes.rows()) += calibrated->changes * calibrated->mean;
     const HeldParameters held =
         HeldAt(objective_, best.values, options_.refine, options_.threads, stop_, result_.evaluations_beside);
     result_.certainty =
-        CertaintyAt(objective_, archive_.lattice(), best, options_.refine.loss, states, input_noise, held);
+        CertaintyAt(objective_, archive_.lattice(), best, options_.refine.loss, states, input_noise, held, calibrated);
     result_.covariance = result_.certainty->covariance;
     result_.data_squares = best.residuals.head(best.residuals.size() - result_.prior_count).squaredNorm();
     result_.weakest = WeakestDirections(archive_.lattice(), *result_.covariance);

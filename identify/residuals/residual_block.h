@@ -30,6 +30,9 @@ struct ResidualBlock {
   /// Residuals with a quarter of the integration's step; empty where nothing is integrated. Throws std::runtime_error
   /// where they cannot be computed.
   std::function<Eigen::VectorXd(const std::vector<double>& values)> at_finer_steps = {};
+  /// What one standard deviation of each calibration that the study states would change in the residuals, count x
+  /// calibrations, to first order; empty: nothing is stated. Throws std::runtime_error where it cannot be computed.
+  std::function<Eigen::MatrixXd(const std::vector<double>& values)> by_calibrations = {};
   /// For what is known of the parameters; empty: nothing beyond that all residuals are independent.
   ResidualStructure structure = {};
   /// Two: the same block with noise added to its inputs, and with that noise taken away, like the noise that is in them

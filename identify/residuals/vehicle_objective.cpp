@@ -9,8 +9,12 @@
 
 namespace fourpost {
 
-VehicleObjective::VehicleObjective(Vehicle vehicle, std::vector<std::size_t> free, std::vector<ResidualBlock> blocks)
-    : vehicle_(std::move(vehicle)), free_(std::move(free)), blocks_(std::move(blocks)) {
+VehicleObjective::VehicleObjective(Vehicle vehicle, std::vector<std::size_t> free, std::vector<ResidualBlock> blocks,
+                                   std::vector<Calibration> calibrations)
+    : vehicle_(std::move(vehicle)),
+      free_(std::move(free)),
+      blocks_(std::move(blocks)),
+      calibrations_(std::move(calibrations)) {
   CollectPriors();
   residual_count_ = prior_count();
   for (const ResidualBlock& block : blocks_) residual_count_ += block.count;

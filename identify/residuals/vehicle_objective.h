@@ -6,6 +6,7 @@
 
 #include "identify/residuals/residual_block.h"
 #include "identify/search/evaluation.h"
+#include "identify/study_file/calibration.h"
 #include "vehicles/description/vehicle.h"
 
 namespace fourpost {
@@ -15,7 +16,8 @@ namespace fourpost {
 class VehicleObjective {
  public:
   /// `free`: indices of the parameters that vary. Throws std::invalid_argument for a prior_sd that is not above zero.
-  VehicleObjective(Vehicle vehicle, std::vector<std::size_t> free, std::vector<ResidualBlock> blocks);
+  VehicleObjective(Vehicle vehicle, std::vector<std::size_t> free, std::vector<ResidualBlock> blocks,
+                   std::vector<Calibration> calibrations = {});
 
   /// The search problem over the free parameters. The objective must outlive it.
   Problem MakeProblem() const;
@@ -38,6 +40,8 @@ class VehicleObjective {
   const std::vector<std::size_t>& free() const { return free_; }
   const Vehicle& vehicle() const { return vehicle_; }
   const std::vector<ResidualBlock>& blocks() const { return blocks_; }
+  /// Of the instruments; blocks know what they change.
+  const std::vector<Calibration>& calibrations() const { return calibrations_; }
   /// Priors included.
   Eigen::Index residual_count() const { return residual_count_; }
   Eigen::Index prior_count() const { return static_cast<Eigen::Index>(priors_.size()); }
@@ -55,6 +59,7 @@ class VehicleObjective {
   Vehicle vehicle_;
   std::vector<std::size_t> free_;
   std::vector<ResidualBlock> blocks_;
+  std::vector<Calibration> calibrations_;
   std::vector<Prior> priors_;
   Eigen::Index residual_count_ = 0;
 };

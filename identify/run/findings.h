@@ -61,6 +61,10 @@ inline const Finding kParameterUndetermined{"parameter-undetermined", Severity::
                                             "the data do not change with the one free parameter",
                                             "measure a channel that depends on it"};
 
+inline const Finding kCalibrationBeyond{
+    "calibration-beyond", Severity::kWarning,
+    "the data ask for a correction of {} in the {}, {} times what the stated {} allows",
+    "check the instrument and its channel's 'scale' or 'delay'; the model may lack something that looks alike"};
 inline const Finding kOtherOptima{"other-optima", Severity::kWarning,
                                   "the data also allow {} other optima, of cost {} beside {}",
                                   "draw about all by `fourpost draws` with --study, or measure what they differ in"};

@@ -88,6 +88,15 @@ std::string IntervalBasis(const FitResult& fit) {
          "  by a held parameter: free or measure it.\n";
 }
 
+std::string CalibrationTable(const FitResult& fit) {
+  if (!fit.certainty || fit.certainty->calibrations.empty()) return "";
+  TextTable table({"calibration", "stated sd", "with the data", "sd", ""});
+  for (const CalibrationEstimate& one : fit.certainty->calibrations)
+    table.Add({one.name, InstrumentNumber(one.sd, one.unit), InstrumentNumber(one.estimate, one.unit),
+               InstrumentNumber(one.estimate_sd, one.unit), IsSurprising(one) ? "beyond what is stated" : ""});
+  return table.Format() + '\n';
+}
+
 /// As far as noise alone goes, which is what a profile sees.
 std::string NoiseInterval(const FitResult& fit, const FittedParameter& p) {
   if (!std::isfinite(p.noise_sd)) return "";
@@ -183,11 +192,16 @@ std::string Judgement(const FitResult& fit, const nlohmann::ordered_json& missin
 
 }  // namespace
 
+std::string InstrumentNumber(double value, const std::string& unit) {
+  if (unit == "1") return Rounded(100 * value, 2) + " %";
+  return unit == "s" ? Rounded(1e3 * value, 2) + " ms" : Rounded(value, 3) + " N";
+}
+
 std::string FitText(const FitResult& fit, const FitVerdict& verdict, const Diagnostics& conclusions,
                     const std::string& sections, const nlohmann::ordered_json& missing) {
   const std::string basis = IntervalBasis(fit) + RecordingContradictions(fit);
-  return ParameterTable(fit) + '\n' + basis + (basis.empty() ? "" : "\n") + ProfileTable(fit) + sections +
-         Summary(fit, verdict) + Judgement(fit, missing) +
+  return ParameterTable(fit) + '\n' + basis + (basis.empty() ? "" : "\n") + ProfileTable(fit) + CalibrationTable(fit) +
+         sections + Summary(fit, verdict) + Judgement(fit, missing) +
          (conclusions.items().empty() ? "" : conclusions.Format() + '\n');
 }
 

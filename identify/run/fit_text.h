@@ -9,6 +9,9 @@
 
 namespace fourpost {
 
+/// In per cent, milliseconds or newtons. `unit`: of CalibrationEstimate.
+std::string InstrumentNumber(double value, const std::string& unit);
+
 /// What `fourpost fit` prints on a terminal: tables of the parameters and of their profiles, `sections` (tables of what
 /// was measured), how the fit ended, how large the residuals are, what could be added (`missing` of
 /// result.json), the least identifiable direction, and the conclusions.

@@ -90,6 +90,15 @@ void AddOtherOptima(const FitResult& fit, Diagnostics& conclusions) {
     conclusions.Report(kOtherOptima, {}, {std::to_string(others.size()), costs, ShortNumber(fit.cost, 6)});
 }
 
+void AddCalibrations(const FitResult& fit, Diagnostics& conclusions) {
+  if (!fit.certainty) return;
+  for (const CalibrationEstimate& one : fit.certainty->calibrations)
+    if (IsSurprising(one))
+      conclusions.Report(kCalibrationBeyond, {},
+                         {InstrumentNumber(one.estimate, one.unit), one.name, Rounded(std::abs(one.surprise), 2),
+                          InstrumentNumber(one.sd, one.unit)});
+}
+
 std::string Joined(const Diagnostics& reasons) {
   std::string text;
   for (const Diagnostic& reason : reasons.items()) text += (text.empty() ? "" : "; ") + reason.message;
@@ -119,7 +128,10 @@ Diagnostics ConclusionsOf(const FitResult& fit, const FitVerdict& verdict, bool 
   if (!has_deviations) conclusions.Report(kCompromiseWithoutDeviations, {});
   else if (fit.covariance) AddOpen(fit, conclusions);
   else conclusions.Report(kEndedWithoutDeviations, {});
-  if (has_deviations) AddOtherOptima(fit, conclusions);
+  if (has_deviations) {
+    AddOtherOptima(fit, conclusions);
+    AddCalibrations(fit, conclusions);
+  }
   if (!verdict.explains()) conclusions.Report(kModelUnexplaining, {}, {Joined(verdict.reasons)});
   return conclusions;
 }

@@ -142,6 +142,18 @@ Json Covariances(const FitResult& fit) {
 }
 
 /// What the intervals rest on.
+Json Calibrations(const std::vector<CalibrationEstimate>& estimates) {
+  Json list = Json::array();
+  for (const CalibrationEstimate& one : estimates)
+    list.push_back({{"name", one.name},
+                    {"unit", one.unit},
+                    {"sd", one.sd},
+                    {"estimate", one.estimate},
+                    {"estimate_sd", one.estimate_sd},
+                    {"surprise", one.surprise}});
+  return list;
+}
+
 Json Intervals(const FitResult& fit) {
   if (!fit.certainty) return nullptr;
   const Certainty& certainty = *fit.certainty;
@@ -161,6 +173,7 @@ Json Intervals(const FitResult& fit) {
           {"ways", Ways(fit)},
           {"contradictions", Contradictions(fit)},
           {"held", held},
+          {"calibrations", Calibrations(certainty.calibrations)},
           {"covariance", Covariances(fit)},
           {"moved_by_post_noise", noise_moved}};
 }

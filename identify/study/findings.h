@@ -19,6 +19,10 @@ inline const Finding kFreeNotNames{"free-not-names", Severity::kError,
 inline const Finding kStartNotMapped{"start-not-mapped", Severity::kError, "'start' must map parameters to values",
                                      "write one line for each, as `k_front: 40 kN/m`"};
 inline const Finding kFreeUnknown{"free-unknown", Severity::kError, "the vehicle has no parameter '{}'{}"};
+inline const Finding kCalibrationUnknown{
+    "calibration-unknown", Severity::kError,
+    "'calibration' names '{}', which is neither a sensor of the vehicle nor a kind "
+    "of instrument{}"};
 inline const Finding kFreeWithoutRange{"free-without-range", Severity::kError,
                                        "parameter '{}' is to be fitted, but has no range",
                                        "give it lower, upper and precision"};

@@ -10,6 +10,7 @@
 #include "analysis/text/number.h"
 #include "analysis/text/units.h"
 #include "identify/experiments/four_post/findings.h"
+#include "identify/residuals/calibrated_sensor.h"
 #include "identify/study/findings.h"
 #include "identify/study/scale_lint.h"
 #include "identify/study/study_audit.h"
@@ -138,6 +139,15 @@ void SetValues(const Study& study, const std::vector<std::string>& set, Vehicle&
   SetParameters(set, vehicle, diagnostics);
 }
 
+void CheckCalibrations(const Study& study, const Vehicle& vehicle, Diagnostics& diagnostics) {
+  std::vector<std::string> names(CalibratedGroups().begin(), CalibratedGroups().end());
+  for (const Sensor& sensor : vehicle.sensors) names.push_back(sensor.name);
+  for (const Calibration& calibration : study.calibrations)
+    if (std::find(names.begin(), names.end(), calibration.of) == names.end())
+      diagnostics.Report(kCalibrationUnknown, {study.file.string(), calibration.line},
+                         {calibration.of, DidYouMeanOrAll(calibration.of, names)});
+}
+
 /// Whether all files are there that are to be fitted; names the study's own line for one that is not.
 bool HasFiles(const Study& study, Diagnostics& diagnostics) {
   bool all = RequireFile(study.vehicle, study.file.string(), study.vehicle_line, diagnostics);
@@ -185,7 +195,7 @@ VehicleObjective LoadedStudy::MakeObjective() const {
   std::vector<ResidualBlock> blocks;
   for (const Experiment& experiment : study.experiments)
     if (std::optional<ResidualBlock> block = experiment.Residuals(subject)) blocks.push_back(*std::move(block));
-  return {vehicle, free, std::move(blocks)};
+  return {vehicle, free, std::move(blocks), study.calibrations};
 }
 
 std::vector<std::filesystem::path> LoadedStudy::InputFiles() const {
@@ -211,6 +221,7 @@ std::optional<LoadedStudy> Loaded(std::optional<Study> study, Diagnostics& diagn
     return std::nullopt;
   }
   SetValues(*study, set, *vehicle, diagnostics);
+  CheckCalibrations(*study, *vehicle, diagnostics);
   std::vector<std::size_t> free = FreeParameters(*study, *vehicle, diagnostics);
   LoadedStudy loaded{*std::move(study), *vehicle, std::move(free), set};
   const Subject subject = loaded.MakeSubject();

@@ -36,6 +36,7 @@ struct LoadedStudy {
   Subject MakeSubject() const {
     Subject subject(vehicle, free, study.file, study.search.deadline_s);
     subject.FollowControl(ControlOf(study, vehicle));
+    subject.Calibrate(study.calibrations);
     return subject;
   }
 

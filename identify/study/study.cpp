@@ -11,6 +11,7 @@
 #include "identify/refine/search_method_list.h"
 #include "identify/study/experiment_kinds.h"
 #include "identify/study/findings.h"
+#include "identify/study_file/calibration_reader.h"
 #include "identify/study_file/control_reader.h"
 #include "identify/study_file/findings.h"
 #include "identify/study_file/strict_yaml.h"
@@ -55,6 +56,7 @@ class StudyReader {
     if (top.Has("free")) ReadFree(top.Get("free"));
     if (top.Has("start")) ReadStart(top.Get("start"));
     if (top.Has("control")) study_.control = ReadStudyControl(top.Get("control"), file_, diagnostics_);
+    if (top.Has("calibration")) study_.calibrations = ReadCalibrations(top.Get("calibration"), file_, diagnostics_);
     if (top.Has("refine")) ReadRefine(top.Get("refine"));
     ReadSearches(top);
     return study_;
@@ -73,7 +75,7 @@ class StudyReader {
   }
 
   static std::vector<std::string_view> KeysOf(const std::vector<const ExperimentKind*>& kinds) {
-    std::vector<std::string_view> keys = {"vehicle", "free",   "start",  "control",
+    std::vector<std::string_view> keys = {"vehicle", "free",   "start",  "control", "calibration",
                                           "search",  "refine", "target", "methods"};
     for (const ExperimentKind* kind : kinds) keys.insert(keys.end(), kind->keys.begin(), kind->keys.end());
     return keys;

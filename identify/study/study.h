@@ -10,6 +10,7 @@
 #include "analysis/text/diagnostics.h"
 #include "identify/experiments/experiment.h"
 #include "identify/refine/robust_loss.h"
+#include "identify/study_file/calibration.h"
 #include "identify/study_file/control.h"
 
 namespace fourpost {
@@ -85,6 +86,8 @@ struct Study {
   std::vector<StudyStart> start;
   /// Which parameters follow the recordings' settings.
   StudyControl control;
+  /// What is not exactly known of the instruments.
+  std::vector<Calibration> calibrations;
   StudySearch search;
   StudyRefine refine;
   /// Cost at which a search has solved it; for comparisons.

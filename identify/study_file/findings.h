@@ -104,4 +104,19 @@ inline const Finding kSettingWithoutControl{"setting-without-control", Severity:
                                             "'{}' states a setting, which nothing follows",
                                             "name the parameters that follow it under 'control' of the study"};
 
+// Calibrations.
+
+inline const Finding kCalibrationNotMapped{"calibration-not-mapped", Severity::kError,
+                                           "'{}' of 'calibration' must map instruments to standard deviations",
+                                           "write, for example, gain: {accelerometers: 1 %}"};
+inline const Finding kCalibrationNotPositive{"calibration-not-positive", Severity::kError,
+                                             "the standard deviation of '{}' under 'calibration' is not above zero",
+                                             "remove an instrument that is exactly known"};
+inline const Finding kCalibrationOffset{"calibration-offset", Severity::kError,
+                                        "'{}' has no offset that a fit could see, because it fits no mean of it",
+                                        "state the offset of 'static_loads' only"};
+inline const Finding kCalibrationDelayAtRest{"calibration-delay-at-rest", Severity::kError,
+                                             "'static_loads' cannot be late: they are read at rest",
+                                             "remove it from 'delay'"};
+
 }  // namespace fourpost

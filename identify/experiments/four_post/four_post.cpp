@@ -168,7 +168,7 @@ void FourPost::AddTo(Sha256& data, Sha256& settings) const {
 }
 
 std::optional<ResidualBlock> FourPost::Residuals(const Subject& subject) const {
-  return FourPostResiduals(subject.Condensed(), RunsInBand(), plan.model_error);
+  return FourPostResiduals(subject.Condensed(), RunsInBand(), plan.model_error, subject.calibrations());
 }
 
 bool FourPost::MeasuresForce() const {

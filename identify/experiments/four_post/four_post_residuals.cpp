@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "analysis/text/number.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/modelled_response.h"
+#include "identify/residuals/calibrated_sensor.h"
 #include "identify/residuals/sensor_group.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/response/balance_sensitivity.h"
@@ -172,10 +174,72 @@ Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredR
   return evaluation;
 }
 
-}  // namespace
+/// By what one standard deviation would change what is read, at frequencies in rad/s.
+void CalibrateChannel(const Calibration& calibration, const std::vector<double>& frequency_Hz, double delay_sign,
+                      ChannelResponse& channel) {
+  const bool is_gain = calibration.kind == Calibration::Kind::kGain;
+  for (std::size_t i = 0; i < channel.response.size(); ++i)
+    channel.response[i] *=
+        is_gain ? calibration.sd
+                : std::complex<double>(0, delay_sign * 2 * std::numbers::pi * frequency_Hz[i] * calibration.sd);
+  for (double& mean : channel.mean) mean *= is_gain ? calibration.sd : 0;
+  for (double& second : channel.second_harmonic) second *= is_gain ? calibration.sd : 0;
+}
 
-ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
-                                const ModelError& model_error) {
+/// Change of the response where the posts move by one standard deviation more than recorded: ratios to the recorded
+/// motion and the response to the larger one both change.
+FrequencyResponse ByPostGain(const CondensedVehicle& vehicle, const CondensedModel& model, const MeasuredRun& run,
+                             double sd, const FrequencyResponse& here) {
+  Excitation larger = run.excitation;
+  for (double& amplitude : larger.amplitude_m) amplitude *= 1 + sd;
+  FrequencyResponse there = ModelledResponse(model, vehicle.vehicle().sensors, larger, {}).response;
+  for (std::size_t c = 0; c < there.channels.size(); ++c) {
+    ChannelResponse& channel = there.channels[c];
+    for (std::size_t i = 0; i < channel.response.size(); ++i)
+      channel.response[i] = (1 + sd) * channel.response[i] - here.channels[c].response[i];
+    for (std::size_t i = 0; i < channel.mean.size(); ++i) channel.mean[i] -= here.channels[c].mean[i];
+    for (std::size_t i = 0; i < channel.second_harmonic.size(); ++i)
+      channel.second_harmonic[i] -= here.channels[c].second_harmonic[i];
+  }
+  return there;
+}
+
+FrequencyResponse ByCalibration(const CondensedVehicle& vehicle, const CondensedModel& model, const MeasuredRun& run,
+                                const Calibration& calibration, const FrequencyResponse& here) {
+  const bool is_gain = calibration.kind == Calibration::Kind::kGain;
+  if (calibration.IsOfPosts() && is_gain) return ByPostGain(vehicle, model, run, calibration.sd, here);
+  FrequencyResponse change = here;
+  Calibration none = calibration;
+  none.sd = 0;
+  for (std::size_t sensor = 0; sensor < change.channels.size(); ++sensor) {
+    // A late reading of the posts makes all channels early.
+    const bool is_of = calibration.IsOfPosts() || IsOf(calibration, vehicle.vehicle(), sensor);
+    CalibrateChannel(is_of ? calibration : none, run.excitation.frequency_Hz, calibration.IsOfPosts() ? 1 : -1,
+                     change.channels[sensor]);
+  }
+  return change;
+}
+
+/// What one standard deviation of each calibration would change.
+Eigen::MatrixXd ByCalibrations(const CondensedVehicle& vehicle, const std::vector<MeasuredRun>& runs,
+                               Eigen::Index count, const ModelError& model_error,
+                               const std::vector<Calibration>& calibrations, const std::vector<double>& values) {
+  const CondensedModel model = vehicle.At(values);
+  Eigen::MatrixXd changes(count, std::ssize(calibrations));
+  Eigen::Index first = 0;
+  for (const MeasuredRun& run : runs) {
+    const FrequencyResponse here = ModelledResponse(model, vehicle.vehicle().sensors, run.excitation, {}).response;
+    for (std::size_t c = 0; c < calibrations.size(); ++c) {
+      double* out = changes.col(static_cast<Eigen::Index>(c)).data() + first;
+      AddSlopes(run, ByCalibration(vehicle, model, run, calibrations[c], here), model_error, out);
+    }
+    first += CountOf({run}, model_error);
+  }
+  return changes;
+}
+
+ResidualBlock BlockOf(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
+                      const ModelError& model_error) {
   const Eigen::Index count = CountOf(runs, model_error);
   ResidualStructure structure = StructureOf(vehicle->vehicle(), runs, model_error);
   // Integrated in time: to the tolerance of March(), without derivatives of the model's own.
@@ -202,6 +266,19 @@ ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle,
                 return Differentiate(*vehicle, runs, count, model_error, values, parameters);
               },
           .structure = std::move(structure)};
+}
+
+}  // namespace
+
+ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
+                                const ModelError& model_error, const std::vector<Calibration>& calibrations) {
+  ResidualBlock block = BlockOf(vehicle, runs, model_error);
+  if (!calibrations.empty())
+    block.by_calibrations = [vehicle, runs, count = block.count, model_error,
+                             calibrations](const std::vector<double>& values) {
+      return ByCalibrations(*vehicle, runs, count, model_error, calibrations, values);
+    };
+  return block;
 }
 
 std::vector<double> ResponseDeviations(const MeasuredRun& run, const FrequencyResponse& modelled,

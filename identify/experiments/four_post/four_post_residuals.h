@@ -6,6 +6,7 @@
 #include "analysis/signals/frequency_response.h"
 #include "identify/experiments/four_post/four_post_data.h"
 #include "identify/residuals/residual_block.h"
+#include "identify/study_file/calibration.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
@@ -18,7 +19,7 @@ namespace fourpost {
 /// - mean strut offsets over the model error of means: they alone distinguish bump from rebound.
 /// `runs` hold only the frequencies to fit.
 ResidualBlock FourPostResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredRun> runs,
-                                const ModelError& model_error);
+                                const ModelError& model_error, const std::vector<Calibration>& calibrations = {});
 
 /// Of each channel of a run, the root mean square of those residuals of its responses: how many times what noise and
 /// model error explain. `modelled`: the answer at the run's frequencies, one channel per sensor of the vehicle.

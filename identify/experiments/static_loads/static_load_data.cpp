@@ -54,6 +54,21 @@ Eigen::MatrixXd LoadSlopes(const CondensedVehicle& vehicle, const std::vector<Me
   return jacobian;
 }
 
+/// What one standard deviation of each calibration would change.
+Eigen::MatrixXd LoadCalibrations(const CondensedVehicle& vehicle, const std::vector<MeasuredLoad>& loads,
+                                 const std::vector<Calibration>& calibrations, const std::vector<double>& values) {
+  const Preloads preloads = vehicle.PreloadsAt(values);
+  Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(std::ssize(loads), std::ssize(calibrations));
+  for (std::size_t c = 0; c < calibrations.size(); ++c) {
+    if (!calibrations[c].IsOfStaticLoads()) continue;
+    const bool is_gain = calibrations[c].kind == Calibration::Kind::kGain;
+    for (std::size_t i = 0; i < loads.size(); ++i)
+      changes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(c)) =
+          calibrations[c].sd * (is_gain ? preloads.tyre[loads[i].tyre] : 1) / loads[i].sd_N;
+  }
+  return changes;
+}
+
 }  // namespace
 
 std::vector<MeasuredLoad> LoadStaticLoads(const StaticLoadPlan& plan, const Vehicle& vehicle,
@@ -73,23 +88,30 @@ std::vector<MeasuredLoad> LoadStaticLoads(const StaticLoadPlan& plan, const Vehi
   return loads;
 }
 
-ResidualBlock StaticLoadResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredLoad> loads) {
+ResidualBlock StaticLoadResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredLoad> loads,
+                                  const std::vector<Calibration>& calibrations) {
   const auto count = static_cast<Eigen::Index>(loads.size());
-  return {.name = "static loads",
-          .count = count,
-          .evaluate =
-              [vehicle, loads](const std::vector<double>& values, const Deadline&) {
-                const Preloads preloads = vehicle->PreloadsAt(values);
-                Evaluation evaluation;
-                evaluation.residuals.resize(static_cast<Eigen::Index>(loads.size()));
-                double* out = evaluation.residuals.data();
-                for (const MeasuredLoad& load : loads) *out++ = (preloads.tyre[load.tyre] - load.load_N) / load.sd_N;
-                return evaluation;
-              },
-          .differentiate =
-              [vehicle, loads](const std::vector<double>& values, const std::vector<std::size_t>& parameters) {
-                return LoadSlopes(*vehicle, loads, values, parameters);
-              }};
+  ResidualBlock block = {
+      .name = "static loads",
+      .count = count,
+      .evaluate =
+          [vehicle, loads](const std::vector<double>& values, const Deadline&) {
+            const Preloads preloads = vehicle->PreloadsAt(values);
+            Evaluation evaluation;
+            evaluation.residuals.resize(static_cast<Eigen::Index>(loads.size()));
+            double* out = evaluation.residuals.data();
+            for (const MeasuredLoad& load : loads) *out++ = (preloads.tyre[load.tyre] - load.load_N) / load.sd_N;
+            return evaluation;
+          },
+      .differentiate =
+          [vehicle, loads](const std::vector<double>& values, const std::vector<std::size_t>& parameters) {
+            return LoadSlopes(*vehicle, loads, values, parameters);
+          }};
+  if (!calibrations.empty())
+    block.by_calibrations = [vehicle, loads, calibrations](const std::vector<double>& values) {
+      return LoadCalibrations(*vehicle, loads, calibrations, values);
+    };
+  return block;
 }
 
 }  // namespace fourpost

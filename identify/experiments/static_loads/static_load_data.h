@@ -9,6 +9,7 @@
 
 #include "analysis/text/diagnostics.h"
 #include "identify/residuals/residual_block.h"
+#include "identify/study_file/calibration.h"
 #include "identify/study_file/channel_source.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/description/vehicle.h"
@@ -38,6 +39,7 @@ std::vector<MeasuredLoad> LoadStaticLoads(const StaticLoadPlan& plan, const Vehi
 
 /// Loads under tyres at rest over their standard deviations: they pin the common scale of masses and rates, which
 /// ratios of accelerations leave open.
-ResidualBlock StaticLoadResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredLoad> loads);
+ResidualBlock StaticLoadResiduals(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredLoad> loads,
+                                  const std::vector<Calibration>& calibrations = {});
 
 }  // namespace fourpost

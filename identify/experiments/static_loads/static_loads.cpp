@@ -39,7 +39,7 @@ void StaticLoadTest::AddTo(Sha256& data, Sha256&) const {
 
 std::optional<ResidualBlock> StaticLoadTest::Residuals(const Subject& subject) const {
   if (loads.empty()) return std::nullopt;
-  return StaticLoadResiduals(subject.Condensed(), loads);
+  return StaticLoadResiduals(subject.Condensed(), loads, subject.calibrations());
 }
 
 void StaticLoadTest::Check(const Subject& subject, Severity, Diagnostics& diagnostics) const {

@@ -13,6 +13,7 @@
 #include "analysis/signals/signal_timing.h"
 #include "analysis/text/option_check.h"
 #include "identify/experiments/time_history/start_state.h"
+#include "identify/residuals/calibrated_sensor.h"
 #include "identify/residuals/sensor_group.h"
 
 namespace fourpost {
@@ -145,6 +146,78 @@ void HistoryResiduals::AddStartTo(const MeasuredHistory& history, const Condense
   if (!history.release) AddStart(history, model, weights, history.Stride(), modelled);
 }
 
+namespace {
+
+/// Posts that moved `share` more, or earlier by `delay_s`, than recorded; actuators as they are.
+MeasuredHistory WithPosts(const MeasuredHistory& history, double share, double delay_s) {
+  MeasuredHistory other = history;
+  other.posts.motion = [motion = history.posts.motion, count = history.heights.size(), share, delay_s](
+                           double t, std::span<PostState> posts) {
+    motion(t + delay_s, posts);
+    for (PostState& post : posts.first(std::min(count, posts.size()))) {
+      post.height *= 1 + share;
+      post.velocity *= 1 + share;
+      post.acceleration *= 1 + share;
+    }
+  };
+  return other;
+}
+
+/// Per second, by differences of neighbours.
+Eigen::VectorXd SlopeOf(const Eigen::VectorXd& values, double rate_Hz) {
+  const Index n = values.size();
+  Eigen::VectorXd slope = Eigen::VectorXd::Zero(n);
+  if (n < 3) return slope;
+  slope.segment(1, n - 2) = 0.5 * rate_Hz * (values.tail(n - 2) - values.head(n - 2));
+  slope[0] = slope[1];
+  slope[n - 1] = slope[n - 2];
+  return slope;
+}
+
+}  // namespace
+
+Eigen::MatrixXd HistoryResiduals::Calibrated(std::size_t h, const CondensedModel& model, const Calibration& calibration,
+                                             const Eigen::MatrixXd& modelled) const {
+  const MeasuredHistory& history = histories_[h];
+  const bool is_gain = calibration.kind == Calibration::Kind::kGain;
+  if (calibration.IsOfPosts()) {
+    const MeasuredHistory other = WithPosts(history, is_gain ? calibration.sd : 0, is_gain ? 0 : calibration.sd);
+    return HistorySimulation(other, simulations_[h].step_s()).Run(model);
+  }
+  Eigen::MatrixXd calibrated = modelled;
+  for (std::size_t s = 0; s < history.signals.size(); ++s) {
+    if (!IsOf(calibration, condensed_->vehicle(), history.signals[s].sensor)) continue;
+    auto signal = calibrated.col(static_cast<Index>(s));
+    if (is_gain) signal *= 1 + calibration.sd;
+    else signal -= calibration.sd * SlopeOf(signal, history.rate_Hz);
+  }
+  return calibrated;
+}
+
+Eigen::MatrixXd HistoryResiduals::ByCalibrations(const std::vector<Calibration>& calibrations,
+                                                 const std::vector<double>& values) const {
+  Eigen::MatrixXd changes(count_, std::ssize(calibrations));
+  Index first = 0;
+  for (std::size_t h = 0; h < histories_.size(); ++h) {
+    const MeasuredHistory& history = histories_[h];
+    const CondensedModel model = ModelOf(history, values);
+    const Eigen::MatrixXd modelled = simulations_[h].Run(model);
+    const auto residuals = [&](Eigen::MatrixXd signals) {
+      AddStartTo(history, model, signals);
+      Eigen::VectorXd out(CountOf(history) * signals.cols());
+      Index at = 0;
+      AddHistory(history, signals, at, out);
+      return out;
+    };
+    const Eigen::VectorXd here = residuals(modelled);
+    for (std::size_t c = 0; c < calibrations.size(); ++c)
+      changes.col(static_cast<Index>(c)).segment(first, here.size()) =
+          residuals(Calibrated(h, model, calibrations[c], modelled)) - here;
+    first += here.size();
+  }
+  return changes;
+}
+
 double HistoryResiduals::DeviationOf(const MeasuredSignal& signal) const {
   return std::hypot(signal.noise_sd, options_.model_error * signal.Deviation());
 }
@@ -263,7 +336,7 @@ ResidualStructure HistoryResiduals::Structure() const {
 }
 
 ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
-                           const HistoryResiduals::Options& options) {
+                           const HistoryResiduals::Options& options, const std::vector<Calibration>& calibrations) {
   const bool has_noise = options.cost == HistoryCost::kWhitened && MayHavePostNoise(histories);
   const auto residuals = std::make_shared<const HistoryResiduals>(vehicle, std::move(histories), options);
   std::function<Eigen::VectorXd(const std::vector<double>&)> at_finer_steps;
@@ -272,6 +345,11 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
   std::function<std::vector<ResidualBlock>(const std::vector<double>&)> with_input_noise;
   if (has_noise)
     with_input_noise = [=](const std::vector<double>& values) { return WithPostNoise(*residuals, vehicle, values); };
+  std::function<Eigen::MatrixXd(const std::vector<double>&)> by_calibrations;
+  if (options.cost == HistoryCost::kWhitened && !calibrations.empty())
+    by_calibrations = [residuals, calibrations](const std::vector<double>& values) {
+      return residuals->ByCalibrations(calibrations, values);
+    };
   return {.name = "time histories",
           .count = residuals->count(),
           // What the elements' forces are solved to, times what a step's error may grow to.
@@ -285,6 +363,7 @@ ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std:
                 }
               },
           .at_finer_steps = std::move(at_finer_steps),
+          .by_calibrations = std::move(by_calibrations),
           .structure = residuals->Structure(),
           .with_input_noise = std::move(with_input_noise)};
 }

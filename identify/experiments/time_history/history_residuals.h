@@ -15,6 +15,7 @@
 #include "identify/residuals/history_misfit.h"
 #include "identify/residuals/residual_block.h"
 #include "identify/residuals/yardstick.h"
+#include "identify/study_file/calibration.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 
 namespace fourpost {
@@ -85,6 +86,10 @@ class HistoryResiduals {
 
   const Options& options() const { return options_; }
 
+  /// Whitened: what one standard deviation of each calibration would change, count x calibrations. Throws
+  /// std::runtime_error where the motion cannot be computed.
+  Eigen::MatrixXd ByCalibrations(const std::vector<Calibration>& calibrations, const std::vector<double>& values) const;
+
   /// Groups of sensors, recordings, and the order of samples.
   ResidualStructure Structure() const;
 
@@ -99,6 +104,9 @@ class HistoryResiduals {
   Eigen::MatrixXd Modelled(std::size_t h, const CondensedModel& model, const Deadline& deadline) const;
   void AddHistory(const MeasuredHistory& history, const Eigen::MatrixXd& modelled, Eigen::Index& at,
                   Eigen::VectorXd& out) const;
+  /// What the signals would be with an instrument off by one standard deviation, the state at the start not added.
+  Eigen::MatrixXd Calibrated(std::size_t h, const CondensedModel& model, const Calibration& calibration,
+                             const Eigen::MatrixXd& modelled) const;
   /// The state at the start that suits it added.
   void AddStartTo(const MeasuredHistory& history, const CondensedModel& model, Eigen::MatrixXd& modelled) const;
   /// Of a whitened residual.
@@ -120,7 +128,7 @@ class HistoryResiduals {
 
 /// As a block of a study, "time histories".
 ResidualBlock HistoryBlock(std::shared_ptr<const CondensedVehicle> vehicle, std::vector<MeasuredHistory> histories,
-                           const HistoryResiduals::Options& options);
+                           const HistoryResiduals::Options& options, const std::vector<Calibration>& calibrations = {});
 
 /// Adds the errors of one-step predictions.
 void AddOneStepErrors(const std::vector<MeasuredHistory>& histories, const std::vector<KalmanPrediction>& predictions,

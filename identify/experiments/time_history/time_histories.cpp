@@ -154,7 +154,7 @@ HistoryResiduals::Options TimeHistories::Options(const Subject& subject) const {
 
 std::optional<ResidualBlock> TimeHistories::Residuals(const Subject& subject) const {
   if (fitted.empty()) return std::nullopt;
-  return HistoryBlock(subject.Condensed(), fitted, Options(subject));
+  return HistoryBlock(subject.Condensed(), fitted, Options(subject), subject.calibrations());
 }
 
 std::optional<ResidualBlock> TimeHistories::UnpreparedResiduals(const Subject& subject) const {
