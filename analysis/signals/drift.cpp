@@ -30,7 +30,7 @@ void RemoveTrend(std::vector<double>& signal) {
     signal[k] -= line.first + (line.last - line.first) * static_cast<double>(k) / steps;
 }
 
-void RemoveSlow(std::vector<double>& signal, double rate_Hz, double cutoff_Hz) {
+void RemoveSlow(std::span<double> signal, double rate_Hz, double cutoff_Hz) {
   const LowPass filter(2, cutoff_Hz, rate_Hz);
   double mean = 0;
   for (const double value : signal) mean += value / static_cast<double>(signal.size());

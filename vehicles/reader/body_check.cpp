@@ -90,6 +90,21 @@ bool HasInertiaAlone(const Vehicle& vehicle, const Link& link) {
   return link.mass.At(values) <= 0 && !InertiaAt(link, values).isZero(0);
 }
 
+/// Inertias are computed per mass, of which 1e-9 kg has lost nothing yet.
+void CheckMass(const Vehicle& vehicle, const Link& link, FileFaults& faults) {
+  constexpr double kLeast_kg = 1e-9;
+  std::vector<double> values = vehicle.ParameterValues();
+  double least = link.mass.At(values);
+  if (link.mass.parameter >= 0) {
+    const auto index = static_cast<std::size_t>(link.mass.parameter);
+    for (const double bound : {vehicle.parameters[index].lower, vehicle.parameters[index].upper}) {
+      values[index] = bound;
+      least = std::min(least, link.mass.At(values));
+    }
+  }
+  if (least > 0 && least < kLeast_kg) faults.Report(kMassTooSmall, link.line, {link.name, FormatQuantity(least, "")});
+}
+
 void CheckInertia(const Vehicle& vehicle, const Link& link, FileFaults& faults) {
   const Eigen::Matrix3d inertia = InertiaAt(link, vehicle.ParameterValues());
   if (HasInertiaAlone(vehicle, link)) faults.Report(kInertiaWithoutMass, link.line, {link.name});
@@ -165,7 +180,10 @@ void CheckWheels(const Vehicle& vehicle, FileFaults& faults) {
 }
 
 void CheckBodies(const Vehicle& vehicle, FileFaults& faults) {
-  for (const Link& link : vehicle.links) CheckInertia(vehicle, link, faults);
+  for (const Link& link : vehicle.links) {
+    CheckMass(vehicle, link, faults);
+    CheckInertia(vehicle, link, faults);
+  }
   const std::vector<double> masses = CarriedMasses(vehicle);
   for (const Joint& joint : vehicle.joints) {
     const Link& link = vehicle.links[static_cast<std::size_t>(joint.child)];

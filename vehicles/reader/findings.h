@@ -182,6 +182,9 @@ inline const Finding kInertiaImpossibleAtBounds{
     "link '{}' has an impossible inertia with {}, its principal moments are {}, and none may be below zero or exceed "
     "the sum of the other two",
     "bind another of its moments as well, or narrow the bounds"};
+inline const Finding kMassTooSmall{"mass-too-small", Severity::kError,
+                                   "the mass of link '{}' is {} kg, too small to compute with",
+                                   "correct the unit, or remove the mass from a link that has none"};
 inline const Finding kMassMissing{"mass-missing", Severity::kError,
                                   "joint '{}' moves link '{}', but neither it nor what it carries has a mass",
                                   "give a link an <inertial>, or fix the joint"};

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "analysis/numerics/decompositions.h"
+#include "analysis/signals/drift.h"
 #include "analysis/signals/low_pass.h"
 #include "analysis/text/option_check.h"
 #include "analysis/text/units.h"
@@ -51,6 +52,21 @@ TimeGrid GridOf(const MeasuredHistory& history) {
           .lead_s = history.posts.lead_s};
 }
 
+/// As the study has it done to the channels that a signal is made of, each of which stands for the same share.
+void RemoveSlowAsRecorded(const ChannelSource& source, double rate_Hz, Eigen::VectorXd& signal) {
+  const auto is_passed = [](const SourceChannel& channel) { return channel.high_pass_Hz.has_value(); };
+  if (std::none_of(source.channels.begin(), source.channels.end(), is_passed)) return;
+  const double share = 1 / static_cast<double>(source.channels.size());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(signal.size());
+  for (const SourceChannel& channel : source.channels) {
+    Eigen::VectorXd passed = signal;
+    if (channel.high_pass_Hz)
+      RemoveSlow({passed.data(), static_cast<std::size_t>(passed.size())}, rate_Hz, *channel.high_pass_Hz);
+    sum += share * passed;
+  }
+  signal = sum;
+}
+
 /// Samples of the window x signals, of readings, sensors x samples to the end of the window.
 Eigen::MatrixXd SignalsOf(const MeasuredHistory& history, const Eigen::MatrixXd& readings) {
   Eigen::MatrixXd out(history.count, static_cast<Index>(history.signals.size()));
@@ -63,6 +79,7 @@ Eigen::MatrixXd SignalsOf(const MeasuredHistory& history, const Eigen::MatrixXd&
       LowPass(filter->order, filter->cutoff_Hz, history.rate_Hz)
           .Apply({all.data(), static_cast<std::size_t>(all.size())});
     }
+    RemoveSlowAsRecorded(history.signals[static_cast<std::size_t>(i)].source, history.rate_Hz, all);
     out.col(i) = all.tail(history.count);
     out.col(i).array() -= out.col(i).mean();
   }

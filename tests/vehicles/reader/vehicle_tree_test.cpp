@@ -166,6 +166,14 @@ TEST_F(VehicleTree, RejectsInertiaWithoutMass) {
   ExpectOnly(FreeBody(Inertial(0), load), 3, kInertiaWithoutMass);
 }
 
+TEST_F(VehicleTree, RejectsMassTooSmallToComputeWith) {
+  const auto of_mass = [](const std::string& mass) {
+    return Replaced(FreeBody(Inertial(1)), "<mass value=\"" + std::to_string(1.0), "<mass value=\"" + mass);
+  };
+  ExpectOnly(of_mass("1e-320"), 3, kMassTooSmall, {"link 'body'"});
+  EXPECT_TRUE(Read(of_mass("1e-6")).has_value());
+}
+
 TEST_F(VehicleTree, RejectsMovingLinksWithoutMass) {
   ExpectOnly(FreeBody(""), 3, kMassMissing, {"joint 'free'", "link 'body'"});
 }

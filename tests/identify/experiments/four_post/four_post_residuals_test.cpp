@@ -83,6 +83,91 @@ TEST(FourPostResiduals, TakesSecondHarmonicsOfStrutsWhereAsked) {
   EXPECT_EQ(((evaluation.residuals.array() + 5).abs() < 1e-9).count(), added);  // rounding
 }
 
+/// What one standard deviation of one calibration changes in all residuals, at the file's values.
+Eigen::VectorXd ByCalibration(const LoadedStudy& study, const Calibration& calibration) {
+  LoadedStudy calibrated = study;
+  calibrated.study.calibrations = {calibration};
+  const VehicleObjective objective = calibrated.MakeObjective();
+  Eigen::VectorXd changes(objective.residual_count());
+  Eigen::Index at = 0;
+  for (const ResidualBlock& block : objective.blocks()) {
+    changes.segment(at, block.count) = block.by_calibrations(objective.vehicle().ParameterValues()).col(0);
+    at += block.count;
+  }
+  return changes.head(at);
+}
+
+/// The residuals of a twin whose recordings are those of instruments that read too little: `scale` and `turn` of each
+/// response, `level` of means and loads.
+Eigen::VectorXd ResidualsOfRead(LoadedStudy study, double scale, double delay_s, double post_scale) {
+  for (MeasuredRun& run : Sines(study).runs) {
+    for (double& amplitude : run.excitation.amplitude_m) amplitude *= post_scale;
+    for (MeasuredChannel& channel : run.channels) {
+      for (std::size_t i = 0; i < channel.response.size(); ++i)
+        channel.response[i] *= std::polar(scale, -2 * 3.14159265358979 * run.excitation.frequency_Hz[i] * delay_s);
+      for (double& mean : channel.mean) mean *= scale;
+      for (double& second : channel.second_harmonic) second *= scale;
+    }
+  }
+  const VehicleObjective objective = study.MakeObjective();
+  const Evaluation evaluation = objective.Evaluate(FreeValues(objective));
+  return evaluation.residuals.head(objective.residual_count() - objective.prior_count());
+}
+
+// To first order what a calibration changes is what instruments that read otherwise change, the other way round. Of a
+// thousandth the second order is another thousandth.
+TEST(FourPostResiduals, ChangeByCalibrationsAsByInstruments) {
+  LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  // The scale of residuals follows what is measured; without floors only that of their standard deviations does not.
+  Sines(study).plan.model_error.floor = 0;
+  Rest(study).loads.clear();
+  for (const char* of : {"accelerometers", "struts", "load_cells"}) {
+    const Eigen::VectorXd change = ByCalibration(study, {.of = of, .sd = 1e-3});
+    EXPECT_GT(change.norm(), 0) << of;
+  }
+  Eigen::VectorXd sum = ByCalibration(study, {.of = "accelerometers", .sd = 1e-3});
+  for (const char* of : {"displacements", "struts", "load_cells", "gyros"})
+    sum += ByCalibration(study, {.of = of, .sd = 1e-3});
+  const Eigen::VectorXd gain = -ResidualsOfRead(study, 1 + 1e-3, 0, 1);
+  EXPECT_LT((sum - gain).norm(), 5e-3 * gain.norm());
+
+  Eigen::VectorXd late = ByCalibration(study, {.kind = Calibration::Kind::kDelay, .of = "accelerometers", .sd = 1e-6});
+  for (const char* of : {"displacements", "struts", "load_cells", "gyros"})
+    late += ByCalibration(study, {.kind = Calibration::Kind::kDelay, .of = of, .sd = 1e-6});
+  const Eigen::VectorXd delayed = -ResidualsOfRead(study, 1, 1e-6, 1);
+  EXPECT_LT((late - delayed).norm(), 5e-3 * delayed.norm());
+  // All channels late is the posts early.
+  const Eigen::VectorXd posts =
+      ByCalibration(study, {.kind = Calibration::Kind::kDelay, .of = Calibration::kPosts, .sd = 1e-6});
+  EXPECT_LT((late + posts).norm(), 1e-9 * posts.norm());
+}
+
+TEST(FourPostResiduals, ChangeByTheGainOfPosts) {
+  const LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  const Eigen::VectorXd change = ByCalibration(study, {.of = Calibration::kPosts, .sd = 1e-3});
+  // The rig moved by a thousandth more than recorded: responses to what was recorded are larger by as much, and those
+  // of dampers that do not depend on amplitude by nothing else.
+  EXPECT_GT(change.norm(), 0);
+  Eigen::VectorXd all = ByCalibration(study, {.of = "accelerometers", .sd = 1e-3});
+  for (const char* of : {"struts", "load_cells"}) all += ByCalibration(study, {.of = of, .sd = 1e-3});
+  EXPECT_LT((change - all).norm(), 0.05 * change.norm());  // amplitude counts in bump and rebound by geometry alone
+}
+
+TEST(FourPostResiduals, ChangeByCalibrationsOfLoads) {
+  const LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
+  const std::vector<MeasuredLoad>& loads = Rest(study).loads;
+  const auto gain = ByCalibration(study, {.of = Calibration::kStaticLoads, .sd = 0.01}).tail(2).eval();
+  const auto offset =
+      ByCalibration(study, {.kind = Calibration::Kind::kOffset, .of = Calibration::kStaticLoads, .sd = 30})
+          .tail(2)
+          .eval();
+  for (const Eigen::Index i : {0, 1}) {
+    const MeasuredLoad& load = loads[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(gain[i], 0.01 * load.load_N / load.sd_N, 1e-9 * gain[i]);
+    EXPECT_NEAR(offset[i], 30 / load.sd_N, 1e-12);
+  }
+}
+
 TEST(FourPostResiduals, WeighsStaticLoadsByTheirDeviation) {
   LoadedStudy study = Twin(ShippedStudy().vehicle.ParameterValues());
   ASSERT_EQ(Rest(study).loads.size(), 2u);

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/signals/drift.h"
 #include "tests/identify/recorded_station.h"
 #include "tests/temporary_folder.h"
 
@@ -70,6 +71,63 @@ TEST_F(HistoryResidualsTest, AreOverNoiseAndModelError) {
   const double sd = 0.05 * histories[0].signals[0].Deviation();
   for (const Eigen::Index k : {0, 1, 100, 555})
     EXPECT_NEAR(given[k], (modelled[5 * k] - histories[0].signals[0].values[5 * k]) / sd, 1e-12);
+}
+
+// Each against another way of making the same change: of channels that of the record, of posts that of its heights.
+TEST_F(HistoryResidualsTest, ChangeByCalibrationsAsByInstruments) {
+  const std::vector<MeasuredHistory> histories = Recording();
+  const HistoryResiduals residuals = Residuals(histories);
+  const std::vector<double> values = vehicle_.ParameterValues();
+  const Eigen::VectorXd here = residuals.At(values);
+  std::vector<Calibration> calibrations;
+  for (const Sensor& sensor : vehicle_.sensors) calibrations.push_back({.of = sensor.name, .sd = 1e-3});
+  calibrations.push_back({.of = Calibration::kPosts, .sd = 1e-3});
+  calibrations.push_back({.kind = Calibration::Kind::kDelay, .of = Calibration::kPosts, .sd = 1e-4});
+  const Eigen::MatrixXd changes = residuals.ByCalibrations(calibrations, values);
+
+  // Of the vehicle that made the record, a channel that reads less.
+  const Eigen::Index sensors = std::ssize(vehicle_.sensors);
+  for (Eigen::Index s = 0; s < sensors; ++s) {
+    std::vector<MeasuredHistory> less = histories;
+    less[0].signals[static_cast<std::size_t>(s)].values *= 1 - 1e-3;
+    const Eigen::VectorXd by_record = Residuals(less).At(values) - here;
+    // The second order, a thousandth, and a model error that is a share of what is read; of residuals of 1e-3 that is
+    // as much again.
+    EXPECT_LT((changes.col(s) - by_record).norm(), 0.02 * by_record.norm())
+        << histories[0].signals[static_cast<std::size_t>(s)].name;
+  }
+  MeasuredHistory larger = histories[0];
+  larger.posts.motion = [motion = larger.posts.motion](double t, std::span<PostState> posts) {
+    motion(t, posts);
+    for (PostState& post : posts) post = {1.001 * post.height, 1.001 * post.velocity, 1.001 * post.acceleration};
+  };
+  const Eigen::VectorXd by_gain = Residuals({larger}).At(values) - here;
+  EXPECT_LT((changes.col(sensors) - by_gain).norm(), 1e-6 * by_gain.norm());
+  MeasuredHistory earlier = histories[0];
+  earlier.posts.motion = [motion = earlier.posts.motion](double t, std::span<PostState> posts) {
+    motion(t + 1e-4, posts);
+  };
+  const Eigen::VectorXd by_delay = Residuals({earlier}).At(values) - here;
+  EXPECT_LT((changes.col(sensors + 1) - by_delay).norm(), 1e-6 * by_delay.norm());
+}
+
+// Of the model goes what a high-pass takes from the record, so that nothing is left in the middle of the window.
+TEST_F(HistoryResidualsTest, TakeFromTheModelWhatIsTakenFromTheRecord) {
+  std::vector<MeasuredHistory> histories = Recording();
+  MeasuredHistory& history = histories[0];
+  history.signals.resize(1);
+  const Eigen::VectorXd before = history.signals[0].values;
+  ASSERT_EQ(history.signals[0].source.channels.size(), 1u);
+  history.signals[0].source.channels[0].high_pass_Hz = 2;
+  RemoveSlow({history.signals[0].values.data(), static_cast<std::size_t>(history.count)}, history.rate_Hz, 2);
+  const Eigen::VectorXd measured = history.signals[0].values;
+  ASSERT_GT((before - measured).norm(), 0.1 * before.norm());
+  const Eigen::VectorXd modelled = Residuals(histories).Modelled(vehicle_.ParameterValues())[0].col(0);
+  const Eigen::Index ends = std::lround(2 * history.rate_Hz);
+  const Eigen::Index count = history.count - 2 * ends;
+  const Eigen::VectorXd error = (modelled - measured).segment(ends, count);
+  // Of the filter's memory a ten-thousandth is left after two seconds; of the integration's error 3e-3.
+  EXPECT_LT(error.norm(), 5e-3 * measured.segment(ends, count).norm());
 }
 
 TEST_F(HistoryResidualsTest, OfTheCompromiseAddUpToItsCost) {
