@@ -26,22 +26,8 @@ namespace {
 
 /// Iterates kept by Anderson's method.
 constexpr int kHistory = 4;
-/// Gains below this share of the law's own rates change no deviation by as much as a hundredth of the tolerance.
-constexpr double kSilent = 1e-8;
-
-struct LawRates {
-  double stiffness = 0;
-  double damping = 0;
-};
-LawRates RatesOf(const DashpotRemainder& law) { return {0, law.rate}; }
-LawRates RatesOf(const SpringRemainder& law) { return {std::abs(law.stiffness) + std::abs(law.law.cubic) * 1e-4, 0}; }
-LawRates RatesOf(const LiftoffRemainder& law) { return {law.stiffness, law.damping}; }
-LawRates RatesOf(const HydraulicRemainder& law) { return {law.share.stiffness, law.share.rate}; }
-
-bool IsSilent(const PortLaw& law, const StatisticalGain& gain) {
-  const LawRates rates = std::visit([](const auto& port) { return RatesOf(port); }, law);
-  return std::abs(gain.by_extension) <= kSilent * rates.stiffness && std::abs(gain.by_rate) <= kSilent * rates.damping;
-}
+/// Gains that change no extension by more than this share of the tolerance are left out.
+constexpr double kSilent = 0.01;
 
 /// Gaussian elimination with partial pivoting in place: right <- matrix^-1 right.
 void EliminateInPlace(Eigen::Ref<MatrixXcd> matrix, Eigen::Ref<MatrixXcd> right) {
@@ -82,6 +68,7 @@ RandomVehicle::RandomVehicle(const CondensedModel& model, SpectralGrid grid)
                                            : model.liftoffs[static_cast<std::size_t>(port.liftoff)].load_cells);
   SolveLinearPart(model);
   SolveAtRest(model);
+  FindReach();
 }
 
 void RandomVehicle::SolveLinearPart(const CondensedModel& model) {
@@ -136,12 +123,28 @@ void RandomVehicle::SolveAtRest(const CondensedModel& model) {
   at_rest_.bottomRows(sensors_) = model.on_position * motion.topRows(model.mass.rows());
 }
 
+void RandomVehicle::FindReach() {
+  const auto ports = static_cast<Index>(ports_.size());
+  const Index columns = frequencies() > 0 ? receptance_.cols() / frequencies() : 0;
+  for (Index j = 0; j < ports; ++j) {
+    Reach reach;
+    for (Index k = 0; k < frequencies(); ++k) {
+      const double own = std::abs(receptance_(j, k * columns + j));
+      reach.by_stiffness = std::max(reach.by_stiffness, own);
+      reach.by_damping =
+          std::max(reach.by_damping, 2 * std::numbers::pi * grid_.frequency_Hz[static_cast<std::size_t>(k)] * own);
+    }
+    reach_.push_back(reach);
+  }
+}
+
 /// The state of one solution: motions of the ports, their gains, and amplitudes of the active ones.
 class RandomVehicle::Iteration {
  public:
-  Iteration(const RandomVehicle& vehicle, const PostSpectra& posts)
+  Iteration(const RandomVehicle& vehicle, const PostSpectra& posts, double silent)
       : vehicle_(vehicle),
         posts_(posts),
+        silent_(silent),
         ports_(static_cast<Index>(vehicle.ports_.size())),
         columns_(ports_ + posts.heights.rows()),
         unforced_(ports_, posts.heights.cols()),
@@ -156,14 +159,17 @@ class RandomVehicle::Iteration {
   const std::vector<PortMotion>& motions() const { return motions_; }
   const std::vector<StatisticalGain>& gains() const { return gains_; }
 
-  /// Gains at these motions; ports without any are left out from now on.
+  /// Gains at these motions, and which of them count.
   void SetMotions(std::vector<PortMotion> motions) {
     motions_ = std::move(motions);
     active_.clear();
     for (Index j = 0; j < ports_; ++j) {
       const auto i = static_cast<std::size_t>(j);
       gains_[i] = GainOf(vehicle_.ports_[i].law, motions_[i]);
-      if (!IsSilent(vehicle_.ports_[i].law, gains_[i])) active_.push_back(j);
+      const Reach& reach = vehicle_.reach_[i];
+      const double loop =
+          std::abs(gains_[i].by_extension) * reach.by_stiffness + std::abs(gains_[i].by_rate) * reach.by_damping;
+      if (!(loop <= silent_)) active_.push_back(j);
     }
   }
 
@@ -275,6 +281,8 @@ class RandomVehicle::Iteration {
 
   const RandomVehicle& vehicle_;
   const PostSpectra& posts_;
+  /// A gain times the port's own receptance that changes nothing.
+  double silent_;
   Index ports_;
   Index columns_;
   /// Extensions without the gains.
@@ -323,7 +331,7 @@ RandomResponse RandomVehicle::Solve(const PostSpectra& posts, const RandomOption
                 "as many as the model's");
   RequireOption(posts.heights.cols() == frequencies() * posts.sources, "PostSpectra: columns", posts.heights.cols(),
                 "frequencies of the grid times sources");
-  Iteration iteration(*this, posts);
+  Iteration iteration(*this, posts, kSilent * options.tolerance);
   RandomResponse response;
   const std::vector<PortMotion> first = iteration.Answer();
   VectorXd at = Packed(first, first);

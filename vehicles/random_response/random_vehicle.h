@@ -58,10 +58,16 @@ class RandomVehicle {
 
  private:
   class Iteration;
+  /// Largest extension of a port per unit tension of its own, and per unit of its rate's tension.
+  struct Reach {
+    double by_stiffness = 0;
+    double by_damping = 0;
+  };
 
   Eigen::Index frequencies() const { return static_cast<Eigen::Index>(grid_.size()); }
   void SolveLinearPart(const CondensedModel& model);
   void SolveAtRest(const CondensedModel& model);
+  void FindReach();
 
   SpectralGrid grid_;
   std::vector<Port> ports_;
@@ -73,6 +79,7 @@ class RandomVehicle {
   Eigen::MatrixXcd receptance_;
   /// (ports + sensors) x ports: the same at rest per unit mean force of a port.
   Eigen::MatrixXd at_rest_;
+  std::vector<Reach> reach_;
 };
 
 }  // namespace fourpost
