@@ -156,21 +156,17 @@ class RandomVehicle::Iteration {
   }
 
   Index sources() const { return posts_.sources; }
-  const std::vector<PortMotion>& motions() const { return motions_; }
-  const std::vector<StatisticalGain>& gains() const { return gains_; }
 
   /// Gains at these motions, and which of them count.
   void SetMotions(std::vector<PortMotion> motions) {
     motions_ = std::move(motions);
-    active_.clear();
-    for (Index j = 0; j < ports_; ++j) {
-      const auto i = static_cast<std::size_t>(j);
-      gains_[i] = GainOf(vehicle_.ports_[i].law, motions_[i]);
-      const Reach& reach = vehicle_.reach_[i];
-      const double loop =
-          std::abs(gains_[i].by_extension) * reach.by_stiffness + std::abs(gains_[i].by_rate) * reach.by_damping;
-      if (!(loop <= silent_)) active_.push_back(j);
-    }
+    for (std::size_t i = 0; i < motions_.size(); ++i) gains_[i] = GainOf(vehicle_.ports_[i].law, motions_[i]);
+    FindActive();
+  }
+
+  void SetGains(const std::vector<StatisticalGain>& gains) {
+    gains_ = gains;
+    FindActive();
   }
 
   /// Deviations of the ports with these gains, and their means.
@@ -198,7 +194,6 @@ class RandomVehicle::Iteration {
   void Write(RandomResponse& response) {
     const Index dashpots = vehicle_.receptance_.rows() - ports_ - vehicle_.sensors_;
     MatrixXcd outputs(vehicle_.sensors_ + dashpots, posts_.heights.cols());
-    MatrixXcd forces(static_cast<Index>(active_.size()), sources());
     Sweep([&](Index k, double w, const auto& extensions) {
       auto here = outputs.middleCols(k * sources(), sources());
       const Eigen::Ref<const MatrixXcd> at = At(k).bottomRows(outputs.rows());
@@ -226,6 +221,16 @@ class RandomVehicle::Iteration {
   }
 
  private:
+  void FindActive() {
+    active_.clear();
+    for (Index j = 0; j < ports_; ++j) {
+      const StatisticalGain& gain = gains_[static_cast<std::size_t>(j)];
+      const Reach& reach = vehicle_.reach_[static_cast<std::size_t>(j)];
+      const double loop = std::abs(gain.by_extension) * reach.by_stiffness + std::abs(gain.by_rate) * reach.by_damping;
+      if (!(loop <= silent_)) active_.push_back(j);
+    }
+  }
+
   Eigen::Ref<const MatrixXcd> At(Index k) const { return vehicle_.receptance_.middleCols(k * columns_, columns_); }
 
   /// Calls `take` with the extensions of all ports at each frequency.
@@ -323,14 +328,29 @@ std::vector<PortMotion> Unpacked(const VectorXd& packed, const std::vector<PortM
 
 }  // namespace
 
-RandomResponse RandomVehicle::Solve(const PostSpectra& posts, const RandomOptions& options) const {
-  options.Validate();
-  const auto port_count = static_cast<Index>(ports_.size());
-  const Index post_count = receptance_.cols() / std::max<Index>(1, frequencies()) - port_count;
+void RandomVehicle::RequireFitting(const PostSpectra& posts) const {
+  const Index post_count =
+      frequencies() > 0 ? receptance_.cols() / frequencies() - static_cast<Index>(ports_.size()) : 0;
   RequireOption(posts.heights.rows() == post_count, "PostSpectra: posts", posts.heights.rows(),
                 "as many as the model's");
   RequireOption(posts.heights.cols() == frequencies() * posts.sources, "PostSpectra: columns", posts.heights.cols(),
                 "frequencies of the grid times sources");
+}
+
+RandomResponse RandomVehicle::Respond(const PostSpectra& posts, const std::vector<StatisticalGain>& gains) const {
+  RequireFitting(posts);
+  RequireOption(gains.size() == ports_.size(), "RandomVehicle: gains", gains.size(), "one per nonlinear element");
+  Iteration iteration(*this, posts, 0);
+  iteration.SetGains(gains);
+  RandomResponse response{.converged = true};
+  iteration.Write(response);
+  response.mean_readings.setZero();
+  return response;
+}
+
+RandomResponse RandomVehicle::Solve(const PostSpectra& posts, const RandomOptions& options) const {
+  options.Validate();
+  RequireFitting(posts);
   Iteration iteration(*this, posts, kSilent * options.tolerance);
   RandomResponse response;
   const std::vector<PortMotion> first = iteration.Answer();

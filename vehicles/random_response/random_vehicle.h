@@ -53,6 +53,10 @@ class RandomVehicle {
   /// `posts`: at the grid's frequencies. Throws std::invalid_argument for another number of posts or frequencies.
   RandomResponse Solve(const PostSpectra& posts, const RandomOptions& options = {}) const;
 
+  /// Of the linear vehicle that these gains make, one per port; means are zero. Throws as Solve() does, and for another
+  /// number of gains.
+  RandomResponse Respond(const PostSpectra& posts, const std::vector<StatisticalGain>& gains) const;
+
   const SpectralGrid& grid() const { return grid_; }
   const std::vector<Port>& ports() const { return ports_; }
 
@@ -64,6 +68,7 @@ class RandomVehicle {
     double by_damping = 0;
   };
 
+  void RequireFitting(const PostSpectra& posts) const;
   Eigen::Index frequencies() const { return static_cast<Eigen::Index>(grid_.size()); }
   void SolveLinearPart(const CondensedModel& model);
   void SolveAtRest(const CondensedModel& model);
