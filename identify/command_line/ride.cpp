@@ -10,6 +10,7 @@
 
 #include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/output_folder.h"
+#include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/condensed_at_values.h"
@@ -80,7 +81,7 @@ std::vector<AskedRoad> ReadRoads(const RideCommand& command, Diagnostics& findin
     const std::optional<double> speed = ReadQuantity(text, kVelocity, "--speed", findings);
     if (!speed) continue;
     for (const std::string& road_class : command.roads) {
-      const std::string name = "road " + road_class + " at " + Rounded(3.6 * *speed, 3) + " km/h";
+      const std::string name = "road " + road_class + " at " + ShortNumber(3.6 * *speed) + " km/h";
       roads.push_back({name, road_class, *speed});
     }
     const double lowest = command.drive.first_Hz / *speed;
@@ -101,9 +102,7 @@ RideJob ReadJob(const RideCommand& command) {
   SimulateCommand checked = command.drive;
   if (!command.roads.empty()) checked.motion = SimulateCommand::Motion::kRoad;
   CheckMotion(checked, *vehicle, findings);
-  const std::vector<RidePoint> points = ReadRidePoints(command.points, *vehicle, findings);
-  if (findings.HasErrors()) throw FaultyInput(findings);
-  RideInstruments instruments = InstrumentRide(*vehicle, points);
+  RideInstruments instruments = InstrumentRide(*vehicle, ReadRidePoints(command.points, *vehicle, findings));
   SetWeightings(command.weightings, instruments, findings);
   if (findings.HasErrors()) throw FaultyInput(findings);
   return {std::move(*vehicle), std::move(instruments), std::move(roads), std::move(findings)};

@@ -1,9 +1,11 @@
 #include "identify/command_line/ride_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "analysis/text/short_number.h"
 #include "analysis/text/text_table.h"
 #include "vehicles/description/gravity.h"
 #include "vehicles/requests/engine_text.h"
@@ -14,6 +16,8 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 
 std::string Shown(double value, int digits = 3) { return std::isfinite(value) ? Rounded(value, digits) : "-"; }
+
+std::string Millimetres(double metres) { return ShortNumber(1e3 * metres); }
 std::string Mm(double metres) { return Shown(1e3 * metres); }
 std::string Share(double share) { return share > 0 && share < 1e-5 ? "< 0.001" : Shown(1e2 * share, 2); }
 
@@ -67,7 +71,7 @@ std::string SpeedTable(const RideMetrics& metrics) {
   if (metrics.struts.empty()) return "";
   std::vector<std::string> head = {"% of time, speed in mm/s"};
   for (std::size_t i = 0; i < kDamperSpeeds.size(); ++i)
-    head.push_back((i == 0 ? "0" : Mm(kDamperSpeeds[i - 1])) + "-" + Mm(kDamperSpeeds[i]));
+    head.push_back((i == 0 ? "0" : Millimetres(kDamperSpeeds[i - 1])) + "-" + Millimetres(kDamperSpeeds[i]));
   head.push_back("more");
   TextTable table(head);
   for (const RideMetrics::Strut& strut : metrics.struts) {
@@ -117,7 +121,7 @@ std::string BodyTable(const RideAnswer& ride) {
 
 std::string Foot(const RideAnswer& ride) {
   if (!ride.by_spectra) return EngineText(ride.by);
-  return "Peaks and doses are those of normal motion over " + Shown(ride.metrics.duration_s) +
+  return "Peaks and doses are those of normal motion over " + ShortNumber(ride.metrics.duration_s) +
          " s; error of the grid " + Percent(ride.grid_change, 1) + ".\n";
 }
 
