@@ -38,6 +38,7 @@ Program::Program() {
   AddParams();
   AddResponse();
   AddModes();
+  AddKinematics();
   AddSimulate();
   AddFit();
   AddPredict();
@@ -130,6 +131,13 @@ void Program::AddResponse() {
                   "  fourpost response study.yaml --engine full",
                   [this] { return Run(response_); }),
              response_);
+}
+
+void Program::AddKinematics() {
+  AddOptions(*Add("kinematics", "Kinematics and compliance: camber, toe, track, roll centre, motion ratios over travel",
+                  "  fourpost kinematics car.urdf\n  fourpost kinematics car.urdf --travel -80mm:100mm -o kinematics",
+                  [this] { return Run(kinematics_); }),
+             kinematics_);
 }
 
 void Program::AddModes() {

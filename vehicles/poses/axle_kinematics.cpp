@@ -32,6 +32,8 @@ std::vector<AxleStrut> AllStruts(const Vehicle& vehicle) {
     struts.push_back({Kind::kDamper, i, vehicle.dampers[i].name});
   for (std::size_t i = 0; i < vehicle.antiroll_bars.size(); ++i)
     struts.push_back({Kind::kAntiRollBar, i, vehicle.antiroll_bars[i].name});
+  std::stable_sort(struts.begin(), struts.end(),
+                   [](const AxleStrut& a, const AxleStrut& b) { return a.kind < b.kind; });
   return struts;
 }
 
@@ -140,13 +142,13 @@ class AxleOnRig {
     constexpr double kThere_m = 1e-9;
     SuspensionRig::Pose pose = design_;
     const double way = std::abs(end);
-    for (double done = 0; done < way - kThere_m;) {
-      const double next = std::min(done + step, way);
+    double next = 0;
+    for (int k = 1; next < way; ++k) {
+      next = k * step < way - kThere_m ? k * step : way;
       const Eigen::VectorXd wanted = RiseOf(travel, std::copysign(next, end));
       pose = rig_.Move(pose, wanted);
       if (pose.rise != wanted) return std::copysign(pose.rise.lpNorm<Eigen::Infinity>(), end);
       stations.push_back(StationAt(travel, std::copysign(next, end), pose));
-      done = next;
     }
     return end;
   }

@@ -77,7 +77,7 @@ struct AxleTravel {
 
 /// A spring, stop, damper or anti-roll bar that an axle moves.
 struct AxleStrut {
-  enum class Kind { kSpring, kStop, kGas, kDamper, kAntiRollBar };
+  enum class Kind { kSpring, kDamper, kAntiRollBar, kStop, kGas };
   Kind kind = Kind::kSpring;
   /// In Vehicle::springs, dampers or antiroll_bars.
   std::size_t index = 0;
@@ -100,6 +100,7 @@ const char* LoadName(WheelLoad load);
 struct AxleKinematics {
   /// Index in Suspension::axles.
   std::size_t axle = 0;
+  /// By kind.
   std::vector<AxleStrut> struts;
   /// Heave, roll, each wheel; without those that its linkage does not allow.
   std::vector<AxleTravel> travels;
