@@ -47,7 +47,7 @@ class Kinematics(ProgramTest):
         self.assert_finding(self.run_program("kinematics", damper, code=3).stderr, "no-wheels")
         for travel, step, finding in (("20", "10mm", "option-quantity"), ("10mm:20mm", "10mm", "option-travel"),
                                       ("20mm:-20mm", "10mm", "option-travel"),
-                                      ("20mm", "1um", "option-travel-steps"), ("20mm", "-1mm", "option-not-positive")):
+                                      ("20mm", "0.001mm", "option-travel-steps"), ("20mm", "-1mm", "option-not-positive")):
             with self.subTest(travel=travel, step=step):
                 run = self.run_program("kinematics", ROADSTER, f"--travel={travel}", f"--step={step}", code=2)
                 self.assert_finding(run.stderr, finding)

@@ -118,7 +118,7 @@ class AxleOnRig {
       const double ratio = -LengthOf(vehicle_, strut, pose).gradient.dot(*motion);
       if (std::abs(ratio) < kUnmoved) continue;
       for (const SpringDescription::Knee& knee : vehicle_.springs[strut.index].law.knees) {
-        // A knee of side -1 is met in compression.
+        // A knee of side -1 is met in bump.
         double& end = ends[(knee.side < 0) == (ratio > 0) ? 1 : 0];
         end = std::max(end, knee.at.At(parameters_) / std::abs(ratio));
       }

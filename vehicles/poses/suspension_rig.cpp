@@ -25,17 +25,6 @@ Vehicle WithoutTyreRates(Vehicle vehicle) {
   return vehicle;
 }
 
-/// The joint about whose axis, through the tyre's centre, a wheel spins; nullptr if there is none.
-const Joint* SpinOf(const Vehicle& vehicle, const Tyre& tyre) {
-  constexpr double kOnAxis_m = 1e-6;  // digits of a file
-  for (const Joint& joint : vehicle.joints)
-    if (joint.child == tyre.point.link && joint.type == Joint::Type::kRevolute && joint.parent != 0 &&
-        joint.axis.cross(tyre.point.xyz).norm() < kOnAxis_m &&
-        joint.axis.cross(Eigen::Vector3d::UnitY()).norm() < kOnAxis_m)
-      return &joint;
-  return nullptr;
-}
-
 Preloads WithoutTyres(Preloads preloads) {
   std::fill(preloads.tyre.begin(), preloads.tyre.end(), 0);
   return preloads;
