@@ -1,5 +1,7 @@
 #include "identify/command_line/check_json.h"
 
+#include <numbers>
+
 #include <nlohmann/json.hpp>
 
 #include "analysis/files/json_text.h"
@@ -113,11 +115,16 @@ Json Corners(const VehicleSummary& summary) {
   Json corners = Json::array();
   for (std::size_t i = 0; i < summary.suspension.wheels.size(); ++i) {
     const WheelRates& rates = summary.ride.wheels[i];
-    corners.push_back({{"name", summary.suspension.wheels[i].name},
-                       {"load_N", summary.corner_loads[i].load_N},
-                       {"tyre_rate_N_per_m", rates.tyre_Npm},
-                       {"alone", Rates(rates.alone)},
-                       {"together", Rates(rates.together)}});
+    const CornerNumbers& corner = summary.chassis.corners[i];
+    corners.push_back(
+        {{"name", summary.suspension.wheels[i].name},
+         {"load_N", summary.corner_loads[i].load_N},
+         {"tyre_rate_N_per_m", rates.tyre_Npm},
+         {"alone", Rates(rates.alone)},
+         {"together", Rates(rates.together)},
+         {"sprung_mass_kg", OrNull(corner.sprung_kg)},
+         {"damping_N_s_per_m", {{"bump", corner.bump_Nspm}, {"rebound", corner.rebound_Nspm}}},
+         {"damping_ratio", {{"bump", OrNull(corner.bump_ratio)}, {"rebound", OrNull(corner.rebound_ratio)}}}});
   }
   return corners;
 }
@@ -125,13 +132,39 @@ Json Corners(const VehicleSummary& summary) {
 Json AxlesJson(const VehicleSummary& summary) {
   Json axles = Json::array();
   for (std::size_t a = 0; a < summary.suspension.axles.size(); ++a) {
-    const Axle& axle = summary.suspension.axles[a];
+    const AxleNumbers& axle = summary.chassis.axles[a];
     Json tyres = Json::array();
-    for (const std::size_t i : axle.wheels) tyres.push_back(summary.suspension.wheels[i].name);
-    axles.push_back(
-        {{"name", axle.name}, {"tyres", tyres}, {"roll_stiffness_Nm_per_rad", OrNull(summary.ride.axles[a].roll_Nm)}});
+    for (const std::size_t i : summary.suspension.axles[a].wheels) tyres.push_back(summary.suspension.wheels[i].name);
+    axles.push_back({{"name", summary.suspension.axles[a].name},
+                     {"tyres", tyres},
+                     {"load_N", axle.load_N},
+                     {"sprung_mass_kg", OrNull(axle.sprung_kg)},
+                     {"unsprung_mass_kg", OrNull(axle.unsprung_kg)},
+                     {"ride_frequency_Hz", OrNull(axle.ride_Hz)},
+                     {"hop_frequency_Hz", OrNull(axle.hop_Hz)},
+                     {"roll_stiffness_Nm_per_rad", OrNull(summary.ride.axles[a].roll_Nm)},
+                     {"elastic_roll_stiffness_Nm_per_rad", OrNull(axle.elastic_roll_Nm)},
+                     {"roll_stiffness_on_tyres_Nm_per_rad", OrNull(axle.roll_on_tyres_Nm)},
+                     {"roll_centre_height_m", OrNull(axle.roll_centre_m)},
+                     {"is_beam", axle.is_beam},
+                     {"braking_support", axle.braking_support},
+                     {"driving_support", axle.driving_support},
+                     {"anti_braking", OrNull(axle.anti_braking)},
+                     {"anti_driving", OrNull(axle.anti_driving)},
+                     {"load_transfer_N_per_m_per_s2", OrNull(axle.load_transfer)},
+                     {"load_transfer_share", OrNull(axle.load_transfer_share)}});
   }
   return axles;
+}
+
+Json Handling(const ChassisNumbers& chassis) {
+  Json pitch_centre;
+  if (chassis.pitch_centre) pitch_centre = {chassis.pitch_centre->x, chassis.pitch_centre->z};
+  return {
+      {"wheelbase_m", OrNull(chassis.wheelbase_m)}, {"com_height_m", OrNull(chassis.com_height_m)},
+      {"left_share", OrNull(chassis.left_share)},   {"cross_weight", OrNull(chassis.cross_weight)},
+      {"roll_arm_m", OrNull(chassis.roll_arm_m)},   {"roll_gradient_rad_per_m_per_s2", OrNull(chassis.roll_gradient)},
+      {"pitch_centre_xz_m", pitch_centre}};
 }
 
 Json Strut(const VehicleSummary& summary, const std::string& element, const StrutGeometry& strut, const char* rate) {
@@ -168,6 +201,7 @@ Json Modes(const VehicleSummary& summary) {
     modes.push_back({{"name", mode.name},
                      {"kind", KindName(mode.kind)},
                      {"frequency_Hz", mode.frequency_Hz},
+                     {"damped_frequency_Hz", mode.pole.imag() / (2 * std::numbers::pi)},
                      {"damping_ratio", mode.damping_ratio},
                      {"kinetic_energy", energy}});
   }
@@ -222,6 +256,7 @@ Json Told(const CheckedVehicle& checked) {
           {"weight_N", summary.Weight_N()},
           {"corners", Corners(summary)},
           {"axles", AxlesJson(summary)},
+          {"handling", Handling(summary.chassis)},
           {"struts", Struts(vehicle, summary)},
           {"modes", Modes(summary)},
           {"stable", summary.IsStable()},

@@ -9,6 +9,7 @@
 
 #include "analysis/text/text_table.h"
 #include "analysis/text/units.h"
+#include "vehicles/description/gravity.h"
 
 namespace fourpost {
 namespace {
@@ -149,18 +150,84 @@ std::string Wheels(const VehicleSummary& summary) {
   return table.Format() + (pairs ? note : short_note) + '\n';
 }
 
+std::string OrDash(const std::optional<double>& value, double factor, int decimals) {
+  return value ? Fixed(factor * *value, decimals) : "-";
+}
+
+std::string PerDegree(const std::optional<double>& stiffness_Nm) {
+  return stiffness_Nm ? Rounded(*stiffness_Nm * std::numbers::pi / 180, 4) : "-";
+}
+
 std::string Axles(const VehicleSummary& summary) {
-  if (!HasPairs(summary)) return "";
-  TextTable table({"axle", "load, N", "share, %", "roll stiffness, N*m/deg"});
+  if (summary.suspension.wheels.empty()) return "";
+  const bool pairs = HasPairs(summary);
+  TextTable table(Head({"axle", "load, N", "share, %", "unsprung, kg", "ride, Hz", "hop, Hz"},
+                       {"roll stiffness, N*m/deg", "without loads", "on tyres", "roll centre, mm"}, pairs));
   for (std::size_t a = 0; a < summary.suspension.axles.size(); ++a) {
-    const Axle& axle = summary.suspension.axles[a];
-    double load = 0;
-    for (const std::size_t i : axle.wheels) load += summary.corner_loads[i].load_N;
-    const std::optional<double>& roll = summary.ride.axles[a].roll_Nm;
-    table.Add({axle.name, Rounded(load, 5), Fixed(100 * load / summary.TyreLoad_N(), 1),
-               roll ? Rounded(*roll * std::numbers::pi / 180, 4) : "-"});
+    const AxleNumbers& axle = summary.chassis.axles[a];
+    table.Add(Head(
+        {summary.suspension.axles[a].name, Rounded(axle.load_N, 5), Fixed(100 * axle.load_N / summary.TyreLoad_N(), 1),
+         OrDash(axle.unsprung_kg, 1, 1), OrDash(axle.ride_Hz, 1, 3), OrDash(axle.hop_Hz, 1, 2)},
+        {PerDegree(summary.ride.axles[a].roll_Nm), PerDegree(axle.elastic_roll_Nm), PerDegree(axle.roll_on_tyres_Nm),
+         OrDash(axle.roll_centre_m, 1000, 1)},
+        pairs));
   }
-  return table.Format() + '\n';
+  return table.Format() +
+         "Undamped, each axle alone: ride, sprung mass on ride rates; hop, unsprung mass on wheel and tyre rates.\n" +
+         (pairs ? "Without loads: of springs, bars and bushes alone; on tyres: with the tyres in series. Roll centre: "
+                  "above "
+                  "the feet.\n\n"
+                : "\n");
+}
+
+std::string CornerRows(const VehicleSummary& summary) {
+  TextTable table({"tyre", "sprung, kg", "bump, N*s/m", "rebound, N*s/m", "damping ratio, bump", "rebound"});
+  bool is_damped = false;
+  for (std::size_t i = 0; i < summary.suspension.wheels.size(); ++i) {
+    const CornerNumbers& corner = summary.chassis.corners[i];
+    is_damped = is_damped || corner.bump_Nspm > 0 || corner.rebound_Nspm > 0;
+    table.Add({summary.suspension.wheels[i].name, OrDash(corner.sprung_kg, 1, 1), Rounded(corner.bump_Nspm, 4),
+               Rounded(corner.rebound_Nspm, 4), OrDash(corner.bump_ratio, 1, 3), OrDash(corner.rebound_ratio, 1, 3)});
+  }
+  if (!is_damped) return "";
+  return table.Format() +
+         "At the wheel, at 0.1 m/s of each damper, without friction and mounts; ratio: of sprung mass on wheel "
+         "rate.\n\n";
+}
+
+/// Of a car on two axles.
+std::string HandlingRows(const VehicleSummary& summary) {
+  const ChassisNumbers& chassis = summary.chassis;
+  if (!chassis.wheelbase_m) return "";
+  std::string text = "wheelbase       " + Fixed(1000 * *chassis.wheelbase_m, 1) + " mm, centre of mass " +
+                     Fixed(1000 * chassis.com_height_m.value_or(0), 1) + " mm high\n";
+  if (chassis.cross_weight)
+    text += "weights         left " + Fixed(100 * *chassis.left_share, 2) + " %, front right and rear left " +
+            Fixed(100 * *chassis.cross_weight, 2) + " %\n";
+  if (chassis.roll_gradient) {
+    text += "roll            " + Fixed(*chassis.roll_gradient * kGravity * 180 / std::numbers::pi, 2) +
+            " deg/g, sprung centre of mass " + Fixed(1000 * *chassis.roll_arm_m, 1) +
+            " mm above the roll axis; lateral load transfer";
+    for (std::size_t a = 0; a < chassis.axles.size(); ++a)
+      text += std::string(a == 0 ? " " : ", ") + summary.suspension.axles[a].name + " " +
+              Rounded(chassis.axles[a].load_transfer.value_or(0) * kGravity, 4) + " N/g (" +
+              OrDash(chassis.axles[a].load_transfer_share, 100, 1) + " %)";
+    text += '\n';
+  }
+  const AxleNumbers& front = chassis.axles.front();
+  const AxleNumbers& rear = chassis.axles.back();
+  if (!front.anti_braking || !rear.anti_braking) return text + '\n';
+  return text + "braking         anti-dive " + OrDash(front.anti_braking, 100, 1) + " %, rear anti-lift " +
+         OrDash(rear.anti_braking, 100, 1) + " %, brakes at the wheels, forces shared as the loads" +
+         (chassis.pitch_centre ? "; pitch centre at x " + Fixed(chassis.pitch_centre->x, 3) + " m, z " +
+                                     Fixed(chassis.pitch_centre->z, 3) + " m"
+                               : "") +
+         "\ndriving         front anti-lift " + OrDash(front.anti_driving, 100, 1) + " %, anti-squat " +
+         OrDash(rear.anti_driving, 100, 1) + " %, each axle driving alone, torque taken by " +
+         (front.is_beam == rear.is_beam ? front.is_beam ? "the axles" : "the body"
+          : front.is_beam               ? "the front axle and, of the rear one, by the body"
+                                        : "the rear axle and, of the front one, by the body") +
+         "\n\n";
 }
 
 std::string WheelName(const VehicleSummary& summary, const StrutGeometry& strut) {
@@ -218,7 +285,7 @@ std::string Energy(const Mode& mode) {
 }
 
 std::string ModeRows(const VehicleSummary& summary) {
-  TextTable table({"mode", "Hz", "damping ratio", "kinetic energy"});
+  TextTable table({"mode", "Hz", "damped Hz", "damping ratio", "kinetic energy"});
   std::size_t above = 0;
   for (const Mode& mode : summary.modes) {
     if (mode.frequency_Hz > kHighestMode_Hz) {
@@ -229,7 +296,8 @@ std::string ModeRows(const VehicleSummary& summary) {
     std::string damping = Fixed(mode.damping_ratio, 3);
     if (mode.frequency_Hz == 0) hertz = damping = "-";
     const bool oscillates = mode.kind == Mode::Kind::kOscillating;
-    table.Add({mode.name + (oscillates ? "" : std::string(", ") + KindName(mode.kind)), hertz, damping, Energy(mode)});
+    table.Add({mode.name + (oscillates ? "" : std::string(", ") + KindName(mode.kind)), hertz,
+               oscillates ? Fixed(mode.pole.imag() / (2 * std::numbers::pi), 3) : "-", damping, Energy(mode)});
   }
   const std::string more =
       above == 0 ? "" : std::to_string(above) + " more above " + Rounded(kHighestMode_Hz, 2) + " Hz\n";
@@ -374,9 +442,9 @@ const char* KindName(Sensor::Type type) {
 std::string CheckText(const CheckedVehicle& checked) {
   const auto& [vehicle, mobility, summary] = checked;
   return vehicle.name + ": " + MobilityText(mobility) + '\n' + Tree(vehicle).Format() + '\n' + Closures(vehicle) +
-         Masses(summary) + Wheels(summary) + Axles(summary) + Springs(vehicle, summary) + Dampers(vehicle, summary) +
-         AntiRollBars(vehicle, summary) + ModeRows(summary) + Posts(vehicle) + Sensors(vehicle) + Parameters(vehicle) +
-         Views(summary);
+         Masses(summary) + Wheels(summary) + Axles(summary) + CornerRows(summary) + HandlingRows(summary) +
+         Springs(vehicle, summary) + Dampers(vehicle, summary) + AntiRollBars(vehicle, summary) + ModeRows(summary) +
+         Posts(vehicle) + Sensors(vehicle) + Parameters(vehicle) + Views(summary);
 }
 
 }  // namespace fourpost

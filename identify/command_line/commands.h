@@ -87,6 +87,19 @@ struct ModesCommand {
   std::filesystem::path output;
 };
 
+/// `fourpost kinematics MODEL`
+struct KinematicsCommand {
+  std::filesystem::path model;
+  bool json = false;
+  /// "name=value"
+  std::vector<std::string> set;
+  /// "80mm" or "-60mm:80mm"; empty: to the stops.
+  std::string travel;
+  std::string step = "10mm";
+  /// Empty: nothing is written.
+  std::filesystem::path output;
+};
+
 /// `fourpost simulate MODEL`; SI.
 struct SimulateCommand {
   enum class Motion { kSweep, kSine, kStep, kRandom, kRoad, kRecording };
@@ -247,6 +260,7 @@ int Run(const ResponseCommand& command);
 int Run(const SimulateCommand& command);
 int Run(const RideCommand& command);
 int Run(const ModesCommand& command);
+int Run(const KinematicsCommand& command);
 int Run(const FitCommand& command);
 int Run(const PredictCommand& command);
 int Run(const ReportCommand& command);

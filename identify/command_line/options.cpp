@@ -69,6 +69,19 @@ void AddOptions(CLI::App& subcommand, ModesCommand& command) {
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 
+void AddOptions(CLI::App& subcommand, KinematicsCommand& command) {
+  AddVehicle(subcommand, command.model);
+  AddSettings(subcommand, command.set);
+  subcommand.add_option("--travel", command.travel,
+                        "How far the wheels rise and fall: 80mm, or rebound:bump, as in -60mm:80mm; default: to where "
+                        "the stops begin, 60 mm without a stop");
+  subcommand.add_option("--step", command.step, "From one position to the next")->capture_default_str();
+  subcommand.add_option("-o,--output", command.output,
+                        "Write wheels.csv, ratios.csv, compliance.csv, a picture of each axle and result.json to this "
+                        "folder");
+  subcommand.add_flag("--json", command.json, "Print JSON");
+}
+
 void AddOptions(CLI::App& subcommand, PredictCommand& command) {
   subcommand.add_option("RUN", command.run, "Folder that `fourpost fit` wrote")->required();
   subcommand

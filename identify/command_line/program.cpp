@@ -39,6 +39,7 @@ Program::Program() {
   AddParams();
   AddResponse();
   AddModes();
+  AddKinematics();
   AddSimulate();
   AddRide();
   AddFit();
@@ -132,6 +133,13 @@ void Program::AddResponse() {
                   "  fourpost response study.yaml --engine full",
                   [this] { return Run(response_); }),
              response_);
+}
+
+void Program::AddKinematics() {
+  AddOptions(*Add("kinematics", "Kinematics and compliance: camber, toe, track, roll centre, motion ratios over travel",
+                  "  fourpost kinematics car.urdf\n  fourpost kinematics car.urdf --travel -80mm:100mm -o kinematics",
+                  [this] { return Run(kinematics_); }),
+             kinematics_);
 }
 
 void Program::AddModes() {

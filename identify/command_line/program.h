@@ -33,6 +33,7 @@ class Program {
   void AddParams();
   void AddResponse();
   void AddModes();
+  void AddKinematics();
   void AddSimulate();
   void AddRide();
   void AddFit();
@@ -55,6 +56,7 @@ class Program {
   ParamsCommand params_;
   ResponseCommand response_;
   ModesCommand modes_;
+  KinematicsCommand kinematics_;
   SimulateCommand simulate_;
   RideCommand ride_;
   FitCommand fit_;

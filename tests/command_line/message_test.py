@@ -121,9 +121,11 @@ class Outputs(ProgramTest):
 
     def test_folders_are_of_one_command_s_results(self):
         commands = {"fit": ("fit", "car/study.yaml"), "modes": ("modes", "car/vehicle.urdf"),
+                    "kinematics": ("kinematics", "car/vehicle.urdf"),
                     "response": ("response", "car/vehicle.urdf", "--engine", "reduced"),
                     "predict": ("predict", "run", "--recording", "car/stepped_sine.csv")}
-        folders = {"fit": "run", "modes": "modes", "response": "response", "predict": "predicted"}
+        folders = {"fit": "run", "modes": "modes", "kinematics": "kinematics", "response": "response",
+                   "predict": "predicted"}
         for kind, command in commands.items():
             self.run_program(*command, "-o", folders[kind])
         # Over results of its own a command writes, be they of a study.

@@ -34,6 +34,8 @@ class Schema(ProgramTest):
                 self.check("params", "params", file)
         file = SOURCE / "urdf/quarter_car.urdf"
         self.check("modes", "modes", file, "--vary", "k")
+        for name in ("quarter_car", "landrover110"):
+            self.check("kinematics", "kinematics", SOURCE / f"urdf/{name}.urdf", "--travel", "20mm")
         self.check("response", "response", file, "--frequencies", "1Hz:4Hz:4")
         self.check("simulate", "simulate", file, "--step", "20mm", "--duration", "1s")
         self.check("simulate", "simulate", file, "--sine", "2Hz", "--duration", "1s", "--engine", "full")

@@ -18,6 +18,11 @@ inline const Finding kOptionFrequencyRange{"option-frequency-range", Severity::k
                                            "write first:last, such as 0.5Hz:30Hz"};
 inline const Finding kOptionRangeFalling{"option-range-falling", Severity::kError, "the range '{}' does not rise",
                                          "write its lower end first"};
+inline const Finding kOptionTravel{"option-travel", Severity::kError,
+                                   "the travel '{}' does not contain the design pose",
+                                   "write one length for both ways, such as 80mm, or rebound:bump, such as -60mm:80mm"};
+inline const Finding kOptionTravelSteps{"option-travel-steps", Severity::kError,
+                                        "steps of '{}' divide the travel into more than {}", "give a longer one"};
 inline const Finding kOptionSensor{"option-sensor", Severity::kError, "the vehicle has no sensor '{}'{}"};
 inline const Finding kOptionParameter{"option-parameter", Severity::kError, "the vehicle has no parameter '{}'{}"};
 inline const Finding kOptionParameterTwice{"option-parameter-twice", Severity::kError, "'{}' is given twice",

@@ -7,10 +7,12 @@
 namespace fourpost {
 namespace {
 
-Wheel WheelOf(const Tyre& tyre, const Kinematics& pose) {
+Wheel WheelOf(const Vehicle& vehicle, const Tyre& tyre, const Kinematics& pose) {
   Wheel wheel;
   wheel.name = tyre.name;
   wheel.link = tyre.point.link;
+  const Joint* const spin = SpinOf(vehicle, tyre);
+  wheel.carrier = spin ? spin->parent : wheel.link;
   for (Eigen::Index i = 0; i < 3; ++i) wheel.foot[i] = pose.FootPosition(tyre, Eigen::Vector3d::Unit(i)).value;
   wheel.foot_rise = pose.FootPosition(tyre, Eigen::Vector3d::UnitZ()).gradient;
   wheel.jacobian.resize(6, wheel.foot_rise.size());
@@ -61,10 +63,20 @@ void FindSides(const Axle& axle, std::vector<Wheel>& wheels) {
 
 }  // namespace
 
+const Joint* SpinOf(const Vehicle& vehicle, const Tyre& tyre) {
+  constexpr double kOnAxis_m = 1e-6;  // digits of a file
+  for (const Joint& joint : vehicle.joints)
+    if (joint.child == tyre.point.link && joint.type == Joint::Type::kRevolute && joint.parent != 0 &&
+        joint.axis.cross(tyre.point.xyz).norm() < kOnAxis_m &&
+        joint.axis.cross(Eigen::Vector3d::UnitY()).norm() < kOnAxis_m)
+      return &joint;
+  return nullptr;
+}
+
 Suspension SuspensionOf(const Vehicle& vehicle, const Kinematics& pose, std::span<const double> parameters) {
   Suspension suspension;
   suspension.bodies = BodyMotions(vehicle, pose, parameters);
-  for (const Tyre& tyre : vehicle.tyres) suspension.wheels.push_back(WheelOf(tyre, pose));
+  for (const Tyre& tyre : vehicle.tyres) suspension.wheels.push_back(WheelOf(vehicle, tyre, pose));
   suspension.chassis = ChassisOf(suspension.bodies, suspension.wheels);
   suspension.axles = AxlesOf(suspension.wheels);
   for (const Axle& axle : suspension.axles) FindSides(axle, suspension.wheels);

@@ -20,6 +20,8 @@ struct Wheel {
   std::string name;
   /// Link that carries the tyre.
   int link = -1;
+  /// The link that the wheel is locked to when it does not spin: `link`, or its parent by the joint SpinOf.
+  int carrier = -1;
   Eigen::Vector3d foot;
   /// n; rise of the foot.
   Eigen::VectorXd foot_rise;
@@ -51,6 +53,9 @@ struct Suspension {
   /// From front to rear.
   std::vector<Axle> axles;
 };
+
+/// The joint about whose axis, through the tyre's centre, a wheel spins on its carrier; nullptr if there is none.
+const Joint* SpinOf(const Vehicle& vehicle, const Tyre& tyre);
 
 /// `pose`: the design pose.
 Suspension SuspensionOf(const Vehicle& vehicle, const Kinematics& pose, std::span<const double> parameters);

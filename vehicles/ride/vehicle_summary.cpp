@@ -42,6 +42,8 @@ VehicleSummary Summarise(const Vehicle& vehicle, std::span<const double> paramet
   summary.spring_tension = model.preloads.spring;
   const HeldChassis held(summary.suspension, StiffnessWithoutTyres(vehicle, pose, parameters, model.stiffness));
   summary.ride = RideGeometryOf(vehicle, pose, summary.suspension, held, parameters);
+  summary.chassis = ChassisNumbersOf(vehicle, pose, summary.suspension, held, summary.ride, model.preloads.tyre, whole,
+                                     parameters);
   summary.modes = ModesOf(model);
   NameModes(vehicle, pose, summary.suspension, held, summary.modes);
   summary.growth_rate = EigenvaluesOf(StateMatrix(model)).real().maxCoeff();

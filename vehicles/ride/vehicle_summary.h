@@ -9,6 +9,7 @@
 
 #include "vehicles/condensed/modes.h"
 #include "vehicles/description/vehicle.h"
+#include "vehicles/ride/chassis_numbers.h"
 #include "vehicles/ride/observability.h"
 #include "vehicles/ride/ride_geometry.h"
 #include "vehicles/ride/suspension.h"
@@ -33,6 +34,7 @@ struct VehicleSummary {
   /// Static tension of each spring [N], in the order of Vehicle::springs.
   std::vector<double> spring_tension;
   RideGeometry ride;
+  ChassisNumbers chassis;
   std::vector<Mode> modes;
   /// Largest real part of all poles, oscillating or not [1/s]: above zero the design pose is unstable.
   double growth_rate = 0;

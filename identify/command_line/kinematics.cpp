@@ -1,0 +1,80 @@
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "analysis/files/inputs_elsewhere.h"
+#include "analysis/files/output_folder.h"
+#include "analysis/text/units.h"
+#include "identify/command_line/commands.h"
+#include "identify/command_line/exit_code.h"
+#include "identify/command_line/file_kind.h"
+#include "identify/command_line/kinematics_text.h"
+#include "identify/command_line/print.h"
+#include "identify/run/result_kind.h"
+#include "vehicles/loops/mobility.h"
+#include "vehicles/poses/findings.h"
+#include "vehicles/reader/vehicle_file.h"
+#include "vehicles/requests/kinematics_files.h"
+#include "vehicles/requests/parameter_setting.h"
+#include "vehicles/requests/travel_range.h"
+
+namespace fourpost {
+namespace {
+
+std::string InMm(double metres) { return FormatQuantity(std::round(metres * 1e5) * 1e-5, "mm"); }
+
+void WarnOfDeadCentres(const Vehicle& vehicle, const Suspension& suspension, const std::vector<AxleKinematics>& axles,
+                       Diagnostics& findings) {
+  for (const AxleKinematics& kinematics : axles)
+    for (const AxleTravel& travel : kinematics.travels)
+      if (travel.reached_lower != travel.lower || travel.reached_upper != travel.upper)
+        findings.Report(kTravelNotReached, {vehicle.file},
+                        {travel.name, suspension.axles[kinematics.axle].name, InMm(travel.reached_lower),
+                         InMm(travel.reached_upper), InMm(travel.lower), InMm(travel.upper)});
+}
+
+void Write(const std::filesystem::path& folder, const std::string& json, const Vehicle& vehicle,
+           const Suspension& suspension, const std::vector<AxleKinematics>& axles) {
+  OutputFolder output(folder);
+  output.Add("wheels.csv", WheelsCsv(suspension, axles));
+  output.Add("ratios.csv", RatiosCsv(suspension, axles));
+  output.Add("compliance.csv", ComplianceCsv(suspension, axles));
+  for (const AxleKinematics& kinematics : axles)
+    output.Add("axle_" + std::to_string(kinematics.axle + 1) + ".svg", KinematicsSvg(vehicle, suspension, kinematics));
+  output.Add("result.json", json);
+  output.Commit();
+  std::fprintf(stderr, "results: %s\n", folder.string().c_str());
+}
+
+}  // namespace
+
+int Run(const KinematicsCommand& command) {
+  RequireVehicleFile(command.model);
+  Diagnostics findings;
+  std::optional<Vehicle> read = ReadVehicle(command.model, findings);
+  if (!read) throw FaultyInput(findings);
+  Vehicle& vehicle = *read;
+  SetParameters(command.set, vehicle, findings);
+  const TravelRange range = ReadTravelRange(command.travel, command.step, findings);
+  if (vehicle.tyres.empty()) findings.Report(kNoWheels, {vehicle.file});
+  if (findings.HasErrors()) throw FaultyInput(findings);
+  if (!command.output.empty()) {
+    RequireInputsElsewhere({command.model}, command.output);
+    RequireNoOtherResult(command.output, ResultKind::kKinematics);
+    OutputFolder{command.output};
+  }
+  MobilityOf(vehicle);
+  const std::vector<double> values = vehicle.ParameterValues();
+  SuspensionRig rig(vehicle, values);
+  const std::vector<AxleKinematics> axles = KinematicsOf(rig, values, range);
+  if (axles.empty()) Refuse(kWheelsDoNotTravel, {vehicle.file});
+  WarnOfDeadCentres(vehicle, rig.suspension(), axles, findings);
+  Tell(findings);
+  const std::string json = KinematicsJson(vehicle, rig.suspension(), axles, findings);
+  if (!command.output.empty()) Write(command.output, json, vehicle, rig.suspension(), axles);
+  if (command.json) Print(json);
+  else PrintText(KinematicsText(rig.suspension(), axles));
+  return kGood;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,57 @@
+"""Kinematics and compliance as a user sees them: tables, files, and what is said of vehicles without travel."""
+import csv
+import json
+import unittest
+import xml.etree.ElementTree
+
+from program import SOURCE, ProgramTest
+
+ROADSTER = SOURCE / "urdf/independent_roadster.urdf"
+
+
+class Kinematics(ProgramTest):
+    def test_writes_tables_and_pictures(self):
+        text = self.run_program("kinematics", ROADSTER, "--travel", "-40mm:30mm", "--step", "5mm", "-o", "kc").stdout
+        self.assertIn("axle 'front'", text)
+        self.assertIn("rigid linkage: no compliance", text)
+        rows = list(csv.DictReader((self.folder / "kc/wheels.csv").read_text().splitlines()))
+        heave = [row for row in rows if (row["axle"], row["travel"], row["wheel"]) == ("front", "heave", "front_left")]
+        self.assertEqual([round(float(row["travel_mm"]), 9) for row in heave], [5 * k for k in range(-8, 7)])
+        answer = json.loads((self.folder / "kc/result.json").read_text())
+        travel = answer["axles"][0]["travels"][0]
+        self.assertEqual(travel["reached_m"], [-0.04, 0.03])
+        track = travel["positions"][-1]["track_m"]
+        self.assertAlmostEqual(float(heave[-1]["track_mm"]), 1000 * track, places=9)
+        for name in ("axle_1.svg", "axle_2.svg"):
+            xml.etree.ElementTree.parse(self.folder / "kc" / name)
+        self.assertEqual((self.folder / "kc/compliance.csv").read_text().count("\n"), 1)
+
+    def test_of_bushes(self):
+        text = self.run_program("kinematics", SOURCE / "urdf/landrover110.urdf", "--travel", "10mm", "-o", "kc").stdout
+        self.assertIn("aligning", text)
+        rows = list(csv.DictReader((self.folder / "kc/compliance.csv").read_text().splitlines()))
+        self.assertEqual(len(rows), 2 * 4 * 2 * 2)
+        self.assertEqual({row["per"] for row in rows}, {"1 kN", "100 N*m"})
+
+    def test_reports_a_dead_centre(self):
+        run = self.run_program("kinematics", ROADSTER, "--travel", "400mm", "--step", "100mm")
+        self.assert_finding(run.stderr, "travel-not-reached")
+
+    def test_refuses_what_has_no_travel(self):
+        text = ROADSTER.read_text()
+        rod = '<fp:rod name="lock_left" parent="FE_left" child="FC_arm_left"/>'
+        locked = text.replace("</robot>", rod + "</robot>")
+        self.assert_finding(self.run_program("kinematics", self.write("locked.urdf", locked), code=3).stderr,
+                            "loops-rigid")
+        damper = SOURCE / "studies/damper/model1.urdf"
+        self.assert_finding(self.run_program("kinematics", damper, code=3).stderr, "no-wheels")
+        for travel, step, finding in (("20", "10mm", "option-quantity"), ("10mm:20mm", "10mm", "option-travel"),
+                                      ("20mm:-20mm", "10mm", "option-travel"),
+                                      ("20mm", "0.001mm", "option-travel-steps"), ("20mm", "-1mm", "option-not-positive")):
+            with self.subTest(travel=travel, step=step):
+                run = self.run_program("kinematics", ROADSTER, f"--travel={travel}", f"--step={step}", code=2)
+                self.assert_finding(run.stderr, finding)
+
+
+if __name__ == "__main__":
+    unittest.main()
