@@ -89,26 +89,44 @@ std::vector<NamedCoordinate> NamedCoordinates(const std::vector<LinkMotion>& lin
   return named;
 }
 
-/// Something that may be off, and by how much as a standard deviation.
-struct Doubt {
-  CondensedModel model;
-  double reach = 0;
-  double step = 0;
+/// What free parameters may be off by.
+struct ParameterDoubts {
+  /// With one parameter moved by its step, a share of its reach, which counts as a standard deviation.
+  std::vector<CondensedModel> moved;
+  std::vector<double> shares;
+  /// All masses, rates and dampings multiplied by one factor, as changes over reaches of length 1. It changes no motion
+  /// unless some are held, but multiplies the noise of the force: its effect is that on the model's own motion.
+  Eigen::VectorXd common;
+  std::optional<CondensedModel> scaled;
 };
 
-std::vector<Doubt> ParameterDoubts(const Subject& subject, const std::vector<double>& values) {
-  constexpr double kStep = 1e-3;
-  std::vector<Doubt> doubts;
+constexpr double kShareOfReach = 1e-3;
+
+ParameterDoubts DoubtsOf(const Subject& subject, const std::vector<double>& values) {
+  ParameterDoubts doubts;
+  std::vector<double> common;
+  std::vector<std::pair<std::size_t, double>> free;
   for (const std::size_t j : subject.free()) {
     const Parameter& parameter = subject.vehicle().parameters[j];
     const double reach = parameter.prior_sd.value_or(0.5 * std::max(0.0, parameter.upper - parameter.lower));
     if (!(reach > 0)) continue;
-    std::vector<double> moved = values;
     // Inwards, for a bound may be what is physical.
-    const double step = (moved[j] + kStep * reach > parameter.upper ? -kStep : kStep) * reach;
-    moved[j] += step;
-    doubts.push_back({.model = subject.Condensed()->At(moved), .reach = reach, .step = step});
+    const double share = values[j] + kShareOfReach * reach > parameter.upper ? -kShareOfReach : kShareOfReach;
+    std::vector<double> there = values;
+    there[j] += share * reach;
+    doubts.moved.push_back(subject.Condensed()->At(there));
+    doubts.shares.push_back(share);
+    common.push_back(parameter.dimension.kilogram == 1 ? values[j] / reach : 0);
+    free.emplace_back(j, reach);
   }
+  doubts.common = Eigen::Map<const Eigen::VectorXd>(common.data(), RowOf(common.size()));
+  const double length = doubts.common.norm();
+  if (!(length > 0)) return doubts;
+  doubts.common /= length;
+  std::vector<double> there = values;
+  for (std::size_t i = 0; i < free.size(); ++i)
+    there[free[i].first] -= kShareOfReach * doubts.common[RowOf(i)] * free[i].second;
+  doubts.scaled = subject.Condensed()->At(there);
   return doubts;
 }
 
@@ -138,7 +156,7 @@ Eigen::VectorXd Stacked(const Eigen::VectorXcd& complex) {
 /// One recording against the vehicle.
 class RunForce {
  public:
-  RunForce(const CondensedModel& model, const std::vector<Doubt>& doubts, const std::vector<FaultyRecords>& faulty,
+  RunForce(const CondensedModel& model, const ParameterDoubts& doubts, const std::vector<FaultyRecords>& faulty,
            const AuditSubject& audited, const MeasuredRun& run, std::size_t r)
       : model_(model),
         doubts_(doubts),
@@ -148,8 +166,9 @@ class RunForce {
         r_(r),
         needed_(model, run.excitation.shape) {
     if (!HasHysteresis(model)) cycle_ = std::make_unique<ContactCycle>(model, run.excitation.shape, kFitBalance);
-    for (const Doubt& doubt : doubts)
-      at_doubts_.push_back(std::make_unique<NeededForce>(doubt.model, run.excitation.shape));
+    for (const CondensedModel& moved : doubts.moved)
+      at_doubts_.push_back(std::make_unique<NeededForce>(moved, run.excitation.shape));
+    if (doubts.scaled) scaled_.emplace(*doubts.scaled, run.excitation.shape);
   }
 
   /// Nothing where an element has no periodic force.
@@ -176,8 +195,10 @@ class RunForce {
   Eigen::MatrixXcd Overtones(double frequency_Hz, double amplitude) {
     const Eigen::Index n = model_.mass.rows();
     Eigen::MatrixXcd overtones = Eigen::MatrixXcd::Zero(NeededForce::kHarmonics + 1, n);
+    modelled_.resize(0);
     if (!cycle_ || !cycle_->Solve(frequency_Hz, amplitude)) return overtones;
     overtones = cycle_->cycle().Coordinates(NeededForce::kHarmonics).leftCols(n);
+    modelled_ = overtones.row(1).transpose();
     overtones.row(1).setZero();
     return overtones;
   }
@@ -207,13 +228,21 @@ class RunForce {
   }
 
   bool AddDoubts(const Eigen::VectorXd& force, const Sight& sight, std::size_t f, ForceSample& sample) {
-    sample.nuisance.resize(force.size(), RowOf(doubts_.size() + faulty_.size()));
-    Eigen::Index next = 0;
-    for (std::size_t j = 0; j < doubts_.size(); ++j) {
-      const std::optional<Eigen::VectorXd> there = Force(*at_doubts_[j], sample, sample.motion);
+    const Eigen::Index parameters = RowOf(doubts_.moved.size());
+    Eigen::MatrixXd by_parameter(force.size(), parameters);
+    for (Eigen::Index j = 0; j < parameters; ++j) {
+      const std::optional<Eigen::VectorXd> there =
+          Force(*at_doubts_[static_cast<std::size_t>(j)], sample, sample.motion);
       if (!there) return false;
-      sample.nuisance.col(next++) = (*there - force) * (doubts_[j].reach / doubts_[j].step);
+      by_parameter.col(j) = (*there - force) / doubts_.shares[static_cast<std::size_t>(j)];
     }
+    if (scaled_) {
+      by_parameter -= (by_parameter * doubts_.common) * doubts_.common.transpose();
+      by_parameter += ByCommon(sample) * doubts_.common.transpose();
+    }
+    sample.nuisance.resize(force.size(), parameters + RowOf(faulty_.size()));
+    sample.nuisance.leftCols(parameters) = by_parameter;
+    Eigen::Index next = parameters;
     for (const FaultyRecords& faulty : faulty_) {
       const Eigen::VectorXcd motion = sample.amplitude_m * sight.MotionBy(faulty.subject, r_, f, sample.omega());
       const Complex posts = PostsOver(faulty.subject.runs[r_], f);
@@ -229,6 +258,16 @@ class RunForce {
     return true;
   }
 
+  /// Change by the common factor of all parameters, of the force on the model's own motion; zero where it has none.
+  Eigen::VectorXd ByCommon(const ForceSample& sample) {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(2 * sample.motion.size());
+    if (modelled_.size() == 0) return none;
+    const std::optional<Eigen::VectorXd> here = Force(needed_, sample, modelled_);
+    const std::optional<Eigen::VectorXd> there = Force(*scaled_, sample, modelled_);
+    if (!here || !there) return none;
+    return (*there - *here) / -kShareOfReach;
+  }
+
   /// Posts of other records over those of these.
   Complex PostsOver(const AuditedRun& other, std::size_t f) const {
     const AuditedRun& here = audited_.runs[r_];
@@ -238,7 +277,7 @@ class RunForce {
   }
 
   const CondensedModel& model_;
-  const std::vector<Doubt>& doubts_;
+  const ParameterDoubts& doubts_;
   const std::vector<FaultyRecords>& faulty_;
   const AuditSubject& audited_;
   const MeasuredRun& run_;
@@ -246,6 +285,9 @@ class RunForce {
   NeededForce needed_;
   std::unique_ptr<ContactCycle> cycle_;
   std::vector<std::unique_ptr<NeededForce>> at_doubts_;
+  std::optional<NeededForce> scaled_;
+  /// First harmonic of the model's own motion at the frequency at hand; empty: it has none.
+  Eigen::VectorXcd modelled_;
 };
 
 /// Names of what sensors do not determine at a middle frequency of a recording.
@@ -270,7 +312,7 @@ ForceRecord LackingForce(const Subject& subject, const std::vector<double>& valu
   record.lines = ElementLines(subject.vehicle());
   record.links = vehicle.LinkMotions(values);
   record.coordinates = NamedCoordinates(record.links, vehicle.size());
-  const std::vector<Doubt> doubts = ParameterDoubts(subject, values);
+  const ParameterDoubts doubts = DoubtsOf(subject, values);
   const std::vector<FaultyRecords> faulty = RigDoubts(audited);
   for (std::size_t r = 0; r < runs.size(); ++r) {
     record.runs.push_back(runs[r].name);
