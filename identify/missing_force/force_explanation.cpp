@@ -134,6 +134,22 @@ class WeighedForces {
     return (1 + correlation) / (1 - correlation);
   }
 
+  /// See ForceExplanations.
+  std::vector<Eigen::VectorXcd> ExplainedMotion() const {
+    const Eigen::VectorXd rest = rest_ - shared_ * (shared_.transpose() * rest_);
+    std::vector<Eigen::VectorXcd> motions;
+    Eigen::Index next = 0;
+    for (const ForceSample& sample : record_.samples) {
+      const Eigen::Index n = sample.motion.size();
+      const Eigen::MatrixXd root = Root(MotionCovariance(sample));
+      motions.push_back(sample.motion);
+      motions.back().real() -= root * rest.segment(next, n);
+      motions.back().imag() -= root * rest.segment(next + n, n);
+      next += 2 * n;
+    }
+    return motions;
+  }
+
   /// What each sample contributes to the fall of squares by a mechanism.
   std::vector<double> FallBySample(const Tried& tried) const {
     const Eigen::VectorXd force = tried.amount * Weighed(tried.mechanism);
@@ -155,6 +171,12 @@ class WeighedForces {
     Eigen::VectorXd all(2 * force.size());
     all << force.real(), force.imag();
     return all;
+  }
+
+  /// Of a positive definite matrix.
+  static Eigen::MatrixXd Root(const Eigen::MatrixXd& matrix) {
+    const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(matrix);
+    return pairs.vectors * pairs.values.cwiseMax(0).cwiseSqrt().asDiagonal() * pairs.vectors.transpose();
   }
 
   /// To the motion that the force stands for, over its standard deviations.
@@ -315,6 +337,7 @@ ForceExplanations ExplainForce(const ForceRecord& record) {
     explanations.found.push_back(*next);
     forces.TakeOut(next->mechanism);
   }
+  explanations.motion = forces.ExplainedMotion();
   if (explanations.found.size() < 2) return explanations;
   const auto [amounts, covariance] = forces.Amounts();
   const double noise = std::max(1.0, forces.Squares() / forces.degrees());

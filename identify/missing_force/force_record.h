@@ -30,6 +30,9 @@ struct ForceSample {
   double amplitude_m = 0;
   /// n; [m] or [rad].
   Eigen::VectorXcd motion;
+  /// n; the motion without noise as far as it is known, by which forces of mechanisms and of changed parameters are
+  /// computed: with the noise of the measured one, mechanisms would explain that.
+  Eigen::VectorXcd regressed;
   /// Harmonics 0, 1, .. in rows, x n; those of the fitted model, without the first.
   Eigen::MatrixXcd overtones;
   /// One per post [m].
@@ -70,7 +73,7 @@ Eigen::MatrixXd MotionCovariance(const ForceSample& sample);
 /// Orthonormal columns: motions of a sample that no sensor determines.
 Eigen::MatrixXd UnmeasuredMotion(const ForceSample& sample);
 
-/// Extension of a line in a sample [m].
-std::complex<double> ExtensionOf(const ElementLine& line, const ForceSample& sample);
+/// Extension of a line in a motion of a sample [m].
+std::complex<double> ExtensionOf(const ElementLine& line, const ForceSample& sample, const Eigen::VectorXcd& motion);
 
 }  // namespace fourpost
