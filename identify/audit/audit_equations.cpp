@@ -30,10 +30,6 @@ double Omega(const AuditedRun& run, std::size_t frequency) {
 
 bool IsThere(const Complex& reading) { return std::isfinite(reading.real()) && std::isfinite(reading.imag()); }
 
-Eigen::RowVectorXd MotionRow(const AuditedSensor& sensor, double omega) {
-  return sensor.motion - sensor.tilt / (omega * omega);
-}
-
 /// Largest reading of each device at a frequency.
 double Loudest(const AuditedCar& car, const AuditedRun& run, Device device, std::size_t f) {
   double loudest = 0;
@@ -63,6 +59,16 @@ Eigen::VectorXcd WeightedReadings(const AuditSubject& subject, const std::vector
 
 }  // namespace
 
+Eigen::RowVectorXd MotionRow(const AuditedSensor& sensor, double omega) {
+  return sensor.motion - sensor.tilt / (omega * omega);
+}
+
+double ReadingSd(const AuditedCar& car, const AuditedRun& run, const RigTolerance& tolerance, std::size_t s,
+                 std::size_t f) {
+  return std::hypot(run.motion_sd(At(s), At(f)), tolerance.reading * std::abs(run.motions(At(s), At(f))),
+                    tolerance.floor * Loudest(car, run, car.sensors[s].device, f));
+}
+
 AuditEquations::AuditEquations(const AuditSubject& subject, const RigTolerance& tolerance) : car_(subject.car) {
   unknowns_ = kOfTyre * At(car_.tyres.size()) + car_.reach.size();
   if (car_.balance) unknowns_ += 1 + 2 * At(car_.balance->others.size());
@@ -83,8 +89,7 @@ void AuditEquations::AddPoint(const AuditSubject& subject, const RigTolerance& t
     if (!IsThere(reading)) continue;
     point.sensors.push_back(s);
     shape.push_back(MotionRow(car_.sensors[s], omega));
-    sd.push_back(std::hypot(run.motion_sd(At(s), At(f)), tolerance.reading * std::abs(reading),
-                            tolerance.floor * Loudest(car_, run, car_.sensors[s].device, f)));
+    sd.push_back(ReadingSd(car_, run, tolerance, s, f));
   }
   for (std::size_t t = 0; t < car_.tyres.size(); ++t) {
     if (!IsThere(run.forces(At(t), At(f)))) continue;

@@ -10,6 +10,14 @@
 
 namespace fourpost {
 
+/// What coordinates are multiplied by to give a sensor's reading, 1 x n.
+Eigen::RowVectorXd MotionRow(const AuditedSensor& sensor, double omega);
+
+/// Standard deviation of the real part of a sensor's reading: of its repeats, with what a good rig may be off by from
+/// one frequency to the next.
+double ReadingSd(const AuditedCar& car, const AuditedRun& run, const RigTolerance& tolerance, std::size_t sensor,
+                 std::size_t frequency);
+
 /// Equations that the readings of a good rig satisfy whatever springs, dampers and friction the car has:
 /// - sensors: at each frequency the readings of all sensors follow from n coordinates q;
 /// - tyres: foot q = height of the post - (a + b i w - c w^2) force, with a, b, c of each tyre unknown, which is the

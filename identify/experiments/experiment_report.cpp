@@ -11,6 +11,7 @@ void AddRemarks(ReportRemarks part, ReportRemarks& whole) {
   };
   whole.measures_force |= part.measures_force;
   fill(&ReportRemarks::worst);
+  fill(&ReportRemarks::missing_force);
   fill(&ReportRemarks::why_no_deviations);
   fill(&ReportRemarks::where_open);
   fill(&ReportRemarks::where_missed);

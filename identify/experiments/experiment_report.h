@@ -30,6 +30,8 @@ struct ReportRemarks {
   bool measures_force = false;
   /// Where the model is farthest off, a sentence.
   std::string worst;
+  /// What the force looks like that the model lacks in the measured motion, a sentence.
+  std::string missing_force;
   /// Why no parameter has a standard deviation, text.
   std::string why_no_deviations;
   /// What to measure next: where parameters are open and no force is fitted, where the model misses the data, where no

@@ -8,6 +8,7 @@
 #include "analysis/report/html.h"
 #include "analysis/report/report_document.h"
 #include "analysis/report/shown_number.h"
+#include "identify/report/audit_section.h"
 #include "identify/report/page_footer.h"
 #include "identify/report/report_summary.h"
 #include "identify/report/report_tables.h"
@@ -151,7 +152,10 @@ std::string Body(const Json& result, const Parts& parts, const OrderedJson& scen
                       : html::Drawn("viewer", "The moving vehicle needs JavaScript.");
   std::string body;
   if (is_shown) body += html::Section("vehicle", "The vehicle on its posts", viewer);
-  body += Sections(parts, result) + Determination(result, why_no_deviations);
+  body += Sections(parts, result);
+  if (const std::string audit = AuditHtml(result); !audit.empty())
+    body += html::Section("audit", "Audit of the rig", audit);
+  body += Determination(result, why_no_deviations);
   if (!scene.is_null() && is_shown)
     body += html::Section("modes", "Modes and poles",
                           Pair(ModeTableHtml(Json(scene["modes"])) +

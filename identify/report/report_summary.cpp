@@ -428,7 +428,7 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
     next += html::Element("li", "", advice);
   return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
          Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
-         Item("What does not fit", misses) + Item("What is missing", WhatIsMissing(result)) +
+         Item("What does not fit", misses) + Item("What is missing", Sentences(remarks.missing_force, WhatIsMissing(result))) +
          Item("What it predicts", Sentences(WhatItPredicts(validation, unseen), WhatWasLeftOut(result))) +
          Item("How it was modelled", HowModelled(remarks.modelled)) +
          Item("What is determined", WhatIsDetermined(parameters)) +

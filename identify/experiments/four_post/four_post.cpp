@@ -11,10 +11,12 @@
 #include "analysis/text/number.h"
 #include "analysis/text/text_table.h"
 #include "analysis/text/units.h"
+#include "identify/experiments/audited_vehicle.h"
 #include "identify/experiments/four_post/covered_sines.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/four_post_residuals.h"
 #include "identify/experiments/four_post/kinematics_check.h"
+#include "identify/experiments/four_post/lacking_force.h"
 #include "identify/experiments/four_post/misfit_lint.h"
 #include "identify/experiments/four_post/misfit_table.h"
 #include "identify/experiments/four_post/modelled_response.h"
@@ -28,6 +30,7 @@
 #include "identify/experiments/four_post/tyre_pull_lint.h"
 #include "identify/experiments/four_post/wheelpan_lint.h"
 #include "identify/fit/fit.h"
+#include "identify/missing_force/missing_force.h"
 #include "vehicles/engine/steady_response.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/requests/channel_json.h"
@@ -214,7 +217,28 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
                                                 ModelledResponses(start, vehicle.sensors, runs),
                                                 BandsOf(subject, runs, modelled, fit.Spread(), discrepancies))},
                    {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
+  if (fit.end != FitEnd::kInterrupted) AddMissingForce(subject, fit.values, results);
   return results;
+}
+
+void FourPost::AddMissingForce(const Subject& subject, const std::vector<double>& values,
+                               ExperimentResults& results) const {
+  AuditedVehicle audited(subject);
+  AddRecordings(audited);
+  const std::vector<MeasuredRun> in_band = RunsInBand();
+  ForceRecord record = LackingForce(subject, values, in_band, audited.audited());
+  ForceExplanations explanations = ExplainForce(record);
+  if (!explanations.found.empty()) {
+    // Where a model lacks much, its own motion is not yet that of the car.
+    record = LackingForce(subject, values, in_band, audited.audited(), explanations.motion);
+    explanations = ExplainForce(record);
+  }
+  const std::vector<ForceCurve> curves = ForceCurves(record);
+  results.json["missing_force"] = MissingForceJson(record, explanations);
+  results.text += MissingForceText(results.json["missing_force"]);
+  results.files.emplace_back("missing_force.csv", MissingForceCsv(record, curves));
+  if (std::string picture = MissingForceSvg(record, curves); !picture.empty())
+    results.files.emplace_back("missing_force.svg", std::move(picture));
 }
 
 std::optional<ExperimentResults> FourPost::Respond(const Subject& subject, std::optional<Engine> engine,

@@ -44,6 +44,9 @@ class FourPost : public Experiment {
   /// The runs at the frequencies of the band.
   std::vector<MeasuredRun> RunsInBand() const;
 
+  /// The force that the fitted vehicle lacks in the measured motion, as `missing_force` and files of its folder.
+  void AddMissingForce(const Subject& subject, const std::vector<double>& values, ExperimentResults& results) const;
+
   FourPostPlan plan;
   /// After Load().
   std::vector<MeasuredRun> runs;

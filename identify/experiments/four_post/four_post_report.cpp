@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "analysis/report/html.h"
 #include "analysis/report/picture_number.h"
 #include "analysis/report/shown_number.h"
+#include "identify/experiments/four_post/missing_force_section.h"
 #include "identify/experiments/four_post/response_remarks.h"
 #include "identify/experiments/four_post/response_table.h"
 #include "identify/experiments/shared_curves.h"
@@ -19,6 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kResponses = "response.csv";
+constexpr const char* kMissingForce = "missing_force.svg";
 
 std::vector<ComparedChannel> ChannelsOf(const RunFolder& run) {
   const std::string* text = run.Find(kResponses);
@@ -63,7 +66,8 @@ std::string BandText(const nlohmann::json& result) {
 
 class ResponseData : public ExperimentData {
  public:
-  explicit ResponseData(const RunFolder& run) : result_(run.result), channels_(ChannelsOf(run)) {}
+  explicit ResponseData(const RunFolder& run)
+      : result_(run.result), channels_(ChannelsOf(run)), missing_force_(run.Find(kMissingForce)) {}
 
   bool empty() const override { return channels_.empty(); }
 
@@ -74,15 +78,20 @@ class ResponseData : public ExperimentData {
   }
 
   std::vector<ReportSection> Sections() const override {
-    return {{"responses", "Frequency responses",
-             html::Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them."), true},
-            {"residuals", "Residuals by band",
-             html::Drawn("residuals", "The table needs JavaScript; response.csv beside this file has its numbers.")}};
+    std::vector<ReportSection> sections = {
+        {"responses", "Frequency responses",
+         html::Drawn("responses", "The charts need JavaScript; response.svg beside this file shows them."), true},
+        {"residuals", "Residuals by band",
+         html::Drawn("residuals", "The table needs JavaScript; response.csv beside this file has its numbers.")}};
+    if (std::string missing = MissingForceHtml(result_, missing_force_); !missing.empty())
+      sections.push_back({"missing-force", "What force is missing", std::move(missing)});
+    return sections;
   }
 
   ReportRemarks Remarks() const override {
     ReportRemarks remarks = ResponseRemarks(channels_);
     remarks.modelled = ListAt(result_, "responses");
+    remarks.missing_force = MissingForceRemark(result_);
     return remarks;
   }
 
@@ -106,6 +115,8 @@ class ResponseData : public ExperimentData {
  private:
   const nlohmann::json& result_;
   std::vector<ComparedChannel> channels_;
+  /// A picture; null where there is none.
+  const std::string* missing_force_;
 };
 
 Json SharedResponses(std::span<const RunFolder> runs) {
@@ -143,7 +154,7 @@ Json SharedResponses(std::span<const RunFolder> runs) {
 class SteadyReport : public ExperimentReport {
  public:
   std::string_view Name() const override { return "stepped sines"; }
-  std::vector<std::string> Files() const override { return {kResponses}; }
+  std::vector<std::string> Files() const override { return {kResponses, kMissingForce}; }
   bool IsIn(const RunFolder& run) const override { return run.Find(kResponses) != nullptr; }
   std::unique_ptr<ExperimentData> Read(const RunFolder& run) const override {
     return std::make_unique<ResponseData>(run);

@@ -1,0 +1,99 @@
+#include "identify/experiments/four_post/missing_force_section.h"
+
+#include <cmath>
+#include <vector>
+
+#include "analysis/report/html.h"
+#include "analysis/report/shown_number.h"
+#include "identify/study_file/result_reader.h"
+
+namespace fourpost {
+namespace {
+
+std::string BandOf(const nlohmann::json& explanation) {
+  const std::vector<nlohmann::json> band = ListAt(explanation, "band_Hz");
+  if (band.size() != 2 || !band[0].is_number() || !band[1].is_number()) return "";
+  return ShownShort(band[0].get<double>(), 3) + " to " + ShownShort(band[1].get<double>(), 3);
+}
+
+std::string RivalsOf(const nlohmann::json& explanation) {
+  std::string rivals;
+  for (const nlohmann::json& rival : ListAt(explanation, "rivals"))
+    rivals += (rivals.empty() ? "" : "; ") + TextAt(rival, "text");
+  return rivals;
+}
+
+std::string ExplanationTable(const nlohmann::json& missing) {
+  std::vector<std::vector<html::Cell>> rows;
+  for (const nlohmann::json& one : ListAt(missing, "explanations")) {
+    const double share = std::abs(NumberAt(one, "sd") / NumberAt(one, "amount"));
+    rows.push_back({html::TextCell(TextAt(one, "text")), html::NumberCell(TextAt(one, "amount_text")),
+                    html::NumberCell(ShownNumber(100 * share, 2)), html::NumberCell(BandOf(one)),
+                    html::NumberCell(ShownNumber(NumberAt(one, "largest"), 2)),
+                    html::NumberCell(ShownNumber(NumberAt(one, "explains_percent"), 2)),
+                    html::TextCell(RivalsOf(one))});
+  }
+  if (rows.empty())
+    return "<p>No single mechanism is named: the force is within its noise, or none of those tried explains a fifth of "
+           "it.</p>\n";
+  return html::Table(
+      {"looks like", "amount", "sd [%]", "band [Hz]", "largest [N]", "explains [%]", "would explain it as well"}, rows);
+}
+
+/// Motions without sensors, by recording.
+std::string NotMeasuredText(const nlohmann::json& missing) {
+  std::string text;
+  for (const nlohmann::json& recording : ListAt(missing, "recordings")) {
+    std::string motions;
+    for (const nlohmann::json& motion : ListAt(recording, "not_measured"))
+      if (motion.is_string()) motions += (motions.empty() ? "" : ", ") + html::Escaped(motion.get<std::string>());
+    if (!motions.empty())
+      text += "<p class=\"note\">" + html::Code(TextAt(recording, "name")) + ": no sensor determines " + motions +
+              "; forces that depend on it are left out.</p>\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string MissingForceHtml(const nlohmann::json& result, const std::string* picture) {
+  const nlohmann::json missing = result.value("missing_force", nlohmann::json());
+  if (!missing.is_object()) return "";
+  const bool is_suspected = !ListAt(result.value("audit", nlohmann::json()), "suspicions").empty();
+  const double misfit = NumberAt(missing, "misfit");
+  std::string html =
+      "<p>The motion that the sensors show, put into the fitted equations, leaves a force that the model does not "
+      "have. "
+      "What it looks like does not depend on the search" +
+      std::string(std::isfinite(misfit) ? "; it is " + ShownNumber(misfit, 2) +
+                                              " times its noise, with free parameters where they explain most of it"
+                                        : "") +
+      ".</p>\n";
+  if (is_suspected)
+    html +=
+        "<p><strong>The audit suspects a channel.</strong> A wrong channel makes forces of its own; correct it "
+        "first.</p>\n";
+  html += ExplanationTable(missing);
+  if (!ListAt(result.value("missing", nlohmann::json()), "suggestions").empty())
+    html +=
+        "<p>What could be added to the vehicle, each tried in a fit, is listed in the summary under \u201cWhat is "
+        "missing\u201d.</p>\n";
+  html += NotMeasuredText(missing);
+  if (picture != nullptr)
+    html +=
+        html::Picture(*picture, "Missing force over frequency, in line with displacement and with speed") +
+        "<p class=\"note\">In line with displacement: as a spring has, negative as a mass has. In line with speed: as "
+        "a damper has; of a constant size: as dry friction has. missing_force.csv has the numbers.</p>\n";
+  return html;
+}
+
+std::string MissingForceRemark(const nlohmann::json& result) {
+  const std::vector<nlohmann::json> found = ListAt(result.value("missing_force", nlohmann::json()), "explanations");
+  if (found.empty()) return "";
+  const nlohmann::json& first = found.front();
+  return "In the measured motion the equations lack a force like " +
+         html::Escaped(TextAt(first, "text") + " (" + TextAt(first, "amount_text") + ")") + " from " + BandOf(first) +
+         " Hz.";
+}
+
+}  // namespace fourpost

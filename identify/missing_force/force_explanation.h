@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "identify/missing_force/force_mechanism.h"
+
+namespace fourpost {
+
+/// A mechanism that explains a missing force.
+struct ForceExplanation {
+  ForceMechanism mechanism;
+  /// N/m, N s/m, N or kg, and its standard deviation, with what the mechanism's force shares with free parameters and
+  /// with what a good rig may be off by; given the other explanations.
+  double amount = 0;
+  double sd = 0;
+  /// Between these frequencies lie nine tenths of what it explains.
+  double lower_Hz = 0;
+  double upper_Hz = 0;
+  /// Its largest force or moment on a coordinate, over that band; along its line where it has one [N].
+  double most_N = 0;
+  /// Of the squares that noise does not explain.
+  double share = 0;
+  /// Fall of the sum of squares over its mean when nothing is missing, less what choosing its shape is worth: the
+  /// square of a normal variable then.
+  double score = 0;
+  /// Those that would explain it as well.
+  std::vector<ForceMechanism> rivals;
+};
+
+struct ForceExplanations {
+  std::vector<ForceExplanation> found;
+  /// Root mean square of the missing force over its noise, with free parameters where they explain most: about 1 where
+  /// nothing is missing. NaN without a sample.
+  double misfit = 0;
+  /// Of each sample: the measured motion less what neither explanations nor parameters account for.
+  std::vector<Eigen::VectorXcd> motion;
+};
+
+/// Names what explains a missing force F. With F_k = sum_j a_j g_j + sum_i t_i d_i + noise, g_j the force of a
+/// mechanism per amount, d_i that of one standard deviation of a free parameter or of what a good rig may be off by and
+/// t_i a standard normal variable, the mechanism is chosen that lowers the weighted squares most; it is taken out and
+/// the search goes on, at most three times. Nothing is named that is below 4.5 standard deviations, noise widened where
+/// what is left over is correlated or exceeds it, or that explains less than a fifth.
+ForceExplanations ExplainForce(const ForceRecord& record);
+
+}  // namespace fourpost
