@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/signals/random_stream.h"
+#include "tests/vehicles/hydraulic_cars.h"
 #include "tests/vehicles/shipped_vehicle.h"
 #include "vehicles/posts/band_noise.h"
 #include "vehicles/posts/post_motions.h"
@@ -170,6 +171,15 @@ TEST(SpectralRide, OfNonlinearCarsIsAnEstimate) {
     // Jacking.
     EXPECT_NEAR(both.spectra.at("body.mean_heave") / both.time.at("body.mean_heave"), 1, 0.05) << name;
   }
+}
+
+// Oil has a memory, which a sine of the same deviations stands for.
+TEST(SpectralRide, OfHydraulicDampersIsAnEstimate) {
+  const Both both = BothWays(LinkageCarOnOil());
+  const Difference most = LargestOf(both, [](const std::string&) { return true; });
+  EXPECT_LT(most.size, 0.15) << most.metric;
+  EXPECT_GT(most.compared, 10);
+  EXPECT_TRUE(std::isnan(both.spectra.at("front_damper.power")));
 }
 
 }  // namespace
