@@ -16,4 +16,15 @@ inline const Finding kTravelNotReached{
     "centre there",
     "correct its points if the car travels further, else ask for less"};
 
+inline const Finding kDoesNotSettle{"does-not-settle", Severity::kError, "found no pose at rest",
+                                    "run `fourpost check`, which names motions that nothing holds, and check preloads, "
+                                    "free lengths and rates"};
+inline const Finding kSettledUnevenly{"settled-unevenly", Severity::kError,
+                                      "{} and its mirror partner settle differently, which fp:mirror cannot hold",
+                                      "write both sides out"};
+inline const Finding kLawCountsFromDesign{
+    "law-counts-from-design", Severity::kError,
+    "{} is {} from its design pose at rest, and its law counts from there in a way that a file at rest cannot state",
+    "state it for the pose at rest by hand, or hold the design pose with the preloads shown"};
+
 }  // namespace fourpost
