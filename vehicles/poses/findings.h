@@ -22,6 +22,16 @@ inline const Finding kDoesNotSettle{"does-not-settle", Severity::kError, "found 
 inline const Finding kSettledUnevenly{"settled-unevenly", Severity::kError,
                                       "{} and its mirror partner settle differently, which fp:mirror cannot hold",
                                       "write both sides out"};
+inline const Finding kDesignPoseNotHeld{"design-pose-not-held", Severity::kError,
+                                        "no force or length of {} holds the design pose",
+                                        "run `fourpost check`, which names motions that nothing holds"};
+inline const Finding kSettledAtOneValue{
+    "settled-at-one-value", Severity::kWarning,
+    "the file written is at rest at its parameters' values only, and a fit or `check` needs rest within their bounds",
+    "pass --equilibrium, which leaves the springs' preloads to equilibrium, or remove the bounds"};
+inline const Finding kSettledFileMoves{"settled-file-moves", Severity::kError,
+                                       "the file at rest is not at rest as its text states it",
+                                       "keep the design pose by --hold"};
 inline const Finding kLawCountsFromDesign{
     "law-counts-from-design", Severity::kError,
     "{} is {} from its design pose at rest, and its law counts from there in a way that a file at rest cannot state",
