@@ -100,6 +100,20 @@ struct KinematicsCommand {
   std::filesystem::path output;
 };
 
+/// `fourpost settle MODEL`
+struct SettleCommand {
+  std::filesystem::path model;
+  bool json = false;
+  /// "name=value"
+  std::vector<std::string> set;
+  /// In the file at rest springs leave their preloads to equilibrium.
+  bool equilibrium = false;
+  /// "preload" or "free_length"; empty: the vehicle moves to its pose at rest.
+  std::string hold;
+  /// Empty: nothing is written.
+  std::filesystem::path output;
+};
+
 /// `fourpost simulate MODEL`; SI.
 struct SimulateCommand {
   enum class Motion { kSweep, kSine, kStep, kRandom, kRoad, kRecording };
@@ -261,6 +275,7 @@ int Run(const SimulateCommand& command);
 int Run(const RideCommand& command);
 int Run(const ModesCommand& command);
 int Run(const KinematicsCommand& command);
+int Run(const SettleCommand& command);
 int Run(const FitCommand& command);
 int Run(const PredictCommand& command);
 int Run(const ReportCommand& command);

@@ -9,6 +9,7 @@ namespace fourpost {
 namespace {
 
 constexpr std::array<std::string_view, 4> kEngines = {"auto", "reduced", "full", "time"};
+constexpr std::array<std::string_view, 2> kHoldings = {"preload", "free_length"};
 constexpr std::array<std::string_view, 2> kDirections = {"up", "down"};
 
 /// Options for how the posts of a vehicle move, and what of it changes.
@@ -79,6 +80,21 @@ void AddOptions(CLI::App& subcommand, KinematicsCommand& command) {
   subcommand.add_option("-o,--output", command.output,
                         "Write wheels.csv, ratios.csv, compliance.csv, a picture of each axle and result.json to this "
                         "folder");
+  subcommand.add_flag("--json", command.json, "Print JSON");
+}
+
+void AddOptions(CLI::App& subcommand, SettleCommand& command) {
+  AddVehicle(subcommand, command.model);
+  AddSettings(subcommand, command.set);
+  CLI::Option* const equilibrium = subcommand.add_flag(
+      "--equilibrium", command.equilibrium,
+      "In the file at rest leave the preloads of springs to equilibrium, as fits that free masses or rates need");
+  subcommand
+      .add_option("--hold", command.hold,
+                  "Keep the design pose, and write the preloads or free lengths that hold it, of springs that state one")
+      ->check(OneOf("--hold", kHoldings))
+      ->excludes(equilibrium);
+  subcommand.add_option("-o,--output", command.output, "Write the vehicle file at rest here (.urdf)");
   subcommand.add_flag("--json", command.json, "Print JSON");
 }
 

@@ -11,6 +11,7 @@ namespace fourpost {
 void AddOptions(CLI::App& subcommand, ResponseCommand& command);
 void AddOptions(CLI::App& subcommand, ModesCommand& command);
 void AddOptions(CLI::App& subcommand, KinematicsCommand& command);
+void AddOptions(CLI::App& subcommand, SettleCommand& command);
 void AddOptions(CLI::App& subcommand, PredictCommand& command);
 
 }  // namespace fourpost

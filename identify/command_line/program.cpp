@@ -40,6 +40,7 @@ Program::Program() {
   AddResponse();
   AddModes();
   AddKinematics();
+  AddSettle();
   AddSimulate();
   AddRide();
   AddFit();
@@ -133,6 +134,14 @@ void Program::AddResponse() {
                   "  fourpost response study.yaml --engine full",
                   [this] { return Run(response_); }),
              response_);
+}
+
+void Program::AddSettle() {
+  AddOptions(*Add("settle", "Pose at rest of a vehicle whose springs do not hold its design pose, and the file at rest",
+                  "  fourpost settle car.urdf\n  fourpost settle car.urdf -o at_rest.urdf\n"
+                  "  fourpost settle car.urdf --hold free_length -o held.urdf",
+                  [this] { return Run(settle_); }),
+             settle_);
 }
 
 void Program::AddKinematics() {

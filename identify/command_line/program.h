@@ -33,6 +33,7 @@ class Program {
   void AddParams();
   void AddResponse();
   void AddModes();
+  void AddSettle();
   void AddKinematics();
   void AddSimulate();
   void AddRide();
@@ -56,6 +57,7 @@ class Program {
   ParamsCommand params_;
   ResponseCommand response_;
   ModesCommand modes_;
+  SettleCommand settle_;
   KinematicsCommand kinematics_;
   SimulateCommand simulate_;
   RideCommand ride_;

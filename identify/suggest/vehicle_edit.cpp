@@ -62,6 +62,15 @@ void VehicleEdit::Set(const XMLElement& element, const std::string& attribute, c
          ' ' + attribute + "=\"" + value + '"');
 }
 
+void VehicleEdit::Exchange(const XMLElement& element, std::string_view old, const std::string& attribute,
+                           const std::string& value) {
+  for (const AttributePlace& place : PlacesOf(element).attributes) {
+    if (place.name != old) continue;
+    const auto name = static_cast<std::size_t>(place.name.data() - text_.data());
+    changes_[name] = {place.end + 1, attribute + "=\"" + value + '"'};
+  }
+}
+
 void VehicleEdit::Remove(const XMLElement& element) {
   std::size_t end = TagEnd(element);
   if (text_[end - 1] != '/') end = text_.find('>', end + 1);

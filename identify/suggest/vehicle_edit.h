@@ -36,6 +36,9 @@ class VehicleEdit {
 
   /// Adds the attribute or replaces its value.
   void Set(const tinyxml2::XMLElement& element, const std::string& attribute, const std::string& value);
+  /// Replaces an attribute that it has by another one.
+  void Exchange(const tinyxml2::XMLElement& element, std::string_view old, const std::string& attribute,
+                const std::string& value);
   /// Takes out an element that has no children.
   void Remove(const tinyxml2::XMLElement& element);
   /// Gives another name to an element, which has no children.

@@ -35,6 +35,7 @@ class Schema(ProgramTest):
         file = SOURCE / "urdf/quarter_car.urdf"
         self.check("modes", "modes", file, "--vary", "k")
         for name in ("quarter_car", "landrover110"):
+            self.check("settle", "settle", SOURCE / f"urdf/{name}.urdf")
             self.check("kinematics", "kinematics", SOURCE / f"urdf/{name}.urdf", "--travel", "20mm")
         self.check("response", "response", file, "--frequencies", "1Hz:4Hz:4")
         self.check("simulate", "simulate", file, "--step", "20mm", "--duration", "1s")

@@ -22,9 +22,9 @@ inline const Finding kUnheld{"unheld", Severity::kError, "no static equilibrium,
                              "add the fp:rod, fp:ball or joint that guides it, or a spring, tyre or bushing with "
                              "preload=\"equilibrium\" that carries it"};
 
-inline const Finding kPreloadUnbalanced{"preload-unbalanced", Severity::kError,
-                                        "no static equilibrium, the preload of {}, {}, is not balanced{}",
-                                        "correct it or write preload=\"equilibrium\""};
+inline const Finding kPreloadUnbalanced{
+    "preload-unbalanced", Severity::kError, "no static equilibrium, the preload of {}, {}, is not balanced{}",
+    "correct it or write preload=\"equilibrium\"; `fourpost settle` shows where it comes to rest"};
 inline const Finding kFreeLengthFollows{
     "free-length-over-bounds", Severity::kError,
     "no static equilibrium, the preload of {} by its free length, {}, is not balanced{}, and no one length balances it "
@@ -33,11 +33,14 @@ inline const Finding kFreeLengthFollows{
 inline const Finding kFreeLengthWrong{
     "free-length-unbalanced", Severity::kError,
     "no static equilibrium, the preload of {} by its free length, {}, is not balanced{}",
-    "write free_length=\"{}\", or leave a spring or tyre that acts beside it to equilibrium"};
+    "write free_length=\"{}\", leave a spring or tyre that acts beside it to equilibrium, or let `fourpost settle` "
+    "move "
+    "the vehicle to rest"};
 inline const Finding kFreeLengthUnbalanced{
     "free-length-without-balance", Severity::kError,
     "no static equilibrium, the preload of {} by its free length, {}, is not balanced{}",
-    "correct that length, or leave a spring or tyre that acts beside it to equilibrium"};
+    "correct that length, leave a spring or tyre that acts beside it to equilibrium, or let `fourpost settle` move the "
+    "vehicle to rest"};
 inline const Finding kEquilibriumAtOneValue{
     "equilibrium-at-one-value", Severity::kError,
     "static equilibrium only at one value of fp:parameter '{}', {} follows it, but no spring, tyre or bushing with "

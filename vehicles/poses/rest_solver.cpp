@@ -58,6 +58,7 @@ Eigen::VectorXd RestSolver::Lacking(const Eigen::VectorXd& q) {
 
 RestSolver::Equations RestSolver::At(const Eigen::VectorXd& q, const Guide& guide) {
   Equations equations{.lacking = Lacking(q), .error = {}, .jacobian = {}, .directions = {}};
+  if (carried_.size() > 0) equations.lacking -= carried_;
   const Eigen::MatrixXd loops = multibody_.LoopJacobian();
   const Guides guides = guide(Kinematics(multibody_, Eigen::MatrixXd::Identity(q.size(), q.size())));
   equations.error = Above(multibody_.LoopError(), guides.error);

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -34,6 +35,11 @@ class RestSolver {
   /// `multibody`: with parameters and preloads; must outlive this object.
   explicit RestSolver(Multibody& multibody) : multibody_(multibody) {}
 
+  /// Forces on q from outside that help to rest, r(q) = G' l + D' f + forces; none at first.
+  void Carry(Eigen::VectorXd forces) { carried_ = std::move(forces); }
+  /// What lacks for rest in a pose, r(q).
+  Eigen::VectorXd Lacking(const Eigen::VectorXd& q);
+
   /// Newton's method from a pose near by; empty if it does not converge. Without motions that loops and guides leave
   /// free, the pose is that of the geometry alone.
   std::optional<Rest> Solve(const Rest& start, const Guide& guide);
@@ -52,9 +58,9 @@ class RestSolver {
   Equations At(const Eigen::VectorXd& q, const Guide& guide);
   /// d(r - G' l - D' f)/dq at these forces.
   Eigen::MatrixXd Stiffness(const Rest& rest, const Guide& guide);
-  Eigen::VectorXd Lacking(const Eigen::VectorXd& q);
 
   Multibody& multibody_;
+  Eigen::VectorXd carried_;
 };
 
 }  // namespace fourpost

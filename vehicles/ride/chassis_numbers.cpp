@@ -287,7 +287,7 @@ class Numbers {
     });
   }
   double Track(std::size_t a) const {
-    // Of pairs of sides; of several tyres a side the mean counts.
+    // Of pairs of sides; pairs of tyres count with their mean.
     return 2 *
            Sum(a, [&](std::size_t i) { return std::abs(suspension_.wheels[i].foot.y() - Middle(a).y()) / Count(a); });
   }
