@@ -51,6 +51,7 @@ class WeighedForces {
       degrees_ += 2 * (MotionCovariance(sample) * sample.information).trace();
       next += count;
     }
+    FindFree();
     // C^-1 = I - B B' with B = N (I + N' N)^-1/2.
     const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(nuisances.transpose() * nuisances);
     const Eigen::VectorXd roots = (1 + pairs.values.array().max(0)).rsqrt();
@@ -77,6 +78,7 @@ class WeighedForces {
   Tried Try(const ForceMechanism& mechanism) const {
     const Eigen::VectorXd force = Weighed(mechanism);
     Tried tried{.mechanism = mechanism};
+    if (IsFree(force)) return tried;
     const double whole = Product(force, force);
     tried.information = whole;
     for (const Eigen::VectorXd& taken : directions_) tried.information -= std::pow(Product(force, taken), 2);
@@ -134,22 +136,6 @@ class WeighedForces {
     return (1 + correlation) / (1 - correlation);
   }
 
-  /// See ForceExplanations.
-  std::vector<Eigen::VectorXcd> ExplainedMotion() const {
-    const Eigen::VectorXd rest = rest_ - shared_ * (shared_.transpose() * rest_);
-    std::vector<Eigen::VectorXcd> motions;
-    Eigen::Index next = 0;
-    for (const ForceSample& sample : record_.samples) {
-      const Eigen::Index n = sample.motion.size();
-      const Eigen::MatrixXd root = Root(MotionCovariance(sample));
-      motions.push_back(sample.motion);
-      motions.back().real() -= root * rest.segment(next, n);
-      motions.back().imag() -= root * rest.segment(next + n, n);
-      next += 2 * n;
-    }
-    return motions;
-  }
-
   /// What each sample contributes to the fall of squares by a mechanism.
   std::vector<double> FallBySample(const Tried& tried) const {
     const Eigen::VectorXd force = tried.amount * Weighed(tried.mechanism);
@@ -167,16 +153,33 @@ class WeighedForces {
   }
 
  private:
+  /// Orthonormal columns: all that changes of free parameters do.
+  void FindFree() {
+    Eigen::MatrixXd changes(rest_.size(), record_.samples.empty() ? 0 : record_.samples.front().by_parameters.cols());
+    Eigen::Index next = 0;
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+      changes.middleRows(next, weights_[i].rows()) = weights_[i] * record_.samples[i].by_parameters;
+      next += weights_[i].rows();
+    }
+    for (auto change : changes.colwise())
+      if (change.norm() > 0) change.normalize();
+    const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(changes.transpose() * changes);
+    constexpr double kNothing = 1e-10;
+    const Eigen::Index kept = (pairs.values.array() > kNothing).count();
+    free_ = changes * pairs.vectors.rightCols(kept) * pairs.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  }
+
+  /// Whether free parameters can do the same: then the fit has found how much of it there is. Together with them it
+  /// would also multiply the whole force by a factor, down to nothing.
+  bool IsFree(const Eigen::VectorXd& force) const {
+    constexpr double kOwn = 0.01;
+    return force.squaredNorm() - (free_.transpose() * force).squaredNorm() < kOwn * force.squaredNorm();
+  }
+
   static Eigen::VectorXd Stacked(const Eigen::VectorXcd& force) {
     Eigen::VectorXd all(2 * force.size());
     all << force.real(), force.imag();
     return all;
-  }
-
-  /// Of a positive definite matrix.
-  static Eigen::MatrixXd Root(const Eigen::MatrixXd& matrix) {
-    const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(matrix);
-    return pairs.vectors * pairs.values.cwiseMax(0).cwiseSqrt().asDiagonal() * pairs.vectors.transpose();
   }
 
   /// To the motion that the force stands for, over its standard deviations.
@@ -198,6 +201,7 @@ class WeighedForces {
   const ForceRecord& record_;
   std::vector<Eigen::MatrixXd> weights_;
   Eigen::MatrixXd shared_;
+  Eigen::MatrixXd free_;
   /// At first, and less what was taken out.
   Eigen::VectorXd whole_;
   Eigen::VectorXd rest_;
@@ -337,7 +341,6 @@ ForceExplanations ExplainForce(const ForceRecord& record) {
     explanations.found.push_back(*next);
     forces.TakeOut(next->mechanism);
   }
-  explanations.motion = forces.ExplainedMotion();
   if (explanations.found.size() < 2) return explanations;
   const auto [amounts, covariance] = forces.Amounts();
   const double noise = std::max(1.0, forces.Squares() / forces.degrees());

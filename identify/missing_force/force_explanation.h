@@ -32,8 +32,6 @@ struct ForceExplanations {
   /// Root mean square of the missing force over its noise, with free parameters where they explain most: about 1 where
   /// nothing is missing. NaN without a sample.
   double misfit = 0;
-  /// Of each sample: the measured motion less what neither explanations nor parameters account for.
-  std::vector<Eigen::VectorXcd> motion;
 };
 
 /// Names what explains a missing force F. With F_k = sum_j a_j g_j + sum_i t_i d_i + noise, g_j the force of a
