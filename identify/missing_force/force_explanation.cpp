@@ -74,11 +74,26 @@ class WeighedForces {
     return all;
   }
 
+  /// Whether free parameters can do the same in the model's own motion: then the fit has found how much of it there is.
+  /// In the measured one they could multiply the whole force down to nothing together.
+  bool IsFree(const ForceMechanism& mechanism) const {
+    constexpr double kOwn = 1e-4;
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(rest_.size());
+    Eigen::Index next = 0;
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+      ForceSample own = record_.samples[i];
+      own.motion = own.modelled;
+      const Eigen::Index count = weights_[i].rows();
+      if (own.motion.size() > 0) all.segment(next, count) = weights_[i] * Stacked(ForceOf(mechanism, record_, own));
+      next += count;
+    }
+    return all.squaredNorm() - (free_.transpose() * all).squaredNorm() <= kOwn * all.squaredNorm();
+  }
+
   /// How much of it lowers the squares that are left most.
   Tried Try(const ForceMechanism& mechanism) const {
     const Eigen::VectorXd force = Weighed(mechanism);
     Tried tried{.mechanism = mechanism};
-    if (IsFree(force)) return tried;
     const double whole = Product(force, force);
     tried.information = whole;
     for (const Eigen::VectorXd& taken : directions_) tried.information -= std::pow(Product(force, taken), 2);
@@ -153,12 +168,16 @@ class WeighedForces {
   }
 
  private:
-  /// Orthonormal columns: all that changes of free parameters do.
+  /// Orthonormal columns: all that changes of free parameters do to the force in the model's own motion.
   void FindFree() {
-    Eigen::MatrixXd changes(rest_.size(), record_.samples.empty() ? 0 : record_.samples.front().by_parameters.cols());
+    const auto parameters = [](const ForceSample& sample) { return sample.by_parameters.cols(); };
+    Eigen::Index count = 0;
+    for (const ForceSample& sample : record_.samples) count = std::max(count, parameters(sample));
+    Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(rest_.size(), count);
     Eigen::Index next = 0;
     for (std::size_t i = 0; i < weights_.size(); ++i) {
-      changes.middleRows(next, weights_[i].rows()) = weights_[i] * record_.samples[i].by_parameters;
+      const ForceSample& sample = record_.samples[i];
+      if (parameters(sample) > 0) changes.middleRows(next, weights_[i].rows()) = weights_[i] * sample.by_parameters;
       next += weights_[i].rows();
     }
     for (auto change : changes.colwise())
@@ -167,13 +186,6 @@ class WeighedForces {
     constexpr double kNothing = 1e-10;
     const Eigen::Index kept = (pairs.values.array() > kNothing).count();
     free_ = changes * pairs.vectors.rightCols(kept) * pairs.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-  }
-
-  /// Whether free parameters can do the same: then the fit has found how much of it there is. Together with them it
-  /// would also multiply the whole force by a factor, down to nothing.
-  bool IsFree(const Eigen::VectorXd& force) const {
-    constexpr double kOwn = 0.01;
-    return force.squaredNorm() - (free_.transpose() * force).squaredNorm() < kOwn * force.squaredNorm();
   }
 
   static Eigen::VectorXd Stacked(const Eigen::VectorXcd& force) {
@@ -250,9 +262,13 @@ bool IsSamePlace(const ForceMechanism& a, const ForceMechanism& b) {
 }
 
 /// Of each kind and place the best, the best of all first.
-std::vector<Tried> BestOfEach(const WeighedForces& forces, const std::vector<ForceMechanism>& all) {
+std::vector<Tried> BestOfEach(const WeighedForces& forces, const std::vector<ForceMechanism>& all,
+                              const std::vector<ForceExplanation>& before) {
   std::vector<Tried> best;
   for (const ForceMechanism& mechanism : all) {
+    if (std::any_of(before.begin(), before.end(),
+                    [&](const ForceExplanation& one) { return IsSamePlace(one.mechanism, mechanism); }))
+      continue;
     const Tried tried = forces.Try(mechanism);
     const auto same = std::find_if(best.begin(), best.end(),
                                    [&](const Tried& other) { return IsSamePlace(other.mechanism, mechanism); });
@@ -308,8 +324,9 @@ double MostOf(const ForceRecord& record, const ForceExplanation& one) {
 
 /// The next explanation; nothing where what is left is within noise, or no mechanism explains it.
 std::optional<ForceExplanation> Next(const ForceRecord& record, const WeighedForces& forces,
-                                     const std::vector<ForceMechanism>& all) {
-  const std::vector<Tried> best = BestOfEach(forces, all);
+                                     const std::vector<ForceMechanism>& all,
+                                     const std::vector<ForceExplanation>& before) {
+  const std::vector<Tried> best = BestOfEach(forces, all, before);
   if (best.empty() || !(best.front().fall > 0)) return std::nullopt;
   const Tried& first = best.front();
   const double left = forces.Squares() - first.fall;
@@ -334,9 +351,10 @@ ForceExplanations ExplainForce(const ForceRecord& record) {
   WeighedForces forces(record);
   if (!(forces.degrees() > 0)) return explanations;
   explanations.misfit = std::sqrt(std::max(0.0, forces.Squares() / forces.degrees()));
-  const std::vector<ForceMechanism> all = PossibleMechanisms(record);
+  std::vector<ForceMechanism> all = PossibleMechanisms(record);
+  std::erase_if(all, [&](const ForceMechanism& one) { return forces.IsFree(one); });
   while (explanations.found.size() < kMostExplanations) {
-    const std::optional<ForceExplanation> next = Next(record, forces, all);
+    const std::optional<ForceExplanation> next = Next(record, forces, all, explanations.found);
     if (!next) break;
     explanations.found.push_back(*next);
     forces.TakeOut(next->mechanism);

@@ -40,7 +40,9 @@ struct ForceSample {
   Eigen::MatrixXd slope;
   /// n x n: inverse covariance that the sensors' noise gives to the real, and to the imaginary, part of the motion.
   Eigen::MatrixXd information;
-  /// 2n x free parameters: change of [Re force, Im force] by each, whatever its unit.
+  /// n; the motion of the fitted model, empty: it has none; and for it, 2n x free parameters: change of
+  /// [Re force, Im force] by one standard deviation of each.
+  Eigen::VectorXcd modelled;
   Eigen::MatrixXd by_parameters;
   /// 2n x (what may be off): change of [Re force, Im force] by one standard deviation of a free parameter or of what a
   /// good rig may be off by.

@@ -236,7 +236,7 @@ class RunForce {
       if (!there) return false;
       by_parameter.col(j) = (*there - force) / doubts_.shares[static_cast<std::size_t>(j)];
     }
-    sample.by_parameters = by_parameter;
+    if (!AddOwn(sample)) return false;
     if (scaled_) {
       by_parameter -= (by_parameter * doubts_.common) * doubts_.common.transpose();
       by_parameter += ByCommon(sample) * doubts_.common.transpose();
@@ -255,6 +255,21 @@ class RunForce {
         change += *there - force;
       }
       sample.nuisance.col(next++) = change / faulty.share;
+    }
+    return true;
+  }
+
+  /// What parameters change of the force on the model's own motion; nothing where it has none.
+  bool AddOwn(ForceSample& sample) {
+    sample.modelled = modelled_;
+    if (modelled_.size() == 0) return true;
+    const std::optional<Eigen::VectorXd> here = Force(needed_, sample, modelled_);
+    if (!here) return false;
+    sample.by_parameters.resize(here->size(), RowOf(doubts_.moved.size()));
+    for (std::size_t j = 0; j < doubts_.moved.size(); ++j) {
+      const std::optional<Eigen::VectorXd> there = Force(*at_doubts_[j], sample, modelled_);
+      if (!there) return false;
+      sample.by_parameters.col(RowOf(j)) = (*there - *here) / doubts_.shares[j];
     }
     return true;
   }
