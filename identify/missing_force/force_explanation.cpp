@@ -23,7 +23,7 @@ constexpr double kPerNumber = 9;
 constexpr double kApart = 9;
 constexpr double kShareApart = 0.1;
 /// Of what noise does not explain, below which an explanation is none.
-constexpr double kLeastShare = 0.2;
+constexpr double kLeastShare = 0.1;
 
 struct Tried {
   ForceMechanism mechanism;
@@ -325,14 +325,14 @@ double MostOf(const ForceRecord& record, const ForceExplanation& one) {
 /// The next explanation; nothing where what is left is within noise, or no mechanism explains it.
 std::optional<ForceExplanation> Next(const ForceRecord& record, const WeighedForces& forces,
                                      const std::vector<ForceMechanism>& all,
-                                     const std::vector<ForceExplanation>& before) {
+                                     const std::vector<ForceExplanation>& before, double excess) {
   const std::vector<Tried> best = BestOfEach(forces, all, before);
   if (best.empty() || !(best.front().fall > 0)) return std::nullopt;
   const Tried& first = best.front();
   const double left = forces.Squares() - first.fall;
   const double noise = std::max(1.0, left / forces.degrees()) * forces.Correlated(first);
   ForceExplanation found{.mechanism = first.mechanism, .amount = first.amount, .score = first.fall / noise};
-  found.share = first.fall / std::max(first.fall, forces.Squares() - forces.degrees());
+  found.share = first.fall / std::max(first.fall, excess);
   if (!(found.score > kSuspicious * kSuspicious) || found.share < kLeastShare) return std::nullopt;
   for (std::size_t i = 1; i < best.size(); ++i)
     if (found.score - best[i].fall / noise < std::max(kApart, kShareApart * found.score))
@@ -353,8 +353,9 @@ ForceExplanations ExplainForce(const ForceRecord& record) {
   explanations.misfit = std::sqrt(std::max(0.0, forces.Squares() / forces.degrees()));
   std::vector<ForceMechanism> all = PossibleMechanisms(record);
   std::erase_if(all, [&](const ForceMechanism& one) { return forces.IsFree(one); });
+  const double excess = forces.Squares() - forces.degrees();
   while (explanations.found.size() < kMostExplanations) {
-    const std::optional<ForceExplanation> next = Next(record, forces, all, explanations.found);
+    const std::optional<ForceExplanation> next = Next(record, forces, all, explanations.found, excess);
     if (!next) break;
     explanations.found.push_back(*next);
     forces.TakeOut(next->mechanism);
