@@ -23,7 +23,7 @@ constexpr double kPerNumber = 9;
 constexpr double kApart = 9;
 constexpr double kShareApart = 0.1;
 /// Of what noise does not explain, below which an explanation is none.
-constexpr double kLeastShare = 0.2;
+constexpr double kLeastShare = 0.1;
 
 struct Tried {
   ForceMechanism mechanism;
@@ -51,6 +51,7 @@ class WeighedForces {
       degrees_ += 2 * (MotionCovariance(sample) * sample.information).trace();
       next += count;
     }
+    FindFree();
     // C^-1 = I - B B' with B = N (I + N' N)^-1/2.
     const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(nuisances.transpose() * nuisances);
     const Eigen::VectorXd roots = (1 + pairs.values.array().max(0)).rsqrt();
@@ -71,6 +72,22 @@ class WeighedForces {
       next += count;
     }
     return all;
+  }
+
+  /// Whether free parameters can do the same in the model's own motion: then the fit has found how much of it there is.
+  /// In the measured one they could multiply the whole force down to nothing together.
+  bool IsFree(const ForceMechanism& mechanism) const {
+    constexpr double kOwn = 1e-4;
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(rest_.size());
+    Eigen::Index next = 0;
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+      ForceSample own = record_.samples[i];
+      own.motion = own.modelled;
+      const Eigen::Index count = weights_[i].rows();
+      if (own.motion.size() > 0) all.segment(next, count) = weights_[i] * Stacked(ForceOf(mechanism, record_, own));
+      next += count;
+    }
+    return all.squaredNorm() - (free_.transpose() * all).squaredNorm() <= kOwn * all.squaredNorm();
   }
 
   /// How much of it lowers the squares that are left most.
@@ -134,22 +151,6 @@ class WeighedForces {
     return (1 + correlation) / (1 - correlation);
   }
 
-  /// See ForceExplanations.
-  std::vector<Eigen::VectorXcd> ExplainedMotion() const {
-    const Eigen::VectorXd rest = rest_ - shared_ * (shared_.transpose() * rest_);
-    std::vector<Eigen::VectorXcd> motions;
-    Eigen::Index next = 0;
-    for (const ForceSample& sample : record_.samples) {
-      const Eigen::Index n = sample.motion.size();
-      const Eigen::MatrixXd root = Root(MotionCovariance(sample));
-      motions.push_back(sample.motion);
-      motions.back().real() -= root * rest.segment(next, n);
-      motions.back().imag() -= root * rest.segment(next + n, n);
-      next += 2 * n;
-    }
-    return motions;
-  }
-
   /// What each sample contributes to the fall of squares by a mechanism.
   std::vector<double> FallBySample(const Tried& tried) const {
     const Eigen::VectorXd force = tried.amount * Weighed(tried.mechanism);
@@ -167,16 +168,30 @@ class WeighedForces {
   }
 
  private:
+  /// Orthonormal columns: all that changes of free parameters do to the force in the model's own motion.
+  void FindFree() {
+    const auto parameters = [](const ForceSample& sample) { return sample.by_parameters.cols(); };
+    Eigen::Index count = 0;
+    for (const ForceSample& sample : record_.samples) count = std::max(count, parameters(sample));
+    Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(rest_.size(), count);
+    Eigen::Index next = 0;
+    for (std::size_t i = 0; i < weights_.size(); ++i) {
+      const ForceSample& sample = record_.samples[i];
+      if (parameters(sample) > 0) changes.middleRows(next, weights_[i].rows()) = weights_[i] * sample.by_parameters;
+      next += weights_[i].rows();
+    }
+    for (auto change : changes.colwise())
+      if (change.norm() > 0) change.normalize();
+    const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(changes.transpose() * changes);
+    constexpr double kNothing = 1e-10;
+    const Eigen::Index kept = (pairs.values.array() > kNothing).count();
+    free_ = changes * pairs.vectors.rightCols(kept) * pairs.values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  }
+
   static Eigen::VectorXd Stacked(const Eigen::VectorXcd& force) {
     Eigen::VectorXd all(2 * force.size());
     all << force.real(), force.imag();
     return all;
-  }
-
-  /// Of a positive definite matrix.
-  static Eigen::MatrixXd Root(const Eigen::MatrixXd& matrix) {
-    const SymmetricEigenpairs pairs = SymmetricEigenpairsOf(matrix);
-    return pairs.vectors * pairs.values.cwiseMax(0).cwiseSqrt().asDiagonal() * pairs.vectors.transpose();
   }
 
   /// To the motion that the force stands for, over its standard deviations.
@@ -198,6 +213,7 @@ class WeighedForces {
   const ForceRecord& record_;
   std::vector<Eigen::MatrixXd> weights_;
   Eigen::MatrixXd shared_;
+  Eigen::MatrixXd free_;
   /// At first, and less what was taken out.
   Eigen::VectorXd whole_;
   Eigen::VectorXd rest_;
@@ -246,9 +262,13 @@ bool IsSamePlace(const ForceMechanism& a, const ForceMechanism& b) {
 }
 
 /// Of each kind and place the best, the best of all first.
-std::vector<Tried> BestOfEach(const WeighedForces& forces, const std::vector<ForceMechanism>& all) {
+std::vector<Tried> BestOfEach(const WeighedForces& forces, const std::vector<ForceMechanism>& all,
+                              const std::vector<ForceExplanation>& before) {
   std::vector<Tried> best;
   for (const ForceMechanism& mechanism : all) {
+    if (std::any_of(before.begin(), before.end(),
+                    [&](const ForceExplanation& one) { return IsSamePlace(one.mechanism, mechanism); }))
+      continue;
     const Tried tried = forces.Try(mechanism);
     const auto same = std::find_if(best.begin(), best.end(),
                                    [&](const Tried& other) { return IsSamePlace(other.mechanism, mechanism); });
@@ -304,14 +324,15 @@ double MostOf(const ForceRecord& record, const ForceExplanation& one) {
 
 /// The next explanation; nothing where what is left is within noise, or no mechanism explains it.
 std::optional<ForceExplanation> Next(const ForceRecord& record, const WeighedForces& forces,
-                                     const std::vector<ForceMechanism>& all) {
-  const std::vector<Tried> best = BestOfEach(forces, all);
+                                     const std::vector<ForceMechanism>& all,
+                                     const std::vector<ForceExplanation>& before, double excess) {
+  const std::vector<Tried> best = BestOfEach(forces, all, before);
   if (best.empty() || !(best.front().fall > 0)) return std::nullopt;
   const Tried& first = best.front();
   const double left = forces.Squares() - first.fall;
   const double noise = std::max(1.0, left / forces.degrees()) * forces.Correlated(first);
   ForceExplanation found{.mechanism = first.mechanism, .amount = first.amount, .score = first.fall / noise};
-  found.share = first.fall / std::max(first.fall, forces.Squares() - forces.degrees());
+  found.share = first.fall / std::max(first.fall, excess);
   if (!(found.score > kSuspicious * kSuspicious) || found.share < kLeastShare) return std::nullopt;
   for (std::size_t i = 1; i < best.size(); ++i)
     if (found.score - best[i].fall / noise < std::max(kApart, kShareApart * found.score))
@@ -330,14 +351,15 @@ ForceExplanations ExplainForce(const ForceRecord& record) {
   WeighedForces forces(record);
   if (!(forces.degrees() > 0)) return explanations;
   explanations.misfit = std::sqrt(std::max(0.0, forces.Squares() / forces.degrees()));
-  const std::vector<ForceMechanism> all = PossibleMechanisms(record);
+  std::vector<ForceMechanism> all = PossibleMechanisms(record);
+  std::erase_if(all, [&](const ForceMechanism& one) { return forces.IsFree(one); });
+  const double excess = forces.Squares() - forces.degrees();
   while (explanations.found.size() < kMostExplanations) {
-    const std::optional<ForceExplanation> next = Next(record, forces, all);
+    const std::optional<ForceExplanation> next = Next(record, forces, all, explanations.found, excess);
     if (!next) break;
     explanations.found.push_back(*next);
     forces.TakeOut(next->mechanism);
   }
-  explanations.motion = forces.ExplainedMotion();
   if (explanations.found.size() < 2) return explanations;
   const auto [amounts, covariance] = forces.Amounts();
   const double noise = std::max(1.0, forces.Squares() / forces.degrees());

@@ -18,7 +18,7 @@ struct ForceExplanation {
   double upper_Hz = 0;
   /// Its largest force or moment on a coordinate, over that band; along its line where it has one [N].
   double most_N = 0;
-  /// Of the squares that noise does not explain.
+  /// Of the squares that noise does not explain, before anything was taken out.
   double share = 0;
   /// Fall of the sum of squares over its mean when nothing is missing, less what choosing its shape is worth: the
   /// square of a normal variable then.
@@ -32,15 +32,14 @@ struct ForceExplanations {
   /// Root mean square of the missing force over its noise, with free parameters where they explain most: about 1 where
   /// nothing is missing. NaN without a sample.
   double misfit = 0;
-  /// Of each sample: the measured motion less what neither explanations nor parameters account for.
-  std::vector<Eigen::VectorXcd> motion;
 };
 
 /// Names what explains a missing force F. With F_k = sum_j a_j g_j + sum_i t_i d_i + noise, g_j the force of a
 /// mechanism per amount, d_i that of one standard deviation of a free parameter or of what a good rig may be off by and
 /// t_i a standard normal variable, the mechanism is chosen that lowers the weighted squares most; it is taken out and
 /// the search goes on, at most three times. Nothing is named that is below 4.5 standard deviations, noise widened where
-/// what is left over is correlated or exceeds it, or that explains less than a fifth.
+/// what is left over is correlated or exceeds it, or that explains less than a tenth. Amounts are in the
+/// scale of the fitted masses, rates and dampings, whose common factor motions do not show.
 ForceExplanations ExplainForce(const ForceRecord& record);
 
 }  // namespace fourpost

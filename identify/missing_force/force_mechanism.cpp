@@ -23,7 +23,7 @@ Complex FrictionOf(const ElementLine& line, const ForceSample& sample) {
   for (Eigen::Index h = 2; h < sample.overtones.rows(); ++h)
     rate(h, 0) = Complex(0, static_cast<double>(h) * sample.omega()) *
                  (sample.overtones.row(h) * line.direction.cast<Complex>())(0);
-  rate(1, 0) = Complex(0, sample.omega()) * ExtensionOf(line, sample, sample.regressed);
+  rate(1, 0) = Complex(0, sample.omega()) * ExtensionOf(line, sample);
   const CycleTransform& transform = CycleTransform::Shared(static_cast<int>(rows - 1), kSamples);
   Eigen::MatrixXd rates;
   transform.ToTime(rate, rates);
@@ -37,7 +37,7 @@ Complex FrictionOf(const ElementLine& line, const ForceSample& sample) {
 
 Complex TensionOf(Kind kind, const ElementLine& line, const ForceSample& sample) {
   if (kind == Kind::kFriction) return FrictionOf(line, sample);
-  const Complex extension = ExtensionOf(line, sample, sample.regressed);
+  const Complex extension = ExtensionOf(line, sample);
   return kind == Kind::kDamper ? Complex(0, sample.omega()) * extension : extension;
 }
 
@@ -50,13 +50,13 @@ Eigen::VectorXcd PartOnMounts(const ForceMechanism& mechanism, const LinkMotion&
   const double r = sample.frequency_Hz / mechanism.frequency_Hz;
   const Complex loss(0, 2 * mechanism.damping_ratio * r);
   const Eigen::RowVectorXd height = HeightAt(link, mechanism.place_m);
-  const Complex moves = height.cast<Complex>() * sample.regressed;
+  const Complex moves = height.cast<Complex>() * sample.motion;
   return height.transpose().cast<Complex>() * (std::pow(sample.omega(), 2) * moves * (1.0 + loss) / (1 - r * r + loss));
 }
 
 Eigen::VectorXcd MassOn(const LinkMotion& link, const ForceSample& sample) {
   return std::pow(sample.omega(), 2) * (link.com_jacobian.transpose() * link.com_jacobian).cast<Complex>() *
-         sample.regressed;
+         sample.motion;
 }
 
 bool AreMirrorPartners(const ElementLine& a, const ElementLine& b) {

@@ -119,7 +119,7 @@ std::vector<ForceCurve> ForceCurves(const ForceRecord& record) {
         Eigen::MatrixXd rows(2, 2 * n);
         rows << to_lines.row(l), to_lines.row(count + l);
         const ElementLine& line = record.lines[static_cast<std::size_t>(l)];
-        Put(sample, rows, force, noise, ExtensionOf(line, sample, sample.motion),
+        Put(sample, rows, force, noise, ExtensionOf(line, sample),
             all[first + coordinates + static_cast<std::size_t>(l)]);
       }
     }

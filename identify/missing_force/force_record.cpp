@@ -31,8 +31,8 @@ Eigen::MatrixXd UnmeasuredMotion(const ForceSample& sample) {
   return pairs.vectors.leftCols((pairs.values.array() < 1 / (bound * bound)).count());
 }
 
-std::complex<double> ExtensionOf(const ElementLine& line, const ForceSample& sample, const Eigen::VectorXcd& motion) {
-  std::complex<double> extension = line.direction.cast<std::complex<double>>().transpose() * motion;
+std::complex<double> ExtensionOf(const ElementLine& line, const ForceSample& sample) {
+  std::complex<double> extension = line.direction.cast<std::complex<double>>().transpose() * sample.motion;
   if (line.post >= 0) extension += sample.posts[line.post];
   return extension;
 }

@@ -30,9 +30,6 @@ struct ForceSample {
   double amplitude_m = 0;
   /// n; [m] or [rad].
   Eigen::VectorXcd motion;
-  /// n; the motion without noise as far as it is known, by which forces of mechanisms and of changed parameters are
-  /// computed: with the noise of the measured one, mechanisms would explain that.
-  Eigen::VectorXcd regressed;
   /// Harmonics 0, 1, .. in rows, x n; those of the fitted model, without the first.
   Eigen::MatrixXcd overtones;
   /// One per post [m].
@@ -43,6 +40,10 @@ struct ForceSample {
   Eigen::MatrixXd slope;
   /// n x n: inverse covariance that the sensors' noise gives to the real, and to the imaginary, part of the motion.
   Eigen::MatrixXd information;
+  /// n; the motion of the fitted model, empty: it has none; and for it, 2n x free parameters: change of
+  /// [Re force, Im force] by one standard deviation of each.
+  Eigen::VectorXcd modelled;
+  Eigen::MatrixXd by_parameters;
   /// 2n x (what may be off): change of [Re force, Im force] by one standard deviation of a free parameter or of what a
   /// good rig may be off by.
   Eigen::MatrixXd nuisance;
@@ -73,7 +74,7 @@ Eigen::MatrixXd MotionCovariance(const ForceSample& sample);
 /// Orthonormal columns: motions of a sample that no sensor determines.
 Eigen::MatrixXd UnmeasuredMotion(const ForceSample& sample);
 
-/// Extension of a line in a motion of a sample [m].
-std::complex<double> ExtensionOf(const ElementLine& line, const ForceSample& sample, const Eigen::VectorXcd& motion);
+/// Extension of a line in a sample [m].
+std::complex<double> ExtensionOf(const ElementLine& line, const ForceSample& sample);
 
 }  // namespace fourpost

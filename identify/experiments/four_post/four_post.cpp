@@ -225,16 +225,9 @@ void FourPost::AddMissingForce(const Subject& subject, const std::vector<double>
                                ExperimentResults& results) const {
   AuditedVehicle audited(subject);
   AddRecordings(audited);
-  const std::vector<MeasuredRun> in_band = RunsInBand();
-  ForceRecord record = LackingForce(subject, values, in_band, audited.audited());
-  ForceExplanations explanations = ExplainForce(record);
-  if (!explanations.found.empty()) {
-    // Where a model lacks much, its own motion is not yet that of the car.
-    record = LackingForce(subject, values, in_band, audited.audited(), explanations.motion);
-    explanations = ExplainForce(record);
-  }
+  const ForceRecord record = LackingForce(subject, values, RunsInBand(), audited.audited());
   const std::vector<ForceCurve> curves = ForceCurves(record);
-  results.json["missing_force"] = MissingForceJson(record, explanations);
+  results.json["missing_force"] = MissingForceJson(record, ExplainForce(record));
   results.text += MissingForceText(results.json["missing_force"]);
   results.files.emplace_back("missing_force.csv", MissingForceCsv(record, curves));
   if (std::string picture = MissingForceSvg(record, curves); !picture.empty())

@@ -94,12 +94,18 @@ struct ParameterDoubts {
   /// With one parameter moved by its step, a share of its reach, which counts as a standard deviation.
   std::vector<CondensedModel> moved;
   std::vector<double> shares;
+  /// All masses, rates and dampings multiplied by one factor, as changes over reaches of length 1. It changes no motion
+  /// unless some are held, but multiplies the noise of the force: its effect is that on the model's own motion.
+  Eigen::VectorXd common;
+  std::optional<CondensedModel> scaled;
 };
 
 constexpr double kShareOfReach = 1e-3;
 
 ParameterDoubts DoubtsOf(const Subject& subject, const std::vector<double>& values) {
   ParameterDoubts doubts;
+  std::vector<double> common;
+  std::vector<std::pair<std::size_t, double>> free;
   for (const std::size_t j : subject.free()) {
     const Parameter& parameter = subject.vehicle().parameters[j];
     const double reach = parameter.prior_sd.value_or(0.5 * std::max(0.0, parameter.upper - parameter.lower));
@@ -110,7 +116,17 @@ ParameterDoubts DoubtsOf(const Subject& subject, const std::vector<double>& valu
     there[j] += share * reach;
     doubts.moved.push_back(subject.Condensed()->At(there));
     doubts.shares.push_back(share);
+    common.push_back(parameter.dimension.kilogram == 1 ? values[j] / reach : 0);
+    free.emplace_back(j, reach);
   }
+  doubts.common = Eigen::Map<const Eigen::VectorXd>(common.data(), RowOf(common.size()));
+  const double length = doubts.common.norm();
+  if (!(length > 0)) return doubts;
+  doubts.common /= length;
+  std::vector<double> there = values;
+  for (std::size_t i = 0; i < free.size(); ++i)
+    there[free[i].first] -= kShareOfReach * doubts.common[RowOf(i)] * free[i].second;
+  doubts.scaled = subject.Condensed()->At(there);
   return doubts;
 }
 
@@ -152,10 +168,11 @@ class RunForce {
     if (!HasHysteresis(model)) cycle_ = std::make_unique<ContactCycle>(model, run.excitation.shape, kFitBalance);
     for (const CondensedModel& moved : doubts.moved)
       at_doubts_.push_back(std::make_unique<NeededForce>(moved, run.excitation.shape));
+    if (doubts.scaled) scaled_.emplace(*doubts.scaled, run.excitation.shape);
   }
 
-  /// Nothing where an element has no periodic force. `explained`: see LackingForce().
-  std::optional<ForceSample> At(std::size_t f, const Eigen::VectorXcd& explained) {
+  /// Nothing where an element has no periodic force.
+  std::optional<ForceSample> At(std::size_t f) {
     ForceSample sample{
         .run = r_, .frequency_Hz = run_.excitation.frequency_Hz[f], .amplitude_m = run_.excitation.amplitude_m[f]};
     const double amplitude = sample.amplitude_m;
@@ -163,7 +180,6 @@ class RunForce {
     sample.motion = amplitude * sight.Motion(audited_.runs[r_], f);
     sample.posts = amplitude * audited_.runs[r_].posts.col(RowOf(f));
     sample.overtones = Overtones(sample.frequency_Hz, amplitude);
-    sample.regressed = explained.size() > 0 ? explained : modelled_.size() > 0 ? modelled_ : sample.motion;
     const Eigen::MatrixXd weighed = sight.sd.cwiseInverse().asDiagonal() * sight.rows / amplitude;
     sample.information = weighed.transpose() * weighed;
     const std::optional<Eigen::VectorXd> force = Force(needed_, sample, sample.motion);
@@ -213,14 +229,17 @@ class RunForce {
 
   bool AddDoubts(const Eigen::VectorXd& force, const Sight& sight, std::size_t f, ForceSample& sample) {
     const Eigen::Index parameters = RowOf(doubts_.moved.size());
-    const std::optional<Eigen::VectorXd> here = Force(needed_, sample, sample.regressed);
-    if (!here) return false;
     Eigen::MatrixXd by_parameter(force.size(), parameters);
     for (Eigen::Index j = 0; j < parameters; ++j) {
       const std::optional<Eigen::VectorXd> there =
-          Force(*at_doubts_[static_cast<std::size_t>(j)], sample, sample.regressed);
+          Force(*at_doubts_[static_cast<std::size_t>(j)], sample, sample.motion);
       if (!there) return false;
-      by_parameter.col(j) = (*there - *here) / doubts_.shares[static_cast<std::size_t>(j)];
+      by_parameter.col(j) = (*there - force) / doubts_.shares[static_cast<std::size_t>(j)];
+    }
+    if (!AddOwn(sample)) return false;
+    if (scaled_) {
+      by_parameter -= (by_parameter * doubts_.common) * doubts_.common.transpose();
+      by_parameter += ByCommon(sample) * doubts_.common.transpose();
     }
     sample.nuisance.resize(force.size(), parameters + RowOf(faulty_.size()));
     sample.nuisance.leftCols(parameters) = by_parameter;
@@ -240,6 +259,31 @@ class RunForce {
     return true;
   }
 
+  /// What parameters change of the force on the model's own motion; nothing where it has none.
+  bool AddOwn(ForceSample& sample) {
+    sample.modelled = modelled_;
+    if (modelled_.size() == 0) return true;
+    const std::optional<Eigen::VectorXd> here = Force(needed_, sample, modelled_);
+    if (!here) return false;
+    sample.by_parameters.resize(here->size(), RowOf(doubts_.moved.size()));
+    for (std::size_t j = 0; j < doubts_.moved.size(); ++j) {
+      const std::optional<Eigen::VectorXd> there = Force(*at_doubts_[j], sample, modelled_);
+      if (!there) return false;
+      sample.by_parameters.col(RowOf(j)) = (*there - *here) / doubts_.shares[j];
+    }
+    return true;
+  }
+
+  /// Change by the common factor of all parameters, of the force on the model's own motion; zero where it has none.
+  Eigen::VectorXd ByCommon(const ForceSample& sample) {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(2 * sample.motion.size());
+    if (modelled_.size() == 0) return none;
+    const std::optional<Eigen::VectorXd> here = Force(needed_, sample, modelled_);
+    const std::optional<Eigen::VectorXd> there = Force(*scaled_, sample, modelled_);
+    if (!here || !there) return none;
+    return (*there - *here) / -kShareOfReach;
+  }
+
   /// Posts of other records over those of these.
   Complex PostsOver(const AuditedRun& other, std::size_t f) const {
     const AuditedRun& here = audited_.runs[r_];
@@ -257,6 +301,7 @@ class RunForce {
   NeededForce needed_;
   std::unique_ptr<ContactCycle> cycle_;
   std::vector<std::unique_ptr<NeededForce>> at_doubts_;
+  std::optional<NeededForce> scaled_;
   /// First harmonic of the model's own motion at the frequency at hand; empty: it has none.
   Eigen::VectorXcd modelled_;
 };
@@ -276,8 +321,7 @@ std::vector<std::string> NotMeasured(const ForceRecord& record, std::size_t run)
 }  // namespace
 
 ForceRecord LackingForce(const Subject& subject, const std::vector<double>& values,
-                         const std::vector<MeasuredRun>& runs, const AuditSubject& audited,
-                         const std::vector<Eigen::VectorXcd>& explained) {
+                         const std::vector<MeasuredRun>& runs, const AuditSubject& audited) {
   const CondensedVehicle& vehicle = *subject.Condensed();
   const CondensedModel model = vehicle.At(values);
   ForceRecord record;
@@ -290,9 +334,7 @@ ForceRecord LackingForce(const Subject& subject, const std::vector<double>& valu
     record.runs.push_back(runs[r].name);
     RunForce force(model, doubts, faulty, audited, runs[r], r);
     for (std::size_t f = 0; f < runs[r].excitation.frequency_Hz.size(); ++f)
-      if (std::optional<ForceSample> sample =
-              force.At(f, explained.empty() ? Eigen::VectorXcd() : explained[record.samples.size()]))
-        record.samples.push_back(*std::move(sample));
+      if (std::optional<ForceSample> sample = force.At(f)) record.samples.push_back(*std::move(sample));
     record.not_measured.push_back(NotMeasured(record, r));
   }
   return record;

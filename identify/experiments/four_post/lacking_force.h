@@ -12,10 +12,8 @@ namespace fourpost {
 /// The force that the vehicle, at these values of its parameters, lacks in the motion that was measured. The motion
 /// follows from the sensors that see motion alone, by their places, each weighed by its noise (see AuditEquations);
 /// harmonics beyond the first are those of the model. Frequencies at which an element has no periodic force are left
-/// out. `audited`: these runs, as FourPost::AddRecordings makes them. `explained`: of each sample of an earlier record
-/// ForceExplanations::motion; empty: the model's own motion takes its place.
+/// out. `audited`: these runs, as FourPost::AddRecordings makes them.
 ForceRecord LackingForce(const Subject& subject, const std::vector<double>& values,
-                         const std::vector<MeasuredRun>& runs, const AuditSubject& audited,
-                         const std::vector<Eigen::VectorXcd>& explained = {});
+                         const std::vector<MeasuredRun>& runs, const AuditSubject& audited);
 
 }  // namespace fourpost

@@ -34,7 +34,7 @@ std::string ExplanationTable(const nlohmann::json& missing) {
                     html::TextCell(RivalsOf(one))});
   }
   if (rows.empty())
-    return "<p>No single mechanism is named: the force is within its noise, or none of those tried explains a fifth of "
+    return "<p>No single mechanism is named: the force is within its noise, or none of those tried explains a tenth of "
            "it.</p>\n";
   return html::Table(
       {"looks like", "amount", "sd [%]", "band [Hz]", "largest [N]", "explains [%]", "would explain it as well"}, rows);
