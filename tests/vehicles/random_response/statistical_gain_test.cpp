@@ -1,0 +1,106 @@
+#include "vehicles/random_response/statistical_gain.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace fourpost {
+namespace {
+
+using std::numbers::pi;
+
+/// Gauss's rule of eight points on panels of 1.6 deviations.
+constexpr double kRounding = 1e-11;
+
+/// E[f(z)] of a standard normal z by the trapezoidal rule in steps of 1e-4: for a kinked f to 1e-8 of its slope.
+double NormalMean(const std::function<double(double)>& f) {
+  double mean = 0;
+  for (int k = -90000; k <= 90000; ++k) {
+    const double z = 1e-4 * k;
+    mean += 1e-4 * f(z) * std::exp(-0.5 * z * z) / std::sqrt(2 * pi);
+  }
+  return mean;
+}
+
+TEST(StatisticalGain, OfABilinearDamperIsItsMeanRateAndJacks) {
+  const DashpotLaw law(800, 2600);
+  const StatisticalGain gain = GainOf(DashpotRemainder{law, 1700}, {.extension_sd = 0.01, .rate_sd = 0.3});
+  EXPECT_NEAR(gain.by_rate, 0, 1700 * kRounding);
+  EXPECT_EQ(gain.by_extension, 0);
+  EXPECT_NEAR(gain.mean, 1800 * 0.3 / std::sqrt(2 * pi), 540 * kRounding);
+}
+
+// Friction of 100 N whose transition is a thousandth of the rate's deviation: F sqrt(2 / pi) / deviation, less by the
+// order of the square of that share.
+TEST(StatisticalGain, OfFrictionFallsWithTheMotion) {
+  const DashpotLaw law = DashpotLaw(0, 0).WithFriction(100, 1e-4);
+  const StatisticalGain gain = GainOf(DashpotRemainder{law, 0}, {.extension_sd = 0.01, .rate_sd = 0.1});
+  const double expected = 100 * std::sqrt(2 / pi) / 0.1;
+  EXPECT_NEAR(gain.by_rate, expected, 1e-5 * expected);
+  EXPECT_NEAR(gain.mean, 0, 1e-10);
+}
+
+TEST(StatisticalGain, OfADigressiveDamperIsTheAverage) {
+  const DashpotLaw law = DashpotLaw::Digressive(1000, 3000, {0.1, 300}, {0.15, 500});
+  for (const double deviation : {0.01, 0.1, 1.0}) {
+    const StatisticalGain gain = GainOf(DashpotRemainder{law, 1650}, {.extension_sd = 0.01, .rate_sd = deviation});
+    const double rate = NormalMean([&](double z) { return law.Force(z * deviation) * z / deviation; });
+    EXPECT_NEAR(gain.by_rate, rate - 1650, 1e-7 * rate) << deviation;
+    const double mean = NormalMean([&](double z) { return law.Force(z * deviation); });
+    EXPECT_NEAR(gain.mean, mean, 1e-7 * rate * deviation) << deviation;
+  }
+}
+
+TEST(StatisticalGain, OfACubicSpringAboutAMean) {
+  const SpringLaw law{.stiffness = 2e4, .cubic = 5e6, .knees = {}};
+  const double d = 0.02;
+  const double m = 0.01;
+  const StatisticalGain gain = GainOf(SpringRemainder{law, 2e4}, {.mean = m, .extension_sd = d, .rate_sd = 1});
+  EXPECT_NEAR(gain.by_extension, 3 * 5e6 * (m * m + d * d), 7500 * kRounding);
+  EXPECT_NEAR(gain.mean, 5e6 * (m * m * m + 3 * m * d * d), 65 * kRounding);
+  EXPECT_EQ(gain.by_rate, 0);
+}
+
+// A stop of rate k beyond a gap g: k Phi(-g / d), and its mean force k (d phi - g Phi).
+TEST(StatisticalGain, OfAStopIsItsShareOfTime) {
+  const SpringLaw law{.stiffness = 0, .cubic = 0, .knees = {{.at = -0.05, .side = -1, .stiffness = 1e5, .cubic = 0}}};
+  const double d = 0.03;
+  const double share = NormalShareBelow(-0.05 / d);
+  const StatisticalGain gain = GainOf(SpringRemainder{law, 0}, {.extension_sd = d, .rate_sd = 1});
+  EXPECT_NEAR(gain.by_extension, 1e5 * share, 1e5 * kRounding);
+  const double density = std::exp(-0.5 * std::pow(0.05 / d, 2)) / std::sqrt(2 * pi);
+  EXPECT_NEAR(gain.mean, -1e5 * (d * density - 0.05 * share), 1e3 * kRounding);
+  const StatisticalGain far = GainOf(SpringRemainder{law, 0}, {.extension_sd = 0.005, .rate_sd = 1});
+  EXPECT_EQ(far.by_extension, 0);
+  EXPECT_EQ(far.mean, 0);
+}
+
+TEST(StatisticalGain, OfATyreThatLiftsOff) {
+  const LiftoffRemainder tyre{.preload = 3000, .stiffness = 2e5, .damping = 500};
+  const PortMotion motion{.mean = -0.002, .extension_sd = 0.012, .rate_sd = 0.6};
+  const double mean = 3000 - 400;
+  const double deviation = std::hypot(2400, 300);
+  const StatisticalGain gain = GainOf(tyre, motion);
+  const double off = NormalShareBelow(-mean / deviation);
+  EXPECT_NEAR(gain.by_extension, -2e5 * off, 2e5 * kRounding);
+  EXPECT_NEAR(gain.by_rate, -500 * off, 500 * kRounding);
+  EXPECT_NEAR(gain.mean, NormalMean([&](double z) { return std::max(0.0, -mean - deviation * z); }), 1e-4);
+}
+
+TEST(StatisticalGain, LiftingForceHasTheMomentsOfItsDistribution) {
+  for (const double mean : {-500.0, 0.0, 800.0, 5000.0}) {
+    const LiftingForce force = LiftingForceOf(mean, 1000);
+    const double first = NormalMean([&](double z) { return std::max(0.0, mean + 1000 * z); });
+    const double second = NormalMean([&](double z) { return std::pow(std::max(0.0, mean + 1000 * z), 2); });
+    EXPECT_NEAR(force.mean, first, 1e-4) << mean;
+    EXPECT_NEAR(force.deviation, std::sqrt(second - first * first), 1e-3) << mean;
+    EXPECT_NEAR(force.off_ground, NormalShareBelow(-mean / 1000), kRounding) << mean;
+  }
+  EXPECT_EQ(LiftingForceOf(100, 0).mean, 100);
+  EXPECT_EQ(LiftingForceOf(-100, 0).off_ground, 1);
+}
+
+}  // namespace
+}  // namespace fourpost
