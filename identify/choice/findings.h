@@ -88,7 +88,27 @@ inline const Finding kLimitUnit{"limit-unit", Severity::kError, "{} must be a {}
 inline const Finding kSettingsShare{"settings-share", Severity::kError, "{} must be a share above 0 % and up to 100 %",
                                     "write it in percent, such as 2 %"};
 
+inline const Finding kSettingsBand{"settings-band", Severity::kError, "{} must be two rising frequencies up to 200 Hz",
+                                   "write `band: [0.5 Hz, 30 Hz]`"};
+
 // What is chosen.
+
+inline const Finding kCarWithoutPosts{"car-without-posts", Severity::kError,
+                                      "the vehicle has no fp:post, so no road moves it", "add one under each tyre",
+                                      Weight::kGrave};
+inline const Finding kChoiceWithoutDoubt{
+    "choice-without-doubt", Severity::kWarning,
+    "a vehicle file without a fit has no standard deviations: one car is rated, and "
+    "nothing is said of how sure the choice is",
+    "fit the vehicle, and name the folder of the fit"};
+inline const Finding kRoadBeyondBand{"road-beyond-band", Severity::kWarning,
+                                     "{} of the mean square of '{}' lie beyond the fitted band up to {} Hz",
+                                     "fit a wider band, or narrow 'band' of the settings"};
+inline const Finding kRoadBeyondSpeeds{
+    "road-beyond-speeds", Severity::kWarning,
+    "on road '{}' the damper '{}' is faster than {} m/s for 5 % of time, and the fit saw "
+    "{} m/s at most",
+    "fit recordings of larger amplitudes, or measure the damper on a bench"};
 
 inline const Finding kPresentWithoutRide{"present-without-ride", Severity::kError,
                                          "the car at its present setting has no response to roads ({})",

@@ -37,14 +37,17 @@ class SettingsReader {
 
   SettingsFile Read(const YAML::Node& root) {
     const StrictMap top(root, "the settings",
-                        {"knobs", "roads", "objectives", "limits", "certainty", "draws", "seed", "shortlist",
-                         "agreement", "repeatability"},
+                        {"knobs", "roads", "objectives", "limits", "certainty", "band", "duration", "draws", "seed",
+                         "shortlist", "agreement", "repeatability"},
                         settings_.file.string(), diagnostics_);
     settings_.knobs = ReadKnobs(top, vehicle_);
     ReadRoads(top);
     ReadObjectives(top);
     ReadLimits(top);
     if (top.Has("certainty")) settings_.certainty = ShareOf(top, "certainty");
+    if (top.Has("band")) ReadBand(top);
+    constexpr double kShortest_s = 5;
+    settings_.duration_s = top.Quantity("duration", kTime, kShortest_s).value_or(settings_.duration_s);
     settings_.draws = static_cast<std::size_t>(top.Integer("draws", 2, 10000).value_or(100));
     settings_.seed = static_cast<std::uint64_t>(top.Integer("seed", 0, 1L << 62).value_or(1));
     settings_.shortlist = static_cast<std::size_t>(top.Integer("shortlist", 1, 100).value_or(3));
@@ -62,7 +65,21 @@ class SettingsReader {
     return 1;
   }
 
-  /// Both add up to 1 in the end.
+  void ReadBand(const StrictMap& top) {
+    const YAML::Node node = top.Get("band");
+    if (!node.IsSequence() || node.size() != 2) return top.FaultOf("band", kSettingsBand);
+    const auto end = [&](std::size_t i, const char* what) {
+      return ReadQuantity(node[i], kFrequency, what, top.file(), diagnostics_);
+    };
+    const std::optional<double> lower = end(0, "the lower end of 'band'");
+    const std::optional<double> upper = end(1, "the upper end of 'band'");
+    if (!lower || !upper) return;
+    constexpr double kHighest_Hz = 200;
+    if (!(*lower > 0 && *lower < *upper && *upper <= kHighest_Hz)) return top.FaultOf("band", kSettingsBand);
+    settings_.lower_Hz = *lower;
+    settings_.upper_Hz = *upper;
+  }
+
   void ReadRoads(const StrictMap& top) {
     if (!top.Has("roads")) {
       settings_.roads = UsualRoads();

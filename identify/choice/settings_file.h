@@ -35,6 +35,11 @@ struct SettingsFile {
   std::vector<MetricLimit> limits;
   /// Probability with which a setting must meet every limit.
   double certainty = 0.9;
+  /// In which the roads excite the car [Hz].
+  double lower_Hz = 0.5;
+  double upper_Hz = 30;
+  /// Of a road that is driven over time, and whose peaks are meant.
+  double duration_s = 60;
   std::size_t draws = 100;
   std::uint64_t seed = 1;
   /// Settings that are computed over time as well, besides the present one.
@@ -47,7 +52,7 @@ struct SettingsFile {
   std::vector<double> RoadWeights() const;
 };
 
-/// Reads a file of settings for a vehicle and metrics that can be computed. `present`: names of metrics that are the
+/// Reads a file of settings for a vehicle and metrics that can be computed, of which the first two are the
 /// objectives where the file names none. Adds every fault with file and line; nothing when there was an error.
 std::optional<SettingsFile> ReadSettingsFile(const std::filesystem::path& file, const Vehicle& vehicle,
                                              const std::vector<Metric>& metrics, Diagnostics& diagnostics);
