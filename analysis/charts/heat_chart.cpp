@@ -79,9 +79,11 @@ class HeatDrawing {
   double Across(std::size_t column) const { return left_ + cell_ * static_cast<double>(column); }
   double Down(std::size_t row) const { return kMapTop + height_ - cell_ * static_cast<double>(row + 1); }
 
+  /// By the root of its size over the largest one, so that little is seen beside much.
   std::string ColorOf(double value) const {
-    if (value < 0) return Shaded(kBelowZero, value / least_);
-    return Shaded(kAboveZero, most_ > 0 ? value / most_ : 0);
+    const double size = std::max(most_, -least_);
+    const double share = size > 0 ? std::sqrt(std::abs(value) / size) : 0;
+    return Shaded(value < 0 ? kBelowZero : kAboveZero, share);
   }
 
   std::string Cells() const {

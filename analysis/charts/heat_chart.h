@@ -41,8 +41,8 @@ struct HeatChart {
   std::optional<Mark> cross;
 };
 
-/// The map as an SVG document: blue below zero, white at zero, orange above, each side with its own scale, which the
-/// legend shows. Throws std::invalid_argument for a map without cells, for rows of another length than the columns, and
+/// The map as an SVG document: blue below zero, white at zero, orange above, by the root of the size, as the legend
+/// shows. Throws std::invalid_argument for a map without cells, for rows of another length than the columns, and
 /// for a mark outside.
 std::string HeatSvg(const HeatChart& chart);
 

@@ -31,7 +31,7 @@ std::string PageHeader(const ChoiceAnswer& answer) {
          "</p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
 }
 
-std::string ShownPercent(double share, int digits = 3) { return ShownNumber(100 * share, digits); }
+std::string ShownPercent(double share) { return ShownDecimals(100 * share); }
 
 std::string ShownInterval(const DrawSummary& summary) {
   return ShownPercent(summary.lower) + " to " + ShownPercent(summary.upper);
@@ -70,12 +70,12 @@ std::string RatedTable(const ChoiceAnswer& answer, const std::vector<std::size_t
     }
     line.push_back(NumberCell(ShownPercent(row.change.mean)));
     if (has_doubt) {
-      line.push_back(NumberCell(ShownPercent(row.change.sd, 2)));
+      line.push_back(NumberCell(ShownPercent(row.change.sd)));
       line.push_back(NumberCell(ShownInterval(row.change)));
-      line.push_back(NumberCell(ShownNumber(row.best_probability, 2)));
-      line.push_back(NumberCell(ShownPercent(row.regret, 2)));
+      line.push_back(NumberCell(ShownDecimals(row.best_probability, 2)));
+      line.push_back(NumberCell(ShownPercent(row.regret)));
     }
-    if (!settings.limits.empty()) line.push_back(NumberCell(ShownPercent(row.all_met)));
+    if (!settings.limits.empty()) line.push_back(NumberCell(ShownNumber(100 * row.all_met, 3)));
     cells.push_back(std::move(line));
   }
   return cells.empty() ? "" : html::Table(head, cells);
@@ -119,8 +119,8 @@ std::string DoubtSection(const ChoiceAnswer& answer) {
   std::vector<std::vector<html::Cell>> rows;
   for (const DecidingParameter& one : answer.choice.deciding)
     rows.push_back({{html::Code(answer.request.parameters[one.parameter]), ""},
-                    NumberCell(ShownPercent(one.explained, 2)),
-                    NumberCell(ShownPercent(one.gain, 2))});
+                    NumberCell(ShownNumber(100 * one.explained, 2)),
+                    NumberCell(ShownPercent(one.gain))});
   return html::Section(
       "doubt", "Whose doubt decides",
       Paragraph(DecidingWords(answer)) + html::Table({"parameter", "of the variance, %", "regret falls by, %"}, rows) +
@@ -133,8 +133,8 @@ std::string NextSection(const ChoiceAnswer& answer) {
   if (answer.choice.runs.empty()) return "";
   std::vector<std::vector<html::Cell>> rows;
   for (const InformativeRun& run : answer.choice.runs)
-    rows.push_back({TextCell(answer.NameOf(run.setting)), NumberCell(ShownPercent(run.gain, 2)),
-                    NumberCell(ShownPercent(run.sd_before, 2)), NumberCell(ShownPercent(run.sd_after, 2))});
+    rows.push_back({TextCell(answer.NameOf(run.setting)), NumberCell(ShownPercent(run.gain)),
+                    NumberCell(ShownPercent(run.sd_before)), NumberCell(ShownPercent(run.sd_after))});
   return html::Section("next", "What to test next",
                        Paragraph(RunWords(answer)) +
                            html::Table({"setting", "regret falls by, %", "sd before, %", "sd after, %"}, rows) +
@@ -179,7 +179,7 @@ std::string AskedSection(const ChoiceAnswer& answer) {
   std::vector<std::vector<html::Cell>> roads;
   for (const ChoiceRoad& road : settings.roads)
     roads.push_back({TextCell(road.name), TextCell(road.road_class), NumberCell(ShownNumber(3.6 * road.speed, 4)),
-                     NumberCell(ShownPercent(road.weight))});
+                     NumberCell(ShownNumber(100 * road.weight, 3))});
   std::string html = html::Table({"road", "ISO 8608", "speed, km/h", "weight, %"}, roads);
   std::vector<std::vector<html::Cell>> wanted;
   for (const Objective& objective : settings.objectives)

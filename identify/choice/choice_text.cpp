@@ -32,14 +32,14 @@ std::string SettingsTable(const ChoiceAnswer& answer) {
     std::vector<std::string> cells = {RoleOf(answer, s), answer.NameOf(s)};
     for (std::size_t o = 0; o < row.objectives.size(); ++o) {
       cells.push_back(InUnit(row.objectives[o], answer.MetricOf(answer.request.settings.objectives[o]).unit, 4));
-      cells.push_back(Rounded(100 * row.changes[o].mean, 3));
+      cells.push_back(TwoDecimals(row.changes[o].mean));
     }
-    cells.push_back(Rounded(100 * row.change.mean, 3));
+    cells.push_back(TwoDecimals(row.change.mean));
     if (has_doubt) {
-      cells.push_back(Rounded(100 * row.change.sd, 2));
+      cells.push_back(TwoDecimals(row.change.sd));
       cells.push_back(IntervalPercent(row.change));
-      cells.push_back(Rounded(row.best_probability, 2));
-      cells.push_back(Rounded(100 * row.regret, 2));
+      cells.push_back(TwoDecimals(row.best_probability / 100));
+      cells.push_back(TwoDecimals(row.regret));
     }
     if (!answer.request.settings.limits.empty()) cells.push_back(Rounded(100 * row.all_met, 3));
     table.Add(std::move(cells));
@@ -54,7 +54,7 @@ std::string ChecksTable(const ChoiceAnswer& answer) {
     table.Add(
         {check.engine == EngineCheck::Engine::kFull ? "multibody" : "histories", answer.NameOf(check.row),
          check.objective ? answer.MetricOf(answer.request.settings.objectives[*check.objective]).name : "together",
-         Rounded(100 * check.by_spectra, 3), Rounded(100 * check.by_engine, 3)});
+         TwoDecimals(check.by_spectra), TwoDecimals(check.by_engine)});
   return '\n' + table.Format();
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "analysis/text/text_table.h"
 
@@ -29,10 +31,17 @@ std::string ObjectiveWords(const ChoiceAnswer& answer) {
 
 }  // namespace
 
-std::string SharePercent(double share, int digits) { return Rounded(100 * share, digits) + " %"; }
+std::string TwoDecimals(double share) {
+  std::ostringstream text;
+  // No "-0.00".
+  text << std::fixed << std::setprecision(2) << std::round(1e4 * share) / 100 + 0.0;
+  return text.str();
+}
+
+std::string SharePercent(double share) { return TwoDecimals(share) + " %"; }
 
 std::string IntervalPercent(const DrawSummary& summary) {
-  return Rounded(100 * summary.lower, 3) + " .. " + Rounded(100 * summary.upper, 3);
+  return TwoDecimals(summary.lower) + " .. " + TwoDecimals(summary.upper);
 }
 
 std::string ScopeWords(const ChoiceAnswer& answer) {
@@ -60,7 +69,7 @@ std::string VerdictWords(const ChoiceAnswer& answer) {
   text += " against now.";
   if (!answer.confidence.empty())
     text += " It is the best with probability " + Rounded(best.best_probability, 2) + "; its expected regret is " +
-            SharePercent(best.regret, 2) + ".";
+            SharePercent(best.regret) + ".";
   return text;
 }
 
@@ -83,7 +92,7 @@ std::string ClickWords(const ChoiceAnswer& answer) {
   for (const ClickLoss& click : answer.choice.clicks) {
     const std::string& name = answer.knobs()[click.knob].name;
     if (std::isnan(click.loss)) continue;
-    parts.push_back(name + ' ' + SharePercent(click.loss, 2) + (click.leaves_limits ? " and leaves the limits" : ""));
+    parts.push_back(name + ' ' + SharePercent(click.loss) + (click.leaves_limits ? " and leaves the limits" : ""));
   }
   return parts.empty() ? "" : "One click beside it costs at most: " + Joined(parts) + ".";
 }
@@ -97,8 +106,8 @@ std::string DecidingWords(const ChoiceAnswer& answer) {
   for (const DecidingParameter& one : choice.deciding) {
     if (parts.size() == kMost || (one.explained < kLeast && !parts.empty())) break;
     parts.push_back(
-        answer.request.parameters[one.parameter] + " (" + SharePercent(one.explained, 2) + " of its variance" +
-        (one.gain > 0 ? "; known, it would lower the expected regret by " + SharePercent(one.gain, 2) : "") + ")");
+        answer.request.parameters[one.parameter] + " (" + Rounded(100 * one.explained, 2) + " % of its variance" +
+        (one.gain > 0 ? "; known, it would lower the expected regret by " + SharePercent(one.gain) : "") + ")");
   }
   return "Doubt of these decides between the best setting and its likeliest rival, " + answer.NameOf(choice.rival) +
          ": " + Joined(parts) + ".";
@@ -109,8 +118,8 @@ std::string RunWords(const ChoiceAnswer& answer) {
   if (choice.runs.empty()) return "";
   const InformativeRun& run = choice.runs.front();
   return "Test next: " + answer.NameOf(run.setting) +
-         " beside the present setting, which lowers the expected regret by " + SharePercent(run.gain, 2) +
-         " (one run repeats within " + SharePercent(answer.request.settings.repeatability, 2) + ").";
+         " beside the present setting, which lowers the expected regret by " + SharePercent(run.gain) +
+         " (one run repeats within " + Rounded(100 * answer.request.settings.repeatability, 2) + " %).";
 }
 
 }  // namespace fourpost

@@ -8,9 +8,11 @@ namespace fourpost {
 
 // Sentences about a choice that the terminal and the page share; each ends with a stop.
 
+/// A share in percent at two decimals: "-8.31".
+std::string TwoDecimals(double share);
 /// "-8.31 %"
-std::string SharePercent(double share, int digits = 3);
-/// "-9.0 .. -7.5 %"
+std::string SharePercent(double share);
+/// "-9.02 .. -7.51"
 std::string IntervalPercent(const DrawSummary& summary);
 
 /// What was compared: settings, roads, possible cars.

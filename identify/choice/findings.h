@@ -104,12 +104,11 @@ inline const Finding kChoiceWithoutDoubt{
 inline const Finding kRoadBeyondBand{"road-beyond-band", Severity::kWarning,
                                      "{} of the mean square of '{}' lie beyond the fitted band up to {} Hz",
                                      "fit a wider band, or narrow 'band' of the settings"};
-inline const Finding kRoadBeyondSpeeds{
-    "road-beyond-speeds", Severity::kWarning,
-    "on road '{}' the damper '{}' is faster than {} m/s for 5 % of time, and the fit saw "
-    "{} m/s at most",
-    "fit recordings of larger amplitudes, or measure the damper on a bench"};
-
+inline const Finding kRoadBeyondSpeeds{"road-beyond-speeds", Severity::kWarning,
+                                       "on {} of {} roads the damper '{}' is faster than any recording of the fit ({} "
+                                       "m/s) for more than 5 % of time, up to {} "
+                                       "m/s on '{}'",
+                                       "fit recordings of larger amplitudes, or measure the damper on a bench"};
 inline const Finding kPresentWithoutRide{"present-without-ride", Severity::kError,
                                          "the car at its present setting has no response to roads ({})",
                                          "see `fourpost check` of its vehicle file", Weight::kGrave};

@@ -81,14 +81,16 @@ void CheckSpeeds(const CarMetrics& car, const Vehicle& vehicle, const ChoiceRequ
   const std::vector<double> present =
       ValuesAt(request.settings.knobs, PresentSetting(request.settings.knobs), request.fitted);
   const Eigen::MatrixXd speeds = car.DamperSpeeds(request.settings, present);
-  for (Index road = 0; road < speeds.rows(); ++road)
-    for (Index d = 0; d < speeds.cols(); ++d) {
-      const auto seen = range.damper_speeds.find(vehicle.dampers[static_cast<std::size_t>(d)].name);
-      if (seen == range.damper_speeds.end() || !(speeds(road, d) > seen->second)) continue;
-      findings.Report(kRoadBeyondSpeeds, {request.settings.file.string()},
-                      {request.settings.roads[static_cast<std::size_t>(road)].name, seen->first,
-                       Rounded(speeds(road, d), 2), Rounded(seen->second, 2)});
-    }
+  for (Index d = 0; d < speeds.cols(); ++d) {
+    const auto seen = range.damper_speeds.find(vehicle.dampers[static_cast<std::size_t>(d)].name);
+    Index worst = 0;
+    const double fastest = speeds.col(d).maxCoeff(&worst);
+    if (seen == range.damper_speeds.end() || !(fastest > seen->second)) continue;
+    const auto beyond = (speeds.col(d).array() > seen->second).count();
+    findings.Report(kRoadBeyondSpeeds, {request.settings.file.string()},
+                    {std::to_string(beyond), std::to_string(speeds.rows()), seen->first, Rounded(seen->second, 2),
+                     Rounded(fastest, 2), request.settings.roads[static_cast<std::size_t>(worst)].name});
+  }
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class SettingsReader {
     if (top.Has("band")) ReadBand(top);
     constexpr double kShortest_s = 5;
     settings_.duration_s = top.Quantity("duration", kTime, kShortest_s).value_or(settings_.duration_s);
-    settings_.draws = static_cast<std::size_t>(top.Integer("draws", 2, 10000).value_or(100));
+    settings_.draws = static_cast<std::size_t>(top.Integer("draws", 20, 10000).value_or(100));
     settings_.seed = static_cast<std::uint64_t>(top.Integer("seed", 0, 1L << 62).value_or(1));
     settings_.shortlist = static_cast<std::size_t>(top.Integer("shortlist", 1, 100).value_or(3));
     if (top.Has("agreement")) settings_.agreement = ShareOf(top, "agreement");

@@ -6,7 +6,7 @@ studies/damper/appendix_a/generate.py,
 
     m' = sqrt(dP) / Rm1 + dP / Rm,  Rm = Rm2 in rebound, Rm3 in bump,  f = A_a dP,
 
-and the rate is f / v at 0.2 m/s, of which half the time of a damper on a fair road is below.
+and the rate is f / v at 0.2 m/s.
 """
 import math
 

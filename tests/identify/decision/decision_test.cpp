@@ -26,8 +26,8 @@ VectorXd Normals(Index count, std::uint64_t seed) {
   return values;
 }
 
-// Of two settings whose difference is normal, the better one is the best with Phi(mean / sd), and its expected regret is
-// sd phi(mean / sd) - mean Phi(-mean / sd).
+// Of two settings whose difference is normal, the better one is the best with Phi(mean / sd), and its expected regret
+// is sd phi(mean / sd) - mean Phi(-mean / sd).
 TEST(Decision, HasTheClosedFormsOfTwoNormalAlternatives) {
   constexpr Index kDraws = 40000;
   constexpr double kMean = 0.7;

@@ -37,7 +37,8 @@ TEST(ExpectedRise, OfTwoLinesIsTheClosedForm) {
   for (const double gap : {0.0, 0.3, 2.0, 8.0})
     for (const double slope : {0.5, -1.5}) {
       const double size = std::abs(slope);
-      EXPECT_NEAR(ExpectedRise(Eigen::Vector2d(1, 1 - gap), Eigen::Vector2d(0, slope)), size * Excess(gap / size), 1e-15)
+      EXPECT_NEAR(ExpectedRise(Eigen::Vector2d(1, 1 - gap), Eigen::Vector2d(0, slope)), size * Excess(gap / size),
+                  1e-15)
           << gap << ' ' << slope;
     }
 }
