@@ -26,22 +26,8 @@ namespace {
 
 /// Iterates kept by Anderson's method.
 constexpr int kHistory = 4;
-/// Gains below this share of the law's own rates change no deviation by as much as a hundredth of the tolerance.
-constexpr double kSilent = 1e-8;
-
-struct LawRates {
-  double stiffness = 0;
-  double damping = 0;
-};
-LawRates RatesOf(const DashpotRemainder& law) { return {0, law.rate}; }
-LawRates RatesOf(const SpringRemainder& law) { return {std::abs(law.stiffness) + std::abs(law.law.cubic) * 1e-4, 0}; }
-LawRates RatesOf(const LiftoffRemainder& law) { return {law.stiffness, law.damping}; }
-LawRates RatesOf(const HydraulicRemainder& law) { return {law.share.stiffness, law.share.rate}; }
-
-bool IsSilent(const PortLaw& law, const StatisticalGain& gain) {
-  const LawRates rates = std::visit([](const auto& port) { return RatesOf(port); }, law);
-  return std::abs(gain.by_extension) <= kSilent * rates.stiffness && std::abs(gain.by_rate) <= kSilent * rates.damping;
-}
+/// Gains that change no extension by more than this share of the tolerance are left out.
+constexpr double kSilent = 0.01;
 
 /// Gaussian elimination with partial pivoting in place: right <- matrix^-1 right.
 void EliminateInPlace(Eigen::Ref<MatrixXcd> matrix, Eigen::Ref<MatrixXcd> right) {
@@ -82,6 +68,7 @@ RandomVehicle::RandomVehicle(const CondensedModel& model, SpectralGrid grid)
                                            : model.liftoffs[static_cast<std::size_t>(port.liftoff)].load_cells);
   SolveLinearPart(model);
   SolveAtRest(model);
+  FindReach();
 }
 
 void RandomVehicle::SolveLinearPart(const CondensedModel& model) {
@@ -136,12 +123,28 @@ void RandomVehicle::SolveAtRest(const CondensedModel& model) {
   at_rest_.bottomRows(sensors_) = model.on_position * motion.topRows(model.mass.rows());
 }
 
+void RandomVehicle::FindReach() {
+  const auto ports = static_cast<Index>(ports_.size());
+  const Index columns = frequencies() > 0 ? receptance_.cols() / frequencies() : 0;
+  for (Index j = 0; j < ports; ++j) {
+    Reach reach;
+    for (Index k = 0; k < frequencies(); ++k) {
+      const double own = std::abs(receptance_(j, k * columns + j));
+      reach.by_stiffness = std::max(reach.by_stiffness, own);
+      reach.by_damping =
+          std::max(reach.by_damping, 2 * std::numbers::pi * grid_.frequency_Hz[static_cast<std::size_t>(k)] * own);
+    }
+    reach_.push_back(reach);
+  }
+}
+
 /// The state of one solution: motions of the ports, their gains, and amplitudes of the active ones.
 class RandomVehicle::Iteration {
  public:
-  Iteration(const RandomVehicle& vehicle, const PostSpectra& posts)
+  Iteration(const RandomVehicle& vehicle, const PostSpectra& posts, double silent)
       : vehicle_(vehicle),
         posts_(posts),
+        silent_(silent),
         ports_(static_cast<Index>(vehicle.ports_.size())),
         columns_(ports_ + posts.heights.rows()),
         unforced_(ports_, posts.heights.cols()),
@@ -153,18 +156,17 @@ class RandomVehicle::Iteration {
   }
 
   Index sources() const { return posts_.sources; }
-  const std::vector<PortMotion>& motions() const { return motions_; }
-  const std::vector<StatisticalGain>& gains() const { return gains_; }
 
-  /// Gains at these motions; ports without any are left out from now on.
+  /// Gains at these motions, and which of them count.
   void SetMotions(std::vector<PortMotion> motions) {
     motions_ = std::move(motions);
-    active_.clear();
-    for (Index j = 0; j < ports_; ++j) {
-      const auto i = static_cast<std::size_t>(j);
-      gains_[i] = GainOf(vehicle_.ports_[i].law, motions_[i]);
-      if (!IsSilent(vehicle_.ports_[i].law, gains_[i])) active_.push_back(j);
-    }
+    for (std::size_t i = 0; i < motions_.size(); ++i) gains_[i] = GainOf(vehicle_.ports_[i].law, motions_[i]);
+    FindActive();
+  }
+
+  void SetGains(const std::vector<StatisticalGain>& gains) {
+    gains_ = gains;
+    FindActive();
   }
 
   /// Deviations of the ports with these gains, and their means.
@@ -192,7 +194,6 @@ class RandomVehicle::Iteration {
   void Write(RandomResponse& response) {
     const Index dashpots = vehicle_.receptance_.rows() - ports_ - vehicle_.sensors_;
     MatrixXcd outputs(vehicle_.sensors_ + dashpots, posts_.heights.cols());
-    MatrixXcd forces(static_cast<Index>(active_.size()), sources());
     Sweep([&](Index k, double w, const auto& extensions) {
       auto here = outputs.middleCols(k * sources(), sources());
       const Eigen::Ref<const MatrixXcd> at = At(k).bottomRows(outputs.rows());
@@ -220,6 +221,16 @@ class RandomVehicle::Iteration {
   }
 
  private:
+  void FindActive() {
+    active_.clear();
+    for (Index j = 0; j < ports_; ++j) {
+      const StatisticalGain& gain = gains_[static_cast<std::size_t>(j)];
+      const Reach& reach = vehicle_.reach_[static_cast<std::size_t>(j)];
+      const double loop = std::abs(gain.by_extension) * reach.by_stiffness + std::abs(gain.by_rate) * reach.by_damping;
+      if (!(loop <= silent_)) active_.push_back(j);
+    }
+  }
+
   Eigen::Ref<const MatrixXcd> At(Index k) const { return vehicle_.receptance_.middleCols(k * columns_, columns_); }
 
   /// Calls `take` with the extensions of all ports at each frequency.
@@ -275,6 +286,8 @@ class RandomVehicle::Iteration {
 
   const RandomVehicle& vehicle_;
   const PostSpectra& posts_;
+  /// A gain times the port's own receptance that changes nothing.
+  double silent_;
   Index ports_;
   Index columns_;
   /// Extensions without the gains.
@@ -315,15 +328,30 @@ std::vector<PortMotion> Unpacked(const VectorXd& packed, const std::vector<PortM
 
 }  // namespace
 
-RandomResponse RandomVehicle::Solve(const PostSpectra& posts, const RandomOptions& options) const {
-  options.Validate();
-  const auto port_count = static_cast<Index>(ports_.size());
-  const Index post_count = receptance_.cols() / std::max<Index>(1, frequencies()) - port_count;
+void RandomVehicle::RequireFitting(const PostSpectra& posts) const {
+  const Index post_count =
+      frequencies() > 0 ? receptance_.cols() / frequencies() - static_cast<Index>(ports_.size()) : 0;
   RequireOption(posts.heights.rows() == post_count, "PostSpectra: posts", posts.heights.rows(),
                 "as many as the model's");
   RequireOption(posts.heights.cols() == frequencies() * posts.sources, "PostSpectra: columns", posts.heights.cols(),
                 "frequencies of the grid times sources");
-  Iteration iteration(*this, posts);
+}
+
+RandomResponse RandomVehicle::Respond(const PostSpectra& posts, const std::vector<StatisticalGain>& gains) const {
+  RequireFitting(posts);
+  RequireOption(gains.size() == ports_.size(), "RandomVehicle: gains", gains.size(), "one per nonlinear element");
+  Iteration iteration(*this, posts, 0);
+  iteration.SetGains(gains);
+  RandomResponse response{.converged = true};
+  iteration.Write(response);
+  response.mean_readings.setZero();
+  return response;
+}
+
+RandomResponse RandomVehicle::Solve(const PostSpectra& posts, const RandomOptions& options) const {
+  options.Validate();
+  RequireFitting(posts);
+  Iteration iteration(*this, posts, kSilent * options.tolerance);
   RandomResponse response;
   const std::vector<PortMotion> first = iteration.Answer();
   VectorXd at = Packed(first, first);

@@ -53,15 +53,26 @@ class RandomVehicle {
   /// `posts`: at the grid's frequencies. Throws std::invalid_argument for another number of posts or frequencies.
   RandomResponse Solve(const PostSpectra& posts, const RandomOptions& options = {}) const;
 
+  /// Of the linear vehicle that these gains make, one per port; means are zero. Throws as Solve() does, and for another
+  /// number of gains.
+  RandomResponse Respond(const PostSpectra& posts, const std::vector<StatisticalGain>& gains) const;
+
   const SpectralGrid& grid() const { return grid_; }
   const std::vector<Port>& ports() const { return ports_; }
 
  private:
   class Iteration;
+  /// Largest extension of a port per unit tension of its own, and per unit of its rate's tension.
+  struct Reach {
+    double by_stiffness = 0;
+    double by_damping = 0;
+  };
 
+  void RequireFitting(const PostSpectra& posts) const;
   Eigen::Index frequencies() const { return static_cast<Eigen::Index>(grid_.size()); }
   void SolveLinearPart(const CondensedModel& model);
   void SolveAtRest(const CondensedModel& model);
+  void FindReach();
 
   SpectralGrid grid_;
   std::vector<Port> ports_;
@@ -73,6 +84,7 @@ class RandomVehicle {
   Eigen::MatrixXcd receptance_;
   /// (ports + sensors) x ports: the same at rest per unit mean force of a port.
   Eigen::MatrixXd at_rest_;
+  std::vector<Reach> reach_;
 };
 
 }  // namespace fourpost

@@ -142,13 +142,14 @@ struct HistoryAnswer {
     for (const RideInstruments::Stop& stop : instruments.stops) {
       const Spring& spring = instruments.vehicle.springs[stop.spring];
       const SpringLaw law = spring.law.At(values);
-      if (law.knees.empty()) continue;
-      const SpringLaw::Knee& knee = law.knees.front();
-      const ArrayXd left = knee.side * (knee.at - Reading(stop.sensor));
-      stops.push_back({.stop = spring.name,
-                       .gap_m = knee.side * knee.at,
-                       .left_m = left.minCoeff(),
-                       .contact = static_cast<double>((left < 0).count()) / static_cast<double>(left.size())});
+      for (const SpringLaw::Knee& knee : law.knees) {
+        const ArrayXd left = knee.side * (knee.at - Reading(stop.sensor));
+        stops.push_back({.stop = spring.name,
+                         .is_bump = knee.side < 0,
+                         .gap_m = knee.side * knee.at,
+                         .left_m = left.minCoeff(),
+                         .contact = static_cast<double>((left < 0).count()) / static_cast<double>(left.size())});
+      }
     }
     return stops;
   }

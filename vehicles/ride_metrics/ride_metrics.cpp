@@ -68,8 +68,9 @@ std::vector<NamedMetric> NamedMetrics(const RideMetrics& metrics) {
   names.Add("car.load_variance", metrics.load_variance, "N^2");
   for (const RideMetrics::Strut& strut : metrics.struts) AddStrut(strut, names);
   for (const RideMetrics::Stop& stop : metrics.stops) {
-    names.Add(stop.stop + ".left", stop.left_m, "m");
-    names.Add(stop.stop + ".contact", stop.contact, "1");
+    const std::string side = stop.stop + (stop.is_bump ? ".bump_stop" : ".rebound_stop");
+    names.Add(side + ".left", stop.left_m, "m");
+    names.Add(side + ".contact", stop.contact, "1");
   }
   if (metrics.body) AddBody(*metrics.body, names);
   return names.Take();

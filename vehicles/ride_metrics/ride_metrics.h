@@ -83,6 +83,7 @@ struct RideMetrics {
 
   struct Stop {
     std::string stop;
+    bool is_bump = true;
     /// Travel to the stop in the design pose, and what the motion leaves of it at the furthest; negative: compressed.
     double gap_m = 0;
     double left_m = 0;

@@ -183,14 +183,15 @@ std::vector<RideMetrics::Stop> SpectralRide::Answer::Stops() const {
   for (const RideInstruments::Stop& stop : instruments().stops) {
     const Spring& spring = vehicle().springs[stop.spring];
     const SpringLaw law = spring.law.At(values);
-    if (law.knees.empty()) continue;
-    const SpringLaw::Knee& knee = law.knees.front();
     const Motion motion = ride.MotionOf(Reading(stop.sensor));
-    const double gap = knee.side * (knee.at - Mean(stop.sensor));
-    stops.push_back({.stop = spring.name,
-                     .gap_m = knee.side * knee.at,
-                     .left_m = gap - ride.PeakOf(motion),
-                     .contact = motion.deviation > 0 ? NormalShareBelow(-gap / motion.deviation) : 0});
+    for (const SpringLaw::Knee& knee : law.knees) {
+      const double gap = knee.side * (knee.at - Mean(stop.sensor));
+      stops.push_back({.stop = spring.name,
+                       .is_bump = knee.side<0, .gap_m = knee.side * knee.at, .left_m = gap - ride.PeakOf(motion),
+                                            .contact = motion.deviation> 0
+                                      ? NormalShareBelow(-gap / motion.deviation)
+                                      : 0});
+    }
   }
   return stops;
 }
