@@ -17,6 +17,7 @@
 #include "vehicles/ride/named_modes.h"
 #include "vehicles/ride/suspension.h"
 #include "vehicles/ride_metrics/history_ride.h"
+#include "vehicles/ride_metrics/road_ride.h"
 #include "vehicles/ride_metrics/spectral_ride.h"
 
 namespace fourpost {
@@ -165,6 +166,11 @@ class CarMetrics::SpectralCar {
     return values;
   }
 
+  RideSpectra SpectraAt(std::span<const double> parameters, std::size_t road) const {
+    const RandomVehicle vehicle(ModelAt(parameters), grid_);
+    return SpectraOf(ride_.instruments(), grid_, vehicle.Solve(roads_[road]));
+  }
+
   std::vector<Mode> ModesAt(const CondensedModel& model, std::span<const double> parameters) const {
     return NamedModes(condensed_.vehicle(), pose_, suspension_, model, parameters);
   }
@@ -172,11 +178,8 @@ class CarMetrics::SpectralCar {
  private:
   /// For resonances of half the least damping of the body and wheels at the fitted values.
   SpectralGrid GridOf(const CarMetrics& car, const SettingsFile& settings) const {
-    double least = 1;
-    for (const Mode& mode : ModesOf(condensed_.At(car.vehicle_.ParameterValues())))
-      if (mode.kind == Mode::Kind::kOscillating && mode.frequency_Hz > settings.lower_Hz &&
-          mode.frequency_Hz < settings.upper_Hz)
-        least = std::min(least, mode.damping_ratio);
+    const double least =
+        LeastDampingWithin(condensed_.At(car.vehicle_.ParameterValues()), settings.lower_Hz, settings.upper_Hz);
     constexpr double kSofter = 0.5;
     constexpr double kLeast = 0.01;
     const double length = RoadTracksOf(car.vehicle_).length();
@@ -295,6 +298,12 @@ Eigen::MatrixXd CarMetrics::DamperSpeeds(const SettingsFile& settings, std::span
     for (std::size_t d = 0; d < rides[road].struts.size(); ++d)
       speeds(static_cast<Index>(road), static_cast<Index>(d)) = rides[road].struts[d].speed_95;
   return speeds;
+}
+
+RideSpectra CarMetrics::SpectraAt(const SettingsFile& settings, std::span<const double> parameters) const {
+  const auto heaviest = std::max_element(settings.roads.begin(), settings.roads.end(),
+                                         [](const ChoiceRoad& a, const ChoiceRoad& b) { return a.weight < b.weight; });
+  return MakeSpectral(settings)->SpectraAt(parameters, static_cast<std::size_t>(heaviest - settings.roads.begin()));
 }
 
 }  // namespace fourpost

@@ -10,6 +10,7 @@
 #include "identify/choice/settings_file.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/ride_metrics/ride_instruments.h"
+#include "vehicles/ride_metrics/ride_spectra.h"
 
 namespace fourpost {
 
@@ -32,6 +33,9 @@ class CarMetrics {
 
   /// Of each damper on each road at these values: the speed that is not exceeded in 95 % of time [m/s].
   Eigen::MatrixXd DamperSpeeds(const SettingsFile& settings, std::span<const double> parameters) const;
+
+  /// On the first of the roads with the largest weight.
+  RideSpectra SpectraAt(const SettingsFile& settings, std::span<const double> parameters) const;
 
  private:
   class SpectralCar;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "identify/choice/choice.h"
+#include "vehicles/ride_metrics/ride_spectra.h"
 
 namespace fourpost {
 
@@ -19,6 +20,13 @@ struct ChoiceAnswer {
   std::string confidence;
   ChoiceRequest request;
   Choice choice;
+  /// Of the present and the best setting at the fitted values, on the road with the largest weight; empty without a
+  /// best one.
+  RideSpectra present_spectra = {};
+  RideSpectra best_spectra = {};
+  /// Of both at the fitted values, roads x metrics, SI; that of the best one empty without it.
+  Eigen::MatrixXd present_metrics = {};
+  Eigen::MatrixXd best_metrics = {};
 
   const std::vector<Knob>& knobs() const { return request.settings.knobs; }
   std::size_t draws() const { return static_cast<std::size_t>(request.draws.rows()); }
@@ -36,8 +44,8 @@ std::string ChoiceText(const ChoiceAnswer& answer);
 /// See schema/choose.json.
 nlohmann::ordered_json ChoiceJson(const ChoiceAnswer& answer);
 
-/// Names and texts of settings.csv, test_next.csv, settings.svg, front.svg and choose.html; pictures where there is
-/// something to draw.
+/// Names and texts of settings.csv, metrics.csv, test_next.csv, settings.svg, front.svg, spectra.svg and choose.html; pictures where
+/// there is something to draw.
 std::vector<std::pair<std::string, std::string>> ChoiceFiles(const ChoiceAnswer& answer);
 
 }  // namespace fourpost

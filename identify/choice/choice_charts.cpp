@@ -98,6 +98,12 @@ ChartAxis PercentAxis(const std::vector<double>& values) {
   return LinearAxis(*least - margin, *most + margin, 8);
 }
 
+SvgSeries RootSeries(const RideSpectra& spectra, std::size_t channel, const SvgStyle& style) {
+  SvgSeries series{.style = style, .x = spectra.frequency_Hz, .y = {}};
+  for (const double density : spectra.channels[channel].density) series.y.push_back(std::sqrt(density));
+  return series;
+}
+
 }  // namespace
 
 std::string SettingsSvg(const ChoiceAnswer& answer) {
@@ -167,6 +173,33 @@ std::string FrontSvg(const ChoiceAnswer& answer) {
                  .y = PercentAxis(all.y),
                  .series = series};
   sheet.rows.push_back({"", "", {panel}});
+  return SvgText(sheet);
+}
+
+std::string SpectraSvg(const ChoiceAnswer& answer) {
+  if (answer.best_spectra.channels.empty() || answer.choice.best == answer.choice.present) return "";
+  const SvgStyle now = {"now, " + answer.NameOf(answer.choice.present), kPresentColor, SvgMark::kLine, 1.4};
+  const SvgStyle best = {"best, " + answer.NameOf(*answer.choice.best), kBestColor, SvgMark::kLine, 1.4};
+  const std::vector<double>& frequency = answer.best_spectra.frequency_Hz;
+  SvgSheet sheet{.title = "Accelerations and tyre loads",
+                 .note = "root power spectral density over frequency [Hz], on the road with the largest weight",
+                 .legend = {now, best},
+                 .columns = {"", "", "", ""},
+                 .x_label = "Hz",
+                 .rows = {}};
+  for (std::size_t c = 0; c < answer.best_spectra.channels.size(); ++c) {
+    SvgPanel panel{.title = answer.best_spectra.channels[c].name,
+                   .note = answer.best_spectra.channels[c].unit + "/√Hz",
+                   .x = LogAxis(frequency.front(), frequency.back()),
+                   .y = {},
+                   .series = {RootSeries(answer.present_spectra, c, now), RootSeries(answer.best_spectra, c, best)}};
+    double most = 0;
+    for (const SvgSeries& series : panel.series)
+      for (const double y : series.y) most = std::max(most, y);
+    panel.y = LinearAxis(0, most > 0 ? most : 1, 4);
+    if (c % sheet.columns.size() == 0) sheet.rows.push_back({"", "", {}});
+    sheet.rows.back().panels.push_back(std::move(panel));
+  }
   return SvgText(sheet);
 }
 

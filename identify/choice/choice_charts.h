@@ -14,4 +14,8 @@ std::string SettingsSvg(const ChoiceAnswer& answer);
 /// setting.
 std::string FrontSvg(const ChoiceAnswer& answer);
 
+/// Root power spectral densities of the chassis' accelerations and the tyres' loads of the best setting beside the
+/// present one. Empty without a best setting, or where the two are one.
+std::string SpectraSvg(const ChoiceAnswer& answer);
+
 }  // namespace fourpost

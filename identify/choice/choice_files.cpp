@@ -101,14 +101,29 @@ std::string TestNextCsv(const ChoiceAnswer& answer) {
   return csv.text();
 }
 
+/// All metrics of the present setting, and of the best one.
+std::string MetricsCsv(const ChoiceAnswer& answer) {
+  CsvWriter csv({"metric", "unit", "road", "now", "best"});
+  for (Eigen::Index m = 0; m < answer.present_metrics.cols(); ++m) {
+    const Metric& metric = answer.request.metrics[static_cast<std::size_t>(m)];
+    for (Eigen::Index road = 0; road < answer.present_metrics.rows(); ++road) {
+      csv.Add(metric.name).Add(SiUnit(metric.dimension));
+      csv.Add(answer.request.settings.roads[static_cast<std::size_t>(road)].name).Add(answer.present_metrics(road, m));
+      csv.Add(answer.best_metrics.size() > 0 ? answer.best_metrics(road, m) : std::nan(""));
+    }
+  }
+  return csv.text();
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> ChoiceFiles(const ChoiceAnswer& answer) {
   std::vector<std::pair<std::string, std::string>> files = {{"settings.csv", SettingsCsv(answer)},
+                                                            {"metrics.csv", MetricsCsv(answer)},
                                                             {"test_next.csv", TestNextCsv(answer)},
                                                             {"choose.html", ChoicePage(answer)}};
-  for (auto& [name, svg] : std::vector<std::pair<std::string, std::string>>{{"settings.svg", SettingsSvg(answer)},
-                                                                            {"front.svg", FrontSvg(answer)}})
+  for (auto& [name, svg] : std::vector<std::pair<std::string, std::string>>{
+           {"settings.svg", SettingsSvg(answer)}, {"front.svg", FrontSvg(answer)}, {"spectra.svg", SpectraSvg(answer)}})
     if (!svg.empty()) files.emplace_back(name, std::move(svg));
   return files;
 }

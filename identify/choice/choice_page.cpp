@@ -31,7 +31,7 @@ std::string PageHeader(const ChoiceAnswer& answer) {
          "</p>\n<button id=\"theme\" type=\"button\" hidden>dark</button>\n</header>\n";
 }
 
-std::string ShownPercent(double share) { return ShownDecimals(100 * share); }
+std::string ShownPercent(double share) { return ShownDecimals(100 * share, 2); }
 
 std::string ShownInterval(const DrawSummary& summary) {
   return ShownPercent(summary.lower) + " to " + ShownPercent(summary.upper);
@@ -112,6 +112,14 @@ std::string FrontSection(const ChoiceAnswer& answer) {
   return html::Section("front", "Two objectives",
                        html::Picture(svg, "Both objectives of every setting, and their front") +
                            RatedTable(answer, answer.choice.front) + "<p class=\"note\">" + words + "</p>\n");
+}
+
+std::string SpectraSection(const ChoiceAnswer& answer) {
+  const std::string svg = SpectraSvg(answer);
+  if (svg.empty()) return "";
+  return html::Section(
+      "spectra", "Best beside now",
+      html::Picture(svg, "Spectra of accelerations and tyre loads at the best and the present setting"));
 }
 
 std::string DoubtSection(const ChoiceAnswer& answer) {
@@ -200,8 +208,9 @@ std::string AskedSection(const ChoiceAnswer& answer) {
 
 std::string ChoicePage(const ChoiceAnswer& answer) {
   const std::string body = PageHeader(answer) + "<nav id=\"contents\"></nav>\n<main>\n" + PageSummary(answer) +
-                           MapSection(answer) + FrontSection(answer) + DoubtSection(answer) + NextSection(answer) +
-                           EngineSection(answer) + AllSection(answer) + AskedSection(answer) + "</main>\n" +
+                           MapSection(answer) + FrontSection(answer) + SpectraSection(answer) + DoubtSection(answer) +
+                           NextSection(answer) + EngineSection(answer) + AllSection(answer) + AskedSection(answer) +
+                           "</main>\n" +
                            PageFooter(answer.subject + " and " + answer.request.settings.file.filename().string());
   return ReportDocument("Settings of " + answer.subject + " \u2013 fourpost", body, "{}");
 }

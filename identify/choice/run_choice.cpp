@@ -139,6 +139,17 @@ ChoiceAnswer ChooseForRun(const RunChoiceRequest& request, const WorkHooks& hook
   CheckSpeeds(car, *vehicle, asked, range, findings);
   hooks.Find(findings);
   answer.choice = Choose(asked, hooks);
+  if (!answer.choice.is_interrupted)
+    answer.present_metrics =
+        asked.spectra(ValuesAt(asked.settings.knobs, PresentSetting(asked.settings.knobs), asked.fitted));
+  if (answer.choice.best) {
+    const auto values_of = [&](std::size_t row) {
+      return ValuesAt(asked.settings.knobs, answer.choice.rows[row].setting, asked.fitted);
+    };
+    answer.present_spectra = car.SpectraAt(asked.settings, values_of(answer.choice.present));
+    answer.best_spectra = car.SpectraAt(asked.settings, values_of(*answer.choice.best));
+    answer.best_metrics = asked.spectra(values_of(*answer.choice.best));
+  }
   findings.Add(answer.choice.findings);
   answer.choice.findings = std::move(findings);
   // They refer to the vehicle, which ends here.

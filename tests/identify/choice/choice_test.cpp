@@ -68,19 +68,21 @@ TEST(Choice, IsWhatBruteForceFinds) {
   std::vector<double> wins(121, 0);
   std::vector<double> means(121, 0);
   std::vector<double> regrets(121, 0);
+  std::vector<std::vector<double>> costs(121);
   const auto draws = static_cast<double>(request.draws.rows());
   for (Index d = 0; d < request.draws.rows(); ++d) {
-    std::vector<double> costs;
+    std::vector<double> of_car;
     for (int i = 0; i < 11; ++i)
       for (int j = 0; j < 11; ++j) {
         const std::vector<double> car = {1 + 0.1 * (i - 5), 1 + 0.1 * (j - 5), request.draws(d, 2)};
-        costs.push_back(StandInMetrics(car)(0, 0) / StandInMetrics(std::vector<double>{1, 1, car[2]})(0, 0));
+        of_car.push_back(StandInMetrics(car)(0, 0) / StandInMetrics(std::vector<double>{1, 1, car[2]})(0, 0));
       }
-    const double least = *std::min_element(costs.begin(), costs.end());
-    for (std::size_t s = 0; s < costs.size(); ++s) {
-      wins[s] += costs[s] == least ? 1 / draws : 0;
-      means[s] += costs[s] / draws;
-      regrets[s] += (costs[s] - least) / draws;
+    const double least = *std::min_element(of_car.begin(), of_car.end());
+    for (std::size_t s = 0; s < of_car.size(); ++s) {
+      wins[s] += of_car[s] == least ? 1 / draws : 0;
+      means[s] += of_car[s] / draws;
+      regrets[s] += (of_car[s] - least) / draws;
+      costs[s].push_back(of_car[s]);
     }
   }
   const auto best = static_cast<std::size_t>(std::min_element(means.begin(), means.end()) - means.begin());
@@ -96,11 +98,16 @@ TEST(Choice, IsWhatBruteForceFinds) {
   }
   EXPECT_EQ(choice.lattice, 121);
   EXPECT_FALSE(choice.was_searched);
-  // x 7 and x 9 are the best in some cars, y is certain.
-  for (std::size_t s = 0; s < choice.rows.size(); ++s)
-    EXPECT_EQ(choice.rows[s].is_indistinct,
-              choice.rows[s].setting[1] == 7 && std::abs(choice.rows[s].setting[0] - 8) <= 1)
-        << s;
+  // The quantile of 2.5 % of 60 paired differences lies between the second and the third.
+  for (std::size_t s = 0; s < costs.size(); ++s) {
+    std::vector<double> differences;
+    for (std::size_t d = 0; d < costs[s].size(); ++d) differences.push_back(costs[s][d] - costs[best][d]);
+    std::sort(differences.begin(), differences.end());
+    EXPECT_EQ(choice.rows[s].is_indistinct, std::lerp(differences[1], differences[2], 0.475) <= 0) << s;
+  }
+  // Some are, most are not.
+  EXPECT_GT(choice.IndistinctCount(), 1U);
+  EXPECT_LT(choice.IndistinctCount(), 30U);
   ASSERT_FALSE(choice.deciding.empty());
   EXPECT_EQ(choice.deciding[0].parameter, 2U);
   EXPECT_GT(choice.deciding[0].explained, 0.99);
@@ -164,7 +171,7 @@ TEST(Choice, SaysWhichLimitNobodyMeetsAndByHowMuch) {
   const ChoiceAnswer answer{.subject = "run", .confidence = "95 %", .request = request, .choice = choice};
   EXPECT_TRUE(ChoiceJson(answer)["best"].is_null());
   EXPECT_THAT(ChoiceText(answer), testing::HasSubstr("nothing is chosen"));
-  EXPECT_EQ(ChoiceFiles(answer).size(), 3U);
+  EXPECT_EQ(ChoiceFiles(answer).size(), 4U);
 }
 
 TEST(Choice, WarnsOfKnobsWithoutEffectAndOfEnds) {
@@ -184,7 +191,7 @@ TEST(Choice, LeavesOutSettingsAndCarsWithoutAnAnswer) {
   ChoiceRequest request = StandIn();
   request.spectra = [](std::span<const double> p) {
     // The best setting, and every setting of a car far off.
-    if ((p[0] > 1.25 && p[0] < 1.35) || p[2] > 0.1) throw std::runtime_error("unstable");
+    if ((p[0] > 1.25 && p[0] < 1.35) || p[2] > 0.06) throw std::runtime_error("unstable");
     return StandInMetrics(p);
   };
   const Choice choice = Choose(request, {});
@@ -240,7 +247,7 @@ TEST(SettingSearch, KeepsTheBestOfManySettings) {
   const PromisingSettings promising = FindPromising(car, request.fitted, 1, {});
   EXPECT_EQ(promising.evaluated, 3601);
   EXPECT_TRUE(promising.was_cut);
-  EXPECT_EQ(promising.settings.size(), kMostDrawn + 1);
+  EXPECT_EQ(promising.settings.size(), kMostDrawn);
   EXPECT_EQ(BestOf(request, Choose(request, {})), "x 13, y 12");
 }
 
