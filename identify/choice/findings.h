@@ -120,10 +120,10 @@ inline const Finding kSettingsWithoutRide{"settings-without-ride", Severity::kWa
                                           "{} of {} settings have no response in at least one possible car and are not "
                                           "chosen; the first is {} ({})",
                                           "check the positions there"};
-inline const Finding kLimitUnattainable{"limit-unattainable", Severity::kError,
+inline const Finding kLimitUnattainable{"limit-unattainable", Severity::kWarning,
                                         "no setting meets the limit {} (with a certainty of {})",
                                         "relax the limit, or add positions", Weight::kGrave};
-inline const Finding kLimitsContradict{"limits-contradict", Severity::kError,
+inline const Finding kLimitsContradict{"limits-contradict", Severity::kWarning,
                                        "no setting meets all limits at once with a certainty of {}: {} does with {}, "
                                        "held back by '{}'",
                                        "relax that limit or 'certainty', or add positions", Weight::kGrave};

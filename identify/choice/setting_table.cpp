@@ -98,7 +98,7 @@ std::vector<SettingScore> ScoresOf(const SettableCar& car, const std::vector<Set
                                    std::span<const double> fitted, int threads, const WorkHooks& hooks) {
   std::vector<SettingScore> scores(settings.size());
   EvaluationProgress progress(settings.size(), hooks);
-  ForEachInParallel(settings.size(), threads, [&](std::size_t i) {
+  ForEachInParallel(settings.size(), ThreadCount(threads), [&](std::size_t i) {
     if (progress.IsStopped()) return;
     scores[i] = ScoreOf(car, settings[i], fitted);
     progress.Count();
@@ -118,7 +118,7 @@ SettingTable TableOf(const SettableCar& car, const std::vector<Setting>& setting
   const auto count = settings.size() * static_cast<std::size_t>(draws.rows());
   EvaluationProgress progress(count, hooks);
   // One setting after the other in all cars: a setting's failure is written by one thread.
-  ForEachInParallel(settings.size(), threads, [&](std::size_t s) {
+  ForEachInParallel(settings.size(), ThreadCount(threads), [&](std::size_t s) {
     for (Index d = 0; d < draws.rows() && !progress.IsStopped(); ++d) {
       const Eigen::VectorXd values = draws.row(d).transpose();
       const SettingScore score = ScoreOf(car, settings[s], {values.data(), static_cast<std::size_t>(values.size())});

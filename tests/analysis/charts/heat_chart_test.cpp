@@ -44,7 +44,7 @@ TEST(HeatChart, IsADocumentWithAColourPerCell) {
   EXPECT_THAT(svg, HasSubstr("width=\"34\" height=\"34\" fill=\"#d55e00\""));
   EXPECT_THAT(svg, HasSubstr("width=\"34\" height=\"34\" fill=\"#80b9d9\""));
   EXPECT_EQ(Count(svg, "width=\"34\" height=\"34\""), 5U);
-  for (const char* label : {"best", "now", "framed", "barred", "change, %", "-1", "4"})
+  for (const char* label : {"best", "now", "framed", "barred", "change, %", "-1.00", "4.00"})
     EXPECT_THAT(svg, HasSubstr(">" + std::string(label) + "<"));
 }
 
