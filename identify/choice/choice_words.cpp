@@ -115,11 +115,16 @@ std::string DecidingWords(const ChoiceAnswer& answer) {
 
 std::string RunWords(const ChoiceAnswer& answer) {
   const Choice& choice = answer.choice;
-  if (choice.runs.empty()) return "";
+  if (!choice.best || choice.runs.empty()) return "";
+  // Of the expected regret, below which a run is not worth its time.
+  constexpr double kWorth = 0.1;
   const InformativeRun& run = choice.runs.front();
+  const std::string repeats = Rounded(100 * answer.request.settings.repeatability, 2) + " %";
+  if (run.gain < kWorth * choice.rows[*choice.best].regret)
+    return "No run on the rig that repeats within " + repeats + " would decide more: settings differ by less.";
   return "Test next: " + answer.NameOf(run.setting) +
          " beside the present setting, which lowers the expected regret by " + SharePercent(run.gain) +
-         " (one run repeats within " + Rounded(100 * answer.request.settings.repeatability, 2) + " %).";
+         " (one run repeats within " + repeats + ").";
 }
 
 }  // namespace fourpost
