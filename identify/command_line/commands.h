@@ -133,6 +133,24 @@ struct SimulateCommand {
   Diagnostics faults;
 };
 
+/// `fourpost ride MODEL` or `fourpost ride RUN`
+struct RideCommand {
+  /// The vehicle, or the folder of a fit, and how its posts move unless on roads.
+  SimulateCommand drive;
+  /// Classes and speeds; empty: another motion.
+  std::vector<std::string> roads;
+  std::vector<std::string> speeds;
+  /// Roads by time histories too.
+  bool over_time = false;
+  /// "name=link:x,y,z"
+  std::vector<std::string> points;
+  /// "point=Wb"
+  std::vector<std::string> weightings;
+  /// Empty: nothing is written.
+  std::filesystem::path output;
+  bool json = false;
+};
+
 /// `fourpost fit STUDY -o DIR`
 struct FitCommand : FitRequest {
   bool json = false;
@@ -233,6 +251,7 @@ int Run(const ParamsCommand& command);
 int Run(const CheckCommand& command);
 int Run(const ResponseCommand& command);
 int Run(const SimulateCommand& command);
+int Run(const RideCommand& command);
 int Run(const ModesCommand& command);
 int Run(const FitCommand& command);
 int Run(const PredictCommand& command);

@@ -89,6 +89,38 @@ inline const Finding kLoadWithoutRoll{"load-without-roll", Severity::kWarning,
 
 inline const Finding kVehicleWithoutPosts{"vehicle-without-posts", Severity::kError,
                                           "the vehicle has no fp:post to move", "add one under each tyre"};
+
+// Ride.
+
+inline const Finding kRidePointMalformed{"ride-point-malformed", Severity::kError, "'{}' is not a point of a body",
+                                         "write NAME=LINK:X,Y,Z in metres along the link's axes, such as "
+                                         "seat=chassis:0.1,0.3,0.8"};
+inline const Finding kRidePointLink{"ride-point-link", Severity::kError, "the vehicle has no link '{}'{}"};
+inline const Finding kRidePointTwice{"ride-point-twice", Severity::kError,
+                                     "'{}' is the name of another point or sensor", "choose another name"};
+inline const Finding kRideWeightingMalformed{"ride-weighting-malformed", Severity::kError,
+                                             "'{}' does not weight a point",
+                                             "write POINT=Wk; weightings of a point are Wk, Wd, Wf and Wb"};
+inline const Finding kRideWeightingPoint{"ride-weighting-point", Severity::kError,
+                                         "no point of this ride is called '{}'{}"};
+inline const Finding kRideNotNormal{"ride-not-normal", Severity::kWarning,
+                                    "on {} {} {} in {} of time, so power spectra are a rough estimate there",
+                                    "compare the time history, by --time"};
+inline const Finding kRideUnconverged{"ride-unconverged", Severity::kWarning,
+                                      "the statistical linearisation did not converge on {}",
+                                      "use the time history, by --time"};
+inline const Finding kRideGridCoarse{"ride-grid-coarse", Severity::kWarning,
+                                     "on {} halving the steps in frequency still changes an rms by {}",
+                                     "a mode has next to no damping; see `fourpost modes`"};
+inline const Finding kRideShocks{
+    "ride-shocks", Severity::kWarning,
+    "at {} on {} the motion has shocks that a_w understates (MTVV {} a_w, VDV {} a_w T^1/4)",
+    "judge it by MTVV or VDV as well (ISO 2631-1, 6.3.3)", Weight::kSlight};
+inline const Finding kRoadBeyondIso{"road-beyond-iso", Severity::kWarning,
+                                    "on {} the band reaches from {} to {} cycles/m, and ISO 8608 describes roads from "
+                                    "0.011 to 2.83",
+                                    "choose another --band or --speed", Weight::kSlight};
+
 inline const Finding kMotionImpossible{"motion-impossible", Severity::kError, "the posts cannot move like this ({})",
                                        "correct the options of the motion"};
 inline const Finding kBandNotRising{"band-not-rising", Severity::kError,

@@ -13,6 +13,7 @@
 #include "identify/command_line/manual_page.h"
 #include "identify/command_line/options.h"
 #include "identify/command_line/print.h"
+#include "identify/command_line/ride_options.h"
 #include "identify/command_line/simulate_options.h"
 #include "identify/command_line/whole_number.h"
 #include "identify/refine/search_method_list.h"
@@ -39,6 +40,7 @@ Program::Program() {
   AddResponse();
   AddModes();
   AddSimulate();
+  AddRide();
   AddFit();
   AddPredict();
   AddReport();
@@ -146,6 +148,15 @@ void Program::AddSimulate() {
                   "  fourpost simulate car.urdf --road B --speed 60km/h --noise 1% > road.csv",
                   [this] { return Run(simulate_); }),
              simulate_);
+}
+
+void Program::AddRide() {
+  AddOptions(*Add("ride", "Ride of a vehicle on roads: comfort, tyre loads, travel, dampers, body motion",
+                  "  fourpost ride car.urdf --road C --speed 60km/h\n"
+                  "  fourpost ride run --road B,C --speed 60km/h,100km/h --point seat=body:0.1,0.3,0.8 -o ride\n"
+                  "  fourpost ride car.urdf --step 50mm",
+                  [this] { return Run(ride_); }),
+             ride_);
 }
 
 void Program::AddFit() {

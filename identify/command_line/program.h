@@ -34,6 +34,7 @@ class Program {
   void AddResponse();
   void AddModes();
   void AddSimulate();
+  void AddRide();
   void AddFit();
   void AddPredict();
   void AddReport();
@@ -56,6 +57,7 @@ class Program {
   ResponseCommand response_;
   ModesCommand modes_;
   SimulateCommand simulate_;
+  RideCommand ride_;
   FitCommand fit_;
   PredictCommand predict_;
   ReportCommand report_;

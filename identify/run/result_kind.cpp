@@ -22,14 +22,15 @@ struct Mark {
   std::array<std::string_view, 2> keys;
 };
 
-constexpr std::array<Mark, 6> kMarks = {{{ResultKind::kFit, {"termination", "parameters"}},
+constexpr std::array<Mark, 7> kMarks = {{{ResultKind::kFit, {"termination", "parameters"}},
                                          {ResultKind::kPrediction, {"was_fitted", "channels"}},
                                          {ResultKind::kResponse, {"direction", "modes"}},
                                          {ResultKind::kModes, {"parameters", "modes"}},
                                          {ResultKind::kResponse, {"recordings", "channels"}},
+                                         {ResultKind::kRide, {"parameters", "rides"}},
                                          {ResultKind::kChoice, {"lattice", "present"}}}};
 
-constexpr std::array<std::string_view, 5> kCommands = {"fit", "predict", "modes", "response", "choose"};
+constexpr std::array<std::string_view, 6> kCommands = {"fit", "predict", "modes", "response", "ride", "choose"};
 
 std::optional<ResultKind> KindOf(const nlohmann::json& result) {
   for (const Mark& mark : kMarks)

@@ -37,6 +37,7 @@ class Schema(ProgramTest):
         self.check("response", "response", file, "--frequencies", "1Hz:4Hz:4")
         self.check("simulate", "simulate", file, "--step", "20mm", "--duration", "1s")
         self.check("simulate", "simulate", file, "--sine", "2Hz", "--duration", "1s", "--engine", "full")
+        self.check("ride", "ride", file, "--road", "B", "--speed", "60km/h", "--time", "--duration", "10s")
 
     def test_of_a_time_history(self):
         file = SOURCE / "urdf/quarter_car.urdf"

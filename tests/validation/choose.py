@@ -131,6 +131,7 @@ def reliability(file):
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     arguments.add_argument("program", type=Path)
+    arguments.add_argument("--first", type=int, default=1)
     arguments.add_argument("--twins", type=int, default=100)
     arguments.add_argument("--reliability", type=argparse.FileType())
     options = arguments.parse_args()
@@ -138,7 +139,7 @@ def main():
         reliability(options.reliability)
         return
     out = None
-    for seed in range(1, options.twins + 1):
+    for seed in range(options.first, options.first + options.twins):
         kind = "friction" if seed % 2 == 0 else "clean"
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)

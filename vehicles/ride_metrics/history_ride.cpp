@@ -158,15 +158,20 @@ struct HistoryAnswer {
     const ArrayXd heave = Reading(at.centre);
     const ArrayXd pitch = (heave - Reading(at.ahead)) / RideInstruments::kLever_m;
     const ArrayXd roll = (Reading(at.left) - heave) / RideInstruments::kLever_m;
-    const auto acceleration = [&](const ArrayXd& signal) {
-      return RmsOf(DerivativesOf(signal, history.rate_Hz).curvature);
+    const auto acceleration = [&](const ArrayXd& signal) { return DerivativesOf(signal, history.rate_Hz).curvature; };
+    const auto weighted = [&](const ArrayXd& signal) {
+      return MeasuresOf(WeightingFilter(Weighting::kWe).Apply(Samples(acceleration(signal)), history.rate_Hz),
+                        history.rate_Hz)
+          .rms;
     };
     return {.heave_rms = RmsOf(heave),
             .pitch_rms = RmsOf(pitch),
             .roll_rms = RmsOf(roll),
-            .heave_acceleration = acceleration(heave),
-            .pitch_acceleration = acceleration(pitch),
-            .roll_acceleration = acceleration(roll),
+            .heave_acceleration = RmsOf(acceleration(heave)),
+            .pitch_acceleration = RmsOf(acceleration(pitch)),
+            .roll_acceleration = RmsOf(acceleration(roll)),
+            .pitch_weighted = weighted(pitch),
+            .roll_weighted = weighted(roll),
             .mean_heave = heave.mean()};
   }
 

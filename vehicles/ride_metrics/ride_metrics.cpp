@@ -51,6 +51,8 @@ void AddBody(const RideMetrics::Body& body, Names& names) {
   names.Add("body.heave_acceleration", body.heave_acceleration, "m/s^2");
   names.Add("body.pitch_acceleration", body.pitch_acceleration, "rad/s^2");
   names.Add("body.roll_acceleration", body.roll_acceleration, "rad/s^2");
+  names.Add("body.pitch_We", body.pitch_weighted, "rad/s^2");
+  names.Add("body.roll_We", body.roll_weighted, "rad/s^2");
   names.Add("body.mean_heave", body.mean_heave, "m");
 }
 
@@ -91,6 +93,7 @@ void SumWheels(const RideInstruments& instruments, RideMetrics& metrics) {
       variance += metrics.wheels[i].rms_N * metrics.wheels[i].rms_N;
       squared += metrics.wheels[i].static_N * metrics.wheels[i].static_N;
     }
+    metrics.axles[a].load_variance = variance;
     metrics.axles[a].variation = std::sqrt(variance / squared);
   }
 }

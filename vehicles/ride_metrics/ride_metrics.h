@@ -53,6 +53,8 @@ struct RideMetrics {
     std::string name;
     /// sqrt(sum of mean squares over sum of squared static forces) of its wheels.
     double variation = 0;
+    /// Sum of its wheels' mean squares [N^2], see the car's.
+    double load_variance = 0;
     /// Of the chassis above the road under the axle [m]: the platform's variation.
     std::optional<double> ride_height_rms;
   };
@@ -100,6 +102,9 @@ struct RideMetrics {
     double heave_acceleration = 0;
     double pitch_acceleration = 0;
     double roll_acceleration = 0;
+    /// Of pitch and roll, weighted by We [rad/s^2].
+    double pitch_weighted = 0;
+    double roll_weighted = 0;
     /// Mean heave by the forces of dampers (jacking) and stops.
     double mean_heave = 0;
   };

@@ -65,6 +65,7 @@ SpectralRide::SpectralRide(RideInstruments instruments, const SpectralGrid& grid
     weighted_shares_[static_cast<std::size_t>(weighting)] =
         shares_ * frequency.unaryExpr([&](double f) { return std::norm(filter.Response(f)); });
   }
+  turn_shares_ = weighted_shares_[static_cast<std::size_t>(Weighting::kWe)] * square.square();
 }
 
 double SpectralRide::DeviationOf(const RowVectorXcd& amplitudes, const ArrayXd& shares) const {
@@ -206,6 +207,8 @@ RideMetrics::Body SpectralRide::Answer::BodyAt(const RideInstruments::Chassis& a
           .heave_acceleration = ride.DeviationOf(heave, ride.acceleration_shares_),
           .pitch_acceleration = ride.DeviationOf(pitch, ride.acceleration_shares_),
           .roll_acceleration = ride.DeviationOf(roll, ride.acceleration_shares_),
+          .pitch_weighted = ride.DeviationOf(pitch, ride.turn_shares_),
+          .roll_weighted = ride.DeviationOf(roll, ride.turn_shares_),
           .mean_heave = Mean(at.centre)};
 }
 

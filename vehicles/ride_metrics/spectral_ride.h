@@ -60,6 +60,8 @@ class SpectralRide {
   Eigen::ArrayXd primary_shares_;
   Eigen::ArrayXd secondary_shares_;
   std::array<Eigen::ArrayXd, kWeightings.size()> weighted_shares_;
+  /// Times w^4 |We|^2, for angles.
+  Eigen::ArrayXd turn_shares_;
 };
 
 }  // namespace fourpost
