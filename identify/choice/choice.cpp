@@ -72,6 +72,9 @@ class Rating {
   Index Draws() const { return table_.objectives.front().cols(); }
 
   void SetCost() {
+    for (std::size_t o = 0; o < objectives_.size(); ++o)
+      if (!(objectives_[o].row(static_cast<Index>(choice_.present)).minCoeff() > 0))
+        Refuse(kObjectiveZero, File(), {request_.metrics[settings_.objectives[o].metric].name});
     const Index count = objectives_.front().rows();
     cost_ = Eigen::MatrixXd::Zero(count, objectives_.front().cols());
     for (std::size_t o = 0; o < objectives_.size(); ++o) {
@@ -360,13 +363,28 @@ class EngineComparison {
 
   void Report() {
     const Place file{request_.settings.file.string()};
-    for (const EngineCheck& check : choice_.checks)
-      if (check.objective && std::abs(check.Difference()) > request_.settings.agreement)
-        choice_.findings.Report(
-            kEnginesDisagree, file,
-            {SettingText(request_.settings.knobs, choice_.rows[check.row].setting), ObjectiveName(*check.objective),
-             Percent(check.by_spectra), Percent(check.by_engine), EngineWords(check.engine)});
+    for (const auto engine : {EngineCheck::Engine::kHistories, EngineCheck::Engine::kFull})
+      for (std::size_t o = 0; o < request_.settings.objectives.size(); ++o) ReportDisagreement(file, engine, o);
     ReportOrder(file);
+  }
+
+  /// Of all settings the one that differs most.
+  void ReportDisagreement(const Place& file, EngineCheck::Engine engine, std::size_t objective) {
+    const EngineCheck* worst = nullptr;
+    std::size_t compared = 0;
+    std::size_t beyond = 0;
+    for (const EngineCheck& check : choice_.checks) {
+      if (check.engine != engine || check.objective != objective) continue;
+      ++compared;
+      beyond += std::abs(check.Difference()) > request_.settings.agreement ? 1 : 0;
+      if (worst == nullptr || std::abs(check.Difference()) > std::abs(worst->Difference())) worst = &check;
+    }
+    if (beyond > 0)
+      choice_.findings.Report(
+          kEnginesDisagree, file,
+          {std::to_string(beyond), std::to_string(compared), ObjectiveName(objective), EngineWords(engine),
+           Percent(request_.settings.agreement), SettingText(request_.settings.knobs, choice_.rows[worst->row].setting),
+           Percent(worst->by_spectra), Percent(worst->by_engine)});
   }
 
   /// Whether a slower engine prefers another setting of the shortlist, or the present one.

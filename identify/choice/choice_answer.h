@@ -44,8 +44,8 @@ std::string ChoiceText(const ChoiceAnswer& answer);
 /// See schema/choose.json.
 nlohmann::ordered_json ChoiceJson(const ChoiceAnswer& answer);
 
-/// Names and texts of settings.csv, metrics.csv, test_next.csv, settings.svg, front.svg, spectra.svg and choose.html; pictures where
-/// there is something to draw.
+/// Names and texts of settings.csv, metrics.csv, test_next.csv, settings.svg, front.svg, spectra.svg and choose.html;
+/// pictures where there is something to draw.
 std::vector<std::pair<std::string, std::string>> ChoiceFiles(const ChoiceAnswer& answer);
 
 }  // namespace fourpost

@@ -134,8 +134,13 @@ inline const Finding kBestAtEnd{"best-at-end", Severity::kWarning,
                                 "the best setting is at the end of knob '{}' (position {})",
                                 "add positions beyond it if the car can have them", Weight::kSlight};
 inline const Finding kEnginesDisagree{"engines-disagree", Severity::kWarning,
-                                      "{}: '{}' changes by {} by spectra and by {} by {}",
-                                      "trust the latter for this setting, and rank the nearest rivals by it"};
+                                      "for {} of {} settings '{}' changes otherwise by {} than by spectra, by more "
+                                      "than {}; the worst is {}, {} by spectra and "
+                                      "{} by them",
+                                      "trust the latter, and let them rank the nearest rivals by a larger 'shortlist'"};
+inline const Finding kObjectiveZero{"objective-zero", Severity::kError,
+                                    "'{}' is zero at the present setting, so no change of it can be stated",
+                                    "choose another objective, or rougher roads", Weight::kGrave};
 inline const Finding kEngineOrder{"engine-order", Severity::kWarning,
                                   "{} prefer another setting than the best and those indistinct from it: {} ({})",
                                   "raise 'shortlist', and test both on the rig", Weight::kGrave};

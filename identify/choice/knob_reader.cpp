@@ -169,7 +169,7 @@ class KnobReader {
       const double step = range.Number("step", 1e-9, 1e9).value_or(1);
       for (const double at : Steps(range.Number("from", -1e9, 1e9).value_or(std::nan("")),
                                    range.Number("to", -1e9, 1e9).value_or(std::nan("")), step))
-        positions.push_back(FormatNumber(std::round(at / step * 1e9) / 1e9 * step));
+        positions.push_back(FormatNumber(std::round(at * 1e9) / 1e9));
     } else if (node.IsSequence()) {
       for (const YAML::Node& one : node) positions.push_back(TextOf(one));
     }

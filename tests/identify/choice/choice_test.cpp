@@ -199,6 +199,8 @@ TEST(Choice, LeavesOutSettingsAndCarsWithoutAnAnswer) {
   EXPECT_THAT(choice.findings, Reports(kDrawsLeftOut, {"of 60", "unstable"}));
   ASSERT_TRUE(choice.best);
   EXPECT_NE(choice.rows[*choice.best].setting[0], 8);
+  request.spectra = [](std::span<const double>) -> MatrixXd { return MatrixXd::Zero(1, 3); };
+  EXPECT_THROW(Choose(request, {}), FaultyInput);
   request.spectra = [](std::span<const double>) -> MatrixXd { throw std::runtime_error("unstable"); };
   EXPECT_THROW(Choose(request, {}), FaultyInput);
 }
@@ -219,7 +221,7 @@ TEST(Choice, ComparesEnginesAndSaysWhereTheyDisagree) {
     return metrics;
   };
   choice = Choose(request, {});
-  EXPECT_THAT(choice.findings, Reports(kEnginesDisagree, {"x 8, y 7", "discomfort", "multibody"}));
+  EXPECT_THAT(choice.findings, Reports(kEnginesDisagree, {"1 of 1", "x 8, y 7", "discomfort", "multibody"}));
   EXPECT_THAT(choice.findings, Reports(kEngineOrder, {"multibody", "x 5, y 5"}));
   request.full = [](std::span<const double>) -> MatrixXd { throw std::runtime_error("diverges"); };
   EXPECT_THAT(Choose(request, {}).findings, Reports(kEngineWithoutRide, {"diverges"}));
