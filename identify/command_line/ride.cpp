@@ -265,7 +265,9 @@ class Riding {
 int Run(const RideCommand& command) {
   RideJob job = ReadJob(command);
   if (!command.output.empty()) {
-    RequireInputsElsewhere({VehicleFileOf(command.drive.model), command.drive.recording}, command.output);
+    std::vector<fs::path> inputs = {VehicleFileOf(command.drive.model)};
+    if (!command.drive.recording.empty()) inputs.push_back(command.drive.recording);
+    RequireInputsElsewhere(inputs, command.output);
     RequireNoOtherResult(command.output, ResultKind::kRide);
     OutputFolder{command.output};
   }
