@@ -162,7 +162,8 @@ std::string EngineSection(const ChoiceAnswer& answer) {
          TextCell(check.engine == EngineCheck::Engine::kFull ? "multibody system" : "reduced model over time"),
          NumberCell(ShownPercent(check.by_engine))});
   return html::Section("engines", "Three engines",
-                       html::Table({"setting", "change of", "by spectra, %", "engine", "by engine, %"}, rows) +
+                       Paragraph(EngineWords(answer)) +
+                           html::Table({"setting", "change of", "by spectra, %", "engine", "by engine, %"}, rows) +
                            "<p class=\"note\">At the fitted values, against the present setting by the same "
                            "engine.</p>\n");
 }

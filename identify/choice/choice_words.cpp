@@ -127,4 +127,19 @@ std::string RunWords(const ChoiceAnswer& answer) {
          " (one run repeats within " + repeats + ").";
 }
 
+std::string EngineWords(const ChoiceAnswer& answer) {
+  const Choice& choice = answer.choice;
+  if (!choice.best || choice.checks.empty()) return "";
+  double most = 0;
+  for (const EngineCheck& check : choice.checks)
+    if (!check.objective) most = std::max(most, std::abs(check.Difference()));
+  const auto within = std::count_if(choice.rows.begin(), choice.rows.end(), [&](const RatedSetting& row) {
+    return row.is_admitted && row.beside_best.mean <= most;
+  });
+  const auto others = static_cast<std::size_t>(within - 1);
+  return "Engines over time change all objectives together by up to " + SharePercent(most) +
+         " otherwise than spectra; within that of the best " + (others == 1 ? "is " : "are ") +
+         Counted(others, "other setting") + ".";
+}
+
 }  // namespace fourpost

@@ -27,5 +27,7 @@ std::string ClickWords(const ChoiceAnswer& answer);
 std::string DecidingWords(const ChoiceAnswer& answer);
 /// What to run on the rig next; empty where nothing would gain.
 std::string RunWords(const ChoiceAnswer& answer);
+/// How far engines differ, and how many settings are within that of the best; empty where none were compared.
+std::string EngineWords(const ChoiceAnswer& answer);
 
 }  // namespace fourpost

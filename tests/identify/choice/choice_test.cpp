@@ -223,6 +223,12 @@ TEST(Choice, ComparesEnginesAndSaysWhereTheyDisagree) {
   choice = Choose(request, {});
   EXPECT_THAT(choice.findings, Reports(kEnginesDisagree, {"1 of 1", "x 8, y 7", "discomfort", "multibody"}));
   EXPECT_THAT(choice.findings, Reports(kEngineOrder, {"multibody", "x 5, y 5"}));
+  // By the engine from 1 to 1 + 0.3^2 + 0.2^2, by the spectra from 1 + 0.3^2 + 0.2^2 / 2 to 1.
+  const ChoiceAnswer answer{.subject = "run", .confidence = "95 %", .request = request, .choice = choice};
+  const double difference = 1.13 - 1 / 1.11;
+  std::size_t within = 0;
+  for (const RatedSetting& row : choice.rows) within += row.beside_best.mean <= difference ? 1 : 0;
+  EXPECT_THAT(ChoiceText(answer), testing::HasSubstr("are " + std::to_string(within - 1) + " other settings."));
   request.full = [](std::span<const double>) -> MatrixXd { throw std::runtime_error("diverges"); };
   EXPECT_THAT(Choose(request, {}).findings, Reports(kEngineWithoutRide, {"diverges"}));
 }
