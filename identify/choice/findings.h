@@ -84,7 +84,7 @@ inline const Finding kLimitEmpty{"limit-empty", Severity::kError, "the limit of 
                                  "write {most: ...} or {least: ...}"};
 inline const Finding kLimitReversed{"limit-reversed", Severity::kError,
                                     "the limit of '{}' is at most less than at least", "exchange the two"};
-inline const Finding kLimitUnit{"limit-unit", Severity::kError, "{} must be a {}, with {}"};
+inline const Finding kLimitUnit{"limit-unit", Severity::kError, "{} must be {}"};
 inline const Finding kSettingsShare{"settings-share", Severity::kError, "{} must be a share above 0 % and up to 100 %",
                                     "write it in percent, such as 2 %"};
 

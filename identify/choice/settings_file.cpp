@@ -181,9 +181,11 @@ class SettingsReader {
     if (!map.Has(key)) return std::nullopt;
     const Metric& metric = metrics_[index];
     const std::optional<Quantity> quantity = ParseQuantity(ScalarOf(map.Get(key)));
-    if (quantity && quantity->unit.dimension == metric.dimension) return quantity->si;
+    // "30" of a share might be 30 or 3000 %.
+    const bool has_unit = quantity && (metric.unit.empty() || !quantity->unit_text.empty());
+    if (has_unit && quantity->unit.dimension == metric.dimension) return quantity->si;
     map.FaultOf(key, kLimitUnit,
-                {DimensionName(metric.dimension), metric.unit.empty() ? "no unit" : "the unit " + metric.unit});
+                {metric.unit.empty() ? "a number without a unit" : "a number with a unit such as " + metric.unit});
     return std::nullopt;
   }
 

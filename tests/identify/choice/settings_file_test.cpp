@@ -193,7 +193,8 @@ TEST_F(SettingsFileTest, NamesFaultsOfRoadsObjectivesAndLimits) {
   EXPECT_THAT(Faults(knob + "objectives: [comfort, grip, travel]\n"), Reports(kObjectivesMany, 2));
   EXPECT_THAT(Faults(knob + "limits: [travel]\n"), Reports(kLimitsNotMapped, 2));
   EXPECT_THAT(Faults(knob + "limits: {travel: {}}\n"), Reports(kLimitEmpty, 2));
-  EXPECT_THAT(Faults(knob + "limits: {travel: {most: 10 N}}\n"), Reports(kLimitUnit, 2, {"length"}));
+  EXPECT_THAT(Faults(knob + "limits: {travel: {most: 10 N}}\n"), Reports(kLimitUnit, 2, {"mm"}));
+  EXPECT_THAT(Faults(knob + "limits: {grip: {most: 30}}\n"), Reports(kLimitUnit, 2, {"%"}));
   EXPECT_THAT(Faults(knob + "limits: {travel: {most: 10 mm, least: 20 mm}}\n"), Reports(kLimitReversed, 2));
   EXPECT_THAT(Faults(knob + "certainty: 0.9\n"), Reports(kSettingsShare, 2));
   EXPECT_THAT(Faults(knob + "band: [20 Hz, 10 Hz]\n"), Reports(kSettingsBand, 2));
