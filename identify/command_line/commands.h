@@ -8,6 +8,7 @@
 
 #include "analysis/measured_response/measured_response.h"
 #include "analysis/text/diagnostics.h"
+#include "identify/choice/run_choice.h"
 #include "identify/run/fit_run.h"
 #include "identify/run/run_draws.h"
 #include "identify/run/run_suggestions.h"
@@ -255,6 +256,13 @@ struct SuggestCommand : SuggestRequest {
   bool all = false;
 };
 
+/// `fourpost choose RUN --settings FILE`
+struct ChooseCommand : RunChoiceRequest {
+  /// Empty: nothing is written.
+  std::filesystem::path output;
+  bool json = false;
+};
+
 /// `fourpost rank RUN...`
 struct RankCommand {
   /// Folders of fits.
@@ -283,5 +291,6 @@ int Run(const CompareCommand& command);
 int Run(const RankCommand& command);
 int Run(const DrawsCommand& command);
 int Run(const SuggestCommand& command);
+int Run(const ChooseCommand& command);
 
 }  // namespace fourpost

@@ -50,6 +50,7 @@ Program::Program() {
   AddRank();
   AddDraws();
   AddSuggest();
+  AddChoose();
   AddCompletion();
   AddMan();
   AddHelp();
@@ -320,6 +321,27 @@ void Program::AddSuggest() {
                   "Evaluations in parallel, without influence on the result; 0: one per processor")
       ->check(CLI::Range(0, 1024));
   sub->add_flag("--json", suggest_.json, "Print JSON instead of a table");
+}
+
+void Program::AddChoose() {
+  CLI::App* sub = Add("choose", "Choose among settings of a fitted vehicle, such as clicks of its dampers, with doubt",
+                      "  fourpost choose run --settings settings.yaml -o choice\n"
+                      "  fourpost choose car.urdf --settings settings.yaml",
+                      [this] {
+                        RequireStudyFile(choose_.settings);
+                        return Run(choose_);
+                      });
+  sub->add_option("RUN", choose_.run, "Folder that `fourpost fit -o` wrote, or a vehicle file, which has no doubt")
+      ->required();
+  sub->add_option("--settings", choose_.settings, "What can be set, roads, objectives and limits (.yaml)")->required();
+  sub->add_option("-o,--output", choose_.output,
+                  "Folder for choose.html, settings.csv, test_next.csv, settings.svg, front.svg and result.json");
+  sub->add_flag("!--no-checks", choose_.has_checks,
+                "Leave out time histories and the multibody system, which check the spectra for the best settings");
+  sub->add_option("--threads", choose_.threads,
+                  "Evaluations in parallel, without influence on the result; 0: one per processor")
+      ->check(CLI::Range(0, 1024));
+  sub->add_flag("--json", choose_.json, "Print JSON instead of tables");
 }
 
 void Program::AddCompletion() {

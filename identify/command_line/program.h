@@ -44,6 +44,7 @@ class Program {
   void AddRank();
   void AddDraws();
   void AddSuggest();
+  void AddChoose();
   void AddCompletion();
   void AddMan();
   void AddHelp();
@@ -68,6 +69,7 @@ class Program {
   RankCommand rank_;
   DrawsCommand draws_;
   SuggestCommand suggest_;
+  ChooseCommand choose_;
   std::string shell_;
   std::string topic_;
 };

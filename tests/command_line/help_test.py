@@ -29,6 +29,7 @@ class Help(ProgramTest):
         for new, name in (("vehicle.urdf", "car.urdf"), ("vehicle.urdf", "vehicle.urdf"), ("study.yaml", "study.yaml"),
                           ("stepped_sine.csv", "stepped_sine.csv")):
             shutil.copy(self.folder / "new" / new, self.folder / name)
+        self.write("settings.yaml", "knobs: {spring: {sets: k, values: [18 kN/m, 22 kN/m]}}\nduration: 5 s\ndraws: 20\n")
         (self.folder / "rig").mkdir()
         shutil.copy(self.folder / "stepped_sine.csv", self.folder / "rig")
         rover = SOURCE / "urdf/landrover110_model3.urdf"

@@ -1,0 +1,22 @@
+#include "identify/choice/choice_answer.h"
+
+#include <algorithm>
+
+namespace fourpost {
+
+std::string ChoiceAnswer::NameOf(std::size_t row) const { return SettingText(knobs(), choice.rows[row].setting); }
+
+std::vector<std::size_t> ChoiceAnswer::NotableRows(std::size_t count) const {
+  std::vector<std::size_t> rows;
+  for (std::size_t s = 0; s < choice.rows.size(); ++s)
+    if (choice.rows[s].is_indistinct && s != choice.best && s != choice.present) rows.push_back(s);
+  std::stable_sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+    return choice.rows[a].best_probability > choice.rows[b].best_probability;
+  });
+  if (choice.best != choice.present) rows.insert(rows.begin(), choice.present);
+  if (choice.best) rows.insert(rows.begin(), *choice.best);
+  rows.resize(std::min(rows.size(), count));
+  return rows;
+}
+
+}  // namespace fourpost

@@ -1,0 +1,103 @@
+"""`fourpost choose` as a user meets it: a small car, its folder, its faults."""
+import csv
+import json
+import unittest
+
+import jsonschema
+
+from program import SOURCE, ProgramTest
+
+SCHEMA = json.loads((SOURCE / "identify/command_line/schema/choose.json").read_text())
+SETTINGS = """knobs:
+  spring: {sets: k, range: {from: 12 kN/m, to: 28 kN/m, step: 4 kN/m}}
+  damper: {sets: {c_bump: bump, c_rebound: rebound}, table: clicks.csv, now: 3}
+roads:
+  - {class: B, speed: 80 km/h}
+  - {class: C, speed: 40 km/h}
+draws: 40
+duration: 10 s
+"""
+CLICKS = "click,bump,rebound\n,N*s/m,N*s/m\n1,500,700\n3,900,1500\n6,1400,3000\n"
+
+
+class Choose(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.run_program("init", "car")
+        self.run_program("fit", "car/study.yaml", "-o", "run", "--threads", "1")
+        self.write("clicks.csv", CLICKS)
+        self.write("settings.yaml", SETTINGS)
+
+    def choose(self, *words, code=0):
+        outcome = self.run_program("choose", "run", "--settings", "settings.yaml", "--json", *words, code=code)
+        document = json.loads(outcome.stdout)
+        jsonschema.Draft202012Validator(SCHEMA).validate(document)
+        return document, outcome.stderr
+
+    def rows(self, name):
+        with (self.folder / name).open() as file:
+            return list(csv.DictReader(file))
+
+    def test_writes_what_it_prints(self):
+        document, _ = self.choose("-o", "choice", "--threads", "1")
+        self.assertEqual(json.loads((self.folder / "choice/result.json").read_text()), document)
+        self.assertEqual(document["lattice"], 15)
+        # Five springs by three clicks, and the fitted spring at the present click.
+        self.assertEqual(document["rated"], 16)
+        self.assertEqual(document["present"]["setting"], {"spring": "as fitted", "damper": "3"})
+        names = {file.name for file in (self.folder / "choice").iterdir()}
+        self.assertEqual(names, {"choose.html", "settings.csv", "metrics.csv", "test_next.csv", "settings.svg", "front.svg",
+                                 "spectra.svg", "result.json"})
+        settings = self.rows("choice/settings.csv")[1:]
+        self.assertEqual(len(settings), 16)
+        self.assertAlmostEqual(sum(float(row["best_probability"]) for row in settings), 1, places=9)
+        best = next(row for row in settings if {"spring": row["spring"], "damper": row["damper"]} == document["best"]["setting"])
+        self.assertAlmostEqual(float(best["change"]), 100 * document["best"]["change"]["mean"], places=9)
+        self.assertEqual(min(float(row["change"]) for row in settings), float(best["change"]))
+        # Both engines, two objectives and both together.
+        self.assertEqual({check["engine"] for check in document["engines"]}, {"histories", "full"})
+        for check in document["engines"]:
+            self.assertAlmostEqual(check["by_spectra"], check["by_engine"], delta=0.02)
+        page = (self.folder / "choice/choose.html").read_text()
+        for word in ("Map of settings", "Two objectives", "What was asked for"):
+            self.assertIn(word, page)
+
+    def test_does_not_depend_on_threads(self):
+        self.choose("--no-checks", "-o", "one", "--threads", "1")
+        self.choose("--no-checks", "-o", "two", "--threads", "2")
+        for name in ("result.json", "settings.csv", "test_next.csv"):
+            self.assertEqual((self.folder / "one" / name).read_text(), (self.folder / "two" / name).read_text())
+
+    def test_chooses_for_a_vehicle_file_without_doubt(self):
+        outcome = self.run_program("choose", "car/vehicle.urdf", "--settings", "settings.yaml", "--no-checks")
+        self.assert_finding(outcome.stderr, "choice-without-doubt", "car/vehicle.urdf")
+        self.assertNotIn("P(best)", outcome.stdout)
+
+    def test_says_which_limit_nobody_meets(self):
+        self.write("settings.yaml", SETTINGS + "limits: {damper.bump: {most: 1 mm}}\n")
+        document, errors = self.choose("--no-checks", "-o", "choice", code=1)
+        self.assertIsNone(document["best"])
+        self.assertIn("limit-unattainable", {warning["id"] for warning in document["warnings"]})
+        self.assert_finding(errors, "limit-unattainable", "settings.yaml:9")
+        self.assertFalse((self.folder / "choice/front.svg").exists())
+
+    def test_refuses_what_it_cannot_use(self):
+        self.write("settings.yaml", SETTINGS.replace("sets: k,", "sets: kk,").replace("now: 3", "now: 4"))
+        errors = self.run_program("choose", "run", "--settings", "settings.yaml", code=3).stderr
+        self.assert_finding(errors, "knob-parameter", "settings.yaml:2")
+        self.assert_finding(errors, "knob-now", "settings.yaml:3")
+        self.write("settings.yaml", SETTINGS)
+        errors = self.run_program("choose", "run", "--settings", "settings.yaml", "-o", "run", code=5).stderr
+        self.assertIn("[", errors)
+        self.run_program("choose", "nowhere", "--settings", "settings.yaml", code=3)
+        self.run_program("choose", "run", code=2)
+
+    def test_warns_of_roads_that_the_fit_has_not_seen(self):
+        self.write("settings.yaml", SETTINGS.replace("class: C", "class: E") + "band: [0.5 Hz, 60 Hz]\n")
+        _, errors = self.choose("--no-checks")
+        self.assert_finding(errors, "road-beyond-speeds", "settings.yaml")
+        self.assert_finding(errors, "road-beyond-band", "settings.yaml")
+
+
+if __name__ == "__main__":
+    unittest.main()
