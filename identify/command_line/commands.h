@@ -87,6 +87,16 @@ struct ModesCommand {
   std::filesystem::path output;
 };
 
+/// `fourpost export MODEL` or `fourpost export RUN`
+struct ExportCommand {
+  /// A vehicle file, or the folder of a fit.
+  std::filesystem::path input;
+  /// "name=value"
+  std::vector<std::string> set;
+  /// JSON on stdout when empty.
+  std::filesystem::path output;
+};
+
 /// `fourpost simulate MODEL`; SI.
 struct SimulateCommand {
   enum class Motion { kSweep, kSine, kStep, kRandom, kRoad, kRecording };
@@ -226,6 +236,7 @@ int Run(const CheckCommand& command);
 int Run(const ResponseCommand& command);
 int Run(const SimulateCommand& command);
 int Run(const ModesCommand& command);
+int Run(const ExportCommand& command);
 int Run(const FitCommand& command);
 int Run(const PredictCommand& command);
 int Run(const ReportCommand& command);

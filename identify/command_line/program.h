@@ -33,6 +33,7 @@ class Program {
   void AddParams();
   void AddResponse();
   void AddModes();
+  void AddExport();
   void AddSimulate();
   void AddFit();
   void AddPredict();
@@ -54,6 +55,7 @@ class Program {
   ParamsCommand params_;
   ResponseCommand response_;
   ModesCommand modes_;
+  ExportCommand export_;
   SimulateCommand simulate_;
   FitCommand fit_;
   PredictCommand predict_;

@@ -102,7 +102,6 @@ class Condenser {
 ReducedData Condenser::Take() {
   if (chart_.size() == 0) Refuse(kNothingMoves, {vehicle_.file});
   data_.name = vehicle_.name;
-  data_.file = vehicle_.file;
   data_.parameters = vehicle_.parameters;
   for (const Post& post : vehicle_.posts) data_.posts.push_back(post.name);
   data_.coordinates = static_cast<int>(chart_.size());

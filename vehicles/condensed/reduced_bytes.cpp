@@ -1,6 +1,5 @@
 #include "vehicles/condensed/reduced_bytes.h"
 
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
@@ -39,7 +38,11 @@ class ByteWriter {
   void PutInteger(std::uint64_t bits, int bytes) {
     for (int i = 0; i < bytes; ++i) bytes_ += static_cast<char>(bits >> (8 * i) & 0xff);
   }
-  void Put(double number) { PutInteger(std::bit_cast<std::uint64_t>(number), 8); }
+  void Put(double number) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &number, sizeof bits);
+    PutInteger(bits, 8);
+  }
   void Put(int number) { PutInteger(static_cast<std::uint32_t>(number), 4); }
   void Put(std::size_t number) { PutInteger(number, 4); }
   void Put(bool is_set) { PutInteger(is_set, 1); }
@@ -130,7 +133,10 @@ class ByteReader {
     if (count > rest_.size()) Refuse();
     return count;
   }
-  void Get(double& number) { number = std::bit_cast<double>(Integer(8)); }
+  void Get(double& number) {
+    const std::uint64_t bits = Integer(8);
+    std::memcpy(&number, &bits, sizeof bits);
+  }
   void Get(int& number) { number = static_cast<int>(static_cast<std::uint32_t>(Integer(4))); }
   void Get(std::size_t& number) { number = static_cast<std::size_t>(Integer(4)); }
   void Get(bool& is_set) { is_set = Integer(1) != 0; }

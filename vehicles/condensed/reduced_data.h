@@ -76,9 +76,8 @@ struct ReducedData {
     std::optional<HydraulicDescription> hydraulic;
   };
 
-  /// Of the vehicle: its name and that of its file.
+  /// Of the vehicle.
   std::string name;
-  std::string file;
   /// Names, values, bounds and units.
   std::vector<Parameter> parameters;
   std::vector<std::string> posts;

@@ -135,7 +135,6 @@ void EachField(MaybeConst<ReducedData::Damper> auto& damper, auto&& field) {
 
 void EachField(MaybeConst<ReducedData> auto& data, auto&& field) {
   field("vehicle", data.name);
-  field("file", data.file);
   field("coordinates", data.coordinates);
   field("parameters", data.parameters);
   field("posts", data.posts);

@@ -1,6 +1,6 @@
 const listeners = [];
 const runs = ['run0', 'run1', 'run2', 'run3', 'run4', 'run5'];
-const names = ['ground', 'raised', 'line', 'faint', 'text', 'muted', 'measured', 'model', 'start', 'band', 'good', 'poor', ...runs];
+const names = ['ground', 'raised', 'line', 'faint', 'text', 'muted', 'measured', 'model', 'whatif', 'start', 'band', 'good', 'poor', ...runs];
 
 const dashes = [undefined, [7, 5], [2, 4], [10, 4, 2, 4], [4, 4], [12, 6]];
 

@@ -1,0 +1,55 @@
+#include <stdexcept>
+
+#include "analysis/text/diagnostics.h"
+#include "identify/command_line/commands.h"
+#include "identify/command_line/exit_code.h"
+#include "identify/command_line/file_kind.h"
+#include "identify/command_line/findings.h"
+#include "identify/command_line/output_file.h"
+#include "identify/command_line/print.h"
+#include "identify/command_line/run_folder.h"
+#include "vehicles/condensed/condense.h"
+#include "vehicles/reader/vehicle_file.h"
+#include "vehicles/requests/parameter_setting.h"
+#include "vehicles/requests/reduced_json.h"
+
+namespace fourpost {
+namespace {
+
+/// Of a run the fitted vehicle.
+std::filesystem::path VehicleFile(const std::filesystem::path& input) {
+  if (!std::filesystem::is_directory(input)) {
+    RequireVehicleFile(input);
+    return input;
+  }
+  RequireFitResult(input);
+  return input / "vehicle.urdf";
+}
+
+std::string JsonAtValues(const Vehicle& vehicle) {
+  try {
+    return ReducedJson(Condense(vehicle));
+  } catch (const std::invalid_argument& fault) {
+    // The file's own values have been checked against each other.
+    Refuse(kValuesInconsistent, Place::Option("--set"), {fault.what()});
+  }
+}
+
+}  // namespace
+
+int Run(const ExportCommand& command) {
+  const std::filesystem::path file = VehicleFile(command.input);
+  RequireWritable(command.output, {file});
+  Diagnostics findings;
+  std::optional<Vehicle> vehicle = ReadVehicle(file, findings);
+  if (!vehicle) throw FaultyInput(findings);
+  SetParameters(command.set, *vehicle, findings);
+  if (findings.HasErrors()) throw FaultyInput(findings);
+  Tell(findings);
+  const std::string json = JsonAtValues(*vehicle);
+  if (command.output.empty()) Print(json);
+  else WriteFile(command.output, json);
+  return kGood;
+}
+
+}  // namespace fourpost
