@@ -93,7 +93,8 @@ struct ExportCommand {
   std::filesystem::path input;
   /// "name=value"
   std::vector<std::string> set;
-  /// JSON on stdout when empty.
+  bool json = false;
+  /// Empty: nothing is written.
   std::filesystem::path output;
 };
 

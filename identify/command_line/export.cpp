@@ -1,6 +1,8 @@
 #include <stdexcept>
+#include <string>
 
 #include "analysis/text/diagnostics.h"
+#include "analysis/text/text_table.h"
 #include "identify/command_line/commands.h"
 #include "identify/command_line/exit_code.h"
 #include "identify/command_line/file_kind.h"
@@ -26,13 +28,26 @@ std::filesystem::path VehicleFile(const std::filesystem::path& input) {
   return input / "vehicle.urdf";
 }
 
-std::string JsonAtValues(const Vehicle& vehicle) {
+ReducedVehicle Reduced(const Vehicle& vehicle) {
   try {
-    return ReducedJson(Condense(vehicle));
+    return Condense(vehicle);
   } catch (const std::invalid_argument& fault) {
     // The file's own values have been checked against each other.
     Refuse(kValuesInconsistent, Place::Option("--set"), {fault.what()});
   }
+}
+
+std::string Summary(const ReducedData& data) {
+  TextTable table({data.name, ""});
+  const auto add = [&](const char* what, std::size_t count) { table.Add({what, std::to_string(count)}); };
+  add("independent coordinates", static_cast<std::size_t>(data.coordinates));
+  add("parameters", data.parameters.size());
+  add("posts", data.posts.size());
+  add("sensors", data.sensors.size());
+  add("springs", data.springs);
+  add("dampers", data.dampers.size());
+  add("tyres", data.tyres.size());
+  return table.Format();
 }
 
 }  // namespace
@@ -46,9 +61,10 @@ int Run(const ExportCommand& command) {
   SetParameters(command.set, *vehicle, findings);
   if (findings.HasErrors()) throw FaultyInput(findings);
   Tell(findings);
-  const std::string json = JsonAtValues(*vehicle);
-  if (command.output.empty()) Print(json);
-  else WriteFile(command.output, json);
+  const ReducedVehicle reduced = Reduced(*vehicle);
+  if (!command.output.empty()) WriteFile(command.output, ReducedJson(reduced));
+  if (command.json) Print(ReducedJson(reduced));
+  else PrintText(Summary(reduced.data()));
   return kGood;
 }
 

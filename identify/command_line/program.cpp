@@ -141,12 +141,13 @@ void Program::AddModes() {
 }
 
 void Program::AddExport() {
-  CLI::App* sub = Add("export", "Write the reduced equations of a vehicle, or of a fit's, for other programs: JSON",
-                      "  fourpost export car.urdf -o car.json\n  fourpost export run --set k=20kN/m",
+  CLI::App* sub = Add("export", "Write the reduced equations of a vehicle, or of a fit's, for other programs",
+                      "  fourpost export car.urdf -o car.json\n  fourpost export run --set k=20kN/m --json",
                       [this] { return Run(export_); });
   sub->add_option("MODEL", export_.input, "Vehicle file (.urdf) or folder of a fit")->required();
   AddSettings(*sub, export_.set);
-  sub->add_option("-o,--output", export_.output, "File for the JSON (default: stdout)");
+  sub->add_option("-o,--output", export_.output, "File for the JSON");
+  sub->add_flag("--json", export_.json, "Print JSON, SI, in place of a summary");
 }
 
 void Program::AddSimulate() {
