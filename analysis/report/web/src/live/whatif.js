@@ -108,7 +108,10 @@ function row(parameter, change) {
 
 /** Modes beside those of the fit. */
 function modeRows(modes) {
-  const change = (now, then) => (then ? `${now < then ? '\u2212' : '+'}${fixed(Math.abs(100 * (now / then - 1)), 1)} %` : '');
+  const change = (now, then) => {
+    const percents = 100 * (now / then - 1);
+    return Math.abs(percents) >= 0.05 ? `${percents < 0 ? '' : '+'}${fixed(percents, 1)} %` : '';
+  };
   return modes
     .filter(({ kind }) => kind !== 'free')
     .map(({ name, frequency_Hz, damping_ratio, of }) =>
