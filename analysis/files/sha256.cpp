@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "analysis/text/base64.h"
+
 namespace fourpost {
 namespace {
 
@@ -86,17 +88,8 @@ std::string Sha256::Hex() {
 }
 
 std::string Sha256::Base64() {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  unsigned bits = 0;
-  int held = 0;
-  // 32 bytes end within a group of three: with two bits, a digit of zeros more and a filler.
-  std::array<unsigned char, 33> bytes{};
-  std::ranges::copy(Bytes(), bytes.begin());
-  for (const unsigned byte : bytes)
-    for (bits = bits << 8 | byte, held += 8; held >= 6; held -= 6) text += kDigits[bits >> (held - 6) & 63u];
-  text.back() = '=';
-  return text;
+  const std::array<unsigned char, 32> bytes = Bytes();
+  return fourpost::Base64({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 // FIPS 180-4, section 6.2.2, steps 2 to 4.

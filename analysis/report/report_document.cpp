@@ -25,18 +25,21 @@ const std::string& ScriptHash() {
 
 }  // namespace
 
-std::string ReportDocument(const std::string& title, const std::string& body, const std::string& data_json) {
+std::string ReportDocument(const std::string& title, const std::string& body, const std::string& data_json,
+                           const std::string& program) {
   std::string page =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       // Nothing may be fetched and no other script runs, whatever a name in the data says.
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src " +
-      ScriptHash() +
+      ScriptHash() + (program.empty() ? "" : " 'wasm-unsafe-eval'") +
       "; style-src 'unsafe-inline'; img-src data: blob:\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n";
   page += "<title>" + html::Escaped(title) + "</title>\n<style>\n";
   page += kReportStyle;
   page += "</style>\n</head>\n<body>\n" + body;
+  if (!program.empty())
+    page += "<script type=\"application/wasm+base64\" id=\"program\">" + html::ScriptJson(program) + "</script>\n";
   page +=
       "<script type=\"application/json\" id=\"data\">" + html::ScriptJson(data_json) + "</script>\n<script>" + Script();
   return page + "</script>\n</body>\n</html>\n";

@@ -115,6 +115,17 @@ struct SettleCommand {
   std::filesystem::path output;
 };
 
+/// `fourpost export MODEL` or `fourpost export RUN`
+struct ExportCommand {
+  /// A vehicle file, or the folder of a fit.
+  std::filesystem::path input;
+  /// "name=value"
+  std::vector<std::string> set;
+  bool json = false;
+  /// Empty: nothing is written.
+  std::filesystem::path output;
+};
+
 /// `fourpost simulate MODEL`; SI.
 struct SimulateCommand {
   enum class Motion { kSweep, kSine, kStep, kRandom, kRoad, kRecording };
@@ -284,6 +295,7 @@ int Run(const RideCommand& command);
 int Run(const ModesCommand& command);
 int Run(const KinematicsCommand& command);
 int Run(const SettleCommand& command);
+int Run(const ExportCommand& command);
 int Run(const FitCommand& command);
 int Run(const PredictCommand& command);
 int Run(const ReportCommand& command);

@@ -41,6 +41,7 @@ Program::Program() {
   AddModes();
   AddKinematics();
   AddSettle();
+  AddExport();
   AddSimulate();
   AddRide();
   AddFit();
@@ -157,6 +158,16 @@ void Program::AddModes() {
                   "  fourpost modes car.urdf\n  fourpost modes car.urdf --vary c_bump=200N*s/m:4000N*s/m:20 -o modes",
                   [this] { return Run(modes_); }),
              modes_);
+}
+
+void Program::AddExport() {
+  CLI::App* sub = Add("export", "Write the reduced equations of a vehicle, or of a fit's, for other programs",
+                      "  fourpost export car.urdf -o car.json\n  fourpost export run --set k=20kN/m --json",
+                      [this] { return Run(export_); });
+  sub->add_option("MODEL", export_.input, "Vehicle file (.urdf) or folder of a fit")->required();
+  AddSettings(*sub, export_.set);
+  sub->add_option("-o,--output", export_.output, "File for the JSON");
+  sub->add_flag("--json", export_.json, "Print JSON, SI, in place of a summary");
 }
 
 void Program::AddSimulate() {

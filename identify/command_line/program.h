@@ -35,6 +35,7 @@ class Program {
   void AddModes();
   void AddSettle();
   void AddKinematics();
+  void AddExport();
   void AddSimulate();
   void AddRide();
   void AddFit();
@@ -60,6 +61,7 @@ class Program {
   ModesCommand modes_;
   SettleCommand settle_;
   KinematicsCommand kinematics_;
+  ExportCommand export_;
   SimulateCommand simulate_;
   RideCommand ride_;
   FitCommand fit_;

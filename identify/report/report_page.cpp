@@ -9,6 +9,8 @@
 #include "analysis/report/report_document.h"
 #include "analysis/report/shown_number.h"
 #include "identify/report/audit_section.h"
+#include "identify/live/live_program.h"
+#include "identify/report/live_json.h"
 #include "identify/report/page_footer.h"
 #include "identify/report/report_summary.h"
 #include "identify/report/report_tables.h"
@@ -182,10 +184,12 @@ std::string ReportPage(const RunContents& run, ExperimentReports experiments) {
       html::Section("summary", "Summary", SummaryHtml(result, parameters, remarks)) +
       html::Section("parameters", "Parameters", ParameterTableHtml(parameters, why) + Profiles(result, run)) +
       Body(result, parts, scene, scene_fault, why) + "</main>\n" + PageFooter("the files in the folder of the fit");
-  OrderedJson data = {{"result", OrderedJson(result)}, {"scene", scene}};
+  const OrderedJson live = scene.is_null() ? OrderedJson() : LiveJson(run, parameters);
+  OrderedJson data = {{"result", OrderedJson(result)}, {"scene", scene}, {"live", live}};
   for (const auto& part : parts) data.update(part->Drawn());
   const std::string text = CompactJson(data);
-  return ReportDocument(TextAt(result, "vehicle") + " \u2013 fourpost report", body, text);
+  return ReportDocument(TextAt(result, "vehicle") + " \u2013 fourpost report", body, text,
+                        live.is_null() ? "" : std::string(kLiveProgram));
 }
 
 }  // namespace fourpost

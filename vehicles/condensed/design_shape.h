@@ -1,12 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include <Eigen/Core>
-
-#include "vehicles/loops/chart.h"
-#include "vehicles/multibody/kinematics.h"
 
 namespace fourpost {
 
@@ -17,12 +11,5 @@ struct DesignShape {
   Eigen::VectorXd gradient;
   Eigen::MatrixXd curvature;
 };
-
-/// One such scalar in any pose.
-using GeometricScalar = std::function<Coordinate(const Kinematics& pose)>;
-
-/// Shapes of these scalars; second derivatives by central differences of the exact first ones. Leaves the multibody in
-/// the design pose. Throws FaultyInput if the loops cannot follow a small motion.
-std::vector<DesignShape> DesignShapes(Multibody& multibody, Chart& chart, const std::vector<GeometricScalar>& scalars);
 
 }  // namespace fourpost

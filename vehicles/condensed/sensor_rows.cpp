@@ -13,36 +13,30 @@ Eigen::VectorXd GravityTilt(const Kinematics& pose, const Sensor& sensor) {
 
 }  // namespace
 
-CondensedModel SensorRows(const Kinematics& pose, const Vehicle& vehicle, Eigen::Index coordinates) {
+void SetSensorRows(const Kinematics& pose, const Vehicle& vehicle, ReducedData& data) {
   const Eigen::Index sensors = static_cast<Eigen::Index>(vehicle.sensors.size());
-  const Eigen::Index posts = static_cast<Eigen::Index>(vehicle.posts.size());
-  CondensedModel rows;
-  rows.on_position.setZero(sensors, coordinates);
-  rows.on_velocity.setZero(sensors, coordinates);
-  rows.on_acceleration.setZero(sensors, coordinates);
-  rows.on_post_height.setZero(sensors, posts);
-  rows.on_post_velocity.setZero(sensors, posts);
-  rows.on_post_acceleration.setZero(sensors, posts);
+  data.on_position.setZero(sensors, data.coordinates);
+  data.on_velocity.setZero(sensors, data.coordinates);
+  data.on_acceleration.setZero(sensors, data.coordinates);
   for (Eigen::Index i = 0; i < sensors; ++i) {
     const Sensor& sensor = vehicle.sensors[static_cast<std::size_t>(i)];
     switch (sensor.type) {
       case Sensor::Type::kAccelerometer:
-        rows.on_acceleration.row(i) =
+        data.on_acceleration.row(i) =
             pose.Position(sensor.point, pose.Rotation(sensor.point.link) * sensor.axis).gradient;
-        rows.on_position.row(i) = GravityTilt(pose, sensor);
+        data.on_position.row(i) = GravityTilt(pose, sensor);
         break;
       case Sensor::Type::kDisplacement:
-        rows.on_position.row(i) = pose.Position(sensor.point, pose.Rotation(sensor.point.link) * sensor.axis).gradient;
+        data.on_position.row(i) = pose.Position(sensor.point, pose.Rotation(sensor.point.link) * sensor.axis).gradient;
         break;
-      case Sensor::Type::kStrut: rows.on_position.row(i) = pose.LineLength(sensor.line).gradient; break;
+      case Sensor::Type::kStrut: data.on_position.row(i) = pose.LineLength(sensor.line).gradient; break;
       case Sensor::Type::kGyro:
-        rows.on_velocity.row(i) =
+        data.on_velocity.row(i) =
             (pose.Rotation(sensor.point.link) * sensor.axis).transpose() * pose.AngularJacobian(sensor.point.link);
         break;
       case Sensor::Type::kLoadCell: break;
     }
   }
-  return rows;
 }
 
 }  // namespace fourpost

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "vehicles/condensed/condensed_model.h"
+#include "vehicles/condensed/reduced_data.h"
 #include "vehicles/description/vehicle.h"
 #include "vehicles/multibody/kinematics.h"
 
 namespace fourpost {
 
-/// The sensor rows of a CondensedModel, as far as they do not depend on parameters: those of load cells are zero.
-CondensedModel SensorRows(const Kinematics& pose, const Vehicle& vehicle, Eigen::Index coordinates);
+/// Sets the sensor rows, those of load cells to zero.
+void SetSensorRows(const Kinematics& pose, const Vehicle& vehicle, ReducedData& data);
 
 }  // namespace fourpost

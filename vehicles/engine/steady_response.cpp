@@ -13,6 +13,7 @@
 #include "vehicles/engine/findings.h"
 #include "vehicles/response/full_balance.h"
 #include "vehicles/response/march.h"
+#include "vehicles/response/hysteresis.h"
 #include "vehicles/response/reduced_march.h"
 #include "vehicles/response/response_recorder.h"
 

@@ -12,6 +12,7 @@
 #include "analysis/text/units.h"
 #include "vehicles/condensed/mode_times.h"
 #include "vehicles/requests/channel_json.h"
+#include "vehicles/requests/state_space_json.h"
 #include "vehicles/requests/versions.h"
 
 namespace fourpost {
@@ -46,31 +47,6 @@ Json ModeJson(const ShapedMode& shaped) {
           {"poles_per_s", poles},
           {"kinetic_energy", energy},
           {"shape", shape}};
-}
-
-Json Matrix(const Eigen::MatrixXd& matrix) {
-  Json rows = Json::array();
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    const Eigen::VectorXd row = matrix.row(i);
-    rows.push_back(std::vector<double>(row.begin(), row.end()));
-  }
-  return rows;
-}
-
-/// X' = A X + B z, y = C X + D z + D_rate z' + D_acceleration z''.
-Json StateSpaceJson(const Vehicle& vehicle, const StateSpace& space) {
-  Json posts = Json::array();
-  for (const Post& post : vehicle.posts) posts.push_back(post.name);
-  Json sensors = Json::array();
-  for (const Sensor& sensor : vehicle.sensors) sensors.push_back(sensor.name);
-  return {{"inputs", posts},
-          {"outputs", sensors},
-          {"A", Matrix(space.a)},
-          {"B", Matrix(space.b)},
-          {"C", Matrix(space.c)},
-          {"D", Matrix(space.d)},
-          {"D_rate", Matrix(space.d_rate)},
-          {"D_acceleration", Matrix(space.d_acceleration)}};
 }
 
 Json PathsJson(const Vehicle& vehicle, const PolePaths& traced) {
@@ -119,8 +95,10 @@ std::string ModesJson(const Vehicle& vehicle, const StateSpace& space, const std
   for (const PolePaths& path : paths) traced.push_back(PathsJson(vehicle, path));
   Json versions = Json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
+  std::vector<std::string> posts;
+  for (const Post& post : vehicle.posts) posts.push_back(post.name);
   const Json json = {{"vehicle", vehicle.name}, {"parameters", parameters},
-                     {"modes", list},           {"state_space", StateSpaceJson(vehicle, space)},
+                     {"modes", list},           {"state_space", StateSpaceJson(vehicle.sensors, posts, space)},
                      {"pole_paths", traced},    {"findings", FindingsJson(findings)},
                      {"versions", versions}};
   return JsonText(json);

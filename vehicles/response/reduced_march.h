@@ -7,11 +7,6 @@
 
 namespace fourpost {
 
-/// Whether the model has hysteresis: friction alone in series with a spring. It sticks and slides within a cycle with
-/// nearly no rate of its own. Harmonic balance then converges at half of the frequencies only, with errors of up to 1
-/// %; time integration is used instead.
-bool HasHysteresis(const CondensedModel& model);
-
 /// Steady response of a reduced model to a stepped sine, by time integration with steps and samples that fit each
 /// frequency: for friction that reverses on a mount and tyres that leave the ground, where harmonic balance does not
 /// converge. Over 96 random stations with friction, 1.3 to 22 Hz, the error is 9e-5 of a response in nine of ten and

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,9 @@
 #include "identify/experiments/four_post/response_remarks.h"
 #include "identify/experiments/four_post/response_table.h"
 #include "identify/experiments/shared_curves.h"
+#include "identify/study_file/model_error.h"
 #include "identify/study_file/result_reader.h"
+#include "identify/study_file/study_yaml.h"
 
 namespace fourpost {
 namespace {
@@ -57,6 +60,16 @@ Json ChannelJson(const ComparedChannel& channel) {
   return json;
 }
 
+/// What residuals are weighed by beside the scatter of the repeats, for a page that computes them anew.
+Json ModelErrorJson(const RunFolder& run) {
+  ModelError error;
+  Diagnostics faults;
+  const std::string* study = run.Find("study.yaml");
+  if (const auto root = study ? ReadYaml(*study, "study.yaml", faults) : std::nullopt; root && root->IsMap())
+    error = ReadModelError(StrictMap(*root, "study", {"model_error"}, "study.yaml", faults));
+  return {{"gain_dB", error.gain_dB}, {"phase_rad", error.phase_rad}, {"mean_m", error.mean_m}, {"floor", error.floor}};
+}
+
 /// "0.5 to 12 Hz"
 std::string BandText(const nlohmann::json& result) {
   const std::vector<nlohmann::json> band = ListAt(result, "band_Hz");
@@ -67,14 +80,17 @@ std::string BandText(const nlohmann::json& result) {
 class ResponseData : public ExperimentData {
  public:
   explicit ResponseData(const RunFolder& run)
-      : result_(run.result), channels_(ChannelsOf(run)), missing_force_(run.Find(kMissingForce)) {}
+      : result_(run.result),
+        channels_(ChannelsOf(run)),
+        missing_force_(run.Find(kMissingForce)),
+        model_error_(ModelErrorJson(run)) {}
 
   bool empty() const override { return channels_.empty(); }
 
   Json Drawn() const override {
     Json list = Json::array();
     for (const ComparedChannel& channel : channels_) list.push_back(ChannelJson(channel));
-    return {{"responses", std::move(list)}};
+    return {{"responses", std::move(list)}, {"model_error", model_error_}};
   }
 
   std::vector<ReportSection> Sections() const override {
@@ -117,6 +133,7 @@ class ResponseData : public ExperimentData {
   std::vector<ComparedChannel> channels_;
   /// A picture; null where there is none.
   const std::string* missing_force_;
+  Json model_error_;
 };
 
 Json SharedResponses(std::span<const RunFolder> runs) {

@@ -17,7 +17,7 @@
 #include "identify/residuals/sensor_group.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/response/balance_sensitivity.h"
-#include "vehicles/response/reduced_march.h"
+#include "vehicles/response/hysteresis.h"
 
 namespace fourpost {
 namespace {

@@ -9,6 +9,7 @@
 #include "analysis/files/csv_writer.h"
 #include "analysis/signals/decibel.h"
 #include "identify/experiments/four_post/response_bands.h"
+#include "vehicles/response/hysteresis.h"
 #include "vehicles/response/reduced_march.h"
 
 namespace fourpost {

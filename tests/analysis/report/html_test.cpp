@@ -61,5 +61,12 @@ TEST(ReportDocument, HoldsAllItNeedsAndFetchesNothing) {
   EXPECT_LT(page.size(), 702'000u);
 }
 
+TEST(ReportDocument, AllowsWebAssemblyOnlyWhereItHasSome) {
+  EXPECT_THAT(ReportDocument("car", "", "{}"), Not(HasSubstr("wasm")));
+  const std::string page = ReportDocument("car", "", "{}", "H4sI");
+  EXPECT_THAT(page, HasSubstr("' 'wasm-unsafe-eval'; style-src"));
+  EXPECT_THAT(page, HasSubstr("id=\"program\">H4sI</script>"));
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -3,6 +3,8 @@ import { area, chart, curve, dots, errorBars, frequencyAxis, linearAxis, outside
 import { choice, el, tick } from './dom.js';
 import { readable } from './histories.js';
 import { legend } from './legend.js';
+import { onAnswer } from './live/answers.js';
+import { canFollow, openWhatIf } from './live/whatif.js';
 import { fittedBand } from './residuals.js';
 import { decibel, extent, fixed, shown } from './number.js';
 
@@ -47,7 +49,7 @@ function seriesOf(channel) {
     low: measured.map((value, i) => (angle[i] ? value - reach * angle[i] : null)),
     high: measured.map((value, i) => (angle[i] ? value + reach * angle[i] : null)),
   };
-  const [modelled, turned] = [channel.gain_modelled, phase.lines.at(-1)?.values];
+  const [modelled, turned] = [channel.gain_modelled, phase.lines.find(({ label }) => label === 'fit')?.values];
   gain.areas = (channel.gain_bands ?? []).map((half) => [
     modelled.map((value, i) => (half[i] == null ? null : decibel(Math.max(value - half[i], value / 100)))),
     modelled.map((value, i) => (half[i] == null ? null : decibel(value + half[i]))),
@@ -66,7 +68,7 @@ function meanOf(channel) {
   const scaled = (list) => list.map((value) => (value == null ? null : factor * value));
   const none = channel.mean_measured.map(() => null);
   const lines = channel.lines.filter((line) => line.mean).map((line) => ({ ...line, values: scaled(line.mean) }));
-  return { measured: scaled(channel.mean_measured), lines, low: none, high: none, unit: factor === 1 ? channel.unit : 'mm' };
+  return { measured: scaled(channel.mean_measured), lines, low: none, high: none, factor, unit: factor === 1 ? channel.unit : 'mm' };
 }
 
 /** A range around least and greatest of what is in view, or of all where nothing is, at least this wide. */
@@ -106,10 +108,10 @@ function panel(place, height, series, part, { steps, least, labelled, bands, syn
   );
 }
 
-/** Root mean square of what fit and measurement differ by, where they were fitted. */
-function misfitOf({ gain, phase }, inBand) {
+/** Root mean square of what a line, or the last, and measurement differ by, where they were fitted. */
+function misfitOf({ gain, phase }, inBand, line = gain.lines.length - 1) {
   const rms = ({ measured, lines }) => {
-    const modelled = lines[lines.length - 1].values;
+    const modelled = lines[line].values;
     const errors = measured.map((value, i) => (inBand[i] && value != null && modelled[i] != null ? modelled[i] - value : null)).filter((error) => error != null);
     return errors.length ? Math.sqrt(errors.reduce((sum, error) => sum + error * error, 0) / errors.length) : null;
   };
@@ -127,9 +129,11 @@ export function card(channel, bands, sync) {
   const gain = el('div');
   const phase = el('div');
   const mean = el('div');
-  const head = channel.in_band ? misfitOf(series, channel.in_band) : '';
+  const whatIf = channel.lines.findIndex(({ label }) => label === 'what if');
+  const heading = el('span', {}, channel.in_band ? misfitOf(series, channel.in_band, whatIf < 0 ? undefined : whatIf - 1) : '');
+  const drawn = [];
   const reading = el('span', { class: 'reading' });
-  const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), el('span', {}, head), reading), gain, phase, mean);
+  const box = el('div', { class: 'chart', 'data-channel': channel.name }, el('h3', {}, el('code', {}, channel.name), heading, reading), gain, phase, mean);
   const read = (i) => {
     if (i == null) reading.textContent = '';
     else {
@@ -149,17 +153,55 @@ export function card(channel, bands, sync) {
     if (series.mean) panels.push([mean, 84, series.mean, { least: 1 }]);
     panels.forEach(([place, height, part, options], i) => {
       const labelled = i === panels.length - 1;
-      panel(place, height + (labelled ? 16 : 0), series, part, { steps: [], labelled, bands, sync, read, ...options });
+      drawn.push([panel(place, height + (labelled ? 16 : 0), series, part, { steps: [], labelled, bands, sync, read, ...options }), part]);
     });
   };
-  return { box, draw };
+  return { box, draw, follow: whatIf < 0 ? null : follower(box, series, drawn, heading, (line) => misfitOf(series, channel.in_band, line), whatIf) };
 }
 
-/** Start, where it is wanted, and fit. */
-function linesOf(channel, withStart) {
+/**
+ * Draws {gain, phase, mean} as line number `at`, or nothing for null; what is out of view waits until it comes into it.
+ * `rests`: scales follow too, which under a moving hand would only confuse.
+ */
+function follower(box, series, drawn, heading, misfit, at) {
+  let inView = true;
+  let waits = false;
+  const put = (part, values) => {
+    part.lines.find(({ label }) => label === 'what if').values = values ?? part.measured.map(() => null);
+  };
+  const redraw = (rests) => {
+    waits = false;
+    for (const [{ plot }, part] of drawn) {
+      const { min, max } = plot.scales.x;
+      const isNew = min == null;
+      plot.setData([series.x, part.measured, ...part.lines.map((line) => line.values)], isNew);
+      // Its range anew, as far zoomed as it is.
+      if (!isNew && rests) plot.setScale('x', { min, max });
+      else if (!isNew) plot.redraw(true, false);
+    }
+  };
+  new IntersectionObserver(([entry]) => {
+    inView = entry.isIntersecting;
+    if (inView && waits) redraw(true);
+  }).observe(box);
+  return (answer, rests) => {
+    put(series.gain, answer?.gain.map(decibel));
+    put(series.phase, answer && near(answer.phase, series.phase.measured));
+    if (series.mean) put(series.mean, answer?.mean.map((value) => (value == null ? null : series.mean.factor * value)));
+    const [fit, now] = [misfit(at - 1), answer ? misfit(at) : ''];
+    heading.textContent = now ? `${fit.replace(' rms', '')} \u2192 ${now}` : fit;
+    if (inView) redraw(rests);
+    else waits = true;
+  };
+}
+
+/** Start, where it is wanted, fit, and the place of what a car of other values would do. */
+function linesOf(channel, withStart, withWhatIf) {
   const start = { label: 'start', colour: 'start', dash: [4, 3], width: 1.2, gain: channel.gain_start, phase: channel.phase_start, read: false };
   const fit = { label: 'fit', colour: 'model', gain: channel.gain_modelled, phase: channel.phase_modelled, mean: channel.mean_modelled };
-  return withStart ? [start, fit] : [fit];
+  const none = channel.gain_measured.map(() => null);
+  const whatIf = { label: 'what if', colour: 'whatif', width: 1.8, gain: none, phase: none, mean: none };
+  return [...(withStart ? [start] : []), fit, ...(withWhatIf ? [whatIf] : [])];
 }
 
 /** What 0 dB stands for, by the units of the channels: accelerations are relative to that of the post, all else to its motion. */
@@ -175,16 +217,24 @@ export function drawResponses(place, data) {
   const hasBars = data.responses.some((channel) => channel.gain_sd?.some((value) => value != null));
   const hasAreas = data.responses.some((channel) => channel.gain_bands);
   const band = fittedBand(data.result.band_Hz, data.responses) ?? [0, 0];
-  const state = { recording: recordings[0], start: hasStart };
+  const state = { recording: recordings[0], start: hasStart, whatIf: false, answer: null };
   const charts = el('div', { class: 'charts' });
+  const pair = el('div', {}, charts);
+  let cards = [];
 
   const redraw = () => {
     const sync = uPlot.sync(`responses ${state.recording}`);
-    const cards = data.responses
+    cards = data.responses
       .filter((channel) => channel.recording === state.recording)
-      .map((channel) => card({ ...channel, lines: linesOf(channel, state.start) }, [band], sync));
+      .map((channel) => card({ ...channel, lines: linesOf(channel, state.start, state.whatIf) }, [band], sync));
     charts.replaceChildren(...cards.map(({ box }) => box));
     for (const { draw } of cards) draw();
+    if (state.answer) follow(state.answer);
+  };
+  const follow = (answer) => {
+    state.answer = answer;
+    const told = answer?.responses?.get(state.recording);
+    if (state.whatIf) cards.forEach(({ follow: show }, i) => show(told?.answers[i] ?? null, answer?.rests ?? true));
   };
   const controls = el('div', { class: 'controls' });
   if (recordings.length > 1)
@@ -201,17 +251,51 @@ export function drawResponses(place, data) {
         redraw();
       }),
     );
-  place.append(
-    controls,
+  const marks = (withWhatIf) =>
     legend(
       ['dot', 'measured', hasBars ? 'measured, bars: 95 %' : 'measured'],
       ['line', 'model', 'fit'],
+      ...(withWhatIf ? [['line', 'whatif', 'what if']] : []),
       ...(hasStart ? [['dash', 'start', 'start']] : []),
       ...(hasAreas ? [['patch', 'model', 'bands of 95 %: inner, of the parameters; outer, of new measured points']] : []),
       ['patch', 'line', 'not fitted'],
-    ),
+    );
+  const key = el('div', {}, marks(false));
+  const show = (on) => {
+    state.whatIf = on;
+    state.answer = null;
+    key.replaceChildren(marks(on));
+    pair.classList.toggle('beside', on);
+    redraw();
+  };
+  if (canFollow(data)) {
+    const opener = el('button', { type: 'button', class: 'opener' }, 'what if \u2026');
+    opener.addEventListener('click', async () => {
+      opener.disabled = true;
+      try {
+        const { panel: sliders, answer } = await openWhatIf(data, () => state.recording, () => {
+          opener.disabled = false;
+          show(false);
+          opener.focus();
+        });
+        pair.prepend(sliders);
+        show(true);
+        answer();
+      } catch (error) {
+        // The page stays what it is without.
+        opener.replaceWith(el('span', { class: 'note' }, `This browser does not follow other values: ${error.message}`));
+      }
+    });
+    controls.append(opener);
+    onAnswer((answer) => {
+      if (answer) follow(answer);
+    });
+  }
+  place.append(
+    controls,
+    key,
     el('p', { class: 'note' }, `Gain in dB, phase in degrees and, where it was measured, mean offset in mm, over frequency in Hz. ${zeroDecibel(data.responses.map(({ unit }) => unit))} The cursor shows model/measured. Drag to zoom all charts, double-click to reset.`),
-    charts,
+    pair,
   );
   redraw();
 }

@@ -1,6 +1,6 @@
 const listeners = [];
 const runs = ['run0', 'run1', 'run2', 'run3', 'run4', 'run5'];
-const names = ['ground', 'raised', 'line', 'faint', 'text', 'muted', 'measured', 'model', 'start', 'band', 'good', 'poor', ...runs];
+const names = ['ground', 'raised', 'line', 'faint', 'text', 'muted', 'measured', 'model', 'whatif', 'start', 'band', 'good', 'poor', ...runs];
 
 const dashes = [undefined, [7, 5], [2, 4], [10, 4, 2, 4], [4, 4], [12, 6]];
 
@@ -11,10 +11,15 @@ export const runLine = (i) => ({
   width: i === 0 ? 3.4 : 1.8,
 });
 
+/** Asked for with every stroke of a chart, so read once a theme. */
+let current = null;
+
 /** The colours of the page as it is now. */
 export function colours() {
+  if (current) return current;
   const style = getComputedStyle(document.documentElement);
-  return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+  current = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+  return current;
 }
 
 export function isDark() {
@@ -28,6 +33,7 @@ export function onTheme(listener) {
 
 function set(dark) {
   document.documentElement.dataset.theme = dark ? 'dark' : 'light';
+  current = null;
   const button = document.getElementById('theme');
   if (button) button.textContent = dark ? 'light' : 'dark';
   for (const listener of listeners) listener();

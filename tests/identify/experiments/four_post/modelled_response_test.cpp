@@ -9,7 +9,7 @@
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/reader/vehicle_file.h"
 #include "vehicles/response/march.h"
-#include "vehicles/response/reduced_march.h"
+#include "vehicles/response/hysteresis.h"
 #include "vehicles/simulation/condensed_system.h"
 
 namespace fourpost {

@@ -1,4 +1,4 @@
-#include "vehicles/condensed/design_shape.h"
+#include "vehicles/condensed/design_shapes.h"
 
 #include <array>
 #include <utility>

@@ -1,0 +1,74 @@
+// The reduced vehicle of a page in WebAssembly: identify/live/live_calls.h.
+
+const bytesOf = (base64) => Uint8Array.from(atob(base64), (digit) => digit.charCodeAt(0));
+
+const kinds = ['oscillating', 'overdamped', 'free', 'diverging'];
+
+/** What the program imports of a system that a page has not: all answer 0, and it ends by an exception. */
+function noSystem(module) {
+  const imports = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
+    imports[from] ??= {};
+    imports[from][name] = name === 'proc_exit' ? () => { throw new Error('the program ended'); } : () => 0;
+  }
+  return imports;
+}
+
+async function unpacked(base64) {
+  return new Response(new Blob([bytesOf(base64)]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}
+
+/**
+ * `program`: WebAssembly, gzip in base 64. `vehicle`: its bytes in base 64. Throws where a browser refuses or lacks
+ * what it takes.
+ */
+export async function openVehicle(program, vehicle) {
+  const module = await WebAssembly.compile(await unpacked(program));
+  const { exports } = await WebAssembly.instantiate(module, noSystem(module));
+  exports._initialize?.();
+
+  const fault = () => {
+    const bytes = new Uint8Array(exports.memory.buffer, exports.live_fault());
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+  };
+  const checked = (answer) => {
+    if (answer < 0) throw new Error(fault());
+    return answer;
+  };
+  /** Memory moves when it grows: views are made anew. */
+  const put = (numbers) => new Float64Array(exports.memory.buffer, exports.live_room(8 * numbers.length), numbers.length).set(numbers);
+  const answer = (count) => new Float64Array(exports.memory.buffer, exports.live_answer(), count).slice();
+
+  const bytes = bytesOf(vehicle);
+  new Uint8Array(exports.memory.buffer, exports.live_room(bytes.length), bytes.length).set(bytes);
+  checked(exports.live_open(bytes.length));
+
+  return {
+    /** SI, one per parameter of the vehicle. Whether responses are to be had, which those of a hysteretic one are not. */
+    set(values) {
+      put(values);
+      return checked(exports.live_set(values.length)) === 0;
+    },
+
+    /** Of the posts' `shares`: {re, im, mean} over frequency of each sensor, then of each coordinate; NaN where open. */
+    response(shares, frequencies, amplitudes) {
+      put([...shares, ...frequencies, ...amplitudes]);
+      const channels = checked(exports.live_response(shares.length, frequencies.length));
+      const n = frequencies.length;
+      const all = answer(3 * n * channels);
+      const part = (c, k) => all.subarray((3 * c + k) * n, (3 * c + k + 1) * n);
+      return Array.from({ length: channels }, (_, c) => ({ re: part(c, 0), im: part(c, 1), mean: part(c, 2) }));
+    },
+
+    /** {kind, frequency_Hz, damping_ratio, pole: [re, im], shape: [re, im, re, ...]} by rising frequency. */
+    modes(coordinates) {
+      const count = checked(exports.live_modes());
+      const size = 5 + 2 * coordinates;
+      const all = answer(size * count);
+      return Array.from({ length: count }, (_, i) => {
+        const [kind, frequency_Hz, damping_ratio, re, im, ...shape] = all.subarray(size * i, size * (i + 1));
+        return { kind: kinds[kind], frequency_Hz, damping_ratio, pole: [re, im], shape };
+      });
+    },
+  };
+}

@@ -1,0 +1,213 @@
+// The car of the sliders: curves, misfit and modes that follow, in a browser.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { launch, open, root } from './browser.mjs';
+import { coloured } from './canvas.mjs';
+import { fitted, fourpost, scratch } from './runs.mjs';
+
+const source = (name) => import(pathToFileURL(join(root, 'analysis', 'report', 'web', 'src', 'live', name)).href);
+const { misfitOf, squaresOf } = await source('misfit.js');
+const { asOptions, shareOf, valueAt } = await source('setting.js');
+const { named } = await source('whatif.js');
+
+/** The page's --whatif. */
+const whatIfColour = [0x8b, 0x3f, 0xb0];
+
+let browser;
+let run;
+let report;
+
+before(async () => {
+  // Without WebGL: drawn by software it takes whole seconds of a busy machine.
+  browser = await launch({ webgl: false });
+  run = fitted('landrover110/model2.yaml');
+  report = join(run, 'report.html');
+});
+after(() => browser?.close());
+
+async function opened(file = report, options = {}) {
+  const page = await open(browser, file, options);
+  await page.locator('#responses .opener').click();
+  await page.waitForSelector('.whatif');
+  return page;
+}
+
+const slider = (page, name) => page.locator(`.whatif .row[data-parameter="${name}"] input[type=range]`);
+
+async function set(page, name, value) {
+  const field = page.locator(`.whatif .row[data-parameter="${name}"] input[type=number]`);
+  await field.fill(String(value));
+  await field.press('Enter');
+  // The answer of all recordings comes when the hand rests.
+  await page.waitForTimeout(600);
+}
+
+const dataOf = (file) => JSON.parse(readFileSync(file, 'utf8').match(/id="data">(.*?)<\/script>/s)[1]);
+
+/** Median time [ms] from an event of a slider until its charts are drawn, over 100 events; the best of three times. */
+async function dragTime(page, name) {
+  await page.evaluate(() => document.getElementById('responses').scrollIntoView());
+  const medians = [];
+  for (let k = 0; k < 3; ++k)
+    medians.push(
+      await slider(page, name).evaluate(async (input) => {
+        const times = [];
+        for (let i = 0; i < 100; ++i) {
+          // From the beginning of a frame, as a browser hands on the moves of a mouse.
+          await new Promise((done) => requestAnimationFrame(done));
+          const begin = performance.now();
+          input.value = 0.3 + 0.004 * i;
+          input.dispatchEvent(new Event('input', { bubbles: true }));
+          await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+          times.push(performance.now() - begin);
+        }
+        return times.sort((a, b) => a - b)[50];
+      }),
+    );
+  return Math.min(...medians);
+}
+
+describe('sliders', () => {
+  test('are not there until they are asked for, nor is their program run', async () => {
+    const page = await open(browser, report);
+    assert.equal(await page.locator('.whatif').count(), 0);
+    assert.equal(await page.locator('#responses .opener').count(), 1);
+    await page.context().close();
+  });
+
+  test('stand at the fit, with its misfit, and draw a curve over that of the fit', async () => {
+    const page = await opened();
+    await page.waitForTimeout(500);
+    const [, from, to] = /([\d.]+) \u2192 ([\d.]+)/.exec(await page.locator('.whatif .misfit').textContent());
+    assert.equal(from, to);
+    // Of the responses alone; the fit weighs static loads and second harmonics as well.
+    assert.ok(Math.abs(from / dataOf(report).result.misfit - 1) < 0.1, from);
+    assert.ok((await coloured(page.locator('#responses canvas').first(), whatIfColour)) > 100);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+
+  test('move curves, misfit and modes, and go back', async () => {
+    const page = await opened();
+    await page.waitForTimeout(500);
+    const canvas = page.locator('#responses canvas').first();
+    const picture = () => canvas.evaluate((one) => one.toDataURL());
+    const modes = () => page.locator('.whatif tbody').allInnerTexts();
+    const misfit = () => page.locator('.whatif .misfit').textContent();
+    const [before, modesBefore, misfitBefore] = [await picture(), await modes(), await misfit()];
+    await set(page, 'k_front', 90);
+    assert.notEqual(await picture(), before);
+    assert.notDeepEqual(await modes(), modesBefore);
+    const [, from, to] = /([\d.]+) \u2192 ([\d.]+)/.exec(await misfit());
+    assert.ok(+to > +from, 'the fit has the least misfit');
+    assert.equal(await page.locator('.whatif .options').inputValue(), '--set k_front=90kN/m');
+    await page.locator('.whatif button', { hasText: 'undo' }).click();
+    await page.waitForTimeout(600);
+    assert.deepEqual([await modes(), await misfit()], [modesBefore, misfitBefore]);
+    await set(page, 'k_front', 90);
+    await page.locator('.whatif button', { hasText: /^A$/ }).click();
+    await page.waitForTimeout(600);
+    assert.equal(await misfit(), misfitBefore, 'A is the fit until it is moved');
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+
+  test('give the frequencies that the program gives', async () => {
+    const page = await opened();
+    await set(page, 'k_front', 90);
+    const shown = await page.locator('.whatif tbody tr').evaluateAll((rows) => rows.map((row) => Number(row.children[1].textContent)));
+    const told = JSON.parse(fourpost('modes', join(run, 'vehicle.urdf'), '--set', 'k_front=90kN/m', '--json')).modes.filter(({ kind }) => kind !== 'free');
+    assert.equal(shown.length, told.length);
+    // Three digits are shown.
+    told.forEach(({ frequency_Hz }, i) => assert.ok(Math.abs(shown[i] / frequency_Hz - 1) < 0.006, `${shown[i]} ${frequency_Hz}`));
+    await page.context().close();
+  });
+
+  test('are closed again, and the page is what it was', async () => {
+    const page = await open(browser, report);
+    const picture = () => page.locator('#responses canvas').first().evaluate((one) => one.toDataURL());
+    const before = await picture();
+    await page.locator('#responses .opener').click();
+    await page.waitForSelector('.whatif');
+    await page.locator('.whatif button[aria-label=close]').click();
+    await page.waitForTimeout(200);
+    assert.equal(await page.locator('.whatif').count(), 0);
+    assert.equal(await picture(), before);
+    await page.context().close();
+  });
+
+  test('say so where a browser refuses WebAssembly, and the charts stay', async () => {
+    const file = join(scratch, 'refused.html');
+    writeFileSync(file, readFileSync(report, 'utf8').replace(" 'wasm-unsafe-eval'", ''));
+    const page = await open(browser, file);
+    await page.locator('#responses .opener').click();
+    await page.locator('#responses .controls .note', { hasText: 'does not follow' }).waitFor();
+    assert.equal(await page.locator('#responses .chart').count(), 11);
+    await page.context().close();
+  });
+
+  test('fit on a telephone', async () => {
+    const page = await opened(report, { width: 390, height: 800 });
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= 390));
+    await page.context().close();
+  });
+
+  test('are followed within 50 ms by a car of four degrees of freedom, within 150 ms by the full car', async (t) => {
+    const study = readFileSync(join(root, 'studies', 'landrover110', 'full.yaml'), 'utf8');
+    // A fit of few steps: what it finds does not matter here.
+    const short = study
+      .replace(/# The same car on a swept sine[^]*?(?=static_loads:)/, '')
+      .replace(/free: \[[^\]]*\]/, 'free: [m_body, k_FL]')
+      .replace(/evaluations: \d+\n {2}starts: \d+/, 'evaluations: 4\n  starts: 1')
+      .replace('../../urdf', join(root, 'urdf'))
+      .replaceAll('file: ', `file: ${join(root, 'studies', 'landrover110')}/`);
+    const folder = join(scratch, 'full');
+    writeFileSync(join(scratch, 'full.yaml'), short);
+    fourpost('fit', join(scratch, 'full.yaml'), '-o', folder);
+    for (const [file, name, most] of [[report, 'm_rear', 50], [join(folder, 'report.html'), 'm_body', 150]]) {
+      const page = await opened(file);
+      await page.waitForTimeout(500);
+      const time = await dragTime(page, name);
+      t.diagnostic(`${name}: ${time.toFixed(1)} ms, page of ${(readFileSync(file).length / 1e6).toFixed(2)} MB`);
+      assert.ok(time < most, `${time} ms`);
+      assert.deepEqual(page.faults, []);
+      await page.context().close();
+    }
+  });
+});
+
+describe('what sliders compute', () => {
+  test('residuals are those along and across the measured phasor', () => {
+    const channel = { unit: 'm', in_band: [true, false], gain_measured: [2, 1], phase_measured: [90, 0] };
+    const error = { gain_dB: 20 * Math.log10(1.1), phase_rad: 0.2, mean_m: 1e-3, floor: 0 };
+    // 10 % too much and turned by 0.1: 2.2 cos 0.1 - 2 over 0.2, 2.2 sin 0.1 over 0.4; what is out of band is none.
+    const { sum, count } = squaresOf([channel], [{ gain: [2.2, 9], phase: [90 + 18 / Math.PI, 0] }], error);
+    assert.equal(count, 2);
+    assert.ok(Math.abs(sum - (((2.2 * Math.cos(0.1) - 2) / 0.2) ** 2 + ((2.2 * Math.sin(0.1)) / 0.4) ** 2)) < 1e-12);
+    assert.equal(misfitOf([{ sum: 8, count: 4 }], 2, 4), 2);
+    assert.equal(misfitOf([], 2, 4), null);
+  });
+
+  test('a slider is even in the value, or in its logarithm where bounds are far apart', () => {
+    const even = { lower: 10, upper: 30 };
+    assert.equal(shareOf(even, 15), 0.25);
+    assert.equal(valueAt(even, 0.25), 15);
+    const far = { lower: 1, upper: 1e4 };
+    assert.equal(shareOf(far, 100), 0.5);
+    assert.ok(Math.abs(valueAt(far, 0.5) - 100) < 1e-9);
+  });
+
+  test('options name what differs from the fit, with its unit', () => {
+    const parameters = [{ name: 'k', unit: 'kN/m', value: 20 }, { name: 'loss', unit: '1', value: 0.1 }, { name: 'm', unit: 'kg', value: 3 }];
+    assert.equal(asOptions(parameters, [25, 0.2, 3]), '--set k=25kN/m --set loss=0.2');
+  });
+
+  test('modes take the names of those that they move like, whatever their order and phase', () => {
+    const fit = [{ name: 'heave', shape: [1, 0, 0, 0] }, { name: 'pitch', shape: [0, 0, 1, 0] }];
+    const modes = [{ shape: [0.1, 0, 0, 2] }, { shape: [0, -1, 0.1, 0] }];
+    assert.deepEqual(named(modes, fit).map(({ name }) => name), ['pitch', 'heave']);
+  });
+});
