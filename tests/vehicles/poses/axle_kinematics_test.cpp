@@ -324,6 +324,25 @@ TEST(AxleKinematics, ReportsADeadCentre) {
   EXPECT_NEAR(heave.stations.back().travel, 0.45, kSame);
 }
 
+// A wheel on a bearing stands as one that is fixed to its upright, and is no compliance.
+TEST(AxleKinematics, WheelsDoNotSpin) {
+  std::string text = axle_cars::DoubleWishbone();
+  const AxleKinematics fixed = KinematicsOfAxle(text, Range(-0.05, 0.05, 0.05));
+  const std::size_t joint = text.find("<joint name=\"hub_left\" type=\"fixed\">");
+  ASSERT_NE(joint, std::string::npos);
+  text.insert(text.find("</joint>", joint), "<axis xyz=\"0 1 0\"/>");
+  text.replace(text.find("fixed", joint), 5, "continuous");
+  const AxleKinematics spinning = KinematicsOfAxle(text, Range(-0.05, 0.05, 0.05));
+  EXPECT_TRUE(spinning.compliance.empty());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const WheelPlace& a = TravelNamed(fixed, "heave").stations.at(i).wheels.at(0).place;
+    const WheelPlace& b = TravelNamed(spinning, "heave").stations.at(i).wheels.at(0).place;
+    EXPECT_NEAR(a.camber, b.camber, kSame);
+    EXPECT_NEAR(a.toe, b.toe, kSame);
+    EXPECT_NEAR((a.foot - b.foot).norm(), 0, kSame);
+  }
+}
+
 TEST(AxleKinematics, RigidLinkageHasNoCompliance) {
   EXPECT_TRUE(KinematicsOfAxle(axle_cars::DoubleWishbone(), Range(-0.01, 0.01, 0.01)).compliance.empty());
 }
