@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "analysis/numerics/decompositions.h"
+#include "analysis/text/diagnostics.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/condensed/unheld_motion.h"
 #include "vehicles/description/gravity.h"
