@@ -32,7 +32,7 @@ struct MotionOptions {
   CLI::Option* recording;
 };
 
-/// All but roads; exactly one of the group is required.
+/// Without roads; exactly one of the group is required.
 MotionOptions AddMotions(CLI::App& app, SimulateCommand& command);
 
 /// --road and --speed, one of each.

@@ -124,12 +124,14 @@ void WarnOfContacts(const RideAnswer& ride, Diagnostics& findings) {
     findings.Report(kRideNotNormal, {}, {ride.motion, hit->stop, "is in contact", Percent(hit->contact, 2)});
 }
 
-void WarnOfShocks(const RideAnswer& ride, Diagnostics& findings) {
+/// `is_random`: a motion whose strongest second is a matter of chance, so that only its dose counts.
+void WarnOfShocks(const RideAnswer& ride, bool is_random, Diagnostics& findings) {
   const RideMetrics::Comfort* worst = nullptr;
-  for (const RideMetrics::Comfort& comfort : ride.metrics.comfort)
-    if (!comfort.weighted.RmsSuffices() &&
-        (worst == nullptr || comfort.weighted.MtvvRatio() > worst->weighted.MtvvRatio()))
-      worst = &comfort;
+  for (const RideMetrics::Comfort& comfort : ride.metrics.comfort) {
+    const WeightedAcceleration& weighted = comfort.weighted;
+    const bool suffices = is_random ? weighted.VdvRatio() <= WeightedAcceleration::kMostVdv : weighted.RmsSuffices();
+    if (!suffices && (worst == nullptr || weighted.VdvRatio() > worst->weighted.VdvRatio())) worst = &comfort;
+  }
   if (worst == nullptr) return;
   findings.Report(
       kRideShocks, {},
@@ -213,9 +215,9 @@ class Riding {
     if (job_.roads.empty()) {
       const Drive drive = DriveOf(command_.drive, job_.vehicle, findings_);
       if (std::optional<RideAnswer> ride = ByHistory(command_, job_, model_, drive, 0, findings_)) {
-        const bool is_steady = command_.drive.motion == SimulateCommand::Motion::kRandom ||
-                               command_.drive.motion == SimulateCommand::Motion::kRecording;
-        if (is_steady) WarnOfShocks(*ride, findings_);
+        using Motion = SimulateCommand::Motion;
+        const bool is_random = command_.drive.motion == Motion::kRandom;
+        if (is_random || command_.drive.motion == Motion::kRecording) WarnOfShocks(*ride, is_random, findings_);
         Take(std::move(*ride));
       } else {
         interrupted_ = true;
@@ -233,7 +235,7 @@ class Riding {
         interrupted_ = true;
         return;
       }
-      WarnOfShocks(*history, findings_);
+      WarnOfShocks(*history, true, findings_);
       const std::string difference = RideDifferenceText(spectra, *history);
       Take(std::move(*history));
       text_ += '\n' + difference;

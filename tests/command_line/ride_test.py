@@ -42,6 +42,15 @@ class Ride(ProgramTest):
         self.run_program("simulate", CAR, "--random", "2mm", "--duration", "5s", "-o", "rig.csv", "--engine", "reduced")
         self.run_program("ride", CAR, "--recording", "rig.csv", "--engine", "reduced")
 
+    def test_shocks_of_a_recording_are_named(self):
+        # A bump in ten seconds of rest.
+        self.run_program("simulate", CAR, "--step", "20mm", "--duration", "10s", "-o", "bump.csv", "--engine", "reduced")
+        bump = ("ride", CAR, "--recording", "bump.csv", "--engine", "reduced")
+        self.assert_finding(self.run_program(*bump).stderr, "ride-shocks")
+        # A minute of a stationary road has none.
+        road = self.run_program("ride", CAR, *ROAD, "--time", "--engine", "reduced")
+        self.assertNotIn("[ride-shocks]", road.stderr)
+
     def test_points_and_weightings(self):
         seat = ("--point", "seat=chassis:0.1,0.3,0.8", "--weighting", "seat=Wb", "--weighting", "a_cg=Wd")
         metrics = self.metrics(CAR, *ROAD, *seat)[0]

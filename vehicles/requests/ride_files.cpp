@@ -65,7 +65,7 @@ Json RideOf(const RideAnswer& ride) {
   return json;
 }
 
-/// A channel of all rides that have it, on axes over three decades below its largest density.
+/// A channel of all rides, over four decades below its largest density.
 SvgPanel PanelOf(const std::vector<RideAnswer>& rides, std::size_t channel) {
   SvgPanel panel;
   double largest = 0;
@@ -76,13 +76,16 @@ SvgPanel PanelOf(const std::vector<RideAnswer>& rides, std::size_t channel) {
     SvgSeries series{.style = {.label = "", .color = kColours[r % kColours.size()]},
                      .x = spectra.frequency_Hz,
                      .y = spectra.channels[channel].density};
-    for (const double density : series.y) largest = std::max(largest, density);
+    for (double& density : series.y) {
+      if (spectra.channels[channel].unit == "N") density *= 1e-6;
+      largest = std::max(largest, density);
+    }
     first = std::min(first, spectra.frequency_Hz.front());
     last = std::max(last, spectra.frequency_Hz.back());
     panel.series.push_back(std::move(series));
   }
   const RideSpectra::Channel& shown = rides.front().spectra.channels[channel];
-  panel.title = shown.name + " [" + (shown.unit == "N" ? "N^2" : "(m/s^2)^2") + "/Hz]";
+  panel.title = shown.name + " [" + (shown.unit == "N" ? "kN^2" : "(m/s^2)^2") + "/Hz]";
   panel.x = LogAxis(first, last);
   const double top = largest > 0 ? std::pow(10, std::ceil(std::log10(largest))) : 1;
   panel.y = LogAxis(1e-4 * top, top);

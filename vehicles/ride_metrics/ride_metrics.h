@@ -70,7 +70,7 @@ struct RideMetrics {
     std::string damper;
     double mean_m = 0;
     double travel_rms_m = 0;
-    /// Furthest extension and compression [m].
+    /// Furthest extension either way, rebound and bump [m].
     double most_m = 0;
     double least_m = 0;
     double speed_rms = 0;
