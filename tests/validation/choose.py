@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Whether settings that `fourpost choose` takes for the best are the best of the car that was measured, as CSV.
 
-Twins of the Land Rover 110 (Model 1) with random parameters answer stepped sines with noise of 15 %; half of them have
+Simulated cars, Land Rovers 110 (Model 1) with random parameters, answer stepped sines with noise of 15 %; half of them have
 friction beside their dampers, which the fitted model lacks. Each is fitted, and one of 15 by 15 clicks of an adjustable
 damper is chosen from a random present click. Then all settings are rated in the true car.
 
-  choose.py PROGRAM --twins 100 > choose.csv
+  choose.py PROGRAM --cars 100 > choose.csv
   choose.py PROGRAM --reliability choose.csv     # how often a setting with a stated P(best) is the best
 
-A row per twin: P(best) of the chosen setting and whether it is the best in truth; stated and true regret [%]; the number
+A row per car: P(best) of the chosen setting and whether it is the best in truth; stated and true regret [%]; the number
 of settings that cannot be distinguished, and whether the true best is among them; `stated`, P(best) of all settings that
 have any, and `of_true_best`, that of the true best.
 """
@@ -62,7 +62,7 @@ def with_values(text, values):
     return text
 
 
-def twin(program, folder, seed, has_friction):
+def make_run(program, folder, seed, has_friction):
     draw = random.Random(seed)
     text = suggest.vehicle_text(VEHICLE)
     (folder / "vehicle.urdf").write_text(text)
@@ -111,7 +111,7 @@ def judged(folder):
 
 
 def reliability(file):
-    rows = [row for row in csv.DictReader(file) if row["twin"]]
+    rows = [row for row in csv.DictReader(file) if row["car"]]
     out = csv.writer(sys.stdout)
     out.writerow(["kind", "from", "to", "settings", "stated", "best"])
     for kind in sorted({row["kind"] for row in rows}) + [None]:
@@ -132,19 +132,19 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     arguments.add_argument("program", type=Path)
     arguments.add_argument("--first", type=int, default=1)
-    arguments.add_argument("--twins", type=int, default=100)
+    arguments.add_argument("--cars", type=int, default=100)
     arguments.add_argument("--reliability", type=argparse.FileType())
     options = arguments.parse_args()
     if options.reliability:
         reliability(options.reliability)
         return
     out = None
-    for seed in range(options.first, options.first + options.twins):
+    for seed in range(options.first, options.first + options.cars):
         kind = "friction" if seed % 2 == 0 else "clean"
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            twin(options.program, folder, seed, kind == "friction")
-            row = {"twin": seed, "kind": kind, **judged(folder)}
+            make_run(options.program, folder, seed, kind == "friction")
+            row = {"car": seed, "kind": kind, **judged(folder)}
         if out is None:
             out = csv.DictWriter(sys.stdout, list(row))
             out.writeheader()
