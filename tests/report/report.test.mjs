@@ -56,6 +56,19 @@ describe('the report of a fit to frequency responses', () => {
     await page.context().close();
   });
 
+  test('leads from its worst channel to the chart', async () => {
+    const page = await open(browser, report);
+    const link = page.locator('[data-worst]');
+    const name = await link.textContent();
+    const [, recording] = /worst at [\d.]+\u2013[\d.]+ Hz in (\w+)/.exec(await page.locator('.tile', { has: link }).textContent());
+    await link.click();
+    assert.equal(await page.locator('#responses button[aria-pressed=true]').textContent(), recording);
+    const { top, bottom } = await page.locator(`#responses .chart[data-channel="${name}"]`).evaluate((chart) => chart.getBoundingClientRect().toJSON());
+    assert.ok(top < 900 && bottom > 0, `${top}`);
+    assert.deepEqual(page.faults, []);
+    await page.context().close();
+  });
+
   test('shows another recording when asked', async () => {
     const page = await open(browser, report);
     const before = await page.locator('#responses canvas').first().evaluate((canvas) => canvas.toDataURL());
