@@ -184,9 +184,12 @@ std::string ReportPage(const RunContents& run, ExperimentReports experiments) {
       html::Section("summary", "Summary", SummaryHtml(result, parameters, remarks)) +
       html::Section("parameters", "Parameters", ParameterTableHtml(parameters, why) + Profiles(result, run)) +
       Body(result, parts, scene, scene_fault, why) + "</main>\n" + PageFooter("the files in the folder of the fit");
-  const OrderedJson live = scene.is_null() ? OrderedJson() : LiveJson(run, parameters);
-  OrderedJson data = {{"result", OrderedJson(result)}, {"scene", scene}, {"live", live}};
+  OrderedJson data = {{"result", OrderedJson(result)}, {"scene", scene}};
   for (const auto& part : parts) data.update(part->Drawn());
+  // Sliders stand beside responses.
+  const bool is_live = !scene.is_null() && data.contains("responses") && !data["responses"].empty();
+  const OrderedJson live = is_live ? LiveJson(run, parameters) : OrderedJson();
+  data["live"] = live;
   const std::string text = CompactJson(data);
   return ReportDocument(TextAt(result, "vehicle") + " \u2013 fourpost report", body, text,
                         live.is_null() ? "" : std::string(kLiveProgram));

@@ -8,6 +8,7 @@
 #include "analysis/report/html.h"
 #include "analysis/report/shown_number.h"
 #include "identify/report/judged_channel.h"
+#include "identify/report/report_tiles.h"
 #include "identify/uncertainty/derivative_noise.h"
 #include "vehicles/requests/versions.h"
 
@@ -426,7 +427,8 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
   std::string next;
   for (const std::string& advice : WhatNext(result, parameters, remarks, unseen))
     next += html::Element("li", "", advice);
-  return html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
+  const std::string tiles = TilesHtml({verdict.name, MisfitOf(result), judged, unseen, parameters});
+  return tiles + html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
          Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
          Item("What does not fit", misses) + Item("What is missing", Sentences(remarks.missing_force, WhatIsMissing(result))) +
          Item("What it predicts", Sentences(WhatItPredicts(validation, unseen), WhatWasLeftOut(result))) +

@@ -35,8 +35,8 @@ describe('the report of a fit to frequency responses', () => {
 
   test('is no larger than it may be', () => {
     const data = JSON.stringify(JSON.parse(dataOf(report))).length;
-    // Beside its data: the bundle, and the tables as text.
-    assert.ok(statSync(report).size - data < 720_000, `${statSync(report).size} bytes of which ${data} are data`);
+    // Beside its data: the bundle, the program in WebAssembly, and the tables as text.
+    assert.ok(statSync(report).size - data < 1_030_000, `${statSync(report).size} bytes of which ${data} are data`);
   });
 
   test('draws measured dots and modelled curves of every channel', async () => {
@@ -53,6 +53,19 @@ describe('the report of a fit to frequency responses', () => {
         assert.ok((await coloured(canvases.nth(k), modelColour)) > 100, `curve of chart ${i}`);
       }
     }
+    await page.context().close();
+  });
+
+  test('leads from its worst channel to the chart', async () => {
+    const page = await open(browser, report);
+    const link = page.locator('[data-worst]');
+    const name = await link.textContent();
+    const [, recording] = /worst at [\d.]+\u2013[\d.]+ Hz in (\w+)/.exec(await page.locator('.tile', { has: link }).textContent());
+    await link.click();
+    assert.equal(await page.locator('#responses button[aria-pressed=true]').textContent(), recording);
+    const { top, bottom } = await page.locator(`#responses .chart[data-channel="${name}"]`).evaluate((chart) => chart.getBoundingClientRect().toJSON());
+    assert.ok(top < 900 && bottom > 0, `${top}`);
+    assert.deepEqual(page.faults, []);
     await page.context().close();
   });
 

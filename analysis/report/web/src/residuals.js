@@ -74,6 +74,22 @@ function table(recording, channels, parts, band, model) {
   );
 }
 
+/** Adds to the summary's worst channel where it is worst; its link leads to that recording's chart. */
+function markWorst(channels, parts, band) {
+  const link = document.querySelector('[data-worst]');
+  const cells = channels
+    .filter(({ name }) => name === link?.dataset.worst)
+    .flatMap((channel) => parts.filter(({ fitted }) => fitted).map((part) => ({ channel, part, error: errorOver(channel, part, band, 'modelled') ?? 0 })));
+  if (!cells.length) return;
+  const { channel, part } = cells.reduce((worst, cell) => (cell.error > worst.error ? cell : worst));
+  link.closest('.tile').lastElementChild.append(`, worst at ${shown(part.low, 3)}\u2013${shown(part.high, 3)} Hz in ${channel.recording}`);
+  link.addEventListener('click', (event) => {
+    event.preventDefault();
+    for (const button of document.querySelectorAll('#responses .controls button')) if (button.textContent === channel.recording) button.click();
+    document.querySelector(`#responses .chart[data-channel="${CSS.escape(channel.name)}"]`)?.scrollIntoView({ block: 'center' });
+  });
+}
+
 /** Relative error by octave and band, a table per recording. */
 export function drawResiduals(place, data) {
   const band = fittedBand(data.result.band_Hz, data.responses);
@@ -93,4 +109,5 @@ export function drawResiduals(place, data) {
   if (hasStart) place.append(el('div', { class: 'controls' }, choice('model', [['modelled', 'fit'], ['start', 'start']], 'modelled', redraw)));
   place.append(tables);
   redraw('modelled');
+  markWorst(data.responses, parts, band);
 }

@@ -1,5 +1,3 @@
-import { shown } from '../number.js';
-
 /** Where a value stands on its slider, 0 to 1; bounds of one sign more than a factor of 50 apart make it logarithmic. */
 export const isLogarithmic = ({ lower, upper }) => lower > 0 && upper > 50 * lower;
 
@@ -24,8 +22,6 @@ export function inSi(parameters, values) {
 
 /** At the digits that a slider can tell apart. */
 export const rounded = (parameter, value) => Number(value.toPrecision(4));
-
-export const told = (value) => shown(value, 4);
 
 /** Options of the program for what differs from the fit. */
 export function asOptions(parameters, values) {
