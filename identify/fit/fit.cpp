@@ -340,19 +340,28 @@ class RunningFit {
     result_.end = EndOf(best, stop_());
     result_.message = best.message;
     if (best.jacobian.size() > 0) {
-      const std::vector<ParameterState> states =
+      std::vector<ParameterState> states =
           StatesAt(best, archive_.lattice(), NoisyAt(archive_, best, result_.prior_count, options_.refine, stop_));
       const std::vector<Eigen::Index> fixed = FixedOf(states);
       const Eigen::VectorXd left = RemainingStep(best, options_.refine.loss, result_.prior_count, fixed);
       AllowForIntegration(fixed, best);
       const Eigen::MatrixXd input_noise = AllowForInputNoise(fixed, best);
       const std::optional<Calibrated> calibrated = AllowForCalibrations(states, input_noise, best);
+      if (calibrated) HoldAtBounds(best.values, states);
       AddCertainty(best, states, input_noise, calibrated);
       if (result_.end != FitEnd::kConverged) JudgeEnd(left);
       if (result_.covariance) AddProfiles(best);
     }
     result_.cost = best.cost;
     return best.values;
+  }
+
+  /// Of those that calibrations took there.
+  void HoldAtBounds(const Eigen::VectorXd& values, std::vector<ParameterState>& states) const {
+    for (std::size_t j = 0; j < states.size(); ++j)
+      if (states[j] == ParameterState::kDetermined &&
+          IsAtBound(archive_.lattice().axes()[j], values[static_cast<Eigen::Index>(j)]))
+        states[j] = ParameterState::kAtBound;
   }
 
   /// Deviations are those of an optimum. One that is less than a tenth of them away is reached. `left`: the step to it.

@@ -62,9 +62,8 @@ inline const Finding kParameterUndetermined{"parameter-undetermined", Severity::
                                             "measure a channel that depends on it"};
 
 inline const Finding kCalibrationBeyond{
-    "calibration-beyond", Severity::kWarning,
-    "the data ask for a correction of {} in the {}, {} times what the stated {} allows",
-    "check the instrument and its channel's 'scale' or 'delay'; the model may lack something that looks alike"};
+    "calibration-beyond", Severity::kWarning, "the data ask for calibrations beyond what is stated: {}",
+    "check first whether the model lacks something, then these instruments, and correct their 'scale' or 'delay'"};
 inline const Finding kOtherOptima{"other-optima", Severity::kWarning,
                                   "the data also allow {} other optima, of cost {} beside {}",
                                   "draw about all by `fourpost draws` with --study, or measure what they differ in"};

@@ -94,7 +94,7 @@ std::string CalibrationTable(const FitResult& fit) {
   for (const CalibrationEstimate& one : fit.certainty->calibrations)
     table.Add({one.name, InstrumentNumber(one.sd, one.unit), InstrumentNumber(one.estimate, one.unit),
                InstrumentNumber(one.estimate_sd, one.unit), IsSurprising(one) ? "beyond what is stated" : ""});
-  return table.Format() + '\n';
+  return table.Format() + "Costs, errors and curves are of the channels as recorded.\n\n";
 }
 
 /// As far as noise alone goes, which is what a profile sees.
@@ -182,8 +182,9 @@ std::string Judgement(const FitResult& fit, const nlohmann::ordered_json& missin
   if (!fit.covariance) return "";
   const Covariance& covariance = *fit.covariance;
   std::string text = "Residuals are " + Rounded(fit.Misfit(), 2) +
-                     " times what noise and the stated model error explain; about 1 is expected.\n" +
-                     MissingText(missing);
+                     " times what noise and the stated model error explain" +
+                     (fit.certainty && !fit.certainty->calibrations.empty() ? ", calibrated" : "") +
+                     "; about 1 is expected.\n" + MissingText(missing);
   if (covariance.rank < covariance.directions.cols() || covariance.directions.cols() < 2) return text;
   text += "Least identifiable direction (condition number " + Rounded(covariance.condition, 2) + "):\n";
   for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";

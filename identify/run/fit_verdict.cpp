@@ -92,11 +92,12 @@ void AddOtherOptima(const FitResult& fit, Diagnostics& conclusions) {
 
 void AddCalibrations(const FitResult& fit, Diagnostics& conclusions) {
   if (!fit.certainty) return;
+  std::string beyond;
   for (const CalibrationEstimate& one : fit.certainty->calibrations)
     if (IsSurprising(one))
-      conclusions.Report(kCalibrationBeyond, {},
-                         {InstrumentNumber(one.estimate, one.unit), one.name, Rounded(std::abs(one.surprise), 2),
-                          InstrumentNumber(one.sd, one.unit)});
+      beyond += (beyond.empty() ? "" : ", ") + one.name + " " + InstrumentNumber(one.estimate, one.unit) + " (stated " +
+                InstrumentNumber(one.sd, one.unit) + ")";
+  if (!beyond.empty()) conclusions.Report(kCalibrationBeyond, {}, {beyond});
 }
 
 std::string Joined(const Diagnostics& reasons) {

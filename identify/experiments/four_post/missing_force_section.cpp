@@ -23,6 +23,9 @@ std::string RivalsOf(const nlohmann::json& explanation) {
   return rivals;
 }
 
+/// As a multiple of it.
+constexpr double kBeyondNoise = 1.5;
+
 std::string ExplanationTable(const nlohmann::json& missing) {
   std::vector<std::vector<html::Cell>> rows;
   for (const nlohmann::json& one : ListAt(missing, "explanations")) {
@@ -34,8 +37,10 @@ std::string ExplanationTable(const nlohmann::json& missing) {
                     html::TextCell(RivalsOf(one))});
   }
   if (rows.empty())
-    return "<p>No single mechanism is named: the force is within its noise, or none of those tried explains a tenth of "
-           "it.</p>\n";
+    return NumberAt(missing, "misfit") > kBeyondNoise
+               ? "<p>No mechanism is named: none of those tried explains a tenth of the force. What fitted parameters "
+                 "took up of it no longer shows here.</p>\n"
+               : "<p>No mechanism is named: the force is within its noise.</p>\n";
   return html::Table(
       {"looks like", "amount", "sd [%]", "band [Hz]", "largest [N]", "explains [%]", "would explain it as well"}, rows);
 }
