@@ -20,6 +20,8 @@ using Json = nlohmann::json;
 // Relative standard deviations.
 constexpr double kWellKnown = 0.02;
 constexpr double kWeaklyKnown = 0.1;
+// As large as the value itself.
+constexpr double kUnknown = 1;
 // Residuals over noise and stated model error: above this the model lacks something, below that nothing is left.
 constexpr double kMisses = 1.5;
 constexpr double kExplained = 1.1;
@@ -254,7 +256,7 @@ std::string WhatIsDetermined(const std::vector<ReportedParameter>& parameters) {
   for (const ReportedParameter& parameter : parameters) {
     const double sd = parameter.RelativeSd();
     // A bound that holds a parameter knows it, not the data.
-    if (!std::isfinite(sd) || parameter.at_bound) continue;
+    if (!std::isfinite(sd) || parameter.at_bound || sd > kUnknown) continue;
     ++known;
     if (sd <= kWellKnown) ++well;
     if (sd > kWeaklyKnown) weak.push_back(Code(parameter.name) + " (" + ShownNumber(100 * sd, 2) + " %)");
@@ -286,7 +288,8 @@ std::string WhatIsNot(const Json& result, const std::vector<ReportedParameter>& 
   if (const std::string why = WhyNoDeviations(parameters, remarks.why_no_deviations); !why.empty())
     return html::Escaped(why);
   for (const ReportedParameter& parameter : parameters)
-    if (std::isinf(parameter.sd)) open.push_back(Code(parameter.name));
+    if (std::isinf(parameter.sd) || (!parameter.at_bound && parameter.RelativeSd() > kUnknown))
+      open.push_back(Code(parameter.name));
   std::string text;
   if (!open.empty()) text += "Not determined by the data: " + Listed(open) + ". ";
   if (!bound.empty()) text += "Held by a bound, not by the data: " + Listed(bound) + ". ";
@@ -430,7 +433,8 @@ std::string SummaryHtml(const Json& result, const std::vector<ReportedParameter>
   const std::string tiles = TilesHtml({verdict.name, MisfitOf(result), judged, unseen, parameters});
   return tiles + html::Element("p", "verdict " + verdict.name, verdict.html) + "\n<dl class=\"summary\">\n" +
          Item("Warnings", WhatWasOdd(result)) + Item("What fits", WhatFits(judged)) +
-         Item("What does not fit", misses) + Item("What is missing", Sentences(remarks.missing_force, WhatIsMissing(result))) +
+         Item("What does not fit", misses) +
+         Item("What is missing", Sentences(remarks.missing_force, WhatIsMissing(result))) +
          Item("What it predicts", Sentences(WhatItPredicts(validation, unseen), WhatWasLeftOut(result))) +
          Item("How it was modelled", HowModelled(remarks.modelled)) +
          Item("What is determined", WhatIsDetermined(parameters)) +

@@ -28,9 +28,15 @@ std::vector<std::string> AddedUnits(const SuggestedAddition& suggestion, const L
 }  // namespace
 
 std::string ExpectedText(const SuggestedAddition& suggestion, const LoadedStudy& study) {
-  if (suggestion.addition.study)
-    return suggestion.addition.mechanism == "delay" ? Rounded(1e3 * suggestion.amount, 3) + " ms"
-                                                    : "times " + Rounded(1 + suggestion.amount, 4);
+  if (suggestion.addition.study) {
+    const bool is_most = suggestion.amount >= suggestion.addition.greatest;
+    const bool is_least = suggestion.amount <= suggestion.addition.least;
+    return (suggestion.addition.mechanism == "delay" ? Rounded(1e3 * suggestion.amount, 3) + " ms"
+                                                     : "times " + Rounded(1 + suggestion.amount, 4)) +
+           (is_most    ? " or more"
+            : is_least ? " or less"
+                       : "");
+  }
   const std::vector<std::string> units = AddedUnits(suggestion, study);
   std::string text;
   for (std::size_t i = 0; i < suggestion.values.size(); ++i)
