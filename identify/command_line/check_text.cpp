@@ -162,7 +162,7 @@ std::string Axles(const VehicleSummary& summary) {
   if (summary.suspension.wheels.empty()) return "";
   const bool pairs = HasPairs(summary);
   TextTable table(Head({"axle", "load, N", "share, %", "unsprung, kg", "ride, Hz", "hop, Hz"},
-                       {"roll stiffness, N*m/deg", "without loads", "on tyres", "roll centre, mm"}, pairs));
+                       {"roll, N*m/deg", "without loads", "on tyres", "centre, mm"}, pairs));
   for (std::size_t a = 0; a < summary.suspension.axles.size(); ++a) {
     const AxleNumbers& axle = summary.chassis.axles[a];
     table.Add(Head(
@@ -174,9 +174,9 @@ std::string Axles(const VehicleSummary& summary) {
   }
   return table.Format() +
          "Undamped, each axle alone: ride, sprung mass on ride rates; hop, unsprung mass on wheel and tyre rates.\n" +
-         (pairs ? "Without loads: of springs, bars and bushes alone; on tyres: with the tyres in series. Roll centre: "
-                  "above "
-                  "the feet.\n\n"
+         (pairs ? "Roll stiffness; without loads: of springs, bars and bushes alone; on tyres: with the tyres in "
+                  "series.\n"
+                  "Roll centre: above the feet.\n\n"
                 : "\n");
 }
 
@@ -207,7 +207,7 @@ std::string HandlingRows(const VehicleSummary& summary) {
   if (chassis.roll_gradient) {
     text += "roll            " + Fixed(*chassis.roll_gradient * kGravity * 180 / std::numbers::pi, 2) +
             " deg/g, sprung centre of mass " + Fixed(1000 * *chassis.roll_arm_m, 1) +
-            " mm above the roll axis; lateral load transfer";
+            " mm above the roll axis\nload transfer  ";
     for (std::size_t a = 0; a < chassis.axles.size(); ++a)
       text += std::string(a == 0 ? " " : ", ") + summary.suspension.axles[a].name + " " +
               Rounded(chassis.axles[a].load_transfer.value_or(0) * kGravity, 4) + " N/g (" +
@@ -219,11 +219,11 @@ std::string HandlingRows(const VehicleSummary& summary) {
   if (!front.anti_braking || !rear.anti_braking) return text + '\n';
   return text + "braking         anti-dive " + OrDash(front.anti_braking, 100, 1) + " %, rear anti-lift " +
          OrDash(rear.anti_braking, 100, 1) + " %, brakes at the wheels, forces shared as the loads" +
-         (chassis.pitch_centre ? "; pitch centre at x " + Fixed(chassis.pitch_centre->x, 3) + " m, z " +
+         (chassis.pitch_centre ? "\npitch centre    x " + Fixed(chassis.pitch_centre->x, 3) + " m, z " +
                                      Fixed(chassis.pitch_centre->z, 3) + " m"
                                : "") +
          "\ndriving         front anti-lift " + OrDash(front.anti_driving, 100, 1) + " %, anti-squat " +
-         OrDash(rear.anti_driving, 100, 1) + " %, each axle driving alone, torque taken by " +
+         OrDash(rear.anti_driving, 100, 1) + " %, each axle alone, torque taken by " +
          (front.is_beam == rear.is_beam ? front.is_beam ? "the axles" : "the body"
           : front.is_beam               ? "the front axle and, of the rear one, by the body"
                                         : "the rear axle and, of the front one, by the body") +
@@ -280,12 +280,12 @@ std::string Energy(const Mode& mode) {
   std::string text;
   for (std::size_t i = 0; i < std::min(mode.energy.size(), kMost); ++i)
     if (mode.energy[i].share >= kLeast)
-      text += (text.empty() ? "" : ", ") + mode.energy[i].motion + " " + Fixed(100 * mode.energy[i].share, 0) + " %";
+      text += (text.empty() ? "" : ", ") + mode.energy[i].motion + " " + Fixed(100 * mode.energy[i].share, 0);
   return text;
 }
 
 std::string ModeRows(const VehicleSummary& summary) {
-  TextTable table({"mode", "Hz", "damped Hz", "damping ratio", "kinetic energy"});
+  TextTable table({"mode", "Hz", "damped", "damping ratio", "kinetic energy, %"});
   std::size_t above = 0;
   for (const Mode& mode : summary.modes) {
     if (mode.frequency_Hz > kHighestMode_Hz) {

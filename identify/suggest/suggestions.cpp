@@ -204,8 +204,11 @@ class Suggester {
 
   ResidualsOf Residuals(const Trial& trial) const {
     const Eigen::VectorXd x = variables_.FromValues(values_);
-    return [this, &trial, x](double amount, const Eigen::VectorXd& step) {
-      return trial.study->At(amount, Moved(x, step));
+    return [this, &trial, x](double amount, const Eigen::VectorXd& step) -> std::optional<Eigen::VectorXd> {
+      std::optional<Eigen::VectorXd> residuals = trial.study->At(amount, Moved(x, step));
+      // A channel that is taken later ends earlier, and has fewer residuals to compare.
+      if (residuals && residuals->size() != objective_.residual_count()) residuals.reset();
+      return residuals;
     };
   }
 

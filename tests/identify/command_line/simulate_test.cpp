@@ -142,7 +142,7 @@ TEST_F(Simulate, DrawsRoadsAndNoiseByTheSeed) {
 }
 
 TEST_F(Simulate, RefusesUsageItDoesNotKnow) {
-  ExpectRefused("quarter_car", "", 2, "--sweep,--sine,--step,--random,--road,--recording");
+  ExpectRefused("quarter_car", "", 2, "--sweep,--sine,--step,--random,--recording,--road");
   ExpectRefused("quarter_car", "--sine 2 --amplitude 5mm", 2,
                 "--sine: error: '2' is not a frequency: write a number with its unit");
   ExpectRefused("quarter_car", "--sine 2rad/s --amplitude 5mm", 2,
