@@ -251,7 +251,7 @@ TEST(Summary, TellsOfAnInterruptedRunWhatItHadDone) {
 TEST(Summary, EscapesNames) {
   Json result = Good();
   result["channels"][0]["name"] = "<b>";
-  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("<code>&lt;b&gt;</code>"), Not(HasSubstr("<b>"))));
+  EXPECT_THAT(SummaryOf(result, Known()), AllOf(HasSubstr("<code>&lt;b&gt;</code>"), Not(HasSubstr("<code><b>"))));
 }
 
 }  // namespace
