@@ -18,7 +18,7 @@ struct DecidingParameter {
 };
 
 /// Each parameter by linear regression over the draws, the largest gain first, then by `explained`. `cost`: settings x
-/// draws, of the settings that are to be told apart; `best`, `rival`: rows of it; `parameters`: draws x parameters. A
+/// draws, of the settings that are to be distinguished; `best`, `rival`: rows of it; `parameters`: draws x parameters. A
 /// squared correlation r^2 of n draws is corrected for chance as r^2 - (1 - r^2) / (n - 2), and a slope is shrunk
 /// accordingly. The gain is the expected value of partial perfect information by regression (Strong, Oakley and
 /// Brennan, Med. Decis. Making 34, 2014). Empty for fewer than 10 draws.

@@ -58,10 +58,10 @@ describe('WebAssembly of live pages', () => {
         assert.equal(modes.length, draw.modes);
         const size = 5 + 2 * coordinates;
         modes.forEach(({ frequency_Hz, damping_ratio }, i) => {
-          const told = draw.mode_numbers.slice(size * i, size * (i + 1));
+          const expected = draw.mode_numbers.slice(size * i, size * (i + 1));
           // Eigenvalues next to each other lose half of the digits.
-          assert.ok(Math.abs(frequency_Hz - told[1]) <= 1e-6 * Math.max(told[1], 1), `mode ${i}`);
-          assert.ok(Math.abs(damping_ratio - told[2]) <= 1e-6 * Math.max(told[2], 1), `mode ${i}`);
+          assert.ok(Math.abs(frequency_Hz - expected[1]) <= 1e-6 * Math.max(expected[1], 1), `mode ${i}`);
+          assert.ok(Math.abs(damping_ratio - expected[2]) <= 1e-6 * Math.max(expected[2], 1), `mode ${i}`);
         });
       }
     });

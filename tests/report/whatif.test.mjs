@@ -114,10 +114,10 @@ describe('sliders', () => {
     const page = await opened();
     await set(page, 'k_front', 90);
     const shown = await page.locator('.whatif tbody tr').evaluateAll((rows) => rows.map((row) => Number(row.children[1].textContent)));
-    const told = JSON.parse(fourpost('modes', join(run, 'vehicle.urdf'), '--set', 'k_front=90kN/m', '--json')).modes.filter(({ kind }) => kind !== 'free');
-    assert.equal(shown.length, told.length);
+    const printed = JSON.parse(fourpost('modes', join(run, 'vehicle.urdf'), '--set', 'k_front=90kN/m', '--json')).modes.filter(({ kind }) => kind !== 'free');
+    assert.equal(shown.length, printed.length);
     // Three digits are shown.
-    told.forEach(({ frequency_Hz }, i) => assert.ok(Math.abs(shown[i] / frequency_Hz - 1) < 0.006, `${shown[i]} ${frequency_Hz}`));
+    printed.forEach(({ frequency_Hz }, i) => assert.ok(Math.abs(shown[i] / frequency_Hz - 1) < 0.006, `${shown[i]} ${frequency_Hz}`));
     await page.context().close();
   });
 

@@ -159,7 +159,9 @@ class ByteReader {
     Get(is_symmetric);
     Get(rows);
     Get(cols);
-    if (rows > rest_.size() || cols > rest_.size() || (rows > 0 && cols > 2 * rest_.size() / rows)) Refuse();
+    // Before any memory is taken; sizes are of 32 bits. A vehicle without sensors has rows of none.
+    const std::size_t stored = is_symmetric ? rows * (rows + 1) / 2 : rows * cols;
+    if ((is_symmetric && rows != cols) || stored > rest_.size() / sizeof(double)) Refuse();
     matrix.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(cols));
     for (Eigen::Index j = 0; j < matrix.cols(); ++j)
       for (Eigen::Index i = 0; i < (is_symmetric ? j + 1 : matrix.rows()); ++i) {

@@ -104,6 +104,17 @@ TEST(ReducedBytes, VehicleReadBackHasTheSameModelToTheLastBit) {
   EXPECT_GE(compared, 15);
 }
 
+// Its last matrices have columns and no rows.
+TEST(ReducedBytes, VehicleWithoutSensorsIsReadBack) {
+  Vehicle vehicle = ShippedVehicle("landrover110_linkage");
+  vehicle.sensors.clear();
+  const CondensedVehicle condensed(vehicle);
+  const std::string bytes = BytesOf(condensed.reduced().data());
+  const ReducedVehicle back(ReducedDataOf(bytes));
+  EXPECT_EQ(BytesOf(back.data()), bytes);
+  ExpectSameBits(condensed.At(vehicle.ParameterValues()), back.At(vehicle.ParameterValues()));
+}
+
 TEST(ReducedBytes, KeepNamesUnitsAndBounds) {
   const CondensedVehicle condensed(ShippedVehicle("landrover110_linkage"));
   const ReducedData& data = condensed.reduced().data();

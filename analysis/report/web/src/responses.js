@@ -233,8 +233,8 @@ export function drawResponses(place, data) {
   };
   const follow = (answer) => {
     state.answer = answer;
-    const told = answer?.responses?.get(state.recording);
-    if (state.whatIf) cards.forEach(({ follow: show }, i) => show(told?.answers[i] ?? null, answer?.rests ?? true));
+    const found = answer?.responses?.get(state.recording);
+    if (state.whatIf) cards.forEach(({ follow: show }, i) => show(found?.answers[i] ?? null, answer?.rests ?? true));
   };
   const controls = el('div', { class: 'controls' });
   if (recordings.length > 1)

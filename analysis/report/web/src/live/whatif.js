@@ -159,7 +159,7 @@ export async function openWhatIf(data, shownRecording, shut) {
       const now = car.at(inSi(parameters, values()), rests ? undefined : [shownRecording()]);
       fault.textContent = now.responses ? (data.result.responses?.some(({ engine }) => engine === 'full') ? fullGeometry : '') : hysteretic;
       // All recordings together weigh the model; while a slider moves, the one in view.
-      if (rests && now.responses) misfit.textContent = told(car.misfit(now));
+      if (rests && now.responses) misfit.textContent = fromFit(car.misfit(now));
       modes.replaceChildren(...modeRows(now.modes));
       tellAnswer({ ...now, rests });
     } catch (error) {
@@ -168,7 +168,7 @@ export async function openWhatIf(data, shownRecording, shut) {
     clearTimeout(waits);
     if (!rests) waits = setTimeout(() => answer(true), Math.max(60, 2 * (performance.now() - begin)));
   }
-  const told = (now) => (fitted == null ? '' : `${fixed(fitted, 2)} \u2192 ${fixed(now, 2)}`);
+  const fromFit = (now) => (fitted == null ? '' : `${fixed(fitted, 2)} \u2192 ${fixed(now, 2)}`);
   const ask = () => (frame ??= requestAnimationFrame(() => answer(false)));
 
   function showAll() {
@@ -234,7 +234,7 @@ export async function openWhatIf(data, shownRecording, shut) {
     tellAnswer(null);
     shut();
   }
-  misfit.textContent = told(fitted);
+  misfit.textContent = fromFit(fitted);
   showAll();
   modes.replaceChildren(...modeRows(first.modes));
   return { panel, answer: () => answer(true) };
