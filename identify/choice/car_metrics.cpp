@@ -38,7 +38,7 @@ bool EndsWithAnyOf(const std::string& name, std::initializer_list<std::string_vi
 
 /// Metrics whose decrease is no gain, or none by itself.
 bool IsCost(const std::string& name) {
-  return !EndsWithAnyOf(name, {".least_load", ".left", ".mean_heave", kDampingEnd});
+  return !EndsWithAnyOf(name, {".least_load", ".remaining", ".mean_heave", kDampingEnd});
 }
 
 /// What a metric is shown in.

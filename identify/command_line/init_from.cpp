@@ -81,9 +81,9 @@ std::string TextOf(const StudyDraft& draft, const fs::path& study) {
                  match.correlation ? Rounded(*match.correlation, 2) : "", match.IsSure() ? "" : "look at"});
     }
     if (file.is_used)
-      named += name + ": " + file.use + "; " + std::to_string(by_name) + " of " + std::to_string(file.matches.size()) +
-               " channels by name" + (file.channels_left.empty() ? "" : ", not used: " + Listed(file.channels_left)) +
-               '\n';
+      named += name + ": " + file.use + "; " + std::to_string(file.matches.size()) + " channels matched, " +
+               std::to_string(by_name) + " of them by name" +
+               (file.channels_left.empty() ? "" : ", not used: " + Listed(file.channels_left)) + '\n';
   }
   return named + (has_rows ? table.Format() : "") + unused + "wrote\n  " + study.string() + "\nnext\n  fourpost fit " +
          study.string() + " -o run\n";

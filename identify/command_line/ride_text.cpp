@@ -84,7 +84,7 @@ std::string SpeedTable(const RideMetrics& metrics) {
 
 std::string StopTable(const RideMetrics& metrics) {
   if (metrics.stops.empty()) return "";
-  TextTable table({"stop", "side", "gap, mm", "left, mm", "contact, %"});
+  TextTable table({"stop", "side", "gap, mm", "remaining, mm", "contact, %"});
   for (const RideMetrics::Stop& stop : metrics.stops)
     table.Add({stop.stop, stop.is_bump ? "bump" : "rebound", Mm(stop.gap_m), Mm(stop.left_m), Share(stop.contact)});
   return table.Format();

@@ -102,7 +102,7 @@ class WeighedForces {
     if (!(tried.information > kNothing * whole)) return tried;
     const double gradient = Product(force, rest_);
     tried.amount = gradient / tried.information;
-    if (tried.amount < 0 && mechanism.IsPositive()) return tried;
+    if (!mechanism.Allows(tried.amount, record_)) return tried;
     tried.fall = gradient * tried.amount - kPerNumber * mechanism.ShapeNumbers();
     return tried;
   }
@@ -368,6 +368,9 @@ ForceExplanations ExplainForce(const ForceRecord& record) {
     explanations.found[i].amount = amounts[j];
     explanations.found[i].sd = std::sqrt(noise * covariance(j, j));
   }
+  // Beside the others one may no longer be there.
+  std::erase_if(explanations.found,
+                [&](const ForceExplanation& one) { return !one.mechanism.Allows(one.amount, record); });
   return explanations;
 }
 

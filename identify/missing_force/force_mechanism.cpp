@@ -111,6 +111,10 @@ void AddParts(const ForceRecord& record, std::size_t link, std::vector<ForceMech
 
 }  // namespace
 
+bool ForceMechanism::Allows(double amount, const ForceRecord& record) const {
+  return amount >= 0 && (!lines.empty() || amount <= record.links[link].mass);
+}
+
 Eigen::VectorXcd ForceOf(const ForceMechanism& mechanism, const ForceRecord& record, const ForceSample& sample) {
   if (mechanism.kind == Kind::kPartOnMounts) return PartOnMounts(mechanism, record.links[mechanism.link], sample);
   if (mechanism.kind == Kind::kAddedMass) return MassOn(record.links[mechanism.link], sample);

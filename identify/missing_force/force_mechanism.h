@@ -28,8 +28,9 @@ struct ForceMechanism {
 
   /// How many numbers beside the amount are chosen to explain most.
   int ShapeNumbers() const { return kind == Kind::kPartOnMounts ? 3 : 0; }
-  /// Whether a negative amount means nothing.
-  bool IsPositive() const { return kind == Kind::kFriction || kind == Kind::kPartOnMounts; }
+  /// Whether a car can lack this much of it: what it has too much of is not missing, and no mass or part is heavier than
+  /// the link that carries it.
+  bool Allows(double amount, const ForceRecord& record) const;
 };
 
 /// Force on the n coordinates per unit amount.

@@ -34,14 +34,13 @@ std::string AmountText(Kind kind, double amount) {
 }
 
 /// "friction in damper 'front'", "a part of mass on mounts at 8.5 Hz, on link 'chassis'"
-std::string WordsOf(const ForceMechanism& mechanism, double amount, const ForceRecord& record) {
+std::string WordsOf(const ForceMechanism& mechanism, const ForceRecord& record) {
   const std::string place = PlaceName(mechanism, record);
-  const std::string change = amount < 0 ? "less " : "more ";
   switch (mechanism.kind) {
-    case Kind::kSpring: return change + "stiffness along " + place;
-    case Kind::kDamper: return change + "damping along " + place;
+    case Kind::kSpring: return "more stiffness along " + place;
+    case Kind::kDamper: return "more damping along " + place;
     case Kind::kFriction: return "dry friction along " + place;
-    case Kind::kAddedMass: return change + "mass on " + place;
+    case Kind::kAddedMass: return "more mass on " + place;
     case Kind::kPartOnMounts:
       return "a part on mounts at " + ShortNumber(mechanism.frequency_Hz, 3) + " Hz, on " + place;
   }
@@ -54,7 +53,7 @@ Json RivalsJson(const ForceExplanation& one, const ForceRecord& record) {
   for (std::size_t i = 0; i < std::min(kMost, one.rivals.size()); ++i)
     list.push_back({{"mechanism", MechanismName(one.rivals[i].kind)},
                     {"elements", ElementNames(one.rivals[i], record)},
-                    {"text", WordsOf(one.rivals[i], 1, record)}});
+                    {"text", WordsOf(one.rivals[i], record)}});
   return list;
 }
 
@@ -63,11 +62,11 @@ Json ExplanationJson(const ForceExplanation& one, const ForceRecord& record) {
   const bool has_shape = mechanism.kind == Kind::kPartOnMounts;
   return {{"mechanism", MechanismName(mechanism.kind)},
           {"elements", ElementNames(mechanism, record)},
-          {"text", WordsOf(mechanism, one.amount, record)},
+          {"text", WordsOf(mechanism, record)},
           {"amount", one.amount},
           {"sd", one.sd},
           {"unit", SiUnitOf(mechanism.kind)},
-          {"amount_text", AmountText(mechanism.kind, std::abs(one.amount))},
+          {"amount_text", AmountText(mechanism.kind, one.amount)},
           {"frequency_Hz", has_shape ? Json(mechanism.frequency_Hz) : Json(nullptr)},
           {"damping_ratio", has_shape ? Json(mechanism.damping_ratio) : Json(nullptr)},
           {"place_m", has_shape ? Json(mechanism.place_m) : Json(nullptr)},

@@ -24,6 +24,9 @@ class Suggest(ProgramTest):
     def fit(self, study, folder, *more, code=0):
         self.run_program("fit", study, "-o", folder, "--threads", "1", "--accept-implausible", *more, code=code)
 
+    def missing(self):
+        return json.loads((self.folder / "run/result.json").read_text())["missing"]
+
     def suggested(self, *more):
         text = self.run_program("suggest", "run", "--study", "study.yaml", "--json", *more).stdout
         document = json.loads(text)
@@ -35,6 +38,9 @@ class Suggest(ProgramTest):
         self.fit("study.yaml", "run")
         before = self.suggested("--apply", "1", "-o", "with_friction")
         first = before["suggestions"][0]
+        # The fit has named it as well.
+        self.assertEqual(self.missing()["suggestions"][0], first)
+        self.assertIn("What is missing", (self.folder / "run/report.html").read_text())
         self.assertEqual((first["mechanism"], first["elements"]), ("friction", ["damper"]))
         # A few steps of Gauss and Newton from a model without it do not reach the optimum.
         self.assertAlmostEqual(first["parameters"][0]["value"], 40, delta=15)
@@ -48,6 +54,7 @@ class Suggest(ProgramTest):
     def test_is_silent_of_a_twin(self):
         self.record(CLEAN)
         self.fit("study.yaml", "run")
+        self.assertIsNone(self.missing())
         self.assertEqual(self.suggested()["suggestions"], [])
         self.assertGreater(len(self.suggested("--all")["suggestions"]), 10)
         # Nor is there one of that number.

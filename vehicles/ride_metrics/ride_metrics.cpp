@@ -71,7 +71,7 @@ std::vector<NamedMetric> NamedMetrics(const RideMetrics& metrics) {
   for (const RideMetrics::Strut& strut : metrics.struts) AddStrut(strut, names);
   for (const RideMetrics::Stop& stop : metrics.stops) {
     const std::string side = stop.stop + (stop.is_bump ? ".bump_stop" : ".rebound_stop");
-    names.Add(side + ".left", stop.left_m, "m");
+    names.Add(side + ".remaining", stop.left_m, "m");
     names.Add(side + ".contact", stop.contact, "1");
   }
   if (metrics.body) AddBody(*metrics.body, names);

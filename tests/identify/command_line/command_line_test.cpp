@@ -31,7 +31,7 @@ class CommandLine : public ProgramTest {
  protected:
   /// A fit that must fail for its input, with this message, and leave nothing behind.
   void ExpectRefused(const std::string& message) const {
-    const Outcome outcome = Run("fit studies/landrover110/model2.yaml -o result");
+    const Outcome outcome = Run("fit --no-suggest studies/landrover110/model2.yaml -o result");
     EXPECT_EQ(outcome.code, 3) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(message));
     EXPECT_EQ(outcome.out, "");
@@ -40,7 +40,7 @@ class CommandLine : public ProgramTest {
 };
 
 TEST_F(CommandLine, FitWritesItsResultAndCheckAcceptsTheFittedVehicle) {
-  const Outcome fit = Run("fit studies/landrover110/model2.yaml -o result --seed 3 --threads 2");
+  const Outcome fit = Run("fit --no-suggest studies/landrover110/model2.yaml -o result --seed 3 --threads 2");
   ASSERT_EQ(fit.code, 0) << fit.err;
   EXPECT_THAT(fit.out, HasSubstr("m_sprung"));
   EXPECT_THAT(fit.out, HasSubstr("rms dB"));
@@ -87,7 +87,7 @@ TEST_F(CommandLine, FitWritesItsResultAndCheckAcceptsTheFittedVehicle) {
 
 TEST_F(CommandLine, FitTellsWhichParametersEndFarFromTheirPriors) {
   ReplaceIn(kVehicle, "value=\"1725 kg\"", "value=\"1725 kg\" prior_sd=\"10 kg\"");
-  const Outcome fit = Run("fit studies/landrover110/model2.yaml -o result --threads 2");
+  const Outcome fit = Run("fit --no-suggest studies/landrover110/model2.yaml -o result --threads 2");
   ASSERT_EQ(fit.code, 0) << fit.err;
   EXPECT_THAT(fit.out, testing::ContainsRegex("m_sprung .* kg .* [3-9]\\.[0-9] sd from prior\n"));
   EXPECT_THAT(fit.out, HasSubstr(" for 2551 residuals, of which priors "));
@@ -386,14 +386,14 @@ TEST_F(CommandLine, RefusesAMissingFile) {
 TEST_F(CommandLine, DoesNotOverwriteWhatIsNotItsOwn) {
   fs::create_directories(folder_ / "thesis");
   std::ofstream(folder_ / "thesis/chapter1.tex") << "years of work";
-  const Outcome outcome = Run("fit studies/landrover110/model2.yaml -o thesis");
+  const Outcome outcome = Run("fit --no-suggest studies/landrover110/model2.yaml -o thesis");
   EXPECT_EQ(outcome.code, 5);
   EXPECT_THAT(outcome.err, HasSubstr("thesis"));
   EXPECT_EQ(ReadText(folder_ / "thesis/chapter1.tex"), "years of work");
 }
 
 TEST_F(CommandLine, ReplacesAnEarlierResult) {
-  for (int run = 0; run < 2; ++run) EXPECT_EQ(Run("fit studies/landrover110/model2.yaml -o result").code, 0);
+  for (int run = 0; run < 2; ++run) EXPECT_EQ(Run("fit --no-suggest studies/landrover110/model2.yaml -o result").code, 0);
 }
 
 TEST_F(CommandLine, NamesTheStudysLineForAFileThatIsNotThere) {
@@ -411,7 +411,7 @@ TEST_F(CommandLine, TellsWhenStdoutIsFull) { EXPECT_EQ(Run("check urdf/quarter_c
 
 TEST_F(CommandLine, AnInterruptedFitKeepsTheBestSoFar) {
   ReplaceIn(kStudy, "  evaluations: 100\n", "  evaluations: 100000000\n  generations: 1000000\n");
-  RunningProgram program(folder_, "fit studies/landrover110/model2.yaml -o result");
+  RunningProgram program(folder_, "fit --no-suggest studies/landrover110/model2.yaml -o result");
   // In the search, on any machine; twice, as timeout(1) does with the process and its group.
   while (program.IsRunning() && RowsOfCopy(folder_ / "result/archive.sqlite") < 25)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -444,7 +444,7 @@ TEST_F(CommandLine, SpeaksOfTheSignalThatEndsIt) {
 }
 
 TEST_F(CommandLine, FitTellsProfilesOfTheParametersAsked) {
-  const Outcome fit = Run("fit studies/landrover110/model1.yaml -o result --profile k_front,m_front");
+  const Outcome fit = Run("fit --no-suggest studies/landrover110/model1.yaml -o result --profile k_front,m_front");
   EXPECT_EQ(fit.code, 0) << fit.err;
   EXPECT_THAT(fit.out, HasSubstr("95 % by profile"));
   const Json result = Json::parse(ReadText(folder_ / "result/result.json"));

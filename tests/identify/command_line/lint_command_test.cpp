@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::Not;
 using Json = nlohmann::json;
 
-constexpr const char* kFit = "fit studies/landrover110/model1.yaml -o run";
+constexpr const char* kFit = "fit --no-suggest studies/landrover110/model1.yaml -o run";
 
 class LintCommandLine : public ProgramTest {};
 
@@ -36,7 +36,7 @@ class LoadLintCommandLine : public ProgramTest, public testing::WithParamInterfa
  protected:
   Outcome FitWith(const Changes& changes) const {
     for (const auto& [right, wrong] : changes) ReplaceIn("studies/landrover110/static.csv", right, wrong);
-    return Run(std::string("fit studies/landrover110/") + GetParam() + ".yaml -o run");
+    return Run(std::string("fit --no-suggest studies/landrover110/") + GetParam() + ".yaml -o run");
   }
 
   bool IsPlanar() const { return std::string(GetParam()) == "model1"; }

@@ -146,7 +146,7 @@ class FaultyRecordingCommandLine : public PredictCommandLine {
     return Warnings();
   }
   std::vector<std::string> Warnings() const {
-    const Outcome outcome = Run("fit study.yaml -o run");
+    const Outcome outcome = Run("fit --no-suggest study.yaml -o run");
     const Json result = Json::parse(ReadText(folder_ / "run/result.json"));
     const std::string page = ReadText(folder_ / "run/report.html");
     std::vector<std::string> warnings;
@@ -235,7 +235,7 @@ TEST_F(PredictCommandLine, AFitComparesItsValuesWithTheFiles) {
 
 TEST_F(PredictCommandLine, TheCompromiseCostTellsNoDeviations) {
   temporary_.Write("study.yaml", std::string(kStudy) + "cost: compromise\n");
-  const Outcome outcome = Run("fit study.yaml -o run");
+  const Outcome outcome = Run("fit --no-suggest study.yaml -o run");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("[compromise-without-deviations]"));
   EXPECT_THAT(outcome.out, Not(HasSubstr("times what noise")));
@@ -246,7 +246,7 @@ TEST_F(PredictCommandLine, TheCompromiseCostTellsNoDeviations) {
 
 TEST_F(PredictCommandLine, RefusesErrorsWithoutADeviation) {
   temporary_.Write("study.yaml", std::string(kStudy) + "model_error: {history: 0 %}\n");
-  const Outcome outcome = Run("fit study.yaml -o run");
+  const Outcome outcome = Run("fit --no-suggest study.yaml -o run");
   EXPECT_EQ(outcome.code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("study.yaml:3: error: 'z_sprung' of history 'sweep' has no 'noise' and no "
                                      "'model_error', so its residuals cannot be weighted"));
@@ -355,7 +355,7 @@ class PredictResponsesCommandLine : public ProgramTest {
  protected:
   void Fit() const {
     ReplaceIn("studies/landrover110/model1.yaml", "  - name: pitch\n    file: pitch_frf.csv\n    posts: pitch\n", "");
-    const Outcome outcome = Run("fit studies/landrover110/model1.yaml -o run");
+    const Outcome outcome = Run("fit --no-suggest studies/landrover110/model1.yaml -o run");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
   }
 

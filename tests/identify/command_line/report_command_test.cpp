@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 class ReportCommandLine : public ProgramTest {
  protected:
   void Fit() {
-    const Outcome outcome = Run("fit studies/landrover110/model2.yaml -o run");
+    const Outcome outcome = Run("fit --no-suggest studies/landrover110/model2.yaml -o run");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
   }
 };

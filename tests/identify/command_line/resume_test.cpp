@@ -37,7 +37,7 @@ class Resume : public ProgramTest {
   }
 
   static std::string Fit(const std::string& folder, const std::string& study = kStudy) {
-    return "fit " + study + " --threads 2 -o " + folder;
+    return "fit --no-suggest " + study + " --threads 2 -o " + folder;
   }
 
   StoredContent ArchiveIn(const std::string& folder) const {

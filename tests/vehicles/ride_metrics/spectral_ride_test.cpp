@@ -109,7 +109,7 @@ bool EndsWith(const std::string& text, const std::string& end) {
 /// Whether both ways give the same number: not a peak, a dose or a quantile of a normal distribution, nor what is known
 /// in one way only.
 bool IsMeanSquare(const std::string& name) {
-  for (const char* end : {".mtvv", ".vdv", ".least_load", ".off_ground", ".bump", ".rebound", ".speed_95", ".left",
+  for (const char* end : {".mtvv", ".vdv", ".least_load", ".off_ground", ".bump", ".rebound", ".speed_95", ".remaining",
                           ".contact", ".mean_heave"})
     if (EndsWith(name, end)) return false;
   return true;

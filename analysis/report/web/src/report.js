@@ -29,7 +29,7 @@ const drawers = {
 function drawContents() {
   const links = new Map();
   for (const section of document.querySelectorAll('main > section'))
-    links.set(section, el('a', { href: `#${section.id}` }, section.id[0].toUpperCase() + section.id.slice(1)));
+    links.set(section, el('a', { href: `#${section.id}` }, section.id[0].toUpperCase() + section.id.slice(1).replaceAll('-', ' ')));
   document.getElementById('contents').append(el('div', {}, ...links.values()));
   const mark = () => {
     let here = null;
