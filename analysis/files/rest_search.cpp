@@ -13,8 +13,13 @@ constexpr double kQuarter_s = 0.25;
 /// Quarters.
 constexpr std::size_t kShortest = 2;
 
+/// `samples`, but no less than none and no more than these; a record may have any rate.
+std::size_t AtMost(double most, double samples) {
+  return static_cast<std::size_t>(samples < most ? std::max(0.0, samples) : most);
+}
+
 void AddQuarters(const std::vector<double>& part, double rate_Hz, std::vector<double>& quarters) {
-  const auto quarter = static_cast<std::size_t>(kQuarter_s * rate_Hz);
+  const std::size_t quarter = AtMost(static_cast<double>(part.size()) + 1, kQuarter_s * rate_Hz);
   for (std::size_t first = 0; quarter > 0 && first + quarter <= part.size(); first += quarter)
     quarters.push_back(DeviationOf({part.begin() + static_cast<std::ptrdiff_t>(first),
                                     part.begin() + static_cast<std::ptrdiff_t>(first + quarter)}));
@@ -26,7 +31,7 @@ void RestSearch::Add(std::span<const double> values, double rate_Hz) {
   Channel channel{.rate_Hz = rate_Hz, .count = values.size()};
   // Of a very fast recorder less, so that many channels fit into memory.
   constexpr double kMost = 1e5;
-  const auto kept = static_cast<std::size_t>(std::min(kMost, kKept_s * rate_Hz));
+  const std::size_t kept = AtMost(kMost, kKept_s * rate_Hz);
   const std::size_t begin = std::min(kept, values.size());
   const std::size_t end = std::min(kept, values.size() - begin);
   channel.begin.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(begin));
@@ -82,6 +87,7 @@ std::optional<RestTime> RestSearch::Longest() const {
 std::vector<double> RestSearch::Samples(std::size_t channel, const RestTime& rest) const {
   const Channel& of = channels_[channel];
   std::vector<double> samples;
+  if (of.quarters.empty()) return samples;
   const auto first = static_cast<std::size_t>(std::ceil(rest.from_s * of.rate_Hz));
   const auto last = static_cast<std::size_t>(rest.to_s * of.rate_Hz);
   const std::size_t end_begins = of.count - of.end.size();
