@@ -41,22 +41,19 @@ Complex TensionOf(Kind kind, const ElementLine& line, const ForceSample& sample)
   return kind == Kind::kDamper ? Complex(0, sample.omega()) * extension : extension;
 }
 
-/// Vertical motion, per unit of the coordinates, of a point along x of a link's centre of mass.
-Eigen::RowVectorXd HeightAt(const LinkMotion& link, double place) {
-  return link.com_jacobian.row(2) - place * link.spin_jacobian.row(1);
+/// Vertical motion, per unit of the coordinates, of a link's centre of mass, and of a point per metre along x from it.
+Eigen::MatrixXd HeightsOf(const LinkMotion& link) {
+  Eigen::MatrixXd heights(2, link.com_jacobian.cols());
+  heights << link.com_jacobian.row(2), -link.spin_jacobian.row(1);
+  return heights;
 }
 
 Eigen::VectorXcd PartOnMounts(const ForceMechanism& mechanism, const LinkMotion& link, const ForceSample& sample) {
   const double r = sample.frequency_Hz / mechanism.frequency_Hz;
   const Complex loss(0, 2 * mechanism.damping_ratio * r);
-  const Eigen::RowVectorXd height = HeightAt(link, mechanism.place_m);
-  const Complex moves = height.cast<Complex>() * sample.motion;
-  return height.transpose().cast<Complex>() * (std::pow(sample.omega(), 2) * moves * (1.0 + loss) / (1 - r * r + loss));
-}
-
-Eigen::VectorXcd MassOn(const LinkMotion& link, const ForceSample& sample) {
-  return std::pow(sample.omega(), 2) * (link.com_jacobian.transpose() * link.com_jacobian).cast<Complex>() *
-         sample.motion;
+  const Eigen::Vector2d place(1, mechanism.place_m);
+  const Complex moves = (place.transpose() * HeightsOf(link)).cast<Complex>() * sample.motion;
+  return place.cast<Complex>() * (std::pow(sample.omega(), 2) * moves * (1.0 + loss) / (1 - r * r + loss));
 }
 
 bool AreMirrorPartners(const ElementLine& a, const ElementLine& b) {
@@ -115,15 +112,28 @@ bool ForceMechanism::Allows(double amount, const ForceRecord& record) const {
   return amount >= 0 && (!lines.empty() || amount <= record.links[link].mass);
 }
 
-Eigen::VectorXcd ForceOf(const ForceMechanism& mechanism, const ForceRecord& record, const ForceSample& sample) {
+Eigen::MatrixXd ForceDirections(const ForceMechanism& mechanism, const ForceRecord& record) {
+  if (mechanism.kind == Kind::kPartOnMounts) return HeightsOf(record.links[mechanism.link]).transpose();
+  if (mechanism.kind == Kind::kAddedMass) return record.links[mechanism.link].com_jacobian.transpose();
+  Eigen::MatrixXd directions(record.lines[mechanism.lines.front()].direction.size(), std::ssize(mechanism.lines));
+  for (std::size_t i = 0; i < mechanism.lines.size(); ++i)
+    directions.col(static_cast<Eigen::Index>(i)) = -record.lines[mechanism.lines[i]].direction;
+  return directions;
+}
+
+Eigen::VectorXcd ForceAmplitudes(const ForceMechanism& mechanism, const ForceRecord& record,
+                                 const ForceSample& sample) {
   if (mechanism.kind == Kind::kPartOnMounts) return PartOnMounts(mechanism, record.links[mechanism.link], sample);
-  if (mechanism.kind == Kind::kAddedMass) return MassOn(record.links[mechanism.link], sample);
-  Eigen::VectorXcd force = Eigen::VectorXcd::Zero(sample.motion.size());
-  for (const std::size_t l : mechanism.lines) {
-    const ElementLine& line = record.lines[l];
-    force -= line.direction.cast<Complex>() * TensionOf(mechanism.kind, line, sample);
-  }
-  return force;
+  if (mechanism.kind == Kind::kAddedMass)
+    return std::pow(sample.omega(), 2) * (record.links[mechanism.link].com_jacobian.cast<Complex>() * sample.motion);
+  Eigen::VectorXcd tensions(std::ssize(mechanism.lines));
+  for (std::size_t i = 0; i < mechanism.lines.size(); ++i)
+    tensions[static_cast<Eigen::Index>(i)] = TensionOf(mechanism.kind, record.lines[mechanism.lines[i]], sample);
+  return tensions;
+}
+
+Eigen::VectorXcd ForceOf(const ForceMechanism& mechanism, const ForceRecord& record, const ForceSample& sample) {
+  return ForceDirections(mechanism, record).cast<Complex>() * ForceAmplitudes(mechanism, record, sample);
 }
 
 std::vector<ForceMechanism> PossibleMechanisms(const ForceRecord& record) {

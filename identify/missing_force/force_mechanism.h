@@ -28,11 +28,15 @@ struct ForceMechanism {
 
   /// How many numbers beside the amount are chosen to explain most.
   int ShapeNumbers() const { return kind == Kind::kPartOnMounts ? 3 : 0; }
-  /// Whether a car can lack this much of it: what it has too much of is not missing, and no mass or part is heavier than
-  /// the link that carries it.
+  /// Whether a car can lack this much of it: what it has too much of is not missing, and no mass or part is heavier
+  /// than the link that carries it.
   bool Allows(double amount, const ForceRecord& record) const;
 };
 
+/// Directions that forces at the mechanism's place have, n x k.
+Eigen::MatrixXd ForceDirections(const ForceMechanism& mechanism, const ForceRecord& record);
+/// Amplitude along each of these directions, k, per unit amount.
+Eigen::VectorXcd ForceAmplitudes(const ForceMechanism& mechanism, const ForceRecord& record, const ForceSample& sample);
 /// Force on the n coordinates per unit amount.
 Eigen::VectorXcd ForceOf(const ForceMechanism& mechanism, const ForceRecord& record, const ForceSample& sample);
 
