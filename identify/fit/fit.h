@@ -28,7 +28,7 @@ struct FitOptions {
   std::uint64_t seed = 1;
   StopRules stop;
   CandidateRules candidates;
-  RefineOptions refine;
+  RefineOptions refine = {.nearness = 0.1};
   /// Distinct good points of the search that are refined, beside the vehicle's own values.
   int starts = 4;
   /// Evaluations at once; 0: one per processor. No influence on the result.

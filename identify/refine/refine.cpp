@@ -1,12 +1,15 @@
 #include "identify/refine/refine.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
+#include "analysis/numerics/decompositions.h"
+#include "analysis/text/number.h"
 #include "analysis/text/option_check.h"
 #include "identify/refine/difference_jacobian.h"
 #include "identify/refine/fit_variables.h"
@@ -52,7 +55,15 @@ class ResidualFunction : public ceres::CostFunction {
     for (Eigen::Index j = 0; j < x.size(); ++j) {
       if (IsHeld(j, gradient[j])) free.col(j).setZero();
     }
+    FindFullGain(free, transformed);
     return true;
+  }
+
+  /// By how much the cost would fall if the residuals were linear, from where the latest Jacobian was asked for.
+  double full_gain() const { return full_gain_; }
+  /// Residuals less variables.
+  double freedom() const {
+    return static_cast<double>(std::max<Eigen::Index>(1, here_.residuals.size() - here_.x.size()));
   }
 
   bool MoveTo(const Eigen::VectorXd& x) const {
@@ -94,6 +105,13 @@ class ResidualFunction : public ceres::CostFunction {
   const std::string& failure() const { return failure_; }
 
  private:
+  void FindFullGain(const Eigen::Ref<const Eigen::MatrixXd>& jacobian, const Eigen::VectorXd& residuals) const {
+    const Eigen::VectorXd norms = jacobian.colwise().norm().cwiseMax(std::numeric_limits<double>::min());
+    const Eigen::MatrixXd scaled = jacobian * norms.cwiseInverse().asDiagonal();
+    const Eigen::VectorXd gradient = scaled.transpose() * residuals;
+    full_gain_ = gradient.dot(LeastNorm(scaled.transpose() * scaled).Solve(gradient));
+  }
+
   // By the options, or at a bound, and the cost falls beyond it. Ceres computes a step as if there were no bounds and
   // cuts it off there, which leaves the other variables short of their optimum; without its column in the Jacobian,
   // this one has no part in it.
@@ -113,22 +131,38 @@ class ResidualFunction : public ceres::CostFunction {
   mutable std::optional<Residuals> linearised_;
   mutable Eigen::MatrixXd jacobian_;
   mutable std::string failure_;
+  mutable double full_gain_ = std::numeric_limits<double>::infinity();
 };
 
-/// Ends a run after an iteration: by `stop`, or because it heads for too high a cost.
+/// Ends a run after an iteration: by `stop`, because the optimum is as near as it has to be, or because the run heads
+/// for too high a cost.
 class EndOfRun : public ceres::IterationCallback {
  public:
-  EndOfRun(const std::function<bool()>& stop, double give_up_above) : stop_(stop), give_up_above_(give_up_above) {}
+  EndOfRun(const std::function<bool()>& stop, const RefineOptions& options, const ResidualFunction& function)
+      : stop_(stop), options_(options), function_(function) {}
 
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
     if (stop_ && stop_()) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
-    gave_up_ = HeadsTooHigh(iteration);
-    return gave_up_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+    is_near_ = IsNear(iteration);
+    gave_up_ = !is_near_ && HeadsTooHigh(iteration);
+    return is_near_ || gave_up_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
 
+  bool is_near() const { return is_near_; }
   bool gave_up() const { return gave_up_; }
 
  private:
+  /// The square of the way to the optimum in standard deviations, of which no variable's own way is longer, is what the
+  /// cost still falls by over its mean per degree of freedom. Derivatives that are good for steps only may see no end:
+  /// then two short steps do.
+  bool IsNear(const ceres::IterationSummary& iteration) {
+    // Ceres halves costs.
+    const double small = options_.nearness * options_.nearness * 2 * iteration.cost / function_.freedom();
+    if (iteration.iteration > 0 && iteration.step_is_successful)
+      short_steps_ = 2 * iteration.cost_change < small ? short_steps_ + 1 : 0;
+    return function_.full_gain() < small || short_steps_ == 2;
+  }
+
   bool HeadsTooHigh(const ceres::IterationSummary& iteration) {
     constexpr int kLeastIterations = 3;
     // Gains of a descent along a valley grow again.
@@ -139,12 +173,15 @@ class EndOfRun : public ceres::IterationCallback {
     const double ratio = last_gain_ > 0 ? std::clamp(gain / last_gain_, 0.5, 0.9) : 0.9;
     last_gain_ = gain;
     return iteration.iteration >= kLeastIterations &&
-           2 * iteration.cost - kCaution * gain * ratio / (1 - ratio) > give_up_above_;
+           2 * iteration.cost - kCaution * gain * ratio / (1 - ratio) > options_.give_up_above;
   }
 
   const std::function<bool()>& stop_;
-  double give_up_above_;
+  const RefineOptions& options_;
+  const ResidualFunction& function_;
   double last_gain_ = 0;
+  int short_steps_ = 0;
+  bool is_near_ = false;
   bool gave_up_ = false;
 };
 
@@ -174,8 +211,9 @@ ceres::Solver::Options SolverOptions(const RefineOptions& options) {
 }
 
 // Steps refused until they are too short to count are no convergence.
-RefineEnd EndOf(ceres::TerminationType type, bool refused, bool gave_up) {
-  if (gave_up) return RefineEnd::kGivenUp;
+RefineEnd EndOf(ceres::TerminationType type, bool refused, const EndOfRun& end) {
+  if (end.is_near()) return RefineEnd::kConverged;
+  if (end.gave_up()) return RefineEnd::kGivenUp;
   switch (type) {
     case ceres::CONVERGENCE: return refused ? RefineEnd::kFailed : RefineEnd::kConverged;
     case ceres::NO_CONVERGENCE: return RefineEnd::kIterations;
@@ -217,6 +255,7 @@ void RefineOptions::Validate() const {
   RequireOption(step >= 0 && step <= 0.1, "step", step, "in [0, 0.1]");
   RequireOption(cost_tolerance > 0 && cost_tolerance < 1, "cost_tolerance", cost_tolerance, "in (0, 1)");
   RequireOption(step_tolerance > 0 && step_tolerance < 1, "step_tolerance", step_tolerance, "in (0, 1)");
+  RequireOption(nearness >= 0 && nearness < 1, "nearness", nearness, "in [0, 1)");
   RequireOption(agreement > 0 && agreement < 1, "agreement", agreement, "in (0, 1)");
 }
 
@@ -241,11 +280,14 @@ RefineResult Descend(Archive& archive, const FitVariables& variables, const Refi
   RefineResult result;
   ResidualFunction function(archive, variables, options, here.x, here.residuals);
   Eigen::VectorXd x = here.x;
-  EndOfRun end(stop, options.give_up_above);
+  EndOfRun end(stop, options, function);
   const ceres::Solver::Summary summary = Solve(function, variables, options, end, x);
-  result.end = EndOf(summary.termination_type, !function.failure().empty(), end.gave_up());
+  result.end = EndOf(summary.termination_type, !function.failure().empty(), end);
   const bool refused = result.end == RefineEnd::kFailed && !function.failure().empty();
   result.message = refused ? function.failure() : summary.message;
+  if (end.is_near())
+    result.message =
+        "No parameter is further than " + FormatNumber(options.nearness) + " standard deviations from its optimum.";
   result.iterations = std::max(0, static_cast<int>(summary.iterations.size()) - 1);
   // Ceres takes a failure back to the start.
   if (summary.IsSolutionUsable()) {

@@ -26,6 +26,10 @@ struct RefineOptions {
   double cost_tolerance = 1e-8;
   /// Converged when the variables move by less than this share of their norm; in (0, 1).
   double step_tolerance = 1e-8;
+  /// Converged when the residuals, were they linear, would put no variable further from its optimum than this share of
+  /// its standard deviation, by the spread of the residuals, or when two steps lower the cost by no more than that
+  /// would; in [0, 1), 0: never.
+  double nearness = 0;
   /// Two runs agree when the worse cost exceeds the better by less than this much of chi-square; in (0, 1). Its unit is
   /// the better cost over its degrees of freedom, residuals less variables, so that it does not depend on how well the
   /// noise is known: within 0.1 of it values differ by at most a third of their deviations, which no data can resolve.

@@ -271,6 +271,7 @@ Json Refinement(const RefineOptions& options) {
   refinement["iterations"] = options.max_iterations;
   refinement["cost_tolerance"] = options.cost_tolerance;
   refinement["step_tolerance"] = options.step_tolerance;
+  refinement["nearness"] = options.nearness;
   refinement["agreement"] = options.agreement;
   return refinement;
 }

@@ -366,7 +366,35 @@ TEST(Refine, RefusesOptionsOutOfBoundsByName) {
   EXPECT_EQ(message([](RefineOptions& o) { o.step = std::nan(""); }), "step = nan, must be in [0, 0.1]");
   EXPECT_EQ(message([](RefineOptions& o) { o.cost_tolerance = 0; }), "cost_tolerance = 0, must be in (0, 1)");
   EXPECT_EQ(message([](RefineOptions& o) { o.step_tolerance = 1; }), "step_tolerance = 1, must be in (0, 1)");
+  EXPECT_EQ(message([](RefineOptions& o) { o.nearness = 1; }), "nearness = 1, must be in [0, 1)");
   EXPECT_EQ(message([](RefineOptions& o) { o.agreement = -1; }), "agreement = -1, must be in (0, 1)");
+}
+
+TEST(Refine, EndsWhereTheOptimumIsNearEnough) {
+  std::int64_t paid = 0;
+  std::int64_t paid_near = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Archive archive(StationProblem(seed));
+    const Eigen::VectorXd start = RandomStarts(archive.lattice(), 1).front();
+    const RefineResult optimum = Refine(archive, start);
+    const RefineResult near = Refine(archive, start, {.nearness = 0.1});
+    EXPECT_EQ(near.end, RefineEnd::kConverged);
+    const Eigen::VectorXd slopes = FitVariables(archive.lattice()).Slopes(optimum.values);
+    const Covariance covariance = EstimateCovariance(optimum.jacobian, slopes, optimum.cost);
+    // With a tenth for what is not linear, and for the sd of 115 degrees of freedom.
+    EXPECT_LT(((near.values - optimum.values).array() / covariance.sd.array()).abs().maxCoeff(), 0.11) << seed;
+    paid += optimum.evaluations;
+    paid_near += near.evaluations;
+  }
+  EXPECT_LT(paid_near, 0.8 * static_cast<double>(paid));
+}
+
+TEST(Refine, GoesOnWhereAllThatIsLeftCanBeExplained) {
+  Archive archive(StationProblem());
+  const Eigen::VectorXd start = RandomStarts(archive.lattice(), 1).front();
+  const RefineResult result = Refine(archive, start, {.nearness = 0.1});
+  // As without it: step_tolerance times the norm of the variables, 20.
+  EXPECT_LT(LargestRelativeError(result.values, kStationTruth), 20 * 1e-8);
 }
 
 TEST(Refine, EndsHaveNamesOfTheirOwn) {
