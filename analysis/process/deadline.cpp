@@ -14,4 +14,14 @@ Deadline Deadline::In(double seconds) {
 
 bool Deadline::HasPassed() const { return end_s_ != kNever && ThreadTime_s() >= end_s_; }
 
+SharedDeadline::SharedDeadline(const Deadline& deadline) : left_s_(deadline.end_s_ - ThreadTime_s()) {}
+
+Deadline SharedDeadline::Begin() const {
+  Deadline part;
+  part.end_s_ = ThreadTime_s() + left_s_;
+  return part;
+}
+
+void SharedDeadline::End(double began_s) { left_s_ -= ThreadTime_s() - began_s; }
+
 }  // namespace fourpost

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <exception>
 #include <limits>
 
@@ -31,10 +32,27 @@ class Deadline {
   }
 
  private:
+  friend class SharedDeadline;
+
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 
   // Since the thread began.
   double end_s_ = kNever;
+};
+
+/// A deadline of work whose parts may be done on several threads. A part has what is left when it begins: parts that
+/// have ended count, those that other threads do meanwhile do not. To be made on the thread of the deadline.
+class SharedDeadline {
+ public:
+  explicit SharedDeadline(const Deadline& deadline);
+
+  /// Of a part on the calling thread.
+  Deadline Begin() const;
+  /// The part that the calling thread began with this much processor time behind it.
+  void End(double began_s);
+
+ private:
+  std::atomic<double> left_s_ = Deadline::kNever;
 };
 
 }  // namespace fourpost

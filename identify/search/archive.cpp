@@ -129,8 +129,10 @@ std::optional<Eigen::MatrixXd> Archive::Differentiate(const Eigen::VectorXd& val
   Eigen::VectorXd key(n + 1);
   key << values, std::numeric_limits<double>::quiet_NaN();
   EvaluationStore::Answer answer;
-  if (store_ == nullptr) answer.evaluation = differentiate();
-  else answer = store_->FindOrEvaluate(key, differentiate);
+  ForEachInParallel(1, threads_, [&](std::size_t) {
+    if (store_ == nullptr) answer.evaluation = differentiate();
+    else answer = store_->FindOrEvaluate(key, differentiate);
+  });
   const bool is_first = store_ == nullptr || needed_.insert(BytesOf(key)).second || repeats_ == Repeats::kPaid;
   if (is_first) {
     counts_.paid += n;

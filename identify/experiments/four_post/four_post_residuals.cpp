@@ -1,6 +1,7 @@
 #include "identify/experiments/four_post/four_post_residuals.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -9,12 +10,15 @@
 #include <string>
 #include <utility>
 
+#include "analysis/process/deadline.h"
+#include "analysis/process/thread_time.h"
 #include "analysis/signals/decibel.h"
 #include "analysis/text/number.h"
 #include "identify/experiments/four_post/findings.h"
 #include "identify/experiments/four_post/modelled_response.h"
 #include "identify/residuals/calibrated_sensor.h"
 #include "identify/residuals/sensor_group.h"
+#include "identify/search/parallel.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/response/balance_sensitivity.h"
 #include "vehicles/response/hysteresis.h"
@@ -33,6 +37,17 @@ Eigen::Index CountOf(const std::vector<MeasuredRun>& runs, const ModelError& mod
     for (const MeasuredChannel& channel : run.channels)
       count += 2 * channel.response.size() + channel.mean.size() + SecondHarmonics(channel, model_error);
   return static_cast<Eigen::Index>(count);
+}
+
+/// Place of each run's first residual.
+std::vector<Eigen::Index> FirstsOf(const std::vector<MeasuredRun>& runs, const ModelError& model_error) {
+  std::vector<Eigen::Index> firsts;
+  Eigen::Index first = 0;
+  for (const MeasuredRun& run : runs) {
+    firsts.push_back(first);
+    first += CountOf({run}, model_error);
+  }
+  return firsts;
 }
 
 /// "1 .. 2 Hz", counted from the lowest frequency of all runs.
@@ -144,17 +159,17 @@ Eigen::MatrixXd Differentiate(const CondensedVehicle& vehicle, const std::vector
                               const ModelError& model_error, const std::vector<double>& values,
                               const std::vector<std::size_t>& parameters) {
   Eigen::MatrixXd jacobian(count, static_cast<Eigen::Index>(parameters.size()));
-  Eigen::Index first = 0;
-  for (const MeasuredRun& run : runs) {
+  const std::vector<Eigen::Index> firsts = FirstsOf(runs, model_error);
+  ForEachOnIdleThreads(runs.size(), [&](std::size_t r) {
+    const MeasuredRun& run = runs[r];
     const ResponseSensitivity sensitivity =
         SolveBalanceSensitivity(vehicle, values, parameters, run.excitation, kFitBalance);
     if (!sensitivity.periodic.unconverged_Hz.empty()) throw SimulationError(kSineNotPeriodic, {run.name});
     for (std::size_t p = 0; p < parameters.size(); ++p) {
-      double* out = jacobian.col(static_cast<Eigen::Index>(p)).data() + first;
+      double* out = jacobian.col(static_cast<Eigen::Index>(p)).data() + firsts[r];
       AddSlopes(run, sensitivity.by_parameter[p], model_error, out);
     }
-    first += CountOf({run}, model_error);
-  }
+  });
   return jacobian;
 }
 
@@ -163,14 +178,31 @@ Evaluation Evaluate(const CondensedVehicle& vehicle, const std::vector<MeasuredR
   const CondensedModel model = vehicle.At(values);
   Evaluation evaluation;
   evaluation.residuals.resize(count);
-  double* out = evaluation.residuals.data();
-  for (const MeasuredRun& run : runs) {
-    const PeriodicResponse modelled = ModelledResponse(model, vehicle.vehicle().sensors, run.excitation, deadline);
-    if (!modelled.unconverged_Hz.empty())
-      return Failed(Failure::kNotConverged, "no periodic response at " + std::to_string(modelled.unconverged_Hz[0]) +
-                                                " Hz of '" + run.name + "'");
+  const std::vector<Eigen::Index> firsts = FirstsOf(runs, model_error);
+  std::vector<double> unconverged_Hz(runs.size());
+  // The runs before it are evaluated whatever the threads do, so that it is always the same one.
+  std::atomic<std::size_t> failed = runs.size();
+  SharedDeadline shared(deadline);
+  const auto evaluate = [&](std::size_t r) {
+    if (r > failed) return;
+    const MeasuredRun& run = runs[r];
+    const double began_s = ThreadTime_s();
+    const PeriodicResponse modelled =
+        ModelledResponse(model, vehicle.vehicle().sensors, run.excitation, shared.Begin());
+    shared.End(began_s);
+    if (!modelled.unconverged_Hz.empty()) {
+      unconverged_Hz[r] = modelled.unconverged_Hz[0];
+      for (std::size_t before = failed; r < before && !failed.compare_exchange_weak(before, r);) {
+      }
+      return;
+    }
+    double* out = evaluation.residuals.data() + firsts[r];
     AddRun(run, modelled.response, model_error, out);
-  }
+  };
+  ForEachOnIdleThreads(runs.size(), evaluate);
+  if (failed < runs.size())
+    return Failed(Failure::kNotConverged, "no periodic response at " + std::to_string(unconverged_Hz[failed]) +
+                                              " Hz of '" + runs[failed].name + "'");
   return evaluation;
 }
 

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/process/thread_time.h"
+
 namespace fourpost {
 namespace {
 
@@ -68,6 +70,22 @@ TEST(Deadline, NeverPassesUnlessTold) {
 TEST(Deadline, RefusesTheNoTimeAndTheNotANumber) {
   EXPECT_THROW(Deadline::In(0), std::invalid_argument);
   EXPECT_THROW(Deadline::In(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+}
+
+// Parts on two threads, one after the other.
+TEST(SharedDeadline, HasLeftWhatPartsThatEndedDidNotTake) {
+  SharedDeadline shared(Deadline::In(0.2));
+  std::thread([&] {
+    const double began_s = ThreadTime_s();
+    const Deadline most = shared.Begin();
+    for (const Deadline some = Deadline::In(0.15); !some.HasPassed();) EXPECT_FALSE(most.HasPassed());
+    shared.End(began_s);
+  }).join();
+  const Deadline rest = shared.Begin();
+  const double began_s = ThreadTime_s();
+  while (!rest.HasPassed()) continue;
+  EXPECT_LE(ThreadTime_s() - began_s, 0.051);
+  EXPECT_FALSE(SharedDeadline(Deadline()).Begin().HasPassed());
 }
 
 }  // namespace
