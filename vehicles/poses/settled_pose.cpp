@@ -8,8 +8,10 @@
 #include "analysis/numerics/decompositions.h"
 #include "analysis/text/diagnostics.h"
 #include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/condensed/preload_map.h"
 #include "vehicles/condensed/unheld_motion.h"
 #include "vehicles/description/gravity.h"
+#include "vehicles/loops/loop_space.h"
 #include "vehicles/poses/rest_solver.h"
 
 namespace fourpost {
@@ -65,7 +67,7 @@ class Settling {
     multibody_.SetPose(rest->q);
     SettledPose settled;
     const Kinematics place = Here();
-    const Eigen::VectorXd forces = rest->forces.tail(Guides(place).error.size());
+    const Eigen::VectorXd forces = Shared(Guides(place).directions, *rest);
     AddStruts(place, forces, settled);
     for (std::size_t i = 0; i < vehicle_.bushings.size(); ++i) {
       const std::array<Coordinate, 6> now = place.BushingPlace(vehicle_.bushings[i], child_axes_[i]);
@@ -125,6 +127,27 @@ class Settling {
     }
     guides.directions = guides.jacobian;
     return guides;
+  }
+
+  /// Forces of the guides of which only some are given by rest, shared by rates as those of the design pose are, see
+  /// PreloadMap.
+  Eigen::VectorXd Shared(const Eigen::MatrixXd& directions, const RestSolver::Rest& rest) const {
+    const Eigen::VectorXd forces = rest.forces.tail(directions.rows());
+    if (forces.size() == 0) return forces;
+    const Eigen::MatrixXd holders = LoopSpaceOf(multibody_.LoopJacobian()).motions.transpose() * directions.transpose();
+    return PreloadMap(holders).At(-(holders * forces), HeldRates());
+  }
+
+  /// One per guide.
+  Eigen::VectorXd HeldRates() const {
+    std::vector<double> rates;
+    for (const Spring& spring : vehicle_.springs)
+      if (IsHeldByEquilibrium(spring)) rates.push_back(spring.law.At(parameters_).Slope(0));
+    for (const Tyre& tyre : vehicle_.tyres)
+      if (!tyre.preload) rates.push_back(tyre.stiffness.At(parameters_));
+    for (const Bushing& bushing : vehicle_.bushings)
+      for (std::size_t k = 0; bushing.holds && k < 3; ++k) rates.push_back(bushing.stiffness[k].At(parameters_));
+    return Eigen::Map<const Eigen::VectorXd>(rates.data(), static_cast<Index>(rates.size()));
   }
 
   /// The forces that hold the design pose are taken away little by little.

@@ -64,6 +64,24 @@ TEST(SettledPose, StaysWhereTheDesignPoseIsAtRest) {
   }
 }
 
+// As `check` and all responses have them: on four wheels forces alone do not determine the loads.
+TEST(SettledPose, ForcesOfADesignPoseAtRestAreThePreloads) {
+  for (const char* name : {"independent_roadster", "landrover110_model3"}) {
+    Vehicle vehicle = ShippedVehicle(name);
+    // More mass on the left.
+    for (Link& link : vehicle.links)
+      if (link.mass.At(vehicle.ParameterValues()) > 400) link.com[1] = Scalar{0.05};
+    const SettledPose pose = Settled(vehicle);
+    const double most = pose.tyres.at(0).holding_force.value();
+    EXPECT_GT(std::abs(most - pose.tyres.at(1).holding_force.value()), 10) << name;
+    for (const std::vector<SettledPose::Strut>& struts : {pose.springs, pose.tyres})
+      for (const SettledPose::Strut& strut : struts) {
+        if (!strut.is_held || !strut.holding_force) continue;
+        EXPECT_NEAR(strut.force, *strut.holding_force, 1e-6 * most) << strut.element;
+      }
+  }
+}
+
 // With the length that it reports the vehicle stays.
 TEST(SettledPose, HoldingLengthHoldsTheDesignPose) {
   const double length = Settled(VehicleOf(WithFreeLength("360 mm"))).springs.at(0).holding_length.value();
