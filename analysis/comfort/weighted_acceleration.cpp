@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/signals/uniform_spline.h"
+#include "analysis/signals/spline_through.h"
 #include "analysis/text/option_check.h"
 
 namespace fourpost {
@@ -20,12 +20,6 @@ constexpr std::array<double, 7> kShares = {0.1294849661688697, 0.279705391489276
                                            0.1294849661688697};
 
 constexpr double kWindow_s = 1;
-
-UniformSpline SplineThrough(std::span<const double> samples, double step) {
-  const std::vector<double> values(samples.begin(), samples.end());
-  const std::vector<double> reversed(samples.rbegin(), samples.rend());
-  return UniformSpline(0, step, values, SlopeAtStart(values, step), -SlopeAtStart(reversed, step));
-}
 
 /// Integrals from the start to each sample.
 struct Integrals {
@@ -133,7 +127,7 @@ WeightedAcceleration MeasuresOf(std::span<const double> weighted, double rate_Hz
   RequirePositive("WeightedAcceleration: rate_Hz", rate_Hz);
   RequireOption(weighted.size() >= 2, "WeightedAcceleration: samples", weighted.size(), "two at least");
   const double step = 1 / rate_Hz;
-  const UniformSpline acceleration = SplineThrough(weighted, step);
+  const UniformSpline acceleration = SplineThrough(weighted, 0, step);
   const Integrals integrals = Integrate(acceleration, weighted.size(), step);
   const double duration = acceleration.end();
   const RunningEnergy running(integrals.square, acceleration, step);

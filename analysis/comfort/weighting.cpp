@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "analysis/numerics/decompositions.h"
-#include "analysis/signals/uniform_spline.h"
+#include "analysis/signals/spline_through.h"
 #include "analysis/text/option_check.h"
 
 namespace fourpost {
@@ -79,9 +79,7 @@ std::vector<double> WeightingFilter::Apply(std::span<const double> signal, doubl
   RequirePositive("WeightingFilter: rate_Hz", rate_Hz);
   RequireOption(signal.size() >= 2, "WeightingFilter: samples", signal.size(), "two at least");
   const double step = 1 / rate_Hz;
-  const std::vector<double> values(signal.begin(), signal.end());
-  const std::vector<double> reversed(signal.rbegin(), signal.rend());
-  const UniformSpline spline(0, step, values, SlopeAtStart(values, step), -SlopeAtStart(reversed, step));
+  const UniformSpline spline = SplineThrough(signal, 0, step);
 
   // States x1, x2 of each section, x1' = corner x2, x2' = corner (input - x1 - a1 x2), the input that the section
   // before puts out; behind them the signal with its three derivatives, by which a cubic is a state as well.

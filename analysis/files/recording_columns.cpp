@@ -8,7 +8,7 @@
 #include "analysis/files/findings.h"
 #include "analysis/files/recording/recording_fault.h"
 #include "analysis/files/time_recording.h"
-#include "analysis/signals/uniform_spline.h"
+#include "analysis/signals/spline_through.h"
 #include "analysis/text/number.h"
 
 namespace fourpost {
@@ -35,8 +35,7 @@ std::vector<double> Interpolated(const std::vector<double>& times, const std::ve
 
 std::vector<double> Splined(double start, double step, const std::vector<double>& values,
                             const std::vector<double>& at) {
-  const std::vector<double> backwards(values.rbegin(), values.rend());
-  const UniformSpline spline(start, step, values, SlopeAtStart(values, step), -SlopeAtStart(backwards, step));
+  const UniformSpline spline = SplineThrough(values, start, step);
   std::vector<double> splined;
   splined.reserve(at.size());
   for (const double time : at) splined.push_back(spline.At(time).value);

@@ -10,26 +10,20 @@
 #include "analysis/files/recorded_table.h"
 #include "analysis/files/recorded_unit.h"
 #include "analysis/files/recording_layout.h"
+#include "analysis/files/sample_times.h"
 #include "analysis/signals/drift.h"
 #include "analysis/signals/median.h"
+#include "analysis/signals/spline_through.h"
 #include "analysis/signals/uneven_samples.h"
-#include "analysis/signals/uniform_spline.h"
 #include "analysis/text/nearest.h"
 #include "analysis/text/number.h"
 
 namespace fourpost {
 namespace {
 
-/// So many of a kind are reported one by one.
-constexpr int kMostFindings = 5;
-
-/// Rounded to the digits of a file.
-std::string Seconds(double time_s) { return FormatNumber(std::round(1e9 * time_s), -9) + " s"; }
-
 /// What was measured at each sample comes `delay_s` later in the values.
 std::vector<double> Advanced(const std::vector<double>& values, double step_s, double delay_s) {
-  const std::vector<double> backwards(values.rbegin(), values.rend());
-  const UniformSpline spline(0, step_s, values, SlopeAtStart(values, step_s), -SlopeAtStart(backwards, step_s));
+  const UniformSpline spline = SplineThrough(values, 0, step_s);
   std::vector<double> advanced(values.size());
   for (std::size_t k = 0; k < values.size(); ++k)
     advanced[k] = spline.At(step_s * static_cast<double>(k) + delay_s).value;
@@ -80,11 +74,12 @@ class RecordReader {
   double CheckTimes(std::span<const RecordedChannel> wanted, const std::vector<double>& times,
                     const std::vector<std::size_t>& lengths) {
     if (!times_good_) return 0;
-    const double step = Step(times);
+    const std::optional<double> step = EvenStepOf(table_, times, diagnostics_);
+    good_ = good_ && step;
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (lengths[i] > 0 && lengths[i] != times.size())
         Fault(kSamplesDiffer, 0, {wanted[i].names.front(), std::to_string(lengths[i]), std::to_string(times.size())});
-    return step;
+    return step.value_or(0);
   }
 
   void Fault(const Finding& kind, int line, const std::vector<std::string>& words = {}) {
@@ -123,7 +118,7 @@ class RecordReader {
         return *values;
     std::vector<double> values(table_.rows(column), std::numeric_limits<double>::quiet_NaN());
     int found = 0;
-    for (std::size_t row = 0; row < values.size() && found < kMostFindings; ++row) {
+    for (std::size_t row = 0; row < values.size() && found < kMostSampleFaults; ++row) {
       const std::optional<double> number = table_.Number(row, column);
       if (number && std::isfinite(*number)) {
         values[row] = (*number - offset) * si;
@@ -197,10 +192,9 @@ class RecordReader {
         return Fault(kSamplesDiffer, 0,
                      {wanted[i].names.front(), std::to_string(lengths[i]), std::to_string(times.size())});
     if (times.size() < 4) return Fault(kTooFewSamples, 0, {std::to_string(times.size())});
-    std::vector<double> steps(times.size() - 1);
-    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
+    const std::vector<double> steps = StepsOf(times);
     const double usual = Median(steps);
-    if (!(usual > 0) || StepBack(steps)) return Fault(kTimeDoesNotRise, 0);
+    if (!(usual > 0) || DoStepBack(steps)) return Fault(kTimeDoesNotRise, 0);
     const double rate_Hz = preparation.rate_Hz.value_or(1 / usual);
     constexpr double kSame = 0.99;
     if (rate_Hz < kSame / usual) return Fault(kResampledBelow, 0, {FormatNumber(rate_Hz), Rate(1 / usual)});
@@ -218,7 +212,7 @@ class RecordReader {
     if (preparation.rate_Hz) recording.preparations.push_back("resampled to " + FormatNumber(rate_Hz) + " Hz");
     if (bridged_ > 0)
       recording.preparations.push_back(std::to_string(bridged_) + " gaps of channels bridged, the longest " +
-                                       Seconds(longest_bridged_s_));
+                                       SecondsText(longest_bridged_s_));
   }
 
   /// A sample that comes later than this many usual steps is a gap.
@@ -234,9 +228,9 @@ class RecordReader {
       // Times that stand or step back now and then are left out.
       if (!std::isfinite(values[k]) || (!at.empty() && times[k] <= at.back())) continue;
       const double gap_s = at.empty() ? times[k] - times.front() : times[k] - at.back();
-      if (gap_s > longest_s && found++ < kMostFindings)
+      if (gap_s > longest_s && found++ < kMostSampleFaults)
         Fault(kGapNotBridged, table_.line(k),
-              {channel.names.front(), Seconds(times[k] - gap_s), Seconds(times[k]), Seconds(longest_s)});
+              {channel.names.front(), SecondsText(times[k] - gap_s), SecondsText(times[k]), SecondsText(longest_s)});
       if (gap_s > kJitter * usual) {
         ++bridged_;
         longest_bridged_s_ = std::max(longest_bridged_s_, gap_s);
@@ -302,71 +296,6 @@ class RecordReader {
     recording.end_s -= last * recording.step_s;
   }
 
-  /// Of evenly spaced times.
-  double Step(const std::vector<double>& times) {
-    if (times.size() < 4) {
-      Fault(kTooFewSamples, 0, {std::to_string(times.size())});
-      return 0;
-    }
-    std::vector<double> steps(times.size() - 1);
-    for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
-    const double usual = Median(steps);
-    if (StepBack(steps)) {
-      if (const std::optional<std::string> even = EvenlyRising()) {
-        Fault(kTimeStepsBack, 0, {*even});
-        return 0;
-      }
-    }
-    if (!(usual > 0)) {
-      Fault(kTimeDoesNotRise, 0);
-      return 0;
-    }
-    int found = 0;
-    for (std::size_t k = 0; k < steps.size() && found < kMostFindings; ++k) {
-      // Half a step is more than any rounding of times, and less than a sample that is lost.
-      if (std::abs(steps[k] - usual) < 0.5 * usual) continue;
-      ++found;
-      Fault(kTimeStepUneven, table_.line(k + 1),
-            {FormatNumber(times[k]) + " s", FormatNumber(times[k + 1]) + " s", Seconds(usual)});
-    }
-    const double step = (times.back() - times.front()) / static_cast<double>(steps.size());
-    if (found == 0) CheckGrid(times, step);
-    return step;
-  }
-
-  /// More than a fault here and there does.
-  static bool StepBack(const std::vector<double>& steps) {
-    constexpr double kOften = 0.3;
-    const auto back = std::count_if(steps.begin(), steps.end(), [](double step) { return step < 0; });
-    return static_cast<double>(back) > kOften * static_cast<double>(steps.size());
-  }
-
-  /// A column that looks like times.
-  std::optional<std::string> EvenlyRising() const {
-    for (std::size_t column = 0; column < table_.names().size(); ++column) {
-      std::vector<double> steps;
-      for (std::size_t row = 1; row < table_.rows(column); ++row)
-        steps.push_back(table_.Number(row, column).value_or(NAN) - table_.Number(row - 1, column).value_or(NAN));
-      if (steps.size() < 3) continue;
-      const double usual =
-          (table_.Number(steps.size(), column).value_or(NAN) - table_.Number(0, column).value_or(NAN)) /
-          static_cast<double>(steps.size());
-      const auto is_even = [&](double step) { return std::abs(step - usual) < 0.5 * usual; };
-      if (std::all_of(steps.begin(), steps.end(), is_even)) return table_.names()[column];
-    }
-    return std::nullopt;
-  }
-
-  /// Steps that each look well may still add up to another rate.
-  void CheckGrid(const std::vector<double>& times, double step) {
-    std::size_t worst = 0;
-    const auto off = [&](std::size_t k) { return times[k] - times.front() - step * static_cast<double>(k); };
-    for (std::size_t k = 0; k < times.size(); ++k)
-      if (std::abs(off(k)) > std::abs(off(worst))) worst = k;
-    if (std::abs(off(worst)) < 0.5 * step) return;
-    Fault(kTimeDrifts, table_.line(worst), {Seconds(off(worst)), Seconds(step)});
-  }
-
   const RecordedTable& table_;
   Diagnostics& diagnostics_;
   bool good_ = true;
@@ -396,82 +325,6 @@ auto Reading(const RecordedTable& table, Diagnostics& diagnostics, const Read& r
 void CheckTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
                         const RecordedChannel& time) {
   Reading(table, diagnostics, [&](RecordReader& reader) { reader.Check(wanted, time); });
-}
-
-namespace {
-
-bool HasOneOf(const RecordedTable& table, const RecordedChannel& channel) {
-  return std::any_of(channel.names.begin(), channel.names.end(),
-                     [&](const std::string& name) { return table.FindColumn(name).has_value(); });
-}
-
-/// Channels of `part` at the times of `whole`, which loses what the part does not cover.
-void Join(const TimeRecording& part, double delay_s, std::span<const std::size_t> places, std::size_t& samples,
-          TimeRecording& whole) {
-  std::vector<double> times;
-  for (std::size_t k = 0; k < part.samples(); ++k) times.push_back(part.time_s(k) - delay_s);
-  std::vector<double> grid;
-  std::size_t first = 0;
-  const double rounding = 1e-6 * whole.step_s;
-  while (first < samples && whole.time_s(first) < times.front() - rounding) ++first;
-  std::size_t last = first;
-  while (last < samples && whole.time_s(last) <= times.back() + rounding) grid.push_back(whole.time_s(last++));
-  for (std::vector<double>& channel : whole.channels)
-    if (!channel.empty())
-      channel = {channel.begin() + static_cast<std::ptrdiff_t>(first),
-                 channel.begin() + static_cast<std::ptrdiff_t>(last)};
-  for (std::size_t i = 0; i < places.size(); ++i)
-    whole.channels[places[i]] = InterpolatedAt(times, part.channels[i], grid);
-  samples = grid.size();
-  if (grid.empty()) return;
-  whole.start_s = grid.front();
-  whole.end_s = grid.back();
-  whole.preparations.insert(whole.preparations.end(), part.preparations.begin(), part.preparations.end());
-}
-
-}  // namespace
-
-std::optional<TimeRecording> ReadTimeRecording(const std::filesystem::path& file,
-                                               std::span<const RecordedChannel> wanted, Diagnostics& diagnostics,
-                                               const RecordedChannel& time, const TimePreparation& preparation) {
-  const std::optional<RecordedTable> table = ReadRecordedTable(file, diagnostics);
-  if (!table) return std::nullopt;
-  // Of each file the channels that none before it has.
-  std::vector<std::size_t> open;
-  std::vector<std::size_t> own;
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-    (HasOneOf(*table, wanted[i]) || preparation.others.empty() ? own : open).push_back(i);
-  const auto chosen = [&](const std::vector<std::size_t>& places) {
-    std::vector<RecordedChannel> some;
-    for (const std::size_t place : places) some.push_back(wanted[place]);
-    return some;
-  };
-  if (open.empty() || own.empty()) return ReadTimeRecording(*table, wanted, diagnostics, time, preparation);
-  std::optional<TimeRecording> first = ReadTimeRecording(*table, chosen(own), diagnostics, time, preparation);
-  if (!first) return std::nullopt;
-  TimeRecording whole = *first;
-  std::size_t samples = first->samples();
-  whole.channels.assign(wanted.size(), {});
-  for (std::size_t i = 0; i < own.size(); ++i) whole.channels[own[i]] = std::move(first->channels[i]);
-  for (const OtherFile& other : preparation.others) {
-    const std::optional<RecordedTable> beside = ReadRecordedTable(other.path, diagnostics);
-    if (!beside) return std::nullopt;
-    std::vector<std::size_t> here;
-    for (const std::size_t place : open)
-      if (HasOneOf(*beside, wanted[place])) here.push_back(place);
-    if (here.empty()) continue;
-    std::erase_if(open, [&](std::size_t place) { return std::find(here.begin(), here.end(), place) != here.end(); });
-    const std::optional<TimeRecording> part = ReadTimeRecording(*beside, chosen(here), diagnostics, time, preparation);
-    if (!part) return std::nullopt;
-    whole.preparations.push_back("with " + other.path.filename().string() +
-                                 (other.delay_s != 0 ? ", " + Seconds(other.delay_s) + " ahead" : ""));
-    Join(*part, other.delay_s, here, samples, whole);
-  }
-  for (const std::size_t place : open)
-    diagnostics.Report(kChannelInNoFile, {file.string()}, {wanted[place].names.front(), wanted[place].what});
-  if (samples < 4) diagnostics.Report(kTooFewSamples, {file.string()}, {std::to_string(samples)});
-  if (!open.empty() || samples < 4) return std::nullopt;
-  return whole;
 }
 
 std::optional<TimeRecording> ReadTimeRecording(const RecordedTable& table, std::span<const RecordedChannel> wanted,

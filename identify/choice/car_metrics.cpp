@@ -54,6 +54,7 @@ Metric Described(const NamedMetric& metric) {
   return {.name = metric.name,
           .dimension = unit ? unit->dimension : kDimensionless,
           .unit = ShownIn(metric),
+          .odd_unit = unit ? "" : metric.unit,
           .is_cost = IsCost(metric.name),
           .words = unit || metric.unit.empty() ? "" : "in " + metric.unit};
 }

@@ -69,7 +69,7 @@ std::string SettingsCsv(const ChoiceAnswer& answer) {
   AddKnobs(answer, table);
   for (const Objective& objective : answer.request.settings.objectives) {
     const Metric& metric = answer.MetricOf(objective);
-    table.Add(metric.name, SiUnit(metric.dimension));
+    table.Add(metric.name, metric.UnitInSi());
     AddSummaryColumns(metric.name + "_change", table);
   }
   AddSummaryColumns("change", table);
@@ -107,7 +107,7 @@ std::string MetricsCsv(const ChoiceAnswer& answer) {
   for (Eigen::Index m = 0; m < answer.present_metrics.cols(); ++m) {
     const Metric& metric = answer.request.metrics[static_cast<std::size_t>(m)];
     for (Eigen::Index road = 0; road < answer.present_metrics.rows(); ++road) {
-      csv.Add(metric.name).Add(SiUnit(metric.dimension));
+      csv.Add(metric.name).Add(metric.UnitInSi());
       csv.Add(answer.request.settings.roads[static_cast<std::size_t>(road)].name).Add(answer.present_metrics(road, m));
       csv.Add(answer.best_metrics.size() > 0 ? answer.best_metrics(road, m) : std::nan(""));
     }

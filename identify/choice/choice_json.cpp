@@ -55,7 +55,7 @@ Json ObjectivesJson(const ChoiceAnswer& answer) {
   Json list = Json::array();
   for (const Objective& objective : answer.request.settings.objectives) {
     const Metric& metric = answer.MetricOf(objective);
-    list.push_back({{"name", metric.name}, {"unit", SiUnit(metric.dimension)}, {"weight", objective.weight}});
+    list.push_back({{"name", metric.name}, {"unit", metric.UnitInSi()}, {"weight", objective.weight}});
   }
   return list;
 }
@@ -65,7 +65,7 @@ Json LimitsJson(const ChoiceAnswer& answer) {
   for (const MetricLimit& limit : answer.request.settings.limits) {
     const Metric& metric = answer.request.metrics[limit.metric];
     list.push_back({{"name", metric.name},
-                    {"unit", SiUnit(metric.dimension)},
+                    {"unit", metric.UnitInSi()},
                     {"most", limit.most ? Json(*limit.most) : Json(nullptr)},
                     {"least", limit.least ? Json(*limit.least) : Json(nullptr)}});
   }

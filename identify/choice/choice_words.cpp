@@ -53,7 +53,7 @@ std::string ScopeWords(const ChoiceAnswer& answer) {
   if (static_cast<std::int64_t>(choice.rows.size()) < choice.evaluated)
     text += ", the best " + std::to_string(choice.rows.size()) + " in all possible cars";
   text += "; " + Counted(answer.request.settings.roads.size(), "road") + "; ";
-  if (answer.confidence.empty()) return text + "one car, without doubt.";
+  if (answer.confidence.empty()) return text + "one car, whose standard deviations are not known.";
   return text + Counted(answer.draws(), "possible car") + " of the fit's intervals (" + answer.confidence + ").";
 }
 

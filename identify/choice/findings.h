@@ -48,6 +48,8 @@ inline const Finding kKnobPositions{"knob-positions", Severity::kError,
                                     "knob '{}': 'positions' must be a list, or {from: 1, to: 20, step: 1}"};
 inline const Finding kKnobFew{"knob-few", Severity::kError, "knob '{}' has fewer than two positions",
                               "give it another one, or remove the knob"};
+inline const Finding kKnobPositionTwice{"knob-position-twice", Severity::kError,
+                                        "knob '{}' has the position '{}' twice", "remove one of the two"};
 inline const Finding kKnobOutside{"knob-outside", Severity::kError, "knob '{}': position '{}' is outside its table, {}",
                                   "choose one within, or measure it and add a row"};
 inline const Finding kKnobNow{"knob-now", Severity::kError, "knob '{}' has no position '{}' for 'now'{}"};
@@ -74,6 +76,8 @@ inline const Finding kObjectiveWeight{"objective-weight", Severity::kError,
                                       "the weight of '{}' is '{}', not a number above zero"};
 inline const Finding kObjectiveTwice{"objective-twice", Severity::kError, "'{}' is an objective twice",
                                      "remove one of the two"};
+inline const Finding kObjectivesNone{"objectives-none", Severity::kError, "'objectives' names no metric",
+                                     "name one or two, or remove it: comfort and grip are the usual ones"};
 inline const Finding kObjectivesMany{"objectives-many", Severity::kError,
                                      "more than two objectives leave most settings undominated",
                                      "keep the two that matter most, and name the others under 'limits'"};
@@ -109,9 +113,9 @@ inline const Finding kRoadBeyondSpeeds{"road-beyond-speeds", Severity::kWarning,
                                        "m/s) for more than 5 % of time, up to {} "
                                        "m/s on '{}'",
                                        "fit recordings of larger amplitudes, or measure the damper on a bench"};
-inline const Finding kPresentWithoutRide{"present-without-ride", Severity::kError,
-                                         "the car at its present setting has no response to roads ({})",
-                                         "see `fourpost check` of its vehicle file", Weight::kGrave};
+inline const Finding kPresentWithoutRide{
+    "present-without-ride", Severity::kError, "the car at its present setting has no response to roads ({})",
+    "choose smoother roads, or see `fourpost check` of its vehicle file", Weight::kGrave};
 inline const Finding kDrawsLeftOut{
     "draws-left-out", Severity::kWarning,
     "{} of {} possible cars have no response at the present setting ({}) and are left out",

@@ -56,6 +56,7 @@ class KnobReader {
       map_.Has("range") ? ReadRange() : ReadValues();
     }
     if (!targets_.empty() && is_sound_ && knob_.positions.size() < 2) Fault(map_.Get("sets"), kKnobFew);
+    RequireUniquePositions();
     ReadNow();
     ReadChange();
     if (is_sound_) CheckSigns();
@@ -233,6 +234,12 @@ class KnobReader {
     } else {
       Fault(node, kKnobFew);
     }
+  }
+
+  void RequireUniquePositions() {
+    std::set<std::string> names;
+    for (const Knob::Position& position : knob_.positions)
+      if (!names.insert(position.name).second) Fault(map_.Get("sets"), kKnobPositionTwice, {position.name});
   }
 
   void ReadNow() {

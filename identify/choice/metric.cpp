@@ -5,7 +5,10 @@
 
 namespace fourpost {
 
+std::string Metric::UnitInSi() const { return odd_unit.empty() ? SiUnit(dimension) : odd_unit; }
+
 double MetricLimit::MarginOf(double value) const {
+  if (std::isnan(value)) return value;
   double margin = HUGE_VAL;
   if (most) margin = std::min(margin, *most - value);
   if (least) margin = std::min(margin, value - *least);
@@ -23,8 +26,11 @@ double OverRoads(const Eigen::MatrixXd& metrics, std::size_t metric, std::span<c
 
 double LeastMargin(const Eigen::MatrixXd& metrics, const MetricLimit& limit) {
   double margin = HUGE_VAL;
-  for (Eigen::Index road = 0; road < metrics.rows(); ++road)
-    margin = std::min(margin, limit.MarginOf(metrics(road, static_cast<Eigen::Index>(limit.metric))));
+  for (Eigen::Index road = 0; road < metrics.rows(); ++road) {
+    const double here = limit.MarginOf(metrics(road, static_cast<Eigen::Index>(limit.metric)));
+    if (std::isnan(here)) return here;
+    margin = std::min(margin, here);
+  }
   return margin;
 }
 

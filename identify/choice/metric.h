@@ -19,10 +19,14 @@ struct Metric {
   Dimension dimension;
   /// Unit in which it is shown: "mm", "%".
   std::string unit;
+  /// An SI unit that no dimension has, "m/s^1.75"; empty: that of the dimension.
+  std::string odd_unit = {};
   /// Whether less is better. Only such a metric can be an objective.
   bool is_cost = true;
   /// What it measures, in a few words.
   std::string words;
+
+  std::string UnitInSi() const;
 };
 
 /// Metrics of a car with these parameter values (SI, order of Vehicle::parameters) on each road: roads x metrics, SI.
@@ -43,7 +47,7 @@ struct MetricLimit {
   std::optional<double> least;
   int line = 0;
 
-  /// How far a value is inside, in the metric's unit; negative: beyond the limit.
+  /// How far a value is inside, in the metric's unit; negative: beyond the limit; NaN of NaN.
   double MarginOf(double value) const;
 };
 
@@ -51,7 +55,7 @@ struct MetricLimit {
 /// exposures add up (ISO 2631-1, 8.2); `weights` add up to 1.
 double OverRoads(const Eigen::MatrixXd& metrics, std::size_t metric, std::span<const double> weights);
 
-/// Of the road on which it is least.
+/// Of the road on which it is least; NaN where it is not known on one.
 double LeastMargin(const Eigen::MatrixXd& metrics, const MetricLimit& limit);
 
 }  // namespace fourpost

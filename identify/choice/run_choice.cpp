@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -55,14 +56,14 @@ FittedRange RangeOf(const nlohmann::json& result) {
 }
 
 /// How much of the objectives lies beyond the band of the fit.
-void CheckBand(const CarMetrics& car, const ChoiceRequest& request, double highest_Hz, Diagnostics& findings) {
+void CheckBand(const CarMetrics& car, const ChoiceRequest& request, const Eigen::MatrixXd& all, double highest_Hz,
+               Diagnostics& findings) {
   constexpr double kVisible = 0.1;
   if (!(highest_Hz > request.settings.lower_Hz && highest_Hz < request.settings.upper_Hz)) return;
   SettingsFile within = request.settings;
   within.upper_Hz = highest_Hz;
   const std::vector<double> present =
       ValuesAt(request.settings.knobs, PresentSetting(request.settings.knobs), request.fitted);
-  const Eigen::MatrixXd all = request.spectra(present);
   const Eigen::MatrixXd inside = car.Spectra(within)(present);
   const std::vector<double> weights = request.settings.RoadWeights();
   for (const Objective& objective : request.settings.objectives) {
@@ -93,6 +94,18 @@ void CheckSpeeds(const CarMetrics& car, const Vehicle& vehicle, const ChoiceRequ
   }
 }
 
+/// Of the present setting at the fitted values.
+Eigen::MatrixXd PresentMetrics(const ChoiceRequest& request) {
+  const Place place{request.settings.file.string()};
+  try {
+    return request.spectra(ValuesAt(request.settings.knobs, PresentSetting(request.settings.knobs), request.fitted));
+  } catch (const std::runtime_error& error) {
+    Refuse(kPresentWithoutRide, place, {error.what()});
+  } catch (const std::invalid_argument& error) {
+    Refuse(kPresentWithoutRide, place, {error.what()});
+  }
+}
+
 }  // namespace
 
 ChoiceAnswer ChooseForRun(const RunChoiceRequest& request, const WorkHooks& hooks) {
@@ -114,6 +127,7 @@ ChoiceAnswer ChooseForRun(const RunChoiceRequest& request, const WorkHooks& hook
   asked.fitted = vehicle->ParameterValues();
   asked.threads = request.threads;
   for (const Parameter& parameter : vehicle->parameters) asked.parameters.push_back(parameter.name);
+  answer.present_metrics = PresentMetrics(asked);
   if (request.has_checks) {
     asked.histories = car.Histories(asked.settings, CarMetrics::TimeEngine::kReduced);
     asked.full = car.Histories(asked.settings, CarMetrics::TimeEngine::kMultibody);
@@ -135,13 +149,10 @@ ChoiceAnswer ChooseForRun(const RunChoiceRequest& request, const WorkHooks& hook
   } else {
     findings.Report(kChoiceWithoutDoubt, {request.run.string()});
   }
-  CheckBand(car, asked, range.highest_Hz, findings);
+  CheckBand(car, asked, answer.present_metrics, range.highest_Hz, findings);
   CheckSpeeds(car, *vehicle, asked, range, findings);
   hooks.Find(findings);
   answer.choice = Choose(asked, hooks);
-  if (!answer.choice.is_interrupted)
-    answer.present_metrics =
-        asked.spectra(ValuesAt(asked.settings.knobs, PresentSetting(asked.settings.knobs), asked.fitted));
   if (answer.choice.best) {
     const auto values_of = [&](std::size_t row) {
       return ValuesAt(asked.settings.knobs, answer.choice.rows[row].setting, asked.fitted);

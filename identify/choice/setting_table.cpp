@@ -70,7 +70,12 @@ SettingScore ScoreOf(const SettableCar& car, const Setting& setting, std::span<c
     const std::vector<double> weights = car.settings->RoadWeights();
     for (const Objective& objective : car.settings->objectives)
       score.objectives.push_back(OverRoads(metrics, objective.metric, weights));
-    for (const MetricLimit& limit : car.settings->limits) score.margins.push_back(LeastMargin(metrics, limit));
+    for (const MetricLimit& limit : car.settings->limits) {
+      score.margins.push_back(LeastMargin(metrics, limit));
+      // Such as the damping of a mode that this setting does not have.
+      if (std::isnan(score.margins.back()))
+        return {.failure = "it does not have what line " + std::to_string(limit.line) + " of the settings limits"};
+    }
   } catch (const std::runtime_error& error) {
     return {.failure = error.what()};
   } catch (const std::invalid_argument& error) {

@@ -149,6 +149,7 @@ class SettingsReader {
     } else if (node.IsScalar()) {
       AddObjective(top, node, ScalarOf(node), "1");
     }
+    if (node.IsDefined() && !node.IsScalar() && node.size() == 0) top.Fault(node, kObjectivesNone);
     if (node.IsDefined() && node.size() > kMostObjectives) top.Fault(node, kObjectivesMany);
     double sum = 0;
     for (const Objective& objective : settings_.objectives) sum += objective.weight;

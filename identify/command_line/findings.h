@@ -103,6 +103,10 @@ inline const Finding kRideWeightingMalformed{"ride-weighting-malformed", Severit
                                              "write POINT=Wk; weightings of a point are Wk, Wd, Wf and Wb"};
 inline const Finding kRideWeightingPoint{"ride-weighting-point", Severity::kError,
                                          "no point of this ride is called '{}'{}"};
+inline const Finding kRideBandAboveSickness{
+    "ride-band-above-sickness", Severity::kWarning,
+    "Wf weighs accelerations from 0.1 to 0.5 Hz, and the band begins at {} Hz, so '{}' lacks most of what counts",
+    "begin lower, by --band 0.08Hz:30Hz"};
 inline const Finding kRideNotNormal{"ride-not-normal", Severity::kWarning,
                                     "on {} {} {} in {} of time, so power spectra are a rough estimate there",
                                     "compare the time history, by --time"};

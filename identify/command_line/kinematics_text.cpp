@@ -27,13 +27,14 @@ class AxleText {
       : kinematics_(kinematics), axle_(suspension.axles[kinematics.axle]) {
     for (const std::size_t i : axle_.wheels) wheels_.push_back(&suspension.wheels[i]);
     is_symmetric_ = IsSymmetric();
+    has_even_loads_ = is_symmetric_ && HasEvenLoads();
   }
 
   std::string Format() {
     std::string text = "axle '" + axle_.name + "'\n" + Gradients();
     for (const AxleTravel& travel : kinematics_.travels)
       // The other side of a symmetric axle says the same.
-      if (travel.kind != AxleTravel::Kind::kWheel || !is_symmetric_ || wheels_[travel.wheel]->side > 0)
+      if (travel.kind != AxleTravel::Kind::kWheel || !has_even_loads_ || wheels_[travel.wheel]->side > 0)
         text += '\n' + Positions(travel);
     return text + '\n' + Compliance();
   }
@@ -52,6 +53,14 @@ class AxleText {
       const WheelPlace& right = station.wheels[1].place;
       return AreAlike(left.camber, right.camber) && AreAlike(left.toe, right.toe) &&
              AreAlike(left.centre.x(), right.centre.x());
+    });
+  }
+
+  /// A car whose weight is not in the middle has uneven ones on symmetric axles.
+  bool HasEvenLoads() const {
+    constexpr double kShown_N = 0.5;
+    return std::all_of(Heave().stations.begin(), Heave().stations.end(), [](const AxleStation& station) {
+      return std::abs(station.wheels[0].load - station.wheels[1].load) < kShown_N;
     });
   }
 
@@ -154,17 +163,21 @@ class AxleText {
     if (travel.kind == Kind::kRoll)
       columns.push_back({"deg", [](const AxleStation& s) { return WithDecimals(kPerDeg * s.roll, 2); }});
     const bool is_heave = travel.kind == Kind::kHeave;
-    const auto add = [&](const std::string& name, int decimals, const OfWheel& value) {
-      for (const std::size_t k : Shown(is_heave)) {
+    const auto add = [&](const std::string& name, int decimals, bool is_alike, const OfWheel& value) {
+      const std::vector<std::size_t> shown = Shown(is_alike);
+      for (const std::size_t k : shown) {
         if (travel.kind == Kind::kWheel && k != travel.wheel) continue;
-        const bool is_named = travel.kind != Kind::kWheel && Shown(is_heave).size() > 1;
+        const bool is_named = travel.kind != Kind::kWheel && shown.size() > 1;
         columns.push_back({(is_named ? wheels_[k]->name + " " : "") + name,
                            [=](const AxleStation& s) { return WithDecimals(value(s, k), decimals); }});
       }
     };
-    add("camber, deg", 3, [](const AxleStation& s, std::size_t k) { return kPerDeg * s.wheels[k].place.camber; });
-    add("toe-in, deg", 3, [](const AxleStation& s, std::size_t k) { return kPerDeg * s.wheels[k].place.toe; });
-    add("load, N", 0, [](const AxleStation& s, std::size_t k) { return s.wheels[k].load; });
+    add("camber, deg", 3, is_heave,
+        [](const AxleStation& s, std::size_t k) { return kPerDeg * s.wheels[k].place.camber; });
+    add("toe-in, deg", 3, is_heave,
+        [](const AxleStation& s, std::size_t k) { return kPerDeg * s.wheels[k].place.toe; });
+    add("load, N", 0, is_heave && has_even_loads_,
+        [](const AxleStation& s, std::size_t k) { return s.wheels[k].load; });
     if (is_heave) AddAxle(columns);
     AddRatios(travel, columns);
     std::vector<std::string> head;
@@ -227,17 +240,15 @@ class AxleText {
   const Axle& axle_;
   std::vector<const Wheel*> wheels_;
   bool is_symmetric_ = false;
+  bool has_even_loads_ = false;
 };
 
 constexpr const char* kNote =
-    "Chassis held in the design pose, other axles' wheels at their height there; travel: rise of the wheel centres. "
-    "The\n"
-    "wheel's axis is the y axis of its tyre's link. Camber: top outward positive. Roll: the right wheel rises as the "
-    "left\n"
-    "one falls, body to the right; roll camber is that of the left wheel. Steer: to the left positive. Motion ratio: "
-    "shortening per travel; of an anti-roll "
-    "bar\n"
-    "difference of its lines per travel. Roll centre: above the feet. ";
+    "Chassis held in the design pose, other axles' wheels at their height there; travel: rise of the wheel\n"
+    "centres. The wheel's axis is the y axis of its tyre's link. Camber: top outward positive. Roll: the right\n"
+    "wheel rises as the left one falls, body to the right; roll camber is that of the left wheel. Steer: to the\n"
+    "left positive. Motion ratio: shortening per travel; of an anti-roll bar difference of its lines per travel.\n"
+    "Roll centre: above the feet. ";
 constexpr const char* kLoadNote =
     "Loads: lateral to the left and braking at the\nfoot, driving at the wheel centre, aligning torque to the left; "
     "pads "

@@ -92,6 +92,16 @@ std::vector<AskedRoad> ReadRoads(const RideCommand& command, Diagnostics& findin
   return roads;
 }
 
+/// Motion sickness is felt below the usual band of roads.
+void WarnOfBand(const RideCommand& command, const RideInstruments& instruments, Diagnostics& findings) {
+  constexpr double kHighest_Hz = 0.1;
+  const bool has_band = !command.roads.empty() || command.drive.motion == SimulateCommand::Motion::kRandom;
+  if (!has_band || command.drive.first_Hz <= kHighest_Hz) return;
+  for (const RideInstruments::Felt& felt : instruments.points)
+    if (felt.weighting == Weighting::kWf)
+      findings.Report(kRideBandAboveSickness, Place::Option("--band"), {Rounded(command.drive.first_Hz, 2), felt.name});
+}
+
 RideJob ReadJob(const RideCommand& command) {
   const fs::path file = VehicleFileOf(command.drive.model);
   Diagnostics findings = command.drive.faults;
@@ -104,6 +114,7 @@ RideJob ReadJob(const RideCommand& command) {
   CheckMotion(checked, *vehicle, findings);
   RideInstruments instruments = InstrumentRide(*vehicle, ReadRidePoints(command.points, *vehicle, findings));
   SetWeightings(command.weightings, instruments, findings);
+  WarnOfBand(command, instruments, findings);
   if (findings.HasErrors()) throw FaultyInput(findings);
   return {std::move(*vehicle), std::move(instruments), std::move(roads), std::move(findings)};
 }

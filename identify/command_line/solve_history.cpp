@@ -22,7 +22,7 @@ void WarnOfGrowth(const Vehicle& vehicle, const CondensedModel& model, Diagnosti
     findings.Report(kUnstableInDesignPose, {vehicle.file}, {growth->Text()});
 }
 
-/// Shows what is run, how far it is, and when another run of it, at half the step, begins.
+/// Shows what is run and how far it is; of further runs, at half the step, which it is.
 class HistoryProgress {
  public:
   explicit HistoryProgress(const Drive& drive) : drive_(drive) {}
@@ -37,9 +37,11 @@ class HistoryProgress {
     last_ = t;
     const double start = drive_.start_s - drive_.lead_s;
     const double seconds = line_.seconds() - began_s_;
+    const std::string left = TimeLeft((t - start) / (drive_.end_s - start), seconds);
+    // How many runs it takes is known when two of them agree.
     line_.Show("simulate: " + work_ + ", " + Rounded(std::max(0.0, t), 3) + " of " + Rounded(drive_.end_s, 3) + " s" +
-               TimeLeft((t - start) / (drive_.end_s - start), seconds) + Rate(t - start, seconds, "simulated s") +
-               (run_ == 1 ? "" : ", run " + std::to_string(run_)));
+               (left.empty() ? ", run " : left + " of run ") + std::to_string(run_) + " (others may follow)" +
+               Rate(t - start, seconds, "simulated s"));
     return !Interrupted();
   }
 

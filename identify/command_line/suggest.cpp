@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cstdio>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -39,6 +42,19 @@ std::string AlikeText(const Suggestions& suggestions) {
   return text;
 }
 
+/// By their reasons, those of most additions first.
+std::string UntestedText(const std::vector<UntestedAddition>& failed) {
+  std::map<std::string, std::vector<std::string>> by_reason;
+  for (const UntestedAddition& one : failed) by_reason[one.reason].push_back(one.words);
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons(by_reason.begin(), by_reason.end());
+  std::stable_sort(reasons.begin(), reasons.end(),
+                   [](const auto& a, const auto& b) { return a.second.size() > b.second.size(); });
+  std::string text;
+  for (const auto& [reason, words] : reasons)
+    text += "  " + std::to_string(words.size()) + ", such as " + words.front() + ": " + reason + '\n';
+  return text.empty() ? "" : "Additions that cannot be evaluated:\n" + text;
+}
+
 std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
   const Suggestions& all = run.suggestions;
   const std::size_t worthwhile = all.Worthwhile();
@@ -56,9 +72,9 @@ std::string Text(const SuggestCommand& command, const RunSuggestions& run) {
   if (worthwhile == 0) text += "No addition that was tried lowers BIC.\n";
   text += "Misfit " + Rounded(all.misfit, 3) + "; " + std::to_string(all.residuals) + " residuals worth " +
           Rounded(all.effective, 3) + " independent ones; " + std::to_string(all.tried) + " additions tried, " +
-          std::to_string(all.failed) + " of them cannot be evaluated; " + std::to_string(all.evaluations) +
+          std::to_string(all.failed.size()) + " of them cannot be evaluated; " + std::to_string(all.evaluations) +
           " evaluations\n";
-  return text;
+  return text + UntestedText(all.failed);
 }
 
 std::string AsJson(const SuggestCommand& command, const RunSuggestions& run) {
@@ -66,13 +82,16 @@ std::string AsJson(const SuggestCommand& command, const RunSuggestions& run) {
   const std::size_t shown = command.all ? all.list.size() : all.Worthwhile();
   Json list = Json::array();
   for (std::size_t i = 0; i < shown; ++i) list.push_back(SuggestionJson(all.list[i], i + 1, run.study));
+  Json failures = Json::array();
+  for (const UntestedAddition& one : all.failed) failures.push_back({{"text", one.words}, {"reason", one.reason}});
   return JsonText(Json{{"run", command.run.filename().string()},
                        {"cost", all.cost},
                        {"misfit", all.misfit},
                        {"residuals", all.residuals},
                        {"effective_residuals", all.effective},
                        {"tried", all.tried},
-                       {"failed", all.failed},
+                       {"failed", all.failed.size()},
+                       {"failures", failures},
                        {"evaluations", all.evaluations},
                        {"suggestions", list}});
 }

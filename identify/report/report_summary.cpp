@@ -114,6 +114,15 @@ std::string ResidualsAre(double misfit) {
   return "Residuals are " + ShownNumber(misfit, 2) + " times what noise and the stated model error explain";
 }
 
+/// Where stated standard deviations are several times what there is.
+std::string StatedTooLarge(double misfit) {
+  constexpr double kSmall = 0.3;
+  if (!(misfit < kSmall)) return "";
+  return " They are " + ShownNumber(misfit, 2) +
+         " times as large as stated: state smaller ones, such as <code>model_error</code>, for intervals follow from "
+         "them.";
+}
+
 /// What the fit found worth adding to the vehicle; empty of runs that did not look.
 std::vector<Json> MissingOf(const Json& result) { return ListAt(result.value("missing", Json()), "suggestions"); }
 
@@ -165,7 +174,7 @@ Judgement HowItEnded(const Json& result, const std::vector<JudgedChannel>& unsee
   const double misfit = MisfitOf(result);
   if (std::isfinite(misfit)) {
     text += misfit > kExplained ? ResidualsAre(misfit) + "; about 1 is expected." + MostLikelyMissing(result)
-                                : "Noise and the stated model error explain the residuals.";
+                                : "Noise and the stated model error explain the residuals." + StatedTooLarge(misfit);
     if (misfit > kMisses && name == "good") name = "fair";
   }
   if (IsAnyFar(unseen) && name == "good") name = "fair";

@@ -70,6 +70,9 @@ Cell RemarkCell(const ReportedParameter& parameter) {
                                                                           : "the upper bound");
   if (!parameter.limited_by.empty() && std::isfinite(parameter.sd))
     remark += (remark.empty() ? "" : ", ") + ("limited by " + parameter.limited_by);
+  constexpr double kHeldCounts = 1.5;
+  if (std::isfinite(parameter.held_factor) && parameter.held_factor > kHeldCounts)
+    remark += " (" + ShownNumber(parameter.held_factor, 2) + " times smaller if that were known)";
   std::string cell = html::Escaped(remark);
   if (std::abs(parameter.correlation) > 0.8 && std::isfinite(parameter.sd))
     cell += (cell.empty() ? "" : "; ") + std::string("correlated with ") +
@@ -228,12 +231,10 @@ std::string ParameterTableHtml(const std::vector<ReportedParameter>& parameters,
                                          : "interval of 95 %") +
                        ", with an arrow where it reaches beyond a bound; dot: fitted value; tick: start. \"sd, %\": of "
                        "the value, or of the range where the bounds have both signs. " +
-                       (lacks
-                            ? "Parts of the data contradict the model beyond noise, so standard deviations and "
-                              "intervals are widened by how far these parts pull the parameters apart. A richer model "
-                              "can narrow them."
-                            : "Standard deviations follow from noise, held parameters and the stated model error, "
-                              "scaled up where residuals are larger.")
+                       (lacks ? "Parts of the data ask for different parameters, by more than noise explains, and "
+                                "standard deviations and intervals allow for that. A richer model can narrow them."
+                              : "Standard deviations follow from noise, held parameters and the stated model error, "
+                                "scaled up where residuals are larger.")
                  : "Bar: the bounds; dot: fitted value; tick: start. " + html::Escaped(why_none)) +
          '\n';
 }

@@ -32,6 +32,8 @@ void ReadInterval(const Json& parameter, double si, ReportedParameter& reported)
   constexpr double kReach = 1.96;
   const std::vector<Json> interval = ListAt(parameter, "interval_95");
   reported.limited_by = TextAt(parameter, "limited_by");
+  const Json parts = parameter.value("sd_parts", Json());
+  reported.held_factor = reported.sd * si / std::hypot(NumberAt(parts, "noise"), NumberAt(parts, "model"));
   const bool is_told = interval.size() == 2 && interval[0].is_number() && interval[1].is_number();
   reported.lower_95 = is_told ? interval[0].get<double>() / si : reported.value - kReach * reported.sd;
   reported.upper_95 = is_told ? interval[1].get<double>() / si : reported.value + kReach * reported.sd;

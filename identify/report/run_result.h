@@ -30,6 +30,8 @@ struct ReportedParameter {
   bool at_bound = false;
   /// What most of the deviation comes from: "noise", "model: struts", "held: k"; empty of runs of older versions.
   std::string limited_by;
+  /// By how much `sd` would be smaller if held parameters and calibrations were known; NaN of runs of older versions.
+  double held_factor = 0;
   /// Whether anything was found out of its deviation, such as that it has none.
   bool IsJudged() const { return state != ParameterState::kNotComputed || !std::isnan(sd); }
   /// "lower" or "upper", of one at its bound.

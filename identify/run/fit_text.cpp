@@ -34,6 +34,11 @@ std::string Remark(const FittedParameter& parameter) {
     remark += (remark.empty() ? "" : ", ") + std::string("derivative is noise");
   if (const double distance = std::abs(parameter.FromPrior()); distance > kFar)
     remark += (remark.empty() ? "" : ", ") + Rounded(distance, 2) + " sd from prior";
+  // Above it most of the doubt is that of held parameters and calibrations.
+  constexpr double kHeldCounts = 1.5;
+  const double factor = parameter.sd / std::hypot(parameter.noise_sd, parameter.model_sd);
+  if (std::isfinite(factor) && factor > kHeldCounts)
+    remark += (remark.empty() ? "sd " : ", sd ") + Rounded(factor, 2) + " times smaller if that were known";
   return remark;
 }
 
@@ -74,15 +79,15 @@ std::string IntervalBasis(const FitResult& fit) {
   std::string ways;
   for (const PartedData& way : fit.certainty->model_error.ways)
     if (way.IsSignificant())
-      ways += (ways.empty() ? "" : ", ") + way.name + " " + Rounded(std::sqrt(way.disagreement / way.degrees), 2) +
-              " times";
+      ways += (ways.empty() ? "  Parameters differ between " : ", between ") + way.name + " " +
+              Rounded(std::sqrt(way.disagreement / way.degrees), 2) + " times" +
+              (ways.empty() ? " as much as noise explains" : "");
   std::vector<double> shares;
   for (const Eigen::Index j : fit.certainty->judged)
     shares.push_back(fit.certainty->total_sd[j] / fit.certainty->noise_sd[j]);
   return "Parts of the data ask for different parameters. The intervals allow for that. First check what was measured\n"
-         "(gain, sign, delay, place and noise of each channel and post); if it is right, the model lacks something.\n"
-         "  Pull beyond noise: " +
-         ways + ". By noise alone the intervals would be " + Rounded(Median(shares), 2) +
+         "(gain, sign, delay, place and noise of each channel and post); if it is right, the model lacks something.\n" +
+         ways + ".\n  By noise alone the intervals would be " + Rounded(Median(shares), 2) +
          " times narrower.\n"
          "  Limited by noise: measure longer or more often; by the model: add what those data ask for;\n"
          "  by a held parameter: free or measure it.\n";
@@ -181,10 +186,14 @@ std::string MissingText(const nlohmann::ordered_json& missing) {
 std::string Judgement(const FitResult& fit, const nlohmann::ordered_json& missing) {
   if (!fit.covariance) return "";
   const Covariance& covariance = *fit.covariance;
-  std::string text = "Residuals are " + Rounded(fit.Misfit(), 2) +
-                     " times what noise and the stated model error explain" +
-                     (fit.certainty && !fit.certainty->calibrations.empty() ? ", calibrated" : "") +
-                     "; about 1 is expected.\n" + MissingText(missing);
+  std::string text =
+      "Residuals are " + Rounded(fit.Misfit(), 2) + " times what noise and the stated model error explain" +
+      (fit.certainty && !fit.certainty->calibrations.empty() ? ", calibrated" : "") + "; about 1 is expected.\n" +
+      (fit.Misfit() < kSmallMisfit
+           ? "Standard deviations follow from what the study states: state smaller ones, such as "
+             "'model_error'.\n"
+           : "") +
+      MissingText(missing);
   if (covariance.rank < covariance.directions.cols() || covariance.directions.cols() < 2) return text;
   text += "Least identifiable direction (condition number " + Rounded(covariance.condition, 2) + "):\n";
   for (const std::string& combination : fit.weakest) text += "  " + combination + "\n";

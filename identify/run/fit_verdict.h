@@ -10,6 +10,8 @@ namespace fourpost {
 
 /// Residuals over noise and stated model error: above it the model lacks something.
 inline constexpr double kLargeMisfit = 1.5;
+/// Below it the study states more noise and model error than there is.
+inline constexpr double kSmallMisfit = 0.3;
 
 /// Whether a fit explains its data, however well its numbers converged.
 struct FitVerdict {

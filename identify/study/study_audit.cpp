@@ -126,6 +126,12 @@ const char* KindName(Kind kind) {
   return "";
 }
 
+/// What an audit calls the instruments that a calibration is of.
+std::string GroupName(const std::string& calibrated) {
+  if (calibrated == "load_cells") return "load cells";
+  return calibrated;
+}
+
 /// As a user counts it: recorded over true less one, seconds, metres.
 double SizeOf(const RigFault& fault, double size) { return fault.kind == Kind::kScale ? FactorOf(size) - 1 : size; }
 
@@ -163,6 +169,21 @@ void ReportAmplitudes(const FourPost& sines, Diagnostics& diagnostics) {
   }
 }
 
+/// Whether the study states a calibration that allows for it: the fit then knows.
+bool IsStated(const LoadedStudy& study, const Suspicion& suspicion) {
+  // As far as a calibration may be off without a warning.
+  constexpr double kAllowed = 2.5;
+  const RigFault& fault = suspicion.fault;
+  const std::string group = fault.name.starts_with("all ") ? fault.name.substr(4) : fault.name;
+  return std::any_of(
+      study.study.calibrations.begin(), study.study.calibrations.end(), [&](const Calibration& calibration) {
+        const bool is_kind = (fault.kind == Kind::kScale && calibration.kind == Calibration::Kind::kGain) ||
+                             (fault.kind == Kind::kDelay && calibration.kind == Calibration::Kind::kDelay);
+        return is_kind && GroupName(calibration.of) == group &&
+               std::abs(SizeOf(fault, suspicion.size)) <= kAllowed * calibration.sd;
+      });
+}
+
 }  // namespace
 
 std::optional<Audit> AuditStudy(const LoadedStudy& study) {
@@ -176,6 +197,7 @@ std::optional<Audit> AuditStudy(const LoadedStudy& study) {
 
 void ReportAudit(const LoadedStudy& study, const Audit& audit, Severity certain, Diagnostics& diagnostics) {
   for (const Suspicion& suspicion : audit.suspicions) {
+    if (IsStated(study, suspicion)) continue;
     const Finding& kind = KindOf(suspicion);
     const Place place{.file = study.study.file.string(), .line = LineOf(study, suspicion)};
     std::vector<std::string> words = {Words(suspicion.fault, suspicion.size), RivalWords(suspicion), Sure(suspicion)};

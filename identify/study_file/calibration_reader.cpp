@@ -1,5 +1,6 @@
 #include "identify/study_file/calibration_reader.h"
 
+#include "analysis/text/text_table.h"
 #include "analysis/text/units.h"
 #include "identify/study_file/findings.h"
 
@@ -18,6 +19,9 @@ void ReadKind(const StrictMap& map, const char* key, Calibration::Kind kind, con
   for (const std::string& name : names) {
     const auto sd = ReadQuantity(node[name], dimension, "'" + name + "'", file, diagnostics);
     if (sd && !(*sd > 0)) diagnostics.Report(kCalibrationNotPositive, {file, LineOf(node[name])}, {name});
+    constexpr double kWidestGain = 0.5;
+    if (sd && kind == Calibration::Kind::kGain && *sd > kWidestGain)
+      diagnostics.Report(kCalibrationGainWide, {file, LineOf(node[name])}, {name, Rounded(100 * *sd, 3) + " %"});
     const bool is_offset = kind == Calibration::Kind::kOffset;
     if (is_offset && name != Calibration::kStaticLoads)
       diagnostics.Report(kCalibrationOffset, {file, LineOf(node[name])}, {name});

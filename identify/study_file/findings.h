@@ -112,6 +112,9 @@ inline const Finding kCalibrationNotMapped{"calibration-not-mapped", Severity::k
 inline const Finding kCalibrationNotPositive{"calibration-not-positive", Severity::kError,
                                              "the standard deviation of '{}' under 'calibration' is not above zero",
                                              "remove an instrument that is exactly known"};
+inline const Finding kCalibrationGainWide{"calibration-gain-wide", Severity::kError,
+                                          "a gain of '{}' that is known to {} only is no calibration",
+                                          "write it in per cent, such as 1 %"};
 inline const Finding kCalibrationOffset{"calibration-offset", Severity::kError,
                                         "'{}' has no offset that a fit could see, because it fits no mean of it",
                                         "state the offset of 'static_loads' only"};

@@ -127,7 +127,7 @@ void StrictMap::FaultOf(std::string_view key, const Finding& finding, std::vecto
 namespace {
 
 std::string UnitExample(const Dimension& dimension) {
-  if (dimension == kDimensionless) return "angle such as deg";
+  if (dimension == kDimensionless) return "angle or share such as deg or %";
   return DimensionName(dimension) + " such as " + SiUnit(dimension);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <string>
@@ -37,6 +38,14 @@ struct Addition {
     std::string key = mechanism;
     for (const std::string& element : elements) key += '|' + element;
     return key;
+  }
+
+  /// Whether it is what another one adds, at some of its elements: one side of both.
+  bool IsPartOf(const Addition& whole) const {
+    return mechanism == whole.mechanism && elements.size() < whole.elements.size() &&
+           std::all_of(elements.begin(), elements.end(), [&](const std::string& element) {
+             return std::find(whole.elements.begin(), whole.elements.end(), element) != whole.elements.end();
+           });
   }
 };
 

@@ -32,6 +32,12 @@ using Eigen::Index;
 
 constexpr double kAlike = 0.95;
 
+std::string FirstErrorOf(const Diagnostics& diagnostics) {
+  for (const Diagnostic& item : diagnostics.items())
+    if (item.severity == Severity::kError) return item.message;
+  return "";
+}
+
 /// A study's objective with one addition in it.
 class AugmentedStudy {
  public:
@@ -55,7 +61,7 @@ class AugmentedStudy {
     objective_.emplace(vehicle_, free_, std::move(blocks));
   }
 
-  /// `values`: of the study's free parameters.
+  /// `values`: of the study's free parameters. Not from several threads at once.
   std::optional<Eigen::VectorXd> At(double amount, const Eigen::VectorXd& values) const {
     if (addition_.study) return OfStudy(amount, values);
     const std::vector<double> added = addition_.values(amount);
@@ -64,6 +70,9 @@ class AugmentedStudy {
     for (std::size_t i = 0; i < added.size(); ++i) all[values.size() + static_cast<Index>(i)] = added[i];
     return Evaluated(*objective_, all);
   }
+
+  /// Why the last evaluation that failed did.
+  const std::string& failure() const { return failure_; }
 
  private:
   std::size_t PlaceOf(const std::string& name) const {
@@ -76,13 +85,16 @@ class AugmentedStudy {
     try {
       const Evaluation evaluation = objective.Evaluate(values, Deadline::In(study_.study.search.deadline_s));
       if (evaluation.ok() && evaluation.residuals.allFinite()) return evaluation.residuals;
-    } catch (const TimedOut&) {
+      failure_ = evaluation.ok() ? "residuals are not finite" : evaluation.detail;
+    } catch (const TimedOut& late) {
+      failure_ = late.what();
     }
     return std::nullopt;
   }
 
   std::optional<Eigen::VectorXd> OfStudy(double amount, const Eigen::VectorXd& values) const {
     const std::string text = addition_.study(amount);
+    failure_ = "the study cannot state it";
     if (text.empty()) return std::nullopt;
     Diagnostics findings;
     std::optional<Study> study = ReadStudyText(text, study_.study.file, findings);
@@ -93,7 +105,10 @@ class AugmentedStudy {
       experiment.LeaveOutValidation();
       experiment.Load(subject, findings);
     }
-    if (findings.HasErrors()) return std::nullopt;
+    if (findings.HasErrors()) {
+      failure_ = FirstErrorOf(findings);
+      return std::nullopt;
+    }
     loaded.Prepare();
     return Evaluated(loaded.MakeObjective(), values);
   }
@@ -103,13 +118,16 @@ class AugmentedStudy {
   Vehicle vehicle_;
   std::vector<std::size_t> free_;
   std::optional<VehicleObjective> objective_;
+  mutable std::string failure_;
 };
 
-/// A addition under test.
+/// An addition under test.
 struct Trial {
   Addition addition;
   std::unique_ptr<AugmentedStudy> study;
   std::optional<ScoreTest> test;
+  /// Why there is no test.
+  std::string failure;
 };
 
 class Suggester {
@@ -137,7 +155,10 @@ class Suggester {
     TestAll(fitted, trials);
     std::vector<Trial*> best = BestOfEach(trials, before);
     Confirm(fitted, before, best);
+    LeaveOutParts(best);
     Describe(before, best);
+    for (const Trial& trial : trials)
+      if (!trial.test) result_.failed.push_back({trial.addition.words, trial.failure});
     return std::move(result_);
   }
 
@@ -193,10 +214,10 @@ class Suggester {
       if (hooks_.IsStopped()) break;
       try {
         trial.study = std::make_unique<AugmentedStudy>(study_, trial.addition);
-      } catch (const FaultyInput&) {
-        ++result_.failed;
-      } catch (const SimulationError&) {
-        ++result_.failed;
+      } catch (const FaultyInput& fault) {
+        trial.failure = FirstErrorOf(fault.diagnostics());
+      } catch (const SimulationError& error) {
+        trial.failure = error.what();
       }
     }
     return trials;
@@ -222,20 +243,18 @@ class Suggester {
   void TestAll(const FollowedCost& fitted, std::vector<Trial>& trials) {
     std::atomic<std::size_t> done = 0;
     std::atomic<std::int64_t> evaluations = 0;
-    std::atomic<std::size_t> failed = 0;
     std::mutex shown;
     ForEachInParallel(trials.size(), threads_, [&](std::size_t i) {
       Trial& trial = trials[i];
       if (!trial.study || hooks_.IsStopped()) return;
       trial.test = TestAmount(fitted, RangeOf(trial.addition), Residuals(trial));
       if (trial.test) evaluations += trial.test->evaluations;
-      else ++failed;
+      else trial.failure = trial.study->failure();
       const std::size_t now = ++done;
       const std::lock_guard lock(shown);
       hooks_.Show("suggest: tested " + std::to_string(now) + " of " + std::to_string(trials.size()) + " additions");
     });
     result_.evaluations += evaluations;
-    result_.failed += failed;
     result_.is_interrupted = hooks_.IsStopped();
   }
 
@@ -277,6 +296,16 @@ class Suggester {
     });
     for (const int number : evaluated) result_.evaluations += number;
     Sort(list, before);
+  }
+
+  /// The list runs from the best on.
+  static void LeaveOutParts(std::vector<Trial*>& list) {
+    std::vector<Trial*> kept;
+    for (Trial* trial : list)
+      if (std::none_of(kept.begin(), kept.end(),
+                       [&](const Trial* better) { return trial->addition.IsPartOf(better->addition); }))
+        kept.push_back(trial);
+    list = std::move(kept);
   }
 
   void Describe(double before, const std::vector<Trial*>& list) {

@@ -37,17 +37,26 @@ struct SuggestedAddition {
   std::vector<std::size_t> like;
 };
 
+/// An addition of which nothing is known.
+struct UntestedAddition {
+  /// "dry friction beside damper 'front'"
+  std::string words;
+  /// Why it could not be evaluated.
+  std::string reason;
+};
+
 struct Suggestions {
-  /// Those worth adding, the best first; then the others by their criterion.
+  /// Those worth adding, the best first; then the others by their criterion. Without parts of a better one, such as one
+  /// side of what is worth more on both.
   std::vector<SuggestedAddition> list;
   double cost = 0;
   double misfit = 0;
   /// Residuals, and how many independent ones these are worth.
   Eigen::Index residuals = 0;
   double effective = 0;
-  /// Additions that were tried, of which as many could not be evaluated.
+  /// Additions that were tried, and those of them that could not be evaluated.
   std::size_t tried = 0;
-  std::size_t failed = 0;
+  std::vector<UntestedAddition> failed;
   std::int64_t evaluations = 0;
   bool is_interrupted = false;
 

@@ -74,8 +74,9 @@ void VehicleEdit::Exchange(const XMLElement& element, std::string_view old, cons
 void VehicleEdit::Remove(const XMLElement& element) {
   std::size_t end = TagEnd(element);
   if (text_[end - 1] != '/') end = text_.find('>', end + 1);
-  const std::size_t name = PlacesOf(element).name_end - std::string_view(element.Name()).size();
-  changes_[name - 1] = {end + 1, ""};
+  const std::size_t begin = PlacesOf(element).name_end - std::string_view(element.Name()).size() - 1;
+  // What was put before it stays.
+  changes_.try_emplace(begin, Change{begin, ""}).first->second.end = end + 1;
 }
 
 void VehicleEdit::Rename(const XMLElement& element, const std::string& tag) {

@@ -98,6 +98,14 @@ class Choose(ProgramTest):
         self.assert_finding(errors, "road-beyond-speeds", "settings.yaml")
         self.assert_finding(errors, "road-beyond-band", "settings.yaml")
 
+    def test_roads_without_an_answer_are_named(self):
+        """Where the tyre is in the air nearly always, statistical linearisation does not converge."""
+        self.write("rough.yaml", "knobs: {spring: {sets: k, values: [12 kN/m, 15 kN/m]}}\n"
+                                 "roads: [{class: H, speed: 160 km/h}]\n")
+        answer = self.run_program("choose", SOURCE / "urdf/quarter_car.urdf", "--settings", "rough.yaml", code=3)
+        self.assert_finding(answer.stderr, "present-without-ride", "rough.yaml")
+
+
 
 if __name__ == "__main__":
     unittest.main()

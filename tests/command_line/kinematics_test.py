@@ -33,6 +33,21 @@ class Kinematics(ProgramTest):
         self.assertEqual(len(rows), 2 * 4 * 2 * 2)
         self.assertEqual({row["per"] for row in rows}, {"1 kN", "100 N*m"})
 
+    def test_shows_the_loads_of_both_sides_where_they_differ(self):
+        self.assertNotIn("front_right load, N", self.heave(ROADSTER))
+        self.copy("meshes")
+        text = ROADSTER.read_text().replace("../meshes", "meshes").replace('xyz="-1.180 0 0.460"', 'xyz="-1.180 0.06 0.460"')
+        self.write("driver.urdf", text)
+        head = self.heave("driver.urdf")
+        self.assertIn("front_left load, N", head)
+        self.assertIn("front_right load, N", head)
+        self.assertNotIn("front_right camber", head)
+
+    def heave(self, vehicle):
+        """Head of the first table of heave."""
+        lines = self.run_program("kinematics", vehicle, "--travel", "10mm").stdout.splitlines()
+        return next(line for line in lines if line.startswith("heave, mm"))
+
     def test_reports_a_dead_centre(self):
         run = self.run_program("kinematics", ROADSTER, "--travel", "400mm", "--step", "100mm")
         self.assert_finding(run.stderr, "travel-not-reached")

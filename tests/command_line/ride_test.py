@@ -59,6 +59,12 @@ class Ride(ProgramTest):
         # Near the centre of mass the unweighted acceleration is nearly that of it.
         self.assertAlmostEqual(metrics["seat.rms"] / metrics["a_cg.rms"], 1, delta=0.05)
 
+    def test_sickness_needs_a_lower_band(self):
+        sick = ("--weighting", "a_cg=Wf")
+        self.assert_finding(self.run_program("ride", CAR, *ROAD, *sick).stderr, "ride-band-above-sickness", "--band: ")
+        lower = self.run_program("ride", CAR, *ROAD, *sick, "--band", "0.08Hz:30Hz").stderr
+        self.assertNotIn("[ride-band-above-sickness]", lower)
+
     def test_a_setting_changes_it(self):
         hard = self.metrics(CAR, *ROAD, "--set", "c_front_bump=4000N*s/m", "--set", "c_front_rebound=8000N*s/m")[0]
         self.assertGreater(hard["a_cg.Wk"], self.metrics(CAR, *ROAD)[0]["a_cg.Wk"])

@@ -57,6 +57,11 @@ class Suggest(ProgramTest):
         self.assertIsNone(self.missing())
         self.assertEqual(self.suggested()["suggestions"], [])
         self.assertGreater(len(self.suggested("--all")["suggestions"]), 10)
+        # Each addition without an answer has its reason.
+        every = self.suggested("--all")
+        self.assertEqual(len(every["failures"]), every["failed"])
+        for one in every["failures"]:
+            self.assertTrue(one["reason"], one)
         # Nor is there one of that number.
         answer = self.run_program("suggest", "run", "--study", "study.yaml", "--apply", "9999", "-o", "new", code=2)
         self.assert_finding(answer.stderr, "suggestion-unknown")

@@ -2,24 +2,19 @@
 
 #include <cmath>
 
-#include "analysis/signals/uniform_spline.h"
+#include "analysis/signals/spline_through.h"
 
 namespace fourpost {
 namespace {
 
 constexpr double kLongestStep_s = 1e-3;
 
-double SlopeAtEnd(std::span<const double> values, double step) {
-  return -SlopeAtStart({values.rbegin(), values.rend()}, step);
-}
-
 BenchMotion InSteps(std::span<const double> displacement, double sample_s, std::size_t steps) {
-  const std::vector<double> values(displacement.begin(), displacement.end());
-  const UniformSpline spline(0, sample_s, values, SlopeAtStart(values, sample_s), SlopeAtEnd(displacement, sample_s));
+  const UniformSpline spline = SplineThrough(displacement, 0, sample_s);
   BenchMotion motion;
   motion.steps = steps;
   motion.step_s = sample_s / static_cast<double>(motion.steps);
-  const std::size_t count = (values.size() - 1) * motion.steps + 1;
+  const std::size_t count = (displacement.size() - 1) * motion.steps + 1;
   motion.extension.reserve(count);
   motion.rate.reserve(count);
   motion.acceleration.reserve(count);

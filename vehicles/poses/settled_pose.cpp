@@ -8,8 +8,10 @@
 #include "analysis/numerics/decompositions.h"
 #include "analysis/text/diagnostics.h"
 #include "vehicles/condensed/condensed_vehicle.h"
+#include "vehicles/condensed/preload_map.h"
 #include "vehicles/condensed/unheld_motion.h"
 #include "vehicles/description/gravity.h"
+#include "vehicles/loops/loop_space.h"
 #include "vehicles/poses/rest_solver.h"
 
 namespace fourpost {
@@ -21,6 +23,11 @@ Vehicle OnRollingTyres(Vehicle vehicle) {
   for (Tyre& tyre : vehicle.tyres) tyre.lateral = tyre.longitudinal = Scalar{};
   return vehicle;
 }
+
+/// As of preloads in a file.
+constexpr double kTyped = 1e-6;
+/// Middle and turn.
+constexpr Index kPlanGuides = 3;
 
 bool IsHeldByEquilibrium(const Spring& spring) { return !spring.preload && !spring.free_length; }
 
@@ -65,7 +72,7 @@ class Settling {
     multibody_.SetPose(rest->q);
     SettledPose settled;
     const Kinematics place = Here();
-    const Eigen::VectorXd forces = rest->forces.tail(Guides(place).error.size());
+    const Eigen::VectorXd forces = Shared(Guides(place).directions, *rest);
     AddStruts(place, forces, settled);
     for (std::size_t i = 0; i < vehicle_.bushings.size(); ++i) {
       const std::array<Coordinate, 6> now = place.BushingPlace(vehicle_.bushings[i], child_axes_[i]);
@@ -117,6 +124,9 @@ class Settling {
       const std::array<Coordinate, 6> now = place.BushingPlace(vehicle_.bushings[i], child_axes_[i]);
       for (std::size_t k = 0; k < 3; ++k) hold(now[k], design_places_[i][k]);
     }
+    if (keeps_place_)
+      for (const PlanGuide& guide : PlanGuides())
+        rows.emplace_back(OnPlan(guide, place).value - OnPlan(guide, design_).value, OnPlan(guide, place).gradient);
     const auto count = static_cast<Index>(rows.size());
     RestSolver::Guides guides{Eigen::VectorXd(count), Eigen::MatrixXd(count, multibody_.coordinate_count()), {}};
     for (Index i = 0; i < count; ++i) {
@@ -127,8 +137,71 @@ class Settling {
     return guides;
   }
 
-  /// The forces that hold the design pose are taken away little by little.
+  /// Forces of the guides of which only some are given by rest, shared by rates as those of the design pose are, see
+  /// PreloadMap.
+  Eigen::VectorXd Shared(const Eigen::MatrixXd& directions, const RestSolver::Rest& rest) const {
+    const Eigen::VectorXd rates = HeldRates();
+    const Eigen::VectorXd forces = rest.forces.tail(directions.rows()).head(rates.size());
+    if (forces.size() == 0) return forces;
+    const Eigen::MatrixXd holders =
+        LoopSpaceOf(multibody_.LoopJacobian()).motions.transpose() * directions.topRows(rates.size()).transpose();
+    return PreloadMap(holders).At(-(holders * forces), rates);
+  }
+
+  /// One per guide.
+  Eigen::VectorXd HeldRates() const {
+    std::vector<double> rates;
+    for (const Spring& spring : vehicle_.springs)
+      if (IsHeldByEquilibrium(spring)) rates.push_back(spring.law.At(parameters_).Slope(0));
+    for (const Tyre& tyre : vehicle_.tyres)
+      if (!tyre.preload) rates.push_back(tyre.stiffness.At(parameters_));
+    for (const Bushing& bushing : vehicle_.bushings)
+      for (std::size_t k = 0; bushing.holds && k < 3; ++k) rates.push_back(bushing.stiffness[k].At(parameters_));
+    return Eigen::Map<const Eigen::VectorXd>(rates.data(), static_cast<Index>(rates.size()));
+  }
+
+  /// Of a sum over the tyres' feet, factors of each one's x and y.
+  using PlanGuide = std::vector<Eigen::Vector2d>;
+
+  /// Where the feet are on the ground as a whole: their middle, and their turn about it.
+  std::vector<PlanGuide> PlanGuides() const {
+    const auto count = static_cast<double>(vehicle_.tyres.size());
+    std::vector<Eigen::Vector2d> feet;
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (const Tyre& tyre : vehicle_.tyres) {
+      feet.emplace_back(design_.FootPosition(tyre, Eigen::Vector3d::UnitX()).value,
+                        design_.FootPosition(tyre, Eigen::Vector3d::UnitY()).value);
+      middle += feet.back() / count;
+    }
+    PlanGuide turn;
+    for (const Eigen::Vector2d& foot : feet) turn.emplace_back(-(foot - middle).y(), (foot - middle).x());
+    return {PlanGuide(feet.size(), Eigen::Vector2d::UnitX() / count),
+            PlanGuide(feet.size(), Eigen::Vector2d::UnitY() / count), turn};
+  }
+
+  Coordinate OnPlan(const PlanGuide& guide, const Kinematics& place) const {
+    Coordinate sum{.value = 0, .gradient = Eigen::VectorXd::Zero(multibody_.coordinate_count())};
+    for (std::size_t i = 0; i < guide.size(); ++i)
+      for (const Eigen::Index axis : {0, 1}) {
+        const Coordinate foot = place.FootPosition(vehicle_.tyres[i], Eigen::Vector3d::Unit(axis));
+        sum.value += guide[i][axis] * foot.value;
+        sum.gradient += guide[i][axis] * foot.gradient;
+      }
+    return sum;
+  }
+
+  /// Rolling tyres leave open where the car stands on the ground: of all poses at rest the one that stays there, unless
+  /// something else than tyres holds it.
   std::optional<RestSolver::Rest> Solve() {
+    keeps_place_ = !vehicle_.tyres.empty();
+    std::optional<RestSolver::Rest> rest = Approach();
+    if (!keeps_place_ || (rest && rest->forces.tail(kPlanGuides).norm() <= kTyped * Weight())) return rest;
+    keeps_place_ = false;
+    return Approach();
+  }
+
+  /// The forces that hold the design pose are taken away little by little.
+  std::optional<RestSolver::Rest> Approach() {
     constexpr int kSteps = 10;
     const RestSolver::Guide guide = [this](const Kinematics& place) { return Guides(place); };
     RestSolver::Rest rest{multibody_.design_pose(), {}};
@@ -152,15 +225,18 @@ class Settling {
 
   /// A motion that nothing holds leaves its force.
   bool IsAtRest(const RestSolver::Rest& rest, const RestSolver::Guide& guide) {
-    constexpr double kTyped = 1e-6;  // as of preloads in a file
     const Eigen::VectorXd lacking = solver_.Lacking(rest.q);
     const Eigen::MatrixXd loops = multibody_.LoopJacobian();
     const Eigen::MatrixXd held = guide(Here()).directions;
     Eigen::VectorXd left = lacking - loops.transpose() * rest.forces.head(loops.rows());
     left -= held.transpose() * rest.forces.tail(held.rows());
+    return left.norm() <= kTyped * std::max(Weight(), lacking.norm());
+  }
+
+  double Weight() const {
     double weight = 0;
     for (const Link& link : vehicle_.links) weight += link.mass.At(parameters_) * kGravity;
-    return left.norm() <= kTyped * std::max(weight, lacking.norm());
+    return weight;
   }
 
   void AddStruts(const Kinematics& place, const Eigen::VectorXd& forces, SettledPose& settled) const {
@@ -216,6 +292,8 @@ class Settling {
   std::vector<Eigen::Matrix3d> child_axes_;
   std::vector<std::array<Coordinate, 6>> design_places_;
   Preloads preloads_;
+  /// Whether the feet are to stay where they are on the ground.
+  bool keeps_place_ = false;
 };
 
 }  // namespace

@@ -13,8 +13,10 @@ namespace fourpost {
 
 /// Where a vehicle comes to rest on its platforms at height 0, in its full geometry, by its springs' given preloads and
 /// free lengths. What has its preload from equilibrium keeps its length of the design pose: a tyre the height of its
-/// foot, a spring its length, a bushing the place of its points; its force is whatever rest takes. Tyres roll until
-/// they carry nothing sideways or fore and aft, and dampers nothing but their gas.
+/// foot, a spring its length, a bushing the place of its points; its force is whatever rest takes, shared by rates
+/// where several can carry it, see PreloadMap. Tyres roll until they carry nothing sideways or fore and aft, and
+/// dampers nothing but their gas. Where only tyres hold the car, the middle of their feet stays, and
+/// their turn about it.
 struct SettledPose {
   struct Strut {
     /// "fp:spring 'coil'", as in messages; fp:tyre: the height of its foot, downward.

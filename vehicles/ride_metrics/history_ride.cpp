@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 
 #include "analysis/signals/spectrum.h"
-#include "analysis/signals/uniform_spline.h"
+#include "analysis/signals/spline_through.h"
 #include "analysis/text/option_check.h"
 
 namespace fourpost {
@@ -34,9 +34,7 @@ struct Derivatives {
 
 Derivatives DerivativesOf(const ArrayXd& signal, double rate_Hz) {
   const double step = 1 / rate_Hz;
-  const std::vector<double> values = Samples(signal);
-  const std::vector<double> reversed(values.rbegin(), values.rend());
-  const UniformSpline spline(0, step, values, SlopeAtStart(values, step), -SlopeAtStart(reversed, step));
+  const UniformSpline spline = SplineThrough({signal.data(), static_cast<std::size_t>(signal.size())}, 0, step);
   Derivatives derivatives{ArrayXd(signal.size()), ArrayXd(signal.size())};
   for (Index k = 0; k < signal.size(); ++k) {
     const UniformSpline::Point point = spline.At(std::min(static_cast<double>(k) * step, spline.end()));

@@ -187,11 +187,13 @@ std::vector<RideMetrics::Stop> SpectralRide::Answer::Stops() const {
     const Motion motion = ride.MotionOf(Reading(stop.sensor));
     for (const SpringLaw::Knee& knee : law.knees) {
       const double gap = knee.side * (knee.at - Mean(stop.sensor));
+      const bool is_bump = knee.side < 0;
+      const double contact = motion.deviation > 0 ? NormalShareBelow(-gap / motion.deviation) : (gap < 0 ? 1.0 : 0.0);
       stops.push_back({.stop = spring.name,
-                       .is_bump = knee.side<0, .gap_m = knee.side * knee.at, .left_m = gap - ride.PeakOf(motion),
-                                            .contact = motion.deviation> 0
-                                      ? NormalShareBelow(-gap / motion.deviation)
-                                      : 0});
+                       .is_bump = is_bump,
+                       .gap_m = knee.side * knee.at,
+                       .left_m = gap - ride.PeakOf(motion),
+                       .contact = contact});
     }
   }
   return stops;

@@ -73,10 +73,11 @@ ReportRemarks ResponseRemarks(const std::vector<ComparedChannel>& channels) {
       " (sign, scale, delay, position). If it is right, the model lacks a mechanism "
       "near " +
       ShownShort(std::sqrt(2.0) * worst->lower_Hz, 2) + " Hz" +
-      (worst->lower_Hz < 2 ? ". Small slow strokes are typical of dry friction. Add friction, or test these "
-                             "frequencies at two amplitudes: friction makes the gain depend on amplitude."
-                           : ". Repeat the recording at another amplitude: a nonlinear law changes with it, a missing "
-                             "degree of freedom does not.");
+      (worst->lower_Hz < 2
+           ? ". Large errors in small slow strokes are typical of dry friction. Add friction, or test these "
+             "frequencies at two amplitudes: friction makes the gain depend on amplitude."
+           : ". Repeat the recording at another amplitude: a nonlinear law changes with it, a missing "
+             "degree of freedom does not.");
   return remarks;
 }
 

@@ -37,17 +37,16 @@ inline const Finding kStaticLoadsHeavierThanMotion{
     "by up to {} standard deviations with correct loads), so between {} and {} kg in all are weighed too or not tared "
     "on "
     "the {} loads, such as wheelpans",
-    "weigh one or look it up, and subtract its mass there; or check the scale of the load cells in motion"};
+    "{}weigh one or look it up, and subtract its mass there; or check the scale of the load cells in motion"};
 inline const Finding kStaticLoadsLighterThanMotion{
     "loads-lighter-than-motion", Severity::kWarning,
     "the static loads add up to {} kg, but the dynamic forces alone give {} kg (standard deviation {} kg; models are "
     "off "
     "by up to {} standard deviations with correct loads), so between {} and {} kg in all are missing on the {} loads",
-    "add what was not weighed, or check the scale of the load cells in motion"};
+    "{}add what was not weighed, or check the scale of the load cells in motion"};
 inline const Finding kStaticLoadFarOff{"load-far-off", Severity::kWarning, "the fitted loads at rest are far off: {}",
-                                       "check for a load cell not tared, for a wheelpan or payload weighed too, for "
-                                       "bounds that exclude the solution{}, for "
-                                       "a standard deviation that is too small, and for channels that bias the masses "
-                                       "because the model lacks a mechanism"};
+                                       "{}check for a load cell not tared, for a wheelpan or payload weighed too, for "
+                                       "bounds that exclude the solution{}, and for a standard deviation that is too "
+                                       "small"};
 
 }  // namespace fourpost

@@ -139,6 +139,15 @@ bool IsShared(const Eigen::VectorXd& measured, const LoadsInMotion& motion) {
   return (off.sum() - largest) * measured.sum() > kMissed * motion.sd * rest;
 }
 
+/// A model that lacks a mechanism, such as dry friction, has wrong masses, and the loads are right.
+std::string LackingFirst(const FitResult& fit) {
+  constexpr double kLarge = 1.5;
+  if (!(fit.Misfit() > kLarge)) return "";
+  return "first add what the model lacks (`fourpost suggest`), since its residuals are " +
+         ShortNumber(fit.Misfit(), 2) +
+         " times what is expected and such a model has wrong masses; if it lacks nothing, ";
+}
+
 /// Whether it found something.
 bool LintWeight(const StaticLoadTest& static_loads, const FitResult& fit, const FittedLoads& loads,
                 Diagnostics& diagnostics) {
@@ -157,10 +166,11 @@ bool LintWeight(const StaticLoadTest& static_loads, const FitResult& fit, const 
   if (!IsShared(measured, *motion)) return false;
   const auto kg = [](double force_N, int digits) { return ShortNumber(force_N / kGravity, digits); };
   const double reach = kMissed * motion->sd;
-  diagnostics.Report(
-      more > 0 ? kStaticLoadsHeavierThanMotion : kStaticLoadsLighterThanMotion, {static_loads.plan.table.string()},
-      {kg(rest, 4), kg(motion->loads.sum(), 4), kg(motion->sd, 2), ShortNumber(kMissed, 2),
-       kg(std::abs(more) - reach, 2), kg(std::abs(more) + reach, 2), std::to_string(Corners(static_loads))});
+  diagnostics.Report(more > 0 ? kStaticLoadsHeavierThanMotion : kStaticLoadsLighterThanMotion,
+                     {static_loads.plan.table.string()},
+                     {kg(rest, 4), kg(motion->loads.sum(), 4), kg(motion->sd, 2), ShortNumber(kMissed, 2),
+                      kg(std::abs(more) - reach, 2), kg(std::abs(more) + reach, 2),
+                      std::to_string(Corners(static_loads)), LackingFirst(fit)});
   return true;
 }
 
@@ -191,7 +201,7 @@ void LintEach(const StaticLoadTest& static_loads, const Vehicle& vehicle, const 
   }
   if (text.empty()) return;
   ChannelWarnings(static_loads.plan.file, static_loads.plan.tyres, diagnostics)
-      .Report(kStaticLoadFarOff, first, {text, MassesAtBounds(fit)});
+      .Report(kStaticLoadFarOff, first, {text, LackingFirst(fit), MassesAtBounds(fit)});
 }
 
 /// Weight on the tyres that were weighed [N], masses at this end of their bounds.

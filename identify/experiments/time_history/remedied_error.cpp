@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "analysis/signals/fit_quality.h"
-#include "analysis/signals/uniform_spline.h"
+#include "analysis/signals/spline_through.h"
 
 namespace fourpost {
 namespace {
@@ -12,16 +12,13 @@ using Eigen::Index;
 
 double ErrorOf(const Eigen::VectorXd& measured, const Eigen::VectorXd& modelled, double rate_Hz, double factor,
                double delay_s) {
-  const std::vector<double> values(measured.begin(), measured.end());
-  const std::vector<double> backwards(values.rbegin(), values.rend());
   const double step_s = 1 / rate_Hz;
-  const UniformSpline spline(0, step_s, values, SlopeAtStart(values, step_s), -SlopeAtStart(backwards, step_s));
-  const double end_s = step_s * static_cast<double>(values.size() - 1);
+  const UniformSpline spline = SplineThrough({measured.data(), static_cast<std::size_t>(measured.size())}, 0, step_s);
   std::vector<double> remedied;
   std::vector<double> model;
   for (Index k = 0; k < modelled.size(); ++k) {
     const double t = step_s * static_cast<double>(k) + delay_s;
-    if (t < 0 || t > end_s) continue;
+    if (t < 0 || t > spline.end()) continue;
     remedied.push_back(factor * spline.At(t).value);
     model.push_back(modelled[k]);
   }

@@ -163,7 +163,11 @@ TEST(Choice, SaysWhichLimitNobodyMeetsAndByHowMuch) {
   Choice choice = Choose(request, {});
   EXPECT_FALSE(choice.best);
   // The least travel is 0.5.
-  EXPECT_THAT(choice.findings, Reports(kLimitUnattainable, 9, {"travel", "300 mm", "500 mm", "x 0"}));
+  EXPECT_THAT(choice.findings, Reports(kLimitUnattainable, 9, {"travel", "at most 300 mm", "x 0", "by 200 mm"}));
+  // Of two sides the one that is missed: travel is 1.5 at the most.
+  request.settings.limits = {{.metric = 2, .most = 1.9, .least = 1.8, .line = 9}};
+  choice = Choose(request, {});
+  EXPECT_THAT(choice.findings, Reports(kLimitUnattainable, 9, {"at least 1800 mm", "1900 mm", "x 10", "by 300 mm"}));
   request.settings.limits = {{.metric = 2, .most = 0.8, .line = 9}, {.metric = 0, .most = 1.1, .line = 10}};
   choice = Choose(request, {});
   EXPECT_FALSE(choice.best);
@@ -203,6 +207,40 @@ TEST(Choice, LeavesOutSettingsAndCarsWithoutAnAnswer) {
   EXPECT_THROW(Choose(request, {}), FaultyInput);
   request.spectra = [](std::span<const double>) -> MatrixXd { throw std::runtime_error("unstable"); };
   EXPECT_THROW(Choose(request, {}), FaultyInput);
+}
+
+// As of the damping of a mode that a setting does not have.
+TEST(Choice, LeavesOutSettingsOfWhichALimitIsNotKnown) {
+  ChoiceRequest request = StandIn(0, 0);
+  request.settings.limits = {{.metric = 2, .most = 2, .line = 9}};
+  request.spectra = [](std::span<const double> p) {
+    MatrixXd metrics = StandInMetrics(p);
+    if (p[0] > 1.25 && p[0] < 1.35) metrics(0, 2) = std::nan("");
+    return metrics;
+  };
+  // Engines over time know no limit at all, and are compared nevertheless.
+  request.histories = [](std::span<const double> p) {
+    MatrixXd metrics = StandInMetrics(p);
+    metrics(0, 2) = std::nan("");
+    return metrics;
+  };
+  const Choice choice = Choose(request, {});
+  EXPECT_THAT(choice.findings, Reports(kSettingsWithoutRide, {"11 of 121", "x 8, y 0", "line 9"}));
+  EXPECT_NE(choice.rows[choice.best.value()].setting[0], 8);
+  EXPECT_THAT(choice.findings, testing::Not(Reports(kEngineWithoutRide)));
+  EXPECT_FALSE(choice.checks.empty());
+}
+
+// The first setting has no answer, which must not count as one that meets all limits.
+TEST(Choice, NamesTheSettingThatMeetsLimitsMostOften) {
+  ChoiceRequest request = StandIn();
+  request.settings.limits = {{.metric = 2, .most = 0.8, .line = 9}, {.metric = 0, .most = 1.1, .line = 10}};
+  request.spectra = [](std::span<const double> p) {
+    if (p[0] < 0.55) throw std::runtime_error("unstable");
+    return StandInMetrics(p);
+  };
+  EXPECT_THAT(Choose(request, {}).findings,
+              AllOf(Reports(kLimitsContradict, {"90"}), testing::Not(Reports(kLimitsContradict, {"x 0, y 0"}))));
 }
 
 TEST(Choice, ComparesEnginesAndSaysWhereTheyDisagree) {

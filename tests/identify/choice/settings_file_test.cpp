@@ -201,5 +201,16 @@ TEST_F(SettingsFileTest, NamesFaultsOfRoadsObjectivesAndLimits) {
   EXPECT_THAT(Faults(knob + "draws: 1\n"), Reports(kKeyNotInteger, 2));
 }
 
+TEST_F(SettingsFileTest, AnObjectiveListMustNameOne) {
+  const std::string knob = "knobs: {spring: {sets: k, values: [10 kN/m, 12 kN/m]}}\n";
+  for (const char* none : {"objectives: []\n", "objectives: {}\n", "objectives:\n"})
+    EXPECT_THAT(Faults(knob + none), Reports(kObjectivesNone)) << none;
+}
+
+TEST_F(SettingsFileTest, APositionStandsOnce) {
+  EXPECT_THAT(Faults("knobs: {spring: {sets: k, values: [10 kN/m, 12 kN/m, 10 kN/m]}}\n"),
+              Reports(kKnobPositionTwice, {"spring", "10 kN/m"}));
+}
+
 }  // namespace
 }  // namespace fourpost

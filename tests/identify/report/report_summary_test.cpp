@@ -55,6 +55,14 @@ TEST(Summary, TellsTheMisfitWhateverTheLoss) {
   EXPECT_THAT(SummaryOf(result, Known()), HasSubstr("Residuals are 2.1 times what noise"));
 }
 
+TEST(Summary, AsksForSmallerDeviationsWhereResidualsAreFarBelow) {
+  Json result = Good();
+  result["misfit"] = 0.1;
+  EXPECT_THAT(SummaryOf(result, Known()), HasSubstr("state smaller ones, such as <code>model_error</code>"));
+  result["misfit"] = 0.5;
+  EXPECT_THAT(SummaryOf(result, Known()), Not(HasSubstr("state smaller ones")));
+}
+
 TEST(Summary, ListsWarnings) {
   Json result = Good();
   EXPECT_THAT(SummaryOf(result, Known()), Not(HasSubstr("Warnings")));

@@ -35,6 +35,15 @@ TEST(ParameterTable, TellsIntervalsThatReachBeyondABound) {
               AllOf(HasSubstr("class=\"interval below above\""), HasSubstr("interval reaches beyond both bounds")));
 }
 
+TEST(ParameterTable, SaysHowMuchOfADeviationIsThatOfHeldOnes) {
+  ReportedParameter wide = Known();
+  wide.limited_by = "held: kt";
+  wide.held_factor = 4;
+  EXPECT_THAT(ParameterTableHtml({wide}, ""), HasSubstr("limited by held: kt (4.0 times smaller if that were known)"));
+  wide.held_factor = 1.2;
+  EXPECT_THAT(ParameterTableHtml({wide}, ""), Not(HasSubstr("if that were known")));
+}
+
 TEST(ParameterTable, DoesNotCallDeterminedWhatABoundHolds) {
   ReportedParameter held = Known();
   held.value = 50;

@@ -48,6 +48,21 @@ TEST(StudyAudit, ScaleIsAWarning) {
   EXPECT_THAT(found, Reports(kRigScale, Sines(study).plan.channels[7].second.line));
 }
 
+// The fit then knows of it, and says itself when it is further off than stated.
+TEST(StudyAudit, IsSilentOfWhatACalibrationAllowsFor) {
+  LoadedStudy study = ShippedStudy();
+  const auto& channels = Sines(study).plan.channels;
+  for (const auto& [name, source] : channels)
+    if (name.starts_with("a_")) Scale(study, name, 1.03);
+  ASSERT_THAT(Findings(study), Reports(kRigScale));
+  study.study.calibrations = {{.kind = Calibration::Kind::kGain, .of = "accelerometers", .sd = 0.02}};
+  EXPECT_EQ(Findings(study).Format(), "");
+  study.study.calibrations[0].sd = 0.005;
+  EXPECT_THAT(Findings(study), Reports(kRigScale));
+  study.study.calibrations = {{.kind = Calibration::Kind::kGain, .of = "struts", .sd = 0.02}};
+  EXPECT_THAT(Findings(study), Reports(kRigScale));
+}
+
 TEST(StudyAudit, UnitIsNamedByItsRatio) {
   LoadedStudy study = ShippedStudy();
   Scale(study, "s_strut_rear", 25.4);

@@ -45,5 +45,15 @@ TEST(Calibration, ReportsAllFaultsAtOnce) {
   EXPECT_THAT(findings, Reports(kCalibrationOffset));
 }
 
+TEST(Calibration, OfAGainIsNotAsLargeAsTheGain) {
+  Diagnostics findings;
+  Read("gain: {accelerometers: 100 %, a_cg: 50 %}\n", findings);
+  EXPECT_EQ(findings.items().size(), 1U);
+  EXPECT_THAT(findings, Reports(kCalibrationGainWide, 1, {"accelerometers", "100 %"}));
+  findings = {};
+  Read("gain: {accelerometers: 1}\n", findings);
+  EXPECT_THAT(findings, Reports(kKeyNotQuantity, 1, {"share", "%"}));
+}
+
 }  // namespace
 }  // namespace fourpost

@@ -44,6 +44,19 @@ TEST_F(VehicleEdits, AddAChildAndTakeOneOut) {
                                    R"(<bilinear bump="2*$c"   rebound="$r"/>)", ""));
 }
 
+// Both at one place of the text, in either order.
+TEST(VehicleEditOfCompactText, AddsAChildWhereOneIsTakenOut) {
+  const std::string text = R"(<robot name="r"><fp:damper name="d"><linear rate="1"/></fp:damper></robot>)";
+  for (const bool is_added_first : {true, false}) {
+    VehicleEdit edit(text);
+    const tinyxml2::XMLElement& damper = *edit.Find("fp:damper", "d");
+    if (is_added_first) edit.AddChild(damper, "<x/>");
+    edit.Remove(*damper.FirstChildElement());
+    if (!is_added_first) edit.AddChild(damper, "<x/>");
+    EXPECT_EQ(edit.Text(), "<robot name=\"r\"><fp:damper name=\"d\">\n    <x/></fp:damper></robot>");
+  }
+}
+
 TEST_F(VehicleEdits, OpenAnElementThatWasClosed) {
   edit_.AddChild(*edit_.Find("fp:tyre", "t"), "<x/>");
   EXPECT_EQ(edit_.Text(), Replaced(text_, R"("1 N/m"/>)", "\"1 N/m\">\n    <x/>\n  </fp:tyre>"));

@@ -64,6 +64,49 @@ TEST(SettledPose, StaysWhereTheDesignPoseIsAtRest) {
   }
 }
 
+// As `check` and all responses have them: on four wheels forces alone do not determine the loads.
+TEST(SettledPose, ForcesOfADesignPoseAtRestAreThePreloads) {
+  for (const char* name : {"independent_roadster", "landrover110_model3"}) {
+    Vehicle vehicle = ShippedVehicle(name);
+    // More mass on the left.
+    for (Link& link : vehicle.links)
+      if (link.mass.At(vehicle.ParameterValues()) > 400) link.com[1] = Scalar{0.05};
+    const SettledPose pose = Settled(vehicle);
+    const double most = pose.tyres.at(0).holding_force.value();
+    EXPECT_GT(std::abs(most - pose.tyres.at(1).holding_force.value()), 10) << name;
+    for (const std::vector<SettledPose::Strut>& struts : {pose.springs, pose.tyres})
+      for (const SettledPose::Strut& strut : struts) {
+        if (!strut.is_held || !strut.holding_force) continue;
+        EXPECT_NEAR(strut.force, *strut.holding_force, 1e-6 * most) << strut.element;
+      }
+  }
+}
+
+// Rolling tyres would let it turn about the vertical by degrees, and nothing would turn it back.
+TEST(SettledPose, KeepsItsPlaceOnTheGround) {
+  Vehicle vehicle = ShippedVehicle("independent_roadster");
+  for (Link& link : vehicle.links)
+    if (link.name == "body") link.com[1] = Scalar{0.06};
+  for (Spring& spring : vehicle.springs)
+    if (spring.kind == Spring::Kind::kCoil)
+      spring.free_length = Scalar{spring.name.starts_with("front") ? 0.456 : 0.305};
+  const SettledPose pose = Settled(vehicle);
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+    if (vehicle.links[i].name != "body") continue;
+    const Eigen::Matrix3d turn = pose.rest[i].linear() * pose.design[i].linear().transpose();
+    EXPECT_GT(std::abs(turn(2, 1)), 0.005);  // else this tests nothing
+    // What the arms steer by roll.
+    EXPECT_LT(std::abs(turn(1, 0)), 0.002);
+    EXPECT_LT((pose.rest[i].translation() - pose.design[i].translation()).head<2>().norm(), 0.02);
+  }
+  // Nothing pushes sideways.
+  double loads = 0;
+  for (const SettledPose::Strut& tyre : pose.tyres) loads += tyre.force;
+  double mass = 0;
+  for (const Link& link : vehicle.links) mass += link.mass.At(vehicle.ParameterValues());
+  EXPECT_NEAR(loads, mass * kGravity, 1e-6 * loads);
+}
+
 // With the length that it reports the vehicle stays.
 TEST(SettledPose, HoldingLengthHoldsTheDesignPose) {
   const double length = Settled(VehicleOf(WithFreeLength("360 mm"))).springs.at(0).holding_length.value();

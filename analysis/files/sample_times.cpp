@@ -1,0 +1,100 @@
+#include "analysis/files/sample_times.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/files/findings.h"
+#include "analysis/signals/median.h"
+#include "analysis/text/number.h"
+
+namespace fourpost {
+namespace {
+
+/// A column that looks like times.
+std::optional<std::string> EvenlyRising(const RecordedTable& table) {
+  for (std::size_t column = 0; column < table.names().size(); ++column) {
+    std::vector<double> steps;
+    for (std::size_t row = 1; row < table.rows(column); ++row)
+      steps.push_back(table.Number(row, column).value_or(NAN) - table.Number(row - 1, column).value_or(NAN));
+    if (steps.size() < 3) continue;
+    const double usual = (table.Number(steps.size(), column).value_or(NAN) - table.Number(0, column).value_or(NAN)) /
+                         static_cast<double>(steps.size());
+    const auto is_even = [&](double step) { return std::abs(step - usual) < 0.5 * usual; };
+    if (std::all_of(steps.begin(), steps.end(), is_even)) return table.names()[column];
+  }
+  return std::nullopt;
+}
+
+class TimeCheck {
+ public:
+  TimeCheck(const RecordedTable& table, const std::vector<double>& times, Diagnostics& diagnostics)
+      : table_(table), times_(times), diagnostics_(diagnostics) {}
+
+  std::optional<double> Step() {
+    if (times_.size() < 4) return Refused(kTooFewSamples, 0, {std::to_string(times_.size())});
+    const std::vector<double> steps = StepsOf(times_);
+    const double usual = Median(steps);
+    if (DoStepBack(steps))
+      if (const std::optional<std::string> even = EvenlyRising(table_)) return Refused(kTimeStepsBack, 0, {*even});
+    if (!(usual > 0)) return Refused(kTimeDoesNotRise, 0);
+    if (!AreEven(steps, usual)) return std::nullopt;
+    const double step = (times_.back() - times_.front()) / static_cast<double>(steps.size());
+    return DoDrift(step) ? std::nullopt : std::optional(step);
+  }
+
+ private:
+  std::nullopt_t Refused(const Finding& kind, int line, const std::vector<std::string>& words = {}) {
+    diagnostics_.Report(kind, {table_.file(), line}, words);
+    return std::nullopt;
+  }
+
+  bool AreEven(const std::vector<double>& steps, double usual) {
+    int found = 0;
+    for (std::size_t k = 0; k < steps.size() && found < kMostSampleFaults; ++k) {
+      // Half a step is more than any rounding of times, and less than a sample that is lost.
+      if (std::abs(steps[k] - usual) < 0.5 * usual) continue;
+      ++found;
+      Refused(kTimeStepUneven, table_.line(k + 1),
+              {FormatNumber(times_[k]) + " s", FormatNumber(times_[k + 1]) + " s", SecondsText(usual)});
+    }
+    return found == 0;
+  }
+
+  /// Steps that each look well may still add up to another rate.
+  bool DoDrift(double step) {
+    std::size_t worst = 0;
+    const auto off = [&](std::size_t k) { return times_[k] - times_.front() - step * static_cast<double>(k); };
+    for (std::size_t k = 0; k < times_.size(); ++k)
+      if (std::abs(off(k)) > std::abs(off(worst))) worst = k;
+    if (std::abs(off(worst)) < 0.5 * step) return false;
+    Refused(kTimeDrifts, table_.line(worst), {SecondsText(off(worst)), SecondsText(step)});
+    return true;
+  }
+
+  const RecordedTable& table_;
+  const std::vector<double>& times_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+std::string SecondsText(double time_s) { return FormatNumber(std::round(1e9 * time_s), -9) + " s"; }
+
+std::vector<double> StepsOf(const std::vector<double>& times) {
+  std::vector<double> steps(times.empty() ? 0 : times.size() - 1);
+  for (std::size_t k = 0; k < steps.size(); ++k) steps[k] = times[k + 1] - times[k];
+  return steps;
+}
+
+bool DoStepBack(const std::vector<double>& steps) {
+  constexpr double kOften = 0.3;
+  const auto back = std::count_if(steps.begin(), steps.end(), [](double step) { return step < 0; });
+  return static_cast<double>(back) > kOften * static_cast<double>(steps.size());
+}
+
+std::optional<double> EvenStepOf(const RecordedTable& table, const std::vector<double>& times,
+                                 Diagnostics& diagnostics) {
+  return TimeCheck(table, times, diagnostics).Step();
+}
+
+}  // namespace fourpost

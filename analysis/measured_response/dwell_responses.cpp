@@ -1,0 +1,113 @@
+#include "analysis/measured_response/dwell_responses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "analysis/measured_response/findings.h"
+#include "analysis/signals/median.h"
+#include "analysis/text/text_table.h"
+
+namespace fourpost {
+
+void DwellResponses::Add(const LookedAt& looked) {
+  const RigSignals signals = looked.recording.Signals();
+  std::vector<DwellResponse> responses = RespondInDwells(signals, looked.dwells, work_.reference);
+  if (responses.empty()) {
+    work_.Fault(kResponseNoDwell, looked.file, {looked.recording.posts[looked.largest_post]});
+    return;
+  }
+  const std::vector<double> rest = LevelsAtRest(signals, looked.dwells);
+  has_rest_ = has_rest_ && !rest.empty();
+  for (DwellResponse& response : responses) {
+    for (std::size_t c = 0; c < rest.size(); ++c) response.channels[c].mean -= rest[c];
+    UndoFilter(response);
+    ++work_.out.dwells;
+    cycles_.push_back(response.cycles);
+    if (!response.is_settled && work_.out.unsettled++ == 0) unsettled_Hz_ = response.frequency_Hz;
+    dwells_.push_back(std::move(response));
+  }
+}
+
+void DwellResponses::UndoFilter(DwellResponse& response) const {
+  if (!work_.request.filter) return;
+  response.amplitude /= work_.Passed(response.frequency_Hz);
+  for (DwellChannel& channel : response.channels)
+    for (std::size_t h = 0; h < channel.harmonics.size(); ++h)
+      channel.harmonics[h] /= work_.Passed(static_cast<double>(h + 1) * response.frequency_Hz);
+}
+
+void DwellResponses::Finish() {
+  const std::filesystem::path& file = work_.request.files.front();
+  work_.out.median_cycles = Median(cycles_);
+  work_.out.has_rest = has_rest_;
+  if (work_.out.unsettled > 0)
+    work_.Fault(kResponseNotSettled, file,
+                {std::to_string(work_.out.unsettled), std::to_string(work_.out.dwells), Rounded(unsettled_Hz_, 3)});
+  for (const DwellGroup& group : GroupsOf(dwells_)) work_.out.responses.push_back(ResponseOf(group));
+  CheckFilter(file);
+}
+
+MeasuredResponse DwellResponses::ResponseOf(const DwellGroup& group) {
+  MeasuredResponse out = work_.Blank(group.shares);
+  out.name = work_.NameFor(out);
+  std::vector<double> rests;
+  std::vector<DwellResponse> means;
+  for (const std::vector<DwellResponse>& repeats : group.frequencies) {
+    means.push_back(MeanOf(repeats));
+    const DwellResponse& mean = means.back();
+    rests.push_back(mean.shares.rest);
+    out.repeats.push_back(static_cast<int>(repeats.size()));
+    out.response.frequency_Hz.push_back(mean.frequency_Hz);
+    out.response.amplitude_m.push_back(mean.amplitude);
+    for (std::size_t c = 0; c < work_.names.size(); ++c) AddDwell(mean, c, out.response.channels[c]);
+  }
+  for (std::size_t c = 0; c < work_.names.size(); ++c) AddQuality(means, c, out);
+  work_.CheckPosts(Median(rests), out);
+  return out;
+}
+
+void DwellResponses::AddDwell(const DwellResponse& dwell, std::size_t c, ChannelResponse& channel) const {
+  const DwellChannel& measured = dwell.channels[c];
+  AddResponse(measured.response, measured.variance, dwell.frequency_Hz, channel);
+  if (has_rest_) channel.mean.push_back(measured.mean);
+  channel.second_harmonic.push_back(measured.harmonics.size() > 1 ? measured.harmonics[1] : 0);
+}
+
+void DwellResponses::AddQuality(const std::vector<DwellResponse>& means, std::size_t c, MeasuredResponse& out) const {
+  ChannelQuality quality = QualityOf(out.response.channels[c]);
+  quality.distortion = 0;
+  for (const DwellResponse& mean : means) {
+    const DwellChannel& channel = mean.channels[c];
+    // Next to a node anything is large.
+    constexpr double kNode = 0.2;
+    if (channel.harmonics.front() < kNode * LoudestLike(c, mean)) continue;
+    // Noise has harmonics, too: four of them.
+    const double noise = std::sqrt(4 * channel.variance) / std::abs(channel.response);
+    const double distortion = std::sqrt(std::max(0.0, std::pow(channel.Distortion(), 2) - noise * noise));
+    if (distortion <= quality.distortion) continue;
+    quality.distortion = distortion;
+    quality.distortion_Hz = mean.frequency_Hz;
+  }
+  out.channels.push_back(std::move(quality));
+}
+
+double DwellResponses::LoudestLike(std::size_t c, const DwellResponse& mean) const {
+  double loudest = 0;
+  for (std::size_t other = 0; other < work_.units.size(); ++other)
+    if (work_.units[other] == work_.units[c]) loudest = std::max(loudest, mean.channels[other].harmonics.front());
+  return loudest;
+}
+
+void DwellResponses::CheckFilter(const std::filesystem::path& file) {
+  constexpr double kLittle = 0.1;
+  for (const MeasuredResponse& response : work_.out.responses) {
+    const double highest = response.response.frequency_Hz.back();
+    if (const double passed = work_.Passed(highest); passed < kLittle) {
+      work_.Fault(kResponseFilterTooLow, file, {Rounded(100 * passed, 2), Rounded(highest, 3)});
+      return;
+    }
+  }
+}
+
+}  // namespace fourpost

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "identify/choice/choice.h"
+
+namespace fourpost {
+
+/// Rates the settings of a table, and names the best one where one is admitted: rows of the choice, its front, clicks,
+/// what decides and what to test next, with findings. `request` has a row of draws or more, those of the table. Throws
+/// FaultyInput where the present setting has no answer.
+void RateSettings(const ChoiceRequest& request, const SettingTable& table, Choice& choice);
+
+}  // namespace fourpost

@@ -1,0 +1,36 @@
+#include "identify/run/fit_text.h"
+
+#include <gmock/gmock.h>
+
+namespace fourpost {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string TextOf(const FitResult& fit) { return FitText(fit, {}, {}, "", nullptr); }
+
+TEST(FitText, SaysHowMuchOfADeviationIsThatOfHeldOnes) {
+  FitResult fit;
+  fit.parameters = {{.name = "k", .value = 2, .lower = 1, .upper = 3, .limited_by = "held: kt", .unit = "1"}};
+  FittedParameter& k = fit.parameters[0];
+  k.sd = 0.4;
+  k.noise_sd = 0.1;
+  EXPECT_THAT(TextOf(fit), HasSubstr("sd 4.0 times smaller if that were known"));
+  k.model_sd = 0.38;
+  EXPECT_THAT(TextOf(fit), Not(HasSubstr("if that were known")));
+}
+
+TEST(FitText, AsksForSmallerDeviationsWhereResidualsAreFarBelow) {
+  FitResult fit;
+  fit.covariance.emplace();
+  fit.covariance->rank = 1;
+  fit.residual_count = 101;
+  fit.data_squares = 100 * 0.25 * 0.25;
+  EXPECT_THAT(TextOf(fit), HasSubstr("state smaller ones, such as 'model_error'"));
+  fit.data_squares = 100 * 0.35 * 0.35;
+  EXPECT_THAT(TextOf(fit), Not(HasSubstr("state smaller ones")));
+}
+
+}  // namespace
+}  // namespace fourpost
