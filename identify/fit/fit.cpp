@@ -202,7 +202,8 @@ std::optional<ParameterSpread> FitResult::Spread() const {
                          .values = std::move(fitted),
                          .judged = certainty->judged,
                          .noise = certainty->noise_covariance,
-                         .total = certainty->total_covariance};
+                         .total = certainty->total_covariance,
+                         .threads = options.threads};
 }
 
 void FitResult::DropDeviations() {

@@ -4,18 +4,21 @@
 #include <cmath>
 
 #include "identify/refine/fit_variables.h"
+#include "identify/search/parallel.h"
 
 namespace fourpost {
 
-Eigen::MatrixXd OutputJacobian(const ParameterSpread& spread, Eigen::Index outputs, const OutputsOf& outputs_of) {
+Eigen::MatrixXd OutputJacobian(const ParameterSpread& spread, Eigen::Index outputs, const OutputsOf& outputs_of,
+                               int threads) {
   constexpr double kShare = 0.1;
   constexpr double kLeast = 1e-5;
   constexpr double kMost = 1e-2;
   const FitVariables variables(spread.lattice);
   const Eigen::VectorXd centre = variables.FromValues(spread.values);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(outputs, static_cast<Eigen::Index>(spread.judged.size()));
-  for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
-    const Eigen::Index j = spread.judged[static_cast<std::size_t>(k)];
+  ForEachInParallel(spread.judged.size(), threads, [&](std::size_t column) {
+    const auto k = static_cast<Eigen::Index>(column);
+    const Eigen::Index j = spread.judged[column];
     const double step = std::clamp(kShare * std::sqrt(spread.total(k, k)), kLeast, kMost);
     const double above = std::min(centre[j] + step, variables.upper()[j]);
     const double below = std::max(centre[j] - step, variables.lower()[j]);
@@ -30,7 +33,7 @@ Eigen::MatrixXd OutputJacobian(const ParameterSpread& spread, Eigen::Index outpu
     const Eigen::VectorXd down = at(below);
     if (up.size() == outputs && down.size() == outputs && above > below)
       jacobian.col(k) = (up - down) / (above - below);
-  }
+  });
   return jacobian;
 }
 

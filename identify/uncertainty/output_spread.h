@@ -13,8 +13,10 @@ using OutputsOf = std::function<Eigen::VectorXd(const Eigen::VectorXd& values)>;
 
 /// d outputs / d FitVariables of the judged parameters at the fitted values, m x judged, by central differences, one
 /// sided at a bound; two evaluations each. The steps are a tenth of the deviations, so that kinks are seen on the scale
-/// on which the parameters are known. A column that cannot be evaluated is zero.
-Eigen::MatrixXd OutputJacobian(const ParameterSpread& spread, Eigen::Index outputs, const OutputsOf& outputs_of);
+/// on which the parameters are known. A column that cannot be evaluated is zero. `threads`: that call `outputs_of` at
+/// once.
+Eigen::MatrixXd OutputJacobian(const ParameterSpread& spread, Eigen::Index outputs, const OutputsOf& outputs_of,
+                               int threads = 1);
 
 /// Variances of the outputs, J S J' on its diagonal, to first order (Gauss).
 Eigen::VectorXd OutputVariances(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& covariance);

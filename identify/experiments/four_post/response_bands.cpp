@@ -1,5 +1,6 @@
 #include "identify/experiments/four_post/response_bands.h"
 
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -62,8 +63,9 @@ ResponseBands BandsOfResponse(const Subject& subject, const MeasuredRun& run, co
   const FreedParameters freed(spread, subject.vehicle());
   if (!freed.AreKnown() || discrepancies.empty()) return {};
   ResponseBands bands;
+  std::atomic<std::int64_t> evaluations = 0;
   const auto response_at = [&](const Eigen::VectorXd& free) -> Eigen::VectorXd {
-    ++bands.evaluations;
+    ++evaluations;
     try {
       const CondensedModel model = subject.Condensed()->At(freed.AllWith(free));
       return AlongPhasors(run, modelled, ModelledResponses(model, subject.vehicle().sensors, {run}).front());
@@ -72,7 +74,9 @@ ResponseBands BandsOfResponse(const Subject& subject, const MeasuredRun& run, co
     }
   };
   const Index count = AlongPhasors(run, modelled, modelled).size();
-  const Eigen::VectorXd variances = OutputVariances(OutputJacobian(spread, count, response_at), spread.total);
+  const Eigen::VectorXd variances =
+      OutputVariances(OutputJacobian(spread, count, response_at, spread.threads), spread.total);
+  bands.evaluations = evaluations;
   Index next = 0;
   for (const MeasuredChannel& channel : run.channels) {
     ChannelBand band;
