@@ -1,5 +1,8 @@
 #include "identify/api/errors.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "analysis/text/nearest.h"
 #include "identify/api/findings.h"
 
@@ -20,6 +23,17 @@ std::vector<Finding> FindingsOf(const Diagnostics& diagnostics) {
 void RefuseName(const std::string& noun, const std::string& name, const std::vector<std::string>& known) {
   Guarded([&] { Refuse(kNameUnknown, {}, {noun, name, DidYouMeanOrAll(name, known)}); });
   throw std::logic_error("unreachable");
+}
+
+void RefuseArgument(const std::string& why) {
+  Diagnostics found;
+  found.Report(kArgumentRefused, {}, {why});
+  throw Error(Error::Kind::kInput, found.Format(), FindingsOf(found));
+}
+
+void RequireFinite(const std::string& what, std::span<const double> numbers) {
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  if (!std::all_of(numbers.begin(), numbers.end(), is_finite)) Refuse(kNumberNotFinite, {}, {what});
 }
 
 }  // namespace fourpost::api

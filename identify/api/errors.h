@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,12 @@ std::vector<Finding> FindingsOf(const Diagnostics& diagnostics);
 /// Throws Error of kInput for a name that is none of `known`; `noun`: "sensor".
 [[noreturn]] void RefuseName(const std::string& noun, const std::string& name, const std::vector<std::string>& known);
 
+/// Throws Error of kInput for a value that the library's own code refuses, in its words.
+[[noreturn]] void RefuseArgument(const std::string& why);
+
+/// Throws FaultyInput unless all numbers of `what` are finite.
+void RequireFinite(const std::string& what, std::span<const double> numbers);
+
 /// Calls; what the library's own code throws becomes an Error.
 template <typename Call>
 auto Guarded(const Call& call) {
@@ -27,6 +35,8 @@ auto Guarded(const Call& call) {
     throw Error(Error::Kind::kOutput, error.what(), FindingsOf(error.diagnostics()));
   } catch (const SimulationError& error) {
     throw Error(Error::Kind::kSimulation, error.what(), {});
+  } catch (const std::invalid_argument& error) {
+    RefuseArgument(error.what());
   }
 }
 
