@@ -49,7 +49,7 @@ def test_warnings_of_a_file_are_those_of_python(tmp_path):
     text = (STARTER / "vehicle.urdf").read_text()
     file = tmp_path / "car.urdf"
     # Used by nothing.
-    extra = '<fp:parameter name="idle" value="1" lower="0.5" upper="2"/>\n'
+    extra = '<fp:parameter name="idle" value="1 m" source="guess"/>\n'
     file.write_text(text.replace("</robot>", extra + "</robot>"))
     with pytest.warns(fp.InputWarning) as caught:
         fp.load(file)
