@@ -19,7 +19,7 @@ Quantity = Union[str, float]
 
 def vector(what: str, numbers: npt.ArrayLike) -> Floats:
     """One dimension; a single number is one value."""
-    array = np.atleast_1d(np.asarray(numbers, dtype=float))
+    array: Floats = np.atleast_1d(np.asarray(numbers, dtype=float))
     if array.ndim != 1:
         raise refuse("table-shape", f"{what} has {array.ndim} dimensions: give one")
     return array
@@ -66,7 +66,7 @@ def warn(findings: Iterable[Finding]) -> None:
     """Those that are warnings, as warnings of Python."""
     for finding in findings:
         if finding.severity == "warning":
-            warnings.warn(InputWarning(str(finding), finding), stacklevel=3)
+            warnings.warn(InputWarning(finding), stacklevel=3)
 
 
 def parameter_frame(rows: Sequence[tuple[Any, ...]], columns: Sequence[str]) -> pd.DataFrame:

@@ -50,7 +50,11 @@ class OutputError(Error):
 
 
 class InputWarning(UserWarning):
-    """A warning about the input; its first argument is the Finding."""
+    """A warning about the input."""
+
+    def __init__(self, finding: Finding):
+        super().__init__(str(finding))
+        self.finding = finding
 
 
 def refuse(id: str, text: str) -> InputError:

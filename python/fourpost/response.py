@@ -54,7 +54,8 @@ class Response:
         return list(self.units)
 
     def __getitem__(self, sensor: str) -> Complexes:
-        return self.frf[_place(self.sensors, sensor)]
+        row: Complexes = self.frf[_place(self.sensors, sensor)]
+        return row
 
     def to_frame(self) -> pd.DataFrame:
         """A row per sensor and frequency, with the columns of `response.csv`: gain, phase_deg, mean, second_harmonic."""
@@ -143,7 +144,8 @@ class History:
 
     def __getitem__(self, sensor: str) -> Floats:
         _place(list(self.units), sensor)
-        return self.frame[sensor].to_numpy()
+        column: Floats = self.frame[sensor].to_numpy()
+        return column
 
     def _repr_html_(self) -> str:
         from . import _html

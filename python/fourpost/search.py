@@ -8,6 +8,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import Floats
+from .errors import SimulationError
 
 
 class Axis(NamedTuple):
@@ -42,9 +43,23 @@ def minimise(axes: Mapping[str, Axis | tuple[float, float, float]], residuals: C
     method: as `fourpost compare --methods`.
     target: ends the search where the cost is as low.
 
-    Raises InputError (`search-axes`, `search-method`), and SimulationError where every evaluation fails.
+    Raises InputError (`search-axes`, `search-method`), and SimulationError where every evaluation fails, with the first
+    exception of `residuals` as its cause.
     """
     rows = [(name, float(axis[0]), float(axis[1]), float(axis[2]), len(axis) > 3 and bool(axis[-1]))
             for name, axis in axes.items()]
-    values, cost, count, reason = _core.minimise(rows, residuals, method, seed, evaluations, target)
+    causes: list[Exception] = []
+
+    def watched(x: Floats) -> npt.ArrayLike:
+        try:
+            return residuals(x)
+        except Exception as cause:
+            if not causes:
+                causes.append(cause)
+            raise
+
+    try:
+        values, cost, count, reason = _core.minimise(rows, watched, method, seed, evaluations, target)
+    except SimulationError as failure:
+        raise failure from (causes[0] if causes else None)
     return Minimum(dict(zip(axes, map(float, values))), cost, count, reason)

@@ -73,8 +73,9 @@ def test_residuals_of_ones_own_are_minimised():
     minimum = fp.minimise({"a": (-5, 5, 0.01), "b": fp.Axis(1, 20, 1, discrete=True)},
                           lambda x: [x[0] - 1.23, x[1] - 7], evaluations=2000, target=1e-6)
     assert minimum.values["a"] == pytest.approx(1.23, abs=1e-3) and minimum.values["b"] == 7
-    with pytest.raises(fp.SimulationError, match="ZeroDivisionError"):
+    with pytest.raises(fp.SimulationError) as raised:
         fp.minimise({"a": (0, 1, 0.1)}, lambda x: 1 / 0, evaluations=20)
+    assert isinstance(raised.value.__cause__, ZeroDivisionError)
     with pytest.raises(fp.InputError) as raised:
         fp.minimise({"a": (1, 0, 0.1)}, lambda x: x)
     assert raised.value.ids == ["search-axes"]

@@ -1,52 +1,35 @@
 """The package's types and its stubs, by mypy."""
 import os
-import pathlib
+import re
 import subprocess
 import sys
 
-import fourpost
 from conftest import SOURCE
+from fourpost import _core
 
 PACKAGE = SOURCE / "python/fourpost"
 
 
-def mypy(*words, folder):
+def test_package_and_callers_are_strictly_typed(tmp_path):
+    # Debian's pandas and xarray have no types.
+    (tmp_path / "mypy.ini").write_text(
+        "[mypy]\nstrict = True\n[mypy-pandas.*,xarray.*]\nignore_missing_imports = True\n")
+    (tmp_path / "caller.py").write_text(
+        "import fourpost as fp\n"
+        "run = fp.fit('study.yaml', threads=2, progress=print)\n"
+        "gain = abs(run.vehicle.response('roll', k='50 kN/m')['a'])\n"
+        "x: float = run.cost\n"
+        "fp.fit('study.yaml', threads='two')\n")
     # The links of the build point to the same files.
     environment = {**os.environ, "MYPYPATH": str(SOURCE / "python")}
-    outcome = subprocess.run([sys.executable, "-m", *words], cwd=folder, env=environment, capture_output=True, text=True)
-    assert outcome.returncode == 0, outcome.stdout + outcome.stderr
-
-
-def settings(folder):
-    # Debian's pandas and xarray have no types.
-    file = folder / "mypy.ini"
-    file.write_text("[mypy]\nstrict = True\n[mypy-pandas.*,xarray.*]\nignore_missing_imports = True\n")
-    return f"--config-file={file}"
-
-
-def test_the_package_is_strictly_typed(tmp_path):
-    mypy("mypy", settings(tmp_path), "--no-incremental", PACKAGE, folder=tmp_path)
-
-
-def test_a_caller_is_checked(tmp_path):
-    script = tmp_path / "caller.py"
-    script.write_text("import fourpost as fp\n"
-                      "run = fp.fit('study.yaml', threads=2, progress=print)\n"
-                      "reveal_type(run.vehicle.response('roll', k='50 kN/m')['a'])\n"
-                      "x: float = run.cost\n")
-    mypy("mypy", settings(tmp_path), "--no-incremental", script, folder=tmp_path)
-    script.write_text("import fourpost as fp\nfp.fit('study.yaml', threads='two')\n")
-    try:
-        mypy("mypy", settings(tmp_path), "--no-incremental", script, folder=tmp_path)
-    except AssertionError as wrong:
-        assert "arg-type" in str(wrong)
-    else:
-        raise AssertionError("a text was taken for a number of threads")
+    outcome = subprocess.run([sys.executable, "-m", "mypy", "--no-incremental", PACKAGE, "caller.py"], cwd=tmp_path,
+                             env=environment, capture_output=True, text=True)
+    # A text is no number of threads; nothing else is wrong.
+    lines = outcome.stdout.splitlines()
+    assert len(lines) == 2 and lines[0].startswith("caller.py:5") and "[arg-type]" in lines[0], outcome.stdout
 
 
 def test_the_stubs_name_what_the_module_has():
-    import re
-    from fourpost import _core
     text = (PACKAGE / "_core.pyi").read_text()
     classes = re.split(r"^class (\w+):", text, flags=re.M)
     functions = set(re.findall(r"^def (\w+)\(", text, re.M))
