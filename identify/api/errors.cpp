@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/text/found.h"
 #include "analysis/text/nearest.h"
 #include "identify/api/findings.h"
 
@@ -23,6 +24,17 @@ std::vector<Finding> FindingsOf(const Diagnostics& diagnostics) {
 void RefuseName(const std::string& noun, const std::string& name, const std::vector<std::string>& known) {
   Guarded([&] { Refuse(kNameUnknown, {}, {noun, name, DidYouMeanOrAll(name, known)}); });
   throw std::logic_error("unreachable");
+}
+
+void EndSimulation(const SimulationError& error) {
+  const std::string text = error.what();
+  const std::string without_id = WithoutId(text);
+  std::vector<Finding> findings;
+  if (without_id.size() < text.size())
+    findings.push_back({.code = text.substr(without_id.size() + 2, text.size() - without_id.size() - 3),
+                        .is_error = true,
+                        .text = without_id});
+  throw Error(Error::Kind::kSimulation, text, std::move(findings));
 }
 
 void RefuseArgument(const std::string& why) {

@@ -66,8 +66,9 @@ def test_arrays_in_memory_give_back_the_car_that_made_them(car, tmp_path):
     study = fp.Study(car, [measured(car, **truth)], free=list(truth))
     run = fp.fit(study, tmp_path / "run")
     for name, value in truth.items():
-        # As close as in examples/fit_arrays.cpp: the tolerances of the refinement, 1e-8 of the cost.
-        assert run.parameters.loc[name, "value"] == pytest.approx(value, rel=1e-6)
+        # Far below what refinements call the same, a third of a standard deviation.
+        fitted = run.parameters.loc[name]
+        assert abs(fitted["value"] - value) < 0.01 * fitted["sd"]
     assert (tmp_path / "run/inputs/arrays.yaml").exists()
 
 

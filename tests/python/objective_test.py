@@ -63,8 +63,9 @@ def test_points_without_an_answer_are_nan_among_others(objective):
     x = objective.parameters["value"].to_numpy()
     impossible = x.copy()
     impossible[0] = -x[0]  # a mass
-    with pytest.raises(fp.SimulationError):
+    with pytest.raises(fp.SimulationError) as raised:
         objective.residuals(impossible)
+    assert raised.value.ids == ["evaluation-failed"]
     costs = objective.cost(np.array([x, impossible]))
     assert np.isfinite(costs[0]) and np.isnan(costs[1])
 
