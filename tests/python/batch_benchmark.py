@@ -20,7 +20,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 def by_module(car, values):
     began = time.process_time()
-    car.responses(values, ["k_front"], threads=1)
+    car.responses(values, ["k_FL"], threads=1)
     return 1e3 * (time.process_time() - began)
 
 
@@ -30,7 +30,7 @@ def by_program(program):
 
 
 car = fp.load(SOURCE / "urdf/landrover110_model3.urdf")
-k = car.parameters.loc["k_front"]
+k = car.parameters.loc["k_FL"]
 values = np.linspace(k["lower"], k["upper"], 500)[:, None]
 pairs = [(by_module(car, values), by_program(sys.argv[1])) for _ in range(7)]
 python, cpp = (statistics.median(column) for column in zip(*pairs))
