@@ -335,7 +335,7 @@ TEST(Api, DrawsPredictionsAndChoicesComeFromTheFolderOfAFit) {
   EXPECT_EQ(TextOf(folder.path() / "p/result.json"), prediction.json);
   const std::filesystem::path settings = folder.path() / "settings.yaml";
   std::ofstream(settings) << "knobs:\n  spring: {sets: k, range: {from: 12 kN/m, to: 28 kN/m, step: 8 kN/m}}\n"
-                             "roads:\n  - {class: B, speed: 80 km/h}\ndraws: 10\nduration: 5 s\n";
+                             "roads:\n  - {class: B, speed: 80 km/h}\ndraws: 20\nduration: 5 s\n";
   EXPECT_THAT(Choose(run, settings).json, HasSubstr("\"best\""));
   const auto stop = [] { return true; };
   EXPECT_THAT([&] { Choose(run, settings, {.stop = stop}); }, Fails(Error::Kind::kSimulation, "call-stopped"));

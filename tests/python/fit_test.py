@@ -10,6 +10,7 @@ import threading
 import numpy as np
 import pandas as pd
 import pytest
+import xarray
 
 import fourpost as fp
 from conftest import SOURCE, STARTER, program
@@ -47,7 +48,6 @@ def test_a_run_is_opened_again(run):
 
 
 def test_the_response_of_a_run_is_a_dataset(run):
-    xarray = pytest.importorskip("xarray")
     dataset = run.response
     assert isinstance(dataset, xarray.Dataset)
     table = run.table("response")

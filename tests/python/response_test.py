@@ -8,6 +8,7 @@ import time
 import numpy as np
 import pandas as pd
 import pytest
+import xarray
 
 import fourpost as fp
 from conftest import SOURCE, STARTER, program
@@ -69,7 +70,6 @@ def test_tables_and_datasets_hold_the_same_numbers(car):
     frame = response.to_frame()
     assert len(frame) == response.frf.size
     assert np.array_equal(frame.query("channel == 's_strut'")["gain"], abs(response["s_strut"]))
-    xarray = pytest.importorskip("xarray")
     dataset = response.to_xarray()
     assert isinstance(dataset, xarray.Dataset)
     assert np.array_equal(dataset.frf.sel(sensor="s_strut"), response["s_strut"])
