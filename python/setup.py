@@ -20,7 +20,8 @@ class CMakeBuild(build_ext):
         python = pathlib.Path(sys.base_prefix) / f"bin/python{sys.version_info[0]}.{sys.version_info[1]}"
         subprocess.run(["cmake", "--preset", "release", "-D", "FOURPOST_PYTHON_MODULE=ON", "-D",
                         f"Python_EXECUTABLE={python}"], cwd=SOURCE, check=True)
-        subprocess.run(["cmake", "--build", "--preset", "release", "--target", "fourpost_python"], cwd=SOURCE, check=True)
+        subprocess.run(["cmake", "--build", "--preset", "release", "--target", "fourpost_python"], cwd=SOURCE,
+                       check=True)
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(BUILD / "python/fourpost" / target.name, target)

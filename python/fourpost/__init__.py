@@ -1,7 +1,7 @@
 """Identification of vehicle suspension models from rig tests.
 
-Values are SI and angles radians, unless a name says otherwise ("_dB", "_deg"). Posts, sensors and parameters go by their
-names in the vehicle file. docs/python.md is a guide.
+Values are SI and angles radians, unless a name says otherwise ("_dB", "_deg"). Posts, sensors and parameters go by
+their names in the vehicle file. docs/python.md is a guide.
 """
 from ._core import in_unit, to_si
 from ._core import version as _version

@@ -75,7 +75,7 @@ def choose(run: str, settings: str, threads: int, output: str) -> tuple[str, lis
 def minimise(axes: Sequence[tuple[str, float, float, float, bool]], residuals: Callable[[_Floats], npt.ArrayLike],
              method: str, seed: int, evaluations: int, target: Optional[float]) -> tuple[_Floats, float, int, str]: ...
 def to_si(quantity: str, unit: str) -> float:
-    """The SI value of a number with a unit, such as "40 kN/m", of the same dimension as `unit` ("N/m"; "1" for none)."""
+    """The SI value of a number with a unit ("40 kN/m") of the same dimension as `unit` ("N/m"; "1" for none)."""
 def in_unit(si: float, unit: str) -> str:
     """The value with that unit, at the fewest digits that read back to the same double: in_unit(40e3, "kN/m")."""
 def si_unit_of(unit: str) -> str: ...

@@ -58,7 +58,7 @@ class Response:
         return row
 
     def to_frame(self) -> pd.DataFrame:
-        """A row per sensor and frequency, with the columns of `response.csv`: gain, phase_deg, mean, second_harmonic."""
+        """A row per sensor and frequency, with columns of response.csv: gain, phase_deg, mean, second_harmonic."""
         sensors, count = self.sensors, len(self.frequency)
         return pd.DataFrame({"channel": np.repeat(sensors, count),
                              "unit": np.repeat(list(self.units.values()), count),
@@ -78,7 +78,8 @@ class Response:
         peak = np.nanargmax(np.where(np.isfinite(self.frf), np.abs(self.frf), -1), axis=1)
         rows = pd.DataFrame({"unit": list(self.units.values()), "peak gain": np.abs(self.frf)[range(len(peak)), peak],
                              "at Hz": self.frequency[peak]}, index=self.sensors)
-        return _html.heading(f"{self.mode}, engine {self.engine}", [f"{len(self.frequency)} frequencies"]) + _html.frame(rows)
+        title = _html.heading(self.mode, [f"{len(self.frequency)} frequencies", f"engine {self.engine}"])
+        return title + _html.frame(rows)
 
 
 @dataclass(frozen=True)
@@ -112,7 +113,7 @@ class Responses:
         return self.frf[:, _place(self.sensors, sensor)]
 
     def to_xarray(self) -> xarray.Dataset:
-        """frf, mean and second_harmonic over car, sensor and frequency, parameters as coordinates of car; needs xarray."""
+        """frf, mean and second_harmonic over car, sensor and frequency, parameters along car; needs xarray."""
         cars = {name: ("car", self.values[:, column]) for column, name in enumerate(self.parameters)}
         return _dataset(self, ["car", "sensor", "frequency"], cars)
 
@@ -149,5 +150,7 @@ class History:
 
     def _repr_html_(self) -> str:
         from . import _html
-        rows = pd.DataFrame({"unit": self.units, "rms": np.sqrt((self.frame ** 2).mean()), "peak": self.frame.abs().max()})
-        return _html.heading(f"{len(self.frame)} samples at {self.rate:g} Hz", [f"engine {self.engine}"]) + _html.frame(rows)
+        rms = np.sqrt((self.frame ** 2).mean())
+        rows = pd.DataFrame({"unit": self.units, "rms": rms, "peak": self.frame.abs().max()})
+        title = f"{len(self.frame)} samples at {self.rate:g} Hz"
+        return _html.heading(title, [f"engine {self.engine}"]) + _html.frame(rows)

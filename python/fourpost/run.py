@@ -49,7 +49,8 @@ class Prediction:
         return pd.DataFrame(self.result["channels"])
 
     def _repr_html_(self) -> str:
-        return _html.heading(self.result["recording"], ["predicted"]) + _html.frame(self.channels) + _html.findings(self.warnings)
+        title = _html.heading(self.result["recording"], ["predicted"])
+        return title + _html.frame(self.channels) + _html.findings(self.warnings)
 
 
 @dataclass(frozen=True)
@@ -92,8 +93,8 @@ class Run:
         """The fitted ones by name, SI: value, sd (standard deviation), lower_95, upper_95, start, unit, state
         ("determined", "undetermined", "at_bound", ..., docs/reference.md) and at_bound. NaN without a standard
         deviation."""
-        return _arrays.parameter_frame(self._parameters, ["value", "sd", "lower_95", "upper_95", "start", "unit", "state",
-                                                          "at_bound"])
+        columns = ["value", "sd", "lower_95", "upper_95", "start", "unit", "state", "at_bound"]
+        return _arrays.parameter_frame(self._parameters, columns)
 
     @property
     def vehicle(self) -> Vehicle:
@@ -113,9 +114,9 @@ class Run:
 
     @property
     def response(self) -> Any:
-        """Measured and modelled stepped sines, the columns of response.csv, over recording, channel and frequency_Hz: an
-        xarray.Dataset, NaN where a recording lacks a frequency. A frame with these as index without xarray, or where a
-        recording has a frequency twice."""
+        """Measured and modelled stepped sines, the columns of response.csv, over recording, channel and frequency_Hz:
+        an xarray.Dataset, NaN where a recording lacks a frequency. A frame with these as index without xarray, or where
+        a recording has a frequency twice."""
         frame = self.table("response").set_index(["recording", "channel", "frequency_Hz"])
         try:
             import xarray  # noqa: F401
@@ -133,7 +134,8 @@ class Run:
         noise_of: the study that was fitted, to draw of the likelihood alone, as `fourpost draws --noise-only`; default:
         of all that the intervals allow for.
         """
-        names, units, values, _, warnings = _core.draw(os.fspath(self.folder), count, seed, os.fspath(noise_of or ""), threads)
+        study = os.fspath(noise_of or "")
+        names, units, values, _, warnings = _core.draw(os.fspath(self.folder), count, seed, study, threads)
         _arrays.warn(warnings)
         frame = pd.DataFrame(values, columns=names)
         frame.attrs["units"] = dict(zip(names, units))
@@ -153,7 +155,8 @@ class Run:
             if isinstance(recording, pd.DataFrame):
                 file = os.path.join(scratch, "recording.csv")
                 _write_recording(recording, units or {}, file)
-            text, warnings = _core.predict(os.fspath(self.folder), os.fspath(file), engine, posts, os.fspath(output or ""))
+            text, warnings = _core.predict(os.fspath(self.folder), os.fspath(file), engine, posts,
+                                           os.fspath(output or ""))
         return Prediction(json.loads(text), warnings)
 
     def __repr__(self) -> str:
@@ -169,7 +172,8 @@ class Run:
 def _write_recording(frame: pd.DataFrame, units: Mapping[str, str], file: str) -> None:
     """Names, units, numbers."""
     table = frame.rename_axis("time").reset_index()
-    table.columns = pd.MultiIndex.from_tuples([(name, "s" if name == "time" else units.get(str(name), "")) for name in table])
+    of_columns = {"time": "s", **units}
+    table.columns = pd.MultiIndex.from_tuples([(name, of_columns.get(str(name), "")) for name in table])
     table.to_csv(file, index=False)
 
 
@@ -183,8 +187,8 @@ def fit(study: Study | Path, output: Path | None = None, *, threads: int = 0, se
         accept_implausible: bool = False) -> Run:
     """Fits a study by dvHDE and Ceres, as `fourpost fit` does, to the last bit.
 
-    output: the folder of the results, which must be new, empty or that of an earlier fit, from whose archive it goes on.
-        Default: a temporary one that goes with the Run.
+    output: the folder of the results, which must be new, empty or that of an earlier fit, from whose archive it goes
+        on. Default: a temporary one that goes with the Run.
     threads: 0: one per processor. No influence on the result.
     seed: in place of the study's.
     progress: called by this thread with a Progress, ten times a second at the most.

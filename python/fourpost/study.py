@@ -24,8 +24,8 @@ class Measured:
     relative_sd: float = 0.01
     """Relative to the gain; the phase's is the same in radians."""
     mean: npt.ArrayLike = ()
-    """F, as Response.mean; empty where it was not measured. Those of struts are fitted: they alone distinguish bump from
-    rebound."""
+    """F, as Response.mean; empty where it was not measured. Those of struts are fitted: they alone distinguish bump
+    from rebound."""
 
 
 @dataclass(frozen=True)
@@ -175,7 +175,8 @@ class Objective:
         return self._core.count
 
     def residuals(self, x: npt.ArrayLike, threads: int = 0) -> Floats:
-        """N of one point, and SimulationError (`evaluation-failed`) where the model has none; n x N of many, NaN there."""
+        """N of one point; n x N of many, NaN where the model has none, for which one point raises SimulationError
+        (`evaluation-failed`)."""
         points = np.asarray(x, dtype=float)
         if points.ndim < 2:
             return self._core.residuals(_arrays.vector("x", points))
@@ -203,4 +204,5 @@ class Objective:
         return _arrays.table(points, list(self.parameters.index))[1]
 
     def _repr_html_(self) -> str:
-        return _html.heading(f"Objective of {self.study.name}", [f"{self.count} residuals"]) + _html.frame(self.parameters)
+        title = _html.heading(f"Objective of {self.study.name}", [f"{self.count} residuals"])
+        return title + _html.frame(self.parameters)

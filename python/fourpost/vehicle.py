@@ -44,8 +44,8 @@ class Vehicle:
 
     @property
     def parameters(self) -> pd.DataFrame:
-        """The numbers that can be fitted, by name: value, lower, upper and unit, SI. Without a range both bounds are the
-        value."""
+        """The numbers that can be fitted, by name: value, lower, upper and unit, SI. Without a range both bounds are
+        the value."""
         return _arrays.parameter_frame(self._core.parameters, ["value", "lower", "upper", "unit"])
 
     def __getitem__(self, parameter: str) -> float:
@@ -105,7 +105,8 @@ class Vehicle:
         """
         names, rows = _arrays.table(values, parameters)
         sine = _sine(self._core, mode, frequency, amplitude)
-        frf, mean, second, engines, failures = _core.respond_at(self._core, names, rows, *sine, mode, stroke, engine, threads)
+        frf, mean, second, engines, failures = _core.respond_at(self._core, names, rows, *sine, mode, stroke, engine,
+                                                                threads)
         return Responses(mode, sine[0], sine[1], self.sensors, frf, mean, second, names, rows, engines, failures)
 
     def simulate(self, posts: pd.DataFrame | Mapping[str, npt.ArrayLike], rate: float | None = None, *,
@@ -134,7 +135,8 @@ class Vehicle:
 
     def _repr_html_(self) -> str:
         sensors = ", ".join(f"{name} [{unit}]" for name, unit in self.sensors.items())
-        return _html.heading(self.name, [f"posts {', '.join(self.posts)}", f"sensors {sensors}"]) + _html.frame(self.parameters)
+        title = _html.heading(self.name, [f"posts {', '.join(self.posts)}", f"sensors {sensors}"])
+        return title + _html.frame(self.parameters)
 
 
 def _sine(car: _core.Vehicle, mode: str, frequency: npt.ArrayLike | None,

@@ -34,7 +34,7 @@ def test_a_fit_is_that_of_the_program_to_the_last_byte(run, tmp_path):
     assert list(frame.index) == list(by_program)
     for name, row in frame.iterrows():
         one = by_program[name]
-        assert (row["value"], row["sd"], row["unit"], row["state"]) == (one["value"], one["sd"], one["unit"], one["state"])
+        assert all(row[key] == one[key] for key in ("value", "sd", "unit", "state"))
         assert [row["lower_95"], row["upper_95"]] == one["interval_95"]
 
 
@@ -122,8 +122,8 @@ def test_ctrl_c_ends_a_fit_whose_results_are_kept(tmp_path):
         except KeyboardInterrupt as interrupt:
             print("raised", interrupt.__notes__[0], flush=True)
     """))
-    fit = subprocess.Popen([sys.executable, script, STARTER / "vehicle.urdf", tmp_path / "run"], stdout=subprocess.PIPE, text=True,
-                           env={**os.environ, "PYTHONUNBUFFERED": "1"})
+    fit = subprocess.Popen([sys.executable, script, STARTER / "vehicle.urdf", tmp_path / "run"],
+                           stdout=subprocess.PIPE, text=True, env={**os.environ, "PYTHONUNBUFFERED": "1"})
     for line in fit.stdout:
         if line.startswith("search") and "inf" not in line:
             break

@@ -12,7 +12,8 @@ NOTEBOOKS = sorted((SOURCE / "python/notebooks").glob("*.ipynb"))
 def test_it_runs(file):
     book = nbformat.read(file, as_version=4)
     assert all(not cell.get("outputs") and not cell.get("execution_count") for cell in book.cells)
-    nbclient.NotebookClient(book, timeout=600, kernel_name="python3", resources={"metadata": {"path": file.parent}}).execute()
+    beside = {"metadata": {"path": file.parent}}
+    nbclient.NotebookClient(book, timeout=600, kernel_name="python3", resources=beside).execute()
 
 
 def test_they_are_found():

@@ -16,8 +16,8 @@ from conftest import SOURCE, STARTER, program
 LAND_ROVER = SOURCE / "urdf/landrover110_model3.urdf"
 
 
-@pytest.mark.parametrize("file, mode, engine", [(STARTER / "vehicle.urdf", "heave", "auto"), (LAND_ROVER, "roll", "reduced"),
-                                                (LAND_ROVER, "FL=1,RR=-0.5", "auto")])
+@pytest.mark.parametrize("file, mode, engine", [
+    (STARTER / "vehicle.urdf", "heave", "auto"), (LAND_ROVER, "roll", "reduced"), (LAND_ROVER, "FL=1,RR=-0.5", "auto")])
 def test_a_response_is_that_of_the_program_to_the_last_bit(file, mode, engine, tmp_path):
     program("response", file, "--mode", mode, "--engine", engine, "-o", tmp_path / "out")
     rows = list(csv.DictReader(io.StringIO((tmp_path / "out/response.csv").read_text())))
@@ -123,6 +123,12 @@ def test_a_history_is_that_of_the_program(car, tmp_path):
         assert np.array_equal([float(f"{value:.7e}") for value in history[sensor]], by_program[sensor]), sensor
 
 
+def test_notebooks_see_what_answered(car):
+    assert "engine reduced" in car.response(frequency=[1, 2], engine="reduced")._repr_html_()
+    history = car.simulate(posts(200).rename(columns={"post": car.posts[0]}), engine="reduced")
+    assert "800 samples at 200 Hz" in history._repr_html_() and "a_body" in history._repr_html_()
+
+
 def test_arrays_need_a_rate(car):
     frame = posts(200).rename(columns={"post": car.posts[0]})
     history = car.simulate({car.posts[0]: frame[car.posts[0]].to_numpy()}, 200)
@@ -133,7 +139,8 @@ def test_arrays_need_a_rate(car):
 
 
 @pytest.mark.parametrize("change, id", [
-    (lambda frame: frame.drop(index=frame.index[50]), "time-drifts"), (lambda frame: 1000 * frame, "usual-stroke-exceeded"),
+    (lambda frame: frame.drop(index=frame.index[50]), "time-drifts"),
+    (lambda frame: 1000 * frame, "usual-stroke-exceeded"),
     (lambda frame: frame.replace(frame.iloc[9, 0], math.nan), "number-not-finite"),
     (lambda frame: frame.rename(columns=lambda name: "FX"), "name-unknown")])
 def test_wrong_posts_are_refused_by_id(car, change, id):

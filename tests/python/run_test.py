@@ -53,8 +53,9 @@ def test_a_frame_is_predicted_as_its_file(car, tmp_path):
     test = fp.TimeHistory(posts, history[["a_body", "F_tyre"]])
     run = fp.fit(fp.Study(car, [test], free=["k"], evaluations=20, starts=1))
     slower = 0.5 * posts
-    frame = car.simulate(slower, k=26e3).frame[["a_body", "F_tyre"]].assign(**{f"post_{car.posts[0]}": slower[car.posts[0]]})
-    prediction = run.predict(frame, units={"a_body": "m/s^2", "F_tyre": "N", f"post_{car.posts[0]}": "m"})
+    post = f"post_{car.posts[0]}"
+    frame = car.simulate(slower, k=26e3).frame[["a_body", "F_tyre"]].assign(**{post: slower[car.posts[0]]})
+    prediction = run.predict(frame, units={"a_body": "m/s^2", "F_tyre": "N", post: "m"})
     # Integrated to 1e-3, whose square is the mean square error.
     assert prediction.channels.query("name == 'a_body'")["nmse_percent"].item() < 0.01
 

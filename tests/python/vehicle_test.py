@@ -63,7 +63,8 @@ def test_check_is_that_of_the_program(car):
 
 def test_notebooks_see_names_and_numbers_escaped(tmp_path):
     file = tmp_path / "car.urdf"
-    file.write_text((STARTER / "vehicle.urdf").read_text().replace('<robot name="quarter_car"', '<robot name="a&lt;b&gt;"'))
+    text = (STARTER / "vehicle.urdf").read_text()
+    file.write_text(text.replace('<robot name="quarter_car"', '<robot name="a&lt;b&gt;"'))
     page = fp.load(file)._repr_html_()
     assert "a&lt;b&gt;" in page and "<b>" in page and "a<b>" not in page
     assert re.search(r"<th>k</th>\s*<td>2e\+04</td>", page)
