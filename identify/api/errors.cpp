@@ -1,5 +1,9 @@
 #include "identify/api/errors.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/text/found.h"
 #include "analysis/text/nearest.h"
 #include "identify/api/findings.h"
 
@@ -20,6 +24,28 @@ std::vector<Finding> FindingsOf(const Diagnostics& diagnostics) {
 void RefuseName(const std::string& noun, const std::string& name, const std::vector<std::string>& known) {
   Guarded([&] { Refuse(kNameUnknown, {}, {noun, name, DidYouMeanOrAll(name, known)}); });
   throw std::logic_error("unreachable");
+}
+
+void EndSimulation(const SimulationError& error) {
+  const std::string text = error.what();
+  const std::string without_id = WithoutId(text);
+  std::vector<Finding> findings;
+  if (without_id.size() < text.size())
+    findings.push_back({.code = text.substr(without_id.size() + 2, text.size() - without_id.size() - 3),
+                        .is_error = true,
+                        .text = without_id});
+  throw Error(Error::Kind::kSimulation, text, std::move(findings));
+}
+
+void RefuseArgument(const std::string& why) {
+  Diagnostics found;
+  found.Report(kArgumentRefused, {}, {why});
+  throw Error(Error::Kind::kInput, found.Format(), FindingsOf(found));
+}
+
+void RequireFinite(const std::string& what, std::span<const double> numbers) {
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  if (!std::all_of(numbers.begin(), numbers.end(), is_finite)) Refuse(kNumberNotFinite, {}, {what});
 }
 
 }  // namespace fourpost::api

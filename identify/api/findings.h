@@ -17,6 +17,16 @@ inline const Finding kArraysUnequal{"arrays-unequal", Severity::kError, "{} has 
                                     "give all arrays of a test the same length"};
 inline const Finding kRateNotPositive{"rate-not-positive", Severity::kError, "the sampling rate is {} Hz",
                                       "give that of the arrays, above zero"};
+inline const Finding kArgumentRefused{"argument-refused", Severity::kError, "{}", "correct the value"};
+inline const Finding kNumberNotFinite{"number-not-finite", Severity::kError, "{} holds a number that is not finite",
+                                      "leave such samples out"};
+inline const Finding kTableShape{"table-shape", Severity::kError, "{} columns of values, but {} parameters",
+                                 "give a row for each car and a column for each parameter"};
+inline const Finding kValueOutOfRange{"value-out-of-range", Severity::kError, "derivatives need values in range ({})",
+                                      "correct the value, or the range in the vehicle file"};
+inline const Finding kEvaluationFailed{"evaluation-failed", Severity::kError,
+                                       "the model cannot be evaluated at these values ({})", "try others"};
+inline const Finding kCallStopped{"call-stopped", Severity::kError, "stopped before its end", "call it again"};
 inline const Finding kEngineOfSines{"engine-of-sines", Severity::kError,
                                     "engine kTimeIntegration is for stepped sines, not for time histories",
                                     "take kFull"};

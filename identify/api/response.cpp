@@ -1,27 +1,20 @@
 #include <fourpost/response.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "identify/api/engine_names.h"
 #include "identify/api/errors.h"
 #include "identify/api/findings.h"
 #include "identify/api/inside.h"
-#include "vehicles/engine/steady_response.h"
+#include "identify/api/responses.h"
 #include "vehicles/requests/post_shape.h"
 #include "vehicles/requests/solve_sweep.h"
+#include "vehicles/requests/sweep.h"
+#include "vehicles/response/post_stroke.h"
 
 namespace fourpost::api {
 namespace {
-
-Excitation ExcitationOf(const Vehicle& vehicle, const SteppedSine& sine) {
-  Diagnostics found;
-  Excitation excitation{.frequency_Hz = sine.frequency_Hz, .amplitude_m = sine.amplitude_m};
-  excitation.shape = ReadPostShape(sine.posts, Inside::Of(vehicle), found);
-  if (sine.amplitude_m.size() == 1) excitation.amplitude_m.assign(sine.frequency_Hz.size(), sine.amplitude_m.front());
-  if (excitation.amplitude_m.size() != sine.frequency_Hz.size())
-    found.Report(kAmplitudeCount, {},
-                 {std::to_string(sine.amplitude_m.size()), std::to_string(sine.frequency_Hz.size())});
-  if (found.HasErrors()) throw FaultyInput(found);
-  return excitation;
-}
 
 Eigen::VectorXd Vector(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
@@ -36,7 +29,60 @@ ChannelResponse ChannelOf(const fourpost::ChannelResponse& channel) {
           .second_harmonic = Vector(channel.second_harmonic)};
 }
 
+/// Half a stroke is what the largest amplitude may take.
+void CheckStrokes(const fourpost::Vehicle& vehicle, const SteppedSine& sine, const std::vector<double>& shape,
+                  Diagnostics& found) {
+  const double largest = *std::max_element(sine.amplitude_m.begin(), sine.amplitude_m.end());
+  std::vector<double> excursion;
+  for (const double share : shape) excursion.push_back(std::abs(share) * largest);
+  CheckStroke(vehicle, excursion, sine.posts, found, sine.stroke_m);
+}
+
 }  // namespace
+
+Excitation ExcitationOf(const fourpost::Vehicle& vehicle, const SteppedSine& sine) {
+  RequireFinite("frequency_Hz", sine.frequency_Hz);
+  RequireFinite("amplitude_m", sine.amplitude_m);
+  Diagnostics found;
+  Excitation excitation{.frequency_Hz = sine.frequency_Hz, .amplitude_m = sine.amplitude_m};
+  excitation.shape = ReadPostShape(sine.posts, vehicle, found);
+  if (sine.amplitude_m.size() == 1) excitation.amplitude_m.assign(sine.frequency_Hz.size(), sine.amplitude_m.front());
+  if (excitation.amplitude_m.size() != sine.frequency_Hz.size())
+    found.Report(kAmplitudeCount, {},
+                 {std::to_string(sine.amplitude_m.size()), std::to_string(sine.frequency_Hz.size())});
+  else if (!found.HasErrors() && !sine.amplitude_m.empty()) CheckStrokes(vehicle, sine, excitation.shape, found);
+  if (found.HasErrors()) throw FaultyInput(found);
+  return excitation;
+}
+
+Response ResponseOf(const FrequencyResponse& found, fourpost::Engine engine) {
+  Response response{.frequency_Hz = found.frequency_Hz, .engine = PublicEngine(engine)};
+  for (const fourpost::ChannelResponse& channel : found.channels) response.channels.push_back(ChannelOf(channel));
+  return response;
+}
+
+Response ResponseOf(const SteadyResponse& answer) {
+  Response response = ResponseOf(answer.response, answer.engine);
+  if (answer.kinematics_error) {
+    response.kinematics_error_dB = answer.kinematics_error->gain_dB.value;
+    response.kinematics_error_deg = answer.kinematics_error->phase_deg.value;
+  }
+  return response;
+}
+
+SteppedSine UsualSine(const Vehicle& vehicle, const std::string& posts, const std::vector<double>& frequency_Hz) {
+  return Guarded([&] {
+    SteppedSine sine{.frequency_Hz = frequency_Hz, .posts = posts};
+    if (frequency_Hz.empty()) {
+      Diagnostics found;
+      const std::optional<SweepRequest> request = ReadSweep({.modes = {posts}}, Inside::Of(vehicle), found);
+      if (!request) throw FaultyInput(found);
+      sine.frequency_Hz = request->sweeps.front().excitation.frequency_Hz;
+    }
+    for (const double frequency : sine.frequency_Hz) sine.amplitude_m.push_back(kUsualAmplitude.At(frequency));
+    return sine;
+  });
+}
 
 fourpost::Engine OwnEngine(Engine engine) {
   switch (engine) {
@@ -67,19 +113,17 @@ const ChannelResponse& Response::At(const std::string& sensor) const {
   RefuseName("sensor", sensor, known);
 }
 
-Response Respond(const Vehicle& vehicle, const SteppedSine& excitation, Engine engine) {
+Response Respond(const Vehicle& vehicle, const SteppedSine& excitation, Engine engine,
+                 const std::function<bool()>& stop) {
   return Guarded([&] {
-    SteadySolver solver(Inside::Of(vehicle));
-    RequireStable(Inside::Of(vehicle), solver);
-    const SteadyResponse answer = solver.Solve(ExcitationOf(vehicle, excitation), OwnEngine(engine));
-    Response response{.frequency_Hz = answer.response.frequency_Hz, .engine = PublicEngine(answer.engine)};
-    for (const fourpost::ChannelResponse& channel : answer.response.channels)
-      response.channels.push_back(ChannelOf(channel));
-    if (answer.kinematics_error) {
-      response.kinematics_error_dB = answer.kinematics_error->gain_dB.value;
-      response.kinematics_error_deg = answer.kinematics_error->phase_deg.value;
-    }
-    return response;
+    const fourpost::Vehicle& own = Inside::Of(vehicle);
+    const Excitation posts = ExcitationOf(own, excitation);
+    SteadySolver solver(own);
+    RequireStable(own, solver);
+    const std::optional<SteadyResponse> answer =
+        SolveSweep(solver, excitation.posts, posts, OwnEngine(engine), {}, {.stop = stop});
+    if (!answer) throw SimulationError(kCallStopped);
+    return ResponseOf(*answer);
   });
 }
 

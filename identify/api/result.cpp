@@ -38,8 +38,10 @@ FittedParameter ParameterOf(const Json& json) {
 
 Result ResultOf(const std::string& text, const std::filesystem::path& folder) {
   const Json json = Json::parse(text);
+  // Null of a fit that was interrupted.
+  const Json verdict = json.value("verdict", Json());
   Result result{.termination = json.value("termination", ""),
-                .explains_data = json.value("verdict", Json::object()).value("explains_data", false),
+                .explains_data = verdict.is_object() && verdict.value("explains_data", false),
                 .cost = Number(json.value("cost", Json())),
                 .residuals = json.value("residuals", 0),
                 .folder = folder};

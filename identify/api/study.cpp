@@ -38,6 +38,19 @@ void RequireCount(const std::string& what, Eigen::Index count, std::size_t wante
     Refuse(kArraysUnequal, {}, {what, std::to_string(count), std::to_string(wanted)});
 }
 
+/// Throws FaultyInput.
+void RequireFiniteIn(const SteppedSineTest& test) {
+  const std::string of = " of '" + test.name + "'";
+  RequireFinite("frequency_Hz" + of, test.frequency_Hz);
+  RequireFinite("amplitude_m" + of, test.amplitude_m);
+  for (const auto& [sensor, measured] : test.channels) {
+    const std::string what = "channel '" + sensor + "'" + of;
+    RequireFinite(what, {reinterpret_cast<const double*>(measured.frf.data()),
+                         2 * static_cast<std::size_t>(measured.frf.size())});
+    RequireFinite("the mean of " + what, {measured.mean.data(), static_cast<std::size_t>(measured.mean.size())});
+  }
+}
+
 std::string UnitOfSensor(const Vehicle& vehicle, const std::string& name) {
   std::vector<std::string> known;
   for (const Sensor& sensor : vehicle.sensors()) {
@@ -48,6 +61,7 @@ std::string UnitOfSensor(const Vehicle& vehicle, const std::string& name) {
 }
 
 std::string SineCsv(const Vehicle& vehicle, const SteppedSineTest& test) {
+  RequireFiniteIn(test);
   const std::size_t count = test.frequency_Hz.size();
   if (test.amplitude_m.size() != 1)
     RequireCount("amplitude_m of '" + test.name + "'", static_cast<Eigen::Index>(test.amplitude_m.size()), count);
@@ -86,6 +100,7 @@ std::string TimeCsv(double rate_Hz, const std::vector<Column>& columns) {
   const auto count = columns.empty() ? std::size_t{0} : static_cast<std::size_t>(columns.front().values->size());
   for (const Column& column : columns) {
     RequireCount("'" + column.name + "'", column.values->size(), count);
+    RequireFinite("'" + column.name + "'", {column.values->data(), count});
     head += ',' + column.name;
     units += ',' + column.unit;
   }

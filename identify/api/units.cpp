@@ -23,4 +23,12 @@ std::string InUnit(double si, const std::string& unit) {
   });
 }
 
+std::string SiUnitOf(const std::string& unit) {
+  return Guarded([&] {
+    const std::optional<Unit> read = ParseUnit(unit.empty() ? "1" : unit);
+    if (!read) Refuse(kUnitUnknown, {}, {unit});
+    return SiUnit(read->dimension);
+  });
+}
+
 }  // namespace fourpost::api

@@ -62,6 +62,7 @@ void Vehicle::Set(const std::string& parameter, const std::string& quantity) {
 }
 
 void Vehicle::Set(const std::string& parameter, double value) {
+  Guarded([&] { RequireFinite("'" + parameter + "'", {&value, 1}); });
   Set(parameter, InUnit(value, ParameterOf(*description_, parameter).unit));
 }
 

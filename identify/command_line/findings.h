@@ -53,8 +53,6 @@ inline const Finding kRunNotFitted{"run-not-fitted", Severity::kError, "a study 
 inline const Finding kRunWithoutResult{"run-without-result", Severity::kError,
                                        "no result.json, so not a complete folder of `fourpost fit -o`",
                                        "give another one, or fit again"};
-inline const Finding kRunFileMissing{"run-file-missing", Severity::kError, "{} is missing, which a fit writes",
-                                     "run `fourpost fit` with -o on this folder again"};
 inline const Finding kRunFileDamaged{"run-file-damaged", Severity::kError, "this file of a fit is damaged",
                                      "run `fourpost fit` with -o on its folder again"};
 inline const Finding kVehicleNotShown{"vehicle-not-shown", Severity::kWarning,
@@ -67,10 +65,6 @@ inline const Finding kRecordingWasFitted{
     "recording-was-fitted", Severity::kWarning,
     "this recording was used in the fit; the errors below are fit errors, not a prediction",
     "for a prediction name a recording that the fit did not use"};
-inline const Finding kRecordingOfOtherKind{
-    "recording-of-other-kind", Severity::kError,
-    "the model was fitted to recordings of other kinds ({}), so the study maps no channels of this one",
-    "give a recording of one of these kinds"};
 inline const Finding kLoadPlaceUnreadable{"load-place-unreadable", Severity::kError, "'{}' is not three lengths",
                                           "write metres or units, e.g. -1.2,0,0.9 or -1200 mm,0,900 mm"};
 inline const Finding kLoadFarOutside{

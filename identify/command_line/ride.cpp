@@ -25,6 +25,7 @@
 #include "identify/command_line/ride_text.h"
 #include "identify/command_line/run_folder.h"
 #include "identify/command_line/solve_history.h"
+#include "identify/run/findings.h"
 #include "identify/run/result_kind.h"
 #include "vehicles/posts/road.h"
 #include "vehicles/reader/vehicle_file.h"

@@ -90,6 +90,12 @@ inline const Finding kDrawsWithoutDerivatives{"draws-without-derivatives", Sever
 inline const Finding kDrawsHeld{"draws-held", Severity::kWarning,
                                 "these parameters have no standard deviation and stay at their fitted values: {}",
                                 "widen bounds that are guesses, give priors, or measure more"};
+inline const Finding kRunFileMissing{"run-file-missing", Severity::kError, "{} is missing, which a fit writes",
+                                     "run `fourpost fit` with -o on this folder again"};
+inline const Finding kRecordingOfOtherKind{
+    "recording-of-other-kind", Severity::kError,
+    "the model was fitted to recordings of other kinds ({}), so the study maps no channels of this one",
+    "give a recording of one of these kinds"};
 inline const Finding kBandsWithoutParameters{
     "bands-without-parameters", Severity::kWarning, "the bands leave out parameters without a standard deviation: {}",
     "widen bounds that are guesses, give priors, or fit a recording that determines them"};

@@ -32,7 +32,8 @@ class Error : public std::runtime_error {
       : std::runtime_error(message), kind_(kind), findings_(std::move(findings)) {}
 
   Kind kind() const { return kind_; }
-  /// All that was found, errors and warnings; at least one error of kInput, none of kSimulation.
+  /// All that was found, errors and warnings; at least one error of kInput; of kSimulation the one that
+  /// ended it, where it has a code.
   const std::vector<Finding>& findings() const { return findings_; }
 
  private:

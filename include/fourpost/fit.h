@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <fourpost/result.h>
@@ -9,7 +11,20 @@
 
 namespace fourpost::api {
 
+/// How far a fit is.
+struct FitProgress {
+  /// "search", "refine", "fit: predictions and the report", ...
+  std::string stage;
+  /// New evaluations so far, and those of them that failed.
+  std::int64_t evaluations = 0;
+  std::int64_t failed = 0;
+  /// Lowest so far, by the loss of the refinement; infinite before the first.
+  double best_cost = 0;
+};
+
 struct FitOptions {
+  /// In place of the study's.
+  std::optional<std::uint64_t> seed = {};
   /// 0: one per processor. No influence on the result.
   int threads = 0;
   /// Go on from the archive of an interrupted fit; refuse to start anew.
@@ -21,6 +36,8 @@ struct FitOptions {
   std::function<bool()> stop = {};
   /// Warnings as they are found.
   std::function<void(const Finding& finding)> warn = {};
+  /// Called by one thread at a time, but not always by the same.
+  std::function<void(const FitProgress& progress)> progress = {};
 };
 
 /// Fits a study by dvHDE and Ceres and writes the folder of its results, which must be new, empty or that of an earlier

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +27,14 @@ struct SteppedSine {
   std::vector<double> amplitude_m;
   /// "heave", "pitch", "roll", "warp", or shares of posts, "FL=1,FR=-1".
   std::string posts = "heave";
+  /// Of posts without a stroke in the vehicle file, from end to end [m].
+  double stroke_m = 0.15;
 };
+
+/// How `fourpost response` moves the posts: the reference post at most 12 mm, 0.15 m/s and 6 m/s^2, at these
+/// frequencies; without any at 40 from 0.5 to 30 Hz. `posts` as in SteppedSine. Throws Error.
+SteppedSine UsualSine(const Vehicle& vehicle, const std::string& posts = "heave",
+                      const std::vector<double>& frequency_Hz = {});
 
 /// The response of a sensor, one value per frequency. A signal of phasor X is x(t) = Re(X exp(i 2 pi f t)): a channel
 /// that lags the post has a negative phase. Axes are those of ISO 8855 (x forward, y left, z up); extension and rebound
@@ -55,8 +63,10 @@ struct Response {
   const ChannelResponse& At(const std::string& sensor) const;
 };
 
-/// The steady response of a vehicle. Throws Error: kInput for an excitation or a vehicle that has none, kSimulation
-/// where no motion could be computed.
-Response Respond(const Vehicle& vehicle, const SteppedSine& excitation, Engine engine = Engine::kAuto);
+/// The steady response of a vehicle. Throws Error: kInput for an excitation or a vehicle that has none, or a post that
+/// would leave its stroke; kSimulation where no motion could be computed. `stop`: asked often, from the calling thread;
+/// true leaves the rest of the frequencies without a value.
+Response Respond(const Vehicle& vehicle, const SteppedSine& excitation, Engine engine = Engine::kAuto,
+                 const std::function<bool()>& stop = {});
 
 }  // namespace fourpost::api

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,6 +18,8 @@ namespace fourpost::api {
 struct PostHeights {
   double rate_Hz = 0;
   std::map<std::string, Eigen::VectorXd> height_m;
+  /// Of posts without a stroke in the vehicle file, from end to end [m].
+  double stroke_m = 0.15;
 };
 
 struct History {
@@ -34,6 +37,8 @@ struct History {
 
 /// A vehicle from rest over moving posts, between whose samples a spline goes. Engines are those of
 /// Respond() but kTimeIntegration, which is refused: kFull integrates in time here. Throws Error as Respond() does.
-History Simulate(const Vehicle& vehicle, const PostHeights& posts, Engine engine = Engine::kAuto);
+/// `stop`: asked often, from the calling thread; true ends the history there.
+History Simulate(const Vehicle& vehicle, const PostHeights& posts, Engine engine = Engine::kAuto,
+                 const std::function<bool()>& stop = {});
 
 }  // namespace fourpost::api

@@ -12,4 +12,7 @@ double ToSi(const std::string& quantity, const std::string& unit);
 /// Throws Error (code `unit-unknown`) for an unknown unit.
 std::string InUnit(double si, const std::string& unit);
 
+/// The SI unit of the same dimension: "N/m" for "kN/m", "1" for "". Throws Error (code `unit-unknown`).
+std::string SiUnitOf(const std::string& unit);
+
 }  // namespace fourpost::api

@@ -8,7 +8,12 @@
 
 #include <gmock/gmock.h>
 
+#include <fourpost/batch.h>
+#include <fourpost/choose.h>
+#include <fourpost/draws.h>
 #include <fourpost/fit.h>
+#include <fourpost/objective.h>
+#include <fourpost/predict.h>
 #include <fourpost/read.h>
 #include <fourpost/response.h>
 #include <fourpost/search.h>
@@ -82,6 +87,8 @@ TEST(Api, UnitsGoBothWays) {
   EXPECT_EQ(InUnit(40e3, "kN/m"), "40 kN/m");
   EXPECT_THAT([] { ToSi("40 kg", "N/m"); }, Fails(Error::Kind::kInput, "quantity-unreadable"));
   EXPECT_THAT([] { InUnit(1, "furlong"); }, Fails(Error::Kind::kInput, "unit-unknown"));
+  EXPECT_EQ(SiUnitOf("kN/m"), "N/m");
+  EXPECT_EQ(SiUnitOf(""), "1");
   EXPECT_EQ(Version(), "0.2.0");
 }
 
@@ -238,6 +245,115 @@ TEST(Api, MinimisesResidualsOfAnyKind) {
   const auto fails = [](const Eigen::VectorXd&) -> Eigen::VectorXd { throw std::runtime_error("no"); };
   EXPECT_THAT([&] { Minimise(axes, fails, {.evaluations = 50}); },
               testing::Throws<Error>(testing::Property(&Error::kind, Error::Kind::kSimulation)));
+}
+
+/// A study of stepped sines that the starter's vehicle made with another spring.
+Study SinesOfASofterCar() {
+  Vehicle car = ReadVehicle(kSource / "studies/starter/vehicle.urdf");
+  Study study(car);
+  study.free = {"k", "c_bump"};
+  car.Set("k", "26 kN/m");
+  SteppedSineTest test{.frequency_Hz = {0.6, 1, 1.5, 2, 3, 5, 8, 12}, .amplitude_m = {0.01}};
+  const Response measured = Respond(car, {test.frequency_Hz, test.amplitude_m});
+  for (const char* sensor : {"a_body", "s_strut", "F_tyre"})
+    test.channels[sensor] = {.frf = measured.At(sensor).frf, .mean = measured.At(sensor).mean};
+  study.Add(test);
+  return study;
+}
+
+TEST(Api, BatchIsItsSingleResponsesToTheLastBit) {
+  const Vehicle car = ReadVehicle(kSource / "studies/starter/vehicle.urdf");
+  const SteppedSine sine = UsualSine(car);
+  ParameterTable table{.parameters = {"k", "c_bump"}, .values = Eigen::MatrixXd(3, 2)};
+  table.values << 21e3, 900, -1, 900, 34e3, 2500;
+  for (const Engine engine : {Engine::kReduced, Engine::kAuto}) {
+    const std::vector<RowResponse> rows = RespondAt(car, table, sine, {.engine = engine, .threads = 2});
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_FALSE(rows[1].response) << "no spring has a rate below zero";
+    EXPECT_THAT(rows[1].why, HasSubstr("setting-sign"));
+    for (const std::size_t i : {0u, 2u}) {
+      Vehicle one = car;
+      one.Set("k", table.values(static_cast<Eigen::Index>(i), 0));
+      one.Set("c_bump", table.values(static_cast<Eigen::Index>(i), 1));
+      const Response alone = Respond(one, sine, engine);
+      ASSERT_TRUE(rows[i].response);
+      for (const ChannelResponse& channel : alone.channels)
+        EXPECT_EQ(rows[i].response->At(channel.sensor).frf, channel.frf) << channel.sensor;
+    }
+  }
+  table.parameters.pop_back();
+  EXPECT_THAT([&] { RespondAt(car, table, sine); }, Fails(Error::Kind::kInput, "table-shape"));
+}
+
+TEST(Api, MotionsThatCannotBeAreRefused) {
+  const Vehicle car = QuarterCar();
+  const double nan = std::nan("");
+  EXPECT_THAT([&] { Respond(car, {.frequency_Hz = {1}, .amplitude_m = {12}}); },
+              Fails(Error::Kind::kInput, "usual-stroke-exceeded"));
+  EXPECT_THAT([&] { Respond(car, {.frequency_Hz = {nan}, .amplitude_m = {0.01}}); },
+              Fails(Error::Kind::kInput, "number-not-finite"));
+  EXPECT_THAT([&] { Respond(car, {.frequency_Hz = {-1}, .amplitude_m = {0.01}}); },
+              Fails(Error::Kind::kInput, "engine-refused"));
+  PostHeights posts{.rate_Hz = 100, .height_m = {{car.posts().front(), Eigen::VectorXd::Constant(10, 2)}}};
+  EXPECT_THAT([&] { Simulate(car, posts); }, Fails(Error::Kind::kInput, "usual-stroke-exceeded"));
+  posts.height_m.begin()->second.setConstant(nan);
+  EXPECT_THAT([&] { Simulate(car, posts); }, Fails(Error::Kind::kInput, "number-not-finite"));
+  posts.height_m.begin()->second.setZero();
+  EXPECT_THAT([&] { Simulate(car, posts, Engine::kAuto, [] { return true; }); },
+              testing::Throws<Error>(testing::Property(&Error::kind, Error::Kind::kSimulation)));
+}
+
+TEST(Api, ObjectiveIsWhatAFitMinimises) {
+  const Study study = SinesOfASofterCar();
+  const TemporaryFolder folder;
+  const Result result = Fit(study, folder.path() / "run");
+  const Objective objective(study);
+  ASSERT_EQ(objective.parameters().size(), 2u);
+  EXPECT_EQ(objective.residual_count(), result.residuals);
+  Eigen::VectorXd values(2);
+  for (Eigen::Index j = 0; j < 2; ++j)
+    values[j] = result.At(objective.parameters()[static_cast<std::size_t>(j)].name).value;
+  EXPECT_EQ(objective.CostsAt(values.transpose())[0], result.cost);
+  EXPECT_EQ(objective.ResidualsAt(values.transpose()).row(0).transpose(), objective.Residuals(values));
+  // At the least cost; beside it the slope is that way.
+  EXPECT_LT((objective.Jacobian(values).transpose() * objective.Residuals(values)).cwiseProduct(values).norm(), 0.01);
+  EXPECT_THAT([&] { objective.Residuals(Eigen::VectorXd::Ones(3)); }, Fails(Error::Kind::kInput, "table-shape"));
+  EXPECT_THAT([&] { objective.Jacobian(1e9 * values); }, Fails(Error::Kind::kInput, "value-out-of-range"));
+}
+
+TEST(Api, DrawsPredictionsAndChoicesComeFromTheFolderOfAFit) {
+  const TemporaryFolder folder;
+  const std::filesystem::path run = folder.path() / "run";
+  const Result result = Fit(Study(kSource / "studies/starter/study.yaml"), run);
+  const Draws draws = Draw(run, {.count = 50});
+  ASSERT_EQ(draws.values.rows(), 50);
+  EXPECT_EQ(draws.parameters.size(), result.parameters.size());
+  EXPECT_NEAR(draws.values.col(0).mean(), result.parameters[0].value, result.parameters[0].sd);
+  const Prediction prediction =
+      Predict(run, kSource / "studies/starter/stepped_sine.csv", {.output = folder.path() / "p"});
+  EXPECT_THAT(prediction.json, HasSubstr("\"was_fitted\": true"));
+  EXPECT_EQ(TextOf(folder.path() / "p/result.json"), prediction.json);
+  const std::filesystem::path settings = folder.path() / "settings.yaml";
+  std::ofstream(settings) << "knobs:\n  spring: {sets: k, range: {from: 12 kN/m, to: 28 kN/m, step: 8 kN/m}}\n"
+                             "roads:\n  - {class: B, speed: 80 km/h}\ndraws: 20\nduration: 5 s\n";
+  EXPECT_THAT(Choose(run, settings).json, HasSubstr("\"best\""));
+  const auto stop = [] { return true; };
+  EXPECT_THAT([&] { Choose(run, settings, {.stop = stop}); }, Fails(Error::Kind::kSimulation, "call-stopped"));
+}
+
+TEST(Api, FitsThatWereStoppedAreReadBack) {
+  Study study = SinesOfASofterCar();
+  study.evaluations = 100'000'000;
+  const TemporaryFolder folder;
+  FitProgress last;
+  FitOptions options{.seed = 7};
+  options.progress = [&](const FitProgress& progress) { last = progress; };
+  options.stop = [&] { return last.evaluations > 20; };
+  const Result result = Fit(study, folder.path() / "run", options);
+  EXPECT_EQ(result.termination, "interrupted");
+  EXPECT_FALSE(result.explains_data);
+  EXPECT_EQ(ReadResult(folder.path() / "run").cost, result.cost);
+  EXPECT_THAT(TextOf(folder.path() / "run/result.json"), HasSubstr("\"seed\": 7"));
 }
 
 }  // namespace

@@ -1,0 +1,231 @@
+"""Fits, the folders that they write, and what follows from them."""
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import shutil
+import tempfile
+import weakref
+from dataclasses import dataclass
+from typing import Any, Callable, Mapping
+
+import pandas as pd
+
+from . import _arrays, _core, _html
+from .errors import Finding
+from .study import Study
+from .vehicle import Path, Vehicle, load
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a fit is."""
+
+    stage: str
+    """"search", "refine", ..."""
+    evaluations: int
+    """New ones so far."""
+    failed: int
+    """Of them."""
+    best_cost: float
+    """By the loss of the refinement; infinite before the first."""
+
+    def __str__(self) -> str:
+        return f"{self.stage}: {self.evaluations} evaluations, {self.failed} failed, best cost {self.best_cost:.5g}"
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """How well a fitted vehicle predicts a recording."""
+
+    result: dict[str, Any]
+    """As `fourpost predict --json` prints it (docs/reference.md)."""
+    warnings: list[Finding]
+
+    @property
+    def channels(self) -> pd.DataFrame:
+        """A row per channel, NMSE in percent and what else its kind of recording has."""
+        return pd.DataFrame(self.result["channels"])
+
+    def _repr_html_(self) -> str:
+        title = _html.heading(self.result["recording"], ["predicted"])
+        return title + _html.frame(self.channels) + _html.findings(self.warnings)
+
+
+@dataclass(frozen=True)
+class Choice:
+    """The best of many settings of a vehicle."""
+
+    result: dict[str, Any]
+    """As `fourpost choose --json` prints it (docs/reference.md)."""
+    warnings: list[Finding]
+
+    @property
+    def best(self) -> dict[str, str] | None:
+        """Position of each knob; nothing where no setting is admitted."""
+        return self.result["best"]["setting"] if self.result["best"] else None
+
+    @property
+    def notable(self) -> pd.DataFrame:
+        """The best setting, the present one, and those that cannot be distinguished from the best."""
+        return pd.json_normalize(self.result["notable"])
+
+    def _repr_html_(self) -> str:
+        facts = [f"{knob} {position}" for knob, position in (self.best or {"no setting": "is admitted"}).items()]
+        return _html.heading("Best setting", facts) + _html.frame(self.notable) + _html.findings(self.warnings)
+
+
+class Run:
+    """The folder of a fit: `fit` makes one, `read_run` opens it again."""
+
+    def __init__(self, folder: Path):
+        self.folder = pathlib.Path(folder)
+        (self.termination, self.explains_data, self.cost, self.residuals, self._parameters,
+         self.warnings) = _core.read_result(os.fspath(folder))
+
+    @property
+    def converged(self) -> bool:
+        return self.termination == "converged"
+
+    @property
+    def parameters(self) -> pd.DataFrame:
+        """The fitted ones by name, SI: value, sd (standard deviation), lower_95, upper_95, start, unit, state
+        ("determined", "undetermined", "at_bound", ..., docs/reference.md) and at_bound. NaN without a standard
+        deviation."""
+        columns = ["value", "sd", "lower_95", "upper_95", "start", "unit", "state", "at_bound"]
+        return _arrays.parameter_frame(self._parameters, columns)
+
+    @property
+    def vehicle(self) -> Vehicle:
+        """The fitted one."""
+        return load(self.folder / "vehicle.urdf")
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """result.json (docs/reference.md)."""
+        content: dict[str, Any] = json.loads((self.folder / "result.json").read_text(encoding="utf-8"))
+        return content
+
+    @property
+    def report(self) -> pathlib.Path:
+        """The page of the fit."""
+        return self.folder / "report.html"
+
+    @property
+    def response(self) -> Any:
+        """Measured and modelled stepped sines, the columns of response.csv, over recording, channel and frequency_Hz:
+        an xarray.Dataset, NaN where a recording lacks a frequency. A frame with these as index without xarray, or where
+        a recording has a frequency twice."""
+        frame = self.table("response").set_index(["recording", "channel", "frequency_Hz"])
+        try:
+            import xarray  # noqa: F401
+        except ImportError:
+            return frame
+        return frame.to_xarray() if frame.index.is_unique else frame
+
+    def table(self, name: str) -> pd.DataFrame:
+        """A table of the folder, such as "response", "history", "validation" or "parameters" (docs/reference.md)."""
+        return pd.read_csv(self.folder / f"{name}.csv", float_precision="round_trip")
+
+    def draws(self, count: int = 200, *, seed: int = 1, noise_of: Path | None = None, threads: int = 0) -> pd.DataFrame:
+        """Values that the fit allows, a row each, a column per fitted parameter, SI; `attrs["units"]` has the units.
+
+        noise_of: the study that was fitted, to draw of the likelihood alone, as `fourpost draws --noise-only`; default:
+        of all that the intervals allow for.
+        """
+        study = os.fspath(noise_of or "")
+        names, units, values, _, warnings = _core.draw(os.fspath(self.folder), count, seed, study, threads)
+        _arrays.warn(warnings)
+        frame = pd.DataFrame(values, columns=names)
+        frame.attrs["units"] = dict(zip(names, units))
+        return frame
+
+    def predict(self, recording: Path | pd.DataFrame, *, units: Mapping[str, str] | None = None, engine: str = "auto",
+                posts: str = "", output: Path | None = None) -> Prediction:
+        """How well the fitted vehicle predicts a recording.
+
+        recording: a file, or a frame over time [s], with the channels that the study names.
+        units: of each column of a frame.
+        posts: how they moved, as `mode` of Vehicle.response; default: to be found in the recording.
+        output: a folder for the curves.
+        """
+        with tempfile.TemporaryDirectory() as scratch:
+            file = recording
+            if isinstance(recording, pd.DataFrame):
+                file = os.path.join(scratch, "recording.csv")
+                _write_recording(recording, units or {}, file)
+            text, warnings = _core.predict(os.fspath(self.folder), os.fspath(file), engine, posts,
+                                           os.fspath(output or ""))
+        return Prediction(json.loads(text), warnings)
+
+    def __repr__(self) -> str:
+        return f"<fourpost.Run '{self.folder}': {self.termination}, cost {self.cost:.6g}>"
+
+    def _repr_html_(self) -> str:
+        facts = [self.termination, f"cost {self.cost:.5g} for {self.residuals} residuals",
+                 "explains the data" if self.explains_data else "does not explain the data", str(self.report)]
+        return (_html.heading(str(self.folder), facts) + _html.frame(self.parameters.drop(columns="at_bound")) +
+                _html.findings(self.warnings))
+
+
+def _write_recording(frame: pd.DataFrame, units: Mapping[str, str], file: str) -> None:
+    """Names, units, numbers."""
+    table = frame.rename_axis("time").reset_index()
+    of_columns = {"time": "s", **units}
+    table.columns = pd.MultiIndex.from_tuples([(name, of_columns.get(str(name), "")) for name in table])
+    table.to_csv(file, index=False)
+
+
+def read_run(folder: Path) -> Run:
+    """The folder of a fit, also of one that was interrupted. Raises InputError."""
+    return Run(folder)
+
+
+def fit(study: Study | Path, output: Path | None = None, *, threads: int = 0, seed: int | None = None,
+        progress: Callable[[Progress], object] | None = None, resume: bool = False, accept_unidentified: bool = False,
+        accept_implausible: bool = False) -> Run:
+    """Fits a study by dvHDE and Ceres, as `fourpost fit` does, to the last bit.
+
+    output: the folder of the results, which must be new, empty or that of an earlier fit, from whose archive it goes
+        on. Default: a temporary one that goes with the Run.
+    threads: 0: one per processor. No influence on the result.
+    seed: in place of the study's.
+    progress: called by this thread with a Progress, ten times a second at the most.
+    resume: go on from the archive of an interrupted fit; refuse to start anew.
+    accept_unidentified, accept_implausible: fit although the data leave combinations of parameters open, or contradict
+        the study.
+
+    Warnings are those of Python, as they are found. Ctrl-C raises KeyboardInterrupt after the fit has written what it
+    has, which `read_run` opens; its note names the folder. Raises InputError, SimulationError, OutputError.
+    """
+    folder = os.fspath(tempfile.mkdtemp(prefix="fourpost-") if output is None else output)
+    core = (study if isinstance(study, Study) else Study(study))._core
+    show = None if progress is None else lambda *state: progress(Progress(*state))
+    try:
+        _core.fit(core, folder, threads, seed, resume, accept_unidentified, accept_implausible, show,
+                  lambda finding: _arrays.warn([finding]))
+        run = Run(folder)
+    except KeyboardInterrupt as interrupt:
+        if hasattr(interrupt, "add_note"):
+            interrupt.add_note(f"fourpost: results so far are in {folder}")
+        raise
+    except BaseException:
+        if output is None:
+            shutil.rmtree(folder, ignore_errors=True)
+        raise
+    if output is None:
+        weakref.finalize(run, shutil.rmtree, folder, ignore_errors=True)
+    return run
+
+
+def choose(run: Run | Path, settings: Path, output: Path | None = None, *, threads: int = 0) -> Choice:
+    """The best of up to 100 000 settings of a vehicle on random roads, as `fourpost choose`.
+
+    run: a fit, whose intervals are the doubt, or a vehicle file, which has none.
+    settings: a file of settings (studies/README.md).
+    output: a folder for tables, pictures and the page.
+    """
+    subject = run.folder if isinstance(run, Run) else run
+    text, warnings = _core.choose(os.fspath(subject), os.fspath(settings), threads, os.fspath(output or ""))
+    return Choice(json.loads(text), warnings)
