@@ -22,6 +22,10 @@ Deadline SharedDeadline::Begin() const {
   return part;
 }
 
-void SharedDeadline::End(double began_s) { left_s_ -= ThreadTime_s() - began_s; }
+void SharedDeadline::End(double began_s) {
+  const double took_s = ThreadTime_s() - began_s;
+  for (double left_s = left_s_; !left_s_.compare_exchange_weak(left_s, left_s - took_s);) {
+  }
+}
 
 }  // namespace fourpost

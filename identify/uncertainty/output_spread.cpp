@@ -16,7 +16,7 @@ Eigen::MatrixXd OutputJacobian(const ParameterSpread& spread, Eigen::Index outpu
   const FitVariables variables(spread.lattice);
   const Eigen::VectorXd centre = variables.FromValues(spread.values);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(outputs, static_cast<Eigen::Index>(spread.judged.size()));
-  ForEachInParallel(spread.judged.size(), threads, [&](std::size_t column) {
+  ForEachInParallel(spread.judged.size(), ThreadCount(threads), [&](std::size_t column) {
     const auto k = static_cast<Eigen::Index>(column);
     const Eigen::Index j = spread.judged[column];
     const double step = std::clamp(kShare * std::sqrt(spread.total(k, k)), kLeast, kMost);

@@ -70,7 +70,7 @@ TEST(ResultJson, TellsEverySettingBesideTheMethods) {
   FitResult fit;
   fit.options.stop = {.max_evaluations = 300, .max_generations = 150};
   fit.options.candidates = {.count = 7, .separation = 0.25};
-  fit.options.refine = {.max_iterations = 50, .step = 1e-5, .differences = Differences::kForward};
+  fit.options.refine = {.max_iterations = 50, .step = 1e-5, .differences = Differences::kForward, .nearness = 0.2};
   fit.options.starts = 6;
   fit.options.deadline_s = 10;
   const Json result = Json::parse(ResultJson({}, 1, fit, Json::object(), {}));
@@ -78,7 +78,7 @@ TEST(ResultJson, TellsEverySettingBesideTheMethods) {
       "seconds": null, "stagnant_generations": 0, "free_generations": 1000, "on_collapse": true})"));
   EXPECT_EQ(result["search"]["candidates"], Json::parse(R"({"count": 7, "separation": 0.25})"));
   EXPECT_EQ(result["refine"], Json::parse(R"({"loss": "none", "differences": "forward", "step": 1e-5, "iterations": 50,
-      "cost_tolerance": 1e-8, "step_tolerance": 1e-8, "agreement": 0.1})"));
+      "cost_tolerance": 1e-8, "step_tolerance": 1e-8, "nearness": 0.2, "agreement": 0.1})"));
   EXPECT_EQ(result["starts"]["asked"], 6);
   EXPECT_EQ(result["deadline_s"], 10);
 }
