@@ -11,6 +11,7 @@
 #include "identify/search/parallel.h"
 #include "vehicles/condensed/condensed_vehicle.h"
 #include "vehicles/requests/findings.h"
+#include "vehicles/requests/parameter_setting.h"
 #include "vehicles/requests/solve_sweep.h"
 #include "vehicles/response/harmonic_balance.h"
 #include "vehicles/response/hysteresis.h"
@@ -71,9 +72,9 @@ class BatchSolver {
       fourpost::Parameter& parameter = car.parameters[columns_[c]];
       const double value = table_.values(row, static_cast<Eigen::Index>(c));
       const bool is_within = parameter.lower <= value && value <= parameter.upper;
-      if (!is_within && value != parameter.value && !(value * parameter.value > 0))
-        Refuse(kSettingSign, {},
-               {parameter.name, FormatQuantity(value, parameter.unit), parameter.value > 0 ? "above" : "below"});
+      const int sign = RequiredSign(parameter);
+      if (!is_within && value != parameter.value && sign != 0 && !(value * sign > 0))
+        Refuse(kSettingSign, {}, {parameter.name, FormatQuantity(value, parameter.unit), sign > 0 ? "above" : "below"});
       parameter.value = value;
     }
   }

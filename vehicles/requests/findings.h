@@ -34,7 +34,7 @@ inline const Finding kSettingUnit{"setting-unit", Severity::kError, "'{}={}' nee
 inline const Finding kSettingNotANumber{"setting-not-a-number", Severity::kError, "'{}={}' must be a plain number",
                                         "leave out the unit"};
 inline const Finding kSettingSign{"setting-sign", Severity::kError,
-                                  "'{}' = {} must be {} zero, like the value in the vehicle file"};
+                                  "'{}' = {} must be {} zero, as in the vehicle file"};
 inline const Finding kSettingOutOfBounds{"setting-out-of-bounds", Severity::kWarning,
                                          "'{}' = {} is outside its bounds {} .. {}",
                                          "check it, or widen the bounds in the vehicle file"};

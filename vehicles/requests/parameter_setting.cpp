@@ -60,9 +60,9 @@ class SettingReader {
   double Judged(const fourpost::Parameter& parameter, double value) {
     const bool has_bounds = parameter.upper > parameter.lower;
     if (has_bounds && value >= parameter.lower && value <= parameter.upper) return value;
-    const bool same_sign = value == parameter.value || value * parameter.value > 0;
-    if (!same_sign)
-      Fault(kSettingSign, {parameter.name, Shown(value, parameter), parameter.value > 0 ? "above" : "below"});
+    const int sign = RequiredSign(parameter);
+    if (value != parameter.value && sign != 0 && !(value * sign > 0))
+      Fault(kSettingSign, {parameter.name, Shown(value, parameter), sign > 0 ? "above" : "below"});
     else if (has_bounds)
       diagnostics_.Report(kSettingOutOfBounds, Place::Option(option_),
                           {parameter.name, Shown(value, parameter), Shown(parameter.lower, parameter),
@@ -118,6 +118,12 @@ void CheckOnce(const std::vector<std::string>& texts, const std::string& option,
 }
 
 }  // namespace
+
+int RequiredSign(const Parameter& parameter) {
+  if (parameter.value != 0) return parameter.value > 0 ? 1 : -1;
+  if (!(parameter.upper > parameter.lower) || (parameter.lower < 0 && parameter.upper > 0)) return 0;
+  return parameter.upper > 0 ? 1 : -1;
+}
 
 void SetParameter(const std::string& text, const std::string& option, Vehicle& vehicle, Diagnostics& diagnostics) {
   SettingReader reader(option, vehicle, diagnostics);

@@ -10,9 +10,12 @@
 
 namespace fourpost {
 
+/// 1 or -1: the sign that a parameter must keep, that of its value or, where that is zero, of its range; 0: either.
+int RequiredSign(const Parameter& parameter);
+
 /// Sets a parameter of the vehicle to another value: "k_front=40 kN/m". Adds an error for invalid text, an unknown
-/// parameter, a unit of another dimension, and a value outside the parameter's bounds with another sign than the file's
-/// value; a warning for any other value outside. Findings name `option`: "--set".
+/// parameter, a unit of another dimension, and a value outside the parameter's bounds without its RequiredSign(); a
+/// warning for any other value outside. Findings name `option`: "--set".
 void SetParameter(const std::string& text, const std::string& option, Vehicle& vehicle, Diagnostics& diagnostics);
 
 /// Several of them; adds an error for a parameter that is set twice.

@@ -35,6 +35,19 @@ TEST_F(ParameterSetting, WarnsOfAValueOutsideItsBounds) {
   EXPECT_EQ(diagnostics_.items().size(), 1u);
 }
 
+TEST_F(ParameterSetting, KeepsTheSignOfItsValueOrOfItsRange) {
+  EXPECT_EQ(RequiredSign({.value = 2, .lower = -1, .upper = 3}), 1);
+  EXPECT_EQ(RequiredSign({.value = -2, .lower = -3, .upper = 1}), -1);
+  EXPECT_EQ(RequiredSign({.value = 0, .lower = -1, .upper = 1}), 0);
+  EXPECT_EQ(RequiredSign({.value = 0, .lower = 0, .upper = 1}), 1);
+  EXPECT_EQ(RequiredSign({.value = 0, .lower = -1, .upper = 0}), -1);
+  vehicle_ = ShippedVehicle("landrover110_model3");
+  Set("y_body=-80 mm");
+  EXPECT_EQ(ValueOf(vehicle_, "y_body"), -0.08);
+  EXPECT_THAT(diagnostics_, ReportsOption(kSettingOutOfBounds, "--set", {"'y_body'"}));
+  EXPECT_FALSE(diagnostics_.HasErrors());
+}
+
 TEST_F(ParameterSetting, TellsAllFaults) {
   for (const char* text : {"k", "m_sprun=1kg", "k=5", "k=5mm", "k=-5kN/m", "m_sprung=0kg"}) Set(text);
   EXPECT_THAT(diagnostics_, ReportsOption(kSettingIncomplete, "--set", {"'k'"}));
