@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import pandas as pd
 
-from .errors import Finding, InputWarning, refuse
+from .errors import Finding, InputWarning, SimulationError, refuse
 
 Floats = npt.NDArray[np.float64]
 Complexes = npt.NDArray[np.complex128]
@@ -32,6 +32,9 @@ def table(values: Values, names: Sequence[str] | None) -> tuple[list[str], Float
         values = values.to_numpy(dtype=float)
     if names is None:
         raise refuse("table-shape", "an array does not say which parameters its columns are: name them by 'parameters'")
+    twice = sorted({name for name in names if list(names).count(name) > 1})
+    if twice:
+        raise refuse("table-shape", f"values have more than one column for {', '.join(twice)}: leave one of each")
     array = np.asarray(values, dtype=float)
     if array.ndim != 2 or array.shape[1] != len(names):
         raise refuse("table-shape", f"values have the shape {array.shape}: give rows of {len(names)} parameters")
@@ -60,7 +63,27 @@ def _rate(what: str, time: Floats) -> float:
 def values_of(given: Mapping[str, Quantity] | None, more: Mapping[str, Quantity]) -> dict[str, Quantity]:
     """Values of parameters by name, as a mapping and as keywords."""
     both = {**(given or {}), **more}
+    for name, value in both.items():
+        if not isinstance(value, str) and not (np.isscalar(value) and np.isreal(value)):
+            raise refuse("value-unknown", f"'{name}' is no option of this call, and a parameter of that name would need "
+                         f"a number or a text with a unit, not {type(value).__name__}")
     return {name: value if isinstance(value, str) else float(value) for name, value in both.items()}
+
+
+def report_unanswered(frequency: Floats, frf: Complexes) -> None:
+    """S x F: raises where no frequency has a motion, warns where some have none."""
+    missing = frequency[~np.isfinite(frf).all(axis=0)]
+    if missing.size == 0:
+        return
+    finding = Finding("response-unanswered", "warning", "", 0, "",
+                      f"no steady motion was found at {', '.join(f'{hertz:g}' for hertz in missing[:5])}"
+                      f"{' ...' if missing.size > 5 else ''} Hz: `check()` names what is implausible of the vehicle; values "
+                      "are SI, m and not mm")
+    if missing.size < frequency.size:
+        warn([finding])
+        return
+    finding = finding._replace(severity="error")
+    raise SimulationError(str(finding), [finding])
 
 
 def warn(findings: Iterable[Finding]) -> None:

@@ -13,7 +13,7 @@ from typing import Any, Callable, Mapping
 import pandas as pd
 
 from . import _arrays, _core, _html
-from .errors import Finding
+from .errors import Finding, refuse
 from .study import Study
 from .vehicle import Path, Vehicle, load
 
@@ -125,15 +125,23 @@ class Run:
         return frame.to_xarray() if frame.index.is_unique else frame
 
     def table(self, name: str) -> pd.DataFrame:
-        """A table of the folder, such as "response", "history", "validation" or "parameters" (docs/reference.md)."""
+        """A table of the folder, such as "response", "history", "validation" or "parameters" (docs/reference.md).
+
+        Raises InputError for one that the folder lacks.
+        """
+        tables = sorted(file.stem for file in self.folder.glob("*.csv"))
+        if name not in tables:
+            raise refuse("name-unknown", f"there is no table '{name}' in {self.folder}; there are: {', '.join(tables)}")
         return pd.read_csv(self.folder / f"{name}.csv", float_precision="round_trip")
 
     def draws(self, count: int = 200, *, seed: int = 1, noise_of: Path | None = None, threads: int = 0) -> pd.DataFrame:
         """Values that the fit allows, a row each, a column per fitted parameter, SI; `attrs["units"]` has the units.
 
-        noise_of: the study that was fitted, to draw of the likelihood alone, as `fourpost draws --noise-only`; default:
+        noise_of: the file of the study that was fitted, of arrays `inputs/arrays.yaml` in the folder, to draw of the likelihood alone, as `fourpost draws --noise-only`; default:
         of all that the intervals allow for.
         """
+        if count < 2:
+            raise refuse("value-out-of-range", f"count is {count}: draw 2 or more")
         study = os.fspath(noise_of or "")
         names, units, values, _, warnings = _core.draw(os.fspath(self.folder), count, seed, study, threads)
         _arrays.warn(warnings)
@@ -146,6 +154,7 @@ class Run:
         """How well the fitted vehicle predicts a recording.
 
         recording: a file, or a frame over time [s], with the channels that the study names.
+            Of a study of arrays: post_FL, ... and the sensors.
         units: of each column of a frame.
         posts: how they moved, as `mode` of Vehicle.response; default: to be found in the recording.
         output: a folder for the curves.
@@ -179,6 +188,8 @@ def _write_recording(frame: pd.DataFrame, units: Mapping[str, str], file: str) -
 
 def read_run(folder: Path) -> Run:
     """The folder of a fit, also of one that was interrupted. Raises InputError."""
+    if not pathlib.Path(folder, "result.json").exists():
+        raise refuse("result-missing", f"there is no result.json in {os.fspath(folder)}: give the folder of a fit")
     return Run(folder)
 
 
@@ -197,7 +208,7 @@ def fit(study: Study | Path, output: Path | None = None, *, threads: int = 0, se
         the study.
 
     Warnings are those of Python, as they are found. Ctrl-C raises KeyboardInterrupt after the fit has written what it
-    has, which `read_run` opens; its note names the folder. Raises InputError, SimulationError, OutputError.
+    has; its note names the folder and says whether there are results for `read_run` or only evaluations to go on from. Raises InputError, SimulationError, OutputError.
     """
     folder = os.fspath(tempfile.mkdtemp(prefix="fourpost-") if output is None else output)
     core = (study if isinstance(study, Study) else Study(study))._core
@@ -208,7 +219,9 @@ def fit(study: Study | Path, output: Path | None = None, *, threads: int = 0, se
         run = Run(folder)
     except KeyboardInterrupt as interrupt:
         if hasattr(interrupt, "add_note"):
-            interrupt.add_note(f"fourpost: results so far are in {folder}")
+            has_results = pathlib.Path(folder, "result.json").exists()
+            interrupt.add_note(f"fourpost: results so far are in {folder}" if has_results else
+                               f"fourpost: no results yet; the same call with output='{folder}' goes on")
         raise
     except BaseException:
         if output is None:

@@ -105,14 +105,14 @@ class Study:
     """
 
     def __init__(self, model: Vehicle | Path, tests: Sequence[SteppedSine | TimeHistory | Bench] = (), *,
-                 free: Sequence[str] = (), band: tuple[float, float] | None = None,
+                 free: str | Sequence[str] = (), band: tuple[float, float] | None = None,
                  model_error: ModelError | None = None, static_loads: Mapping[str, tuple[float, float]] | None = None,
                  seed: int = 1, evaluations: int = 100, starts: int = 4):
         self._core = _core.Study(model._core if isinstance(model, Vehicle) else os.fspath(model))
         self.name = model.name if isinstance(model, Vehicle) else os.fspath(model)
         for test in tests:
             self._add(test)
-        self._core.free = list(free)
+        self._core.free = [free] if isinstance(free, str) else list(free)
         self._core.band_Hz = band
         self._core.seed, self._core.evaluations, self._core.starts = seed, evaluations, starts
         self._core.set_loads(dict(static_loads or {}))

@@ -10,7 +10,7 @@ import pandas as pd
 
 from . import _arrays, _core, _html
 from ._arrays import Floats, Quantity, Values
-from .errors import Finding
+from .errors import Finding, refuse
 from .response import History, Response, Responses
 
 Path = str | os.PathLike[str]
@@ -84,11 +84,13 @@ class Vehicle:
         stroke: of posts without one in the file, from end to end [m].
         values: of parameters, as in `at`.
 
-        Raises InputError, and SimulationError where no motion could be computed.
+        Frequencies without a steady motion hold NaN; a warning names them. Raises InputError, and SimulationError where
+        no motion could be computed at any.
         """
         car = self.at(values)._core
         sine = _sine(car, mode, frequency, amplitude)
         frf, mean, second, by, dB, deg = _core.respond(car, *sine, mode, stroke, engine)
+        _arrays.report_unanswered(sine[0], frf[0])
         return Response(mode, sine[0], sine[1], car.sensors, frf[0], mean[0], second[0], by, dB, deg)
 
     def responses(self, values: Values, parameters: Sequence[str] | None = None, mode: str = "heave", *,
@@ -143,9 +145,13 @@ def _sine(car: _core.Vehicle, mode: str, frequency: npt.ArrayLike | None,
           amplitude: npt.ArrayLike | None) -> tuple[Floats, Floats]:
     """Frequencies and an amplitude for each; what is not given as usual."""
     hertz = _arrays.vector("frequency", [] if frequency is None else frequency)
+    if frequency is not None and (hertz.size == 0 or np.any(hertz <= 0)):
+        raise refuse("value-out-of-range", "frequency must hold numbers above 0 Hz")
     hertz, metres = map(np.array, _core.usual_sine(car, mode, hertz))
     if amplitude is not None:
         metres = _arrays.vector("amplitude", amplitude)
+        if np.any(metres <= 0):
+            raise refuse("value-out-of-range", "amplitude must hold numbers above 0 m")
     return hertz, np.broadcast_to(metres, hertz.shape) if metres.size == 1 else metres
 
 

@@ -11,6 +11,7 @@ import pytest
 import xarray
 
 import fourpost as fp
+from fourpost._arrays import report_unanswered
 from conftest import SOURCE, STARTER, program
 
 LAND_ROVER = SOURCE / "urdf/landrover110_model3.urdf"
@@ -38,6 +39,27 @@ def test_parameters_go_by_name(car):
     assert np.array_equal(by_name.frf, car.at(k=30e3).response(frequency=[1, 5], amplitude=[0.01, 0.01]).frf)
     assert not np.array_equal(by_name.frf, car.response(frequency=[1, 5], amplitude=0.01).frf)
     assert by_name["s_strut"].shape == (2,)
+
+
+def test_frequencies_without_a_motion_are_named():
+    frf = np.array([[1, np.nan, 1], [1, 1, 1]])
+    with pytest.warns(fp.InputWarning, match="at 2 Hz: .* \\[response-unanswered\\]"):
+        report_unanswered(np.array([1.0, 2.0, 3.0]), frf)
+    with pytest.raises(fp.SimulationError, match="at 1, 2, 3 Hz") as raised:
+        report_unanswered(np.array([1.0, 2.0, 3.0]), np.full((2, 3), np.nan))
+    assert raised.value.ids == ["response-unanswered"]
+
+
+@pytest.mark.parametrize("call, id", [
+    (lambda car: car.response(frequency=[]), "value-out-of-range"),
+    (lambda car: car.response(frequency=[0, 1]), "value-out-of-range"),
+    (lambda car: car.response(amplitude=-0.005), "value-out-of-range"),
+    (lambda car: car.response(freq=[1, 2]), "value-unknown"),
+    (lambda car: car.responses([[1, 2]], ["k", "k"]), "table-shape")])
+def test_faulty_arguments_are_named(car, call, id):
+    with pytest.raises(fp.InputError) as raised:
+        call(car)
+    assert raised.value.ids == [id]
 
 
 @pytest.mark.parametrize("engine", ["reduced", "auto"])
@@ -80,7 +102,7 @@ def test_tables_and_datasets_hold_the_same_numbers(car):
 @pytest.mark.parametrize("wrong, id", [
     (dict(frequency=[[1, 2]]), "table-shape"), (dict(frequency=[1, math.nan]), "number-not-finite"),
     (dict(frequency=[1, 2], amplitude=[1e-3, 1e-3, 1e-3]), "amplitude-count"),
-    (dict(frequency=[-1.0]), "engine-refused"), (dict(frequency=[1.0], amplitude=12), "usual-stroke-exceeded"),
+    (dict(frequency=[-1.0]), "value-out-of-range"), (dict(frequency=[1.0], amplitude=12), "usual-stroke-exceeded"),
     (dict(mode="hop"), "mode-unknown"), (dict(engine="fast"), "name-unknown"), (dict(q=1.0), "name-unknown")])
 def test_wrong_excitations_are_refused_by_id(car, wrong, id):
     with pytest.raises(fp.InputError) as raised:

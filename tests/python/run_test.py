@@ -76,3 +76,11 @@ def test_a_folder_without_a_run_is_refused(tmp_path):
         fp.read_run(tmp_path)
     with pytest.raises(fp.InputError):
         fp.read_run(tmp_path / "none")
+
+
+def test_tables_draws_and_folders_that_are_not_there_are_named(run, tmp_path):
+    for call, id in ((lambda: run.table("nope"), "name-unknown"), (lambda: run.draws(1), "value-out-of-range"),
+                     (lambda: fp.read_run(tmp_path), "result-missing")):
+        with pytest.raises(fp.InputError) as raised:
+            call()
+        assert raised.value.ids == [id]
