@@ -71,10 +71,8 @@ class BatchSolver {
     for (std::size_t c = 0; c < columns_.size(); ++c) {
       fourpost::Parameter& parameter = car.parameters[columns_[c]];
       const double value = table_.values(row, static_cast<Eigen::Index>(c));
-      const bool is_within = parameter.lower <= value && value <= parameter.upper;
-      const int sign = RequiredSign(parameter);
-      if (!is_within && value != parameter.value && sign != 0 && !(value * sign > 0))
-        Refuse(kSettingSign, {}, {parameter.name, FormatQuantity(value, parameter.unit), sign > 0 ? "above" : "below"});
+      if (const std::string side = MissedSideOfZero(parameter, value); !side.empty())
+        Refuse(kSettingSign, {}, {parameter.name, FormatQuantity(value, parameter.unit), side});
       parameter.value = value;
     }
   }

@@ -202,8 +202,7 @@ std::optional<ParameterSpread> FitResult::Spread() const {
                          .values = std::move(fitted),
                          .judged = certainty->judged,
                          .noise = certainty->noise_covariance,
-                         .total = certainty->total_covariance,
-                         .threads = options.threads};
+                         .total = certainty->total_covariance};
 }
 
 void FitResult::DropDeviations() {

@@ -41,6 +41,18 @@ ForceSample OwnOf(const ForceSample& sample) {
           .posts = sample.posts};
 }
 
+/// Sum of squares of the force of these amplitudes; `squares` as in Place.
+double SquaresOf(const std::vector<Eigen::MatrixXd>& squares, const Eigen::VectorXd& amplitudes) {
+  double sum = 0;
+  Eigen::Index next = 0;
+  for (const Eigen::MatrixXd& square : squares) {
+    const auto own = amplitudes.segment(next, square.rows());
+    sum += own.dot(square * own);
+    next += square.rows();
+  }
+  return sum;
+}
+
 }  // namespace
 
 WeighedForces::WeighedForces(const ForceRecord& record) : record_(record) {
@@ -127,18 +139,6 @@ Eigen::VectorXd WeighedForces::Amplitudes(const ForceMechanism& mechanism,
     all.segment(amplitudes.size() * static_cast<Eigen::Index>(i), amplitudes.size()) = amplitudes;
   }
   return all;
-}
-
-/// The squares without what counts as noise.
-double SquaresOf(const std::vector<Eigen::MatrixXd>& squares, const Eigen::VectorXd& amplitudes) {
-  double sum = 0;
-  Eigen::Index next = 0;
-  for (const Eigen::MatrixXd& square : squares) {
-    const auto own = amplitudes.segment(next, square.rows());
-    sum += own.dot(square * own);
-    next += square.rows();
-  }
-  return sum;
 }
 
 /// The force of these amplitudes, over its noise.

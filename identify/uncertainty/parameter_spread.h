@@ -18,8 +18,6 @@ struct ParameterSpread {
   /// Of those, in FitVariables: of noise alone, and of noise, held parameters and model error together.
   Eigen::MatrixXd noise;
   Eigen::MatrixXd total;
-  /// That may compute what follows from it; 0: one per processor.
-  int threads = 1;
 };
 
 }  // namespace fourpost

@@ -60,9 +60,8 @@ class SettingReader {
   double Judged(const fourpost::Parameter& parameter, double value) {
     const bool has_bounds = parameter.upper > parameter.lower;
     if (has_bounds && value >= parameter.lower && value <= parameter.upper) return value;
-    const int sign = RequiredSign(parameter);
-    if (value != parameter.value && sign != 0 && !(value * sign > 0))
-      Fault(kSettingSign, {parameter.name, Shown(value, parameter), sign > 0 ? "above" : "below"});
+    if (const std::string side = MissedSideOfZero(parameter, value); !side.empty())
+      Fault(kSettingSign, {parameter.name, Shown(value, parameter), side});
     else if (has_bounds)
       diagnostics_.Report(kSettingOutOfBounds, Place::Option(option_),
                           {parameter.name, Shown(value, parameter), Shown(parameter.lower, parameter),
@@ -119,10 +118,14 @@ void CheckOnce(const std::vector<std::string>& texts, const std::string& option,
 
 }  // namespace
 
-int RequiredSign(const Parameter& parameter) {
-  if (parameter.value != 0) return parameter.value > 0 ? 1 : -1;
-  if (!(parameter.upper > parameter.lower) || (parameter.lower < 0 && parameter.upper > 0)) return 0;
-  return parameter.upper > 0 ? 1 : -1;
+std::string MissedSideOfZero(const Parameter& parameter, double value) {
+  const bool has_bounds = parameter.lower < parameter.upper;
+  if (value == parameter.value || (has_bounds && parameter.lower <= value && value <= parameter.upper)) return "";
+  const bool is_zero = parameter.value == 0;
+  const bool may_be_above = is_zero ? !has_bounds || parameter.upper > 0 : parameter.value > 0;
+  const bool may_be_below = is_zero ? !has_bounds || parameter.lower < 0 : parameter.value < 0;
+  if ((value > 0 && may_be_above) || (value < 0 && may_be_below)) return "";
+  return may_be_above ? "above" : "below";
 }
 
 void SetParameter(const std::string& text, const std::string& option, Vehicle& vehicle, Diagnostics& diagnostics) {

@@ -10,11 +10,12 @@
 
 namespace fourpost {
 
-/// 1 or -1: the sign that a parameter must keep, that of its value or, where that is zero, of its range; 0: either.
-int RequiredSign(const Parameter& parameter);
+/// "above" or "below": the side of zero that this value of a parameter is not on and would have to be, outside its
+/// bounds: that of its present value or, where that is zero, of its range. Empty where the value is possible.
+std::string MissedSideOfZero(const Parameter& parameter, double value);
 
 /// Sets a parameter of the vehicle to another value: "k_front=40 kN/m". Adds an error for invalid text, an unknown
-/// parameter, a unit of another dimension, and a value outside the parameter's bounds without its RequiredSign(); a
+/// parameter, a unit of another dimension, and a value outside the parameter's bounds on a MissedSideOfZero(); a
 /// warning for any other value outside. Findings name `option`: "--set".
 void SetParameter(const std::string& text, const std::string& option, Vehicle& vehicle, Diagnostics& diagnostics);
 

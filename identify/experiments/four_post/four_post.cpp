@@ -128,11 +128,11 @@ Json AnswerJson(const MeasuredRun& run, const SteadyResponse& answer) {
 std::vector<ResponseBands> BandsOf(const Subject& subject, const std::vector<MeasuredRun>& runs,
                                    const std::vector<FrequencyResponse>& modelled,
                                    const std::optional<ParameterSpread>& spread,
-                                   const std::vector<OctaveDiscrepancy>& discrepancies) {
+                                   const std::vector<OctaveDiscrepancy>& discrepancies, int threads) {
   if (!spread || discrepancies.empty()) return {};
   std::vector<ResponseBands> bands;
   for (std::size_t r = 0; r < runs.size(); ++r)
-    bands.push_back(BandsOfResponse(subject, runs[r], modelled[r], *spread, discrepancies));
+    bands.push_back(BandsOfResponse(subject, runs[r], modelled[r], *spread, discrepancies, threads));
   return bands;
 }
 
@@ -213,10 +213,11 @@ ExperimentResults FourPost::Results(const Subject& subject, const FitResult& fit
   results.shares = ErrorShares(in_band, fitted);
   results.text = MisfitTable(misfits, by_recording) + '\n';
   if (fit.end != FitEnd::kInterrupted) AddKinematics(plan, in_band, vehicle, fit.values, results);
-  results.files = {{"response.csv", ResponseCsv(runs, modelled, plan.band_lower_Hz, plan.band_upper_Hz,
-                                                ModelledResponses(start, vehicle.sensors, runs),
-                                                BandsOf(subject, runs, modelled, fit.Spread(), discrepancies))},
-                   {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
+  results.files = {
+      {"response.csv", ResponseCsv(runs, modelled, plan.band_lower_Hz, plan.band_upper_Hz,
+                                   ModelledResponses(start, vehicle.sensors, runs),
+                                   BandsOf(subject, runs, modelled, fit.Spread(), discrepancies, fit.options.threads))},
+      {"response.svg", ResponseSvg(runs, modelled, misfits, plan.band_lower_Hz, plan.band_upper_Hz)}};
   if (fit.end != FitEnd::kInterrupted) AddMissingForce(subject, fit.values, results);
   return results;
 }

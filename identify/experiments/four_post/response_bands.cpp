@@ -59,7 +59,8 @@ BandCount Outside(const MeasuredChannel& measured, const ChannelResponse& modell
 }  // namespace
 
 ResponseBands BandsOfResponse(const Subject& subject, const MeasuredRun& run, const FrequencyResponse& modelled,
-                              const ParameterSpread& spread, const std::vector<OctaveDiscrepancy>& discrepancies) {
+                              const ParameterSpread& spread, const std::vector<OctaveDiscrepancy>& discrepancies,
+                              int threads) {
   const FreedParameters freed(spread, subject.vehicle());
   if (!freed.AreKnown() || discrepancies.empty()) return {};
   ResponseBands bands;
@@ -74,8 +75,7 @@ ResponseBands BandsOfResponse(const Subject& subject, const MeasuredRun& run, co
     }
   };
   const Index count = AlongPhasors(run, modelled, modelled).size();
-  const Eigen::VectorXd variances =
-      OutputVariances(OutputJacobian(spread, count, response_at, spread.threads), spread.total);
+  const Eigen::VectorXd variances = OutputVariances(OutputJacobian(spread, count, response_at, threads), spread.total);
   bands.evaluations = evaluations;
   Index next = 0;
   for (const MeasuredChannel& channel : run.channels) {

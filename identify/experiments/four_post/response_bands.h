@@ -30,7 +30,9 @@ struct ResponseBands {
 };
 
 /// About `modelled`, the response at the values of the vehicle's file; derivatives are those of the reduced model.
+/// `threads`: that evaluate it; 0: one per processor.
 ResponseBands BandsOfResponse(const Subject& subject, const MeasuredRun& run, const FrequencyResponse& modelled,
-                              const ParameterSpread& spread, const std::vector<OctaveDiscrepancy>& discrepancies);
+                              const ParameterSpread& spread, const std::vector<OctaveDiscrepancy>& discrepancies,
+                              int threads = 1);
 
 }  // namespace fourpost

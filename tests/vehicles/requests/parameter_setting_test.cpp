@@ -36,11 +36,18 @@ TEST_F(ParameterSetting, WarnsOfAValueOutsideItsBounds) {
 }
 
 TEST_F(ParameterSetting, KeepsTheSignOfItsValueOrOfItsRange) {
-  EXPECT_EQ(RequiredSign({.value = 2, .lower = -1, .upper = 3}), 1);
-  EXPECT_EQ(RequiredSign({.value = -2, .lower = -3, .upper = 1}), -1);
-  EXPECT_EQ(RequiredSign({.value = 0, .lower = -1, .upper = 1}), 0);
-  EXPECT_EQ(RequiredSign({.value = 0, .lower = 0, .upper = 1}), 1);
-  EXPECT_EQ(RequiredSign({.value = 0, .lower = -1, .upper = 0}), -1);
+  const auto missed = [](double is, double lower, double upper, double value) {
+    return MissedSideOfZero({.value = is, .lower = lower, .upper = upper}, value);
+  };
+  EXPECT_EQ(missed(2, -1, 3, -0.5), "");
+  EXPECT_EQ(missed(2, -1, 3, 9), "");
+  EXPECT_EQ(missed(2, -1, 3, -9), "above");
+  EXPECT_EQ(missed(2, 1, 3, 0), "above");
+  EXPECT_EQ(missed(-2, -3, 1, 9), "below");
+  EXPECT_EQ(missed(0, -1, 1, 9), "");
+  EXPECT_EQ(missed(0, -1, 1, -9), "");
+  EXPECT_EQ(missed(0, 0, 1, -9), "above");
+  EXPECT_EQ(missed(0, -1, 0, 9), "below");
   vehicle_ = ShippedVehicle("landrover110_model3");
   Set("y_body=-80 mm");
   EXPECT_EQ(ValueOf(vehicle_, "y_body"), -0.08);
