@@ -51,6 +51,7 @@ void AddSpringAdditions(const AdditionSource& source, std::vector<Addition>& add
 void AddTyreAdditions(const AdditionSource& source, std::vector<Addition>& additions);
 void AddBushAdditions(const AdditionSource& source, std::vector<Addition>& additions);
 void AddBodyAdditions(const AdditionSource& source, std::vector<Addition>& additions);
+void AddGuideAdditions(const AdditionSource& source, std::vector<Addition>& additions);
 /// Numbers that several elements share, one of them with its own.
 void AddSideAdditions(const AdditionSource& source, std::vector<Addition>& additions);
 /// Parameters with a range that the study holds. `free`: places of those that it does not.

@@ -1,10 +1,16 @@
+#include <algorithm>
 #include <cmath>
 
+#include "analysis/text/number.h"
+#include "analysis/text/short_number.h"
 #include "identify/suggest/addition_source.h"
 #include "vehicles/tags/tag.h"
 
 namespace fourpost {
 namespace {
+
+/// A damper in line with a spring needs a rate: one that adds little, of the spring's rate.
+constexpr double kParallelRate_s = 2e-4;
 
 class SpringAdditions {
  public:
@@ -22,6 +28,8 @@ class SpringAdditions {
       for (const double gap : {0.005, 0.01, 0.02, 0.035, 0.06})
         for (const char* side : {"bump", "rebound"})
           if (!HasStop(group, side)) AddStop(group, side, gap);
+      for (const double ratio : {2, 6, 20})
+        if (!HasHysteresis(group)) AddHysteresis(group, ratio);
       if (group.size() == 2) AddBar(group);
     }
   }
@@ -47,6 +55,50 @@ class SpringAdditions {
         if ((knee.side < 0) == (side == "bump")) return true;
     }
     return false;
+  }
+
+  /// Friction in line with a spring, between the same bodies.
+  bool HasHysteresis(const AdditionSource::Group& group) const {
+    const Spring& coil = source_.vehicle().springs[group.front()];
+    const std::vector<Damper>& dampers = source_.vehicle().dampers;
+    return std::any_of(dampers.begin(), dampers.end(), [&](const Damper& damper) {
+      return damper.series && damper.law.friction && damper.line.parent.link == coil.line.parent.link &&
+             damper.line.child.link == coil.line.child.link;
+    });
+  }
+
+  /// Friction that gives way before it slides, as between leaves or in rubber: in line with a spring of `ratio` times
+  /// this one's rate. The amount is the force.
+  void AddHysteresis(const AdditionSource::Group& group, double ratio) {
+    constexpr double kFirst_m = 1e-3;
+    constexpr double kMost_m = 0.1;
+    const double stiffness = StiffnessOf(group);
+    if (!(stiffness > 0)) return;
+    Addition addition{.mechanism = "hysteresis", .elements = NamesOf(group)};
+    addition.words = "elastic friction (hysteresis) beside spring " + Quoted(addition.elements);
+    const double line = ratio * stiffness;
+    addition.values = [line](double force) { return std::vector{force, line}; };
+    addition.first = kFirst_m * stiffness;
+    addition.greatest = kMost_m * stiffness;
+    addition.count = 2;
+    const std::string source = "suggested: " + addition.words;
+    const NewParameter force{.name = source_.ParameterName("hysteresis", addition.elements),
+                             .dimension = kForce,
+                             .lower = 0,
+                             .upper = addition.greatest,
+                             .source = source};
+    const NewParameter rate{.name = source_.ParameterName("k_hysteresis", addition.elements),
+                            .dimension = kStiffness,
+                            .lower = line / 10,
+                            .upper = 10 * line,
+                            .source = source};
+    VehicleEdit edit = source_.Edit();
+    for (const auto& [name, ends] : source_.EndsOf("fp:spring", addition.elements))
+      edit.Add("<fp:damper name=\"" + source_.ElementName("hysteresis", name, group.size() == 1) + "\" " + ends +
+               "><linear rate=\"" + FormatNumber(AtDigits(kParallelRate_s * line, 3)) +
+               " N*s/m\"/><friction force=\"$" + force.name + "\"/><series stiffness=\"$" + rate.name +
+               "\"/></fp:damper>");
+    Finish(std::move(addition), {force, rate}, edit);
   }
 
   void AddCubic(const AdditionSource::Group& group) {

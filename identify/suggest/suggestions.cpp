@@ -200,6 +200,7 @@ class Suggester {
     AddTyreAdditions(source, additions);
     AddBushAdditions(source, additions);
     AddBodyAdditions(source, additions);
+    AddGuideAdditions(source, additions);
     AddSideAdditions(source, additions);
     AddHeldAdditions(source, study_.free, additions);
     AddChannelAdditions(source, study_.study.text, additions);

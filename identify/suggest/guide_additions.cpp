@@ -1,0 +1,55 @@
+#include "analysis/text/number.h"
+#include "analysis/text/short_number.h"
+#include "identify/suggest/addition_source.h"
+
+namespace fourpost {
+namespace {
+
+bool HasFrictionBetween(const Vehicle& vehicle, int parent, int child) {
+  for (const Damper& damper : vehicle.dampers) {
+    const bool is_same = (damper.line.parent.link == parent && damper.line.child.link == child) ||
+                         (damper.line.parent.link == child && damper.line.child.link == parent);
+    if (is_same && damper.law.friction) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+/// Dry friction of the guides of a rig: sliding joints on the ground.
+void AddGuideAdditions(const AdditionSource& source, std::vector<Addition>& additions) {
+  constexpr double kFirst_N_per_kg = 0.1;
+  constexpr double kMost_N_per_kg = 5;
+  constexpr int kDigits = 9;
+  const Vehicle& vehicle = source.vehicle();
+  for (const Joint& joint : vehicle.joints) {
+    if (joint.type != Joint::Type::kPrismatic || joint.parent != 0) continue;
+    if (HasFrictionBetween(vehicle, joint.parent, joint.child)) continue;
+    const double mass = vehicle.links[static_cast<std::size_t>(joint.child)].mass.At(source.values());
+    if (!(mass > 0)) continue;
+    Addition addition{.mechanism = "guide_friction", .elements = {joint.name}};
+    addition.words = "dry friction in the guide '" + joint.name + "'";
+    addition.values = [](double force) { return std::vector{force}; };
+    addition.first = kFirst_N_per_kg * mass;
+    addition.greatest = kMost_N_per_kg * mass;
+    const NewParameter parameter{.name = source.ParameterName("friction", addition.elements),
+                                 .dimension = kForce,
+                                 .lower = 0,
+                                 .upper = addition.greatest,
+                                 .source = "suggested: " + addition.words};
+    const Eigen::Vector3d axis = joint.pose.linear() * joint.axis;
+    std::string direction;
+    for (const double part : axis) direction += (direction.empty() ? "" : " ") + FormatNumber(AtDigits(part, kDigits));
+    VehicleEdit edit = source.Edit();
+    edit.Add("<fp:damper name=\"" + source.ElementName("friction", joint.name, false) + "\" parent=\"" +
+             vehicle.links[static_cast<std::size_t>(joint.parent)].name + "\" child=\"" +
+             vehicle.links[static_cast<std::size_t>(joint.child)].name + "\" axis=\"" + direction +
+             "\"><linear rate=\"0 N*s/m\"/><friction force=\"$" + parameter.name + "\"/></fp:damper>");
+    addition.parameters = {parameter.name};
+    edit.Add(parameter, addition.first);
+    addition.vehicle = edit.Text();
+    additions.push_back(std::move(addition));
+  }
+}
+
+}  // namespace fourpost
