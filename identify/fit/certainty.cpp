@@ -237,12 +237,34 @@ std::string LoudestPart(const ModelErrorEstimate& estimate, Index judged) {
 
 }  // namespace
 
+Eigen::VectorXd Certainty::MissingSd() const {
+  constexpr double kBeyond = 1.25;
+  return kBeyond / covariance.reach_95 * by_missing.rowwise().sum();
+}
+
+void Certainty::AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved) {
+  missing = std::move(names);
+  by_missing = std::move(moved);
+  const Eigen::VectorXd sd = MissingSd();
+  for (const Index j : judged) {
+    model_sd[j] = std::hypot(model_sd[j], sd[j]);
+    total_sd[j] = std::hypot(total_sd[j], sd[j]);
+  }
+  total_covariance += sd(judged) * sd(judged).transpose();
+}
+
 std::string Certainty::LimitedBy(Index parameter) const {
   const auto place = std::find(judged.begin(), judged.end(), parameter);
   if (place == judged.end()) return "";
   const double noise = noise_sd[parameter];
-  if (model_sd[parameter] > std::max(noise, held_sd[parameter]))
+  if (model_sd[parameter] > std::max(noise, held_sd[parameter])) {
+    if (!missing.empty() && 2 * std::pow(MissingSd()[parameter], 2) > std::pow(model_sd[parameter], 2)) {
+      Index largest = 0;
+      by_missing.row(parameter).cwiseAbs().maxCoeff(&largest);
+      return "missing: " + missing[static_cast<std::size_t>(largest)];
+    }
     return "model: " + LoudestPart(model_error, place - judged.begin());
+  }
   if (held_sd[parameter] <= noise) return "noise";
   Index largest = 0;
   by_held.col(parameter).maxCoeff(&largest);

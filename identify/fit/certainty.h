@@ -67,6 +67,16 @@ struct Certainty {
   std::vector<std::string> held;
   Eigen::MatrixXd by_held;
   std::vector<CalibrationEstimate> calibrations;
+  /// In words, what the model lacks by its own residuals, and by what each would move the free parameters, n x
+  /// additions in FitVariables; part of `model_sd`.
+  std::vector<std::string> missing;
+  Eigen::MatrixXd by_missing;
+
+  /// Widens the intervals so that they reach to where the parameters would be with all of `names` added, and beyond by
+  /// a quarter of that way: it is known to first order. `moved`: see `by_missing`.
+  void AllowForMissing(std::vector<std::string> names, Eigen::MatrixXd moved);
+  /// The part of `model_sd` that is from there, signed.
+  Eigen::VectorXd MissingSd() const;
 
   /// What most of a parameter's deviation comes from: "noise"; "model: " and the part of the data that pulls it most;
   /// "held: " and the parameter, or "calibration: " and the instrument, that moves it most. Empty for one without a

@@ -8,6 +8,7 @@
 #include "analysis/files/inputs_elsewhere.h"
 #include "analysis/files/output_folder.h"
 #include "analysis/text/nearest.h"
+#include "identify/fit/fitted_parameters.h"
 #include "identify/fit/profile_chart.h"
 #include "identify/report/report_page.h"
 #include "identify/run/findings.h"
@@ -111,6 +112,23 @@ Eigen::VectorXd FreeValues(const LoadedStudy& loaded, const FitResult& fit) {
   return values;
 }
 
+/// Of additions that explain the residuals together.
+std::vector<std::string> WordsTogether(const Suggestions& found) {
+  std::vector<std::string> words;
+  for (const std::size_t place : found.together) words.push_back(found.list[place].addition.words);
+  return words;
+}
+
+/// By what additions together would move the parameters, in per cent as of SuggestionJson().
+nlohmann::ordered_json TogetherJson(const Suggestions& found) {
+  nlohmann::ordered_json words = nlohmann::ordered_json::array();
+  for (const std::string& one : WordsTogether(found)) words.push_back(one);
+  nlohmann::ordered_json moves = nlohmann::ordered_json::array();
+  for (const MovedParameter& one : found.moves_together)
+    moves.push_back({{"name", one.name}, {"percent", 100 * one.share}});
+  return {{"additions", words}, {"moves", moves}};
+}
+
 /// What is worth adding, at most three; null where that was not looked for.
 nlohmann::ordered_json MissingJson(const std::optional<Suggestions>& found, const LoadedStudy& loaded) {
   constexpr std::size_t kMost = 3;
@@ -118,7 +136,7 @@ nlohmann::ordered_json MissingJson(const std::optional<Suggestions>& found, cons
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < std::min(kMost, found->Worthwhile()); ++i)
     list.push_back(SuggestionJson(found->list[i], i + 1, loaded));
-  return {{"tried", found->tried}, {"suggestions", list}};
+  return {{"tried", found->tried}, {"suggestions", list}, {"together", TogetherJson(*found)}};
 }
 
 /// One fit from its study to its folder.
@@ -245,6 +263,8 @@ class Fitter {
 
   /// result.json goes last into the folder.
   void Write(const LoadedStudy& loaded, std::uint64_t seed, OutputFolder& output, FitRun& run) {
+    const std::optional<Suggestions> missing = Missing(loaded, run.fit);
+    if (missing) AllowForMissing(loaded.MakeObjective(), WordsTogether(*missing), missing->moved_together, run.fit);
     const FitResult& fit = run.fit;
     const Subject subject = loaded.MakeSubject();
     if (fit.end != FitEnd::kInterrupted) {
@@ -262,7 +282,7 @@ class Fitter {
     if (audit_ && fit.end != FitEnd::kInterrupted && !request_.accept_implausible)
       ReportAudit(loaded, *audit_, Severity::kWarning, run.verdict.reasons);
     const Diagnostics conclusions = ConclusionsOf(fit, run.verdict, loaded.HasDeviations());
-    results.json["missing"] = MissingJson(Missing(loaded, fit), loaded);
+    results.json["missing"] = MissingJson(missing, loaded);
     run.text = FitText(fit, run.verdict, conclusions, results.text + results.unseen_text, results.json["missing"]);
     run.json = ResultJson(loaded, seed, fit, results.json, {run.verdict, conclusions, warnings_});
     std::vector<std::pair<std::string, std::string>>& files = results.files;

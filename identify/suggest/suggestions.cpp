@@ -20,6 +20,7 @@
 #include "identify/study_file/study_edit.h"
 #include "identify/suggest/addition_source.h"
 #include "identify/suggest/findings.h"
+#include "identify/suggest/joined_additions.h"
 #include "identify/suggest/score_test.h"
 #include "vehicles/multibody/simulation_error.h"
 #include "vehicles/reader/vehicle_file.h"
@@ -157,6 +158,7 @@ class Suggester {
     Confirm(fitted, before, best);
     LeaveOutParts(best);
     Describe(before, best);
+    Join(fitted, best);
     for (const Trial& trial : trials)
       if (!trial.test) result_.failed.push_back({trial.addition.words, trial.failure});
     return std::move(result_);
@@ -327,6 +329,24 @@ class Suggester {
         const Eigen::VectorXd& b = list[k]->test->direction;
         if (i != k && std::abs(a.dot(b)) > kAlike * a.norm() * b.norm()) result_.list[i].like.push_back(k);
       }
+  }
+
+  /// Those worth adding are the first of the list.
+  void Join(const FollowedCost& fitted, const std::vector<Trial*>& list) {
+    std::vector<Eigen::VectorXd> with;
+    for (std::size_t i = 0; i < result_.Worthwhile(); ++i) with.push_back(list[i]->test->left);
+    if (with.empty() || result_.is_interrupted) return;
+    const auto pays = [&](double before, const Eigen::VectorXd& left, std::size_t place) {
+      const double effective = EffectiveResiduals(left.head(result_.residuals), structure_);
+      return CriterionChange(before, left.squaredNorm(), result_.residuals, effective, list[place]->addition.count,
+                             result_.tried) < 0;
+    };
+    const JoinedAdditions joined = JoinAdditions(fitted.Of(fitted.point().residuals).left, with, pays);
+    result_.together = joined.places;
+    result_.moved_together.resize(values_.size(), std::ssize(joined.places));
+    for (Index k = 0; k < result_.moved_together.cols(); ++k)
+      result_.moved_together.col(k) = joined.shares[k] * list[joined.places[static_cast<std::size_t>(k)]]->test->step;
+    result_.moves_together = MovedBy(result_.moved_together.rowwise().sum());
   }
 
   std::vector<MovedParameter> MovedBy(const Eigen::VectorXd& step) const {

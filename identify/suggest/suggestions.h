@@ -49,6 +49,12 @@ struct Suggestions {
   /// Those worth adding, the best first; then the others by their criterion. Without parts of a better one, such as one
   /// side of what is worth more on both.
   std::vector<SuggestedAddition> list;
+  /// Of those worth adding, which explain the residuals together, and by what each then moves the free parameters, in
+  /// FitVariables, n x additions; to first order.
+  std::vector<std::size_t> together;
+  Eigen::MatrixXd moved_together;
+  /// By all of them.
+  std::vector<MovedParameter> moves_together;
   double cost = 0;
   double misfit = 0;
   /// Residuals, and how many independent ones these are worth.
